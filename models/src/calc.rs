@@ -1,0 +1,175 @@
+//! The scalar that every equation is written over. Which scalar it runs with
+//! decides what comes out: `f64` the value, `Dual64` also its exact
+//! derivative, [`Rec`](crate::record::Rec) the printed formula.
+//!
+//! This file is the one door to transcendental functions: they come from
+//! `libm`, which gives the same bits on every platform, where `std` does not.
+
+use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
+use num_dual::Dual64;
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::ops::Neg;
+
+use crate::symbol::Symbol;
+
+/// A number that mechanism equations can be evaluated with.
+pub trait Calc:
+    Scalar + Copy + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>
+{
+    /// A plain number without dimension.
+    fn constant(value: f64) -> Self;
+
+    /// The value alone, for a decision that the book names in words.
+    fn value(self) -> f64;
+
+    fn abs(self) -> Self;
+    fn sqrt(self) -> Self;
+    fn sin(self) -> Self;
+    /// Sine and cosine of an angle in rad.
+    fn sin_cos(self) -> (Self, Self);
+    fn asin(self) -> Self;
+    fn acos(self) -> Self;
+
+    /// Angle of the vector (x, y) from the x axis, counter-clockwise, in rad,
+    /// in (−π/2, 3π/2]: continuous for every bar that does not hang straight down.
+    fn direction(x: Self, y: Self) -> Self;
+
+    /// `self` − `other`, with `other` known to twice the working precision as
+    /// `other` + `tail`: exact where the two nearly cancel.
+    fn minus_exact(self, other: Self, tail: f64) -> Self;
+
+    #[must_use]
+    fn square(self) -> Self {
+        self * self
+    }
+
+    /// Names a result: nothing for numbers, a line in the book for the recorder.
+    #[must_use]
+    fn def(self, _: &'static Symbol) -> Self {
+        self
+    }
+}
+
+/// Moves an angle from (−π, π] to (−π/2, 3π/2].
+#[inline]
+fn upright(angle: f64) -> f64 {
+    if angle <= -FRAC_PI_2 { angle + TAU } else { angle }
+}
+
+impl Calc for f64 {
+    #[inline]
+    fn constant(value: f64) -> f64 {
+        value
+    }
+    #[inline]
+    fn value(self) -> f64 {
+        self
+    }
+    #[inline]
+    fn abs(self) -> f64 {
+        f64::abs(self)
+    }
+    #[inline]
+    fn sqrt(self) -> f64 {
+        // IEEE 754 rounds a square root correctly: the same bits everywhere.
+        f64::sqrt(self)
+    }
+    #[inline]
+    fn sin(self) -> f64 {
+        libm::sin(self)
+    }
+    #[inline]
+    fn sin_cos(self) -> (f64, f64) {
+        libm::sincos(self)
+    }
+    #[inline]
+    fn asin(self) -> f64 {
+        libm::asin(self)
+    }
+    #[inline]
+    fn acos(self) -> f64 {
+        libm::acos(self)
+    }
+    #[inline]
+    fn direction(x: f64, y: f64) -> f64 {
+        upright(libm::atan2(y, x))
+    }
+    #[inline]
+    fn minus_exact(self, other: f64, tail: f64) -> f64 {
+        (self - other) - tail
+    }
+}
+
+impl Calc for Dual64 {
+    fn constant(value: f64) -> Dual64 {
+        Dual64::from_re(value)
+    }
+    fn value(self) -> f64 {
+        self.re
+    }
+    fn abs(self) -> Dual64 {
+        if self.re < 0.0 { -self } else { self }
+    }
+    fn sqrt(self) -> Dual64 {
+        let root = self.re.sqrt();
+        Dual64::new(root, self.eps / (2.0 * root))
+    }
+    fn sin(self) -> Dual64 {
+        self.sin_cos().0
+    }
+    fn sin_cos(self) -> (Dual64, Dual64) {
+        let (sin, cos) = Calc::sin_cos(self.re);
+        (Dual64::new(sin, self.eps * cos), Dual64::new(cos, -self.eps * sin))
+    }
+    fn asin(self) -> Dual64 {
+        Dual64::new(Calc::asin(self.re), self.eps / (1.0 - self.re * self.re).sqrt())
+    }
+    fn acos(self) -> Dual64 {
+        Dual64::new(Calc::acos(self.re), -self.eps / (1.0 - self.re * self.re).sqrt())
+    }
+    fn direction(x: Dual64, y: Dual64) -> Dual64 {
+        let turn = (x.re * y.eps - y.re * x.eps) / (x.re * x.re + y.re * y.re);
+        Dual64::new(Calc::direction(x.re, y.re), turn)
+    }
+    fn minus_exact(self, other: Dual64, tail: f64) -> Dual64 {
+        Dual64::new(self.re.minus_exact(other.re, tail), self.eps - other.eps)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_are_continuous_through_the_upright_and_the_rear() {
+        let up = f64::direction(0.0, 1.0);
+        let rear = f64::direction(-1.0, -1e-9);
+        let front_low = f64::direction(1.0, -1e-9);
+        assert_eq!(up, FRAC_PI_2);
+        assert!((rear - std::f64::consts::PI).abs() < 1e-8);
+        assert!(front_low < 0.0 && front_low > -1e-8);
+        assert_eq!(f64::direction(0.0, -1.0), 1.5 * std::f64::consts::PI);
+    }
+
+    /// Every derivative rule against a central difference, whose error is of
+    /// the order of step² (1e-12) plus rounding over step (1e-10).
+    #[test]
+    fn dual_rules_agree_with_differences() {
+        let rules: [(&str, fn(Dual64) -> Dual64); 6] = [
+            ("sqrt", |x| Calc::sqrt(x)),
+            ("sin", |x| Calc::sin(x)),
+            ("cos", |x| Calc::sin_cos(x).1),
+            ("asin", |x| Calc::asin(x)),
+            ("acos", |x| Calc::acos(x)),
+            ("direction", |x| Dual64::direction(x * x, x)),
+        ];
+        let step = 1e-6;
+        for (name, rule) in rules {
+            for at in [0.1, 0.5, 0.9] {
+                let difference = (rule(Dual64::from_re(at + step)).re - rule(Dual64::from_re(at - step)).re) / (2.0 * step);
+                let exact = rule(Dual64::new(at, 1.0)).eps;
+                assert!((exact - difference).abs() < 1e-9, "{name} at {at}: {exact} {difference}");
+            }
+        }
+    }
+}

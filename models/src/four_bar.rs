@@ -1,0 +1,251 @@
+//! The four-bar linkage: crank O–J (driven), coupler J–K, follower N–K, frame
+//! O–N; any lengths, both branches of assembly, exact up to its dead points.
+//!
+//! A dead point is where coupler and follower lie in one line: there the
+//! triangle N–J–K has no area, and differences of squares lose half of their
+//! digits. The products of sines below keep them, given that the dead angles
+//! are known to twice the working precision:
+//!
+//! (b + c)² − d² = 4 a f sin((θ − θ_s)/2) sin((θ_s′ − θ)/2)
+//!
+//! with crank a, coupler b, follower c, frame f and diagonal d = N–J.
+
+use std::f64::consts::{PI, TAU};
+use twofloat::TwoFloat;
+
+use crate::calc::Calc;
+use crate::plane::{self, Point};
+use crate::symbol::Symbol;
+
+/// Names under which a mechanism's book prints the steps of the closure.
+#[derive(Debug)]
+pub struct Names {
+    pub frame: &'static Symbol,
+    pub frame_angle: &'static Symbol,
+    pub stretched: [&'static Symbol; 2],
+    pub folded: [&'static Symbol; 2],
+    pub crank: [&'static Symbol; 2],
+    pub diagonal: [&'static Symbol; 2],
+    pub diagonal_length: &'static Symbol,
+    pub stretched_margin: &'static Symbol,
+    pub folded_margin: &'static Symbol,
+    pub area: &'static Symbol,
+    pub follower: [&'static Symbol; 2],
+    pub coupler: [&'static Symbol; 2],
+}
+
+/// On which side of the line from the follower's pivot N to the crank's joint J
+/// the joint K of coupler and follower lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Branch {
+    Left,
+    Right,
+}
+
+/// How one kind of dead point (stretched or folded) limits the crank.
+#[derive(Clone, Copy, Debug)]
+enum Limit<C> {
+    /// Dead points on both sides of the frame line; each angle comes with the
+    /// tail that completes it to twice the working precision.
+    Dead([(C, f64); 2]),
+    /// The crank passes: at the worst position this margin (m²) is left.
+    Free(C),
+}
+
+/// Lengths of a linkage with what follows from them alone.
+#[derive(Clone, Copy, Debug)]
+pub struct FourBar<C> {
+    crank: C,
+    coupler: C,
+    follower: C,
+    /// From the crank's pivot O to the follower's pivot N.
+    frame: Point<C>,
+    frame_length: C,
+    frame_angle: C,
+    branch: Branch,
+    stretched: Limit<C>,
+    folded: Limit<C>,
+}
+
+/// The linkage at one crank angle: bars as vectors, in m.
+#[derive(Clone, Copy, Debug)]
+pub struct Closure<C> {
+    /// O to J.
+    pub crank: Point<C>,
+    /// J to K.
+    pub coupler: Point<C>,
+    /// N to K.
+    pub follower: Point<C>,
+    /// Length of the diagonal N–J.
+    pub diagonal: C,
+    /// ±4 × the area of the triangle N–J–K; twice the cross product of follower
+    /// and coupler, without its cancellation.
+    pub area: C,
+}
+
+/// An interval of crank angles in which the linkage can be assembled, in rad;
+/// the whole turn where it has no end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    pub from: f64,
+    pub to: f64,
+}
+
+impl<C: Calc> FourBar<C> {
+    /// `None` where these lengths close at no crank angle.
+    pub fn new(
+        [crank, coupler, follower]: [C; 3],
+        frame: Point<C>,
+        branch: Branch,
+        names: &Names,
+    ) -> Option<FourBar<C>> {
+        let frame_length = plane::length(frame).def(names.frame);
+        let frame_angle = C::direction(frame.x, frame.y).def(names.frame_angle);
+        let (a, f) = (crank, frame_length);
+        let (sum, difference) = (coupler + follower, coupler - follower);
+        // The diagonal runs from |a − f| to a + f and must stay within
+        // |b − c| .. b + c.
+        if sum.value() <= (a - f).value().abs() || difference.value().abs() >= (a + f).value() {
+            return None;
+        }
+        let dead = |diagonal: C, exact: TwoFloat, names: [&'static Symbol; 2]| {
+            let half = C::direction(
+                ((a + f - diagonal) * (a + f + diagonal)).sqrt(),
+                ((diagonal - a + f) * (diagonal + a - f)).sqrt(),
+            );
+            let two = C::constant(2.0);
+            let near = |angle: C, name| {
+                let angle = angle.def(name);
+                let tail = dead_angle_tail(angle.value(), crank.value(), frame.map(C::value), exact);
+                (angle, tail)
+            };
+            Limit::Dead([near(frame_angle - two * half, names[0]), near(frame_angle + two * half, names[1])])
+        };
+        let exact = |sign: f64| TwoFloat::new_add(coupler.value(), sign * follower.value());
+        let stretched = if sum.value() < (a + f).value() {
+            dead(sum, exact(1.0), names.stretched)
+        } else {
+            Limit::Free((sum - a - f) * (sum + a + f))
+        };
+        let folded = if difference.value().abs() > (a - f).value().abs() {
+            dead(difference, exact(-1.0), names.folded)
+        } else {
+            Limit::Free((a - f - difference) * (a - f + difference))
+        };
+        Some(FourBar { crank, coupler, follower, frame, frame_length, frame_angle, branch, stretched, folded })
+    }
+
+    /// The arcs of crank angles in which the linkage closes, each within one
+    /// turn, ends included. With both kinds of dead point there are two.
+    #[must_use]
+    pub fn arcs(&self) -> Vec<Arc> {
+        let centre = self.frame_angle.value();
+        let ends = |limit: &Limit<C>| match limit {
+            Limit::Dead([(low, _), (high, _)]) => Some((low.value(), high.value())),
+            Limit::Free(_) => None,
+        };
+        match (ends(&self.stretched), ends(&self.folded)) {
+            (None, None) => vec![Arc { from: centre - PI, to: centre + PI }],
+            (Some((from, to)), None) => vec![Arc { from, to }],
+            (None, Some((low, high))) => vec![Arc { from: high, to: low + TAU }],
+            (Some((from, to)), Some((low, high))) => vec![Arc { from, to: low }, Arc { from: high, to }],
+        }
+    }
+
+    /// Whether the crank can turn without end.
+    #[must_use]
+    pub fn turns_fully(&self) -> bool {
+        matches!((&self.stretched, &self.folded), (Limit::Free(_), Limit::Free(_)))
+    }
+
+    /// The bars at crank angle `theta` (rad), or `None` where they do not close.
+    #[inline]
+    pub fn close(&self, theta: C, names: &Names) -> Option<Closure<C>> {
+        let (sin, cos) = theta.sin_cos();
+        let crank = plane::def(Point::new(self.crank * cos, self.crank * sin), names.crank);
+        let diagonal = plane::def(crank - self.frame, names.diagonal);
+        let square = diagonal.x.square() + diagonal.y.square();
+        let length = square.sqrt().def(names.diagonal_length);
+
+        let two = C::constant(2.0);
+        let scale = C::constant(4.0) * self.crank * self.frame_length;
+        let stretched = match &self.stretched {
+            Limit::Dead([(low, low_tail), (high, high_tail)]) => {
+                let past_low = theta.minus_exact(*low, *low_tail) / two;
+                let past_high = theta.minus_exact(*high, *high_tail) / two;
+                -(scale * past_low.sin() * past_high.sin())
+            }
+            Limit::Free(margin) => *margin + scale * ((theta - self.frame_angle) / two).sin_cos().1.square(),
+        }
+        .def(names.stretched_margin);
+        let folded = match &self.folded {
+            Limit::Dead([(low, low_tail), (high, high_tail)]) => {
+                let past_low = theta.minus_exact(*low, *low_tail) / two;
+                let past_high = theta.minus_exact(*high, *high_tail) / two;
+                scale * past_low.sin() * past_high.sin()
+            }
+            Limit::Free(margin) => *margin + scale * ((theta - self.frame_angle) / two).sin().square(),
+        }
+        .def(names.folded_margin);
+        // Not `<`: a NaN must not pass.
+        if !(stretched.value() >= 0.0 && folded.value() >= 0.0 && square.value() > 0.0) {
+            return None;
+        }
+        let root = (stretched * folded).sqrt();
+        let area = match self.branch {
+            Branch::Left => root,
+            Branch::Right => -root,
+        }
+        .def(names.area);
+
+        // Components of the bars along and across the diagonal, times 2 d.
+        let balance = (self.follower - self.coupler) * (self.follower + self.coupler);
+        let double = two * length.square();
+        let (along_follower, along_coupler) = (length.square() + balance, balance - length.square());
+        let follower = plane::def(
+            Point::new(
+                (along_follower * diagonal.x - area * diagonal.y) / double,
+                (along_follower * diagonal.y + area * diagonal.x) / double,
+            ),
+            names.follower,
+        );
+        let coupler = plane::def(
+            Point::new(
+                (along_coupler * diagonal.x - area * diagonal.y) / double,
+                (along_coupler * diagonal.y + area * diagonal.x) / double,
+            ),
+            names.coupler,
+        );
+        Some(Closure { crank, coupler, follower, diagonal: length, area })
+    }
+}
+
+/// What must be added to `angle`, a dead angle in working precision, to make it
+/// exact: Newton's method in double-double arithmetic on
+/// a² + f² − d² − 2 a (f_x cos θ + f_y sin θ) = 0.
+fn dead_angle_tail(angle: f64, crank: f64, frame: Point<f64>, diagonal: TwoFloat) -> f64 {
+    let square = |x: f64| TwoFloat::new_mul(x, x);
+    let constant = square(crank) + square(frame.x) + square(frame.y) - diagonal * diagonal;
+    let mut exact = TwoFloat::from(angle);
+    // Quadratic convergence from 1e-16 (1e-8 where the linkage nearly passes).
+    for _ in 0..3 {
+        let (sin, cos) = sin_cos(exact);
+        let residual = constant - 2.0 * crank * (frame.x * cos + frame.y * sin);
+        let slope = 2.0 * crank * (frame.x * sin - frame.y * cos);
+        exact -= residual / slope;
+    }
+    f64::from(exact - angle)
+}
+
+/// Sine and cosine in double-double arithmetic by their series: error below
+/// 1e-29 for |x| ≤ 3π. (The crate's own functions stop at 1e-22.)
+fn sin_cos(x: TwoFloat) -> (TwoFloat, TwoFloat) {
+    let mut sums = [TwoFloat::from(0.0), TwoFloat::from(1.0)]; // sine, cosine
+    let mut term = TwoFloat::from(1.0);
+    for n in 1..60 {
+        term = term * x / f64::from(n);
+        let sign = if n % 4 < 2 { 1.0 } else { -1.0 };
+        sums[usize::from(n % 2 == 0)] += sign * term;
+    }
+    (sums[0], sums[1])
+}

@@ -1,0 +1,367 @@
+//! What a scene says about a luffing mechanism.
+
+use crate::diagnostic::Diagnostic;
+use crate::four_bar::{Arc, Branch};
+use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
+use crate::lemniscate::symbols as s;
+use crate::schema::{Key, Kind, Sign, Values};
+use crate::symbol::Symbol;
+
+use std::f64::consts::TAU;
+
+/// Keys of `[luffing]`.
+pub static KEYS: &[Key] = &[
+    Key {
+        name: "driven",
+        kind: Kind::Choice(&["boom", "rocker"]),
+        required: true,
+        text: "Which bar the drive turns; its angle is the coordinate.",
+    },
+    Key {
+        name: "branch",
+        kind: Kind::Choice(&["left", "right"]),
+        required: true,
+        text: "Side of the line from the foot of the other bar to the driven bar's head on which the jib's other pin lies.",
+    },
+    Key::quantity(&s::X_1, Sign::Positive),
+    Key::quantity(&s::X_2, Sign::Positive),
+    Key::quantity(&s::X_3, Sign::Positive),
+    Key::quantity(&s::X_4, Sign::Positive),
+    Key::quantity(&s::X_5, Sign::Any),
+    Key::quantity(&s::X_6, Sign::Any),
+    Key::quantity(&s::X_7, Sign::Any).optional(),
+    Key::quantity(&s::BETA_0, Sign::Positive).optional(),
+    Key::quantity(&s::AC, Sign::Positive).optional(),
+    Key::quantity(&s::X_8, Sign::Any),
+    Key::quantity(&s::Q, Sign::NotNegative).optional(),
+    Key::table("motion", MOTION, "Working range of the driven bar."),
+    Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
+    Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
+    Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
+    Key::table("published", PUBLISHED, "Published values to stand beside the computed ones.").optional(),
+];
+
+static MOTION: &[Key] = &[
+    Key { name: "from", kind: Kind::Quantity(&s::THETA_1, Sign::Any), required: true, text: "Angle of the driven bar at the start." },
+    Key { name: "to", kind: Kind::Quantity(&s::THETA_1, Sign::Any), required: true, text: "Angle of the driven bar at the end." },
+    Key { name: "step", kind: Kind::Quantity(&s::THETA_1, Sign::Positive), required: true, text: "Step of tables." },
+    Key { name: "speed", kind: Kind::Quantity(&s::OMEGA_1, Sign::Positive), required: true, text: "Angular velocity of the driven bar." },
+];
+
+static WEIGHTS: &[Key] = &[
+    Key::quantity(&s::G_1, Sign::NotNegative),
+    Key::quantity(&s::S_1, Sign::NotNegative),
+    Key::quantity(&s::CHI_1, Sign::Any),
+    Key::quantity(&s::G_2, Sign::NotNegative),
+    Key::quantity(&s::S_2, Sign::NotNegative),
+    Key::quantity(&s::CHI_2, Sign::Any),
+    Key::quantity(&s::G_3, Sign::NotNegative),
+    Key::quantity(&s::S_3, Sign::NotNegative),
+    Key::quantity(&s::CHI_3, Sign::Any),
+];
+
+static DRIVE: &[Key] = &[
+    Key {
+        name: "kind",
+        kind: Kind::Choice(&["cylinder", "rack"]),
+        required: true,
+        text: "A hydraulic cylinder, or a rack that a pinion on the frame pushes.",
+    },
+    Key::quantity(&s::E_X, Sign::Any),
+    Key::quantity(&s::E_Y, Sign::Any),
+    Key::quantity(&s::S_D, Sign::Positive),
+    Key::quantity(&s::CHI_D, Sign::Any),
+    Key::quantity(&s::D_C, Sign::Positive).optional(),
+    Key::quantity(&s::D_R, Sign::NotNegative).optional(),
+];
+
+static LIMITS: &[Key] = &[
+    Key::quantity(&s::MU_MIN, Sign::NotNegative).optional(),
+    Key::quantity(&s::EPSILON_Y, Sign::Positive).optional(),
+];
+
+static PUBLISHED: &[Key] = &[
+    Key { name: "source", kind: Kind::Text, required: true, text: "Where the values are printed." },
+    Key { name: "values", kind: Kind::Text, required: true, text: "A line of names, then lines of values in display units; the first column is the angle of the driven bar." },
+];
+
+/// A luffing mechanism as the scene describes it; SI.
+#[derive(Clone, Debug)]
+pub struct Luffing {
+    pub parameters: Parameters<f64>,
+    /// Weight of the load; `None` models no forces.
+    pub q: Option<f64>,
+    pub motion: Motion,
+    pub limits: Limits,
+    pub published: Option<Published>,
+}
+
+/// Working range of the driven bar, in rad and rad/s.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion {
+    pub from: f64,
+    pub to: f64,
+    pub step: f64,
+    pub speed: f64,
+}
+
+impl Motion {
+    /// The angles of tables: every step from the start, and the end.
+    #[must_use]
+    pub fn angles(&self) -> Vec<f64> {
+        let steps = ((self.to - self.from) / self.step).round().max(1.0);
+        (0..=steps as u32).map(|i| if f64::from(i) == steps { self.to } else { self.from + f64::from(i) * self.step }).collect()
+    }
+}
+
+/// Limits that the book checks.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    pub mu_min: Option<f64>,
+    pub epsilon_y: Option<f64>,
+}
+
+/// Published values, as printed.
+#[derive(Clone, Debug)]
+pub struct Published {
+    pub source: String,
+    pub columns: Vec<&'static Symbol>,
+    pub rows: Vec<Vec<String>>,
+}
+
+/// More rows in a table than anyone reads, and than a step of `1e-9 deg` would make.
+const MOST_ROWS: f64 = 10_000.0;
+
+impl Luffing {
+    /// Builds the mechanism of a checked table; mistakes go to `found`.
+    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Luffing> {
+        let before = found.len();
+        let driven = if v.text("driven")? == "boom" { Driven::Boom } else { Driven::Rocker };
+        let branch = if v.text("branch")? == "left" { Branch::Left } else { Branch::Right };
+        let n = |symbol: &Symbol| v.number(symbol.id);
+        let lengths = Lengths {
+            x_1: n(&s::X_1)?,
+            x_2: n(&s::X_2)?,
+            x_3: n(&s::X_3)?,
+            x_4: n(&s::X_4)?,
+            x_5: n(&s::X_5)?,
+            x_6: n(&s::X_6)?,
+            x_8: n(&s::X_8)?,
+        };
+        let jib = match (n(&s::X_7), n(&s::BETA_0), n(&s::AC)) {
+            (Some(x), None, None) => Jib::Sag(x),
+            (None, Some(x), None) => Jib::Angle(x),
+            (None, None, Some(x)) => Jib::Axis(x),
+            (x_7, beta_0, _) => {
+                let none = x_7.is_none() && beta_0.is_none() && n(&s::AC).is_none();
+                let extra = if x_7.is_some() && beta_0.is_some() { "beta_0" } else { "AC" };
+                found.push(
+                    Diagnostic::new(
+                        v.place(extra),
+                        if none { "nothing determines the jib's triangle" } else { "the jib's triangle is determined twice" },
+                        if none { "X_7, beta_0 or AC is needed here" } else { "remove this or the other" },
+                    )
+                    .help("give exactly one of X_7 (sag), beta_0 (angle at B) and AC (tail to head)"),
+                );
+                return None;
+            }
+        };
+        let weights = match v.table("weights") {
+            Some(table) => Some(weights(table)?),
+            None => None,
+        };
+        let (anchors, cylinder) = match v.table("drive") {
+            Some(d) => {
+                let n = |symbol: &Symbol| d.number(symbol.id);
+                let anchors = Anchors { e_x: n(&s::E_X)?, e_y: n(&s::E_Y)?, s_d: n(&s::S_D)?, chi_d: n(&s::CHI_D)? };
+                (Some(anchors), cylinder(d, found))
+            }
+            None => (None, None),
+        };
+        let q = n(&s::Q);
+        if weights.is_some() && q.is_none() {
+            found.push(
+                Diagnostic::new(v.place("weights"), "own weights without a load", "these need forces to be modelled")
+                    .help("add Q = \"0 kN\" or more to [luffing]"),
+            );
+        }
+        let parameters = Parameters { lengths, jib, weights, anchors, cylinder, driven, branch };
+        let motion = motion(v, &parameters, found);
+        let limits = v.table("limits");
+        let limit = |symbol: &Symbol| limits.and_then(|table| table.number(symbol.id));
+        let limits = Limits { mu_min: limit(&s::MU_MIN), epsilon_y: limit(&s::EPSILON_Y) };
+        let published = v.table("published").and_then(|table| published(table, found));
+        let motion = motion?;
+        (found.len() == before).then_some(Luffing { parameters, q, motion, limits, published })
+    }
+}
+
+fn weights(w: &Values) -> Option<Weights<f64>> {
+    let n = |symbol: &Symbol| w.number(symbol.id);
+    Some(Weights {
+        g_1: n(&s::G_1)?,
+        s_1: n(&s::S_1)?,
+        chi_1: n(&s::CHI_1)?,
+        g_2: n(&s::G_2)?,
+        s_2: n(&s::S_2)?,
+        chi_2: n(&s::CHI_2)?,
+        g_3: n(&s::G_3)?,
+        s_3: n(&s::S_3)?,
+        chi_3: n(&s::CHI_3)?,
+    })
+}
+
+fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Cylinder<f64>> {
+    let (bore, rod) = (d.number(s::D_C.id), d.number(s::D_R.id));
+    match (d.text("kind")?, bore, rod) {
+        ("cylinder", Some(d_c), Some(d_r)) if d_r < d_c => Some(Cylinder { d_c, d_r }),
+        ("rack", None, None) => None,
+        ("cylinder", Some(d_c), Some(d_r)) => {
+            let (d_c, d_r) = (d_c * 1e3, d_r * 1e3);
+            found.push(
+                Diagnostic::new(d.place("d_r"), format!("the rod d_r = {d_r} mm does not fit the bore D_c = {d_c} mm"), "too thick")
+                    .help("the rod must be thinner than the bore"),
+            );
+            None
+        }
+        ("cylinder", ..) => {
+            found.push(
+                Diagnostic::new(d.span.clone(), "a cylinder without bore or rod", "D_c and d_r are needed here")
+                    .help("add D_c = \"... mm\" and d_r = \"... mm\", or make it a rack"),
+            );
+            None
+        }
+        _ => {
+            let key = if bore.is_some() { "D_c" } else { "d_r" };
+            found.push(Diagnostic::new(d.place(key), "a rack has no bore and no rod", "not used").help("remove it"));
+            None
+        }
+    }
+}
+
+fn degrees(angle: f64) -> String {
+    format!("{} deg", crate::schema::short(angle.to_degrees()))
+}
+
+/// Checks that the mechanism exists and closes over the whole working range.
+fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>) -> Option<Motion> {
+    let m = v.table("motion")?;
+    let motion =
+        Motion { from: m.number("from")?, to: m.number("to")?, step: m.number("step")?, speed: m.number("speed")? };
+    if motion.from >= motion.to {
+        found.push(
+            Diagnostic::new(
+                m.place("to"),
+                format!("the working range ends at {} and starts at {}", degrees(motion.to), degrees(motion.from)),
+                "not above `from`",
+            )
+            .help("`from` must be smaller than `to`"),
+        );
+        return None;
+    }
+    if (motion.to - motion.from) / motion.step > MOST_ROWS {
+        found.push(
+            Diagnostic::new(m.place("step"), format!("the step {} is too small", degrees(motion.step)), "too many rows")
+                .help(format!("a table may have {MOST_ROWS} rows: step at least {}", degrees((motion.to - motion.from) / MOST_ROWS))),
+        );
+        return None;
+    }
+    let l = &parameters.lengths;
+    let geometry = match Geometry::new(parameters) {
+        Ok(geometry) => geometry,
+        Err(Misfit::Jib) => {
+            let (key, text, limit) = match parameters.jib {
+                Jib::Sag(x) => ("X_7", format!("X_7 = {x} m"), format!("between -{0} m and {0} m, the shorter arm", l.x_2.min(l.x_4))),
+                Jib::Axis(x) => ("AC", format!("AC = {x} m"), format!("between {} m and {} m, difference and sum of the arms", (l.x_2 - l.x_4).abs(), l.x_2 + l.x_4)),
+                Jib::Angle(x) => ("beta_0", format!("beta_0 = {}", degrees(x)), "between 0 and 360 deg".to_owned()),
+            };
+            found.push(
+                Diagnostic::new(v.place(key), format!("the jib's triangle does not close: {text}"), "does not close")
+                    .help(format!("with X_2 = {} m and X_4 = {} m it must lie {limit}", l.x_2, l.x_4)),
+            );
+            return None;
+        }
+        Err(Misfit::Linkage) => {
+            let frame = l.x_5.hypot(l.x_6);
+            let (bar, other) = match parameters.driven {
+                Driven::Boom => (("X_1", l.x_1), ("X_3", l.x_3)),
+                Driven::Rocker => (("X_3", l.x_3), ("X_1", l.x_1)),
+            };
+            found.push(
+                Diagnostic::new(v.place(other.0), "the linkage closes at no angle of the driven bar", "cannot reach")
+                    .help(format!(
+                        "the diagonal opposite this bar lies between {} m and {} m ({} = {} m, distance of the feet {} m), \
+                         X_2 and {} span {} m to {} m",
+                        crate::schema::short((bar.1 - frame).abs()),
+                        crate::schema::short(bar.1 + frame),
+                        bar.0,
+                        bar.1,
+                        crate::schema::short(frame),
+                        other.0,
+                        crate::schema::short((l.x_2 - other.1).abs()),
+                        crate::schema::short(l.x_2 + other.1),
+                    )),
+            );
+            return None;
+        }
+    };
+    let arcs = geometry.linkage.arcs();
+    if geometry.linkage.turns_fully() || arcs.iter().any(|arc| covers(*arc, motion.from, motion.to)) {
+        return Some(motion);
+    }
+    let parts: Vec<String> = arcs.iter().map(|arc| format!("{} to {}", degrees(arc.from), degrees(arc.to))).collect();
+    found.push(
+        Diagnostic::new(
+            m.span.clone(),
+            format!("the linkage does not close over the whole range {} to {}", degrees(motion.from), degrees(motion.to)),
+            missing(&arcs, &motion),
+        )
+        .help(format!("it closes for {} of the driven bar", parts.join(" and for "))),
+    );
+    None
+}
+
+/// Whether an arc, shifted by whole turns, covers an interval.
+fn covers(arc: Arc, from: f64, to: f64) -> bool {
+    let turns = ((from - arc.from) / TAU).floor() * TAU;
+    from - turns >= arc.from && to - turns <= arc.to
+}
+
+/// Which part of the range is left out, to the thousandth of it.
+fn missing(arcs: &[Arc], motion: &Motion) -> String {
+    const PARTS: u32 = 1000;
+    let at = |i: u32| motion.from + (motion.to - motion.from) * f64::from(i) / f64::from(PARTS);
+    let open: Vec<u32> = (0..=PARTS).filter(|&i| !arcs.iter().any(|arc| covers(*arc, at(i), at(i)))).collect();
+    match (open.first(), open.last()) {
+        (Some(&first), Some(&last)) if open.len() as u32 == PARTS + 1 => {
+            format!("closes nowhere in {} to {}", degrees(at(first)), degrees(at(last)))
+        }
+        (Some(&first), Some(&last)) => format!("not closed between about {} and {}", degrees(at(first)), degrees(at(last))),
+        _ => "the parts in which it closes do not join".to_owned(),
+    }
+}
+
+fn published(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Published> {
+    let (source, text) = (v.text("source")?, v.text("values")?);
+    let mut lines = text.lines().filter(|line| !line.trim().is_empty());
+    let mut wrong = |message: String, help: &str| {
+        found.push(Diagnostic::new(v.place("values"), message, "in this table").help(help));
+        None
+    };
+    let mut columns = Vec::new();
+    for name in lines.next().unwrap_or("").split_whitespace() {
+        match s::ALL.iter().copied().find(|symbol| symbol.id == name) {
+            Some(symbol) => columns.push(symbol),
+            None => return wrong(format!("published values of `{name}`, which is not a result"), "use the names of `lemnis check`"),
+        }
+    }
+    let mut rows = Vec::new();
+    for line in lines {
+        let row: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+        if row.len() != columns.len() || row.iter().any(|cell| !cell.parse().is_ok_and(f64::is_finite)) {
+            return wrong(format!("published values: cannot read the line \"{}\"", line.trim()), "give one number for each name");
+        }
+        rows.push(row);
+    }
+    Some(Published { source: source.to_owned(), columns, rows })
+}

@@ -1,0 +1,112 @@
+//! Velocities: ratios of angular velocities, travel of the head, instantaneous centre.
+//!
+//! The ratios come from the loop O1–B–C–O3, x_1 ω_1 + x_2 ω_2 = x_3 ω_3 turned
+//! by 90°, whose only singularity is the dead point. The instantaneous centre
+//! plays no part in them: it lies at infinity where boom and rocker are
+//! parallel, while all velocities stay finite.
+
+use crate::calc::Calc;
+use crate::lemniscate::geometry::{Driven, Geometry};
+use crate::lemniscate::position::Position;
+use crate::lemniscate::symbols as s;
+use crate::plane::{self, Point};
+
+/// Velocities for one radian per second of the driven bar.
+#[derive(Clone, Copy, Debug)]
+pub struct Velocity<C> {
+    /// Jib's angular velocity over the driven bar's. [Li2022, eq. 9]
+    pub i_2: C,
+    /// Angular velocity of the bar that is not driven over the driven bar's.
+    pub i_follower: C,
+    /// Travel of A for one radian of the driven bar, in m. [Li2022, eq. 10]
+    pub da: Point<C>,
+    /// Travel of B for one radian of the driven bar, in m.
+    pub db: Point<C>,
+}
+
+impl<C: Calc> Velocity<C> {
+    #[inline]
+    pub fn new(p: &Position<C>) -> Velocity<C> {
+        let half = p.k / C::constant(2.0);
+        match p.driven {
+            Driven::Boom => {
+                let i_2 = (plane::cross(p.x_1, p.x_3) / half).def(&s::I_2);
+                let i_3 = (plane::cross(p.x_1, p.x_2) / half).def(&s::I_3);
+                let db = Point::new(-p.x_1.y, p.x_1.x);
+                let da = plane::def(Point::new(-(p.b.y + i_2 * p.x_4.y), p.b.x + i_2 * p.x_4.x), [&s::DA_X, &s::DA_Y]);
+                Velocity { i_2, i_follower: i_3, da, db }
+            }
+            Driven::Rocker => {
+                let i_2 = (plane::cross(p.x_3, p.x_1) / half).def(&s::I_2);
+                let i_1 = (plane::cross(p.x_2, p.x_3) / half).def(&s::I_1);
+                let db = Point::new(-(i_1 * p.x_1.y), i_1 * p.x_1.x);
+                let da = plane::def(
+                    Point::new(-(i_1 * p.b.y + i_2 * p.x_4.y), i_1 * p.b.x + i_2 * p.x_4.x),
+                    [&s::DA_X, &s::DA_Y],
+                );
+                Velocity { i_2, i_follower: i_1, da, db }
+            }
+        }
+    }
+
+    /// Velocity of A, in m/s, at the driven bar's angular velocity (rad/s). [Li2022, eq. 10]
+    #[inline]
+    pub fn v_a(&self, omega: C) -> Point<C> {
+        plane::def(Point::new(self.da.x * omega, self.da.y * omega), [&s::V_AX, &s::V_AY])
+    }
+
+    /// Direction of A's velocity when the driven bar turns positively, in rad. [Li2022, eq. 10]
+    pub fn beta(&self) -> C {
+        C::direction(self.da.x, self.da.y).def(&s::BETA)
+    }
+}
+
+/// Instantaneous centre of the jib.
+#[derive(Clone, Copy, Debug)]
+pub enum Pole<C> {
+    Finite {
+        /// From O1 along the boom, in m. [Li2022, eq. 1]
+        o1p: C,
+        /// From O3 along the rocker, in m.
+        o3p: C,
+        at: Point<C>,
+    },
+    /// Boom and rocker are parallel within rounding.
+    AtInfinity,
+}
+
+impl<C: Calc> Pole<C> {
+    /// The lines of boom and rocker intersected. [Li2022, eq. 1]
+    pub fn new(g: &Geometry<C>, p: &Position<C>) -> Pole<C> {
+        let sine = plane::cross(p.x_1, p.x_3);
+        let scale = (g.lengths.x_1 * g.lengths.x_3).value();
+        if sine.value().abs() <= 4.0 * f64::EPSILON * scale {
+            return Pole::AtInfinity;
+        }
+        let along_boom = plane::cross(g.o3(), p.x_3) / sine;
+        let along_rocker = plane::cross(g.o3(), p.x_1) / sine;
+        let o1p = (along_boom * g.lengths.x_1).def(&s::O1P);
+        let at = plane::def(Point::new(along_boom * p.x_1.x, along_boom * p.x_1.y), [&s::P_X, &s::P_Y]);
+        Pole::Finite { o1p, o3p: along_rocker * g.lengths.x_3, at }
+    }
+
+    /// Luffing moment of the load Q (N) about the foot of the driven bar through
+    /// the instantaneous centre, in N·m; positive lowers the bar. With the
+    /// centre at infinity the jib moves along with B. [Li2022, eq. 11]
+    ///
+    /// Signed distances: DA from the centre forward to A, PB from B to the
+    /// centre along the driven bar; eq. (11) with them has the opposite sign.
+    pub fn moment(&self, g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>, q: C) -> C {
+        match *self {
+            Pole::AtInfinity => q * v.db.y,
+            Pole::Finite { o1p, o3p, at } => {
+                let (bar, beyond) = match p.driven {
+                    Driven::Boom => (g.lengths.x_1, o1p - g.lengths.x_1),
+                    Driven::Rocker => (g.lengths.x_3, o3p - g.lengths.x_3),
+                };
+                -(q * bar * (p.a.x - at.x) / beyond)
+            }
+        }
+        .def(&s::M_Q_P)
+    }
+}

@@ -1,0 +1,19 @@
+//! Equations, symbols and scenes of Lemnis. No I/O, no FMI, no templates.
+//!
+//! A scene's text ([`scene`]) is checked against its keys ([`schema`]) and
+//! becomes parameters; the equations ([`lemniscate`], over [`four_bar`] and
+//! [`plane`]) run on any scalar ([`calc`]): on `f64` in a [`model`], which the
+//! FMU steps, on the recorder ([`record`]) for the book's [`sheet`].
+
+pub mod calc;
+pub mod diagnostic;
+pub mod four_bar;
+pub mod lemniscate;
+pub mod model;
+pub mod plane;
+pub mod record;
+pub mod scene;
+pub mod schema;
+pub mod sheet;
+pub mod symbol;
+pub mod unit;

@@ -1,0 +1,267 @@
+//! The recorder: running an equation with [`Rec`] writes down the formula,
+//! its values and its dimensions instead of only computing it. The book's
+//! formulas come from here and from nowhere else.
+
+use std::cell::RefCell;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use crate::calc::Calc;
+use crate::symbol::Symbol;
+use crate::unit::Dimension;
+
+/// An operation of a recorded formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Op {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Neg,
+    Abs,
+    Square,
+    Sqrt,
+    Sin,
+    Cos,
+    Asin,
+    Acos,
+    /// Angle of a vector: the second operand is y.
+    Direction,
+}
+
+/// A formula as a tree; a name stands for the formula that defined it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Node {
+    Constant(f64),
+    Name(&'static Symbol),
+    Unary(Op, Rec),
+    Binary(Op, Rec, Rec),
+}
+
+/// A named result: `symbol` = `formula`.
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    pub symbol: &'static Symbol,
+    pub formula: Rec,
+    /// In SI.
+    pub value: f64,
+}
+
+struct Entry {
+    node: Node,
+    value: f64,
+    dimension: Dimension,
+}
+
+/// What a run of equations left behind.
+#[derive(Default)]
+pub struct Trace {
+    entries: Vec<Entry>,
+    pub steps: Vec<Step>,
+    /// Every dimensional inconsistency met, in words.
+    pub faults: Vec<String>,
+}
+
+thread_local! {
+    // `Rec` must be `Copy` and `'static` to be a scalar of nalgebra, so it is an
+    // index and the arena lies beside it. Only the recorder uses it: no value of
+    // a running simulation does.
+    static TRACE: RefCell<Trace> = RefCell::default();
+}
+
+/// Runs `equations` under the recorder. Nested recordings are not possible.
+pub fn record<T>(equations: impl FnOnce() -> T) -> (Trace, T) {
+    TRACE.take();
+    let result = equations();
+    (TRACE.take(), result)
+}
+
+impl Trace {
+    #[must_use]
+    pub fn node(&self, rec: Rec) -> Node {
+        self.entries[rec.0 as usize].node
+    }
+
+    /// Value in SI.
+    #[must_use]
+    pub fn value(&self, rec: Rec) -> f64 {
+        self.entries[rec.0 as usize].value
+    }
+
+    fn push(&mut self, node: Node, value: f64, dimension: Dimension) -> Rec {
+        self.entries.push(Entry { node, value, dimension });
+        Rec(u32::try_from(self.entries.len() - 1).expect("a book has far fewer than 2^32 terms"))
+    }
+
+    fn fault(&mut self, text: String) {
+        let after = self.steps.last().map_or("the start", |step| step.symbol.id);
+        self.faults.push(format!("{text} (after {after})"));
+    }
+}
+
+/// The recording scalar: an index into the running [`Trace`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rec(u32);
+
+impl Rec {
+    /// A given quantity, in SI.
+    #[must_use]
+    pub fn given(symbol: &'static Symbol, value: f64) -> Rec {
+        TRACE.with_borrow_mut(|trace| trace.push(Node::Name(symbol), value, symbol.unit.dimension))
+    }
+
+    fn unary(self, op: Op, value: f64) -> Rec {
+        TRACE.with_borrow_mut(|trace| {
+            let given = trace.entries[self.0 as usize].dimension;
+            let dimension = match op {
+                Op::Neg | Op::Abs => given,
+                Op::Square => given.times(given),
+                Op::Sqrt => given.root().unwrap_or_else(|| {
+                    trace.fault(format!("square root of {given}"));
+                    given
+                }),
+                _ => {
+                    if given != Dimension::ONE {
+                        trace.fault(format!("{op:?} of {given}"));
+                    }
+                    Dimension::ONE
+                }
+            };
+            trace.push(Node::Unary(op, self), value, dimension)
+        })
+    }
+
+    fn binary(self, op: Op, other: Rec, value: f64) -> Rec {
+        TRACE.with_borrow_mut(|trace| {
+            let (left, right) = (trace.entries[self.0 as usize].dimension, trace.entries[other.0 as usize].dimension);
+            let dimension = match op {
+                Op::Mul => left.times(right),
+                Op::Div => left.over(right),
+                _ => {
+                    if left != right {
+                        trace.fault(format!("{op:?} of {left} and {right}"));
+                    }
+                    if op == Op::Direction { Dimension::ONE } else { left }
+                }
+            };
+            trace.push(Node::Binary(op, self, other), value, dimension)
+        })
+    }
+}
+
+macro_rules! operators {
+    ($($trait:ident $function:ident $assign_trait:ident $assign:ident $symbol:tt;)*) => {$(
+        impl $trait for Rec {
+            type Output = Rec;
+            fn $function(self, other: Rec) -> Rec {
+                self.binary(Op::$trait, other, self.value() $symbol other.value())
+            }
+        }
+        impl $assign_trait for Rec {
+            fn $assign(&mut self, other: Rec) {
+                *self = *self $symbol other;
+            }
+        }
+    )*};
+}
+
+operators! {
+    Add add AddAssign add_assign +;
+    Sub sub SubAssign sub_assign -;
+    Mul mul MulAssign mul_assign *;
+    Div div DivAssign div_assign /;
+}
+
+impl Neg for Rec {
+    type Output = Rec;
+    fn neg(self) -> Rec {
+        self.unary(Op::Neg, -self.value())
+    }
+}
+
+impl Calc for Rec {
+    fn constant(value: f64) -> Rec {
+        TRACE.with_borrow_mut(|trace| trace.push(Node::Constant(value), value, Dimension::ONE))
+    }
+    fn value(self) -> f64 {
+        TRACE.with_borrow(|trace| trace.value(self))
+    }
+    fn square(self) -> Rec {
+        self.unary(Op::Square, self.value().square())
+    }
+    fn abs(self) -> Rec {
+        self.unary(Op::Abs, self.value().abs())
+    }
+    fn sqrt(self) -> Rec {
+        self.unary(Op::Sqrt, self.value().sqrt())
+    }
+    fn sin(self) -> Rec {
+        self.unary(Op::Sin, Calc::sin(self.value()))
+    }
+    fn sin_cos(self) -> (Rec, Rec) {
+        let (sin, cos) = Calc::sin_cos(self.value());
+        (self.unary(Op::Sin, sin), self.unary(Op::Cos, cos))
+    }
+    fn asin(self) -> Rec {
+        self.unary(Op::Asin, Calc::asin(self.value()))
+    }
+    fn acos(self) -> Rec {
+        self.unary(Op::Acos, Calc::acos(self.value()))
+    }
+    fn direction(x: Rec, y: Rec) -> Rec {
+        x.binary(Op::Direction, y, f64::direction(x.value(), y.value()))
+    }
+    fn minus_exact(self, other: Rec, tail: f64) -> Rec {
+        self.binary(Op::Sub, other, self.value().minus_exact(other.value(), tail))
+    }
+    fn def(self, symbol: &'static Symbol) -> Rec {
+        TRACE.with_borrow_mut(|trace| {
+            let Entry { value, dimension, .. } = trace.entries[self.0 as usize];
+            if dimension != symbol.unit.dimension {
+                trace.fault(format!("{} is in {}, its formula in {dimension}", symbol.id, symbol.unit.dimension));
+            }
+            trace.steps.push(Step { symbol, formula: self, value });
+            trace.push(Node::Name(symbol), value, symbol.unit.dimension)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::symbol::symbols;
+
+    symbols! {
+        LENGTH: "l" "l" M / M, "a length", "test";
+        ANGLE: "a" "a" RAD / DEG, "an angle", "test";
+        AREA: "A" "A" M2 / M2, "an area", "test";
+    }
+
+    #[test]
+    fn a_sound_formula_leaves_a_step_and_no_fault() {
+        let (trace, ()) = record(|| {
+            let l = Rec::given(&LENGTH, 3.0);
+            let _ = (l.square() * Rec::given(&ANGLE, 0.5).sin()).def(&AREA);
+        });
+        assert!(trace.faults.is_empty(), "{:?}", trace.faults);
+        assert_eq!(trace.steps.len(), 1);
+        assert_eq!(trace.steps[0].value, 9.0 * Calc::sin(0.5_f64));
+        assert_eq!(ALL.len(), 3);
+    }
+
+    /// The planted mistakes: metre plus radian, sine of a length, root of a
+    /// length, and an area that is called a length.
+    #[test]
+    fn planted_mistakes_are_caught() {
+        let mistakes: [(&str, fn(Rec, Rec) -> Rec); 4] = [
+            ("Add of m and 1", |l, a| l + a),
+            ("Sin of m", |l, _| l.sin()),
+            ("square root of m", |l, _| l.sqrt()),
+            ("l is in m, its formula in m^2", |l, _| (l * l).def(&LENGTH)),
+        ];
+        for (text, mistake) in mistakes {
+            let (trace, _) = record(|| mistake(Rec::given(&LENGTH, 2.0), Rec::given(&ANGLE, 1.0)));
+            assert_eq!(trace.faults.len(), 1, "{text}");
+            assert!(trace.faults[0].starts_with(text), "{} / {text}", trace.faults[0]);
+        }
+    }
+}

@@ -1,0 +1,316 @@
+//! What a scene may say, as data: the one place behind reading, checking and
+//! the JSON Schema for editors.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use serde_json::{Map, Value as Json, json};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::diagnostic::Diagnostic;
+use crate::symbol::Symbol;
+use crate::unit::{self, Unit};
+
+/// A key of a scene.
+#[derive(Debug)]
+pub struct Key {
+    pub name: &'static str,
+    pub kind: Kind,
+    pub required: bool,
+    pub text: &'static str,
+}
+
+/// What stands behind a key.
+#[derive(Debug)]
+pub enum Kind {
+    Text,
+    Choice(&'static [&'static str]),
+    /// A number with a unit, as text: `"19.3 m"`.
+    Quantity(&'static Symbol, Sign),
+    Table(&'static [Key]),
+}
+
+/// Which numbers a quantity may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    Positive,
+    NotNegative,
+    Any,
+}
+
+impl Key {
+    #[must_use]
+    pub const fn quantity(symbol: &'static Symbol, sign: Sign) -> Key {
+        Key { name: symbol.id, kind: Kind::Quantity(symbol, sign), required: true, text: symbol.text }
+    }
+
+    #[must_use]
+    pub const fn table(name: &'static str, keys: &'static [Key], text: &'static str) -> Key {
+        Key { name, kind: Kind::Table(keys), required: true, text }
+    }
+
+    #[must_use]
+    pub const fn optional(mut self) -> Key {
+        self.required = false;
+        self
+    }
+}
+
+impl Sign {
+    /// Whether `value` is one of these numbers.
+    #[must_use]
+    pub fn allows(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Sign::Positive => value > 0.0,
+                Sign::NotNegative => value >= 0.0,
+                Sign::Any => true,
+            }
+    }
+
+    /// In words.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Sign::Positive => "greater than zero",
+            Sign::NotNegative => "zero or greater",
+            Sign::Any => "finite",
+        }
+    }
+}
+
+/// A checked part of a scene.
+#[derive(Clone, Debug)]
+pub enum Value {
+    Text(String),
+    /// In SI.
+    Number(f64),
+    Table(Values),
+}
+
+/// A checked table: every value with its place.
+#[derive(Clone, Debug, Default)]
+pub struct Values {
+    entries: BTreeMap<&'static str, (Value, Range<usize>)>,
+    /// Place of the table itself.
+    pub span: Range<usize>,
+}
+
+impl Values {
+    /// In SI; `None` where the scene does not give it.
+    #[must_use]
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match self.entries.get(name) {
+            Some((Value::Number(number), _)) => Some(*number),
+            _ => None,
+        }
+    }
+
+    #[must_use]
+    pub fn text(&self, name: &str) -> Option<&str> {
+        match self.entries.get(name) {
+            Some((Value::Text(text), _)) => Some(text),
+            _ => None,
+        }
+    }
+
+    #[must_use]
+    pub fn table(&self, name: &str) -> Option<&Values> {
+        match self.entries.get(name) {
+            Some((Value::Table(table), _)) => Some(table),
+            _ => None,
+        }
+    }
+
+    /// Place of a key's value; of the table where the key is absent.
+    #[must_use]
+    pub fn place(&self, name: &str) -> Range<usize> {
+        self.entries.get(name).map_or_else(|| self.span.clone(), |(_, span)| span.clone())
+    }
+}
+
+/// Checks a table against its keys. All mistakes are collected, not only the first.
+pub fn check(
+    table: &DeTable<'_>,
+    span: Range<usize>,
+    path: &str,
+    keys: &'static [Key],
+    found: &mut Vec<Diagnostic>,
+) -> Values {
+    let place = if path.is_empty() { "at the top of the scene".to_owned() } else { format!("in [{path}]") };
+    let mut entries = BTreeMap::new();
+    for (name, value) in table {
+        let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
+            found.push(unknown(name, &place, keys));
+            continue;
+        };
+        let full = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
+        if let Some(checked) = check_value(value, &full, key, found) {
+            entries.insert(key.name, (checked, value.span()));
+        }
+    }
+    for key in keys.iter().filter(|key| key.required) {
+        if !table.keys().any(|name| name.get_ref() == key.name) {
+            found.push(
+                Diagnostic::new(span.clone(), format!("`{}` is missing {place}", key.name), "needed here")
+                    .help(format!("add {}", example(key))),
+            );
+        }
+    }
+    Values { entries, span }
+}
+
+fn unknown(name: &Spanned<std::borrow::Cow<'_, str>>, place: &str, keys: &'static [Key]) -> Diagnostic {
+    let nearest = keys
+        .iter()
+        .map(|key| (strsim::damerau_levenshtein(key.name, name.get_ref()), key.name))
+        .min()
+        .filter(|(distance, known)| *distance <= 2.max(known.len() / 3));
+    let known: Vec<&str> = keys.iter().map(|key| key.name).collect();
+    let help = match nearest {
+        Some((_, known)) => format!("did you mean `{known}`?"),
+        None => format!("known here: {}", known.join(", ")),
+    };
+    Diagnostic::new(name.span(), format!("unknown key `{}` {place}", name.get_ref()), "not known").help(help)
+}
+
+fn check_value(value: &Spanned<DeValue<'_>>, path: &str, key: &'static Key, found: &mut Vec<Diagnostic>) -> Option<Value> {
+    let mut wrong = |label: String| {
+        found.push(Diagnostic::new(value.span(), format!("`{path}` is not {}", wanted(key)), label).help(example(key)));
+        None
+    };
+    match (&key.kind, value.get_ref()) {
+        (Kind::Text, DeValue::String(text)) => Some(Value::Text(text.to_string())),
+        (Kind::Choice(choices), DeValue::String(text)) => {
+            if choices.contains(&text.as_ref()) {
+                Some(Value::Text(text.to_string()))
+            } else {
+                wrong(format!("`{text}` is none of them"))
+            }
+        }
+        (Kind::Table(keys), DeValue::Table(table)) => {
+            Some(Value::Table(check(table, value.span(), path, keys, found)))
+        }
+        (Kind::Quantity(symbol, sign), DeValue::String(text)) => match quantity(text, symbol, *sign) {
+            Ok(number) => Some(Value::Number(number)),
+            Err((message, label, help)) => {
+                found.push(Diagnostic::new(value.span(), format!("`{path}`: {message}"), label).help(help));
+                None
+            }
+        },
+        (Kind::Quantity(symbol, _), DeValue::Integer(_) | DeValue::Float(_)) => {
+            let text = match value.get_ref() {
+                DeValue::Integer(number) => number.as_str().to_owned(),
+                other => other.as_float().map(|number| number.as_str().to_owned()).unwrap_or_default(),
+            };
+            let unit = symbol.display.name;
+            found.push(
+                Diagnostic::new(value.span(), format!("`{path}` has no unit"), "a bare number")
+                    .help(format!("write \"{text} {unit}\" if it is in {unit}")),
+            );
+            None
+        }
+        (_, other) => wrong(format!("a TOML {}", other.type_str())),
+    }
+}
+
+/// Reads `"19.3 m"` for `symbol`; on failure message, label and help.
+fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, (String, String, String)> {
+    let text = text.trim();
+    let display = symbol.display.name;
+    let end = text.find(|c: char| !(c.is_ascii_digit() || "+-.,eE_".contains(c))).unwrap_or(text.len());
+    // "5 em": an exponent without digits belongs to the unit.
+    let end = text[..end].trim_end_matches(['e', 'E']).len();
+    let (number, unit_text) = (&text[..end], text[end..].trim());
+    let Ok(number) = number.parse::<f64>() else {
+        let help = if number.contains(',') {
+            "use a decimal point".to_owned()
+        } else {
+            format!("write a number and a unit: \"1.5 {display}\"")
+        };
+        return Err((format!("\"{text}\" does not begin with a number"), "cannot be read".to_owned(), help));
+    };
+    let unit = if unit_text.is_empty() { Some(&unit::ONE) } else { unit::find(unit_text) };
+    let Some(unit) = unit else {
+        return Err((
+            format!("the unit \"{unit_text}\" is not known"),
+            "unknown unit".to_owned(),
+            format!("units for it: {}", units_of(symbol)),
+        ));
+    };
+    if unit.dimension != symbol.unit.dimension || unit.rad != symbol.unit.rad {
+        let given = if unit_text.is_empty() { "no unit".to_owned() } else { format!("the unit {}", unit.name) };
+        return Err((
+            format!("{given} does not fit, it is measured in {display}"),
+            "wrong unit".to_owned(),
+            format!("units for it: {}", units_of(symbol)),
+        ));
+    }
+    let value = number * unit.factor;
+    if !sign.allows(value) {
+        return Err((
+            format!("{text} is not allowed, it must be {}", sign.words()),
+            "out of range".to_owned(),
+            format!("{}: {}", symbol.id, symbol.text),
+        ));
+    }
+    Ok(value)
+}
+
+fn units_of(symbol: &Symbol) -> String {
+    let fits = |unit: &&&Unit| unit.dimension == symbol.unit.dimension && unit.rad == symbol.unit.rad;
+    unit::ALL.iter().filter(fits).map(|unit| unit.name).collect::<Vec<_>>().join(", ")
+}
+
+fn wanted(key: &Key) -> String {
+    match key.kind {
+        Kind::Text => "a text".to_owned(),
+        Kind::Choice(choices) => format!("one of {}", choices.join(", ")),
+        Kind::Quantity(symbol, _) => format!("a number with a unit such as \"1 {}\"", symbol.display.name),
+        Kind::Table(_) => "a table".to_owned(),
+    }
+}
+
+fn example(key: &Key) -> String {
+    match key.kind {
+        Kind::Text => format!("{} = \"...\"", key.name),
+        Kind::Choice(choices) => format!("{} = \"{}\"", key.name, choices[0]),
+        Kind::Quantity(symbol, _) => format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text),
+        Kind::Table(_) => format!("a table [{}]  ({})", key.name, key.text),
+    }
+}
+
+/// The JSON Schema of a table with these keys.
+#[must_use]
+pub fn json_schema(keys: &'static [Key]) -> Json {
+    let properties: Map<String, Json> = keys.iter().map(|key| (key.name.to_owned(), property(key))).collect();
+    let required: Vec<&str> = keys.iter().filter(|key| key.required).map(|key| key.name).collect();
+    json!({ "type": "object", "additionalProperties": false, "properties": properties, "required": required })
+}
+
+fn property(key: &Key) -> Json {
+    let mut schema = match key.kind {
+        Kind::Text => json!({ "type": "string" }),
+        Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
+        Kind::Quantity(symbol, _) => json!({
+            "type": "string",
+            "pattern": r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S.*$",
+            "examples": [format!("1 {}", symbol.display.name)],
+        }),
+        Kind::Table(keys) => json_schema(keys),
+    };
+    schema["description"] = json!(key.text);
+    schema
+}
+
+/// A number in a message: six significant digits, no trailing zeros.
+#[must_use]
+pub fn short(value: f64) -> String {
+    if value == 0.0 || !(1e-3..1e9).contains(&value.abs()) {
+        return format!("{value}");
+    }
+    let digits = (5 - value.abs().log10().floor() as i32).max(0) as usize;
+    let text = format!("{value:.digits$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}

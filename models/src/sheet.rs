@@ -1,0 +1,126 @@
+//! A sheet: everything a book or a table says about one scene, as plain data
+//! in SI. It is made from the same functions that the FMU runs; words, units
+//! of print and layout are added later, elsewhere.
+
+use crate::record::Trace;
+use crate::symbol::Symbol;
+
+/// All that is known about a scene.
+pub struct Sheet {
+    /// Inputs in the order of the scene's chapters.
+    pub inputs: Vec<Input>,
+    /// Formulas that do not depend on the position.
+    pub constants: Vec<Section>,
+    /// Positions at which the formulas are written out.
+    pub positions: Vec<Position>,
+    /// Results over the working range, one row for each position of the scene's step.
+    pub range: Table,
+    /// Curves over the working range, on a grid fine enough to draw.
+    pub curves: Vec<Curve>,
+    pub drawing: Drawing,
+    pub checks: Vec<Check>,
+    /// Published values beside the computed ones; empty where the scene gives none.
+    pub published: Vec<Comparison>,
+    /// Results of the whole range: level error, extremes, work.
+    pub summary: Vec<Result>,
+    /// Ids of remarks on the publications, worded in the templates.
+    pub remarks: Vec<&'static str>,
+}
+
+/// A given quantity.
+pub struct Input {
+    pub symbol: &'static Symbol,
+    pub value: f64,
+    /// Chapter of inputs: `geometry`, `load`, `weights`, `drive`, `range`.
+    pub chapter: &'static str,
+}
+
+/// Formulas under one heading.
+pub struct Section {
+    /// Id of the heading, worded in the templates.
+    pub id: &'static str,
+    pub trace: Trace,
+}
+
+/// A position of the mechanism with its formulas.
+pub struct Position {
+    /// `from`, `middle`, `to`, ..., worded in the templates.
+    pub id: &'static str,
+    pub coordinate: &'static Symbol,
+    pub value: f64,
+    pub sections: Vec<Section>,
+}
+
+/// A result of the whole range, with the coordinate where it occurs if it has one.
+pub struct Result {
+    pub symbol: &'static Symbol,
+    pub value: f64,
+    pub at: Option<(&'static Symbol, f64)>,
+}
+
+pub struct Table {
+    pub columns: Vec<&'static Symbol>,
+    pub rows: Vec<Vec<f64>>,
+}
+
+pub struct Curve {
+    /// Id of the caption, worded in the templates; `li2022_fig_3` and the like.
+    pub id: &'static str,
+    pub x: &'static Symbol,
+    pub y: &'static Symbol,
+    /// Where a value is infinite the curve is broken: pieces of points.
+    pub pieces: Vec<Vec<[f64; 2]>>,
+}
+
+/// A check with its limit.
+pub struct Check {
+    /// Id of the sentence that says what is checked.
+    pub id: &'static str,
+    pub symbol: &'static Symbol,
+    pub value: f64,
+    pub limit: f64,
+    /// Whether the value must not be above (or not below) the limit.
+    pub at_most: bool,
+}
+
+impl Check {
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        if self.at_most { self.value <= self.limit } else { self.value >= self.limit }
+    }
+}
+
+/// A published value beside the computed one.
+pub struct Comparison {
+    pub coordinate: f64,
+    pub symbol: &'static Symbol,
+    /// As printed, in the display unit, with its own number of digits.
+    pub printed: String,
+    /// Computed, in SI.
+    pub value: f64,
+}
+
+/// The mechanism to scale, in metres, y upwards.
+#[derive(Default)]
+pub struct Drawing {
+    pub shapes: Vec<Shape>,
+}
+
+pub enum Shape {
+    /// A bar or a polygon of one body. `faint` for the positions beside the main one.
+    Body { id: &'static str, points: Vec<[f64; 2]>, closed: bool, faint: bool },
+    /// A pin; `fixed` where it is held by the frame.
+    Pin { at: [f64; 2], fixed: bool, faint: bool },
+    /// A name beside a point, in Typst's mathematics.
+    Label { at: [f64; 2], text: &'static str },
+    /// The path of a point.
+    Path { points: Vec<[f64; 2]> },
+    /// A vertical centre line through `x`.
+    CentreLine { x: f64, from: f64, to: f64 },
+    /// A weight hanging at a point.
+    Load { at: [f64; 2], text: &'static str },
+    /// A distance with arrows at both ends, `offset` metres beside the line it measures.
+    Distance { from: [f64; 2], to: [f64; 2], offset: f64, text: &'static str },
+    /// An angle at a point, counter-clockwise from `from` to `to`, in rad.
+    Angle { at: [f64; 2], radius: f64, from: f64, to: f64, text: &'static str },
+}

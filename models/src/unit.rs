@@ -1,0 +1,144 @@
+//! Units: the one table behind scene files, FMU unit definitions, CSV headers
+//! and printed numbers. Inside, every quantity is in SI; a unit other than SI
+//! exists only where a person reads or writes.
+
+/// Exponents of the SI base units; the radian counts as 1, as in the SI.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dimension {
+    pub m: i8,
+    pub kg: i8,
+    pub s: i8,
+}
+
+impl Dimension {
+    pub const ONE: Dimension = Dimension { m: 0, kg: 0, s: 0 };
+
+    #[must_use]
+    pub fn times(self, other: Dimension) -> Dimension {
+        Dimension { m: self.m + other.m, kg: self.kg + other.kg, s: self.s + other.s }
+    }
+
+    #[must_use]
+    pub fn over(self, other: Dimension) -> Dimension {
+        Dimension { m: self.m - other.m, kg: self.kg - other.kg, s: self.s - other.s }
+    }
+
+    /// The dimension of a square root; `None` where an exponent is odd.
+    #[must_use]
+    pub fn root(self) -> Option<Dimension> {
+        let even = self.m % 2 == 0 && self.kg % 2 == 0 && self.s % 2 == 0;
+        even.then(|| Dimension { m: self.m / 2, kg: self.kg / 2, s: self.s / 2 })
+    }
+}
+
+impl std::fmt::Display for Dimension {
+    /// `m2.kg/s2` style, `1` where there is none.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let parts: Vec<String> = [("m", self.m), ("kg", self.kg), ("s", self.s)]
+            .into_iter()
+            .filter(|&(_, n)| n != 0)
+            .map(|(base, n)| if n == 1 { base.to_owned() } else { format!("{base}^{n}") })
+            .collect();
+        f.write_str(if parts.is_empty() { "1".to_owned() } else { parts.join("·") }.as_str())
+    }
+}
+
+/// A unit of measurement.
+#[derive(Debug)]
+pub struct Unit {
+    /// As written in scene files, CSV headers and `modelDescription.xml`.
+    pub name: &'static str,
+    /// As printed in books; empty for a plain number.
+    pub print: &'static str,
+    pub dimension: Dimension,
+    /// Exponent of the radian, which FMI counts as a base unit.
+    pub rad: i8,
+    /// Value in SI = factor × value in this unit.
+    pub factor: f64,
+}
+
+impl PartialEq for Unit {
+    fn eq(&self, other: &Unit) -> bool {
+        self.name == other.name
+    }
+}
+
+macro_rules! units {
+    ($($id:ident = $name:literal $print:literal [$m:literal $kg:literal $s:literal $rad:literal] $factor:expr;)*) => {
+        $(pub static $id: Unit = Unit {
+            name: $name,
+            print: $print,
+            dimension: Dimension { m: $m, kg: $kg, s: $s },
+            rad: $rad,
+            factor: $factor,
+        };)*
+        /// Every unit that a scene may use.
+        pub static ALL: &[&Unit] = &[$(&$id),*];
+    };
+}
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+units! {
+    //            name       print      m kg s rad   factor
+    ONE         = "1"        ""        [0 0 0 0]     1.0;
+    PERCENT     = "%"        "%"       [0 0 0 0]     0.01;
+    M           = "m"        "m"       [1 0 0 0]     1.0;
+    MM          = "mm"       "mm"      [1 0 0 0]     1e-3;
+    CM          = "cm"       "cm"      [1 0 0 0]     1e-2;
+    KM          = "km"       "km"      [1 0 0 0]     1e3;
+    M2          = "m2"       "m²"      [2 0 0 0]     1.0;
+    RAD         = "rad"      "rad"     [0 0 0 1]     1.0;
+    DEG         = "deg"      "°"       [0 0 0 1]     DEGREE;
+    S           = "s"        "s"       [0 0 1 0]     1.0;
+    MIN         = "min"      "min"     [0 0 1 0]     60.0;
+    RAD_PER_S   = "rad/s"    "rad/s"   [0 0 -1 1]    1.0;
+    DEG_PER_S   = "deg/s"    "°/s"     [0 0 -1 1]    DEGREE;
+    M_PER_S     = "m/s"      "m/s"     [1 0 -1 0]    1.0;
+    MM_PER_S    = "mm/s"     "mm/s"    [1 0 -1 0]    1e-3;
+    M_PER_MIN   = "m/min"    "m/min"   [1 0 -1 0]    1.0 / 60.0;
+    KG          = "kg"       "kg"      [0 1 0 0]     1.0;
+    T           = "t"        "t"       [0 1 0 0]     1e3;
+    N           = "N"        "N"       [1 1 -2 0]    1.0;
+    KN          = "kN"       "kN"      [1 1 -2 0]    1e3;
+    MN          = "MN"       "MN"      [1 1 -2 0]    1e6;
+    N_M         = "N.m"      "N·m"     [2 1 -2 0]    1.0;
+    KN_M        = "kN.m"     "kN·m"    [2 1 -2 0]    1e3;
+    MN_M        = "MN.m"     "MN·m"    [2 1 -2 0]    1e6;
+    J           = "J"        "J"       [2 1 -2 0]    1.0;
+    KJ          = "kJ"       "kJ"      [2 1 -2 0]    1e3;
+    PA          = "Pa"       "Pa"      [-1 1 -2 0]   1.0;
+    BAR         = "bar"      "bar"     [-1 1 -2 0]   1e5;
+    MPA         = "MPa"      "MPa"     [-1 1 -2 0]   1e6;
+    M3_PER_S    = "m3/s"     "m³/s"    [3 0 -1 0]    1.0;
+    L_PER_MIN   = "L/min"    "L/min"   [3 0 -1 0]    1e-3 / 60.0;
+}
+
+/// The unit of a scene's text: `kN m`, `kN·m`, `kN*m` and `kN.m` are one; `°` is `deg`.
+#[must_use]
+pub fn find(text: &str) -> Option<&'static Unit> {
+    let plain = text.replace(['·', '*', ' '], ".").replace('°', "deg").replace('³', "3").replace('²', "2");
+    ALL.iter().copied().find(|unit| unit.name == plain)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spellings_of_one_unit() {
+        for text in ["kN.m", "kN m", "kN·m", "kN*m"] {
+            assert_eq!(find(text), Some(&KN_M), "{text}");
+        }
+        assert_eq!(find("°/s"), Some(&DEG_PER_S));
+        assert_eq!(find("furlong"), None);
+    }
+
+    #[test]
+    fn derived_units_follow_from_base_units() {
+        assert_eq!(KN.dimension.times(M.dimension), KN_M.dimension);
+        assert_eq!(N.dimension.over(M2.dimension), PA.dimension);
+        assert_eq!(M2.dimension.root(), Some(M.dimension));
+        assert_eq!(M.dimension.root(), None);
+    }
+}
