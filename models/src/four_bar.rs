@@ -6,7 +6,7 @@
 //! digits. The products of sines below keep them, given that the dead angles
 //! are known to twice the working precision:
 //!
-//! (b + c)² − d² = 4 a f sin((θ − θ_s)/2) sin((θ_s′ − θ)/2)
+//! (b + c)² − d² = −4 a f sin((θ − θ_s)/2) sin((θ − θ_s′)/2)
 //!
 //! with crank a, coupler b, follower c, frame f and diagonal d = N–J.
 
@@ -45,9 +45,11 @@ pub enum Branch {
 /// How one kind of dead point (stretched or folded) limits the crank.
 #[derive(Clone, Copy, Debug)]
 enum Limit<C> {
-    /// Dead points on both sides of the frame line; each angle comes with the
-    /// tail that completes it to twice the working precision.
-    Dead([(C, f64); 2]),
+    /// The crank stays between two dead angles; each comes with the tail that
+    /// completes it to twice the working precision.
+    Between([(C, f64); 2]),
+    /// The crank stays out of the angles between two dead angles.
+    Outside([(C, f64); 2]),
     /// The crank passes: at the worst position this margin (m²) is left.
     Free(C),
 }
@@ -65,6 +67,8 @@ pub struct FourBar<C> {
     branch: Branch,
     stretched: Limit<C>,
     folded: Limit<C>,
+    /// Middle of the crank angles in use, in rad.
+    middle: f64,
 }
 
 /// The linkage at one crank angle: bars as vectors, in m.
@@ -108,47 +112,57 @@ impl<C: Calc> FourBar<C> {
         if sum.value() <= (a - f).value().abs() || difference.value().abs() >= (a + f).value() {
             return None;
         }
-        let dead = |diagonal: C, exact: TwoFloat, names: [&'static Symbol; 2]| {
+        // Dead angles lie this far on both sides of the frame.
+        let away = |diagonal: C| {
             let half = C::direction(
                 ((a + f - diagonal) * (a + f + diagonal)).sqrt(),
                 ((diagonal - a + f) * (diagonal + a - f)).sqrt(),
             );
-            let two = C::constant(2.0);
-            let near = |angle: C, name| {
-                let angle = angle.def(name);
-                let tail = dead_angle_tail(angle.value(), crank.value(), frame.map(C::value), exact);
-                (angle, tail)
-            };
-            Limit::Dead([near(frame_angle - two * half, names[0]), near(frame_angle + two * half, names[1])])
+            C::constant(2.0) * half
         };
         let exact = |sign: f64| TwoFloat::new_add(coupler.value(), sign * follower.value());
-        let stretched = if sum.value() < (a + f).value() {
-            dead(sum, exact(1.0), names.stretched)
+        let end = |angle: C, name, diagonal: TwoFloat| {
+            let angle = angle.def(name);
+            (angle, dead_angle_tail(angle.value(), crank.value(), frame.map(C::value), diagonal))
+        };
+        let reaches_stretched = sum.value() < (a + f).value();
+        let reaches_folded = difference.value().abs() > (a - f).value().abs();
+        let stretched = if reaches_stretched {
+            let (away, names, exact) = (away(sum), names.stretched, exact(1.0));
+            Limit::Between([end(frame_angle - away, names[0], exact), end(frame_angle + away, names[1], exact)])
         } else {
             Limit::Free((sum - a - f) * (sum + a + f))
         };
-        let folded = if difference.value().abs() > (a - f).value().abs() {
-            dead(difference, exact(-1.0), names.folded)
-        } else {
+        let folded = if !reaches_folded {
             Limit::Free((a - f - difference) * (a - f + difference))
+        } else {
+            let (away, names, exact) = (away(difference), names.folded, exact(-1.0));
+            if reaches_stretched {
+                Limit::Outside([end(frame_angle - away, names[0], exact), end(frame_angle + away, names[1], exact)])
+            } else {
+                let turn = C::constant(TAU);
+                Limit::Between([end(frame_angle + away, names[0], exact), end(frame_angle + turn - away, names[1], exact)])
+            }
         };
-        Some(FourBar { crank, coupler, follower, frame, frame_length, frame_angle, branch, stretched, folded })
+        let middle = frame_angle.value() + if reaches_folded && !reaches_stretched { PI } else { 0.0 };
+        Some(FourBar { crank, coupler, follower, frame, frame_length, frame_angle, branch, stretched, folded, middle })
     }
 
     /// The arcs of crank angles in which the linkage closes, each within one
     /// turn, ends included. With both kinds of dead point there are two.
     #[must_use]
     pub fn arcs(&self) -> Vec<Arc> {
-        let centre = self.frame_angle.value();
-        let ends = |limit: &Limit<C>| match limit {
-            Limit::Dead([(low, _), (high, _)]) => Some((low.value(), high.value())),
-            Limit::Free(_) => None,
-        };
-        match (ends(&self.stretched), ends(&self.folded)) {
-            (None, None) => vec![Arc { from: centre - PI, to: centre + PI }],
-            (Some((from, to)), None) => vec![Arc { from, to }],
-            (None, Some((low, high))) => vec![Arc { from: high, to: low + TAU }],
-            (Some((from, to)), Some((low, high))) => vec![Arc { from, to: low }, Arc { from: high, to }],
+        let ends = |ends: &[(C, f64); 2]| (ends[0].0.value(), ends[1].0.value());
+        match (&self.stretched, &self.folded) {
+            (Limit::Between(outer), Limit::Outside(inner)) => {
+                let ((from, to), (low, high)) = (ends(outer), ends(inner));
+                vec![Arc { from, to: low }, Arc { from: high, to }]
+            }
+            (Limit::Between(limit), _) | (_, Limit::Between(limit)) => {
+                let (from, to) = ends(limit);
+                vec![Arc { from, to }]
+            }
+            _ => vec![Arc { from: self.middle - PI, to: self.middle + PI }],
         }
     }
 
@@ -169,22 +183,19 @@ impl<C: Calc> FourBar<C> {
 
         let two = C::constant(2.0);
         let scale = C::constant(4.0) * self.crank * self.frame_length;
-        let stretched = match &self.stretched {
-            Limit::Dead([(low, low_tail), (high, high_tail)]) => {
-                let past_low = theta.minus_exact(*low, *low_tail) / two;
-                let past_high = theta.minus_exact(*high, *high_tail) / two;
-                -(scale * past_low.sin() * past_high.sin())
-            }
-            Limit::Free(margin) => *margin + scale * ((theta - self.frame_angle) / two).sin_cos().1.square(),
+        // Whole turns away from the middle are taken off, without rounding.
+        let turns = ((theta.value() - self.middle) / TAU).round();
+        let near = if turns == 0.0 { theta } else { theta - C::constant(turns * TAU) };
+        let sine_past = |(end, tail): (C, f64)| (near.minus_exact(end, tail + turns * TAU_TAIL) / two).sin();
+        let stretched = match self.stretched {
+            Limit::Between([low, high]) | Limit::Outside([low, high]) => -(scale * sine_past(low) * sine_past(high)),
+            Limit::Free(margin) => margin + scale * ((theta - self.frame_angle) / two).sin_cos().1.square(),
         }
         .def(names.stretched_margin);
-        let folded = match &self.folded {
-            Limit::Dead([(low, low_tail), (high, high_tail)]) => {
-                let past_low = theta.minus_exact(*low, *low_tail) / two;
-                let past_high = theta.minus_exact(*high, *high_tail) / two;
-                scale * past_low.sin() * past_high.sin()
-            }
-            Limit::Free(margin) => *margin + scale * ((theta - self.frame_angle) / two).sin().square(),
+        let folded = match self.folded {
+            Limit::Between([low, high]) => -(scale * sine_past(low) * sine_past(high)),
+            Limit::Outside([low, high]) => scale * sine_past(low) * sine_past(high),
+            Limit::Free(margin) => margin + scale * ((theta - self.frame_angle) / two).sin().square(),
         }
         .def(names.folded_margin);
         // Not `<`: a NaN must not pass.
@@ -219,6 +230,9 @@ impl<C: Calc> FourBar<C> {
         Some(Closure { crank, coupler, follower, diagonal: length, area })
     }
 }
+
+/// 2π less its double.
+const TAU_TAIL: f64 = 2.449_293_598_294_706_4e-16;
 
 /// What must be added to `angle`, a dead angle in working precision, to make it
 /// exact: Newton's method in double-double arithmetic on

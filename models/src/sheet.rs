@@ -12,7 +12,7 @@ pub struct Sheet {
     /// Formulas that do not depend on the position.
     pub constants: Vec<Section>,
     /// Positions at which the formulas are written out.
-    pub positions: Vec<Position>,
+    pub positions: Vec<Worked>,
     /// Results over the working range, one row for each position of the scene's step.
     pub range: Table,
     /// Curves over the working range, on a grid fine enough to draw.
@@ -21,8 +21,10 @@ pub struct Sheet {
     pub checks: Vec<Check>,
     /// Published values beside the computed ones; empty where the scene gives none.
     pub published: Vec<Comparison>,
+    /// Where they are printed.
+    pub published_source: Option<String>,
     /// Results of the whole range: level error, extremes, work.
-    pub summary: Vec<Result>,
+    pub summary: Vec<Summary>,
     /// Ids of remarks on the publications, worded in the templates.
     pub remarks: Vec<&'static str>,
 }
@@ -43,7 +45,7 @@ pub struct Section {
 }
 
 /// A position of the mechanism with its formulas.
-pub struct Position {
+pub struct Worked {
     /// `from`, `middle`, `to`, ..., worded in the templates.
     pub id: &'static str,
     pub coordinate: &'static Symbol,
@@ -52,7 +54,7 @@ pub struct Position {
 }
 
 /// A result of the whole range, with the coordinate where it occurs if it has one.
-pub struct Result {
+pub struct Summary {
     pub symbol: &'static Symbol,
     pub value: f64,
     pub at: Option<(&'static Symbol, f64)>,

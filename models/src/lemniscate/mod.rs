@@ -34,6 +34,7 @@ pub mod position;
 pub mod published;
 pub mod range;
 pub mod scene;
+pub mod sheet;
 pub mod statics;
 pub mod symbols;
 pub mod velocity;

@@ -297,7 +297,7 @@ impl Model {
         let weights = parameters.weights.as_ref();
         let centres = weights.map(|w| Centres::new(&place.p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
         let both = weights.zip(centres.as_ref());
-        let m_g = both.map_or(0.0, |(w, r)| weight_moment(w, r, &place.v, place.g.driven));
+        let m_g = both.map_or(0.0, |(w, r)| weight_moment(w, r, &place.p, &place.v));
         let drive = self.drive(place);
         let mut f_d = 0.0;
         let pins = PinForces::new(&place.p, lengths.x_3, q, both, |m_d| {

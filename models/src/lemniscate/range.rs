@@ -1,5 +1,9 @@
 //! Results of the whole working range: extremes, level error, work.
 
+use std::num::NonZeroUsize;
+
+use gauss_quad::GaussLegendre;
+
 use crate::lemniscate::geometry::Geometry;
 use crate::lemniscate::position::Position;
 use crate::lemniscate::scene::Motion;
@@ -23,8 +27,8 @@ pub struct Range {
     pub mu_min: Extreme,
     /// Greatest rise of A per radian by amount, in m: where the luffing moment is greatest.
     pub dy_max: Extreme,
-    /// Rise of A over the range by integration of dY/dθ, and by difference, in m.
-    pub rise: [f64; 2],
+    /// Rise of A from the start to the end of the range, in m.
+    pub rise: f64,
 }
 
 /// Points at which a quantity is looked at before its extreme is refined.
@@ -37,16 +41,16 @@ impl Range {
         let at = |theta: f64| Position::new(g, theta);
         let all = |pick: fn(&Position<f64>) -> f64| greatest(motion, |theta| at(theta).map(|p| pick(&p)));
         let minus = |e: Extreme| Extreme { value: -e.value, ..e };
-        let rise = |theta: f64| at(theta).map(|p| Velocity::new(&p).da.y);
-        let dy_max = greatest(motion, |theta| rise(theta).map(f64::abs))?;
+        let slope = |theta: f64| at(theta).map(|p| Velocity::new(&p).da.y);
+        let dy_max = greatest(motion, |theta| slope(theta).map(f64::abs))?;
         Some(Range {
             r_max: all(|p| p.r)?,
             r_min: minus(all(|p| -p.r)?),
             y_max: all(|p| p.a.y)?,
             y_min: minus(all(|p| -p.a.y)?),
             mu_min: minus(all(|p| -p.mu())?),
-            dy_max: Extreme { value: rise(dy_max.at)?, ..dy_max },
-            rise: [simpson(motion, rise)?, at(motion.to)?.a.y - at(motion.from)?.a.y],
+            dy_max: Extreme { value: slope(dy_max.at)?, ..dy_max },
+            rise: at(motion.to)?.a.y - at(motion.from)?.a.y,
         })
     }
 
@@ -90,13 +94,12 @@ fn greatest(motion: &Motion, f: impl Fn(f64) -> Option<f64>) -> Option<Extreme> 
     Some(best)
 }
 
-/// Integral over the range by Simpson's rule.
-fn simpson(motion: &Motion, f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
-    const PANELS: u32 = 512;
-    let width = (motion.to - motion.from) / f64::from(PANELS);
-    let mut sum = f(motion.from)? + f(motion.to)?;
-    for i in 1..PANELS {
-        sum += if i % 2 == 1 { 4.0 } else { 2.0 } * f(motion.from + f64::from(i) * width)?;
-    }
-    Some(sum * width / 3.0)
+/// Rise of A over the range as the integral of its slope, in m: the work of the
+/// luffing moment for a load of 1 N. By Gauss and Legendre's rule.
+#[must_use]
+pub fn rise_by_integration(g: &Geometry<f64>, motion: &Motion) -> f64 {
+    const POINTS: NonZeroUsize = NonZeroUsize::new(64).expect("not zero");
+    GaussLegendre::new(POINTS).integrate(motion.from, motion.to, |theta| {
+        Position::new(g, theta).map_or(f64::NAN, |p| Velocity::new(&p).da.y)
+    })
 }

@@ -40,10 +40,12 @@ impl<C: Calc> Centres<C> {
 
 /// Moment of the own weights about the foot of the driven bar, in N·m; positive
 /// lowers the bar. [Balance004, eq. 1, by virtual work]
-pub fn weight_moment<C: Calc>(w: &Weights<C>, r: &Centres<C>, v: &Velocity<C>, driven: Driven) -> C {
-    match driven {
-        Driven::Boom => w.g_1 * r.boom.x + w.g_2 * (v.db.y + v.i_2 * r.jib.x) + w.g_3 * v.i_follower * r.rocker.x,
-        Driven::Rocker => w.g_1 * v.i_follower * r.boom.x + w.g_2 * (v.db.y + v.i_2 * r.jib.x) + w.g_3 * r.rocker.x,
+pub fn weight_moment<C: Calc>(w: &Weights<C>, r: &Centres<C>, p: &Position<C>, v: &Velocity<C>) -> C {
+    match p.driven {
+        Driven::Boom => w.g_1 * r.boom.x + w.g_2 * (p.x_1.x + v.i_2 * r.jib.x) + w.g_3 * v.i_follower * r.rocker.x,
+        Driven::Rocker => {
+            w.g_1 * v.i_follower * r.boom.x + w.g_2 * (p.x_3.x + v.i_2 * (r.jib.x - p.x_2.x)) + w.g_3 * r.rocker.x
+        }
     }
     .def(&s::M_G)
 }

@@ -133,6 +133,7 @@ symbols! {
     M_Q_MAX: "M_Q_max" "M_(Q,max)" N_M / KN_M, "Greatest luffing moment of the load in the working range, by amount.", "[Li2022, 5]";
     W_Q: "W_Q" "W_Q" J / KJ, "Work of the luffing moment over the working range.", "virtual work";
     W_Y: "W_Y" "Q thin Delta Y" J / KJ, "Load times its rise over the working range.", "virtual work";
+    AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
 
     // The publication's own forms.
     THETA_0: "theta_0" "theta_0" RAD / DEG, "Inclination of the frame O3O1 below the horizontal.", "[Li2022, eq. 1]";

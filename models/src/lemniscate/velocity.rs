@@ -20,33 +20,26 @@ pub struct Velocity<C> {
     pub i_follower: C,
     /// Travel of A for one radian of the driven bar, in m. [Li2022, eq. 10]
     pub da: Point<C>,
-    /// Travel of B for one radian of the driven bar, in m.
-    pub db: Point<C>,
+    /// Travel of the driven bar's head, B or C, for one radian, in m.
+    pub head: Point<C>,
 }
 
 impl<C: Calc> Velocity<C> {
     #[inline]
     pub fn new(p: &Position<C>) -> Velocity<C> {
         let half = p.k / C::constant(2.0);
-        match p.driven {
+        let (i_2, i_follower, bar, beyond) = match p.driven {
             Driven::Boom => {
                 let i_2 = (plane::cross(p.x_1, p.x_3) / half).def(&s::I_2);
-                let i_3 = (plane::cross(p.x_1, p.x_2) / half).def(&s::I_3);
-                let db = Point::new(-p.x_1.y, p.x_1.x);
-                let da = plane::def(Point::new(-(p.b.y + i_2 * p.x_4.y), p.b.x + i_2 * p.x_4.x), [&s::DA_X, &s::DA_Y]);
-                Velocity { i_2, i_follower: i_3, da, db }
+                (i_2, (plane::cross(p.x_1, p.x_2) / half).def(&s::I_3), p.x_1, p.x_4)
             }
             Driven::Rocker => {
                 let i_2 = (plane::cross(p.x_3, p.x_1) / half).def(&s::I_2);
-                let i_1 = (plane::cross(p.x_2, p.x_3) / half).def(&s::I_1);
-                let db = Point::new(-(i_1 * p.x_1.y), i_1 * p.x_1.x);
-                let da = plane::def(
-                    Point::new(-(i_1 * p.b.y + i_2 * p.x_4.y), i_1 * p.b.x + i_2 * p.x_4.x),
-                    [&s::DA_X, &s::DA_Y],
-                );
-                Velocity { i_2, i_follower: i_1, da, db }
+                (i_2, (plane::cross(p.x_2, p.x_3) / half).def(&s::I_1), p.x_3, p.x_4 - p.x_2)
             }
-        }
+        };
+        let da = plane::def(Point::new(-(bar.y + i_2 * beyond.y), bar.x + i_2 * beyond.x), [&s::DA_X, &s::DA_Y]);
+        Velocity { i_2, i_follower, da, head: Point::new(-bar.y, bar.x) }
     }
 
     /// Velocity of A, in m/s, at the driven bar's angular velocity (rad/s). [Li2022, eq. 10]
@@ -92,13 +85,13 @@ impl<C: Calc> Pole<C> {
 
     /// Luffing moment of the load Q (N) about the foot of the driven bar through
     /// the instantaneous centre, in N·m; positive lowers the bar. With the
-    /// centre at infinity the jib moves along with B. [Li2022, eq. 11]
+    /// centre at infinity the jib moves along with the driven bar's head. [Li2022, eq. 11]
     ///
     /// Signed distances: DA from the centre forward to A, PB from B to the
     /// centre along the driven bar; eq. (11) with them has the opposite sign.
     pub fn moment(&self, g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>, q: C) -> C {
         match *self {
-            Pole::AtInfinity => q * v.db.y,
+            Pole::AtInfinity => q * v.head.y,
             Pole::Finite { o1p, o3p, at } => {
                 let (bar, beyond) = match p.driven {
                     Driven::Boom => (g.lengths.x_1, o1p - g.lengths.x_1),

@@ -1,0 +1,411 @@
+//! Everything a book says about a luffing mechanism.
+
+use crate::calc::Calc;
+use crate::lemniscate::drive::{Drive, oil_flow};
+use crate::lemniscate::geometry::{Driven, Geometry, Jib, Parameters};
+use crate::lemniscate::position::Position;
+use crate::lemniscate::published::Published;
+use crate::lemniscate::range::{Extreme, Range, rise_by_integration};
+use crate::lemniscate::scene::{Luffing, Motion};
+use crate::lemniscate::statics::{Centres, PinForces, load_moment, weight_moment};
+use crate::lemniscate::symbols as s;
+use crate::lemniscate::velocity::{Pole, Velocity};
+use crate::model::Model;
+use crate::plane::Point;
+use crate::record::{Rec, record};
+use crate::scene::Scene;
+use crate::sheet::{Check, Comparison, Curve, Drawing, Input, Section, Shape, Sheet, Summary, Table, Worked};
+use crate::symbol::Symbol;
+
+/// Points of a drawn curve.
+const CURVE: u32 = 240;
+
+/// The sheet of a scene.
+#[must_use]
+pub fn sheet(scene: &Scene) -> Sheet {
+    let mut model = Model::new(scene).expect("a scene that was read has a mechanism");
+    let luffing = &scene.luffing;
+    let geometry = Geometry::new(&luffing.parameters).expect("checked when the scene was read");
+    let range = Range::new(&geometry, &luffing.motion).expect("checked when the scene was read");
+    let coordinate = coordinate(luffing);
+    let motion = luffing.motion;
+    let middle = f64::midpoint(motion.from, motion.to);
+    let positions = [("from", motion.from), ("middle", middle), ("to", motion.to)];
+    Sheet {
+        inputs: inputs(luffing),
+        constants: constants(luffing),
+        positions: positions.map(|(id, theta)| worked(luffing, id, coordinate, theta)).into(),
+        range: table(&mut model, coordinate, &motion),
+        curves: curves(&mut model, luffing, coordinate),
+        drawing: drawing(&geometry, luffing, middle),
+        checks: checks(&mut model, luffing, &geometry, &range),
+        published: published(&mut model, luffing, coordinate),
+        published_source: luffing.published.as_ref().map(|p| p.source.clone()),
+        summary: summary(luffing, &geometry, &range, coordinate),
+        remarks: remarks(luffing),
+    }
+}
+
+fn coordinate(luffing: &Luffing) -> &'static Symbol {
+    match luffing.parameters.driven {
+        Driven::Boom => &s::THETA_1,
+        Driven::Rocker => &s::THETA_3,
+    }
+}
+
+fn rate(luffing: &Luffing) -> &'static Symbol {
+    match luffing.parameters.driven {
+        Driven::Boom => &s::OMEGA_1,
+        Driven::Rocker => &s::OMEGA_3,
+    }
+}
+
+fn inputs(luffing: &Luffing) -> Vec<Input> {
+    let mut inputs = Vec::new();
+    let mut chapter = "geometry";
+    luffing.parameters.map(|symbol, value| {
+        if symbol == &s::G_1 {
+            chapter = "weights";
+        } else if symbol == &s::E_X {
+            chapter = "drive";
+        }
+        inputs.push(Input { symbol, value, chapter });
+    });
+    if let Some(q) = luffing.q {
+        inputs.push(Input { symbol: &s::Q, value: q, chapter: "load" });
+    }
+    inputs.push(Input { symbol: rate(luffing), value: luffing.motion.speed, chapter: "motion" });
+    let limits = [(&s::MU_MIN, luffing.limits.mu_min), (&s::EPSILON_Y, luffing.limits.epsilon_y)];
+    for (symbol, limit) in limits {
+        inputs.extend(limit.map(|value| Input { symbol, value, chapter: "limits" }));
+    }
+    inputs
+}
+
+/// Parameters as names for the recorder.
+fn given(parameters: &Parameters<f64>) -> Parameters<Rec> {
+    parameters.map(Rec::given)
+}
+
+fn constants(luffing: &Luffing) -> Vec<Section> {
+    let (trace, _) = record(|| Geometry::new(&given(&luffing.parameters)));
+    vec![Section { id: "geometry_constants", trace }]
+}
+
+/// The formulas at one position, each group as its own section.
+///
+/// Every section is recorded from the start and shows only what its own
+/// function added, so that its names stand for values computed before.
+fn worked(luffing: &Luffing, id: &'static str, coordinate: &'static Symbol, theta: f64) -> Worked {
+    let mut sections = Vec::new();
+    let mut seen = 0;
+    // `stage` counts how far the chain of functions is run.
+    for (stage, id) in STAGES.iter().enumerate() {
+        let (mut trace, there) = record(|| chain(luffing, theta, stage));
+        let new = trace.steps.split_off(seen.min(trace.steps.len()));
+        seen += new.len();
+        trace.steps = new;
+        if there && !trace.steps.is_empty() {
+            sections.push(Section { id, trace });
+        }
+    }
+    Worked { id, coordinate, value: theta, sections }
+}
+
+const STAGES: [&str; 10] = [
+    "given", "position", "angles", "velocity", "pole", "load_moment", "weight_moment", "drive", "pin_forces", "published_forms",
+];
+
+/// Runs the equations under the recorder up to a stage; false where the scene
+/// does not model the stage.
+fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
+    let parameters = given(&luffing.parameters);
+    let Ok(g) = Geometry::new(&parameters) else { return false };
+    let theta = Rec::given(coordinate(luffing), theta);
+    let omega = Rec::given(rate(luffing), luffing.motion.speed);
+    if stage == 0 {
+        return false;
+    }
+    let Some(p) = Position::new(&g, theta) else { return false };
+    if stage == 1 {
+        return true;
+    }
+    let _ = p.follower_angle();
+    let _ = p.alpha_1(p.alpha());
+    let _ = match luffing.parameters.driven {
+        Driven::Boom => p.y(),
+        Driven::Rocker => p.l(),
+    };
+    let _ = p.mu();
+    if stage == 2 {
+        return true;
+    }
+    let v = Velocity::new(&p);
+    let _ = v.v_a(omega);
+    let _ = v.beta();
+    if stage == 3 {
+        return true;
+    }
+    let pole = Pole::new(&g, &p);
+    if stage == 4 {
+        return true;
+    }
+    let Some(q) = luffing.q else {
+        return stage == 7 && drive_chain(luffing, &g, &p, omega).is_some();
+    };
+    let q = Rec::given(&s::Q, q);
+    let _ = load_moment(&v, q);
+    let _ = pole.moment(&g, &p, &v, q);
+    if stage == 5 {
+        return true;
+    }
+    let lengths = g.lengths;
+    let weights = parameters.weights.as_ref();
+    let centres = weights.map(|w| Centres::new(&p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
+    let both = weights.zip(centres.as_ref());
+    let _ = both.map(|(w, r)| weight_moment(w, r, &p, &v));
+    if stage == 6 {
+        return true;
+    }
+    let drive = drive_chain(luffing, &g, &p, omega);
+    if stage == 7 {
+        return true;
+    }
+    let _ = PinForces::new(&p, lengths.x_3, q, both, |m_d| drive.and_then(|drive| drive.reaction(m_d)));
+    if stage == 8 {
+        return true;
+    }
+    match (parameters.jib, luffing.parameters.driven) {
+        (Jib::Sag(x_7), Driven::Boom) => {
+            let _ = Published::new(&g, x_7, theta);
+            true
+        }
+        _ => false,
+    }
+}
+
+fn drive_chain(luffing: &Luffing, g: &Geometry<Rec>, p: &Position<Rec>, omega: Rec) -> Option<Drive<Rec>> {
+    let parameters = given(&luffing.parameters);
+    let bar = match g.driven {
+        Driven::Boom => g.lengths.x_1,
+        Driven::Rocker => g.lengths.x_3,
+    };
+    let drive = Drive::new(p, bar, g.o3(), parameters.anchors.as_ref()?);
+    let speed = drive.speed(omega);
+    let _ = parameters.cylinder.map(|cylinder| oil_flow(&cylinder, speed));
+    Some(drive)
+}
+
+/// Reads variables of the model at angles of the driven bar.
+fn sample(model: &mut Model, symbols: &[&'static Symbol], angles: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
+    let place = |symbol: &'static Symbol| model.variables().iter().position(|variable| variable.symbol == symbol);
+    let indices: Vec<usize> = symbols.iter().map(|&symbol| place(symbol).expect("a variable of this scene")).collect();
+    angles
+        .map(|theta| {
+            model.set(0, theta).expect("an angle is finite");
+            indices.iter().map(|&index| model.get(index).expect("the range was checked")).collect()
+        })
+        .collect()
+}
+
+fn fine(motion: &Motion) -> impl Iterator<Item = f64> {
+    let (from, to) = (motion.from, motion.to);
+    (0..=CURVE).map(move |i| if i == CURVE { to } else { from + (to - from) * f64::from(i) / f64::from(CURVE) })
+}
+
+fn table(model: &mut Model, coordinate: &'static Symbol, motion: &Motion) -> Table {
+    let follower = if coordinate == &s::THETA_1 { &s::THETA_3 } else { &s::THETA_1 };
+    let mut columns = vec![coordinate, follower, &s::R, &s::A_Y, &s::ALPHA, &s::ALPHA_1, &s::MU, &s::V_AX];
+    let exists = |symbol: &&Symbol| model.variables().iter().any(|variable| variable.symbol == *symbol);
+    columns.extend([&s::M_Q, &s::M_D, &s::F_D].into_iter().filter(|symbol| exists(symbol)));
+    let rows = sample(model, &columns, motion.angles().into_iter());
+    Table { columns, rows }
+}
+
+fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> Vec<Curve> {
+    let follower = if coordinate == &s::THETA_1 { &s::THETA_3 } else { &s::THETA_1 };
+    let mut list = vec![
+        ("li2022_fig_3", &s::P_X, &s::P_Y),
+        ("li2022_fig_4", coordinate, follower),
+        ("li2022_fig_5", coordinate, &s::ALPHA_1),
+        ("li2022_fig_6", &s::R, &s::A_Y),
+        ("li2022_fig_7", coordinate, &s::V_AX),
+    ];
+    if luffing.q.is_some() {
+        list.push(("li2022_fig_8", coordinate, &s::M_Q));
+    }
+    let mut curve = |(id, x, y): (&'static str, &'static Symbol, &'static Symbol)| {
+        let points = sample(model, &[x, y], fine(&luffing.motion));
+        // The instantaneous centre runs to infinity: what is drawn ends at
+        // five times the crane's size.
+        let size = 5.0 * (luffing.parameters.lengths.x_1 + luffing.parameters.lengths.x_4);
+        let drawable = |point: &Vec<f64>| id != "li2022_fig_3" || (point[0].abs() <= size && point[1].abs() <= size);
+        let pieces = points
+            .chunk_by(|a, b| drawable(a) && drawable(b) && (id != "li2022_fig_3" || (a[1] > 0.0) == (b[1] > 0.0)))
+            .filter(|piece| piece.len() > 1)
+            .map(|piece| piece.iter().map(|point| [point[0], point[1]]).collect())
+            .collect();
+        Curve { id, x, y, pieces }
+    };
+    list.into_iter().map(&mut curve).collect()
+}
+
+fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Check> {
+    let mut checks = Vec::new();
+    if let Some(limit) = luffing.limits.mu_min {
+        checks.push(Check { id: "transmission_angle", symbol: &s::MU_MIN, value: range.mu_min.value, limit, at_most: false });
+    }
+    if let Some(limit) = luffing.limits.epsilon_y {
+        checks.push(Check { id: "level_error", symbol: &s::EPSILON_Y, value: range.epsilon_y(), limit, at_most: true });
+    }
+    if luffing.q.is_some() {
+        // Agreement of independent ways, relative to the largest moment.
+        let (integral, difference) = (rise_by_integration(g, &luffing.motion), range.rise);
+        let scale = range.dy_max.value.abs();
+        checks.push(Check {
+            id: "energy_identity",
+            symbol: &s::AGREEMENT,
+            value: ((integral - difference) / (scale * (luffing.motion.to - luffing.motion.from))).abs(),
+            limit: 1e-9,
+            at_most: true,
+        });
+        let most = |symbol: &'static Symbol| {
+            sample(model, &[&s::M_Q, symbol], fine(&luffing.motion)).iter().map(|row| (row[0] - row[1]).abs()).fold(0.0, f64::max)
+        };
+        let mut most = most;
+        checks.push(Check {
+            id: "moment_agreement",
+            symbol: &s::AGREEMENT,
+            value: most(&s::M_Q_P) / (luffing.q.unwrap_or(1.0).max(f64::MIN_POSITIVE) * scale),
+            limit: 1e-12,
+            at_most: true,
+        });
+        checks.push(Check {
+            id: "equilibrium",
+            symbol: &s::AGREEMENT,
+            value: equilibrium(luffing, g),
+            limit: 1e-12,
+            at_most: true,
+        });
+    }
+    checks
+}
+
+/// The drive's moment by equilibrium of the bodies against virtual work of load
+/// and weights: largest difference over the range, relative to the largest moment.
+fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
+    let lengths = g.lengths;
+    let q = luffing.q.unwrap_or(0.0);
+    let (mut worst, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
+    for theta in fine(&luffing.motion) {
+        let Some(p) = Position::new(g, theta) else { continue };
+        let v = Velocity::new(&p);
+        let weights = luffing.parameters.weights.as_ref();
+        let centres = weights.map(|w| Centres::new(&p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
+        let both = weights.zip(centres.as_ref());
+        let work = load_moment(&v, q) + both.map_or(0.0, |(w, r)| weight_moment(w, r, &p, &v));
+        let m_d = PinForces::new(&p, lengths.x_3, q, both, |_| None).m_d;
+        worst = worst.max((m_d - work).abs());
+        scale = scale.max(work.abs());
+    }
+    worst / scale
+}
+
+fn published(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> Vec<Comparison> {
+    let Some(published) = &luffing.published else { return Vec::new() };
+    let mut list = Vec::new();
+    for row in &published.rows {
+        let angle: f64 = row[0].parse().expect("checked when the scene was read");
+        let angle = angle * coordinate.display.factor;
+        for (symbol, printed) in published.columns.iter().zip(row).skip(1) {
+            let known = model.variables().iter().any(|variable| variable.symbol == *symbol);
+            if known {
+                let value = sample(model, &[symbol], std::iter::once(angle))[0][0];
+                list.push(Comparison { coordinate: angle, symbol, printed: printed.clone(), value });
+            }
+        }
+    }
+    list
+}
+
+fn summary(luffing: &Luffing, g: &Geometry<f64>, range: &Range, coordinate: &'static Symbol) -> Vec<Summary> {
+    let at = |symbol, extreme: Extreme| Summary { symbol, value: extreme.value, at: Some((coordinate, extreme.at)) };
+    let alone = |symbol, value| Summary { symbol, value, at: None };
+    let mut list = vec![
+        at(&s::R_MAX, range.r_max),
+        at(&s::R_MIN, range.r_min),
+        alone(&s::DELTA_Y, range.delta_y()),
+        alone(&s::EPSILON_Y, range.epsilon_y()),
+        at(&s::MU_MIN, range.mu_min),
+    ];
+    if let Some(q) = luffing.q {
+        list.push(at(&s::M_Q_MAX, Extreme { value: q * range.dy_max.value, ..range.dy_max }));
+        list.push(alone(&s::W_Q, q * rise_by_integration(g, &luffing.motion)));
+        list.push(alone(&s::W_Y, q * range.rise));
+    }
+    list
+}
+
+fn remarks(luffing: &Luffing) -> Vec<&'static str> {
+    match &luffing.published {
+        Some(published) if published.source.starts_with("[Li2022") => {
+            vec!["li2022_sag", "li2022_sign", "li2022_quadrants", "li2022_level_error", "li2022_drive_comparison"]
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn drawing(g: &Geometry<f64>, luffing: &Luffing, middle: f64) -> Drawing {
+    let motion = &luffing.motion;
+    let point = |p: Point<f64>| [p.x, p.y];
+    let mut shapes = Vec::new();
+    let path = fine(motion).filter_map(|theta| Position::new(g, theta)).map(|p| point(p.a)).collect();
+    shapes.push(Shape::Path { points: path });
+    let o1 = [0.0, 0.0];
+    let o3 = point(g.o3());
+    for (theta, faint) in [(motion.from, true), (motion.to, true), (middle, false)] {
+        let Some(p) = Position::new(g, theta) else { continue };
+        let (a, b, c) = (point(p.a), point(p.b), point(p.c));
+        shapes.push(Shape::Body { id: "boom", points: vec![o1, b], closed: false, faint });
+        shapes.push(Shape::Body { id: "rocker", points: vec![o3, c], closed: false, faint });
+        shapes.push(Shape::Body { id: "jib", points: vec![c, b, a], closed: true, faint });
+        for at in [b, c, a] {
+            shapes.push(Shape::Pin { at, fixed: false, faint });
+        }
+        if let (Some(anchors), false) = (&luffing.parameters.anchors, faint) {
+            let bar = match g.driven {
+                Driven::Boom => (p.x_1, g.lengths.x_1, Point::zeros()),
+                Driven::Rocker => (p.x_3, g.lengths.x_3, g.o3()),
+            };
+            let (sin, cos) = Calc::sin_cos(anchors.chi_d);
+            let arm = crate::plane::turned(bar.0, anchors.s_d * cos / bar.1, anchors.s_d * sin / bar.1);
+            let (e, d) = ([anchors.e_x, anchors.e_y], point(bar.2 + arm));
+            shapes.push(Shape::Body { id: "drive", points: vec![e, d], closed: false, faint });
+            shapes.push(Shape::Pin { at: e, fixed: true, faint });
+            shapes.push(Shape::Pin { at: d, fixed: false, faint });
+            shapes.push(Shape::Label { at: e, text: "E" });
+        }
+        if !faint {
+            shapes.extend([
+                Shape::Label { at: a, text: "A" },
+                Shape::Label { at: b, text: "B" },
+                Shape::Label { at: c, text: "C" },
+                Shape::Angle { at: o1, radius: 4.0, from: 0.0, to: Calc::direction(p.x_1.x, p.x_1.y), text: s::THETA_1.print },
+                Shape::Angle { at: o3, radius: 3.0, from: 0.0, to: Calc::direction(p.x_3.x, p.x_3.y), text: s::THETA_3.print },
+                Shape::Distance { from: [-g.lengths.x_8, 0.0], to: [a[0], 0.0], offset: -4.5, text: s::R.print },
+            ]);
+            if luffing.q.is_some() {
+                shapes.push(Shape::Load { at: a, text: s::Q.print });
+            }
+        }
+    }
+    shapes.extend([
+        Shape::Pin { at: o1, fixed: true, faint: false },
+        Shape::Pin { at: o3, fixed: true, faint: false },
+        Shape::Label { at: o1, text: "O_1" },
+        Shape::Label { at: o3, text: "O_3" },
+        Shape::CentreLine { x: -g.lengths.x_8, from: -5.0, to: 8.0 },
+        Shape::Distance { from: [-g.lengths.x_8, 0.0], to: [0.0, 0.0], offset: -2.5, text: s::X_8.print },
+    ]);
+    Drawing { shapes }
+}

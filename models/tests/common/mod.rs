@@ -1,0 +1,17 @@
+//! The default crane, and variations of it.
+
+use lemnis_models::lemniscate::geometry::{Driven, Geometry, Parameters};
+use lemnis_models::lemniscate::scene::Luffing;
+use lemnis_models::scene::{DEFAULT, Scene};
+
+pub fn luffing() -> Luffing {
+    Scene::parse(DEFAULT).expect("the default scene is valid").luffing
+}
+
+pub fn parameters(driven: Driven) -> Parameters<f64> {
+    Parameters { driven, ..luffing().parameters }
+}
+
+pub fn geometry(driven: Driven) -> Geometry<f64> {
+    Geometry::new(&parameters(driven)).expect("the default crane exists")
+}
