@@ -155,7 +155,8 @@ mod tests {
     /// the order of step² (1e-12) plus rounding over step (1e-10).
     #[test]
     fn dual_rules_agree_with_differences() {
-        let rules: [(&str, fn(Dual64) -> Dual64); 6] = [
+        type Rule = fn(Dual64) -> Dual64;
+        let rules: [(&str, Rule); 6] = [
             ("sqrt", |x| Calc::sqrt(x)),
             ("sin", |x| Calc::sin(x)),
             ("cos", |x| Calc::sin_cos(x).1),
@@ -166,9 +167,13 @@ mod tests {
         let step = 1e-6;
         for (name, rule) in rules {
             for at in [0.1, 0.5, 0.9] {
-                let difference = (rule(Dual64::from_re(at + step)).re - rule(Dual64::from_re(at - step)).re) / (2.0 * step);
+                let difference =
+                    (rule(Dual64::from_re(at + step)).re - rule(Dual64::from_re(at - step)).re) / (2.0 * step);
                 let exact = rule(Dual64::new(at, 1.0)).eps;
-                assert!((exact - difference).abs() < 1e-9, "{name} at {at}: {exact} {difference}");
+                assert!(
+                    (exact - difference).abs() < 1e-9,
+                    "{name} at {at}: {exact} {difference}"
+                );
             }
         }
     }

@@ -18,7 +18,12 @@ pub struct Diagnostic {
 impl Diagnostic {
     #[must_use]
     pub fn new(span: Range<usize>, message: impl Into<String>, label: impl Into<String>) -> Diagnostic {
-        Diagnostic { message: message.into(), label: label.into(), help: None, span }
+        Diagnostic {
+            message: message.into(),
+            label: label.into(),
+            help: None,
+            span,
+        }
     }
 
     #[must_use]

@@ -63,7 +63,7 @@ pub struct FourBar<C> {
     /// From the crank's pivot O to the follower's pivot N.
     frame: Point<C>,
     frame_length: C,
-    frame_angle: C,
+    frame_direction: Point<C>,
     branch: Branch,
     stretched: Limit<C>,
     folded: Limit<C>,
@@ -123,13 +123,19 @@ impl<C: Calc> FourBar<C> {
         let exact = |sign: f64| TwoFloat::new_add(coupler.value(), sign * follower.value());
         let end = |angle: C, name, diagonal: TwoFloat| {
             let angle = angle.def(name);
-            (angle, dead_angle_tail(angle.value(), crank.value(), frame.map(C::value), diagonal))
+            (
+                angle,
+                dead_angle_tail(angle.value(), crank.value(), frame.map(C::value), diagonal),
+            )
         };
         let reaches_stretched = sum.value() < (a + f).value();
         let reaches_folded = difference.value().abs() > (a - f).value().abs();
         let stretched = if reaches_stretched {
             let (away, names, exact) = (away(sum), names.stretched, exact(1.0));
-            Limit::Between([end(frame_angle - away, names[0], exact), end(frame_angle + away, names[1], exact)])
+            Limit::Between([
+                end(frame_angle - away, names[0], exact),
+                end(frame_angle + away, names[1], exact),
+            ])
         } else {
             Limit::Free((sum - a - f) * (sum + a + f))
         };
@@ -138,14 +144,32 @@ impl<C: Calc> FourBar<C> {
         } else {
             let (away, names, exact) = (away(difference), names.folded, exact(-1.0));
             if reaches_stretched {
-                Limit::Outside([end(frame_angle - away, names[0], exact), end(frame_angle + away, names[1], exact)])
+                Limit::Outside([
+                    end(frame_angle - away, names[0], exact),
+                    end(frame_angle + away, names[1], exact),
+                ])
             } else {
                 let turn = C::constant(TAU);
-                Limit::Between([end(frame_angle + away, names[0], exact), end(frame_angle + turn - away, names[1], exact)])
+                Limit::Between([
+                    end(frame_angle + away, names[0], exact),
+                    end(frame_angle + turn - away, names[1], exact),
+                ])
             }
         };
         let middle = frame_angle.value() + if reaches_folded && !reaches_stretched { PI } else { 0.0 };
-        Some(FourBar { crank, coupler, follower, frame, frame_length, frame_angle, branch, stretched, folded, middle })
+        let frame_direction = frame / frame_length;
+        Some(FourBar {
+            crank,
+            coupler,
+            follower,
+            frame,
+            frame_length,
+            frame_direction,
+            branch,
+            stretched,
+            folded,
+            middle,
+        })
     }
 
     /// The arcs of crank angles in which the linkage closes, each within one
@@ -162,7 +186,10 @@ impl<C: Calc> FourBar<C> {
                 let (from, to) = ends(limit);
                 vec![Arc { from, to }]
             }
-            _ => vec![Arc { from: self.middle - PI, to: self.middle + PI }],
+            _ => vec![Arc {
+                from: self.middle - PI,
+                to: self.middle + PI,
+            }],
         }
     }
 
@@ -182,20 +209,33 @@ impl<C: Calc> FourBar<C> {
         let length = square.sqrt().def(names.diagonal_length);
 
         let two = C::constant(2.0);
-        let scale = C::constant(4.0) * self.crank * self.frame_length;
+        let product = self.crank * self.frame_length;
+        let scale = C::constant(4.0) * product;
+        // Squares of sums of the directions of crank and frame are squares of
+        // half angles, (2 cos)² and (2 sin)².
+        let away = self.frame_direction;
         // Whole turns away from the middle are taken off, without rounding.
-        let turns = ((theta.value() - self.middle) / TAU).round();
-        let near = if turns == 0.0 { theta } else { theta - C::constant(turns * TAU) };
+        let from_middle = theta.value() - self.middle;
+        let turns = if from_middle.abs() <= PI {
+            0.0
+        } else {
+            (from_middle / TAU).round()
+        };
+        let near = if turns == 0.0 {
+            theta
+        } else {
+            theta - C::constant(turns * TAU)
+        };
         let sine_past = |(end, tail): (C, f64)| (near.minus_exact(end, tail + turns * TAU_TAIL) / two).sin();
         let stretched = match self.stretched {
             Limit::Between([low, high]) | Limit::Outside([low, high]) => -(scale * sine_past(low) * sine_past(high)),
-            Limit::Free(margin) => margin + scale * ((theta - self.frame_angle) / two).sin_cos().1.square(),
+            Limit::Free(margin) => margin + product * ((cos + away.x).square() + (sin + away.y).square()),
         }
         .def(names.stretched_margin);
         let folded = match self.folded {
             Limit::Between([low, high]) => -(scale * sine_past(low) * sine_past(high)),
             Limit::Outside([low, high]) => scale * sine_past(low) * sine_past(high),
-            Limit::Free(margin) => margin + scale * ((theta - self.frame_angle) / two).sin().square(),
+            Limit::Free(margin) => margin + product * ((cos - away.x).square() + (sin - away.y).square()),
         }
         .def(names.folded_margin);
         // Not `<`: a NaN must not pass.
@@ -227,7 +267,13 @@ impl<C: Calc> FourBar<C> {
             ),
             names.coupler,
         );
-        Some(Closure { crank, coupler, follower, diagonal: length, area })
+        Some(Closure {
+            crank,
+            coupler,
+            follower,
+            diagonal: length,
+            area,
+        })
     }
 }
 

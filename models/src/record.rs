@@ -132,7 +132,10 @@ impl Rec {
 
     fn binary(self, op: Op, other: Rec, value: f64) -> Rec {
         TRACE.with_borrow_mut(|trace| {
-            let (left, right) = (trace.entries[self.0 as usize].dimension, trace.entries[other.0 as usize].dimension);
+            let (left, right) = (
+                trace.entries[self.0 as usize].dimension,
+                trace.entries[other.0 as usize].dimension,
+            );
             let dimension = match op {
                 Op::Mul => left.times(right),
                 Op::Div => left.over(right),
@@ -217,9 +220,16 @@ impl Calc for Rec {
         TRACE.with_borrow_mut(|trace| {
             let Entry { value, dimension, .. } = trace.entries[self.0 as usize];
             if dimension != symbol.unit.dimension {
-                trace.fault(format!("{} is in {}, its formula in {dimension}", symbol.id, symbol.unit.dimension));
+                trace.fault(format!(
+                    "{} is in {}, its formula in {dimension}",
+                    symbol.id, symbol.unit.dimension
+                ));
             }
-            trace.steps.push(Step { symbol, formula: self, value });
+            trace.steps.push(Step {
+                symbol,
+                formula: self,
+                value,
+            });
             trace.push(Node::Name(symbol), value, symbol.unit.dimension)
         })
     }
@@ -252,7 +262,8 @@ mod tests {
     /// length, and an area that is called a length.
     #[test]
     fn planted_mistakes_are_caught() {
-        let mistakes: [(&str, fn(Rec, Rec) -> Rec); 4] = [
+        type Mistake = fn(Rec, Rec) -> Rec;
+        let mistakes: [(&str, Mistake); 4] = [
             ("Add of m and 1", |l, a| l + a),
             ("Sin of m", |l, _| l.sin()),
             ("square root of m", |l, _| l.sqrt()),

@@ -13,19 +13,59 @@ pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");
 pub const LONGEST: usize = 1 << 20;
 
 static KEYS: &[Key] = &[
-    Key { name: "name", kind: Kind::Text, required: true, text: "Name of the model and of its files: letters, digits and _." },
-    Key { name: "title", kind: Kind::Text, required: true, text: "Title of the book, one line." },
+    Key {
+        name: "name",
+        kind: Kind::Text,
+        required: true,
+        text: "Name of the model and of its files: letters, digits and _.",
+    },
+    Key {
+        name: "title",
+        kind: Kind::Text,
+        required: true,
+        text: "Title of the book, one line.",
+    },
     Key::table("project", PROJECT, "Title block of the book.").optional(),
     Key::table("luffing", LUFFING, "The luffing mechanism."),
 ];
 
 static PROJECT: &[Key] = &[
-    Key { name: "crane", kind: Kind::Text, required: false, text: "The crane." },
-    Key { name: "client", kind: Kind::Text, required: false, text: "For whom the book is made." },
-    Key { name: "author", kind: Kind::Text, required: false, text: "Who made the calculation." },
-    Key { name: "checker", kind: Kind::Text, required: false, text: "Who checked it." },
-    Key { name: "date", kind: Kind::Text, required: false, text: "Date of the book." },
-    Key { name: "revision", kind: Kind::Text, required: false, text: "Revision of the book." },
+    Key {
+        name: "crane",
+        kind: Kind::Text,
+        required: false,
+        text: "The crane.",
+    },
+    Key {
+        name: "client",
+        kind: Kind::Text,
+        required: false,
+        text: "For whom the book is made.",
+    },
+    Key {
+        name: "author",
+        kind: Kind::Text,
+        required: false,
+        text: "Who made the calculation.",
+    },
+    Key {
+        name: "checker",
+        kind: Kind::Text,
+        required: false,
+        text: "Who checked it.",
+    },
+    Key {
+        name: "date",
+        kind: Kind::Text,
+        required: false,
+        text: "Date of the book.",
+    },
+    Key {
+        name: "revision",
+        kind: Kind::Text,
+        required: false,
+        text: "Revision of the book.",
+    },
 ];
 
 /// A checked scene.
@@ -46,22 +86,36 @@ impl Scene {
     pub fn parse(text: &str) -> Result<Scene, Vec<Diagnostic>> {
         if text.len() > LONGEST {
             let message = format!("the scene has {} bytes, at most {LONGEST} are read", text.len());
-            return Err(vec![Diagnostic::new(0..0, message, "here").help("is this the right file?")]);
+            return Err(vec![
+                Diagnostic::new(0..0, message, "here").help("is this the right file?"),
+            ]);
         }
         let table = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
             vec![Diagnostic::new(span, format!("not TOML: {}", error.message()), "here")]
         })?;
         let mut found = Vec::new();
-        let values = schema::check(table.get_ref(), 0..text.find('\n').unwrap_or(text.len()), "", KEYS, &mut found);
+        let values = schema::check(
+            table.get_ref(),
+            0..text.find('\n').unwrap_or(text.len()),
+            "",
+            KEYS,
+            &mut found,
+        );
         let name = values.text("name").unwrap_or_default().to_owned();
         if values.text("name").is_some() && !is_identifier(&name) {
             found.push(
-                Diagnostic::new(values.place("name"), format!("the name \"{name}\" cannot name a model"), "not an identifier")
-                    .help("up to 60 letters, digits and _, beginning with a letter"),
+                Diagnostic::new(
+                    values.place("name"),
+                    format!("the name \"{name}\" cannot name a model"),
+                    "not an identifier",
+                )
+                .help("up to 60 letters, digits and _, beginning with a letter"),
             );
         }
-        let luffing = values.table("luffing").and_then(|table| Luffing::new(table, &mut found));
+        let luffing = values
+            .table("luffing")
+            .and_then(|table| Luffing::new(table, &mut found));
         match luffing {
             Some(luffing) if found.is_empty() => {
                 let project = values.table("project");

@@ -42,12 +42,22 @@ pub enum Sign {
 impl Key {
     #[must_use]
     pub const fn quantity(symbol: &'static Symbol, sign: Sign) -> Key {
-        Key { name: symbol.id, kind: Kind::Quantity(symbol, sign), required: true, text: symbol.text }
+        Key {
+            name: symbol.id,
+            kind: Kind::Quantity(symbol, sign),
+            required: true,
+            text: symbol.text,
+        }
     }
 
     #[must_use]
     pub const fn table(name: &'static str, keys: &'static [Key], text: &'static str) -> Key {
-        Key { name, kind: Kind::Table(keys), required: true, text }
+        Key {
+            name,
+            kind: Kind::Table(keys),
+            required: true,
+            text,
+        }
     }
 
     #[must_use]
@@ -126,7 +136,9 @@ impl Values {
     /// Place of a key's value; of the table where the key is absent.
     #[must_use]
     pub fn place(&self, name: &str) -> Range<usize> {
-        self.entries.get(name).map_or_else(|| self.span.clone(), |(_, span)| span.clone())
+        self.entries
+            .get(name)
+            .map_or_else(|| self.span.clone(), |(_, span)| span.clone())
     }
 }
 
@@ -138,14 +150,22 @@ pub fn check(
     keys: &'static [Key],
     found: &mut Vec<Diagnostic>,
 ) -> Values {
-    let place = if path.is_empty() { "at the top of the scene".to_owned() } else { format!("in [{path}]") };
+    let place = if path.is_empty() {
+        "at the top of the scene".to_owned()
+    } else {
+        format!("in [{path}]")
+    };
     let mut entries = BTreeMap::new();
     for (name, value) in table {
         let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
             found.push(unknown(name, &place, keys));
             continue;
         };
-        let full = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
+        let full = if path.is_empty() {
+            key.name.to_owned()
+        } else {
+            format!("{path}.{}", key.name)
+        };
         if let Some(checked) = check_value(value, &full, key, found) {
             entries.insert(key.name, (checked, value.span()));
         }
@@ -153,8 +173,12 @@ pub fn check(
     for key in keys.iter().filter(|key| key.required) {
         if !table.keys().any(|name| name.get_ref() == key.name) {
             found.push(
-                Diagnostic::new(span.clone(), format!("`{}` is missing {place}", key.name), "needed here")
-                    .help(format!("add {}", example(key))),
+                Diagnostic::new(
+                    span.clone(),
+                    format!("`{}` is missing {place}", key.name),
+                    "needed here",
+                )
+                .help(format!("add {}", example(key))),
             );
         }
     }
@@ -172,10 +196,20 @@ fn unknown(name: &Spanned<std::borrow::Cow<'_, str>>, place: &str, keys: &'stati
         Some((_, known)) => format!("did you mean `{known}`?"),
         None => format!("known here: {}", known.join(", ")),
     };
-    Diagnostic::new(name.span(), format!("unknown key `{}` {place}", name.get_ref()), "not known").help(help)
+    Diagnostic::new(
+        name.span(),
+        format!("unknown key `{}` {place}", name.get_ref()),
+        "not known",
+    )
+    .help(help)
 }
 
-fn check_value(value: &Spanned<DeValue<'_>>, path: &str, key: &'static Key, found: &mut Vec<Diagnostic>) -> Option<Value> {
+fn check_value(
+    value: &Spanned<DeValue<'_>>,
+    path: &str,
+    key: &'static Key,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Value> {
     let mut wrong = |label: String| {
         found.push(Diagnostic::new(value.span(), format!("`{path}` is not {}", wanted(key)), label).help(example(key)));
         None
@@ -189,9 +223,7 @@ fn check_value(value: &Spanned<DeValue<'_>>, path: &str, key: &'static Key, foun
                 wrong(format!("`{text}` is none of them"))
             }
         }
-        (Kind::Table(keys), DeValue::Table(table)) => {
-            Some(Value::Table(check(table, value.span(), path, keys, found)))
-        }
+        (Kind::Table(keys), DeValue::Table(table)) => Some(Value::Table(check(table, value.span(), path, keys, found))),
         (Kind::Quantity(symbol, sign), DeValue::String(text)) => match quantity(text, symbol, *sign) {
             Ok(number) => Some(Value::Number(number)),
             Err((message, label, help)) => {
@@ -202,7 +234,10 @@ fn check_value(value: &Spanned<DeValue<'_>>, path: &str, key: &'static Key, foun
         (Kind::Quantity(symbol, _), DeValue::Integer(_) | DeValue::Float(_)) => {
             let text = match value.get_ref() {
                 DeValue::Integer(number) => number.as_str().to_owned(),
-                other => other.as_float().map(|number| number.as_str().to_owned()).unwrap_or_default(),
+                other => other
+                    .as_float()
+                    .map(|number| number.as_str().to_owned())
+                    .unwrap_or_default(),
             };
             let unit = symbol.display.name;
             found.push(
@@ -219,7 +254,9 @@ fn check_value(value: &Spanned<DeValue<'_>>, path: &str, key: &'static Key, foun
 fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, (String, String, String)> {
     let text = text.trim();
     let display = symbol.display.name;
-    let end = text.find(|c: char| !(c.is_ascii_digit() || "+-.,eE_".contains(c))).unwrap_or(text.len());
+    let end = text
+        .find(|c: char| !(c.is_ascii_digit() || "+-.,eE_".contains(c)))
+        .unwrap_or(text.len());
     // "5 em": an exponent without digits belongs to the unit.
     let end = text[..end].trim_end_matches(['e', 'E']).len();
     let (number, unit_text) = (&text[..end], text[end..].trim());
@@ -229,9 +266,17 @@ fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, (Str
         } else {
             format!("write a number and a unit: \"1.5 {display}\"")
         };
-        return Err((format!("\"{text}\" does not begin with a number"), "cannot be read".to_owned(), help));
+        return Err((
+            format!("\"{text}\" does not begin with a number"),
+            "cannot be read".to_owned(),
+            help,
+        ));
     };
-    let unit = if unit_text.is_empty() { Some(&unit::ONE) } else { unit::find(unit_text) };
+    let unit = if unit_text.is_empty() {
+        Some(&unit::ONE)
+    } else {
+        unit::find(unit_text)
+    };
     let Some(unit) = unit else {
         return Err((
             format!("the unit \"{unit_text}\" is not known"),
@@ -240,7 +285,11 @@ fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, (Str
         ));
     };
     if unit.dimension != symbol.unit.dimension || unit.rad != symbol.unit.rad {
-        let given = if unit_text.is_empty() { "no unit".to_owned() } else { format!("the unit {}", unit.name) };
+        let given = if unit_text.is_empty() {
+            "no unit".to_owned()
+        } else {
+            format!("the unit {}", unit.name)
+        };
         return Err((
             format!("{given} does not fit, it is measured in {display}"),
             "wrong unit".to_owned(),
@@ -260,7 +309,12 @@ fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, (Str
 
 fn units_of(symbol: &Symbol) -> String {
     let fits = |unit: &&&Unit| unit.dimension == symbol.unit.dimension && unit.rad == symbol.unit.rad;
-    unit::ALL.iter().filter(fits).map(|unit| unit.name).collect::<Vec<_>>().join(", ")
+    unit::ALL
+        .iter()
+        .filter(fits)
+        .map(|unit| unit.name)
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 fn wanted(key: &Key) -> String {
@@ -312,5 +366,9 @@ pub fn short(value: f64) -> String {
     }
     let digits = (5 - value.abs().log10().floor() as i32).max(0) as usize;
     let text = format!("{value:.digits$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
 }

@@ -88,7 +88,11 @@ pub struct Check {
 impl Check {
     #[must_use]
     pub fn passed(&self) -> bool {
-        if self.at_most { self.value <= self.limit } else { self.value >= self.limit }
+        if self.at_most {
+            self.value <= self.limit
+        } else {
+            self.value >= self.limit
+        }
     }
 }
 
@@ -110,7 +114,12 @@ pub struct Drawing {
 
 pub enum Shape {
     /// A bar or a polygon of one body. `faint` for the positions beside the main one.
-    Body { id: &'static str, points: Vec<[f64; 2]>, closed: bool, faint: bool },
+    Body {
+        id: &'static str,
+        points: Vec<[f64; 2]>,
+        closed: bool,
+        faint: bool,
+    },
     /// A pin; `fixed` where it is held by the frame.
     Pin { at: [f64; 2], fixed: bool, faint: bool },
     /// A name beside a point, in Typst's mathematics.
@@ -122,7 +131,18 @@ pub enum Shape {
     /// A weight hanging at a point.
     Load { at: [f64; 2], text: &'static str },
     /// A distance with arrows at both ends, `offset` metres beside the line it measures.
-    Distance { from: [f64; 2], to: [f64; 2], offset: f64, text: &'static str },
+    Distance {
+        from: [f64; 2],
+        to: [f64; 2],
+        offset: f64,
+        text: &'static str,
+    },
     /// An angle at a point, counter-clockwise from `from` to `to`, in rad.
-    Angle { at: [f64; 2], radius: f64, from: f64, to: f64, text: &'static str },
+    Angle {
+        at: [f64; 2],
+        radius: f64,
+        from: f64,
+        to: f64,
+        text: &'static str,
+    },
 }

@@ -15,19 +15,31 @@ impl Dimension {
 
     #[must_use]
     pub fn times(self, other: Dimension) -> Dimension {
-        Dimension { m: self.m + other.m, kg: self.kg + other.kg, s: self.s + other.s }
+        Dimension {
+            m: self.m + other.m,
+            kg: self.kg + other.kg,
+            s: self.s + other.s,
+        }
     }
 
     #[must_use]
     pub fn over(self, other: Dimension) -> Dimension {
-        Dimension { m: self.m - other.m, kg: self.kg - other.kg, s: self.s - other.s }
+        Dimension {
+            m: self.m - other.m,
+            kg: self.kg - other.kg,
+            s: self.s - other.s,
+        }
     }
 
     /// The dimension of a square root; `None` where an exponent is odd.
     #[must_use]
     pub fn root(self) -> Option<Dimension> {
         let even = self.m % 2 == 0 && self.kg % 2 == 0 && self.s % 2 == 0;
-        even.then(|| Dimension { m: self.m / 2, kg: self.kg / 2, s: self.s / 2 })
+        even.then_some(Dimension {
+            m: self.m / 2,
+            kg: self.kg / 2,
+            s: self.s / 2,
+        })
     }
 }
 
@@ -39,7 +51,14 @@ impl std::fmt::Display for Dimension {
             .filter(|&(_, n)| n != 0)
             .map(|(base, n)| if n == 1 { base.to_owned() } else { format!("{base}^{n}") })
             .collect();
-        f.write_str(if parts.is_empty() { "1".to_owned() } else { parts.join("·") }.as_str())
+        f.write_str(
+            if parts.is_empty() {
+                "1".to_owned()
+            } else {
+                parts.join("·")
+            }
+            .as_str(),
+        )
     }
 }
 
@@ -117,7 +136,11 @@ units! {
 /// The unit of a scene's text: `kN m`, `kN·m`, `kN*m` and `kN.m` are one; `°` is `deg`.
 #[must_use]
 pub fn find(text: &str) -> Option<&'static Unit> {
-    let plain = text.replace(['·', '*', ' '], ".").replace('°', "deg").replace('³', "3").replace('²', "2");
+    let plain = text
+        .replace(['·', '*', ' '], ".")
+        .replace('°', "deg")
+        .replace('³', "3")
+        .replace('²', "2");
     ALL.iter().copied().find(|unit| unit.name == plain)
 }
 

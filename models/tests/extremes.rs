@@ -35,17 +35,27 @@ fn singular_positions_agree_with_50_digits() {
     let mut worst = [0.0_f64; 4];
     let mut cases = 0;
     let reference = |case: &str| -> [f64; 4] {
-        let line = ORACLE.lines().find(|line| line.starts_with(&format!("{case},"))).expect("in the oracle");
+        let line = ORACLE
+            .lines()
+            .find(|line| line.starts_with(&format!("{case},")))
+            .expect("in the oracle");
         let cells: Vec<&str> = line.split(',').collect();
         [2, 4, 6, 8].map(|i| hex(cells[i]))
     };
     let ranges = ["boom", "rocker"].map(|drive| {
-        let (low, high) = (reference(&format!("{drive}_low_1e-1")), reference(&format!("{drive}_high_1e-1")));
+        let (low, high) = (
+            reference(&format!("{drive}_low_1e-1")),
+            reference(&format!("{drive}_high_1e-1")),
+        );
         [0, 1, 2, 3].map(|i| (high[i] - low[i]).abs())
     });
     for line in ORACLE.lines().skip(1) {
         let cells: Vec<&str> = line.split(',').collect();
-        let driven = if cells[0].starts_with("rocker") { Driven::Rocker } else { Driven::Boom };
+        let driven = if cells[0].starts_with("rocker") {
+            Driven::Rocker
+        } else {
+            Driven::Boom
+        };
         let range = &ranges[usize::from(driven == Driven::Rocker)];
         let g = common::geometry(driven);
         let p = Position::new(&g, hex(cells[1])).unwrap_or_else(|| panic!("{} closes", cells[0]));
@@ -58,13 +68,20 @@ fn singular_positions_agree_with_50_digits() {
                 0 => (error / ulp(high), 4.0),
                 _ => (error / range[i].max(high.abs()), 1e-14),
             };
-            assert!(measure <= limit, "{} quantity {i}: {value} against {high}, {measure:e}", cells[0]);
+            assert!(
+                measure <= limit,
+                "{} quantity {i}: {value} against {high}, {measure:e}",
+                cells[0]
+            );
             worst[i] = worst[i].max(measure);
         }
         cases += 1;
     }
     assert_eq!(cases, 69);
-    println!("{cases} positions; angle {:.2} ulp, Y_A {:.1e}, M_Q {:.1e}, V_AX {:.1e}", worst[0], worst[1], worst[2], worst[3]);
+    println!(
+        "{cases} positions; angle {:.2} ulp, Y_A {:.1e}, M_Q {:.1e}, V_AX {:.1e}",
+        worst[0], worst[1], worst[2], worst[3]
+    );
 }
 
 /// Nothing is NaN anywhere, up to and over the ends of assembly, in the last bits too.
@@ -77,7 +94,20 @@ fn no_nan_around_the_ends() {
                 for bits in -2000_i64..2000 {
                     let theta = f64::from_bits(end.to_bits().wrapping_add_signed(bits));
                     let Some(p) = Position::new(&g, theta) else { continue };
-                    let numbers = [p.a.x, p.a.y, p.b.x, p.b.y, p.c.x, p.c.y, p.r, p.k, p.l(), p.y(), p.mu(), p.alpha()];
+                    let numbers = [
+                        p.a.x,
+                        p.a.y,
+                        p.b.x,
+                        p.b.y,
+                        p.c.x,
+                        p.c.y,
+                        p.r,
+                        p.k,
+                        p.l(),
+                        p.y(),
+                        p.mu(),
+                        p.alpha(),
+                    ];
                     assert!(numbers.iter().all(|x| x.is_finite()), "{theta}: {numbers:?}");
                 }
             }

@@ -19,7 +19,10 @@ fn scenes() -> Vec<Scene> {
     let bare = boom[..boom.find("[luffing.weights]").expect("there")].to_owned();
     let kinematic = bare.replace("Q = \"160 kN\"", "");
     let texts = [boom, rocker, angle, axis, bare, kinematic];
-    texts.iter().map(|text| Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"))).collect()
+    texts
+        .iter()
+        .map(|text| Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}")))
+        .collect()
 }
 
 #[test]
@@ -45,10 +48,19 @@ fn the_recorder_has_the_bits_of_the_model() {
         for position in sheet(&scene).positions {
             model.set(0, position.value).expect("an angle");
             for step in position.sections.iter().flat_map(|section| &section.trace.steps) {
-                let index = model.variables().iter().position(|variable| variable.symbol == step.symbol);
+                let index = model
+                    .variables()
+                    .iter()
+                    .position(|variable| variable.symbol == step.symbol);
                 if let Some(index) = index {
                     let value = model.get(index).expect("closes");
-                    assert_eq!(value.to_bits(), step.value.to_bits(), "{}: {value} {}", step.symbol.id, step.value);
+                    assert_eq!(
+                        value.to_bits(),
+                        step.value.to_bits(),
+                        "{}: {value} {}",
+                        step.symbol.id,
+                        step.value
+                    );
                     compared += 1;
                 }
             }

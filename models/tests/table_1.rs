@@ -11,7 +11,11 @@ fn every_value_of_table_1() {
     let published = scene.luffing.published.clone().expect("with the table");
     let mut model = Model::new(&scene).expect("and a mechanism");
     let index = |model: &Model, id: &str| {
-        model.variables().iter().position(|variable| variable.symbol.id == id).unwrap_or_else(|| panic!("{id}"))
+        model
+            .variables()
+            .iter()
+            .position(|variable| variable.symbol.id == id)
+            .unwrap_or_else(|| panic!("{id}"))
     };
     let (mut compared, mut worst) = (0, 0.0_f64);
     for row in &published.rows {
@@ -40,7 +44,10 @@ fn the_scene_holds_the_oracle() {
     let oracle = include_str!("../../tests/oracles/lemniscate_table1.csv");
     let scene = Scene::parse(DEFAULT).expect("valid");
     let rows = scene.luffing.published.expect("with the table").rows;
-    let oracle: Vec<Vec<String>> =
-        oracle.lines().skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect();
+    let oracle: Vec<Vec<String>> = oracle
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(str::to_owned).collect())
+        .collect();
     assert_eq!(rows, oracle);
 }

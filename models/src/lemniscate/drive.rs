@@ -35,7 +35,10 @@ impl<C: Calc> Drive<C> {
             Driven::Boom => p.x_1,
             Driven::Rocker => p.x_3,
         };
-        let arm = plane::def(plane::turned(direction, a.s_d * cos / bar, a.s_d * sin / bar), [&s::R_DX, &s::R_DY]);
+        let arm = plane::def(
+            plane::turned(direction, a.s_d * cos / bar, a.s_d * sin / bar),
+            [&s::R_DX, &s::R_DY],
+        );
         let frame = Point::new(a.e_x, a.e_y);
         let line = match p.driven {
             Driven::Boom => arm - frame,
@@ -53,7 +56,10 @@ impl<C: Calc> Drive<C> {
         let usable = self.h_d.value().abs() > 4.0 * f64::EPSILON * self.l_d.value();
         usable.then(|| {
             let f_d = (m_d / self.h_d).def(&s::F_D);
-            Reaction { f_d, force: Point::new(f_d * self.line.x / self.l_d, f_d * self.line.y / self.l_d) }
+            Reaction {
+                f_d,
+                force: Point::new(f_d * self.line.x / self.l_d, f_d * self.line.y / self.l_d),
+            }
         })
     }
 

@@ -18,6 +18,14 @@ quantities! {
     Lengths { x_1: X_1, x_2: X_2, x_3: X_3, x_4: X_4, x_5: X_5, x_6: X_6, x_8: X_8 }
 }
 
+impl<C: Calc> Lengths<C> {
+    /// Foot of the rocker, O1 being the origin. [Li2022, Fig. 2]
+    #[inline]
+    pub fn o3(&self) -> Point<C> {
+        Point::new(-self.x_5, self.x_6)
+    }
+}
+
 quantities! {
     /// Own weights (N) and their centres of gravity (m from the bar's first
     /// joint, rad counter-clockwise from the bar).
@@ -101,25 +109,28 @@ pub enum Misfit {
 
 impl<C: Calc> Geometry<C> {
     pub fn new(p: &Parameters<C>) -> Result<Geometry<C>, Misfit> {
-        let Lengths { x_1, x_2, x_3, x_4, x_5, x_6, .. } = p.lengths;
-        let beta_0 = jib_angle(p.jib, x_2, x_4).filter(|angle| angle.value().is_finite()).ok_or(Misfit::Jib)?;
+        let Lengths { x_1, x_2, x_3, x_4, .. } = p.lengths;
+        let beta_0 = jib_angle(p.jib, x_2, x_4)
+            .filter(|angle| angle.value().is_finite())
+            .ok_or(Misfit::Jib)?;
         let (sin, cos) = beta_0.sin_cos();
         let kappa = Point::new((x_4 * cos / x_2).def(&s::KAPPA_X), (x_4 * sin / x_2).def(&s::KAPPA_Y));
         // A seen from C, in the frame of the front arm.
         let epsilon_a = C::direction(x_4 - x_2 * cos, x_2 * sin).def(&s::EPSILON_A);
-        let o3 = Point::new(-x_5, x_6);
+        let o3 = p.lengths.o3();
         let (bars, frame) = match p.driven {
             Driven::Boom => ([x_1, x_2, x_3], o3),
             Driven::Rocker => ([x_3, x_2, x_1], -o3),
         };
         let linkage = FourBar::new(bars, frame, p.branch, names(p.driven)).ok_or(Misfit::Linkage)?;
-        Ok(Geometry { lengths: p.lengths, driven: p.driven, linkage, beta_0, kappa, epsilon_a })
-    }
-
-    /// Foot of the rocker, O1 being the origin. [Li2022, Fig. 2]
-    #[inline]
-    pub fn o3(&self) -> Point<C> {
-        Point::new(-self.lengths.x_5, self.lengths.x_6)
+        Ok(Geometry {
+            lengths: p.lengths,
+            driven: p.driven,
+            linkage,
+            beta_0,
+            kappa,
+            epsilon_a,
+        })
     }
 }
 

@@ -20,6 +20,8 @@ pub struct Model {
     luffing: Luffing,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
+    /// Which numbers may be set, in the order of the variables.
+    signs: Vec<Sign>,
     inputs: Inputs,
     geometry: Option<Geometry<f64>>,
     range: Option<Range>,
@@ -40,20 +42,19 @@ struct Inputs {
 
 /// Kinematics at the current inputs.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
-    pub g: Geometry<f64>,
-    pub p: Position<f64>,
-    pub v: Velocity<f64>,
-    pub omega: f64,
+struct Place {
+    p: Position<f64>,
+    v: Velocity<f64>,
+    omega: f64,
 }
 
 /// Forces at the current inputs.
 #[derive(Clone, Copy, Debug)]
-pub struct Forces {
-    pub q: f64,
-    pub pins: PinForces<f64>,
-    pub m_g: f64,
-    pub f_d: f64,
+struct Forces {
+    q: f64,
+    pins: PinForces<f64>,
+    m_g: f64,
+    f_d: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -63,8 +64,10 @@ enum Slot {
     Load,
     Parameter,
     Place(fn(&Place) -> f64),
+    Pole(fn(&Pole<f64>, &Place) -> f64),
     Drive(fn(&Drive<f64>, &Parameters<f64>, f64) -> f64),
     Forces(fn(&Place, &Forces) -> f64),
+    PoleMoment,
     Range(fn(&Range) -> f64),
 }
 
@@ -74,11 +77,28 @@ impl Model {
     /// the mechanism exists over its range.
     pub fn new(scene: &Scene) -> Result<Model, Fault> {
         let luffing = scene.luffing.clone();
-        let inputs =
-            Inputs { theta: None, omega: luffing.motion.speed, q: luffing.q.unwrap_or(0.0), time: 0.0 };
+        let inputs = Inputs {
+            theta: None,
+            omega: luffing.motion.speed,
+            q: luffing.q.unwrap_or(0.0),
+            time: 0.0,
+        };
         let (variables, slots) = variables(&luffing);
-        let mut model =
-            Model { luffing, variables, slots, inputs, geometry: None, range: None, place: None, forces: None };
+        let signs = variables
+            .iter()
+            .map(|variable| allowed(KEYS, variable.symbol).unwrap_or(Sign::Any))
+            .collect();
+        let mut model = Model {
+            luffing,
+            variables,
+            slots,
+            signs,
+            inputs,
+            geometry: None,
+            range: None,
+            place: None,
+            forces: None,
+        };
         model.update()?;
         Ok(model)
     }
@@ -93,13 +113,13 @@ impl Model {
     #[must_use]
     pub fn stop_time(&self) -> f64 {
         let motion = &self.luffing.motion;
-        (motion.to - motion.from) / motion.speed
+        nanosecond((motion.to - motion.from) / motion.speed)
     }
 
     /// Time for one step of the scene's tables, in s.
     #[must_use]
     pub fn step_size(&self) -> f64 {
-        self.luffing.motion.step / self.luffing.motion.speed
+        nanosecond(self.luffing.motion.step / self.luffing.motion.speed)
     }
 
     /// Value of a variable in SI; truth values are 0 and 1.
@@ -109,25 +129,37 @@ impl Model {
     #[inline]
     pub fn get(&mut self, index: usize) -> Result<f64, Fault> {
         let Some(&slot) = self.slots.get(index) else {
-            return Err(Fault(format!("there is no variable {index}; this model has {}", self.slots.len())));
+            return Err(Fault(format!(
+                "there is no variable {index}; this model has {}",
+                self.slots.len()
+            )));
         };
         match slot {
             Slot::Theta => Ok(self.theta()),
             Slot::Omega => Ok(self.inputs.omega),
             Slot::Load => Ok(self.inputs.q),
             Slot::Parameter => Ok(self.parameter(self.variables[index].symbol)),
-            Slot::Place(read) => self.place().map(|place| read(&place)),
+            Slot::Place(read) => self.place().map(read),
+            Slot::Pole(read) => {
+                let place = *self.place()?;
+                Ok(read(&Pole::new(self.geometry()?, &place.p), &place))
+            }
             Slot::Drive(read) => {
-                let place = self.place()?;
+                let place = *self.place()?;
                 let drive = self.drive(&place).expect("a drive's variables exist only with a drive");
                 Ok(read(&drive, &self.luffing.parameters, place.omega))
             }
             Slot::Forces(read) => {
-                let place = self.place()?;
-                let forces = self.forces(&place);
-                Ok(read(&place, &forces))
+                let (place, forces) = self.forces()?;
+                Ok(read(place, forces))
             }
-            Slot::Range(read) => self.range().map(|range| read(&range)),
+            Slot::PoleMoment => {
+                let place = *self.place()?;
+                let q = self.inputs.q;
+                let g = self.geometry()?;
+                Ok(Pole::new(g, &place.p).moment(g, &place.p, &place.v, q))
+            }
+            Slot::Range(read) => self.range().map(read),
         }
     }
 
@@ -138,12 +170,19 @@ impl Model {
     /// an unknown index. A refused value changes nothing.
     pub fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         let Some(&Variable { symbol, .. }) = self.variables.get(index) else {
-            return Err(Fault(format!("there is no variable {index}; this model has {}", self.slots.len())));
+            return Err(Fault(format!(
+                "there is no variable {index}; this model has {}",
+                self.slots.len()
+            )));
         };
-        let sign = allowed(KEYS, symbol).unwrap_or(Sign::Any);
+        let sign = self.signs[index];
         if !sign.allows(value) {
             let (value, unit) = (symbol.shown(value), symbol.display.name);
-            return Err(Fault(format!("{} = {value} {unit} is not allowed: it must be {}", symbol.id, sign.words())));
+            return Err(Fault(format!(
+                "{} = {value} {unit} is not allowed: it must be {}",
+                symbol.id,
+                sign.words()
+            )));
         }
         match self.slots[index] {
             Slot::Theta => self.inputs.theta = Some(value),
@@ -191,13 +230,17 @@ impl Model {
     /// the time and by whether the angle was set: enough for [`restore`](Model::restore).
     pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
         let given = if self.inputs.theta.is_some() { 1.0 } else { 0.0 };
-        let values = self.slots.iter().zip(&self.variables).filter_map(|(slot, variable)| match slot {
-            Slot::Theta => Some(self.theta()),
-            Slot::Omega => Some(self.inputs.omega),
-            Slot::Load => Some(self.inputs.q),
-            Slot::Parameter => Some(self.parameter(variable.symbol)),
-            _ => None,
-        });
+        let values = self
+            .slots
+            .iter()
+            .zip(&self.variables)
+            .filter_map(|(slot, variable)| match slot {
+                Slot::Theta => Some(self.theta()),
+                Slot::Omega => Some(self.inputs.omega),
+                Slot::Load => Some(self.inputs.q),
+                Slot::Parameter => Some(self.parameter(variable.symbol)),
+                _ => None,
+            });
         [self.inputs.time, given].into_iter().chain(values)
     }
 
@@ -207,7 +250,9 @@ impl Model {
     /// Values that this model would refuse; then nothing is changed.
     pub fn restore(&mut self, values: &[f64]) -> Result<(), Fault> {
         let settable = |slot: &Slot| matches!(slot, Slot::Theta | Slot::Omega | Slot::Load | Slot::Parameter);
-        let indices: Vec<usize> = (0..self.slots.len()).filter(|&index| settable(&self.slots[index])).collect();
+        let indices: Vec<usize> = (0..self.slots.len())
+            .filter(|&index| settable(&self.slots[index]))
+            .collect();
         let [time, given, values @ ..] = values else {
             return Err(Fault("a saved state is empty".to_owned()));
         };
@@ -242,72 +287,88 @@ impl Model {
         found
     }
 
-    fn geometry(&mut self) -> Result<Geometry<f64>, Fault> {
-        if let Some(geometry) = self.geometry {
-            return Ok(geometry);
+    fn geometry(&mut self) -> Result<&Geometry<f64>, Fault> {
+        if self.geometry.is_none() {
+            let geometry = Geometry::new(&self.luffing.parameters).map_err(|misfit| {
+                Fault(match misfit {
+                    Misfit::Jib => "the jib's triangle does not close with these lengths".to_owned(),
+                    Misfit::Linkage => "the linkage closes at no angle of the driven bar with these lengths".to_owned(),
+                })
+            })?;
+            self.geometry = Some(geometry);
         }
-        let geometry = Geometry::new(&self.luffing.parameters).map_err(|misfit| {
-            Fault(match misfit {
-                Misfit::Jib => "the jib's triangle does not close with these lengths".to_owned(),
-                Misfit::Linkage => "the linkage closes at no angle of the driven bar with these lengths".to_owned(),
-            })
-        })?;
-        Ok(*self.geometry.insert(geometry))
+        Ok(self.geometry.as_ref().expect("just made"))
     }
 
-    fn range(&mut self) -> Result<Range, Fault> {
-        if let Some(range) = self.range {
-            return Ok(range);
+    fn range(&mut self) -> Result<&Range, Fault> {
+        if self.range.is_none() {
+            let motion = self.luffing.motion;
+            let range = Range::new(self.geometry()?, &motion);
+            self.range = Some(range.ok_or_else(|| {
+                Fault("the linkage does not close over the whole working range with these lengths".to_owned())
+            })?);
         }
-        let geometry = self.geometry()?;
-        let range = Range::new(&geometry, &self.luffing.motion)
-            .ok_or_else(|| Fault("the linkage does not close over the whole working range with these lengths".to_owned()))?;
-        Ok(*self.range.insert(range))
+        Ok(self.range.as_ref().expect("just made"))
     }
 
     #[inline]
-    fn place(&mut self) -> Result<Place, Fault> {
-        if let Some(place) = self.place {
-            return Ok(place);
+    fn place(&mut self) -> Result<&Place, Fault> {
+        if self.place.is_none() {
+            let (theta, omega) = (self.theta(), self.inputs.omega);
+            let g = self.geometry()?;
+            let Some(p) = Position::new(g, theta) else {
+                return Err(unreachable_angle(g, theta));
+            };
+            let v = Velocity::new(&p);
+            self.place = Some(Place { p, v, omega });
         }
-        let g = self.geometry()?;
-        let theta = self.theta();
-        let Some(p) = Position::new(&g, theta) else {
-            return Err(unreachable_angle(&g, theta));
-        };
-        let v = Velocity::new(&p);
-        Ok(*self.place.insert(Place { g, p, v, omega: self.inputs.omega }))
+        Ok(self.place.as_ref().expect("just made"))
     }
 
     fn drive(&self, place: &Place) -> Option<Drive<f64>> {
         let parameters = &self.luffing.parameters;
-        let bar = match place.g.driven {
-            Driven::Boom => place.g.lengths.x_1,
-            Driven::Rocker => place.g.lengths.x_3,
+        let l = &parameters.lengths;
+        let bar = match parameters.driven {
+            Driven::Boom => l.x_1,
+            Driven::Rocker => l.x_3,
         };
-        parameters.anchors.as_ref().map(|anchors| Drive::new(&place.p, bar, place.g.o3(), anchors))
+        parameters
+            .anchors
+            .as_ref()
+            .map(|anchors| Drive::new(&place.p, bar, l.o3(), anchors))
     }
 
-    fn forces(&mut self, place: &Place) -> Forces {
-        if let Some(forces) = self.forces {
-            return forces;
+    fn forces(&mut self) -> Result<(&Place, &Forces), Fault> {
+        if self.forces.is_none() {
+            let place = *self.place()?;
+            let parameters = &self.luffing.parameters;
+            let (q, lengths) = (self.inputs.q, parameters.lengths);
+            let weights = parameters.weights.as_ref();
+            let centres = weights.map(|w| Centres::new(&place.p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
+            let both = weights.zip(centres.as_ref());
+            let m_g = both.map_or(0.0, |(w, r)| weight_moment(w, r, &place.p, &place.v));
+            let drive = self.drive(&place);
+            let mut f_d = 0.0;
+            let pins = PinForces::new(&place.p, lengths.x_3, q, both, |m_d| {
+                let reaction = drive.and_then(|drive| drive.reaction(m_d));
+                // A drive that points at the foot would need an infinite force.
+                f_d = reaction.map_or_else(|| if m_d == 0.0 { 0.0 } else { f64::INFINITY.copysign(m_d) }, |r| r.f_d);
+                reaction
+            });
+            self.forces = Some(Forces { q, pins, m_g, f_d });
         }
-        let parameters = &self.luffing.parameters;
-        let (q, lengths) = (self.inputs.q, place.g.lengths);
-        let weights = parameters.weights.as_ref();
-        let centres = weights.map(|w| Centres::new(&place.p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
-        let both = weights.zip(centres.as_ref());
-        let m_g = both.map_or(0.0, |(w, r)| weight_moment(w, r, &place.p, &place.v));
-        let drive = self.drive(place);
-        let mut f_d = 0.0;
-        let pins = PinForces::new(&place.p, lengths.x_3, q, both, |m_d| {
-            let reaction = drive.and_then(|drive| drive.reaction(m_d));
-            // A drive that points at the foot would need an infinite force.
-            f_d = reaction.map_or_else(|| if m_d == 0.0 { 0.0 } else { f64::INFINITY.copysign(m_d) }, |r| r.f_d);
-            reaction
-        });
-        *self.forces.insert(Forces { q, pins, m_g, f_d })
+        self.place()?;
+        Ok((
+            self.place.as_ref().expect("just made"),
+            self.forces.as_ref().expect("just made"),
+        ))
     }
+}
+
+/// A time without the rounding of angles: 60 s, not 59.999999999999993 s.
+fn nanosecond(time: f64) -> f64 {
+    let rounded = (time * 1e9).round() / 1e9;
+    if rounded > 0.0 { rounded } else { time }
 }
 
 fn unreachable_angle(g: &Geometry<f64>, theta: f64) -> Fault {
@@ -347,23 +408,37 @@ fn allowed(keys: &'static [Key], symbol: &'static Symbol) -> Option<Sign> {
 
 /// A point's coordinate at infinity, with its sign and never NaN.
 fn far(direction: f64) -> f64 {
-    if direction == 0.0 { 0.0 } else { f64::INFINITY.copysign(direction) }
+    if direction == 0.0 {
+        0.0
+    } else {
+        f64::INFINITY.copysign(direction)
+    }
 }
 
 /// Variables of a scene: only what it models.
 fn variables(luffing: &Luffing) -> (Vec<Variable>, Vec<Slot>) {
     let mut list: Vec<(&'static Symbol, Role, Slot)> = Vec::new();
     let boom = luffing.parameters.driven == Driven::Boom;
-    let (theta, omega) = if boom { (&s::THETA_1, &s::OMEGA_1) } else { (&s::THETA_3, &s::OMEGA_3) };
+    let (theta, omega) = if boom {
+        (&s::THETA_1, &s::OMEGA_1)
+    } else {
+        (&s::THETA_3, &s::OMEGA_3)
+    };
     list.push((theta, Role::Input, Slot::Theta));
     list.push((omega, Role::Input, Slot::Omega));
     if luffing.q.is_some() {
         list.push((&s::Q, Role::Input, Slot::Load));
     }
-    luffing.parameters.map(|symbol, _| list.push((symbol, Role::Parameter, Slot::Parameter)));
+    luffing
+        .parameters
+        .map(|symbol, _| list.push((symbol, Role::Parameter, Slot::Parameter)));
 
     let mut output = |symbol, slot| list.push((symbol, Role::Output, slot));
-    let (follower, ratio) = if boom { (&s::THETA_3, &s::I_3) } else { (&s::THETA_1, &s::I_1) };
+    let (follower, ratio) = if boom {
+        (&s::THETA_3, &s::I_3)
+    } else {
+        (&s::THETA_1, &s::I_1)
+    };
     output(follower, Slot::Place(|x| x.p.follower_angle()));
     output(&s::ALPHA, Slot::Place(|x| x.p.alpha()));
     output(&s::ALPHA_1, Slot::Place(|x| x.p.alpha_1(x.p.alpha())));
@@ -382,30 +457,33 @@ fn variables(luffing: &Luffing) -> (Vec<Variable>, Vec<Slot>) {
     output(&s::V_AX, Slot::Place(|x| x.v.v_a(x.omega).x));
     output(&s::V_AY, Slot::Place(|x| x.v.v_a(x.omega).y));
     output(&s::BETA, Slot::Place(|x| x.v.beta()));
-    output(&s::O1P, Slot::Place(|x| match Pole::new(&x.g, &x.p) {
-        Pole::Finite { o1p, .. } => o1p,
-        Pole::AtInfinity => f64::INFINITY,
-    }));
-    output(&s::P_X, Slot::Place(|x| match Pole::new(&x.g, &x.p) {
-        Pole::Finite { at, .. } => at.x,
-        Pole::AtInfinity => far(x.p.x_1.x),
-    }));
-    output(&s::P_Y, Slot::Place(|x| match Pole::new(&x.g, &x.p) {
-        Pole::Finite { at, .. } => at.y,
-        Pole::AtInfinity => far(x.p.x_1.y),
-    }));
-    output(&s::P_FAR, Slot::Place(|x| f64::from(matches!(Pole::new(&x.g, &x.p), Pole::AtInfinity))));
+    output(
+        &s::O1P,
+        Slot::Pole(|pole, _| pole.finite().map_or(f64::INFINITY, |(o1p, _)| o1p)),
+    );
+    output(
+        &s::P_X,
+        Slot::Pole(|pole, x| pole.finite().map_or_else(|| far(x.p.x_1.x), |(_, at)| at.x)),
+    );
+    output(
+        &s::P_Y,
+        Slot::Pole(|pole, x| pole.finite().map_or_else(|| far(x.p.x_1.y), |(_, at)| at.y)),
+    );
+    output(&s::P_FAR, Slot::Pole(|pole, _| f64::from(pole.finite().is_none())));
     if luffing.parameters.anchors.is_some() {
         output(&s::L_D, Slot::Drive(|d, _, _| d.l_d));
         output(&s::H_D, Slot::Drive(|d, _, _| d.h_d));
         output(&s::V_D, Slot::Drive(|d, _, omega| d.speed(omega)));
         if luffing.parameters.cylinder.is_some() {
-            output(&s::Q_D, Slot::Drive(|d, p, omega| p.cylinder.map_or(0.0, |c| oil_flow(&c, d.speed(omega)))));
+            output(
+                &s::Q_D,
+                Slot::Drive(|d, p, omega| p.cylinder.map_or(0.0, |c| oil_flow(&c, d.speed(omega)))),
+            );
         }
     }
     if luffing.q.is_some() {
         output(&s::M_Q, Slot::Forces(|x, f| load_moment(&x.v, f.q)));
-        output(&s::M_Q_P, Slot::Forces(|x, f| Pole::new(&x.g, &x.p).moment(&x.g, &x.p, &x.v, f.q)));
+        output(&s::M_Q_P, Slot::PoleMoment);
         if luffing.parameters.weights.is_some() {
             output(&s::M_G, Slot::Forces(|_, f| f.m_g));
         }
@@ -431,6 +509,15 @@ fn variables(luffing: &Luffing) -> (Vec<Variable>, Vec<Slot>) {
 
     let boolean = |symbol: &'static Symbol| symbol == &s::P_FAR;
     list.into_iter()
-        .map(|(symbol, role, slot)| (Variable { symbol, role, boolean: boolean(symbol) }, slot))
+        .map(|(symbol, role, slot)| {
+            (
+                Variable {
+                    symbol,
+                    role,
+                    boolean: boolean(symbol),
+                },
+                slot,
+            )
+        })
         .unzip()
 }

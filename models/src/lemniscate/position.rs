@@ -33,17 +33,36 @@ impl<C: Calc> Position<C> {
     /// the linkage does not close. [Li2022, eq. 3-8]
     #[inline]
     pub fn new(g: &Geometry<C>, theta: C) -> Option<Position<C>> {
-        let Closure { crank, coupler, follower, diagonal, area: k } = g.linkage.close(theta, names(g.driven))?;
+        let Closure {
+            crank,
+            coupler,
+            follower,
+            diagonal,
+            area: k,
+        } = g.linkage.close(theta, names(g.driven))?;
         let (x_1, x_2, x_3) = match g.driven {
             Driven::Boom => (crank, coupler, follower),
             Driven::Rocker => (follower, -coupler, crank),
         };
         let b = plane::def(x_1, [&s::B_X, &s::B_Y]);
-        let c = plane::def(g.o3() + x_3, [&s::C_X, &s::C_Y]);
+        let c = plane::def(g.lengths.o3() + x_3, [&s::C_X, &s::C_Y]);
         let x_4 = plane::turned(x_2, g.kappa.x, -g.kappa.y);
         let a = plane::def(b + x_4, [&s::A_X, &s::A_Y]);
         let r = (a.x + g.lengths.x_8).def(&s::R);
-        Some(Position { driven: g.driven, x_1, x_2, x_3, x_4, a, b, c, r, k, diagonal, epsilon_a: g.epsilon_a })
+        Some(Position {
+            driven: g.driven,
+            x_1,
+            x_2,
+            x_3,
+            x_4,
+            a,
+            b,
+            c,
+            r,
+            k,
+            diagonal,
+            epsilon_a: g.epsilon_a,
+        })
     }
 
     /// Angle of the bar that is not driven: theta_3 or theta_1, in rad. [Li2022, eq. 5]

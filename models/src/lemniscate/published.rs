@@ -38,6 +38,11 @@ impl<C: Calc> Published<C> {
         let alpha = (pi - g.beta_0 + theta_1 - at_b).def(&s::ALPHA_LI);
         let alpha_1 = ((x_7 / l.x_2).asin() + theta_1 - at_b).def(&s::ALPHA_1_LI);
         let o1p = (x_56 * (theta_3 + theta_0).sin() / (theta_1 - theta_3).sin()).def(&s::O1P_LI);
-        Published { theta_3, alpha, alpha_1, o1p }
+        Published {
+            theta_3,
+            alpha,
+            alpha_1,
+            o1p,
+        }
     }
 }

@@ -49,7 +49,10 @@ impl Range {
             y_max: all(|p| p.a.y)?,
             y_min: minus(all(|p| -p.a.y)?),
             mu_min: minus(all(|p| -p.mu())?),
-            dy_max: Extreme { value: slope(dy_max.at)?, ..dy_max },
+            dy_max: Extreme {
+                value: slope(dy_max.at)?,
+                ..dy_max
+            },
             rise: at(motion.to)?.a.y - at(motion.from)?.a.y,
         })
     }
@@ -70,9 +73,16 @@ impl Range {
 /// The greatest value: on a grid, then by golden section around the best point.
 fn greatest(motion: &Motion, f: impl Fn(f64) -> Option<f64>) -> Option<Extreme> {
     let width = (motion.to - motion.from) / f64::from(GRID);
-    let mut best = Extreme { value: f(motion.from)?, at: motion.from };
+    let mut best = Extreme {
+        value: f(motion.from)?,
+        at: motion.from,
+    };
     for i in 1..=GRID {
-        let at = if i == GRID { motion.to } else { motion.from + f64::from(i) * width };
+        let at = if i == GRID {
+            motion.to
+        } else {
+            motion.from + f64::from(i) * width
+        };
         let value = f(at)?;
         if value > best.value {
             best = Extreme { value, at };
@@ -85,7 +95,11 @@ fn greatest(motion: &Motion, f: impl Fn(f64) -> Option<f64>) -> Option<Extreme> 
     for _ in 0..40 {
         let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
         let (at_left, at_right) = (f(left)?, f(right)?);
-        let (at, value) = if at_left > at_right { (left, at_left) } else { (right, at_right) };
+        let (at, value) = if at_left > at_right {
+            (left, at_left)
+        } else {
+            (right, at_right)
+        };
         if value > best.value {
             best = Extreme { value, at };
         }

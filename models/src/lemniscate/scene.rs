@@ -4,6 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::four_bar::{Arc, Branch};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
 use crate::lemniscate::symbols as s;
+use crate::plane::length;
 use crate::schema::{Key, Kind, Sign, Values};
 use crate::symbol::Symbol;
 
@@ -38,14 +39,39 @@ pub static KEYS: &[Key] = &[
     Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
     Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
-    Key::table("published", PUBLISHED, "Published values to stand beside the computed ones.").optional(),
+    Key::table(
+        "published",
+        PUBLISHED,
+        "Published values to stand beside the computed ones.",
+    )
+    .optional(),
 ];
 
 static MOTION: &[Key] = &[
-    Key { name: "from", kind: Kind::Quantity(&s::THETA_1, Sign::Any), required: true, text: "Angle of the driven bar at the start." },
-    Key { name: "to", kind: Kind::Quantity(&s::THETA_1, Sign::Any), required: true, text: "Angle of the driven bar at the end." },
-    Key { name: "step", kind: Kind::Quantity(&s::THETA_1, Sign::Positive), required: true, text: "Step of tables." },
-    Key { name: "speed", kind: Kind::Quantity(&s::OMEGA_1, Sign::Positive), required: true, text: "Angular velocity of the driven bar." },
+    Key {
+        name: "from",
+        kind: Kind::Quantity(&s::THETA_1, Sign::Any),
+        required: true,
+        text: "Angle of the driven bar at the start.",
+    },
+    Key {
+        name: "to",
+        kind: Kind::Quantity(&s::THETA_1, Sign::Any),
+        required: true,
+        text: "Angle of the driven bar at the end.",
+    },
+    Key {
+        name: "step",
+        kind: Kind::Quantity(&s::THETA_1, Sign::Positive),
+        required: true,
+        text: "Step of tables.",
+    },
+    Key {
+        name: "speed",
+        kind: Kind::Quantity(&s::OMEGA_1, Sign::Positive),
+        required: true,
+        text: "Angular velocity of the driven bar.",
+    },
 ];
 
 static WEIGHTS: &[Key] = &[
@@ -81,8 +107,18 @@ static LIMITS: &[Key] = &[
 ];
 
 static PUBLISHED: &[Key] = &[
-    Key { name: "source", kind: Kind::Text, required: true, text: "Where the values are printed." },
-    Key { name: "values", kind: Kind::Text, required: true, text: "A line of names, then lines of values in display units; the first column is the angle of the driven bar." },
+    Key {
+        name: "source",
+        kind: Kind::Text,
+        required: true,
+        text: "Where the values are printed.",
+    },
+    Key {
+        name: "values",
+        kind: Kind::Text,
+        required: true,
+        text: "A line of names, then lines of values in display units; the first column is the angle of the driven bar.",
+    },
 ];
 
 /// A luffing mechanism as the scene describes it; SI.
@@ -110,7 +146,15 @@ impl Motion {
     #[must_use]
     pub fn angles(&self) -> Vec<f64> {
         let steps = ((self.to - self.from) / self.step).round().max(1.0);
-        (0..=steps as u32).map(|i| if f64::from(i) == steps { self.to } else { self.from + f64::from(i) * self.step }).collect()
+        (0..=steps as u32)
+            .map(|i| {
+                if f64::from(i) == steps {
+                    self.to
+                } else {
+                    self.from + f64::from(i) * self.step
+                }
+            })
+            .collect()
     }
 }
 
@@ -136,8 +180,16 @@ impl Luffing {
     /// Builds the mechanism of a checked table; mistakes go to `found`.
     pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Luffing> {
         let before = found.len();
-        let driven = if v.text("driven")? == "boom" { Driven::Boom } else { Driven::Rocker };
-        let branch = if v.text("branch")? == "left" { Branch::Left } else { Branch::Right };
+        let driven = if v.text("driven")? == "boom" {
+            Driven::Boom
+        } else {
+            Driven::Rocker
+        };
+        let branch = if v.text("branch")? == "left" {
+            Branch::Left
+        } else {
+            Branch::Right
+        };
         let n = |symbol: &Symbol| v.number(symbol.id);
         let lengths = Lengths {
             x_1: n(&s::X_1)?,
@@ -154,12 +206,24 @@ impl Luffing {
             (None, None, Some(x)) => Jib::Axis(x),
             (x_7, beta_0, _) => {
                 let none = x_7.is_none() && beta_0.is_none() && n(&s::AC).is_none();
-                let extra = if x_7.is_some() && beta_0.is_some() { "beta_0" } else { "AC" };
+                let extra = if x_7.is_some() && beta_0.is_some() {
+                    "beta_0"
+                } else {
+                    "AC"
+                };
                 found.push(
                     Diagnostic::new(
                         v.place(extra),
-                        if none { "nothing determines the jib's triangle" } else { "the jib's triangle is determined twice" },
-                        if none { "X_7, beta_0 or AC is needed here" } else { "remove this or the other" },
+                        if none {
+                            "nothing determines the jib's triangle"
+                        } else {
+                            "the jib's triangle is determined twice"
+                        },
+                        if none {
+                            "X_7, beta_0 or AC is needed here"
+                        } else {
+                            "remove this or the other"
+                        },
                     )
                     .help("give exactly one of X_7 (sag), beta_0 (angle at B) and AC (tail to head)"),
                 );
@@ -173,7 +237,12 @@ impl Luffing {
         let (anchors, cylinder) = match v.table("drive") {
             Some(d) => {
                 let n = |symbol: &Symbol| d.number(symbol.id);
-                let anchors = Anchors { e_x: n(&s::E_X)?, e_y: n(&s::E_Y)?, s_d: n(&s::S_D)?, chi_d: n(&s::CHI_D)? };
+                let anchors = Anchors {
+                    e_x: n(&s::E_X)?,
+                    e_y: n(&s::E_Y)?,
+                    s_d: n(&s::S_D)?,
+                    chi_d: n(&s::CHI_D)?,
+                };
                 (Some(anchors), cylinder(d, found))
             }
             None => (None, None),
@@ -181,18 +250,39 @@ impl Luffing {
         let q = n(&s::Q);
         if weights.is_some() && q.is_none() {
             found.push(
-                Diagnostic::new(v.place("weights"), "own weights without a load", "these need forces to be modelled")
-                    .help("add Q = \"0 kN\" or more to [luffing]"),
+                Diagnostic::new(
+                    v.place("weights"),
+                    "own weights without a load",
+                    "these need forces to be modelled",
+                )
+                .help("add Q = \"0 kN\" or more to [luffing]"),
             );
         }
-        let parameters = Parameters { lengths, jib, weights, anchors, cylinder, driven, branch };
+        let parameters = Parameters {
+            lengths,
+            jib,
+            weights,
+            anchors,
+            cylinder,
+            driven,
+            branch,
+        };
         let motion = motion(v, &parameters, found);
         let limits = v.table("limits");
         let limit = |symbol: &Symbol| limits.and_then(|table| table.number(symbol.id));
-        let limits = Limits { mu_min: limit(&s::MU_MIN), epsilon_y: limit(&s::EPSILON_Y) };
+        let limits = Limits {
+            mu_min: limit(&s::MU_MIN),
+            epsilon_y: limit(&s::EPSILON_Y),
+        };
         let published = v.table("published").and_then(|table| published(table, found));
         let motion = motion?;
-        (found.len() == before).then_some(Luffing { parameters, q, motion, limits, published })
+        (found.len() == before).then_some(Luffing {
+            parameters,
+            q,
+            motion,
+            limits,
+            published,
+        })
     }
 }
 
@@ -219,15 +309,23 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Cylinder<f64>> {
         ("cylinder", Some(d_c), Some(d_r)) => {
             let (d_c, d_r) = (d_c * 1e3, d_r * 1e3);
             found.push(
-                Diagnostic::new(d.place("d_r"), format!("the rod d_r = {d_r} mm does not fit the bore D_c = {d_c} mm"), "too thick")
-                    .help("the rod must be thinner than the bore"),
+                Diagnostic::new(
+                    d.place("d_r"),
+                    format!("the rod d_r = {d_r} mm does not fit the bore D_c = {d_c} mm"),
+                    "too thick",
+                )
+                .help("the rod must be thinner than the bore"),
             );
             None
         }
         ("cylinder", ..) => {
             found.push(
-                Diagnostic::new(d.span.clone(), "a cylinder without bore or rod", "D_c and d_r are needed here")
-                    .help("add D_c = \"... mm\" and d_r = \"... mm\", or make it a rack"),
+                Diagnostic::new(
+                    d.span.clone(),
+                    "a cylinder without bore or rod",
+                    "D_c and d_r are needed here",
+                )
+                .help("add D_c = \"... mm\" and d_r = \"... mm\", or make it a rack"),
             );
             None
         }
@@ -246,13 +344,21 @@ fn degrees(angle: f64) -> String {
 /// Checks that the mechanism exists and closes over the whole working range.
 fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>) -> Option<Motion> {
     let m = v.table("motion")?;
-    let motion =
-        Motion { from: m.number("from")?, to: m.number("to")?, step: m.number("step")?, speed: m.number("speed")? };
+    let motion = Motion {
+        from: m.number("from")?,
+        to: m.number("to")?,
+        step: m.number("step")?,
+        speed: m.number("speed")?,
+    };
     if motion.from >= motion.to {
         found.push(
             Diagnostic::new(
                 m.place("to"),
-                format!("the working range ends at {} and starts at {}", degrees(motion.to), degrees(motion.from)),
+                format!(
+                    "the working range ends at {} and starts at {}",
+                    degrees(motion.to),
+                    degrees(motion.from)
+                ),
                 "not above `from`",
             )
             .help("`from` must be smaller than `to`"),
@@ -261,8 +367,15 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
     }
     if (motion.to - motion.from) / motion.step > MOST_ROWS {
         found.push(
-            Diagnostic::new(m.place("step"), format!("the step {} is too small", degrees(motion.step)), "too many rows")
-                .help(format!("a table may have {MOST_ROWS} rows: step at least {}", degrees((motion.to - motion.from) / MOST_ROWS))),
+            Diagnostic::new(
+                m.place("step"),
+                format!("the step {} is too small", degrees(motion.step)),
+                "too many rows",
+            )
+            .help(format!(
+                "a table may have {MOST_ROWS} rows: step at least {}",
+                degrees((motion.to - motion.from) / MOST_ROWS)
+            )),
         );
         return None;
     }
@@ -271,36 +384,63 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
         Ok(geometry) => geometry,
         Err(Misfit::Jib) => {
             let (key, text, limit) = match parameters.jib {
-                Jib::Sag(x) => ("X_7", format!("X_7 = {x} m"), format!("between -{0} m and {0} m, the shorter arm", l.x_2.min(l.x_4))),
-                Jib::Axis(x) => ("AC", format!("AC = {x} m"), format!("between {} m and {} m, difference and sum of the arms", (l.x_2 - l.x_4).abs(), l.x_2 + l.x_4)),
-                Jib::Angle(x) => ("beta_0", format!("beta_0 = {}", degrees(x)), "between 0 and 360 deg".to_owned()),
+                Jib::Sag(x) => (
+                    "X_7",
+                    format!("X_7 = {x} m"),
+                    format!("between -{0} m and {0} m, the shorter arm", l.x_2.min(l.x_4)),
+                ),
+                Jib::Axis(x) => (
+                    "AC",
+                    format!("AC = {x} m"),
+                    format!(
+                        "between {} m and {} m, difference and sum of the arms",
+                        (l.x_2 - l.x_4).abs(),
+                        l.x_2 + l.x_4
+                    ),
+                ),
+                Jib::Angle(x) => (
+                    "beta_0",
+                    format!("beta_0 = {}", degrees(x)),
+                    "between 0 and 360 deg".to_owned(),
+                ),
             };
             found.push(
-                Diagnostic::new(v.place(key), format!("the jib's triangle does not close: {text}"), "does not close")
-                    .help(format!("with X_2 = {} m and X_4 = {} m it must lie {limit}", l.x_2, l.x_4)),
+                Diagnostic::new(
+                    v.place(key),
+                    format!("the jib's triangle does not close: {text}"),
+                    "does not close",
+                )
+                .help(format!(
+                    "with X_2 = {} m and X_4 = {} m it must lie {limit}",
+                    l.x_2, l.x_4
+                )),
             );
             return None;
         }
         Err(Misfit::Linkage) => {
-            let frame = l.x_5.hypot(l.x_6);
+            let frame = length(l.o3());
             let (bar, other) = match parameters.driven {
                 Driven::Boom => (("X_1", l.x_1), ("X_3", l.x_3)),
                 Driven::Rocker => (("X_3", l.x_3), ("X_1", l.x_1)),
             };
             found.push(
-                Diagnostic::new(v.place(other.0), "the linkage closes at no angle of the driven bar", "cannot reach")
-                    .help(format!(
-                        "the diagonal opposite this bar lies between {} m and {} m ({} = {} m, distance of the feet {} m), \
+                Diagnostic::new(
+                    v.place(other.0),
+                    "the linkage closes at no angle of the driven bar",
+                    "cannot reach",
+                )
+                .help(format!(
+                    "the diagonal opposite this bar lies between {} m and {} m ({} = {} m, distance of the feet {} m), \
                          X_2 and {} span {} m to {} m",
-                        crate::schema::short((bar.1 - frame).abs()),
-                        crate::schema::short(bar.1 + frame),
-                        bar.0,
-                        bar.1,
-                        crate::schema::short(frame),
-                        other.0,
-                        crate::schema::short((l.x_2 - other.1).abs()),
-                        crate::schema::short(l.x_2 + other.1),
-                    )),
+                    crate::schema::short((bar.1 - frame).abs()),
+                    crate::schema::short(bar.1 + frame),
+                    bar.0,
+                    bar.1,
+                    crate::schema::short(frame),
+                    other.0,
+                    crate::schema::short((l.x_2 - other.1).abs()),
+                    crate::schema::short(l.x_2 + other.1),
+                )),
             );
             return None;
         }
@@ -309,11 +449,18 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
     if geometry.linkage.turns_fully() || arcs.iter().any(|arc| covers(*arc, motion.from, motion.to)) {
         return Some(motion);
     }
-    let parts: Vec<String> = arcs.iter().map(|arc| format!("{} to {}", degrees(arc.from), degrees(arc.to))).collect();
+    let parts: Vec<String> = arcs
+        .iter()
+        .map(|arc| format!("{} to {}", degrees(arc.from), degrees(arc.to)))
+        .collect();
     found.push(
         Diagnostic::new(
             m.span.clone(),
-            format!("the linkage does not close over the whole range {} to {}", degrees(motion.from), degrees(motion.to)),
+            format!(
+                "the linkage does not close over the whole range {} to {}",
+                degrees(motion.from),
+                degrees(motion.to)
+            ),
             missing(&arcs, &motion),
         )
         .help(format!("it closes for {} of the driven bar", parts.join(" and for "))),
@@ -331,12 +478,18 @@ fn covers(arc: Arc, from: f64, to: f64) -> bool {
 fn missing(arcs: &[Arc], motion: &Motion) -> String {
     const PARTS: u32 = 1000;
     let at = |i: u32| motion.from + (motion.to - motion.from) * f64::from(i) / f64::from(PARTS);
-    let open: Vec<u32> = (0..=PARTS).filter(|&i| !arcs.iter().any(|arc| covers(*arc, at(i), at(i)))).collect();
+    let open: Vec<u32> = (0..=PARTS)
+        .filter(|&i| !arcs.iter().any(|arc| covers(*arc, at(i), at(i))))
+        .collect();
     match (open.first(), open.last()) {
         (Some(&first), Some(&last)) if open.len() as u32 == PARTS + 1 => {
             format!("closes nowhere in {} to {}", degrees(at(first)), degrees(at(last)))
         }
-        (Some(&first), Some(&last)) => format!("not closed between about {} and {}", degrees(at(first)), degrees(at(last))),
+        (Some(&first), Some(&last)) => format!(
+            "not closed between about {} and {}",
+            degrees(at(first)),
+            degrees(at(last))
+        ),
         _ => "the parts in which it closes do not join".to_owned(),
     }
 }
@@ -352,16 +505,28 @@ fn published(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Published> {
     for name in lines.next().unwrap_or("").split_whitespace() {
         match s::ALL.iter().copied().find(|symbol| symbol.id == name) {
             Some(symbol) => columns.push(symbol),
-            None => return wrong(format!("published values of `{name}`, which is not a result"), "use the names of `lemnis check`"),
+            None => {
+                return wrong(
+                    format!("published values of `{name}`, which is not a result"),
+                    "use the names of `lemnis check`",
+                );
+            }
         }
     }
     let mut rows = Vec::new();
     for line in lines {
         let row: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
         if row.len() != columns.len() || row.iter().any(|cell| !cell.parse().is_ok_and(f64::is_finite)) {
-            return wrong(format!("published values: cannot read the line \"{}\"", line.trim()), "give one number for each name");
+            return wrong(
+                format!("published values: cannot read the line \"{}\"", line.trim()),
+                "give one number for each name",
+            );
         }
         rows.push(row);
     }
-    Some(Published { source: source.to_owned(), columns, rows })
+    Some(Published {
+        source: source.to_owned(),
+        columns,
+        rows,
+    })
 }

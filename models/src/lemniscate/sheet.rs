@@ -34,7 +34,9 @@ pub fn sheet(scene: &Scene) -> Sheet {
     Sheet {
         inputs: inputs(luffing),
         constants: constants(luffing),
-        positions: positions.map(|(id, theta)| worked(luffing, id, coordinate, theta)).into(),
+        positions: positions
+            .map(|(id, theta)| worked(luffing, id, coordinate, theta))
+            .into(),
         range: table(&mut model, coordinate, &motion),
         curves: curves(&mut model, luffing, coordinate),
         drawing: drawing(&geometry, luffing, middle),
@@ -72,12 +74,27 @@ fn inputs(luffing: &Luffing) -> Vec<Input> {
         inputs.push(Input { symbol, value, chapter });
     });
     if let Some(q) = luffing.q {
-        inputs.push(Input { symbol: &s::Q, value: q, chapter: "load" });
+        inputs.push(Input {
+            symbol: &s::Q,
+            value: q,
+            chapter: "load",
+        });
     }
-    inputs.push(Input { symbol: rate(luffing), value: luffing.motion.speed, chapter: "motion" });
-    let limits = [(&s::MU_MIN, luffing.limits.mu_min), (&s::EPSILON_Y, luffing.limits.epsilon_y)];
+    inputs.push(Input {
+        symbol: rate(luffing),
+        value: luffing.motion.speed,
+        chapter: "motion",
+    });
+    let limits = [
+        (&s::MU_MIN, luffing.limits.mu_min),
+        (&s::EPSILON_Y, luffing.limits.epsilon_y),
+    ];
     for (symbol, limit) in limits {
-        inputs.extend(limit.map(|value| Input { symbol, value, chapter: "limits" }));
+        inputs.extend(limit.map(|value| Input {
+            symbol,
+            value,
+            chapter: "limits",
+        }));
     }
     inputs
 }
@@ -89,7 +106,10 @@ fn given(parameters: &Parameters<f64>) -> Parameters<Rec> {
 
 fn constants(luffing: &Luffing) -> Vec<Section> {
     let (trace, _) = record(|| Geometry::new(&given(&luffing.parameters)));
-    vec![Section { id: "geometry_constants", trace }]
+    vec![Section {
+        id: "geometry_constants",
+        trace,
+    }]
 }
 
 /// The formulas at one position, each group as its own section.
@@ -109,24 +129,42 @@ fn worked(luffing: &Luffing, id: &'static str, coordinate: &'static Symbol, thet
             sections.push(Section { id, trace });
         }
     }
-    Worked { id, coordinate, value: theta, sections }
+    Worked {
+        id,
+        coordinate,
+        value: theta,
+        sections,
+    }
 }
 
 const STAGES: [&str; 10] = [
-    "given", "position", "angles", "velocity", "pole", "load_moment", "weight_moment", "drive", "pin_forces", "published_forms",
+    "given",
+    "position",
+    "angles",
+    "velocity",
+    "pole",
+    "load_moment",
+    "weight_moment",
+    "drive",
+    "pin_forces",
+    "published_forms",
 ];
 
 /// Runs the equations under the recorder up to a stage; false where the scene
 /// does not model the stage.
 fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     let parameters = given(&luffing.parameters);
-    let Ok(g) = Geometry::new(&parameters) else { return false };
+    let Ok(g) = Geometry::new(&parameters) else {
+        return false;
+    };
     let theta = Rec::given(coordinate(luffing), theta);
     let omega = Rec::given(rate(luffing), luffing.motion.speed);
     if stage == 0 {
         return false;
     }
-    let Some(p) = Position::new(&g, theta) else { return false };
+    let Some(p) = Position::new(&g, theta) else {
+        return false;
+    };
     if stage == 1 {
         return true;
     }
@@ -171,7 +209,9 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     if stage == 7 {
         return true;
     }
-    let _ = PinForces::new(&p, lengths.x_3, q, both, |m_d| drive.and_then(|drive| drive.reaction(m_d)));
+    let _ = PinForces::new(&p, lengths.x_3, q, both, |m_d| {
+        drive.and_then(|drive| drive.reaction(m_d))
+    });
     if stage == 8 {
         return true;
     }
@@ -190,7 +230,7 @@ fn drive_chain(luffing: &Luffing, g: &Geometry<Rec>, p: &Position<Rec>, omega: R
         Driven::Boom => g.lengths.x_1,
         Driven::Rocker => g.lengths.x_3,
     };
-    let drive = Drive::new(p, bar, g.o3(), parameters.anchors.as_ref()?);
+    let drive = Drive::new(p, bar, g.lengths.o3(), parameters.anchors.as_ref()?);
     let speed = drive.speed(omega);
     let _ = parameters.cylinder.map(|cylinder| oil_flow(&cylinder, speed));
     Some(drive)
@@ -199,23 +239,48 @@ fn drive_chain(luffing: &Luffing, g: &Geometry<Rec>, p: &Position<Rec>, omega: R
 /// Reads variables of the model at angles of the driven bar.
 fn sample(model: &mut Model, symbols: &[&'static Symbol], angles: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
     let place = |symbol: &'static Symbol| model.variables().iter().position(|variable| variable.symbol == symbol);
-    let indices: Vec<usize> = symbols.iter().map(|&symbol| place(symbol).expect("a variable of this scene")).collect();
+    let indices: Vec<usize> = symbols
+        .iter()
+        .map(|&symbol| place(symbol).expect("a variable of this scene"))
+        .collect();
     angles
         .map(|theta| {
             model.set(0, theta).expect("an angle is finite");
-            indices.iter().map(|&index| model.get(index).expect("the range was checked")).collect()
+            indices
+                .iter()
+                .map(|&index| model.get(index).expect("the range was checked"))
+                .collect()
         })
         .collect()
 }
 
 fn fine(motion: &Motion) -> impl Iterator<Item = f64> {
     let (from, to) = (motion.from, motion.to);
-    (0..=CURVE).map(move |i| if i == CURVE { to } else { from + (to - from) * f64::from(i) / f64::from(CURVE) })
+    (0..=CURVE).map(move |i| {
+        if i == CURVE {
+            to
+        } else {
+            from + (to - from) * f64::from(i) / f64::from(CURVE)
+        }
+    })
 }
 
 fn table(model: &mut Model, coordinate: &'static Symbol, motion: &Motion) -> Table {
-    let follower = if coordinate == &s::THETA_1 { &s::THETA_3 } else { &s::THETA_1 };
-    let mut columns = vec![coordinate, follower, &s::R, &s::A_Y, &s::ALPHA, &s::ALPHA_1, &s::MU, &s::V_AX];
+    let follower = if coordinate == &s::THETA_1 {
+        &s::THETA_3
+    } else {
+        &s::THETA_1
+    };
+    let mut columns = vec![
+        coordinate,
+        follower,
+        &s::R,
+        &s::A_Y,
+        &s::ALPHA,
+        &s::ALPHA_1,
+        &s::MU,
+        &s::V_AX,
+    ];
     let exists = |symbol: &&Symbol| model.variables().iter().any(|variable| variable.symbol == *symbol);
     columns.extend([&s::M_Q, &s::M_D, &s::F_D].into_iter().filter(|symbol| exists(symbol)));
     let rows = sample(model, &columns, motion.angles().into_iter());
@@ -223,7 +288,11 @@ fn table(model: &mut Model, coordinate: &'static Symbol, motion: &Motion) -> Tab
 }
 
 fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> Vec<Curve> {
-    let follower = if coordinate == &s::THETA_1 { &s::THETA_3 } else { &s::THETA_1 };
+    let follower = if coordinate == &s::THETA_1 {
+        &s::THETA_3
+    } else {
+        &s::THETA_1
+    };
     let mut list = vec![
         ("li2022_fig_3", &s::P_X, &s::P_Y),
         ("li2022_fig_4", coordinate, follower),
@@ -253,10 +322,22 @@ fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> 
 fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Check> {
     let mut checks = Vec::new();
     if let Some(limit) = luffing.limits.mu_min {
-        checks.push(Check { id: "transmission_angle", symbol: &s::MU_MIN, value: range.mu_min.value, limit, at_most: false });
+        checks.push(Check {
+            id: "transmission_angle",
+            symbol: &s::MU_MIN,
+            value: range.mu_min.value,
+            limit,
+            at_most: false,
+        });
     }
     if let Some(limit) = luffing.limits.epsilon_y {
-        checks.push(Check { id: "level_error", symbol: &s::EPSILON_Y, value: range.epsilon_y(), limit, at_most: true });
+        checks.push(Check {
+            id: "level_error",
+            symbol: &s::EPSILON_Y,
+            value: range.epsilon_y(),
+            limit,
+            at_most: true,
+        });
     }
     if luffing.q.is_some() {
         // Agreement of independent ways, relative to the largest moment.
@@ -270,7 +351,10 @@ fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range
             at_most: true,
         });
         let most = |symbol: &'static Symbol| {
-            sample(model, &[&s::M_Q, symbol], fine(&luffing.motion)).iter().map(|row| (row[0] - row[1]).abs()).fold(0.0, f64::max)
+            sample(model, &[&s::M_Q, symbol], fine(&luffing.motion))
+                .iter()
+                .map(|row| (row[0] - row[1]).abs())
+                .fold(0.0, f64::max)
         };
         let mut most = most;
         checks.push(Check {
@@ -312,7 +396,9 @@ fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
 }
 
 fn published(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> Vec<Comparison> {
-    let Some(published) = &luffing.published else { return Vec::new() };
+    let Some(published) = &luffing.published else {
+        return Vec::new();
+    };
     let mut list = Vec::new();
     for row in &published.rows {
         let angle: f64 = row[0].parse().expect("checked when the scene was read");
@@ -321,7 +407,12 @@ fn published(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) 
             let known = model.variables().iter().any(|variable| variable.symbol == *symbol);
             if known {
                 let value = sample(model, &[symbol], std::iter::once(angle))[0][0];
-                list.push(Comparison { coordinate: angle, symbol, printed: printed.clone(), value });
+                list.push(Comparison {
+                    coordinate: angle,
+                    symbol,
+                    printed: printed.clone(),
+                    value,
+                });
             }
         }
     }
@@ -329,8 +420,16 @@ fn published(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) 
 }
 
 fn summary(luffing: &Luffing, g: &Geometry<f64>, range: &Range, coordinate: &'static Symbol) -> Vec<Summary> {
-    let at = |symbol, extreme: Extreme| Summary { symbol, value: extreme.value, at: Some((coordinate, extreme.at)) };
-    let alone = |symbol, value| Summary { symbol, value, at: None };
+    let at = |symbol, extreme: Extreme| Summary {
+        symbol,
+        value: extreme.value,
+        at: Some((coordinate, extreme.at)),
+    };
+    let alone = |symbol, value| Summary {
+        symbol,
+        value,
+        at: None,
+    };
     let mut list = vec![
         at(&s::R_MAX, range.r_max),
         at(&s::R_MIN, range.r_min),
@@ -339,7 +438,13 @@ fn summary(luffing: &Luffing, g: &Geometry<f64>, range: &Range, coordinate: &'st
         at(&s::MU_MIN, range.mu_min),
     ];
     if let Some(q) = luffing.q {
-        list.push(at(&s::M_Q_MAX, Extreme { value: q * range.dy_max.value, ..range.dy_max }));
+        list.push(at(
+            &s::M_Q_MAX,
+            Extreme {
+                value: q * range.dy_max.value,
+                ..range.dy_max
+            },
+        ));
         list.push(alone(&s::W_Q, q * rise_by_integration(g, &luffing.motion)));
         list.push(alone(&s::W_Y, q * range.rise));
     }
@@ -349,7 +454,13 @@ fn summary(luffing: &Luffing, g: &Geometry<f64>, range: &Range, coordinate: &'st
 fn remarks(luffing: &Luffing) -> Vec<&'static str> {
     match &luffing.published {
         Some(published) if published.source.starts_with("[Li2022") => {
-            vec!["li2022_sag", "li2022_sign", "li2022_quadrants", "li2022_level_error", "li2022_drive_comparison"]
+            vec![
+                "li2022_sag",
+                "li2022_sign",
+                "li2022_quadrants",
+                "li2022_level_error",
+                "li2022_drive_comparison",
+            ]
         }
         _ => Vec::new(),
     }
@@ -359,30 +470,65 @@ fn drawing(g: &Geometry<f64>, luffing: &Luffing, middle: f64) -> Drawing {
     let motion = &luffing.motion;
     let point = |p: Point<f64>| [p.x, p.y];
     let mut shapes = Vec::new();
-    let path = fine(motion).filter_map(|theta| Position::new(g, theta)).map(|p| point(p.a)).collect();
+    let path = fine(motion)
+        .filter_map(|theta| Position::new(g, theta))
+        .map(|p| point(p.a))
+        .collect();
     shapes.push(Shape::Path { points: path });
     let o1 = [0.0, 0.0];
-    let o3 = point(g.o3());
+    let o3 = point(g.lengths.o3());
     for (theta, faint) in [(motion.from, true), (motion.to, true), (middle, false)] {
         let Some(p) = Position::new(g, theta) else { continue };
         let (a, b, c) = (point(p.a), point(p.b), point(p.c));
-        shapes.push(Shape::Body { id: "boom", points: vec![o1, b], closed: false, faint });
-        shapes.push(Shape::Body { id: "rocker", points: vec![o3, c], closed: false, faint });
-        shapes.push(Shape::Body { id: "jib", points: vec![c, b, a], closed: true, faint });
+        shapes.push(Shape::Body {
+            id: "boom",
+            points: vec![o1, b],
+            closed: false,
+            faint,
+        });
+        shapes.push(Shape::Body {
+            id: "rocker",
+            points: vec![o3, c],
+            closed: false,
+            faint,
+        });
+        shapes.push(Shape::Body {
+            id: "jib",
+            points: vec![c, b, a],
+            closed: true,
+            faint,
+        });
         for at in [b, c, a] {
-            shapes.push(Shape::Pin { at, fixed: false, faint });
+            shapes.push(Shape::Pin {
+                at,
+                fixed: false,
+                faint,
+            });
         }
         if let (Some(anchors), false) = (&luffing.parameters.anchors, faint) {
             let bar = match g.driven {
                 Driven::Boom => (p.x_1, g.lengths.x_1, Point::zeros()),
-                Driven::Rocker => (p.x_3, g.lengths.x_3, g.o3()),
+                Driven::Rocker => (p.x_3, g.lengths.x_3, g.lengths.o3()),
             };
             let (sin, cos) = Calc::sin_cos(anchors.chi_d);
             let arm = crate::plane::turned(bar.0, anchors.s_d * cos / bar.1, anchors.s_d * sin / bar.1);
             let (e, d) = ([anchors.e_x, anchors.e_y], point(bar.2 + arm));
-            shapes.push(Shape::Body { id: "drive", points: vec![e, d], closed: false, faint });
-            shapes.push(Shape::Pin { at: e, fixed: true, faint });
-            shapes.push(Shape::Pin { at: d, fixed: false, faint });
+            shapes.push(Shape::Body {
+                id: "drive",
+                points: vec![e, d],
+                closed: false,
+                faint,
+            });
+            shapes.push(Shape::Pin {
+                at: e,
+                fixed: true,
+                faint,
+            });
+            shapes.push(Shape::Pin {
+                at: d,
+                fixed: false,
+                faint,
+            });
             shapes.push(Shape::Label { at: e, text: "E" });
         }
         if !faint {
@@ -390,22 +536,59 @@ fn drawing(g: &Geometry<f64>, luffing: &Luffing, middle: f64) -> Drawing {
                 Shape::Label { at: a, text: "A" },
                 Shape::Label { at: b, text: "B" },
                 Shape::Label { at: c, text: "C" },
-                Shape::Angle { at: o1, radius: 4.0, from: 0.0, to: Calc::direction(p.x_1.x, p.x_1.y), text: s::THETA_1.print },
-                Shape::Angle { at: o3, radius: 3.0, from: 0.0, to: Calc::direction(p.x_3.x, p.x_3.y), text: s::THETA_3.print },
-                Shape::Distance { from: [-g.lengths.x_8, 0.0], to: [a[0], 0.0], offset: -4.5, text: s::R.print },
+                Shape::Angle {
+                    at: o1,
+                    radius: 4.0,
+                    from: 0.0,
+                    to: Calc::direction(p.x_1.x, p.x_1.y),
+                    text: s::THETA_1.print,
+                },
+                Shape::Angle {
+                    at: o3,
+                    radius: 3.0,
+                    from: 0.0,
+                    to: Calc::direction(p.x_3.x, p.x_3.y),
+                    text: s::THETA_3.print,
+                },
+                Shape::Distance {
+                    from: [-g.lengths.x_8, 0.0],
+                    to: [a[0], 0.0],
+                    offset: -4.5,
+                    text: s::R.print,
+                },
             ]);
             if luffing.q.is_some() {
-                shapes.push(Shape::Load { at: a, text: s::Q.print });
+                shapes.push(Shape::Load {
+                    at: a,
+                    text: s::Q.print,
+                });
             }
         }
     }
     shapes.extend([
-        Shape::Pin { at: o1, fixed: true, faint: false },
-        Shape::Pin { at: o3, fixed: true, faint: false },
+        Shape::Pin {
+            at: o1,
+            fixed: true,
+            faint: false,
+        },
+        Shape::Pin {
+            at: o3,
+            fixed: true,
+            faint: false,
+        },
         Shape::Label { at: o1, text: "O_1" },
         Shape::Label { at: o3, text: "O_3" },
-        Shape::CentreLine { x: -g.lengths.x_8, from: -5.0, to: 8.0 },
-        Shape::Distance { from: [-g.lengths.x_8, 0.0], to: [0.0, 0.0], offset: -2.5, text: s::X_8.print },
+        Shape::CentreLine {
+            x: -g.lengths.x_8,
+            from: -5.0,
+            to: 8.0,
+        },
+        Shape::Distance {
+            from: [-g.lengths.x_8, 0.0],
+            to: [0.0, 0.0],
+            offset: -2.5,
+            text: s::X_8.print,
+        },
     ]);
     Drawing { shapes }
 }

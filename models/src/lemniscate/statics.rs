@@ -28,7 +28,10 @@ impl<C: Calc> Centres<C> {
     pub fn new(p: &Position<C>, lengths: [C; 3], w: &Weights<C>) -> Centres<C> {
         let place = |bar: Point<C>, length: C, distance: C, angle: C, names| {
             let (sin, cos) = angle.sin_cos();
-            plane::def(plane::turned(bar, distance * cos / length, distance * sin / length), names)
+            plane::def(
+                plane::turned(bar, distance * cos / length, distance * sin / length),
+                names,
+            )
         };
         Centres {
             boom: place(p.x_1, lengths[0], w.s_1, w.chi_1, [&s::R_1X, &s::R_1Y]),
@@ -101,12 +104,18 @@ impl<C: Calc> PinForces<C> {
                     Some(rocker) => -((about_b * x_3 + rocker * x_2) / half),
                     None => -(about_b * x_3 / half),
                 };
-                let c = plane::def(Point::new(along(p.x_2.x, p.x_3.x), along(p.x_2.y, p.x_3.y)), [&s::F_CX, &s::F_CY]);
+                let c = plane::def(
+                    Point::new(along(p.x_2.x, p.x_3.x), along(p.x_2.y, p.x_3.y)),
+                    [&s::F_CX, &s::F_CY],
+                );
                 let b = plane::def(minus(c), [&s::F_BX, &s::F_BY]);
                 let lift = plane::cross(p.x_1, b);
                 let m_d = boom.map_or(lift, |boom| lift + boom).def(&s::M_D);
                 let push = drive(m_d);
-                let o1 = plane::def(push.map_or(up(b, g_1), |push| up(b, g_1) - push.force), [&s::F_O1X, &s::F_O1Y]);
+                let o1 = plane::def(
+                    push.map_or(up(b, g_1), |push| up(b, g_1) - push.force),
+                    [&s::F_O1X, &s::F_O1Y],
+                );
                 let o3 = plane::def(up(c, g_3), [&s::F_O3X, &s::F_O3Y]);
                 let n_3 = (-(plane::dot(c, p.x_3) / x_3)).def(&s::N_3);
                 PinForces { m_d, b, c, o1, o3, n_3 }
@@ -118,12 +127,18 @@ impl<C: Calc> PinForces<C> {
                     Some(boom) => (about_c * x_1 + boom * x_2) / half,
                     None => about_c * x_1 / half,
                 };
-                let b = plane::def(Point::new(along(p.x_1.x, p.x_2.x), along(p.x_1.y, p.x_2.y)), [&s::F_BX, &s::F_BY]);
+                let b = plane::def(
+                    Point::new(along(p.x_1.x, p.x_2.x), along(p.x_1.y, p.x_2.y)),
+                    [&s::F_BX, &s::F_BY],
+                );
                 let c = plane::def(minus(b), [&s::F_CX, &s::F_CY]);
                 let lift = plane::cross(p.x_3, c);
                 let m_d = rocker.map_or(lift, |rocker| lift + rocker).def(&s::M_D);
                 let push = drive(m_d);
-                let o3 = plane::def(push.map_or(up(c, g_3), |push| up(c, g_3) - push.force), [&s::F_O3X, &s::F_O3Y]);
+                let o3 = plane::def(
+                    push.map_or(up(c, g_3), |push| up(c, g_3) - push.force),
+                    [&s::F_O3X, &s::F_O3Y],
+                );
                 let o1 = plane::def(up(b, g_1), [&s::F_O1X, &s::F_O1Y]);
                 let n_3 = (-(plane::dot(c, p.x_3) / x_3)).def(&s::N_3);
                 PinForces { m_d, b, c, o1, o3, n_3 }

@@ -35,11 +35,24 @@ impl<C: Calc> Velocity<C> {
             }
             Driven::Rocker => {
                 let i_2 = (plane::cross(p.x_3, p.x_1) / half).def(&s::I_2);
-                (i_2, (plane::cross(p.x_2, p.x_3) / half).def(&s::I_1), p.x_3, p.x_4 - p.x_2)
+                (
+                    i_2,
+                    (plane::cross(p.x_2, p.x_3) / half).def(&s::I_1),
+                    p.x_3,
+                    p.x_4 - p.x_2,
+                )
             }
         };
-        let da = plane::def(Point::new(-(bar.y + i_2 * beyond.y), bar.x + i_2 * beyond.x), [&s::DA_X, &s::DA_Y]);
-        Velocity { i_2, i_follower, da, head: Point::new(-bar.y, bar.x) }
+        let da = plane::def(
+            Point::new(-(bar.y + i_2 * beyond.y), bar.x + i_2 * beyond.x),
+            [&s::DA_X, &s::DA_Y],
+        );
+        Velocity {
+            i_2,
+            i_follower,
+            da,
+            head: Point::new(-bar.y, bar.x),
+        }
     }
 
     /// Velocity of A, in m/s, at the driven bar's angular velocity (rad/s). [Li2022, eq. 10]
@@ -76,11 +89,26 @@ impl<C: Calc> Pole<C> {
         if sine.value().abs() <= 4.0 * f64::EPSILON * scale {
             return Pole::AtInfinity;
         }
-        let along_boom = plane::cross(g.o3(), p.x_3) / sine;
-        let along_rocker = plane::cross(g.o3(), p.x_1) / sine;
+        let along_boom = plane::cross(g.lengths.o3(), p.x_3) / sine;
+        let along_rocker = plane::cross(g.lengths.o3(), p.x_1) / sine;
         let o1p = (along_boom * g.lengths.x_1).def(&s::O1P);
-        let at = plane::def(Point::new(along_boom * p.x_1.x, along_boom * p.x_1.y), [&s::P_X, &s::P_Y]);
-        Pole::Finite { o1p, o3p: along_rocker * g.lengths.x_3, at }
+        let at = plane::def(
+            Point::new(along_boom * p.x_1.x, along_boom * p.x_1.y),
+            [&s::P_X, &s::P_Y],
+        );
+        Pole::Finite {
+            o1p,
+            o3p: along_rocker * g.lengths.x_3,
+            at,
+        }
+    }
+
+    /// Distance from O1 along the boom and place, unless at infinity.
+    pub fn finite(&self) -> Option<(C, Point<C>)> {
+        match *self {
+            Pole::Finite { o1p, at, .. } => Some((o1p, at)),
+            Pole::AtInfinity => None,
+        }
     }
 
     /// Luffing moment of the load Q (N) about the foot of the driven bar through

@@ -9,7 +9,10 @@ pub fn luffing() -> Luffing {
 }
 
 pub fn parameters(driven: Driven) -> Parameters<f64> {
-    Parameters { driven, ..luffing().parameters }
+    Parameters {
+        driven,
+        ..luffing().parameters
+    }
 }
 
 pub fn geometry(driven: Driven) -> Geometry<f64> {

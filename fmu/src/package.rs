@@ -1,0 +1,117 @@
+//! The .fmu file: description, shared libraries, scene and documentation in one
+//! zip, the same bytes for the same content.
+
+use crate::description::{Standard, model_description};
+use crate::instance::SCENE_FILE;
+use crate::refuse;
+use lemnis_models::model::Fault;
+use lemnis_models::scene::Scene;
+use std::collections::BTreeMap;
+use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};
+use std::io::{Cursor, Write};
+use std::path::PathBuf;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+/// The shared library of one platform.
+#[derive(Clone, Debug)]
+pub struct Library {
+    /// Platform as FMI 3 has it: `x86_64-linux`.
+    pub platform: String,
+    /// `.so`, `.dll` or `.dylib`.
+    pub suffix: String,
+    pub bytes: Vec<u8>,
+}
+
+impl Library {
+    /// The library of this machine's platform, from where [`find_library`] finds it.
+    ///
+    /// # Errors
+    /// There is none, or it cannot be read.
+    pub fn of_this_platform() -> Result<Library, Fault> {
+        let path = find_library()?;
+        let bytes = std::fs::read(&path).map_err(|error| Fault(format!("cannot read {}: {error}", path.display())))?;
+        let system = if OS == "macos" { "darwin" } else { OS };
+        Ok(Library {
+            platform: format!("{ARCH}-{system}"),
+            suffix: DLL_SUFFIX.to_owned(),
+            bytes,
+        })
+    }
+
+    /// The folder in `binaries/`. FMI 2 names three platforms, the others go by their FMI 3 names.
+    fn folder(&self, standard: Standard) -> &str {
+        match (standard, self.platform.as_str()) {
+            (Standard::Fmi2, "x86_64-linux") => "linux64",
+            (Standard::Fmi2, "x86_64-windows") => "win64",
+            (Standard::Fmi2, "x86_64-darwin") => "darwin64",
+            (_, platform) => platform,
+        }
+    }
+}
+
+/// The bytes of an FMU. `documentation` holds paths below `documentation/`, with forward slashes.
+///
+/// # Errors
+/// The scene's model cannot be built, or a file is too large for a zip.
+pub fn fmu(
+    scene: &Scene,
+    standard: Standard,
+    libraries: &[Library],
+    documentation: &[(String, Vec<u8>)],
+) -> Result<Vec<u8>, Fault> {
+    let description = model_description(scene, standard)?;
+    let mut files = BTreeMap::from([
+        ("modelDescription.xml".to_owned(), description.as_slice()),
+        (format!("resources/{SCENE_FILE}"), scene.text().as_bytes()),
+    ]);
+    for library in libraries {
+        let path = format!(
+            "binaries/{}/{}{}",
+            library.folder(standard),
+            scene.name(),
+            library.suffix
+        );
+        files.insert(path, &library.bytes);
+    }
+    files.extend(
+        documentation
+            .iter()
+            .map(|(path, bytes)| (format!("documentation/{path}"), bytes.as_slice())),
+    );
+
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    // The fastest level takes a quarter of the default's time, and a quarter more room.
+    let options = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Deflated)
+        .compression_level(Some(1))
+        .last_modified_time(DateTime::default())
+        .unix_permissions(0o644);
+    let written = files.into_iter().try_for_each(|(path, bytes)| {
+        zip.start_file(path, options)?;
+        Ok(zip.write_all(bytes)?)
+    });
+    written
+        .and_then(|()| zip.finish())
+        .map(Cursor::into_inner)
+        .map_err(|error: zip::result::ZipError| Fault(format!("cannot write the FMU: {error}")))
+}
+
+/// The shared library of this crate, beside the running program or where Cargo puts it.
+///
+/// # Errors
+/// It is in none of these places.
+pub fn find_library() -> Result<PathBuf, Fault> {
+    let name = format!("{DLL_PREFIX}lemnis_fmu{DLL_SUFFIX}");
+    let program = std::env::current_exe().map_err(|error| Fault(format!("cannot find this program: {error}")))?;
+    let folder = program.parent().unwrap_or(&program);
+    // Cargo keeps the copy in deps/ up to date whatever is built, that beside the program only at times.
+    let places = ["deps", "", "../deps"].map(|place| folder.join(place).join(&name));
+    match places.iter().find(|place| place.is_file()) {
+        Some(place) => Ok(place.clone()),
+        None => refuse(format!(
+            "the FMU's library is not in {}: put it beside the program, or build it with `cargo build -p lemnis-fmu`",
+            places.map(|place| place.display().to_string()).join(", ")
+        )),
+    }
+}

@@ -1,0 +1,465 @@
+//! Both standards through their C functions: life cycle, errors, and what hosts get wrong.
+
+mod common;
+
+use common::Unpacked;
+use lemnis_fmu::abi::{Component, STATUS_ERROR, STATUS_OK, Status, fmi2::*, fmi3::*};
+use lemnis_fmu::description::Standard;
+use lemnis_fmu::package;
+use lemnis_models::scene::{self, Scene};
+use libloading::Library;
+use std::ffi::{CStr, CString, c_char, c_void};
+use std::ptr::{null, null_mut};
+
+/// An angle of the boom that the default crane can reach, and one that it cannot, in rad.
+const REACHABLE: f64 = 1.3;
+const UNREACHABLE: f64 = 0.1;
+
+type Messages = Vec<String>;
+
+// SAFETY in this file: instances are freed once, arrays have the lengths given, and the
+// environment is the list of messages.
+
+unsafe extern "C" fn log2(
+    environment: *mut c_void,
+    name: *const c_char,
+    status: Status,
+    category: *const c_char,
+    message: *const c_char,
+) {
+    // SAFETY: see above.
+    unsafe {
+        assert_eq!(CStr::from_ptr(name), c"crane");
+        log3(environment, status, category, message);
+    }
+}
+
+unsafe extern "C" fn log3(environment: *mut c_void, status: Status, category: *const c_char, message: *const c_char) {
+    // SAFETY: see above.
+    unsafe {
+        assert_eq!((status, CStr::from_ptr(category)), (STATUS_ERROR, c"logStatusError"));
+        let messages = &mut *environment.cast::<Messages>();
+        messages.push(CStr::from_ptr(message).to_str().unwrap().to_owned());
+    }
+}
+
+fn callbacks(messages: &mut Messages) -> fmi2CallbackFunctions {
+    fmi2CallbackFunctions {
+        // SAFETY: stable Rust cannot define a variadic function; this one ignores the missing arguments.
+        logger: Some(unsafe { std::mem::transmute::<*const c_void, fmi2CallbackLogger>(log2 as *const c_void) }),
+        allocateMemory: null(),
+        freeMemory: null(),
+        stepFinished: null(),
+        componentEnvironment: (&raw mut *messages).cast(),
+    }
+}
+
+fn instantiate2(fmu: &Unpacked, kind: i32, messages: &mut Messages) -> *mut Component {
+    let location = CString::new(format!("file://{}/resources", fmu.path().display())).unwrap();
+    // SAFETY: see above.
+    unsafe {
+        fmi2Instantiate(
+            c"crane".as_ptr(),
+            kind,
+            fmu.token.as_ptr(),
+            location.as_ptr(),
+            &callbacks(messages),
+            0,
+            0,
+        )
+    }
+}
+
+fn instantiate3(fmu: &Unpacked, events: bool, messages: &mut Messages) -> *mut Component {
+    // SAFETY: see above.
+    unsafe {
+        fmi3InstantiateCoSimulation(
+            c"crane".as_ptr(),
+            fmu.token.as_ptr(),
+            fmu.resources().as_ptr(),
+            0,
+            0,
+            events.into(),
+            0,
+            null(),
+            0,
+            (&raw mut *messages).cast(),
+            Some(log3),
+            null(),
+        )
+    }
+}
+
+fn step3(i: *mut Component, point: f64, size: f64) -> (Status, f64) {
+    let (mut event, mut terminate, mut early, mut reached) = (9, 9, 9, f64::NAN);
+    // SAFETY: see above.
+    let status = unsafe { fmi3DoStep(i, point, size, 0, &mut event, &mut terminate, &mut early, &mut reached) };
+    (status, reached)
+}
+
+#[test]
+fn life_cycle_of_co_simulation_fmi2() {
+    let mut fmu = Unpacked::new();
+    let mut messages = Vec::new();
+    let c = instantiate2(&fmu, 1, &mut messages);
+    let (theta_1, reach) = (fmu.reference("theta_1"), fmu.reference("A.x"));
+    let mut value = 0.0;
+    // SAFETY: see above.
+    unsafe {
+        assert_eq!(fmi2SetupExperiment(c, 0, 0.0, 0.0, 1, 2.0), STATUS_OK);
+        assert_eq!(fmi2EnterInitializationMode(c), STATUS_OK);
+        assert_eq!(fmi2ExitInitializationMode(c), STATUS_OK);
+        assert_eq!(fmi2SetReal(c, &theta_1, 1, &REACHABLE), STATUS_OK);
+        assert_eq!(fmi2DoStep(c, 0.0, 1.0, 1), STATUS_OK);
+        assert_eq!(
+            fmi2DoStep(c, 1.0 + 1e-9, 1.0, 1),
+            STATUS_OK,
+            "a communication point a little off"
+        );
+        assert_eq!(fmi2GetReal(c, &reach, 1, &mut value), STATUS_OK);
+        assert_eq!(fmi2GetRealStatus(c, 2, &mut value), STATUS_OK);
+        assert_eq!(messages, [""; 0]);
+        assert_eq!(fmi2DoStep(c, 2.0, 1.0, 1), STATUS_ERROR, "beyond the stop time");
+        assert_eq!(fmi2Terminate(c), STATUS_OK);
+        assert_eq!(fmi2DoStep(c, 2.0, 1.0, 1), STATUS_ERROR, "after the end");
+        assert_eq!(fmi2GetReal(c, &reach, 1, &mut value), STATUS_OK);
+        fmi2FreeInstance(c);
+    }
+    assert_eq!(messages.len(), 2);
+    fmu.model.set(fmu.index("theta_1"), REACHABLE).unwrap();
+    assert_eq!(value, fmu.model.get(fmu.index("A.x")).unwrap());
+}
+
+#[test]
+fn life_cycle_of_model_exchange() {
+    let mut fmu = Unpacked::new();
+    let mut messages = Vec::new();
+    let c = instantiate2(&fmu, 0, &mut messages);
+    let reach = fmu.reference("A.x");
+    let (mut value, mut info, mut enter, mut terminate) = (0.0, fmi2EventInfo::default(), 9, 9);
+    // SAFETY: see above.
+    unsafe {
+        assert_eq!(
+            fmi2EnterInitializationMode(c) + fmi2ExitInitializationMode(c),
+            STATUS_OK
+        );
+        info.newDiscreteStatesNeeded = 1;
+        assert_eq!(fmi2NewDiscreteStates(c, &mut info), STATUS_OK);
+        assert_eq!(info.newDiscreteStatesNeeded, 0);
+        assert_eq!(fmi2EnterContinuousTimeMode(c), STATUS_OK);
+        assert_eq!(fmi2SetTime(c, 0.5), STATUS_OK);
+        assert_eq!(fmi2GetDerivatives(c, null_mut(), 0), STATUS_OK);
+        assert_eq!(fmi2GetReal(c, &reach, 1, &mut value), STATUS_OK);
+        assert_eq!(fmi2CompletedIntegratorStep(c, 1, &mut enter, &mut terminate), STATUS_OK);
+        assert_eq!((enter, terminate), (0, 0));
+        assert_eq!(
+            fmi2DoStep(c, 0.5, 0.1, 1),
+            STATUS_ERROR,
+            "Co-Simulation in Model Exchange"
+        );
+        assert_eq!(fmi2SetTime(c, f64::NAN), STATUS_ERROR);
+        fmi2FreeInstance(c);
+    }
+    assert_eq!(messages.len(), 2);
+    fmu.model.set_time(0.5);
+    assert_eq!(value, fmu.model.get(fmu.index("A.x")).unwrap());
+}
+
+#[test]
+fn an_unreachable_configuration_is_an_error_that_the_instance_survives() {
+    let fmu = Unpacked::new();
+    let mut messages = Vec::new();
+    let i = instantiate3(&fmu, false, &mut messages);
+    let (theta_1, reach) = (fmu.reference("theta_1"), fmu.reference("A.x"));
+    let mut value = 0.0;
+    // SAFETY: see above.
+    unsafe {
+        let start = |i| fmi3EnterInitializationMode(i, 0, 0.0, 0.0, 0, 0.0) + fmi3ExitInitializationMode(i);
+        assert_eq!(start(i), STATUS_OK);
+        assert_eq!(step3(i, 0.0, 0.1), (STATUS_OK, 0.1));
+        assert_eq!(messages.len(), 0);
+
+        assert_eq!(fmi3SetFloat64(i, &theta_1, 1, &UNREACHABLE, 1), STATUS_OK);
+        assert_eq!(step3(i, 0.1, 0.1), (STATUS_ERROR, 0.1), "time stays");
+        assert_eq!(messages.len(), 1, "one message: {messages:?}");
+        assert!(
+            messages[0].starts_with("fmi3DoStep: ") && messages[0].contains("theta_1"),
+            "{messages:?}"
+        );
+        assert_eq!(
+            fmi3GetFloat64(i, &reach, 1, &mut value, 1),
+            STATUS_ERROR,
+            "no outputs of that step"
+        );
+
+        assert_eq!(fmi3SetFloat64(i, &theta_1, 1, &REACHABLE, 1), STATUS_OK);
+        assert_eq!(step3(i, 0.1, 0.1).0, STATUS_OK, "repeated");
+        assert_eq!(fmi3SetFloat64(i, &theta_1, 1, &UNREACHABLE, 1), STATUS_OK);
+        assert_eq!(step3(i, 0.2, 0.1).0, STATUS_ERROR);
+        assert_eq!(fmi3SetFloat64(i, &theta_1, 1, &REACHABLE, 1), STATUS_OK);
+        assert_eq!(step3(i, 0.3, 0.1).0, STATUS_OK, "the importer went on");
+
+        assert_eq!(fmi3SetFloat64(i, &theta_1, 1, &UNREACHABLE, 1), STATUS_OK);
+        assert_eq!(step3(i, 0.4, 0.1).0, STATUS_ERROR);
+        assert_eq!(fmi3Reset(i), STATUS_OK, "after an error");
+        assert_eq!(start(i), STATUS_OK);
+        assert_eq!(fmi3GetFloat64(i, &theta_1, 1, &mut value, 1), STATUS_OK);
+        assert_eq!(value, fmu.model.clone().get(fmu.index("theta_1")).unwrap());
+        assert_eq!(step3(i, 0.0, 0.1).0, STATUS_OK);
+        fmi3FreeInstance(i);
+    }
+}
+
+#[test]
+fn event_mode_of_co_simulation() {
+    let fmu = Unpacked::new();
+    let mut messages = Vec::new();
+    let i = instantiate3(&fmu, true, &mut messages);
+    let (mut a, mut b, mut c, mut d, mut e, mut time) = (9, 9, 9, 9, 9, 9.0);
+    // SAFETY: see above.
+    unsafe {
+        assert_eq!(
+            fmi3EnterInitializationMode(i, 0, 0.0, 0.0, 0, 0.0) + fmi3ExitInitializationMode(i),
+            STATUS_OK
+        );
+        assert_eq!(step3(i, 0.0, 0.1).0, STATUS_ERROR, "still in event mode");
+        let status = fmi3UpdateDiscreteStates(i, &mut a, &mut b, &mut c, &mut d, &mut e, &mut time);
+        assert_eq!((status, a, b, c, d, e), (STATUS_OK, 0, 0, 0, 0, 0));
+        assert_eq!(
+            fmi3EnterContinuousTimeMode(i),
+            STATUS_ERROR,
+            "Model Exchange in Co-Simulation"
+        );
+        assert_eq!(fmi3EnterStepMode(i), STATUS_OK);
+        assert_eq!(step3(i, 0.0, 0.1).0, STATUS_OK);
+        assert_eq!(fmi3EnterEventMode(i), STATUS_OK);
+        fmi3FreeInstance(i);
+    }
+}
+
+#[test]
+fn saved_states_come_back_bit_for_bit() {
+    let fmu = Unpacked::new();
+    let mut messages = Vec::new();
+    let i = instantiate3(&fmu, false, &mut messages);
+    let reach = fmu.reference("A.x");
+    // SAFETY: see above.
+    unsafe {
+        assert_eq!(
+            fmi3EnterInitializationMode(i, 0, 0.0, 0.0, 0, 0.0) + fmi3ExitInitializationMode(i),
+            STATUS_OK
+        );
+        let run = || {
+            let mut values = [0.0; 5];
+            for (step, value) in values.iter_mut().enumerate() {
+                assert_eq!(step3(i, 0.1 + 0.1 * step as f64, 0.1).0, STATUS_OK);
+                assert_eq!(fmi3GetFloat64(i, &reach, 1, value, 1), STATUS_OK);
+            }
+            values
+        };
+        assert_eq!(step3(i, 0.0, 0.1).0, STATUS_OK);
+        let (mut state, mut copy, mut size) = (0, 0, 0);
+        assert_eq!(fmi3GetFMUState(i, &mut state), STATUS_OK);
+        let expected = run();
+        assert_eq!(fmi3SetFMUState(i, state), STATUS_OK);
+        assert_eq!(run(), expected);
+
+        assert_eq!(fmi3SerializedFMUStateSize(i, state, &mut size), STATUS_OK);
+        let mut bytes = vec![0; size];
+        assert_eq!(fmi3SerializeFMUState(i, state, bytes.as_mut_ptr(), size), STATUS_OK);
+        assert_eq!(fmi3DeserializeFMUState(i, bytes.as_ptr(), size, &mut copy), STATUS_OK);
+        assert_eq!(fmi3FreeFMUState(i, &mut state.clone()), STATUS_OK);
+        assert_eq!(fmi3SetFMUState(i, copy), STATUS_OK);
+        assert_eq!(run(), expected);
+        assert_eq!(messages.len(), 0);
+
+        assert_eq!(fmi3SetFMUState(i, state), STATUS_ERROR, "freed");
+        assert_eq!(
+            fmi3DeserializeFMUState(i, bytes.as_ptr(), size - 1, &mut copy),
+            STATUS_ERROR,
+            "cut short"
+        );
+        bytes[size / 2] ^= 1;
+        assert_eq!(
+            fmi3DeserializeFMUState(i, bytes.as_ptr(), size, &mut copy),
+            STATUS_ERROR,
+            "damaged"
+        );
+        assert_eq!(fmi3FreeFMUState(i, &mut copy), STATUS_OK);
+        assert_eq!(copy, 0);
+        fmi3FreeInstance(i);
+    }
+    assert_eq!(messages.len(), 3);
+}
+
+#[test]
+fn wrong_calls_are_refused_with_a_message() {
+    let fmu = Unpacked::new();
+    let mut messages = Vec::new();
+    let c = instantiate2(&fmu, 1, &mut messages);
+    let (theta_1, reach, mut value) = (fmu.reference("theta_1"), fmu.reference("A.x"), 0.0);
+    let parameter = fmu
+        .model
+        .variables()
+        .iter()
+        .position(|v| v.role == lemnis_models::model::Role::Parameter)
+        .unwrap() as u32
+        + 1;
+    // SAFETY: see above.
+    unsafe {
+        assert_eq!(fmi2EnterInitializationMode(null_mut()), STATUS_ERROR);
+        assert_eq!(messages.len(), 0, "nobody to tell");
+        let mut expected = 0;
+        let mut refused = |status: Status, what: &str| {
+            expected += 1;
+            assert_eq!(status, STATUS_ERROR, "{what}");
+            expected
+        };
+        refused(fmi2DoStep(c, 0.0, 0.1, 1), "before initialization");
+        assert_eq!(
+            fmi2EnterInitializationMode(c) + fmi2ExitInitializationMode(c),
+            STATUS_OK
+        );
+        for (point, size) in [
+            (f64::NAN, 0.1),
+            (0.0, f64::NAN),
+            (0.0, -0.1),
+            (0.0, 0.0),
+            (0.0, f64::INFINITY),
+            (7.0, 0.1),
+        ] {
+            refused(fmi2DoStep(c, point, size, 1), "point or size");
+        }
+        refused(fmi2GetReal(c, null(), 1, &mut value), "null references");
+        refused(fmi2GetReal(c, &reach, 1, null_mut()), "null values");
+        refused(fmi2GetReal(c, &99_999, 1, &mut value), "unknown reference");
+        refused(fmi2GetReal(c, &reach, usize::MAX, &mut value), "too many");
+        refused(fmi2GetBoolean(c, &reach, 1, &mut 0), "a real number as a truth value");
+        refused(fmi2GetInteger(c, &reach, 1, &mut 0), "no integers");
+        refused(fmi2SetReal(c, &reach, 1, &1.0), "an output");
+        refused(fmi2SetReal(c, &0, 1, &1.0), "time");
+        refused(fmi2SetReal(c, &theta_1, 1, &f64::NAN), "not a number");
+        refused(fmi2SetReal(c, &parameter, 1, &1.0), "a parameter during the simulation");
+        refused(fmi2SetFMUstate(c, 0), "no state");
+        refused(
+            fmi2GetDirectionalDerivative(c, null(), 0, null(), 0, null(), null_mut()),
+            "not claimed",
+        );
+        refused(fmi2SetDebugLogging(c, 0, 1, &c"%s".as_ptr()), "unknown category");
+        let count = refused(fmi2CancelStep(c), "not claimed");
+        assert_eq!(fmi2GetReal(c, null(), 0, null_mut()), STATUS_OK);
+        assert_eq!(messages.len(), count, "{messages:#?}");
+        assert!(
+            messages[count - 2].contains("%%s"),
+            "the message is a format: {messages:#?}"
+        );
+        assert_eq!(fmi2SetDebugLogging(c, 0, 0, null()), STATUS_OK);
+        assert_eq!(fmi2CancelStep(c), STATUS_ERROR);
+        assert_eq!(messages.len(), count, "logging is off");
+        fmi2FreeInstance(c);
+        fmi2FreeInstance(null_mut());
+    }
+}
+
+#[test]
+fn what_cannot_be_instantiated() {
+    let fmu = Unpacked::new();
+    let mut messages = Vec::new();
+    let scene_file = fmu.path().join("resources/scene.toml");
+    let scene = std::fs::read(&scene_file).unwrap();
+    let mut refused = |what: &str, words: &str| {
+        assert!(instantiate2(&fmu, 1, &mut messages).is_null(), "{what}");
+        let message = messages.pop().unwrap();
+        assert!(messages.is_empty() && message.contains(words), "{what}: {message}");
+    };
+    std::fs::write(&scene_file, [&scene[..], b"\n# another crane\n"].concat()).unwrap();
+    refused("another scene", "token");
+    std::fs::write(&scene_file, vec![b'#'; (1 << 20) + 1]).unwrap();
+    refused("a huge scene", "at most");
+    std::fs::write(&scene_file, b"\xff\xfe\0").unwrap();
+    refused("no text", "scene.toml");
+    std::fs::write(&scene_file, "[[[[").unwrap();
+    refused("garbage", "scene.toml");
+    std::fs::remove_file(&scene_file).unwrap();
+    refused("no scene", "scene.toml");
+    std::fs::write(&scene_file, &scene).unwrap();
+    assert!(instantiate2(&fmu, 7, &mut messages).is_null());
+
+    // SAFETY: see above.
+    unsafe {
+        let resources = fmu.resources();
+        let c = fmi2Instantiate(
+            c"crane".as_ptr(),
+            1,
+            fmu.token.as_ptr(),
+            resources.as_ptr(),
+            null(),
+            0,
+            0,
+        );
+        assert_eq!(fmi2DoStep(c, 0.0, 0.1, 1), STATUS_ERROR, "and no logger to tell");
+        fmi2FreeInstance(c);
+        assert!(fmi2Instantiate(null(), 1, null(), null(), null(), 0, 0).is_null());
+    }
+}
+
+#[test]
+fn the_library_exports_every_function_and_finds_its_scene_without_a_path() {
+    assert_eq!(FMI2.len() + 4, 44);
+    assert_eq!(FMI3.len() + 5, 75);
+    let fmu = Unpacked::new();
+    let folder = fmu.path().join("binaries/x86_64-linux");
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("LemniscateCrane.so");
+    std::fs::copy(package::find_library().unwrap(), &file).unwrap();
+    // SAFETY: the library is this crate; see above.
+    unsafe {
+        let library = Library::new(&file).unwrap();
+        for (name, _) in FMI2.iter().chain(FMI3) {
+            assert!(library.get::<*const c_void>(*name).is_ok(), "{name}");
+        }
+        let instantiate = library.get::<fn() -> ()>("fmi3InstantiateModelExchange").unwrap();
+        let instantiate: unsafe extern "C" fn(
+            *const c_char,
+            *const c_char,
+            *const c_char,
+            u8,
+            u8,
+            *mut c_void,
+            Option<fmi3LogMessageCallback>,
+        ) -> *mut Component = std::mem::transmute(*instantiate);
+        let mut messages: Messages = Vec::new();
+        let environment = (&raw mut messages).cast();
+        let i = instantiate(
+            c"crane".as_ptr(),
+            fmu.token.as_ptr(),
+            null(),
+            0,
+            0,
+            environment,
+            Some(log3),
+        );
+        assert!(!i.is_null(), "{messages:?}");
+        let free = library
+            .get::<unsafe extern "C" fn(*mut Component)>("fmi3FreeInstance")
+            .unwrap();
+        free(i);
+    }
+}
+
+#[test]
+fn the_same_scene_gives_the_same_bytes() {
+    let scene = Scene::parse(scene::DEFAULT).unwrap_or_else(|_| panic!("the default scene is valid"));
+    let library = package::Library {
+        platform: "x86_64-linux".to_owned(),
+        suffix: ".so".to_owned(),
+        bytes: vec![7; 100_000],
+    };
+    for standard in [Standard::Fmi2, Standard::Fmi3] {
+        let make = || {
+            let documentation = [("book.pdf".to_owned(), b"%PDF".to_vec())];
+            package::fmu(&scene, standard, std::slice::from_ref(&library), &documentation).unwrap()
+        };
+        assert_eq!(make(), make());
+    }
+}

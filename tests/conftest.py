@@ -1,0 +1,30 @@
+"""The program's results for the default scene, made once for all tests."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+LEMNIS = ROOT / "target/release" / ("lemnis.exe" if os.name == "nt" else "lemnis")
+
+
+def lemnis(*arguments, expect=0):
+    """Runs the program and returns what it prints."""
+    done = subprocess.run([str(LEMNIS), *map(str, arguments)], capture_output=True, text=True, encoding="utf-8")
+    assert done.returncode == expect, done.stderr
+    return done.stdout if expect == 0 else done.stderr
+
+
+@pytest.fixture(scope="session")
+def out(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("out")
+    lemnis("build", "--output", folder)
+    lemnis("book", "--format", "typ", "--output", folder)
+    return folder
+
+
+@pytest.fixture(params=["LemniscateCrane.fmu", "LemniscateCrane.fmi2.fmu"], ids=["FMI 3.0", "FMI 2.0"])
+def fmu(request, out):
+    return str(out / request.param)

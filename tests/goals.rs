@@ -1,0 +1,328 @@
+//! Benchmarks beside their goals: `cargo bench -p lemnis-tests`. Figures are
+//! the best of several rounds on this machine; nothing here fails.
+
+use std::ffi::{CString, c_char, c_void};
+use std::hint::black_box;
+use std::path::Path;
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use lemnis_fmu::instance::token;
+use lemnis_fmu::package::{self, Library};
+use lemnis_models::calc::Calc;
+use lemnis_models::lemniscate::geometry::Geometry;
+use lemnis_models::lemniscate::position::Position;
+use lemnis_models::lemniscate::statics::{Centres, PinForces, load_moment};
+use lemnis_models::lemniscate::velocity::{Pole, Velocity};
+use lemnis_models::scene::{DEFAULT, Scene};
+use libloading::{Library as Shared, Symbol};
+
+/// Nanoseconds of one call: the best of twenty rounds of a hundred thousand.
+fn nanoseconds(mut call: impl FnMut(f64)) -> f64 {
+    const CALLS: u32 = 100_000;
+    let mut best = f64::INFINITY;
+    for _ in 0..20 {
+        let start = Instant::now();
+        for i in 0..CALLS {
+            call(black_box(1.05 + f64::from(i % 1000) * 1e-3));
+        }
+        best = best.min(start.elapsed().as_nanos() as f64 / f64::from(CALLS));
+    }
+    best
+}
+
+fn row(what: &str, value: f64, unit: &str, goal: f64) {
+    let verdict = if value <= goal { "reached" } else { "MISSED" };
+    println!("{what:<62} {value:>9.1} {unit:<3} goal {goal:>7} {unit:<3} {verdict}");
+}
+
+fn main() {
+    let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
+    models(&scene);
+    abi(
+        "C ABI: set theta_1, doStep, get 12 outputs, forces",
+        DEFAULT,
+        true,
+        1000.0,
+    );
+    let kinematic = DEFAULT
+        .split("[luffing.weights]")
+        .next()
+        .expect("text")
+        .replace("Q = \"160 kN\"", "");
+    abi(
+        "C ABI: set theta_1, doStep, get 12 outputs, kinematic",
+        &kinematic,
+        false,
+        400.0,
+    );
+    programs();
+}
+
+fn models(scene: &Scene) {
+    let parameters = scene.luffing.parameters;
+    let g = Geometry::new(&parameters).expect("exists");
+    let kinematics = nanoseconds(|theta| {
+        let p = Position::new(&g, theta).expect("closes");
+        let v = Velocity::new(&p);
+        let alpha = p.alpha();
+        black_box((
+            p.follower_angle(),
+            alpha,
+            p.alpha_1(alpha),
+            p.r,
+            p.a,
+            p.b,
+            p.c,
+            v.i_2,
+            v.i_follower,
+            v.da,
+        ));
+    });
+    row(
+        "model: kinematics (angles, joints, reach, velocities)",
+        kinematics,
+        "ns",
+        120.0,
+    );
+    let weights = parameters.weights.expect("the default scene has weights");
+    let l = g.lengths;
+    let forces = nanoseconds(|theta| {
+        let p = Position::new(&g, theta).expect("closes");
+        let v = Velocity::new(&p);
+        let alpha = p.alpha();
+        black_box((
+            p.follower_angle(),
+            alpha,
+            p.alpha_1(alpha),
+            p.r,
+            p.a.y,
+            p.mu(),
+            v.da,
+            v.beta(),
+        ));
+        let r = Centres::new(&p, [l.x_1, l.x_2, l.x_3], &weights);
+        black_box(PinForces::new(&p, l.x_3, 160e3, Some((&weights, &r)), |_| None));
+        black_box((load_moment(&v, 160e3), Pole::new(&g, &p).moment(&g, &p, &v, 160e3)));
+    });
+    row(
+        "model: the same, transmission, weights, pin forces, moments",
+        forces,
+        "ns",
+        250.0,
+    );
+
+    let hand = HandWritten::new();
+    let generic = nanoseconds(|theta| {
+        let p = Position::new(&g, theta).expect("closes");
+        black_box((p.a, Velocity::new(&p).da));
+    });
+    let by_hand = nanoseconds(|theta| {
+        black_box(hand.run(theta));
+    });
+    for i in 0..1000 {
+        let theta = 1.05 + f64::from(i) * 1e-3;
+        let p = Position::new(&g, theta).expect("closes");
+        let v = Velocity::new(&p);
+        let values = [p.a.x, p.a.y, v.da.x, v.da.y];
+        for (value, hand) in values.into_iter().zip(hand.run(theta).expect("closes")) {
+            assert!(
+                (value - hand).abs() <= 1e-13,
+                "both forms compute the same: {value} {hand}"
+            );
+        }
+    }
+    println!("model: generic over Calc {generic:.1} ns, written by hand for f64 {by_hand:.1} ns");
+}
+
+/// The head of the crane and its travel, written out for `f64` alone, with the
+/// same freedom of lengths.
+struct HandWritten {
+    x: [f64; 8],
+    ends: [f64; 2],
+    margin: f64,
+    frame: f64,
+    away: [f64; 2],
+    kappa: [f64; 2],
+}
+
+impl HandWritten {
+    fn new() -> HandWritten {
+        let x = [0.0, 19.3, 6.5, 14.7, 16.0, 6.4, 5.3, 1.354];
+        let beta_0 = Calc::acos(x[7] / x[2]) + Calc::acos(x[7] / x[4]);
+        let (sin, cos) = Calc::sin_cos(beta_0);
+        let frame = (x[5] * x[5] + x[6] * x[6]).sqrt();
+        let frame_angle = f64::direction(-x[5], x[6]);
+        let (sum, difference) = (x[2] + x[3], x[2] - x[3]);
+        let y = ((sum - x[1] + frame) * (sum + x[1] - frame)).sqrt();
+        let away = 2.0 * f64::direction(((x[1] + frame - sum) * (x[1] + frame + sum)).sqrt(), y);
+        // Without the tails, which make a difference only at a dead point.
+        HandWritten {
+            x,
+            ends: [frame_angle - away, frame_angle + away],
+            margin: (x[1] - frame - difference) * (x[1] - frame + difference),
+            frame,
+            away: [-x[5] / frame, x[6] / frame],
+            kappa: [x[4] * cos / x[2], x[4] * sin / x[2]],
+        }
+    }
+
+    fn run(&self, theta: f64) -> Option<[f64; 4]> {
+        let x = &self.x;
+        let (sin, cos) = Calc::sin_cos(theta);
+        let (b_x, b_y) = (x[1] * cos, x[1] * sin);
+        let (l_x, l_y) = (b_x + x[5], b_y - x[6]);
+        let l = (l_x * l_x + l_y * l_y).sqrt();
+        let product = x[1] * self.frame;
+        let past = |end: f64| Calc::sin((theta - end) / 2.0);
+        let stretched = -(4.0 * product * past(self.ends[0]) * past(self.ends[1]));
+        let (c_x, c_y) = (cos - self.away[0], sin - self.away[1]);
+        let folded = self.margin + product * (c_x * c_x + c_y * c_y);
+        if !(stretched >= 0.0 && folded >= 0.0) {
+            return None;
+        }
+        let k = (stretched * folded).sqrt();
+        let balance = (x[3] - x[2]) * (x[3] + x[2]);
+        let double = 2.0 * (l * l);
+        let (f, c) = (l * l + balance, balance - l * l);
+        let (r_x, r_y) = ((f * l_x - k * l_y) / double, (f * l_y + k * l_x) / double);
+        let (j_x, j_y) = ((c * l_x - k * l_y) / double, (c * l_y + k * l_x) / double);
+        let a = [
+            self.kappa[0] * j_x + self.kappa[1] * j_y,
+            self.kappa[0] * j_y - self.kappa[1] * j_x,
+        ];
+        let i_2 = (b_x * r_y - b_y * r_x) / (k / 2.0);
+        Some([b_x + a[0], b_y + a[1], -(b_y + i_2 * a[1]), b_x + i_2 * a[0]])
+    }
+}
+
+type Instantiate = unsafe extern "C" fn(
+    *const c_char,
+    *const c_char,
+    *const c_char,
+    u8,
+    u8,
+    u8,
+    u8,
+    *const u32,
+    usize,
+    *mut c_void,
+    *const c_void,
+    *const c_void,
+) -> *mut c_void;
+type Enter = unsafe extern "C" fn(*mut c_void, u8, f64, f64, u8, f64) -> i32;
+type Exit = unsafe extern "C" fn(*mut c_void) -> i32;
+type Set = unsafe extern "C" fn(*mut c_void, *const u32, usize, *const f64, usize) -> i32;
+type Get = unsafe extern "C" fn(*mut c_void, *const u32, usize, *mut f64, usize) -> i32;
+type DoStep = unsafe extern "C" fn(*mut c_void, f64, f64, u8, *mut u8, *mut u8, *mut u8, *mut f64) -> i32;
+type Free = unsafe extern "C" fn(*mut c_void);
+
+/// A step through the shared library, as an importer makes it.
+fn abi(what: &str, text: &str, forces: bool, goal: f64) {
+    let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
+    let model = lemnis_models::model::Model::new(&scene).expect("a mechanism");
+    let reference = |id: &str| {
+        let index = model.variables().iter().position(|variable| variable.symbol.id == id);
+        u32::try_from(index.unwrap_or_else(|| panic!("{id}")) + 1).expect("few variables")
+    };
+    let kinematic = [
+        "theta_3", "alpha", "alpha_1", "R", "A.x", "A.y", "B.x", "B.y", "mu", "V_AX", "V_AY", "i_2",
+    ];
+    let with_forces = [
+        "theta_3", "alpha", "R", "A.y", "V_AX", "M_Q", "M_G", "M_D", "F_C.x", "F_C.y", "N_3", "F_d",
+    ];
+    let references = if forces { with_forces } else { kinematic }.map(reference);
+    let theta = reference("theta_1");
+
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("scene.toml"), text).expect("writable");
+    let resources = CString::new(format!("{}/", folder.path().display())).expect("a path");
+    let token = CString::new(token(&scene)).expect("a token");
+    let path = package::find_library().expect("built");
+    // SAFETY: the library is our own, and the types are those of the standard.
+    unsafe {
+        let library = Shared::new(path).expect("loads");
+        let instantiate: Symbol<Instantiate> = library.get(b"fmi3InstantiateCoSimulation").expect("exported");
+        let null = std::ptr::null();
+        let instance = instantiate(
+            c"bench".as_ptr(),
+            token.as_ptr(),
+            resources.as_ptr(),
+            0,
+            0,
+            0,
+            0,
+            std::ptr::null(),
+            0,
+            std::ptr::null_mut(),
+            null,
+            null,
+        );
+        assert!(!instance.is_null());
+        let enter: Symbol<Enter> = library.get(b"fmi3EnterInitializationMode").expect("exported");
+        let exit: Symbol<Exit> = library.get(b"fmi3ExitInitializationMode").expect("exported");
+        assert_eq!((enter(instance, 0, 0.0, 0.0, 0, 0.0), exit(instance)), (0, 0));
+        let set: Symbol<Set> = library.get(b"fmi3SetFloat64").expect("exported");
+        let get: Symbol<Get> = library.get(b"fmi3GetFloat64").expect("exported");
+        let do_step: Symbol<DoStep> = library.get(b"fmi3DoStep").expect("exported");
+        let mut values = [0.0; 12];
+        let (mut event, mut terminate, mut early, mut last) = (0, 0, 0, 0.0);
+        let mut time = 0.0;
+        let best = nanoseconds(|angle| {
+            let mut status = set(instance, &raw const theta, 1, &raw const angle, 1);
+            status |= do_step(
+                instance,
+                time,
+                1e-6,
+                1,
+                &raw mut event,
+                &raw mut terminate,
+                &raw mut early,
+                &raw mut last,
+            );
+            status |= get(instance, references.as_ptr(), 12, values.as_mut_ptr(), 12);
+            time = last;
+            assert_eq!(status, 0);
+        });
+        row(what, best, "ns", goal);
+        let free: Symbol<Free> = library.get(b"fmi3FreeInstance").expect("exported");
+        free(instance);
+    }
+}
+
+/// The program itself, each command in a process of its own.
+fn programs() {
+    let library = Library::of_this_platform().expect("built");
+    row("library in the FMU", library.bytes.len() as f64 / 1e6, "MB", 2.0);
+    let program = package::find_library().expect("built");
+    let program = program
+        .parent()
+        .and_then(Path::parent)
+        .expect("target/release")
+        .join(format!("lemnis{}", std::env::consts::EXE_SUFFIX));
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut run = |arguments: &[&str]| -> Duration {
+        let times = (0..5).map(|_| {
+            let start = Instant::now();
+            let done = Command::new(&program)
+                .args(arguments)
+                .arg("--output")
+                .arg(folder.path())
+                .output();
+            assert!(
+                done.expect("build the program first: cargo build --release")
+                    .status
+                    .success()
+            );
+            start.elapsed()
+        });
+        times.min().expect("five")
+    };
+    row(
+        "lemnis fmu, both standards",
+        run(&["fmu"]).as_secs_f64() * 1e3,
+        "ms",
+        30.0,
+    );
+    row("lemnis book, cold", run(&["book"]).as_secs_f64() * 1e3, "ms", 1000.0);
+}
