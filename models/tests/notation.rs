@@ -1,0 +1,40 @@
+//! The notation page is generated from the symbol tables; a stale page fails.
+//! `LEMNIS_WRITE=1 cargo test -p lemnis-models --test notation` writes it.
+
+use std::fmt::Write as _;
+
+use lemnis_models::lemniscate::symbols;
+
+fn page() -> String {
+    let mut page = String::from(
+        "# Notation\n\nGenerated from the symbol tables in `models/`. x forward (towards the load), y up, angles\n\
+         counter-clockwise from the horizontal in (-90°, 270°]; SI inside, the display unit where people read.\n\n\
+         ## The double-link luffing mechanism\n\n| name | SI | display | meaning and sign | source |\n|---|---|---|---|---|\n",
+    );
+    for symbol in symbols::ALL {
+        let (unit, display) = (symbol.unit.name, symbol.display.name);
+        let _ = writeln!(page, "| `{}` | {unit} | {display} | {} | {} |", symbol.id, symbol.text, symbol.source);
+    }
+    page
+}
+
+#[test]
+fn the_notation_page_is_up_to_date() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/notation.md");
+    if std::env::var_os("LEMNIS_WRITE").is_some() {
+        std::fs::write(path, page()).expect("writable");
+    }
+    let written = std::fs::read_to_string(path).expect("docs/notation.md").replace("\r\n", "\n");
+    assert!(written == page(), "docs/notation.md is stale: LEMNIS_WRITE=1 cargo test -p lemnis-models --test notation");
+}
+
+#[test]
+fn names_are_unique_and_complete() {
+    for (i, symbol) in symbols::ALL.iter().enumerate() {
+        assert!(symbols::ALL[..i].iter().all(|other| other.id != symbol.id), "{} twice", symbol.id);
+        assert!(!symbol.text.is_empty() && symbol.text.ends_with('.'), "{}", symbol.id);
+        assert!(!symbol.source.is_empty(), "{}", symbol.id);
+        assert_eq!(symbol.unit.dimension, symbol.display.dimension, "{}", symbol.id);
+        assert_eq!(symbol.unit.factor, 1.0, "{} is in SI", symbol.id);
+    }
+}

@@ -1,0 +1,63 @@
+"""The documents say what is there."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+from conftest import ROOT, lemnis
+
+
+@pytest.mark.parametrize("document", ["README.md", "ARCHITECTURE.md"])
+def test_every_path_named_exists(document):
+    text = (ROOT / document).read_text(encoding="utf-8")
+    folders = "models|fmu|report|templates|tests|docs"
+    paths = set(re.findall(rf"[`(]((?:{folders})/[\w./-]*|[A-Z]+\.md|clippy\.toml)[`)]", text))
+    assert len(paths) > 5
+    for path in paths:
+        assert (ROOT / path).exists(), f"{document} names {path}"
+
+
+def test_architecture_is_short():
+    assert len((ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8").splitlines()) <= 150
+
+
+def test_the_readme_example_runs(out, tmp_path):
+    code = re.search(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.S).group(1)
+    assert len([line for line in code.splitlines() if line.strip()]) <= 10
+    code = code.replace("out/LemniscateCrane.fmu", (out / "LemniscateCrane.fmu").as_posix())
+    done = subprocess.run([sys.executable, "-X", "utf8", "-c", code], capture_output=True, text=True,
+                          encoding="utf-8", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    lines = done.stdout.splitlines()
+    assert "R = 29.9766 m" in lines[0] and "M_Q = -243.9938" in lines[0]
+
+
+def test_the_starter_scene_builds(tmp_path):
+    scene = tmp_path / "crane.toml"
+    lemnis("new", scene)
+    assert "wrote" in lemnis("fmu", scene, "--output", tmp_path)
+    # It never overwrites.
+    assert "exists already" in lemnis("new", scene, expect=3)
+
+
+def test_the_schema_accepts_what_the_program_accepts():
+    import json
+    import tomllib
+
+    schema = json.loads(lemnis("schema"))
+    scene = tomllib.loads((ROOT / "models/scenes/lemniscate.toml").read_text(encoding="utf-8"))
+
+    def check(value, schema, path):
+        if schema["type"] == "object":
+            assert isinstance(value, dict), path
+            assert set(schema["required"]) <= set(value) <= set(schema["properties"]), path
+            for key, inner in value.items():
+                check(inner, schema["properties"][key], f"{path}.{key}")
+        else:
+            assert isinstance(value, str), path
+            assert "enum" not in schema or value in schema["enum"], path
+            assert "pattern" not in schema or re.search(schema["pattern"], value), path
+
+    check(scene, schema, "scene")
