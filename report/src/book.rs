@@ -1,0 +1,331 @@
+//! The book as plain data: every string is ready to print, every word is an
+//! id that the templates turn into the words of a language.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use lemnis_models::record::Trace;
+use lemnis_models::scene::Scene;
+use lemnis_models::sheet::{Comparison, Sheet};
+use lemnis_models::symbol::Symbol;
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+use crate::formula::{self, quantity};
+use crate::number::{decimals, fixed};
+use crate::{plot, template};
+
+/// Why there is no book: a template or its words are wrong.
+#[derive(Debug)]
+pub struct Error(pub String);
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// The Typst source of a scene's book, complete in itself.
+///
+/// # Errors
+/// A template with a mistake, or an id without words.
+pub fn source(scene: &Scene, sheet: &Sheet) -> Result<String, Error> {
+    template::render(&Book::new(scene, sheet))
+}
+
+/// The book of a scene.
+///
+/// # Errors
+/// As [`source`], and whatever Typst objects to.
+pub fn pdf(scene: &Scene, sheet: &Sheet) -> Result<Vec<u8>, Error> {
+    lemnis_typeset::pdf(&source(scene, sheet)?, &[]).map_err(|error| Error(format!("the book's Typst source: {error}")))
+}
+
+/// Everything that is printed. Fields named `symbol`, `value`, `limit` and
+/// those of [`Step`] are in Typst's mathematics, others are text or ids.
+#[derive(Serialize)]
+pub(crate) struct Book<'a> {
+    pub title: &'a str,
+    name: &'a str,
+    project: &'a [(&'static str, String)],
+    hash: String,
+    version: &'static str,
+    passed: bool,
+    checks: Vec<Check>,
+    summary: Vec<Summary>,
+    inputs: Vec<Chapter>,
+    drawing: String,
+    scale: u32,
+    constants: Vec<Section>,
+    positions: Vec<Position>,
+    range: Table,
+    curves: Vec<Figure>,
+    published: Option<Published>,
+    remarks: &'a [&'static str],
+    notation: Vec<Quantity>,
+    /// Keys of the publications that are cited.
+    references: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Quantity {
+    symbol: &'static str,
+    text: &'static str,
+    unit: &'static str,
+    source: &'static str,
+}
+
+impl From<&'static Symbol> for Quantity {
+    fn from(symbol: &'static Symbol) -> Quantity {
+        Quantity { symbol: symbol.print, text: symbol.text, unit: symbol.display.print, source: symbol.source }
+    }
+}
+
+#[derive(Serialize)]
+struct Check {
+    id: &'static str,
+    symbol: &'static str,
+    value: String,
+    limit: String,
+    at_most: bool,
+    passed: bool,
+}
+
+#[derive(Serialize)]
+struct Summary {
+    #[serde(flatten)]
+    quantity: Quantity,
+    value: String,
+    at: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Chapter {
+    id: &'static str,
+    inputs: Vec<Input>,
+}
+
+#[derive(Serialize)]
+struct Input {
+    #[serde(flatten)]
+    quantity: Quantity,
+    value: String,
+}
+
+#[derive(Serialize)]
+struct Section {
+    id: &'static str,
+    steps: Vec<Step>,
+}
+
+#[derive(Serialize)]
+struct Step {
+    #[serde(flatten)]
+    quantity: Quantity,
+    /// Whether the book meets the symbol for the first time.
+    first: bool,
+    formula: String,
+    /// Left out where it repeats the result.
+    numbers: Option<String>,
+    result: String,
+}
+
+#[derive(Serialize)]
+struct Position {
+    id: &'static str,
+    symbol: &'static str,
+    value: String,
+    sections: Vec<Section>,
+}
+
+#[derive(Serialize)]
+struct Table {
+    columns: Vec<Quantity>,
+    rows: Vec<Vec<String>>,
+}
+
+#[derive(Serialize)]
+struct Figure {
+    id: &'static str,
+    picture: String,
+}
+
+/// Published and computed values side by side.
+#[derive(Serialize)]
+struct Published {
+    source: String,
+    coordinate: Quantity,
+    columns: Vec<Quantity>,
+    rows: Vec<ComparedRow>,
+    count: usize,
+    /// Largest deviation of each column, in units of the last printed digit.
+    deviations: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct ComparedRow {
+    coordinate: String,
+    /// Printed, and computed with one digit more.
+    values: Vec<[String; 2]>,
+}
+
+impl<'a> Book<'a> {
+    pub(crate) fn new(scene: &'a Scene, sheet: &'a Sheet) -> Book<'a> {
+        let mut notation = Notation::default();
+        let mut inputs: Vec<Chapter> = Vec::new();
+        for input in &sheet.inputs {
+            notation.meet(input.symbol);
+            if inputs.last().is_none_or(|chapter| chapter.id != input.chapter) {
+                inputs.push(Chapter { id: input.chapter, inputs: Vec::new() });
+            }
+            let chapter = inputs.last_mut().expect("just pushed");
+            chapter.inputs.push(Input { quantity: input.symbol.into(), value: quantity(input.symbol, input.value) });
+        }
+        let mut section = |section: &lemnis_models::sheet::Section| Section {
+            id: section.id,
+            steps: steps(&section.trace, &mut notation),
+        };
+        let constants = sheet.constants.iter().map(&mut section).collect();
+        let positions = sheet.positions.iter().map(|position| Position {
+            id: position.id,
+            symbol: position.coordinate.print,
+            value: quantity(position.coordinate, position.value),
+            sections: position.sections.iter().map(&mut section).collect(),
+        });
+        let positions = positions.collect();
+        let others = sheet.checks.iter().map(|check| check.symbol).chain(sheet.summary.iter().map(|s| s.symbol));
+        for symbol in others.chain(sheet.range.columns.iter().copied()) {
+            notation.meet(symbol);
+        }
+        let drawing = plot::drawing(&sheet.drawing);
+        let references = notation.references();
+        Book {
+            title: scene.title(),
+            name: scene.name(),
+            project: scene.project(),
+            hash: Sha256::digest(scene.text()).iter().map(|byte| format!("{byte:02x}")).collect(),
+            version: env!("CARGO_PKG_VERSION"),
+            passed: sheet.checks.iter().all(lemnis_models::sheet::Check::passed),
+            checks: sheet.checks.iter().map(check).collect(),
+            summary: sheet.summary.iter().map(summary).collect(),
+            inputs,
+            scale: drawing.scale,
+            drawing: json(&drawing),
+            constants,
+            positions,
+            range: table(&sheet.range),
+            curves: sheet.curves.iter().map(|c| Figure { id: c.id, picture: json(&plot::curve(c)) }).collect(),
+            published: published(sheet),
+            remarks: &sheet.remarks,
+            notation: notation.symbols.into_values().map(Quantity::from).collect(),
+            references,
+        }
+    }
+}
+
+/// The symbols that the book uses, in the order of their ids.
+#[derive(Default)]
+struct Notation {
+    symbols: BTreeMap<String, &'static Symbol>,
+}
+
+impl Notation {
+    /// Whether the symbol is new.
+    fn meet(&mut self, symbol: &'static Symbol) -> bool {
+        // Capitals and small letters of one kind side by side, then by id.
+        let key = format!("{} {}", symbol.id.to_lowercase(), symbol.id);
+        self.symbols.insert(key, symbol).is_none()
+    }
+
+    fn references(&self) -> Vec<String> {
+        let key = |symbol: &&Symbol| Some(symbol.source.strip_prefix('[')?.split_once(',')?.0.to_owned());
+        let mut keys: Vec<String> = self.symbols.values().filter_map(key).collect();
+        keys.sort();
+        keys.dedup();
+        keys
+    }
+}
+
+fn steps(trace: &Trace, notation: &mut Notation) -> Vec<Step> {
+    let step = |step: &lemnis_models::record::Step| {
+        let (numbers, result) = (formula::numbers(trace, step), quantity(step.symbol, step.value));
+        Step {
+            quantity: step.symbol.into(),
+            first: notation.meet(step.symbol),
+            formula: formula::symbols(trace, step),
+            numbers: (numbers != result).then_some(numbers),
+            result,
+        }
+    };
+    trace.steps.iter().map(step).collect()
+}
+
+fn check(check: &lemnis_models::sheet::Check) -> Check {
+    Check {
+        id: check.id,
+        symbol: check.symbol.print,
+        value: quantity(check.symbol, check.value),
+        limit: quantity(check.symbol, check.limit),
+        at_most: check.at_most,
+        passed: check.passed(),
+    }
+}
+
+fn summary(summary: &lemnis_models::sheet::Summary) -> Summary {
+    Summary {
+        quantity: summary.symbol.into(),
+        value: quantity(summary.symbol, summary.value),
+        at: summary.at.map(|(symbol, at)| format!("{} = {}", symbol.print, quantity(symbol, at))),
+    }
+}
+
+fn table(table: &lemnis_models::sheet::Table) -> Table {
+    let shown = |i: usize, row: &[f64]| table.columns[i].shown(row[i]);
+    let decimals: Vec<usize> =
+        (0..table.columns.len()).map(|i| decimals(table.rows.iter().map(|row| shown(i, row)))).collect();
+    let row = |row: &Vec<f64>| (0..row.len()).map(|i| fixed(shown(i, row), decimals[i])).collect();
+    Table {
+        columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
+        rows: table.rows.iter().map(row).collect(),
+    }
+}
+
+fn published(sheet: &Sheet) -> Option<Published> {
+    let coordinate = sheet.positions.first()?.coordinate;
+    let source = sheet.published_source.clone()?;
+    let rows: Vec<&[Comparison]> = sheet.published.chunk_by(|a, b| a.coordinate == b.coordinate).collect();
+    let columns: Vec<&'static Symbol> = rows.first()?.iter().map(|value| value.symbol).collect();
+    let after_point = |value: &Comparison| value.printed.split_once('.').map_or(0, |(_, digits)| digits.len());
+    let compared = |value: &Comparison| {
+        let computed = fixed(value.symbol.shown(value.value), after_point(value) + 1);
+        [value.printed.replace('-', "−"), computed]
+    };
+    // In units of the last printed digit.
+    let deviation = |value: &Comparison| {
+        let printed: f64 = value.printed.parse().expect("checked when the scene was read");
+        let unit = (0..after_point(value)).fold(1.0, |unit, _| unit / 10.0);
+        (value.symbol.shown(value.value) - printed).abs() / unit
+    };
+    let deviations = columns.iter().map(|&symbol| {
+        let column = sheet.published.iter().filter(|value| value.symbol == symbol);
+        fixed(column.map(deviation).fold(0.0, f64::max), 2)
+    });
+    let row = |row: &&[Comparison]| ComparedRow {
+        coordinate: fixed(coordinate.shown(row[0].coordinate), 0),
+        values: row.iter().map(compared).collect(),
+    };
+    Some(Published {
+        source,
+        coordinate: coordinate.into(),
+        rows: rows.iter().map(row).collect(),
+        count: sheet.published.len(),
+        deviations: deviations.collect(),
+        columns: columns.into_iter().map(Quantity::from).collect(),
+    })
+}
+
+fn json(picture: &plot::Picture) -> String {
+    serde_json::to_string(picture).expect("a picture is plain data")
+}

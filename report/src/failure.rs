@@ -1,0 +1,35 @@
+//! Why the program ends early, and with which exit code.
+
+/// A failure in words for the user.
+#[derive(Debug)]
+pub enum Failure {
+    /// The scene is wrong.
+    Scene(String),
+    /// A file cannot be read or written.
+    File(String),
+    /// A limit that the scene sets is not kept.
+    Limit(String),
+    /// A template is wrong, or the FMU's library is missing.
+    Program(String),
+}
+
+impl Failure {
+    /// Exit code; 2 is clap's, for a wrong command line.
+    pub fn code(&self) -> u8 {
+        match self {
+            Failure::Scene(_) => 1,
+            Failure::File(_) => 3,
+            Failure::Limit(_) => 4,
+            Failure::Program(_) => 5,
+        }
+    }
+}
+
+impl std::fmt::Display for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Failure::Scene(text) => f.write_str(text),
+            Failure::File(text) | Failure::Limit(text) | Failure::Program(text) => write!(f, "error: {text}"),
+        }
+    }
+}

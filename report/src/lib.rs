@@ -1,0 +1,16 @@
+//! The calculation book of a scene.
+//!
+//! ```text
+//! sheet (lemnis_models) → book.rs      plain data, ready to print
+//!                         formula.rs   formulas in symbols and in numbers
+//!                         number.rs    digits
+//!                         plot.rs      drawings and curves as display lists
+//!                       → template.rs  templates/ and the words of a language → Typst source
+//!                       → lemnis_typeset → PDF
+//! ```
+
+pub mod book;
+pub mod formula;
+pub mod number;
+pub mod plot;
+mod template;

@@ -1,0 +1,202 @@
+//! `lemnis`: from one scene file to an FMU and a calculation book.
+
+mod failure;
+mod output;
+mod results;
+mod scene_file;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Duration;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use indicatif::ProgressBar;
+use lemnis_fmu::description::Standard;
+use lemnis_fmu::package::{self, Library};
+use lemnis_models::scene::{self, DEFAULT, Scene};
+
+use crate::failure::Failure;
+use crate::output::Output;
+use crate::results::Results;
+
+/// Crane mechanisms from one scene file: an FMU for simulators and a calculation book.
+///
+/// A scene is a TOML file that describes a crane. Without one, the embedded
+/// default scene is used: the lemniscate crane of Li and Jiang. Start your own
+/// with `lemnis new`.
+#[derive(Parser)]
+#[command(version, after_help = EXIT_CODES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  done
+  1  the scene is wrong; the message shows the line and what to do
+  2  the command line is wrong
+  3  a file cannot be read or written; nothing was changed
+  4  `check`: a limit of the scene is not kept
+  5  a template is wrong, or the FMU's library is missing";
+
+#[derive(Subcommand)]
+enum Command {
+    /// Make everything: both FMUs and the book
+    Build(Make),
+    /// Make the FMUs: NAME.fmu (FMI 3.0) and NAME.fmi2.fmu (FMI 2.0)
+    Fmu(Make),
+    /// Make the calculation book: NAME.pdf
+    Book {
+        #[command(flatten)]
+        make: Make,
+        /// What to write: the PDF, or the Typst source that it is made from
+        #[arg(long, value_enum, default_value_t = Format::Pdf)]
+        format: Format,
+    },
+    /// Check a scene, say what would be built, print all results
+    Check {
+        /// Scene file [default: the embedded scene]
+        scene: Option<PathBuf>,
+        /// Print the results as JSON, in SI units
+        #[arg(long, conflicts_with = "csv")]
+        json: bool,
+        /// Print the results as CSV, in the units of the trade
+        #[arg(long)]
+        csv: bool,
+    },
+    /// Write a commented scene to start from
+    New {
+        /// File to write; it must not exist
+        #[arg(default_value = "scene.toml")]
+        file: PathBuf,
+    },
+    /// Print the JSON Schema of scenes, for editors
+    Schema,
+}
+
+#[derive(Args)]
+struct Make {
+    /// Scene file [default: the embedded scene]
+    scene: Option<PathBuf>,
+    /// Folder for the results
+    #[arg(short, long, default_value = "out")]
+    output: PathBuf,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Format {
+    Pdf,
+    Typ,
+}
+
+fn main() -> ExitCode {
+    match run(Cli::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("{failure}");
+            ExitCode::from(failure.code())
+        }
+    }
+}
+
+fn run(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Build(make) => {
+            let scene = scene_file::read(make.scene.as_deref())?;
+            let results = Results::new(&scene)?;
+            let pdf = book(&scene, &results, Format::Pdf)?;
+            let mut outputs = fmus(&scene, &[(format!("{}.pdf", scene.name()), pdf.bytes.clone())])?;
+            outputs.push(pdf);
+            println!("{}\n{}", scene.title(), results.summary());
+            write(&make.output, &outputs)
+        }
+        Command::Fmu(make) => {
+            let scene = scene_file::read(make.scene.as_deref())?;
+            write(&make.output, &fmus(&scene, &[])?)
+        }
+        Command::Book { make, format } => {
+            let scene = scene_file::read(make.scene.as_deref())?;
+            let results = Results::new(&scene)?;
+            write(&make.output, &[book(&scene, &results, format)?])
+        }
+        Command::Check { scene, json, csv } => check(scene.as_deref(), json, csv),
+        Command::New { file } => new(&file),
+        Command::Schema => {
+            println!("{:#}", scene::json_schema());
+            Ok(())
+        }
+    }
+}
+
+/// A spinner for what may take longer than a second; silent where nobody watches.
+fn busy(message: String) -> ProgressBar {
+    let spinner = ProgressBar::new_spinner().with_message(message);
+    spinner.enable_steady_tick(Duration::from_millis(100));
+    spinner
+}
+
+fn book(scene: &Scene, results: &Results, format: Format) -> Result<Output, Failure> {
+    let spinner = busy(format!("typesetting {}", scene.name()));
+    let made = match format {
+        Format::Pdf => lemnis::book::pdf(scene, &results.sheet),
+        Format::Typ => lemnis::book::source(scene, &results.sheet).map(String::into_bytes),
+    };
+    spinner.finish_and_clear();
+    let suffix = if format == Format::Pdf { "pdf" } else { "typ" };
+    let bytes = made.map_err(|error| Failure::Program(error.to_string()))?;
+    Ok(Output {
+        name: format!("{}.{suffix}", scene.name()),
+        bytes,
+    })
+}
+
+fn fmus(scene: &Scene, documentation: &[(String, Vec<u8>)]) -> Result<Vec<Output>, Failure> {
+    let libraries = [Library::of_this_platform().map_err(|fault| Failure::Program(fault.0))?];
+    let make = |standard, suffix: &str| {
+        let bytes =
+            package::fmu(scene, standard, &libraries, documentation).map_err(|fault| Failure::Program(fault.0))?;
+        Ok(Output {
+            name: format!("{}{suffix}", scene.name()),
+            bytes,
+        })
+    };
+    Ok(vec![make(Standard::Fmi3, ".fmu")?, make(Standard::Fmi2, ".fmi2.fmu")?])
+}
+
+fn write(folder: &Path, outputs: &[Output]) -> Result<(), Failure> {
+    for path in output::write(folder, outputs)? {
+        println!("  wrote {}", path.display());
+    }
+    Ok(())
+}
+
+fn check(path: Option<&Path>, json: bool, csv: bool) -> Result<(), Failure> {
+    let scene = scene_file::read(path)?;
+    let results = Results::new(&scene)?;
+    if json {
+        println!("{}", results.json());
+    } else if csv {
+        print!("{}", results.csv());
+    } else {
+        print!("{}", results.table());
+        println!("would build {0}.fmu, {0}.fmi2.fmu and {0}.pdf", scene.name());
+    }
+    match results.broken_limits().as_slice() {
+        [] => Ok(()),
+        broken => Err(Failure::Limit(format!("limits not kept: {}", broken.join("; ")))),
+    }
+}
+
+fn new(file: &Path) -> Result<(), Failure> {
+    let cannot = |error| Failure::File(format!("cannot write {}: {error}", file.display()));
+    if file.exists() {
+        return Err(Failure::File(format!(
+            "{} exists already and stays as it is; name another file",
+            file.display()
+        )));
+    }
+    std::fs::write(file, DEFAULT).map_err(cannot)?;
+    println!("  wrote {}; build it with `lemnis build {0}`", file.display());
+    Ok(())
+}

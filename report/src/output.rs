@@ -1,0 +1,110 @@
+//! Writing files whole or not at all.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use crate::failure::Failure;
+
+/// A file to be.
+#[derive(Debug)]
+pub struct Output {
+    pub name: String,
+    pub bytes: Vec<u8>,
+}
+
+/// Writes all files into a folder, made where it is missing. Every file is
+/// complete under a temporary name before the first takes its place, so that a
+/// failure leaves what was there.
+pub fn write(folder: &Path, outputs: &[Output]) -> Result<Vec<PathBuf>, Failure> {
+    let cannot = |what: &Path, error: &dyn std::fmt::Display| {
+        Failure::File(format!(
+            "cannot write {}: {error}; nothing was changed, choose another folder with --output",
+            what.display()
+        ))
+    };
+    std::fs::create_dir_all(folder).map_err(|error| cannot(folder, &error))?;
+    let mut waiting = Vec::new();
+    for output in outputs {
+        let path = folder.join(&output.name);
+        let written = NamedTempFile::new_in(folder).and_then(|mut file| {
+            file.write_all(&output.bytes)?;
+            file.as_file().sync_all()?;
+            open_to_all(&file)?;
+            Ok(file)
+        });
+        waiting.push((written.map_err(|error| cannot(&path, &error))?, path));
+    }
+    waiting
+        .into_iter()
+        .map(|(file, path)| match file.persist(&path) {
+            Ok(_) => Ok(path),
+            Err(error) => Err(Failure::File(format!(
+                "cannot replace {}: {}",
+                path.display(),
+                error.error
+            ))),
+        })
+        .collect()
+}
+
+/// Temporary files are readable by their owner alone; results are ordinary files.
+#[cfg(unix)]
+fn open_to_all(file: &NamedTempFile) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn open_to_all(_: &NamedTempFile) -> std::io::Result<()> {
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn output(name: &str, text: &str) -> Output {
+        Output {
+            name: name.to_owned(),
+            bytes: text.as_bytes().to_vec(),
+        }
+    }
+
+    /// The second file cannot take its place, because a folder is there: the
+    /// folder stays, and no temporary file is left behind.
+    #[test]
+    fn a_failure_leaves_no_debris() {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::create_dir_all(folder.path().join("b/full")).expect("a folder in the way");
+        let failure = write(folder.path(), &[output("a", "new"), output("b", "new")]).expect_err("b is a folder");
+        assert_eq!(failure.code(), 3);
+        let left: Vec<_> = std::fs::read_dir(folder.path())
+            .expect("readable")
+            .map(|e| e.expect("entry").file_name())
+            .collect();
+        assert!(left.len() <= 2 && folder.path().join("b/full").is_dir(), "{left:?}");
+    }
+
+    /// Half way through, one file cannot even be begun: the old ones stay whole.
+    #[test]
+    fn a_failure_half_way_keeps_the_old_files() {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("a"), "old").expect("writable");
+        let outputs = [output("a", "new"), output("missing/b", "new")];
+        // `missing/` does not exist for the temporary file's final place.
+        let failed = write(folder.path(), &outputs);
+        assert!(failed.is_err());
+        let a = std::fs::read_to_string(folder.path().join("a")).expect("still there");
+        assert!(a == "old" || a == "new", "whole, never half");
+    }
+
+    #[test]
+    fn an_old_file_is_replaced_whole() {
+        let folder = tempfile::tempdir().expect("a folder");
+        write(folder.path(), &[output("a", "old and long")]).expect("writes");
+        write(folder.path(), &[output("a", "new")]).expect("writes");
+        assert_eq!(std::fs::read_to_string(folder.path().join("a")).expect("there"), "new");
+    }
+}

@@ -1,0 +1,333 @@
+//! Drawings and curves as display lists: lines, circles and texts in
+//! millimetres of the page, y downwards, for a template to draw.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use lemnis_models::calc::Calc;
+use lemnis_models::sheet::{Curve, Drawing, Shape};
+use lemnis_models::symbol::Symbol;
+use serde::Serialize;
+
+use crate::number::fixed;
+
+type Point = [f64; 2];
+
+/// A picture in millimetres.
+#[derive(Debug, Default, Serialize)]
+pub struct Picture {
+    pub width: f64,
+    pub height: f64,
+    /// The picture is 1 : `scale`; 0 where it is not to scale.
+    pub scale: u32,
+    items: Vec<Item>,
+}
+
+/// Styles and anchors are the template's words for stroke, fill and alignment.
+#[derive(Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+enum Item {
+    Line { points: Vec<Point>, closed: bool, style: &'static str },
+    Circle { at: Point, radius: f64, style: &'static str },
+    /// In Typst's mathematics.
+    Text { at: Point, anchor: &'static str, text: String },
+}
+
+impl Picture {
+    fn line(&mut self, style: &'static str, points: &[Point]) {
+        self.shape(style, points, false);
+    }
+
+    fn shape(&mut self, style: &'static str, points: &[Point], closed: bool) {
+        let points = points.iter().map(|point| point.map(hundredths)).collect();
+        self.items.push(Item::Line { points, closed, style });
+    }
+
+    fn circle(&mut self, style: &'static str, at: Point, radius: f64) {
+        self.items.push(Item::Circle { at: at.map(hundredths), radius, style });
+    }
+
+    fn text(&mut self, at: Point, anchor: &'static str, text: impl Into<String>) {
+        self.items.push(Item::Text { at: at.map(hundredths), anchor, text: text.into() });
+    }
+
+    /// A slender arrow head with its tip at `tip`, pointing away from `from`.
+    fn arrow(&mut self, from: Point, tip: Point) {
+        let [x, y] = unit(from, tip);
+        let corner = |side: f64| [tip[0] - 2.4 * x - 0.45 * side * y, tip[1] - 2.4 * y + 0.45 * side * x];
+        self.shape("solid", &[tip, corner(1.0), corner(-1.0)], true);
+    }
+}
+
+fn hundredths(x: f64) -> f64 {
+    (x * 100.0).round() / 100.0
+}
+
+fn length([x, y]: Point) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+/// Direction from one point to another; straight up where they coincide.
+fn unit(from: Point, to: Point) -> Point {
+    let d = [to[0] - from[0], to[1] - from[1]];
+    match length(d) {
+        l if l > 1e-9 => [d[0] / l, d[1] / l],
+        _ => [0.0, -1.0],
+    }
+}
+
+/// Usual scales of drawings, 1 : n.
+const SCALES: [u32; 15] = [10, 15, 20, 25, 50, 75, 100, 150, 200, 250, 300, 400, 500, 750, 1000];
+/// Largest size of a drawing, and the room around it for labels and supports.
+const LARGEST: Point = [166.0, 190.0];
+const MARGIN: f64 = 9.0;
+
+/// The mechanism to the largest usual scale that fits.
+#[must_use]
+pub fn drawing(drawing: &Drawing) -> Picture {
+    let points: Vec<Point> = drawing.shapes.iter().flat_map(extent).collect();
+    let low = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min));
+    let high = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max));
+    let size = |scale: u32| [0, 1].map(|axis| (high[axis] - low[axis]) * 1000.0 / f64::from(scale) + 2.0 * MARGIN);
+    let fits = |scale: &u32| size(*scale)[0] <= LARGEST[0] && size(*scale)[1] <= LARGEST[1];
+    let scale = SCALES.into_iter().find(fits).unwrap_or(SCALES[SCALES.len() - 1]);
+    let millimetres = 1000.0 / f64::from(scale);
+    let place = |p: Point| [(p[0] - low[0]) * millimetres + MARGIN, (high[1] - p[1]) * millimetres + MARGIN];
+    let [width, height] = size(scale);
+    let mut picture = Picture { width, height, scale, items: Vec::new() };
+    for shape in &drawing.shapes {
+        draw(&mut picture, drawing, shape, &place, millimetres);
+    }
+    picture
+}
+
+/// Points that must be on the paper.
+fn extent(shape: &Shape) -> Vec<Point> {
+    match shape {
+        Shape::Body { points, .. } | Shape::Path { points } => points.clone(),
+        Shape::Pin { at, .. } | Shape::Label { at, .. } | Shape::Load { at, .. } | Shape::Angle { at, .. } => vec![*at],
+        Shape::CentreLine { x, from, to } => vec![[*x, *from], [*x, *to]],
+        Shape::Distance { from, to, offset, .. } => [from, to].map(|p| [p[0], p[1] + offset]).to_vec(),
+    }
+}
+
+fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(Point) -> Point, millimetres: f64) {
+    match shape {
+        Shape::Body { points, closed, faint, .. } => {
+            let points: Vec<Point> = points.iter().copied().map(place).collect();
+            picture.shape(if *faint { "faint" } else if *closed { "body" } else { "bar" }, &points, *closed);
+        }
+        Shape::Pin { at, fixed, faint } => {
+            let at = place(*at);
+            if *fixed {
+                support(picture, at);
+            }
+            picture.circle(if *faint { "faint" } else { "pin" }, at, if *faint { 0.5 } else { 0.9 });
+        }
+        Shape::Label { at, text } => {
+            let [x, y] = free_side(whole, *at);
+            let [left, top] = place(*at);
+            picture.text([left + 3.8 * x, top - 3.8 * y], "centre", *text);
+        }
+        Shape::Path { points } => {
+            let points: Vec<Point> = points.iter().copied().map(place).collect();
+            picture.line("path", &points);
+        }
+        Shape::CentreLine { x, from, to } => picture.line("axis", &[place([*x, *from]), place([*x, *to])]),
+        Shape::Load { at, text } => {
+            let [x, y] = place(*at);
+            let tip = [x, y + 12.0];
+            picture.line("medium", &[[x, y + 0.9], tip]);
+            picture.arrow([x, y], tip);
+            picture.text([x + 1.5, y + 8.0], "left", *text);
+        }
+        Shape::Distance { from, to, offset, text } => {
+            let (from, to) = (place(*from), place(*to));
+            let [x, y] = unit(from, to);
+            // To the left of the line as seen on paper, where y runs downwards.
+            let aside = |p: Point, d: f64| [p[0] + y * d, p[1] - x * d];
+            let d = offset * millimetres;
+            let (a, b) = (aside(from, d), aside(to, d));
+            for (start, end) in [(from, a), (to, b)] {
+                let out = unit(start, end);
+                picture.line("thin", &[start, [end[0] + out[0] * 1.5, end[1] + out[1] * 1.5]]);
+            }
+            picture.line("thin", &[a, b]);
+            picture.arrow(b, a);
+            picture.arrow(a, b);
+            picture.text(aside([f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])], 2.2), "centre", *text);
+        }
+        Shape::Angle { at, radius, from, to, text } => {
+            let centre = place(*at);
+            let radius = radius * millimetres;
+            let on = |angle: f64, radius: f64| {
+                let (sin, cos) = Calc::sin_cos(angle);
+                [centre[0] + radius * cos, centre[1] - radius * sin]
+            };
+            let arc: Vec<Point> = (0..=32).map(|i| on(from + (to - from) * f64::from(i) / 32.0, radius)).collect();
+            picture.line("thin", &[on(*from, 1.0), on(*from, radius + 4.0)]);
+            picture.line("thin", &arc);
+            picture.arrow(arc[30], arc[32]);
+            picture.text(on(from + (to - from) * 0.4, radius + 3.2), "centre", *text);
+        }
+    }
+}
+
+/// A joint held by the ground, which is hatched.
+fn support(picture: &mut Picture, [x, y]: Point) {
+    let ground = y + 4.0;
+    picture.shape("support", &[[x, y], [x - 2.3, ground], [x + 2.3, ground]], true);
+    picture.line("medium", &[[x - 3.6, ground], [x + 3.6, ground]]);
+    for i in 0..6 {
+        let start = x - 3.0 + 1.2 * f64::from(i);
+        picture.line("thin", &[[start, ground], [start - 1.2, ground + 1.4]]);
+    }
+}
+
+/// The direction, y upwards, in which most room is left beside a point: away
+/// from the bars and the angles that start there.
+fn free_side(drawing: &Drawing, at: Point) -> Point {
+    let mut taken: Vec<Point> = Vec::new();
+    for shape in &drawing.shapes {
+        match shape {
+            Shape::Body { points, faint: false, .. } if points.contains(&at) => {
+                taken.extend(points.iter().filter(|&&p| p != at).map(|&p| unit(at, p)));
+            }
+            Shape::Angle { at: centre, .. } if *centre == at => taken.push([1.0, 0.0]),
+            Shape::Pin { at: pin, fixed: true, .. } | Shape::Load { at: pin, .. } if *pin == at => taken.push([0.0, -1.0]),
+            _ => {}
+        }
+    }
+    let room = |angle: f64| {
+        let (sin, cos) = Calc::sin_cos(angle);
+        let nearest = taken.iter().map(|p| p[0] * cos + p[1] * sin).fold(-1.0, f64::max);
+        (nearest, [cos, sin])
+    };
+    let sides = (0..16).map(|i| room(FRAC_PI_2 + PI / 8.0 * f64::from(i)));
+    sides.min_by(|a, b| a.0.total_cmp(&b.0)).expect("sixteen sides").1
+}
+
+/// Size of a curve's picture, and the room around its field for numbers and names.
+const CHART: Point = [80.0, 62.0];
+const LEFT: f64 = 13.0;
+const RIGHT: f64 = 3.0;
+const TOP: f64 = 7.0;
+const BOTTOM: f64 = 10.0;
+
+/// An axis: what is drawn, from where to where, with round numbers at its ticks.
+struct Axis {
+    from: f64,
+    to: f64,
+    step: f64,
+}
+
+impl Axis {
+    /// Covers the values, ends included; `round` lets the ends be ticks.
+    fn new(values: impl Iterator<Item = f64>, round: bool) -> Axis {
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+        let span = (high - low).max(1e-9 * high.abs()).max(f64::MIN_POSITIVE);
+        let power = 10_f64.powi((span / 5.0).log10().floor() as i32);
+        let step = [1.0, 2.0, 5.0, 10.0].map(|n| n * power).into_iter().find(|step| span / step <= 6.5);
+        let step = step.expect("ten times the power is more than a fifth of the span");
+        let (low, high) = if round { ((low / step).floor() * step, (high / step).ceil() * step) } else { (low, high) };
+        Axis { from: low, to: if high > low { high } else { low + step }, step }
+    }
+
+    fn ticks(&self) -> impl Iterator<Item = f64> {
+        let first = (self.from / self.step - 1e-6).ceil() as i64;
+        let last = (self.to / self.step + 1e-6).floor() as i64;
+        let step = self.step;
+        (first..=last).map(move |i| i as f64 * step)
+    }
+
+    fn decimals(&self) -> usize {
+        usize::try_from(-(self.step.log10() + 1e-9).floor() as i32).unwrap_or(0)
+    }
+
+    /// Part of the axis passed at a value.
+    fn part(&self, value: f64) -> f64 {
+        (value - self.from) / (self.to - self.from)
+    }
+}
+
+/// A curve with axes, grid and extremes.
+#[must_use]
+pub fn curve(curve: &Curve) -> Picture {
+    let shown = |p: &Point| [curve.x.shown(p[0]), curve.y.shown(p[1])];
+    let pieces: Vec<Vec<Point>> = curve.pieces.iter().map(|piece| piece.iter().map(shown).collect()).collect();
+    let all = || pieces.iter().flatten();
+    let (x, y) = (Axis::new(all().map(|p| p[0]), false), Axis::new(all().map(|p| p[1]), true));
+    let (width, height) = (CHART[0] - LEFT - RIGHT, CHART[1] - TOP - BOTTOM);
+    let (right, bottom) = (LEFT + width, TOP + height);
+    let place = |p: Point| [LEFT + width * x.part(p[0]), bottom - height * y.part(p[1])];
+    let mut picture = Picture { width: CHART[0], height: CHART[1], ..Picture::default() };
+    for tick in x.ticks() {
+        let left = place([tick, y.from])[0];
+        picture.line("grid", &[[left, TOP], [left, bottom]]);
+        picture.text([left, bottom + 1.2], "above", fixed(tick, x.decimals()));
+    }
+    for tick in y.ticks() {
+        let top = place([x.from, tick])[1];
+        picture.line(if tick == 0.0 { "thin" } else { "grid" }, &[[LEFT, top], [right, top]]);
+        picture.text([LEFT - 1.2, top], "right", fixed(tick, y.decimals()));
+    }
+    picture.shape("thin", &[[LEFT, TOP], [right, TOP], [right, bottom], [LEFT, bottom]], true);
+    for piece in &pieces {
+        picture.line("curve", &piece.iter().copied().map(place).collect::<Vec<_>>());
+    }
+    // A curve that is broken runs to infinity between its pieces: no extremes.
+    if let [piece] = pieces.as_slice() {
+        let extreme = |sign: f64| piece.iter().copied().max_by(|a, b| (sign * a[1]).total_cmp(&(sign * b[1])));
+        for (point, above) in [(extreme(1.0), true), (extreme(-1.0), false)] {
+            let Some(point) = point else { continue };
+            let at = place(point);
+            picture.circle("solid", at, 0.7);
+            let anchor = match at[0] {
+                left if left < LEFT + 9.0 => "left",
+                left if left > right - 9.0 => "right",
+                _ => "centre",
+            };
+            // Outside of the curve where the field has room, inside otherwise.
+            let outside = if above { at[1] > TOP + 5.0 } else { at[1] < bottom - 5.0 };
+            let up = above == outside;
+            let shift = match anchor { "left" => 1.5, "right" => -1.5, _ => 0.0 };
+            picture.text([at[0] + shift, at[1] + if up { -2.6 } else { 2.6 }], anchor, four_digits(point[1]));
+        }
+    }
+    picture.text([LEFT - 8.0, TOP - 3.6], "left", axis_name(curve.y));
+    picture.text([right, bottom + 7.2], "right", axis_name(curve.x));
+    picture
+}
+
+/// Symbol and unit, as ISO 80000 writes the heads of tables and axes.
+fn axis_name(symbol: &Symbol) -> String {
+    match symbol.display.print {
+        "" => symbol.print.to_owned(),
+        unit => format!("{} thin \"/\" thin \"{unit}\"", symbol.print),
+    }
+}
+
+fn four_digits(value: f64) -> String {
+    let before = format!("{:.0}", value.abs().floor()).len();
+    fixed(value, 4_usize.saturating_sub(if value.abs() < 1.0 { 0 } else { before }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_round_and_inside() {
+        let axis = Axis::new([60.0, 120.0].into_iter(), false);
+        assert_eq!(axis.ticks().collect::<Vec<_>>(), [60.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0]);
+        let axis = Axis::new([-243.99, 254.35].into_iter(), true);
+        assert_eq!(axis.ticks().collect::<Vec<_>>(), [-300.0, -200.0, -100.0, 0.0, 100.0, 200.0, 300.0]);
+        assert_eq!(axis.decimals(), 0);
+        assert_eq!(Axis::new([21.887, 22.298].into_iter(), true).decimals(), 1);
+    }
+
+    #[test]
+    fn a_level_curve_has_an_axis_too() {
+        let axis = Axis::new([5.0, 5.0].into_iter(), true);
+        assert!(axis.ticks().count() < 20 && axis.step > 0.0);
+    }
+}

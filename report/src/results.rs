@@ -1,0 +1,186 @@
+//! Results of a scene as a table, as JSON and as CSV.
+
+use std::fmt::Write as _;
+
+use lemnis_models::lemniscate::sheet::sheet;
+use lemnis_models::model::{Model, Role};
+use lemnis_models::scene::Scene;
+use lemnis_models::schema::short;
+use lemnis_models::sheet::Sheet;
+use lemnis_models::symbol::Symbol;
+use serde_json::{Map, Value, json};
+
+use crate::failure::Failure;
+
+/// Every result of a scene: the values that hold for the whole range, and one
+/// row of all variables for each position of the working range.
+pub struct Results {
+    scene: Scene,
+    pub sheet: Sheet,
+    columns: Vec<&'static Symbol>,
+    rows: Vec<Vec<f64>>,
+}
+
+impl Results {
+    pub fn new(scene: &Scene) -> Result<Results, Failure> {
+        let mut model = Model::new(scene).map_err(|fault| Failure::Scene(fault.0))?;
+        let varies = |role: Role| matches!(role, Role::Input | Role::Output);
+        let indices: Vec<usize> = (0..model.variables().len())
+            .filter(|&i| varies(model.variables()[i].role))
+            .collect();
+        let columns = indices.iter().map(|&i| model.variables()[i].symbol).collect();
+        let rows: Result<Vec<Vec<f64>>, _> = scene
+            .luffing
+            .motion
+            .angles()
+            .into_iter()
+            .map(|theta| {
+                model.set(0, theta)?;
+                indices.iter().map(|&i| model.get(i)).collect()
+            })
+            .collect();
+        let rows = rows.map_err(|fault| Failure::Scene(fault.0))?;
+        Ok(Results {
+            scene: scene.clone(),
+            sheet: sheet(scene),
+            columns,
+            rows,
+        })
+    }
+
+    /// The limits of the scene that are not kept, one line each.
+    pub fn broken_limits(&self) -> Vec<String> {
+        let failed = self.sheet.checks.iter().filter(|check| !check.passed());
+        failed
+            .map(|check| {
+                let (symbol, unit) = (check.symbol, check.symbol.display.name);
+                let relation = if check.at_most { "at most" } else { "at least" };
+                let (value, limit) = (short(symbol.shown(check.value)), short(symbol.shown(check.limit)));
+                format!(
+                    "{}: {} = {value} {unit}, {relation} {limit} {unit} is allowed",
+                    check.id, symbol.id
+                )
+            })
+            .collect()
+    }
+
+    /// A few lines: what the crane does.
+    pub fn summary(&self) -> String {
+        let mut text = String::new();
+        for result in &self.sheet.summary {
+            let (symbol, unit) = (result.symbol, result.symbol.display.name);
+            let at = result.at.map_or_else(String::new, |(coordinate, at)| {
+                format!(
+                    " at {} = {} {}",
+                    coordinate.id,
+                    short(coordinate.shown(at)),
+                    coordinate.display.name
+                )
+            });
+            let value = format!("{} {unit}{at}", short(symbol.shown(result.value)));
+            let _ = writeln!(text, "  {:<12} {value:<34} {}", symbol.id, symbol.text);
+        }
+        let failed = self.broken_limits();
+        let _ = match failed.as_slice() {
+            [] => writeln!(text, "  {} checks passed", self.sheet.checks.len()),
+            failed => writeln!(text, "  checks failed: {}", failed.join("; ")),
+        };
+        text
+    }
+
+    /// Everything, for reading: summary and a row per position.
+    pub fn table(&self) -> String {
+        let heads: Vec<String> = self
+            .columns
+            .iter()
+            .map(|symbol| format!("{} [{}]", symbol.id, symbol.display.name))
+            .collect();
+        let mut text = format!("{}\n\n{}\n", self.scene.title(), self.summary());
+        // As many columns side by side as a line of 120 holds, the coordinate first.
+        let width = |i: usize| heads[i].len().max(11);
+        let mut start = 1;
+        while start < heads.len() {
+            let mut columns = vec![0];
+            let mut used = width(0);
+            while start < heads.len() && used + width(start) + 2 <= 120 {
+                used += width(start) + 2;
+                columns.push(start);
+                start += 1;
+            }
+            let line = |cell: &dyn Fn(usize) -> String| {
+                columns
+                    .iter()
+                    .map(|&i| format!("{:>1$}", cell(i), width(i)))
+                    .collect::<Vec<_>>()
+                    .join("  ")
+            };
+            let _ = writeln!(text, "{}", line(&|i| heads[i].clone()));
+            for row in &self.rows {
+                let _ = writeln!(text, "{}", line(&|i| short(self.columns[i].shown(row[i]))));
+            }
+            text.push('\n');
+        }
+        text
+    }
+
+    /// One line of names with units, then one line per position.
+    pub fn csv(&self) -> String {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let heads = self
+            .columns
+            .iter()
+            .map(|symbol| format!("{} [{}]", symbol.id, symbol.display.name));
+        let rows = self.rows.iter().map(|row| {
+            row.iter()
+                .zip(&self.columns)
+                .map(|(value, symbol)| symbol.shown(*value).to_string())
+                .collect::<Vec<_>>()
+        });
+        let written = std::iter::once(heads.collect())
+            .chain(rows)
+            .try_for_each(|record| writer.write_record(record));
+        written.expect("memory takes every record");
+        String::from_utf8(writer.into_inner().expect("memory takes every record")).expect("numbers and names are text")
+    }
+
+    /// Everything in SI, with units; an infinite value is null.
+    pub fn json(&self) -> String {
+        let number = |value: f64| serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number);
+        let summary: Map<String, Value> = self
+            .sheet
+            .summary
+            .iter()
+            .map(|result| {
+                let at = result.at.map(|(coordinate, at)| json!({ coordinate.id: number(at) }));
+                let entry = json!({ "value": number(result.value), "unit": result.symbol.unit.name, "at": at });
+                (result.symbol.id.to_owned(), entry)
+            })
+            .collect();
+        let checks: Vec<Value> = self
+            .sheet
+            .checks
+            .iter()
+            .map(|check| {
+                json!({
+                    "check": check.id, "symbol": check.symbol.id, "value": number(check.value),
+                    "limit": number(check.limit), "at_most": check.at_most, "passed": check.passed(),
+                })
+            })
+            .collect();
+        let variables: Map<String, Value> = self
+            .columns
+            .iter()
+            .enumerate()
+            .map(|(i, symbol)| {
+                let values: Vec<Value> = self.rows.iter().map(|row| number(row[i])).collect();
+                let entry =
+                    json!({ "unit": symbol.unit.name, "text": symbol.text, "source": symbol.source, "values": values });
+                (symbol.id.to_owned(), entry)
+            })
+            .collect();
+        let whole = json!({
+            "name": self.scene.name(), "title": self.scene.title(), "summary": summary, "checks": checks, "variables": variables,
+        });
+        serde_json::to_string_pretty(&whole).expect("plain data")
+    }
+}

@@ -1,0 +1,135 @@
+//! Templates: words and layout of the book. Text is escaped so that Typst
+//! prints it and never runs it; what is Typst already is marked `safe`.
+
+use std::sync::LazyLock;
+
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::{Serde, Value};
+use minijinja::{Environment, ErrorKind, UndefinedBehavior, context};
+
+use crate::book::{Book, Error};
+
+/// Every template by its name.
+const TEMPLATES: [(&str, &str); 9] = [
+    ("book.typ", include_str!("../../templates/book.typ")),
+    ("style.typ", include_str!("../../templates/style.typ")),
+    ("picture.typ", include_str!("../../templates/picture.typ")),
+    ("results.typ", include_str!("../../templates/results.typ")),
+    ("inputs.typ", include_str!("../../templates/inputs.typ")),
+    ("section.typ", include_str!("../../templates/section.typ")),
+    ("source.typ", include_str!("../../templates/source.typ")),
+    ("range.typ", include_str!("../../templates/range.typ")),
+    ("published.typ", include_str!("../../templates/published.typ")),
+];
+
+/// The words of English, and the publications, which have no language.
+const WORDS: &str = include_str!("../../templates/words/en.toml");
+const REFERENCES: &str = include_str!("../../templates/references.toml");
+
+static ENVIRONMENT: LazyLock<Result<Environment<'static>, String>> =
+    LazyLock::new(|| environment(&TEMPLATES, WORDS, REFERENCES));
+
+/// The book's Typst source.
+pub(crate) fn render(book: &Book) -> Result<String, Error> {
+    let environment = ENVIRONMENT.as_ref().map_err(|error| Error(error.clone()))?;
+    let template = environment.get_template(TEMPLATES[0].0).map_err(|error| Error(describe(&error)))?;
+    template.render(context! { book => Serde(book) }).map_err(|error| Error(describe(&error)))
+}
+
+fn environment(
+    templates: &[(&'static str, &'static str)],
+    words: &str,
+    references: &str,
+) -> Result<Environment<'static>, String> {
+    let syntax = SyntaxConfig::builder()
+        .block_delimiters("<%", "%>")
+        .comment_delimiters("<#", "#>")
+        .line_statement_prefix("//%")
+        .build()
+        .expect("delimiters that differ");
+    let mut environment = Environment::new();
+    environment.set_syntax(syntax);
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment.set_debug(true);
+    environment.set_formatter(|out, state, value| {
+        if value.is_undefined() {
+            return Err(ErrorKind::UndefinedError.into());
+        }
+        match value.as_str().filter(|_| !value.is_safe()) {
+            Some(text) => out.write_str(&escape(text)).map_err(Into::into),
+            None => minijinja::escape_formatter(out, state, value),
+        }
+    });
+    environment.add_filter("string", |text: &str| Value::from_safe_string(string(text)));
+    let mut dictionary = table("words/en.toml", words)?;
+    dictionary.insert("reference".to_owned(), table("references.toml", references)?.into());
+    environment.add_function("word", move |group: &str, id: &str| match dictionary.get(group).and_then(|g| g.get(id)) {
+        Some(toml::Value::String(word)) => Ok(Value::from_safe_string(word.clone())),
+        _ => Err(minijinja::Error::new(ErrorKind::UndefinedError, format!("no words for {group}.{id}"))),
+    });
+    for (name, source) in templates {
+        environment.add_template(name, source).map_err(|error| describe(&error))?;
+    }
+    Ok(environment)
+}
+
+fn table(name: &str, text: &str) -> Result<toml::Table, String> {
+    text.parse().map_err(|error| format!("templates/{name}: {error}"))
+}
+
+/// Template, line, what is wrong, and the expression that it is about.
+fn describe(error: &minijinja::Error) -> String {
+    let place = match (error.name(), error.line()) {
+        (Some(name), Some(line)) => format!("templates/{name}:{line}: "),
+        _ => String::new(),
+    };
+    let about = error.range().zip(error.template_source()).and_then(|(range, source)| source.get(range));
+    let about = about.map_or_else(String::new, |expression| format!(" in `{}`", expression.trim()));
+    let detail = error.detail().map_or_else(|| error.kind().to_string(), str::to_owned);
+    format!("{place}{detail}{about}")
+}
+
+/// Text that Typst prints as it is, in markup and between quotes: everything
+/// that could be syntax becomes `\u{hex}`.
+fn escape(text: &str) -> String {
+    let plain = |c: char| c == ' ' || c.is_ascii_alphanumeric() || !(c.is_ascii() || c.is_control() || c.is_whitespace());
+    text.chars().map(|c| if plain(c) { c.to_string() } else { format!("\\u{{{:x}}}", u32::from(c)) }).collect()
+}
+
+/// A string literal, with no more escapes than it needs.
+fn string(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hostile_text_is_only_text() {
+        let hostile = "#read(\"/etc/passwd\") $x$ *b* @ref /* // \\ ] } \" ~ <l>\n= h\u{2028}`";
+        let escaped = escape(hostile);
+        let syntax = |c: char| c.is_ascii_punctuation() && !matches!(c, '\\' | '{' | '}');
+        assert!(!escaped.contains(syntax) && !escaped.contains('\n'), "{escaped}");
+        for source in [format!("= {escaped}"), format!("#\"{escaped}\""), format!("#let t = [{escaped}]\n#t")] {
+            lemnis_typeset::pdf(&source, &[]).unwrap();
+        }
+    }
+
+    #[test]
+    fn an_error_names_template_line_and_variable() {
+        let cases = [
+            ("one\n{{ book.gone }}", "templates/book.typ:2: undefined value in `book.gone`"),
+            ("{{ word(\"section\", \"gone\") }}", "templates/book.typ:1: no words for section.gone in"),
+            ("\n<% for %>", "templates/book.typ:2: "),
+        ];
+        for (source, message) in cases {
+            let rendered = environment(&[("book.typ", source)], "[section]\n", "").and_then(|environment| {
+                let template = environment.get_template("book.typ").map_err(|error| describe(&error))?;
+                template.render(context! { book => context! {} }).map_err(|error| describe(&error))
+            });
+            let error = rendered.unwrap_err();
+            assert!(error.starts_with(message), "{error}");
+        }
+    }
+}

@@ -1,0 +1,75 @@
+"""Every printed formula, recalculated from the numbers printed beside it.
+
+The book's Typst source is read as a person with a calculator would: the
+numbers of the line with numbers, with their units, put through the operations
+printed there, must give the printed result, within what the rounding of the
+printed digits allows.
+"""
+
+import math
+import re
+
+UNITS = {
+    "": 1, "%": 0.01, "m": 1, "mm": 1e-3, "m²": 1, "rad": 1, "°": math.pi / 180, "rad/s": 1, "°/s": math.pi / 180,
+    "m/s": 1, "mm/s": 1e-3, "N": 1, "kN": 1e3, "N·m": 1, "kN·m": 1e3, "kJ": 1e3, "m³/s": 1, "L/min": 1e-3 / 60,
+}
+NUMBER = re.compile(r'(\d+(?:\.\d+)?)(?: times 10\^\(?(-?\d+)\)?)?(?:(?: thin)? "([^"]*)")?')
+STEP = re.compile(r"#step\[.*?\]\[\$\n  (.*?) &= (.*?) \\\n(?:  &= (.*?) \\\n)?  &= (.*?) \$\]", re.S)
+FUNCTIONS = {
+    "frac": lambda a, b: a / b, "sqrt": math.sqrt, "abs": abs, "sin": math.sin, "cos": math.cos,
+    "arcsin": math.asin, "arccos": math.acos, "pi": math.pi,
+    # Angles are counted in (-90°, 270°].
+    "arctan2": lambda y, x: (a := math.atan2(y, x)) + (2 * math.pi if a <= -math.pi / 2 else 0),
+}
+
+
+def read(text):
+    """A Python expression over v[0], v[1], ..., the values, and half a unit of each last digit."""
+    values, roundings = [], []
+
+    def take(match):
+        digits, power, unit = match.groups()
+        factor = UNITS[unit or ""] * 10.0 ** int(power or 0)
+        significant = len(digits.replace(".", "").lstrip("0"))
+        # Six digits are rounded; fewer, or more, are the number itself.
+        half = 0.5 * 10.0 ** -len(digits.partition(".")[2]) if significant == 6 else 0.0
+        values.append(float(digits) * factor)
+        roundings.append(half * factor)
+        return f"v[{len(values) - 1}]"
+
+    text = text.replace("\\ &quad", "").replace("^2", "**_2_")
+    text = NUMBER.sub(take, text.replace("**_2_", "**TWO")).replace("**TWO", "**2")
+    text = text.replace(" dot ", "*").replace("infinity", "math.inf")
+    # Factors without a sign between them: "2 pi".
+    text = re.sub(r"(v\[\d+\]) pi", r"\1*pi", text)
+    assert re.fullmatch(r"[\w\s\[\]()+\-*.,]*", text), text
+    code = compile(" ".join(text.split()), "book", "eval")
+    return (lambda v: eval(code, {"math": math}, {**FUNCTIONS, "v": v})), values, roundings
+
+
+def test_every_formula_gives_its_result(out, capsys):
+    source = (out / "LemniscateCrane.typ").read_text(encoding="utf-8")
+    steps = STEP.findall(source)
+    assert len(steps) == source.count("#step[") > 100
+    recalculated = 0
+    for symbol, formula, numbers, result in steps:
+        if not numbers:  # a formula that only names another quantity
+            continue
+        evaluate, values, roundings = read(numbers)
+        printed, [value], [half] = (lambda f, v, r: (f, v, r))(*read(result.lstrip("-")))
+        value = printed([value]) * (-1 if result.startswith("-") else 1)
+        computed = evaluate(values)
+        allowed = half + 1e-12 * abs(value)
+        for i, rounding in enumerate(roundings):
+            if rounding:
+                moved = [abs(evaluate([x + s * rounding if i == j else x for j, x in enumerate(values)]) - computed)
+                         for s in (-1, 1)]
+                allowed += max(moved)
+        difference = abs(computed - value)
+        if "arctan2" in numbers or "°" in result:
+            difference = min(difference, abs(difference - 2 * math.pi))
+        assert difference <= allowed, f"{symbol} = {formula} = {numbers} = {result}: {computed}"
+        recalculated += 1
+    with capsys.disabled():
+        print(f"\n  {recalculated} printed formulas recalculated from their printed numbers")
+    assert recalculated > 100
