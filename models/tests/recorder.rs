@@ -36,7 +36,7 @@ fn every_formula_is_dimensionally_consistent() {
             steps += trace.steps.len();
         }
     }
-    assert!(steps > 500, "{steps} formulas");
+    assert!(steps > 300, "{steps} formulas");
     println!("{steps} formulas are consistent");
 }
 
@@ -65,6 +65,6 @@ fn the_recorder_has_the_bits_of_the_model() {
                 }
             }
         }
-        assert!(compared >= 3 * 15, "{compared}");
+        assert!(compared >= 15, "{compared}");
     }
 }

@@ -165,7 +165,7 @@ static BOOM: Names = Names {
     frame_angle: &s::THETA_56,
     stretched: [&s::THETA_S, &s::THETA_S2],
     folded: [&s::THETA_F, &s::THETA_F2],
-    crank: [&s::X_1X, &s::X_1Y],
+    crank: [&s::B_X, &s::B_Y],
     diagonal: [&s::L_X, &s::L_Y],
     diagonal_length: &s::L,
     stretched_margin: &s::SIGMA_S,
@@ -179,7 +179,7 @@ static ROCKER: Names = Names {
     crank: [&s::X_3X, &s::X_3Y],
     diagonal: [&s::Y_X, &s::Y_Y],
     diagonal_length: &s::Y,
-    follower: [&s::X_1X, &s::X_1Y],
+    follower: [&s::B_X, &s::B_Y],
     coupler: [&s::X_2RX, &s::X_2RY],
     ..BOOM
 };

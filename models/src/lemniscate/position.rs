@@ -44,7 +44,7 @@ impl<C: Calc> Position<C> {
             Driven::Boom => (crank, coupler, follower),
             Driven::Rocker => (follower, -coupler, crank),
         };
-        let b = plane::def(x_1, [&s::B_X, &s::B_Y]);
+        let b = x_1;
         let c = plane::def(g.lengths.o3() + x_3, [&s::C_X, &s::C_Y]);
         let x_4 = plane::turned(x_2, g.kappa.x, -g.kappa.y);
         let a = plane::def(b + x_4, [&s::A_X, &s::A_Y]);

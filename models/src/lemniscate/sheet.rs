@@ -30,13 +30,12 @@ pub fn sheet(scene: &Scene) -> Sheet {
     let coordinate = coordinate(luffing);
     let motion = luffing.motion;
     let middle = f64::midpoint(motion.from, motion.to);
-    let positions = [("from", motion.from), ("middle", middle), ("to", motion.to)];
+    // The formulas are written out where the load's moment is greatest.
+    let governing = if luffing.q.is_some() { ("governing", range.dy_max.at) } else { ("middle", middle) };
     Sheet {
         inputs: inputs(luffing),
         constants: constants(luffing),
-        positions: positions
-            .map(|(id, theta)| worked(luffing, id, coordinate, theta))
-            .into(),
+        positions: vec![worked(luffing, governing.0, coordinate, governing.1)],
         range: table(&mut model, coordinate, &motion),
         curves: curves(&mut model, luffing, coordinate),
         drawing: drawing(&geometry, luffing, middle),

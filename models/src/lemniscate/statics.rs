@@ -89,8 +89,8 @@ impl<C: Calc> PinForces<C> {
             Some((w, r)) => (
                 q + w.g_2,
                 q * p.x_4.x + w.g_2 * r.jib.x,
-                Some(w.g_1 * r.boom.x),
-                Some(w.g_3 * r.rocker.x),
+                Some((w.g_1 * r.boom.x).def(&s::M_1)),
+                Some((w.g_3 * r.rocker.x).def(&s::M_3)),
             ),
             None => (q, q * p.x_4.x, None, None),
         };
@@ -99,6 +99,7 @@ impl<C: Calc> PinForces<C> {
         let up = |force: Point<C>, g: Option<C>| Point::new(force.x, g.map_or(force.y, |g| force.y + g));
         match p.driven {
             Driven::Boom => {
+                let about_b = about_b.def(&s::M_B);
                 // cross(x_2, F_C) = about_b, cross(x_3, F_C) = −rocker.
                 let along = |x_2: C, x_3: C| match rocker {
                     Some(rocker) => -((about_b * x_3 + rocker * x_2) / half),
@@ -122,7 +123,7 @@ impl<C: Calc> PinForces<C> {
             }
             Driven::Rocker => {
                 // cross(x_2, F_B) = load · x_2 − about_b, cross(x_1, F_B) = −boom.
-                let about_c = load * p.x_2.x - about_b;
+                let about_c = (load * p.x_2.x - about_b).def(&s::M_C);
                 let along = |x_1: C, x_2: C| match boom {
                     Some(boom) => (about_c * x_1 + boom * x_2) / half,
                     None => about_c * x_1 / half,

@@ -34,8 +34,8 @@ symbols! {
     EPSILON_A: "epsilon_A" "epsilon_A" RAD / DEG, "Angle from the jib's axis CA to its front arm BA.", "[Li2022, eq. 7]";
 
     // Position.
-    X_1X: "X_1.x" "X_(1 x)" M / M, "Boom O1B, forward component.", "[Li2022, eq. 8]";
-    X_1Y: "X_1.y" "X_(1 y)" M / M, "Boom O1B, upward component.", "[Li2022, eq. 8]";
+    B_X: "B.x" "x_B" M / M, "Boom O1B, forward component; the boom head B, as O1 is the origin.", "[Li2022, eq. 8]";
+    B_Y: "B.y" "y_B" M / M, "Boom O1B, upward component; the boom head B, as O1 is the origin.", "[Li2022, eq. 8]";
     X_2X: "X_2.x" "X_(2 x)" M / M, "Rear arm BC, forward component.", "[Li2022, eq. 3]";
     X_2Y: "X_2.y" "X_(2 y)" M / M, "Rear arm BC, upward component.", "[Li2022, eq. 3]";
     X_2RX: "X_2r.x" "X'_(2 x)" M / M, "Rear arm CB, forward component.", "[Li2022, eq. 3]";
@@ -51,8 +51,6 @@ symbols! {
     SIGMA_S: "sigma_s" "sigma_s" M2 / M2, "Margin to the stretched dead points: zero where coupler and driven-along bar are in one line.", "derived";
     SIGMA_F: "sigma_f" "sigma_f" M2 / M2, "Margin to the folded dead points: zero where coupler and driven-along bar coincide in direction.", "derived";
     K: "K" "K" M2 / M2, "Four times the area of the triangle of diagonal, coupler and driven-along bar; its sign is the branch of assembly.", "derived";
-    B_X: "B.x" "x_B" M / M, "Boom head B, forward of O1.", "[Li2022, eq. 8]";
-    B_Y: "B.y" "y_B" M / M, "Boom head B, above O1.", "[Li2022, eq. 8]";
     C_X: "C.x" "x_C" M / M, "Jib tail C, forward of O1.", "[Li2022, eq. 3]";
     C_Y: "C.y" "y_C" M / M, "Jib tail C, above O1.", "[Li2022, eq. 3]";
     A_X: "A.x" "x_A" M / M, "Jib head A, forward of O1.", "[Li2022, eq. 8]";
@@ -96,6 +94,10 @@ symbols! {
     R_3Y: "r_3.y" "y_(S 3)" M / M, "Centre of gravity of the rocker, above O3.", "[Balance004, Fig. 1]";
     M_G: "M_G" "M_G" N_M / KN_M, "Moment of the own weights about the foot of the driven bar; positive lowers it.", "[Balance004, eq. 1]";
     M_D: "M_D" "M_D" N_M / KN_M, "Moment that the drive must give to the driven bar; positive turns it counter-clockwise.", "equilibrium";
+    M_1: "M_1" "M_1" N_M / KN_M, "Moment of the boom's weight about O1, clockwise positive.", "equilibrium";
+    M_3: "M_3" "M_3" N_M / KN_M, "Moment of the rocker's weight about O3, clockwise positive.", "equilibrium";
+    M_B: "M_B" "M_B" N_M / KN_M, "Moment of load and jib weight about B, clockwise positive.", "equilibrium";
+    M_C: "M_C" "M_C" N_M / KN_M, "Moment of load and jib weight about C, counter-clockwise positive.", "equilibrium";
     F_BX: "F_B.x" "F_(B x)" N / KN, "Force of the boom on the jib at B, forward.", "equilibrium";
     F_BY: "F_B.y" "F_(B y)" N / KN, "Force of the boom on the jib at B, upward.", "equilibrium";
     F_CX: "F_C.x" "F_(C x)" N / KN, "Force of the rocker on the jib at C, forward.", "equilibrium";
