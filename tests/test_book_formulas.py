@@ -13,8 +13,7 @@ UNITS = {
     "": 1, "%": 0.01, "m": 1, "mm": 1e-3, "m²": 1, "rad": 1, "°": math.pi / 180, "rad/s": 1, "°/s": math.pi / 180,
     "m/s": 1, "mm/s": 1e-3, "N": 1, "kN": 1e3, "N·m": 1, "kN·m": 1e3, "kJ": 1e3, "m³/s": 1, "L/min": 1e-3 / 60,
 }
-NUMBER = re.compile(r'(\d+(?:\.\d+)?)(?: times 10\^\(?(-?\d+)\)?)?(?:(?: thin)? "([^"]*)")?')
-STEP = re.compile(r"#step\[.*?\]\[\$\n  (.*?) &= (.*?) \\\n(?:  &= (.*?) \\\n)?  &= (.*?) \$\]", re.S)
+NUMBER = re.compile(r'(?<![\w.])(\d+(?:\.\d+)?)(?: times 10\^\(?(-?\d+)\)?)?(?:(?: ?thin)? ?"([^"]*)")?')
 FUNCTIONS = {
     "frac": lambda a, b: a / b, "sqrt": math.sqrt, "abs": abs, "sin": math.sin, "cos": math.cos,
     "arcsin": math.asin, "arccos": math.acos, "pi": math.pi,
@@ -39,25 +38,28 @@ def read(text):
 
     text = text.replace("\\ &quad", "").replace("^2", "**_2_")
     text = NUMBER.sub(take, text.replace("**_2_", "**TWO")).replace("**TWO", "**2")
-    text = text.replace(" dot ", "*").replace("infinity", "math.inf")
+    text = text.replace(" dot ", "*").replace(" slash ", "/").replace("infinity", "math.inf")
     # Factors without a sign between them: "2 pi".
     text = re.sub(r"(v\[\d+\]) pi", r"\1*pi", text)
-    assert re.fullmatch(r"[\w\s\[\]()+\-*.,]*", text), text
+    assert re.fullmatch(r"[\w\s\[\]()+\-*/.,]*", text), text
     code = compile(" ".join(text.split()), "book", "eval")
     return (lambda v: eval(code, {"math": math}, {**FUNCTIONS, "v": v})), values, roundings
 
 
 def test_every_formula_gives_its_result(out, capsys):
     source = (out / "LemniscateCrane.typ").read_text(encoding="utf-8")
-    steps = STEP.findall(source)
-    assert len(steps) == source.count("#step[") > 100
-    recalculated = 0
-    for symbol, formula, numbers, result in steps:
+    recalculated, sharp = 0, 0
+    for step in source.split("\n#step[")[1:]:
+        body = step[step.index("[$") + 2 : step.index("$]")]
+        symbol, formula = body.split("&=", 1)
+        formula, *numbers, result = re.split(r"\n\s+(?:\\ &)?= ", formula)
         if not numbers:  # a formula that only names another quantity
             continue
+        [numbers] = numbers
+        result = result.strip()
         evaluate, values, roundings = read(numbers)
-        printed, [value], [half] = (lambda f, v, r: (f, v, r))(*read(result.lstrip("-")))
-        value = printed([value]) * (-1 if result.startswith("-") else 1)
+        _, [value], [half] = read(result.lstrip("-"))
+        value = -value if result.startswith("-") else value
         computed = evaluate(values)
         allowed = half + 1e-12 * abs(value)
         for i, rounding in enumerate(roundings):
@@ -70,6 +72,9 @@ def test_every_formula_gives_its_result(out, capsys):
             difference = min(difference, abs(difference - 2 * math.pi))
         assert difference <= allowed, f"{symbol} = {formula} = {numbers} = {result}: {computed}"
         recalculated += 1
+        sharp += allowed < 1e-3 * abs(value)
     with capsys.disabled():
         print(f"\n  {recalculated} printed formulas recalculated from their printed numbers")
-    assert recalculated > 100
+    assert recalculated > 60
+    # A result wrong by a thousandth would not pass, but for differences of nearly equal numbers.
+    assert sharp > 0.85 * recalculated, sharp

@@ -83,9 +83,9 @@ impl Sign {
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
-            Sign::Positive => "greater than zero",
-            Sign::NotNegative => "zero or greater",
-            Sign::Any => "finite",
+            Sign::Positive => "a finite number greater than zero",
+            Sign::NotNegative => "a finite number, zero or greater",
+            Sign::Any => "a finite number",
         }
     }
 }

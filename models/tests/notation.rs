@@ -13,7 +13,11 @@ fn page() -> String {
     );
     for symbol in symbols::ALL {
         let (unit, display) = (symbol.unit.name, symbol.display.name);
-        let _ = writeln!(page, "| `{}` | {unit} | {display} | {} | {} |", symbol.id, symbol.text, symbol.source);
+        let _ = writeln!(
+            page,
+            "| `{}` | {unit} | {display} | {} | {} |",
+            symbol.id, symbol.text, symbol.source
+        );
     }
     page
 }
@@ -24,14 +28,23 @@ fn the_notation_page_is_up_to_date() {
     if std::env::var_os("LEMNIS_WRITE").is_some() {
         std::fs::write(path, page()).expect("writable");
     }
-    let written = std::fs::read_to_string(path).expect("docs/notation.md").replace("\r\n", "\n");
-    assert!(written == page(), "docs/notation.md is stale: LEMNIS_WRITE=1 cargo test -p lemnis-models --test notation");
+    let written = std::fs::read_to_string(path)
+        .expect("docs/notation.md")
+        .replace("\r\n", "\n");
+    assert!(
+        written == page(),
+        "docs/notation.md is stale: LEMNIS_WRITE=1 cargo test -p lemnis-models --test notation"
+    );
 }
 
 #[test]
 fn names_are_unique_and_complete() {
     for (i, symbol) in symbols::ALL.iter().enumerate() {
-        assert!(symbols::ALL[..i].iter().all(|other| other.id != symbol.id), "{} twice", symbol.id);
+        assert!(
+            symbols::ALL[..i].iter().all(|other| other.id != symbol.id),
+            "{} twice",
+            symbol.id
+        );
         assert!(!symbol.text.is_empty() && symbol.text.ends_with('.'), "{}", symbol.id);
         assert!(!symbol.source.is_empty(), "{}", symbol.id);
         assert_eq!(symbol.unit.dimension, symbol.display.dimension, "{}", symbol.id);

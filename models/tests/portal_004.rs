@@ -11,11 +11,18 @@ const SCENE: &str = include_str!("../scenes/portal_004.toml");
 #[test]
 fn reach_at_the_printed_nodes() {
     let mut model = Model::new(&Scene::parse(SCENE).expect("valid")).expect("a mechanism");
-    let reach = model.variables().iter().position(|variable| variable.symbol.id == "R").expect("R");
+    let reach = model
+        .variables()
+        .iter()
+        .position(|variable| variable.symbol.id == "R")
+        .expect("R");
     for (phi, printed) in [(62.7_f64, 19.41), (45.8, 28.87), (79.2, 7.34)] {
         model.set(0, phi.to_radians()).expect("an angle");
         let computed = model.get(reach).expect("closes");
-        assert!((computed - printed).abs() <= 0.008, "x_Q at {phi}: {computed}, printed {printed}");
+        assert!(
+            (computed - printed).abs() <= 0.008,
+            "x_Q at {phi}: {computed}, printed {printed}"
+        );
     }
 }
 

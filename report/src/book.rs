@@ -11,7 +11,7 @@ use lemnis_models::symbol::Symbol;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use crate::formula::{self, quantity};
+use crate::formula::{self, Layout, Printed, quantity};
 use crate::number::{decimals, fixed};
 use crate::{plot, template};
 
@@ -79,7 +79,12 @@ struct Quantity {
 
 impl From<&'static Symbol> for Quantity {
     fn from(symbol: &'static Symbol) -> Quantity {
-        Quantity { symbol: symbol.print, text: symbol.text, unit: symbol.display.print, source: symbol.source }
+        Quantity {
+            symbol: symbol.print,
+            text: symbol.text,
+            unit: symbol.display.print,
+            source: symbol.source,
+        }
     }
 }
 
@@ -127,9 +132,9 @@ struct Step {
     /// Whether the book meets the symbol for the first time.
     first: bool,
     formula: String,
-    /// Left out where it repeats the result.
     numbers: Option<String>,
     result: String,
+    layout: Layout,
 }
 
 #[derive(Serialize)]
@@ -178,10 +183,16 @@ impl<'a> Book<'a> {
         for input in &sheet.inputs {
             notation.meet(input.symbol);
             if inputs.last().is_none_or(|chapter| chapter.id != input.chapter) {
-                inputs.push(Chapter { id: input.chapter, inputs: Vec::new() });
+                inputs.push(Chapter {
+                    id: input.chapter,
+                    inputs: Vec::new(),
+                });
             }
             let chapter = inputs.last_mut().expect("just pushed");
-            chapter.inputs.push(Input { quantity: input.symbol.into(), value: quantity(input.symbol, input.value) });
+            chapter.inputs.push(Input {
+                quantity: input.symbol.into(),
+                value: quantity(input.symbol, input.value),
+            });
         }
         let mut section = |section: &lemnis_models::sheet::Section| Section {
             id: section.id,
@@ -195,7 +206,11 @@ impl<'a> Book<'a> {
             sections: position.sections.iter().map(&mut section).collect(),
         });
         let positions = positions.collect();
-        let others = sheet.checks.iter().map(|check| check.symbol).chain(sheet.summary.iter().map(|s| s.symbol));
+        let others = sheet
+            .checks
+            .iter()
+            .map(|check| check.symbol)
+            .chain(sheet.summary.iter().map(|s| s.symbol));
         for symbol in others.chain(sheet.range.columns.iter().copied()) {
             notation.meet(symbol);
         }
@@ -205,7 +220,10 @@ impl<'a> Book<'a> {
             title: scene.title(),
             name: scene.name(),
             project: scene.project(),
-            hash: Sha256::digest(scene.text()).iter().map(|byte| format!("{byte:02x}")).collect(),
+            hash: Sha256::digest(scene.text())
+                .iter()
+                .map(|byte| format!("{byte:02x}"))
+                .collect(),
             version: env!("CARGO_PKG_VERSION"),
             passed: sheet.checks.iter().all(lemnis_models::sheet::Check::passed),
             checks: sheet.checks.iter().map(check).collect(),
@@ -216,7 +234,14 @@ impl<'a> Book<'a> {
             constants,
             positions,
             range: table(&sheet.range),
-            curves: sheet.curves.iter().map(|c| Figure { id: c.id, picture: json(&plot::curve(c)) }).collect(),
+            curves: sheet
+                .curves
+                .iter()
+                .map(|c| Figure {
+                    id: c.id,
+                    picture: json(&plot::curve(c)),
+                })
+                .collect(),
             published: published(sheet),
             remarks: &sheet.remarks,
             notation: notation.symbols.into_values().map(Quantity::from).collect(),
@@ -232,11 +257,15 @@ struct Notation {
 }
 
 impl Notation {
-    /// Whether the symbol is new.
+    /// Whether the symbol is new; another way to one quantity has the same symbol.
     fn meet(&mut self, symbol: &'static Symbol) -> bool {
-        // Capitals and small letters of one kind side by side, then by id.
-        let key = format!("{} {}", symbol.id.to_lowercase(), symbol.id);
-        self.symbols.insert(key, symbol).is_none()
+        let new = self.symbols.values().all(|known| known.print != symbol.print);
+        if new {
+            // Capitals and small letters of one kind side by side, then by id.
+            self.symbols
+                .insert(format!("{} {}", symbol.id.to_lowercase(), symbol.id), symbol);
+        }
+        new
     }
 
     fn references(&self) -> Vec<String> {
@@ -250,13 +279,19 @@ impl Notation {
 
 fn steps(trace: &Trace, notation: &mut Notation) -> Vec<Step> {
     let step = |step: &lemnis_models::record::Step| {
-        let (numbers, result) = (formula::numbers(trace, step), quantity(step.symbol, step.value));
+        let Printed {
+            formula,
+            numbers,
+            result,
+            layout,
+        } = formula::step(trace, step);
         Step {
             quantity: step.symbol.into(),
             first: notation.meet(step.symbol),
-            formula: formula::symbols(trace, step),
-            numbers: (numbers != result).then_some(numbers),
+            formula,
+            numbers,
             result,
+            layout,
         }
     };
     trace.steps.iter().map(step).collect()
@@ -277,14 +312,16 @@ fn summary(summary: &lemnis_models::sheet::Summary) -> Summary {
     Summary {
         quantity: summary.symbol.into(),
         value: quantity(summary.symbol, summary.value),
-        at: summary.at.map(|(symbol, at)| format!("{} = {}", symbol.print, quantity(symbol, at))),
+        at: summary
+            .at
+            .map(|(symbol, at)| format!("{} = {}", symbol.print, quantity(symbol, at))),
     }
 }
 
 fn table(table: &lemnis_models::sheet::Table) -> Table {
     let shown = |i: usize, row: &[f64]| table.columns[i].shown(row[i]);
-    let decimals: Vec<usize> =
-        (0..table.columns.len()).map(|i| decimals(table.rows.iter().map(|row| shown(i, row)))).collect();
+    let column = |i| table.rows.iter().map(|row| shown(i, row)).collect::<Vec<f64>>();
+    let decimals: Vec<usize> = (0..table.columns.len()).map(|i| decimals(&column(i))).collect();
     let row = |row: &Vec<f64>| (0..row.len()).map(|i| fixed(shown(i, row), decimals[i])).collect();
     Table {
         columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),

@@ -2,15 +2,17 @@
 //! with the numbers that stand for them.
 //!
 //! The numeric form keeps to a small grammar, so that it can be read back and
-//! recalculated: numbers with their unit as `19.3 thin "m"` or `60 "°"`, `pi`,
-//! `+`, `-`, `dot`, `frac(a, b)`, `a^2`, `sqrt(a)`, `abs(a)`, `sin(a)`,
-//! `cos(a)`, `arcsin(a)`, `arccos(a)`, `arctan2(y, x)` and parentheses. A long
-//! sum is broken with `\ &quad` before a sign.
+//! recalculated: numbers with their unit as `19.3 thin"m"`, `60"°"` or
+//! `1.2 times 10^(-5)`, `pi`, `+`, `-`, `dot`, `slash`, `frac(a, b)`, `a^2`,
+//! `sqrt(a)`, `abs(a)`, `sin(a)`, `cos(a)`, `arcsin(a)`, `arccos(a)`,
+//! `arctan2(y, x)` and parentheses. A long sum is broken with `\ &quad` before
+//! a sign.
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use lemnis_models::record::{Node, Op, Rec, Step, Trace};
 use lemnis_models::symbol::Symbol;
+use serde::Serialize;
 
 use crate::number::number;
 
@@ -25,15 +27,63 @@ enum Level {
 
 /// A printed expression.
 struct Term {
+    /// Stands with a minus sign, which is not in the text.
+    minus: bool,
     text: String,
     level: Level,
-    /// Estimated width, in digits.
+    /// Estimated width, in digits of the book's font.
     width: f64,
 }
 
-/// Widest line, in digits of the book's font: what is left of a line beside
-/// the symbol on the left and the source on the right.
-const LINE: f64 = 56.0;
+impl Term {
+    fn atom(text: String, width: f64) -> Term {
+        Term {
+            minus: false,
+            text,
+            level: Level::Atom,
+            width,
+        }
+    }
+
+    fn product(minus: bool, text: String, width: f64) -> Term {
+        Term {
+            minus,
+            text,
+            level: Level::Product,
+            width,
+        }
+    }
+
+    /// With its sign in the text.
+    fn whole(self) -> Term {
+        if !self.minus {
+            return self;
+        }
+        Term {
+            minus: false,
+            text: format!("-{}", self.text),
+            level: Level::Sum,
+            width: self.width + 1.5,
+        }
+    }
+
+    /// Without its sign, in parentheses unless it holds together at least this tightly.
+    fn within(self, level: Level) -> Term {
+        if self.level >= level {
+            return self;
+        }
+        Term {
+            text: format!("({})", self.text),
+            level: Level::Atom,
+            width: self.width + 1.5,
+            ..self
+        }
+    }
+}
+
+/// Width of a line without a source beside it, and what the source takes.
+const LINE: f64 = 84.0;
+const SOURCE: f64 = 18.0;
 
 #[derive(Clone, Copy)]
 enum Form {
@@ -41,51 +91,85 @@ enum Form {
     Numbers,
 }
 
-/// A step's formula in symbols.
-#[must_use]
-pub fn symbols(trace: &Trace, step: &Step) -> String {
-    broken(trace, Form::Symbols, step.formula)
+/// How a step is set.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Layout {
+    /// Formula, numbers and result in one line.
+    Line,
+    /// A line for each, and more for a long sum.
+    Lines,
+    /// Lines that must be made smaller to fit.
+    Small,
 }
 
-/// A step's formula with the numbers put in.
+/// A step in Typst's mathematics.
+#[derive(Debug)]
+pub struct Printed {
+    pub formula: String,
+    /// The formula with the numbers put in; `None` where that repeats the result.
+    pub numbers: Option<String>,
+    pub result: String,
+    pub layout: Layout,
+}
+
+/// A step of a recorded calculation.
 #[must_use]
-pub fn numbers(trace: &Trace, step: &Step) -> String {
-    broken(trace, Form::Numbers, step.formula)
+pub fn step(trace: &Trace, step: &Step) -> Printed {
+    let name = name_width(step.symbol.print) + 3.0;
+    let result = numeric(quantity(step.symbol, step.value));
+    let [symbols, numbers] = [Form::Symbols, Form::Numbers].map(|form| term(trace, form, false, step.formula).whole());
+    let repeats = numbers.text == result.text;
+    let line = name + symbols.width + result.width + 3.0 + if repeats { 0.0 } else { numbers.width + 3.0 };
+    if line <= LINE - SOURCE {
+        let numbers = (!repeats).then_some(numbers.text);
+        return Printed {
+            formula: symbols.text,
+            numbers,
+            result: result.text,
+            layout: Layout::Line,
+        };
+    }
+    let (formula, formula_width) = broken(trace, Form::Symbols, step.formula, LINE - SOURCE - name);
+    let (numbers, numbers_width) = broken(trace, Form::Numbers, step.formula, LINE - name);
+    let fits = formula_width <= LINE - SOURCE - name && numbers_width <= LINE - name;
+    let layout = if fits { Layout::Lines } else { Layout::Small };
+    Printed {
+        formula,
+        numbers: (!repeats).then_some(numbers),
+        result: result.text,
+        layout,
+    }
 }
 
 /// A value (in SI) in the symbol's display unit.
 #[must_use]
 pub fn quantity(symbol: &Symbol, value: f64) -> String {
-    number(symbol.shown(value)) + &unit(symbol)
-}
-
-fn unit(symbol: &Symbol) -> String {
-    match symbol.display.print {
+    let unit = match symbol.display.print {
         "" => String::new(),
-        unit if unit.starts_with('°') => format!(" \"{unit}\""),
-        unit => format!(" thin \"{unit}\""),
-    }
+        unit if unit.starts_with('°') => format!("\"{unit}\""),
+        unit => format!(" thin\"{unit}\""),
+    };
+    number(symbol.shown(value)) + &unit
 }
 
-/// The expression, broken before `+` and `-` of its outermost sum where it is too long.
-fn broken(trace: &Trace, form: Form, rec: Rec) -> String {
-    let whole = term(trace, form, rec);
-    if whole.width <= LINE {
-        return whole.text;
-    }
+/// The expression, broken before `+` and `-` of its outermost sum where it is
+/// too long, with the width of its longest line.
+fn broken(trace: &Trace, form: Form, rec: Rec, room: f64) -> (String, f64) {
     let mut summands = Vec::new();
     split(trace, form, rec, &mut summands);
-    let (mut text, mut used) = (String::new(), 0.0);
+    let (mut text, mut used, mut widest) = (String::new(), 0.0, 0.0_f64);
     for (sign, summand) in summands {
-        if used > 0.0 && used + summand.width > LINE {
+        if used > 0.0 && used + summand.width + 2.0 > room {
             text += " \\ &quad";
             used = 2.0;
         }
         text += sign;
         text += &summand.text;
         used += summand.width + 2.0;
+        widest = widest.max(used);
     }
-    text
+    (text, widest)
 }
 
 /// The summands of a sum with the sign before each.
@@ -93,46 +177,41 @@ fn split(trace: &Trace, form: Form, rec: Rec, summands: &mut Vec<(&'static str, 
     match trace.node(rec) {
         Node::Binary(op @ (Op::Add | Op::Sub), left, right) => {
             split(trace, form, left, summands);
-            let right = summand(op, term(trace, form, right));
-            summands.push((if op == Op::Add { " + " } else { " - " }, right));
+            summands.push(signed(op, term(trace, form, false, right)));
         }
-        _ => summands.push(("", term(trace, form, rec))),
+        _ => summands.push(("", term(trace, form, false, rec).whole())),
     }
 }
 
-/// The right operand of a sum or a difference.
-fn summand(op: Op, right: Term) -> Term {
-    if right.text.starts_with('-') || op == Op::Sub {
-        within(right, Level::Product)
-    } else {
-        right
-    }
+/// The right operand of a sum or a difference, and the sign before it.
+fn signed(op: Op, right: Term) -> (&'static str, Term) {
+    let minus = (op == Op::Sub) != right.minus;
+    let alone = op == Op::Sub || right.minus || right.text.starts_with('-');
+    let right = if alone { right.within(Level::Product) } else { right };
+    (if minus { " - " } else { " + " }, Term { minus: false, ..right })
 }
 
-/// In parentheses unless it holds together at least this tightly.
-fn within(term: Term, level: Level) -> Term {
-    if term.level >= level {
-        return term;
-    }
-    Term { text: format!("({})", term.text), level: Level::Atom, width: term.width + 1.5 }
-}
-
-fn term(trace: &Trace, form: Form, rec: Rec) -> Term {
+/// `nested` inside a fraction, where another fraction is written with a slash.
+fn term(trace: &Trace, form: Form, nested: bool, rec: Rec) -> Term {
     match trace.node(rec) {
         Node::Constant(value) => constant(value),
         Node::Name(symbol) => match form {
-            Form::Symbols => Term { text: symbol.print.to_owned(), level: Level::Atom, width: name_width(symbol.print) },
+            Form::Symbols => Term::atom(symbol.print.to_owned(), name_width(symbol.print)),
             Form::Numbers => numeric(quantity(symbol, trace.value(rec))),
         },
-        Node::Unary(op, inner) => unary(op, term(trace, form, inner)),
-        Node::Binary(op, left, right) => binary(form, op, term(trace, form, left), term(trace, form, right)),
+        Node::Unary(op, inner) => unary(op, term(trace, form, nested, inner)),
+        Node::Binary(op, left, right) => {
+            let nested_within = nested || op == Op::Div;
+            let [left, right] = [left, right].map(|operand| term(trace, form, nested_within, operand));
+            binary(form, nested, op, left, right)
+        }
     }
 }
 
 fn constant(value: f64) -> Term {
     let named = [(PI, "pi"), (TAU, "2 pi"), (FRAC_PI_4, "frac(pi, 4)")];
     match named.into_iter().find(|&(named, _)| named == value) {
-        Some((_, text)) => Term { text: text.to_owned(), level: Level::Product, width: 2.0 },
+        Some((_, text)) => Term::product(false, text.to_owned(), 2.0),
         None => numeric(number(value)),
     }
 }
@@ -141,71 +220,113 @@ fn constant(value: f64) -> Term {
 fn numeric(text: String) -> Term {
     let level = match &text {
         text if text.starts_with('-') => Level::Sum,
-        text if text.contains(' ') => Level::Product,
-        _ => Level::Atom,
+        text if text.ends_with(|c: char| c.is_ascii_digit()) => Level::Atom,
+        _ => Level::Product,
     };
-    let visible = text.replace(" thin ", "").replace(['"', '^', '('], "").replace(" times ", "--");
-    Term { level, width: visible.chars().count() as f64 * 0.95, text }
+    let visible = text
+        .replace(" thin", "")
+        .replace(['"', '^', '(', ')'], "")
+        .replace(" times ", "--");
+    Term {
+        minus: false,
+        level,
+        width: visible.chars().count() as f64,
+        text,
+    }
 }
 
 fn unary(op: Op, inner: Term) -> Term {
-    let function = |name: &str| Term {
-        text: format!("{name}({})", inner.text),
-        level: Level::Atom,
-        width: inner.width + name.len() as f64 * 0.9 + 1.5,
+    let function = |name: &str, inner: Term| {
+        Term::atom(
+            format!("{name}({})", inner.text),
+            inner.width + name.len() as f64 * 0.9 + 2.0,
+        )
     };
     match op {
-        Op::Sqrt => Term { width: inner.width + 2.0, ..function("sqrt") },
-        Op::Abs => Term { width: inner.width + 1.5, ..function("abs") },
-        Op::Sin => function("sin"),
-        Op::Cos => function("cos"),
-        Op::Asin => function("arcsin"),
-        Op::Acos => function("arccos"),
+        Op::Sqrt => function("sqrt", inner.whole()),
+        Op::Sin => function("sin", inner.whole()),
+        Op::Cos => function("cos", inner.whole()),
+        Op::Asin => function("arcsin", inner.whole()),
+        Op::Acos => function("arccos", inner.whole()),
+        Op::Abs => function("abs", inner),
         Op::Square => {
-            let base = within(inner, Level::Atom);
-            Term { text: base.text + "^2", level: Level::Product, width: base.width + 0.7 }
+            let base = inner.within(Level::Atom);
+            Term::product(false, base.text + "^2", base.width + 0.7)
         }
         Op::Neg => {
-            let inner = summand(Op::Sub, inner);
-            Term { text: format!("-{}", inner.text), level: Level::Sum, width: inner.width + 1.0 }
+            let inner = inner.within(Level::Product);
+            Term {
+                minus: !inner.minus,
+                ..inner
+            }
         }
         Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Direction => unreachable!("{op:?} has two operands"),
     }
 }
 
-fn binary(form: Form, op: Op, left: Term, right: Term) -> Term {
-    let (level, joint) = match op {
-        Op::Add => (Level::Sum, " + "),
-        Op::Sub => (Level::Sum, " - "),
+fn binary(form: Form, nested: bool, op: Op, left: Term, right: Term) -> Term {
+    match op {
+        Op::Add | Op::Sub => {
+            let (left, (sign, right)) = (left.whole(), signed(op, right));
+            let width = left.width + right.width + 2.2;
+            Term {
+                minus: false,
+                text: left.text + sign + &right.text,
+                level: Level::Sum,
+                width,
+            }
+        }
         Op::Mul => {
+            let (left, right) = (left.within(Level::Product), right.within(Level::Product));
             let digit = right.text.starts_with(|c: char| c.is_ascii_digit());
-            (Level::Product, if matches!(form, Form::Numbers) || digit { " dot " } else { " " })
+            let (joint, gap) = if matches!(form, Form::Numbers) || digit {
+                (" dot ", 1.4)
+            } else {
+                (" ", 0.2)
+            };
+            Term::product(
+                left.minus != right.minus,
+                left.text + joint + &right.text,
+                left.width + right.width + gap,
+            )
+        }
+        Op::Div if nested => {
+            let (left, right) = (left.within(Level::Product), right.within(Level::Atom));
+            let width = left.width + right.width + 1.0;
+            Term::product(left.minus != right.minus, left.text + " slash " + &right.text, width)
         }
         Op::Div => {
-            let width = left.width.max(right.width) + 1.0;
-            return Term { text: format!("frac({}, {})", left.text, right.text), level: Level::Product, width };
+            let text = format!("frac({}, {})", left.text, right.text);
+            Term::product(left.minus != right.minus, text, left.width.max(right.width) + 0.5)
         }
         // The angle of the vector (x, y) is written with y first, as in arctan y/x.
         _ => {
-            let width = left.width + right.width + 9.0;
-            return Term { text: format!("arctan2({}, {})", right.text, left.text), level: Level::Atom, width };
+            let (left, right) = (left.whole(), right.whole());
+            Term::atom(
+                format!("arctan2({}, {})", right.text, left.text),
+                left.width + right.width + 9.5,
+            )
         }
-    };
-    let (left, right) = match op {
-        Op::Mul => (within(left, Level::Product), within(right, Level::Product)),
-        _ => (left, summand(op, right)),
-    };
-    let width = left.width + right.width + if level == Level::Sum || joint == " dot " { 2.0 } else { 0.3 };
-    Term { text: left.text + joint + &right.text, level, width }
+    }
 }
 
 /// Letters and digits of a name, those below the line at two thirds.
 fn name_width(print: &str) -> f64 {
     let (name, index) = print.split_once('_').unwrap_or((print, ""));
     let index = index.trim_matches(['(', ')']);
-    let greek = |word: &str| if word.len() > 2 && word.chars().all(char::is_alphabetic) { 1.3 } else { word.len() as f64 };
+    let greek = |word: &str| {
+        if word.len() > 2 && word.chars().all(char::is_alphabetic) {
+            1.3
+        } else {
+            word.len() as f64
+        }
+    };
     let words = |text: &str| text.split([' ', ',']).map(greek).sum::<f64>();
-    if name.starts_with("overline") { 2.5 } else { words(name) * 1.2 + words(index) * 0.75 }
+    if name.starts_with("overline") {
+        2.5
+    } else {
+        words(name) * 1.2 + words(index) * 0.75
+    }
 }
 
 #[cfg(test)]
@@ -217,31 +338,88 @@ mod tests {
 
     /// Both forms of a formula of lengths 3 m, −2 m and 0.5 m, and an angle of 30°.
     fn printed(formula: impl FnOnce([Rec; 4]) -> Rec) -> (String, String) {
-        let (mut trace, formula) = record(|| {
-            let [a, b, c] = [(&s::X_1, 3.0), (&s::X_2, -2.0), (&s::X_3, 0.5)].map(|(name, value)| Rec::given(name, value));
+        let (trace, formula) = record(|| {
+            let [a, b, c] =
+                [(&s::X_1, 3.0), (&s::X_2, -2.0), (&s::X_3, 0.5)].map(|(name, value)| Rec::given(name, value));
             formula([a, b, c, Rec::given(&s::BETA_0, 30.0_f64.to_radians())])
         });
-        let step = Step { symbol: &s::L, formula, value: trace.value(formula) };
-        trace.steps.push(step);
-        (symbols(&trace, &step), numbers(&trace, &step))
+        let printed = step(
+            &trace,
+            &Step {
+                symbol: &s::L,
+                formula,
+                value: trace.value(formula),
+            },
+        );
+        (printed.formula, printed.numbers.unwrap_or(printed.result))
     }
 
     #[test]
     fn parentheses_are_where_precedence_needs_them_and_nowhere_else() {
         type Formula = fn([Rec; 4]) -> Rec;
-        let cases: [(Formula, &str, &str); 12] = [
-            (|[a, b, c, _]| a + b * c, "X_1 + X_2 X_3", r#"3 thin "m" + (-2 thin "m") dot 0.5 thin "m""#),
-            (|[a, b, c, _]| (a + b) * c, "(X_1 + X_2) X_3", r#"(3 thin "m" + (-2 thin "m")) dot 0.5 thin "m""#),
-            (|[a, b, c, _]| a - (b - c), "X_1 - (X_2 - X_3)", r#"3 thin "m" - (-2 thin "m" - 0.5 thin "m")"#),
-            (|[a, b, c, _]| a + (c + b), "X_1 + X_3 + X_2", r#"3 thin "m" + 0.5 thin "m" + (-2 thin "m")"#),
-            (|[a, b, c, _]| a + (b + c), "X_1 + X_2 + X_3", r#"3 thin "m" + (-2 thin "m" + 0.5 thin "m")"#),
-            (|[a, b, _, _]| -(a + b), "-(X_1 + X_2)", r#"-(3 thin "m" + (-2 thin "m"))"#),
-            (|[a, b, _, _]| a * -b, "X_1 (-X_2)", r#"3 thin "m" dot (-(-2 thin "m"))"#),
-            (|[a, b, c, _]| (a - c) / (b * c), "frac(X_1 - X_3, X_2 X_3)", r#"frac(3 thin "m" - 0.5 thin "m", (-2 thin "m") dot 0.5 thin "m")"#),
-            (|[_, b, _, _]| b.square(), "X_2^2", r#"(-2 thin "m")^2"#),
-            (|[a, _, c, _]| (a / c).square(), "(frac(X_1, X_3))^2", r#"(frac(3 thin "m", 0.5 thin "m"))^2"#),
-            (|[a, _, _, t]| a * t.sin(), "X_1 sin(beta_0)", r#"3 thin "m" dot sin(30 "°")"#),
-            (|[a, b, _, _]| Rec::direction(a, b), "arctan2(X_2, X_1)", r#"arctan2(-2 thin "m", 3 thin "m")"#),
+        let cases: [(Formula, &str, &str); 14] = [
+            (
+                |[a, b, c, _]| a + b * c,
+                "X_1 + X_2 X_3",
+                r#"3 thin"m" + (-2 thin"m") dot 0.5 thin"m""#,
+            ),
+            (
+                |[a, b, c, _]| (a + b) * c,
+                "(X_1 + X_2) X_3",
+                r#"(3 thin"m" + (-2 thin"m")) dot 0.5 thin"m""#,
+            ),
+            (
+                |[a, b, c, _]| a - (b - c),
+                "X_1 - (X_2 - X_3)",
+                r#"3 thin"m" - (-2 thin"m" - 0.5 thin"m")"#,
+            ),
+            (
+                |[a, b, c, _]| a + (c + b),
+                "X_1 + X_3 + X_2",
+                r#"3 thin"m" + 0.5 thin"m" + (-2 thin"m")"#,
+            ),
+            (
+                |[a, b, c, _]| a + (b + c),
+                "X_1 + X_2 + X_3",
+                r#"3 thin"m" + (-2 thin"m" + 0.5 thin"m")"#,
+            ),
+            (
+                |[a, b, _, _]| -(a + b),
+                "-(X_1 + X_2)",
+                r#"-(3 thin"m" + (-2 thin"m"))"#,
+            ),
+            (
+                |[a, b, c, _]| a - (-b) * c,
+                "X_1 + X_2 X_3",
+                r#"3 thin"m" + (-2 thin"m") dot 0.5 thin"m""#,
+            ),
+            (|[a, b, _, _]| a * -b, "-X_1 X_2", r#"-3 thin"m" dot (-2 thin"m")"#),
+            (
+                |[a, b, c, _]| a / (b / c),
+                "frac(X_1, X_2 slash X_3)",
+                r#"frac(3 thin"m", (-2 thin"m") slash (0.5 thin"m"))"#,
+            ),
+            (
+                |[a, b, c, _]| (a - c) / (b * c),
+                "frac(X_1 - X_3, X_2 X_3)",
+                r#"frac(3 thin"m" - 0.5 thin"m", (-2 thin"m") dot 0.5 thin"m")"#,
+            ),
+            (|[_, b, _, _]| (-b).square(), "X_2^2", r#"(-2 thin"m")^2"#),
+            (
+                |[a, _, c, _]| (a / c).square(),
+                "(frac(X_1, X_3))^2",
+                r#"(frac(3 thin"m", 0.5 thin"m"))^2"#,
+            ),
+            (
+                |[a, _, _, t]| a * t.sin(),
+                "X_1 sin(beta_0)",
+                r#"3 thin"m" dot sin(30"°")"#,
+            ),
+            (
+                |[a, b, _, _]| Rec::direction(a, b),
+                "arctan2(X_2, X_1)",
+                r#"arctan2(-2 thin"m", 3 thin"m")"#,
+            ),
         ];
         for (formula, in_symbols, in_numbers) in cases {
             assert_eq!(printed(formula), (in_symbols.to_owned(), in_numbers.to_owned()));
@@ -260,6 +438,9 @@ mod tests {
     fn a_long_sum_is_broken_before_a_sign() {
         let sum = printed(|[a, b, ..]| (0..12).fold(a, |sum, _| sum + a * b)).1;
         let lines: Vec<&str> = sum.split(" \\ &quad").collect();
-        assert!(lines.len() > 2 && lines[1..].iter().all(|line| line.starts_with(" + ")), "{sum}");
+        assert!(
+            lines.len() > 2 && lines[1..].iter().all(|line| line.starts_with(" + ")),
+            "{sum}"
+        );
     }
 }

@@ -14,13 +14,9 @@ pub fn number(value: f64) -> String {
     if value.is_infinite() {
         return if value > 0.0 { "infinity" } else { "-infinity" }.to_owned();
     }
-    let exact = |text: &String| {
-        let back: f64 = text.parse().expect("digits just written");
-        (back - value).abs() <= 4.0 * f64::EPSILON * value.abs()
-    };
     let text = (0..9)
         .map(|decimals| format!("{value:.decimals$e}"))
-        .find(exact)
+        .find(|text| exact(text, value))
         .unwrap_or_else(|| format!("{value:.*e}", SIGNIFICANT - 1));
     let (mantissa, exponent) = text.split_once('e').expect("scientific notation has an exponent");
     let exponent: i32 = exponent.parse().expect("an integer");
@@ -33,18 +29,33 @@ pub fn number(value: f64) -> String {
 }
 
 /// Decimals of a column: six significant digits for its largest number, but
-/// not more than four decimals.
+/// not more than four decimals, and no more than make all its numbers exact.
 #[must_use]
-pub fn decimals(column: impl Iterator<Item = f64>) -> usize {
-    let largest = column.filter(|value| value.is_finite()).map(f64::abs).fold(0.0, f64::max);
-    let before = format!("{largest:.0}").len();
-    SIGNIFICANT.saturating_sub(before).min(4)
+pub fn decimals(column: &[f64]) -> usize {
+    let largest = column
+        .iter()
+        .filter(|value| value.is_finite())
+        .map(|value| value.abs())
+        .fold(0.0, f64::max);
+    let most = SIGNIFICANT.saturating_sub(format!("{largest:.0}").len()).min(4);
+    let exact = |decimals: &usize| column.iter().all(|&value| exact(&format!("{value:.decimals$}"), value));
+    (0..most).find(exact).unwrap_or(most)
+}
+
+/// Whether digits give the value back, but for the rounding of a conversion of units.
+fn exact(digits: &str, value: f64) -> bool {
+    let back: f64 = digits.parse().expect("digits just written");
+    back == value || (back - value).abs() <= 4.0 * f64::EPSILON * value.abs()
 }
 
 /// A number with given decimals, as text; zero has no sign.
 #[must_use]
 pub fn fixed(value: f64, decimals: usize) -> String {
-    let text = if value.is_infinite() { format!("{}∞", if value < 0.0 { "-" } else { "" }) } else { format!("{value:.decimals$}") };
+    let text = if value.is_infinite() {
+        format!("{}∞", if value < 0.0 { "-" } else { "" })
+    } else {
+        format!("{value:.decimals$}")
+    };
     match text.strip_prefix('-') {
         Some(digits) if digits.bytes().all(|byte| matches!(byte, b'0' | b'.')) => digits.to_owned(),
         Some(digits) => format!("−{digits}"),
@@ -80,8 +91,9 @@ mod tests {
 
     #[test]
     fn a_column_has_one_number_of_decimals_and_no_negative_zero() {
-        assert_eq!(decimals([254.3465, -3.0].into_iter()), 3);
-        assert_eq!(decimals([0.3, f64::INFINITY].into_iter()), 4);
+        assert_eq!(decimals(&[254.346_5, -3.0]), 3);
+        assert_eq!(decimals(&[1.0 / 3.0, f64::INFINITY]), 4);
+        assert_eq!(decimals(&[60.0, 60.5]), 1);
         assert_eq!(fixed(-0.000_04, 4), "0.0000");
         assert_eq!(fixed(-4.2338, 3), "−4.234");
         assert_eq!(fixed(f64::NEG_INFINITY, 3), "−∞");

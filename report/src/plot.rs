@@ -26,10 +26,22 @@ pub struct Picture {
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 enum Item {
-    Line { points: Vec<Point>, closed: bool, style: &'static str },
-    Circle { at: Point, radius: f64, style: &'static str },
+    Line {
+        points: Vec<Point>,
+        closed: bool,
+        style: &'static str,
+    },
+    Circle {
+        at: Point,
+        radius: f64,
+        style: &'static str,
+    },
     /// In Typst's mathematics.
-    Text { at: Point, anchor: &'static str, text: String },
+    Text {
+        at: Point,
+        anchor: &'static str,
+        text: String,
+    },
 }
 
 impl Picture {
@@ -43,11 +55,19 @@ impl Picture {
     }
 
     fn circle(&mut self, style: &'static str, at: Point, radius: f64) {
-        self.items.push(Item::Circle { at: at.map(hundredths), radius, style });
+        self.items.push(Item::Circle {
+            at: at.map(hundredths),
+            radius,
+            style,
+        });
     }
 
     fn text(&mut self, at: Point, anchor: &'static str, text: impl Into<String>) {
-        self.items.push(Item::Text { at: at.map(hundredths), anchor, text: text.into() });
+        self.items.push(Item::Text {
+            at: at.map(hundredths),
+            anchor,
+            text: text.into(),
+        });
     }
 
     /// A slender arrow head with its tip at `tip`, pointing away from `from`.
@@ -91,9 +111,19 @@ pub fn drawing(drawing: &Drawing) -> Picture {
     let fits = |scale: &u32| size(*scale)[0] <= LARGEST[0] && size(*scale)[1] <= LARGEST[1];
     let scale = SCALES.into_iter().find(fits).unwrap_or(SCALES[SCALES.len() - 1]);
     let millimetres = 1000.0 / f64::from(scale);
-    let place = |p: Point| [(p[0] - low[0]) * millimetres + MARGIN, (high[1] - p[1]) * millimetres + MARGIN];
+    let place = |p: Point| {
+        [
+            (p[0] - low[0]) * millimetres + MARGIN,
+            (high[1] - p[1]) * millimetres + MARGIN,
+        ]
+    };
     let [width, height] = size(scale);
-    let mut picture = Picture { width, height, scale, items: Vec::new() };
+    let mut picture = Picture {
+        width,
+        height,
+        scale,
+        items: Vec::new(),
+    };
     for shape in &drawing.shapes {
         draw(&mut picture, drawing, shape, &place, millimetres);
     }
@@ -112,9 +142,21 @@ fn extent(shape: &Shape) -> Vec<Point> {
 
 fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(Point) -> Point, millimetres: f64) {
     match shape {
-        Shape::Body { points, closed, faint, .. } => {
+        Shape::Body {
+            points, closed, faint, ..
+        } => {
             let points: Vec<Point> = points.iter().copied().map(place).collect();
-            picture.shape(if *faint { "faint" } else if *closed { "body" } else { "bar" }, &points, *closed);
+            picture.shape(
+                if *faint {
+                    "faint"
+                } else if *closed {
+                    "body"
+                } else {
+                    "bar"
+                },
+                &points,
+                *closed,
+            );
         }
         Shape::Pin { at, fixed, faint } => {
             let at = place(*at);
@@ -154,16 +196,28 @@ fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(P
             picture.line("thin", &[a, b]);
             picture.arrow(b, a);
             picture.arrow(a, b);
-            picture.text(aside([f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])], 2.2), "centre", *text);
+            picture.text(
+                aside([f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])], 2.2),
+                "centre",
+                *text,
+            );
         }
-        Shape::Angle { at, radius, from, to, text } => {
+        Shape::Angle {
+            at,
+            radius,
+            from,
+            to,
+            text,
+        } => {
             let centre = place(*at);
             let radius = radius * millimetres;
             let on = |angle: f64, radius: f64| {
                 let (sin, cos) = Calc::sin_cos(angle);
                 [centre[0] + radius * cos, centre[1] - radius * sin]
             };
-            let arc: Vec<Point> = (0..=32).map(|i| on(from + (to - from) * f64::from(i) / 32.0, radius)).collect();
+            let arc: Vec<Point> = (0..=32)
+                .map(|i| on(from + (to - from) * f64::from(i) / 32.0, radius))
+                .collect();
             picture.line("thin", &[on(*from, 1.0), on(*from, radius + 4.0)]);
             picture.line("thin", &arc);
             picture.arrow(arc[30], arc[32]);
@@ -189,11 +243,20 @@ fn free_side(drawing: &Drawing, at: Point) -> Point {
     let mut taken: Vec<Point> = Vec::new();
     for shape in &drawing.shapes {
         match shape {
-            Shape::Body { points, faint: false, .. } if points.contains(&at) => {
+            Shape::Body {
+                points, faint: false, ..
+            } if points.contains(&at) => {
                 taken.extend(points.iter().filter(|&&p| p != at).map(|&p| unit(at, p)));
             }
             Shape::Angle { at: centre, .. } if *centre == at => taken.push([1.0, 0.0]),
-            Shape::Pin { at: pin, fixed: true, .. } | Shape::Load { at: pin, .. } if *pin == at => taken.push([0.0, -1.0]),
+            Shape::Pin {
+                at: pin, fixed: true, ..
+            }
+            | Shape::Load { at: pin, .. }
+                if *pin == at =>
+            {
+                taken.push([0.0, -1.0])
+            }
             _ => {}
         }
     }
@@ -223,13 +286,26 @@ struct Axis {
 impl Axis {
     /// Covers the values, ends included; `round` lets the ends be ticks.
     fn new(values: impl Iterator<Item = f64>, round: bool) -> Axis {
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+            (low.min(v), high.max(v))
+        });
         let span = (high - low).max(1e-9 * high.abs()).max(f64::MIN_POSITIVE);
         let power = 10_f64.powi((span / 5.0).log10().floor() as i32);
-        let step = [1.0, 2.0, 5.0, 10.0].map(|n| n * power).into_iter().find(|step| span / step <= 6.5);
+        let step = [1.0, 2.0, 5.0, 10.0]
+            .map(|n| n * power)
+            .into_iter()
+            .find(|step| span / step <= 6.5);
         let step = step.expect("ten times the power is more than a fifth of the span");
-        let (low, high) = if round { ((low / step).floor() * step, (high / step).ceil() * step) } else { (low, high) };
-        Axis { from: low, to: if high > low { high } else { low + step }, step }
+        let (low, high) = if round {
+            ((low / step).floor() * step, (high / step).ceil() * step)
+        } else {
+            (low, high)
+        };
+        Axis {
+            from: low,
+            to: if high > low { high } else { low + step },
+            step,
+        }
     }
 
     fn ticks(&self) -> impl Iterator<Item = f64> {
@@ -253,13 +329,24 @@ impl Axis {
 #[must_use]
 pub fn curve(curve: &Curve) -> Picture {
     let shown = |p: &Point| [curve.x.shown(p[0]), curve.y.shown(p[1])];
-    let pieces: Vec<Vec<Point>> = curve.pieces.iter().map(|piece| piece.iter().map(shown).collect()).collect();
+    let pieces: Vec<Vec<Point>> = curve
+        .pieces
+        .iter()
+        .map(|piece| piece.iter().map(shown).collect())
+        .collect();
     let all = || pieces.iter().flatten();
-    let (x, y) = (Axis::new(all().map(|p| p[0]), false), Axis::new(all().map(|p| p[1]), true));
+    let (x, y) = (
+        Axis::new(all().map(|p| p[0]), false),
+        Axis::new(all().map(|p| p[1]), true),
+    );
     let (width, height) = (CHART[0] - LEFT - RIGHT, CHART[1] - TOP - BOTTOM);
     let (right, bottom) = (LEFT + width, TOP + height);
     let place = |p: Point| [LEFT + width * x.part(p[0]), bottom - height * y.part(p[1])];
-    let mut picture = Picture { width: CHART[0], height: CHART[1], ..Picture::default() };
+    let mut picture = Picture {
+        width: CHART[0],
+        height: CHART[1],
+        ..Picture::default()
+    };
     for tick in x.ticks() {
         let left = place([tick, y.from])[0];
         picture.line("grid", &[[left, TOP], [left, bottom]]);
@@ -270,13 +357,22 @@ pub fn curve(curve: &Curve) -> Picture {
         picture.line(if tick == 0.0 { "thin" } else { "grid" }, &[[LEFT, top], [right, top]]);
         picture.text([LEFT - 1.2, top], "right", fixed(tick, y.decimals()));
     }
-    picture.shape("thin", &[[LEFT, TOP], [right, TOP], [right, bottom], [LEFT, bottom]], true);
+    picture.shape(
+        "thin",
+        &[[LEFT, TOP], [right, TOP], [right, bottom], [LEFT, bottom]],
+        true,
+    );
     for piece in &pieces {
         picture.line("curve", &piece.iter().copied().map(place).collect::<Vec<_>>());
     }
     // A curve that is broken runs to infinity between its pieces: no extremes.
     if let [piece] = pieces.as_slice() {
-        let extreme = |sign: f64| piece.iter().copied().max_by(|a, b| (sign * a[1]).total_cmp(&(sign * b[1])));
+        let extreme = |sign: f64| {
+            piece
+                .iter()
+                .copied()
+                .max_by(|a, b| (sign * a[1]).total_cmp(&(sign * b[1])))
+        };
         for (point, above) in [(extreme(1.0), true), (extreme(-1.0), false)] {
             let Some(point) = point else { continue };
             let at = place(point);
@@ -289,8 +385,16 @@ pub fn curve(curve: &Curve) -> Picture {
             // Outside of the curve where the field has room, inside otherwise.
             let outside = if above { at[1] > TOP + 5.0 } else { at[1] < bottom - 5.0 };
             let up = above == outside;
-            let shift = match anchor { "left" => 1.5, "right" => -1.5, _ => 0.0 };
-            picture.text([at[0] + shift, at[1] + if up { -2.6 } else { 2.6 }], anchor, four_digits(point[1]));
+            let shift = match anchor {
+                "left" => 1.5,
+                "right" => -1.5,
+                _ => 0.0,
+            };
+            picture.text(
+                [at[0] + shift, at[1] + if up { -2.6 } else { 2.6 }],
+                anchor,
+                four_digits(point[1]),
+            );
         }
     }
     picture.text([LEFT - 8.0, TOP - 3.6], "left", axis_name(curve.y));
@@ -308,7 +412,10 @@ fn axis_name(symbol: &Symbol) -> String {
 
 fn four_digits(value: f64) -> String {
     let before = format!("{:.0}", value.abs().floor()).len();
-    fixed(value, 4_usize.saturating_sub(if value.abs() < 1.0 { 0 } else { before }))
+    fixed(
+        value,
+        4_usize.saturating_sub(if value.abs() < 1.0 { 0 } else { before }),
+    )
 }
 
 #[cfg(test)]
@@ -318,9 +425,15 @@ mod tests {
     #[test]
     fn ticks_are_round_and_inside() {
         let axis = Axis::new([60.0, 120.0].into_iter(), false);
-        assert_eq!(axis.ticks().collect::<Vec<_>>(), [60.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0]);
+        assert_eq!(
+            axis.ticks().collect::<Vec<_>>(),
+            [60.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0]
+        );
         let axis = Axis::new([-243.99, 254.35].into_iter(), true);
-        assert_eq!(axis.ticks().collect::<Vec<_>>(), [-300.0, -200.0, -100.0, 0.0, 100.0, 200.0, 300.0]);
+        assert_eq!(
+            axis.ticks().collect::<Vec<_>>(),
+            [-300.0, -200.0, -100.0, 0.0, 100.0, 200.0, 300.0]
+        );
         assert_eq!(axis.decimals(), 0);
         assert_eq!(Axis::new([21.887, 22.298].into_iter(), true).decimals(), 1);
     }

@@ -32,8 +32,12 @@ static ENVIRONMENT: LazyLock<Result<Environment<'static>, String>> =
 /// The book's Typst source.
 pub(crate) fn render(book: &Book) -> Result<String, Error> {
     let environment = ENVIRONMENT.as_ref().map_err(|error| Error(error.clone()))?;
-    let template = environment.get_template(TEMPLATES[0].0).map_err(|error| Error(describe(&error)))?;
-    template.render(context! { book => Serde(book) }).map_err(|error| Error(describe(&error)))
+    let template = environment
+        .get_template(TEMPLATES[0].0)
+        .map_err(|error| Error(describe(&error)))?;
+    template
+        .render(context! { book => Serde(book) })
+        .map_err(|error| Error(describe(&error)))
 }
 
 fn environment(
@@ -63,12 +67,19 @@ fn environment(
     environment.add_filter("string", |text: &str| Value::from_safe_string(string(text)));
     let mut dictionary = table("words/en.toml", words)?;
     dictionary.insert("reference".to_owned(), table("references.toml", references)?.into());
-    environment.add_function("word", move |group: &str, id: &str| match dictionary.get(group).and_then(|g| g.get(id)) {
-        Some(toml::Value::String(word)) => Ok(Value::from_safe_string(word.clone())),
-        _ => Err(minijinja::Error::new(ErrorKind::UndefinedError, format!("no words for {group}.{id}"))),
+    environment.add_function("word", move |group: &str, id: &str| {
+        match dictionary.get(group).and_then(|g| g.get(id)) {
+            Some(toml::Value::String(word)) => Ok(Value::from_safe_string(word.clone())),
+            _ => Err(minijinja::Error::new(
+                ErrorKind::UndefinedError,
+                format!("no words for {group}.{id}"),
+            )),
+        }
     });
     for (name, source) in templates {
-        environment.add_template(name, source).map_err(|error| describe(&error))?;
+        environment
+            .add_template(name, source)
+            .map_err(|error| describe(&error))?;
     }
     Ok(environment)
 }
@@ -83,7 +94,10 @@ fn describe(error: &minijinja::Error) -> String {
         (Some(name), Some(line)) => format!("templates/{name}:{line}: "),
         _ => String::new(),
     };
-    let about = error.range().zip(error.template_source()).and_then(|(range, source)| source.get(range));
+    let about = error
+        .range()
+        .zip(error.template_source())
+        .and_then(|(range, source)| source.get(range));
     let about = about.map_or_else(String::new, |expression| format!(" in `{}`", expression.trim()));
     let detail = error.detail().map_or_else(|| error.kind().to_string(), str::to_owned);
     format!("{place}{detail}{about}")
@@ -92,8 +106,17 @@ fn describe(error: &minijinja::Error) -> String {
 /// Text that Typst prints as it is, in markup and between quotes: everything
 /// that could be syntax becomes `\u{hex}`.
 fn escape(text: &str) -> String {
-    let plain = |c: char| c == ' ' || c.is_ascii_alphanumeric() || !(c.is_ascii() || c.is_control() || c.is_whitespace());
-    text.chars().map(|c| if plain(c) { c.to_string() } else { format!("\\u{{{:x}}}", u32::from(c)) }).collect()
+    let plain =
+        |c: char| c == ' ' || c.is_ascii_alphanumeric() || !(c.is_ascii() || c.is_control() || c.is_whitespace());
+    text.chars()
+        .map(|c| {
+            if plain(c) {
+                c.to_string()
+            } else {
+                format!("\\u{{{:x}}}", u32::from(c))
+            }
+        })
+        .collect()
 }
 
 /// A string literal, with no more escapes than it needs.
@@ -111,7 +134,11 @@ mod tests {
         let escaped = escape(hostile);
         let syntax = |c: char| c.is_ascii_punctuation() && !matches!(c, '\\' | '{' | '}');
         assert!(!escaped.contains(syntax) && !escaped.contains('\n'), "{escaped}");
-        for source in [format!("= {escaped}"), format!("#\"{escaped}\""), format!("#let t = [{escaped}]\n#t")] {
+        for source in [
+            format!("= {escaped}"),
+            format!("#\"{escaped}\""),
+            format!("#let t = [{escaped}]\n#t"),
+        ] {
             lemnis_typeset::pdf(&source, &[]).unwrap();
         }
     }
@@ -119,14 +146,22 @@ mod tests {
     #[test]
     fn an_error_names_template_line_and_variable() {
         let cases = [
-            ("one\n{{ book.gone }}", "templates/book.typ:2: undefined value in `book.gone`"),
-            ("{{ word(\"section\", \"gone\") }}", "templates/book.typ:1: no words for section.gone in"),
+            (
+                "one\n{{ book.gone }}",
+                "templates/book.typ:2: undefined value in `book.gone`",
+            ),
+            (
+                "{{ word(\"section\", \"gone\") }}",
+                "templates/book.typ:1: no words for section.gone in",
+            ),
             ("\n<% for %>", "templates/book.typ:2: "),
         ];
         for (source, message) in cases {
             let rendered = environment(&[("book.typ", source)], "[section]\n", "").and_then(|environment| {
                 let template = environment.get_template("book.typ").map_err(|error| describe(&error))?;
-                template.render(context! { book => context! {} }).map_err(|error| describe(&error))
+                template
+                    .render(context! { book => context! {} })
+                    .map_err(|error| describe(&error))
             });
             let error = rendered.unwrap_err();
             assert!(error.starts_with(message), "{error}");

@@ -10,12 +10,16 @@ fn wrong_scenes_are_explained() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/messages");
     let wrong = std::fs::read_dir(&folder).expect("there").filter(|entry| {
         let path = entry.as_ref().expect("readable").path();
-        path.extension().is_some_and(|extension| extension == "toml") && path.file_stem().is_some_and(|stem| stem != "good")
+        path.extension().is_some_and(|extension| extension == "toml")
+            && path.file_stem().is_some_and(|stem| stem != "good")
     });
     let described = std::fs::read_to_string(folder.join("scenes.trycmd")).expect("the transcript");
     for entry in wrong {
         let name = entry.expect("readable").file_name().into_string().expect("ASCII");
-        assert!(described.contains(&format!("$ lemnis check {name}\n")), "{name} has no message in scenes.trycmd");
+        assert!(
+            described.contains(&format!("$ lemnis check {name}\n")),
+            "{name} has no message in scenes.trycmd"
+        );
     }
     TestCases::new().case(folder.join("*.trycmd")).run();
 }

@@ -431,7 +431,7 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
                 )
                 .help(format!(
                     "the diagonal opposite this bar lies between {} m and {} m ({} = {} m, distance of the feet {} m), \
-                         X_2 and {} span {} m to {} m",
+                         X_2 and {} reach from {} m to {} m: change the lengths so that the two ranges overlap",
                     crate::schema::short((bar.1 - frame).abs()),
                     crate::schema::short(bar.1 + frame),
                     bar.0,
@@ -474,24 +474,31 @@ fn covers(arc: Arc, from: f64, to: f64) -> bool {
     from - turns >= arc.from && to - turns <= arc.to
 }
 
-/// Which part of the range is left out, to the thousandth of it.
+/// Which part of the range is left out.
 fn missing(arcs: &[Arc], motion: &Motion) -> String {
     const PARTS: u32 = 1000;
-    let at = |i: u32| motion.from + (motion.to - motion.from) * f64::from(i) / f64::from(PARTS);
-    let open: Vec<u32> = (0..=PARTS)
-        .filter(|&i| !arcs.iter().any(|arc| covers(*arc, at(i), at(i))))
+    let part = (motion.to - motion.from) / f64::from(PARTS);
+    let open: Vec<f64> = (0..=PARTS)
+        .map(|i| motion.from + part * f64::from(i))
+        .filter(|&angle| !arcs.iter().any(|arc| covers(*arc, angle, angle)))
         .collect();
-    match (open.first(), open.last()) {
-        (Some(&first), Some(&last)) if open.len() as u32 == PARTS + 1 => {
-            format!("closes nowhere in {} to {}", degrees(at(first)), degrees(at(last)))
-        }
-        (Some(&first), Some(&last)) => format!(
-            "not closed between about {} and {}",
-            degrees(at(first)),
-            degrees(at(last))
-        ),
-        _ => "the parts in which it closes do not join".to_owned(),
-    }
+    let (Some(&first), Some(&last)) = (open.first(), open.last()) else {
+        return "the parts in which it closes do not join".to_owned();
+    };
+    // The grid stops short of where an arc begins or ends.
+    let ends = || arcs.iter().flat_map(|arc| [arc.from, arc.to]);
+    let edge = |angle: f64| {
+        let near = |end: f64| end + TAU * ((angle - end) / TAU).round();
+        ends()
+            .map(near)
+            .find(|end| (end - angle).abs() <= part)
+            .unwrap_or(angle)
+    };
+    format!(
+        "does not close from {} to {}",
+        degrees(edge(first)),
+        degrees(edge(last))
+    )
 }
 
 fn published(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Published> {

@@ -31,7 +31,11 @@ pub fn sheet(scene: &Scene) -> Sheet {
     let motion = luffing.motion;
     let middle = f64::midpoint(motion.from, motion.to);
     // The formulas are written out where the load's moment is greatest.
-    let governing = if luffing.q.is_some() { ("governing", range.dy_max.at) } else { ("middle", middle) };
+    let governing = if luffing.q.is_some() {
+        ("governing", range.dy_max.at)
+    } else {
+        ("middle", middle)
+    };
     Sheet {
         inputs: inputs(luffing),
         constants: constants(luffing),
