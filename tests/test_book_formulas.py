@@ -38,7 +38,7 @@ def read(text):
 
     text = text.replace("\\ &quad", "").replace("^2", "**_2_")
     text = NUMBER.sub(take, text.replace("**_2_", "**TWO")).replace("**TWO", "**2")
-    text = text.replace(" dot ", "*").replace(" slash ", "/").replace("infinity", "math.inf")
+    text = text.replace(" dot ", "*").replace(" slash ", "/").replace("arctan2 vec(", "arctan2(").replace("infinity", "math.inf")
     # Factors without a sign between them: "2 pi".
     text = re.sub(r"(v\[\d+\]) pi", r"\1*pi", text)
     assert re.fullmatch(r"[\w\s\[\]()+\-*/.,]*", text), text
@@ -49,7 +49,7 @@ def read(text):
 def test_every_formula_gives_its_result(out, capsys):
     source = (out / "LemniscateCrane.typ").read_text(encoding="utf-8")
     recalculated, sharp = 0, 0
-    for step in source.split("\n#step[")[1:]:
+    for step in re.split(r"\n#(?:step|tight)\[", source)[1:]:
         body = step[step.index("[$") + 2 : step.index("$]")]
         symbol, formula = body.split("&=", 1)
         formula, *numbers, result = re.split(r"\n\s+(?:\\ &)?= ", formula)

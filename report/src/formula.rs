@@ -5,7 +5,7 @@
 //! recalculated: numbers with their unit as `19.3 thin"m"`, `60"°"` or
 //! `1.2 times 10^(-5)`, `pi`, `+`, `-`, `dot`, `slash`, `frac(a, b)`, `a^2`,
 //! `sqrt(a)`, `abs(a)`, `sin(a)`, `cos(a)`, `arcsin(a)`, `arccos(a)`,
-//! `arctan2(y, x)` and parentheses. A long sum is broken with `\ &quad` before
+//! `arctan2(y, x)`, also as `arctan2 vec(y, x)`, and parentheses. A long sum is broken with `\ &quad` before
 //! a sign.
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
@@ -299,13 +299,17 @@ fn binary(form: Form, nested: bool, op: Op, left: Term, right: Term) -> Term {
             let text = format!("frac({}, {})", left.text, right.text);
             Term::product(left.minus != right.minus, text, left.width.max(right.width) + 0.5)
         }
-        // The angle of the vector (x, y) is written with y first, as in arctan y/x.
+        // The angle of the vector (x, y) is written with y first, as in arctan
+        // y/x; long components stand one above the other.
         _ => {
-            let (left, right) = (left.whole(), right.whole());
-            Term::atom(
-                format!("arctan2({}, {})", right.text, left.text),
-                left.width + right.width + 9.5,
-            )
+            let (x, y) = (left.whole(), right.whole());
+            let (beside, above) = (x.width + y.width + 9.5, x.width.max(y.width) + 9.5);
+            let (stack, width) = if beside > LINE / 2.0 {
+                (" vec", above)
+            } else {
+                ("", beside)
+            };
+            Term::atom(format!("arctan2{stack}({}, {})", y.text, x.text), width)
         }
     }
 }

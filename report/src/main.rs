@@ -189,14 +189,29 @@ fn check(path: Option<&Path>, json: bool, csv: bool) -> Result<(), Failure> {
 }
 
 fn new(file: &Path) -> Result<(), Failure> {
-    let cannot = |error| Failure::File(format!("cannot write {}: {error}", file.display()));
     if file.exists() {
         return Err(Failure::File(format!(
             "{} exists already and stays as it is; name another file",
             file.display()
         )));
     }
-    std::fs::write(file, DEFAULT).map_err(cannot)?;
-    println!("  wrote {}; build it with `lemnis build {0}`", file.display());
+    let Some(name) = file.file_name() else {
+        return Err(Failure::File(format!(
+            "{} cannot be the name of a scene file",
+            file.display()
+        )));
+    };
+    let folder = file
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
+    write(
+        folder,
+        &[Output {
+            name: name.to_string_lossy().into_owned(),
+            bytes: DEFAULT.into(),
+        }],
+    )?;
+    println!("  build it with `lemnis build {}`", file.display());
     Ok(())
 }

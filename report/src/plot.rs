@@ -99,7 +99,7 @@ fn unit(from: Point, to: Point) -> Point {
 const SCALES: [u32; 15] = [10, 15, 20, 25, 50, 75, 100, 150, 200, 250, 300, 400, 500, 750, 1000];
 /// Largest size of a drawing, and the room around it for labels and supports.
 const LARGEST: Point = [166.0, 190.0];
-const MARGIN: f64 = 9.0;
+const MARGIN: Point = [4.0, 7.0];
 
 /// The mechanism to the largest usual scale that fits.
 #[must_use]
@@ -107,14 +107,15 @@ pub fn drawing(drawing: &Drawing) -> Picture {
     let points: Vec<Point> = drawing.shapes.iter().flat_map(extent).collect();
     let low = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min));
     let high = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max));
-    let size = |scale: u32| [0, 1].map(|axis| (high[axis] - low[axis]) * 1000.0 / f64::from(scale) + 2.0 * MARGIN);
+    let size =
+        |scale: u32| [0, 1].map(|axis| (high[axis] - low[axis]) * 1000.0 / f64::from(scale) + 2.0 * MARGIN[axis]);
     let fits = |scale: &u32| size(*scale)[0] <= LARGEST[0] && size(*scale)[1] <= LARGEST[1];
     let scale = SCALES.into_iter().find(fits).unwrap_or(SCALES[SCALES.len() - 1]);
     let millimetres = 1000.0 / f64::from(scale);
     let place = |p: Point| {
         [
-            (p[0] - low[0]) * millimetres + MARGIN,
-            (high[1] - p[1]) * millimetres + MARGIN,
+            (p[0] - low[0]) * millimetres + MARGIN[0],
+            (high[1] - p[1]) * millimetres + MARGIN[1],
         ]
     };
     let [width, height] = size(scale);
@@ -244,9 +245,16 @@ fn free_side(drawing: &Drawing, at: Point) -> Point {
     for shape in &drawing.shapes {
         match shape {
             Shape::Body {
-                points, faint: false, ..
+                points,
+                closed,
+                faint: false,
+                ..
             } if points.contains(&at) => {
                 taken.extend(points.iter().filter(|&&p| p != at).map(|&p| unit(at, p)));
+                if *closed {
+                    let middle = [0, 1].map(|axis| points.iter().map(|p| p[axis]).sum::<f64>() / points.len() as f64);
+                    taken.push(unit(at, middle));
+                }
             }
             Shape::Angle { at: centre, .. } if *centre == at => taken.push([1.0, 0.0]),
             Shape::Pin {
@@ -289,8 +297,15 @@ impl Axis {
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
             (low.min(v), high.max(v))
         });
-        let span = (high - low).max(1e-9 * high.abs()).max(f64::MIN_POSITIVE);
-        let power = 10_f64.powi((span / 5.0).log10().floor() as i32);
+        // A quantity that stays the same, but for rounding, gets an axis around it.
+        let size = if low == 0.0 && high == 0.0 { 1.0 } else { low.abs().max(high.abs()) };
+        let (low, high) = if high - low < 1e-9 * size {
+            (low - 1e-3 * size, high + 1e-3 * size)
+        } else {
+            (low, high)
+        };
+        let span = high - low;
+        let power = power_of_ten(span / 5.0);
         let step = [1.0, 2.0, 5.0, 10.0]
             .map(|n| n * power)
             .into_iter()
@@ -316,7 +331,7 @@ impl Axis {
     }
 
     fn decimals(&self) -> usize {
-        usize::try_from(-(self.step.log10() + 1e-9).floor() as i32).unwrap_or(0)
+        usize::try_from(-exponent(self.step)).unwrap_or(0)
     }
 
     /// Part of the axis passed at a value.
@@ -400,6 +415,18 @@ pub fn curve(curve: &Curve) -> Picture {
     picture.text([LEFT - 8.0, TOP - 3.6], "left", axis_name(curve.y));
     picture.text([right, bottom + 7.2], "right", axis_name(curve.x));
     picture
+}
+
+/// Exponent of the greatest power of ten that is not above a positive value;
+/// by its digits, so that it is the same everywhere.
+fn exponent(value: f64) -> i32 {
+    let text = format!("{value:.9e}");
+    let (_, exponent) = text.split_once('e').expect("scientific notation has an exponent");
+    exponent.parse().expect("an integer")
+}
+
+fn power_of_ten(value: f64) -> f64 {
+    format!("1e{}", exponent(value)).parse().expect("a number")
 }
 
 /// Symbol and unit, as ISO 80000 writes the heads of tables and axes.

@@ -1,4 +1,4 @@
-//! Every wrong scene of `tests/messages/` gives the message that lies beside it.
+//! Every wrong scene of `tests/messages/` is explained in the transcript beside it.
 //! `TRYCMD=overwrite` writes them anew; read them aloud before committing.
 
 use std::path::Path;
@@ -8,13 +8,8 @@ use trycmd::TestCases;
 #[test]
 fn wrong_scenes_are_explained() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/messages");
-    let wrong = std::fs::read_dir(&folder).expect("there").filter(|entry| {
-        let path = entry.as_ref().expect("readable").path();
-        path.extension().is_some_and(|extension| extension == "toml")
-            && path.file_stem().is_some_and(|stem| stem != "good")
-    });
     let described = std::fs::read_to_string(folder.join("scenes.trycmd")).expect("the transcript");
-    for entry in wrong {
+    for entry in std::fs::read_dir(folder.join("scenes.in")).expect("there") {
         let name = entry.expect("readable").file_name().into_string().expect("ASCII");
         assert!(
             described.contains(&format!("$ lemnis check {name}\n")),

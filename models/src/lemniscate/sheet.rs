@@ -319,7 +319,8 @@ fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> 
             .collect();
         Curve { id, x, y, pieces }
     };
-    list.into_iter().map(&mut curve).collect()
+    // With boom and rocker always parallel, nothing is left of the path of the centre.
+    list.into_iter().map(&mut curve).filter(|curve| !curve.pieces.is_empty()).collect()
 }
 
 fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Check> {

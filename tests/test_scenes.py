@@ -1,0 +1,54 @@
+"""Every kind of scene gives both FMUs and a book."""
+
+import math
+
+import pytest
+from fmpy import read_model_description, simulate_fmu
+from fmpy.validation import validate_fmu
+
+from conftest import ROOT, lemnis
+
+DEFAULT = (ROOT / "models/scenes/lemniscate.toml").read_text(encoding="utf-8")
+BARE = DEFAULT[: DEFAULT.index("[luffing.weights]")]
+ROCKER = (
+    DEFAULT[: DEFAULT.index("[luffing.published]")]
+    .replace('driven = "boom"', 'driven = "rocker"')
+    .replace('branch = "left"', 'branch = "right"')
+    .replace('from  = "60 deg"', 'from  = "50 deg"')
+    .replace('to    = "120 deg"', 'to    = "130 deg"')
+)
+SCENES = {
+    "rocker driven": ROCKER,
+    "rack": DEFAULT.replace('kind  = "cylinder"', 'kind  = "rack"').replace('D_c   = "320 mm"', "").replace('d_r   = "220 mm"', ""),
+    "load alone": BARE,
+    "kinematic": BARE.replace('Q = "160 kN"', ""),
+    "kinematic with cylinder": DEFAULT.replace('Q = "160 kN"', "").replace(
+        DEFAULT[DEFAULT.index("[luffing.weights]") : DEFAULT.index("[luffing.drive]")], ""),
+    "jib by its angle": DEFAULT.replace('X_7 = "1.354 m"', 'beta_0 = "163.122 deg"'),
+    "jib by its axis": DEFAULT.replace('X_7 = "1.354 m"', 'AC = "22.3 m"'),
+    "parallelogram": BARE.replace('"14.7 m"', '"19.3 m"').replace('X_2 = "6.5 m"', 'X_2 = "5 m"')
+                         .replace('"6.4 m"', '"3 m"').replace('"5.3 m"', '"4 m"').replace('"60 deg"', '"30 deg"')
+                         .replace('to    = "120 deg"', 'to    = "80 deg"'),
+    "portal crane": (ROOT / "models/scenes/portal_004.toml").read_text(encoding="utf-8"),
+    "hostile words": BARE.replace("Lemniscate level-luffing crane 16 t × 30 m",
+                                  "#read(\\\"/etc/passwd\\\") $x$ *b* _i_ `c` <l> @r = - + / \\\\ { } [ ] // /* ${7*7} {{ 7 }} <% if %> %s %n"),
+}
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_scene_builds_and_runs(name, tmp_path):
+    scene = tmp_path / "scene.toml"
+    scene.write_text(SCENES[name], encoding="utf-8")
+    lemnis("build", scene, "--output", tmp_path)
+    model = "PortalCrane" if name == "portal crane" else "LemniscateCrane"
+    assert (tmp_path / f"{model}.pdf").read_bytes().startswith(b"%PDF")
+    for suffix in (".fmu", ".fmi2.fmu"):
+        path = str(tmp_path / (model + suffix))
+        assert validate_fmu(path) == []
+        variables = {v.name for v in read_model_description(path).modelVariables if v.causality == "output"}
+        result = simulate_fmu(path, output=sorted(variables))
+        assert len(result) > 10
+        for variable in variables - {"O1P", "P.x", "P.y"}:
+            assert all(math.isfinite(value) for value in result[variable]), variable
+        for variable in variables:
+            assert not any(math.isnan(value) for value in result[variable]), variable
