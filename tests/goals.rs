@@ -301,7 +301,7 @@ fn programs() {
         .expect("target/release")
         .join(format!("lemnis{}", std::env::consts::EXE_SUFFIX));
     let folder = tempfile::tempdir().expect("a folder");
-    let mut run = |arguments: &[&str]| -> Duration {
+    let run = |arguments: &[&str]| -> Duration {
         let times = (0..5).map(|_| {
             let start = Instant::now();
             let done = Command::new(&program)

@@ -1,1 +1,2 @@
-
+//! End-to-end tests: through fmi-rs in `fmi_rs.rs`, through FMPy in `test_*.py`;
+//! benchmarks in `goals.rs`. `run.py` sets up and runs everything.

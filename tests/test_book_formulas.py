@@ -36,7 +36,7 @@ def read(text):
         roundings.append(half * factor)
         return f"v[{len(values) - 1}]"
 
-    text = text.replace("\\ &quad", "").replace("^2", "**_2_")
+    text = text.replace("\\ &more", "").replace("^2", "**_2_")
     text = NUMBER.sub(take, text.replace("**_2_", "**TWO")).replace("**TWO", "**2")
     text = text.replace(" dot ", "*").replace(" slash ", "/").replace("arctan2 vec(", "arctan2(").replace("infinity", "math.inf")
     # Factors without a sign between them: "2 pi".

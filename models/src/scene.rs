@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::lemniscate::scene::{KEYS as LUFFING, Luffing};
 use crate::schema::{self, Key, Kind};
 
-/// The lemniscate crane of [Li2022].
+/// The lemniscate crane. [Li2022, Table 1]
 pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");
 
 /// A longer scene is refused: the longest known has 10 kB.

@@ -5,7 +5,7 @@
 //! recalculated: numbers with their unit as `19.3 thin"m"`, `60"°"` or
 //! `1.2 times 10^(-5)`, `pi`, `+`, `-`, `dot`, `slash`, `frac(a, b)`, `a^2`,
 //! `sqrt(a)`, `abs(a)`, `sin(a)`, `cos(a)`, `arcsin(a)`, `arccos(a)`,
-//! `arctan2(y, x)`, also as `arctan2 vec(y, x)`, and parentheses. A long sum is broken with `\ &quad` before
+//! `arctan2(y, x)`, also as `arctan2 vec(y, x)`, and parentheses. A long sum is broken with `\ &more` before
 //! a sign.
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
@@ -161,7 +161,7 @@ fn broken(trace: &Trace, form: Form, rec: Rec, room: f64) -> (String, f64) {
     let (mut text, mut used, mut widest) = (String::new(), 0.0, 0.0_f64);
     for (sign, summand) in summands {
         if used > 0.0 && used + summand.width + 2.0 > room {
-            text += " \\ &quad";
+            text += " \\ &more";
             used = 2.0;
         }
         text += sign;
@@ -441,7 +441,7 @@ mod tests {
     #[test]
     fn a_long_sum_is_broken_before_a_sign() {
         let sum = printed(|[a, b, ..]| (0..12).fold(a, |sum, _| sum + a * b)).1;
-        let lines: Vec<&str> = sum.split(" \\ &quad").collect();
+        let lines: Vec<&str> = sum.split(" \\ &more").collect();
         assert!(
             lines.len() > 2 && lines[1..].iter().all(|line| line.starts_with(" + ")),
             "{sum}"

@@ -151,17 +151,22 @@ fn book(scene: &Scene, results: &Results, format: Format) -> Result<Output, Fail
     })
 }
 
+/// Both FMUs, each packed in a thread of its own.
 fn fmus(scene: &Scene, documentation: &[(String, Vec<u8>)]) -> Result<Vec<Output>, Failure> {
     let libraries = [Library::of_this_platform().map_err(|fault| Failure::Program(fault.0))?];
     let make = |standard, suffix: &str| {
-        let bytes =
-            package::fmu(scene, standard, &libraries, documentation).map_err(|fault| Failure::Program(fault.0))?;
+        let bytes = package::fmu(scene, standard, &libraries, documentation);
+        let bytes = bytes.map_err(|fault| Failure::Program(fault.0))?;
         Ok(Output {
             name: format!("{}{suffix}", scene.name()),
             bytes,
         })
     };
-    Ok(vec![make(Standard::Fmi3, ".fmu")?, make(Standard::Fmi2, ".fmi2.fmu")?])
+    std::thread::scope(|scope| {
+        let fmi2 = scope.spawn(|| make(Standard::Fmi2, ".fmi2.fmu"));
+        let fmi3 = make(Standard::Fmi3, ".fmu")?;
+        Ok(vec![fmi3, fmi2.join().expect("packing does not panic")?])
+    })
 }
 
 fn write(folder: &Path, outputs: &[Output]) -> Result<(), Failure> {

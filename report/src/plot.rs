@@ -99,7 +99,7 @@ fn unit(from: Point, to: Point) -> Point {
 const SCALES: [u32; 15] = [10, 15, 20, 25, 50, 75, 100, 150, 200, 250, 300, 400, 500, 750, 1000];
 /// Largest size of a drawing, and the room around it for labels and supports.
 const LARGEST: Point = [166.0, 190.0];
-const MARGIN: Point = [4.0, 7.0];
+const MARGIN: Point = [3.5, 7.0];
 
 /// The mechanism to the largest usual scale that fits.
 #[must_use]
@@ -118,7 +118,7 @@ pub fn drawing(drawing: &Drawing) -> Picture {
             (high[1] - p[1]) * millimetres + MARGIN[1],
         ]
     };
-    let [width, height] = size(scale);
+    let [width, height] = size(scale).map(hundredths);
     let mut picture = Picture {
         width,
         height,
@@ -252,8 +252,14 @@ fn free_side(drawing: &Drawing, at: Point) -> Point {
             } if points.contains(&at) => {
                 taken.extend(points.iter().filter(|&&p| p != at).map(|&p| unit(at, p)));
                 if *closed {
-                    let middle = [0, 1].map(|axis| points.iter().map(|p| p[axis]).sum::<f64>() / points.len() as f64);
-                    taken.push(unit(at, middle));
+                    // The body lies between its neighbours in the polygon.
+                    let ends = points.iter().filter(|&&p| p != at).collect::<Vec<_>>();
+                    taken.extend(ends.windows(2).flat_map(|pair| {
+                        (1..16).map(|n| {
+                            let part = f64::from(n) / 16.0;
+                            unit(at, [0, 1].map(|i| pair[0][i] + part * (pair[1][i] - pair[0][i])))
+                        })
+                    }));
                 }
             }
             Shape::Angle { at: centre, .. } if *centre == at => taken.push([1.0, 0.0]),
@@ -292,13 +298,17 @@ struct Axis {
 }
 
 impl Axis {
-    /// Covers the values, ends included; `round` lets the ends be ticks.
-    fn new(values: impl Iterator<Item = f64>, round: bool) -> Axis {
+    /// Covers the values from tick to tick.
+    fn new(values: impl Iterator<Item = f64>) -> Axis {
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
             (low.min(v), high.max(v))
         });
         // A quantity that stays the same, but for rounding, gets an axis around it.
-        let size = if low == 0.0 && high == 0.0 { 1.0 } else { low.abs().max(high.abs()) };
+        let size = if low == 0.0 && high == 0.0 {
+            1.0
+        } else {
+            low.abs().max(high.abs())
+        };
         let (low, high) = if high - low < 1e-9 * size {
             (low - 1e-3 * size, high + 1e-3 * size)
         } else {
@@ -311,11 +321,7 @@ impl Axis {
             .into_iter()
             .find(|step| span / step <= 6.5);
         let step = step.expect("ten times the power is more than a fifth of the span");
-        let (low, high) = if round {
-            ((low / step).floor() * step, (high / step).ceil() * step)
-        } else {
-            (low, high)
-        };
+        let (low, high) = ((low / step + 1e-9).floor() * step, (high / step - 1e-9).ceil() * step);
         Axis {
             from: low,
             to: if high > low { high } else { low + step },
@@ -350,10 +356,7 @@ pub fn curve(curve: &Curve) -> Picture {
         .map(|piece| piece.iter().map(shown).collect())
         .collect();
     let all = || pieces.iter().flatten();
-    let (x, y) = (
-        Axis::new(all().map(|p| p[0]), false),
-        Axis::new(all().map(|p| p[1]), true),
-    );
+    let (x, y) = (Axis::new(all().map(|p| p[0])), Axis::new(all().map(|p| p[1])));
     let (width, height) = (CHART[0] - LEFT - RIGHT, CHART[1] - TOP - BOTTOM);
     let (right, bottom) = (LEFT + width, TOP + height);
     let place = |p: Point| [LEFT + width * x.part(p[0]), bottom - height * y.part(p[1])];
@@ -388,33 +391,45 @@ pub fn curve(curve: &Curve) -> Picture {
                 .copied()
                 .max_by(|a, b| (sign * a[1]).total_cmp(&(sign * b[1])))
         };
-        for (point, above) in [(extreme(1.0), true), (extreme(-1.0), false)] {
+        let curve: Vec<Point> = piece.iter().copied().map(place).collect();
+        for (point, outside) in [(extreme(1.0), -1.0), (extreme(-1.0), 1.0)] {
             let Some(point) = point else { continue };
-            let at = place(point);
-            picture.circle("solid", at, 0.7);
-            let anchor = match at[0] {
-                left if left < LEFT + 9.0 => "left",
-                left if left > right - 9.0 => "right",
-                _ => "centre",
-            };
-            // Outside of the curve where the field has room, inside otherwise.
-            let outside = if above { at[1] > TOP + 5.0 } else { at[1] < bottom - 5.0 };
-            let up = above == outside;
-            let shift = match anchor {
-                "left" => 1.5,
-                "right" => -1.5,
-                _ => 0.0,
-            };
+            picture.circle("solid", place(point), 0.7);
+            let text = four_digits(point[1]);
             picture.text(
-                [at[0] + shift, at[1] + if up { -2.6 } else { 2.6 }],
-                anchor,
-                four_digits(point[1]),
+                beside(place(point), outside, &text, &curve, [right, bottom]),
+                "centre",
+                text,
             );
         }
     }
     picture.text([LEFT - 8.0, TOP - 3.6], "left", axis_name(curve.y));
     picture.text([right, bottom + 7.2], "right", axis_name(curve.x));
     picture
+}
+
+/// Where a number beside a point of a curve is farthest from the curve, within
+/// the field; `outside` (up or down) where there is a choice.
+fn beside([x, y]: Point, outside: f64, text: &str, curve: &[Point], [right, bottom]: Point) -> Point {
+    let half = [0.85 * text.chars().count() as f64, 1.5];
+    let sides = [[0.0, outside], [1.0, outside], [-1.0, outside], [1.0, 0.0], [-1.0, 0.0]];
+    let places = sides
+        .into_iter()
+        .chain([[1.0, -outside], [-1.0, -outside], [0.0, -outside]]);
+    let places = places.map(|[i, j]| [x + i * (half[0] + 1.5), y + j * (half[1] + 1.5)]);
+    let inside = |p: &Point| {
+        (LEFT + half[0]..right - half[0]).contains(&p[0]) && (TOP + half[1]..bottom - half[1]).contains(&p[1])
+    };
+    let room = |p: &Point| {
+        let gap = |q: &Point| length([0, 1].map(|i| ((p[i] - q[i]).abs() - half[i]).max(0.0)));
+        // Beyond a millimetre all places are equally good, and the first is taken.
+        curve.iter().map(gap).fold(1.0, f64::min)
+    };
+    let best = places
+        .filter(inside)
+        .map(|p| (room(&p), p))
+        .reduce(|a, b| if b.0 > a.0 { b } else { a });
+    best.map_or([x, y], |(_, p)| p)
 }
 
 /// Exponent of the greatest power of ten that is not above a positive value;
@@ -451,23 +466,23 @@ mod tests {
 
     #[test]
     fn ticks_are_round_and_inside() {
-        let axis = Axis::new([60.0, 120.0].into_iter(), false);
+        let axis = Axis::new([60.0, 120.0].into_iter());
         assert_eq!(
             axis.ticks().collect::<Vec<_>>(),
             [60.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0]
         );
-        let axis = Axis::new([-243.99, 254.35].into_iter(), true);
+        let axis = Axis::new([-243.99, 254.35].into_iter());
         assert_eq!(
             axis.ticks().collect::<Vec<_>>(),
             [-300.0, -200.0, -100.0, 0.0, 100.0, 200.0, 300.0]
         );
         assert_eq!(axis.decimals(), 0);
-        assert_eq!(Axis::new([21.887, 22.298].into_iter(), true).decimals(), 1);
+        assert_eq!(Axis::new([21.887, 22.298].into_iter()).decimals(), 1);
     }
 
     #[test]
     fn a_level_curve_has_an_axis_too() {
-        let axis = Axis::new([5.0, 5.0].into_iter(), true);
+        let axis = Axis::new([5.0, 5.0].into_iter());
         assert!(axis.ticks().count() < 20 && axis.step > 0.0);
     }
 }

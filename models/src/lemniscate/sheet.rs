@@ -320,7 +320,10 @@ fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> 
         Curve { id, x, y, pieces }
     };
     // With boom and rocker always parallel, nothing is left of the path of the centre.
-    list.into_iter().map(&mut curve).filter(|curve| !curve.pieces.is_empty()).collect()
+    list.into_iter()
+        .map(&mut curve)
+        .filter(|curve| !curve.pieces.is_empty())
+        .collect()
 }
 
 fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Check> {
