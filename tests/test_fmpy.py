@@ -177,8 +177,8 @@ def test_out_of_reach_is_an_error_and_the_instance_survives(slave):
     assert slave.read("R") == before
 
 
-def test_model_book_and_fmu_have_the_same_bits(slave):
-    """`lemnis check --json` prints the model's values; the FMU has them to the last bit."""
+def test_the_fmu_has_the_bits_of_the_model(slave):
+    """`lemnis check --json` prints the values of the model, whose bits the book has too (`models/tests/recorder.rs`)."""
     printed = json.loads(lemnis("check", "--json"))["variables"]
     for i, theta in enumerate(printed["theta_1"]["values"]):
         slave.write("theta_1", theta)

@@ -115,7 +115,6 @@ pub struct Drawing {
 pub enum Shape {
     /// A bar or a polygon of one body. `faint` for the positions beside the main one.
     Body {
-        id: &'static str,
         points: Vec<[f64; 2]>,
         closed: bool,
         faint: bool,

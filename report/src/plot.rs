@@ -143,9 +143,7 @@ fn extent(shape: &Shape) -> Vec<Point> {
 
 fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(Point) -> Point, millimetres: f64) {
     match shape {
-        Shape::Body {
-            points, closed, faint, ..
-        } => {
+        Shape::Body { points, closed, faint } => {
             let points: Vec<Point> = points.iter().copied().map(place).collect();
             picture.shape(
                 if *faint {
@@ -248,7 +246,6 @@ fn free_side(drawing: &Drawing, at: Point) -> Point {
                 points,
                 closed,
                 faint: false,
-                ..
             } if points.contains(&at) => {
                 taken.extend(points.iter().filter(|&&p| p != at).map(|&p| unit(at, p)));
                 if *closed {

@@ -11,7 +11,7 @@ use crate::lemniscate::statics::{Centres, PinForces, load_moment, weight_moment}
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::velocity::{Pole, Velocity};
 use crate::model::Model;
-use crate::plane::Point;
+use crate::plane::{self, Point};
 use crate::record::{Rec, record};
 use crate::scene::Scene;
 use crate::sheet::{Check, Comparison, Curve, Drawing, Input, Section, Shape, Sheet, Summary, Table, Worked};
@@ -488,19 +488,16 @@ fn drawing(g: &Geometry<f64>, luffing: &Luffing, middle: f64) -> Drawing {
         let Some(p) = Position::new(g, theta) else { continue };
         let (a, b, c) = (point(p.a), point(p.b), point(p.c));
         shapes.push(Shape::Body {
-            id: "boom",
             points: vec![o1, b],
             closed: false,
             faint,
         });
         shapes.push(Shape::Body {
-            id: "rocker",
             points: vec![o3, c],
             closed: false,
             faint,
         });
         shapes.push(Shape::Body {
-            id: "jib",
             points: vec![c, b, a],
             closed: true,
             faint,
@@ -513,15 +510,21 @@ fn drawing(g: &Geometry<f64>, luffing: &Luffing, middle: f64) -> Drawing {
             });
         }
         if let (Some(anchors), false) = (&luffing.parameters.anchors, faint) {
-            let bar = match g.driven {
+            let (bar, length, foot) = match g.driven {
                 Driven::Boom => (p.x_1, g.lengths.x_1, Point::zeros()),
                 Driven::Rocker => (p.x_3, g.lengths.x_3, g.lengths.o3()),
             };
             let (sin, cos) = Calc::sin_cos(anchors.chi_d);
-            let arm = crate::plane::turned(bar.0, anchors.s_d * cos / bar.1, anchors.s_d * sin / bar.1);
-            let (e, d) = ([anchors.e_x, anchors.e_y], point(bar.2 + arm));
+            let along = bar * (anchors.s_d * cos / length);
+            let arm = plane::turned(bar, anchors.s_d * cos / length, anchors.s_d * sin / length);
+            let (e, d) = ([anchors.e_x, anchors.e_y], point(foot + arm));
+            // The lug that carries the anchor beside the bar.
             shapes.push(Shape::Body {
-                id: "drive",
+                points: vec![d, point(foot + along)],
+                closed: false,
+                faint,
+            });
+            shapes.push(Shape::Body {
                 points: vec![e, d],
                 closed: false,
                 faint,
