@@ -61,3 +61,11 @@ def test_the_schema_accepts_what_the_program_accepts():
             assert "pattern" not in schema or re.search(schema["pattern"], value), path
 
     check(scene, schema, "scene")
+
+
+def test_publications_are_cited_and_listed():
+    import tomllib
+
+    listed = tomllib.loads((ROOT / "templates/references.toml").read_text(encoding="utf-8"))
+    sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "models/src").rglob("*.rs"))
+    assert set(re.findall(r"\[([A-Z][A-Za-z]+\d{3,4})\b", sources)) == set(listed)
