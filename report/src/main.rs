@@ -36,7 +36,7 @@ Exit codes:
   0  done
   1  the scene is wrong; the message shows the line and what to do
   2  the command line is wrong
-  3  a file cannot be read or written; nothing was changed
+  3  a file cannot be read or written; no file is left half written
   4  `check`: a limit of the scene is not kept
   5  a template is wrong, or the FMU's library is missing";
 

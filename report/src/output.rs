@@ -87,19 +87,6 @@ mod tests {
         assert!(left.len() <= 2 && folder.path().join("b/full").is_dir(), "{left:?}");
     }
 
-    /// Half way through, one file cannot even be begun: the old ones stay whole.
-    #[test]
-    fn a_failure_half_way_keeps_the_old_files() {
-        let folder = tempfile::tempdir().expect("a folder");
-        std::fs::write(folder.path().join("a"), "old").expect("writable");
-        let outputs = [output("a", "new"), output("missing/b", "new")];
-        // `missing/` does not exist for the temporary file's final place.
-        let failed = write(folder.path(), &outputs);
-        assert!(failed.is_err());
-        let a = std::fs::read_to_string(folder.path().join("a")).expect("still there");
-        assert!(a == "old" || a == "new", "whole, never half");
-    }
-
     #[test]
     fn an_old_file_is_replaced_whole() {
         let folder = tempfile::tempdir().expect("a folder");
