@@ -20,7 +20,7 @@ const STEPS: u32 = 60;
 /// The default scene's FMU in a folder of its own, and its model.
 fn fmu(standard: Standard) -> (TempDir, PathBuf, Model) {
     let scene = Scene::parse(scene::DEFAULT).unwrap();
-    let library = Library::of_this_platform().unwrap_or_else(|fault| panic!("{}", fault.0));
+    let library = Library::of_this_platform().unwrap_or_else(|fault| panic!("{}", fault.message));
     let bytes = package::fmu(&scene, standard, &[library], &[]).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("LemniscateCrane.fmu");

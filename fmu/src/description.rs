@@ -1,11 +1,14 @@
-//! modelDescription.xml of FMI 2.0 and FMI 3.0, from the model's list of variables.
+//! modelDescription.xml of FMI 2.0 and FMI 3.0, and terminalsAndIcons.xml of FMI 3.0,
+//! from the model's list of variables.
 
-use crate::instance::{CATEGORIES, token};
-use lemnis_models::model::{Fault, Model, Role, Variable};
+use crate::instance::{CATEGORIES, strings, token};
+use crate::layout::{self, Place};
+use lemnis_models::model::{Fault, Model, Role, TIME};
 use lemnis_models::scene::Scene;
 use lemnis_models::unit::{self, Unit};
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
+use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 
 /// A version of FMI.
@@ -26,21 +29,188 @@ type Attributes<'a> = Vec<(&'a str, String)>;
 /// # Errors
 /// The model cannot be built, or a start value does not exist.
 pub fn model_description(scene: &Scene, standard: Standard) -> Result<Vec<u8>, Fault> {
+    let entries = entries(scene, standard)?;
+    document(|xml| write(xml, scene, &entries, standard))
+}
+
+/// The text of FMI 3's terminalsAndIcons.xml: what belongs together at a joint or a drive.
+///
+/// # Errors
+/// The model cannot be built.
+pub fn terminals_and_icons(scene: &Scene) -> Result<Vec<u8>, Fault> {
+    let model = Model::new(scene)?;
+    document(|xml| {
+        element(
+            xml,
+            "fmiTerminalsAndIcons",
+            &attributes([("fmiVersion", "3.0")]),
+            |xml| {
+                element(xml, "GraphicalRepresentation", &[], |xml| {
+                    let corners = [("x1", "-100"), ("y1", "-100"), ("x2", "100"), ("y2", "100")];
+                    let mut system = attributes(corners);
+                    system.push(("suggestedScalingFactorTo_mm", "0.1".to_owned()));
+                    empty(xml, "CoordinateSystem", &system)?;
+                    empty(xml, "Icon", &attributes(corners))
+                })?;
+                element(xml, "Terminals", &[], |xml| {
+                    model.terminals().iter().try_for_each(|terminal| {
+                        let general = attributes([
+                            ("name", terminal.name),
+                            ("matchingRule", "plug"),
+                            ("description", terminal.text),
+                        ]);
+                        element(xml, "Terminal", &general, |xml| {
+                            terminal.members.iter().try_for_each(|(symbol, member)| {
+                                let member = attributes([
+                                    ("variableName", symbol.id),
+                                    ("memberName", member),
+                                    ("variableKind", "signal"),
+                                ]);
+                                empty(xml, "TerminalMemberVariable", &member)
+                            })
+                        })
+                    })
+                })
+            },
+        )
+    })
+}
+
+/// A variable as the description has it.
+struct Entry {
+    name: &'static str,
+    text: String,
+    reference: u32,
+    kind: Kind,
+    role: Option<Role>,
+    start: Option<String>,
+    bounds: [f64; 2],
+    nominal: Option<f64>,
+    /// Number of components of a vector.
+    size: Option<usize>,
+    /// Value references of time, inputs and parameters that the value depends on.
+    dependencies: BTreeSet<u32>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Real(&'static Unit, &'static Unit),
+    Boolean,
+    String,
+}
+
+/// Time, the model's variables, the FMU's own constants and, in FMI 3, the vectors.
+fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
     let mut model = Model::new(scene)?;
-    let mut starts = Vec::new();
-    for (index, variable) in model.variables().to_vec().into_iter().enumerate() {
-        starts.push(match variable.role {
-            Role::Input | Role::Parameter => Some(model.get(index)?),
+    let variables = model.variables().to_vec();
+    let reference = |place| layout::reference(&variables, place).expect("a model has few variables");
+    let references: BTreeMap<&str, u32> = variables
+        .iter()
+        .enumerate()
+        .map(|(index, variable)| (variable.symbol.id, reference(Place::Variable(index))))
+        .chain([(TIME.id, reference(Place::Time))])
+        .collect();
+    let dependencies: Vec<BTreeSet<u32>> = model
+        .dependencies()
+        .into_iter()
+        .map(|names| names.into_iter().map(|name| references[name]).collect())
+        .collect();
+    let nominals = nominals(&mut model);
+    let mut entries = vec![Entry {
+        name: TIME.id,
+        text: TIME.text.to_owned(),
+        reference: reference(Place::Time),
+        kind: Kind::Real(TIME.unit, TIME.display),
+        role: None,
+        start: None,
+        bounds: [f64::NEG_INFINITY, f64::INFINITY],
+        nominal: None,
+        size: None,
+        dependencies: BTreeSet::new(),
+    }];
+    for (index, variable) in variables.iter().enumerate() {
+        let start = match variable.role {
+            Role::Input | Role::Parameter | Role::Tunable => Some(number(model.get(index)?)),
             Role::Output | Role::Calculated => None,
+        };
+        entries.push(Entry {
+            name: variable.symbol.id,
+            text: variable.symbol.text.to_owned(),
+            reference: reference(Place::Variable(index)),
+            kind: match variable.boolean {
+                true => Kind::Boolean,
+                false => Kind::Real(variable.symbol.unit, variable.symbol.display),
+            },
+            role: Some(variable.role),
+            start,
+            bounds: variable.bounds,
+            nominal: nominals[index].filter(|_| !variable.boolean),
+            size: None,
+            dependencies: dependencies[index].clone(),
         });
     }
+    for (index, ((name, text), start)) in layout::STRINGS.iter().zip(strings(scene)).enumerate() {
+        entries.push(Entry {
+            name,
+            text: (*text).to_owned(),
+            reference: reference(Place::String(index)),
+            kind: Kind::String,
+            role: None,
+            start: Some(start),
+            bounds: [f64::NEG_INFINITY, f64::INFINITY],
+            nominal: None,
+            size: None,
+            dependencies: BTreeSet::new(),
+        });
+    }
+    if standard == Standard::Fmi3 {
+        for layout::Vector { name, first } in layout::vectors(&variables) {
+            let (x, y) = (variables[first].symbol, variables[first + 1].symbol);
+            entries.push(Entry {
+                name,
+                text: format!("The vector [{}, {}].", x.id, y.id),
+                reference: reference(Place::Vector(first)),
+                kind: Kind::Real(x.unit, x.display),
+                role: Some(Role::Output),
+                start: None,
+                bounds: [f64::NEG_INFINITY, f64::INFINITY],
+                nominal: nominals[first].into_iter().chain(nominals[first + 1]).reduce(f64::max),
+                size: Some(2),
+                dependencies: &dependencies[first] | &dependencies[first + 1],
+            });
+        }
+    }
+    Ok(entries)
+}
+
+/// The power of ten below the greatest amount of each variable over the default experiment.
+fn nominals(model: &mut Model) -> Vec<Option<f64>> {
+    const POINTS: u32 = 12;
+    let stop = model.stop_time();
+    let mut greatest = vec![0.0; model.variables().len()];
+    for i in 0..=POINTS {
+        model.set_time(stop * f64::from(i) / f64::from(POINTS));
+        for (index, greatest) in greatest.iter_mut().enumerate() {
+            let value = model.get(index).map_or(0.0, f64::abs);
+            *greatest = f64::max(*greatest, if value.is_finite() { value } else { 0.0 });
+        }
+    }
+    model.set_time(0.0);
+    let power = |value: f64| (value > 0.0).then(|| format!("1e{:.0}", value.log10().floor()));
+    let read = |text: String| text.parse().expect("a power of ten");
+    greatest.into_iter().map(|value| power(value).map(read)).collect()
+}
+
+fn document(content: impl FnOnce(&mut Xml) -> io::Result<()>) -> Result<Vec<u8>, Fault> {
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
-    write(&mut xml, scene, &model, &starts, standard).map_err(|error| Fault(error.to_string()))?;
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))
+        .and_then(|()| content(&mut xml))
+        .map_err(|error| Fault::new(error.to_string()))?;
     Ok(xml.into_inner())
 }
 
-fn write(xml: &mut Xml, scene: &Scene, model: &Model, starts: &[Option<f64>], standard: Standard) -> io::Result<()> {
-    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+fn write(xml: &mut Xml, scene: &Scene, entries: &[Entry], standard: Standard) -> io::Result<()> {
+    let model = Model::new(scene).map_err(|fault| io::Error::other(fault.message))?;
     let (version, token_name) = match standard {
         Standard::Fmi2 => ("2.0", "guid"),
         Standard::Fmi3 => ("3.0", "instantiationToken"),
@@ -51,6 +221,7 @@ fn write(xml: &mut Xml, scene: &Scene, model: &Model, starts: &[Option<f64>], st
         (token_name, &token(scene)),
         ("description", scene.title()),
         ("version", env!("CARGO_PKG_VERSION")),
+        ("license", "MIT OR Apache-2.0"),
         ("generationTool", concat!("Lemnis ", env!("CARGO_PKG_VERSION"))),
         ("variableNamingConvention", "structured"),
     ]);
@@ -59,7 +230,8 @@ fn write(xml: &mut Xml, scene: &Scene, model: &Model, starts: &[Option<f64>], st
     }
     element(xml, "fmiModelDescription", &root, |xml| {
         interfaces(xml, scene, standard)?;
-        element(xml, "UnitDefinitions", &[], |xml| units(xml, model.variables()))?;
+        element(xml, "UnitDefinitions", &[], |xml| units(xml, entries))?;
+        element(xml, "TypeDefinitions", &[], |xml| types(xml, entries, standard))?;
         element(xml, "LogCategories", &[], |xml| {
             CATEGORIES.iter().try_for_each(|(name, description)| {
                 let name = name.to_string_lossy();
@@ -78,190 +250,217 @@ fn write(xml: &mut Xml, scene: &Scene, model: &Model, starts: &[Option<f64>], st
         ];
         empty(xml, "DefaultExperiment", &experiment)?;
         element(xml, "ModelVariables", &[], |xml| {
-            time(xml, standard)?;
-            model
-                .variables()
-                .iter()
-                .zip(starts)
-                .enumerate()
-                .try_for_each(|(index, (variable, start))| write_variable(xml, index + 1, variable, *start, standard))
+            entries.iter().try_for_each(|entry| variable(xml, entry, standard))
         })?;
-        element(xml, "ModelStructure", &[], |xml| {
-            structure(xml, model.variables(), standard)
-        })
+        element(xml, "ModelStructure", &[], |xml| structure(xml, entries, standard))
     })
 }
 
 fn interfaces(xml: &mut Xml, scene: &Scene, standard: Standard) -> io::Result<()> {
-    let (get_and_set, serialize) = match standard {
-        Standard::Fmi2 => ("canGetAndSetFMUstate", "canSerializeFMUstate"),
-        Standard::Fmi3 => ("canGetAndSetFMUState", "canSerializeFMUState"),
+    let yes = || "true".to_owned();
+    let (get_and_set, serialize, directional) = match standard {
+        Standard::Fmi2 => (
+            "canGetAndSetFMUstate",
+            "canSerializeFMUstate",
+            "providesDirectionalDerivative",
+        ),
+        Standard::Fmi3 => (
+            "canGetAndSetFMUState",
+            "canSerializeFMUState",
+            "providesDirectionalDerivatives",
+        ),
     };
-    let common = attributes([
-        ("modelIdentifier", scene.name()),
-        (get_and_set, "true"),
-        (serialize, "true"),
-    ]);
-    empty(xml, "ModelExchange", &common)?;
-    let mut co_simulation = common;
-    co_simulation.push(("canHandleVariableCommunicationStepSize", "true".to_owned()));
-    if standard == Standard::Fmi3 {
-        co_simulation.push(("hasEventMode", "true".to_owned()));
+    let mut common = vec![
+        ("modelIdentifier", scene.name().to_owned()),
+        (get_and_set, yes()),
+        (serialize, yes()),
+        (directional, yes()),
+    ];
+    let mut model_exchange = Vec::new();
+    let mut co_simulation = vec![("canHandleVariableCommunicationStepSize", yes())];
+    match standard {
+        Standard::Fmi2 => model_exchange.push(("completedIntegratorStepNotNeeded", yes())),
+        Standard::Fmi3 => {
+            common.push(("providesAdjointDerivatives", yes()));
+            co_simulation.push(("hasEventMode", yes()));
+        }
     }
+    model_exchange.splice(0..0, common.iter().cloned());
+    co_simulation.splice(0..0, common);
+    empty(xml, "ModelExchange", &model_exchange)?;
     empty(xml, "CoSimulation", &co_simulation)
 }
 
-/// Every unit of the variables and of time, with the display units that are used with it.
-fn units(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
-    let used: Vec<(&Unit, &Unit)> = std::iter::once((&unit::S, &unit::S))
-        .chain(
-            variables
+/// The units in use with their display units, in the order of the table of units.
+fn used(entries: &[Entry]) -> impl Iterator<Item = (&'static Unit, &'static Unit)> {
+    let uses = move |unit, display| entries.iter().any(|entry| entry.kind == Kind::Real(unit, display));
+    unit::ALL.iter().flat_map(move |&unit| {
+        let displays = unit::ALL.iter().filter(move |&display| uses(unit, display));
+        displays.map(move |&display| (unit, display))
+    })
+}
+
+/// Every unit of the variables, with the display units that are used with it.
+fn units(xml: &mut Xml, entries: &[Entry]) -> io::Result<()> {
+    let used: Vec<(&Unit, &Unit)> = used(entries).collect();
+    used.chunk_by(|a, b| a.0 == b.0).try_for_each(|displays| {
+        let unit = displays[0].0;
+        element(xml, "Unit", &attributes([("name", unit.name)]), |xml| {
+            let exponents = [
+                ("kg", unit.dimension.kg),
+                ("m", unit.dimension.m),
+                ("s", unit.dimension.s),
+                ("rad", unit.rad),
+            ];
+            let base: Attributes = exponents
                 .iter()
-                .filter(|variable| !variable.boolean)
-                .map(|v| (v.symbol.unit, v.symbol.display)),
-        )
-        .collect();
-    unit::ALL
-        .iter()
-        .filter(|&unit| used.iter().any(|(used, _)| used == unit))
-        .try_for_each(|unit| {
-            element(xml, "Unit", &attributes([("name", unit.name)]), |xml| {
-                let exponents = [
-                    ("kg", unit.dimension.kg),
-                    ("m", unit.dimension.m),
-                    ("s", unit.dimension.s),
-                    ("rad", unit.rad),
-                ];
-                let base: Attributes = exponents
-                    .iter()
-                    .filter(|(_, exponent)| *exponent != 0)
-                    .map(|(name, e)| (*name, e.to_string()))
-                    .collect();
-                empty(xml, "BaseUnit", &base)?;
-                unit::ALL
-                    .iter()
-                    .filter(|&display| display != unit && used.contains(&(unit, display)))
-                    .try_for_each(|display| {
-                        let factor = number(display.factor.recip());
-                        empty(
-                            xml,
-                            "DisplayUnit",
-                            &[("name", display.name.to_owned()), ("factor", factor)],
-                        )
-                    })
+                .filter(|(_, exponent)| *exponent != 0)
+                .map(|(name, e)| (*name, e.to_string()))
+                .collect();
+            empty(xml, "BaseUnit", &base)?;
+            let displays = displays.iter().filter(|(unit, display)| unit != display);
+            displays.clone().try_for_each(|(_, display)| {
+                let factor = number(display.factor.recip());
+                empty(
+                    xml,
+                    "DisplayUnit",
+                    &[("name", display.name.to_owned()), ("factor", factor)],
+                )
             })
         })
+    })
 }
 
-/// Time, the independent variable: value reference 0.
-fn time(xml: &mut Xml, standard: Standard) -> io::Result<()> {
-    let general = attributes([
-        ("name", "time"),
-        ("valueReference", "0"),
-        ("description", "Simulation time"),
-        ("causality", "independent"),
-        ("variability", "continuous"),
-    ]);
-    typed(xml, general, "Real", attributes([("unit", unit::S.name)]), standard)
-}
-
-fn write_variable(
-    xml: &mut Xml,
-    reference: usize,
-    variable: &Variable,
-    start: Option<f64>,
-    standard: Standard,
-) -> io::Result<()> {
-    let symbol = variable.symbol;
-    let (causality, initial, fixed) = match variable.role {
-        Role::Input => ("input", None, false),
-        Role::Parameter => ("parameter", Some("exact"), true),
-        Role::Output => ("output", None, false),
-        Role::Calculated => ("calculatedParameter", Some("calculated"), true),
-    };
-    let variability = match (fixed, variable.boolean) {
-        (true, _) => "fixed",
-        (false, true) => "discrete",
-        (false, false) => "continuous",
-    };
-    let reference = reference.to_string();
-    let mut general = attributes([
-        ("name", symbol.id),
-        ("valueReference", &reference),
-        ("description", symbol.text),
-        ("causality", causality),
-        ("variability", variability),
-    ]);
-    general.extend(initial.map(|initial| ("initial", initial.to_owned())));
-    let mut own = Vec::new();
-    if !variable.boolean {
-        own.push(("unit", symbol.unit.name.to_owned()));
-        if symbol.display != symbol.unit {
-            own.push(("displayUnit", symbol.display.name.to_owned()));
+/// One type for each quantity in each display unit: `Angle_deg`.
+fn types(xml: &mut Xml, entries: &[Entry], standard: Standard) -> io::Result<()> {
+    used(entries).try_for_each(|(unit, display)| {
+        let mut own = attributes([("quantity", unit.quantity()), ("unit", unit.name)]);
+        if display != unit {
+            own.push(("displayUnit", display.name.to_owned()));
         }
-    }
-    own.extend(start.map(|start| {
-        (
-            "start",
-            if variable.boolean {
-                (start != 0.0).to_string()
-            } else {
-                number(start)
-            },
-        )
-    }));
-    typed(
-        xml,
-        general,
-        if variable.boolean { "Boolean" } else { "Real" },
-        own,
-        standard,
-    )
+        let mut general = vec![("name", type_name(unit, display))];
+        match standard {
+            Standard::Fmi2 => element(xml, "SimpleType", &general, |xml| empty(xml, "Real", &own)),
+            Standard::Fmi3 => {
+                general.extend(own);
+                empty(xml, "Float64Type", &general)
+            }
+        }
+    })
+}
+
+fn type_name(unit: &Unit, display: &Unit) -> String {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+    let name: String = match display.name {
+        "%" => "percent".to_owned(),
+        "1" => return unit.quantity().to_owned(),
+        name => name.chars().map(plain).collect(),
+    };
+    format!("{}_{name}", unit.quantity())
 }
 
 /// A variable: one element in FMI 3, a type inside a `ScalarVariable` in FMI 2.
-fn typed<'a>(
-    xml: &mut Xml,
-    mut general: Attributes<'a>,
-    kind: &str,
-    own: Attributes<'a>,
-    standard: Standard,
-) -> io::Result<()> {
+fn variable(xml: &mut Xml, entry: &Entry, standard: Standard) -> io::Result<()> {
+    let (causality, initial, fixed) = match (entry.role, entry.kind) {
+        (Some(Role::Input), _) => ("input", None, None),
+        (Some(Role::Parameter), _) => ("parameter", Some("exact"), Some("fixed")),
+        (Some(Role::Tunable), _) => ("parameter", Some("exact"), Some("tunable")),
+        (Some(Role::Output), _) => ("output", Some("calculated"), None),
+        (Some(Role::Calculated), _) => ("calculatedParameter", Some("calculated"), Some("fixed")),
+        (None, Kind::String) => ("local", Some("exact"), Some("constant")),
+        (None, _) => ("independent", None, None),
+    };
+    let variability = fixed.unwrap_or(match entry.kind {
+        Kind::Boolean => "discrete",
+        _ => "continuous",
+    });
+    let mut general = vec![
+        ("name", entry.name.to_owned()),
+        ("valueReference", entry.reference.to_string()),
+        ("description", entry.text.clone()),
+        ("causality", causality.to_owned()),
+        ("variability", variability.to_owned()),
+    ];
+    general.extend(initial.map(|initial| ("initial", initial.to_owned())));
+    let mut own = Vec::new();
+    if let Kind::Real(unit, display) = entry.kind {
+        own.push(("declaredType", type_name(unit, display)));
+        for (name, bound) in ["min", "max"].into_iter().zip(entry.bounds) {
+            own.extend(bound.is_finite().then(|| (name, number(bound))));
+        }
+        own.extend(entry.nominal.map(|nominal| ("nominal", number(nominal))));
+    }
+    let start = |own: &mut Attributes| own.extend(entry.start.clone().map(|start| ("start", start)));
+    let name = match (entry.kind, standard) {
+        (Kind::Real(..), Standard::Fmi2) => "Real",
+        (Kind::Real(..), Standard::Fmi3) => "Float64",
+        (Kind::Boolean, _) => "Boolean",
+        (Kind::String, _) => "String",
+    };
     match standard {
-        Standard::Fmi2 => element(xml, "ScalarVariable", &general, |xml| empty(xml, kind, &own)),
+        Standard::Fmi2 => {
+            start(&mut own);
+            element(xml, "ScalarVariable", &general, |xml| empty(xml, name, &own))
+        }
         Standard::Fmi3 => {
             general.extend(own);
-            empty(xml, if kind == "Real" { "Float64" } else { kind }, &general)
+            if entry.kind != Kind::String {
+                start(&mut general);
+            }
+            match (entry.size, &entry.start) {
+                (Some(size), _) => element(xml, name, &general, |xml| {
+                    empty(xml, "Dimension", &[("start", size.to_string())])
+                }),
+                (None, Some(value)) if entry.kind == Kind::String => element(xml, name, &general, |xml| {
+                    empty(xml, "Start", &[("value", value.clone())])
+                }),
+                _ => empty(xml, name, &general),
+            }
         }
     }
 }
 
 /// Outputs, and the unknowns of initialization: outputs and calculated parameters.
-fn structure(xml: &mut Xml, variables: &[Variable], standard: Standard) -> io::Result<()> {
-    let unknowns = |xml: &mut Xml, name: &str, roles: &[Role]| {
-        variables
+/// During the simulation inputs and time are known, at initialization the parameters too.
+fn structure(xml: &mut Xml, entries: &[Entry], standard: Standard) -> io::Result<()> {
+    let during: BTreeSet<u32> = entries
+        .iter()
+        .filter(|entry| entry.role == Some(Role::Input) || entry.name == TIME.id)
+        .map(|entry| entry.reference)
+        .collect();
+    let unknowns = |xml: &mut Xml, name: &str, initial: bool| {
+        entries
             .iter()
-            .enumerate()
-            .filter(|(_, variable)| roles.contains(&variable.role))
-            .try_for_each(|(index, _)| {
-                // FMI 2 counts variables from 1, and time is the first.
-                match standard {
-                    Standard::Fmi2 => empty(xml, "Unknown", &[("index", (index + 2).to_string())]),
-                    Standard::Fmi3 => empty(xml, name, &[("valueReference", (index + 1).to_string())]),
-                }
+            .filter(|entry| match entry.role {
+                Some(Role::Output) => true,
+                Some(Role::Calculated) => initial,
+                _ => false,
+            })
+            .try_for_each(|entry| {
+                let known = entry
+                    .dependencies
+                    .iter()
+                    .filter(|known| initial || during.contains(known));
+                // FMI 2 counts variables from 1, and they stand in the order of their references.
+                let (attribute, shift) = match standard {
+                    Standard::Fmi2 => ("index", 1),
+                    Standard::Fmi3 => ("valueReference", 0),
+                };
+                let known: Vec<String> = known.map(|known| (known + shift).to_string()).collect();
+                let unknown = [
+                    (attribute, (entry.reference + shift).to_string()),
+                    ("dependencies", known.join(" ")),
+                ];
+                empty(xml, name, &unknown)
             })
     };
-    for (list, name, roles) in [
-        ("Outputs", "Output", &[Role::Output][..]),
-        (
-            "InitialUnknowns",
-            "InitialUnknown",
-            &[Role::Output, Role::Calculated][..],
-        ),
+    for (list, name, initial) in [
+        ("Outputs", "Output", false),
+        ("InitialUnknowns", "InitialUnknown", true),
     ] {
         match standard {
-            Standard::Fmi2 => element(xml, list, &[], |xml| unknowns(xml, name, roles))?,
-            Standard::Fmi3 => unknowns(xml, name, roles)?,
+            Standard::Fmi2 => element(xml, list, &[], |xml| unknowns(xml, "Unknown", initial))?,
+            Standard::Fmi3 => unknowns(xml, name, initial)?,
         }
     }
     Ok(())

@@ -1,11 +1,13 @@
 //! One instance of a model as a simulator sees it: time, the state machine and
 //! FMU states. What both standards share is here, in safe code.
 
+use crate::layout::{self, Place};
 use crate::refuse;
-use lemnis_models::model::{Fault, Model, Role};
+use lemnis_models::model::{Fault, Model, Role, State, TIME};
 use lemnis_models::scene::{LONGEST, Scene};
+use lemnis_models::symbol::Symbol;
 use sha2::{Digest, Sha256};
-use std::ffi::CStr;
+use std::ffi::{CStr, CString, c_char};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -41,12 +43,13 @@ const STATE_NAMES: [&str; 8] = [
     "fatal error",
 ];
 
-/// Log categories with their descriptions; the first is for errors, the second for panics.
-pub const CATEGORIES: [(&CStr, &str); 2] = [
+/// Log categories with their descriptions, in the order of the statuses discard, error, fatal.
+pub const CATEGORIES: [(&CStr, &str); 3] = [
     (
-        c"logStatusError",
-        "Calls that were refused and configurations that cannot be reached",
+        c"logStatusDiscard",
+        "Values and configurations that do not exist: another value or a smaller step may do",
     ),
+    (c"logStatusError", "Calls that were refused"),
     (c"logStatusFatal", "Defects of the program"),
 ];
 
@@ -89,25 +92,53 @@ pub fn token(scene: &Scene) -> String {
     )
 }
 
+/// Version of Lemnis and SHA-256 of the scene's text, in the order of [`layout::STRINGS`].
+#[must_use]
+pub fn strings(scene: &Scene) -> [String; 2] {
+    let digest = Sha256::digest(scene.text());
+    let hash = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+    [env!("CARGO_PKG_VERSION").to_owned(), hash]
+}
+
 /// A model under a simulator's control.
 pub struct Instance {
     model: Model,
     interface: Interface,
     token: String,
+    /// Truth values by index, as they were at the last event: they may change at events only.
+    held: Vec<(usize, bool)>,
+    /// First components of the vectors, by index.
+    vectors: Vec<usize>,
     /// Which of [`CATEGORIES`] are reported.
-    logged: [bool; 2],
+    logged: [bool; CATEGORIES.len()],
+    now: Now,
+    /// The instance as it was instantiated, for reset.
+    initial: Saved,
+    /// FMU states by handle, in ascending order of handles.
+    saved: Vec<(usize, Saved)>,
+    last_handle: usize,
+    /// The values of [`strings`].
+    strings: [CString; 2],
+}
+
+/// What changes in an instance besides the model.
+#[derive(Clone, Copy, Debug)]
+struct Now {
     state: States,
     /// Time reached, in s.
     time: f64,
-    /// Time of the model, in s: beyond `time` after a step that failed.
-    model_time: f64,
+    /// End of the last step that was tried, in s: beyond `time` after a step that failed.
+    tried: f64,
     /// End of the experiment, in s; infinite where none was given.
     stop: f64,
-    /// The instance as it was instantiated, for reset.
-    initial: Vec<f64>,
-    /// FMU states by handle, in ascending order of handles.
-    saved: Vec<(usize, Vec<f64>)>,
-    last_handle: usize,
+}
+
+/// An FMU state.
+#[derive(Clone, Debug)]
+struct Saved {
+    now: Now,
+    model: State,
+    held: Vec<(usize, bool)>,
 }
 
 impl Instance {
@@ -117,7 +148,7 @@ impl Instance {
     /// The scene is missing, too large or invalid, or it is not the one that `token` was made for.
     pub fn load(resources: &Path, token: &str, interface: Interface) -> Result<Instance, Fault> {
         let path = resources.join(SCENE_FILE);
-        let unreadable = |error| Fault(format!("cannot read {}: {error}", path.display()));
+        let unreadable = |error| Fault::new(format!("cannot read {}: {error}", path.display()));
         let mut text = Vec::new();
         // One byte more than a scene may have, so that a longer one is refused and not cut.
         File::open(&path)
@@ -125,7 +156,7 @@ impl Instance {
             .map_err(unreadable)?;
         let scene = Scene::parse(&String::from_utf8_lossy(&text)).map_err(|diagnostics| {
             let lines: Vec<String> = diagnostics.iter().map(ToString::to_string).collect();
-            Fault(format!("{}: {}", path.display(), lines.join("; ")))
+            Fault::new(format!("{}: {}", path.display(), lines.join("; ")))
         })?;
         Instance::new(&scene, token, interface)
     }
@@ -139,37 +170,50 @@ impl Instance {
                 "the token {token:?} does not belong to this scene and version: {expected} was expected"
             ));
         }
-        let mut instance = Instance {
-            model: Model::new(scene)?,
-            interface,
-            token: expected,
-            logged: [true; 2],
+        let model = Model::new(scene)?;
+        let variables = model.variables().iter().enumerate();
+        let held: Vec<(usize, bool)> = variables.filter(|(_, v)| v.boolean).map(|(i, _)| (i, false)).collect();
+        let vectors = layout::vectors(model.variables()).map(|vector| vector.first).collect();
+        let now = Now {
             state: INSTANTIATED,
             time: 0.0,
-            model_time: 0.0,
+            tried: 0.0,
             stop: f64::INFINITY,
-            initial: Vec::new(),
+        };
+        let initial = Saved {
+            now,
+            model: *model.state(),
+            held: held.clone(),
+        };
+        Ok(Instance {
+            model,
+            interface,
+            token: expected,
+            held,
+            vectors,
+            logged: [true; CATEGORIES.len()],
+            now,
+            initial,
             saved: Vec::new(),
             last_handle: 0,
-        };
-        instance.initial = instance.snapshot();
-        Ok(instance)
+            strings: strings(scene).map(|text| CString::new(text).expect("digits and letters")),
+        })
     }
 
     #[must_use]
     pub fn state(&self) -> States {
-        self.state
+        self.now.state
     }
 
     #[must_use]
     pub fn state_name(&self) -> &'static str {
-        STATE_NAMES[self.state.trailing_zeros() as usize]
+        STATE_NAMES[self.now.state.trailing_zeros() as usize]
     }
 
     /// Time reached, in s.
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.time
+        self.now.time
     }
 
     #[must_use]
@@ -183,7 +227,7 @@ impl Instance {
     /// A category does not exist.
     pub fn set_logged(&mut self, on: bool, categories: &[&str]) -> Result<(), Fault> {
         if categories.is_empty() {
-            self.logged = [on; 2];
+            self.logged = [on; CATEGORIES.len()];
         }
         for &name in categories {
             let Some(index) = CATEGORIES
@@ -209,7 +253,7 @@ impl Instance {
             ));
         }
         self.set_time(start)?;
-        self.stop = stop;
+        self.now.stop = stop;
         Ok(())
     }
 
@@ -218,7 +262,13 @@ impl Instance {
     /// # Errors
     /// None; a result for the functions that do nothing else.
     pub fn enter(&mut self, state: States) -> Result<(), Fault> {
-        self.state = state;
+        if state == CONTINUOUS {
+            for (index, value) in &mut self.held {
+                // Where there is no value, the last one stays.
+                *value = self.model.get(*index).map_or(*value, |now| now != 0.0);
+            }
+        }
+        self.now.state = state;
         Ok(())
     }
 
@@ -250,12 +300,12 @@ impl Instance {
     /// Back to the instance as it was instantiated, from any state.
     ///
     /// # Errors
-    /// None that an intact instance gives.
+    /// None; a result like those of the other functions.
     pub fn reset(&mut self) -> Result<(), Fault> {
-        let initial = std::mem::take(&mut self.initial);
-        let result = self.restore(&initial);
-        self.initial = initial;
-        result
+        self.now = self.initial.now;
+        self.held.clone_from(&self.initial.held);
+        self.model.set_state(&self.initial.model);
+        Ok(())
     }
 
     /// Sets the time of the model, in s.
@@ -266,7 +316,7 @@ impl Instance {
         if !time.is_finite() {
             return refuse(format!("the time {time} is not finite"));
         }
-        (self.time, self.model_time) = (time, time);
+        (self.now.time, self.now.tried) = (time, time);
         self.model.set_time(time);
         Ok(())
     }
@@ -275,47 +325,60 @@ impl Instance {
     ///
     /// # Errors
     /// The step does not start where the last one ended or goes beyond the stop time, or the
-    /// configuration at its end cannot be reached. Time stays where it was; after setting other
-    /// inputs, stepping can go on from here or from the end of the failed step.
+    /// configuration at its end cannot be reached. The instance is as it was before the step;
+    /// after setting other inputs, stepping can go on from here or from the end of the failed step.
     pub fn step(&mut self, point: f64, size: f64) -> Result<(), Fault> {
         if !(size.is_finite() && size > 0.0) {
             return refuse(format!("the step size {size} s is not positive"));
         }
         let tolerance = POINT_TOLERANCE * size + 4.0 * f64::EPSILON * point.abs();
         let is_near = |time: f64| (point - time).abs() <= tolerance;
-        if !is_near(self.time) && !is_near(self.model_time) {
+        if !is_near(self.now.time) && !is_near(self.now.tried) {
             return refuse(format!(
                 "the step starts at {point} s, but the last one ended at {} s",
-                self.time
+                self.now.time
             ));
         }
         let end = point + size;
-        if end > self.stop + tolerance {
+        if end > self.now.stop + tolerance {
             return refuse(format!(
                 "the step ends at {end} s, beyond the stop time {} s",
-                self.stop
+                self.now.stop
             ));
         }
-        self.model_time = end;
+        self.now.tried = end;
         self.model.set_time(end);
-        self.model.update()?;
-        self.time = end;
+        if let Err(fault) = self.model.update() {
+            self.model.set_time(self.now.time);
+            return Err(fault);
+        }
+        self.now.time = end;
         Ok(())
     }
 
-    /// Reads real variables; reference 0 is time.
+    /// Reads real variables; a vector gives both of its components.
     ///
     /// # Errors
-    /// A reference is not that of a real variable, or its value does not exist in this configuration.
+    /// A reference is not that of a real variable, there are fewer or more values than the
+    /// variables have, or a value does not exist in this configuration.
     pub fn get_reals(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), Fault> {
-        expect_length(values.len(), references.len())?;
-        for (&reference, value) in references.iter().zip(values) {
-            *value = match reference {
-                0 => self.time,
-                _ => self.model.get(self.index(reference, false)?)?,
+        let given = values.len();
+        let mut rest = values.iter_mut();
+        for &reference in references {
+            let (first, count) = match self.place(reference)? {
+                Place::Variable(index) => (self.of_kind(index, false)?, 1),
+                Place::Vector(first) => (first, 2),
+                Place::Time => {
+                    *rest.next().ok_or_else(|| too_few(given))? = self.now.time;
+                    continue;
+                }
+                Place::String(_) => return refuse(format!("value reference {reference} is not a real variable")),
             };
+            for index in first..first + count {
+                *rest.next().ok_or_else(|| too_few(given))? = self.model.get(index)?;
+            }
         }
-        Ok(())
+        expect_length(given, given - rest.len())
     }
 
     /// Reads truth values, in the standard's own type for them.
@@ -325,60 +388,197 @@ impl Instance {
     pub fn get_booleans<T: From<bool>>(&mut self, references: &[u32], values: &mut [T]) -> Result<(), Fault> {
         expect_length(values.len(), references.len())?;
         for (&reference, value) in references.iter().zip(values) {
-            *value = (self.model.get(self.index(reference, true)?)? != 0.0).into();
+            let index = self.boolean(reference)?;
+            let held = self.held.iter().find(|(held, _)| *held == index);
+            *value = match held {
+                Some((_, held)) if self.now.state == CONTINUOUS => *held,
+                _ => self.model.get(index)? != 0.0,
+            }
+            .into();
         }
         Ok(())
     }
 
-    /// Sets real variables.
+    /// Reads strings; they live as long as the instance.
+    ///
+    /// # Errors
+    /// As [`Instance::get_reals`].
+    pub fn get_strings(&self, references: &[u32], values: &mut [*const c_char]) -> Result<(), Fault> {
+        expect_length(values.len(), references.len())?;
+        for (&reference, value) in references.iter().zip(values) {
+            *value = match self.place(reference)? {
+                Place::String(index) => self.strings[index].as_ptr(),
+                _ => return refuse(format!("value reference {reference} is not a string")),
+            };
+        }
+        Ok(())
+    }
+
+    /// Sets real variables, all or none.
     ///
     /// # Errors
     /// A reference is not that of a real variable, the variable cannot be set now, or the model
-    /// refuses the value. What stands before it has been set.
+    /// refuses the value.
     pub fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), Fault> {
         expect_length(values.len(), references.len())?;
-        references
-            .iter()
-            .zip(values)
-            .try_for_each(|(&reference, &value)| self.set(reference, false, value))
+        for (&reference, &value) in references.iter().zip(values) {
+            let index = match self.place(reference)? {
+                Place::Variable(index) => self.of_kind(index, false)?,
+                Place::Time => return refuse("time is no variable that can be set here"),
+                Place::Vector(_) => return refuse(format!("value reference {reference} is a result")),
+                Place::String(_) => return refuse(format!("value reference {reference} is not a real variable")),
+            };
+            self.check_now(index)?;
+            self.model.check(index, value)?;
+        }
+        for (&reference, &value) in references.iter().zip(values) {
+            self.model.set(reference as usize - 1, value)?;
+        }
+        Ok(())
     }
 
-    /// Sets truth values.
+    /// Sets truth values: the models have none that can be set.
     ///
     /// # Errors
-    /// As [`Instance::set_reals`].
-    pub fn set_booleans<T: Copy + PartialEq + From<bool>>(
-        &mut self,
-        references: &[u32],
-        values: &[T],
+    /// Any value.
+    pub fn set_booleans(&self, references: &[u32]) -> Result<(), Fault> {
+        match references.first() {
+            None => Ok(()),
+            Some(&reference) => {
+                let index = self.boolean(reference)?;
+                self.model.check(index, 0.0)
+            }
+        }
+    }
+
+    /// Derivative of `unknowns` when `knowns` change at the rates `seed`, in SI; vectors have
+    /// two values each.
+    ///
+    /// # Errors
+    /// A reference that is no result or no input or parameter, wrong lengths, or a place where
+    /// there is no derivative.
+    pub fn directional(
+        &self,
+        unknowns: &[u32],
+        knowns: &[u32],
+        seed: &[f64],
+        sensitivity: &mut [f64],
     ) -> Result<(), Fault> {
-        expect_length(values.len(), references.len())?;
-        references.iter().zip(values).try_for_each(|(&reference, &value)| {
-            self.set(reference, true, if value == T::from(false) { 0.0 } else { 1.0 })
-        })
+        expect_length(seed.len(), knowns.len())?;
+        for &known in knowns {
+            self.known(known)?;
+        }
+        let rate = |symbol| {
+            let of = |&(&known, _): &(&u32, &f64)| self.known(known).is_ok_and(|known| known == symbol);
+            knowns.iter().zip(seed).filter(of).map(|(_, rate)| rate).sum()
+        };
+        let mut tangent = self.model.tangent(rate);
+        let given = sensitivity.len();
+        let mut rest = sensitivity.iter_mut();
+        for &unknown in unknowns {
+            for index in self.unknown(unknown)? {
+                *rest.next().ok_or_else(|| too_few(given))? = self.model.derivative(&mut tangent, index)?;
+            }
+        }
+        expect_length(given, given - rest.len())
     }
 
-    fn set(&mut self, reference: u32, boolean: bool, value: f64) -> Result<(), Fault> {
-        let index = self.index(reference, boolean)?;
+    /// Rates of change of a sum of `unknowns`, weighted with `seed`, with each of `knowns`.
+    ///
+    /// # Errors
+    /// As [`Instance::directional`].
+    pub fn adjoint(
+        &self,
+        unknowns: &[u32],
+        knowns: &[u32],
+        seed: &[f64],
+        sensitivity: &mut [f64],
+    ) -> Result<(), Fault> {
+        expect_length(sensitivity.len(), knowns.len())?;
+        for (&known, sensitivity) in knowns.iter().zip(sensitivity) {
+            let known = self.known(known)?;
+            let mut tangent = self.model.tangent(|symbol| f64::from(symbol == known));
+            let mut weights = seed.iter();
+            *sensitivity = 0.0;
+            for &unknown in unknowns {
+                for index in self.unknown(unknown)? {
+                    let weight = weights.next().ok_or_else(|| too_few(seed.len()))?;
+                    *sensitivity += weight * self.model.derivative(&mut tangent, index)?;
+                }
+            }
+            expect_length(seed.len(), seed.len() - weights.len())?;
+        }
+        Ok(())
+    }
+
+    /// The quantity that a derivative is taken by.
+    fn known(&self, reference: u32) -> Result<&'static Symbol, Fault> {
+        match self.place(reference)? {
+            Place::Time => Ok(&TIME),
+            Place::Variable(index) => {
+                let variable = self.model.variables()[self.of_kind(index, false)?];
+                match variable.role {
+                    Role::Input | Role::Parameter | Role::Tunable => Ok(variable.symbol),
+                    _ => refuse(format!(
+                        "{} is a result: derivatives are by inputs and parameters",
+                        variable.symbol.id
+                    )),
+                }
+            }
+            _ => refuse(format!("derivatives by value reference {reference} do not exist")),
+        }
+    }
+
+    /// The results that a derivative is taken of; the model refuses what is none.
+    fn unknown(&self, reference: u32) -> Result<std::ops::Range<usize>, Fault> {
+        match self.place(reference)? {
+            Place::Variable(index) => Ok(self.of_kind(index, false)?..index + 1),
+            Place::Vector(first) => Ok(first..first + 2),
+            _ => refuse(format!("derivatives of value reference {reference} do not exist")),
+        }
+    }
+
+    #[inline]
+    fn place(&self, reference: u32) -> Result<Place, Fault> {
+        match layout::place(reference, self.model.variables().len(), &self.vectors) {
+            Some(place) => Ok(place),
+            None => refuse(format!("no variable has the value reference {reference}")),
+        }
+    }
+
+    /// The index, if it is that of a variable of this kind.
+    #[inline]
+    fn of_kind(&self, index: usize, boolean: bool) -> Result<usize, Fault> {
         let variable = self.model.variables()[index];
-        if variable.role == Role::Parameter && self.state & (INSTANTIATED | INITIALIZATION) == 0 {
-            return refuse(format!(
-                "{} is a parameter: it can be set before the end of initialization only",
-                variable.symbol.id
-            ));
+        if variable.boolean == boolean {
+            return Ok(index);
         }
-        self.model.set(index, value)
+        let kind = if boolean { "boolean" } else { "real" };
+        refuse(format!("{} is not a {kind} variable", variable.symbol.id))
     }
 
-    /// The model's index of a value reference.
-    fn index(&self, reference: u32, boolean: bool) -> Result<usize, Fault> {
-        let kind = if boolean { "boolean" } else { "real" };
-        let index = (reference as usize).wrapping_sub(1);
-        match self.model.variables().get(index) {
-            Some(variable) if variable.boolean == boolean => Ok(index),
-            Some(variable) => refuse(format!("{} is not a {kind} variable", variable.symbol.id)),
-            None => refuse(format!("no {kind} variable has the value reference {reference}")),
+    fn boolean(&self, reference: u32) -> Result<usize, Fault> {
+        match self.place(reference)? {
+            Place::Variable(index) => self.of_kind(index, true),
+            _ => refuse(format!("value reference {reference} is not a boolean variable")),
         }
+    }
+
+    /// Whether a variable may be set in this state.
+    #[inline]
+    fn check_now(&self, index: usize) -> Result<(), Fault> {
+        let variable = &self.model.variables()[index];
+        let until = match variable.role {
+            Role::Parameter if self.now.state & (INSTANTIATED | INITIALIZATION) == 0 => {
+                "before the end of initialization"
+            }
+            Role::Tunable if self.now.state == CONTINUOUS => "at events",
+            _ => return Ok(()),
+        };
+        refuse(format!(
+            "{} is a parameter: it can be set {until} only",
+            variable.symbol.id
+        ))
     }
 
     /// Saves the instance under `handle`, or under a new handle if that is 0.
@@ -386,8 +586,14 @@ impl Instance {
     /// # Errors
     /// The handle does not exist.
     pub fn save(&mut self, handle: usize) -> Result<usize, Fault> {
-        let snapshot = self.snapshot();
-        self.keep(handle, snapshot)
+        if handle == 0 {
+            return Ok(self.keep(self.snapshot()));
+        }
+        let at = self.find(handle)?;
+        let saved = &mut self.saved[at].1;
+        (saved.now, saved.model) = (self.now, *self.model.state());
+        saved.held.clone_from(&self.held);
+        Ok(handle)
     }
 
     /// Brings a saved instance back.
@@ -395,11 +601,10 @@ impl Instance {
     /// # Errors
     /// The handle does not exist.
     pub fn load_saved(&mut self, handle: usize) -> Result<(), Fault> {
-        let at = self.find(handle)?;
-        let snapshot = std::mem::take(&mut self.saved[at].1);
-        let result = self.restore(&snapshot);
-        self.saved[at].1 = snapshot;
-        result
+        let saved = &self.saved[self.find(handle)?].1;
+        (self.now, self.held) = (saved.now, saved.held.clone());
+        self.model.set_state(&saved.model);
+        Ok(())
     }
 
     /// Frees a saved instance; 0 is ignored.
@@ -419,7 +624,7 @@ impl Instance {
     /// # Errors
     /// The handle does not exist.
     pub fn serialized_size(&self, handle: usize) -> Result<usize, Fault> {
-        Ok(HEADER + 8 * self.saved[self.find(handle)?].1.len())
+        Ok(HEADER + 8 * self.numbers(&self.saved[self.find(handle)?].1).len())
     }
 
     /// Writes a saved instance as bytes: name and version of the format, a hash, the numbers.
@@ -427,9 +632,10 @@ impl Instance {
     /// # Errors
     /// The handle does not exist, or the size is not [`Instance::serialized_size`].
     pub fn serialize(&self, handle: usize, bytes: &mut [u8]) -> Result<(), Fault> {
-        expect_length(bytes.len(), self.serialized_size(handle)?)?;
+        let numbers = self.numbers(&self.saved[self.find(handle)?].1);
+        expect_length(bytes.len(), HEADER + 8 * numbers.len())?;
         let (header, body) = bytes.split_at_mut(HEADER);
-        for (number, place) in self.saved[self.find(handle)?].1.iter().zip(body.chunks_exact_mut(8)) {
+        for (number, place) in numbers.iter().zip(body.chunks_exact_mut(8)) {
             place.copy_from_slice(&number.to_le_bytes());
         }
         header[..MAGIC.len()].copy_from_slice(&MAGIC);
@@ -445,13 +651,24 @@ impl Instance {
         let body = bytes
             .strip_prefix(&MAGIC)
             .and_then(|rest| rest.split_first_chunk::<32>());
-        match body {
-            Some((hash, body)) if *hash == self.hash(body) && body.len() == 8 * self.initial.len() => {
-                let numbers = body.as_chunks::<8>().0.iter().map(|&number| f64::from_le_bytes(number));
-                self.keep(handle, numbers.collect())
+        let saved = match body {
+            Some((hash, body)) if *hash == self.hash(body) => {
+                let (numbers, _) = body.as_chunks::<8>();
+                self.saved_of(
+                    &numbers
+                        .iter()
+                        .map(|&number| f64::from_le_bytes(number))
+                        .collect::<Vec<_>>(),
+                )?
             }
-            _ => refuse("the serialised FMU state is damaged, or that of another scene or version"),
+            _ => return refuse("the serialised FMU state is damaged, or that of another scene or version"),
+        };
+        if handle == 0 {
+            return Ok(self.keep(saved));
         }
+        let at = self.find(handle)?;
+        self.saved[at].1 = saved;
+        Ok(handle)
     }
 
     fn hash(&self, body: &[u8]) -> [u8; 32] {
@@ -465,41 +682,64 @@ impl Instance {
     fn find(&self, handle: usize) -> Result<usize, Fault> {
         self.saved
             .binary_search_by_key(&handle, |entry| entry.0)
-            .map_err(|_| Fault("the FMU state does not exist in this instance, or has been freed".to_owned()))
+            .map_err(|_| Fault::new("the FMU state does not exist in this instance, or has been freed"))
     }
 
-    fn keep(&mut self, handle: usize, snapshot: Vec<f64>) -> Result<usize, Fault> {
-        if handle != 0 {
-            let at = self.find(handle)?;
-            self.saved[at].1 = snapshot;
-            return Ok(handle);
-        }
+    fn keep(&mut self, saved: Saved) -> usize {
         self.last_handle += 1;
-        self.saved.push((self.last_handle, snapshot));
-        Ok(self.last_handle)
+        self.saved.push((self.last_handle, saved));
+        self.last_handle
     }
 
-    /// All that changes in an instance, as numbers.
-    fn snapshot(&self) -> Vec<f64> {
-        let mut numbers = vec![f64::from(self.state), self.time, self.model_time, self.stop];
-        numbers.extend(self.model.values());
+    fn snapshot(&self) -> Saved {
+        Saved {
+            now: self.now,
+            model: *self.model.state(),
+            held: self.held.clone(),
+        }
+    }
+
+    /// A saved instance as numbers.
+    fn numbers(&self, saved: &Saved) -> Vec<f64> {
+        let Now {
+            state,
+            time,
+            tried,
+            stop,
+        } = saved.now;
+        let mut numbers = vec![f64::from(state), time, tried, stop];
+        numbers.extend(saved.held.iter().map(|&(_, value)| f64::from(value)));
+        numbers.extend(self.model.numbers(&saved.model));
         numbers
     }
 
-    fn restore(&mut self, snapshot: &[f64]) -> Result<(), Fault> {
-        let &[state, time, model_time, stop, ref values @ ..] = snapshot else {
-            return refuse("the FMU state is incomplete");
+    fn saved_of(&self, numbers: &[f64]) -> Result<Saved, Fault> {
+        let known = |state: f64| {
+            (0..7)
+                .map(|bit| 1 << bit)
+                .find(|&known: &States| f64::from(known) == state)
         };
-        let Some(state) = (0..7)
-            .map(|bit| 1 << bit)
-            .find(|&known: &States| f64::from(known) == state)
-        else {
+        let (&[state, time, tried, stop], rest) = numbers
+            .split_first_chunk::<4>()
+            .ok_or_else(|| Fault::new("the FMU state is incomplete"))?;
+        let (Some(state), Some((held, model))) = (known(state), rest.split_at_checked(self.held.len())) else {
             return refuse("the FMU state is that of no known state");
         };
-        self.model.restore(values)?;
-        self.set_time(model_time)?;
-        (self.state, self.time, self.stop) = (state, time, stop);
-        Ok(())
+        Ok(Saved {
+            now: Now {
+                state,
+                time,
+                tried,
+                stop,
+            },
+            model: self.model.state_of(model)?,
+            held: self
+                .held
+                .iter()
+                .zip(held)
+                .map(|(&(index, _), &value)| (index, value != 0.0))
+                .collect(),
+        })
     }
 }
 
@@ -513,6 +753,10 @@ pub fn expect_none(count: usize) -> Result<(), Fault> {
     } else {
         refuse(format!("{count} values were asked for, the FMU has none of this kind"))
     }
+}
+
+fn too_few(given: usize) -> Fault {
+    Fault::new(format!("{given} values are fewer than these variables have"))
 }
 
 fn expect_length(given: usize, expected: usize) -> Result<(), Fault> {

@@ -6,7 +6,8 @@
 //!         abi/mod.rs         the guard that each of them passes: null pointers, states, panics, log
 //!        instance.rs         one instance: time, state machine, FMU states; no unsafe code
 //!                            (from here on it is lemnis_models)
-//!     description.rs         modelDescription.xml
+//!          layout.rs         value references
+//!     description.rs         modelDescription.xml, terminalsAndIcons.xml
 //!         package.rs         the .fmu file
 //! ```
 //!
@@ -16,11 +17,12 @@
 pub mod abi;
 pub mod description;
 pub mod instance;
+pub mod layout;
 pub mod package;
 
 use lemnis_models::model::Fault;
 
 /// Shorthand for leaving a function with a message.
 fn refuse<T>(message: impl Into<String>) -> Result<T, Fault> {
-    Err(Fault(message.into()))
+    Err(Fault::new(message))
 }

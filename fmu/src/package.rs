@@ -30,7 +30,8 @@ impl Library {
     /// There is none, or it cannot be read.
     pub fn of_this_platform() -> Result<Library, Fault> {
         let path = find_library()?;
-        let bytes = std::fs::read(&path).map_err(|error| Fault(format!("cannot read {}: {error}", path.display())))?;
+        let bytes =
+            std::fs::read(&path).map_err(|error| Fault::new(format!("cannot read {}: {error}", path.display())))?;
         let system = if OS == "macos" { "darwin" } else { OS };
         Ok(Library {
             platform: format!("{ARCH}-{system}"),
@@ -94,7 +95,7 @@ pub fn fmu(
     written
         .and_then(|()| zip.finish())
         .map(Cursor::into_inner)
-        .map_err(|error: zip::result::ZipError| Fault(format!("cannot write the FMU: {error}")))
+        .map_err(|error: zip::result::ZipError| Fault::new(format!("cannot write the FMU: {error}")))
 }
 
 /// The shared library of this crate, beside the running program or where Cargo puts it.
@@ -103,7 +104,7 @@ pub fn fmu(
 /// It is in none of these places.
 pub fn find_library() -> Result<PathBuf, Fault> {
     let name = format!("{DLL_PREFIX}lemnis_fmu{DLL_SUFFIX}");
-    let program = std::env::current_exe().map_err(|error| Fault(format!("cannot find this program: {error}")))?;
+    let program = std::env::current_exe().map_err(|error| Fault::new(format!("cannot find this program: {error}")))?;
     let folder = program.parent().unwrap_or(&program);
     // Cargo keeps the copy in deps/ up to date whatever is built, that beside the program only at times.
     let places = ["deps", "", "../deps"].map(|place| folder.join(place).join(&name));

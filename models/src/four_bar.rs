@@ -11,6 +11,8 @@
 //! with crank a, coupler b, follower c, frame f and diagonal d = N–J.
 
 use std::f64::consts::{PI, TAU};
+
+use nalgebra::Scalar;
 use twofloat::TwoFloat;
 
 use crate::calc::Calc;
@@ -93,6 +95,36 @@ pub struct Closure<C> {
 pub struct Arc {
     pub from: f64,
     pub to: f64,
+}
+
+impl<C: Copy + Scalar> Limit<C> {
+    fn map<D>(&self, f: fn(C) -> D) -> Limit<D> {
+        let both = |ends: [(C, f64); 2]| ends.map(|(end, tail)| (f(end), tail));
+        match *self {
+            Limit::Between(ends) => Limit::Between(both(ends)),
+            Limit::Outside(ends) => Limit::Outside(both(ends)),
+            Limit::Free(margin) => Limit::Free(f(margin)),
+        }
+    }
+}
+
+impl<C: Copy + Scalar> FourBar<C> {
+    /// The same linkage over another scalar.
+    #[must_use]
+    pub fn map<D: Scalar>(&self, f: fn(C) -> D) -> FourBar<D> {
+        FourBar {
+            crank: f(self.crank),
+            coupler: f(self.coupler),
+            follower: f(self.follower),
+            frame: self.frame.map(f),
+            frame_length: f(self.frame_length),
+            frame_direction: self.frame_direction.map(f),
+            branch: self.branch,
+            stretched: self.stretched.map(f),
+            folded: self.folded.map(f),
+            middle: self.middle,
+        }
+    }
 }
 
 impl<C: Calc> FourBar<C> {

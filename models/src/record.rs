@@ -44,6 +44,8 @@ pub struct Step {
     pub formula: Rec,
     /// In SI.
     pub value: f64,
+    /// The result under its name, for later formulas.
+    pub name: Rec,
 }
 
 struct Entry {
@@ -85,6 +87,29 @@ impl Trace {
     #[must_use]
     pub fn value(&self, rec: Rec) -> f64 {
         self.entries[rec.0 as usize].value
+    }
+
+    /// The given quantities that a formula contains, named steps followed to their own formulas.
+    #[must_use]
+    pub fn givens(&self, rec: Rec) -> Vec<&'static Symbol> {
+        // Steps are in the order of their names.
+        let step = |rec: Rec| self.steps.binary_search_by_key(&rec.0, |step| step.name.0).ok();
+        let (mut found, mut met, mut rest) = (Vec::new(), vec![false; self.entries.len()], vec![rec]);
+        while let Some(rec) = rest.pop() {
+            if std::mem::replace(&mut met[rec.0 as usize], true) {
+                continue;
+            }
+            match self.node(rec) {
+                Node::Constant(_) => {}
+                Node::Name(symbol) => match step(rec) {
+                    Some(step) => rest.push(self.steps[step].formula),
+                    None => found.push(symbol),
+                },
+                Node::Unary(_, a) => rest.push(a),
+                Node::Binary(_, a, b) => rest.extend([a, b]),
+            }
+        }
+        found
     }
 
     fn push(&mut self, node: Node, value: f64, dimension: Dimension) -> Rec {
@@ -225,12 +250,14 @@ impl Calc for Rec {
                     symbol.id, symbol.unit.dimension
                 ));
             }
+            let name = trace.push(Node::Name(symbol), value, symbol.unit.dimension);
             trace.steps.push(Step {
                 symbol,
                 formula: self,
                 value,
+                name,
             });
-            trace.push(Node::Name(symbol), value, symbol.unit.dimension)
+            name
         })
     }
 }

@@ -133,6 +133,28 @@ units! {
     L_PER_MIN   = "L/min"    "L/min"   [3 0 -1 0]    1e-3 / 60.0;
 }
 
+impl Unit {
+    /// What is measured in this unit, in the words of ISO 80000.
+    #[must_use]
+    pub fn quantity(&self) -> &'static str {
+        match (self.dimension, self.rad) {
+            (d, 0) if d == M.dimension => "Length",
+            (d, _) if d == M2.dimension => "Area",
+            (d, 1) if d == RAD.dimension => "Angle",
+            (d, _) if d == S.dimension => "Time",
+            (d, 1) if d == RAD_PER_S.dimension => "AngularVelocity",
+            (d, _) if d == M_PER_S.dimension => "Velocity",
+            (d, _) if d == KG.dimension => "Mass",
+            (d, _) if d == N.dimension => "Force",
+            (d, _) if d == N_M.dimension && self.name.ends_with('J') => "Energy",
+            (d, _) if d == N_M.dimension => "Torque",
+            (d, _) if d == PA.dimension => "Pressure",
+            (d, _) if d == M3_PER_S.dimension => "VolumeFlowRate",
+            _ => "Ratio",
+        }
+    }
+}
+
 /// The unit of a scene's text: `kN m`, `kN·m`, `kN*m` and `kN.m` are one; `°` is `deg`.
 #[must_use]
 pub fn find(text: &str) -> Option<&'static Unit> {

@@ -353,6 +353,7 @@ mod tests {
                 symbol: &s::L,
                 formula,
                 value: trace.value(formula),
+                name: formula,
             },
         );
         (printed.formula, printed.numbers.unwrap_or(printed.result))

@@ -153,10 +153,10 @@ fn book(scene: &Scene, results: &Results, format: Format) -> Result<Output, Fail
 
 /// Both FMUs, each packed in a thread of its own.
 fn fmus(scene: &Scene, documentation: &[(String, Vec<u8>)]) -> Result<Vec<Output>, Failure> {
-    let libraries = [Library::of_this_platform().map_err(|fault| Failure::Program(fault.0))?];
+    let libraries = [Library::of_this_platform().map_err(|fault| Failure::Program(fault.message))?];
     let make = |standard, suffix: &str| {
         let bytes = package::fmu(scene, standard, &libraries, documentation);
-        let bytes = bytes.map_err(|fault| Failure::Program(fault.0))?;
+        let bytes = bytes.map_err(|fault| Failure::Program(fault.message))?;
         Ok(Output {
             name: format!("{}{suffix}", scene.name()),
             bytes,

@@ -23,7 +23,7 @@ pub struct Results {
 
 impl Results {
     pub fn new(scene: &Scene) -> Result<Results, Failure> {
-        let mut model = Model::new(scene).map_err(|fault| Failure::Scene(fault.0))?;
+        let mut model = Model::new(scene).map_err(|fault| Failure::Scene(fault.message))?;
         let varies = |role: Role| matches!(role, Role::Input | Role::Output);
         let indices: Vec<usize> = (0..model.variables().len())
             .filter(|&i| varies(model.variables()[i].role))
@@ -39,7 +39,7 @@ impl Results {
                 indices.iter().map(|&i| model.get(i)).collect()
             })
             .collect();
-        let rows = rows.map_err(|fault| Failure::Scene(fault.0))?;
+        let rows = rows.map_err(|fault| Failure::Scene(fault.message))?;
         Ok(Results {
             scene: scene.clone(),
             sheet: sheet(scene),

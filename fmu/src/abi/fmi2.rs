@@ -142,7 +142,7 @@ fn path_of_uri(uri: &str) -> Result<PathBuf, Fault> {
             }
         }
     }
-    let path = String::from_utf8(bytes).map_err(|_| Fault(format!("the resource location {uri} is not UTF-8")))?;
+    let path = String::from_utf8(bytes).map_err(|_| Fault::new(format!("the resource location {uri} is not UTF-8")))?;
     // file:///C:/folder
     let drive = path.get(2..3) == Some(":") && path.starts_with('/');
     Ok(PathBuf::from(if drive { &path[1..] } else { &path }))
@@ -156,6 +156,16 @@ pub unsafe extern "C" fn fmi2FreeInstance(component: *mut Component) {
 
 const GET: States = INITIALIZATION | EVENT | CONTINUOUS | STEP | TERMINATED;
 const SET: States = INSTANTIATED | INITIALIZATION | EVENT | STEP;
+
+/// The functions for which the standard provides `fmi2Discard`. A step that
+/// could not be carried out at all is an error in its words.
+fn discards(name: &str) -> States {
+    match name {
+        "fmi2SetReal" => ANY,
+        "fmi2GetReal" => EVENT | CONTINUOUS,
+        _ => NEVER,
+    }
+}
 
 // FMU states are handles in the instance, in the place of the standard's pointers.
 exports! { FMI2, i;
@@ -174,13 +184,14 @@ exports! { FMI2, i;
     fn fmi2GetInteger(_: *const u32, n: usize, _: *mut c_int) in GET => expect_none(n);
     fn fmi2GetBoolean(references: *const u32, n: usize, values: *mut fmi2Boolean) in GET =>
         i.get_booleans(slice(references, n)?, slice_mut(values, n)?);
-    fn fmi2GetString(_: *const u32, n: usize, _: *mut *const c_char) in GET => expect_none(n);
+    fn fmi2GetString(references: *const u32, n: usize, values: *mut *const c_char) in GET =>
+        i.get_strings(slice(references, n)?, slice_mut(values, n)?);
 
     fn fmi2SetReal(references: *const u32, n: usize, values: *const f64) in SET | CONTINUOUS =>
         i.set_reals(slice(references, n)?, slice(values, n)?);
     fn fmi2SetInteger(_: *const u32, n: usize, _: *const c_int) in SET => expect_none(n);
-    fn fmi2SetBoolean(references: *const u32, n: usize, values: *const fmi2Boolean) in SET =>
-        i.set_booleans(slice(references, n)?, slice(values, n)?);
+    fn fmi2SetBoolean(references: *const u32, n: usize, _: *const fmi2Boolean) in SET =>
+        i.set_booleans(slice(references, n)?);
     fn fmi2SetString(_: *const u32, n: usize, _: *const *const c_char) in SET => expect_none(n);
 
     fn fmi2GetFMUstate(state: *mut usize) in ANY => {
@@ -202,8 +213,9 @@ exports! { FMI2, i;
         Ok(())
     };
 
-    fn fmi2GetDirectionalDerivative(_: *const u32, _: usize, _: *const u32, _: usize, _: *const f64, _: *mut f64)
-        in NEVER => Ok(());
+    fn fmi2GetDirectionalDerivative(
+        unknowns: *const u32, m: usize, knowns: *const u32, n: usize, seed: *const f64, sensitivity: *mut f64,
+    ) in GET => i.directional(slice(unknowns, m)?, slice(knowns, n)?, slice(seed, n)?, slice_mut(sensitivity, m)?);
 
     // Model Exchange
     fn fmi2EnterEventMode() in EVENT | CONTINUOUS => i.enter_event_mode();

@@ -130,6 +130,11 @@ const GET: States = INITIALIZATION | EVENT | CONTINUOUS | STEP | STEP_EVENT | TE
 const SET: States = INSTANTIATED | INITIALIZATION | EVENT | STEP | STEP_EVENT;
 const MODEL_EXCHANGE: States = INITIALIZATION | EVENT | CONTINUOUS | TERMINATED;
 
+/// A call that came to nothing leaves the instance as it was, and other values may do.
+fn discards(_: &str) -> States {
+    ANY
+}
+
 // FMU states are handles in the instance, in the place of the standard's pointers.
 exports! { FMI3, i;
     fn fmi3SetDebugLogging(on: fmi3Boolean, n: usize, categories: *const *const c_char) in ANY =>
@@ -158,7 +163,8 @@ exports! { FMI3, i;
     fn fmi3GetUInt64(_: *const u32, n: usize, _: *mut u64, _: usize) in GET => expect_none(n);
     fn fmi3GetBoolean(references: *const u32, n: usize, values: *mut fmi3Boolean, m: usize) in GET =>
         i.get_booleans(slice(references, n)?, slice_mut(values, m)?);
-    fn fmi3GetString(_: *const u32, n: usize, _: *mut *const c_char, _: usize) in GET => expect_none(n);
+    fn fmi3GetString(references: *const u32, n: usize, values: *mut *const c_char, m: usize) in GET =>
+        i.get_strings(slice(references, n)?, slice_mut(values, m)?);
     fn fmi3GetBinary(_: *const u32, n: usize, _: *mut usize, _: *mut *const u8, _: usize) in GET =>
         expect_none(n);
     fn fmi3GetClock(_: *const u32, n: usize, _: *mut fmi3Boolean) in GET => expect_none(n);
@@ -174,8 +180,8 @@ exports! { FMI3, i;
     fn fmi3SetUInt32(_: *const u32, n: usize, _: *const u32, _: usize) in SET => expect_none(n);
     fn fmi3SetInt64(_: *const u32, n: usize, _: *const i64, _: usize) in SET => expect_none(n);
     fn fmi3SetUInt64(_: *const u32, n: usize, _: *const u64, _: usize) in SET => expect_none(n);
-    fn fmi3SetBoolean(references: *const u32, n: usize, values: *const fmi3Boolean, m: usize) in SET =>
-        i.set_booleans(slice(references, n)?, slice(values, m)?);
+    fn fmi3SetBoolean(references: *const u32, n: usize, _: *const fmi3Boolean, _: usize) in SET =>
+        i.set_booleans(slice(references, n)?);
     fn fmi3SetString(_: *const u32, n: usize, _: *const *const c_char, _: usize) in SET => expect_none(n);
     fn fmi3SetBinary(_: *const u32, n: usize, _: *const usize, _: *const *const u8, _: usize) in SET =>
         expect_none(n);
@@ -205,11 +211,17 @@ exports! { FMI3, i;
     };
 
     fn fmi3GetDirectionalDerivative(
-        _: *const u32, _: usize, _: *const u32, _: usize, _: *const f64, _: usize, _: *mut f64, _: usize,
-    ) in NEVER => Ok(());
+        unknowns: *const u32, m: usize, knowns: *const u32, n: usize,
+        seed: *const f64, seeds: usize, sensitivity: *mut f64, sensitivities: usize,
+    ) in GET => i.directional(
+        slice(unknowns, m)?, slice(knowns, n)?, slice(seed, seeds)?, slice_mut(sensitivity, sensitivities)?,
+    );
     fn fmi3GetAdjointDerivative(
-        _: *const u32, _: usize, _: *const u32, _: usize, _: *const f64, _: usize, _: *mut f64, _: usize,
-    ) in NEVER => Ok(());
+        unknowns: *const u32, m: usize, knowns: *const u32, n: usize,
+        seed: *const f64, seeds: usize, sensitivity: *mut f64, sensitivities: usize,
+    ) in GET => i.adjoint(
+        slice(unknowns, m)?, slice(knowns, n)?, slice(seed, seeds)?, slice_mut(sensitivity, sensitivities)?,
+    );
 
     fn fmi3EnterConfigurationMode() in NEVER => Ok(());
     fn fmi3ExitConfigurationMode() in NEVER => Ok(());

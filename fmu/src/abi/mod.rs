@@ -15,6 +15,7 @@ use std::path::PathBuf;
 /// `fmi2Status` and `fmi3Status`, which agree in the values used here.
 pub type Status = c_int;
 pub const STATUS_OK: Status = 0;
+pub const STATUS_DISCARD: Status = 2;
 pub const STATUS_ERROR: Status = 3;
 pub const STATUS_FATAL: Status = 4;
 
@@ -28,7 +29,9 @@ pub struct Component {
 }
 
 /// Declares the functions of a standard that act on an instance, each with the
-/// states in which it is allowed, and collects them in one table.
+/// states in which it is allowed, and collects them in one table. The function
+/// `discards` of the same file tells in which states a value or a configuration
+/// that does not exist is discarded instead of an error.
 macro_rules! exports {
     ($table:ident, $instance:ident;
      $(fn $name:ident($($arg:tt: $type:ty),* $(,)?) in $allowed:expr => $body:expr;)*) => {
@@ -40,7 +43,7 @@ macro_rules! exports {
             pub unsafe extern "C" fn $name(component: *mut Component $(, $arg: $type)*) -> Status {
                 // SAFETY: the standard has the importer pass a pointer from the instantiation that is
                 // not yet freed, and arrays that are as long as the numbers beside them say.
-                unsafe { guard(component, stringify!($name), $allowed, |$instance| $body) }
+                unsafe { guard(component, stringify!($name), $allowed, discards, |$instance| $body) }
             }
         )*
     };
@@ -48,7 +51,7 @@ macro_rules! exports {
 use exports;
 
 /// Runs one call on an instance: everything that can go wrong becomes a status
-/// and one message.
+/// and one message; `discards` tells in which states a function may discard.
 ///
 /// # Safety
 /// `component` is null or comes from [`instantiate`] and has not been freed.
@@ -56,6 +59,7 @@ unsafe fn guard(
     component: *mut Component,
     name: &str,
     allowed: States,
+    discards: fn(&str) -> States,
     call: impl FnOnce(&mut Instance) -> Result<(), Fault>,
 ) -> Status {
     // SAFETY: the caller's promise.
@@ -71,7 +75,11 @@ unsafe fn guard(
     }
     match catch_unwind(AssertUnwindSafe(|| call(instance))) {
         Ok(Ok(())) => STATUS_OK,
-        Ok(Err(Fault(message))) => report(instance, log, name, STATUS_ERROR, &message),
+        Ok(Err(Fault { message, outside })) => {
+            let discard = outside && discards(name) & instance.state() != 0;
+            let status = if discard { STATUS_DISCARD } else { STATUS_ERROR };
+            report(instance, log, name, status, &message)
+        }
         Err(panic) => {
             let status = report(instance, log, name, STATUS_FATAL, &panic_message(panic.as_ref()));
             instance.enter(FATAL).map_or(STATUS_ERROR, |()| status)
@@ -79,9 +87,14 @@ unsafe fn guard(
     }
 }
 
+/// Index of a status in [`CATEGORIES`].
+fn category(status: Status) -> usize {
+    (status - STATUS_DISCARD) as usize
+}
+
 #[cold]
 fn report(instance: &Instance, log: &Log, name: &str, status: Status, message: &str) -> Status {
-    let category = usize::from(status == STATUS_FATAL);
+    let category = category(status);
     if instance.is_logged(category) {
         log(status, CATEGORIES[category].0, &c_string(&format!("{name}: {message}")));
     }
@@ -92,11 +105,14 @@ fn report(instance: &Instance, log: &Log, name: &str, status: Status, message: &
 fn instantiate(log: Log, name: &str, make: impl FnOnce() -> Result<Instance, Fault>) -> *mut Component {
     let (status, message) = match catch_unwind(AssertUnwindSafe(make)) {
         Ok(Ok(instance)) => return Box::into_raw(Box::new(Component { instance, log })),
-        Ok(Err(Fault(message))) => (STATUS_ERROR, message),
+        Ok(Err(Fault { message, .. })) => (STATUS_ERROR, message),
         Err(panic) => (STATUS_FATAL, panic_message(panic.as_ref())),
     };
-    let category = CATEGORIES[usize::from(status == STATUS_FATAL)].0;
-    log(status, category, &c_string(&format!("{name}: {message}")));
+    log(
+        status,
+        CATEGORIES[category(status)].0,
+        &c_string(&format!("{name}: {message}")),
+    );
     std::ptr::null_mut()
 }
 
@@ -174,7 +190,7 @@ unsafe fn text<'a>(pointer: *const c_char, what: &str) -> Result<&'a str, Fault>
     // SAFETY: the caller's promise; not null.
     unsafe { CStr::from_ptr(pointer) }
         .to_str()
-        .map_err(|_| Fault(format!("{what} is not UTF-8")))
+        .map_err(|_| Fault::new(format!("{what} is not UTF-8")))
 }
 
 /// # Safety
@@ -191,7 +207,8 @@ unsafe fn texts<'a>(pointer: *const *const c_char, length: usize) -> Result<Vec<
 
 /// The `resources` folder of the FMU that this library lies in, for importers that pass no path.
 fn own_resources() -> Result<PathBuf, Fault> {
-    let library = own_path().ok_or_else(|| Fault("no resource path was given, and none could be found".to_owned()))?;
+    let library =
+        own_path().ok_or_else(|| Fault::new("no resource path was given, and none could be found".to_owned()))?;
     match library.ancestors().nth(3) {
         Some(root) => Ok(root.join("resources")),
         None => refuse(format!(

@@ -3,7 +3,8 @@
 use crate::calc::Calc;
 use crate::four_bar::{Branch, FourBar, Names};
 use crate::lemniscate::symbols as s;
-use crate::plane::Point;
+use crate::plane::{self, Point};
+use crate::schema::short;
 use crate::symbol::{Symbol, quantities};
 
 /// Which bar the drive turns; its angle is the coordinate of the mechanism.
@@ -84,6 +85,77 @@ impl<C: Copy> Parameters<C> {
     }
 }
 
+/// A misfit in words.
+#[derive(Clone, Debug)]
+pub struct Words {
+    /// The quantity to blame.
+    pub key: &'static str,
+    pub what: String,
+    /// What is allowed.
+    pub help: String,
+}
+
+impl Parameters<f64> {
+    /// Why there is no mechanism with these parameters, with values and allowed ranges.
+    #[must_use]
+    pub fn describe(&self, misfit: Misfit) -> Words {
+        let l = &self.lengths;
+        match misfit {
+            Misfit::Jib => {
+                let (key, value, limit) = match self.jib {
+                    Jib::Sag(x) => (
+                        "X_7",
+                        format!("{x} m"),
+                        format!("between -{0} m and {0} m, the shorter arm", l.x_2.min(l.x_4)),
+                    ),
+                    Jib::Axis(x) => (
+                        "AC",
+                        format!("{x} m"),
+                        format!(
+                            "between {} m and {} m, difference and sum of the arms",
+                            (l.x_2 - l.x_4).abs(),
+                            l.x_2 + l.x_4
+                        ),
+                    ),
+                    Jib::Angle(x) => (
+                        "beta_0",
+                        format!("{} deg", short(x.to_degrees())),
+                        "between 0 and 360 deg".to_owned(),
+                    ),
+                };
+                Words {
+                    key,
+                    what: format!("the jib's triangle does not close: {key} = {value}"),
+                    help: format!("with X_2 = {} m and X_4 = {} m it must lie {limit}", l.x_2, l.x_4),
+                }
+            }
+            Misfit::Linkage => {
+                let frame = plane::length(l.o3());
+                let (bar, other) = match self.driven {
+                    Driven::Boom => (("X_1", l.x_1), ("X_3", l.x_3)),
+                    Driven::Rocker => (("X_3", l.x_3), ("X_1", l.x_1)),
+                };
+                Words {
+                    key: other.0,
+                    what: "the linkage closes at no angle of the driven bar".to_owned(),
+                    help: format!(
+                        "the diagonal opposite this bar lies between {} m and {} m ({} = {} m, distance of the feet {} m), \
+                         X_2 and {} reach from {} m to {} m: change the lengths so that the two ranges overlap",
+                        short((bar.1 - frame).abs()),
+                        short(bar.1 + frame),
+                        bar.0,
+                        bar.1,
+                        short(frame),
+                        other.0,
+                        short((l.x_2 - other.1).abs()),
+                        short(l.x_2 + other.1),
+                    ),
+                }
+            }
+        }
+    }
+}
+
 /// The mechanism at no particular position.
 #[derive(Clone, Copy, Debug)]
 pub struct Geometry<C> {
@@ -131,6 +203,21 @@ impl<C: Calc> Geometry<C> {
             kappa,
             epsilon_a,
         })
+    }
+}
+
+impl<C: Copy + nalgebra::Scalar> Geometry<C> {
+    /// The same geometry over another scalar.
+    #[must_use]
+    pub fn map<D: nalgebra::Scalar>(&self, f: fn(C) -> D) -> Geometry<D> {
+        Geometry {
+            lengths: self.lengths.map(&mut |_, value| f(value)),
+            driven: self.driven,
+            linkage: self.linkage.map(f),
+            beta_0: f(self.beta_0),
+            kappa: self.kappa.map(f),
+            epsilon_a: f(self.epsilon_a),
+        }
     }
 }
 

@@ -30,6 +30,7 @@
 pub mod drive;
 pub mod geometry;
 pub mod model;
+pub mod outputs;
 pub mod position;
 pub mod published;
 pub mod range;

@@ -1,61 +1,47 @@
 //! The mechanism as a running model: inputs and parameters in, outputs out,
 //! only what is asked for computed.
 
-use crate::lemniscate::drive::{Drive, oil_flow};
-use crate::lemniscate::geometry::{Driven, Geometry, Misfit, Parameters};
-use crate::lemniscate::position::Position;
-use crate::lemniscate::range::Range;
-use crate::lemniscate::scene::{KEYS, Luffing};
-use crate::lemniscate::statics::{Centres, PinForces, load_moment, weight_moment};
+use std::collections::BTreeSet;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use num_dual::Dual64;
+
+use crate::calc::Calc;
+use crate::lemniscate::geometry::{Driven, Geometry};
+use crate::lemniscate::outputs::{Evaluation, Inputs, Output};
+use crate::lemniscate::scene::{KEYS, Luffing, Motion};
 use crate::lemniscate::symbols as s;
-use crate::lemniscate::velocity::{Pole, Velocity};
-use crate::model::{Fault, Role, Variable};
+use crate::model::{Fault, Role, TIME, Terminal, Variable};
+use crate::record::{Rec, record};
 use crate::scene::Scene;
-use crate::schema::{self, Key, Kind, Sign};
+use crate::schema::{Key, Kind, Sign};
 use crate::symbol::Symbol;
 
 /// A scene's mechanism with its inputs, stepped by the FMU and by tables.
 #[derive(Clone, Debug)]
 pub struct Model {
-    luffing: Luffing,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
     /// Which numbers may be set, in the order of the variables.
     signs: Vec<Sign>,
-    inputs: Inputs,
-    geometry: Option<Geometry<f64>>,
-    range: Option<Range>,
-    place: Option<Place>,
-    forces: Option<Forces>,
+    motion: Motion,
+    state: State,
 }
 
-/// What a simulator may change while it runs.
+/// All that changes in a model while it runs.
 #[derive(Clone, Copy, Debug)]
-struct Inputs {
-    /// Angle of the driven bar, in rad; `None` until it is set: then the model
-    /// runs through its working range by itself.
-    theta: Option<f64>,
-    omega: f64,
-    q: f64,
+pub struct State {
+    /// In s.
     time: f64,
+    /// Whether the angle of the driven bar has been set. Until then the model
+    /// runs through its working range by itself.
+    given: bool,
+    evaluation: Evaluation<f64>,
 }
 
-/// Kinematics at the current inputs.
+/// A model's outputs with their derivatives in one direction.
 #[derive(Clone, Copy, Debug)]
-struct Place {
-    p: Position<f64>,
-    v: Velocity<f64>,
-    omega: f64,
-}
-
-/// Forces at the current inputs.
-#[derive(Clone, Copy, Debug)]
-struct Forces {
-    q: f64,
-    pins: PinForces<f64>,
-    m_g: f64,
-    f_d: f64,
-}
+pub struct Tangent(Evaluation<Dual64>);
 
 #[derive(Clone, Copy, Debug)]
 enum Slot {
@@ -63,12 +49,7 @@ enum Slot {
     Omega,
     Load,
     Parameter,
-    Place(fn(&Place) -> f64),
-    Pole(fn(&Pole<f64>, &Place) -> f64),
-    Drive(fn(&Drive<f64>, &Parameters<f64>, f64) -> f64),
-    Forces(fn(&Place, &Forces) -> f64),
-    PoleMoment,
-    Range(fn(&Range) -> f64),
+    Output(Output),
 }
 
 impl Model {
@@ -76,29 +57,34 @@ impl Model {
     /// Never for a scene that was read by [`Scene::parse`], which checks that
     /// the mechanism exists over its range.
     pub fn new(scene: &Scene) -> Result<Model, Fault> {
-        let luffing = scene.luffing.clone();
+        let luffing = &scene.luffing;
         let inputs = Inputs {
-            theta: None,
+            theta: luffing.motion.from,
             omega: luffing.motion.speed,
             q: luffing.q.unwrap_or(0.0),
-            time: 0.0,
         };
-        let (variables, slots) = variables(&luffing);
-        let signs = variables
-            .iter()
-            .map(|variable| allowed(KEYS, variable.symbol).unwrap_or(Sign::Any))
-            .collect();
         let mut model = Model {
-            luffing,
-            variables,
-            slots,
-            signs,
-            inputs,
-            geometry: None,
-            range: None,
-            place: None,
-            forces: None,
+            variables: Vec::new(),
+            slots: Vec::new(),
+            signs: Vec::new(),
+            motion: luffing.motion,
+            state: State {
+                time: 0.0,
+                given: false,
+                evaluation: Evaluation::new(luffing.parameters, luffing.motion, inputs),
+            },
         };
+        for (symbol, role, slot) in list(luffing) {
+            let sign = allowed(KEYS, symbol).unwrap_or(Sign::Any);
+            model.variables.push(Variable {
+                symbol,
+                role,
+                boolean: symbol == &s::P_FAR,
+                bounds: bounds(luffing, symbol, slot, sign),
+            });
+            model.slots.push(slot);
+            model.signs.push(sign);
+        }
         model.update()?;
         Ok(model)
     }
@@ -109,17 +95,66 @@ impl Model {
         &self.variables
     }
 
+    /// What belongs together where another mechanism is connected: only what exists in this scene.
+    #[must_use]
+    pub fn terminals(&self) -> Vec<Terminal> {
+        let all: [(&str, &str, &[(&'static Symbol, &str)]); 3] = [
+            (
+                "head",
+                "Head A of the jib, where the load hangs.",
+                &[
+                    (&s::A_X, "x"),
+                    (&s::A_Y, "y"),
+                    (&s::V_AX, "v_x"),
+                    (&s::V_AY, "v_y"),
+                    (&s::Q, "f"),
+                ],
+            ),
+            (
+                "shaft",
+                "Foot of the driven bar, where a moment drives it.",
+                &[
+                    (&s::THETA_1, "phi"),
+                    (&s::OMEGA_1, "w"),
+                    (&s::THETA_3, "phi"),
+                    (&s::OMEGA_3, "w"),
+                    (&s::M_D, "tau"),
+                ],
+            ),
+            (
+                "drive",
+                "Cylinder or rack between frame and driven bar.",
+                &[(&s::L_D, "s"), (&s::V_D, "v"), (&s::F_D, "f"), (&s::Q_D, "q")],
+            ),
+        ];
+        let exists = |symbol: &Symbol, member: &str| {
+            let mut found = self.variables.iter().filter(|variable| variable.symbol == symbol);
+            // The shaft is turned by an input; the other bar's angle is a result.
+            found.any(|variable| variable.role == Role::Input || !matches!(member, "phi" | "w"))
+        };
+        let terminal = |(name, text, members): (_, _, &[(&'static Symbol, &'static str)])| Terminal {
+            name,
+            text,
+            members: members
+                .iter()
+                .copied()
+                .filter(|(symbol, member)| exists(symbol, member))
+                .collect(),
+        };
+        let terminals = all.into_iter().map(terminal);
+        terminals.filter(|terminal| !terminal.members.is_empty()).collect()
+    }
+
     /// Duration of one run through the working range, in s.
     #[must_use]
     pub fn stop_time(&self) -> f64 {
-        let motion = &self.luffing.motion;
-        nanosecond((motion.to - motion.from) / motion.speed)
+        nanosecond((self.motion.to - self.motion.from) / self.motion.speed)
     }
 
     /// Time for one step of the scene's tables, in s.
     #[must_use]
     pub fn step_size(&self) -> f64 {
-        nanosecond(self.luffing.motion.step / self.luffing.motion.speed)
+        nanosecond(self.motion.step / self.motion.speed)
     }
 
     /// Value of a variable in SI; truth values are 0 and 1.
@@ -128,80 +163,60 @@ impl Model {
     /// Where the value depends on a configuration that does not exist.
     #[inline]
     pub fn get(&mut self, index: usize) -> Result<f64, Fault> {
-        let Some(&slot) = self.slots.get(index) else {
-            return Err(Fault(format!(
-                "there is no variable {index}; this model has {}",
-                self.slots.len()
-            )));
-        };
-        match slot {
-            Slot::Theta => Ok(self.theta()),
-            Slot::Omega => Ok(self.inputs.omega),
-            Slot::Load => Ok(self.inputs.q),
+        match self.slot(index)? {
+            Slot::Theta => Ok(self.state.evaluation.inputs().theta),
+            Slot::Omega => Ok(self.state.evaluation.inputs().omega),
+            Slot::Load => Ok(self.state.evaluation.inputs().q),
             Slot::Parameter => Ok(self.parameter(self.variables[index].symbol)),
-            Slot::Place(read) => self.place().map(read),
-            Slot::Pole(read) => {
-                let place = *self.place()?;
-                Ok(read(&Pole::new(self.geometry()?, &place.p), &place))
-            }
-            Slot::Drive(read) => {
-                let place = *self.place()?;
-                let drive = self.drive(&place).expect("a drive's variables exist only with a drive");
-                Ok(read(&drive, &self.luffing.parameters, place.omega))
-            }
-            Slot::Forces(read) => {
-                let (place, forces) = self.forces()?;
-                Ok(read(place, forces))
-            }
-            Slot::PoleMoment => {
-                let place = *self.place()?;
-                let q = self.inputs.q;
-                let g = self.geometry()?;
-                Ok(Pole::new(g, &place.p).moment(g, &place.p, &place.v, q))
-            }
-            Slot::Range(read) => self.range().map(read),
+            Slot::Output(output) => self.state.evaluation.output(output),
         }
     }
 
-    /// Sets an input or a parameter, in SI.
+    /// Whether an input or a parameter may take a value, in SI.
     ///
     /// # Errors
-    /// A value that is not finite or outside what the symbol allows, an output,
-    /// an unknown index. A refused value changes nothing.
-    pub fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
-        let Some(&Variable { symbol, .. }) = self.variables.get(index) else {
-            return Err(Fault(format!(
-                "there is no variable {index}; this model has {}",
-                self.slots.len()
-            )));
-        };
-        let sign = self.signs[index];
+    /// A value that is not finite or outside what the symbol allows, an output, an unknown index.
+    #[inline]
+    pub fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
+        let (slot, symbol, sign) = (self.slot(index)?, self.variables[index].symbol, self.signs[index]);
+        if let Slot::Output(_) = slot {
+            return Err(Fault::new(format!("{} is a result and cannot be set", symbol.id)));
+        }
         if !sign.allows(value) {
             let (value, unit) = (symbol.shown(value), symbol.display.name);
-            return Err(Fault(format!(
+            return Err(Fault::outside(format!(
                 "{} = {value} {unit} is not allowed: it must be {}",
                 symbol.id,
                 sign.words()
             )));
         }
+        Ok(())
+    }
+
+    /// Sets an input or a parameter, in SI.
+    ///
+    /// # Errors
+    /// As [`check`](Model::check); a refused value changes nothing.
+    #[inline]
+    pub fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
+        self.check(index, value)?;
+        let evaluation = &mut self.state.evaluation;
         match self.slots[index] {
-            Slot::Theta => self.inputs.theta = Some(value),
-            Slot::Omega => self.inputs.omega = value,
-            Slot::Load => {
-                self.inputs.q = value;
-                self.forces = None;
-                return Ok(());
+            Slot::Theta => {
+                evaluation.set_theta(value);
+                self.state.given = true;
             }
-            Slot::Parameter => {
+            Slot::Omega => {
+                evaluation.set_omega(value);
+                self.sweep();
+            }
+            Slot::Load => evaluation.set_q(value),
+            _ => {
+                let symbol = self.variables[index].symbol;
                 let change = |known: &'static Symbol, old| if known == symbol { value } else { old };
-                self.luffing.parameters = self.luffing.parameters.map(change);
-                self.geometry = None;
-                self.range = None;
+                evaluation.set_parameters(evaluation.parameters().map(change));
             }
-            _ => return Err(Fault(format!("{} is a result and cannot be set", symbol.id))),
         }
-        self.place = None;
-        self.forces = None;
         Ok(())
     }
 
@@ -210,158 +225,198 @@ impl Model {
     /// angular velocity, then at rest.
     #[inline]
     pub fn set_time(&mut self, time: f64) {
-        if self.inputs.theta.is_none() && time != self.inputs.time {
-            self.place = None;
-            self.forces = None;
+        if time != self.state.time {
+            self.state.time = time;
+            self.sweep();
         }
-        self.inputs.time = time;
     }
 
     /// Assembles the mechanism at the current inputs.
     ///
     /// # Errors
-    /// A configuration that does not exist, with the angle and the allowed range.
+    /// Parameters with which there is no mechanism, or an angle at which it does
+    /// not close, with the values and the allowed range.
     #[inline]
     pub fn update(&mut self) -> Result<(), Fault> {
-        self.place().map(|_| ())
+        self.state.evaluation.update()
     }
 
-    /// All inputs and parameters, in the order of the variables, preceded by
-    /// the time and by whether the angle was set: enough for [`restore`](Model::restore).
-    pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
-        let given = if self.inputs.theta.is_some() { 1.0 } else { 0.0 };
-        let values = self
-            .slots
-            .iter()
-            .zip(&self.variables)
-            .filter_map(|(slot, variable)| match slot {
-                Slot::Theta => Some(self.theta()),
-                Slot::Omega => Some(self.inputs.omega),
-                Slot::Load => Some(self.inputs.q),
-                Slot::Parameter => Some(self.parameter(variable.symbol)),
-                _ => None,
-            });
-        [self.inputs.time, given].into_iter().chain(values)
+    /// All that changes in the model.
+    #[must_use]
+    pub fn state(&self) -> &State {
+        &self.state
     }
 
-    /// Takes back what [`values`](Model::values) gave.
+    /// Takes back what [`state`](Model::state) gave, of this model or of one of the same scene.
+    pub fn set_state(&mut self, state: &State) {
+        self.state = *state;
+    }
+
+    /// A state as numbers: time, whether the angle was set, then all inputs and
+    /// parameters in the order of the variables.
+    pub fn numbers(&self, state: &State) -> Vec<f64> {
+        let Inputs { theta, omega, q } = *state.evaluation.inputs();
+        let mut numbers = vec![state.time, f64::from(state.given), theta, omega];
+        if self.slots.iter().any(|slot| matches!(slot, Slot::Load)) {
+            numbers.push(q);
+        }
+        state.evaluation.parameters().map(|_, value| numbers.push(value));
+        numbers
+    }
+
+    /// The state that [`numbers`](Model::numbers) belong to.
     ///
     /// # Errors
-    /// Values that this model would refuse; then nothing is changed.
-    pub fn restore(&mut self, values: &[f64]) -> Result<(), Fault> {
-        let settable = |slot: &Slot| matches!(slot, Slot::Theta | Slot::Omega | Slot::Load | Slot::Parameter);
-        let indices: Vec<usize> = (0..self.slots.len())
-            .filter(|&index| settable(&self.slots[index]))
-            .collect();
-        let [time, given, values @ ..] = values else {
-            return Err(Fault("a saved state is empty".to_owned()));
+    /// Numbers that are not those of a state of this model.
+    pub fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
+        let settable = (0..self.slots.len()).filter(|&index| !matches!(self.slots[index], Slot::Output(_)));
+        let [time, given, values @ ..] = numbers else {
+            return Err(Fault::new("a saved state is empty"));
         };
-        if values.len() != indices.len() || !time.is_finite() {
-            return Err(Fault("a saved state does not belong to this model".to_owned()));
+        if values.len() != settable.clone().count() || !time.is_finite() {
+            return Err(Fault::new("a saved state does not belong to this model"));
         }
         let mut model = self.clone();
-        for (&index, &value) in indices.iter().zip(values) {
+        for (index, &value) in settable.zip(values) {
             model.set(index, value)?;
         }
-        if *given == 0.0 {
-            model.inputs.theta = None;
-        }
-        model.inputs.time = *time;
-        *self = model;
-        Ok(())
+        model.state.time = *time;
+        model.state.given = *given != 0.0;
+        Ok(model.state)
     }
 
-    fn theta(&self) -> f64 {
-        let motion = &self.luffing.motion;
-        let sweep = || (motion.from + self.inputs.omega * self.inputs.time).clamp(motion.from, motion.to);
-        self.inputs.theta.unwrap_or_else(sweep)
+    /// The model with derivatives along a direction: `seed` is the rate of change
+    /// of each input and parameter, in SI, and of [`TIME`].
+    #[must_use]
+    pub fn tangent(&self, seed: impl Fn(&'static Symbol) -> f64) -> Tangent {
+        let evaluation = &self.state.evaluation;
+        let mut same_geometry = true;
+        let parameters = evaluation.parameters().map(|symbol, value| {
+            let rate = seed(symbol);
+            same_geometry &= rate == 0.0;
+            Dual64::new(value, rate)
+        });
+        let inputs = self.inputs_over(|symbol, value| Dual64::new(value, seed(symbol)));
+        Tangent(evaluation.over(parameters, inputs, same_geometry))
+    }
+
+    /// Derivative of an output along the direction of a tangent, in SI.
+    ///
+    /// # Errors
+    /// Not an output, or a place where there is no derivative.
+    pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+        let Slot::Output(output) = self.slot(index)? else {
+            return Err(Fault::new(format!(
+                "{} is no result: it has no derivative",
+                self.variables[index].symbol.id
+            )));
+        };
+        let derivative = tangent.0.output(output)?.eps;
+        if derivative.is_nan() {
+            return Err(Fault::outside(format!(
+                "{} has no derivative in this configuration",
+                self.variables[index].symbol.id
+            )));
+        }
+        Ok(derivative)
+    }
+
+    /// What each variable's expression contains: inputs, parameters and [`TIME`],
+    /// as the recorder finds them all over the working range, in both directions
+    /// of motion and with the angle set or following from the time.
+    #[must_use]
+    pub fn dependencies(&self) -> Vec<BTreeSet<&'static str>> {
+        let mut found = vec![BTreeSet::new(); self.slots.len()];
+        let Motion { from, to, speed, .. } = self.motion;
+        let middle = f64::midpoint(from, to);
+        let mut model = self.clone();
+        for given in [false, true] {
+            for (theta, omega) in [(from, speed), (middle, speed), (middle, -speed), (to, speed)] {
+                let q = model.state.evaluation.inputs().q;
+                model.state.given = given;
+                model.state.time = (theta - from) / speed;
+                let inputs = Inputs { theta, omega, q };
+                model.state.evaluation = Evaluation::new(*self.state.evaluation.parameters(), self.motion, inputs);
+                let (trace, outputs) = record(|| {
+                    let parameters = model.state.evaluation.parameters().map(Rec::given);
+                    let inputs = model.inputs_over(Rec::given);
+                    let mut evaluation = Evaluation::new(parameters, self.motion, inputs);
+                    self.slots
+                        .iter()
+                        .map(|slot| match slot {
+                            // A truth value is no formula: this one is decided by the place of P.
+                            Slot::Output(Output::PAtInfinity) => evaluation.output(Output::PX).ok(),
+                            Slot::Output(output) => evaluation.output(*output).ok(),
+                            _ => None,
+                        })
+                        .collect::<Vec<_>>()
+                });
+                for (found, output) in found.iter_mut().zip(outputs) {
+                    found.extend(output.into_iter().flat_map(|output| trace.givens(output)).map(|g| g.id));
+                }
+            }
+        }
+        found
+    }
+
+    /// The inputs over another scalar; an angle that was not set follows from the time.
+    fn inputs_over<C: Calc>(&self, f: impl Fn(&'static Symbol, f64) -> C) -> Inputs<C> {
+        let Inputs { theta, omega, q } = *self.state.evaluation.inputs();
+        let of = |wanted: fn(&Slot) -> bool, value| match self.slots.iter().position(wanted) {
+            Some(index) => f(self.variables[index].symbol, value),
+            None => C::constant(value),
+        };
+        let omega = of(|slot| matches!(slot, Slot::Omega), omega);
+        let theta = if self.state.given {
+            of(|slot| matches!(slot, Slot::Theta), theta)
+        } else {
+            swept(&self.motion, omega, f(&TIME, self.state.time))
+        };
+        let q = of(|slot| matches!(slot, Slot::Load), q);
+        Inputs { theta, omega, q }
+    }
+
+    #[inline]
+    fn slot(&self, index: usize) -> Result<Slot, Fault> {
+        match self.slots.get(index) {
+            Some(&slot) => Ok(slot),
+            None => Err(Fault::new(format!(
+                "there is no variable {index}; this model has {}",
+                self.slots.len()
+            ))),
+        }
+    }
+
+    /// Follows the time, unless the angle has been set.
+    #[inline]
+    fn sweep(&mut self) {
+        if !self.state.given {
+            let evaluation = &mut self.state.evaluation;
+            evaluation.set_theta(swept(&self.motion, evaluation.inputs().omega, self.state.time));
+        }
     }
 
     fn parameter(&self, symbol: &'static Symbol) -> f64 {
         let mut found = f64::NAN;
-        self.luffing.parameters.map(|known, value| {
+        self.state.evaluation.parameters().map(|known, value| {
             if known == symbol {
                 found = value;
             }
         });
         found
     }
+}
 
-    fn geometry(&mut self) -> Result<&Geometry<f64>, Fault> {
-        if self.geometry.is_none() {
-            let geometry = Geometry::new(&self.luffing.parameters).map_err(|misfit| {
-                Fault(match misfit {
-                    Misfit::Jib => "the jib's triangle does not close with these lengths".to_owned(),
-                    Misfit::Linkage => "the linkage closes at no angle of the driven bar with these lengths".to_owned(),
-                })
-            })?;
-            self.geometry = Some(geometry);
-        }
-        Ok(self.geometry.as_ref().expect("just made"))
-    }
-
-    fn range(&mut self) -> Result<&Range, Fault> {
-        if self.range.is_none() {
-            let motion = self.luffing.motion;
-            let range = Range::new(self.geometry()?, &motion);
-            self.range = Some(range.ok_or_else(|| {
-                Fault("the linkage does not close over the whole working range with these lengths".to_owned())
-            })?);
-        }
-        Ok(self.range.as_ref().expect("just made"))
-    }
-
-    #[inline]
-    fn place(&mut self) -> Result<&Place, Fault> {
-        if self.place.is_none() {
-            let (theta, omega) = (self.theta(), self.inputs.omega);
-            let g = self.geometry()?;
-            let Some(p) = Position::new(g, theta) else {
-                return Err(unreachable_angle(g, theta));
-            };
-            let v = Velocity::new(&p);
-            self.place = Some(Place { p, v, omega });
-        }
-        Ok(self.place.as_ref().expect("just made"))
-    }
-
-    fn drive(&self, place: &Place) -> Option<Drive<f64>> {
-        let parameters = &self.luffing.parameters;
-        let l = &parameters.lengths;
-        let bar = match parameters.driven {
-            Driven::Boom => l.x_1,
-            Driven::Rocker => l.x_3,
-        };
-        parameters
-            .anchors
-            .as_ref()
-            .map(|anchors| Drive::new(&place.p, bar, l.o3(), anchors))
-    }
-
-    fn forces(&mut self) -> Result<(&Place, &Forces), Fault> {
-        if self.forces.is_none() {
-            let place = *self.place()?;
-            let parameters = &self.luffing.parameters;
-            let (q, lengths) = (self.inputs.q, parameters.lengths);
-            let weights = parameters.weights.as_ref();
-            let centres = weights.map(|w| Centres::new(&place.p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
-            let both = weights.zip(centres.as_ref());
-            let m_g = both.map_or(0.0, |(w, r)| weight_moment(w, r, &place.p, &place.v));
-            let drive = self.drive(&place);
-            let mut f_d = 0.0;
-            let pins = PinForces::new(&place.p, lengths.x_3, q, both, |m_d| {
-                let reaction = drive.and_then(|drive| drive.reaction(m_d));
-                // A drive that points at the foot would need an infinite force.
-                f_d = reaction.map_or_else(|| if m_d == 0.0 { 0.0 } else { f64::INFINITY.copysign(m_d) }, |r| r.f_d);
-                reaction
-            });
-            self.forces = Some(Forces { q, pins, m_g, f_d });
-        }
-        self.place()?;
-        Ok((
-            self.place.as_ref().expect("just made"),
-            self.forces.as_ref().expect("just made"),
-        ))
+/// The angle of the driven bar (rad) that runs through the working range by itself.
+fn swept<C: Calc>(motion: &Motion, omega: C, time: C) -> C {
+    let theta = C::constant(motion.from) + omega * time;
+    // Not `clamp`: beyond an end the angle does not change any more.
+    if theta.value() < motion.from {
+        C::constant(motion.from)
+    } else if theta.value() > motion.to {
+        C::constant(motion.to)
+    } else {
+        theta
     }
 }
 
@@ -371,30 +426,27 @@ fn nanosecond(time: f64) -> f64 {
     if rounded > 0.0 { rounded } else { time }
 }
 
-fn unreachable_angle(g: &Geometry<f64>, theta: f64) -> Fault {
-    let symbol = match g.driven {
-        Driven::Boom => &s::THETA_1,
-        Driven::Rocker => &s::THETA_3,
-    };
-    let turn = std::f64::consts::TAU;
-    let degrees = |angle: f64| format!("{} deg", schema::short(angle.to_degrees()));
-    let (mut allowed, mut nearest) = (Vec::new(), (f64::INFINITY, theta));
-    for arc in g.linkage.arcs() {
-        allowed.push(format!("{} to {}", degrees(arc.from), degrees(arc.to)));
-        for end in [arc.from, arc.to] {
-            let away = (theta - end) - turn * ((theta - end) / turn).round();
-            if away.abs() < nearest.0 {
-                nearest = (away.abs(), theta - away);
-            }
+/// Smallest and greatest value of a variable, in SI.
+fn bounds(luffing: &Luffing, symbol: &'static Symbol, slot: Slot, sign: Sign) -> [f64; 2] {
+    let any = [f64::NEG_INFINITY, f64::INFINITY];
+    let not_negative = [0.0, f64::INFINITY];
+    match slot {
+        // Where the linkage closes, if that has ends.
+        Slot::Theta => {
+            let motion = &luffing.motion;
+            let arc = Geometry::new(&luffing.parameters).ok().and_then(|g| {
+                let arcs = g.linkage.arcs().into_iter().filter(|_| !g.linkage.turns_fully());
+                arcs.into_iter()
+                    .find(|arc| arc.from <= motion.from && motion.to <= arc.to)
+            });
+            arc.map_or(any, |arc| [arc.from, arc.to])
         }
+        Slot::Parameter if symbol == &s::BETA_0 => [0.0, TAU],
+        Slot::Output(Output::Mu | Output::MuMin) => [0.0, FRAC_PI_2],
+        Slot::Output(Output::L | Output::Y | Output::LD | Output::DeltaY | Output::EpsilonY) => not_negative,
+        _ if sign != Sign::Any => not_negative,
+        _ => any,
     }
-    Fault(format!(
-        "{} = {}: the linkage does not close there; it closes for {}; the nearest angle is {}",
-        symbol.id,
-        degrees(theta),
-        allowed.join(" and for "),
-        degrees(nearest.1)
-    ))
 }
 
 /// Which numbers the scene's keys allow for a quantity.
@@ -406,118 +458,100 @@ fn allowed(keys: &'static [Key], symbol: &'static Symbol) -> Option<Sign> {
     })
 }
 
-/// A point's coordinate at infinity, with its sign and never NaN.
-fn far(direction: f64) -> f64 {
-    if direction == 0.0 {
-        0.0
-    } else {
-        f64::INFINITY.copysign(direction)
-    }
-}
-
 /// Variables of a scene: only what it models.
-fn variables(luffing: &Luffing) -> (Vec<Variable>, Vec<Slot>) {
+fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
     let mut list: Vec<(&'static Symbol, Role, Slot)> = Vec::new();
     let boom = luffing.parameters.driven == Driven::Boom;
-    let (theta, omega) = if boom {
-        (&s::THETA_1, &s::OMEGA_1)
+    let (theta, omega, follower, ratio) = if boom {
+        (&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::I_3)
     } else {
-        (&s::THETA_3, &s::OMEGA_3)
+        (&s::THETA_3, &s::OMEGA_3, &s::THETA_1, &s::I_1)
     };
     list.push((theta, Role::Input, Slot::Theta));
     list.push((omega, Role::Input, Slot::Omega));
     if luffing.q.is_some() {
         list.push((&s::Q, Role::Input, Slot::Load));
     }
-    luffing
-        .parameters
-        .map(|symbol, _| list.push((symbol, Role::Parameter, Slot::Parameter)));
+    // Steel stays as long as it is; ballast and attachments may change.
+    let weights = [
+        &s::G_1,
+        &s::S_1,
+        &s::CHI_1,
+        &s::G_2,
+        &s::S_2,
+        &s::CHI_2,
+        &s::G_3,
+        &s::S_3,
+        &s::CHI_3,
+    ];
+    luffing.parameters.map(|symbol, _| {
+        let role = if weights.contains(&symbol) {
+            Role::Tunable
+        } else {
+            Role::Parameter
+        };
+        list.push((symbol, role, Slot::Parameter));
+    });
 
-    let mut output = |symbol, slot| list.push((symbol, Role::Output, slot));
-    let (follower, ratio) = if boom {
-        (&s::THETA_3, &s::I_3)
-    } else {
-        (&s::THETA_1, &s::I_1)
-    };
-    output(follower, Slot::Place(|x| x.p.follower_angle()));
-    output(&s::ALPHA, Slot::Place(|x| x.p.alpha()));
-    output(&s::ALPHA_1, Slot::Place(|x| x.p.alpha_1(x.p.alpha())));
-    output(&s::R, Slot::Place(|x| x.p.r));
-    output(&s::A_X, Slot::Place(|x| x.p.a.x));
-    output(&s::A_Y, Slot::Place(|x| x.p.a.y));
-    output(&s::B_X, Slot::Place(|x| x.p.b.x));
-    output(&s::B_Y, Slot::Place(|x| x.p.b.y));
-    output(&s::C_X, Slot::Place(|x| x.p.c.x));
-    output(&s::C_Y, Slot::Place(|x| x.p.c.y));
-    output(&s::L, Slot::Place(|x| x.p.l()));
-    output(&s::Y, Slot::Place(|x| x.p.y()));
-    output(&s::MU, Slot::Place(|x| x.p.mu()));
-    output(&s::I_2, Slot::Place(|x| x.v.i_2));
-    output(ratio, Slot::Place(|x| x.v.i_follower));
-    output(&s::V_AX, Slot::Place(|x| x.v.v_a(x.omega).x));
-    output(&s::V_AY, Slot::Place(|x| x.v.v_a(x.omega).y));
-    output(&s::BETA, Slot::Place(|x| x.v.beta()));
-    output(
-        &s::O1P,
-        Slot::Pole(|pole, _| pole.finite().map_or(f64::INFINITY, |(o1p, _)| o1p)),
-    );
-    output(
-        &s::P_X,
-        Slot::Pole(|pole, x| pole.finite().map_or_else(|| far(x.p.x_1.x), |(_, at)| at.x)),
-    );
-    output(
-        &s::P_Y,
-        Slot::Pole(|pole, x| pole.finite().map_or_else(|| far(x.p.x_1.y), |(_, at)| at.y)),
-    );
-    output(&s::P_FAR, Slot::Pole(|pole, _| f64::from(pole.finite().is_none())));
+    let mut output = |symbol, output| list.push((symbol, Role::Output, Slot::Output(output)));
+    output(follower, Output::FollowerAngle);
+    output(&s::ALPHA, Output::Alpha);
+    output(&s::ALPHA_1, Output::Alpha1);
+    output(&s::R, Output::R);
+    output(&s::A_X, Output::AX);
+    output(&s::A_Y, Output::AY);
+    output(&s::B_X, Output::BX);
+    output(&s::B_Y, Output::BY);
+    output(&s::C_X, Output::CX);
+    output(&s::C_Y, Output::CY);
+    output(&s::L, Output::L);
+    output(&s::Y, Output::Y);
+    output(&s::MU, Output::Mu);
+    output(&s::I_2, Output::I2);
+    output(ratio, Output::IFollower);
+    output(&s::V_AX, Output::VAX);
+    output(&s::V_AY, Output::VAY);
+    output(&s::BETA, Output::Beta);
+    output(&s::O1P, Output::O1P);
+    output(&s::P_X, Output::PX);
+    output(&s::P_Y, Output::PY);
+    output(&s::P_FAR, Output::PAtInfinity);
     if luffing.parameters.anchors.is_some() {
-        output(&s::L_D, Slot::Drive(|d, _, _| d.l_d));
-        output(&s::H_D, Slot::Drive(|d, _, _| d.h_d));
-        output(&s::V_D, Slot::Drive(|d, _, omega| d.speed(omega)));
+        output(&s::L_D, Output::LD);
+        output(&s::H_D, Output::HD);
+        output(&s::V_D, Output::VD);
         if luffing.parameters.cylinder.is_some() {
-            output(
-                &s::Q_D,
-                Slot::Drive(|d, p, omega| p.cylinder.map_or(0.0, |c| oil_flow(&c, d.speed(omega)))),
-            );
+            output(&s::Q_D, Output::QD);
         }
     }
     if luffing.q.is_some() {
-        output(&s::M_Q, Slot::Forces(|x, f| load_moment(&x.v, f.q)));
-        output(&s::M_Q_P, Slot::PoleMoment);
+        output(&s::M_Q, Output::MQ);
+        output(&s::M_Q_P, Output::MQP);
         if luffing.parameters.weights.is_some() {
-            output(&s::M_G, Slot::Forces(|_, f| f.m_g));
+            output(&s::M_G, Output::MG);
         }
-        output(&s::M_D, Slot::Forces(|_, f| f.pins.m_d));
-        output(&s::F_BX, Slot::Forces(|_, f| f.pins.b.x));
-        output(&s::F_BY, Slot::Forces(|_, f| f.pins.b.y));
-        output(&s::F_CX, Slot::Forces(|_, f| f.pins.c.x));
-        output(&s::F_CY, Slot::Forces(|_, f| f.pins.c.y));
-        output(&s::F_O1X, Slot::Forces(|_, f| f.pins.o1.x));
-        output(&s::F_O1Y, Slot::Forces(|_, f| f.pins.o1.y));
-        output(&s::F_O3X, Slot::Forces(|_, f| f.pins.o3.x));
-        output(&s::F_O3Y, Slot::Forces(|_, f| f.pins.o3.y));
-        output(&s::N_3, Slot::Forces(|_, f| f.pins.n_3));
+        output(&s::M_D, Output::MD);
+        output(&s::F_BX, Output::FBX);
+        output(&s::F_BY, Output::FBY);
+        output(&s::F_CX, Output::FCX);
+        output(&s::F_CY, Output::FCY);
+        output(&s::F_O1X, Output::FO1X);
+        output(&s::F_O1Y, Output::FO1Y);
+        output(&s::F_O3X, Output::FO3X);
+        output(&s::F_O3Y, Output::FO3Y);
+        output(&s::N_3, Output::N3);
         if luffing.parameters.anchors.is_some() {
-            output(&s::F_D, Slot::Forces(|_, f| f.f_d));
+            output(&s::F_D, Output::FD);
         }
     }
-    list.push((&s::DELTA_Y, Role::Calculated, Slot::Range(Range::delta_y)));
-    list.push((&s::EPSILON_Y, Role::Calculated, Slot::Range(Range::epsilon_y)));
-    list.push((&s::R_MAX, Role::Calculated, Slot::Range(|r| r.r_max.value)));
-    list.push((&s::R_MIN, Role::Calculated, Slot::Range(|r| r.r_min.value)));
-    list.push((&s::MU_MIN, Role::Calculated, Slot::Range(|r| r.mu_min.value)));
-
-    let boolean = |symbol: &'static Symbol| symbol == &s::P_FAR;
-    list.into_iter()
-        .map(|(symbol, role, slot)| {
-            (
-                Variable {
-                    symbol,
-                    role,
-                    boolean: boolean(symbol),
-                },
-                slot,
-            )
-        })
-        .unzip()
+    for (symbol, output) in [
+        (&s::DELTA_Y, Output::DeltaY),
+        (&s::EPSILON_Y, Output::EpsilonY),
+        (&s::R_MAX, Output::RMax),
+        (&s::R_MIN, Output::RMin),
+        (&s::MU_MIN, Output::MuMin),
+    ] {
+        list.push((symbol, Role::Calculated, Slot::Output(output)));
+    }
+    list
 }

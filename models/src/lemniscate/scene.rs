@@ -4,7 +4,6 @@ use crate::diagnostic::Diagnostic;
 use crate::four_bar::{Arc, Branch};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
 use crate::lemniscate::symbols as s;
-use crate::plane::length;
 use crate::schema::{Key, Kind, Sign, Values};
 use crate::symbol::Symbol;
 
@@ -379,69 +378,15 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
         );
         return None;
     }
-    let l = &parameters.lengths;
     let geometry = match Geometry::new(parameters) {
         Ok(geometry) => geometry,
-        Err(Misfit::Jib) => {
-            let (key, text, limit) = match parameters.jib {
-                Jib::Sag(x) => (
-                    "X_7",
-                    format!("X_7 = {x} m"),
-                    format!("between -{0} m and {0} m, the shorter arm", l.x_2.min(l.x_4)),
-                ),
-                Jib::Axis(x) => (
-                    "AC",
-                    format!("AC = {x} m"),
-                    format!(
-                        "between {} m and {} m, difference and sum of the arms",
-                        (l.x_2 - l.x_4).abs(),
-                        l.x_2 + l.x_4
-                    ),
-                ),
-                Jib::Angle(x) => (
-                    "beta_0",
-                    format!("beta_0 = {}", degrees(x)),
-                    "between 0 and 360 deg".to_owned(),
-                ),
+        Err(misfit) => {
+            let words = parameters.describe(misfit);
+            let label = match misfit {
+                Misfit::Jib => "does not close",
+                Misfit::Linkage => "cannot reach",
             };
-            found.push(
-                Diagnostic::new(
-                    v.place(key),
-                    format!("the jib's triangle does not close: {text}"),
-                    "does not close",
-                )
-                .help(format!(
-                    "with X_2 = {} m and X_4 = {} m it must lie {limit}",
-                    l.x_2, l.x_4
-                )),
-            );
-            return None;
-        }
-        Err(Misfit::Linkage) => {
-            let frame = length(l.o3());
-            let (bar, other) = match parameters.driven {
-                Driven::Boom => (("X_1", l.x_1), ("X_3", l.x_3)),
-                Driven::Rocker => (("X_3", l.x_3), ("X_1", l.x_1)),
-            };
-            found.push(
-                Diagnostic::new(
-                    v.place(other.0),
-                    "the linkage closes at no angle of the driven bar",
-                    "cannot reach",
-                )
-                .help(format!(
-                    "the diagonal opposite this bar lies between {} m and {} m ({} = {} m, distance of the feet {} m), \
-                         X_2 and {} reach from {} m to {} m: change the lengths so that the two ranges overlap",
-                    crate::schema::short((bar.1 - frame).abs()),
-                    crate::schema::short(bar.1 + frame),
-                    bar.0,
-                    bar.1,
-                    crate::schema::short(frame),
-                    other.0,
-                    crate::schema::short((l.x_2 - other.1).abs()),
-                    crate::schema::short(l.x_2 + other.1),
-                )),
-            );
+            found.push(Diagnostic::new(v.place(words.key), words.what, label).help(words.help));
             return None;
         }
     };
