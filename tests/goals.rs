@@ -56,6 +56,7 @@ fn main() {
         false,
         400.0,
     );
+    instances();
     programs();
 }
 
@@ -215,12 +216,79 @@ type Exit = unsafe extern "C" fn(*mut c_void) -> i32;
 type Set = unsafe extern "C" fn(*mut c_void, *const u32, usize, *const f64, usize) -> i32;
 type Get = unsafe extern "C" fn(*mut c_void, *const u32, usize, *mut f64, usize) -> i32;
 type DoStep = unsafe extern "C" fn(*mut c_void, f64, f64, u8, *mut u8, *mut u8, *mut u8, *mut f64) -> i32;
+type GetState = unsafe extern "C" fn(*mut c_void, *mut *mut c_void) -> i32;
+type SetState = unsafe extern "C" fn(*mut c_void, *mut c_void) -> i32;
 type Free = unsafe extern "C" fn(*mut c_void);
+
+/// The shared library beside the scene that it reads, as an importer has them.
+struct Unpacked {
+    _folder: tempfile::TempDir,
+    resources: CString,
+    token: CString,
+    library: Shared,
+    scene: Scene,
+}
+
+impl Unpacked {
+    fn new(text: &str) -> Unpacked {
+        let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("scene.toml"), text).expect("writable");
+        let path = package::find_library().expect("built");
+        Unpacked {
+            resources: CString::new(format!("{}/", folder.path().display())).expect("a path"),
+            token: CString::new(token(&scene)).expect("a token"),
+            // SAFETY: the library is our own, and loading it runs nothing.
+            library: unsafe { Shared::new(path) }.expect("loads"),
+            scene,
+            _folder: folder,
+        }
+    }
+
+    /// # Safety
+    /// `T` is the type that the standard gives the function.
+    unsafe fn function<T>(&self, name: &str) -> Symbol<'_, T> {
+        // SAFETY: the caller's promise.
+        unsafe { self.library.get(name) }.expect("exported")
+    }
+
+    /// A new instance, initialized.
+    fn start(&self) -> *mut c_void {
+        let null = std::ptr::null();
+        // SAFETY: the types are those of the standard, the strings end with a zero.
+        unsafe {
+            let instance = self.function::<Instantiate>("fmi3InstantiateCoSimulation")(
+                c"bench".as_ptr(),
+                self.token.as_ptr(),
+                self.resources.as_ptr(),
+                0,
+                0,
+                0,
+                0,
+                std::ptr::null(),
+                0,
+                std::ptr::null_mut(),
+                null,
+                null,
+            );
+            assert!(!instance.is_null());
+            let entered = self.function::<Enter>("fmi3EnterInitializationMode")(instance, 0, 0.0, 0.0, 0, 0.0);
+            let left = self.function::<Exit>("fmi3ExitInitializationMode")(instance);
+            assert_eq!((entered, left), (0, 0));
+            instance
+        }
+    }
+
+    fn free(&self, instance: *mut c_void) {
+        // SAFETY: the type is that of the standard; every caller frees what it started, once.
+        unsafe { self.function::<Free>("fmi3FreeInstance")(instance) }
+    }
+}
 
 /// A step through the shared library, as an importer makes it.
 fn abi(what: &str, text: &str, forces: bool, goal: f64) {
-    let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
-    let model = lemnis_models::model::Model::new(&scene).expect("a mechanism");
+    let fmu = Unpacked::new(text);
+    let model = lemnis_models::model::Model::new(&fmu.scene).expect("a mechanism");
     let reference = |id: &str| {
         let index = model.variables().iter().position(|variable| variable.symbol.id == id);
         u32::try_from(index.unwrap_or_else(|| panic!("{id}")) + 1).expect("few variables")
@@ -233,38 +301,12 @@ fn abi(what: &str, text: &str, forces: bool, goal: f64) {
     ];
     let references = if forces { with_forces } else { kinematic }.map(reference);
     let theta = reference("theta_1");
-
-    let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("scene.toml"), text).expect("writable");
-    let resources = CString::new(format!("{}/", folder.path().display())).expect("a path");
-    let token = CString::new(token(&scene)).expect("a token");
-    let path = package::find_library().expect("built");
-    // SAFETY: the library is our own, and the types are those of the standard.
+    let instance = fmu.start();
+    // SAFETY: the types are those of the standard, the arrays have the lengths given.
     unsafe {
-        let library = Shared::new(path).expect("loads");
-        let instantiate: Symbol<Instantiate> = library.get(b"fmi3InstantiateCoSimulation").expect("exported");
-        let null = std::ptr::null();
-        let instance = instantiate(
-            c"bench".as_ptr(),
-            token.as_ptr(),
-            resources.as_ptr(),
-            0,
-            0,
-            0,
-            0,
-            std::ptr::null(),
-            0,
-            std::ptr::null_mut(),
-            null,
-            null,
-        );
-        assert!(!instance.is_null());
-        let enter: Symbol<Enter> = library.get(b"fmi3EnterInitializationMode").expect("exported");
-        let exit: Symbol<Exit> = library.get(b"fmi3ExitInitializationMode").expect("exported");
-        assert_eq!((enter(instance, 0, 0.0, 0.0, 0, 0.0), exit(instance)), (0, 0));
-        let set: Symbol<Set> = library.get(b"fmi3SetFloat64").expect("exported");
-        let get: Symbol<Get> = library.get(b"fmi3GetFloat64").expect("exported");
-        let do_step: Symbol<DoStep> = library.get(b"fmi3DoStep").expect("exported");
+        let set = fmu.function::<Set>("fmi3SetFloat64");
+        let get = fmu.function::<Get>("fmi3GetFloat64");
+        let do_step = fmu.function::<DoStep>("fmi3DoStep");
         let mut values = [0.0; 12];
         let (mut event, mut terminate, mut early, mut last) = (0, 0, 0, 0.0);
         let mut time = 0.0;
@@ -285,9 +327,56 @@ fn abi(what: &str, text: &str, forces: bool, goal: f64) {
             assert_eq!(status, 0);
         });
         row(what, best, "ns", goal);
-        let free: Symbol<Free> = library.get(b"fmi3FreeInstance").expect("exported");
-        free(instance);
     }
+    fmu.free(instance);
+}
+
+/// What an instance costs besides its steps.
+fn instances() {
+    let fmu = Unpacked::new(DEFAULT);
+    let times = (0..200).map(|_| {
+        let start = Instant::now();
+        let instance = fmu.start();
+        let time = start.elapsed();
+        fmu.free(instance);
+        time
+    });
+    let best = times.min().expect("many").as_secs_f64();
+    row("C ABI: instantiate and initialise", best * 1e6, "us", 200.0);
+
+    let instance = fmu.start();
+    // SAFETY: the types are those of the standard; the state is that of the instance, and freed once.
+    unsafe {
+        let get = fmu.function::<GetState>("fmi3GetFMUState");
+        let set = fmu.function::<SetState>("fmi3SetFMUState");
+        let mut state = std::ptr::null_mut();
+        assert_eq!(get(instance, &raw mut state), 0);
+        let best = nanoseconds(|_| assert_eq!(get(instance, &raw mut state), 0));
+        row("C ABI: get the FMU state into one that exists", best, "ns", 1000.0);
+        let best = nanoseconds(|_| assert_eq!(set(instance, state), 0));
+        row("C ABI: set the FMU state", best, "ns", 1000.0);
+        assert_eq!(
+            fmu.function::<GetState>("fmi3FreeFMUState")(instance, &raw mut state),
+            0
+        );
+    }
+    fmu.free(instance);
+
+    if let Some(before) = resident() {
+        let many: Vec<_> = (0..1000).map(|_| fmu.start()).collect();
+        let used = resident()
+            .expect("readable once, readable twice")
+            .saturating_sub(before);
+        row("1,000 instances in one process", used as f64 / 1e6, "MB", 50.0);
+        many.into_iter().for_each(|instance| fmu.free(instance));
+    }
+}
+
+/// Memory of this process, in bytes, where the system tells as Linux does.
+fn resident() -> Option<usize> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    Some(1024 * line.trim().strip_suffix(" kB")?.parse::<usize>().ok()?)
 }
 
 /// The program itself, each command in a process of its own.

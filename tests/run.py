@@ -1,7 +1,7 @@
 """Sets up what the tests need and passes them all: `python3 tests/run.py`.
 
-Needs Rust (cargo, rustfmt, clippy) and Python 3.10 or later with `venv`.
-Everything else comes from crates.io and PyPI; the Python packages go into a
+Needs Rust (cargo, rustfmt, clippy) and Python 3.10 or later with `venv`; on
+Linux also a C compiler and valgrind. Everything else comes from crates.io and PyPI; the Python packages go into a
 virtual environment of their own, `.venv`.
 """
 
@@ -31,8 +31,11 @@ STEPS = [
 def prepare():
     if sys.version_info < (3, 10):
         sys.exit(f"Python 3.10 or later is needed, this is {sys.version.split()[0]}")
-    for tool, where in [("cargo", "https://rustup.rs"), ("rustfmt", "rustup component add rustfmt"),
-                        ("cargo-clippy", "rustup component add clippy")]:
+    tools = [("cargo", "https://rustup.rs"), ("rustfmt", "rustup component add rustfmt"),
+             ("cargo-clippy", "rustup component add clippy")]
+    if sys.platform == "linux":
+        tools += [("cc", "apt-get install gcc libc6-dev"), ("valgrind", "apt-get install valgrind")]
+    for tool, where in tools:
         if shutil.which(tool) is None:
             sys.exit(f"{tool} is missing: {where}")
     if not PYTHON.exists():

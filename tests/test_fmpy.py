@@ -53,7 +53,8 @@ class Slave:
         description = read_model_description(path)
         self.references = {v.name: v.valueReference for v in description.modelVariables}
         fmi3 = description.fmiVersion.startswith("3")
-        extract(path, unzipdir=folder)
+        if not Path(folder).exists():  # never under a library that is loaded
+            extract(path, unzipdir=folder)
         kind = FMU3Slave if fmi3 else FMU2Slave
         self.fmu = kind(
             guid=description.guid if not fmi3 else description.instantiationToken,

@@ -8,10 +8,22 @@ use lemnis_models::model::Fault;
 use lemnis_models::scene::Scene;
 use std::collections::BTreeMap;
 use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};
+use std::fs;
 use std::io::{Cursor, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
+
+/// The first half of a platform's name in FMI 3.
+const ARCHITECTURES: [&str; 8] = [
+    "aarch32", "aarch64", "ppc32", "ppc64", "riscv32", "riscv64", "x86", "x86_64",
+];
+/// The second half, with what a shared library's name begins and ends with there.
+const SYSTEMS: [(&str, [&str; 2]); 3] = [
+    ("darwin", ["lib", ".dylib"]),
+    ("linux", ["lib", ".so"]),
+    ("windows", ["", ".dll"]),
+];
 
 /// The shared library of one platform.
 #[derive(Clone, Debug)]
@@ -30,14 +42,52 @@ impl Library {
     /// There is none, or it cannot be read.
     pub fn of_this_platform() -> Result<Library, Fault> {
         let path = find_library()?;
-        let bytes =
-            std::fs::read(&path).map_err(|error| Fault::new(format!("cannot read {}: {error}", path.display())))?;
         let system = if OS == "macos" { "darwin" } else { OS };
         Ok(Library {
             platform: format!("{ARCH}-{system}"),
             suffix: DLL_SUFFIX.to_owned(),
-            bytes,
+            bytes: fs::read(&path).map_err(|error| unreadable(&path, &error))?,
         })
+    }
+
+    /// The libraries of all platforms in a folder, as `fmu/platforms.py` lays it out: one folder for
+    /// each platform under its FMI 3 name, `x86_64-linux/liblemnis_fmu.so`, in ascending order.
+    ///
+    /// # Errors
+    /// The folder cannot be read or is empty, or something in it is not a platform with its library.
+    pub fn of_platforms(folder: &Path) -> Result<Vec<Library>, Fault> {
+        let entries = fs::read_dir(folder).and_then(Iterator::collect::<std::io::Result<Vec<_>>>);
+        let mut entries = entries.map_err(|error| unreadable(folder, &error))?;
+        entries.sort_by_key(fs::DirEntry::file_name);
+        if entries.is_empty() {
+            return refuse(format!(
+                "{} is empty: put one folder for each platform there, for example x86_64-linux with liblemnis_fmu.so",
+                folder.display()
+            ));
+        }
+        let library = |entry: fs::DirEntry| {
+            let platform = entry.file_name().to_string_lossy().into_owned();
+            let [prefix, suffix] = platform
+                .split_once('-')
+                .filter(|(architecture, _)| ARCHITECTURES.contains(architecture))
+                .and_then(|(_, system)| Some(SYSTEMS.iter().find(|known| known.0 == system)?.1))
+                .ok_or_else(|| {
+                    Fault::new(format!(
+                        "{} is not a platform of FMI 3: use one of the architectures {} and one of the systems {}, \
+                         for example x86_64-linux",
+                        entry.path().display(),
+                        ARCHITECTURES.join(", "),
+                        SYSTEMS.map(|known| known.0).join(", ")
+                    ))
+                })?;
+            let path = entry.path().join(format!("{prefix}lemnis_fmu{suffix}"));
+            Ok(Library {
+                platform,
+                suffix: suffix.to_owned(),
+                bytes: fs::read(&path).map_err(|error| unreadable(&path, &error))?,
+            })
+        };
+        entries.into_iter().map(library).collect()
     }
 
     /// The folder in `binaries/`. FMI 2 names three platforms, the others go by their FMI 3 names.
@@ -96,6 +146,10 @@ pub fn fmu(
         .and_then(|()| zip.finish())
         .map(Cursor::into_inner)
         .map_err(|error: zip::result::ZipError| Fault::new(format!("cannot write the FMU: {error}")))
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Fault {
+    Fault::new(format!("cannot read {}: {error}", path.display()))
 }
 
 /// The shared library of this crate, beside the running program or where Cargo puts it.

@@ -43,9 +43,9 @@ Exit codes:
 #[derive(Subcommand)]
 enum Command {
     /// Make everything: both FMUs and the book
-    Build(Make),
+    Build(Pack),
     /// Make the FMUs: NAME.fmu (FMI 3.0) and NAME.fmi2.fmu (FMI 2.0)
-    Fmu(Make),
+    Fmu(Pack),
     /// Make the calculation book: NAME.pdf
     Book {
         #[command(flatten)]
@@ -84,6 +84,15 @@ struct Make {
     output: PathBuf,
 }
 
+#[derive(Args)]
+struct Pack {
+    #[command(flatten)]
+    make: Make,
+    /// Folder with the FMU's libraries of several platforms, made by fmu/platforms.py [default: this platform's alone]
+    #[arg(long, value_name = "FOLDER")]
+    platforms: Option<PathBuf>,
+}
+
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Format {
     Pdf,
@@ -102,18 +111,19 @@ fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<(), Failure> {
     match command {
-        Command::Build(make) => {
+        Command::Build(Pack { make, platforms }) => {
             let scene = scene_file::read(make.scene.as_deref())?;
             let results = Results::new(&scene)?;
             let pdf = book(&scene, &results, Format::Pdf)?;
-            let mut outputs = fmus(&scene, &[(format!("{}.pdf", scene.name()), pdf.bytes.clone())])?;
+            let documentation = [(format!("{}.pdf", scene.name()), pdf.bytes.clone())];
+            let mut outputs = fmus(&scene, platforms.as_deref(), &documentation)?;
             outputs.push(pdf);
             println!("{}\n{}", scene.title(), results.summary());
             write(&make.output, &outputs)
         }
-        Command::Fmu(make) => {
+        Command::Fmu(Pack { make, platforms }) => {
             let scene = scene_file::read(make.scene.as_deref())?;
-            write(&make.output, &fmus(&scene, &[])?)
+            write(&make.output, &fmus(&scene, platforms.as_deref(), &[])?)
         }
         Command::Book { make, format } => {
             let scene = scene_file::read(make.scene.as_deref())?;
@@ -152,8 +162,11 @@ fn book(scene: &Scene, results: &Results, format: Format) -> Result<Output, Fail
 }
 
 /// Both FMUs, each packed in a thread of its own.
-fn fmus(scene: &Scene, documentation: &[(String, Vec<u8>)]) -> Result<Vec<Output>, Failure> {
-    let libraries = [Library::of_this_platform().map_err(|fault| Failure::Program(fault.message))?];
+fn fmus(scene: &Scene, platforms: Option<&Path>, documentation: &[(String, Vec<u8>)]) -> Result<Vec<Output>, Failure> {
+    let libraries = match platforms {
+        None => vec![Library::of_this_platform().map_err(|fault| Failure::Program(fault.message))?],
+        Some(folder) => Library::of_platforms(folder).map_err(|fault| Failure::File(fault.message))?,
+    };
     let make = |standard, suffix: &str| {
         let bytes = package::fmu(scene, standard, &libraries, documentation);
         let bytes = bytes.map_err(|fault| Failure::Program(fault.message))?;

@@ -1,0 +1,53 @@
+"""Builds the FMU's library for several platforms: `python3 fmu/platforms.py FOLDER [PLATFORM ...]`.
+
+The folder then holds one folder for each platform under its name in FMI 3, as
+`lemnis build --platforms FOLDER` takes it. Zig links for all of them, and for
+Linux against glibc 2.17 (2012). Needs `pip install ziglang cargo-zigbuild`;
+Rust's own part of a target is fetched by `rustup target add` where it is not
+yet there.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+# Platform, target of Rust, glibc, name of the library.
+PLATFORMS = {
+    "x86_64-linux": ("x86_64-unknown-linux-gnu", ".2.17", "liblemnis_fmu.so"),
+    "aarch64-linux": ("aarch64-unknown-linux-gnu", ".2.17", "liblemnis_fmu.so"),
+    "x86_64-windows": ("x86_64-pc-windows-gnu", "", "lemnis_fmu.dll"),
+}
+# A target of Rust that is not there and cannot be fetched.
+NO_TARGET = 3
+
+
+def build(platform, folder):
+    target, glibc, name = PLATFORMS[platform]
+    # The tools of pip lie beside the interpreter of their environment.
+    environment = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
+    if shutil.which("cargo-zigbuild", path=environment["PATH"]) is None:
+        sys.exit("cargo-zigbuild is missing: pip install ziglang cargo-zigbuild")
+    sysroot = subprocess.run(["rustc", "--print", "sysroot"], capture_output=True, text=True, check=True, cwd=ROOT).stdout
+    if not Path(sysroot.strip(), "lib/rustlib", target, "lib").is_dir():
+        if subprocess.run(["rustup", "target", "add", target], cwd=ROOT).returncode != 0:
+            print(f"{platform} was not built: `rustup target add {target}` failed", file=sys.stderr)
+            sys.exit(NO_TARGET)
+    # A folder of its own: another selection of packages would disturb the workspace's build.
+    built = ROOT / "target/platforms"
+    subprocess.run(["cargo", "zigbuild", "--release", "--quiet", "--package", "lemnis-fmu", "--lib",
+                    "--target", target + glibc, "--target-dir", str(built)], check=True, cwd=ROOT, env=environment)
+    place = folder / platform
+    place.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(built / target / "release" / name, place / name)
+    print(f"wrote {place / name}")
+
+
+if __name__ == "__main__":
+    folder, *chosen = sys.argv[1:] or sys.exit(__doc__)
+    for platform in chosen or PLATFORMS:
+        if platform not in PLATFORMS:
+            sys.exit(f"{platform} is not one of {', '.join(PLATFORMS)}")
+        build(platform, Path(folder))

@@ -1,0 +1,39 @@
+"""The FMU's library from C, under valgrind: no error, no leak."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from fmpy import extract, read_model_description
+
+from conftest import ROOT
+from test_fmpy import TABLE
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the C test is for Linux, where valgrind is")
+
+
+@pytest.fixture(scope="module")
+def smoke(tmp_path_factory):
+    program = tmp_path_factory.mktemp("c") / "smoke"
+    for tool in ("cc", "valgrind"):
+        assert shutil.which(tool), f"{tool} is missing: apt-get install gcc valgrind"
+    subprocess.run(["cc", "-std=c11", "-O1", "-g", "-Wall", "-Wextra", "-Werror", "-o", str(program),
+                    str(ROOT / "tests/c/smoke.c"), "-ldl"], check=True)
+    return program
+
+
+def test_smoke(smoke, fmu, tmp_path):
+    description = read_model_description(fmu)
+    references = {v.name: str(v.valueReference) for v in description.modelVariables}
+    folder = Path(extract(fmu, unzipdir=str(tmp_path / "fmu")))
+    fmi2 = description.fmiVersion == "2.0"
+    resources = (folder / "resources").as_uri() if fmi2 else f"{folder}/resources/"
+    [library] = folder.glob("binaries/*/*.so")
+    command = ["valgrind", "--quiet", "--error-exitcode=99", "--leak-check=full", "--show-leak-kinds=all",
+               "--errors-for-leak-kinds=all", str(smoke), "fmi2" if fmi2 else "fmi3", str(library),
+               description.guid, resources, references["theta_1"], references["R"]]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0 and done.stderr == "", done.stderr
+    assert TABLE[0]["theta1_deg"] == "60" and abs(float(done.stdout) - float(TABLE[0]["R_m"])) <= 6e-5

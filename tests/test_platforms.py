@@ -1,0 +1,100 @@
+"""One FMU with the libraries of several platforms."""
+
+import re
+import subprocess
+import sys
+import zipfile
+
+import pytest
+from fmpy import simulate_fmu
+from fmpy.validation import validate_fmu
+
+from conftest import ROOT, lemnis
+from test_fmpy import TABLE
+
+# FMI 2 names three platforms itself, the others go by their FMI 3 names.
+FOLDERS = {
+    "x86_64-linux": ("linux64", "x86_64-linux", "so"),
+    "x86_64-windows": ("win64", "x86_64-windows", "dll"),
+    "x86_64-darwin": ("darwin64", "x86_64-darwin", "dylib"),
+    "aarch64-linux": ("aarch64-linux", "aarch64-linux", "so"),
+}
+NAMES = {"so": "liblemnis_fmu.so", "dll": "lemnis_fmu.dll", "dylib": "liblemnis_fmu.dylib"}
+
+
+def test_where_the_libraries_lie(tmp_path):
+    """Stand-ins: what is put in is what comes out, each where the standard looks for it."""
+    for platform, (_, _, suffix) in FOLDERS.items():
+        (tmp_path / "in" / platform).mkdir(parents=True)
+        (tmp_path / "in" / platform / NAMES[suffix]).write_bytes(platform.encode())
+    lemnis("fmu", "--platforms", tmp_path / "in", "--output", tmp_path)
+    for column, name in enumerate(["LemniscateCrane.fmi2.fmu", "LemniscateCrane.fmu"]):
+        with zipfile.ZipFile(tmp_path / name) as archive:
+            binaries = {path: archive.read(path) for path in archive.namelist() if path.startswith("binaries/")}
+        assert binaries == {f"binaries/{entry[column]}/LemniscateCrane.{entry[2]}": platform.encode()
+                            for platform, entry in FOLDERS.items()}
+
+
+@pytest.mark.parametrize(["made", "message"], [
+    ([], "is empty: put one folder for each platform there"),
+    (["sparc-solaris/liblemnis_fmu.so"], "sparc-solaris is not a platform of FMI 3"),
+    (["linux64/liblemnis_fmu.so"], "linux64 is not a platform of FMI 3"),
+    (["x86_64-linux/LemniscateCrane.so"], "liblemnis_fmu.so: No such file"),
+    (["x86_64-windows/liblemnis_fmu.so"], "lemnis_fmu.dll: No such file"),
+    (["x86_64-linux"], "cannot read"),
+])
+def test_a_folder_of_platforms_that_is_wrong(made, message, tmp_path):
+    folder = tmp_path / "in"
+    folder.mkdir()
+    for path in made:
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_bytes(b"")
+    assert message in lemnis("fmu", "--platforms", folder, "--output", tmp_path / "out", expect=3)
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_folder_of_platforms_that_is_not_there(tmp_path):
+    assert "cannot read" in lemnis("fmu", "--platforms", tmp_path / "none", "--output", tmp_path, expect=3)
+
+
+@pytest.fixture(scope="module")
+def libraries(tmp_path_factory):
+    """Builds one platform after the other with `fmu/platforms.py`; gives the folder and what was not built."""
+    folder, missing = tmp_path_factory.mktemp("platforms"), {}
+    for platform in ("x86_64-linux", "aarch64-linux", "x86_64-windows"):
+        done = subprocess.run([sys.executable, str(ROOT / "fmu/platforms.py"), str(folder), platform],
+                              capture_output=True, text=True)
+        if done.returncode == 3:
+            missing[platform] = done.stderr.strip().splitlines()[-1]
+        else:
+            assert done.returncode == 0, done.stderr
+    return folder, missing
+
+
+def exports(library):
+    return set(re.findall(rb"\0(fmi[23][A-Z]\w+)(?=\0)", library))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="Zig as a linker is set up for Linux")
+def test_libraries_of_several_platforms(libraries, tmp_path):
+    folder, missing = libraries
+    built = {path.parent.name: path.read_bytes() for path in folder.glob("*/*")}
+    assert "x86_64-linux" in built and set(built) | set(missing) == {"x86_64-linux", "aarch64-linux", "x86_64-windows"}
+    starts = {"x86_64-linux": b"\x7fELF\x02\x01", "aarch64-linux": b"\x7fELF\x02\x01", "x86_64-windows": b"MZ"}
+    machines = {"x86_64-linux": b"\x3e\x00", "aarch64-linux": b"\xb7\x00"}
+    for platform, library in built.items():
+        assert library.startswith(starts[platform]), platform
+        assert library[18:20] == machines.get(platform, library[18:20]), platform
+        # All functions of both standards: 44 and 75.
+        assert exports(library) >= exports(built["x86_64-linux"]), platform
+        glibc = {tuple(map(int, version)) for version in re.findall(rb"GLIBC_(\d+)\.(\d+)", library)}
+        assert all(version <= (2, 17) for version in glibc) and bool(glibc) == platform.endswith("linux"), platform
+    assert len(exports(built["x86_64-linux"])) == 44 + 75
+
+    lemnis("fmu", "--platforms", folder, "--output", tmp_path)
+    for name in ("LemniscateCrane.fmu", "LemniscateCrane.fmi2.fmu"):
+        assert validate_fmu(str(tmp_path / name)) == []
+        result = simulate_fmu(str(tmp_path / name), output=["R"], output_interval=1.0)
+        assert abs(result["R"][0] - float(TABLE[0]["R_m"])) <= 6e-5
+    if missing:
+        pytest.skip(f"not run: {'; '.join(missing.values())}")
