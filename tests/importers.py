@@ -116,9 +116,9 @@ def libcosim(fmu, thetas):
 
 
 def reals(description):
-    """Value references of the real inputs and outputs."""
+    """Value references of the real inputs and outputs that are one number each: not every importer knows vectors."""
     return {v.name: v.valueReference for v in description.modelVariables
-            if v.causality in ("input", "output") and v.type in ("Real", "Float64")}
+            if v.causality in ("input", "output") and v.type in ("Real", "Float64") and not v.dimensions}
 
 
 DRIVERS = {

@@ -138,6 +138,17 @@ def test_simulate_with_an_input_signal(fmu, interface):
     assert abs(result["M_Q"][0] * 1.6 - moment[70] * 1e3) < 0.1
 
 
+def test_vectors_are_their_parts(out):
+    """FMI 3 has arrays: a point or a force as one variable, besides its parts."""
+    fmu = str(out / "LemniscateCrane.fmu")
+    vectors = [v.name for v in read_model_description(fmu).modelVariables if v.dimensions]
+    assert {"A", "B", "C", "P", "F_B", "F_C"} <= set(vectors)
+    parts = [f"{name}.{axis}" for name in vectors for axis in "xy"]
+    result = simulate_fmu(fmu, output=vectors + parts, output_interval=1.0)
+    for name in vectors:
+        assert np.array_equal(result[name], np.column_stack([result[f"{name}.x"], result[f"{name}.y"]])), name
+
+
 def test_simulate_from_the_command_line(fmu, tmp_path):
     target = tmp_path / "result.csv"
     command = [sys.executable, "-m", "fmpy", "simulate", fmu, "--output-file", str(target)]

@@ -24,7 +24,7 @@ PAGE = ROOT / "docs/importers.md"
 FILES = {"2.0": "LemniscateCrane.fmi2.fmu", "3.0": "LemniscateCrane.fmu"}
 RUNS = [(importer, interface, standard) for importer, interface in DRIVERS for standard in FILES
         if (importer, standard) != ("libcosimpy", "3.0")]
-THE_MODEL = "366 values of Table 1; every real variable bit for bit the model's"
+THE_MODEL = "366 values of Table 1; every number bit for bit the model's"
 
 
 class Measured:
