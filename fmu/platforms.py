@@ -37,7 +37,8 @@ def build(platform, folder):
         sys.exit("cargo-zigbuild is missing: pip install ziglang cargo-zigbuild")
     sysroot = subprocess.run(["rustc", "--print", "sysroot"], capture_output=True, text=True, check=True, cwd=ROOT).stdout
     if not Path(sysroot.strip(), "lib/rustlib", target, "lib").is_dir():
-        if subprocess.run(["rustup", "target", "add", target], cwd=ROOT).returncode != 0:
+        rustup = shutil.which("rustup")
+        if rustup is None or subprocess.run([rustup, "target", "add", target], cwd=ROOT).returncode != 0:
             print(f"{platform} was not built: `rustup target add {target}` failed", file=sys.stderr)
             sys.exit(NO_TARGET)
     # A folder of its own: another selection of packages would disturb the workspace's build.
