@@ -133,6 +133,9 @@ def test_the_table_of_importers_is_up_to_date(measured):
         "printed digit, the model's values from `lemnis check --json`.\n\n"
         "| importer | version | FMI | interface | result |\n|---|---|---|---|---|\n"
         + "".join(f"| {' | '.join(row)} |\n" for row in sorted(rows, key=lambda row: (row[0].lower(), row[2], row[3])))
+        + "\nNot among them, because a test command cannot rely on installing them: OMSimulator, whose package downloads\n"
+        "the program while it is installed; PyFMI and FMI++, to be built from source against libraries in C and C++;\n"
+        "the crates fmi and fmi-sim, which need libclang.\n"
     )
     if "LEMNIS_WRITE" in os.environ:
         PAGE.write_text(page, encoding="utf-8")
