@@ -1,7 +1,7 @@
 //! The .fmu file: description, shared libraries, scene and documentation in one
 //! zip, the same bytes for the same content.
 
-use crate::description::{Standard, model_description};
+use crate::description::{Standard, model_description, terminals_and_icons};
 use crate::instance::SCENE_FILE;
 use crate::refuse;
 use lemnis_models::model::Fault;
@@ -13,6 +13,21 @@ use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
+
+const ICON_PNG: &[u8] = include_bytes!("../icon/icon.png");
+const ICON_SVG: &[u8] = include_bytes!("../icon/icon.svg");
+
+/// The standard's first page of licences, and the two that it names.
+const LICENSES: [(&str, &[u8]); 3] = [
+    (
+        "license",
+        b"SPDX-License-Identifier: MIT OR Apache-2.0\n\n\
+          The shared library of this FMU may be used under either licence:\n\
+          LICENSE-MIT.txt or LICENSE-APACHE.txt.\n",
+    ),
+    ("LICENSE-MIT", include_bytes!("../../LICENSE-MIT")),
+    ("LICENSE-APACHE", include_bytes!("../../LICENSE-APACHE")),
+];
 
 /// The first half of a platform's name in FMI 3.
 const ARCHITECTURES: [&str; 8] = [
@@ -112,10 +127,23 @@ pub fn fmu(
     documentation: &[(String, Vec<u8>)],
 ) -> Result<Vec<u8>, Fault> {
     let description = model_description(scene, standard)?;
+    let terminals = terminals_and_icons(scene)?;
     let mut files = BTreeMap::from([
         ("modelDescription.xml".to_owned(), description.as_slice()),
         (format!("resources/{SCENE_FILE}"), scene.text().as_bytes()),
     ]);
+    files.extend(LICENSES.map(|(name, text)| (format!("documentation/licenses/{name}.txt"), text)));
+    match standard {
+        Standard::Fmi2 => files.extend([("model.png".to_owned(), ICON_PNG)]),
+        Standard::Fmi3 => files.extend([
+            (
+                "terminalsAndIcons/terminalsAndIcons.xml".to_owned(),
+                terminals.as_slice(),
+            ),
+            ("terminalsAndIcons/icon.png".to_owned(), ICON_PNG),
+            ("terminalsAndIcons/icon.svg".to_owned(), ICON_SVG),
+        ]),
+    }
     for library in libraries {
         let path = format!(
             "binaries/{}/{}{}",

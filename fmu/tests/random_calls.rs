@@ -88,7 +88,11 @@ impl Arguments {
 
     /// A count that is mostly that of the references.
     fn other(&mut self, count: usize) -> usize {
-        if self.rng.u8(0..6) == 0 { self.rng.usize(0..=2 * LONGEST) } else { count }
+        if self.rng.u8(0..6) == 0 {
+            self.rng.usize(0..=2 * LONGEST)
+        } else {
+            count
+        }
     }
 
     /// A pointer, or now and then null.
@@ -181,12 +185,10 @@ fn call(c: *mut Component, a: &mut Arguments) -> Status {
                 status
             }
             36 => fmi2GetDirectionalDerivative(c, references, n, references, n, reals, sensitivities),
-            37 => fmi3GetDirectionalDerivative(
-                c, references, n, references, n, reals, m.min(LONGEST), sensitivities, n,
-            ),
-            38 => fmi3GetAdjointDerivative(
-                c, references, n, references, n, reals, m.min(LONGEST), sensitivities, n,
-            ),
+            37 => {
+                fmi3GetDirectionalDerivative(c, references, n, references, n, reals, m.min(LONGEST), sensitivities, n)
+            }
+            38 => fmi3GetAdjointDerivative(c, references, n, references, n, reals, m.min(LONGEST), sensitivities, n),
             39 => fmi2EnterEventMode(c),
             40 => fmi3EnterEventMode(c),
             41 => fmi2EnterContinuousTimeMode(c),
@@ -224,7 +226,10 @@ fn run(c: *mut Component, fmu: &Unpacked) -> Vec<u64> {
         assert_eq!(fmi3EnterInitializationMode(c, 0, 0.0, 0.0, 0, 0.0), STATUS_OK);
         assert_eq!(fmi3SetFloat64(c, &angle, 1, &common::REACHABLE, 1), STATUS_OK);
         assert_eq!(fmi3ExitInitializationMode(c), STATUS_OK);
-        assert_eq!(fmi3GetFloat64(c, references.as_ptr(), 5, values.as_mut_ptr(), 5), STATUS_OK);
+        assert_eq!(
+            fmi3GetFloat64(c, references.as_ptr(), 5, values.as_mut_ptr(), 5),
+            STATUS_OK
+        );
         let status = fmi3GetDirectionalDerivative(c, &reach, 1, &angle, 1, &1.0, 1, &mut derivative, 1);
         assert_eq!(status, STATUS_OK);
         assert_eq!(fmi3Reset(c), STATUS_OK);
@@ -261,7 +266,10 @@ fn no_host_can_break_an_instance() {
             counts[status as usize] += 1;
             // A step asks for the time first, which may be refused too.
             let told = messages.len() - before;
-            assert!(told <= 2 && (told > 0) == (status != STATUS_OK) || told == 1, "seed {seed}: {status}");
+            assert!(
+                told <= 2 && (told > 0) == (status != STATUS_OK) || told == 1,
+                "seed {seed}: {status}"
+            );
             messages.clear();
             total += 1;
         }
@@ -273,7 +281,10 @@ fn no_host_can_break_an_instance() {
         }
         seed += 1;
     }
-    println!("{total} calls: {} ok, {} discarded, {} refused", counts[0], counts[2], counts[3]);
+    println!(
+        "{total} calls: {} ok, {} discarded, {} refused",
+        counts[0], counts[2], counts[3]
+    );
     assert!(
         counts[0] > calls / 10 && counts[2] > 0 && counts[3] > calls / 10,
         "both ways are tried: {counts:?}"

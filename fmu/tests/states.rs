@@ -226,7 +226,9 @@ fn every_function_of_fmi2_in_every_state() {
 #[test]
 fn every_function_of_fmi3_in_every_state() {
     let fmu = Unpacked::new();
-    let plain = check(FMI3_CASES, "INECSVWT", |state, messages| instance3(&fmu, state, messages));
+    let plain = check(FMI3_CASES, "INECSVWT", |state, messages| {
+        instance3(&fmu, state, messages)
+    });
     let with_state = check(FMI3_STATE_CASES, "INECSVWT", |state, messages| {
         let c = instance3(&fmu, state, messages);
         // SAFETY: the instance is alive.

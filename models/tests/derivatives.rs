@@ -55,7 +55,11 @@ fn derivatives_are_exact() {
         let mut tangent = model.tangent(|other| f64::from(other == symbol));
         let derivative = model.derivative(&mut tangent, output).expect("smooth here");
         let size = row.derivative.abs().max((row.value / at.abs().max(0.1)).abs());
-        assert!((value - row.value).abs() <= 1e-13 * row.value.abs().max(1.0), "{} {value}", row.output);
+        assert!(
+            (value - row.value).abs() <= 1e-13 * row.value.abs().max(1.0),
+            "{} {value}",
+            row.output
+        );
         let error = (derivative - row.derivative).abs() / size;
         worst = worst.max(error);
         assert!(
@@ -97,7 +101,10 @@ fn dependencies_are_exact() {
         match variable.role {
             Role::Output => assert!(dependencies.contains(TIME.id), "{}", variable.symbol.id),
             Role::Calculated => assert!(
-                !dependencies.is_empty() && dependencies.iter().all(|name| !["time", "theta_1", "omega_1"].contains(name)),
+                !dependencies.is_empty()
+                    && dependencies
+                        .iter()
+                        .all(|name| !["time", "theta_1", "omega_1"].contains(name)),
                 "{}: {dependencies:?}",
                 variable.symbol.id
             ),

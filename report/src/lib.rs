@@ -1,4 +1,4 @@
-//! The calculation book of a scene.
+//! The calculation book of a scene, and the first page of an FMU's documentation.
 //!
 //! ```text
 //! sheet (lemnis_models) → book.rs      plain data, ready to print
@@ -10,6 +10,7 @@
 //! ```
 
 pub mod book;
+pub mod documentation;
 pub mod formula;
 pub mod number;
 pub mod plot;

@@ -115,7 +115,7 @@ fn run(command: Command) -> Result<(), Failure> {
             let scene = scene_file::read(make.scene.as_deref())?;
             let results = Results::new(&scene)?;
             let pdf = book(&scene, &results, Format::Pdf)?;
-            let documentation = [(format!("{}.pdf", scene.name()), pdf.bytes.clone())];
+            let documentation = documentation(&scene, Some(&pdf))?;
             let mut outputs = fmus(&scene, platforms.as_deref(), &documentation)?;
             outputs.push(pdf);
             println!("{}\n{}", scene.title(), results.summary());
@@ -123,7 +123,8 @@ fn run(command: Command) -> Result<(), Failure> {
         }
         Command::Fmu(Pack { make, platforms }) => {
             let scene = scene_file::read(make.scene.as_deref())?;
-            write(&make.output, &fmus(&scene, platforms.as_deref(), &[])?)
+            let documentation = documentation(&scene, None)?;
+            write(&make.output, &fmus(&scene, platforms.as_deref(), &documentation)?)
         }
         Command::Book { make, format } => {
             let scene = scene_file::read(make.scene.as_deref())?;
@@ -159,6 +160,15 @@ fn book(scene: &Scene, results: &Results, format: Format) -> Result<Output, Fail
         name: format!("{}.{suffix}", scene.name()),
         bytes,
     })
+}
+
+/// What lies in an FMU's `documentation/`: its first page and, if there is one, the book.
+fn documentation(scene: &Scene, book: Option<&Output>) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let page = lemnis::documentation::page(scene, book.map(|book| book.name.as_str()));
+    let page = page.map_err(|error| Failure::Program(error.to_string()))?;
+    let mut files = vec![("index.html".to_owned(), page.into_bytes())];
+    files.extend(book.map(|book| (book.name.clone(), book.bytes.clone())));
+    Ok(files)
 }
 
 /// Both FMUs, each packed in a thread of its own.

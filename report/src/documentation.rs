@@ -1,0 +1,84 @@
+//! The first page of an FMU's documentation: what it is, how to use it, and every variable.
+
+use lemnis_fmu::instance::strings;
+use lemnis_fmu::layout::{self, Place};
+use lemnis_models::model::{Model, Role};
+use lemnis_models::scene::Scene;
+use minijinja::value::Serde;
+use minijinja::{Environment, UndefinedBehavior, context};
+use serde::Serialize;
+
+use crate::book::Error;
+
+const TEMPLATE: &str = include_str!("../../templates/index.html");
+
+#[derive(Serialize)]
+struct Row {
+    name: &'static str,
+    /// Id of the words for its causality.
+    role: &'static str,
+    unit: &'static str,
+    display: &'static str,
+    text: &'static str,
+    source: &'static str,
+    reference: u32,
+}
+
+#[derive(Serialize)]
+struct Terminal {
+    name: &'static str,
+    text: &'static str,
+    /// Names in the terminal and of the variables.
+    members: Vec<[&'static str; 2]>,
+}
+
+/// The page as HTML. `book` is the name of the book's file beside it.
+///
+/// # Errors
+/// The scene's model cannot be built, or the template is wrong.
+pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
+    let model = Model::new(scene).map_err(|fault| Error(fault.message))?;
+    let variables = model.variables();
+    let row = |(index, variable): (usize, &lemnis_models::model::Variable)| Row {
+        name: variable.symbol.id,
+        role: match variable.role {
+            Role::Input => "input",
+            Role::Parameter => "parameter",
+            Role::Tunable => "tunable parameter",
+            Role::Output => "output",
+            Role::Calculated => "calculated parameter",
+        },
+        unit: if variable.boolean {
+            "true or false"
+        } else {
+            variable.symbol.unit.name
+        },
+        display: variable.symbol.display.name,
+        text: variable.symbol.text,
+        source: variable.symbol.source,
+        reference: layout::reference(variables, Place::Variable(index)).expect("few variables"),
+    };
+    let rows: Vec<Row> = variables.iter().enumerate().map(row).collect();
+    let terminals = model.terminals().into_iter().map(|terminal| Terminal {
+        name: terminal.name,
+        text: terminal.text,
+        members: terminal
+            .members
+            .iter()
+            .map(|(symbol, member)| [*member, symbol.id])
+            .collect(),
+    });
+    let terminals: Vec<Terminal> = terminals.collect();
+    let [version, hash] = strings(scene);
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    // The name's ending turns on escaping for HTML.
+    let made = environment.add_template("index.html", TEMPLATE).and_then(|()| {
+        environment.get_template("index.html")?.render(context! {
+            title => scene.title(), name => scene.name(), version, hash, book, stop => model.stop_time(),
+            coordinate => variables[0].symbol.id,
+            variables => Serde(rows), terminals => Serde(terminals),
+        })
+    });
+    made.map_err(|error| Error(format!("templates/index.html: {error:#}")))
+}
