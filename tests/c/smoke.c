@@ -121,6 +121,8 @@ static double fmi2(void *library, const char *token, const char *resources, unsi
     LOAD(int, fmi2SerializedFMUstateSize, void *, void *, size_t *);
     LOAD(int, fmi2SerializeFMUstate, void *, void *, char *, size_t);
     LOAD(int, fmi2DeSerializeFMUstate, void *, const char *, size_t, void **);
+    LOAD(int, fmi2GetDirectionalDerivative, void *, const unsigned *, size_t, const unsigned *, size_t, const double *,
+         double *);
     LOAD(int, fmi2NewDiscreteStates, void *, struct event_info2 *);
     LOAD(int, fmi2EnterContinuousTimeMode, void *);
     LOAD(int, fmi2SetTime, void *, double);
@@ -152,6 +154,10 @@ static double fmi2(void *library, const char *token, const char *resources, unsi
     IS_OK(fmi2SetReal(crane, &theta_1, 1, &FURTHER));
     IS_OK(fmi2DoStep(crane, 0.0, 1.0, 1));
     IS_OK(fmi2GetReal(crane, &reach, 1, &value));
+    const double one = 1.0;
+    double slope;
+    IS_OK(fmi2GetDirectionalDerivative(crane, &reach, 1, &theta_1, 1, &one, &slope));
+    EXPECT(slope < 0.0); /* raising the boom brings the load in */
 
     void *state = NULL, *copy = NULL;
     size_t size;
@@ -232,6 +238,10 @@ static double fmi3(void *library, const char *token, const char *resources, uint
     LOAD(int, fmi3SerializedFMUStateSize, void *, void *, size_t *);
     LOAD(int, fmi3SerializeFMUState, void *, void *, uint8_t *, size_t);
     LOAD(int, fmi3DeserializeFMUState, void *, const uint8_t *, size_t, void **);
+    LOAD(int, fmi3GetDirectionalDerivative, void *, const uint32_t *, size_t, const uint32_t *, size_t, const double *,
+         size_t, double *, size_t);
+    LOAD(int, fmi3GetAdjointDerivative, void *, const uint32_t *, size_t, const uint32_t *, size_t, const double *, size_t,
+         double *, size_t);
     LOAD(int, fmi3UpdateDiscreteStates, void *, bool *, bool *, bool *, bool *, bool *, double *);
     LOAD(int, fmi3EnterContinuousTimeMode, void *);
     LOAD(int, fmi3SetTime, void *, double);
@@ -266,6 +276,11 @@ static double fmi3(void *library, const char *token, const char *resources, uint
     IS_OK(fmi3DoStep(crane, 0.0, 1.0, true, &event, &terminate, &early, &time));
     EXPECT(!event && !terminate && !early && time == 1.0);
     IS_OK(fmi3GetFloat64(crane, &reach, 1, &value, 1));
+    const double one = 1.0;
+    double slope, adjoint;
+    IS_OK(fmi3GetDirectionalDerivative(crane, &reach, 1, &theta_1, 1, &one, 1, &slope, 1));
+    IS_OK(fmi3GetAdjointDerivative(crane, &reach, 1, &theta_1, 1, &one, 1, &adjoint, 1));
+    EXPECT(slope < 0.0 && slope == adjoint); /* raising the boom brings the load in */
 
     void *state = NULL, *copy = NULL;
     size_t size;
