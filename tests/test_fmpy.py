@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from fmpy import extract, read_model_description, simulate_fmu
 from fmpy.fmi1 import FMICallException
-from fmpy.fmi2 import FMU2Slave
+from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
 
@@ -62,10 +62,20 @@ class Slave:
             modelIdentifier=description.coSimulation.modelIdentifier,
             instanceName="test",
         )
-        self.fmu.instantiate()
+        self.fmu.instantiate(**self.listener(fmi3))
         self.initialize()
         self.set = self.fmu.setFloat64 if fmi3 else self.fmu.setReal
         self.get = self.fmu.getFloat64 if fmi3 else self.fmu.getReal
+
+    def listener(self, fmi3):
+        """Arguments with which the FMU's messages come into `messages`."""
+        if fmi3:
+            return {"logMessage": lambda _, status, category, message: self.messages.append(message.decode("utf-8"))}
+        # FMPy's own functions, but for the logger; the format has no conversions but doubled percent signs.
+        callbacks = fmi2CallbackFunctions()
+        callbacks.logger = fmi2CallbackLoggerTYPE(
+            lambda _, instance, status, category, message: self.messages.append(message.decode("utf-8").replace("%%", "%")))
+        return {"callbacks": callbacks}
 
     def initialize(self):
         if hasattr(self.fmu, "setupExperiment"):

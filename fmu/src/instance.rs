@@ -150,6 +150,10 @@ impl Instance {
         let path = resources.join(SCENE_FILE);
         let unreadable = |error| Fault::new(format!("cannot read {}: {error}", path.display()));
         let mut text = Vec::new();
+        // A pipe or a device might never end.
+        if !std::fs::metadata(&path).map_err(unreadable)?.is_file() {
+            return refuse(format!("cannot read {}: it is not a file", path.display()));
+        }
         // One byte more than a scene may have, so that a longer one is refused and not cut.
         File::open(&path)
             .and_then(|file| file.take(LONGEST as u64 + 1).read_to_end(&mut text))

@@ -301,7 +301,36 @@ fn what_cannot_be_instantiated() {
     refused("no text", "scene.toml");
     std::fs::write(&scene_file, "[[[[").unwrap();
     refused("garbage", "scene.toml");
+    let text = std::str::from_utf8(&scene).unwrap();
+    for hostile in [
+        r#""1e308 m""#,
+        r#""1e-300 m""#,
+        r#""-1e999 m""#,
+        r#""nan m""#,
+        r#""../../../../etc/passwd""#,
+    ] {
+        std::fs::write(&scene_file, text.replace(r#""19.3 m""#, hostile)).unwrap();
+        refused(hostile, "");
+    }
+    std::fs::write(
+        &scene_file,
+        text.replace("\"LemniscateCrane\"", "\"../../LemniscateCrane\""),
+    )
+    .unwrap();
+    refused("a name that leads out of the folder", "cannot name a model");
+    std::fs::write(&scene_file, &scene[..scene.len() / 2]).unwrap();
+    refused("a truncated scene", "scene.toml");
     std::fs::remove_file(&scene_file).unwrap();
+    std::fs::create_dir(&scene_file).unwrap();
+    refused("a folder", "not a file");
+    std::fs::remove_dir(&scene_file).unwrap();
+    #[cfg(unix)]
+    {
+        let pipe = std::process::Command::new("mkfifo").arg(&scene_file).status();
+        assert!(pipe.expect("mkfifo is a part of every Unix").success());
+        refused("a pipe that nobody writes to", "not a file");
+        std::fs::remove_file(&scene_file).unwrap();
+    }
     refused("no scene", "scene.toml");
     std::fs::write(&scene_file, &scene).unwrap();
     assert!(instantiate2(&fmu, 7, &mut messages).is_null());

@@ -271,3 +271,44 @@ fn own_path() -> Option<PathBuf> {
     let length = unsafe { GetModuleFileNameW(module, name.as_mut_ptr(), name.len() as u32) };
     (length > 0).then(|| OsString::from_wide(&name[..length as usize]).into())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::instance::{ANY, Interface, token};
+    use lemnis_models::scene::{DEFAULT, Scene};
+    use std::sync::{Arc, Mutex};
+
+    /// A defect of the program becomes the fatal status and one message; then only freeing is left.
+    #[test]
+    fn a_panic_does_not_reach_the_host() {
+        let told = Arc::new(Mutex::new(Vec::new()));
+        let log = {
+            let told = Arc::clone(&told);
+            Box::new(move |status, category: &CStr, message: &CStr| {
+                let text = |words: &CStr| words.to_string_lossy().into_owned();
+                told.lock().unwrap().push((status, text(category), text(message)));
+            })
+        };
+        let scene = Scene::parse(DEFAULT).expect("valid");
+        let component = instantiate(log, "instantiate", || {
+            Instance::new(&scene, &token(&scene), Interface::CoSimulation)
+        });
+        // SAFETY: the component is alive until it is freed.
+        unsafe {
+            let call = |body: fn(&mut Instance) -> Result<(), Fault>| guard(component, "call", ANY, |_| ANY, body);
+            assert_eq!(call(|_| Ok(())), STATUS_OK);
+            assert_eq!(call(|_| panic!("a planted defect")), STATUS_FATAL);
+            assert_eq!(call(|_| Ok(())), STATUS_ERROR);
+            assert_eq!(fmi2::fmi2Reset(component), STATUS_ERROR);
+            free(component);
+        }
+        let told = told.lock().unwrap();
+        assert_eq!(told.len(), 3, "{told:?}");
+        assert_eq!((told[0].0, told[0].1.as_str()), (STATUS_FATAL, "logStatusFatal"));
+        assert!(told[0].2.starts_with("call: defect of the program") && told[0].2.ends_with("a planted defect"));
+
+        let log: Log = Box::new(|_, _, _| ());
+        assert!(instantiate(log, "instantiate", || panic!("a planted defect")).is_null());
+    }
+}

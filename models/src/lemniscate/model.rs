@@ -98,8 +98,22 @@ impl Model {
     /// What belongs together where another mechanism is connected: only what exists in this scene.
     #[must_use]
     pub fn terminals(&self) -> Vec<Terminal> {
-        let all: [(&str, &str, &[(&'static Symbol, &str)]); 3] = [
-            (
+        let exists = |symbol: &Symbol, member: &str| {
+            let mut found = self.variables.iter().filter(|variable| variable.symbol == symbol);
+            // The shaft is turned by an input; the other bar's angle is a result.
+            found.any(|variable| variable.role == Role::Input || !matches!(member, "phi" | "w"))
+        };
+        let terminal = |name, text, members: &[(&'static Symbol, &'static str)]| Terminal {
+            name,
+            text,
+            members: members
+                .iter()
+                .copied()
+                .filter(|(symbol, member)| exists(symbol, member))
+                .collect(),
+        };
+        let mut terminals = vec![
+            terminal(
                 "head",
                 "Head A of the jib, where the load hangs.",
                 &[
@@ -110,7 +124,7 @@ impl Model {
                     (&s::Q, "f"),
                 ],
             ),
-            (
+            terminal(
                 "shaft",
                 "Foot of the driven bar, where a moment drives it.",
                 &[
@@ -121,28 +135,14 @@ impl Model {
                     (&s::M_D, "tau"),
                 ],
             ),
-            (
+            terminal(
                 "drive",
                 "Cylinder or rack between frame and driven bar.",
                 &[(&s::L_D, "s"), (&s::V_D, "v"), (&s::F_D, "f"), (&s::Q_D, "q")],
             ),
         ];
-        let exists = |symbol: &Symbol, member: &str| {
-            let mut found = self.variables.iter().filter(|variable| variable.symbol == symbol);
-            // The shaft is turned by an input; the other bar's angle is a result.
-            found.any(|variable| variable.role == Role::Input || !matches!(member, "phi" | "w"))
-        };
-        let terminal = |(name, text, members): (_, _, &[(&'static Symbol, &'static str)])| Terminal {
-            name,
-            text,
-            members: members
-                .iter()
-                .copied()
-                .filter(|(symbol, member)| exists(symbol, member))
-                .collect(),
-        };
-        let terminals = all.into_iter().map(terminal);
-        terminals.filter(|terminal| !terminal.members.is_empty()).collect()
+        terminals.retain(|terminal| !terminal.members.is_empty());
+        terminals
     }
 
     /// Duration of one run through the working range, in s.

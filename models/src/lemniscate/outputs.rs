@@ -386,12 +386,16 @@ fn unreachable_angle<C: Calc>(g: &Geometry<C>, theta: f64) -> Fault {
         Driven::Rocker => &s::THETA_3,
     };
     let turn = std::f64::consts::TAU;
+    // The nearest end, rounded to a side where the linkage closes.
+    const DIGITS: f64 = 1e6;
     let mut nearest = (f64::INFINITY, theta);
     for arc in g.linkage.arcs() {
         for end in [arc.from, arc.to] {
+            let inward = if end == arc.from { f64::ceil } else { f64::floor };
             let away = (theta - end) - turn * ((theta - end) / turn).round();
             if away.abs() < nearest.0 {
-                nearest = (away.abs(), theta - away);
+                let degrees = (theta - away).to_degrees();
+                nearest = (away.abs(), inward(degrees * DIGITS) / DIGITS);
             }
         }
     }
@@ -400,7 +404,7 @@ fn unreachable_angle<C: Calc>(g: &Geometry<C>, theta: f64) -> Fault {
         symbol.id,
         degrees(theta),
         closes(g),
-        degrees(nearest.1)
+        format_args!("{} deg", nearest.1)
     ))
 }
 
