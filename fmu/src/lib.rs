@@ -14,6 +14,9 @@
 //! The shared library in an FMU is this crate. It reads its scene from the
 //! FMU's `resources/scene.toml`, so that making an FMU needs no compiler.
 
+#![deny(unsafe_code)]
+
+#[allow(unsafe_code, reason = "the C boundary; each block says why it is sound")]
 pub mod abi;
 pub mod description;
 pub mod instance;

@@ -5,6 +5,8 @@
 //! [`plane`]) run on any scalar ([`calc`]): on `f64` in a [`model`], which the
 //! FMU steps, on the recorder ([`record`]) for the book's [`sheet`].
 
+#![forbid(unsafe_code)]
+
 pub mod calc;
 pub mod diagnostic;
 pub mod four_bar;
