@@ -1,12 +1,15 @@
 //! The fonts: Typst's own for Latin, Greek, Cyrillic and mathematics, a subset
 //! of Noto Sans CJK for Chinese (`fonts/`), and the system's where asked for.
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
 use fontdb::Database;
 use typst::foundations::Bytes;
-use typst::text::{Font, FontBook, FontInfo};
+use typst::layout::{Frame, FrameItem};
+use typst::text::{Font, FontBook, FontInfo, TextItem};
 use typst::utils::LazyHash;
+use typst_layout::PagedDocument;
 
 /// Fonts to typeset with.
 #[derive(Clone)]
@@ -62,9 +65,36 @@ impl Fonts {
     }
 
     /// Whether one of them has the character.
-    pub fn have(&self, character: char) -> bool {
+    fn have(&self, character: char) -> bool {
         let has = |font: &Font| font.info().coverage.contains(u32::from(character));
         self.fonts.iter().any(has)
+    }
+
+    /// The characters without a glyph, each with the page and the text where it is first.
+    pub fn unprintable(&self, document: &PagedDocument) -> BTreeMap<char, String> {
+        let mut found = BTreeMap::new();
+        for (page, number) in document.pages().iter().zip(1..) {
+            each_text(&page.frame, &mut |text| {
+                for glyph in text.glyphs.iter().filter(|glyph| glyph.id == 0) {
+                    // A letter with its accents is one glyph: some of them may be printable.
+                    for character in text.text[glyph.range()].chars().filter(|&c| !self.have(c)) {
+                        let place = || format!("on page {number}, in \"{}\"", text.text);
+                        found.entry(character).or_insert_with(place);
+                    }
+                }
+            });
+        }
+        found
+    }
+}
+
+fn each_text(frame: &Frame, visit: &mut impl FnMut(&TextItem)) {
+    for (_, item) in frame.items() {
+        match item {
+            FrameItem::Group(group) => each_text(&group.frame, visit),
+            FrameItem::Text(text) => visit(text),
+            _ => {}
+        }
     }
 }
 
@@ -72,11 +102,17 @@ impl Fonts {
 mod tests {
     use super::*;
 
+    /// Of every language, with the meanings of symbols and the publications.
     #[test]
-    fn chinese_cyrillic_and_mathematics_are_embedded() {
-        for character in "双纽线型起重机变幅机构象鼻架刚性拉杆。，：（）стрелаобсегщѝθ∞√".chars()
-        {
-            assert!(Fonts::embedded().have(character), "{character}");
+    fn every_character_of_the_words_is_embedded() {
+        for words in [
+            include_str!("../../../templates/words/en.toml"),
+            include_str!("../../../templates/words/zh.toml"),
+            include_str!("../../../templates/words/bg.toml"),
+        ] {
+            for character in words.chars().filter(|c| !c.is_control()) {
+                assert!(Fonts::embedded().have(character), "{character}");
+            }
         }
     }
 

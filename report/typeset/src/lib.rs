@@ -4,15 +4,14 @@
 
 mod fonts;
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::fmt;
 use std::sync::LazyLock;
 
 use typst::diag::{FileError, FileResult, SourceDiagnostic};
 use typst::foundations::{Bytes, Datetime, Duration};
-use typst::layout::{Frame, FrameItem};
 use typst::syntax::{FileId, RootedPath, Source, VirtualPath, VirtualRoot};
-use typst::text::{Font, FontBook, TextItem};
+use typst::text::{Font, FontBook};
 use typst::utils::LazyHash;
 use typst::{Library, LibraryExt, World, WorldExt};
 use typst_layout::PagedDocument;
@@ -55,25 +54,7 @@ pub struct Typeset {
 /// # Errors
 /// The first objection of Typst, to the source or to what PDF/UA asks for.
 pub fn pdf(main: &str, files: &[(String, Vec<u8>)]) -> Result<Typeset, Error> {
-    let mut world = Memory::new(main, files, Fonts::embedded().clone())?;
-    let mut document = world.typeset()?;
-    let mut warnings = Vec::new();
-    if !unprintable(&document, &world.fonts).is_empty() {
-        let wanted: Vec<char> = unprintable(&document, &world.fonts).into_keys().collect();
-        let fonts = Fonts::embedded().with_system(&wanted);
-        let mut source = main.to_owned();
-        document = Memory::new(main, files, fonts.clone())?.typeset()?;
-        for (character, place) in unprintable(&document, &fonts) {
-            let code = format!("U+{:04X}", u32::from(character));
-            source = source.replace(character, &code);
-            warnings.push(format!(
-                "no font has the character \"{character}\" {place}: {code} is printed in its place; \
-                 install a font that has it"
-            ));
-        }
-        world = Memory::new(&source, files, fonts)?;
-        document = world.typeset()?;
-    }
+    let (world, document, warnings) = pages(main, files)?;
     let options = PdfOptions {
         standards: PdfStandards::new(&[PdfStandard::Ua_1]).expect("one standard fits with itself"),
         ..PdfOptions::default()
@@ -84,39 +65,35 @@ pub fn pdf(main: &str, files: &[(String, Vec<u8>)]) -> Result<Typeset, Error> {
     Ok(Typeset { pdf, warnings })
 }
 
+/// The pages, what they are made from, and warnings about missing characters.
+fn pages(main: &str, files: &[(String, Vec<u8>)]) -> Result<(Memory, PagedDocument, Vec<String>), Error> {
+    let world = Memory::new(main, files, Fonts::embedded().clone())?;
+    let document = world.typeset()?;
+    let missing: Vec<char> = world.fonts.unprintable(&document).into_keys().collect();
+    if missing.is_empty() {
+        return Ok((world, document, Vec::new()));
+    }
+    let fonts = Fonts::embedded().with_system(&missing);
+    let document = Memory::new(main, files, fonts.clone())?.typeset()?;
+    let (mut source, mut warnings) = (main.to_owned(), Vec::new());
+    for (character, place) in fonts.unprintable(&document) {
+        let code = format!("U+{:04X}", u32::from(character));
+        source = source.replace(character, &code);
+        warnings.push(format!(
+            "no font has the character \"{character}\" {place}: {code} is printed in its place; install a font that has it"
+        ));
+    }
+    let world = Memory::new(&source, files, fonts)?;
+    let document = world.typeset()?;
+    Ok((world, document, warnings))
+}
+
 fn file_id(path: &str) -> Result<FileId, Error> {
     let path = VirtualPath::new(path).map_err(|error| Error {
         message: format!("{path}: {error:?}"),
         place: None,
     })?;
     Ok(RootedPath::new(VirtualRoot::Project, path).intern())
-}
-
-/// The characters without a glyph, each with the page and the text where it is first.
-fn unprintable(document: &PagedDocument, fonts: &Fonts) -> BTreeMap<char, String> {
-    let mut found = BTreeMap::new();
-    for (page, number) in document.pages().iter().zip(1..) {
-        each_text(&page.frame, &mut |text| {
-            for glyph in text.glyphs.iter().filter(|glyph| glyph.id == 0) {
-                // A letter with its accents is one glyph: some of them may be printable.
-                for character in text.text[glyph.range()].chars().filter(|&c| !fonts.have(c)) {
-                    let place = || format!("on page {number}, in \"{}\"", text.text);
-                    found.entry(character).or_insert_with(place);
-                }
-            }
-        });
-    }
-    found
-}
-
-fn each_text(frame: &Frame, visit: &mut impl FnMut(&TextItem)) {
-    for (_, item) in frame.items() {
-        match item {
-            FrameItem::Group(group) => each_text(&group.frame, visit),
-            FrameItem::Text(text) => visit(text),
-            _ => {}
-        }
-    }
 }
 
 static LIBRARY: LazyLock<LazyHash<Library>> = LazyLock::new(|| LazyHash::new(Library::default()));
