@@ -7,6 +7,8 @@
 
 use lemnis_models::lemniscate::symbols;
 
+use crate::template::escape;
+
 const REFERENCES: &str = include_str!("../../templates/references.toml");
 
 /// A language that books can be written in.
@@ -68,7 +70,7 @@ impl Language {
     }
 }
 
-/// The words of a language, in groups.
+/// The words of a language, in groups; Typst markup.
 #[derive(Clone, Debug)]
 pub(crate) struct Words(toml::Table);
 
@@ -81,7 +83,7 @@ impl Words {
         if language.code == LANGUAGES[0].code {
             let meanings = symbols::ALL
                 .iter()
-                .map(|symbol| (symbol.id.to_owned(), symbol.text.into()));
+                .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
             words.insert("symbol".to_owned(), toml::Value::Table(meanings.collect()));
             words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?.into());
         }

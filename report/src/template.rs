@@ -107,7 +107,7 @@ fn describe(error: &minijinja::Error) -> String {
 
 /// Text that Typst prints as it is, in markup and between quotes: everything
 /// that could be syntax becomes `\u{hex}`.
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let plain =
         |c: char| c == ' ' || c.is_ascii_alphanumeric() || !(c.is_ascii() || c.is_control() || c.is_whitespace());
     text.chars()

@@ -197,7 +197,7 @@ mod tests {
                 "main.typ:1:17: unknown font family: nowhere",
             ),
             ("#include \"gone.typ\"", "main.typ:1:10: file not found"),
-            ("$ x $", "PDF/UA-1 error: missing document title"),
+            ("x", "PDF/UA-1 error: missing document title"),
             (
                 "#set document(title: \"T\")\n$ x $",
                 "main.typ:2:1: PDF/UA-1 error: missing alt text",
