@@ -9,10 +9,15 @@ printed digits allows.
 import math
 import re
 
+import pytest
+
+from conftest import lemnis
+
 UNITS = {
     "": 1, "%": 0.01, "m": 1, "mm": 1e-3, "m²": 1, "rad": 1, "°": math.pi / 180, "rad/s": 1, "°/s": math.pi / 180,
     "m/s": 1, "mm/s": 1e-3, "N": 1, "kN": 1e3, "N·m": 1, "kN·m": 1e3, "kJ": 1e3, "m³/s": 1, "L/min": 1e-3 / 60,
 }
+LANGUAGES = ["en", "zh", "bg"]
 NUMBER = re.compile(r'(?<![\w.])(\d+(?:\.\d+)?)(?: times 10\^\(?(-?\d+)\)?)?(?:(?: ?thin)? ?"([^"]*)")?')
 FUNCTIONS = {
     "frac": lambda a, b: a / b, "sqrt": math.sqrt, "abs": abs, "sin": math.sin, "cos": math.cos,
@@ -46,8 +51,14 @@ def read(text):
     return (lambda v: eval(code, {"math": math}, {**FUNCTIONS, "v": v})), values, roundings
 
 
-def test_every_formula_gives_its_result(out, capsys):
-    source = (out / "LemniscateCrane.typ").read_text(encoding="utf-8")
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_formula_gives_its_result(language, tmp_path, capsys):
+    lemnis("book", "--language", language, "--format", "typ", "--output", tmp_path)
+    source = (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8")
+    # A decimal comma stands in quotes.
+    commas = re.findall(r'"\d+,\d+"', source)
+    assert (len(commas) > 100) == (language == "bg")
+    source = re.sub(r'"(\d+),(\d+)"', r"\1.\2", source)
     recalculated, sharp = 0, 0
     for step in re.split(r"\n#(?:step|tight)\[", source)[1:]:
         body = step[step.index("[$") + 2 : step.index("$]")]
@@ -74,7 +85,7 @@ def test_every_formula_gives_its_result(out, capsys):
         recalculated += 1
         sharp += allowed < 1e-3 * abs(value)
     with capsys.disabled():
-        print(f"\n  {recalculated} printed formulas recalculated from their printed numbers")
+        print(f"\n  {language}: {recalculated} printed formulas recalculated from their printed numbers")
     assert recalculated > 60
     # A result wrong by a thousandth would not pass, but for differences of nearly equal numbers.
     assert sharp > 0.85 * recalculated, sharp

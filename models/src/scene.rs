@@ -12,6 +12,9 @@ pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");
 /// A longer scene is refused: the longest known has 10 kB.
 pub const LONGEST: usize = 1 << 20;
 
+/// The languages that a book can be in, by ISO 639-1; the first is the default.
+pub const LANGUAGES: [&str; 3] = ["en", "zh", "bg"];
+
 static KEYS: &[Key] = &[
     Key {
         name: "name",
@@ -26,6 +29,7 @@ static KEYS: &[Key] = &[
         text: "Title of the book, one line.",
     },
     Key::table("project", PROJECT, "Title block of the book.").optional(),
+    Key::table("book", BOOK, "How the book is made.").optional(),
     Key::table("luffing", LUFFING, "The luffing mechanism."),
 ];
 
@@ -68,6 +72,13 @@ static PROJECT: &[Key] = &[
     },
 ];
 
+static BOOK: &[Key] = &[Key {
+    name: "language",
+    kind: Kind::Choice(&LANGUAGES),
+    required: false,
+    text: "Language of the book: English, Chinese or Bulgarian.",
+}];
+
 /// A checked scene.
 #[derive(Clone, Debug)]
 pub struct Scene {
@@ -75,6 +86,7 @@ pub struct Scene {
     name: String,
     title: String,
     project: Vec<(&'static str, String)>,
+    language: String,
     pub luffing: Luffing,
 }
 
@@ -119,6 +131,7 @@ impl Scene {
         match luffing {
             Some(luffing) if found.is_empty() => {
                 let project = values.table("project");
+                let book = values.table("book");
                 Ok(Scene {
                     text: text.to_owned(),
                     name,
@@ -127,6 +140,10 @@ impl Scene {
                         .iter()
                         .filter_map(|key| Some((key.name, project?.text(key.name)?.to_owned())))
                         .collect(),
+                    language: book
+                        .and_then(|book| book.text("language"))
+                        .unwrap_or(LANGUAGES[0])
+                        .to_owned(),
                     luffing,
                 })
             }
@@ -158,6 +175,12 @@ impl Scene {
     #[must_use]
     pub fn project(&self) -> &[(&'static str, String)] {
         &self.project
+    }
+
+    /// Language of the book, one of [`LANGUAGES`].
+    #[must_use]
+    pub fn language(&self) -> &str {
+        &self.language
     }
 }
 

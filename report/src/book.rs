@@ -8,10 +8,12 @@ use lemnis_models::record::Trace;
 use lemnis_models::scene::Scene;
 use lemnis_models::sheet::{Comparison, Sheet};
 use lemnis_models::symbol::Symbol;
+use lemnis_typeset::Typeset;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::formula::{self, Layout, Printed, quantity};
+use crate::language::Language;
 use crate::number::{decimals, fixed};
 use crate::{plot, template};
 
@@ -31,16 +33,17 @@ impl std::error::Error for Error {}
 ///
 /// # Errors
 /// A template with a mistake, or an id without words.
-pub fn source(scene: &Scene, sheet: &Sheet) -> Result<String, Error> {
-    template::render(&Book::new(scene, sheet))
+pub fn source(scene: &Scene, sheet: &Sheet, language: &'static Language) -> Result<String, Error> {
+    template::render(&Book::new(scene, sheet, language), language)
 }
 
-/// The book of a scene.
+/// The book of a scene, with warnings about what could not be printed.
 ///
 /// # Errors
 /// As [`source`], and whatever Typst objects to.
-pub fn pdf(scene: &Scene, sheet: &Sheet) -> Result<Vec<u8>, Error> {
-    lemnis_typeset::pdf(&source(scene, sheet)?, &[]).map_err(|error| Error(format!("the book's Typst source: {error}")))
+pub fn pdf(scene: &Scene, sheet: &Sheet, language: &'static Language) -> Result<Typeset, Error> {
+    lemnis_typeset::pdf(&source(scene, sheet, language)?, &[])
+        .map_err(|error| Error(format!("the book's Typst source: {error}")))
 }
 
 /// Everything that is printed. Fields named `symbol`, `value`, `limit` and
@@ -71,8 +74,9 @@ pub(crate) struct Book<'a> {
 
 #[derive(Serialize)]
 struct Quantity {
+    /// Names the words that say what it is.
+    id: &'static str,
     symbol: &'static str,
-    text: &'static str,
     unit: &'static str,
     source: &'static str,
 }
@@ -80,8 +84,8 @@ struct Quantity {
 impl From<&'static Symbol> for Quantity {
     fn from(symbol: &'static Symbol) -> Quantity {
         Quantity {
+            id: symbol.id,
             symbol: symbol.print,
-            text: symbol.text,
             unit: symbol.display.print,
             source: symbol.source,
         }
@@ -177,7 +181,7 @@ struct ComparedRow {
 }
 
 impl<'a> Book<'a> {
-    pub(crate) fn new(scene: &'a Scene, sheet: &'a Sheet) -> Book<'a> {
+    pub(crate) fn new(scene: &'a Scene, sheet: &'a Sheet, language: &'static Language) -> Book<'a> {
         let mut notation = Notation::default();
         let mut inputs: Vec<Chapter> = Vec::new();
         for input in &sheet.inputs {
@@ -191,18 +195,18 @@ impl<'a> Book<'a> {
             let chapter = inputs.last_mut().expect("just pushed");
             chapter.inputs.push(Input {
                 quantity: input.symbol.into(),
-                value: quantity(input.symbol, input.value),
+                value: quantity(language, input.symbol, input.value),
             });
         }
         let mut section = |section: &lemnis_models::sheet::Section| Section {
             id: section.id,
-            steps: steps(&section.trace, &mut notation),
+            steps: steps(language, &section.trace, &mut notation),
         };
         let constants = sheet.constants.iter().map(&mut section).collect();
         let positions = sheet.positions.iter().map(|position| Position {
             id: position.id,
             symbol: position.coordinate.print,
-            value: quantity(position.coordinate, position.value),
+            value: quantity(language, position.coordinate, position.value),
             sections: position.sections.iter().map(&mut section).collect(),
         });
         let positions = positions.collect();
@@ -226,23 +230,23 @@ impl<'a> Book<'a> {
                 .collect(),
             version: env!("CARGO_PKG_VERSION"),
             passed: sheet.checks.iter().all(lemnis_models::sheet::Check::passed),
-            checks: sheet.checks.iter().map(check).collect(),
-            summary: sheet.summary.iter().map(summary).collect(),
+            checks: sheet.checks.iter().map(|c| check(language, c)).collect(),
+            summary: sheet.summary.iter().map(|s| summary(language, s)).collect(),
             inputs,
             scale: drawing.scale,
             drawing: json(&drawing),
             constants,
             positions,
-            range: table(&sheet.range),
+            range: table(language, &sheet.range),
             curves: sheet
                 .curves
                 .iter()
                 .map(|c| Figure {
                     id: c.id,
-                    picture: json(&plot::curve(c)),
+                    picture: json(&plot::curve(language, c)),
                 })
                 .collect(),
-            published: published(sheet),
+            published: published(language, sheet),
             remarks: &sheet.remarks,
             notation: notation.symbols.into_values().map(Quantity::from).collect(),
             references,
@@ -277,14 +281,14 @@ impl Notation {
     }
 }
 
-fn steps(trace: &Trace, notation: &mut Notation) -> Vec<Step> {
+fn steps(language: &Language, trace: &Trace, notation: &mut Notation) -> Vec<Step> {
     let step = |step: &lemnis_models::record::Step| {
         let Printed {
             formula,
             numbers,
             result,
             layout,
-        } = formula::step(trace, step);
+        } = formula::step(language, trace, step);
         Step {
             quantity: step.symbol.into(),
             first: notation.meet(step.symbol),
@@ -297,39 +301,43 @@ fn steps(trace: &Trace, notation: &mut Notation) -> Vec<Step> {
     trace.steps.iter().map(step).collect()
 }
 
-fn check(check: &lemnis_models::sheet::Check) -> Check {
+fn check(language: &Language, check: &lemnis_models::sheet::Check) -> Check {
     Check {
         id: check.id,
         symbol: check.symbol.print,
-        value: quantity(check.symbol, check.value),
-        limit: quantity(check.symbol, check.limit),
+        value: quantity(language, check.symbol, check.value),
+        limit: quantity(language, check.symbol, check.limit),
         at_most: check.at_most,
         passed: check.passed(),
     }
 }
 
-fn summary(summary: &lemnis_models::sheet::Summary) -> Summary {
+fn summary(language: &Language, summary: &lemnis_models::sheet::Summary) -> Summary {
     Summary {
         quantity: summary.symbol.into(),
-        value: quantity(summary.symbol, summary.value),
+        value: quantity(language, summary.symbol, summary.value),
         at: summary
             .at
-            .map(|(symbol, at)| format!("{} = {}", symbol.print, quantity(symbol, at))),
+            .map(|(symbol, at)| format!("{} = {}", symbol.print, quantity(language, symbol, at))),
     }
 }
 
-fn table(table: &lemnis_models::sheet::Table) -> Table {
+fn table(language: &Language, table: &lemnis_models::sheet::Table) -> Table {
     let shown = |i: usize, row: &[f64]| table.columns[i].shown(row[i]);
     let column = |i| table.rows.iter().map(|row| shown(i, row)).collect::<Vec<f64>>();
     let decimals: Vec<usize> = (0..table.columns.len()).map(|i| decimals(&column(i))).collect();
-    let row = |row: &Vec<f64>| (0..row.len()).map(|i| fixed(shown(i, row), decimals[i])).collect();
+    let row = |row: &Vec<f64>| {
+        (0..row.len())
+            .map(|i| language.text(&fixed(shown(i, row), decimals[i])))
+            .collect()
+    };
     Table {
         columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
         rows: table.rows.iter().map(row).collect(),
     }
 }
 
-fn published(sheet: &Sheet) -> Option<Published> {
+fn published(language: &Language, sheet: &Sheet) -> Option<Published> {
     let coordinate = sheet.positions.first()?.coordinate;
     let source = sheet.published_source.clone()?;
     let rows: Vec<&[Comparison]> = sheet.published.chunk_by(|a, b| a.coordinate == b.coordinate).collect();
@@ -337,7 +345,7 @@ fn published(sheet: &Sheet) -> Option<Published> {
     let after_point = |value: &Comparison| value.printed.split_once('.').map_or(0, |(_, digits)| digits.len());
     let compared = |value: &Comparison| {
         let computed = fixed(value.symbol.shown(value.value), after_point(value) + 1);
-        [value.printed.replace('-', "−"), computed]
+        [value.printed.replace('-', "−"), computed].map(|number| language.text(&number))
     };
     // In units of the last printed digit.
     let deviation = |value: &Comparison| {
@@ -347,7 +355,7 @@ fn published(sheet: &Sheet) -> Option<Published> {
     };
     let deviations = columns.iter().map(|&symbol| {
         let column = sheet.published.iter().filter(|value| value.symbol == symbol);
-        fixed(column.map(deviation).fold(0.0, f64::max), 2)
+        language.text(&fixed(column.map(deviation).fold(0.0, f64::max), 2))
     });
     let row = |row: &&[Comparison]| ComparedRow {
         coordinate: fixed(coordinate.shown(row[0].coordinate), 0),

@@ -3,7 +3,7 @@
 //!
 //! The numeric form keeps to a small grammar, so that it can be read back and
 //! recalculated: numbers with their unit as `19.3 thin"m"`, `60"°"` or
-//! `1.2 times 10^(-5)`, `pi`, `+`, `-`, `dot`, `slash`, `frac(a, b)`, `a^2`,
+//! `1.2 times 10^(-5)`, with a decimal comma as `"19,3" thin"m"`, `pi`, `+`, `-`, `dot`, `slash`, `frac(a, b)`, `a^2`,
 //! `sqrt(a)`, `abs(a)`, `sin(a)`, `cos(a)`, `arcsin(a)`, `arccos(a)`,
 //! `arctan2(y, x)`, also as `arctan2 vec(y, x)`, and parentheses. A long sum is broken with `\ &more` before
 //! a sign.
@@ -14,6 +14,7 @@ use lemnis_models::record::{Node, Op, Rec, Step, Trace};
 use lemnis_models::symbol::Symbol;
 use serde::Serialize;
 
+use crate::language::Language;
 use crate::number::number;
 
 /// How tightly an expression holds together, loosest first.
@@ -91,6 +92,14 @@ enum Form {
     Numbers,
 }
 
+/// What is printed, and how.
+#[derive(Clone, Copy)]
+struct Print<'a> {
+    trace: &'a Trace,
+    form: Form,
+    language: &'a Language,
+}
+
 /// How a step is set.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -115,10 +124,11 @@ pub struct Printed {
 
 /// A step of a recorded calculation.
 #[must_use]
-pub fn step(trace: &Trace, step: &Step) -> Printed {
+pub fn step(language: &Language, trace: &Trace, step: &Step) -> Printed {
     let name = name_width(step.symbol.print) + 3.0;
-    let result = numeric(quantity(step.symbol, step.value));
-    let [symbols, numbers] = [Form::Symbols, Form::Numbers].map(|form| term(trace, form, false, step.formula).whole());
+    let result = numeric(quantity(language, step.symbol, step.value));
+    let forms = [Form::Symbols, Form::Numbers].map(|form| Print { trace, form, language });
+    let [symbols, numbers] = forms.map(|print| term(print, false, step.formula).whole());
     let repeats = numbers.text == result.text;
     let line = name + symbols.width + result.width + 3.0 + if repeats { 0.0 } else { numbers.width + 3.0 };
     if line <= LINE - SOURCE {
@@ -130,8 +140,8 @@ pub fn step(trace: &Trace, step: &Step) -> Printed {
             layout: Layout::Line,
         };
     }
-    let (formula, formula_width) = broken(trace, Form::Symbols, step.formula, LINE - SOURCE - name);
-    let (numbers, numbers_width) = broken(trace, Form::Numbers, step.formula, LINE - name);
+    let (formula, formula_width) = broken(forms[0], step.formula, LINE - SOURCE - name);
+    let (numbers, numbers_width) = broken(forms[1], step.formula, LINE - name);
     let fits = formula_width <= LINE - SOURCE - name && numbers_width <= LINE - name;
     let layout = if fits { Layout::Lines } else { Layout::Small };
     Printed {
@@ -144,20 +154,20 @@ pub fn step(trace: &Trace, step: &Step) -> Printed {
 
 /// A value (in SI) in the symbol's display unit.
 #[must_use]
-pub fn quantity(symbol: &Symbol, value: f64) -> String {
+pub fn quantity(language: &Language, symbol: &Symbol, value: f64) -> String {
     let unit = match symbol.display.print {
         "" => String::new(),
         unit if unit.starts_with('°') => format!("\"{unit}\""),
         unit => format!(" thin\"{unit}\""),
     };
-    number(symbol.shown(value)) + &unit
+    language.math(&number(symbol.shown(value))) + &unit
 }
 
 /// The expression, broken before `+` and `-` of its outermost sum where it is
 /// too long, with the width of its longest line.
-fn broken(trace: &Trace, form: Form, rec: Rec, room: f64) -> (String, f64) {
+fn broken(print: Print, rec: Rec, room: f64) -> (String, f64) {
     let mut summands = Vec::new();
-    split(trace, form, rec, &mut summands);
+    split(print, rec, &mut summands);
     let (mut text, mut used, mut widest) = (String::new(), 0.0, 0.0_f64);
     for (sign, summand) in summands {
         if used > 0.0 && used + summand.width + 2.0 > room {
@@ -173,13 +183,13 @@ fn broken(trace: &Trace, form: Form, rec: Rec, room: f64) -> (String, f64) {
 }
 
 /// The summands of a sum with the sign before each.
-fn split(trace: &Trace, form: Form, rec: Rec, summands: &mut Vec<(&'static str, Term)>) {
-    match trace.node(rec) {
+fn split(print: Print, rec: Rec, summands: &mut Vec<(&'static str, Term)>) {
+    match print.trace.node(rec) {
         Node::Binary(op @ (Op::Add | Op::Sub), left, right) => {
-            split(trace, form, left, summands);
-            summands.push(signed(op, term(trace, form, false, right)));
+            split(print, left, summands);
+            summands.push(signed(op, term(print, false, right)));
         }
-        _ => summands.push(("", term(trace, form, false, rec).whole())),
+        _ => summands.push(("", term(print, false, rec).whole())),
     }
 }
 
@@ -192,27 +202,27 @@ fn signed(op: Op, right: Term) -> (&'static str, Term) {
 }
 
 /// `nested` inside a fraction, where another fraction is written with a slash.
-fn term(trace: &Trace, form: Form, nested: bool, rec: Rec) -> Term {
-    match trace.node(rec) {
-        Node::Constant(value) => constant(value),
-        Node::Name(symbol) => match form {
+fn term(print: Print, nested: bool, rec: Rec) -> Term {
+    match print.trace.node(rec) {
+        Node::Constant(value) => constant(print.language, value),
+        Node::Name(symbol) => match print.form {
             Form::Symbols => Term::atom(symbol.print.to_owned(), name_width(symbol.print)),
-            Form::Numbers => numeric(quantity(symbol, trace.value(rec))),
+            Form::Numbers => numeric(quantity(print.language, symbol, print.trace.value(rec))),
         },
-        Node::Unary(op, inner) => unary(op, term(trace, form, nested, inner)),
+        Node::Unary(op, inner) => unary(op, term(print, nested, inner)),
         Node::Binary(op, left, right) => {
             let nested_within = nested || op == Op::Div;
-            let [left, right] = [left, right].map(|operand| term(trace, form, nested_within, operand));
-            binary(form, nested, op, left, right)
+            let [left, right] = [left, right].map(|operand| term(print, nested_within, operand));
+            binary(print.form, nested, op, left, right)
         }
     }
 }
 
-fn constant(value: f64) -> Term {
+fn constant(language: &Language, value: f64) -> Term {
     let named = [(PI, "pi"), (TAU, "2 pi"), (FRAC_PI_4, "frac(pi, 4)")];
     match named.into_iter().find(|&(named, _)| named == value) {
         Some((_, text)) => Term::product(false, text.to_owned(), 2.0),
-        None => numeric(number(value)),
+        None => numeric(language.math(&number(value))),
     }
 }
 
@@ -220,7 +230,7 @@ fn constant(value: f64) -> Term {
 fn numeric(text: String) -> Term {
     let level = match &text {
         text if text.starts_with('-') => Level::Sum,
-        text if text.ends_with(|c: char| c.is_ascii_digit()) => Level::Atom,
+        text if text.chars().all(|c| c.is_ascii_digit() || matches!(c, '.' | ',' | '"')) => Level::Atom,
         _ => Level::Product,
     };
     let visible = text
@@ -278,7 +288,10 @@ fn binary(form: Form, nested: bool, op: Op, left: Term, right: Term) -> Term {
         }
         Op::Mul => {
             let (left, right) = (left.within(Level::Product), right.within(Level::Product));
-            let digit = right.text.starts_with(|c: char| c.is_ascii_digit());
+            let digit = right
+                .text
+                .trim_start_matches('"')
+                .starts_with(|c: char| c.is_ascii_digit());
             let (joint, gap) = if matches!(form, Form::Numbers) || digit {
                 (" dot ", 1.4)
             } else {
@@ -336,6 +349,7 @@ fn name_width(print: &str) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::language::LANGUAGES;
     use lemnis_models::calc::Calc;
     use lemnis_models::lemniscate::symbols as s;
     use lemnis_models::record::record;
@@ -348,6 +362,7 @@ mod tests {
             formula([a, b, c, Rec::given(&s::BETA_0, 30.0_f64.to_radians())])
         });
         let printed = step(
+            &LANGUAGES[0],
             &trace,
             &Step {
                 symbol: &s::L,

@@ -5,13 +5,17 @@
 //!                         formula.rs   formulas in symbols and in numbers
 //!                         number.rs    digits
 //!                         plot.rs      drawings and curves as display lists
+//!                         language.rs  words and number formats of a language
 //!                       → template.rs  templates/ and the words of a language → Typst source
+//!                         speech.rs    every equation in words, for screen readers
 //!                       → lemnis_typeset → PDF
 //! ```
 
 pub mod book;
 pub mod documentation;
 pub mod formula;
+pub mod language;
 pub mod number;
 pub mod plot;
+mod speech;
 mod template;

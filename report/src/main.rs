@@ -9,11 +9,13 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use indicatif::ProgressBar;
+use lemnis::language::Language;
 use lemnis_fmu::description::Standard;
 use lemnis_fmu::package::{self, Library};
-use lemnis_models::scene::{self, DEFAULT, Scene};
+use lemnis_models::scene::{self, DEFAULT, LANGUAGES, Scene};
 
 use crate::failure::Failure;
 use crate::output::Output;
@@ -43,13 +45,20 @@ Exit codes:
 #[derive(Subcommand)]
 enum Command {
     /// Make everything: both FMUs and the book
-    Build(Pack),
+    Build {
+        #[command(flatten)]
+        pack: Pack,
+        #[command(flatten)]
+        tongue: Tongue,
+    },
     /// Make the FMUs: NAME.fmu (FMI 3.0) and NAME.fmi2.fmu (FMI 2.0)
     Fmu(Pack),
     /// Make the calculation book: NAME.pdf
     Book {
         #[command(flatten)]
         make: Make,
+        #[command(flatten)]
+        tongue: Tongue,
         /// What to write: the PDF, or the Typst source that it is made from
         #[arg(long, value_enum, default_value_t = Format::Pdf)]
         format: Format,
@@ -93,6 +102,13 @@ struct Pack {
     platforms: Option<PathBuf>,
 }
 
+#[derive(Args)]
+struct Tongue {
+    /// Language of the book [default: what the scene says, otherwise en]
+    #[arg(long, value_parser = PossibleValuesParser::new(LANGUAGES))]
+    language: Option<String>,
+}
+
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Format {
     Pdf,
@@ -111,10 +127,13 @@ fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<(), Failure> {
     match command {
-        Command::Build(Pack { make, platforms }) => {
+        Command::Build {
+            pack: Pack { make, platforms },
+            tongue,
+        } => {
             let scene = scene_file::read(make.scene.as_deref())?;
             let results = Results::new(&scene)?;
-            let pdf = book(&scene, &results, Format::Pdf)?;
+            let pdf = book(&scene, &results, &tongue, Format::Pdf)?;
             let documentation = documentation(&scene, Some(&pdf))?;
             let mut outputs = fmus(&scene, platforms.as_deref(), &documentation)?;
             outputs.push(pdf);
@@ -126,10 +145,10 @@ fn run(command: Command) -> Result<(), Failure> {
             let documentation = documentation(&scene, None)?;
             write(&make.output, &fmus(&scene, platforms.as_deref(), &documentation)?)
         }
-        Command::Book { make, format } => {
+        Command::Book { make, tongue, format } => {
             let scene = scene_file::read(make.scene.as_deref())?;
             let results = Results::new(&scene)?;
-            write(&make.output, &[book(&scene, &results, format)?])
+            write(&make.output, &[book(&scene, &results, &tongue, format)?])
         }
         Command::Check { scene, json, csv } => check(scene.as_deref(), json, csv),
         Command::New { file } => new(&file),
@@ -147,15 +166,22 @@ fn busy(message: String) -> ProgressBar {
     spinner
 }
 
-fn book(scene: &Scene, results: &Results, format: Format) -> Result<Output, Failure> {
+fn book(scene: &Scene, results: &Results, tongue: &Tongue, format: Format) -> Result<Output, Failure> {
+    let code = tongue.language.as_deref().unwrap_or(scene.language());
+    let language = Language::find(code).expect("the command line and the scene were checked");
     let spinner = busy(format!("typesetting {}", scene.name()));
     let made = match format {
-        Format::Pdf => lemnis::book::pdf(scene, &results.sheet),
-        Format::Typ => lemnis::book::source(scene, &results.sheet).map(String::into_bytes),
+        Format::Pdf => lemnis::book::pdf(scene, &results.sheet, language).map(|made| (made.pdf, made.warnings)),
+        Format::Typ => {
+            lemnis::book::source(scene, &results.sheet, language).map(|source| (source.into_bytes(), Vec::new()))
+        }
     };
     spinner.finish_and_clear();
     let suffix = if format == Format::Pdf { "pdf" } else { "typ" };
-    let bytes = made.map_err(|error| Failure::Program(error.to_string()))?;
+    let (bytes, warnings) = made.map_err(|error| Failure::Program(error.to_string()))?;
+    for warning in warnings {
+        eprintln!("warning: {warning}");
+    }
     Ok(Output {
         name: format!("{}.{suffix}", scene.name()),
         bytes,

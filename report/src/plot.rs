@@ -8,6 +8,7 @@ use lemnis_models::sheet::{Curve, Drawing, Shape};
 use lemnis_models::symbol::Symbol;
 use serde::Serialize;
 
+use crate::language::Language;
 use crate::number::fixed;
 
 type Point = [f64; 2];
@@ -345,7 +346,7 @@ impl Axis {
 
 /// A curve with axes, grid and extremes.
 #[must_use]
-pub fn curve(curve: &Curve) -> Picture {
+pub fn curve(language: &Language, curve: &Curve) -> Picture {
     let shown = |p: &Point| [curve.x.shown(p[0]), curve.y.shown(p[1])];
     let pieces: Vec<Vec<Point>> = curve
         .pieces
@@ -365,12 +366,12 @@ pub fn curve(curve: &Curve) -> Picture {
     for tick in x.ticks() {
         let left = place([tick, y.from])[0];
         picture.line("grid", &[[left, TOP], [left, bottom]]);
-        picture.text([left, bottom + 1.2], "above", fixed(tick, x.decimals()));
+        picture.text([left, bottom + 1.2], "above", language.math(&fixed(tick, x.decimals())));
     }
     for tick in y.ticks() {
         let top = place([x.from, tick])[1];
         picture.line(if tick == 0.0 { "thin" } else { "grid" }, &[[LEFT, top], [right, top]]);
-        picture.text([LEFT - 1.2, top], "right", fixed(tick, y.decimals()));
+        picture.text([LEFT - 1.2, top], "right", language.math(&fixed(tick, y.decimals())));
     }
     picture.shape(
         "thin",
@@ -396,7 +397,7 @@ pub fn curve(curve: &Curve) -> Picture {
             picture.text(
                 beside(place(point), outside, &text, &curve, [right, bottom]),
                 "centre",
-                text,
+                language.math(&text),
             );
         }
     }

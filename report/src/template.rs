@@ -1,13 +1,15 @@
 //! Templates: words and layout of the book. Text is escaped so that Typst
 //! prints it and never runs it; what is Typst already is marked `safe`.
 
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Serde, Value};
 use minijinja::{Environment, ErrorKind, UndefinedBehavior, context};
 
 use crate::book::{Book, Error};
+use crate::language::{LANGUAGES, Language, Words};
+use crate::speech;
 
 /// Every template by its name.
 const TEMPLATES: [(&str, &str); 9] = [
@@ -22,29 +24,33 @@ const TEMPLATES: [(&str, &str); 9] = [
     ("published.typ", include_str!("../../templates/published.typ")),
 ];
 
-/// The words of English, and the publications, which have no language.
-const WORDS: &str = include_str!("../../templates/words/en.toml");
-const REFERENCES: &str = include_str!("../../templates/references.toml");
+static READY: [OnceLock<Result<Ready, String>>; LANGUAGES.len()] = [const { OnceLock::new() }; LANGUAGES.len()];
 
-static ENVIRONMENT: LazyLock<Result<Environment<'static>, String>> =
-    LazyLock::new(|| environment(&TEMPLATES, WORDS, REFERENCES));
+/// The templates with the words of one language.
+struct Ready {
+    environment: Environment<'static>,
+    words: Words,
+}
 
 /// The book's Typst source.
-pub(crate) fn render(book: &Book) -> Result<String, Error> {
-    let environment = ENVIRONMENT.as_ref().map_err(|error| Error(error.clone()))?;
+pub(crate) fn render(book: &Book, language: &Language) -> Result<String, Error> {
+    let place = LANGUAGES.iter().position(|known| known.code == language.code);
+    let ready = READY[place.expect("a language of the table")].get_or_init(|| {
+        let words = Words::new(language)?;
+        let environment = environment(&TEMPLATES, words.clone())?;
+        Ok(Ready { environment, words })
+    });
+    let Ready { environment, words } = ready.as_ref().map_err(|error| Error(error.clone()))?;
     let template = environment
         .get_template(TEMPLATES[0].0)
         .map_err(|error| Error(describe(&error)))?;
-    template
+    let source = template
         .render(context! { book => Serde(book) })
-        .map_err(|error| Error(describe(&error)))
+        .map_err(|error| Error(describe(&error)))?;
+    speech::accessible(&source, words).map_err(Error)
 }
 
-fn environment(
-    templates: &[(&'static str, &'static str)],
-    words: &str,
-    references: &str,
-) -> Result<Environment<'static>, String> {
+fn environment(templates: &[(&'static str, &'static str)], words: Words) -> Result<Environment<'static>, String> {
     let syntax = SyntaxConfig::builder()
         .block_delimiters("<%", "%>")
         .comment_delimiters("<#", "#>")
@@ -65,17 +71,21 @@ fn environment(
             None => minijinja::escape_formatter(out, state, value),
         }
     });
-    environment.add_filter("string", |text: &str| Value::from_safe_string(string(text)));
-    let mut dictionary = table("words/en.toml", words)?;
-    dictionary.insert("reference".to_owned(), table("references.toml", references)?.into());
+    environment.add_filter("string", |text: &str| Value::from_safe_string(speech::string(text)));
+    let undefined = |detail| minijinja::Error::new(ErrorKind::UndefinedError, detail);
+    let dictionary = words.clone();
     environment.add_function("word", move |group: &str, id: &str| {
-        match dictionary.get(group).and_then(|g| g.get(id)) {
-            Some(toml::Value::String(word)) => Ok(Value::from_safe_string(word.clone())),
-            _ => Err(minijinja::Error::new(
-                ErrorKind::UndefinedError,
-                format!("no words for {group}.{id}"),
-            )),
-        }
+        let word = dictionary.get(group, id).map_err(undefined)?;
+        Ok(Value::from_safe_string(word.to_owned()))
+    });
+    // "[Li2022, eq. 5]" with the language's own "eq.".
+    environment.add_filter("citation", move |source: &str| {
+        ["eq.", "Fig.", "Table"]
+            .iter()
+            .try_fold(source.to_owned(), |source, &place| {
+                let word = words.get("citation", place).map_err(undefined)?;
+                Ok::<_, minijinja::Error>(source.replace(place, word))
+            })
     });
     for (name, source) in templates {
         environment
@@ -83,10 +93,6 @@ fn environment(
             .map_err(|error| describe(&error))?;
     }
     Ok(environment)
-}
-
-fn table(name: &str, text: &str) -> Result<toml::Table, String> {
-    text.parse().map_err(|error| format!("templates/{name}: {error}"))
 }
 
 /// Template, line, and what is wrong with which variable.
@@ -101,7 +107,7 @@ fn describe(error: &minijinja::Error) -> String {
 
 /// Text that Typst prints as it is, in markup and between quotes: everything
 /// that could be syntax becomes `\u{hex}`.
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let plain =
         |c: char| c == ' ' || c.is_ascii_alphanumeric() || !(c.is_ascii() || c.is_control() || c.is_whitespace());
     text.chars()
@@ -113,11 +119,6 @@ fn escape(text: &str) -> String {
             }
         })
         .collect()
-}
-
-/// A string literal, with no more escapes than it needs.
-fn string(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
 #[cfg(test)]
@@ -135,7 +136,8 @@ mod tests {
             format!("#\"{escaped}\""),
             format!("#let t = [{escaped}]\n#t"),
         ] {
-            lemnis_typeset::pdf(&source, &[]).unwrap();
+            let source = format!("#set document(title: \"T\")\n{source}");
+            assert!(lemnis_typeset::pdf(&source, &[]).unwrap().warnings.is_empty());
         }
     }
 
@@ -150,7 +152,7 @@ mod tests {
             ("\n<% for %>", "templates/book.typ:2: "),
         ];
         for (source, message) in cases {
-            let rendered = environment(&[("book.typ", source)], "[section]\n", "").and_then(|environment| {
+            let rendered = environment(&[("book.typ", source)], Words::of("[section]\n")).and_then(|environment| {
                 let template = environment.get_template("book.typ").map_err(|error| describe(&error))?;
                 template
                     .render(context! { book => context! {} })

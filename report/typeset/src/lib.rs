@@ -1,5 +1,8 @@
 //! Typst in memory: source and files in, PDF out. No disk, no packages, no
-//! date, no system fonts: the same input gives the same bytes everywhere.
+//! date: the same input gives the same bytes everywhere. Only for characters
+//! that the embedded fonts lack are the system's fonts asked.
+
+mod fonts;
 
 use std::collections::HashMap;
 use std::fmt;
@@ -7,13 +10,14 @@ use std::sync::LazyLock;
 
 use typst::diag::{FileError, FileResult, SourceDiagnostic};
 use typst::foundations::{Bytes, Datetime, Duration};
-use typst::layout::{Frame, FrameItem};
 use typst::syntax::{FileId, RootedPath, Source, VirtualPath, VirtualRoot};
 use typst::text::{Font, FontBook};
 use typst::utils::LazyHash;
 use typst::{Library, LibraryExt, World, WorldExt};
 use typst_layout::PagedDocument;
-use typst_pdf::PdfOptions;
+use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
+
+use crate::fonts::Fonts;
 
 /// What Typst objects to, with its place where it has one.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,34 +38,54 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+/// A document that is made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Typeset {
+    /// Tagged, and valid PDF/UA-1.
+    pub pdf: Vec<u8>,
+    /// Characters that could not be printed, each with its place.
+    pub warnings: Vec<String>,
+}
+
 /// Typesets `main`, which can read `files` by their virtual paths. A warning
-/// is an error, and so is a character that no font has.
+/// of Typst is an error. A character that no font has, embedded or of the
+/// system, gives a warning; its code stands in its place: `U+9F98`.
 ///
 /// # Errors
-/// The first objection of Typst, or the text with the missing character.
-pub fn pdf(main: &str, files: &[(String, Vec<u8>)]) -> Result<Vec<u8>, Error> {
-    let main = Source::new(file_id("main.typ")?, main.to_owned());
-    let mut world = Memory {
-        files: HashMap::from([(main.id(), Bytes::from_string(main.text().to_owned()))]),
-        main,
+/// The first objection of Typst, to the source or to what PDF/UA asks for.
+pub fn pdf(main: &str, files: &[(String, Vec<u8>)]) -> Result<Typeset, Error> {
+    let (world, document, warnings) = pages(main, files)?;
+    let options = PdfOptions {
+        standards: PdfStandards::new(&[PdfStandard::Ua_1]).expect("one standard fits with itself"),
+        ..PdfOptions::default()
     };
-    for (path, bytes) in files {
-        world.files.insert(file_id(path)?, Bytes::new(bytes.clone()));
-    }
-    let compiled = typst::compile::<PagedDocument>(&world);
-    let typeset = compiled.output.and_then(|document| match compiled.warnings.first() {
-        Some(warning) => Err(std::iter::once(warning.clone()).collect()),
-        None => typst_pdf::pdf(&document, &PdfOptions::default()).map(|bytes| (document, bytes)),
-    });
+    let pdf = typst_pdf::pdf(&document, &options);
     comemo::evict(1);
-    let (document, bytes) = typeset.map_err(|objections| world.error(&objections[0]))?;
-    match document.pages().iter().find_map(|page| unprintable(&page.frame)) {
-        Some(text) => Err(Error {
-            message: format!("no font has every character of \"{text}\""),
-            place: None,
-        }),
-        None => Ok(bytes),
+    let pdf = pdf.map_err(|objections| world.error(&objections[0]))?;
+    Ok(Typeset { pdf, warnings })
+}
+
+/// The pages, what they are made from, and warnings about missing characters.
+fn pages(main: &str, files: &[(String, Vec<u8>)]) -> Result<(Memory, PagedDocument, Vec<String>), Error> {
+    let world = Memory::new(main, files, Fonts::embedded().clone())?;
+    let document = world.typeset()?;
+    let missing: Vec<char> = world.fonts.unprintable(&document).into_keys().collect();
+    if missing.is_empty() {
+        return Ok((world, document, Vec::new()));
     }
+    let fonts = Fonts::embedded().with_system(&missing);
+    let document = Memory::new(main, files, fonts.clone())?.typeset()?;
+    let (mut source, mut warnings) = (main.to_owned(), Vec::new());
+    for (character, place) in fonts.unprintable(&document) {
+        let code = format!("U+{:04X}", u32::from(character));
+        source = source.replace(character, &code);
+        warnings.push(format!(
+            "no font has the character \"{character}\" {place}: {code} is printed in its place; install a font that has it"
+        ));
+    }
+    let world = Memory::new(&source, files, fonts)?;
+    let document = world.typeset()?;
+    Ok((world, document, warnings))
 }
 
 fn file_id(path: &str) -> Result<FileId, Error> {
@@ -72,33 +96,37 @@ fn file_id(path: &str) -> Result<FileId, Error> {
     Ok(RootedPath::new(VirtualRoot::Project, path).intern())
 }
 
-/// The text of the first glyph that stands for a missing character.
-fn unprintable(frame: &Frame) -> Option<&str> {
-    frame.items().find_map(|(_, item)| match item {
-        FrameItem::Group(group) => unprintable(&group.frame),
-        FrameItem::Text(text) => text
-            .glyphs
-            .iter()
-            .any(|glyph| glyph.id == 0)
-            .then_some(text.text.as_str()),
-        _ => None,
-    })
-}
-
 static LIBRARY: LazyLock<LazyHash<Library>> = LazyLock::new(|| LazyHash::new(Library::default()));
-static FONTS: LazyLock<Vec<Font>> = LazyLock::new(|| {
-    typst_assets::fonts()
-        .flat_map(|data| Font::iter(Bytes::new(data)))
-        .collect()
-});
-static BOOK: LazyLock<LazyHash<FontBook>> = LazyLock::new(|| LazyHash::new(FontBook::from_fonts(FONTS.iter())));
 
 struct Memory {
     main: Source,
     files: HashMap<FileId, Bytes>,
+    fonts: Fonts,
 }
 
 impl Memory {
+    fn new(main: &str, files: &[(String, Vec<u8>)], fonts: Fonts) -> Result<Memory, Error> {
+        let main = Source::new(file_id("main.typ")?, main.to_owned());
+        let mut world = Memory {
+            files: HashMap::from([(main.id(), Bytes::from_string(main.text().to_owned()))]),
+            main,
+            fonts,
+        };
+        for (path, bytes) in files {
+            world.files.insert(file_id(path)?, Bytes::new(bytes.clone()));
+        }
+        Ok(world)
+    }
+
+    fn typeset(&self) -> Result<PagedDocument, Error> {
+        let compiled = typst::compile::<PagedDocument>(self);
+        match (compiled.output, compiled.warnings.first()) {
+            (Err(objections), _) => Err(self.error(&objections[0])),
+            (Ok(_), Some(warning)) => Err(self.error(warning)),
+            (Ok(document), None) => Ok(document),
+        }
+    }
+
     fn error(&self, objection: &SourceDiagnostic) -> Error {
         let place = objection
             .span
@@ -122,7 +150,7 @@ impl World for Memory {
         &LIBRARY
     }
     fn book(&self) -> &LazyHash<FontBook> {
-        &BOOK
+        &self.fonts.book
     }
     fn main(&self) -> FileId {
         self.main.id()
@@ -139,7 +167,7 @@ impl World for Memory {
         self.files.get(&id).cloned().ok_or_else(missing)
     }
     fn font(&self, index: usize) -> Option<Font> {
-        FONTS.get(index).cloned()
+        self.fonts.get(index)
     }
     fn today(&self, _: Option<Duration>) -> Option<Datetime> {
         None
@@ -153,9 +181,10 @@ mod tests {
     #[test]
     fn the_same_source_gives_the_same_bytes() {
         let files = [("data.json".to_owned(), br#"{"title": "$ #panic() * @x"}"#.to_vec())];
-        let source = "#let data = json(\"data.json\")\n= #data.title\n$ frac(1, 2) $";
+        let source = "#set document(title: \"T\")\n#let data = json(\"data.json\")\n= #data.title\n\
+                      #math.equation(alt: \"one half\", $ frac(1, 2) $)";
         let first = pdf(source, &files).unwrap();
-        assert!(first.starts_with(b"%PDF"));
+        assert!(first.pdf.starts_with(b"%PDF") && first.warnings.is_empty());
         assert_eq!(first, pdf(source, &files).unwrap());
     }
 
@@ -168,10 +197,29 @@ mod tests {
                 "main.typ:1:17: unknown font family: nowhere",
             ),
             ("#include \"gone.typ\"", "main.typ:1:10: file not found"),
-            ("a \u{10ffff} b", "no font has every character of"),
+            ("x", "PDF/UA-1 error: missing document title"),
+            (
+                "#set document(title: \"T\")\n$ x $",
+                "main.typ:2:1: PDF/UA-1 error: missing alt text",
+            ),
         ] {
             let message = pdf(source, &[]).unwrap_err().to_string();
             assert!(message.starts_with(text), "{message}");
         }
+    }
+
+    #[test]
+    fn a_character_that_no_font_has_is_named_and_its_code_printed() {
+        let source = "#set document(title: \"T\")\none\n#pagebreak()\ntwo \u{10ffff} three";
+        let typeset = pdf(source, &[]).unwrap();
+        let [warning] = typeset.warnings.as_slice() else {
+            panic!("{:?}", typeset.warnings)
+        };
+        assert!(
+            warning.contains("U+10FFFF is printed") && warning.contains("on page 2, in \"two"),
+            "{warning}"
+        );
+        let written = source.replace('\u{10ffff}', "U+10FFFF");
+        assert_eq!(typeset.pdf, pdf(&written, &[]).unwrap().pdf);
     }
 }

@@ -1,0 +1,169 @@
+//! The languages of books: their words, and how they write numbers.
+//!
+//! One rule for all of them: integers and decimals are never grouped in
+//! thousands, because a separator could be taken for the decimal sign; units
+//! have their international symbols, as standards and publications in all
+//! three languages write them.
+
+use lemnis_models::lemniscate::symbols;
+
+use crate::template::escape;
+
+const REFERENCES: &str = include_str!("../../templates/references.toml");
+
+/// A language that books can be written in.
+#[derive(Debug)]
+pub struct Language {
+    /// ISO 639-1, as in scenes and on the command line.
+    pub code: &'static str,
+    decimal: char,
+    words: &'static str,
+}
+
+/// Every language, the default first.
+pub static LANGUAGES: [Language; 3] = [
+    Language {
+        code: "en",
+        decimal: '.',
+        words: include_str!("../../templates/words/en.toml"),
+    },
+    Language {
+        code: "zh",
+        decimal: '.',
+        words: include_str!("../../templates/words/zh.toml"),
+    },
+    Language {
+        code: "bg",
+        decimal: ',',
+        words: include_str!("../../templates/words/bg.toml"),
+    },
+];
+
+impl Language {
+    /// By its code.
+    #[must_use]
+    pub fn find(code: &str) -> Option<&'static Language> {
+        LANGUAGES.iter().find(|language| language.code == code)
+    }
+
+    /// A number with a decimal point, as text of this language.
+    #[must_use]
+    pub fn text(&self, number: &str) -> String {
+        number.replace('.', self.decimal.encode_utf8(&mut [0; 4]))
+    }
+
+    /// A number with a decimal point, in Typst's mathematics, which takes a
+    /// comma outside quotes for a separator.
+    #[must_use]
+    pub fn math(&self, number: &str) -> String {
+        let (digits, power) = number
+            .split_once(' ')
+            .map_or((number, ""), |(digits, _)| (digits, &number[digits.len()..]));
+        let text = self.text(digits);
+        if text == digits {
+            return number.to_owned();
+        }
+        match text.strip_prefix(['-', '−']) {
+            Some(amount) => format!("-\"{amount}\"{power}"),
+            None => format!("\"{text}\"{power}"),
+        }
+    }
+}
+
+/// The words of a language, in groups; Typst markup.
+#[derive(Clone, Debug)]
+pub(crate) struct Words(toml::Table);
+
+impl Words {
+    /// The words of a language. English has the meanings of symbols from the
+    /// tables of the models, and the publications from their list; the other
+    /// languages translate both in groups of their own.
+    pub(crate) fn new(language: &Language) -> Result<Words, String> {
+        let mut words = parse(&format!("words/{}.toml", language.code), language.words)?;
+        if language.code == LANGUAGES[0].code {
+            let meanings = symbols::ALL
+                .iter()
+                .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
+            words.insert("symbol".to_owned(), toml::Value::Table(meanings.collect()));
+            words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?.into());
+        }
+        Ok(Words(words))
+    }
+
+    pub(crate) fn get(&self, group: &str, id: &str) -> Result<&str, String> {
+        let word = self.0.get(group).and_then(|group| group.get(id));
+        word.and_then(toml::Value::as_str)
+            .ok_or_else(|| format!("no words for {group}.{id}"))
+    }
+
+    #[cfg(test)]
+    pub(crate) fn of(text: &str) -> Words {
+        Words(text.parse().expect("TOML"))
+    }
+}
+
+fn parse(name: &str, text: &str) -> Result<toml::Table, String> {
+    text.parse().map_err(|error| format!("templates/{name}: {error}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn every_language_has_the_words_of_english_and_no_others() {
+        let keys = |language| -> BTreeSet<String> {
+            let words = Words::new(language).expect("TOML");
+            let group = |(group, table): (&String, &toml::Value)| {
+                let table = table.as_table().expect("groups only").clone();
+                let group = group.clone();
+                table.into_iter().map(move |(id, word)| {
+                    assert!(
+                        word.as_str().is_some_and(|word| !word.trim().is_empty()),
+                        "{group}.{id}"
+                    );
+                    format!("{group}.{id}")
+                })
+            };
+            words.0.iter().flat_map(group).collect()
+        };
+        let english = keys(&LANGUAGES[0]);
+        assert!(english.len() > 200);
+        for language in &LANGUAGES[1..] {
+            let words = keys(language);
+            let missing: Vec<_> = english.difference(&words).collect();
+            let superfluous: Vec<_> = words.difference(&english).collect();
+            assert!(missing.is_empty(), "{}: no words for {missing:?}", language.code);
+            assert!(
+                superfluous.is_empty(),
+                "{}: nobody needs {superfluous:?}",
+                language.code
+            );
+        }
+    }
+
+    #[test]
+    fn scenes_know_the_same_languages() {
+        let codes: Vec<_> = LANGUAGES.iter().map(|language| language.code).collect();
+        assert_eq!(codes, lemnis_models::scene::LANGUAGES);
+    }
+
+    #[test]
+    fn a_decimal_comma_is_quoted_in_mathematics() {
+        let [english, _, bulgarian] = &LANGUAGES;
+        for (number, comma) in [
+            ("160", "160"),
+            ("19.3", "\"19,3\""),
+            ("-0.25", "-\"0,25\""),
+            ("−0.25", "-\"0,25\""),
+            ("-1.5 times 10^(-7)", "-\"1,5\" times 10^(-7)"),
+            ("infinity", "infinity"),
+        ] {
+            assert_eq!(bulgarian.math(number), comma);
+            assert_eq!(english.math(number), number);
+        }
+        assert_eq!(bulgarian.text("−4.234"), "−4,234");
+    }
+}
