@@ -6,7 +6,7 @@
 //! `libm`, which gives the same bits on every platform, where `std` does not.
 
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
-use num_dual::Dual64;
+use num_dual::{Dual2_64, Dual64};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::ops::Neg;
 
@@ -136,6 +136,55 @@ impl Calc for Dual64 {
     }
 }
 
+/// A function of one scalar by its value and two derivatives.
+fn chain(x: Dual2_64, [value, first, second]: [f64; 3]) -> Dual2_64 {
+    Dual2_64::new(value, first * x.v1, first * x.v2 + second * x.v1 * x.v1)
+}
+
+impl Calc for Dual2_64 {
+    fn constant(value: f64) -> Dual2_64 {
+        Dual2_64::from_re(value)
+    }
+    fn value(self) -> f64 {
+        self.re
+    }
+    fn abs(self) -> Dual2_64 {
+        if self.re < 0.0 { -self } else { self }
+    }
+    fn sqrt(self) -> Dual2_64 {
+        let root = self.re.sqrt();
+        chain(self, [root, 0.5 / root, -0.25 / (root * self.re)])
+    }
+    fn sin(self) -> Dual2_64 {
+        self.sin_cos().0
+    }
+    fn sin_cos(self) -> (Dual2_64, Dual2_64) {
+        let (sin, cos) = Calc::sin_cos(self.re);
+        (chain(self, [sin, cos, -sin]), chain(self, [cos, -sin, -cos]))
+    }
+    fn asin(self) -> Dual2_64 {
+        let slope = 1.0 / (1.0 - self.re * self.re).sqrt();
+        chain(self, [Calc::asin(self.re), slope, self.re * slope * slope * slope])
+    }
+    fn acos(self) -> Dual2_64 {
+        let slope = -1.0 / (1.0 - self.re * self.re).sqrt();
+        chain(self, [Calc::acos(self.re), slope, self.re * slope * slope * slope])
+    }
+    fn direction(x: Dual2_64, y: Dual2_64) -> Dual2_64 {
+        let square = x.re * x.re + y.re * y.re;
+        let turn = (x.re * y.v1 - y.re * x.v1) / square;
+        let bend = (x.re * y.v2 - y.re * x.v2) / square - 2.0 * turn * (x.re * x.v1 + y.re * y.v1) / square;
+        Dual2_64::new(Calc::direction(x.re, y.re), turn, bend)
+    }
+    fn minus_exact(self, other: Dual2_64, tail: f64) -> Dual2_64 {
+        Dual2_64::new(
+            self.re.minus_exact(other.re, tail),
+            self.v1 - other.v1,
+            self.v2 - other.v2,
+        )
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -173,6 +222,42 @@ mod tests {
                 assert!(
                     (exact - difference).abs() < 1e-9,
                     "{name} at {at}: {exact} {difference}"
+                );
+            }
+        }
+    }
+
+    /// Second derivatives against central differences of the first, which are exact.
+    #[test]
+    fn second_derivatives_agree_with_differences_of_the_first() {
+        type Rules = (&'static str, fn(Dual64) -> Dual64, fn(Dual2_64) -> Dual2_64);
+        let rules: [Rules; 6] = [
+            ("sqrt", |x| Calc::sqrt(x), |x| Calc::sqrt(x)),
+            ("sin", |x| Calc::sin(x), |x| Calc::sin(x)),
+            ("cos", |x| Calc::sin_cos(x).1, |x| Calc::sin_cos(x).1),
+            ("asin", |x| Calc::asin(x), |x| Calc::asin(x)),
+            ("acos", |x| Calc::acos(x), |x| Calc::acos(x)),
+            (
+                "direction",
+                |x| Dual64::direction(x * x, x),
+                |x| Dual2_64::direction(x * x, x),
+            ),
+        ];
+        let step = 1e-6;
+        for (name, first, second) in rules {
+            for at in [0.1, 0.5, 0.9] {
+                let slope = |x: f64| first(Dual64::new(x, 1.0)).eps;
+                let difference = (slope(at + step) - slope(at - step)) / (2.0 * step);
+                let exact = second(Dual2_64::new(at, 1.0, 0.0));
+                assert_eq!(
+                    (exact.re, exact.v1),
+                    (first(Dual64::new(at, 1.0)).re, slope(at)),
+                    "{name} at {at}"
+                );
+                assert!(
+                    (exact.v2 - difference).abs() < 1e-8 * (1.0 + difference.abs()),
+                    "{name} at {at}: {} {difference}",
+                    exact.v2
                 );
             }
         }

@@ -28,6 +28,7 @@
 //! | `lemniscate.published` | [`published::Published::new`] | Li2022, eq. 1, 4-7 |
 
 pub mod drive;
+pub mod dynamics;
 pub mod geometry;
 pub mod model;
 pub mod outputs;

@@ -1,0 +1,130 @@
+//! The mechanism in motion, against references that two independent codes agreed on, and by its energy.
+
+use lemnis_models::four_bar::Branch;
+use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Motion, Pendulum};
+use lemnis_models::lemniscate::geometry::{Driven, Geometry, Jib, Lengths, Parameters};
+use lemnis_models::plane::Point;
+
+fn crane(pendulum: bool) -> Dynamics {
+    let pendulum = pendulum.then_some(Pendulum {
+        mass: 16e3,
+        length: 10.0,
+    });
+    with_bodies(20e3, 0.0, 19.3, pendulum)
+}
+
+/// The lemniscate crane with a boom of a mass (kg) from one place to another on its line (m).
+fn with_bodies(boom: f64, from: f64, to: f64, pendulum: Option<Pendulum>) -> Dynamics {
+    let lengths = Lengths {
+        x_1: 19.3,
+        x_2: 6.5,
+        x_3: 14.7,
+        x_4: 16.0,
+        x_5: 6.4,
+        x_6: 5.3,
+        x_8: 5.2,
+    };
+    let parameters = Parameters {
+        lengths,
+        jib: Jib::Sag(1.354),
+        weights: None,
+        anchors: None,
+        cylinder: None,
+        driven: Driven::Boom,
+        branch: Branch::Left,
+    };
+    let g = Geometry::new(&parameters).expect("the crane exists");
+    let zero = Point::new(0.0, 0.0);
+    // The jib as one bar from C to A, in the frame of its rear arm BC.
+    let a = Point::new(g.kappa.x, -g.kappa.y) * lengths.x_2;
+    let bodies = Bodies {
+        boom: Body::uniform(boom, Point::new(from, 0.0), Point::new(to, 0.0)),
+        jib: Body::uniform(6e3, Point::new(lengths.x_2, 0.0), a),
+        rocker: Body::uniform(4e3, zero, Point::new(lengths.x_3, 0.0)),
+        pendulum,
+        gravity: 9.81,
+    };
+    Dynamics::new(&g, bodies)
+}
+
+const START: Motion = Motion {
+    theta: 65.0 * std::f64::consts::PI / 180.0,
+    omega: 0.0,
+    swing: 0.1,
+    swing_rate: 0.0,
+};
+
+fn run(crane: &Dynamics, moment: f64, h: f64, steps: u32) -> Motion {
+    (0..steps).fold(START, |m, _| crane.step(&m, moment, h).expect("closes on the way"))
+}
+
+/// Luffing with a swinging load under 1.8 MN·m for 5 s: the reference of the measurements.
+#[test]
+fn luffing_with_a_pendulum_meets_the_reference() {
+    let crane = crane(true);
+    let (theta, swing) = (1.959_365_828_718_83, 0.510_282_010_345_209_9);
+    let mut last = f64::INFINITY;
+    for (h, steps, bound) in [(0.1, 50, 1e-4), (0.01, 500, 1e-8), (0.001, 5000, 1e-12)] {
+        let end = run(&crane, 1.8e6, h, steps);
+        let error = (end.theta - theta).abs().max((end.swing.abs() - swing).abs());
+        println!("h = {h}: theta {} swing {} error {error:.1e}", end.theta, end.swing);
+        assert!(error < bound && error < last, "h = {h}: {error:e}");
+        last = error;
+    }
+}
+
+/// Without drive and friction nothing is lost: a crane whose boom has a heavy tail rocks about the
+/// upright for a million steps.
+#[test]
+fn a_million_steps_conserve_energy() {
+    let crane = with_bodies(120e3, -12.0, 2.0, None);
+    let mut m = Motion {
+        theta: 1.2,
+        omega: 0.05,
+        ..START
+    };
+    let (first, mut extremes) = (crane.energy(&m).expect("closes"), [f64::INFINITY, f64::NEG_INFINITY]);
+    // The energy of rocking alone: above that of rest at the lowest point of the path.
+    let mut lowest = f64::INFINITY;
+    for _ in 0..1_000_000 {
+        m = crane.step(&m, 0.0, 1e-3).expect("stays within the range");
+        extremes = [extremes[0].min(m.theta), extremes[1].max(m.theta)];
+        lowest = lowest.min(crane.energy(&Motion { omega: 0.0, ..m }).expect("closes"));
+    }
+    let (last, rocking) = (crane.energy(&m).expect("closes"), first - lowest);
+    println!(
+        "theta {extremes:?}, energy {first} J, rocking {rocking} J, drift {:.1e}",
+        (last - first) / rocking
+    );
+    assert!(extremes[1] - extremes[0] > 0.1, "it moves: {extremes:?}");
+    assert!(((last - first) / rocking).abs() < 1e-9);
+}
+
+/// The work of the drive is what the energy grows by, with a swinging load and large angles of the rope.
+#[test]
+fn work_is_energy() {
+    let crane = with_bodies(
+        200e3,
+        -16.0,
+        2.0,
+        Some(Pendulum {
+            mass: 16e3,
+            length: 10.0,
+        }),
+    );
+    let mut m = Motion {
+        theta: 1.2,
+        swing: 3.0,
+        ..START
+    };
+    let (first, moment, h) = (crane.energy(&m).expect("closes"), 2e5, 1e-3);
+    let from = m.theta;
+    for _ in 0..5000 {
+        m = crane.step(&m, moment, h).expect("stays within the range");
+    }
+    let gained = crane.energy(&m).expect("closes") - first;
+    let work = moment * (m.theta - from);
+    let size = 16e3 * 9.81 * 10.0;
+    println!("work {work} J, gained {gained} J");
+    assert!((gained - work).abs() < 1e-9 * size, "{gained} {work}");
+}
