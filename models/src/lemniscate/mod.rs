@@ -25,6 +25,7 @@
 //! | `lemniscate.weight_moment` | [`statics::weight_moment`] | Balance004, eq. 1 |
 //! | `lemniscate.pin_forces` | [`statics::PinForces::new`] | equilibrium |
 //! | `lemniscate.drive` | [`drive::Drive::new`] | derived |
+//! | `lemniscate.dynamics` | [`dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
 //! | `lemniscate.published` | [`published::Published::new`] | Li2022, eq. 1, 4-7 |
 
 pub mod drive;
