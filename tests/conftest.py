@@ -21,7 +21,7 @@ def lemnis(*arguments, expect=0):
 def out(tmp_path_factory):
     folder = tmp_path_factory.mktemp("out")
     lemnis("build", "--output", folder)
-    lemnis("book", "--format", "typ", "--output", folder)
+    lemnis("book", "--format", "typ", "--level", "full", "--output", folder)
     return folder
 
 

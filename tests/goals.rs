@@ -3,6 +3,7 @@
 
 use std::ffi::{CString, c_char, c_void};
 use std::hint::black_box;
+use std::io::BufRead;
 use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
@@ -14,7 +15,7 @@ use lemnis_models::lemniscate::geometry::Geometry;
 use lemnis_models::lemniscate::position::Position;
 use lemnis_models::lemniscate::statics::{Centres, PinForces, load_moment};
 use lemnis_models::lemniscate::velocity::{Pole, Velocity};
-use lemnis_models::scene::{DEFAULT, Scene};
+use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
 use libloading::{Library as Shared, Symbol};
 
 /// Nanoseconds of one call: the best of twenty rounds of a hundred thousand.
@@ -430,5 +431,100 @@ fn programs() {
         "ms",
         30.0,
     );
-    row("lemnis book, cold", run(&["book"]).as_secs_f64() * 1e3, "ms", 1000.0);
+    for level in LEVELS {
+        let time = run(&["book", "--level", level]).as_secs_f64() * 1e3;
+        row(&format!("lemnis book, {level}, cold"), time, "ms", 1000.0);
+    }
+    many(&program);
+    for (what, from, to) in [
+        ("a limit", "mu_min    = \"30 deg\"", "mu_min    = \"31 deg\""),
+        ("the load", "Q = \"160 kN\"", "Q = \"161 kN\""),
+        ("a length", "X_1 = \"19.3 m\"", "X_1 = \"19.31 m\""),
+    ] {
+        watch(&program, what, from, to);
+    }
+}
+
+/// A hundred books of a hundred cranes, each with another boom, in one call.
+fn many(program: &Path) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scenes = (0..100).map(|i| {
+        let text = DEFAULT.replace("LemniscateCrane", &format!("Crane{i}"));
+        let path = folder.path().join(format!("{i}.toml"));
+        std::fs::write(
+            &path,
+            text.replace("\"19.3 m\"", &format!("\"{} m\"", 19.3 + 0.001 * f64::from(i))),
+        )
+        .expect("writable");
+        path
+    });
+    let scenes: Vec<_> = scenes.collect();
+    for level in LEVELS {
+        let start = Instant::now();
+        let mut child = Command::new(program)
+            .args(["book", "--level", level, "--output"])
+            .arg(folder.path())
+            .args(&scenes)
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .expect("built");
+        let mut memory = 0.0_f64;
+        while child.try_wait().expect("ours").is_none() {
+            memory = memory.max(peak_memory(child.id()));
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        let each = start.elapsed().as_secs_f64() * 10.0;
+        row(&format!("lemnis book, {level}, 100 scenes, each"), each, "ms", 100.0);
+        row(
+            &format!("lemnis book, {level}, 100 scenes, memory"),
+            memory,
+            "MB",
+            300.0,
+        );
+    }
+}
+
+/// Greatest memory that a process has had, in MB; zero where the system does not say.
+fn peak_memory(process: u32) -> f64 {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let kilobytes = line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok());
+    kilobytes.unwrap_or(0.0) / 1024.0
+}
+
+/// From the saving of a changed number to the new book on disk.
+fn watch(program: &Path, what: &str, from: &str, to: &str) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, DEFAULT).expect("writable");
+    let mut child = Command::new(program)
+        .arg("book")
+        .arg(&path)
+        .arg("--watch")
+        .arg("--output")
+        .arg(folder.path().join("out"))
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .expect("built");
+    let mut lines = std::io::BufReader::new(child.stdout.take().expect("piped")).lines();
+    let mut wait = || while !lines.next().expect("goes on").expect("text").contains("waiting") {};
+    wait();
+    let mut best = f64::INFINITY;
+    for round in 0..6 {
+        // The watcher is listening again a moment after it says so.
+        std::thread::sleep(Duration::from_millis(50));
+        let text = if round % 2 == 0 {
+            DEFAULT.replace(from, to)
+        } else {
+            DEFAULT.to_owned()
+        };
+        let start = Instant::now();
+        std::fs::write(&path, text).expect("writable");
+        wait();
+        best = best.min(start.elapsed().as_secs_f64() * 1e3);
+    }
+    row(&format!("lemnis book --watch, {what} changed"), best, "ms", 150.0);
+    row("lemnis book --watch, memory", peak_memory(child.id()), "MB", 300.0);
+    child.kill().expect("ours");
+    child.wait().expect("ours");
 }

@@ -3,8 +3,8 @@
 use toml::de::DeTable;
 
 use crate::diagnostic::Diagnostic;
-use crate::lemniscate::scene::{KEYS as LUFFING, Luffing};
-use crate::schema::{self, Key, Kind};
+use crate::lemniscate::scene::{KEYS as LUFFING, Luffing, Place};
+use crate::schema::{self, Key, Kind, Values};
 
 /// The lemniscate crane. [Li2022, Table 1]
 pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");
@@ -29,55 +29,83 @@ static KEYS: &[Key] = &[
         text: "Title of the book, one line.",
     },
     Key::table("project", PROJECT, "Title block of the book.").optional(),
-    Key::table("book", BOOK, "How the book is made.").optional(),
+    Key::table("book", BOOK, "What the book says, and in how much detail.").optional(),
     Key::table("luffing", LUFFING, "The luffing mechanism."),
 ];
 
 static PROJECT: &[Key] = &[
+    Key::text("crane", "The crane."),
+    Key::text("client", "For whom the book is made."),
+    Key::text("author", "Who made the calculation."),
+    Key::text("checker", "Who checked it."),
+    Key::text("date", "Date of the book; for PDF/A as YYYY-MM-DD."),
+    Key::text("revision", "Revision of the book."),
     Key {
-        name: "crane",
-        kind: Kind::Text,
+        name: "revisions",
+        kind: Kind::Tables(REVISION),
         required: false,
-        text: "The crane.",
-    },
-    Key {
-        name: "client",
-        kind: Kind::Text,
-        required: false,
-        text: "For whom the book is made.",
-    },
-    Key {
-        name: "author",
-        kind: Kind::Text,
-        required: false,
-        text: "Who made the calculation.",
-    },
-    Key {
-        name: "checker",
-        kind: Kind::Text,
-        required: false,
-        text: "Who checked it.",
-    },
-    Key {
-        name: "date",
-        kind: Kind::Text,
-        required: false,
-        text: "Date of the book.",
-    },
-    Key {
-        name: "revision",
-        kind: Kind::Text,
-        required: false,
-        text: "Revision of the book.",
+        text: "What was changed in each revision, the oldest first.",
     },
 ];
 
-static BOOK: &[Key] = &[Key {
-    name: "language",
-    kind: Kind::Choice(&LANGUAGES),
-    required: false,
-    text: "Language of the book: English, Chinese or Bulgarian.",
-}];
+static REVISION: &[Key] = &[
+    Key::text("mark", "Letter or number of the revision."),
+    Key::text("date", "Its date."),
+    Key::text("author", "Who made it."),
+    Key::text("text", "What was changed."),
+];
+
+static BOOK: &[Key] = &[
+    Key {
+        name: "language",
+        kind: Kind::Choice(&LANGUAGES),
+        required: false,
+        text: "Language of the book: English, Chinese or Bulgarian.",
+    },
+    Key {
+        name: "level",
+        kind: Kind::Choice(LEVELS),
+        required: false,
+        text: "Detail of the book: summary (a few pages), standard, or full (every step with its numbers).",
+    },
+    Key {
+        name: "chapters",
+        kind: Kind::Choices(CHAPTERS),
+        required: false,
+        text: "The chapters in their order; without it those of the level.",
+    },
+    Key {
+        name: "positions",
+        kind: Kind::Texts,
+        required: false,
+        text: "Positions at which the formulas are worked out: angles of the driven bar such as \"75 deg\", from, middle, to, \
+               or governing results such as M_Q_max; without it the governing one.",
+    },
+    Key {
+        name: "pdf_standard",
+        kind: Kind::Choice(&["a-3b", "a-3u", "a-3a"]),
+        required: false,
+        text: "PDF/A standard that the PDF keeps to; needs project.date.",
+    },
+];
+
+/// Levels of detail, the least first.
+pub const LEVELS: &[&str] = &["summary", "standard", "full"];
+
+/// Chapters of a book in their usual order.
+pub const CHAPTERS: &[&str] = &[
+    "results",
+    "inputs",
+    "conventions",
+    "sensitivity",
+    "constants",
+    "positions",
+    "range",
+    "published",
+    "remarks",
+    "notation",
+    "references",
+];
 
 /// A checked scene.
 #[derive(Clone, Debug)]
@@ -86,8 +114,36 @@ pub struct Scene {
     name: String,
     title: String,
     project: Vec<(&'static str, String)>,
-    language: String,
+    revisions: Vec<Vec<String>>,
+    pub book: Book,
+    given: Vec<Given>,
     pub luffing: Luffing,
+}
+
+/// What the scene asks of its book.
+#[derive(Clone, Debug)]
+pub struct Book {
+    /// One of [`LANGUAGES`].
+    pub language: &'static str,
+    /// One of [`LEVELS`]; `standard` where the scene says nothing.
+    pub level: &'static str,
+    /// Some of [`CHAPTERS`]; `None` for those of the level.
+    pub chapters: Option<Vec<&'static str>>,
+    /// Where the formulas are worked out; empty for the governing position.
+    pub positions: Vec<Place>,
+    /// PDF/A standard, such as `a-3b`.
+    pub pdf_standard: Option<String>,
+}
+
+/// Where the scene gives a quantity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Given {
+    /// Key, such as `luffing.X_1`.
+    pub key: String,
+    /// Line of the scene, counted from 1.
+    pub line: usize,
+    /// Where the scene says that it comes from.
+    pub source: Option<String>,
 }
 
 impl Scene {
@@ -128,25 +184,24 @@ impl Scene {
         let luffing = values
             .table("luffing")
             .and_then(|table| Luffing::new(table, &mut found));
-        match luffing {
-            Some(luffing) if found.is_empty() => {
-                let project = values.table("project");
-                let book = values.table("book");
-                Ok(Scene {
-                    text: text.to_owned(),
-                    name,
-                    title: values.text("title").unwrap_or_default().to_owned(),
-                    project: PROJECT
-                        .iter()
-                        .filter_map(|key| Some((key.name, project?.text(key.name)?.to_owned())))
-                        .collect(),
-                    language: book
-                        .and_then(|book| book.text("language"))
-                        .unwrap_or(LANGUAGES[0])
-                        .to_owned(),
-                    luffing,
-                })
-            }
+        let project = values.table("project");
+        let book = luffing
+            .as_ref()
+            .map(|luffing| Book::new(values.table("book"), project, luffing, &mut found));
+        match luffing.zip(book) {
+            Some((luffing, book)) if found.is_empty() => Ok(Scene {
+                text: text.to_owned(),
+                name,
+                title: values.text("title").unwrap_or_default().to_owned(),
+                project: PROJECT
+                    .iter()
+                    .filter_map(|key| Some((key.name, project?.text(key.name)?.to_owned())))
+                    .collect(),
+                revisions: project.map_or_else(Vec::new, revisions),
+                book,
+                given: given(text, &values),
+                luffing,
+            }),
             _ => {
                 found.sort_by_key(|diagnostic| diagnostic.span.start);
                 Err(found)
@@ -171,16 +226,104 @@ impl Scene {
         &self.title
     }
 
+    /// Marks, dates, authors and texts of the revisions, the oldest first;
+    /// empty texts where the scene gives none.
+    #[must_use]
+    pub fn revisions(&self) -> &[Vec<String>] {
+        &self.revisions
+    }
+
+    /// Where the quantity with a key such as `luffing.X_1` is given.
+    #[must_use]
+    pub fn given(&self, key: &str) -> Option<&Given> {
+        self.given.iter().find(|given| given.key == key)
+    }
+
     /// Title block: what is given of crane, client, author, checker, date, revision.
     #[must_use]
     pub fn project(&self) -> &[(&'static str, String)] {
         &self.project
     }
+}
 
-    /// Language of the book, one of [`LANGUAGES`].
-    #[must_use]
-    pub fn language(&self) -> &str {
-        &self.language
+fn revisions(project: &Values) -> Vec<Vec<String>> {
+    let cell = |table: &Values, key: &Key| table.text(key.name).unwrap_or_default().to_owned();
+    let row = |table: &Values| REVISION.iter().map(|key| cell(table, key)).collect();
+    project.tables("revisions").iter().map(row).collect()
+}
+
+fn given(text: &str, values: &Values) -> Vec<Given> {
+    let mut found = Vec::new();
+    values.quantities("", &mut found);
+    let line = |place: usize| 1 + text[..place].matches('\n').count();
+    let given = found.into_iter().map(|(key, place, source)| Given {
+        key,
+        line: line(place.start),
+        source,
+    });
+    given.collect()
+}
+
+/// A number of an ISO date: year, month, day.
+#[must_use]
+pub fn iso_date(text: &str) -> Option<(i32, u8, u8)> {
+    let [year, month, day] = text.split('-').collect::<Vec<_>>()[..] else {
+        return None;
+    };
+    let (year, month, day) = (year.parse().ok()?, month.parse().ok()?, day.parse().ok()?);
+    (text.len() == 10 && (1..=12).contains(&month) && (1..=31).contains(&day)).then_some((year, month, day))
+}
+
+impl Book {
+    fn new(table: Option<&Values>, project: Option<&Values>, luffing: &Luffing, found: &mut Vec<Diagnostic>) -> Book {
+        let Some(table) = table else {
+            return Book::default();
+        };
+        let known = |list: &'static [&'static str], text: &str| list.iter().copied().find(|known| *known == text);
+        let mut positions = Vec::new();
+        for (text, span) in table.texts("positions") {
+            match luffing.place(text) {
+                Ok(place) => positions.push(place),
+                Err((message, help)) => found.push(
+                    Diagnostic::new(span.clone(), format!("`book.positions`: {message}"), "not a position").help(help),
+                ),
+            }
+        }
+        let chapters = table.texts("chapters").iter();
+        let chapters: Vec<&'static str> = chapters.filter_map(|(text, _)| known(CHAPTERS, text)).collect();
+        let date = project.and_then(|project| project.text("date")).and_then(iso_date);
+        if table.text("pdf_standard").is_some() && date.is_none() {
+            let message = "`book.pdf_standard` needs the date of the book";
+            found.push(
+                Diagnostic::new(table.place("pdf_standard"), message, "no date")
+                    .help("add date = \"YYYY-MM-DD\" to [project]"),
+            );
+        }
+        Book {
+            language: table
+                .text("language")
+                .and_then(|text| known(&LANGUAGES, text))
+                .unwrap_or(LANGUAGES[0]),
+            level: table
+                .text("level")
+                .and_then(|text| known(LEVELS, text))
+                .unwrap_or("standard"),
+            chapters: (!chapters.is_empty()).then_some(chapters),
+            positions,
+            pdf_standard: table.text("pdf_standard").map(str::to_owned),
+        }
+    }
+}
+
+impl Default for Book {
+    fn default() -> Book {
+        Book {
+            language: LANGUAGES[0],
+            level: "standard",
+            chapters: None,
+            positions: Vec::new(),
+            pdf_standard: None,
+        }
     }
 }
 

@@ -26,9 +26,16 @@ pub struct Key {
 pub enum Kind {
     Text,
     Choice(&'static [&'static str]),
-    /// A number with a unit, as text: `"19.3 m"`.
+    /// A number with a unit, as text: `"19.3 m"`; or with a note where it comes
+    /// from: `{ value = "19.3 m", source = "drawing 12-345" }`.
     Quantity(&'static Symbol, Sign),
     Table(&'static [Key]),
+    /// A list of texts.
+    Texts,
+    /// A list of some of these, none twice.
+    Choices(&'static [&'static str]),
+    /// A list of tables: `[[...]]`.
+    Tables(&'static [Key]),
 }
 
 /// Which numbers a quantity may have.
@@ -56,6 +63,17 @@ impl Key {
             name,
             kind: Kind::Table(keys),
             required: true,
+            text,
+        }
+    }
+
+    /// A text that may be left out.
+    #[must_use]
+    pub const fn text(name: &'static str, text: &'static str) -> Key {
+        Key {
+            name,
+            kind: Kind::Text,
+            required: false,
             text,
         }
     }
@@ -94,9 +112,12 @@ impl Sign {
 #[derive(Clone, Debug)]
 pub enum Value {
     Text(String),
-    /// In SI.
-    Number(f64),
+    /// In SI, with the note where it comes from.
+    Number(f64, Option<String>),
     Table(Values),
+    /// With their places.
+    Texts(Vec<(String, Range<usize>)>),
+    Tables(Vec<Values>),
 }
 
 /// A checked table: every value with its place.
@@ -112,7 +133,7 @@ impl Values {
     #[must_use]
     pub fn number(&self, name: &str) -> Option<f64> {
         match self.entries.get(name) {
-            Some((Value::Number(number), _)) => Some(*number),
+            Some((Value::Number(number, _), _)) => Some(*number),
             _ => None,
         }
     }
@@ -130,6 +151,45 @@ impl Values {
         match self.entries.get(name) {
             Some((Value::Table(table), _)) => Some(table),
             _ => None,
+        }
+    }
+
+    /// The texts of a list with their places; empty where the scene gives none.
+    #[must_use]
+    pub fn texts(&self, name: &str) -> &[(String, Range<usize>)] {
+        match self.entries.get(name) {
+            Some((Value::Texts(texts), _)) => texts,
+            _ => &[],
+        }
+    }
+
+    /// The tables of a list; empty where the scene gives none.
+    #[must_use]
+    pub fn tables(&self, name: &str) -> &[Values] {
+        match self.entries.get(name) {
+            Some((Value::Tables(tables), _)) => tables,
+            _ => &[],
+        }
+    }
+
+    /// Every quantity of this table and of the tables in it: its key from the
+    /// top of the scene, its place, and where it comes from by its own note or
+    /// by the `source` of its table.
+    pub fn quantities(&self, path: &str, found: &mut Vec<(String, Range<usize>, Option<String>)>) {
+        for (name, (value, place)) in &self.entries {
+            let key = if path.is_empty() {
+                (*name).to_owned()
+            } else {
+                format!("{path}.{name}")
+            };
+            match value {
+                Value::Number(_, source) => {
+                    let source = source.as_deref().or_else(|| self.text("source"));
+                    found.push((key, place.clone(), source.map(str::to_owned)));
+                }
+                Value::Table(table) => table.quantities(&key, found),
+                _ => {}
+            }
         }
     }
 
@@ -225,12 +285,42 @@ fn check_value(
         }
         (Kind::Table(keys), DeValue::Table(table)) => Some(Value::Table(check(table, value.span(), path, keys, found))),
         (Kind::Quantity(symbol, sign), DeValue::String(text)) => match quantity(text, symbol, *sign) {
-            Ok(number) => Some(Value::Number(number)),
+            Ok(number) => Some(Value::Number(number, None)),
             Err((message, label, help)) => {
                 found.push(Diagnostic::new(value.span(), format!("`{path}`: {message}"), label).help(help));
                 None
             }
         },
+        (Kind::Quantity(..), DeValue::Table(table)) => noted(table, value.span(), path, key, found),
+        (Kind::Texts | Kind::Choices(_), DeValue::Array(items)) => {
+            let mut texts: Vec<(String, Range<usize>)> = Vec::new();
+            for item in items {
+                let allowed = |text: &str| match key.kind {
+                    Kind::Choices(choices) => choices.contains(&text) && texts.iter().all(|(known, _)| known != text),
+                    _ => true,
+                };
+                match item.get_ref() {
+                    DeValue::String(text) if allowed(text) => texts.push((text.to_string(), item.span())),
+                    _ => {
+                        let message = format!("`{path}` is not {}", wanted(key));
+                        found.push(Diagnostic::new(item.span(), message, "not this").help(example(key)));
+                    }
+                }
+            }
+            Some(Value::Texts(texts))
+        }
+        (Kind::Tables(keys), DeValue::Array(items)) => {
+            let mut tables = Vec::new();
+            for item in items {
+                if let DeValue::Table(table) = item.get_ref() {
+                    tables.push(check(table, item.span(), path, keys, found));
+                } else {
+                    let message = format!("`{path}` is not {}", wanted(key));
+                    found.push(Diagnostic::new(item.span(), message, "not a table").help(example(key)));
+                }
+            }
+            Some(Value::Tables(tables))
+        }
         (Kind::Quantity(symbol, _), DeValue::Integer(_) | DeValue::Float(_)) => {
             let text = match value.get_ref() {
                 DeValue::Integer(number) => number.as_str().to_owned(),
@@ -250,8 +340,37 @@ fn check_value(
     }
 }
 
+/// A quantity with a note where it comes from.
+fn noted(
+    table: &DeTable<'_>,
+    span: Range<usize>,
+    path: &str,
+    key: &'static Key,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Value> {
+    let before = found.len();
+    let (mut number, mut source) = (None, None);
+    for (name, value) in table {
+        match (name.get_ref().as_ref(), value.get_ref()) {
+            ("value", DeValue::String(_)) => match check_value(value, path, key, found) {
+                Some(Value::Number(value, _)) => number = Some(value),
+                _ => return None,
+            },
+            ("source", DeValue::String(text)) => source = Some(text.to_string()),
+            _ => {
+                let message = format!("`{path}` has `value` and `source`, both texts, and nothing else");
+                found.push(Diagnostic::new(name.span(), message, "not this").help(example(key)));
+            }
+        }
+    }
+    if number.is_none() && found.len() == before {
+        found.push(Diagnostic::new(span, format!("`{path}` has no `value`"), "needed here").help(example(key)));
+    }
+    Some(Value::Number(number?, source))
+}
+
 /// Reads `"19.3 m"` for `symbol`; on failure message, label and help.
-fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, (String, String, String)> {
+pub(crate) fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, (String, String, String)> {
     let text = text.trim();
     let display = symbol.display.name;
     let end = text
@@ -323,6 +442,9 @@ fn wanted(key: &Key) -> String {
         Kind::Choice(choices) => format!("one of {}", choices.join(", ")),
         Kind::Quantity(symbol, _) => format!("a number with a unit such as \"1 {}\"", symbol.display.name),
         Kind::Table(_) => "a table".to_owned(),
+        Kind::Texts => "a list of texts".to_owned(),
+        Kind::Choices(choices) => format!("a list of {}, none twice", choices.join(", ")),
+        Kind::Tables(_) => "a list of tables".to_owned(),
     }
 }
 
@@ -332,6 +454,9 @@ fn example(key: &Key) -> String {
         Kind::Choice(choices) => format!("{} = \"{}\"", key.name, choices[0]),
         Kind::Quantity(symbol, _) => format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text),
         Kind::Table(_) => format!("a table [{}]  ({})", key.name, key.text),
+        Kind::Texts => format!("{} = [\"...\"]  ({})", key.name, key.text),
+        Kind::Choices(choices) => format!("{} = [\"{}\"]", key.name, choices[0]),
+        Kind::Tables(_) => format!("tables [[{}]]  ({})", key.name, key.text),
     }
 }
 
@@ -347,11 +472,25 @@ fn property(key: &Key) -> Json {
     let mut schema = match key.kind {
         Kind::Text => json!({ "type": "string" }),
         Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
-        Kind::Quantity(symbol, _) => json!({
-            "type": "string",
-            "pattern": r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S.*$",
-            "examples": [format!("1 {}", symbol.display.name)],
-        }),
+        Kind::Quantity(symbol, _) => {
+            let value = json!({
+                "type": "string",
+                "pattern": r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S.*$",
+                "examples": [format!("1 {}", symbol.display.name)],
+            });
+            let noted = json!({
+                "type": "object",
+                "additionalProperties": false,
+                "properties": { "value": value, "source": { "type": "string" } },
+                "required": ["value"],
+            });
+            json!({ "anyOf": [value, noted] })
+        }
+        Kind::Texts => json!({ "type": "array", "items": { "type": "string" } }),
+        Kind::Choices(choices) => {
+            json!({ "type": "array", "items": { "type": "string", "enum": choices }, "uniqueItems": true })
+        }
+        Kind::Tables(keys) => json!({ "type": "array", "items": json_schema(keys) }),
         Kind::Table(keys) => json_schema(keys),
     };
     schema["description"] = json!(key.text);

@@ -3,6 +3,7 @@
 //! of print and layout are added later, elsewhere.
 
 use crate::record::Trace;
+use crate::scene::Given;
 use crate::symbol::Symbol;
 
 /// All that is known about a scene.
@@ -23,8 +24,13 @@ pub struct Sheet {
     pub published: Vec<Comparison>,
     /// Where they are printed.
     pub published_source: Option<String>,
-    /// Results of the whole range: level error, extremes, work.
+    /// Results of the whole range: level error, work.
     pub summary: Vec<Summary>,
+    /// Results with the position where each is greatest (or least) in the whole range.
+    pub governing: Vec<Summary>,
+    pub sensitivity: Sensitivity,
+    /// What the running model gives, in its order: the principal results.
+    pub outputs: Vec<&'static Symbol>,
     /// Ids of remarks on the publications, worded in the templates.
     pub remarks: Vec<&'static str>,
 }
@@ -33,8 +39,10 @@ pub struct Sheet {
 pub struct Input {
     pub symbol: &'static Symbol,
     pub value: f64,
-    /// Chapter of inputs: `geometry`, `load`, `weights`, `drive`, `range`.
+    /// Chapter of inputs: `geometry`, `load`, `weights`, `drive`, `motion`, `limits`.
     pub chapter: &'static str,
+    /// Where the scene gives it.
+    pub given: Option<Given>,
 }
 
 /// Formulas under one heading.
@@ -46,7 +54,8 @@ pub struct Section {
 
 /// A position of the mechanism with its formulas.
 pub struct Worked {
-    /// `from`, `middle`, `to`, ..., worded in the templates.
+    /// `governing`, `from`, `middle`, `to`, `chosen`, or the id of a governing
+    /// result; worded in the templates.
     pub id: &'static str,
     pub coordinate: &'static Symbol,
     pub value: f64,
@@ -58,6 +67,21 @@ pub struct Summary {
     pub symbol: &'static Symbol,
     pub value: f64,
     pub at: Option<(&'static Symbol, f64)>,
+}
+
+/// How results change with the given quantities.
+pub struct Sensitivity {
+    /// Each with its value.
+    pub results: Vec<(&'static Symbol, f64)>,
+    pub rows: Vec<Slope>,
+}
+
+/// Derivatives of the results by one given quantity, in SI.
+pub struct Slope {
+    pub symbol: &'static Symbol,
+    pub value: f64,
+    /// In the order of the results.
+    pub by: Vec<f64>,
 }
 
 pub struct Table {
@@ -86,6 +110,17 @@ pub struct Check {
 }
 
 impl Check {
+    /// Part of what is allowed that is used: value over limit where the value
+    /// must not be above it, limit over value where it must not be below.
+    #[must_use]
+    pub fn utilisation(&self) -> f64 {
+        if self.at_most {
+            self.value / self.limit
+        } else {
+            self.limit / self.value
+        }
+    }
+
     #[must_use]
     pub fn passed(&self) -> bool {
         if self.at_most {

@@ -348,7 +348,7 @@ fn boom_drive_against_rocker_drive() {
 fn work_is_load_times_rise() {
     let luffing = common::luffing();
     let g = common::geometry(Driven::Boom);
-    let range = Range::new(&g, &luffing.motion).expect("closes");
+    let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
     let integral = rise_by_integration(&g, &luffing.motion);
     println!("integral {integral} m, rise {} m", range.rise);
     assert!((integral - range.rise).abs() < 1e-13);

@@ -1,21 +1,24 @@
 //! The book as plain data: every string is ready to print, every word is an
 //! id that the templates turn into the words of a language.
 
-use std::collections::BTreeMap;
+mod steps;
+mod tables;
+
 use std::fmt;
 
-use lemnis_models::record::Trace;
-use lemnis_models::scene::Scene;
-use lemnis_models::sheet::{Comparison, Sheet};
+use lemnis_models::scene::{CHAPTERS, Scene, iso_date};
+use lemnis_models::sheet::Sheet;
 use lemnis_models::symbol::Symbol;
-use lemnis_typeset::Typeset;
+use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use crate::formula::{self, Layout, Printed, quantity};
+use crate::book::steps::{Notation, Position, Section};
+use crate::book::tables::{Chapter, Check, Published, Sensitivity, Summary, Table};
+use crate::formula::quantity;
 use crate::language::Language;
-use crate::number::{decimals, fixed};
-use crate::{plot, template};
+use crate::plot;
+use crate::template::Templates;
 
 /// Why there is no book: a template or its words are wrong.
 #[derive(Debug)]
@@ -29,35 +32,75 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// The Typst source of a scene's book, complete in itself.
-///
-/// # Errors
-/// A template with a mistake, or an id without words.
-pub fn source(scene: &Scene, sheet: &Sheet, language: &'static Language) -> Result<String, Error> {
-    template::render(&Book::new(scene, sheet, language), language)
+/// The file with the scene's hash. Headers read it while pages are laid out:
+/// within the source it would make every page new whenever the scene changes.
+const HASH: &str = "scene.sha256";
+
+/// How a book is made.
+#[derive(Clone, Copy)]
+pub struct Edition<'a> {
+    pub language: &'static Language,
+    /// One of [`lemnis_models::scene::LEVELS`].
+    pub level: &'a str,
+    pub templates: &'a Templates,
+    pub typesetter: &'a dyn Typesetter,
 }
 
-/// The book of a scene, with warnings about what could not be printed.
-///
-/// # Errors
-/// As [`source`], and whatever Typst objects to.
-pub fn pdf(scene: &Scene, sheet: &Sheet, language: &'static Language) -> Result<Typeset, Error> {
-    lemnis_typeset::pdf(&source(scene, sheet, language)?, &[])
-        .map_err(|error| Error(format!("the book's Typst source: {error}")))
+/// The Typst source of a book, and the files that it reads.
+pub struct Source {
+    pub main: String,
+    pub files: Vec<(String, Vec<u8>)>,
+}
+
+impl Edition<'_> {
+    /// The source of a scene's book.
+    ///
+    /// # Errors
+    /// A template with a mistake, or an id without words.
+    pub fn source(&self, scene: &Scene, sheet: &Sheet, format: Format) -> Result<Source, Error> {
+        let book = Book::new(scene, sheet, self, format);
+        let main = self.templates.render(&book, self.language)?;
+        let mut files = self.templates.files().to_vec();
+        files.push((HASH.to_owned(), book.hash.into_bytes()));
+        files.push((book.attachment, scene.text().into()));
+        Ok(Source { main, files })
+    }
+
+    /// The book of a scene.
+    ///
+    /// # Errors
+    /// As [`Edition::source`], and whatever Typst objects to.
+    pub fn typeset(&self, scene: &Scene, sheet: &Sheet, format: Format) -> Result<Typeset, Error> {
+        let Source { main, files } = self.source(scene, sheet, format)?;
+        let standard = scene.book.pdf_standard.as_deref();
+        self.typesetter
+            .typeset(&main, &files, format, standard)
+            .map_err(|error| Error(format!("the book's Typst source: {error}")))
+    }
 }
 
 /// Everything that is printed. Fields named `symbol`, `value`, `limit` and
-/// those of [`Step`] are in Typst's mathematics, others are text or ids.
+/// those of a step are in Typst's mathematics, others are text or ids.
 #[derive(Serialize)]
 pub(crate) struct Book<'a> {
     pub title: &'a str,
     name: &'a str,
     project: &'a [(&'static str, String)],
+    revisions: &'a [Vec<String>],
+    /// Year, month and day, where the date of the book is written so.
+    date: Option<(i32, u8, u8)>,
     hash: String,
+    /// Name of the scene inside the PDF.
+    attachment: String,
     version: &'static str,
+    level: &'a str,
+    html: bool,
+    /// Ids of the chapters in their order.
+    chapters: Vec<&'static str>,
     passed: bool,
     checks: Vec<Check>,
     summary: Vec<Summary>,
+    governing: Vec<Summary>,
     inputs: Vec<Chapter>,
     drawing: String,
     scale: u32,
@@ -65,9 +108,10 @@ pub(crate) struct Book<'a> {
     positions: Vec<Position>,
     range: Table,
     curves: Vec<Figure>,
+    sensitivity: Sensitivity,
     published: Option<Published>,
     remarks: &'a [&'static str],
-    notation: Vec<Quantity>,
+    notation: Vec<steps::Entry>,
     /// Keys of the publications that are cited.
     references: Vec<String>,
 }
@@ -93,282 +137,99 @@ impl From<&'static Symbol> for Quantity {
 }
 
 #[derive(Serialize)]
-struct Check {
-    id: &'static str,
-    symbol: &'static str,
-    value: String,
-    limit: String,
-    at_most: bool,
-    passed: bool,
-}
-
-#[derive(Serialize)]
-struct Summary {
-    #[serde(flatten)]
-    quantity: Quantity,
-    value: String,
-    at: Option<String>,
-}
-
-#[derive(Serialize)]
-struct Chapter {
-    id: &'static str,
-    inputs: Vec<Input>,
-}
-
-#[derive(Serialize)]
-struct Input {
-    #[serde(flatten)]
-    quantity: Quantity,
-    value: String,
-}
-
-#[derive(Serialize)]
-struct Section {
-    id: &'static str,
-    steps: Vec<Step>,
-}
-
-#[derive(Serialize)]
-struct Step {
-    #[serde(flatten)]
-    quantity: Quantity,
-    /// Whether the book meets the symbol for the first time.
-    first: bool,
-    formula: String,
-    numbers: Option<String>,
-    result: String,
-    layout: Layout,
-}
-
-#[derive(Serialize)]
-struct Position {
-    id: &'static str,
-    symbol: &'static str,
-    value: String,
-    sections: Vec<Section>,
-}
-
-#[derive(Serialize)]
-struct Table {
-    columns: Vec<Quantity>,
-    rows: Vec<Vec<String>>,
-}
-
-#[derive(Serialize)]
 struct Figure {
     id: &'static str,
     picture: String,
 }
 
-/// Published and computed values side by side.
-#[derive(Serialize)]
-struct Published {
-    source: String,
-    coordinate: Quantity,
-    columns: Vec<Quantity>,
-    rows: Vec<ComparedRow>,
-    count: usize,
-    /// Largest deviation of each column, in units of the last printed digit.
-    deviations: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct ComparedRow {
-    coordinate: String,
-    /// Printed, and computed with one digit more.
-    values: Vec<[String; 2]>,
+/// The chapters of a level; a chapter that has nothing to say is left out.
+fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
+    let of_level = |chapter: &&'static str| match level {
+        "summary" => ["results", "inputs", "sensitivity"].contains(chapter),
+        _ => true,
+    };
+    let chosen = match &scene.book.chapters {
+        Some(chosen) => chosen.clone(),
+        None => CHAPTERS.iter().copied().filter(of_level).collect(),
+    };
+    let has = |chapter: &&str| match *chapter {
+        "published" => !sheet.published.is_empty(),
+        "remarks" => !sheet.remarks.is_empty(),
+        _ => true,
+    };
+    chosen.into_iter().filter(has).collect()
 }
 
 impl<'a> Book<'a> {
-    pub(crate) fn new(scene: &'a Scene, sheet: &'a Sheet, language: &'static Language) -> Book<'a> {
-        let mut notation = Notation::default();
-        let mut inputs: Vec<Chapter> = Vec::new();
-        for input in &sheet.inputs {
-            notation.meet(input.symbol);
-            if inputs.last().is_none_or(|chapter| chapter.id != input.chapter) {
-                inputs.push(Chapter {
-                    id: input.chapter,
-                    inputs: Vec::new(),
-                });
+    fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Book<'a> {
+        let language = edition.language;
+        let chapters = chapters(scene, sheet, edition.level);
+        let mut notation = Notation::new(sheet, &chapters);
+        let full = edition.level == "full";
+        let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
+        // In the order of the chapters, so that a symbol is explained where it is met first.
+        for chapter in &chapters {
+            match *chapter {
+                "inputs" => inputs = tables::inputs(language, sheet, &mut notation),
+                "constants" => constants = steps::sections(language, &sheet.constants, None, &mut notation),
+                "positions" => {
+                    let outputs = (!full).then_some(sheet.outputs.as_slice());
+                    let position = |position: &lemnis_models::sheet::Worked| Position {
+                        id: position.id,
+                        symbol: position.coordinate.print,
+                        value: quantity(language, position.coordinate, position.value),
+                        sections: steps::sections(language, &position.sections, outputs, &mut notation),
+                    };
+                    positions = sheet.positions.iter().map(position).collect();
+                }
+                _ => {}
             }
-            let chapter = inputs.last_mut().expect("just pushed");
-            chapter.inputs.push(Input {
-                quantity: input.symbol.into(),
-                value: quantity(language, input.symbol, input.value),
-            });
         }
-        let mut section = |section: &lemnis_models::sheet::Section| Section {
-            id: section.id,
-            steps: steps(language, &section.trace, &mut notation),
-        };
-        let constants = sheet.constants.iter().map(&mut section).collect();
-        let positions = sheet.positions.iter().map(|position| Position {
-            id: position.id,
-            symbol: position.coordinate.print,
-            value: quantity(language, position.coordinate, position.value),
-            sections: position.sections.iter().map(&mut section).collect(),
-        });
-        let positions = positions.collect();
-        let others = sheet
-            .checks
-            .iter()
-            .map(|check| check.symbol)
-            .chain(sheet.summary.iter().map(|s| s.symbol));
-        for symbol in others.chain(sheet.range.columns.iter().copied()) {
+        let results = sheet.checks.iter().map(|check| check.symbol);
+        let results = results.chain(sheet.governing.iter().chain(&sheet.summary).map(|s| s.symbol));
+        for symbol in results.chain(sheet.range.columns.iter().copied()) {
             notation.meet(symbol);
         }
         let drawing = plot::drawing(&sheet.drawing);
-        let references = notation.references();
+        let figure = |c: &lemnis_models::sheet::Curve| Figure {
+            id: c.id,
+            picture: json(&plot::curve(language, c)),
+        };
+        let summary = |s: &lemnis_models::sheet::Summary| tables::summary(language, s);
+        let date = scene.project().iter().find(|(key, _)| *key == "date");
         Book {
             title: scene.title(),
             name: scene.name(),
             project: scene.project(),
+            revisions: scene.revisions(),
+            date: date.and_then(|(_, date)| iso_date(date)),
             hash: Sha256::digest(scene.text())
                 .iter()
                 .map(|byte| format!("{byte:02x}"))
                 .collect(),
+            attachment: format!("{}.toml", scene.name()),
             version: env!("CARGO_PKG_VERSION"),
+            level: edition.level,
+            html: format == Format::Html,
             passed: sheet.checks.iter().all(lemnis_models::sheet::Check::passed),
-            checks: sheet.checks.iter().map(|c| check(language, c)).collect(),
-            summary: sheet.summary.iter().map(|s| summary(language, s)).collect(),
+            checks: sheet.checks.iter().map(|c| tables::check(language, c)).collect(),
+            summary: sheet.summary.iter().map(summary).collect(),
+            governing: sheet.governing.iter().map(summary).collect(),
             inputs,
             scale: drawing.scale,
             drawing: json(&drawing),
             constants,
             positions,
-            range: table(language, &sheet.range),
-            curves: sheet
-                .curves
-                .iter()
-                .map(|c| Figure {
-                    id: c.id,
-                    picture: json(&plot::curve(language, c)),
-                })
-                .collect(),
-            published: published(language, sheet),
+            range: tables::table(language, &sheet.range),
+            curves: sheet.curves.iter().map(figure).collect(),
+            sensitivity: tables::sensitivity(language, &sheet.sensitivity),
+            published: tables::published(language, sheet),
             remarks: &sheet.remarks,
-            notation: notation.symbols.into_values().map(Quantity::from).collect(),
-            references,
+            references: notation.references(),
+            notation: notation.entries(),
+            chapters,
         }
     }
-}
-
-/// The symbols that the book uses, in the order of their ids.
-#[derive(Default)]
-struct Notation {
-    symbols: BTreeMap<String, &'static Symbol>,
-}
-
-impl Notation {
-    /// Whether the symbol is new; another way to one quantity has the same symbol.
-    fn meet(&mut self, symbol: &'static Symbol) -> bool {
-        let new = self.symbols.values().all(|known| known.print != symbol.print);
-        if new {
-            // Capitals and small letters of one kind side by side, then by id.
-            self.symbols
-                .insert(format!("{} {}", symbol.id.to_lowercase(), symbol.id), symbol);
-        }
-        new
-    }
-
-    fn references(&self) -> Vec<String> {
-        let key = |symbol: &&Symbol| Some(symbol.source.strip_prefix('[')?.split_once(',')?.0.to_owned());
-        let mut keys: Vec<String> = self.symbols.values().filter_map(key).collect();
-        keys.sort();
-        keys.dedup();
-        keys
-    }
-}
-
-fn steps(language: &Language, trace: &Trace, notation: &mut Notation) -> Vec<Step> {
-    let step = |step: &lemnis_models::record::Step| {
-        let Printed {
-            formula,
-            numbers,
-            result,
-            layout,
-        } = formula::step(language, trace, step);
-        Step {
-            quantity: step.symbol.into(),
-            first: notation.meet(step.symbol),
-            formula,
-            numbers,
-            result,
-            layout,
-        }
-    };
-    trace.steps.iter().map(step).collect()
-}
-
-fn check(language: &Language, check: &lemnis_models::sheet::Check) -> Check {
-    Check {
-        id: check.id,
-        symbol: check.symbol.print,
-        value: quantity(language, check.symbol, check.value),
-        limit: quantity(language, check.symbol, check.limit),
-        at_most: check.at_most,
-        passed: check.passed(),
-    }
-}
-
-fn summary(language: &Language, summary: &lemnis_models::sheet::Summary) -> Summary {
-    Summary {
-        quantity: summary.symbol.into(),
-        value: quantity(language, summary.symbol, summary.value),
-        at: summary
-            .at
-            .map(|(symbol, at)| format!("{} = {}", symbol.print, quantity(language, symbol, at))),
-    }
-}
-
-fn table(language: &Language, table: &lemnis_models::sheet::Table) -> Table {
-    let shown = |i: usize, row: &[f64]| table.columns[i].shown(row[i]);
-    let column = |i| table.rows.iter().map(|row| shown(i, row)).collect::<Vec<f64>>();
-    let decimals: Vec<usize> = (0..table.columns.len()).map(|i| decimals(&column(i))).collect();
-    let row = |row: &Vec<f64>| {
-        (0..row.len())
-            .map(|i| language.text(&fixed(shown(i, row), decimals[i])))
-            .collect()
-    };
-    Table {
-        columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
-        rows: table.rows.iter().map(row).collect(),
-    }
-}
-
-fn published(language: &Language, sheet: &Sheet) -> Option<Published> {
-    let coordinate = sheet.positions.first()?.coordinate;
-    let source = sheet.published_source.clone()?;
-    let rows: Vec<&[Comparison]> = sheet.published.chunk_by(|a, b| a.coordinate == b.coordinate).collect();
-    let columns: Vec<&'static Symbol> = rows.first()?.iter().map(|value| value.symbol).collect();
-    let after_point = |value: &Comparison| value.printed.split_once('.').map_or(0, |(_, digits)| digits.len());
-    let compared = |value: &Comparison| {
-        let computed = fixed(value.symbol.shown(value.value), after_point(value) + 1);
-        [value.printed.replace('-', "−"), computed].map(|number| language.text(&number))
-    };
-    // In units of the last printed digit.
-    let deviation = |value: &Comparison| {
-        let printed: f64 = value.printed.parse().expect("checked when the scene was read");
-        let unit = (0..after_point(value)).fold(1.0, |unit, _| unit / 10.0);
-        (value.symbol.shown(value.value) - printed).abs() / unit
-    };
-    let deviations = columns.iter().map(|&symbol| {
-        let column = sheet.published.iter().filter(|value| value.symbol == symbol);
-        language.text(&fixed(column.map(deviation).fold(0.0, f64::max), 2))
-    });
-    let row = |row: &&[Comparison]| ComparedRow {
-        coordinate: fixed(coordinate.shown(row[0].coordinate), 0),
-        values: row.iter().map(compared).collect(),
-    };
-    Some(Published {
-        source,
-        coordinate: coordinate.into(),
-        rows: rows.iter().map(row).collect(),
-        count: sheet.published.len(),
-        deviations: deviations.collect(),
-        columns: columns.into_iter().map(Quantity::from).collect(),
-    })
 }
 
 fn json(picture: &plot::Picture) -> String {

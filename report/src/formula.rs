@@ -8,6 +8,7 @@
 //! `arctan2(y, x)`, also as `arctan2 vec(y, x)`, and parentheses. A long sum is broken with `\ &more` before
 //! a sign.
 
+use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use lemnis_models::record::{Node, Op, Rec, Step, Trace};
@@ -98,6 +99,8 @@ struct Print<'a> {
     trace: &'a Trace,
     form: Form,
     language: &'a Language,
+    /// Typeset forms of the symbols that can be linked to where they are defined.
+    defined: &'a BTreeSet<&'static str>,
 }
 
 /// How a step is set.
@@ -122,14 +125,25 @@ pub struct Printed {
     pub layout: Layout,
 }
 
-/// A step of a recorded calculation.
+/// A step of a recorded calculation, with its numbers put in where `in_full`.
 #[must_use]
-pub fn step(language: &Language, trace: &Trace, step: &Step) -> Printed {
+pub fn step(
+    language: &Language,
+    defined: &BTreeSet<&'static str>,
+    trace: &Trace,
+    step: &Step,
+    in_full: bool,
+) -> Printed {
     let name = name_width(step.symbol.print) + 3.0;
     let result = numeric(quantity(language, step.symbol, step.value));
-    let forms = [Form::Symbols, Form::Numbers].map(|form| Print { trace, form, language });
+    let forms = [Form::Symbols, Form::Numbers].map(|form| Print {
+        trace,
+        form,
+        language,
+        defined,
+    });
     let [symbols, numbers] = forms.map(|print| term(print, false, step.formula).whole());
-    let repeats = numbers.text == result.text;
+    let repeats = !in_full || numbers.text == result.text;
     let line = name + symbols.width + result.width + 3.0 + if repeats { 0.0 } else { numbers.width + 3.0 };
     if line <= LINE - SOURCE {
         let numbers = (!repeats).then_some(numbers.text);
@@ -142,7 +156,7 @@ pub fn step(language: &Language, trace: &Trace, step: &Step) -> Printed {
     }
     let (formula, formula_width) = broken(forms[0], step.formula, LINE - SOURCE - name);
     let (numbers, numbers_width) = broken(forms[1], step.formula, LINE - name);
-    let fits = formula_width <= LINE - SOURCE - name && numbers_width <= LINE - name;
+    let fits = formula_width <= LINE - SOURCE - name && (repeats || numbers_width <= LINE - name);
     let layout = if fits { Layout::Lines } else { Layout::Small };
     Printed {
         formula,
@@ -206,6 +220,10 @@ fn term(print: Print, nested: bool, rec: Rec) -> Term {
     match print.trace.node(rec) {
         Node::Constant(value) => constant(print.language, value),
         Node::Name(symbol) => match print.form {
+            Form::Symbols if print.defined.contains(symbol.print) => {
+                let link = format!("go(\"{0}\", {0})", symbol.print);
+                Term::atom(link, name_width(symbol.print))
+            }
             Form::Symbols => Term::atom(symbol.print.to_owned(), name_width(symbol.print)),
             Form::Numbers => numeric(quantity(print.language, symbol, print.trace.value(rec))),
         },
@@ -363,6 +381,7 @@ mod tests {
         });
         let printed = step(
             &LANGUAGES[0],
+            &BTreeSet::new(),
             &trace,
             &Step {
                 symbol: &s::L,
@@ -370,6 +389,7 @@ mod tests {
                 value: trace.value(formula),
                 name: formula,
             },
+            true,
         );
         (printed.formula, printed.numbers.unwrap_or(printed.result))
     }

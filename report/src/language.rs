@@ -9,7 +9,7 @@ use lemnis_models::lemniscate::symbols;
 
 use crate::template::escape;
 
-const REFERENCES: &str = include_str!("../../templates/references.toml");
+pub(crate) const REFERENCES: &str = include_str!("../../templates/references.toml");
 
 /// A language that books can be written in.
 #[derive(Debug)]
@@ -17,7 +17,7 @@ pub struct Language {
     /// ISO 639-1, as in scenes and on the command line.
     pub code: &'static str,
     decimal: char,
-    words: &'static str,
+    pub(crate) words: &'static str,
 }
 
 /// Every language, the default first.
@@ -44,6 +44,11 @@ impl Language {
     #[must_use]
     pub fn find(code: &str) -> Option<&'static Language> {
         LANGUAGES.iter().find(|language| language.code == code)
+    }
+
+    /// Its words, by their path among the templates.
+    pub(crate) fn file(&self) -> String {
+        format!("words/{}.toml", self.code)
     }
 
     /// A number with a decimal point, as text of this language.
@@ -78,14 +83,32 @@ impl Words {
     /// The words of a language. English has the meanings of symbols from the
     /// tables of the models, and the publications from their list; the other
     /// languages translate both in groups of their own.
-    pub(crate) fn new(language: &Language) -> Result<Words, String> {
-        let mut words = parse(&format!("words/{}.toml", language.code), language.words)?;
+    /// Single words of the user's own take the place of these.
+    pub(crate) fn new(language: &Language, own: Option<&str>, own_references: Option<&str>) -> Result<Words, String> {
+        let mut words = parse(&language.file(), language.words)?;
         if language.code == LANGUAGES[0].code {
             let meanings = symbols::ALL
                 .iter()
                 .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
             words.insert("symbol".to_owned(), toml::Value::Table(meanings.collect()));
             words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?.into());
+        }
+        let mut replace = |group: String, own: toml::Table| {
+            if let Some(toml::Value::Table(group)) = words.get_mut(&group) {
+                group.extend(own);
+            }
+        };
+        if let Some(own) = own_references {
+            replace("reference".to_owned(), parse("references.toml", own)?);
+        }
+        for (group, own) in parse(&language.file(), own.unwrap_or_default())? {
+            let toml::Value::Table(own) = own else {
+                return Err(format!(
+                    "templates/{}: {group} is not a group of words",
+                    language.file()
+                ));
+            };
+            replace(group, own);
         }
         Ok(Words(words))
     }
@@ -115,7 +138,7 @@ mod tests {
     #[test]
     fn every_language_has_the_words_of_english_and_no_others() {
         let keys = |language| -> BTreeSet<String> {
-            let words = Words::new(language).expect("TOML");
+            let words = Words::new(language, None, None).expect("TOML");
             let group = |(group, table): (&String, &toml::Value)| {
                 let table = table.as_table().expect("groups only").clone();
                 let group = group.clone();

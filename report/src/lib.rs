@@ -18,4 +18,4 @@ pub mod language;
 pub mod number;
 pub mod plot;
 mod speech;
-mod template;
+pub mod template;

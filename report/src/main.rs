@@ -1,5 +1,6 @@
 //! `lemnis`: from one scene file to an FMU and a calculation book.
 
+mod books;
 mod failure;
 mod output;
 mod results;
@@ -9,14 +10,13 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use clap::builder::PossibleValuesParser;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
 use indicatif::ProgressBar;
-use lemnis::language::Language;
 use lemnis_fmu::description::Standard;
 use lemnis_fmu::package::{self, Library};
-use lemnis_models::scene::{self, DEFAULT, LANGUAGES, Scene};
+use lemnis_models::scene::{self, DEFAULT, Scene};
 
+use crate::books::{Books, Making};
 use crate::failure::Failure;
 use crate::output::Output;
 use crate::results::Results;
@@ -49,19 +49,16 @@ enum Command {
         #[command(flatten)]
         pack: Pack,
         #[command(flatten)]
-        tongue: Tongue,
+        making: Making,
     },
     /// Make the FMUs: NAME.fmu (FMI 3.0) and NAME.fmi2.fmu (FMI 2.0)
     Fmu(Pack),
-    /// Make the calculation book: NAME.pdf
-    Book {
-        #[command(flatten)]
-        make: Make,
-        #[command(flatten)]
-        tongue: Tongue,
-        /// What to write: the PDF, or the Typst source that it is made from
-        #[arg(long, value_enum, default_value_t = Format::Pdf)]
-        format: Format,
+    /// Make calculation books: NAME.pdf of every scene
+    Book(Books),
+    /// Work with the templates of books
+    Templates {
+        #[command(subcommand)]
+        command: TemplatesCommand,
     },
     /// Check a scene, say what would be built, print all results
     Check {
@@ -84,6 +81,15 @@ enum Command {
     Schema,
 }
 
+#[derive(Subcommand)]
+enum TemplatesCommand {
+    /// Write the built-in templates and words into a folder; keep what you change and use it with --templates
+    Export {
+        /// Folder to write to; none of the files may exist
+        dir: PathBuf,
+    },
+}
+
 #[derive(Args)]
 struct Make {
     /// Scene file [default: the embedded scene]
@@ -102,19 +108,6 @@ struct Pack {
     platforms: Option<PathBuf>,
 }
 
-#[derive(Args)]
-struct Tongue {
-    /// Language of the book [default: what the scene says, otherwise en]
-    #[arg(long, value_parser = PossibleValuesParser::new(LANGUAGES))]
-    language: Option<String>,
-}
-
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Format {
-    Pdf,
-    Typ,
-}
-
 fn main() -> ExitCode {
     match run(Cli::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
@@ -129,11 +122,11 @@ fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Build {
             pack: Pack { make, platforms },
-            tongue,
+            making,
         } => {
             let scene = scene_file::read(make.scene.as_deref())?;
             let results = Results::new(&scene)?;
-            let pdf = book(&scene, &results, &tongue, Format::Pdf)?;
+            let pdf = making.pdf(&scene, &results)?;
             let documentation = documentation(&scene, Some(&pdf))?;
             let mut outputs = fmus(&scene, platforms.as_deref(), &documentation)?;
             outputs.push(pdf);
@@ -145,11 +138,10 @@ fn run(command: Command) -> Result<(), Failure> {
             let documentation = documentation(&scene, None)?;
             write(&make.output, &fmus(&scene, platforms.as_deref(), &documentation)?)
         }
-        Command::Book { make, tongue, format } => {
-            let scene = scene_file::read(make.scene.as_deref())?;
-            let results = Results::new(&scene)?;
-            write(&make.output, &[book(&scene, &results, &tongue, format)?])
-        }
+        Command::Book(books) => books.run(),
+        Command::Templates { command } => match command {
+            TemplatesCommand::Export { dir } => books::export(&dir),
+        },
         Command::Check { scene, json, csv } => check(scene.as_deref(), json, csv),
         Command::New { file } => new(&file),
         Command::Schema => {
@@ -164,28 +156,6 @@ fn busy(message: String) -> ProgressBar {
     let spinner = ProgressBar::new_spinner().with_message(message);
     spinner.enable_steady_tick(Duration::from_millis(100));
     spinner
-}
-
-fn book(scene: &Scene, results: &Results, tongue: &Tongue, format: Format) -> Result<Output, Failure> {
-    let code = tongue.language.as_deref().unwrap_or(scene.language());
-    let language = Language::find(code).expect("the command line and the scene were checked");
-    let spinner = busy(format!("typesetting {}", scene.name()));
-    let made = match format {
-        Format::Pdf => lemnis::book::pdf(scene, &results.sheet, language).map(|made| (made.pdf, made.warnings)),
-        Format::Typ => {
-            lemnis::book::source(scene, &results.sheet, language).map(|source| (source.into_bytes(), Vec::new()))
-        }
-    };
-    spinner.finish_and_clear();
-    let suffix = if format == Format::Pdf { "pdf" } else { "typ" };
-    let (bytes, warnings) = made.map_err(|error| Failure::Program(error.to_string()))?;
-    for warning in warnings {
-        eprintln!("warning: {warning}");
-    }
-    Ok(Output {
-        name: format!("{}.{suffix}", scene.name()),
-        bytes,
-    })
 }
 
 /// What lies in an FMU's `documentation/`: its first page and, if there is one, the book.

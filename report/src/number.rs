@@ -63,6 +63,22 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
+/// A small change, as text with three significant digits; zero where it is
+/// nothing but rounding.
+#[must_use]
+pub fn significant(value: f64) -> String {
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    if value.abs() < 5e-8 {
+        return "0".to_owned();
+    }
+    let text = format!("{value:.2e}");
+    let (_, exponent) = text.split_once('e').expect("scientific notation has an exponent");
+    let exponent: i32 = exponent.parse().expect("an integer");
+    fixed(value, usize::try_from(2 - exponent).unwrap_or(0))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -86,6 +102,20 @@ mod tests {
             (f64::NEG_INFINITY, "-infinity"),
         ] {
             assert_eq!(number(value), text);
+        }
+    }
+
+    #[test]
+    fn a_small_change_has_three_digits() {
+        for (value, text) in [
+            (0.0012345, "0.00123"),
+            (-12.345, "−12.3"),
+            (98765.4, "98765"),
+            (9.996, "10.0"),
+            (1e-12, "0"),
+            (f64::NAN, "–"),
+        ] {
+            assert_eq!(significant(value), text);
         }
     }
 

@@ -9,7 +9,7 @@ use lemnis_models::symbol::Symbol;
 use serde::Serialize;
 
 use crate::language::Language;
-use crate::number::fixed;
+use crate::number::{fixed, significant};
 
 type Point = [f64; 2];
 
@@ -138,7 +138,10 @@ fn extent(shape: &Shape) -> Vec<Point> {
         Shape::Body { points, .. } | Shape::Path { points } => points.clone(),
         Shape::Pin { at, .. } | Shape::Label { at, .. } | Shape::Load { at, .. } | Shape::Angle { at, .. } => vec![*at],
         Shape::CentreLine { x, from, to } => vec![[*x, *from], [*x, *to]],
-        Shape::Distance { from, to, offset, .. } => [from, to].map(|p| [p[0], p[1] + offset]).to_vec(),
+        Shape::Distance { from, to, offset, .. } => {
+            let [x, y] = unit(*from, *to);
+            [from, to].map(|p| [p[0] - y * offset, p[1] + x * offset]).to_vec()
+        }
     }
 }
 
@@ -403,6 +406,41 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
     }
     picture.text([LEFT - 8.0, TOP - 3.6], "left", axis_name(curve.y));
     picture.text([right, bottom + 7.2], "right", axis_name(curve.x));
+    picture
+}
+
+/// Most bars of a ranking, and the height of each, in mm.
+const BARS: usize = 7;
+const BAR: f64 = 4.6;
+
+/// A ranking of quantities by the size of their effect: bars from the longest,
+/// dark where the effect is positive, light where it is negative.
+#[must_use]
+pub fn bars(language: &Language, mut effects: Vec<(&str, f64)>) -> Picture {
+    effects.retain(|(_, effect)| effect.is_finite() && effect.abs() > 5e-8);
+    effects.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+    effects.truncate(BARS);
+    let mut picture = Picture {
+        width: CHART[0],
+        height: BAR * effects.len() as f64 + 2.0,
+        ..Picture::default()
+    };
+    let longest = effects.first().map_or(1.0, |(_, effect)| effect.abs());
+    let room = CHART[0] - LEFT - 16.0;
+    for (i, (name, effect)) in effects.iter().enumerate() {
+        let top = 1.0 + BAR * i as f64;
+        let (middle, bottom) = (top + BAR / 2.0, top + BAR - 1.2);
+        let end = LEFT + room * effect.abs() / longest;
+        let style = if *effect > 0.0 { "more" } else { "less" };
+        picture.shape(style, &[[LEFT, top], [end, top], [end, bottom], [LEFT, bottom]], true);
+        picture.text([LEFT - 1.5, middle - 0.6], "right", *name);
+        picture.text(
+            [end + 1.5, middle - 0.6],
+            "left",
+            language.math(&significant(*effect).replace('−', "-")),
+        );
+    }
+    picture.line("thin", &[[LEFT, 0.0], [LEFT, picture.height]]);
     picture
 }
 

@@ -6,7 +6,7 @@ use lemnis_models::lemniscate::sheet::sheet;
 use lemnis_models::model::{Model, Role};
 use lemnis_models::scene::Scene;
 use lemnis_models::schema::short;
-use lemnis_models::sheet::Sheet;
+use lemnis_models::sheet::{Sheet, Summary};
 use lemnis_models::symbol::Symbol;
 use serde_json::{Map, Value, json};
 
@@ -48,6 +48,11 @@ impl Results {
         })
     }
 
+    /// The results of the whole range.
+    fn results(&self) -> impl Iterator<Item = &Summary> {
+        self.sheet.governing.iter().chain(&self.sheet.summary)
+    }
+
     /// The limits of the scene that are not kept, one line each.
     pub fn broken_limits(&self) -> Vec<String> {
         let failed = self.sheet.checks.iter().filter(|check| !check.passed());
@@ -67,7 +72,7 @@ impl Results {
     /// A few lines: what the crane does.
     pub fn summary(&self) -> String {
         let mut text = String::new();
-        for result in &self.sheet.summary {
+        for result in self.results() {
             let (symbol, unit) = (result.symbol, result.symbol.display.name);
             let at = result.at.map_or_else(String::new, |(coordinate, at)| {
                 format!(
@@ -147,9 +152,7 @@ impl Results {
     pub fn json(&self) -> String {
         let number = |value: f64| serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number);
         let summary: Map<String, Value> = self
-            .sheet
-            .summary
-            .iter()
+            .results()
             .map(|result| {
                 let at = result.at.map(|(coordinate, at)| json!({ coordinate.id: number(at) }));
                 let entry = json!({ "value": number(result.value), "unit": result.symbol.unit.name, "at": at });

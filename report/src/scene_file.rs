@@ -29,13 +29,29 @@ pub fn read(path: Option<&Path>) -> Result<Scene, Failure> {
             format!("{name} is longer than {LONGEST} bytes, the most that a scene may have: is it the right file?");
         return Err(Failure::Scene(text));
     }
+    parse(&name, bytes)
+}
+
+/// The scene inside a book.
+pub fn from_book(path: &Path) -> Result<Scene, Failure> {
+    let name = path.display().to_string();
+    let bytes = std::fs::read(path).map_err(|error| Failure::File(format!("cannot read the book {name}: {error}")))?;
+    let scene = lemnis_typeset::attached(bytes, ".toml").ok_or_else(|| {
+        Failure::File(format!(
+            "{name} has no scene inside: only PDFs that `lemnis book` made have one"
+        ))
+    })?;
+    parse(&format!("scene inside {name}"), scene)
+}
+
+fn parse(name: &str, bytes: Vec<u8>) -> Result<Scene, Failure> {
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
         Failure::Scene(format!(
             "{name} is not text in UTF-8: byte {at} is the first that is not; save it as UTF-8"
         ))
     })?;
-    Scene::parse(&text).map_err(|found| Failure::Scene(render(&name, &text, &found)))
+    Scene::parse(&text).map_err(|found| Failure::Scene(render(name, &text, &found)))
 }
 
 /// All mistakes with their lines, as a compiler shows them.

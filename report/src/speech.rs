@@ -123,6 +123,13 @@ fn term(node: &SyntaxNode, words: &Words) -> Result<String, String> {
         SyntaxKind::MathAttach => attached(node, words),
         SyntaxKind::MathCall => {
             let function = node.children().next().map(SyntaxNode::full_text).unwrap_or_default();
+            // A link says what it links from.
+            if function == "go" {
+                return parts(node).get(1).map_or(Ok(String::new()), |part| match part.kind() {
+                    SyntaxKind::Math => sequence(part, words),
+                    _ => term(part, words),
+                });
+            }
             if function == "overline" {
                 let name = node
                     .children()
@@ -264,7 +271,7 @@ mod tests {
 
     #[test]
     fn equations_are_spoken_as_one_reads_them() {
-        let words = Words::new(&LANGUAGES[0]).expect("TOML");
+        let words = Words::new(&LANGUAGES[0], None, None).expect("TOML");
         for (equation, spoken) in [
             ("M_Q &= Q Y'_A", "M Q equals Q times Y prime A"),
             (r#"160 thin"kN" dot 0.5 thin"m""#, "160 kN times 0.5 m"),
@@ -297,7 +304,7 @@ mod tests {
 
     #[test]
     fn the_rest_of_the_source_stays_as_it_is() {
-        let words = Words::new(&LANGUAGES[0]).expect("TOML");
+        let words = Words::new(&LANGUAGES[0], None, None).expect("TOML");
         let source = "= A $a$.\n#f(x: $b$, [c $d$]) // $e$\n`$f$`";
         let expected = "= A #say(\"a\")[$a$];.\n#f(x: say(\"b\")[$b$], [c #say(\"d\")[$d$];]) // $e$\n`$f$`";
         assert_eq!(accessible(source, &words).as_deref(), Ok(expected));

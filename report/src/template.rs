@@ -1,6 +1,13 @@
 //! Templates: words and layout of the book. Text is escaped so that Typst
 //! prints it and never runs it; what is Typst already is marked `safe`.
+//!
+//! A user's folder overrides any part: templates by their names, single words
+//! by `words/en.toml` and so on. A template that was overridden can still be
+//! included or extended as `lemnis/NAME`. All other files of the folder, such as
+//! a logo, can be read by the templates.
 
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use minijinja::syntax::SyntaxConfig;
@@ -11,20 +18,53 @@ use crate::book::{Book, Error};
 use crate::language::{LANGUAGES, Language, Words};
 use crate::speech;
 
-/// Every template by its name.
-const TEMPLATES: [(&str, &str); 9] = [
-    ("book.typ", include_str!("../../templates/book.typ")),
-    ("style.typ", include_str!("../../templates/style.typ")),
-    ("picture.typ", include_str!("../../templates/picture.typ")),
-    ("results.typ", include_str!("../../templates/results.typ")),
-    ("inputs.typ", include_str!("../../templates/inputs.typ")),
-    ("section.typ", include_str!("../../templates/section.typ")),
-    ("source.typ", include_str!("../../templates/source.typ")),
-    ("range.typ", include_str!("../../templates/range.typ")),
-    ("published.typ", include_str!("../../templates/published.typ")),
+macro_rules! embedded {
+    ($($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("../../templates/", $name)))),*]
+    };
+}
+
+/// Every template by its name; the whole book first.
+const TEMPLATES: &[(&str, &str)] = embedded![
+    "book.typ",
+    "style.typ",
+    "picture.typ",
+    "title.typ",
+    "section.typ",
+    "source.typ",
+    "results.typ",
+    "inputs.typ",
+    "conventions.typ",
+    "sensitivity.typ",
+    "constants.typ",
+    "positions.typ",
+    "range.typ",
+    "published.typ",
+    "remarks.typ",
+    "notation.typ",
+    "references.typ",
 ];
 
-static READY: [OnceLock<Result<Ready, String>>; LANGUAGES.len()] = [const { OnceLock::new() }; LANGUAGES.len()];
+const REFERENCES: &str = "references.toml";
+
+/// Everything that a user's folder can override, by its path in it.
+#[must_use]
+pub fn originals() -> Vec<(String, &'static str)> {
+    let templates = TEMPLATES.iter().map(|&(name, text)| (name.to_owned(), text));
+    let words = LANGUAGES.iter().map(|language| (language.file(), language.words));
+    let references = std::iter::once((REFERENCES.to_owned(), crate::language::REFERENCES));
+    templates.chain(words).chain(references).collect()
+}
+
+/// The templates of books, ready to be filled in.
+pub struct Templates {
+    /// Where the user's own are.
+    folder: Option<PathBuf>,
+    own: BTreeMap<String, String>,
+    /// What the templates can read beside the words.
+    files: Vec<(String, Vec<u8>)>,
+    ready: [OnceLock<Result<Ready, String>>; LANGUAGES.len()],
+}
 
 /// The templates with the words of one language.
 struct Ready {
@@ -32,25 +72,106 @@ struct Ready {
     words: Words,
 }
 
-/// The book's Typst source.
-pub(crate) fn render(book: &Book, language: &Language) -> Result<String, Error> {
-    let place = LANGUAGES.iter().position(|known| known.code == language.code);
-    let ready = READY[place.expect("a language of the table")].get_or_init(|| {
-        let words = Words::new(language)?;
-        let environment = environment(&TEMPLATES, words.clone())?;
+impl Templates {
+    /// Those that travel with the program.
+    #[must_use]
+    pub fn embedded() -> Templates {
+        Templates {
+            folder: None,
+            own: BTreeMap::new(),
+            files: Vec::new(),
+            ready: [const { OnceLock::new() }; LANGUAGES.len()],
+        }
+    }
+
+    /// Those of a user's folder over the embedded ones.
+    ///
+    /// # Errors
+    /// A folder or a file that cannot be read, in words.
+    pub fn with_folder(folder: &Path) -> Result<Templates, String> {
+        let mut templates = Templates {
+            folder: Some(folder.to_owned()),
+            ..Templates::embedded()
+        };
+        templates.read(folder, "")?;
+        Ok(templates)
+    }
+
+    fn read(&mut self, folder: &Path, path: &str) -> Result<(), String> {
+        let unreadable = |error| format!("cannot read the templates in {}: {error}", folder.display());
+        for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+            let entry = entry.map_err(unreadable)?;
+            let name = format!("{path}{}", entry.file_name().to_string_lossy());
+            if entry.file_type().map_err(unreadable)?.is_dir() {
+                self.read(&entry.path(), &format!("{name}/"))?;
+                continue;
+            }
+            let bytes = std::fs::read(entry.path()).map_err(unreadable)?;
+            let text = name.ends_with(".typ") || name.ends_with(".toml");
+            match String::from_utf8(bytes) {
+                Ok(content) if text => {
+                    self.own.insert(name, content);
+                }
+                Ok(content) => self.files.push((name, content.into_bytes())),
+                Err(error) if !text => self.files.push((name, error.into_bytes())),
+                Err(_) => return Err(format!("{} is not text in UTF-8", entry.path().display())),
+            }
+        }
+        self.files.sort();
+        Ok(())
+    }
+
+    /// Files beside the templates, for them to read.
+    #[must_use]
+    pub fn files(&self) -> &[(String, Vec<u8>)] {
+        &self.files
+    }
+
+    /// The book's Typst source.
+    pub(crate) fn render(&self, book: &Book, language: &Language) -> Result<String, Error> {
+        let place = LANGUAGES.iter().position(|known| known.code == language.code);
+        let ready = self.ready[place.expect("a language of the table")].get_or_init(|| self.prepare(language));
+        let Ready { environment, words } = ready.as_ref().map_err(|error| Error(error.clone()))?;
+        let render = |context: Value| environment.get_template(TEMPLATES[0].0)?.render(context);
+        let source = render(context! { book => Serde(book) })
+            .map_err(|error| Error(describe(self.folder.as_deref(), &error)))?;
+        speech::accessible(&source, words).map_err(Error)
+    }
+
+    fn prepare(&self, language: &Language) -> Result<Ready, String> {
+        let own = |name: &str| self.own.get(name).map(String::as_str);
+        let words = Words::new(language, own(&language.file()), own(REFERENCES)).map_err(|error| self.place(&error))?;
+        let mut environment = environment(words.clone());
+        let folder = self.folder.as_deref();
+        for (name, source) in TEMPLATES {
+            let original = format!("lemnis/{name}");
+            environment
+                .add_template_owned(original, *source)
+                .map_err(|error| describe(folder, &error))?;
+            let source = own(name).unwrap_or(source).to_owned();
+            environment
+                .add_template_owned(*name, source)
+                .map_err(|error| describe(folder, &error))?;
+        }
+        let others = self.own.iter().filter(|(name, _)| name.ends_with(".typ"));
+        for (name, source) in others.filter(|(name, _)| TEMPLATES.iter().all(|(known, _)| known != name)) {
+            environment
+                .add_template_owned(name.clone(), source.clone())
+                .map_err(|error| describe(folder, &error))?;
+        }
         Ok(Ready { environment, words })
-    });
-    let Ready { environment, words } = ready.as_ref().map_err(|error| Error(error.clone()))?;
-    let template = environment
-        .get_template(TEMPLATES[0].0)
-        .map_err(|error| Error(describe(&error)))?;
-    let source = template
-        .render(context! { book => Serde(book) })
-        .map_err(|error| Error(describe(&error)))?;
-    speech::accessible(&source, words).map_err(Error)
+    }
+
+    /// With the user's folder, if there is one, before the name of a file.
+    fn place(&self, error: &str) -> String {
+        match &self.folder {
+            Some(folder) => error.replacen("templates/", &format!("{}/", folder.display()), 1),
+            None => error.to_owned(),
+        }
+    }
 }
 
-fn environment(templates: &[(&'static str, &'static str)], words: Words) -> Result<Environment<'static>, String> {
+fn environment(words: Words) -> Environment<'static> {
     let syntax = SyntaxConfig::builder()
         .block_delimiters("<%", "%>")
         .comment_delimiters("<#", "#>")
@@ -87,18 +208,23 @@ fn environment(templates: &[(&'static str, &'static str)], words: Words) -> Resu
                 Ok::<_, minijinja::Error>(source.replace(place, word))
             })
     });
-    for (name, source) in templates {
-        environment
-            .add_template(name, source)
-            .map_err(|error| describe(&error))?;
-    }
-    Ok(environment)
+    environment
 }
 
-/// Template, line, and what is wrong with which variable.
-fn describe(error: &minijinja::Error) -> String {
+/// Template, line, and what is wrong with which variable. Templates of the user
+/// are named with their folder.
+fn describe(folder: Option<&Path>, error: &minijinja::Error) -> String {
+    // An included template's own error is the source of the including one's.
+    let inner = std::error::Error::source(error).and_then(|source| source.downcast_ref::<minijinja::Error>());
+    if let Some(inner) = inner {
+        return describe(folder, inner);
+    }
     let place = match (error.name(), error.line()) {
-        (Some(name), Some(line)) => format!("templates/{name}:{line}: "),
+        (Some(name), Some(line)) => {
+            let own = folder.map(|folder| folder.join(name)).filter(|path| path.exists());
+            let name = own.map_or_else(|| format!("templates/{name}"), |path| path.display().to_string());
+            format!("{name}:{line}: ")
+        }
         _ => String::new(),
     };
     let detail = error.detail().map_or_else(|| error.kind().to_string(), str::to_owned);
@@ -123,6 +249,8 @@ pub(crate) fn escape(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use lemnis_typeset::{Embedded, Format, Typesetter};
+
     use super::*;
 
     #[test]
@@ -137,7 +265,8 @@ mod tests {
             format!("#let t = [{escaped}]\n#t"),
         ] {
             let source = format!("#set document(title: \"T\")\n{source}");
-            assert!(lemnis_typeset::pdf(&source, &[]).unwrap().warnings.is_empty());
+            let made = Embedded.typeset(&source, &[], Format::Pdf, None).unwrap();
+            assert!(made.warnings.is_empty());
         }
     }
 
@@ -152,12 +281,12 @@ mod tests {
             ("\n<% for %>", "templates/book.typ:2: "),
         ];
         for (source, message) in cases {
-            let rendered = environment(&[("book.typ", source)], Words::of("[section]\n")).and_then(|environment| {
-                let template = environment.get_template("book.typ").map_err(|error| describe(&error))?;
-                template
-                    .render(context! { book => context! {} })
-                    .map_err(|error| describe(&error))
+            let mut environment = environment(Words::of("[section]\n"));
+            let rendered = environment.add_template("book.typ", source).and_then(|()| {
+                let template = environment.get_template("book.typ")?;
+                template.render(context! { book => context! {} })
             });
+            let rendered = rendered.map_err(|error| describe(None, &error));
             let error = rendered.unwrap_err();
             assert!(error.starts_with(message), "{error}");
         }

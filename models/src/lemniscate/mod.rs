@@ -26,11 +26,14 @@
 //! | `lemniscate.pin_forces` | [`statics::PinForces::new`] | equilibrium |
 //! | `lemniscate.drive` | [`drive::Drive::new`] | derived |
 //! | `lemniscate.dynamics` | [`dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
+//! | `lemniscate.governing` | [`range::greatest`], [`governing::governing`] | derived |
+//! | `lemniscate.sensitivity` | [`governing::sensitivity`] | derived |
 //! | `lemniscate.published` | [`published::Published::new`] | Li2022, eq. 1, 4-7 |
 
 pub mod drive;
 pub mod dynamics;
 pub mod geometry;
+pub mod governing;
 pub mod model;
 pub mod outputs;
 pub mod position;

@@ -285,7 +285,7 @@ impl<C: Calc> Evaluation<C> {
             let motion = self.motion;
             let parameters = self.parameters.map(|_, value| value.value());
             self.geometry()?;
-            let found = Geometry::new(&parameters).ok().and_then(|g| Range::new(&g, &motion));
+            let found = Range::new(&parameters, &motion);
             self.range = Some(match found {
                 Some(range) => range,
                 None => return Err(not_over_the_range(self.geometry()?, &motion)),

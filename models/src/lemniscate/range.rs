@@ -3,8 +3,10 @@
 use std::num::NonZeroUsize;
 
 use gauss_quad::GaussLegendre;
+use num_dual::Dual64;
 
-use crate::lemniscate::geometry::Geometry;
+use crate::calc::Calc;
+use crate::lemniscate::geometry::{Geometry, Parameters};
 use crate::lemniscate::position::Position;
 use crate::lemniscate::scene::Motion;
 use crate::lemniscate::velocity::Velocity;
@@ -31,29 +33,26 @@ pub struct Range {
     pub rise: f64,
 }
 
-/// Points at which a quantity is looked at before its extreme is refined.
+/// Points at which a quantity is looked at before its extremes are refined.
 const GRID: u32 = 96;
 
 impl Range {
     /// `None` where the linkage does not close over the whole range.
     #[must_use]
-    pub fn new(g: &Geometry<f64>, motion: &Motion) -> Option<Range> {
-        let at = |theta: f64| Position::new(g, theta);
-        let all = |pick: fn(&Position<f64>) -> f64| greatest(motion, |theta| at(theta).map(|p| pick(&p)));
-        let minus = |e: Extreme| Extreme { value: -e.value, ..e };
-        let slope = |theta: f64| at(theta).map(|p| Velocity::new(&p).da.y);
-        let dy_max = greatest(motion, |theta| slope(theta).map(f64::abs))?;
+    pub fn new(parameters: &Parameters<f64>, motion: &Motion) -> Option<Range> {
+        let g = Geometry::new(&parameters.map(|_, value| Dual64::from_re(value))).ok()?;
+        let at = |theta: Dual64| Position::new(&g, theta);
+        let all = |pick: fn(&Position<Dual64>) -> Dual64| greatest(motion, |theta| at(theta).map(|p| pick(&p)));
+        let slope = |theta: Dual64| at(theta).map(|p| Velocity::new(&p).da.y);
+        let height = |theta: f64| at(Dual64::from_re(theta)).map(|p| p.a.y.re);
         Some(Range {
             r_max: all(|p| p.r)?,
-            r_min: minus(all(|p| -p.r)?),
+            r_min: all(|p| -p.r)?.turned(),
             y_max: all(|p| p.a.y)?,
-            y_min: minus(all(|p| -p.a.y)?),
-            mu_min: minus(all(|p| -p.mu())?),
-            dy_max: Extreme {
-                value: slope(dy_max.at)?,
-                ..dy_max
-            },
-            rise: at(motion.to)?.a.y - at(motion.from)?.a.y,
+            y_min: all(|p| -p.a.y)?.turned(),
+            mu_min: all(|p| -p.mu())?.turned(),
+            dy_max: greatest_amount(motion, slope)?,
+            rise: height(motion.to)? - height(motion.from)?,
         })
     }
 
@@ -70,42 +69,70 @@ impl Range {
     }
 }
 
-/// The greatest value: on a grid, then by golden section around the best point.
-fn greatest(motion: &Motion, f: impl Fn(f64) -> Option<f64>) -> Option<Extreme> {
-    let width = (motion.to - motion.from) / f64::from(GRID);
+impl Extreme {
+    /// The least value, found as the greatest of its negative.
+    fn turned(self) -> Extreme {
+        Extreme {
+            value: -self.value,
+            ..self
+        }
+    }
+}
+
+/// The greatest value of `f` in the working range. Every peak of a grid is
+/// refined to where the derivative, exact from dual numbers, changes its sign:
+/// to the last bit, which values alone do not give where a peak is flat. A peak
+/// narrower than a hundredth of the range can be missed.
+pub fn greatest(motion: &Motion, f: impl Fn(Dual64) -> Option<Dual64>) -> Option<Extreme> {
+    let angle = |i: u32| match i {
+        GRID => motion.to,
+        _ => motion.from + f64::from(i) * ((motion.to - motion.from) / f64::from(GRID)),
+    };
+    let at = |theta: f64| f(Dual64::new(theta, 1.0));
+    let mut values = [0.0; GRID as usize + 1];
+    for (i, value) in (0..=GRID).zip(&mut values) {
+        *value = at(angle(i))?.re;
+    }
+    let value = |i: u32| values[i as usize];
     let mut best = Extreme {
-        value: f(motion.from)?,
+        value: value(0),
         at: motion.from,
     };
-    for i in 1..=GRID {
-        let at = if i == GRID {
-            motion.to
-        } else {
-            motion.from + f64::from(i) * width
-        };
-        let value = f(at)?;
-        if value > best.value {
-            best = Extreme { value, at };
+    for i in 0..=GRID {
+        let (before, after) = (i.saturating_sub(1), (i + 1).min(GRID));
+        if value(i) < value(before) || value(i) < value(after) {
+            continue;
         }
-    }
-    let (mut low, mut high) = ((best.at - width).max(motion.from), (best.at + width).min(motion.to));
-    // Each step keeps 0.618 of the interval: 40 steps reach the square root of
-    // the working precision, where a maximum is flat.
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    for _ in 0..40 {
-        let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-        let (at_left, at_right) = (f(left)?, f(right)?);
-        let (at, value) = if at_left > at_right {
-            (left, at_left)
-        } else {
-            (right, at_right)
-        };
-        if value > best.value {
-            best = Extreme { value, at };
+        let (from, to) = (angle(before), angle(after));
+        let (mut low, mut high) = (from, to);
+        loop {
+            let middle = f64::midpoint(low, high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            let rises = at(middle)?.eps > 0.0;
+            if rises { low = middle } else { high = middle }
         }
-        if at_left > at_right { high = right } else { low = left }
+        // Without a change of sign the end itself is greatest.
+        let refined = if high == to { high } else { low };
+        let refined = if low == from { from } else { refined };
+        for at_this in [angle(i), refined] {
+            let value = at(at_this)?.re;
+            if value > best.value {
+                best = Extreme { value, at: at_this };
+            }
+        }
     }
     Some(best)
+}
+
+/// The value of `f` that is greatest by amount, with its sign.
+pub fn greatest_amount(motion: &Motion, f: impl Fn(Dual64) -> Option<Dual64>) -> Option<Extreme> {
+    let extreme = greatest(motion, |theta| f(theta).map(Calc::abs))?;
+    Some(Extreme {
+        value: f(Dual64::from_re(extreme.at))?.re,
+        ..extreme
+    })
 }
 
 /// Rise of A over the range as the integral of its slope, in m: the work of the

@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::four_bar::{Arc, Branch};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
+use crate::lemniscate::governing::{coordinate, governed};
 use crate::lemniscate::symbols as s;
 use crate::schema::{Key, Kind, Sign, Values};
 use crate::symbol::Symbol;
@@ -44,7 +45,14 @@ pub static KEYS: &[Key] = &[
         "Published values to stand beside the computed ones.",
     )
     .optional(),
+    SOURCE,
 ];
+
+/// Where the quantities of a table come from that do not say it themselves.
+const SOURCE: Key = Key::text(
+    "source",
+    "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+);
 
 static MOTION: &[Key] = &[
     Key {
@@ -71,6 +79,7 @@ static MOTION: &[Key] = &[
         required: true,
         text: "Angular velocity of the driven bar.",
     },
+    SOURCE,
 ];
 
 static WEIGHTS: &[Key] = &[
@@ -83,6 +92,7 @@ static WEIGHTS: &[Key] = &[
     Key::quantity(&s::G_3, Sign::NotNegative),
     Key::quantity(&s::S_3, Sign::NotNegative),
     Key::quantity(&s::CHI_3, Sign::Any),
+    SOURCE,
 ];
 
 static DRIVE: &[Key] = &[
@@ -98,11 +108,13 @@ static DRIVE: &[Key] = &[
     Key::quantity(&s::CHI_D, Sign::Any),
     Key::quantity(&s::D_C, Sign::Positive).optional(),
     Key::quantity(&s::D_R, Sign::NotNegative).optional(),
+    SOURCE,
 ];
 
 static LIMITS: &[Key] = &[
     Key::quantity(&s::MU_MIN, Sign::NotNegative).optional(),
     Key::quantity(&s::EPSILON_Y, Sign::Positive).optional(),
+    SOURCE,
 ];
 
 static PUBLISHED: &[Key] = &[
@@ -157,6 +169,15 @@ impl Motion {
     }
 }
 
+/// A position at which formulas are worked out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// `from`, `middle`, `to`, `governing`, or the id of a governing result.
+    Named(&'static str),
+    /// Angle of the driven bar, in rad.
+    Angle(f64),
+}
+
 /// Limits that the book checks.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
@@ -176,6 +197,30 @@ pub struct Published {
 const MOST_ROWS: f64 = 10_000.0;
 
 impl Luffing {
+    /// A position as a scene writes it, for the book; on failure a message and help.
+    pub fn place(&self, text: &str) -> Result<Place, (String, String)> {
+        let named = ["governing", "from", "middle", "to"].into_iter();
+        let named: Vec<&'static str> = named.chain(governed(self)).collect();
+        if let Some(name) = named.iter().find(|name| **name == text) {
+            return Ok(Place::Named(name));
+        }
+        let theta = coordinate(self.parameters.driven);
+        let help = format!(
+            "an angle of the working range such as \"{}\", or one of {}",
+            degrees(f64::midpoint(self.motion.from, self.motion.to)),
+            named.join(", ")
+        );
+        let angle = crate::schema::quantity(text, theta, Sign::Any)
+            .map_err(|_| (format!("\"{text}\" is no position of this scene"), help.clone()))?;
+        // A rounding of degrees is not a position outside.
+        let within = angle.clamp(self.motion.from, self.motion.to);
+        if (angle - within).abs() > 1e-12 {
+            let (from, to) = (degrees(self.motion.from), degrees(self.motion.to));
+            return Err((format!("{text} lies outside the working range {from} to {to}"), help));
+        }
+        Ok(Place::Angle(within))
+    }
+
     /// Builds the mechanism of a checked table; mistakes go to `found`.
     pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Luffing> {
         let before = found.len();

@@ -3,14 +3,15 @@
 use crate::calc::Calc;
 use crate::lemniscate::drive::{Drive, oil_flow};
 use crate::lemniscate::geometry::{Driven, Geometry, Jib, Parameters};
+use crate::lemniscate::governing::{coordinate, governing, rate, sensitivity};
 use crate::lemniscate::position::Position;
 use crate::lemniscate::published::Published;
-use crate::lemniscate::range::{Extreme, Range, rise_by_integration};
-use crate::lemniscate::scene::{Luffing, Motion};
+use crate::lemniscate::range::{Range, rise_by_integration};
+use crate::lemniscate::scene::{Luffing, Motion, Place};
 use crate::lemniscate::statics::{Centres, PinForces, load_moment, weight_moment};
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::velocity::{Pole, Velocity};
-use crate::model::Model;
+use crate::model::{Model, Role};
 use crate::plane::{self, Point};
 use crate::record::{Rec, record};
 use crate::scene::Scene;
@@ -26,78 +27,103 @@ pub fn sheet(scene: &Scene) -> Sheet {
     let mut model = Model::new(scene).expect("a scene that was read has a mechanism");
     let luffing = &scene.luffing;
     let geometry = Geometry::new(&luffing.parameters).expect("checked when the scene was read");
-    let range = Range::new(&geometry, &luffing.motion).expect("checked when the scene was read");
-    let coordinate = coordinate(luffing);
+    let range = Range::new(&luffing.parameters, &luffing.motion).expect("checked when the scene was read");
+    let coordinate = coordinate(luffing.parameters.driven);
     let motion = luffing.motion;
     let middle = f64::midpoint(motion.from, motion.to);
-    // The formulas are written out where the load's moment is greatest.
-    let governing = if luffing.q.is_some() {
-        ("governing", range.dy_max.at)
-    } else {
-        ("middle", middle)
-    };
+    let governing = governing(luffing, &range);
+    let positions = positions(scene, &governing);
     Sheet {
-        inputs: inputs(luffing),
+        inputs: inputs(scene),
         constants: constants(luffing),
-        positions: vec![worked(luffing, governing.0, coordinate, governing.1)],
+        positions: positions
+            .into_iter()
+            .map(|(id, theta)| worked(luffing, id, coordinate, theta))
+            .collect(),
         range: table(&mut model, coordinate, &motion),
         curves: curves(&mut model, luffing, coordinate),
         drawing: drawing(&geometry, luffing, middle),
         checks: checks(&mut model, luffing, &geometry, &range),
         published: published(&mut model, luffing, coordinate),
         published_source: luffing.published.as_ref().map(|p| p.source.clone()),
-        summary: summary(luffing, &geometry, &range, coordinate),
+        summary: summary(luffing, &geometry, &range),
+        sensitivity: sensitivity(luffing, &range, &governing),
+        governing,
+        outputs: outputs(&model),
         remarks: remarks(luffing),
     }
 }
 
-fn coordinate(luffing: &Luffing) -> &'static Symbol {
-    match luffing.parameters.driven {
-        Driven::Boom => &s::THETA_1,
-        Driven::Rocker => &s::THETA_3,
+/// Positions at which the formulas are worked out, with their names: what the
+/// scene asks for, otherwise where the luffing moment of the load is greatest.
+fn positions(scene: &Scene, governing: &[Summary]) -> Vec<(&'static str, f64)> {
+    let motion = &scene.luffing.motion;
+    let middle = ("middle", f64::midpoint(motion.from, motion.to));
+    let greatest = |id: &str| governing.iter().find(|g| g.symbol.id == id).and_then(|g| g.at);
+    let worst = greatest(s::M_Q_MAX.id).map_or(middle, |(_, theta)| ("governing", theta));
+    let position = |place: &Place| match *place {
+        Place::Angle(theta) => ("chosen", theta),
+        Place::Named("governing") => worst,
+        Place::Named("middle") => middle,
+        Place::Named("from") => ("from", motion.from),
+        Place::Named("to") => ("to", motion.to),
+        Place::Named(id) => (id, greatest(id).expect("checked when the scene was read").1),
+    };
+    match scene.book.positions.as_slice() {
+        [] => vec![worst],
+        places => places.iter().map(position).collect(),
     }
 }
 
-fn rate(luffing: &Luffing) -> &'static Symbol {
-    match luffing.parameters.driven {
-        Driven::Boom => &s::OMEGA_1,
-        Driven::Rocker => &s::OMEGA_3,
-    }
+fn outputs(model: &Model) -> Vec<&'static Symbol> {
+    let variables = model.variables().iter();
+    variables
+        .filter(|variable| variable.role == Role::Output)
+        .map(|variable| variable.symbol)
+        .collect()
 }
 
-fn inputs(luffing: &Luffing) -> Vec<Input> {
+fn inputs(scene: &Scene) -> Vec<Input> {
+    let luffing = &scene.luffing;
     let mut inputs = Vec::new();
-    let mut chapter = "geometry";
+    let mut add = |chapter: &'static str, table: &str, name: &str, symbol: &'static Symbol, value: f64| {
+        inputs.push(Input {
+            symbol,
+            value,
+            chapter,
+            given: scene.given(&format!("luffing.{table}{name}")).cloned(),
+        });
+    };
+    let mut place = ("geometry", "");
     luffing.parameters.map(|symbol, value| {
         if symbol == &s::G_1 {
-            chapter = "weights";
+            place = ("weights", "weights.");
         } else if symbol == &s::E_X {
-            chapter = "drive";
+            place = ("drive", "drive.");
         }
-        inputs.push(Input { symbol, value, chapter });
+        add(place.0, place.1, symbol.id, symbol, value);
     });
     if let Some(q) = luffing.q {
-        inputs.push(Input {
-            symbol: &s::Q,
-            value: q,
-            chapter: "load",
-        });
+        add("load", "", s::Q.id, &s::Q, q);
     }
-    inputs.push(Input {
-        symbol: rate(luffing),
-        value: luffing.motion.speed,
-        chapter: "motion",
-    });
+    let motion = &luffing.motion;
+    add("motion", "motion.", "from", &s::FROM, motion.from);
+    add("motion", "motion.", "to", &s::TO, motion.to);
+    add(
+        "motion",
+        "motion.",
+        "speed",
+        rate(luffing.parameters.driven),
+        motion.speed,
+    );
     let limits = [
         (&s::MU_MIN, luffing.limits.mu_min),
         (&s::EPSILON_Y, luffing.limits.epsilon_y),
     ];
     for (symbol, limit) in limits {
-        inputs.extend(limit.map(|value| Input {
-            symbol,
-            value,
-            chapter: "limits",
-        }));
+        if let Some(value) = limit {
+            add("limits", "limits.", symbol.id, symbol, value);
+        }
     }
     inputs
 }
@@ -160,8 +186,8 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     let Ok(g) = Geometry::new(&parameters) else {
         return false;
     };
-    let theta = Rec::given(coordinate(luffing), theta);
-    let omega = Rec::given(rate(luffing), luffing.motion.speed);
+    let theta = Rec::given(coordinate(luffing.parameters.driven), theta);
+    let omega = Rec::given(rate(luffing.parameters.driven), luffing.motion.speed);
     if stage == 0 {
         return false;
     }
@@ -426,32 +452,17 @@ fn published(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) 
     list
 }
 
-fn summary(luffing: &Luffing, g: &Geometry<f64>, range: &Range, coordinate: &'static Symbol) -> Vec<Summary> {
-    let at = |symbol, extreme: Extreme| Summary {
-        symbol,
-        value: extreme.value,
-        at: Some((coordinate, extreme.at)),
-    };
+fn summary(luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Summary> {
     let alone = |symbol, value| Summary {
         symbol,
         value,
         at: None,
     };
     let mut list = vec![
-        at(&s::R_MAX, range.r_max),
-        at(&s::R_MIN, range.r_min),
         alone(&s::DELTA_Y, range.delta_y()),
         alone(&s::EPSILON_Y, range.epsilon_y()),
-        at(&s::MU_MIN, range.mu_min),
     ];
     if let Some(q) = luffing.q {
-        list.push(at(
-            &s::M_Q_MAX,
-            Extreme {
-                value: q * range.dy_max.value,
-                ..range.dy_max
-            },
-        ));
         list.push(alone(&s::W_Q, q * rise_by_integration(g, &luffing.motion)));
         list.push(alone(&s::W_Y, q * range.rise));
     }
@@ -482,6 +493,12 @@ fn drawing(g: &Geometry<f64>, luffing: &Luffing, middle: f64) -> Drawing {
         .map(|p| point(p.a))
         .collect();
     shapes.push(Shape::Path { points: path });
+    let distance = |from, to, offset, symbol: &'static Symbol| Shape::Distance {
+        from,
+        to,
+        offset,
+        text: symbol.print,
+    };
     let o1 = [0.0, 0.0];
     let o3 = point(g.lengths.o3());
     for (theta, faint) in [(motion.from, true), (motion.to, true), (middle, false)] {
@@ -560,12 +577,11 @@ fn drawing(g: &Geometry<f64>, luffing: &Luffing, middle: f64) -> Drawing {
                     to: Calc::direction(p.x_3.x, p.x_3.y),
                     text: s::THETA_3.print,
                 },
-                Shape::Distance {
-                    from: [-g.lengths.x_8, 0.0],
-                    to: [a[0], 0.0],
-                    offset: -4.5,
-                    text: s::R.print,
-                },
+                distance([-g.lengths.x_8, 0.0], [a[0], 0.0], -5.9, &s::R),
+                distance(o1, b, -2.0, &s::X_1),
+                distance(c, b, 1.3, &s::X_2),
+                distance(o3, c, -2.0, &s::X_3),
+                distance(b, a, -1.3, &s::X_4),
             ]);
             if luffing.q.is_some() {
                 shapes.push(Shape::Load {
@@ -593,12 +609,15 @@ fn drawing(g: &Geometry<f64>, luffing: &Luffing, middle: f64) -> Drawing {
             from: -5.0,
             to: 8.0,
         },
-        Shape::Distance {
-            from: [-g.lengths.x_8, 0.0],
-            to: [0.0, 0.0],
-            offset: -2.5,
-            text: s::X_8.print,
-        },
+        distance([o3[0], 0.0], o1, -2.3, &s::X_5),
+        distance([o3[0], 0.0], o3, 2.6, &s::X_6),
+        distance([-g.lengths.x_8, 0.0], o1, -4.1, &s::X_8),
     ]);
+    // A distance that cannot be told from nothing is not drawn.
+    let size = g.lengths.x_1 + g.lengths.x_4;
+    shapes.retain(|shape| match shape {
+        Shape::Distance { from, to, .. } => (to[0] - from[0]).abs() + (to[1] - from[1]).abs() > 0.02 * size,
+        _ => true,
+    });
     Drawing { shapes }
 }

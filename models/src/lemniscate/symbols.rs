@@ -133,6 +133,12 @@ symbols! {
     R_MIN: "R_min" "R_min" M / M, "Smallest reach of the working range.", "[Li2022, 5]";
     MU_MIN: "mu_min" "mu_min" RAD / DEG, "Smallest transmission angle of the working range.", "derived";
     M_Q_MAX: "M_Q_max" "M_(Q,max)" N_M / KN_M, "Greatest luffing moment of the load in the working range, by amount.", "[Li2022, 5]";
+    V_AX_MAX: "V_AX_max" "V_(A X,max)" M_PER_S / M_PER_S, "Greatest horizontal velocity of A in the working range, by amount.", "[Li2022, 5]";
+    M_D_MAX: "M_D_max" "M_(D,max)" N_M / KN_M, "Greatest moment of the drive in the working range, by amount.", "equilibrium";
+    N_3_MAX: "N_3_max" "N_(3,max)" N / KN, "Greatest axial force in the rocker in the working range, by amount; tension positive.", "equilibrium";
+    F_D_MAX: "F_d_max" "F_(d,max)" N / KN, "Greatest force of the drive in the working range, by amount; push positive.", "equilibrium";
+    FROM: "from" "theta_a" RAD / DEG, "Angle of the driven bar at the start of the working range.", "input";
+    TO: "to" "theta_e" RAD / DEG, "Angle of the driven bar at the end of the working range.", "input";
     W_Q: "W_Q" "W_Q" J / KJ, "Work of the luffing moment over the working range.", "virtual work";
     W_Y: "W_Y" "Q thin Delta Y" J / KJ, "Load times its rise over the working range.", "virtual work";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";

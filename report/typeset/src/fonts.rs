@@ -18,7 +18,8 @@ pub struct Fonts {
     fonts: Arc<Vec<Font>>,
 }
 
-const CHINESE: [&[u8]; 2] = [
+/// Characters of Chinese: `fonts/subset.py` made them.
+pub const CHINESE: [&[u8]; 2] = [
     include_bytes!("../fonts/NotoSansCJKsc-Regular.otf"),
     include_bytes!("../fonts/NotoSansCJKsc-Bold.otf"),
 ];

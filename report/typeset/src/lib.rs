@@ -1,23 +1,33 @@
-//! Typst in memory: source and files in, PDF out. No disk, no packages, no
-//! date: the same input gives the same bytes everywhere. Only for characters
-//! that the embedded fonts lack are the system's fonts asked.
+//! Typst in memory: source and files in, PDF, SVG, PNG or HTML out. No disk,
+//! no packages, no date: the same input gives the same bytes everywhere. Only
+//! for characters that the embedded fonts lack are the system's fonts asked.
+//! [`External`] does the same with an installed `typst`.
 
+mod attachment;
+mod external;
 mod fonts;
+mod ink;
 
 use std::collections::HashMap;
 use std::fmt;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
-use typst::diag::{FileError, FileResult, SourceDiagnostic};
+use typst::diag::{FileError, FileResult, SourceDiagnostic, SourceResult, Warned};
 use typst::foundations::{Bytes, Datetime, Duration};
 use typst::syntax::{FileId, RootedPath, Source, VirtualPath, VirtualRoot};
 use typst::text::{Font, FontBook};
 use typst::utils::LazyHash;
-use typst::{Library, LibraryExt, World, WorldExt};
-use typst_layout::PagedDocument;
+use typst::{Feature, Library, LibraryExt, World, WorldExt};
+use typst_html::{HtmlDocument, HtmlOptions};
+use typst_layout::{Page, PagedDocument};
 use typst_pdf::{PdfOptions, PdfStandard, PdfStandards};
+use typst_render::RenderOptions;
+use typst_svg::SvgOptions;
 
+pub use crate::attachment::attached;
+pub use crate::external::External;
 use crate::fonts::Fonts;
+pub use crate::ink::{Ink, ink};
 
 /// What Typst objects to, with its place where it has one.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,35 +48,94 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+impl Error {
+    fn new(message: impl Into<String>) -> Error {
+        Error {
+            message: message.into(),
+            place: None,
+        }
+    }
+}
+
+/// What comes out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    Pdf,
+    Svg,
+    Png,
+    Html,
+}
+
+impl Format {
+    /// As a suffix of files, and as Typst names it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Format::Pdf => "pdf",
+            Format::Svg => "svg",
+            Format::Png => "png",
+            Format::Html => "html",
+        }
+    }
+}
+
+/// Files that a source reads, by their virtual paths.
+pub type Files = [(String, Vec<u8>)];
+
 /// A document that is made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Typeset {
-    /// Tagged, and valid PDF/UA-1.
-    pub pdf: Vec<u8>,
+    /// One file; of SVG and PNG one for each page. A PDF is tagged, and valid PDF/UA-1.
+    pub files: Vec<Vec<u8>>,
     /// Characters that could not be printed, each with its place.
     pub warnings: Vec<String>,
 }
 
-/// Typesets `main`, which can read `files` by their virtual paths. A warning
-/// of Typst is an error. A character that no font has, embedded or of the
-/// system, gives a warning; its code stands in its place: `U+9F98`.
-///
-/// # Errors
-/// The first objection of Typst, to the source or to what PDF/UA asks for.
-pub fn pdf(main: &str, files: &[(String, Vec<u8>)]) -> Result<Typeset, Error> {
-    let (world, document, warnings) = pages(main, files)?;
-    let options = PdfOptions {
-        standards: PdfStandards::new(&[PdfStandard::Ua_1]).expect("one standard fits with itself"),
-        ..PdfOptions::default()
-    };
-    let pdf = typst_pdf::pdf(&document, &options);
-    comemo::evict(1);
-    let pdf = pdf.map_err(|objections| world.error(&objections[0]))?;
-    Ok(Typeset { pdf, warnings })
+/// What turns Typst's source into pages.
+pub trait Typesetter: Sync {
+    /// Typesets `main`, which can read `files`. A warning of Typst is an error.
+    /// `standard` is the PDF/A standard to keep to beside PDF/UA-1, such as
+    /// `a-3b`; other formats take no notice of it.
+    ///
+    /// # Errors
+    /// The first objection of Typst, to the source or to what the standards ask for.
+    fn typeset(&self, main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Typeset, Error>;
 }
 
-/// The pages, what they are made from, and warnings about missing characters.
-fn pages(main: &str, files: &[(String, Vec<u8>)]) -> Result<(Memory, PagedDocument, Vec<String>), Error> {
+/// The Typst inside this program. A character that no font has, embedded or of
+/// the system, gives a warning; its code stands in its place: `U+9F98`.
+#[derive(Clone, Copy, Debug)]
+pub struct Embedded;
+
+impl Typesetter for Embedded {
+    fn typeset(&self, main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Typeset, Error> {
+        let made = make(main, files, format, standard);
+        // What the last document did not use is forgotten.
+        comemo::evict(1);
+        let (files, warnings) = made?;
+        Ok(Typeset { files, warnings })
+    }
+}
+
+type Made = (Vec<Vec<u8>>, Vec<String>);
+
+fn make(main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Made, Error> {
+    if format == Format::Html {
+        let world = Memory::new(main, files, Fonts::embedded().clone())?;
+        return Ok((vec![html(&world)?], Vec::new()));
+    }
+    let (world, document, warnings) = pages(main, files)?;
+    let pages = document.pages().iter();
+    let made = match format {
+        Format::Svg => pages.map(svg).collect(),
+        Format::Png => pages.map(png).collect::<Result<_, _>>()?,
+        Format::Pdf | Format::Html => vec![pdf(&world, &document, standard)?],
+    };
+    Ok((made, warnings))
+}
+
+/// The pages, with the world that they are from, and the warnings.
+fn pages(main: &str, files: &Files) -> Result<(Memory, PagedDocument, Vec<String>), Error> {
     let world = Memory::new(main, files, Fonts::embedded().clone())?;
     let document = world.typeset()?;
     let missing: Vec<char> = world.fonts.unprintable(&document).into_keys().collect();
@@ -80,12 +149,46 @@ fn pages(main: &str, files: &[(String, Vec<u8>)]) -> Result<(Memory, PagedDocume
         let code = format!("U+{:04X}", u32::from(character));
         source = source.replace(character, &code);
         warnings.push(format!(
-            "no font has the character \"{character}\" {place}: {code} is printed in its place; install a font that has it"
+            "no font has the character \"{character}\" {place}: {code} is printed in its place; \
+             install a font that has it"
         ));
     }
     let world = Memory::new(&source, files, fonts)?;
     let document = world.typeset()?;
     Ok((world, document, warnings))
+}
+
+fn pdf(world: &Memory, document: &PagedDocument, standard: Option<&str>) -> Result<Vec<u8>, Error> {
+    let mut standards = vec![PdfStandard::Ua_1];
+    match standard {
+        None => {}
+        Some("a-3b") => standards.push(PdfStandard::A_3b),
+        Some("a-3u") => standards.push(PdfStandard::A_3u),
+        Some("a-3a") => standards.push(PdfStandard::A_3a),
+        Some(other) => return Err(Error::new(format!("the PDF standard {other} is not known"))),
+    }
+    let options = PdfOptions {
+        standards: PdfStandards::new(&standards).expect("PDF/A-3 and PDF/UA-1 fit together"),
+        ..PdfOptions::default()
+    };
+    world.check(typst_pdf::pdf(document, &options))
+}
+
+fn svg(page: &Page) -> Vec<u8> {
+    typst_svg::svg(page, &SvgOptions::default()).into_bytes()
+}
+
+fn png(page: &Page) -> Result<Vec<u8>, Error> {
+    let pixels = typst_render::render(page, &RenderOptions::default());
+    pixels.encode_png().map_err(|error| Error::new(error.to_string()))
+}
+
+/// HTML has no pages. What Typst leaves out of it comes as warnings, which the
+/// program's help sums up.
+fn html(world: &Memory) -> Result<Vec<u8>, Error> {
+    let document = world.check(typst::compile::<HtmlDocument>(world).output)?;
+    let text = world.check(typst_html::html(&document, &HtmlOptions::default()))?;
+    Ok(text.into_bytes())
 }
 
 fn file_id(path: &str) -> Result<FileId, Error> {
@@ -96,7 +199,23 @@ fn file_id(path: &str) -> Result<FileId, Error> {
     Ok(RootedPath::new(VirtualRoot::Project, path).intern())
 }
 
-static LIBRARY: LazyLock<LazyHash<Library>> = LazyLock::new(|| LazyHash::new(Library::default()));
+static LIBRARY: LazyLock<LazyHash<Library>> = LazyLock::new(|| {
+    let features = std::iter::once(Feature::Html).collect();
+    LazyHash::new(Library::builder().with_features(features).build())
+});
+
+/// The latest source. Changed where the next one differs, it keeps the rest as
+/// Typst knows it, so that only what changed is typeset anew.
+fn latest() -> MutexGuard<'static, Option<Source>> {
+    static LATEST: Mutex<Option<Source>> = Mutex::new(None);
+    LATEST.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Drop for Memory {
+    fn drop(&mut self) {
+        *latest() = Some(self.main.clone());
+    }
+}
 
 struct Memory {
     main: Source,
@@ -106,7 +225,13 @@ struct Memory {
 
 impl Memory {
     fn new(main: &str, files: &[(String, Vec<u8>)], fonts: Fonts) -> Result<Memory, Error> {
-        let main = Source::new(file_id("main.typ")?, main.to_owned());
+        let main = match latest().take() {
+            Some(mut source) => {
+                source.replace(main);
+                source
+            }
+            None => Source::new(file_id("main.typ")?, main.to_owned()),
+        };
         let mut world = Memory {
             files: HashMap::from([(main.id(), Bytes::from_string(main.text().to_owned()))]),
             main,
@@ -119,12 +244,16 @@ impl Memory {
     }
 
     fn typeset(&self) -> Result<PagedDocument, Error> {
-        let compiled = typst::compile::<PagedDocument>(self);
-        match (compiled.output, compiled.warnings.first()) {
-            (Err(objections), _) => Err(self.error(&objections[0])),
-            (Ok(_), Some(warning)) => Err(self.error(warning)),
-            (Ok(document), None) => Ok(document),
+        let Warned { output, warnings } = typst::compile::<PagedDocument>(self);
+        let document = self.check(output)?;
+        match warnings.first() {
+            Some(warning) => Err(self.error(warning)),
+            None => Ok(document),
         }
+    }
+
+    fn check<T>(&self, result: SourceResult<T>) -> Result<T, Error> {
+        result.map_err(|objections| self.error(&objections[0]))
     }
 
     fn error(&self, objection: &SourceDiagnostic) -> Error {
@@ -178,13 +307,17 @@ impl World for Memory {
 mod tests {
     use super::*;
 
+    fn pdf(source: &str, files: &Files) -> Result<Typeset, Error> {
+        Embedded.typeset(source, files, Format::Pdf, None)
+    }
+
     #[test]
     fn the_same_source_gives_the_same_bytes() {
         let files = [("data.json".to_owned(), br#"{"title": "$ #panic() * @x"}"#.to_vec())];
         let source = "#set document(title: \"T\")\n#let data = json(\"data.json\")\n= #data.title\n\
                       #math.equation(alt: \"one half\", $ frac(1, 2) $)";
         let first = pdf(source, &files).unwrap();
-        assert!(first.pdf.starts_with(b"%PDF") && first.warnings.is_empty());
+        assert!(first.files[0].starts_with(b"%PDF") && first.warnings.is_empty());
         assert_eq!(first, pdf(source, &files).unwrap());
     }
 
@@ -220,6 +353,37 @@ mod tests {
             "{warning}"
         );
         let written = source.replace('\u{10ffff}', "U+10FFFF");
-        assert_eq!(typeset.pdf, pdf(&written, &[]).unwrap().pdf);
+        assert_eq!(typeset.files, pdf(&written, &[]).unwrap().files);
+    }
+
+    #[test]
+    fn every_format_begins_as_it_should() {
+        let source = "#set document(title: \"T\")\none #pagebreak() two";
+        for (format, files, start) in [
+            (Format::Pdf, 1, "%PDF"),
+            (Format::Svg, 2, "<svg"),
+            (Format::Png, 2, "PNG"),
+            (Format::Html, 1, "<!DOCTYPE html>"),
+        ] {
+            let made = Embedded.typeset(source, &[], format, None).unwrap().files;
+            assert_eq!(made.len(), files, "{format:?}");
+            for file in made {
+                let begins = String::from_utf8_lossy(&file[..file.len().min(20)]).into_owned();
+                assert!(begins.trim_start_matches('\u{fffd}').starts_with(start), "{begins}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_attachment_comes_back_to_the_byte() {
+        let text = "a = 1\r\n# крановe 起重机 \u{10ffff}\n";
+        let files = [("crane.toml".to_owned(), text.as_bytes().to_vec())];
+        let source = "#set document(title: \"T\")\n#pdf.attach(\"crane.toml\", mime-type: \"application/toml\", \
+                      description: \"d\", relationship: \"source\")\ntext";
+        let made = pdf(source, &files).unwrap().files.remove(0);
+        assert_eq!(attached(made, ".toml").unwrap(), text.as_bytes());
+        let bare = pdf("#set document(title: \"T\")\ntext", &[]).unwrap().files.remove(0);
+        assert!(attached(bare, ".toml").is_none());
+        assert!(attached(b"no PDF".to_vec(), ".toml").is_none());
     }
 }

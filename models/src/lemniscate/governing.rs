@@ -1,0 +1,228 @@
+//! Governing positions: where in the working range each result is greatest,
+//! and how these results change with every given quantity.
+//!
+//! A given quantity that changes moves the governing position too. At an
+//! extreme inside the range the derivative by the position is zero, and at an
+//! end of the range the position stays: in both cases the change of the result
+//! is the derivative at the governing position held fast, exact from dual
+//! numbers.
+
+use num_dual::Dual64;
+
+use crate::calc::Calc;
+use crate::lemniscate::drive::Drive;
+use crate::lemniscate::geometry::{Driven, Geometry, Parameters};
+use crate::lemniscate::position::Position;
+use crate::lemniscate::range::{Extreme, Range, greatest_amount};
+use crate::lemniscate::scene::{Luffing, Motion};
+use crate::lemniscate::statics::{Centres, PinForces, load_moment};
+use crate::lemniscate::symbols as s;
+use crate::lemniscate::velocity::Velocity;
+use crate::sheet::{Sensitivity, Slope, Summary};
+use crate::symbol::Symbol;
+
+/// A crane over any scalar, with the load and the speed of its scene.
+struct Crane<C> {
+    parameters: Parameters<C>,
+    geometry: Geometry<C>,
+    q: Option<C>,
+    speed: C,
+}
+
+/// A quantity of one position.
+type Quantity = fn(&Crane<Dual64>, Dual64) -> Option<Dual64>;
+
+impl<C: Calc> Crane<C> {
+    /// `given` makes a scalar of each given quantity.
+    fn new(luffing: &Luffing, mut given: impl FnMut(&'static Symbol, f64) -> C) -> Option<Crane<C>> {
+        let parameters = luffing.parameters.map(&mut given);
+        Some(Crane {
+            geometry: Geometry::new(&parameters).ok()?,
+            q: luffing.q.map(|q| given(&s::Q, q)),
+            speed: given(rate(luffing.parameters.driven), luffing.motion.speed),
+            parameters,
+        })
+    }
+
+    fn position(&self, theta: C) -> Option<Position<C>> {
+        Position::new(&self.geometry, theta)
+    }
+
+    fn speed(&self, theta: C) -> Option<C> {
+        Some(Velocity::new(&self.position(theta)?).v_a(self.speed).x)
+    }
+
+    fn load_moment(&self, theta: C) -> Option<C> {
+        Some(load_moment(&Velocity::new(&self.position(theta)?), self.q?))
+    }
+
+    fn forces(&self, theta: C) -> Option<PinForces<C>> {
+        let p = self.position(theta)?;
+        let l = &self.parameters.lengths;
+        let weights = self.parameters.weights.as_ref();
+        let centres = weights.map(|w| Centres::new(&p, [l.x_1, l.x_2, l.x_3], w));
+        let both = weights.zip(centres.as_ref());
+        Some(PinForces::new(&p, l.x_3, self.q?, both, |_| None))
+    }
+
+    fn drive(&self, theta: C) -> Option<Drive<C>> {
+        let l = &self.parameters.lengths;
+        let bar = match self.parameters.driven {
+            Driven::Boom => l.x_1,
+            Driven::Rocker => l.x_3,
+        };
+        let anchors = self.parameters.anchors.as_ref()?;
+        Some(Drive::new(&self.position(theta)?, bar, l.o3(), anchors))
+    }
+
+    /// Infinite where the drive points at the foot of its bar.
+    fn drive_force(&self, theta: C) -> Option<C> {
+        let (drive, m_d) = (self.drive(theta)?, self.forces(theta)?.m_d);
+        let reaction = drive.reaction(m_d);
+        Some(reaction.map_or_else(|| C::constant(f64::INFINITY.copysign(m_d.value())), |r| r.f_d))
+    }
+}
+
+/// Angular velocity of the driven bar.
+#[must_use]
+pub fn rate(driven: Driven) -> &'static Symbol {
+    match driven {
+        Driven::Boom => &s::OMEGA_1,
+        Driven::Rocker => &s::OMEGA_3,
+    }
+}
+
+/// Angle of the driven bar, the coordinate of the mechanism.
+#[must_use]
+pub fn coordinate(driven: Driven) -> &'static Symbol {
+    match driven {
+        Driven::Boom => &s::THETA_1,
+        Driven::Rocker => &s::THETA_3,
+    }
+}
+
+/// What governs beside the results of [`Range`]: greatest by amount.
+static AMOUNTS: [(&Symbol, Quantity); 5] = [
+    (&s::V_AX_MAX, |crane, theta| crane.speed(theta)),
+    (&s::M_Q_MAX, |crane, theta| crane.load_moment(theta)),
+    (&s::M_D_MAX, |crane, theta| Some(crane.forces(theta)?.m_d)),
+    (&s::N_3_MAX, |crane, theta| Some(crane.forces(theta)?.n_3)),
+    (&s::F_D_MAX, |crane, theta| crane.drive_force(theta)),
+];
+
+fn quantity(symbol: &'static Symbol) -> Option<Quantity> {
+    AMOUNTS
+        .iter()
+        .find(|(known, _)| *known == symbol)
+        .map(|(_, quantity)| *quantity)
+}
+
+/// The governing results of a scene with their positions: only of what it models.
+#[must_use]
+pub fn governing(luffing: &Luffing, range: &Range) -> Vec<Summary> {
+    let coordinate = coordinate(luffing.parameters.driven);
+    let entry = |symbol, extreme: Extreme| Summary {
+        symbol,
+        value: extreme.value,
+        at: Some((coordinate, extreme.at)),
+    };
+    let mut list = vec![
+        entry(&s::R_MAX, range.r_max),
+        entry(&s::R_MIN, range.r_min),
+        entry(&s::MU_MIN, range.mu_min),
+    ];
+    let Some(crane) = Crane::new(luffing, |_, value| Dual64::from_re(value)) else {
+        return list;
+    };
+    for (symbol, quantity) in AMOUNTS {
+        let extreme = match symbol {
+            symbol if symbol == &s::F_D_MAX => dead_drive(&crane, &luffing.motion),
+            _ => None,
+        };
+        let extreme = extreme.or_else(|| greatest_amount(&luffing.motion, |theta| quantity(&crane, theta)));
+        list.extend(extreme.map(|extreme| entry(symbol, extreme)));
+    }
+    list
+}
+
+/// Names of the results that [`governing`] finds in a scene.
+pub fn governed(luffing: &Luffing) -> impl Iterator<Item = &'static str> {
+    let (load, drive) = (luffing.q.is_some(), luffing.parameters.anchors.is_some());
+    let modelled = [true, true, true, true, load, load, load, load && drive];
+    let symbols = [&s::R_MAX, &s::R_MIN, &s::MU_MIN].into_iter();
+    let symbols = symbols.chain(AMOUNTS.iter().map(|(symbol, _)| *symbol));
+    symbols
+        .zip(modelled)
+        .filter(|(_, modelled)| *modelled)
+        .map(|(symbol, _)| symbol.id)
+}
+
+/// Where the lever arm of the drive changes its sign no force of it gives a
+/// moment: the force grows beyond all bounds there, between the points of any grid.
+fn dead_drive(crane: &Crane<Dual64>, motion: &Motion) -> Option<Extreme> {
+    let arm = |theta: f64| Some(crane.drive(Dual64::from_re(theta))?.h_d.re);
+    let points = 96;
+    let angle = |i: u32| motion.from + (motion.to - motion.from) * (f64::from(i) / f64::from(points));
+    let crossed = (0..points).find(|&i| {
+        arm(angle(i))
+            .zip(arm(angle(i + 1)))
+            .is_some_and(|(a, b)| (a > 0.0) != (b > 0.0))
+    })?;
+    let (mut low, mut high) = (angle(crossed), angle(crossed + 1));
+    let before = arm(low)? > 0.0;
+    // A crane without moments needs no force.
+    crane.forces(Dual64::from_re(low))?;
+    for _ in 0..64 {
+        let middle = f64::midpoint(low, high);
+        if (arm(middle)? > 0.0) == before {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Some(Extreme {
+        value: f64::INFINITY,
+        at: low,
+    })
+}
+
+/// How the checked results and the greatest forces change with each given
+/// quantity: derivatives in SI, exact.
+#[must_use]
+pub fn sensitivity(luffing: &Luffing, range: &Range, governing: &[Summary]) -> Sensitivity {
+    let forces = governing
+        .iter()
+        .filter(|g| g.value.is_finite() && [&s::M_Q_MAX, &s::F_D_MAX].contains(&g.symbol));
+    let mut results = vec![(&s::MU_MIN, range.mu_min.value), (&s::EPSILON_Y, range.epsilon_y())];
+    results.push((&s::R_MAX, range.r_max.value));
+    results.extend(forces.map(|g| (g.symbol, g.value)));
+    let at = |symbol: &'static Symbol| governing.iter().find(|g| g.symbol == symbol).and_then(|g| g.at);
+    let slope = |crane: &Crane<Dual64>, symbol: &'static Symbol| -> Option<f64> {
+        let p = |extreme: Extreme| crane.position(Dual64::from_re(extreme.at));
+        let value = match symbol {
+            symbol if symbol == &s::MU_MIN => p(range.mu_min)?.mu(),
+            symbol if symbol == &s::R_MAX => p(range.r_max)?.r,
+            symbol if symbol == &s::EPSILON_Y => {
+                (p(range.y_max)?.a.y - p(range.y_min)?.a.y) / (p(range.r_max)?.r - p(range.r_min)?.r)
+            }
+            symbol => quantity(symbol)?(crane, Dual64::from_re(at(symbol)?.1))?,
+        };
+        Some(value.eps)
+    };
+    let mut given = Vec::new();
+    luffing.parameters.map(|symbol, value| given.push((symbol, value)));
+    given.extend(luffing.q.map(|q| (&s::Q, q)));
+    let rows = given.into_iter().filter_map(|(symbol, value)| {
+        let seeded = |known, value| Dual64::new(value, if known == symbol { 1.0 } else { 0.0 });
+        let crane = Crane::new(luffing, seeded)?;
+        let by = results
+            .iter()
+            .map(|(result, _)| slope(&crane, result))
+            .collect::<Option<_>>()?;
+        Some(Slope { symbol, value, by })
+    });
+    Sensitivity {
+        rows: rows.collect(),
+        results,
+    }
+}

@@ -1,0 +1,128 @@
+//! Governing positions and sensitivities, against searches and differences that know nothing of derivatives.
+
+use lemnis_models::lemniscate::governing::{governing, sensitivity};
+use lemnis_models::lemniscate::range::Range;
+use lemnis_models::lemniscate::scene::Luffing;
+use lemnis_models::lemniscate::symbols as s;
+use lemnis_models::model::Model;
+use lemnis_models::scene::{DEFAULT, Scene};
+use lemnis_models::symbol::Symbol;
+
+/// Value of a checked or governing result, searched anew.
+fn result(luffing: &Luffing, symbol: &'static Symbol) -> f64 {
+    let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
+    if symbol == &s::EPSILON_Y {
+        return range.epsilon_y();
+    }
+    let found = governing(luffing, &range).into_iter().find(|g| g.symbol == symbol);
+    found.expect("a governing result").value
+}
+
+/// The scene with one quantity moved.
+fn moved(luffing: &Luffing, symbol: &'static Symbol, by: f64) -> Luffing {
+    let change = |known: &'static Symbol, value| if known == symbol { value + by } else { value };
+    Luffing {
+        parameters: luffing.parameters.map(change),
+        q: luffing.q.map(|q| change(&s::Q, q)),
+        ..luffing.clone()
+    }
+}
+
+/// Every derivative against a central difference of order six, in which the
+/// governing position is searched anew for each of the six values. Its error is
+/// of the order of the relative step to the sixth power, 1e-24, and of the
+/// rounding over the step, 1e-12 of the heights that are subtracted. (A step ten times greater moves the
+/// greatest luffing moment from one end of the range to the other.)
+#[test]
+fn sensitivities_agree_with_differences() {
+    let portal = include_str!("../scenes/portal_004.toml");
+    let axis = DEFAULT.replace("X_7 = \"1.354 m\"", "AC = \"22.3 m\"");
+    let (mut compared, mut worst) = (0, 0.0_f64);
+    for text in [DEFAULT, portal, &axis] {
+        let luffing = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}")).luffing;
+        let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
+        let table = sensitivity(&luffing, &range, &governing(&luffing, &range));
+        for row in &table.rows {
+            for (&(symbol, value), exact) in table.results.iter().zip(&row.by) {
+                let step = 1e-4 * row.value.abs().max(0.1);
+                let at = |n: f64| result(&moved(&luffing, row.symbol, n * step), symbol);
+                let difference = |n: f64| at(n) - at(-n);
+                let estimate = (45.0 * difference(1.0) - 9.0 * difference(2.0) + difference(3.0)) / (60.0 * step);
+                let scale = exact.abs().max(value.abs() / row.value.abs().max(0.1));
+                let error = (estimate - exact).abs() / scale;
+                assert!(
+                    error < 1e-9,
+                    "d{}/d{}: {exact} against {estimate}",
+                    symbol.id,
+                    row.symbol.id
+                );
+                worst = worst.max(error);
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 200, "{compared}");
+    println!("{compared} sensitivities, largest relative deviation {worst:.1e}");
+}
+
+/// No position of a grid a hundred times finer has a greater value, and beside
+/// an extreme inside the range the values fall off on both sides.
+#[test]
+fn governing_positions_are_the_extremes() {
+    let scene = Scene::parse(DEFAULT).expect("valid");
+    let motion = scene.luffing.motion;
+    let range = Range::new(&scene.luffing.parameters, &motion).expect("closes");
+    let mut model = Model::new(&scene).expect("a mechanism");
+    let list = governing(&scene.luffing, &range);
+    assert_eq!(list.len(), 8);
+    let mut inside = 0;
+    for found in list {
+        let (output, least) = match found.symbol.id {
+            "R_max" => ("R", false),
+            "R_min" => ("R", true),
+            "mu_min" => ("mu", true),
+            id => (id.strip_suffix("_max").expect("greatest"), false),
+        };
+        let index = model
+            .variables()
+            .iter()
+            .position(|v| v.symbol.id == output)
+            .expect(output);
+        let mut size = |theta: f64| {
+            model.set(0, theta).expect("an angle");
+            let value = model.get(index).expect("closes");
+            if least { -value } else { value.abs() }
+        };
+        let theta = found.at.expect("a position").1;
+        let most = size(theta);
+        let value = if least { -found.value } else { found.value.abs() };
+        assert!((most - value).abs() <= 1e-14 * most.abs(), "{output}: {most} {value}");
+        for i in 0..=9600 {
+            let other = size(motion.from + (motion.to - motion.from) * f64::from(i) / 9600.0);
+            assert!(other <= most + 1e-14 * most.abs(), "{output}: {other} above {most}");
+        }
+        if theta > motion.from && theta < motion.to {
+            inside += 1;
+            for side in [-1e-4, 1e-4] {
+                assert!(size(theta + side) < most, "{output} beside {theta}");
+            }
+        }
+    }
+    assert!(inside >= 1, "{inside}");
+}
+
+/// A drive that passes the line through the foot of its bar can give no moment there.
+#[test]
+fn a_drive_through_the_foot_has_no_greatest_force() {
+    let text = DEFAULT.replace("E_x   = \"3 m\"", "E_x   = \"0.1 m\"");
+    let luffing = Scene::parse(&text).expect("valid").luffing;
+    let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
+    let list = governing(&luffing, &range);
+    let force = list.iter().find(|g| g.symbol == &s::F_D_MAX).expect("a drive");
+    assert!(force.value.is_infinite());
+    // The anchor on the boom, 5° below it, stands on the far side of O1 from E.
+    let (_, theta) = force.at.expect("a position");
+    let line = <f64 as lemnis_models::calc::Calc>::direction(-0.1, 1.5);
+    let line = f64::to_degrees(line);
+    assert!((theta.to_degrees() - 5.0 - line).abs() < 1e-9, "{}", theta.to_degrees());
+}

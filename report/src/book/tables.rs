@@ -1,0 +1,261 @@
+//! Tables: checks, results, given quantities, the working range, sensitivities,
+//! published values.
+
+use lemnis_models::sheet::{self, Comparison, Sheet};
+use lemnis_models::symbol::Symbol;
+use lemnis_models::unit;
+use serde::Serialize;
+
+use crate::book::steps::Notation;
+use crate::book::{Figure, Quantity, json};
+use crate::formula::quantity;
+use crate::language::Language;
+use crate::number::{decimals, fixed, significant};
+use crate::plot;
+
+#[derive(Serialize)]
+pub(super) struct Check {
+    id: &'static str,
+    symbol: &'static str,
+    value: String,
+    limit: String,
+    at_most: bool,
+    passed: bool,
+    /// Part of what is allowed that is used, in percent.
+    utilisation: String,
+}
+
+#[derive(Serialize)]
+pub(super) struct Summary {
+    #[serde(flatten)]
+    quantity: Quantity,
+    value: String,
+    at: Option<String>,
+}
+
+#[derive(Serialize)]
+pub(super) struct Chapter {
+    id: &'static str,
+    /// Where the scene says that all these quantities come from.
+    note: Option<String>,
+    inputs: Vec<Input>,
+}
+
+#[derive(Serialize)]
+struct Input {
+    #[serde(flatten)]
+    quantity: Quantity,
+    /// Whether the book meets the symbol for the first time.
+    first: bool,
+    value: String,
+    /// Key and line of the scene, and where the scene says that the value comes from.
+    key: Option<String>,
+    line: usize,
+    note: Option<String>,
+}
+
+#[derive(Serialize)]
+pub(super) struct Table {
+    columns: Vec<Quantity>,
+    rows: Vec<Vec<String>>,
+}
+
+/// Change of the results with each given quantity.
+#[derive(Serialize)]
+pub(super) struct Sensitivity {
+    columns: Vec<Quantity>,
+    rows: Vec<Change>,
+    /// Ranking of the given quantities, a picture for each result.
+    charts: Vec<Chart>,
+}
+
+#[derive(Serialize)]
+struct Change {
+    symbol: &'static str,
+    /// A small change of the quantity, in its unit.
+    step: String,
+    /// For each result its change with that step, and with one percent.
+    cells: Vec<[String; 2]>,
+}
+
+#[derive(Serialize)]
+struct Chart {
+    #[serde(flatten)]
+    quantity: Quantity,
+    #[serde(flatten)]
+    figure: Figure,
+}
+
+/// Published and computed values side by side.
+#[derive(Serialize)]
+pub(super) struct Published {
+    source: String,
+    coordinate: Quantity,
+    columns: Vec<Quantity>,
+    rows: Vec<ComparedRow>,
+    count: usize,
+    /// Largest deviation of each column, in units of the last printed digit.
+    deviations: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct ComparedRow {
+    coordinate: String,
+    /// Printed, and computed with one digit more.
+    values: Vec<[String; 2]>,
+}
+
+pub(super) fn inputs(language: &Language, sheet: &Sheet, notation: &mut Notation) -> Vec<Chapter> {
+    let chapter = |inputs: &[sheet::Input]| {
+        let mut chapter = Chapter {
+            id: inputs[0].chapter,
+            note: None,
+            inputs: inputs.iter().map(|given| input(language, given, notation)).collect(),
+        };
+        // What all have in common is said once.
+        if chapter.inputs.iter().all(|input| input.note == chapter.inputs[0].note) {
+            chapter.note = chapter.inputs[0].note.clone();
+            chapter.inputs.iter_mut().for_each(|input| input.note = None);
+        }
+        chapter
+    };
+    sheet
+        .inputs
+        .chunk_by(|a, b| a.chapter == b.chapter)
+        .map(chapter)
+        .collect()
+}
+
+fn input(language: &Language, input: &sheet::Input, notation: &mut Notation) -> Input {
+    let given = input.given.as_ref();
+    Input {
+        quantity: input.symbol.into(),
+        first: notation.meet(input.symbol),
+        value: quantity(language, input.symbol, input.value),
+        key: given.map(|given| given.key.clone()),
+        line: given.map_or(0, |given| given.line),
+        note: given.and_then(|given| given.source.clone()),
+    }
+}
+
+/// A small change of a quantity in SI, and as it is printed.
+fn step(symbol: &Symbol) -> (f64, &'static str) {
+    match symbol.unit {
+        unit if unit == &unit::M => (1e-3, "1 thin\"mm\""),
+        unit if unit == &unit::RAD => (0.1 * unit::DEG.factor, "0.1\"°\""),
+        _ => (1e3, "1 thin\"kN\""),
+    }
+}
+
+pub(super) fn sensitivity(language: &Language, table: &sheet::Sensitivity) -> Sensitivity {
+    let change = |row: &sheet::Slope| {
+        let (size, print) = step(row.symbol);
+        let cell = |(i, slope): (usize, &f64)| {
+            let shown = |by: f64| language.text(&significant(table.results[i].0.shown(slope * by)));
+            [shown(size), shown(0.01 * row.value)]
+        };
+        Change {
+            symbol: row.symbol.print,
+            step: match print.split_once([' ', '"']) {
+                Some((number, _)) => language.math(number) + &print[number.len()..],
+                None => print.to_owned(),
+            },
+            cells: row.by.iter().enumerate().map(cell).collect(),
+        }
+    };
+    let chart = |(i, &(symbol, value)): (usize, &(&'static Symbol, f64))| {
+        // In percent of the result for one percent of the quantity.
+        let bars = table
+            .rows
+            .iter()
+            .map(|row| (row.symbol.print, row.by[i] * row.value / value));
+        Chart {
+            quantity: symbol.into(),
+            figure: Figure {
+                id: symbol.id,
+                picture: json(&plot::bars(language, bars.collect())),
+            },
+        }
+    };
+    Sensitivity {
+        columns: table.results.iter().map(|&(symbol, _)| symbol.into()).collect(),
+        rows: table
+            .rows
+            .iter()
+            .filter(|row| row.by.iter().any(|by| *by != 0.0))
+            .map(change)
+            .collect(),
+        charts: table.results.iter().enumerate().map(chart).collect(),
+    }
+}
+
+pub(super) fn check(language: &Language, check: &sheet::Check) -> Check {
+    Check {
+        id: check.id,
+        symbol: check.symbol.print,
+        value: quantity(language, check.symbol, check.value),
+        limit: quantity(language, check.symbol, check.limit),
+        at_most: check.at_most,
+        passed: check.passed(),
+        utilisation: language.text(&fixed(100.0 * check.utilisation(), 1)),
+    }
+}
+
+pub(super) fn summary(language: &Language, summary: &sheet::Summary) -> Summary {
+    Summary {
+        quantity: summary.symbol.into(),
+        value: quantity(language, summary.symbol, summary.value),
+        at: summary
+            .at
+            .map(|(symbol, at)| format!("{} = {}", symbol.print, quantity(language, symbol, at))),
+    }
+}
+
+pub(super) fn table(language: &Language, table: &sheet::Table) -> Table {
+    let shown = |i: usize, row: &[f64]| table.columns[i].shown(row[i]);
+    let column = |i| table.rows.iter().map(|row| shown(i, row)).collect::<Vec<f64>>();
+    let decimals: Vec<usize> = (0..table.columns.len()).map(|i| decimals(&column(i))).collect();
+    let row = |row: &Vec<f64>| {
+        (0..row.len())
+            .map(|i| language.text(&fixed(shown(i, row), decimals[i])))
+            .collect()
+    };
+    Table {
+        columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
+        rows: table.rows.iter().map(row).collect(),
+    }
+}
+
+pub(super) fn published(language: &Language, sheet: &Sheet) -> Option<Published> {
+    let coordinate = sheet.positions.first()?.coordinate;
+    let source = sheet.published_source.clone()?;
+    let rows: Vec<&[Comparison]> = sheet.published.chunk_by(|a, b| a.coordinate == b.coordinate).collect();
+    let columns: Vec<&'static Symbol> = rows.first()?.iter().map(|value| value.symbol).collect();
+    let after_point = |value: &Comparison| value.printed.split_once('.').map_or(0, |(_, digits)| digits.len());
+    let compared = |value: &Comparison| {
+        let computed = fixed(value.symbol.shown(value.value), after_point(value) + 1);
+        [value.printed.replace('-', "−"), computed].map(|number| language.text(&number))
+    };
+    // In units of the last printed digit.
+    let deviation = |value: &Comparison| {
+        let printed: f64 = value.printed.parse().expect("checked when the scene was read");
+        let unit = (0..after_point(value)).fold(1.0, |unit, _| unit / 10.0);
+        (value.symbol.shown(value.value) - printed).abs() / unit
+    };
+    let deviations = columns.iter().map(|&symbol| {
+        let column = sheet.published.iter().filter(|value| value.symbol == symbol);
+        language.text(&fixed(column.map(deviation).fold(0.0, f64::max), 2))
+    });
+    let row = |row: &&[Comparison]| ComparedRow {
+        coordinate: fixed(coordinate.shown(row[0].coordinate), 0),
+        values: row.iter().map(compared).collect(),
+    };
+    Some(Published {
+        source,
+        coordinate: coordinate.into(),
+        rows: rows.iter().map(row).collect(),
+        count: sheet.published.len(),
+        deviations: deviations.collect(),
+        columns: columns.into_iter().map(Quantity::from).collect(),
+    })
+}

@@ -1,0 +1,281 @@
+//! Making books: of one scene or of many, once or whenever something changes.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+
+use clap::builder::PossibleValuesParser;
+use clap::{Args, ValueEnum};
+use lemnis::book::Edition;
+use lemnis::language::Language;
+use lemnis::template::{Templates, originals};
+use lemnis_models::scene::{LANGUAGES, LEVELS, Scene};
+use lemnis_typeset::{Embedded, External, Typesetter};
+use notify::{Event, RecursiveMode, Watcher};
+
+use crate::failure::Failure;
+use crate::output::Output;
+use crate::results::Results;
+use crate::{busy, scene_file, write};
+
+/// How books are made.
+#[derive(Args)]
+pub struct Making {
+    /// Language of the book [default: the scene's, otherwise en]
+    #[arg(long, value_parser = PossibleValuesParser::new(LANGUAGES))]
+    language: Option<String>,
+    /// Detail of the book [default: the scene's, otherwise standard]
+    #[arg(long, value_parser = PossibleValuesParser::new(LEVELS))]
+    level: Option<String>,
+    /// Folder whose templates, words and pictures override the built-in ones; `lemnis templates` writes those out
+    #[arg(long, value_name = "DIR")]
+    templates: Option<PathBuf>,
+    /// An installed `typst` command, 0.15 or later, to typeset with instead of the built-in one
+    #[arg(long, value_name = "PATH")]
+    typst: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub struct Books {
+    /// Scene files [default: the embedded scene]
+    scenes: Vec<PathBuf>,
+    /// Folder for the results
+    #[arg(short, long, default_value = "out")]
+    output: PathBuf,
+    #[command(flatten)]
+    making: Making,
+    /// What to write: a PDF, pictures of the pages, the Typst source, or HTML for a preview. HTML has no pages, so
+    /// neither header, footer nor page numbers, and the sources of formulas do not stand in a margin
+    #[arg(long, value_enum, default_value_t = Format::Pdf)]
+    format: Format,
+    /// Make the book once more from the scene inside a book; with the options it was made with, to the same bytes
+    #[arg(long, value_name = "BOOK.pdf", conflicts_with = "scenes")]
+    from: Option<PathBuf>,
+    /// Stay, and make the books again whenever a scene or a template changes
+    #[arg(long, requires = "scenes")]
+    watch: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Format {
+    Pdf,
+    Svg,
+    Png,
+    Typ,
+    Html,
+}
+
+impl Making {
+    fn templates(&self) -> Result<Templates, Failure> {
+        match &self.templates {
+            None => Ok(Templates::embedded()),
+            Some(folder) => Templates::with_folder(folder).map_err(Failure::File),
+        }
+    }
+
+    fn typesetter(&self) -> Result<Box<dyn Typesetter>, Failure> {
+        match &self.typst {
+            None => Ok(Box::new(Embedded)),
+            Some(path) => match External::new(path) {
+                Ok(typst) => Ok(Box::new(typst)),
+                Err(error) => Err(Failure::Program(error.to_string())),
+            },
+        }
+    }
+
+    fn edition<'a>(
+        &'a self,
+        scene: &'a Scene,
+        templates: &'a Templates,
+        typesetter: &'a dyn Typesetter,
+    ) -> Edition<'a> {
+        let code = self.language.as_deref().unwrap_or(scene.book.language);
+        Edition {
+            language: Language::find(code).expect("the command line and the scene were checked"),
+            level: self.level.as_deref().unwrap_or(scene.book.level),
+            templates,
+            typesetter,
+        }
+    }
+
+    /// The PDF of one scene.
+    pub fn pdf(&self, scene: &Scene, results: &Results) -> Result<Output, Failure> {
+        let spinner = busy(format!("typesetting {}", scene.name()));
+        let (templates, typesetter) = (self.templates()?, self.typesetter()?);
+        let edition = self.edition(scene, &templates, &*typesetter);
+        let made = book(&edition, scene, results, Format::Pdf);
+        spinner.finish_and_clear();
+        Ok(made?.remove(0))
+    }
+}
+
+/// A book in one format: one file, or one for each page, or the source with what it reads.
+fn book(edition: &Edition<'_>, scene: &Scene, results: &Results, format: Format) -> Result<Vec<Output>, Failure> {
+    let name = scene.name();
+    let wrong = |error: lemnis::book::Error| Failure::Program(error.to_string());
+    let format = match format {
+        Format::Pdf => lemnis_typeset::Format::Pdf,
+        Format::Svg => lemnis_typeset::Format::Svg,
+        Format::Png => lemnis_typeset::Format::Png,
+        Format::Html => lemnis_typeset::Format::Html,
+        Format::Typ => {
+            let pdf = lemnis_typeset::Format::Pdf;
+            let source = edition.source(scene, &results.sheet, pdf).map_err(wrong)?;
+            let main = (format!("{name}.typ"), source.main.into_bytes());
+            let outputs = std::iter::once(main).chain(source.files);
+            return Ok(outputs.map(|(name, bytes)| Output { name, bytes }).collect());
+        }
+    };
+    let made = edition.typeset(scene, &results.sheet, format).map_err(wrong)?;
+    for warning in made.warnings {
+        eprintln!("warning: {warning}");
+    }
+    let (count, suffix) = (made.files.len(), format.name());
+    let digits = count.to_string().len();
+    let file = |(page, bytes)| Output {
+        name: match format {
+            lemnis_typeset::Format::Svg | lemnis_typeset::Format::Png => format!("{name}-{page:0digits$}.{suffix}"),
+            _ => format!("{name}.{suffix}"),
+        },
+        bytes,
+    };
+    Ok((1..).zip(made.files).map(file).collect())
+}
+
+impl Books {
+    pub fn run(&self) -> Result<(), Failure> {
+        if self.watch {
+            return self.watch();
+        }
+        let spinner = busy("typesetting".to_owned());
+        let made = self.make();
+        spinner.finish_and_clear();
+        write(&self.output, &made?)
+    }
+
+    fn scenes(&self) -> Result<Vec<Scene>, Failure> {
+        let scenes: Vec<Scene> = match (&self.from, self.scenes.as_slice()) {
+            (Some(book), _) => vec![scene_file::from_book(book)?],
+            (None, []) => vec![scene_file::read(None)?],
+            (None, paths) => paths
+                .iter()
+                .map(|path| scene_file::read(Some(path)))
+                .collect::<Result<_, _>>()?,
+        };
+        for (i, scene) in scenes.iter().enumerate() {
+            if let Some(other) = scenes[..i].iter().position(|other| other.name() == scene.name()) {
+                return Err(Failure::Scene(format!(
+                    "{} and {} have the same name, {}: their books would have the same file; change `name` in one",
+                    self.scenes[other].display(),
+                    self.scenes[i].display(),
+                    scene.name()
+                )));
+            }
+        }
+        Ok(scenes)
+    }
+
+    /// All books, or the first failure; nothing is written yet.
+    fn make(&self) -> Result<Vec<Output>, Failure> {
+        let scenes = self.scenes()?;
+        let (templates, typesetter) = (self.making.templates()?, self.making.typesetter()?);
+        let make = |scene: &Scene| {
+            let edition = self.making.edition(scene, &templates, &*typesetter);
+            book(&edition, scene, &Results::new(scene)?, self.format)
+        };
+        // Each core takes the next scene that is left.
+        let next = AtomicUsize::new(0);
+        let work = || {
+            let mut made = Vec::new();
+            loop {
+                let i = next.fetch_add(1, Ordering::Relaxed);
+                let Some(scene) = scenes.get(i) else { return made };
+                made.push((i, make(scene)));
+            }
+        };
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let mut made: Vec<_> = std::thread::scope(|scope| {
+            let workers: Vec<_> = (0..cores.min(scenes.len())).map(|_| scope.spawn(work)).collect();
+            let done = workers
+                .into_iter()
+                .map(|worker| worker.join().expect("typesetting does not panic"));
+            done.flatten().collect()
+        });
+        made.sort_by_key(|(i, _)| *i);
+        let outputs: Result<Vec<Vec<Output>>, Failure> = made.into_iter().map(|(_, outputs)| outputs).collect();
+        Ok(outputs?.into_iter().flatten().collect())
+    }
+
+    /// Makes the books now and after every change, until the program is ended.
+    fn watch(&self) -> Result<(), Failure> {
+        let (sender, changes) = channel();
+        let unwatchable = |error: notify::Error| Failure::File(format!("cannot watch for changes: {error}"));
+        let mut watcher = notify::recommended_watcher(sender).map_err(unwatchable)?;
+        // Editors replace files: what is watched is the folder.
+        for scene in &self.scenes {
+            let folder = scene.parent().filter(|folder| !folder.as_os_str().is_empty());
+            let folder = folder.unwrap_or(Path::new("."));
+            watcher
+                .watch(folder, RecursiveMode::NonRecursive)
+                .map_err(unwatchable)?;
+        }
+        if let Some(folder) = &self.making.templates {
+            watcher.watch(folder, RecursiveMode::Recursive).map_err(unwatchable)?;
+        }
+        loop {
+            let started = Instant::now();
+            match self.make().and_then(|made| write(&self.output, &made)) {
+                Ok(()) => println!("  in {} ms; waiting for changes", started.elapsed().as_millis()),
+                Err(failure) => eprintln!("{failure}\n  waiting for changes"),
+            }
+            if !self.changed(&changes) {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Waits for a change of a scene or a template; false where none can come any more.
+    fn changed(&self, changes: &Receiver<notify::Result<Event>>) -> bool {
+        let same = |a: &Path, b: &Path| a == b || std::path::absolute(a).ok() == std::path::absolute(b).ok();
+        let templates = self
+            .making
+            .templates
+            .as_ref()
+            .and_then(|path| std::path::absolute(path).ok());
+        let concerns = |path: &PathBuf| {
+            let of_templates = |folder: &PathBuf| std::path::absolute(path).is_ok_and(|path| path.starts_with(folder));
+            self.scenes.iter().any(|scene| same(scene, path)) || templates.as_ref().is_some_and(of_templates)
+        };
+        loop {
+            match changes.recv() {
+                Ok(Ok(event)) if !event.kind.is_access() && event.paths.iter().any(concerns) => break,
+                Ok(_) => {}
+                Err(_) => return false,
+            }
+        }
+        // One saving is several events.
+        while changes.recv_timeout(Duration::from_millis(5)).is_ok() {}
+        true
+    }
+}
+
+/// Writes out everything that `--templates` can override.
+pub fn export(folder: &Path) -> Result<(), Failure> {
+    for (name, _) in originals() {
+        let path = folder.join(name);
+        if path.exists() {
+            return Err(Failure::File(format!(
+                "{} exists already and stays as it is; name another folder",
+                path.display()
+            )));
+        }
+    }
+    for (name, text) in originals() {
+        let path = folder.join(&name);
+        let name = path.file_name().expect("a file").to_string_lossy().into_owned();
+        let bytes = text.as_bytes().to_vec();
+        write(path.parent().unwrap_or(folder), &[Output { name, bytes }])?;
+    }
+    Ok(())
+}

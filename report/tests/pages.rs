@@ -1,0 +1,54 @@
+//! No page of any book has anything in its margins or beyond, in any language and level.
+
+use lemnis::book::Edition;
+use lemnis::language::LANGUAGES;
+use lemnis::template::Templates;
+use lemnis_models::lemniscate::sheet::sheet;
+use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
+use lemnis_typeset::{Embedded, Format, ink};
+
+/// Margins of `templates/style.typ` in mm: left, top, right, bottom. Header and
+/// footer stand in the upper and the lower one.
+const MARGINS: [f64; 4] = [24.0, 26.0, 20.0, 22.0];
+/// Half a stroke, and hyphens and points that hang in the margin by half their width.
+const HAIR: f64 = 1.0;
+/// How far header and footer reach into their margins.
+const HEADER: f64 = 11.0;
+
+#[test]
+fn nothing_stands_over_the_margin() {
+    let templates = Templates::embedded();
+    // A title as long as anyone would write, and a kinematic crane beside the whole one.
+    let bare = DEFAULT[..DEFAULT.find("[luffing.weights]").expect("there")].replace("Q = \"160 kN\"", "");
+    let portal = include_str!("../../models/scenes/portal_004.toml");
+    let mut pages = 0;
+    for text in [DEFAULT, &bare, portal] {
+        let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
+        let sheet = sheet(&scene);
+        for (language, level) in LANGUAGES
+            .iter()
+            .flat_map(|language| LEVELS.iter().map(move |level| (language, level)))
+        {
+            let edition = Edition {
+                language,
+                level,
+                templates: &templates,
+                typesetter: &Embedded,
+            };
+            let source = edition.source(&scene, &sheet, Format::Pdf).expect("a source");
+            for (page, number) in ink(&source.main, &source.files).expect("pages").into_iter().zip(1..) {
+                let [left, top, right, bottom] = MARGINS;
+                let place = format!("{} {} {level} page {number}: {page:?}", scene.name(), language.code);
+                assert!(
+                    page.from[0] >= left - HAIR && page.to[0] <= page.size[0] - right + HAIR,
+                    "{place}"
+                );
+                assert!(page.from[1] >= top - HEADER - HAIR, "{place}");
+                assert!(page.to[1] <= page.size[1] - bottom + HEADER + HAIR, "{place}");
+                pages += 1;
+            }
+        }
+    }
+    println!("{pages} pages");
+    assert!(pages > 300, "{pages}");
+}

@@ -1,0 +1,314 @@
+"""Books: levels and chapters, golden files, the scene inside, templates of the user's, formats, many at once, watching.
+
+The golden files in `tests/golden/` are the Typst source and the text of the PDF for every language and level.
+`LEMNIS_WRITE=1` writes them anew: read the difference before committing it.
+"""
+
+import hashlib
+import os
+import re
+import subprocess
+import sys
+import time
+
+import pypdf
+import pytest
+
+from conftest import LEMNIS, ROOT, lemnis
+
+DEFAULT = (ROOT / "models/scenes/lemniscate.toml").read_text(encoding="utf-8")
+GOLDEN = ROOT / "tests/golden"
+LEVELS = ["summary", "standard", "full"]
+LANGUAGES = ["en", "zh", "bg"]
+PAGES = {"summary": range(2, 5), "standard": range(15, 26), "full": range(20, 36)}
+
+
+def text_of(path):
+    """The text of every page, with single spaces."""
+    return [" ".join(page.extract_text().split()) for page in pypdf.PdfReader(path).pages]
+
+
+def scene(folder, name="crane.toml", *changes, text=DEFAULT):
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new, 1)
+    path = folder / name
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def book(folder, *arguments):
+    lemnis("book", *arguments, "--output", folder)
+    return folder / "LemniscateCrane.pdf"
+
+
+def golden(name, text):
+    path = GOLDEN / name
+    if os.environ.get("LEMNIS_WRITE"):
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8", newline="\n")
+    expected = path.read_text(encoding="utf-8")
+    assert text == expected, f"{path} differs; LEMNIS_WRITE=1 writes it anew"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("level", LEVELS)
+def test_source_and_text_are_the_golden_ones(level, language, tmp_path):
+    options = ["--level", level, "--language", language]
+    lemnis("book", *options, "--format", "typ", "--output", tmp_path)
+    golden(f"{language}_{level}.typ", (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8"))
+    pages = text_of(book(tmp_path, *options))
+    assert len(pages) in PAGES[level]
+    golden(f"{language}_{level}.txt", "\n".join(pages) + "\n")
+
+
+@pytest.fixture(scope="module")
+def standard(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("standard")
+    return book(folder, scene(folder))
+
+
+def test_every_page_says_from_which_scene_and_by_which_version(standard):
+    digest = hashlib.sha256(DEFAULT.encode()).hexdigest()
+    version = lemnis("--version").split()[1]
+    pages = text_of(standard)
+    assert digest in pages[0].replace(" ", "")
+    for page in pages:
+        assert f"Scene {digest[:12]}" in page and f"Lemnis {version}" in page and f"of {len(pages)}" in page
+
+
+def test_inputs_name_key_and_line(standard):
+    text = " ".join(text_of(standard))
+    for key, value in [("X_1", "19.3 m"), ("weights.G_2", "58.86 kN"), ("motion.to", "120 deg"), ("limits.mu_min", "30 deg")]:
+        table, name = key.rpartition(".")[::2]
+        part = DEFAULT[DEFAULT.index(f"[luffing.{table}]") if table else 0:]
+        place = len(DEFAULT) - len(part) + re.search(rf"^{name}\s*=", part, re.M).start()
+        line = DEFAULT[:place].count("\n") + 1
+        assert value in DEFAULT.splitlines()[line - 1]
+        assert f"luffing.{key}:{line}" in text.replace(" :", ":"), key
+
+
+def test_notes_say_where_a_value_comes_from(tmp_path):
+    path = scene(tmp_path, "crane.toml", ('X_1 = "19.3 m"', 'X_1 = { value = "19.3 m", source = "drawing 4711, sheet 2" }'),
+                 ("Assumed; the publication speaks of a special device.", "offer of the #1 supplier"))
+    text = " ".join(text_of(book(tmp_path, path))[1:4])
+    # The note of one quantity beside those of its table; a note that all have is printed once.
+    assert "drawing 4711, sheet 2" in text and text.count("[Li2022, Fig. 2 and Table 1]") == 7 + 1
+    assert text.count("offer of the #1 supplier") == 1
+
+
+def test_title_block_with_revisions(tmp_path):
+    project = '''[project]
+client = "Port of #strong[Varna]"
+date = "2026-11-21"
+[[project.revisions]]
+mark = "A"
+text = "First issue"
+[[project.revisions]]
+mark = "B"
+date = "2026-11-20"
+author = "N. N."
+text = "Drive moved"
+'''
+    page = text_of(book(tmp_path, scene(tmp_path, "crane.toml", (DEFAULT[DEFAULT.index("[project]"):DEFAULT.index("[luffing]")], project))))[0]
+    for part in ["Port of #strong[Varna]", "A First issue", "B 2026-11-20 N. N. Drive moved"]:
+        assert part in page, part
+
+
+def test_the_verdict_comes_first_with_utilisation(tmp_path):
+    path = scene(tmp_path, "crane.toml", ('epsilon_Y = "2.5 %"', 'epsilon_Y = "2 %"'))
+    page = text_of(book(tmp_path, path))[0]
+    assert "Not all checks are passed." in page
+    # 0.41041 m over 19.4324 m, of 2 %; and 30 deg of the smallest angle.
+    printed = re.search(r"= (2\.1\d+) % ≤ 2 % ([\d.]+) % FAILED", page)
+    assert abs(float(printed[1]) / 2 * 100 - float(printed[2])) < 0.06
+    angle = re.search(r"= ([\d.]+)° ≥ 30° ([\d.]+) % passed", page)
+    assert abs(30 / float(angle[1]) * 100 - float(angle[2])) < 0.06
+
+
+def test_chapters_and_positions_are_those_of_the_scene(tmp_path):
+    own = '[book]\nlevel = "full"\nchapters = ["references", "positions", "inputs"]\npositions = ["75 deg", "mu_min", "to"]\n'
+    path = scene(tmp_path, "crane.toml", ("[luffing]\n", own + "[luffing]\n"))
+    outline = [entry.title for entry in pypdf.PdfReader(book(tmp_path, path)).outline if not isinstance(entry, list)]
+    names = ["References", "Chosen position", "Position of the smallest transmission angle", "Last position", "Given quantities"]
+    assert len(outline) == len(names)
+    for title, name in zip(outline, names):
+        assert name in title
+    assert "75" in outline[1]
+
+
+def test_symbols_link_to_their_definition_and_the_index_knows_the_page(standard):
+    reader = pypdf.PdfReader(standard)
+    links = [a for page in reader.pages for a in page.get("/Annots", []) if a.get_object()["/Subtype"] == "/Link"]
+    assert len(links) > 300
+    pages = text_of(standard)
+    index = [page for page in pages if "10 Notation" in page][-1]  # the first is the table of contents
+    number = int(re.search(r"Angle of the jib at B, counter-clockwise from BA to BC\. ° \[Li2022, eq\. 6\] (\d+)", index)[1])
+    assert "Angle of the jib at B, counter-clockwise from BA to BC." in pages[number - 1]
+    # It is the first page that has it.
+    assert all("Angle of the jib at B, counter" not in page for page in pages[: number - 1])
+
+
+@pytest.mark.parametrize("options", [[], ["--level", "summary"], ["--language", "bg"]])
+def test_a_book_rebuilds_itself_from_the_scene_inside(options, tmp_path):
+    # A byte-order of its own, and characters of which no font has one.
+    text = DEFAULT.replace("\n", "\r\n") + "# крановe 起重机 \U00010ffe\r\n"
+    path = tmp_path / "crane.toml"
+    path.write_bytes(text.encode())
+    first = book(tmp_path / "one", path, *options)
+    again = book(tmp_path / "two", "--from", first, *options)
+    assert first.read_bytes() == again.read_bytes()
+    [(name, [attached])] = pypdf.PdfReader(first).attachments.items()
+    assert name == "LemniscateCrane.toml" and attached == path.read_bytes()
+
+
+def test_a_book_without_a_scene_cannot_rebuild_itself(tmp_path):
+    bare = tmp_path / "bare.pdf"
+    writer = pypdf.PdfWriter()
+    writer.add_blank_page(100, 100)
+    writer.write(bare)
+    assert "has no scene inside" in lemnis("book", "--from", bare, "--output", tmp_path, expect=3)
+
+
+def test_pdf_a_on_request(tmp_path):
+    path = scene(tmp_path, "crane.toml", ("[project] ", '[book]\npdf_standard = "a-3b"\n[project]\ndate = "2026-11-21" #'))
+    root = pypdf.PdfReader(book(tmp_path, path)).trailer["/Root"]
+    metadata = root["/Metadata"].get_data().decode()
+    assert "<pdfaid:part>3</pdfaid:part>" in metadata and "<pdfaid:conformance>B" in metadata
+    assert "pdfuaid:part" in metadata and root["/OutputIntents"]
+    [file] = root["/AF"]
+    assert file.get_object()["/AFRelationship"] == "/Source"
+
+
+def test_exported_templates_make_the_same_book_and_are_never_overwritten(standard, tmp_path):
+    lemnis("templates", "export", tmp_path / "own")
+    assert (tmp_path / "own/words/en.toml").read_bytes() == (ROOT / "templates/words/en.toml").read_bytes()
+    again = book(tmp_path, scene(tmp_path), "--templates", tmp_path / "own")
+    assert again.read_bytes() == standard.read_bytes()
+    assert "exists already" in lemnis("templates", "export", tmp_path / "own", expect=3)
+
+
+def test_a_part_is_overridden_and_the_original_within_reach(tmp_path):
+    own = tmp_path / "own"
+    (own / "words").mkdir(parents=True)
+    (own / "logo.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"><rect width="40" height="20"/></svg>')
+    (own / "title.typ").write_text('#image("logo.svg", width: 30mm, alt: "logo")\nCranes & Sons\n<% include "lemnis/title.typ" %>\n'.replace("&", "and"))
+    (own / "style.typ").write_text('<% include "lemnis/style.typ" %>\n#set page(paper: "us-letter")\n')
+    (own / "words/en.toml").write_text('[chapter]\nresults = "Verdict"\n')
+    made = book(tmp_path, "--templates", own, "--level", "summary")
+    text = text_of(made)[0]
+    assert "Cranes and Sons" in text and "Calculation of the level-luffing mechanism" in text and "1 Verdict" in text
+    assert pypdf.PdfReader(made).pages[0].mediabox.width == 612
+
+
+@pytest.mark.parametrize("name, content, message", [
+    ("results.typ", "one\n{{ book.gone }}", "results.typ:2: `book.gone` is undefined"),
+    ("results.typ", '\n\n{{ word("chapter", "gone") }}', "results.typ:3: no words for chapter.gone"),
+    ("range.typ", "\n<% for %>", "range.typ:2: "),
+    ("results.typ", "#unknown", "unknown variable: unknown"),
+    ("words/en.toml", "[text\n", "words/en.toml: TOML parse error at line 1"),
+])
+def test_a_mistake_in_a_template_is_named_with_its_place(name, content, message, tmp_path):
+    path = tmp_path / "own" / name
+    path.parent.mkdir(parents=True)
+    path.write_text(content)
+    error = lemnis("book", "--templates", tmp_path / "own", "--output", tmp_path, expect=5)
+    assert message in error
+    if not message.startswith("unknown"):
+        assert str(path) in error
+    assert not list(tmp_path.glob("*.pdf"))
+
+
+@pytest.mark.parametrize("kind", ["svg", "png"])
+def test_pages_as_pictures(kind, tmp_path):
+    lemnis("book", "--level", "summary", "--format", kind, "--output", tmp_path)
+    pages = sorted(tmp_path.iterdir())
+    assert [page.name for page in pages] == [f"LemniscateCrane-{i}.{kind}" for i in range(1, len(pages) + 1)]
+    assert len(pages) in PAGES["summary"]
+    start = {"svg": b"<svg", "png": b"\x89PNG"}[kind]
+    assert all(page.read_bytes().startswith(start) and page.stat().st_size > 10_000 for page in pages)
+
+
+def test_html_has_formulas_tables_and_pictures(tmp_path):
+    lemnis("book", "--format", "html", "--output", tmp_path)
+    text = (tmp_path / "LemniscateCrane.html").read_text(encoding="utf-8")
+    assert text.startswith("<!DOCTYPE html>")
+    assert text.count("<math") > 300 and text.count("<table") > 10 and text.count("<svg") >= 12
+
+
+def test_many_scenes_in_one_call_are_the_books_of_single_calls(standard, tmp_path):
+    scenes = [scene(tmp_path, f"{i}.toml", ("LemniscateCrane", f"Crane{i}"), ('"19.3 m"', f'"19.3{i} m"')) for i in range(5)]
+    lemnis("book", "--level", "summary", *scenes, "--output", tmp_path / "all")
+    for i, path in enumerate(scenes):
+        lemnis("book", "--level", "summary", path, "--output", tmp_path / "one")
+        assert (tmp_path / f"all/Crane{i}.pdf").read_bytes() == (tmp_path / f"one/Crane{i}.pdf").read_bytes()
+    assert "the same name" in lemnis("book", scenes[0], scenes[0], "--output", tmp_path, expect=1)
+    # One wrong scene, and nothing is written.
+    wrong = scene(tmp_path, "wrong.toml", ('X_1 = "19.3 m"', 'X_1 = "0 m"'))
+    lemnis("book", scenes[0], wrong, "--output", tmp_path / "none", expect=1)
+    assert not (tmp_path / "none").exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="the stand-in for typst is a shell script")
+def test_an_old_or_absent_typst_is_refused_in_words(tmp_path):
+    assert "cannot run" in lemnis("book", "--typst", tmp_path / "gone", "--output", tmp_path, expect=5)
+    old = tmp_path / "typst"
+    old.write_text("#!/bin/sh\necho 'typst 0.13.1 (8ace67d9)'\n")
+    old.chmod(0o755)
+    error = lemnis("book", "--typst", old, "--output", tmp_path, expect=5)
+    assert "is Typst 0.13, books need 0.15 or later" in error
+
+
+# Typst's Python package behind the part of the command line that books use.
+TYPST = """#!{python}
+import sys, typst
+options = sys.argv[1:]
+if options == ["--version"]:
+    sys.exit(print("typst", typst.__version__))
+value = lambda name: options[options.index(name) + 1]
+standards = value("--pdf-standard").split(",") if "--pdf-standard" in options else []
+typst.compile(options[-2], output=options[-1], root=value("--root"), format=value("--format"),
+              font_paths=[value("--font-path")], ignore_system_fonts=True, pdf_standards=standards)
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="the stand-in for typst is a script with a shebang")
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_an_installed_typst_prints_the_same_pages(language, tmp_path):
+    typst = tmp_path / "typst"
+    typst.write_text(TYPST.replace("{python}", sys.executable))
+    typst.chmod(0o755)
+    options = ["--level", "summary", "--language", language]
+    external = book(tmp_path / "external", "--typst", typst, *options)
+    assert text_of(external) == text_of(book(tmp_path / "embedded", *options))
+    lemnis("book", "--typst", typst, "--format", "png", *options, "--output", tmp_path / "pages")
+    assert len(list((tmp_path / "pages").glob("*.png"))) == len(pypdf.PdfReader(external).pages)
+
+
+def test_watching_follows_changes_and_survives_mistakes(tmp_path):
+    path = scene(tmp_path)
+    out = tmp_path / "out"
+    made = out / "LemniscateCrane.pdf"
+    command = [str(LEMNIS), "book", str(path), "--level", "summary", "--watch", "--output", str(out)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, encoding="utf-8") as watching:
+        try:
+            def wait():
+                lines = []
+                while True:
+                    lines.append(watching.stdout.readline())
+                    if "waiting for changes" in lines[-1]:
+                        time.sleep(0.05)
+                        return "".join(lines)
+
+            assert "ms; waiting" in wait()
+            first = made.read_bytes()
+            path.write_text(DEFAULT.replace('Q = "160 kN"', 'Q = "170 kN"'), encoding="utf-8")
+            assert "wrote" in wait()
+            assert made.read_bytes() != first
+            path.write_text(DEFAULT.replace('"19.3 m"', '"19,3 m"'), encoding="utf-8")
+            assert "use a decimal point" in wait()
+            path.write_text(DEFAULT, encoding="utf-8")
+            assert "wrote" in wait()
+            assert made.read_bytes() == first
+        finally:
+            watching.kill()
