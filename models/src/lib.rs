@@ -4,9 +4,13 @@
 //! becomes parameters; the equations ([`lemniscate`], over [`four_bar`] and
 //! [`plane`]) run on any scalar ([`calc`]): on `f64` in a [`model`], which the
 //! FMU steps, on the recorder ([`record`]) for the book's [`sheet`].
+//!
+//! [`balance`] and [`steering`] are equations and searches without scene, FMU
+//! and book yet.
 
 #![forbid(unsafe_code)]
 
+pub mod balance;
 pub mod calc;
 pub mod diagnostic;
 pub mod four_bar;
@@ -17,5 +21,6 @@ pub mod record;
 pub mod scene;
 pub mod schema;
 pub mod sheet;
+pub mod steering;
 pub mod symbol;
 pub mod unit;

@@ -67,7 +67,7 @@ macro_rules! quantities {
 
         impl<C: Copy> $name<C> {
             /// The same quantities over another scalar.
-            pub fn map<D>(&self, f: &mut impl FnMut(&'static Symbol, C) -> D) -> $name<D> {
+            pub fn map<D>(&self, f: &mut impl FnMut(&'static $crate::symbol::Symbol, C) -> D) -> $name<D> {
                 $name { $($field: f(&s::$symbol, self.$field)),* }
             }
         }

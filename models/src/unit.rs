@@ -129,6 +129,10 @@ units! {
     PA          = "Pa"       "Pa"      [-1 1 -2 0]   1.0;
     BAR         = "bar"      "bar"     [-1 1 -2 0]   1e5;
     MPA         = "MPa"      "MPa"     [-1 1 -2 0]   1e6;
+    M3          = "m3"       "m³"      [3 0 0 0]     1.0;
+    CM3         = "cm3"      "cm³"     [3 0 0 0]     1e-6;
+    PER_S       = "1/s"      "1/s"     [0 0 -1 0]    1.0;
+    PER_MIN     = "1/min"    "1/min"   [0 0 -1 0]    1.0 / 60.0;
     M3_PER_S    = "m3/s"     "m³/s"    [3 0 -1 0]    1.0;
     L_PER_MIN   = "L/min"    "L/min"   [3 0 -1 0]    1e-3 / 60.0;
 }
@@ -141,7 +145,9 @@ impl Unit {
             (d, 0) if d == M.dimension => "Length",
             (d, _) if d == M2.dimension => "Area",
             (d, 1) if d == RAD.dimension => "Angle",
+            (d, _) if d == M3.dimension => "Volume",
             (d, _) if d == S.dimension => "Time",
+            (d, 0) if d == PER_S.dimension => "Frequency",
             (d, 1) if d == RAD_PER_S.dimension => "AngularVelocity",
             (d, _) if d == M_PER_S.dimension => "Velocity",
             (d, _) if d == KG.dimension => "Mass",

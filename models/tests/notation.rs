@@ -3,21 +3,37 @@
 
 use std::fmt::Write as _;
 
-use lemnis_models::lemniscate::symbols;
+use lemnis_models::symbol::Symbol;
+use lemnis_models::{balance, lemniscate, steering};
+
+/// Every mechanism with its table.
+const TABLES: [(&str, &[&Symbol]); 3] = [
+    ("The double-link luffing mechanism", lemniscate::symbols::ALL),
+    ("The balance of the boom system", balance::symbols::ALL),
+    (
+        "Steering, seen from above: x forward, y to the left, angles counter-clockwise from straight ahead",
+        steering::symbols::ALL,
+    ),
+];
 
 fn page() -> String {
     let mut page = String::from(
         "# Notation\n\nGenerated from the symbol tables in `models/`. x forward (towards the load), y up, angles\n\
-         counter-clockwise from the horizontal in (-90°, 270°]; SI inside, the display unit where people read.\n\n\
-         ## The double-link luffing mechanism\n\n| name | SI | display | meaning and sign | source |\n|---|---|---|---|---|\n",
+         counter-clockwise from the horizontal in (-90°, 270°]; SI inside, the display unit where people read.\n",
     );
-    for symbol in symbols::ALL {
-        let (unit, display) = (symbol.unit.name, symbol.display.name);
-        let _ = writeln!(
+    for (title, table) in TABLES {
+        let _ = write!(
             page,
-            "| `{}` | {unit} | {display} | {} | {} |",
-            symbol.id, symbol.text, symbol.source
+            "\n## {title}\n\n| name | SI | display | meaning and sign | source |\n|---|---|---|---|---|\n"
         );
+        for symbol in table {
+            let (unit, display) = (symbol.unit.name, symbol.display.name);
+            let _ = writeln!(
+                page,
+                "| `{}` | {unit} | {display} | {} | {} |",
+                symbol.id, symbol.text, symbol.source
+            );
+        }
     }
     page
 }
@@ -39,15 +55,17 @@ fn the_notation_page_is_up_to_date() {
 
 #[test]
 fn names_are_unique_and_complete() {
-    for (i, symbol) in symbols::ALL.iter().enumerate() {
-        assert!(
-            symbols::ALL[..i].iter().all(|other| other.id != symbol.id),
-            "{} twice",
-            symbol.id
-        );
-        assert!(!symbol.text.is_empty() && symbol.text.ends_with('.'), "{}", symbol.id);
-        assert!(!symbol.source.is_empty(), "{}", symbol.id);
-        assert_eq!(symbol.unit.dimension, symbol.display.dimension, "{}", symbol.id);
-        assert_eq!(symbol.unit.factor, 1.0, "{} is in SI", symbol.id);
+    for (_, table) in TABLES {
+        for (i, symbol) in table.iter().enumerate() {
+            assert!(
+                table[..i].iter().all(|other| other.id != symbol.id),
+                "{} twice",
+                symbol.id
+            );
+            assert!(!symbol.text.is_empty() && symbol.text.ends_with('.'), "{}", symbol.id);
+            assert!(!symbol.source.is_empty(), "{}", symbol.id);
+            assert_eq!(symbol.unit.dimension, symbol.display.dimension, "{}", symbol.id);
+            assert_eq!(symbol.unit.factor, 1.0, "{} is in SI", symbol.id);
+        }
     }
 }

@@ -4,8 +4,9 @@
     python subset.py /usr/share/fonts/opentype/noto
 
 Kept are the 3,755 characters of GB 2312's first level, its punctuation and its
-full-width forms: what Chinese books of engineering are written in. A font of a
-single character outside of them is for the tests.
+full-width forms: what Chinese books of engineering are written in; and the
+characters of cited authors' names. A font of a single character outside of
+them is for the tests.
 """
 
 import sys
@@ -15,6 +16,7 @@ from fontTools import subset
 
 SIMPLIFIED_CHINESE = 2  # place in the collection
 ROWS = [0xA1, 0xA3, *range(0xB0, 0xD8)]
+NAMES = "鑫"
 
 
 def characters():
@@ -36,7 +38,7 @@ def make(collection, text, name):
 
 
 def main(folder):
-    text = "".join(characters())
+    text = "".join(characters()) + NAMES
     for weight in ["Regular", "Bold"]:
         make(folder / f"NotoSansCJK-{weight}.ttc", text, f"NotoSansCJKsc-{weight}.otf")
     make(folder / "NotoSansCJK-Regular.ttc", "龘", "one_character.otf")

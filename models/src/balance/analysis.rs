@@ -1,0 +1,299 @@
+//! What is left of the moment: at one position, and over the working range.
+
+use crate::balance::boom::{Boom, Load};
+use crate::balance::{Action, Balance, FINITE, Fault, symbols as s};
+use crate::calc::Calc;
+use crate::lemniscate::range::Extreme;
+use crate::plane::{self, Point};
+use crate::symbol::Symbol;
+
+/// What is left at one boom angle.
+#[derive(Clone, Copy, Debug)]
+pub struct Residual<C> {
+    pub boom: Load<C>,
+    pub action: Action<C>,
+    /// About the boom foot, in N·m; positive raises the boom.
+    pub dm: C,
+    /// About the lever's pivot, in N·m; none where there is no lever or it stands still.
+    pub dm_5: Option<C>,
+    /// Force of the frame on the boom foot, in N, with a drive that is a moment.
+    pub foot: Point<C>,
+}
+
+impl<C: Calc> Residual<C> {
+    /// At boom angle `phi` (rad). [Balance004, eq. 3]
+    ///
+    /// # Errors
+    /// An angle at which boom or balance cannot be.
+    pub fn new(boom: &Boom<C>, balance: &Balance<C>, phi: C) -> Result<Residual<C>, Fault> {
+        let load = boom.at(phi)?;
+        let action = balance.at(phi, &load)?;
+        let dm = (load.m_0 + action.m_b).def(&s::DM);
+        let moving = action.lever.filter(|turn| turn.i_5.value() != 0.0);
+        Ok(Residual {
+            boom: load,
+            action,
+            dm,
+            dm_5: moving.map(|turn| (dm / turn.i_5).def(&s::DM_5)),
+            foot: plane::def(load.foot - action.on_boom, [&s::F_OX, &s::F_OY]),
+        })
+    }
+}
+
+impl Residual<f64> {
+    /// Every result that this balance has, under its symbol, in SI.
+    #[must_use]
+    pub fn results(&self) -> Vec<(&'static Symbol, f64)> {
+        let action = &self.action;
+        let both = |at: Option<Point<f64>>, [x, y]: [&'static Symbol; 2]| at.map(|at| [(x, at.x), (y, at.y)]);
+        let mut list = vec![(&s::M_0, self.boom.m_0), (&s::M_B, action.m_b), (&s::DM, self.dm)];
+        list.extend(self.dm_5.map(|dm_5| (&s::DM_5, dm_5)));
+        if let Some(turn) = action.lever {
+            list.extend([(&s::PSI, turn.psi), (&s::I_5, turn.i_5), (&s::GAMMA, turn.gamma)]);
+        }
+        list.extend(action.n_1.map(|n_1| (&s::N_1, n_1)));
+        list.extend(action.y_5.map(|y_5| (&s::C_Y, y_5)));
+        list.extend(both(Some(action.on_boom), [&s::F_KX, &s::F_KY]).into_iter().flatten());
+        list.extend(both(action.on_pivot, [&s::F_PX, &s::F_PY]).into_iter().flatten());
+        list.extend(both(Some(self.foot), [&s::F_OX, &s::F_OY]).into_iter().flatten());
+        list
+    }
+}
+
+/// An angle (rad) at which nothing is left.
+#[derive(Clone, Copy, Debug)]
+pub struct Equilibrium {
+    pub phi: f64,
+    /// The boom comes back when it is moved a little.
+    pub stable: bool,
+}
+
+/// Results of the working range.
+#[derive(Clone, Debug)]
+pub struct Analysis {
+    /// Greatest amount of the residual about the boom foot, in N·m.
+    pub dm_max: Extreme,
+    /// Greatest amount of the residual about the lever's pivot, in N·m.
+    pub dm_5_max: Option<Extreme>,
+    /// ∫ |dM| dφ, in J.
+    pub e_abs: f64,
+    /// ∫ max(dM, 0) dφ, in J.
+    pub e_plus: f64,
+    pub gamma_min: Option<Extreme>,
+    /// Greatest amount of the force in rod or rope, in N.
+    pub n_max: Option<Extreme>,
+    /// Greatest less smallest height of the counterweight, in m.
+    pub travel: Option<f64>,
+    pub equilibria: Vec<Equilibrium>,
+    /// Residual at both ends, in N·m: stable ends have it positive, then negative. [Balance004, eq. 6-7]
+    pub ends: [f64; 2],
+}
+
+/// Points at which a quantity is looked at before extremes and zeros are refined.
+const GRID: u32 = 380;
+
+impl Analysis {
+    /// Over the boom angles `range` (rad).
+    ///
+    /// # Errors
+    /// A range that is empty, or where boom or balance do not close or would
+    /// have to pass a dead point, with the angles where they do not.
+    pub fn new(boom: &Boom<f64>, balance: &Balance<f64>, range: [f64; 2]) -> Result<Analysis, Fault> {
+        let [from, to] = range;
+        if !(from < to && from.is_finite() && to.is_finite()) {
+            return Err(Fault::new(
+                &s::PHI,
+                to,
+                [from, f64::INFINITY],
+                "the working range is empty",
+            ));
+        }
+        let middle = f64::midpoint(from, to);
+        let mut arcs = vec![(
+            boom.arc(middle),
+            "the boom system does not close over the whole working range",
+        )];
+        let what = "the balance linkage does not close over the whole working range without a dead point";
+        match balance {
+            Balance::Lever(lever) => arcs.push((lever.arc(middle), what)),
+            Balance::Parallelogram(lever) => arcs.push((lever.arc(middle), what)),
+            _ => {}
+        }
+        for (arc, what) in arcs {
+            for phi in range {
+                if !(arc[0]..=arc[1]).contains(&phi) {
+                    return Err(Fault::new(&s::PHI, phi, arc, what));
+                }
+            }
+        }
+        let at = |phi: f64| Residual::new(boom, balance, phi);
+        let grid = Sampled::new(range, at)?;
+        let dm = |phi| at(phi).map(|r| r.dm);
+        let dm_max = grid.greatest(|r| r.dm.abs())?.expect("a residual exists");
+        let dm_5_max = grid.greatest_of(|r| r.dm_5.map(f64::abs))?;
+        // The integral of the residual is the fall of the potential energy, and
+        // its zeros split the range.
+        let energy = |r: &Residual<f64>| -(r.boom.u_0 + r.action.u_5);
+        let mut equilibria = Vec::new();
+        let (mut e_abs, mut e_plus) = (0.0, 0.0);
+        let mut last = energy(&grid.samples[0]);
+        let mut gain = |here: f64, last: &mut f64| {
+            let step = here - *last;
+            e_abs += step.abs();
+            e_plus += step.max(0.0);
+            *last = here;
+        };
+        let scale = grid.samples.iter().map(|r| r.boom.m_0.abs()).fold(0.0, f64::max);
+        for (i, pair) in grid.samples.windows(2).enumerate() {
+            let (a, b) = (pair[0].dm, pair[1].dm);
+            // Rounding of an exact balance is no equilibrium of its own.
+            if a.abs().max(b.abs()) <= 1e-10 * scale || (a > 0.0) == (b > 0.0) {
+                continue;
+            }
+            let phi = zero([grid.phi(i), grid.phi(i + 1)], a > 0.0, dm)?;
+            equilibria.push(Equilibrium { phi, stable: a > 0.0 });
+            gain(energy(&at(phi)?), &mut last);
+        }
+        gain(energy(grid.samples.last().expect("samples")), &mut last);
+        let highest = grid.greatest_of(|r| r.action.y_5)?;
+        let lowest = grid.greatest_of(|r| r.action.y_5.map(|y| -y))?;
+        let gamma = grid.greatest_of(|r| r.action.lever.map(|turn| -turn.gamma))?;
+        Ok(Analysis {
+            dm_max,
+            dm_5_max,
+            e_abs,
+            e_plus,
+            gamma_min: gamma.map(|e| Extreme { value: -e.value, ..e }),
+            n_max: grid.greatest_of(|r| r.action.n_1.map(f64::abs))?,
+            travel: highest.zip(lowest).map(|(high, low)| high.value + low.value),
+            equilibria,
+            ends: [grid.samples[0].dm, grid.samples.last().expect("samples").dm],
+        })
+    }
+}
+
+impl Analysis {
+    /// Every result that this balance has, under its symbol, in SI.
+    #[must_use]
+    pub fn results(&self) -> Vec<(&'static Symbol, f64)> {
+        let mut list = vec![
+            (&s::DM_MAX, self.dm_max.value),
+            (&s::E_ABS, self.e_abs),
+            (&s::E_PLUS, self.e_plus),
+        ];
+        let optional = [
+            (&s::DM_5_MAX, self.dm_5_max.map(|e| e.value)),
+            (&s::GAMMA_MIN, self.gamma_min.map(|e| e.value)),
+            (&s::N_MAX, self.n_max.map(|e| e.value)),
+            (&s::TRAVEL, self.travel),
+        ];
+        list.extend(
+            optional
+                .into_iter()
+                .filter_map(|(symbol, value)| Some((symbol, value?))),
+        );
+        list
+    }
+}
+
+/// The range on a grid, and the function behind it.
+struct Sampled<F> {
+    range: [f64; 2],
+    samples: Vec<Residual<f64>>,
+    at: F,
+}
+
+impl<F: Fn(f64) -> Result<Residual<f64>, Fault>> Sampled<F> {
+    fn new(range: [f64; 2], at: F) -> Result<Sampled<F>, Fault> {
+        let mut grid = Sampled {
+            range,
+            samples: Vec::new(),
+            at,
+        };
+        for i in 0..=GRID as usize {
+            let phi = grid.phi(i);
+            let sample = (grid.at)(phi)?;
+            let whole = [sample.dm, sample.action.u_5, sample.action.n_1.unwrap_or(0.0)];
+            if let Some(&value) = whole.iter().find(|value| !value.is_finite()) {
+                return Err(Fault::new(
+                    &s::DM,
+                    value,
+                    FINITE,
+                    format!("no finite moment at {} deg", phi.to_degrees()),
+                ));
+            }
+            grid.samples.push(sample);
+        }
+        Ok(grid)
+    }
+
+    fn phi(&self, i: usize) -> f64 {
+        let [from, to] = self.range;
+        if i == GRID as usize {
+            to
+        } else {
+            from + (to - from) * i as f64 / f64::from(GRID)
+        }
+    }
+
+    fn greatest(&self, pick: impl Fn(&Residual<f64>) -> f64) -> Result<Option<Extreme>, Fault> {
+        self.greatest_of(|r| Some(pick(r)))
+    }
+
+    /// The greatest value: every peak of the grid is refined, for the best
+    /// balances have several of nearly the same height.
+    fn greatest_of(&self, pick: impl Fn(&Residual<f64>) -> Option<f64>) -> Result<Option<Extreme>, Fault> {
+        let Some(values) = self.samples.iter().map(&pick).collect::<Option<Vec<f64>>>() else {
+            return Ok(None);
+        };
+        let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let bottom = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let mut best = Extreme {
+            value: f64::NEG_INFINITY,
+            at: self.range[0],
+        };
+        let last = values.len() - 1;
+        for (i, &value) in values.iter().enumerate() {
+            let (before, after) = (i.saturating_sub(1), (i + 1).min(last));
+            if value > best.value {
+                best = Extreme { value, at: self.phi(i) };
+            }
+            // Between two samples a peak hides less than this part of the whole swing.
+            let near = value >= top - 0.01 * (top - bottom);
+            if !(near && value >= values[before] && value >= values[after]) {
+                continue;
+            }
+            let mut ends = [self.phi(before), self.phi(after)];
+            const GOLDEN: f64 = 0.618_033_988_749_894_9;
+            for _ in 0..40 {
+                let width = ends[1] - ends[0];
+                let inner = [ends[1] - GOLDEN * width, ends[0] + GOLDEN * width];
+                let mut found = [0.0; 2];
+                for (found, &phi) in found.iter_mut().zip(&inner) {
+                    *found = pick(&(self.at)(phi)?).unwrap_or(f64::NEG_INFINITY);
+                    if *found > best.value {
+                        best = Extreme { value: *found, at: phi };
+                    }
+                }
+                if found[0] > found[1] {
+                    ends[1] = inner[1]
+                } else {
+                    ends[0] = inner[0]
+                }
+            }
+        }
+        Ok(Some(best))
+    }
+}
+
+/// The zero between two angles by bisection down to neighbouring numbers.
+fn zero(mut ends: [f64; 2], falling: bool, f: impl Fn(f64) -> Result<f64, Fault>) -> Result<f64, Fault> {
+    loop {
+        let middle = f64::midpoint(ends[0], ends[1]);
+        if middle <= ends[0] || middle >= ends[1] {
+            return Ok(middle);
+        }
+        let end = usize::from((f(middle)? > 0.0) != falling);
+        ends[end] = middle;
+    }
+}

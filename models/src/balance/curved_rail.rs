@@ -1,0 +1,105 @@
+//! Rope to a trolley on a curved rail. The rail follows from the condition that
+//! the potential energy of boom and trolley stays what it is: the balance is
+//! exact, for any boom.
+
+use crate::balance::boom::{Boom, Load, joint};
+use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, check, symbols as s};
+use crate::calc::Calc;
+use crate::plane::{self, Point};
+use crate::symbol::quantities;
+
+quantities! {
+    /// Trolley (N), rope's joint on the boom (m, rad), length of the rope (m),
+    /// height of the trolley (m) at the reference angle (rad).
+    Dimensions { g_c: G_C, r_1: R_K, alpha_1: ALPHA_K, l_r: L_R, y_0: Y_0, phi_0: PHI_0 }
+}
+
+/// The balance of one boom, at no particular position.
+#[derive(Clone, Copy, Debug)]
+pub struct CurvedRail<C> {
+    pub dimensions: Dimensions<C>,
+    /// Potential energy of the boom at the reference angle, in J.
+    u_0: C,
+}
+
+impl<C: Calc> CurvedRail<C> {
+    /// # Errors
+    /// A weight or a length that is not positive, or a boom that does not close at the reference angle.
+    pub fn new(dimensions: Dimensions<C>, boom: &Boom<C>) -> Result<CurvedRail<C>, Fault> {
+        let d = &dimensions;
+        check(&s::G_C, d.g_c.value(), POSITIVE)?;
+        check(&s::R_K, d.r_1.value(), NOT_NEGATIVE)?;
+        check(&s::ALPHA_K, d.alpha_1.value(), FINITE)?;
+        check(&s::L_R, d.l_r.value(), POSITIVE)?;
+        check(&s::Y_0, d.y_0.value(), FINITE)?;
+        check(&s::PHI_0, d.phi_0.value(), FINITE)?;
+        let u_0 = boom.at(d.phi_0)?.u_0;
+        Ok(CurvedRail { dimensions, u_0 })
+    }
+
+    /// The trolley's place on its rail, in m from the boom foot.
+    ///
+    /// # Errors
+    /// A rope that is too short to reach the rail.
+    pub fn rail(&self, phi: C, boom: &Load<C>) -> Result<Point<C>, Fault> {
+        let d = &self.dimensions;
+        let k = joint(phi, d.r_1, d.alpha_1);
+        let y = (d.y_0 - (boom.u_0 - self.u_0) / d.g_c).def(&s::C_Y);
+        let height = k.y - y;
+        let square = (d.l_r - height) * (d.l_r + height);
+        // At zero the rope hangs vertically.
+        if square.value().is_nan() || square.value() <= 0.0 {
+            let allowed = [height.value().abs(), f64::INFINITY];
+            return Err(Fault::new(
+                &s::L_R,
+                d.l_r.value(),
+                allowed,
+                "the rope does not reach the rail",
+            ));
+        }
+        let w_r = square.sqrt().def(&s::W_R);
+        Ok(Point::new((k.x - w_r).def(&s::C_X), y))
+    }
+
+    /// At boom angle `phi` (rad): the trolley in equilibrium between its weight,
+    /// the rope and the rail, across which the rail pushes. [Ports001, 2.1.5]
+    ///
+    /// # Errors
+    /// As [`rail`](CurvedRail::rail); a rope across the rail.
+    pub fn at(&self, phi: C, boom: &Load<C>) -> Result<Action<C>, Fault> {
+        let d = &self.dimensions;
+        let c = self.rail(phi, boom)?;
+        let k = joint(phi, d.r_1, d.alpha_1);
+        let rope = k - c;
+        let t_y = (boom.m_0 / d.g_c).def(&s::T_Y);
+        // Power of weight and rope on the trolley: the rail takes no part in it,
+        // and the trolley's travel along the rope is the boom's across its arm.
+        let h_1 = (-(plane::cross(k, rope) / d.l_r)).def(&s::H_1);
+        let at_rest = boom.m_0.value() == 0.0;
+        let n_1 = if at_rest {
+            boom.m_0 / d.l_r
+        } else {
+            -(d.g_c * t_y / h_1)
+        }
+        .def(&s::N_1);
+        // Infinite where the rope points at the foot.
+        if !n_1.value().is_finite() || n_1.value() < 0.0 {
+            let what = "the rope cannot raise the boom: it would have to push, or points at the boom foot";
+            return Err(Fault::new(&s::N_1, n_1.value(), NOT_NEGATIVE, what));
+        }
+        let pull = Point::new(-(n_1 * rope.x / d.l_r), -(n_1 * rope.y / d.l_r));
+        let on_boom = plane::def(pull, [&s::F_KX, &s::F_KY]);
+        Ok(Action {
+            m_b: plane::cross(k, on_boom).def(&s::M_B),
+            u_5: (d.g_c * c.y).def(&s::U_5),
+            y_5: Some(c.y),
+            on_boom,
+            on_pivot: Some(plane::def(
+                Point::new(on_boom.x, on_boom.y + d.g_c),
+                [&s::F_PX, &s::F_PY],
+            )),
+            n_1: Some(n_1),
+            lever: None,
+        })
+    }
+}

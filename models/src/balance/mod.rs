@@ -1,0 +1,165 @@
+//! The balance of the boom system: what its weights ask for, what a
+//! counterweight gives, and what is left. [Balance004; Ports001, 2.1-2.2, 4.1, 9]
+//!
+//! ```text
+//!     C_5 ■                                       boom
+//!          \  s_5          l_1             K  ___/
+//!      chi_5 \  ___────────────────────── o──
+//!             o  R_1                   r_1 /
+//!           M  \       d_1                /  alpha_1 from the boom's axis
+//!                \________________ O  o──/  phi ____ x
+//! ```
+//!
+//! O is the foot of the boom, x towards the load, y up, angles counter-clockwise.
+//! Moments about the boom foot are **positive where they raise the boom**, as in
+//! Balance004: `M_0` is negative, `M_ur` positive, `dM = M_0 + M_ur`. (In
+//! [`crate::lemniscate`], `M_G` has the other sign.) At a stable equilibrium `dM`
+//! falls through zero. The residual about the lever's pivot, `dM_5 = dM / i_5`, has
+//! the same power; [Ports001, table 5.2.1] prints its amount with the opposite sign.
+//!
+//! | id | function | source |
+//! |---|---|---|
+//! | `balance.boom.moment` | [`boom::Boom::at`] | Balance004, eq. 1, by virtual work |
+//! | `balance.boom.moment_by_power` | [`boom::Boom::moment_by_power`] | Ports001, 9 |
+//! | `balance.tail.moment` | [`tail::Tail::at`] | Ports001, 2.1.1 |
+//! | `balance.parallelogram.moment` | [`parallelogram::Parallelogram::at`] | Ports001, 2.1.2 |
+//! | `balance.lever.moment` | [`lever::Lever::at`] | Balance004, eq. 2; Ports001, 2.1.3, 4.1 |
+//! | `balance.straight_rail.moment` | [`straight_rail::StraightRail::at`] | Ports001, 2.1.4 |
+//! | `balance.curved_rail.moment` | [`curved_rail::CurvedRail::at`] | Ports001, 2.1.5 |
+//! | `balance.residual` | [`analysis::Residual::new`] | Balance004, eq. 3; Ports001, eq. 5.2.6 |
+//! | `balance.range` | [`analysis::Analysis::new`] | Balance004, criteria F1-F3 |
+//! | `balance.synthesis.three` | [`synthesis::three::lever`] | Ports001, 2.2.1 |
+//! | `balance.synthesis.four` | [`synthesis::four::Nodes`] | Balance004, eq. 4 |
+//! | `balance.synthesis.optimum` | [`synthesis::optimum::search`] | Balance004, eq. 6-7, global |
+//! | `balance.synthesis.tolerance` | [`synthesis::tolerance::Spread::new`] | derived |
+
+pub mod analysis;
+pub mod boom;
+pub mod curved_rail;
+pub mod lever;
+pub mod parallelogram;
+pub mod straight_rail;
+pub mod symbols;
+pub mod synthesis;
+pub mod tail;
+
+use crate::calc::Calc;
+use crate::plane::Point;
+use crate::symbol::Symbol;
+
+/// What cannot be: a quantity, its value and what is allowed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// The quantity to blame.
+    pub quantity: &'static Symbol,
+    /// Its value, in SI.
+    pub value: f64,
+    /// Smallest and greatest allowed value, in SI.
+    pub allowed: [f64; 2],
+    /// What is wrong, and what to do.
+    pub what: String,
+}
+
+impl Fault {
+    pub fn new(quantity: &'static Symbol, value: f64, allowed: [f64; 2], what: impl Into<String>) -> Fault {
+        Fault {
+            quantity,
+            value,
+            allowed,
+            what: what.into(),
+        }
+    }
+}
+
+impl std::fmt::Display for Fault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let unit = self.quantity.display.name;
+        let shown = |value: f64| crate::schema::short(self.quantity.shown(value));
+        write!(f, "{}: {} = {} {unit}", self.what, self.quantity.id, shown(self.value))?;
+        match self.allowed {
+            FINITE if self.value.is_finite() => Ok(()),
+            FINITE => f.write_str(", it must be a finite number"),
+            POSITIVE => f.write_str(", it must be greater than zero"),
+            NOT_NEGATIVE => f.write_str(", it must be zero or greater"),
+            [low, high] if high >= f64::MAX => write!(f, ", allowed from {} {unit}", shown(low)),
+            [low, high] if low <= f64::MIN => write!(f, ", allowed up to {} {unit}", shown(high)),
+            [low, high] => write!(f, ", allowed {} to {} {unit}", shown(low), shown(high)),
+        }
+    }
+}
+
+impl std::error::Error for Fault {}
+
+/// Refuses what is not a finite number within `allowed`, in SI.
+///
+/// # Errors
+/// The quantity, its value and the range.
+pub fn check(quantity: &'static Symbol, value: f64, allowed: [f64; 2]) -> Result<(), Fault> {
+    if value.is_finite() && (allowed[0]..=allowed[1]).contains(&value) {
+        Ok(())
+    } else {
+        Err(Fault::new(quantity, value, allowed, "a value out of its range"))
+    }
+}
+
+/// Greater than zero.
+pub(crate) const POSITIVE: [f64; 2] = [f64::MIN_POSITIVE, f64::MAX];
+/// Zero or greater.
+pub(crate) const NOT_NEGATIVE: [f64; 2] = [0.0, f64::MAX];
+/// Any finite number.
+pub(crate) const FINITE: [f64; 2] = [f64::MIN, f64::MAX];
+
+/// What a balance does at one boom angle.
+#[derive(Clone, Copy, Debug)]
+pub struct Action<C> {
+    /// Moment about the boom foot, in N·m; positive raises the boom.
+    pub m_b: C,
+    /// Potential energy of the counterweight, in J, up to a constant.
+    pub u_5: C,
+    /// Height of the counterweight, in m, up to a constant; where its arm is known.
+    pub y_5: Option<C>,
+    /// Force on the boom, in N.
+    pub on_boom: Point<C>,
+    /// Force of the frame on the lever's pivot, the guide pulley or the rail, in N.
+    pub on_pivot: Option<Point<C>>,
+    /// Force in rod or rope, in N, tension positive.
+    pub n_1: Option<C>,
+    pub lever: Option<Turn<C>>,
+}
+
+/// The lever of a balance at one boom angle.
+#[derive(Clone, Copy, Debug)]
+pub struct Turn<C> {
+    /// Angle of the counterweight's arm, in rad.
+    pub psi: C,
+    /// Angular velocity over the boom's.
+    pub i_5: C,
+    /// Transmission angle, 0 to π/2 rad.
+    pub gamma: C,
+}
+
+/// Any of the balances.
+#[derive(Clone, Copy, Debug)]
+pub enum Balance<C> {
+    Tail(tail::Tail<C>),
+    Parallelogram(parallelogram::Parallelogram<C>),
+    Lever(lever::Lever<C>),
+    StraightRail(straight_rail::StraightRail<C>),
+    CurvedRail(curved_rail::CurvedRail<C>),
+}
+
+impl<C: Calc> Balance<C> {
+    /// At boom angle `phi` (rad), with what the boom asks for there.
+    ///
+    /// # Errors
+    /// An angle at which the balance cannot be assembled or has a dead point.
+    pub fn at(&self, phi: C, boom: &boom::Load<C>) -> Result<Action<C>, Fault> {
+        match self {
+            Balance::Tail(it) => Ok(it.at(phi)),
+            Balance::Parallelogram(it) => it.at(phi),
+            Balance::Lever(it) => it.at(phi),
+            Balance::StraightRail(it) => it.at(phi),
+            Balance::CurvedRail(it) => it.at(phi, boom),
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Rope over a guide pulley to a counterweight on a straight rail. The pulley
+//! is a point.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::balance::boom::joint;
+use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, check, symbols as s};
+use crate::calc::Calc;
+use crate::plane::{self, Point};
+use crate::symbol::quantities;
+
+quantities! {
+    /// Counterweight (N), rope's joint on the boom (m, rad), guide pulley (m),
+    /// slope of the rail (rad): it runs down to the rear.
+    StraightRail { g_c: G_C, r_1: R_K, alpha_1: ALPHA_K, h_x: H_X, h_y: H_Y, lambda: LAMBDA }
+}
+
+impl<C: Calc> StraightRail<C> {
+    /// # Errors
+    /// A joint at the boom foot, a negative weight, a rail that does not go down, or what is no number.
+    pub fn new(self) -> Result<StraightRail<C>, Fault> {
+        check(&s::G_C, self.g_c.value(), NOT_NEGATIVE)?;
+        check(&s::R_K, self.r_1.value(), POSITIVE)?;
+        check(&s::ALPHA_K, self.alpha_1.value(), FINITE)?;
+        check(&s::H_X, self.h_x.value(), FINITE)?;
+        check(&s::H_Y, self.h_y.value(), FINITE)?;
+        check(&s::LAMBDA, self.lambda.value(), [0.0, FRAC_PI_2])?;
+        Ok(self)
+    }
+
+    /// At boom angle `phi` (rad). [Ports001, 2.1.4]
+    ///
+    /// # Errors
+    /// A joint that coincides with the pulley.
+    pub fn at(&self, phi: C) -> Result<Action<C>, Fault> {
+        let k = joint(phi, self.r_1, self.alpha_1);
+        let rope = Point::new(self.h_x, self.h_y) - k;
+        let s_r = plane::length(rope).def(&s::S_R);
+        if s_r.value() <= 4.0 * f64::EPSILON * self.r_1.value() {
+            let what = "the rope's joint coincides with the guide pulley";
+            return Err(Fault::new(&s::S_R, s_r.value(), POSITIVE, what));
+        }
+        let (sin, cos) = self.lambda.sin_cos();
+        let n_1 = (self.g_c * sin).def(&s::N_1);
+        let h_1 = (plane::cross(k, rope) / s_r).def(&s::H_1);
+        let pull = Point::new(n_1 * rope.x / s_r, n_1 * rope.y / s_r);
+        let on_boom = plane::def(pull, [&s::F_KX, &s::F_KY]);
+        let y_5 = (s_r * sin).def(&s::C_Y);
+        Ok(Action {
+            m_b: (n_1 * h_1).def(&s::M_B),
+            u_5: (self.g_c * y_5).def(&s::U_5),
+            y_5: Some(y_5),
+            on_boom,
+            on_pivot: Some(plane::def(
+                Point::new(on_boom.x + n_1 * cos, on_boom.y + n_1 * sin),
+                [&s::F_PX, &s::F_PY],
+            )),
+            n_1: Some(n_1),
+            lever: None,
+        })
+    }
+}

@@ -1,0 +1,42 @@
+//! Tail weight: a counterweight on the boom's rearward extension. Exact where
+//! `G_c r_c = G_b r_b` and the foot lies on the line of both centres of gravity.
+
+use std::f64::consts::PI;
+
+use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, check, symbols as s};
+use crate::calc::Calc;
+use crate::plane::{self, Point};
+use crate::symbol::quantities;
+
+quantities! {
+    /// Weight (N), distance from the boom foot (m), angle from the rearward extension (rad).
+    Tail { g_c: G_C, r_c: R_C, chi_c: CHI_C }
+}
+
+impl<C: Calc> Tail<C> {
+    /// # Errors
+    /// A negative weight or distance, or what is no number.
+    pub fn new(self) -> Result<Tail<C>, Fault> {
+        check(&s::G_C, self.g_c.value(), NOT_NEGATIVE)?;
+        check(&s::R_C, self.r_c.value(), NOT_NEGATIVE)?;
+        check(&s::CHI_C, self.chi_c.value(), FINITE)?;
+        Ok(self)
+    }
+
+    /// At boom angle `phi` (rad). [Ports001, 2.1.1]
+    pub fn at(&self, phi: C) -> Action<C> {
+        let psi = (phi + self.chi_c + C::constant(PI)).def(&s::PSI);
+        let (sin, cos) = psi.sin_cos();
+        let y_5 = (self.r_c * sin).def(&s::C_Y);
+        let nothing = C::constant(0.0) * self.g_c;
+        Action {
+            m_b: (-(self.g_c * self.r_c * cos)).def(&s::M_B),
+            u_5: (self.g_c * y_5).def(&s::U_5),
+            y_5: Some(y_5),
+            on_boom: plane::def(Point::new(nothing, -self.g_c), [&s::F_KX, &s::F_KY]),
+            on_pivot: None,
+            n_1: None,
+            lever: None,
+        }
+    }
+}

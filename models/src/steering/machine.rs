@@ -1,0 +1,246 @@
+//! Where the steered groups stand, how far each can turn, and what is refused.
+
+use crate::calc::Calc;
+use crate::plane::Point;
+use crate::schema::short;
+use crate::steering::symbols as s;
+use crate::symbol::Symbol;
+
+/// Smallest and greatest number of steered groups.
+pub const GROUPS: [usize; 2] = [4, 64];
+
+/// Groups nearer than this coincide, in m.
+pub const NEAREST: f64 = 1e-3;
+
+/// Angles that differ by less are one where an end of a range is concerned, in
+/// rad: what rounding makes of a command exactly at the end.
+pub const SAME: f64 = 1e-12;
+
+/// A value that is not accepted, in words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refusal {
+    /// The quantity to blame, as in the symbol table, with the group's number from 1: `theta[3]`.
+    pub key: String,
+    /// What is wrong, with the value.
+    pub what: String,
+    /// What is allowed, and what to do.
+    pub help: String,
+}
+
+impl std::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}; {}", self.what, self.help)
+    }
+}
+
+impl Refusal {
+    pub(crate) fn new(key: impl Into<String>, what: impl Into<String>, help: impl Into<String>) -> Refusal {
+        Refusal {
+            key: key.into(),
+            what: what.into(),
+            help: help.into(),
+        }
+    }
+}
+
+/// A value of a quantity in its display unit.
+pub(crate) fn shown(symbol: &Symbol, value: f64) -> String {
+    format!("{} {}", short(symbol.shown(value)), symbol.display.name)
+        .trim_end_matches(" 1")
+        .to_owned()
+}
+
+/// The value itself where it lies within `low` to `high` (SI); `open` excludes the lower end.
+pub fn within<C: Calc>(symbol: &'static Symbol, value: C, low: f64, high: f64, open: bool) -> Result<C, Refusal> {
+    let x = value.value();
+    let above = if open { x > low } else { x >= low };
+    if above && x <= high && x.is_finite() {
+        return Ok(value);
+    }
+    let least = if open { "above" } else { "at least" };
+    let most = if high.is_finite() {
+        format!(" and at most {}", shown(symbol, high))
+    } else {
+        String::new()
+    };
+    Err(Refusal::new(
+        symbol.id,
+        format!("{} = {}", symbol.id, shown(symbol, x)),
+        format!("it must be {least} {}{most}", shown(symbol, low)),
+    ))
+}
+
+/// A machine with its steered groups; lengths in m.
+#[derive(Clone, Debug)]
+pub struct Machine<C> {
+    pub groups: Vec<Point<C>>,
+    /// Corners of the machine's outline, in order around it, for the path they
+    /// sweep and for turning about one of them; may be empty.
+    pub corners: Vec<Point<C>>,
+    /// Group whose angle commands front-axle, all-wheel and crab steering.
+    pub base: usize,
+    /// Group whose angle commands rear-axle steering.
+    pub rear_base: usize,
+    /// Foremost and rearmost axle line's x.
+    pub front: C,
+    pub rear: C,
+    /// Midway between the outermost groups.
+    pub middle: Point<C>,
+}
+
+impl<C: Calc> Machine<C> {
+    /// Any layout of 4 to 64 groups no two of which coincide.
+    pub fn new(
+        groups: Vec<Point<C>>,
+        corners: Vec<Point<C>>,
+        base: usize,
+        rear_base: usize,
+    ) -> Result<Machine<C>, Refusal> {
+        let [least, most] = GROUPS;
+        if !(least..=most).contains(&groups.len()) {
+            return Err(Refusal::new(
+                "groups",
+                format!("{} steered groups", groups.len()),
+                format!("there must be {least} to {most}"),
+            ));
+        }
+        for (name, points) in [("group", &groups), ("corner", &corners)] {
+            for (i, p) in points.iter().enumerate() {
+                for (axis, x) in [("x", p.x.value()), ("y", p.y.value())] {
+                    if x.is_nan() || x.abs() > 1e4 {
+                        return Err(Refusal::new(
+                            format!("{name}[{}].{axis}", i + 1),
+                            format!("{name}[{}].{axis} = {x} m", i + 1),
+                            "it must lie between -10000 m and 10000 m",
+                        ));
+                    }
+                }
+            }
+        }
+        for (i, a) in groups.iter().enumerate() {
+            for (j, b) in groups[..i].iter().enumerate() {
+                let apart = crate::plane::length(Point::new(a.x.value() - b.x.value(), a.y.value() - b.y.value()));
+                if apart < NEAREST {
+                    return Err(Refusal::new(
+                        format!("group[{}]", i + 1),
+                        format!(
+                            "groups {} and {} coincide at ({}, {}) m: they are {} m apart",
+                            j + 1,
+                            i + 1,
+                            short(a.x.value()),
+                            short(a.y.value()),
+                            short(apart)
+                        ),
+                        format!("groups must be at least {NEAREST} m apart"),
+                    ));
+                }
+            }
+        }
+        for (name, index) in [("base", base), ("rear_base", rear_base)] {
+            if index >= groups.len() {
+                return Err(Refusal::new(
+                    name,
+                    format!("{name} = group {}", index + 1),
+                    format!("the groups are numbered 1 to {}", groups.len()),
+                ));
+            }
+        }
+        let greatest = |pick: fn(&Point<C>) -> C, sign: f64| {
+            groups.iter().map(pick).fold(pick(&groups[0]), |best, x| {
+                if sign * x.value() > sign * best.value() {
+                    x
+                } else {
+                    best
+                }
+            })
+        };
+        let (front, rear) = (greatest(|p| p.x, 1.0), greatest(|p| p.x, -1.0));
+        let (left, right) = (greatest(|p| p.y, 1.0), greatest(|p| p.y, -1.0));
+        let two = C::constant(2.0);
+        let middle = Point::new(((front + rear) / two).def(&s::X_M), ((left + right) / two).def(&s::Y_M));
+        Ok(Machine {
+            groups,
+            corners,
+            base,
+            rear_base,
+            front,
+            rear,
+            middle,
+        })
+    }
+}
+
+impl<C: Calc> Machine<C> {
+    /// The same machine over another scalar.
+    #[must_use]
+    pub fn map<D: Calc>(&self, f: impl Fn(C) -> D) -> Machine<D> {
+        let point = |p: &Point<C>| Point::new(f(p.x), f(p.y));
+        Machine {
+            groups: self.groups.iter().map(point).collect(),
+            corners: self.corners.iter().map(point).collect(),
+            base: self.base,
+            rear_base: self.rear_base,
+            front: f(self.front),
+            rear: f(self.rear),
+            middle: point(&self.middle),
+        }
+    }
+}
+
+/// How far a group turns, in rad; counter-clockwise positive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    pub min: f64,
+    pub max: f64,
+    /// Ranges inside, open at their ends, through which the group must not turn.
+    pub forbidden: Vec<[f64; 2]>,
+}
+
+impl Limits {
+    /// A range that contains straight ahead, less than a turn in all.
+    pub fn new(min: f64, max: f64, forbidden: Vec<[f64; 2]>) -> Result<Limits, Refusal> {
+        let half = std::f64::consts::PI;
+        let ordered = forbidden
+            .iter()
+            .all(|[from, to]| from < to && *from >= min && *to <= max);
+        if min >= -half && max <= half && min <= 0.0 && max >= 0.0 && ordered {
+            return Ok(Limits { min, max, forbidden });
+        }
+        Err(Refusal::new(
+            "theta",
+            format!(
+                "range of a group {} to {} deg",
+                short(min.to_degrees()),
+                short(max.to_degrees())
+            ),
+            "it must contain 0 deg, lie within -180 to 180 deg, and hold its forbidden ranges in rising order of their ends",
+        ))
+    }
+
+    /// Whether the group may stand at this angle.
+    #[must_use]
+    pub fn allows(&self, theta: f64) -> bool {
+        let inside = theta >= self.min - SAME && theta <= self.max + SAME;
+        inside
+            && !self
+                .forbidden
+                .iter()
+                .any(|[from, to]| theta > from + SAME && theta < to - SAME)
+    }
+
+    /// Whether the group may turn from one angle to the other.
+    #[must_use]
+    pub fn allows_turn(&self, from: f64, to: f64) -> bool {
+        let (low, high) = (from.min(to), from.max(to));
+        let crossed = |[a, b]: &[f64; 2]| high > a + SAME && low < b - SAME;
+        self.allows(from) && self.allows(to) && !self.forbidden.iter().any(crossed)
+    }
+
+    /// The angles that have the axle line of `theta` and are allowed, nearest to straight ahead first.
+    pub fn equivalents(&self, theta: f64) -> impl Iterator<Item = f64> {
+        let half = std::f64::consts::PI;
+        let principal = theta - half * (theta / half).round();
+        let other = principal - half.copysign(principal);
+        [principal, other].into_iter().filter(|&angle| self.allows(angle))
+    }
+}

@@ -1,0 +1,128 @@
+//! The slewing ring of a group, chosen from a maker's load curves. [Zhang2016, 4]
+
+use crate::calc::Calc;
+use crate::schema::short;
+use crate::steering::machine::{Refusal, within};
+use crate::steering::symbols as s;
+use crate::symbol::quantities;
+
+quantities! {
+    /// Vertical force on a ring (N), greatest arm of it (m), safety factor of the
+    /// use, factor of the test load. The paper takes 1.25 for both factors.
+    Support { f_a: F_A, l_max: L_MAX, f_s: F_S, k_test: K_TEST }
+}
+
+/// What the curves must bear: force (N) and overturning moment (N·m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Duty<C> {
+    /// Static reference load of the ring.
+    pub f: C,
+    pub m: C,
+    /// Load of the bolts.
+    pub f_bolt: C,
+    pub m_bolt: C,
+}
+
+impl<C: Calc> Duty<C> {
+    /// F_a′ = 1.25 F_s F_a, M′ = F_a′ L_max; for the bolts without F_s. [Zhang2016, 4]
+    pub fn new(support: &Support<C>) -> Result<Duty<C>, Refusal> {
+        within(&s::F_A, support.f_a, 0.0, f64::INFINITY, false)?;
+        within(&s::L_MAX, support.l_max, 0.0, 100.0, false)?;
+        within(&s::F_S, support.f_s, 1.0, 10.0, false)?;
+        within(&s::K_TEST, support.k_test, 1.0, 10.0, false)?;
+        let f = (support.k_test * support.f_s * support.f_a).def(&s::F_A_REF);
+        let m = (support.k_test * support.f_s * support.f_a * support.l_max).def(&s::M_REF);
+        let f_bolt = (support.k_test * support.f_a).def(&s::F_BOLT);
+        let m_bolt = (support.k_test * support.f_a * support.l_max).def(&s::M_BOLT);
+        Ok(Duty { f, m, f_bolt, m_bolt })
+    }
+}
+
+/// Friction moment of a ring, in N·m: `mu` its coefficient, `m` and `f_a` its load
+/// (N·m, N), `d_l` its raceway diameter (m). Form of makers' catalogues, without radial load.
+pub fn friction<C: Calc>(mu: C, m: C, f_a: C, d_l: C) -> C {
+    (mu / C::constant(2.0) * (C::constant(4.4) * m + f_a * d_l)).def(&s::M_F)
+}
+
+/// A load curve: points (force N, moment N·m) with rising force.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve(pub Vec<[f64; 2]>);
+
+impl Curve {
+    /// The moment that may act with a force, in N·m; `None` beyond the curve.
+    #[must_use]
+    pub fn limit(&self, f: f64) -> Option<f64> {
+        self.0.windows(2).find_map(|pair| {
+            let ([f_1, m_1], [f_2, m_2]) = (pair[0], pair[1]);
+            (f >= f_1 && f <= f_2 && f_2 > f_1).then(|| m_1 + (m_2 - m_1) * (f - f_1) / (f_2 - f_1))
+        })
+    }
+}
+
+/// A ring of a catalogue.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ring {
+    pub name: String,
+    /// Diameter of the raceway, in m.
+    pub d_l: f64,
+    pub ring: Curve,
+    pub bolts: Curve,
+}
+
+impl Ring {
+    /// Moment over the moment allowed, of the ring and of its bolts; `None` where the force alone is too great.
+    #[must_use]
+    pub fn use_of(&self, duty: &Duty<f64>) -> Option<[f64; 2]> {
+        Some([
+            duty.m / self.ring.limit(duty.f)?,
+            duty.m_bolt / self.bolts.limit(duty.f_bolt)?,
+        ])
+    }
+}
+
+/// Rings from the smallest to the greatest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Catalogue {
+    pub rings: Vec<Ring>,
+}
+
+impl Catalogue {
+    /// The first ring whose curves lie above the duty of ring and bolts.
+    pub fn choose(&self, duty: &Duty<f64>) -> Result<&Ring, Refusal> {
+        let fits = |ring: &&Ring| {
+            ring.use_of(duty)
+                .is_some_and(|parts| parts.iter().all(|part| *part <= 1.0))
+        };
+        self.rings.iter().find(fits).ok_or_else(|| {
+            Refusal::new(
+                "F_a_ref",
+                format!(
+                    "no ring of the catalogue bears F_a_ref = {} kN with M_ref = {} kN.m",
+                    short(duty.f / 1e3),
+                    short(duty.m / 1e3)
+                ),
+                "give a catalogue with greater rings, or less load or arm",
+            )
+        })
+    }
+
+    /// A small catalogue as an example of the form: the figures are of no maker,
+    /// and nothing may be built from them.
+    #[must_use]
+    pub fn example() -> Catalogue {
+        let ring = |size: u32, f: f64, m: f64| Ring {
+            name: format!("EXAMPLE {size}"),
+            d_l: f64::from(size) / 1e3,
+            ring: Curve(vec![[0.0, m], [0.4 * f, 0.8 * m], [0.8 * f, 0.3 * m], [f, 0.0]]),
+            bolts: Curve(vec![[0.0, 0.7 * m], [f, 0.7 * m]]),
+        };
+        Catalogue {
+            rings: vec![
+                ring(800, 1.6e6, 0.35e6),
+                ring(1000, 2.4e6, 0.65e6),
+                ring(1250, 3.4e6, 1.1e6),
+                ring(1600, 5.0e6, 2.1e6),
+            ],
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Tyre slip from angles that are not quite right: encoder resolution, dead band
+//! of the valve, play.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::calc::Calc;
+use crate::plane::{self, Point};
+use crate::steering::machine::Machine;
+use crate::steering::mode::Centre;
+
+/// Angle error of a group, in rad: half a step of the encoder's `resolution`
+/// (rad) and the valve's dead band as `stroke` (m) over the lever arm `od` (m).
+pub fn angle_error<C: Calc>(resolution: C, stroke: C, od: C) -> C {
+    (resolution / C::constant(2.0) + stroke / od.abs()).def(&crate::steering::symbols::DELTA)
+}
+
+/// How the machine moves when its groups err, and what the tyres make of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Slip {
+    /// What the machine's motion gains: velocity of its middle (m/s) and angular velocity (rad/s).
+    pub drift: Point<f64>,
+    pub turn: f64,
+    /// Root mean square of the sideways speed of the groups, in m/s.
+    pub rms: f64,
+}
+
+impl Slip {
+    /// The machine moves so that the squares of the groups' sideways speeds are
+    /// least, with its mean rolling speed kept. `errors` (rad) are added to the
+    /// right angles, `v` (m/s) is the speed of the fastest group; the sideways
+    /// speed of each group (m/s, to the left of its heading positive) goes to
+    /// `sideways`. Where the layout leaves the drift open (all groups on one axle
+    /// line), the machine is taken to follow its command.
+    ///
+    /// # Panics
+    /// Where the slices differ in length.
+    #[must_use]
+    pub fn new(machine: &Machine<f64>, centre: &Centre<f64>, v: f64, errors: &[f64], sideways: &mut [f64]) -> Slip {
+        let groups = &machine.groups;
+        assert!(
+            errors.len() == groups.len() && sideways.len() == groups.len(),
+            "one of each for every group"
+        );
+        let fastest = groups
+            .iter()
+            .map(|p| plane::length(centre.rolling(*p)))
+            .fold(0.0, f64::max);
+        let scale = v / fastest;
+        let size = groups
+            .iter()
+            .map(|p| plane::length(p - machine.middle))
+            .fold(0.0, f64::max);
+        // Each group's velocity, the normal of its heading, and its arm over the machine's size.
+        let each = |i: usize| {
+            let (along, arm) = (centre.rolling(groups[i]), (groups[i] - machine.middle) / size);
+            let (sin, cos) = Calc::sin_cos(errors[i]);
+            let length = plane::length(along);
+            let unit = if length == 0.0 {
+                Point::new(1.0, 0.0)
+            } else {
+                along / length
+            };
+            let normal = plane::turned(Point::new(-unit.y, unit.x), cos, sin);
+            (along * scale, normal, arm)
+        };
+        // What an amount of drift x, drift y and turn times size does along a direction.
+        let by = |direction: Point<f64>, arm: Point<f64>| {
+            Vector3::new(direction.x, direction.y, plane::cross(arm, direction))
+        };
+        let (mut square, mut right, mut travel) = (Matrix3::zeros(), Vector3::zeros(), Vector3::zeros());
+        for i in 0..groups.len() {
+            let (velocity, normal, arm) = each(i);
+            let row = by(normal, arm);
+            square += row * row.transpose();
+            right -= row * plane::dot(velocity, normal);
+            travel += by(velocity, arm);
+        }
+        // Drift only across the travel: two directions that leave the mean rolling speed as it is.
+        let found = basis(travel).and_then(|[a, b]| {
+            let (aa, ab, bb) = (a.dot(&(square * a)), a.dot(&(square * b)), b.dot(&(square * b)));
+            let determinant = aa * bb - ab * ab;
+            let (ra, rb) = (a.dot(&right), b.dot(&right));
+            (determinant > 1e-9 * (aa * bb).max(f64::MIN_POSITIVE))
+                .then(|| (a * (ra * bb - rb * ab) + b * (rb * aa - ra * ab)) / determinant)
+        });
+        let gained = found.unwrap_or_else(Vector3::zeros);
+        let mut sum = 0.0;
+        for (i, slot) in sideways.iter_mut().enumerate() {
+            let (velocity, normal, arm) = each(i);
+            *slot = plane::dot(velocity, normal) + by(normal, arm).dot(&gained);
+            sum += *slot * *slot;
+        }
+        Slip {
+            drift: Point::new(gained.x, gained.y),
+            turn: gained.z / size,
+            rms: (sum / groups.len() as f64).sqrt(),
+        }
+    }
+}
+
+/// Two unit vectors at right angles to `to` and to each other; `None` where it is zero.
+fn basis(to: Vector3<f64>) -> Option<[Vector3<f64>; 2]> {
+    let along = to / to.dot(&to).sqrt();
+    if !along.iter().all(|x| x.is_finite()) {
+        return None;
+    }
+    let axis = along.iamin();
+    let mut other = Vector3::zeros();
+    other[axis] = 1.0;
+    let a = along.cross(&other);
+    let a = a / a.dot(&a).sqrt();
+    Some([a, along.cross(&a)])
+}

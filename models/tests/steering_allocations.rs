@@ -1,0 +1,86 @@
+//! Eight groups, evaluated without allocation.
+
+use std::alloc::{GlobalAlloc, Layout as Memory, System};
+use std::cell::Cell;
+use std::hint::black_box;
+
+use lemnis_models::plane::Point;
+use lemnis_models::steering::cylinder::{Cylinder, Linkage};
+use lemnis_models::steering::load::{Tyre, resistance};
+use lemnis_models::steering::machine::{Limits, Machine};
+use lemnis_models::steering::mode::{Command, Mode};
+use lemnis_models::steering::published::Layout;
+use lemnis_models::steering::sizing::force;
+use lemnis_models::steering::wheels::{Wheel, place, roll};
+
+struct Counting;
+
+thread_local! {
+    static COUNT: Cell<u64> = const { Cell::new(0) };
+}
+
+// SAFETY: every call is handed to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, memory: Memory) -> *mut u8 {
+        COUNT.set(COUNT.get() + 1);
+        // SAFETY: as the caller promises.
+        unsafe { System.alloc(memory) }
+    }
+    unsafe fn dealloc(&self, at: *mut u8, memory: Memory) {
+        // SAFETY: as the caller promises.
+        unsafe { System.dealloc(at, memory) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Angles, speeds, cylinder lengths, lever arms and forces of the paper's eight
+/// groups, from an angle command: no allocation; the time is printed.
+#[test]
+fn eight_groups_without_allocation() {
+    let layout = Layout {
+        s_t: 12.0,
+        l_1: 4.0,
+        l_2: 9.0,
+    };
+    let machine = Machine::new(layout.groups().to_vec(), Vec::new(), 0, 3).expect("apart");
+    let limits = vec![Limits::new(-1.2, 1.2, Vec::new()).expect("contains straight ahead"); 8];
+    let cylinder = Cylinder {
+        r: 0.5,
+        alpha: 0.0,
+        l_x: 1.6,
+        l_a: 0.4,
+    };
+    let linkages: [Linkage<f64>; 8] = std::array::from_fn(|i| cylinder.linkage(i % 2 == 1));
+    let tyre = Tyre {
+        f_t: 0.7,
+        p_t: 0.9e6,
+        k_v: 2.5,
+    };
+    let loads = [900e3; 8];
+    let (mut hold, mut lengths, mut arms, mut forces) = ([0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8]);
+    let mut wheels = [Wheel {
+        theta: 0.0,
+        turn: Point::zeros(),
+        v: 0.0,
+    }; 8];
+    let mut evaluate = |theta: f64| {
+        let centre = Mode::AllWheel.centre(&machine, Command::Angle(theta)).expect("allowed");
+        roll(&machine.groups, machine.middle, &centre, 0.5, &hold, &mut wheels);
+        place(&limits, &mut wheels).expect("within reach");
+        for i in 0..8 {
+            let pose = linkages[i].at(wheels[i].turn);
+            (lengths[i], arms[i]) = (pose.l, pose.od);
+            forces[i] = force(resistance(&tyre, loads[i]).standing, pose.od);
+            hold[i] = wheels[i].theta;
+        }
+        black_box((&wheels, &lengths, &arms, &forces));
+    };
+    evaluate(0.3);
+    let before = COUNT.get();
+    for i in 0..1400 {
+        evaluate(black_box(-0.5 + f64::from(i) * 1e-3));
+    }
+    assert_eq!(COUNT.get(), before, "allocations");
+}
