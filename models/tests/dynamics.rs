@@ -1,7 +1,7 @@
 //! The mechanism in motion, against references that two independent codes agreed on, and by its energy.
 
 use lemnis_models::four_bar::Branch;
-use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Motion, Pendulum};
+use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase};
 use lemnis_models::lemniscate::geometry::{Driven, Geometry, Jib, Lengths, Parameters};
 use lemnis_models::plane::Point;
 
@@ -47,14 +47,14 @@ fn with_bodies(boom: f64, from: f64, to: f64, pendulum: Option<Pendulum>) -> Dyn
     Dynamics::new(&g, bodies)
 }
 
-const START: Motion = Motion {
+const START: Phase = Phase {
     theta: 65.0 * std::f64::consts::PI / 180.0,
     omega: 0.0,
     swing: 0.1,
     swing_rate: 0.0,
 };
 
-fn run(crane: &Dynamics, moment: f64, h: f64, steps: u32) -> Motion {
+fn run(crane: &Dynamics, moment: f64, h: f64, steps: u32) -> Phase {
     (0..steps).fold(START, |m, _| crane.step(&m, moment, h).expect("closes on the way"))
 }
 
@@ -78,7 +78,7 @@ fn luffing_with_a_pendulum_meets_the_reference() {
 #[test]
 fn a_million_steps_conserve_energy() {
     let crane = with_bodies(120e3, -12.0, 2.0, None);
-    let mut m = Motion {
+    let mut m = Phase {
         theta: 1.2,
         omega: 0.05,
         ..START
@@ -89,7 +89,7 @@ fn a_million_steps_conserve_energy() {
     for _ in 0..1_000_000 {
         m = crane.step(&m, 0.0, 1e-3).expect("stays within the range");
         extremes = [extremes[0].min(m.theta), extremes[1].max(m.theta)];
-        lowest = lowest.min(crane.energy(&Motion { omega: 0.0, ..m }).expect("closes"));
+        lowest = lowest.min(crane.energy(&Phase { omega: 0.0, ..m }).expect("closes"));
     }
     let (last, rocking) = (crane.energy(&m).expect("closes"), first - lowest);
     println!(
@@ -112,7 +112,7 @@ fn work_is_energy() {
             length: 10.0,
         }),
     );
-    let mut m = Motion {
+    let mut m = Phase {
         theta: 1.2,
         swing: 3.0,
         ..START

@@ -6,12 +6,12 @@ mod tables;
 
 use std::fmt;
 
+use lemnis_fmu::instance::strings;
 use lemnis_models::scene::{CHAPTERS, Scene, iso_date};
 use lemnis_models::sheet::Sheet;
 use lemnis_models::symbol::Symbol;
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
-use sha2::{Digest, Sha256};
 
 use crate::book::steps::{Notation, Position, Section};
 use crate::book::tables::{Chapter, Check, Published, Sensitivity, Summary, Table};
@@ -92,7 +92,7 @@ pub(crate) struct Book<'a> {
     hash: String,
     /// Name of the scene inside the PDF.
     attachment: String,
-    version: &'static str,
+    version: String,
     level: &'a str,
     html: bool,
     /// Ids of the chapters in their order.
@@ -196,6 +196,8 @@ impl<'a> Book<'a> {
             picture: json(&plot::curve(language, c)),
         };
         let summary = |s: &lemnis_models::sheet::Summary| tables::summary(language, s);
+        // The FMU of the same scene tells the same.
+        let [version, hash] = strings(scene);
         let date = scene.project().iter().find(|(key, _)| *key == "date");
         Book {
             title: scene.title(),
@@ -203,12 +205,9 @@ impl<'a> Book<'a> {
             project: scene.project(),
             revisions: scene.revisions(),
             date: date.and_then(|(_, date)| iso_date(date)),
-            hash: Sha256::digest(scene.text())
-                .iter()
-                .map(|byte| format!("{byte:02x}"))
-                .collect(),
+            hash,
             attachment: format!("{}.toml", scene.name()),
-            version: env!("CARGO_PKG_VERSION"),
+            version,
             level: edition.level,
             html: format == Format::Html,
             passed: sheet.checks.iter().all(lemnis_models::sheet::Check::passed),

@@ -72,6 +72,7 @@ impl Results {
     /// A few lines: what the crane does.
     pub fn summary(&self) -> String {
         let mut text = String::new();
+        let mut rows: Vec<[String; 3]> = Vec::new();
         for result in self.results() {
             let (symbol, unit) = (result.symbol, result.symbol.display.name);
             let at = result.at.map_or_else(String::new, |(coordinate, at)| {
@@ -83,7 +84,12 @@ impl Results {
                 )
             });
             let value = format!("{} {unit}{at}", short(symbol.shown(result.value)));
-            let _ = writeln!(text, "  {:<12} {value:<34} {}", symbol.id, symbol.text);
+            rows.push([symbol.id.to_owned(), value, symbol.text.to_owned()]);
+        }
+        let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+        let (names, values) = (width(0), width(1));
+        for [name, value, meaning] in &rows {
+            let _ = writeln!(text, "  {name:<names$}  {value:<values$}  {meaning}");
         }
         let failed = self.broken_limits();
         let _ = match failed.as_slice() {

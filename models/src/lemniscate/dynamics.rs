@@ -7,6 +7,7 @@
 
 use num_dual::Dual2_64;
 
+use crate::calc::Calc;
 use crate::lemniscate::geometry::{Driven, Geometry};
 use crate::lemniscate::position::Position;
 use crate::plane::Point;
@@ -54,9 +55,9 @@ pub struct Bodies {
     pub gravity: f64,
 }
 
-/// State of motion: angles in rad, rates in rad/s.
+/// Angles in rad and their rates in rad/s: where the mechanism is and how it moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
+pub struct Phase {
     /// Angle of the driven bar.
     pub theta: f64,
     pub omega: f64,
@@ -91,7 +92,7 @@ impl Reduced {
         ];
         for (body, joint, bar) in bars {
             let [_, d, dd] = parts(bar);
-            let square = d_norm(bar);
+            let square = square_length(bar);
             let (along, across) = (body.centre.x / square.sqrt(), body.centre.y / square.sqrt());
             let turned = |v: Point<f64>| Point::new(along * v.x - across * v.y, across * v.x + along * v.y);
             let [j, dj, ddj] = parts(joint);
@@ -118,7 +119,8 @@ fn parts(v: Point<Dual2_64>) -> [Point<f64>; 3] {
     [v.map(|x| x.re), v.map(|x| x.v1), v.map(|x| x.v2)]
 }
 
-fn d_norm(v: Point<Dual2_64>) -> f64 {
+/// Square of a bar's length, in m².
+fn square_length(v: Point<Dual2_64>) -> f64 {
     v.x.re * v.x.re + v.y.re * v.y.re
 }
 
@@ -146,14 +148,14 @@ impl Dynamics {
     /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar
     /// (N·m, positive raises it); `None` where the linkage does not close.
     #[must_use]
-    pub fn accelerations(&self, m: &Motion, moment: f64) -> Option<[f64; 2]> {
+    pub fn accelerations(&self, m: &Phase, moment: f64) -> Option<[f64; 2]> {
         let r = Reduced::new(&self.geometry, &self.bodies, m.theta)?;
         let driven = moment - r.moment - 0.5 * r.slope * m.omega * m.omega;
         let Some(Pendulum { mass, length }) = self.bodies.pendulum else {
             return Some([driven / r.inertia, 0.0]);
         };
         let [_, d, dd] = r.head;
-        let (sin, cos) = libm::sincos(m.swing);
+        let (sin, cos) = Calc::sin_cos(m.swing);
         // Directions of the load's motion when the rope swings, and of its centripetal acceleration.
         let (swing, inward) = (Point::new(cos, sin), Point::new(-sin, cos));
         let gravity = self.bodies.gravity;
@@ -173,14 +175,14 @@ impl Dynamics {
 
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
     #[must_use]
-    pub fn energy(&self, m: &Motion) -> Option<f64> {
+    pub fn energy(&self, m: &Phase) -> Option<f64> {
         let r = Reduced::new(&self.geometry, &self.bodies, m.theta)?;
         let bars = 0.5 * r.inertia * m.omega * m.omega + r.energy;
         let Some(Pendulum { mass, length }) = self.bodies.pendulum else {
             return Some(bars);
         };
         let [a, d, _] = r.head;
-        let (sin, cos) = libm::sincos(m.swing);
+        let (sin, cos) = Calc::sin_cos(m.swing);
         let velocity = d * m.omega + Point::new(cos, sin) * (length * m.swing_rate);
         let height = a.y - length * cos;
         Some(bars + mass * (0.5 * velocity.norm_squared() + self.bodies.gravity * height))
@@ -189,12 +191,12 @@ impl Dynamics {
     /// One step of the classical Runge-Kutta method of fourth order, of `h` s, under a constant
     /// moment (N·m); `None` where the linkage does not close on the way.
     #[must_use]
-    pub fn step(&self, m: &Motion, moment: f64, h: f64) -> Option<Motion> {
-        let rate = |m: &Motion| {
+    pub fn step(&self, m: &Phase, moment: f64, h: f64) -> Option<Phase> {
+        let rate = |m: &Phase| {
             let [alpha, swing] = self.accelerations(m, moment)?;
             Some([m.omega, alpha, m.swing_rate, swing])
         };
-        let moved = |rate: &[f64; 4], h: f64| Motion {
+        let moved = |rate: &[f64; 4], h: f64| Phase {
             theta: m.theta + h * rate[0],
             omega: m.omega + h * rate[1],
             swing: m.swing + h * rate[2],
