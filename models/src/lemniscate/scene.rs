@@ -1,5 +1,8 @@
 //! What a scene says about a luffing mechanism.
 
+use crate::balance::boom::Boom;
+use crate::balance::lever::Lever;
+use crate::balance::task::{KEYS as SYNTHESIS, Task};
 use crate::diagnostic::Diagnostic;
 use crate::four_bar::{Arc, Branch};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
@@ -38,6 +41,7 @@ pub static KEYS: &[Key] = &[
     Key::table("motion", MOTION, "Working range of the driven bar."),
     Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
     Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
+    Key::table("synthesis", SYNTHESIS, "What `lemnis synth` finds.").optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
     Key::table(
         "published",
@@ -141,6 +145,8 @@ pub struct Luffing {
     pub motion: Motion,
     pub limits: Limits,
     pub published: Option<Published>,
+    /// What is asked of the synthesis of its balance.
+    pub synthesis: Option<Task>,
 }
 
 /// Working range of the driven bar, in rad and rad/s.
@@ -191,6 +197,14 @@ pub struct Published {
     pub source: String,
     pub columns: Vec<&'static Symbol>,
     pub rows: Vec<Vec<String>>,
+}
+
+impl Luffing {
+    /// The scene's lever counterweight.
+    #[must_use]
+    pub fn own_lever(&self) -> Option<&Lever<f64>> {
+        None
+    }
 }
 
 /// More rows in a table than anyone reads, and than a step of `1e-9 deg` would make.
@@ -320,13 +334,28 @@ impl Luffing {
         };
         let published = v.table("published").and_then(|table| published(table, found));
         let motion = motion?;
+        let synthesis = v
+            .table("synthesis")
+            .and_then(|table| synthesis(table, &parameters, &motion, found));
         (found.len() == before).then_some(Luffing {
             parameters,
             q,
             motion,
             limits,
             published,
+            synthesis,
         })
+    }
+}
+
+/// What is asked of the synthesis; mistakes go to `found`.
+fn synthesis(v: &Values, p: &Parameters<f64>, motion: &Motion, found: &mut Vec<Diagnostic>) -> Option<Task> {
+    match Boom::system(p) {
+        Ok(boom) => Task::new(v, &boom, [motion.from, motion.to], None, found),
+        Err(fault) => {
+            found.push(Diagnostic::new(v.span.clone(), fault.what, "nothing to search for"));
+            None
+        }
     }
 }
 
