@@ -1,6 +1,7 @@
 //! A scene as a running model: inputs and parameters in, outputs out. What the
 //! FMU, the tables and the tests step is this and nothing else.
 
+use crate::balance;
 pub use crate::lemniscate::model::{Model, State, Tangent};
 use crate::symbol::Symbol;
 use crate::unit;
@@ -75,5 +76,11 @@ impl Fault {
             message: message.into(),
             outside: true,
         }
+    }
+}
+
+impl From<balance::Fault> for Fault {
+    fn from(fault: balance::Fault) -> Fault {
+        Fault::outside(fault.to_string())
     }
 }

@@ -7,7 +7,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use lemnis_models::balance::Fault;
-use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::Dimensions;
 use lemnis_models::balance::task::{Role, Task};
 use lemnis_models::diagnostic::Diagnostic;
@@ -50,11 +49,8 @@ impl Synth {
         };
         let mut task = task.clone();
         task.seed = self.seed.unwrap_or(task.seed);
-        let motion = scene.luffing.motion;
-        let boom = Boom::system(&scene.luffing.parameters).expect("checked when the scene was read");
-        let outcome = watched(&task, |threads, watch| {
-            run(&boom, [motion.from, motion.to], &task, threads, watch)
-        });
+        let (boom, range) = scene.luffing.boom().expect("checked when the scene was read");
+        let outcome = watched(&task, |threads, watch| run(&boom, range, &task, threads, watch));
         let outcome = outcome.map_err(|fault| self.explain(&scene, &task, &fault))?;
         let result = self.scene(&scene, &task, &outcome)?;
         let comparison = Comparison::new(&result).expect("the result has a synthesis");
@@ -85,9 +81,23 @@ impl Synth {
         let name = scene.name().strip_suffix(SUFFIX).unwrap_or(scene.name());
         document["name"] = value(format!("{name}{SUFFIX}"));
         let luffing = &mut document["luffing"];
-        let listed = luffing["synthesis"]
-            .as_table_mut()
-            .and_then(|table| table.remove("candidates"));
+        let mut balance = taken(&mut luffing["balance"]);
+        if scene.luffing.own_lever().is_none() {
+            balance.clear();
+        }
+        // What was published was so of another lever.
+        balance.remove("published");
+        set(&mut balance, "kind", "lever".into());
+        fill(&mut balance, &outcome.dimensions, outcome.branch);
+        let source = format!("lemnis synth {}, seed {}", env!("CARGO_PKG_VERSION"), task.seed);
+        set(&mut balance, "source", source);
+        luffing["balance"] = Item::Table(balance);
+
+        let mut synthesis = taken(&mut luffing["synthesis"]);
+        let found = if outcome.complete { "complete" } else { "broken off" };
+        set(&mut synthesis, "found", found.into());
+        synthesis["seed"] = value(i64::try_from(task.seed).expect("TOML has no greater integers"));
+        let listed = synthesis.remove("candidates");
         let listed = listed.and_then(|listed| listed.into_array_of_tables().ok());
         let mut candidates = listed.unwrap_or_else(ArrayOfTables::new);
         let fronts = [Role::RodForce, Role::Counterweight].map(Role::name);
@@ -98,17 +108,8 @@ impl Synth {
         for (role, dimensions) in &outcome.fronts {
             candidates.push(lever(*role, dimensions, outcome.branch));
         }
-        let balance = luffing["balance"].or_insert(Item::Table(Table::new()));
-        fill(
-            balance.as_table_mut().expect("checked when the scene was read"),
-            &outcome.dimensions,
-            outcome.branch,
-        );
-        balance["kind"] = value("lever");
-        let synthesis = &mut luffing["synthesis"];
-        synthesis["found"] = value(if outcome.complete { "complete" } else { "broken off" });
-        synthesis["seed"] = value(i64::try_from(task.seed).expect("TOML has no greater integers"));
         synthesis["candidates"] = Item::ArrayOfTables(candidates);
+        luffing["synthesis"] = Item::Table(synthesis);
         let text = document.to_string();
         Scene::parse(&text).map_err(|found| {
             let whole: Vec<String> = found.iter().map(ToString::to_string).collect();
@@ -148,18 +149,36 @@ fn watched<T>(task: &Task, search: impl FnOnce(usize, Watch<'_>) -> T) -> T {
 
 fn lever(role: Role, d: &Dimensions<f64>, branch: Branch) -> Table {
     let mut table = Table::new();
-    table["role"] = value(role.name());
+    set(&mut table, "role", role.name().into());
     fill(&mut table, d, branch);
     table
 }
 
 fn fill(table: &mut Table, d: &Dimensions<f64>, branch: Branch) {
-    table["branch"] = value(if branch == Branch::Left { "left" } else { "right" });
+    set(
+        table,
+        "branch",
+        if branch == Branch::Left { "left" } else { "right" }.into(),
+    );
     d.map(&mut |symbol, number| {
         let shown = format!("{:.*}", decimals(symbol), symbol.shown(number));
         let shown = shown.trim_end_matches('0').trim_end_matches('.');
-        table[symbol.id] = value(format!("{shown} {}", symbol.display.name));
+        set(table, symbol.id, format!("{shown} {}", symbol.display.name));
     });
+}
+
+/// A table out of its place, for a while; an empty one where there is none.
+fn taken(place: &mut Item) -> Table {
+    std::mem::take(place).into_table().unwrap_or_default()
+}
+
+/// Changes a text of a table; its comment stays.
+fn set(table: &mut Table, key: &str, text: String) {
+    let mut new = toml_edit::Value::from(text);
+    if let Some(old) = table.get(key).and_then(Item::as_value) {
+        *new.decor_mut() = old.decor().clone();
+    }
+    table[key] = Item::Value(new);
 }
 
 /// The levers side by side, in display units, and what binds the last.

@@ -11,8 +11,6 @@ symbols! {
     M_0: "M_0" "M_0" N_M / KN_M, "Moment of the boom system's weights about the boom foot; positive raises the boom.", "[Balance004, eq. 1]";
     M_0_P: "M_0.P" "M_0" N_M / KN_M, "Moment of the boom system's weights by the power about instant centres; positive raises the boom.", "[Ports001, 9]";
     U_0: "U_0" "U_0" J / KJ, "Potential energy of the boom system, from the height of the boom foot.", "derived";
-    I_2: "i_2" "i_2" ONE / ONE, "Jib's angular velocity over the boom's, by the instant centre.", "[Ports001, 4.2]";
-    I_3: "i_3" "i_3" ONE / ONE, "Rocker's angular velocity over the boom's, by the instant centre.", "[Ports001, 4.2]";
 
     // Dimensions of the balances.
     G_C: "G_c" "G_c" N / KN, "Weight of the counterweight.", "[Ports001, 2.1]";
@@ -21,7 +19,7 @@ symbols! {
     D_1: "d_1" "d_1" M / M, "Distance of the lever's pivot from the boom foot.", "[Balance004, Fig. 2]";
     DELTA_1: "delta_1" "delta_1" RAD / DEG, "Direction from the boom foot to the lever's pivot.", "[Balance004, Fig. 2]";
     R_K: "r_1" "r_1" M / M, "Distance of the rod's or rope's joint on the boom from the boom foot.", "[Balance004, Fig. 2]";
-    ALPHA_K: "alpha_1" "alpha_1" RAD / DEG, "Angle from the boom's axis to the joint on the boom, counter-clockwise positive.", "[Balance004, Fig. 2]";
+    ALPHA_K: "alpha_K" "alpha_K" RAD / DEG, "Angle from the boom's axis to the joint on the boom, counter-clockwise positive; alpha_1 in the publication.", "[Balance004, Fig. 2]";
     L_K: "l_1" "l_1" M / M, "Length of the coupling rod.", "[Balance004, Fig. 2]";
     R_L: "R_1" "R_1" M / M, "Distance of the rod's joint on the lever from the lever's pivot.", "[Balance004, Fig. 2]";
     CHI_5: "chi_5" "chi_5" RAD / DEG, "Angle from the lever's rod arm to its counterweight arm, counter-clockwise positive.", "[Balance004, Fig. 2]";
@@ -69,13 +67,14 @@ symbols! {
     U_5: "U_5" "U_5" J / KJ, "Potential energy of the counterweight, up to a constant.", "derived";
     M_B: "M_ur" "M_(u r)" N_M / KN_M, "Moment of the balance about the boom foot; positive raises the boom.", "[Balance004, eq. 2]";
     DM: "dM" "Delta M" N_M / KN_M, "Residual moment about the boom foot; positive raises the boom.", "[Balance004, eq. 3]";
+    M_SUM: "M_sum" "M_Sigma" N_M / KN_M, "Total moment of load, weights and balance about the boom foot; positive raises the boom.", "equilibrium";
+    M_D_0: "M_D.0" "M_(D 0)" N_M / KN_M, "Moment that the drive would have to give to the driven bar without the balance.", "virtual work";
+    F_D_0: "F_d.0" "F_(d 0)" N / KN, "Force that the drive would need without the balance, push positive.", "equilibrium";
     DM_5: "dM_5" "Delta M_5" N_M / KN_M, "Residual moment about the lever's pivot, of the same power as the one about the boom foot.", "[Ports001, eq. 5.2.6]";
     F_KX: "F_K.x" "F_(K x)" N / KN, "Force of the balance on the boom, forward component.", "equilibrium";
     F_KY: "F_K.y" "F_(K y)" N / KN, "Force of the balance on the boom, upward component.", "equilibrium";
     F_PX: "F_M.x" "F_(M x)" N / KN, "Force of the frame on the lever's pivot, guide pulley or rail, forward component.", "equilibrium";
     F_PY: "F_M.y" "F_(M y)" N / KN, "Force of the frame on the lever's pivot, guide pulley or rail, upward component.", "equilibrium";
-    F_OX: "F_O.x" "F_(O x)" N / KN, "Force of the frame on the boom foot with balance and a driving moment, forward component.", "equilibrium";
-    F_OY: "F_O.y" "F_(O y)" N / KN, "Force of the frame on the boom foot with balance and a driving moment, upward component.", "equilibrium";
     S_R: "s_r" "s_r" M / M, "Rope from the joint on the boom to the guide pulley.", "[Ports001, 2.1.4]";
     W_R: "w_r" "w_r" M / M, "Horizontal projection of the trolley's rope.", "[Ports001, 2.1.5]";
     T_Y: "t.y" "t_y" M / M, "Rise of the trolley for one radian of the boom.", "derived";

@@ -421,9 +421,9 @@ fn method(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Method> {
         m_5: p.number("M_5")?,
     };
     let [wanted, other]: [&[&str]; 2] = if name == "three" {
-        [&["r_1", "alpha_1"], &["R_1"]]
+        [&["r_1", "alpha_K"], &["R_1"]]
     } else {
-        [&["R_1"], &["r_1", "alpha_1"]]
+        [&["R_1"], &["r_1", "alpha_K"]]
     };
     let before = found.len();
     for key in wanted.iter().filter(|key| p.number(key).is_none()) {
@@ -442,7 +442,7 @@ fn method(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Method> {
         Method::Three {
             positions,
             r_1: p.number("r_1")?,
-            alpha_1: p.number("alpha_1")?,
+            alpha_1: p.number("alpha_K")?,
         }
     } else {
         Method::Four {
@@ -510,6 +510,17 @@ fn dimension_bounds(
         },
         |d| d.m_5,
     );
+    if v.text("method").is_some_and(|method| method != "optimum") {
+        for (symbol, [low, high]) in [(&s::D_1, d_1), (&s::DELTA_1, delta_1)] {
+            if let Some(table) = table.filter(|_| low < high) {
+                let message = format!("the method \"{}\" needs one `{}`", v.text("method")?, symbol.id);
+                found.push(
+                    Diagnostic::new(table.place(symbol.id), message, "two values")
+                        .help("give a single value; only the optimum searches for the pivot"),
+                );
+            }
+        }
+    }
     let over = |[low, high]: [f64; 2]| [low * d_1[1], high * d_1[1]];
     let angle = |symbol, limit: f64| given(symbol).unwrap_or([-limit, limit]);
     Some(Bounds {
@@ -588,7 +599,6 @@ fn tolerances(v: &Values, found: &mut Vec<Diagnostic>) -> Tolerances {
 }
 
 fn candidate(v: &Values) -> Option<Candidate> {
-    let n = |symbol: &Symbol| v.number(symbol.id);
     Some(Candidate {
         role: match v.text("role")? {
             "existing" => Role::Existing,
@@ -597,16 +607,7 @@ fn candidate(v: &Values) -> Option<Candidate> {
             "rod_force" => Role::RodForce,
             _ => Role::Counterweight,
         },
-        dimensions: Dimensions {
-            d_1: n(&s::D_1)?,
-            delta_1: n(&s::DELTA_1)?,
-            r_1: n(&s::R_K)?,
-            alpha_1: n(&s::ALPHA_K)?,
-            l_1: n(&s::L_K)?,
-            lever: n(&s::R_L)?,
-            chi_5: n(&s::CHI_5)?,
-            m_5: n(&s::M_5)?,
-        },
+        dimensions: Dimensions::of(|symbol| v.number(symbol.id))?,
         branch: v.text("branch").map_or(Branch::Left, branch),
         source: v.text("source").map(str::to_owned),
     })
@@ -624,7 +625,7 @@ fn places(v: &Values) -> Vec<(&'static str, Range<usize>)> {
         }
     };
     if v.text("method").is_some_and(|method| method != "optimum") {
-        let keys = ["phi", "M_5", "r_1", "alpha_1", "R_1"].map(|key| (key, key));
+        let keys = ["phi", "M_5", "r_1", "alpha_K", "R_1"].map(|key| (key, key));
         add("positions", &keys);
         add("positions", &[("psi", "psi_1"), ("psi_1", "psi_1")]);
     }

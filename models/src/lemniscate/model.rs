@@ -6,8 +6,10 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use num_dual::Dual64;
 
+use crate::balance::scene::Form;
+use crate::balance::symbols as b;
 use crate::calc::Calc;
-use crate::lemniscate::geometry::{Driven, Geometry};
+use crate::lemniscate::geometry::{Driven, Geometry, Parameters};
 use crate::lemniscate::outputs::{Evaluation, Inputs, Output};
 use crate::lemniscate::scene::{KEYS, Luffing, Motion};
 use crate::lemniscate::symbols as s;
@@ -442,8 +444,11 @@ fn bounds(luffing: &Luffing, symbol: &'static Symbol, slot: Slot, sign: Sign) ->
             arc.map_or(any, |arc| [arc.from, arc.to])
         }
         Slot::Parameter if symbol == &s::BETA_0 => [0.0, TAU],
-        Slot::Output(Output::Mu | Output::MuMin) => [0.0, FRAC_PI_2],
+        Slot::Output(Output::Mu | Output::MuMin | Output::Gamma | Output::GammaMin) => [0.0, FRAC_PI_2],
         Slot::Output(Output::L | Output::Y | Output::LD | Output::DeltaY | Output::EpsilonY) => not_negative,
+        Slot::Output(Output::DMMax | Output::DM5Max | Output::NMax | Output::EAbs | Output::EPlus | Output::Travel) => {
+            not_negative
+        }
         _ if sign != Sign::Any => not_negative,
         _ => any,
     }
@@ -483,6 +488,8 @@ fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
         &s::G_3,
         &s::S_3,
         &s::CHI_3,
+        &b::G_C,
+        &b::M_5,
     ];
     luffing.parameters.map(|symbol, _| {
         let role = if weights.contains(&symbol) {
@@ -544,6 +551,23 @@ fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
             output(&s::F_D, Output::FD);
         }
     }
+    let balance = luffing.parameters.balance.as_ref();
+    for (symbol, output) in balance
+        .map(|form| balanced(form, &luffing.parameters))
+        .unwrap_or_default()
+    {
+        let role = match output {
+            Output::DMMax
+            | Output::DM5Max
+            | Output::EAbs
+            | Output::EPlus
+            | Output::GammaMin
+            | Output::NMax
+            | Output::Travel => Role::Calculated,
+            _ => Role::Output,
+        };
+        list.push((symbol, role, Slot::Output(output)));
+    }
     for (symbol, output) in [
         (&s::DELTA_Y, Output::DeltaY),
         (&s::EPSILON_Y, Output::EpsilonY),
@@ -554,4 +578,39 @@ fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
         list.push((symbol, Role::Calculated, Slot::Output(output)));
     }
     list
+}
+
+/// Results of a balance: only what its kind has.
+fn balanced(form: &Form<f64>, p: &Parameters<f64>) -> Vec<(&'static Symbol, Output)> {
+    use Output as O;
+    let turns = matches!(form, Form::Lever(..) | Form::Parallelogram(_));
+    let pulls = !matches!(form, Form::Tail(_));
+    let heavy = !matches!(form, Form::Lever(_, None, _));
+    let list = [
+        (&b::M_0, O::M0, true),
+        (&b::M_B, O::MUr, true),
+        (&b::DM, O::DM, true),
+        (&b::DM_5, O::DM5, turns),
+        (&b::M_SUM, O::MSum, true),
+        (&b::M_D_0, O::MD0, true),
+        (&b::F_D_0, O::FD0, p.anchors.is_some()),
+        (&b::PSI, O::Psi, turns),
+        (&b::I_5, O::I5, turns),
+        (&b::GAMMA, O::Gamma, turns),
+        (&b::N_1, O::N1, pulls),
+        (&b::C_Y, O::Y5, heavy),
+        (&b::F_KX, O::FKX, true),
+        (&b::F_KY, O::FKY, true),
+        (&b::F_PX, O::FMX, pulls && heavy),
+        (&b::F_PY, O::FMY, pulls && heavy),
+        (&b::DM_MAX, O::DMMax, true),
+        (&b::DM_5_MAX, O::DM5Max, turns),
+        (&b::E_ABS, O::EAbs, true),
+        (&b::E_PLUS, O::EPlus, true),
+        (&b::GAMMA_MIN, O::GammaMin, turns),
+        (&b::N_MAX, O::NMax, pulls),
+        (&b::TRAVEL, O::Travel, heavy),
+    ];
+    let exists = list.into_iter().filter(|(_, _, exists)| *exists);
+    exists.map(|(symbol, output, _)| (symbol, output)).collect()
 }

@@ -2,9 +2,12 @@
 
 use crate::balance::boom::Boom;
 use crate::balance::lever::Lever;
+use crate::balance::scene::{Form, KEYS as BALANCE};
 use crate::balance::task::{KEYS as SYNTHESIS, Task};
+use crate::balance::{self, Fault, symbols as b};
 use crate::diagnostic::Diagnostic;
 use crate::four_bar::{Arc, Branch};
+use crate::lemniscate::balancing::{analysis, boom};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
 use crate::lemniscate::governing::{coordinate, governed};
 use crate::lemniscate::symbols as s;
@@ -40,6 +43,12 @@ pub static KEYS: &[Key] = &[
     Key::quantity(&s::Q, Sign::NotNegative).optional(),
     Key::table("motion", MOTION, "Working range of the driven bar."),
     Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
+    Key::table(
+        "balance",
+        BALANCE,
+        "Counterweight that carries the boom system's own weights.",
+    )
+    .optional(),
     Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
     Key::table("synthesis", SYNTHESIS, "What `lemnis synth` finds.").optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
@@ -118,6 +127,9 @@ static DRIVE: &[Key] = &[
 static LIMITS: &[Key] = &[
     Key::quantity(&s::MU_MIN, Sign::NotNegative).optional(),
     Key::quantity(&s::EPSILON_Y, Sign::Positive).optional(),
+    Key::quantity(&b::DM_MAX, Sign::Positive).optional(),
+    Key::quantity(&b::GAMMA_MIN, Sign::NotNegative).optional(),
+    Key::quantity(&b::N_MAX, Sign::Positive).optional(),
     SOURCE,
 ];
 
@@ -147,6 +159,8 @@ pub struct Luffing {
     pub published: Option<Published>,
     /// What is asked of the synthesis of its balance.
     pub synthesis: Option<Task>,
+    /// Published results of the balance.
+    pub published_balance: Option<balance::scene::Published>,
 }
 
 /// Working range of the driven bar, in rad and rad/s.
@@ -189,6 +203,10 @@ pub enum Place {
 pub struct Limits {
     pub mu_min: Option<f64>,
     pub epsilon_y: Option<f64>,
+    /// Of the balance.
+    pub dm_max: Option<f64>,
+    pub gamma_min: Option<f64>,
+    pub n_max: Option<f64>,
 }
 
 /// Published values, as printed.
@@ -200,10 +218,18 @@ pub struct Published {
 }
 
 impl Luffing {
-    /// The scene's lever counterweight.
+    /// The scene's own lever counterweight.
     #[must_use]
-    pub fn own_lever(&self) -> Option<&Lever<f64>> {
-        None
+    pub fn own_lever(&self) -> Option<Lever<f64>> {
+        own_lever(&self.parameters)
+    }
+
+    /// The boom system as its boom moves it, and its boom angles (rad) over the working range.
+    ///
+    /// # Errors
+    /// A mechanism without weights.
+    pub fn boom(&self) -> Result<(Boom<f64>, [f64; 2]), Fault> {
+        boom(&self.parameters, &self.motion)
     }
 }
 
@@ -249,15 +275,7 @@ impl Luffing {
             Branch::Right
         };
         let n = |symbol: &Symbol| v.number(symbol.id);
-        let lengths = Lengths {
-            x_1: n(&s::X_1)?,
-            x_2: n(&s::X_2)?,
-            x_3: n(&s::X_3)?,
-            x_4: n(&s::X_4)?,
-            x_5: n(&s::X_5)?,
-            x_6: n(&s::X_6)?,
-            x_8: n(&s::X_8)?,
-        };
+        let lengths = Lengths::of(n)?;
         let jib = match (n(&s::X_7), n(&s::BETA_0), n(&s::AC)) {
             (Some(x), None, None) => Jib::Sag(x),
             (None, Some(x), None) => Jib::Angle(x),
@@ -289,18 +307,12 @@ impl Luffing {
             }
         };
         let weights = match v.table("weights") {
-            Some(table) => Some(weights(table)?),
+            Some(table) => Some(Weights::of(|symbol| table.number(symbol.id))?),
             None => None,
         };
         let (anchors, cylinder) = match v.table("drive") {
             Some(d) => {
-                let n = |symbol: &Symbol| d.number(symbol.id);
-                let anchors = Anchors {
-                    e_x: n(&s::E_X)?,
-                    e_y: n(&s::E_Y)?,
-                    s_d: n(&s::S_D)?,
-                    chi_d: n(&s::CHI_D)?,
-                };
+                let anchors = Anchors::of(|symbol| d.number(symbol.id))?;
                 (Some(anchors), cylinder(d, found))
             }
             None => (None, None),
@@ -316,22 +328,46 @@ impl Luffing {
                 .help("add Q = \"0 kN\" or more to [luffing]"),
             );
         }
+        let balance = match v.table("balance") {
+            Some(table) => Some(Form::read(table, found)?),
+            None => None,
+        };
         let parameters = Parameters {
             lengths,
             jib,
             weights,
             anchors,
             cylinder,
+            balance,
             driven,
             branch,
         };
         let motion = motion(v, &parameters, found);
-        let limits = v.table("limits");
-        let limit = |symbol: &Symbol| limits.and_then(|table| table.number(symbol.id));
+        if let Some(table) = v.table("balance") {
+            balanced(v, table, &parameters, motion.as_ref(), found);
+        }
+        let limit = |symbol: &Symbol| v.table("limits")?.number(symbol.id);
         let limits = Limits {
             mu_min: limit(&s::MU_MIN),
             epsilon_y: limit(&s::EPSILON_Y),
+            dm_max: limit(&b::DM_MAX),
+            gamma_min: limit(&b::GAMMA_MIN),
+            n_max: limit(&b::N_MAX),
         };
+        let exists = v.table("balance").is_some();
+        let of_balance = [&b::DM_MAX, &b::GAMMA_MIN, &b::N_MAX];
+        if let (Some(table), false) = (v.table("limits"), exists) {
+            for symbol in of_balance.into_iter().filter(|symbol| table.has(symbol.id)) {
+                found.push(
+                    Diagnostic::new(
+                        table.place(symbol.id),
+                        format!("a limit `{}` without a balance", symbol.id),
+                        "nothing to check",
+                    )
+                    .help("add [luffing.balance], or remove the limit"),
+                );
+            }
+        }
         let published = v.table("published").and_then(|table| published(table, found));
         let motion = motion?;
         let synthesis = v
@@ -344,14 +380,15 @@ impl Luffing {
             limits,
             published,
             synthesis,
+            published_balance: v.table("balance").and_then(balance::scene::Published::read),
         })
     }
 }
 
 /// What is asked of the synthesis; mistakes go to `found`.
 fn synthesis(v: &Values, p: &Parameters<f64>, motion: &Motion, found: &mut Vec<Diagnostic>) -> Option<Task> {
-    match Boom::system(p) {
-        Ok(boom) => Task::new(v, &boom, [motion.from, motion.to], None, found),
+    match boom(p, motion) {
+        Ok((boom, range)) => Task::new(v, &boom, range, own_lever(p).as_ref(), found),
         Err(fault) => {
             found.push(Diagnostic::new(v.span.clone(), fault.what, "nothing to search for"));
             None
@@ -359,19 +396,36 @@ fn synthesis(v: &Values, p: &Parameters<f64>, motion: &Motion, found: &mut Vec<D
     }
 }
 
-fn weights(w: &Values) -> Option<Weights<f64>> {
-    let n = |symbol: &Symbol| w.number(symbol.id);
-    Some(Weights {
-        g_1: n(&s::G_1)?,
-        s_1: n(&s::S_1)?,
-        chi_1: n(&s::CHI_1)?,
-        g_2: n(&s::G_2)?,
-        s_2: n(&s::S_2)?,
-        chi_2: n(&s::CHI_2)?,
-        g_3: n(&s::G_3)?,
-        s_3: n(&s::S_3)?,
-        chi_3: n(&s::CHI_3)?,
-    })
+fn own_lever(p: &Parameters<f64>) -> Option<Lever<f64>> {
+    match p.balance {
+        Some(Form::Lever(dimensions, s_5, branch)) => Lever::new(dimensions, s_5, branch).ok(),
+        _ => None,
+    }
+}
+
+/// Checks that the balance exists over the whole working range.
+fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: Option<&Motion>, found: &mut Vec<Diagnostic>) {
+    if p.weights.is_none() {
+        found.push(
+            Diagnostic::new(
+                v.place("balance"),
+                "a balance without own weights",
+                "there is nothing to balance",
+            )
+            .help("add [luffing.weights] with the weights of boom, jib and rocker"),
+        );
+        return;
+    }
+    let Some(Err(fault)) = motion.map(|motion| analysis(p, motion)) else {
+        return;
+    };
+    let place = if fault.quantity == &s::THETA_1 {
+        v.place("motion")
+    } else {
+        table.place(fault.quantity.id)
+    };
+    let label = format!("{} is not possible", fault.quantity.id);
+    found.push(Diagnostic::new(place, fault.what.clone(), label).help(fault.range()));
 }
 
 fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Cylinder<f64>> {

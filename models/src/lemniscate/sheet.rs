@@ -1,6 +1,7 @@
 //! Everything a book says about a luffing mechanism.
 
 use crate::calc::Calc;
+use crate::lemniscate::balancing::{Balanced, Balancing, analysis};
 use crate::lemniscate::drive::{Drive, oil_flow};
 use crate::lemniscate::geometry::{Driven, Geometry, Jib, Parameters};
 use crate::lemniscate::governing::{coordinate, governing, rate, sensitivity};
@@ -31,7 +32,8 @@ pub fn sheet(scene: &Scene) -> Sheet {
     let coordinate = coordinate(luffing.parameters.driven);
     let motion = luffing.motion;
     let middle = f64::midpoint(motion.from, motion.to);
-    let governing = governing(luffing, &range);
+    let balance = analysis(&luffing.parameters, &motion).expect("checked when the scene was read");
+    let governing = governing(luffing, &range, balance.as_ref());
     let positions = positions(scene, &governing);
     Sheet {
         inputs: inputs(scene),
@@ -134,11 +136,26 @@ fn given(parameters: &Parameters<f64>) -> Parameters<Rec> {
 }
 
 fn constants(luffing: &Luffing) -> Vec<Section> {
-    let (trace, _) = record(|| Geometry::new(&given(&luffing.parameters)));
-    vec![Section {
+    let parameters = || given(&luffing.parameters);
+    let (trace, _) = record(|| Geometry::new(&parameters()));
+    let before = trace.steps.len();
+    let mut sections = vec![Section {
         id: "geometry_constants",
         trace,
-    }]
+    }];
+    let (mut trace, _) = record(|| {
+        let parameters = parameters();
+        let _ = Geometry::new(&parameters);
+        Balancing::new(&parameters, &luffing.motion)
+    });
+    trace.steps.drain(..before);
+    if !trace.steps.is_empty() {
+        sections.push(Section {
+            id: "balance_constants",
+            trace,
+        });
+    }
+    sections
 }
 
 /// The formulas at one position, each group as its own section.
@@ -166,7 +183,7 @@ fn worked(luffing: &Luffing, id: &'static str, coordinate: &'static Symbol, thet
     }
 }
 
-const STAGES: [&str; 10] = [
+const STAGES: [&str; 11] = [
     "given",
     "position",
     "angles",
@@ -175,6 +192,7 @@ const STAGES: [&str; 10] = [
     "load_moment",
     "weight_moment",
     "drive",
+    "balance",
     "pin_forces",
     "published_forms",
 ];
@@ -184,6 +202,9 @@ const STAGES: [&str; 10] = [
 fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     let parameters = given(&luffing.parameters);
     let Ok(g) = Geometry::new(&parameters) else {
+        return false;
+    };
+    let Ok(balancing) = Balancing::new(&parameters, &luffing.motion) else {
         return false;
     };
     let theta = Rec::given(coordinate(luffing.parameters.driven), theta);
@@ -221,7 +242,7 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
         return stage == 7 && drive_chain(luffing, &g, &p, omega).is_some();
     };
     let q = Rec::given(&s::Q, q);
-    let _ = load_moment(&v, q);
+    let m_q = load_moment(&v, q);
     let _ = pole.moment(&g, &p, &v, q);
     if stage == 5 {
         return true;
@@ -230,7 +251,7 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     let weights = parameters.weights.as_ref();
     let centres = weights.map(|w| Centres::new(&p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
     let both = weights.zip(centres.as_ref());
-    let _ = both.map(|(w, r)| weight_moment(w, r, &p, &v));
+    let m_g = both.map(|(w, r)| weight_moment(w, r, &p, &v));
     if stage == 6 {
         return true;
     }
@@ -238,10 +259,22 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     if stage == 7 {
         return true;
     }
-    let _ = PinForces::new(&p, lengths.x_3, q, both, |m_d| {
+    let mut action = None;
+    if let (Some(balancing), Some(both), Some(m_g)) = (balancing, both, m_g) {
+        let Ok(residual) = balancing.at(&g, both, (&p, &v), theta, m_g) else {
+            return false;
+        };
+        let balanced = Balanced::new(residual, &v, p.driven, m_q, m_g);
+        let _ = drive.as_ref().map(|drive| balanced.driven_by(drive));
+        action = Some(residual.action);
+    }
+    if stage == 8 {
+        return true;
+    }
+    let _ = PinForces::new(&p, lengths.x_3, q, both, action.as_ref(), |m_d| {
         drive.and_then(|drive| drive.reaction(m_d))
     });
-    if stage == 8 {
+    if stage == 9 {
         return true;
     }
     match (parameters.jib, luffing.parameters.driven) {
@@ -413,6 +446,7 @@ fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range
 fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
     let lengths = g.lengths;
     let q = luffing.q.unwrap_or(0.0);
+    let balancing = Balancing::new(&luffing.parameters, &luffing.motion).ok().flatten();
     let (mut worst, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
     for theta in fine(&luffing.motion) {
         let Some(p) = Position::new(g, theta) else { continue };
@@ -420,10 +454,15 @@ fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
         let weights = luffing.parameters.weights.as_ref();
         let centres = weights.map(|w| Centres::new(&p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
         let both = weights.zip(centres.as_ref());
-        let work = load_moment(&v, q) + both.map_or(0.0, |(w, r)| weight_moment(w, r, &p, &v));
-        let m_d = PinForces::new(&p, lengths.x_3, q, both, |_| None).m_d;
+        let m_g = both.map_or(0.0, |(w, r)| weight_moment(w, r, &p, &v));
+        let residual = balancing.zip(both);
+        let residual = residual.and_then(|(balancing, both)| balancing.at(g, both, (&p, &v), theta, m_g).ok());
+        let action = residual.as_ref().map(|residual| &residual.action);
+        let turn = if p.driven == Driven::Boom { 1.0 } else { v.i_follower };
+        let work = load_moment(&v, q) + m_g - action.map_or(0.0, |action| action.m_b * turn);
+        let m_d = PinForces::new(&p, lengths.x_3, q, both, action, |_| None).m_d;
         worst = worst.max((m_d - work).abs());
-        scale = scale.max(work.abs());
+        scale = scale.max(work.abs()).max(m_g.abs());
     }
     worst / scale
 }

@@ -95,9 +95,7 @@ impl Comparison {
     #[must_use]
     pub fn new(scene: &Scene) -> Option<Comparison> {
         let task = scene.luffing.synthesis.as_ref()?;
-        let motion = scene.luffing.motion;
-        let range = [motion.from, motion.to];
-        let boom = Boom::system(&scene.luffing.parameters).ok()?;
+        let (boom, range) = scene.luffing.boom().ok()?;
         let positions = Positions::new(&boom, range, 101).ok()?;
         let builds = Builds::new(&positions, task.tolerances, BUILDS, task.seed).ok()?;
         let length = scene.luffing.parameters.lengths.x_1;
@@ -115,16 +113,16 @@ impl Comparison {
             .map(|c| compared(c.role.name(), c.source.as_deref(), c.dimensions, c.branch))
             .collect();
         let own = scene.luffing.own_lever();
-        if let Some(own) = own {
+        if let Some(own) = &own {
             let role = if task.found.is_some() { "found" } else { "own" };
             levers.push(compared(role, None, own.dimensions, own.branch));
         }
-        let last = own.and_then(|_| levers.last());
+        let last = own.as_ref().and_then(|_| levers.last());
         Some(Comparison {
             bounds: bounds(task, last),
             limits: limits(task, last),
             fronts: fronts(task, &boom, range, last),
-            nodes: own.and_then(|own| nodes(task, &boom, own)),
+            nodes: own.as_ref().and_then(|own| nodes(task, &boom, own)),
             levers,
         })
     }
