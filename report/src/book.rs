@@ -2,6 +2,7 @@
 //! id that the templates turn into the words of a language.
 
 mod steps;
+mod synthesis;
 mod tables;
 
 use std::fmt;
@@ -14,6 +15,7 @@ use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 
 use crate::book::steps::{Notation, Position, Section};
+use crate::book::synthesis::{Synthesis, synthesis};
 use crate::book::tables::{Chapter, Check, Published, Sensitivity, Summary, Table};
 use crate::formula::quantity;
 use crate::language::Language;
@@ -109,6 +111,7 @@ pub(crate) struct Book<'a> {
     range: Table,
     curves: Vec<Figure>,
     sensitivity: Sensitivity,
+    synthesis: Option<Synthesis>,
     published: Option<Published>,
     remarks: &'a [&'static str],
     notation: Vec<steps::Entry>,
@@ -155,6 +158,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
     let has = |chapter: &&str| match *chapter {
         "published" => !sheet.published.is_empty(),
         "remarks" => !sheet.remarks.is_empty(),
+        "synthesis" => scene.luffing.synthesis.is_some(),
         _ => true,
     };
     chosen.into_iter().filter(has).collect()
@@ -190,6 +194,8 @@ impl<'a> Book<'a> {
         for symbol in results.chain(sheet.range.columns.iter().copied()) {
             notation.meet(symbol);
         }
+        let compares = chapters.contains(&"synthesis");
+        let synthesis = compares.then(|| synthesis(language, scene, &mut notation)).flatten();
         let drawing = plot::drawing(&sheet.drawing);
         let figure = |c: &lemnis_models::sheet::Curve| Figure {
             id: c.id,
@@ -222,6 +228,7 @@ impl<'a> Book<'a> {
             range: tables::table(language, &sheet.range),
             curves: sheet.curves.iter().map(figure).collect(),
             sensitivity: tables::sensitivity(language, &sheet.sensitivity),
+            synthesis,
             published: tables::published(language, sheet),
             remarks: &sheet.remarks,
             references: notation.references(),

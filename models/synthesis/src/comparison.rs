@@ -86,7 +86,7 @@ pub struct Nodes {
 /// Points of a drawn curve.
 const CURVE: u32 = 240;
 /// Builds of the tolerance's Monte Carlo.
-const BUILDS: usize = 2000;
+pub const BUILDS: usize = 2000;
 /// A value lies at its bound within this part of it; scenes are rounded less.
 const NEAR: f64 = 1e-3;
 
