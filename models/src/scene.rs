@@ -101,6 +101,7 @@ pub const CHAPTERS: &[&str] = &[
     "constants",
     "positions",
     "range",
+    "balance",
     "synthesis",
     "published",
     "remarks",

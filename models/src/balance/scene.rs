@@ -66,6 +66,7 @@ static PUBLISHED: &[Key] = &[
         text: "Where the results are printed.",
     },
     Key::quantity(&s::DM_MAX, Sign::NotNegative).optional(),
+    Key::quantity(&s::DM_5_MAX, Sign::NotNegative).optional(),
     Key::quantity(&s::E_ABS, Sign::NotNegative).optional(),
     Key::quantity(&s::GAMMA_MIN, Sign::NotNegative).optional(),
     Key::quantity(&s::N_MAX, Sign::NotNegative).optional(),

@@ -83,7 +83,7 @@ symbols! {
     DM_MAX: "dM_max" "abs(Delta M)_max" N_M / KN_M, "Greatest residual moment about the boom foot, by amount.", "[Balance004, F1]";
     DM_5_MAX: "dM_5_max" "abs(Delta M_5)_max" N_M / KN_M, "Greatest residual moment about the lever's pivot, by amount.", "[Ports001, eq. 5.2.6]";
     E_ABS: "E" "E" J / KJ, "Integral of the amount of the residual moment over the working range.", "[Balance004, F2]";
-    E_PLUS: "E_plus" "E^+" J / KJ, "Integral of the residual moment where it raises the boom, over the working range.", "[Balance004, F2]";
+    E_PLUS: "E_plus" "E_(+)" J / KJ, "Integral of the residual moment where it raises the boom, over the working range.", "[Balance004, F2]";
     GAMMA_MIN: "gamma_min" "gamma_min" RAD / DEG, "Smallest transmission angle of the working range.", "[Balance004, F3]";
     N_MAX: "N_max" "abs(N_1)_max" N / KN, "Greatest force in the rod or rope, by amount.", "derived";
     TRAVEL: "Delta_y_5" "Delta y_5" M / M, "Difference of the counterweight's greatest and smallest height.", "[Ports001, eq. 5.2.1]";

@@ -2,6 +2,8 @@
 //! driven, and over the working range. The equations are those of
 //! [`crate::balance`].
 
+use num_dual::Dual64;
+
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::{Boom, Load};
 use crate::balance::{Balance, Fault, symbols as b};
@@ -209,6 +211,34 @@ impl<C: Calc> Criteria<C> {
             travel: y_5(1)?.zip(y_5(0)?).map(|(high, low)| high - low),
         })
     }
+}
+
+/// Largest differences of independent ways over `places` of the driven bar (rad),
+/// relative to the greatest moment: the balance's moment against the fall of its
+/// counterweight's energy, the weights' moment by virtual work against their power
+/// about the instant centres.
+pub fn agreement(p: &Parameters<f64>, motion: &Motion, places: impl Iterator<Item = f64>) -> [f64; 2] {
+    let dual = p.map(|_, value| Dual64::from_re(value));
+    let boom = Boom::system(&by_boom(p, motion)).ok();
+    let (balancing, g) = (Balancing::new(&dual, motion), Geometry::new(&dual));
+    let (Ok(Some(balancing)), Ok(g), Some(w), Some(boom)) = (balancing, g, &dual.weights, boom) else {
+        return [f64::INFINITY; 2];
+    };
+    let (mut worst, mut scale) = ([0.0_f64; 2], f64::MIN_POSITIVE);
+    for theta in places {
+        let Ok(r) = residual(&balancing, &g, w, Dual64::new(theta, 1.0)) else {
+            return [f64::INFINITY; 2];
+        };
+        let (m_0, m_b) = (r.boom.m_0.re, r.action.m_b.re);
+        let by_energy = -r.action.u_5.eps / r.phi.eps;
+        let by_power = boom.moment_by_power(r.phi.re).unwrap_or(f64::INFINITY);
+        worst = [
+            worst[0].max((m_b - by_energy).abs()),
+            worst[1].max((m_0 - by_power).abs()),
+        ];
+        scale = scale.max(m_0.abs()).max(m_b.abs());
+    }
+    worst.map(|difference| difference / scale)
 }
 
 /// The same mechanism with its boom as the driven bar, assembled as in the middle of the range.

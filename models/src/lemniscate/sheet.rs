@@ -1,7 +1,11 @@
 //! Everything a book says about a luffing mechanism.
 
+mod balance;
+
+use crate::balance::analysis::Analysis;
+use crate::balance::symbols as b;
 use crate::calc::Calc;
-use crate::lemniscate::balancing::{Balanced, Balancing, analysis};
+use crate::lemniscate::balancing::{Balanced, Balancing, agreement, analysis};
 use crate::lemniscate::drive::{Drive, oil_flow};
 use crate::lemniscate::geometry::{Driven, Geometry, Jib, Parameters};
 use crate::lemniscate::governing::{coordinate, governing, rate, sensitivity};
@@ -45,7 +49,7 @@ pub fn sheet(scene: &Scene) -> Sheet {
         range: table(&mut model, coordinate, &motion),
         curves: curves(&mut model, luffing, coordinate),
         drawing: drawing(&geometry, luffing, middle),
-        checks: checks(&mut model, luffing, &geometry, &range),
+        checks: checks(&mut model, luffing, &geometry, &range, balance.as_ref()),
         published: published(&mut model, luffing, coordinate),
         published_source: luffing.published.as_ref().map(|p| p.source.clone()),
         summary: summary(luffing, &geometry, &range),
@@ -53,6 +57,7 @@ pub fn sheet(scene: &Scene) -> Sheet {
         governing,
         outputs: outputs(&model),
         remarks: remarks(luffing),
+        balance: balance::balance(&mut model, luffing, &geometry, balance.as_ref(), coordinate),
     }
 }
 
@@ -102,6 +107,8 @@ fn inputs(scene: &Scene) -> Vec<Input> {
             place = ("weights", "weights.");
         } else if symbol == &s::E_X {
             place = ("drive", "drive.");
+        } else if b::ALL.contains(&symbol) {
+            place = ("balance", "balance.");
         }
         add(place.0, place.1, symbol.id, symbol, value);
     });
@@ -121,6 +128,9 @@ fn inputs(scene: &Scene) -> Vec<Input> {
     let limits = [
         (&s::MU_MIN, luffing.limits.mu_min),
         (&s::EPSILON_Y, luffing.limits.epsilon_y),
+        (&b::DM_MAX, luffing.limits.dm_max),
+        (&b::GAMMA_MIN, luffing.limits.gamma_min),
+        (&b::N_MAX, luffing.limits.n_max),
     ];
     for (symbol, limit) in limits {
         if let Some(value) = limit {
@@ -385,7 +395,13 @@ fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> 
         .collect()
 }
 
-fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Check> {
+fn checks(
+    model: &mut Model,
+    luffing: &Luffing,
+    g: &Geometry<f64>,
+    range: &Range,
+    balance: Option<&Analysis>,
+) -> Vec<Check> {
     let mut checks = Vec::new();
     if let Some(limit) = luffing.limits.mu_min {
         checks.push(Check {
@@ -404,6 +420,39 @@ fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range
             limit,
             at_most: true,
         });
+    }
+    if let Some(found) = balance {
+        let limits = &luffing.limits;
+        let list = [
+            ("balance_residual", &b::DM_MAX, Some(found.dm_max), limits.dm_max, true),
+            (
+                "balance_transmission",
+                &b::GAMMA_MIN,
+                found.gamma_min,
+                limits.gamma_min,
+                false,
+            ),
+            ("balance_rod", &b::N_MAX, found.n_max, limits.n_max, true),
+        ];
+        for (id, symbol, extreme, limit, at_most) in list {
+            checks.extend(extreme.zip(limit).map(|(extreme, limit)| Check {
+                id,
+                symbol,
+                value: extreme.value,
+                limit,
+                at_most,
+            }));
+        }
+        let [work, power] = agreement(&luffing.parameters, &luffing.motion, fine(&luffing.motion));
+        for (id, value) in [("balance_work", work), ("balance_power", power)] {
+            checks.push(Check {
+                id,
+                symbol: &s::AGREEMENT,
+                value,
+                limit: 1e-12,
+                at_most: true,
+            });
+        }
     }
     if luffing.q.is_some() {
         // Agreement of independent ways, relative to the largest moment.
@@ -509,18 +558,32 @@ fn summary(luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Summary> 
 }
 
 fn remarks(luffing: &Luffing) -> Vec<&'static str> {
-    match &luffing.published {
-        Some(published) if published.source.starts_with("[Li2022") => {
-            vec![
-                "li2022_sag",
-                "li2022_sign",
-                "li2022_quadrants",
-                "li2022_level_error",
-                "li2022_drive_comparison",
-            ]
-        }
-        _ => Vec::new(),
+    let from = |source: Option<&String>, key: &str| source.is_some_and(|source| source.starts_with(key));
+    let mechanism = luffing.published.as_ref().map(|published| &published.source);
+    let balance = luffing.published_balance.as_ref().map(|published| &published.source);
+    let mut list = Vec::new();
+    if from(mechanism, "[Li2022") {
+        list.extend([
+            "li2022_sag",
+            "li2022_sign",
+            "li2022_quadrants",
+            "li2022_level_error",
+            "li2022_drive_comparison",
+        ]);
     }
+    if from(balance, "[Balance004") {
+        list.extend([
+            "balance004_rounding",
+            "balance004_nodes",
+            "balance004_double_node",
+            "balance004_rod",
+            "balance004_chi_2",
+        ]);
+    }
+    if from(balance, "[Ports001") {
+        list.extend(["ports001_pivot", "ports001_positions", "ports001_linkage"]);
+    }
+    list
 }
 
 fn drawing(g: &Geometry<f64>, luffing: &Luffing, middle: f64) -> Drawing {

@@ -1,0 +1,73 @@
+//! The balance of the boom system: criteria, equilibria, curves, table, drawing.
+
+use lemnis_models::sheet;
+use serde::Serialize;
+
+use crate::book::tables::{self, Summary, Table};
+use crate::book::{Figure, json};
+use crate::formula::quantity;
+use crate::language::Language;
+use crate::plot;
+
+#[derive(Serialize)]
+pub(super) struct Balance {
+    kind: &'static str,
+    drawing: String,
+    scale: u32,
+    criteria: Vec<Criterion>,
+    published_source: Option<String>,
+    equilibria: Vec<Equilibrium>,
+    curves: Vec<Figure>,
+    range: Table,
+}
+
+#[derive(Serialize)]
+struct Criterion {
+    #[serde(flatten)]
+    summary: Summary,
+    published: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Equilibrium {
+    at: String,
+    reach: String,
+    stable: bool,
+}
+
+impl Balance {
+    pub(super) fn new(language: &Language, balance: &sheet::Balance) -> Balance {
+        let criterion = |criterion: &sheet::Criterion| Criterion {
+            summary: tables::summary(language, &criterion.summary),
+            published: criterion
+                .published
+                .map(|value| quantity(language, criterion.summary.symbol, value)),
+        };
+        let named = |symbol: &'static lemnis_models::symbol::Symbol, value: f64| {
+            format!("{} = {}", symbol.print, quantity(language, symbol, value))
+        };
+        let drawing = plot::drawing(&balance.drawing);
+        Balance {
+            kind: balance.kind,
+            scale: drawing.scale,
+            drawing: json(&drawing),
+            criteria: balance.criteria.iter().map(criterion).collect(),
+            published_source: balance.published_source.clone(),
+            equilibria: balance
+                .equilibria
+                .iter()
+                .map(|e| Equilibrium {
+                    at: named(e.coordinate, e.at),
+                    reach: named(e.reach.0, e.reach.1),
+                    stable: e.stable,
+                })
+                .collect(),
+            curves: balance
+                .curves
+                .iter()
+                .map(|curve| Figure::new(language, curve))
+                .collect(),
+            range: tables::table(language, &balance.range),
+        }
+    }
+}
