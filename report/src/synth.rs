@@ -135,7 +135,7 @@ fn watched<T>(task: &Task, search: impl FnOnce(usize, Watch<'_>) -> T) -> T {
     }
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let style = ProgressStyle::with_template("searching {wide_bar} {percent} %, Ctrl-C keeps the best so far");
-    let bar = ProgressBar::new(steps(task, threads) as u64).with_style(style.expect("a template"));
+    let bar = ProgressBar::new(steps(task) as u64).with_style(style.expect("a template"));
     let found = search(
         threads,
         Watch {

@@ -83,6 +83,8 @@ pub struct Nodes {
     pub contradicted: bool,
 }
 
+/// Levers that the comparison begins with.
+const ORDER: [Role; 3] = [Role::Existing, Role::Published, Role::Start];
 /// Points of a drawn curve.
 const CURVE: u32 = 240;
 /// Builds of the tolerance's Monte Carlo.
@@ -112,6 +114,7 @@ impl Comparison {
             .filter(|candidate| !is_front(candidate.role))
             .map(|c| compared(c.role.name(), c.source.as_deref(), c.dimensions, c.branch))
             .collect();
+        levers.sort_by_key(|lever| ORDER.iter().position(|role| role.name() == lever.role));
         let own = scene.luffing.own_lever();
         if let Some(own) = &own {
             let role = if task.found.is_some() { "found" } else { "own" };

@@ -311,6 +311,18 @@ impl Problem {
                 break;
             }
         }
+        self.snapped(best)
+    }
+
+    /// With each dimension that lies close to a bound at that bound, where that is no worse.
+    fn snapped(&self, mut best: Attempt) -> Attempt {
+        for (symbol, bound) in self.at_bounds(&best.dimensions) {
+            let snap = &mut |other: &'static Symbol, value| if other == symbol { bound } else { value };
+            let other = self.attempt(best.dimensions.map(snap));
+            if other.better(&best) {
+                best = other;
+            }
+        }
         best
     }
 
@@ -408,7 +420,7 @@ pub struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    fn goes_on(&self) -> bool {
+    pub(crate) fn goes_on(&self) -> bool {
         !self.stop.load(Ordering::Relaxed)
     }
 }
@@ -425,12 +437,24 @@ pub fn runs(effort: Effort) -> usize {
 /// Bounds or constraints that contradict each other; constraints that no
 /// lever within the bounds keeps, with the bounds that the nearest one touches.
 pub fn search(problem: &Problem, effort: Effort, watch: Watch<'_>) -> Result<Found, Fault> {
+    seek(problem, effort, None, REFINED, watch)
+}
+
+/// Runs from nowhere, and `known` where there is one; the best `refined` of them all are continued.
+fn seek(
+    problem: &Problem,
+    effort: Effort,
+    known: Option<Dimensions<f64>>,
+    refined: usize,
+    watch: Watch<'_>,
+) -> Result<Found, Fault> {
     problem.check()?;
     let count = effort.runs.max(1);
     let seed = |run: usize| fastrand::Rng::with_seed(effort.seed.wrapping_mul(SPREAD).wrapping_add(run as u64));
     let mut best = shared(count, effort.threads, watch, |run| problem.explore(&mut seed(run)));
+    best.extend(known.map(|known| problem.attempt(known)));
     best.sort_by(|a, b| b.keeps.cmp(&a.keeps).then(a.cost.total_cmp(&b.cost)));
-    best.truncate(REFINED);
+    best.truncate(refined);
     let refined = shared(best.len(), effort.threads, watch, |run| {
         problem.refine(best[run], &mut seed(count + run), watch)
     });
@@ -462,8 +486,8 @@ pub enum Limit {
     Counterweight,
 }
 
-/// The best lever for each value of a limit, from the tightest: what each step
-/// of it costs. A value that no lever keeps has its fault in its place.
+/// The best lever for each value of a limit, from the tightest, which the next
+/// begins with: what each step of it costs. A value that no lever keeps has its fault in its place.
 ///
 /// # Errors
 /// Values that do not rise.
@@ -488,15 +512,9 @@ pub fn front(
             Limit::RodForce => problem.constraints.n_max = Some(value),
             Limit::Counterweight => problem.bounds.m_5[1] = value,
         }
-        let cold = search(&problem, effort, watch);
         // What a tighter limit allows, this one allows too.
         let tighter = front.last().and_then(|last| last.as_ref().ok());
-        let warm = tighter.map(|last| improve(&problem, last.dimensions, effort.seed, watch));
-        front.push(match (cold, warm) {
-            (Ok(cold), Some(Ok(warm))) if warm.value < cold.value => Ok(warm),
-            (Err(_), Some(Ok(warm))) => Ok(warm),
-            (cold, _) => cold,
-        });
+        front.push(seek(&problem, effort, tighter.map(|last| last.dimensions), 1, watch));
     }
     Ok(front)
 }

@@ -35,12 +35,12 @@ const FEW: usize = 12;
 
 /// How often [`run`] calls [`Watch::run`].
 #[must_use]
-pub fn steps(task: &Task, threads: usize) -> usize {
-    let runs = |runs| optimum::runs(effort(task, runs, threads));
+pub fn steps(task: &Task) -> usize {
     match task.method {
         Method::Optimum => {
             let branches = if task.branch.is_none() { 2 } else { 1 };
-            branches * runs(RUNS) + (ROD_FORCES.len() + COUNTERWEIGHTS.len()) * runs(FEW)
+            let points = ROD_FORCES.len() + COUNTERWEIGHTS.len();
+            branches * optimum::runs(effort(task, RUNS, 1)) + points * (FEW + 1)
         }
         Method::Three { .. } | Method::Four { .. } => 0,
     }
@@ -109,7 +109,7 @@ fn best(boom: &Boom<f64>, range: [f64; 2], task: &Task, threads: usize, watch: W
     };
     let mut chosen: Result<(Problem, Found), Fault> = Err(Fault::new(&s::L_K, 0.0, [0.0, 0.0], ""));
     for branch in branches {
-        let found = in_branch(&Problem::new(boom, range, task, branch)?, task, threads, watch);
+        let found = in_branch(boom, range, task, branch, threads, watch);
         let value = chosen.as_ref().map_or(f64::INFINITY, |(_, best)| best.value);
         match found {
             Ok(found) if found.1.value < value => chosen = Ok(found),
@@ -121,32 +121,27 @@ fn best(boom: &Boom<f64>, range: [f64; 2], task: &Task, threads: usize, watch: W
     // Both fronts are those of the residual, each along its own limit.
     let mut of_residual = Problem {
         criterion: Criterion::Residual,
+        constraints: task.constraints,
         robust: None,
         ..problem
     };
     of_residual.constraints.dm_max = None;
-    let few = effort(task, FEW, threads);
     let heaviest = problem.bounds.m_5[1];
-    let sides = [
-        (
-            Role::RodForce,
-            Limit::RodForce,
-            ROD_FORCES.map(|part| part * found.criteria.n_max).to_vec(),
-        ),
-        (
-            Role::Counterweight,
-            Limit::Counterweight,
-            COUNTERWEIGHTS.map(|part| part * heaviest).to_vec(),
-        ),
-    ];
+    let front = |limit, values: &[f64]| optimum::front(&of_residual, limit, values, effort(task, FEW, 1), watch);
+    // As many threads as fronts, each by itself.
+    let (rod, counterweight) = std::thread::scope(|scope| {
+        let rod = scope.spawn(|| front(Limit::RodForce, &ROD_FORCES.map(|part| part * found.criteria.n_max)));
+        let counterweight = front(Limit::Counterweight, &COUNTERWEIGHTS.map(|part| part * heaviest));
+        (rod.join().expect("a search does not panic"), counterweight)
+    });
     let mut fronts = Vec::new();
-    for (role, limit, values) in sides {
-        for found in optimum::front(&of_residual, limit, &values, few, watch)?
-            .into_iter()
-            .flatten()
-        {
-            fronts.push((role, rounded(&found.dimensions)));
-        }
+    for (role, front) in [(Role::RodForce, rod?), (Role::Counterweight, counterweight?)] {
+        fronts.extend(
+            front
+                .into_iter()
+                .flatten()
+                .map(|found| (role, rounded(&found.dimensions))),
+        );
     }
     Ok(Outcome {
         dimensions: rounded(&found.dimensions),
@@ -157,22 +152,69 @@ fn best(boom: &Boom<f64>, range: [f64; 2], task: &Task, threads: usize, watch: W
 }
 
 /// The best lever of one branch, with the problem that it solves.
-fn in_branch(problem: &Problem, task: &Task, threads: usize, watch: Watch<'_>) -> Result<(Problem, Found), Fault> {
+fn in_branch(
+    boom: &Boom<f64>,
+    range: [f64; 2],
+    task: &Task,
+    branch: Branch,
+    threads: usize,
+    watch: Watch<'_>,
+) -> Result<(Problem, Found), Fault> {
+    let mut problem = Problem::new(boom, range, task, branch)?;
     let start = task.candidates.iter().find(|candidate| candidate.role == Role::Start);
-    let found = match start {
-        Some(start) if start.branch == problem.branch => improve(problem, start.dimensions, task.seed, watch)?,
-        _ => search(problem, effort(task, RUNS, threads), watch)?,
+    let mut found = match start {
+        Some(start) if start.branch == branch => improve(&problem, start.dimensions, task.seed, watch)?,
+        _ => search(&problem, effort(task, RUNS, threads), watch)?,
     };
-    if !task.robust {
-        return Ok((problem.clone(), found));
+    if task.robust {
+        problem.robust = Some(Builds::new(&problem.positions, task.tolerances, BUILDS, task.seed)?);
+        found = improve(&problem, found.dimensions, task.seed, watch)?;
     }
-    let builds = Builds::new(&problem.positions, task.tolerances, BUILDS, task.seed)?;
-    let robust = Problem {
-        robust: Some(builds),
-        ..problem.clone()
+    // Between the positions of the search a constraint may be missed by a hair:
+    // then as much more is asked for.
+    for _ in 0..SETTLING {
+        if !watch.goes_on() || !tighten(boom, range, task, &mut problem, &found) {
+            break;
+        }
+        found = improve(&problem, found.dimensions, task.seed, watch)?;
+    }
+    Ok((problem, found))
+}
+
+/// How often a lever is brought back to where it keeps its constraints between the positions too.
+const SETTLING: usize = 3;
+/// More than is lost by rounding what a scene writes.
+const ROUNDING: f64 = 1e-6;
+
+/// Asks for as much more as the lever misses over the whole range; false where it misses nothing.
+fn tighten(boom: &Boom<f64>, range: [f64; 2], task: &Task, problem: &mut Problem, found: &Found) -> bool {
+    let balance = Lever::new(rounded(&found.dimensions), None, problem.branch).map(Balance::Lever);
+    let Ok(whole) = balance.and_then(|balance| Analysis::new(boom, &balance, range)) else {
+        return false;
     };
-    let found = improve(&robust, found.dimensions, task.seed, watch)?;
-    Ok((robust, found))
+    let (asked, now) = (&task.constraints, &mut problem.constraints);
+    let mut missed = false;
+    let mut demand = |limit: &mut f64, short: f64, size: f64, up: bool| {
+        if short > 0.0 {
+            missed = true;
+            let more = short + ROUNDING * size;
+            *limit += if up { more } else { -more };
+        }
+    };
+    if let Some(gamma) = whole.gamma_min {
+        demand(&mut now.gamma_min, asked.gamma_min - gamma.value, 1.0, true);
+    }
+    if let (Some(limit), Some(most), Some(force)) = (&mut now.n_max, asked.n_max, whole.n_max) {
+        demand(limit, force.value - most, most, false);
+    }
+    if let (Some(limit), Some(most)) = (&mut now.dm_max, asked.dm_max) {
+        demand(limit, whole.dm_max.value - most, most, false);
+    }
+    if let (Some(limit), Some(least)) = (&mut now.m_plus, asked.m_plus) {
+        let ends = whole.ends[0].min(-whole.ends[1]);
+        demand(limit, least - ends, whole.dm_max.value, true);
+    }
+    missed
 }
 
 /// Decimals in the display unit that a scene writes: micrometres, millionths of a degree, newton metres.
