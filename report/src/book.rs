@@ -14,8 +14,8 @@ use lemnis_models::symbol::Symbol;
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 
-use crate::book::steps::{Notation, Position, Section};
 use crate::book::balance::Balance;
+use crate::book::steps::{Notation, Position, Section};
 use crate::book::tables::{Chapter, Check, Published, Sensitivity, Summary, Table};
 use crate::formula::quantity;
 use crate::language::Language;
@@ -208,7 +208,7 @@ impl<'a> Book<'a> {
         for symbol in results.chain(sheet.range.columns.iter().copied()).chain(balance) {
             notation.meet(symbol);
         }
-        let drawing = plot::drawing(&sheet.drawing);
+        let drawing = plot::drawing(&sheet.drawing, plot::PAGE);
         let figure = |c: &lemnis_models::sheet::Curve| Figure::new(language, c);
         let summary = |s: &lemnis_models::sheet::Summary| tables::summary(language, s);
         // The FMU of the same scene tells the same.

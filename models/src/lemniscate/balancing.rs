@@ -232,7 +232,10 @@ pub fn agreement(p: &Parameters<f64>, motion: &Motion, places: impl Iterator<Ite
         let (m_0, m_b) = (r.boom.m_0.re, r.action.m_b.re);
         let by_energy = -r.action.u_5.eps / r.phi.eps;
         let by_power = boom.moment_by_power(r.phi.re).unwrap_or(f64::INFINITY);
-        worst = [worst[0].max((m_b - by_energy).abs()), worst[1].max((m_0 - by_power).abs())];
+        worst = [
+            worst[0].max((m_b - by_energy).abs()),
+            worst[1].max((m_0 - by_power).abs()),
+        ];
         scale = scale.max(m_0.abs()).max(m_b.abs());
     }
     worst.map(|difference| difference / scale)

@@ -582,35 +582,31 @@ fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
 
 /// Results of a balance: only what its kind has.
 fn balanced(form: &Form<f64>, p: &Parameters<f64>) -> Vec<(&'static Symbol, Output)> {
-    use Output as O;
-    let turns = matches!(form, Form::Lever(..) | Form::Parallelogram(_));
-    let pulls = !matches!(form, Form::Tail(_));
-    let heavy = !matches!(form, Form::Lever(_, None, _));
     let list = [
-        (&b::M_0, O::M0, true),
-        (&b::M_B, O::MUr, true),
-        (&b::DM, O::DM, true),
-        (&b::DM_5, O::DM5, turns),
-        (&b::M_SUM, O::MSum, true),
-        (&b::M_D_0, O::MD0, true),
-        (&b::F_D_0, O::FD0, p.anchors.is_some()),
-        (&b::PSI, O::Psi, turns),
-        (&b::I_5, O::I5, turns),
-        (&b::GAMMA, O::Gamma, turns),
-        (&b::N_1, O::N1, pulls),
-        (&b::C_Y, O::Y5, heavy),
-        (&b::F_KX, O::FKX, true),
-        (&b::F_KY, O::FKY, true),
-        (&b::F_PX, O::FMX, pulls && heavy),
-        (&b::F_PY, O::FMY, pulls && heavy),
-        (&b::DM_MAX, O::DMMax, true),
-        (&b::DM_5_MAX, O::DM5Max, turns),
-        (&b::E_ABS, O::EAbs, true),
-        (&b::E_PLUS, O::EPlus, true),
-        (&b::GAMMA_MIN, O::GammaMin, turns),
-        (&b::N_MAX, O::NMax, pulls),
-        (&b::TRAVEL, O::Travel, heavy),
+        (&b::M_0, Output::M0),
+        (&b::M_B, Output::MUr),
+        (&b::DM, Output::DM),
+        (&b::DM_5, Output::DM5),
+        (&b::M_SUM, Output::MSum),
+        (&b::M_D_0, Output::MD0),
+        (&b::F_D_0, Output::FD0),
+        (&b::PSI, Output::Psi),
+        (&b::I_5, Output::I5),
+        (&b::GAMMA, Output::Gamma),
+        (&b::N_1, Output::N1),
+        (&b::C_Y, Output::Y5),
+        (&b::F_KX, Output::FKX),
+        (&b::F_KY, Output::FKY),
+        (&b::F_PX, Output::FMX),
+        (&b::F_PY, Output::FMY),
+        (&b::DM_MAX, Output::DMMax),
+        (&b::DM_5_MAX, Output::DM5Max),
+        (&b::E_ABS, Output::EAbs),
+        (&b::E_PLUS, Output::EPlus),
+        (&b::GAMMA_MIN, Output::GammaMin),
+        (&b::N_MAX, Output::NMax),
+        (&b::TRAVEL, Output::Travel),
     ];
-    let exists = list.into_iter().filter(|(_, _, exists)| *exists);
-    exists.map(|(symbol, output, _)| (symbol, output)).collect()
+    let exists = |symbol| form.has(symbol) && (symbol != &b::F_D_0 || p.anchors.is_some());
+    list.into_iter().filter(|(symbol, _)| exists(symbol)).collect()
 }

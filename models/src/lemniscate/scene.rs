@@ -332,18 +332,18 @@ impl Luffing {
             gamma_min: limit(&b::GAMMA_MIN),
             n_max: limit(&b::N_MAX),
         };
-        let exists = v.table("balance").is_some();
-        let of_balance = [&b::DM_MAX, &b::GAMMA_MIN, &b::N_MAX];
-        if let (Some(table), false) = (v.table("limits"), exists) {
-            for symbol in of_balance.into_iter().filter(|symbol| table.has(symbol.id)) {
-                found.push(
-                    Diagnostic::new(
-                        table.place(symbol.id),
-                        format!("a limit `{}` without a balance", symbol.id),
-                        "nothing to check",
-                    )
-                    .help("add [luffing.balance], or remove the limit"),
-                );
+        if let Some(table) = v.table("limits") {
+            for symbol in [&b::DM_MAX, &b::GAMMA_MIN, &b::N_MAX] {
+                let checked = balance.is_some_and(|balance| balance.has(symbol));
+                if table.has(symbol.id) && !checked {
+                    let what = match &balance {
+                        Some(balance) => format!("a balance of the kind \"{}\" has no {}", balance.kind(), symbol.id),
+                        None => format!("a limit {} without a balance", symbol.id),
+                    };
+                    found.push(
+                        Diagnostic::new(table.place(symbol.id), what, "nothing to check").help("remove the limit"),
+                    );
+                }
             }
         }
         let published = v.table("published").and_then(|table| published(table, found));

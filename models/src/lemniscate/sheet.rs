@@ -425,7 +425,13 @@ fn checks(
         let limits = &luffing.limits;
         let list = [
             ("balance_residual", &b::DM_MAX, Some(found.dm_max), limits.dm_max, true),
-            ("balance_transmission", &b::GAMMA_MIN, found.gamma_min, limits.gamma_min, false),
+            (
+                "balance_transmission",
+                &b::GAMMA_MIN,
+                found.gamma_min,
+                limits.gamma_min,
+                false,
+            ),
             ("balance_rod", &b::N_MAX, found.n_max, limits.n_max, true),
         ];
         for (id, symbol, extreme, limit, at_most) in list {

@@ -1,6 +1,7 @@
 //! What the book says about the balance beyond its formulas.
 
 use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::scene::Form;
 use crate::balance::{Balance, symbols as b};
 use crate::calc::Calc;
 use crate::lemniscate::balancing::{Balancing, residual};
@@ -59,7 +60,13 @@ fn criteria(found: &Analysis, coordinate: &'static Symbol) -> impl Iterator<Item
             at: Some((coordinate, extreme.at)),
         })
     };
-    let alone = |symbol, value: Option<f64>| value.map(|value| Summary { symbol, value, at: None });
+    let alone = |symbol, value: Option<f64>| {
+        value.map(|value| Summary {
+            symbol,
+            value,
+            at: None,
+        })
+    };
     let list = [
         at(&b::DM_MAX, Some(found.dm_max)),
         at(&b::DM_5_MAX, found.dm_5_max),
@@ -100,7 +107,17 @@ fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> 
 
 fn table(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> Table {
     let mut columns = vec![
-        coordinate, &s::R, &b::M_0, &b::M_B, &b::DM, &b::DM_5, &b::PSI, &b::GAMMA, &b::N_1, &b::M_D_0, &s::M_D,
+        coordinate,
+        &s::R,
+        &b::M_0,
+        &b::M_B,
+        &b::DM,
+        &b::DM_5,
+        &b::PSI,
+        &b::GAMMA,
+        &b::N_1,
+        &b::M_D_0,
+        &s::M_D,
     ];
     columns.retain(|symbol| exists(model, symbol));
     let rows = sample(model, &columns, luffing.motion.angles().into_iter());
@@ -119,6 +136,7 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
         let place = |theta: f64| at(theta).and_then(|r| rail.rail(r.phi, &r.boom).ok());
         draw.path(fine(motion).filter_map(place).collect());
     }
+    let shown = 1.2 * size(&luffing.parameters.balance?);
     let middle = f64::midpoint(motion.from, motion.to);
     let rope = [motion.from, motion.to]
         .map(|theta| at(theta).map_or(0.0, |r| pulley(&balancing.balance, &r)))
@@ -126,7 +144,9 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
         .fold(0.0, f64::max);
     for (theta, faint) in [(motion.from, true), (motion.to, true), (middle, false)] {
         let (p, r) = (Position::new(g, theta)?, at(theta)?);
-        draw.bar(&[o, p.b], faint);
+        // The boom's head would make the linkage small.
+        let along = p.b / p.b.norm();
+        draw.bar(&[o, along * shown.min(p.b.norm())], faint);
         match &balancing.balance {
             Balance::Tail(tail) => {
                 let c = polar(tail.r_c, r.phi + tail.chi_c + std::f64::consts::PI);
@@ -174,7 +194,6 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
             }
         }
         if !faint {
-            draw.pin(p.b, "B", false, faint);
             draw.shapes.push(Shape::Angle {
                 at: [0.0, 0.0],
                 radius: 3.0,
@@ -198,12 +217,21 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
     Some(Drawing { shapes: draw.shapes })
 }
 
+/// How far the balance reaches from the boom's foot, in m.
+fn size(form: &Form<f64>) -> f64 {
+    match form {
+        Form::Tail(it) => it.r_c,
+        Form::Parallelogram(it) => it.d_1 + it.r_1.max(it.r_c),
+        Form::Lever(it, s_5, _) => (it.d_1 + it.lever.max(s_5.unwrap_or(3.0))).max(it.r_1),
+        Form::StraightRail(it) => it.r_1.max(Point::new(it.h_x, it.h_y).norm()),
+        Form::CurvedRail(it) => it.r_1.max(it.l_r),
+    }
+}
+
 /// Rope between the boom and the guide pulley, in m.
 fn pulley(balance: &Balance<f64>, r: &Residual<f64>) -> f64 {
     match balance {
-        Balance::StraightRail(it) => {
-            (Point::new(it.h_x, it.h_y) - polar(it.r_1, r.phi + it.alpha_1)).norm()
-        }
+        Balance::StraightRail(it) => (Point::new(it.h_x, it.h_y) - polar(it.r_1, r.phi + it.alpha_1)).norm(),
         _ => 0.0,
     }
 }
@@ -255,7 +283,12 @@ impl Draw {
     fn weight(&mut self, at: Point<f64>, faint: bool) {
         const HALF: f64 = 0.6;
         let corner = |x: f64, y: f64| at + Point::new(x * HALF, y * HALF);
-        let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        let corners = [
+            corner(-1.0, -1.0),
+            corner(1.0, -1.0),
+            corner(1.0, 1.0),
+            corner(-1.0, 1.0),
+        ];
         self.body(&corners, faint);
         if !faint {
             self.shapes.push(Shape::Label {
