@@ -8,12 +8,18 @@ use std::f64::consts::TAU;
 use balances::{EXISTING, KINDS, NEW, driven_by_rocker, every_kind, with};
 use lemnis_models::lemniscate::balancing::{agreement, analysis};
 use lemnis_models::lemniscate::geometry::Driven;
-use lemnis_models::lemniscate::sheet::sheet;
-use lemnis_models::model::{Model, Role, State};
+use lemnis_models::lemniscate::model::State;
+use lemnis_models::lemniscate::scene::Luffing;
+use lemnis_models::model::{Model, Role};
 use lemnis_models::scene::Scene;
+use lemnis_models::sheet::{Check, sheet};
 
 fn scene(text: &str) -> Scene {
     Scene::parse(text).unwrap_or_else(|found| panic!("{found:#?}\n{text}"))
+}
+
+fn luffing(scene: &Scene) -> &Luffing {
+    scene.mechanism.luffing().expect("a luffing mechanism")
 }
 
 fn model(text: &str) -> Model {
@@ -52,7 +58,7 @@ fn published_values_of_004() {
         assert!((shown(&mut model, "E") - energy).abs() <= 0.05);
         assert!((shown(&mut model, "N_max") - rod).abs() <= 0.5);
         let scene = scene(text);
-        let luffing = &scene.luffing;
+        let luffing = luffing(&scene);
         let found = analysis(&luffing.parameters, &luffing.motion);
         let found = found.expect("closes").expect("a balance").equilibria;
         for (degrees, stable) in [(low, true), (unstable, false), (high, true)] {
@@ -102,8 +108,9 @@ fn moments_and_forces_are_in_equilibrium() {
     let mut bare = model(include_str!("../scenes/portal_004.toml"));
     for text in every_kind() {
         let scene = scene(&text);
-        let driven = scene.luffing.parameters.driven;
-        let [from, to] = [scene.luffing.motion.from, scene.luffing.motion.to];
+        let luffing = luffing(&scene);
+        let driven = luffing.parameters.driven;
+        let [from, to] = [luffing.motion.from, luffing.motion.to];
         let mut model = model(&text);
         for part in [0.0, 0.3, 0.6, 1.0] {
             model.set(0, from + part * (to - from)).expect("an angle");
@@ -136,8 +143,8 @@ fn moments_and_forces_are_in_equilibrium() {
             }
         }
         let both = agreement(
-            &scene.luffing.parameters,
-            &scene.luffing.motion,
+            &luffing.parameters,
+            &luffing.motion,
             [from, 0.5 * (from + to), to].into_iter(),
         );
         assert!(both.iter().all(|difference| *difference <= 1e-12), "{both:?}\n{text}");
@@ -200,11 +207,11 @@ fn derivatives_of_every_result() {
         for (known, variable) in variables.iter().enumerate().filter(|(_, v)| settable(v.role)) {
             let middle = model.get(known).expect("a value");
             let step = 1e-5 * middle.abs().max(1.0);
+            let mut tangent = model.tangent(|other| f64::from(other.0 == variable.symbol));
             for (output, result) in variables.iter().enumerate() {
                 if !lemnis_models::balance::symbols::ALL.contains(&result.symbol) || settable(result.role) {
                     continue;
                 }
-                let mut tangent = model.tangent(|other| f64::from(other == variable.symbol));
                 let exact = model.derivative(&mut tangent, output).expect("smooth");
                 let mut value = |at: f64| {
                     model.set(known, at).expect("allowed");
@@ -293,6 +300,6 @@ fn zero_weights() {
     }
     let sheet = sheet(&scene(&weightless));
     assert!(sheet.balance.expect("a balance").equilibria.is_empty());
-    let finite = |check: &lemnis_models::sheet::Check| check.value.is_finite();
+    let finite = |check: &Check| check.value.is_finite();
     assert!(sheet.checks.iter().all(finite));
 }
