@@ -171,7 +171,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "published" => !sheet.published.is_empty(),
         "remarks" => !sheet.remarks.is_empty(),
         "balance" => sheet.balance.is_some(),
-        "synthesis" => scene.luffing.synthesis.is_some(),
+        "synthesis" => scene.mechanism.luffing().is_some_and(|it| it.synthesis.is_some()),
         _ => true,
     };
     chosen.into_iter().filter(has).collect()
@@ -214,7 +214,7 @@ impl<'a> Book<'a> {
         }
         let compares = chapters.contains(&"synthesis");
         let synthesis = compares.then(|| synthesis(language, scene, &mut notation)).flatten();
-        let drawing = plot::drawing(&sheet.drawing);
+        let drawing = plot::drawing(&sheet.drawing, plot::PAGE);
         let figure = |c: &lemnis_models::sheet::Curve| Figure::new(language, c);
         let summary = |s: &lemnis_models::sheet::Summary| tables::summary(language, s);
         // The FMU of the same scene tells the same.

@@ -98,22 +98,17 @@ fn unit(from: Point, to: Point) -> Point {
 
 /// Usual scales of drawings, 1 : n.
 const SCALES: [u32; 15] = [10, 15, 20, 25, 50, 75, 100, 150, 200, 250, 300, 400, 500, 750, 1000];
-/// Largest size of a drawing, and the room around it for labels and supports.
-const LARGEST: Point = [166.0, 190.0];
+/// Largest size of a drawing on a page of its own.
+pub const PAGE: Point = [166.0, 190.0];
+/// Room around a drawing for labels and supports.
 const MARGIN: Point = [3.5, 7.0];
 
-/// Largest size of one of several drawings side by side.
+/// Largest size of one of two drawings side by side.
 pub const HALF: Point = [80.0, 80.0];
 
-/// The mechanism to the largest usual scale that fits a page.
+/// The mechanism to the largest usual scale that fits into `largest` mm.
 #[must_use]
-pub fn drawing(drawing: &Drawing) -> Picture {
-    drawing_within(drawing, LARGEST)
-}
-
-/// To the largest usual scale that fits a size, in mm.
-#[must_use]
-pub fn drawing_within(drawing: &Drawing, largest: Point) -> Picture {
+pub fn drawing(drawing: &Drawing, largest: Point) -> Picture {
     let points: Vec<Point> = drawing.shapes.iter().flat_map(extent).collect();
     let low = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min));
     let high = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max));

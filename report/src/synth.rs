@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use lemnis_models::balance::Fault;
-use lemnis_models::balance::lever::Dimensions;
+use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Role, Task};
 use lemnis_models::diagnostic::Diagnostic;
 use lemnis_models::four_bar::Branch;
@@ -40,7 +40,11 @@ static STOP: AtomicBool = AtomicBool::new(false);
 impl Synth {
     pub fn run(&self) -> Result<(), Failure> {
         let scene = scene_file::read(Some(&self.scene))?;
-        let Some(task) = &scene.luffing.synthesis else {
+        let asked = scene
+            .mechanism
+            .luffing()
+            .and_then(|it| Some((it, it.synthesis.as_ref()?)));
+        let Some((luffing, task)) = asked else {
             return Err(Failure::Scene(format!(
                 "{} asks for no synthesis: add a table [luffing.synthesis], an empty one will do where [luffing.balance] \
                  is a lever",
@@ -49,10 +53,10 @@ impl Synth {
         };
         let mut task = task.clone();
         task.seed = self.seed.unwrap_or(task.seed);
-        let (boom, range) = scene.luffing.boom().expect("checked when the scene was read");
+        let (boom, range) = luffing.boom().expect("checked when the scene was read");
         let outcome = watched(&task, |threads, watch| run(&boom, range, &task, threads, watch));
         let outcome = outcome.map_err(|fault| self.explain(&scene, &task, &fault))?;
-        let result = self.scene(&scene, &task, &outcome)?;
+        let result = improved(&scene, luffing.own_lever().as_ref(), &task, &outcome)?;
         let comparison = Comparison::new(&result).expect("the result has a synthesis");
         print!("{}", table(&comparison));
         if !outcome.complete {
@@ -74,51 +78,51 @@ impl Synth {
         let diagnostic = Diagnostic::new(task.place(fault.quantity), fault.to_string(), label);
         scene_file::failure(&self.scene.display().to_string(), scene.text(), &[diagnostic])
     }
+}
 
-    /// The user's scene with the lever found, and with what the book compares.
-    fn scene(&self, scene: &Scene, task: &Task, outcome: &Outcome) -> Result<Scene, Failure> {
-        let mut document: DocumentMut = scene.text().parse().expect("a scene that was read is TOML");
-        let name = scene.name().strip_suffix(SUFFIX).unwrap_or(scene.name());
-        document["name"] = value(format!("{name}{SUFFIX}"));
-        let luffing = &mut document["luffing"];
-        let mut balance = taken(&mut luffing["balance"]);
-        if scene.luffing.own_lever().is_none() {
-            balance.clear();
-        }
-        // What was published was so of another lever.
-        balance.remove("published");
-        set(&mut balance, "kind", "lever".into());
-        fill(&mut balance, &outcome.dimensions, outcome.branch);
-        let source = format!("lemnis synth {}, seed {}", env!("CARGO_PKG_VERSION"), task.seed);
-        set(&mut balance, "source", source);
-        luffing["balance"] = Item::Table(balance);
-
-        let mut synthesis = taken(&mut luffing["synthesis"]);
-        let found = if outcome.complete { "complete" } else { "broken off" };
-        set(&mut synthesis, "found", found.into());
-        synthesis["seed"] = value(i64::try_from(task.seed).expect("TOML has no greater integers"));
-        let listed = synthesis.remove("candidates");
-        let listed = listed.and_then(|listed| listed.into_array_of_tables().ok());
-        let mut candidates = listed.unwrap_or_else(ArrayOfTables::new);
-        let fronts = [Role::RodForce, Role::Counterweight].map(Role::name);
-        candidates.retain(|table| !table["role"].as_str().is_some_and(|role| fronts.contains(&role)));
-        if let Some(own) = scene.luffing.own_lever().filter(|_| task.found.is_none()) {
-            candidates.push(lever(Role::Existing, &own.dimensions, own.branch));
-        }
-        for (role, dimensions) in &outcome.fronts {
-            candidates.push(lever(*role, dimensions, outcome.branch));
-        }
-        synthesis["candidates"] = Item::ArrayOfTables(candidates);
-        luffing["synthesis"] = Item::Table(synthesis);
-        let text = document.to_string();
-        Scene::parse(&text).map_err(|found| {
-            let whole: Vec<String> = found.iter().map(ToString::to_string).collect();
-            Failure::Program(format!(
-                "the scene with the lever found cannot be read: {}",
-                whole.join("; ")
-            ))
-        })
+/// The user's scene with the lever found, and with what the book compares.
+fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outcome) -> Result<Scene, Failure> {
+    let mut document: DocumentMut = scene.text().parse().expect("a scene that was read is TOML");
+    let name = scene.name().strip_suffix(SUFFIX).unwrap_or(scene.name());
+    document["name"] = value(format!("{name}{SUFFIX}"));
+    let luffing = &mut document["luffing"];
+    let mut balance = taken(&mut luffing["balance"]);
+    if own.is_none() {
+        balance.clear();
     }
+    // What was published was so of another lever.
+    balance.remove("published");
+    set(&mut balance, "kind", "lever".into());
+    fill(&mut balance, &outcome.dimensions, outcome.branch);
+    let source = format!("lemnis synth {}, seed {}", env!("CARGO_PKG_VERSION"), task.seed);
+    set(&mut balance, "source", source);
+    luffing["balance"] = Item::Table(balance);
+
+    let mut synthesis = taken(&mut luffing["synthesis"]);
+    let found = if outcome.complete { "complete" } else { "broken off" };
+    set(&mut synthesis, "found", found.into());
+    synthesis["seed"] = value(i64::try_from(task.seed).expect("TOML has no greater integers"));
+    let listed = synthesis.remove("candidates");
+    let listed = listed.and_then(|listed| listed.into_array_of_tables().ok());
+    let mut candidates = listed.unwrap_or_else(ArrayOfTables::new);
+    let fronts = [Role::RodForce, Role::Counterweight].map(Role::name);
+    candidates.retain(|table| !table["role"].as_str().is_some_and(|role| fronts.contains(&role)));
+    if let Some(own) = own.filter(|_| task.found.is_none()) {
+        candidates.push(lever(Role::Existing, &own.dimensions, own.branch));
+    }
+    for (role, dimensions) in &outcome.fronts {
+        candidates.push(lever(*role, dimensions, outcome.branch));
+    }
+    synthesis["candidates"] = Item::ArrayOfTables(candidates);
+    luffing["synthesis"] = Item::Table(synthesis);
+    let text = document.to_string();
+    Scene::parse(&text).map_err(|found| {
+        let whole: Vec<String> = found.iter().map(ToString::to_string).collect();
+        Failure::Program(format!(
+            "the scene with the lever found cannot be read: {}",
+            whole.join("; ")
+        ))
+    })
 }
 
 const SUFFIX: &str = "_synth";

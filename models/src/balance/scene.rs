@@ -96,6 +96,27 @@ impl<C: Copy> Form<C> {
         }]
     }
 
+    /// Whether a balance of this kind has a result.
+    #[must_use]
+    pub fn has(&self, result: &'static Symbol) -> bool {
+        let turns = matches!(self, Form::Lever(..) | Form::Parallelogram(_));
+        let pulls = !matches!(self, Form::Tail(_));
+        // Without the arm of its counterweight a lever has neither place nor weight of it.
+        let heavy = !matches!(self, Form::Lever(_, None, _));
+        let is = |list: &[&'static Symbol]| list.contains(&result);
+        if is(&[&s::DM_5, &s::DM_5_MAX, &s::PSI, &s::I_5, &s::GAMMA, &s::GAMMA_MIN]) {
+            turns
+        } else if is(&[&s::N_1, &s::N_MAX]) {
+            pulls
+        } else if is(&[&s::C_Y, &s::TRAVEL]) {
+            heavy
+        } else if is(&[&s::F_PX, &s::F_PY]) {
+            pulls && heavy
+        } else {
+            true
+        }
+    }
+
     /// The same balance over another scalar.
     pub fn map<D>(&self, f: &mut impl FnMut(&'static Symbol, C) -> D) -> Form<D> {
         match self {

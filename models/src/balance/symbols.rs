@@ -25,8 +25,8 @@ symbols! {
     CHI_5: "chi_5" "chi_5" RAD / DEG, "Angle from the lever's rod arm to its counterweight arm, counter-clockwise positive.", "[Balance004, Fig. 2]";
     M_5: "M_5" "M_5" N_M / KN_M, "Weight of the counterweight times its arm.", "[Balance004, eq. 2]";
     S_5: "s_5" "s_5" M / M, "Arm of the counterweight on the lever.", "[Balance004, Fig. 2]";
-    H_X: "H.x" "x_H" M / M, "Guide pulley, forward of the boom foot.", "[Ports001, 2.1.4]";
-    H_Y: "H.y" "y_H" M / M, "Guide pulley, above the boom foot.", "[Ports001, 2.1.4]";
+    H_X: "H_x" "x_H" M / M, "Guide pulley, forward of the boom foot.", "[Ports001, 2.1.4]";
+    H_Y: "H_y" "y_H" M / M, "Guide pulley, above the boom foot.", "[Ports001, 2.1.4]";
     LAMBDA: "lambda" "lambda" RAD / DEG, "Slope of the straight rail below the horizontal, rearward; 90 deg is a vertical one.", "[Ports001, 2.1.4]";
     L_R: "L_r" "L_r" M / M, "Length of the rope between boom and trolley.", "[Ports001, 2.1.5]";
     Y_0: "y_0" "y_0" M / M, "Height of the trolley at the reference angle.", "[Ports001, 2.1.5]";
@@ -60,7 +60,7 @@ symbols! {
     I_5: "i_5" "i_5" ONE / ONE, "Lever's angular velocity over the boom's.", "[Ports001, 4.1]";
     GAMMA: "gamma" "gamma" RAD / DEG, "Transmission angle between rod and lever, 0 to 90 deg.", "[Balance004, Fig. 2]";
     H_1: "h_1" "h_1" M / M, "Distance of the boom foot from the line of the rod; positive where a pull raises the boom.", "[Ports001, eq. 5.2.3]";
-    H_5: "h_5" "h_5" M / M, "Distance of the lever's pivot from the line of the rod; positive where lever and boom turn alike when h_1 is.", "[Ports001, eq. 5.2.4]";
+    H_5: "h_5" "h_5" M / M, "Distance of the lever's pivot from the line of the rod; where it has the sign of the boom's, lever and boom turn alike.", "[Ports001, eq. 5.2.4]";
     N_1: "N_1" "N_1" N / KN, "Force in the coupling rod or rope, tension positive.", "equilibrium";
     C_X: "C_5.x" "x_5" M / M, "Counterweight, forward of the boom foot.", "[Ports001, 2.1]";
     C_Y: "C_5.y" "y_5" M / M, "Counterweight, above the boom foot.", "[Ports001, 2.1]";

@@ -13,9 +13,8 @@ use crate::lemniscate::geometry::{Driven, Geometry, Parameters};
 use crate::lemniscate::outputs::{Evaluation, Inputs, Output};
 use crate::lemniscate::scene::{KEYS, Luffing, Motion};
 use crate::lemniscate::symbols as s;
-use crate::model::{Fault, Role, TIME, Terminal, Variable};
+use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::record::{Rec, record};
-use crate::scene::Scene;
 use crate::schema::{Key, Kind, Sign};
 use crate::symbol::Symbol;
 
@@ -56,10 +55,9 @@ enum Slot {
 
 impl Model {
     /// # Errors
-    /// Never for a scene that was read by [`Scene::parse`], which checks that
-    /// the mechanism exists over its range.
-    pub fn new(scene: &Scene) -> Result<Model, Fault> {
-        let luffing = &scene.luffing;
+    /// Never for a scene that was read by [`Scene::parse`](crate::scene::Scene::parse),
+    /// which checks that the mechanism exists over its range.
+    pub fn new(luffing: &Luffing) -> Result<Model, Fault> {
         let inputs = Inputs {
             theta: luffing.motion.from,
             omega: luffing.motion.speed,
@@ -80,8 +78,9 @@ impl Model {
             let sign = allowed(KEYS, symbol).unwrap_or(Sign::Any);
             model.variables.push(Variable {
                 symbol,
+                number: None,
                 role,
-                boolean: symbol == &s::P_FAR,
+                kind: if symbol == &s::P_FAR { Type::Boolean } else { Type::Real },
                 bounds: bounds(luffing, symbol, slot, sign),
             });
             model.slots.push(slot);
@@ -112,6 +111,7 @@ impl Model {
                 .iter()
                 .copied()
                 .filter(|(symbol, member)| exists(symbol, member))
+                .map(|(symbol, member)| (symbol.id.to_owned(), member))
                 .collect(),
         };
         let mut terminals = vec![
@@ -151,6 +151,12 @@ impl Model {
     #[must_use]
     pub fn stop_time(&self) -> f64 {
         nanosecond((self.motion.to - self.motion.from) / self.motion.speed)
+    }
+
+    /// Values of the first variable in tables, in SI.
+    #[must_use]
+    pub fn positions(&self) -> Vec<f64> {
+        self.motion.angles()
     }
 
     /// Time for one step of the scene's tables, in s.
@@ -290,7 +296,8 @@ impl Model {
     /// The model with derivatives along a direction: `seed` is the rate of change
     /// of each input and parameter, in SI, and of [`TIME`].
     #[must_use]
-    pub fn tangent(&self, seed: impl Fn(&'static Symbol) -> f64) -> Tangent {
+    pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
+        let seed = |symbol| seed((symbol, None));
         let evaluation = &self.state.evaluation;
         let mut same_geometry = true;
         let parameters = evaluation.parameters().map(|symbol, value| {
@@ -327,7 +334,7 @@ impl Model {
     /// as the recorder finds them all over the working range, in both directions
     /// of motion and with the angle set or following from the time.
     #[must_use]
-    pub fn dependencies(&self) -> Vec<BTreeSet<&'static str>> {
+    pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
         let mut found = vec![BTreeSet::new(); self.slots.len()];
         let Motion { from, to, speed, .. } = self.motion;
         let middle = f64::midpoint(from, to);
@@ -354,7 +361,12 @@ impl Model {
                         .collect::<Vec<_>>()
                 });
                 for (found, output) in found.iter_mut().zip(outputs) {
-                    found.extend(output.into_iter().flat_map(|output| trace.givens(output)).map(|g| g.id));
+                    found.extend(
+                        output
+                            .into_iter()
+                            .flat_map(|output| trace.givens(output))
+                            .map(|g| (g.id, None)),
+                    );
                 }
             }
         }
@@ -582,35 +594,31 @@ fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
 
 /// Results of a balance: only what its kind has.
 fn balanced(form: &Form<f64>, p: &Parameters<f64>) -> Vec<(&'static Symbol, Output)> {
-    use Output as O;
-    let turns = matches!(form, Form::Lever(..) | Form::Parallelogram(_));
-    let pulls = !matches!(form, Form::Tail(_));
-    let heavy = !matches!(form, Form::Lever(_, None, _));
     let list = [
-        (&b::M_0, O::M0, true),
-        (&b::M_B, O::MUr, true),
-        (&b::DM, O::DM, true),
-        (&b::DM_5, O::DM5, turns),
-        (&b::M_SUM, O::MSum, true),
-        (&b::M_D_0, O::MD0, true),
-        (&b::F_D_0, O::FD0, p.anchors.is_some()),
-        (&b::PSI, O::Psi, turns),
-        (&b::I_5, O::I5, turns),
-        (&b::GAMMA, O::Gamma, turns),
-        (&b::N_1, O::N1, pulls),
-        (&b::C_Y, O::Y5, heavy),
-        (&b::F_KX, O::FKX, true),
-        (&b::F_KY, O::FKY, true),
-        (&b::F_PX, O::FMX, pulls && heavy),
-        (&b::F_PY, O::FMY, pulls && heavy),
-        (&b::DM_MAX, O::DMMax, true),
-        (&b::DM_5_MAX, O::DM5Max, turns),
-        (&b::E_ABS, O::EAbs, true),
-        (&b::E_PLUS, O::EPlus, true),
-        (&b::GAMMA_MIN, O::GammaMin, turns),
-        (&b::N_MAX, O::NMax, pulls),
-        (&b::TRAVEL, O::Travel, heavy),
+        (&b::M_0, Output::M0),
+        (&b::M_B, Output::MUr),
+        (&b::DM, Output::DM),
+        (&b::DM_5, Output::DM5),
+        (&b::M_SUM, Output::MSum),
+        (&b::M_D_0, Output::MD0),
+        (&b::F_D_0, Output::FD0),
+        (&b::PSI, Output::Psi),
+        (&b::I_5, Output::I5),
+        (&b::GAMMA, Output::Gamma),
+        (&b::N_1, Output::N1),
+        (&b::C_Y, Output::Y5),
+        (&b::F_KX, Output::FKX),
+        (&b::F_KY, Output::FKY),
+        (&b::F_PX, Output::FMX),
+        (&b::F_PY, Output::FMY),
+        (&b::DM_MAX, Output::DMMax),
+        (&b::DM_5_MAX, Output::DM5Max),
+        (&b::E_ABS, Output::EAbs),
+        (&b::E_PLUS, Output::EPlus),
+        (&b::GAMMA_MIN, Output::GammaMin),
+        (&b::N_MAX, Output::NMax),
+        (&b::TRAVEL, Output::Travel),
     ];
-    let exists = list.into_iter().filter(|(_, _, exists)| *exists);
-    exists.map(|(symbol, output, _)| (symbol, output)).collect()
+    let exists = |symbol| form.has(symbol) && (symbol != &b::F_D_0 || p.anchors.is_some());
+    list.into_iter().filter(|(symbol, _)| exists(symbol)).collect()
 }

@@ -11,6 +11,7 @@ use crate::lemniscate::balancing::{analysis, boom};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
 use crate::lemniscate::governing::{coordinate, governed};
 use crate::lemniscate::symbols as s;
+use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values};
 use crate::symbol::Symbol;
 
@@ -189,15 +190,6 @@ impl Motion {
     }
 }
 
-/// A position at which formulas are worked out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Place {
-    /// `from`, `middle`, `to`, `governing`, or the id of a governing result.
-    Named(&'static str),
-    /// Angle of the driven bar, in rad.
-    Angle(f64),
-}
-
 /// Limits that the book checks.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
@@ -237,7 +229,8 @@ impl Luffing {
 const MOST_ROWS: f64 = 10_000.0;
 
 impl Luffing {
-    /// A position as a scene writes it, for the book; on failure a message and help.
+    /// A position as a scene writes it, for the book: an angle of the driven bar, `from`, `middle`,
+    /// `to`, `governing` or the id of a governing result; on failure a message and help.
     pub fn place(&self, text: &str) -> Result<Place, (String, String)> {
         let named = ["governing", "from", "middle", "to"].into_iter();
         let named: Vec<&'static str> = named.chain(governed(self)).collect();
@@ -258,7 +251,7 @@ impl Luffing {
             let (from, to) = (degrees(self.motion.from), degrees(self.motion.to));
             return Err((format!("{text} lies outside the working range {from} to {to}"), help));
         }
-        Ok(Place::Angle(within))
+        Ok(Place::At(within))
     }
 
     /// Builds the mechanism of a checked table; mistakes go to `found`.
@@ -354,18 +347,18 @@ impl Luffing {
             gamma_min: limit(&b::GAMMA_MIN),
             n_max: limit(&b::N_MAX),
         };
-        let exists = v.table("balance").is_some();
-        let of_balance = [&b::DM_MAX, &b::GAMMA_MIN, &b::N_MAX];
-        if let (Some(table), false) = (v.table("limits"), exists) {
-            for symbol in of_balance.into_iter().filter(|symbol| table.has(symbol.id)) {
-                found.push(
-                    Diagnostic::new(
-                        table.place(symbol.id),
-                        format!("a limit `{}` without a balance", symbol.id),
-                        "nothing to check",
-                    )
-                    .help("add [luffing.balance], or remove the limit"),
-                );
+        if let Some(table) = v.table("limits") {
+            for symbol in [&b::DM_MAX, &b::GAMMA_MIN, &b::N_MAX] {
+                let checked = balance.is_some_and(|balance| balance.has(symbol));
+                if table.has(symbol.id) && !checked {
+                    let what = match &balance {
+                        Some(balance) => format!("a balance of the kind \"{}\" has no {}", balance.kind(), symbol.id),
+                        None => format!("a limit {} without a balance", symbol.id),
+                    };
+                    found.push(
+                        Diagnostic::new(table.place(symbol.id), what, "nothing to check").help("remove the limit"),
+                    );
+                }
             }
         }
         let published = v.table("published").and_then(|table| published(table, found));

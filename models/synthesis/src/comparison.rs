@@ -96,11 +96,12 @@ impl Comparison {
     /// `None` for a scene without a synthesis.
     #[must_use]
     pub fn new(scene: &Scene) -> Option<Comparison> {
-        let task = scene.luffing.synthesis.as_ref()?;
-        let (boom, range) = scene.luffing.boom().ok()?;
+        let luffing = scene.mechanism.luffing()?;
+        let task = luffing.synthesis.as_ref()?;
+        let (boom, range) = luffing.boom().ok()?;
         let positions = Positions::new(&boom, range, 101).ok()?;
         let builds = Builds::new(&positions, task.tolerances, BUILDS, task.seed).ok()?;
-        let length = scene.luffing.parameters.lengths.x_1;
+        let length = luffing.parameters.lengths.x_1;
         let compared = |role, source: Option<&str>, dimensions, branch| Compared {
             role,
             source: source.map(str::to_owned),
@@ -115,7 +116,7 @@ impl Comparison {
             .map(|c| compared(c.role.name(), c.source.as_deref(), c.dimensions, c.branch))
             .collect();
         levers.sort_by_key(|lever| ORDER.iter().position(|role| role.name() == lever.role));
-        let own = scene.luffing.own_lever();
+        let own = luffing.own_lever();
         if let Some(own) = &own {
             let role = if task.found.is_some() { "found" } else { "own" };
             levers.push(compared(role, None, own.dimensions, own.branch));

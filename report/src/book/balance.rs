@@ -46,7 +46,7 @@ impl Balance {
         let named = |symbol: &'static lemnis_models::symbol::Symbol, value: f64| {
             format!("{} = {}", symbol.print, quantity(language, symbol, value))
         };
-        let drawing = plot::drawing(&balance.drawing);
+        let drawing = plot::drawing(&balance.drawing, [plot::PAGE[0], 95.0]);
         Balance {
             kind: balance.kind,
             scale: drawing.scale,

@@ -79,7 +79,7 @@ struct Nodes {
 
 /// `None` for a scene that asks for no synthesis.
 pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notation) -> Option<Synthesis> {
-    let task = scene.luffing.synthesis.as_ref()?;
+    let task = scene.mechanism.luffing()?.synthesis.as_ref()?;
     let comparison = Comparison::new(scene)?;
     let levers = &comparison.levers;
     let number = |i: usize| language.math(&(i + 1).to_string());
@@ -115,7 +115,7 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
     });
     let residuals: Vec<Line> = residuals.collect();
     let drawings = worths.iter().map(|(i, lever, worth)| {
-        let picture = plot::drawing_within(&worth.drawing, plot::HALF);
+        let picture = plot::drawing(&worth.drawing, plot::HALF);
         Drawing {
             number: i + 1,
             role: lever.role,

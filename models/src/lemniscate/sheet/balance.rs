@@ -1,16 +1,17 @@
 //! What the book says about the balance beyond its formulas.
 
 use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::scene::Form;
 use crate::balance::{Balance, symbols as b};
 use crate::calc::Calc;
 use crate::lemniscate::balancing::{Balancing, residual};
 use crate::lemniscate::geometry::Geometry;
+use crate::lemniscate::model::Model;
 use crate::lemniscate::position::Position;
 use crate::lemniscate::range::Extreme;
 use crate::lemniscate::scene::Luffing;
 use crate::lemniscate::sheet::{fine, sample};
 use crate::lemniscate::symbols as s;
-use crate::model::Model;
 use crate::plane::Point;
 use crate::sheet::{self, Criterion, Curve, Drawing, Equilibrium, Shape, Summary, Table};
 use crate::symbol::Symbol;
@@ -135,6 +136,7 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
         let place = |theta: f64| at(theta).and_then(|r| rail.rail(r.phi, &r.boom).ok());
         draw.path(fine(motion).filter_map(place).collect());
     }
+    let shown = 1.2 * size(&luffing.parameters.balance?);
     let middle = f64::midpoint(motion.from, motion.to);
     let rope = [motion.from, motion.to]
         .map(|theta| at(theta).map_or(0.0, |r| pulley(&balancing.balance, &r)))
@@ -142,7 +144,9 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
         .fold(0.0, f64::max);
     for (theta, faint) in [(motion.from, true), (motion.to, true), (middle, false)] {
         let (p, r) = (Position::new(g, theta)?, at(theta)?);
-        draw.bar(&[o, p.b], faint);
+        // The boom's head would make the linkage small.
+        let along = p.b / p.b.norm();
+        draw.bar(&[o, along * shown.min(p.b.norm())], faint);
         match &balancing.balance {
             Balance::Tail(tail) => {
                 let c = polar(tail.r_c, r.phi + tail.chi_c + std::f64::consts::PI);
@@ -190,7 +194,6 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
             }
         }
         if !faint {
-            draw.pin(p.b, "B", false, faint);
             draw.shapes.push(Shape::Angle {
                 at: [0.0, 0.0],
                 radius: 3.0,
@@ -212,6 +215,17 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
     }
     draw.pin(o, "O_1", true, false);
     Some(Drawing { shapes: draw.shapes })
+}
+
+/// How far the balance reaches from the boom's foot, in m.
+fn size(form: &Form<f64>) -> f64 {
+    match form {
+        Form::Tail(it) => it.r_c,
+        Form::Parallelogram(it) => it.d_1 + it.r_1.max(it.r_c),
+        Form::Lever(it, s_5, _) => (it.d_1 + it.lever.max(s_5.unwrap_or(3.0))).max(it.r_1),
+        Form::StraightRail(it) => it.r_1.max(Point::new(it.h_x, it.h_y).norm()),
+        Form::CurvedRail(it) => it.r_1.max(it.l_r),
+    }
 }
 
 /// Rope between the boom and the guide pulley, in m.
