@@ -74,8 +74,8 @@ impl Synth {
 
     /// The fault where the scene gives what it blames.
     fn explain(&self, scene: &Scene, task: &Task, fault: &Fault) -> Failure {
-        let label = format!("`{}`", fault.quantity.id);
-        let diagnostic = Diagnostic::new(task.place(fault.quantity), fault.to_string(), label);
+        let label = format!("{} is not possible", fault.quantity.id);
+        let diagnostic = Diagnostic::new(task.place(fault.quantity), fault.what.clone(), label).help(fault.range());
         scene_file::failure(&self.scene.display().to_string(), scene.text(), &[diagnostic])
     }
 }

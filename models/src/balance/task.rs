@@ -313,25 +313,16 @@ impl Task {
         found: &mut Vec<Diagnostic>,
     ) -> Option<Task> {
         let before = found.len();
-        let task = Task {
-            method: method(v, found)?,
-            criterion: match v.text("objective") {
-                Some("E") => Criterion::Energy,
-                Some("N_max") => Criterion::RodForce,
-                _ => Criterion::Residual,
-            },
-            robust: v.text("objective") == Some("dM_95"),
-            branch: v.text("branch").map(branch),
-            seed: v.count("seed").unwrap_or(1),
-            bounds: dimension_bounds(v, boom, range, own, found)?,
-            constraints: constraints(v, found),
-            tolerances: tolerances(v, found),
-            candidates: v.tables("candidates").iter().filter_map(candidate).collect(),
-            found: v.text("found").map(|text| text == "complete"),
-            places: places(v),
-            span: v.span.clone(),
+        let method = method(v, found);
+        let bounds = dimension_bounds(v, boom, range, own, found);
+        let constraints = constraints(v, found);
+        let tolerances = tolerances(v, found);
+        let criterion = match v.text("objective") {
+            Some("E") => Criterion::Energy,
+            Some("N_max") => Criterion::RodForce,
+            _ => Criterion::Residual,
         };
-        if task.criterion == Criterion::RodForce && task.constraints.dm_max.is_none() {
+        if criterion == Criterion::RodForce && constraints.dm_max.is_none() {
             found.push(
                 Diagnostic::new(
                     v.place("objective"),
@@ -341,6 +332,20 @@ impl Task {
                 .help("add dM_max = \"... kN.m\" to [luffing.synthesis.constraints]"),
             );
         }
+        let task = Task {
+            method: method?,
+            criterion,
+            robust: v.text("objective") == Some("dM_95"),
+            branch: v.text("branch").map(branch),
+            seed: v.count("seed").unwrap_or(1),
+            bounds: bounds?,
+            constraints,
+            tolerances,
+            candidates: v.tables("candidates").iter().filter_map(candidate).collect(),
+            found: v.text("found").map(|text| text == "complete"),
+            places: places(v),
+            span: v.span.clone(),
+        };
         let starts = v.tables("candidates").iter().zip(&task.candidates);
         for (i, (table, start)) in starts.filter(|(_, c)| c.role == Role::Start).enumerate() {
             if i > 0 {

@@ -21,7 +21,7 @@ use crate::tolerance::{Builds, Spread};
 pub struct Comparison {
     /// The scene's own lever last.
     pub levers: Vec<Compared>,
-    /// Bounds of the dimensions, beside what the last lever has.
+    /// Bounds of a search, beside what the last lever has.
     pub bounds: Vec<Bound>,
     /// Constraints, beside what the last lever keeps of them.
     pub limits: Vec<Bound>,
@@ -62,8 +62,18 @@ pub struct Bound {
     pub value: Option<f64>,
     pub low: f64,
     pub high: f64,
-    /// Without this bound there is a better lever nearby: the value lies at it.
+    /// The value lies at the bound of a search: easing it leads to a better lever.
     pub binds: bool,
+}
+
+impl Bound {
+    /// Whether the value lies outside, which only a construction leaves so.
+    #[must_use]
+    pub fn missed(&self) -> bool {
+        let size = NEAR * self.low.abs().min(self.high.abs());
+        self.value
+            .is_some_and(|value| value < self.low - size || value > self.high + size)
+    }
 }
 
 #[derive(Debug)]
@@ -123,7 +133,11 @@ impl Comparison {
         }
         let last = own.as_ref().and_then(|_| levers.last());
         Some(Comparison {
-            bounds: bounds(task, last),
+            bounds: if task.method == Method::Optimum {
+                bounds(task, last)
+            } else {
+                Vec::new()
+            },
             limits: limits(task, last),
             fronts: fronts(task, &boom, range, last),
             nodes: own.as_ref().and_then(|own| nodes(task, &boom, own)),
@@ -214,7 +228,7 @@ fn limits(task: &Task, last: Option<&Compared>) -> Vec<Bound> {
     let mut found = Vec::new();
     let mut add = |symbol, value: Option<f64>, [low, high]: [f64; 2], size: f64| {
         let near = |value: f64| (value - low).min(high - value) <= NEAR * size;
-        let binds = value.is_some_and(near);
+        let binds = task.method == Method::Optimum && value.is_some_and(near);
         found.push(Bound {
             symbol,
             value,

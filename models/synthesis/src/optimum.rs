@@ -349,33 +349,46 @@ impl Problem {
         found
     }
 
+    /// Where the nearest miss lies, and what may help.
+    fn advice(&self, d: &Dimensions<f64>) -> String {
+        let at = self.at_bounds(d).into_iter().map(|(symbol, value)| {
+            let value = lemnis_models::schema::short(symbol.shown(value));
+            format!("{} = {value} {}", symbol.id, symbol.display.name)
+        });
+        match at.collect::<Vec<String>>() {
+            none if none.is_empty() => "lies at no bound: ease the constraint".to_owned(),
+            at => format!(
+                "lies at the bounds {}: widen these or ease the constraint",
+                at.join(", ")
+            ),
+        }
+    }
+
+    /// Why a linkage does not close over the whole range.
+    fn open(&self, d: &Dimensions<f64>) -> Fault {
+        let [near, far] = self.positions.diagonals(d);
+        let what = format!(
+            "no linkage within the bounds closes over the whole working range; the nearest one {}",
+            self.advice(d)
+        );
+        // Rod and rod arm must span every distance from lever's pivot to joint.
+        let [shortest, longest] = [(far - d.lever).max(d.lever - near), near + d.lever];
+        if shortest < longest {
+            Fault::new(&s::L_K, d.l_1, [shortest, longest], what)
+        } else {
+            Fault::new(&s::R_L, d.lever, [0.5 * (far - near), f64::INFINITY], what)
+        }
+    }
+
     fn found(&self, best: &Attempt, complete: bool) -> Result<Found, Fault> {
         let dimensions = best.dimensions;
-        let criteria = self.positions.evaluate(&dimensions, self.branch).map_err(|_| {
-            let what = "no linkage within the bounds closes over the whole working range";
-            Fault::new(&s::L_K, dimensions.l_1, self.bounds.l_1, what)
-        })?;
+        let criteria = self.positions.evaluate(&dimensions, self.branch);
+        let criteria = criteria.map_err(|_| self.open(&dimensions))?;
         if let Some(worst) = self.violated(&criteria).first() {
             let what = if complete {
-                let at: Vec<String> = self
-                    .at_bounds(&dimensions)
-                    .iter()
-                    .map(|(symbol, value)| {
-                        let unit = symbol.display.name;
-                        format!(
-                            "{} = {} {unit}",
-                            symbol.id,
-                            lemnis_models::schema::short(symbol.shown(*value))
-                        )
-                    })
-                    .collect();
-                let bounds = if at.is_empty() {
-                    "no bound: ease the constraint".to_owned()
-                } else {
-                    format!("the bounds {}: widen these or ease the constraint", at.join(", "))
-                };
+                let advice = self.advice(&dimensions);
                 format!(
-                    "no lever within the bounds keeps every constraint; the nearest one misses the {} and lies at {bounds}",
+                    "no lever within the bounds keeps every constraint; the nearest one misses the {} and {advice}",
                     worst.what
                 )
             } else {

@@ -94,9 +94,8 @@ pub fn lever(boom: &Boom<f64>, given: &Given) -> Result<Lever<f64>, Fault> {
     let longest = plane::length(a).max(plane::length(b)).max(plane::length(b - a));
     let height = double_area.abs() / longest;
     if height.is_nan() || height <= COLLINEAR * longest {
-        let what =
-            "the three positions of the joint seen from the lever lie in one line: the rod would be infinitely long";
-        return Err(Fault::new(&s::R_K, g.r_1, POSITIVE, what));
+        let what = "the three positions of the joint seen from the lever lie in one line: the rod would be infinitely long; choose other positions or another joint";
+        return Err(Fault::new(&s::R_K, g.r_1, FINITE, what));
     }
     let (aa, bb) = (plane::dot(a, a), plane::dot(b, b));
     let centre = Point::new(b.y * aa - a.y * bb, a.x * bb - b.x * aa) / (2.0 * double_area);

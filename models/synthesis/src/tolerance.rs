@@ -6,7 +6,7 @@
 use crate::candidate::Positions;
 use lemnis_models::balance::lever::Dimensions;
 use lemnis_models::balance::task::Tolerances;
-use lemnis_models::balance::{Fault, NOT_NEGATIVE, check, symbols as s};
+use lemnis_models::balance::{Fault, NOT_NEGATIVE, POSITIVE, check, symbols as s};
 use lemnis_models::four_bar::Branch;
 
 /// Deviations of many builds, drawn once: what is compared is built alike.
@@ -93,7 +93,7 @@ impl Spread {
     /// # Errors
     /// A lever that does not close as designed, or of which 95 % cannot be built.
     pub fn new(builds: &Builds, positions: &Positions, d: &Dimensions<f64>, branch: Branch) -> Result<Spread, Fault> {
-        let fault = |what| Fault::new(&s::L_K, d.l_1, [f64::MIN_POSITIVE, f64::INFINITY], what);
+        let fault = |what| Fault::new(&s::L_K, d.l_1, POSITIVE, what);
         let what = "the balance linkage does not close over the whole working range";
         let nominal = positions.evaluate(d, branch).map_err(|_| fault(what))?.dm_max;
         let all = builds.residuals(d, branch);

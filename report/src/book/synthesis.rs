@@ -59,6 +59,7 @@ struct Limit {
     value: Option<String>,
     high: Option<String>,
     binds: bool,
+    missed: bool,
 }
 
 #[derive(Serialize)]
@@ -84,15 +85,12 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
     let levers = &comparison.levers;
     let number = |i: usize| language.math(&(i + 1).to_string());
     let columns: Vec<_> = levers.iter().map(Compared::criteria).collect();
-    let row = |i: usize, symbol: &'static Symbol| {
-        notation.meet(symbol);
-        Row {
-            quantity: symbol.into(),
-            cells: columns
-                .iter()
-                .map(|column| column[i].1.map(|value| quantity(language, symbol, value)))
-                .collect(),
-        }
+    let row = |(i, symbol): (usize, &'static Symbol)| Row {
+        quantity: symbol.into(),
+        cells: columns
+            .iter()
+            .map(|column| column[i].1.map(|value| quantity(language, symbol, value)))
+            .collect(),
     };
     let symbols: Vec<&'static Symbol> = columns
         .first()
@@ -100,9 +98,12 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         .flatten()
         .map(|(symbol, _)| *symbol)
         .collect();
-    let rows = symbols.into_iter().enumerate();
-    let mut row = row;
-    let rows: Vec<Row> = rows.map(|(i, symbol)| row(i, symbol)).collect();
+    let limited = comparison.limits.iter().map(|bound| bound.symbol);
+    let shown = symbols.iter().copied().chain(limited);
+    for symbol in shown.chain([&s::PHI, &s::PSI, &s::DM]) {
+        notation.meet(symbol);
+    }
+    let rows = symbols.into_iter().enumerate().map(row).collect();
     let worths: Vec<(usize, &Compared, &Worth)> = levers
         .iter()
         .enumerate()
@@ -177,7 +178,14 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
                 rows: nodes
                     .rows
                     .iter()
-                    .map(|row| [0, 1, 2].map(|i| of(columns[i], row[i])))
+                    // Dimensions are rounded so that a residual is known to the newton metre.
+                    .map(|row| {
+                        [
+                            of(columns[0], row[0]),
+                            of(columns[1], row[1]),
+                            of(columns[2], row[2].round()),
+                        ]
+                    })
                     .collect(),
                 slope: nodes.slope.map(|slope| of(&s::I_5, slope)),
                 contradicted: nodes.contradicted,
@@ -214,5 +222,6 @@ fn limit(language: &Language, bound: &Bound) -> Limit {
         value: bound.value.and_then(of),
         high: of(bound.high),
         binds: bound.binds,
+        missed: bound.missed(),
     }
 }
