@@ -7,6 +7,7 @@ use crate::book::tables::{self, Summary, Table};
 use crate::book::{Figure, json};
 use crate::formula::quantity;
 use crate::language::Language;
+use crate::number::fixed;
 use crate::plot;
 
 #[derive(Serialize)]
@@ -19,6 +20,21 @@ pub(super) struct Balance {
     equilibria: Vec<Equilibrium>,
     curves: Vec<Figure>,
     range: Table,
+    table: Vec<Row>,
+}
+
+/// A row of a published table.
+#[derive(Serialize)]
+struct Row {
+    given: Vec<String>,
+    moments: Vec<Cell>,
+}
+
+#[derive(Serialize)]
+struct Cell {
+    printed: String,
+    computed: String,
+    misprint: bool,
 }
 
 #[derive(Serialize)]
@@ -68,6 +84,22 @@ impl Balance {
                 .map(|curve| Figure::new(language, curve))
                 .collect(),
             range: tables::table(language, &balance.range),
+            table: balance.table.iter().map(|row| Row::new(language, row)).collect(),
+        }
+    }
+}
+
+impl Row {
+    fn new(language: &Language, row: &sheet::PublishedRow) -> Row {
+        let text = |number: &str| language.text(&number.replace('-', "−"));
+        let cell = |cell: &sheet::PublishedCell| Cell {
+            printed: text(cell.printed),
+            computed: text(&fixed(cell.computed, 3)),
+            misprint: cell.misprint,
+        };
+        Row {
+            given: row.given.iter().map(|cell| text(cell)).collect(),
+            moments: row.moments.iter().map(cell).collect(),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What the book says about the balance beyond its formulas.
 
 use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::published::table_5_2_1;
 use crate::balance::scene::Form;
 use crate::balance::{Balance, symbols as b};
 use crate::calc::Calc;
@@ -49,6 +50,10 @@ pub(super) fn balance(
         published_source: published.map(|table| table.source.clone()),
         curves: curves(model, luffing, coordinate),
         range: table(model, luffing, coordinate),
+        table: match published {
+            Some(published) if published.source.starts_with("[Ports001") => table_5_2_1(),
+            _ => Vec::new(),
+        },
     })
 }
 
