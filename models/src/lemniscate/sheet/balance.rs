@@ -141,7 +141,7 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
         let place = |theta: f64| at(theta).and_then(|r| rail.rail(r.phi, &r.boom).ok());
         draw.path(fine(motion).filter_map(place).collect());
     }
-    let shown = 1.2 * size(&luffing.parameters.balance?);
+    let shown = size(&luffing.parameters.balance?);
     let middle = f64::midpoint(motion.from, motion.to);
     let rope = [motion.from, motion.to]
         .map(|theta| at(theta).map_or(0.0, |r| pulley(&balancing.balance, &r)))
@@ -297,7 +297,7 @@ impl Draw {
         self.body(&corners, faint);
         if !faint {
             self.shapes.push(Shape::Label {
-                at: array(at),
+                at: array(corner(-1.0, -1.0)),
                 text: "C_5",
             });
         }
