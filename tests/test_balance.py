@@ -10,6 +10,7 @@ import json
 import math
 
 import pytest
+from fmpy.fmi1 import FMICallException
 from fmpy.validation import validate_fmu
 
 from conftest import ROOT, lemnis
@@ -178,8 +179,8 @@ def test_derivatives_are_those_of_the_geometry(crane):
 def test_beyond_a_dead_point_nothing_is_invented(crane):
     """The boom itself closes up to 84.5 deg."""
     crane.write("theta_1", math.radians(89))
-    with pytest.raises(Exception):
+    with pytest.raises(FMICallException):
         crane.read("dM")
-    assert any("84." in message or "theta_1" in message for message in crane.messages), crane.messages
+    assert any("theta_1" in message and "84.5" in message for message in crane.messages), crane.messages
     crane.write("theta_1", math.radians(60))
     assert abs(crane.read("dM") - crane.crane.results(math.radians(60))["dM"]) < 1.0

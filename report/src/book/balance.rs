@@ -1,5 +1,6 @@
 //! The balance of the boom system: criteria, equilibria, curves, table, drawing.
 
+use lemnis_models::balance::symbols::DM_5;
 use lemnis_models::sheet;
 use serde::Serialize;
 
@@ -13,6 +14,8 @@ use crate::plot;
 #[derive(Serialize)]
 pub(super) struct Balance {
     kind: &'static str,
+    /// Whether there is a residual about the pivot of a lever.
+    turns: bool,
     drawing: String,
     scale: u32,
     criteria: Vec<Criterion>,
@@ -65,6 +68,7 @@ impl Balance {
         let drawing = plot::drawing(&balance.drawing, [plot::PAGE[0], 95.0]);
         Balance {
             kind: balance.kind,
+            turns: balance.range.columns.contains(&&DM_5),
             scale: drawing.scale,
             drawing: json(&drawing),
             criteria: balance.criteria.iter().map(criterion).collect(),

@@ -48,7 +48,7 @@ pub(super) fn balance(
             })
             .collect(),
         published_source: published.map(|table| table.source.clone()),
-        curves: curves(model, luffing, coordinate),
+        curves: curves(model, luffing, coordinate, found),
         range: table(model, luffing, coordinate),
         table: match published {
             Some(published) if published.source.starts_with("[Ports001") => table_5_2_1(),
@@ -88,7 +88,7 @@ fn exists(model: &Model, symbol: &'static Symbol) -> bool {
     model.variables().iter().any(|variable| variable.symbol == symbol)
 }
 
-fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> Vec<Curve> {
+fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol, found: &Analysis) -> Vec<Curve> {
     let mut list = vec![
         ("balance_M_0", coordinate, &b::M_0),
         ("balance_M_ur", coordinate, &b::M_B),
@@ -97,7 +97,11 @@ fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> 
         ("balance_N_1", coordinate, &b::N_1),
         ("balance_gamma", coordinate, &b::GAMMA),
     ];
-    list.retain(|(_, _, y)| exists(model, y));
+    // What an exact balance leaves is rounding, which no curve shows.
+    let moments = sample(model, &[&b::M_0], fine(&luffing.motion));
+    let greatest = moments.iter().map(|row| row[0].abs()).fold(0.0, f64::max);
+    let exact = found.dm_max.value <= 1e-9 * greatest;
+    list.retain(|(_, _, y)| exists(model, y) && !(exact && *y == &b::DM));
     let curve = |(id, x, y): (&'static str, &'static Symbol, &'static Symbol)| {
         let points = sample(model, &[x, y], fine(&luffing.motion));
         Curve {
