@@ -48,6 +48,22 @@ pub struct Balance {
     pub equilibria: Vec<Equilibrium>,
     pub curves: Vec<Curve>,
     pub range: Table,
+    /// A published table, computed again; empty where the balance is not its.
+    pub table: Vec<PublishedRow>,
+}
+
+/// A row of a published table, in the publication's own units.
+pub struct PublishedRow {
+    /// Cells as printed from which the others follow.
+    pub given: Vec<&'static str>,
+    pub moments: Vec<PublishedCell>,
+}
+
+/// A published number beside the one that its own row gives.
+pub struct PublishedCell {
+    pub printed: &'static str,
+    pub computed: f64,
+    pub misprint: bool,
 }
 
 /// A result that tells how good a balance is.

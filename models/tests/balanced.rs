@@ -79,7 +79,7 @@ fn only_what_the_kind_has() {
         let ids = of(&with(balance));
         let has = |id: &str| ids.contains(&id);
         assert!(
-            has("M_0") && has("dM") && has("M_D.0") && has("F_d.0") && has("dM_max") && has("E_plus"),
+            has("M_0") && has("dM") && has("M_D_0") && has("F_d_0") && has("dM_max") && has("E_plus"),
             "{kind}"
         );
         let lever = kind == "lever" || kind == "parallelogram";
@@ -98,7 +98,7 @@ fn only_what_the_kind_has() {
         }
     }
     let bare = of(include_str!("../scenes/portal_004.toml"));
-    assert!(!bare.contains(&"M_0") && !bare.contains(&"M_D.0") && !bare.contains(&"E"));
+    assert!(!bare.contains(&"M_0") && !bare.contains(&"M_D_0") && !bare.contains(&"E"));
 }
 
 /// Load, weights, balance and drive are in equilibrium; without the balance the drive
@@ -121,12 +121,12 @@ fn moments_and_forces_are_in_equilibrium() {
             let (m_0, m_ur) = (get("M_0"), get("M_ur"));
             let close = |a: f64, b: f64| assert!((a - b).abs() <= 1e-9 * 3000.0, "{a} {b}\n{text}");
             close(m_d, m_q + m_g - turn * m_ur);
-            close(get("M_D.0"), m_q + m_g);
+            close(get("M_D_0"), m_q + m_g);
             close(m_0 * turn, -m_g);
             close(get("dM"), m_0 + m_ur);
             close(get("M_sum") * turn, -m_d);
             close(get("F_d") * get("h_d"), m_d);
-            close(get("F_d.0") * get("h_d"), m_d + turn * m_ur);
+            close(get("F_d_0") * get("h_d"), m_d + turn * m_ur);
             // All forces of the frame carry all weights: the vertical ones.
             let theta = get("theta_1");
             if driven == Driven::Boom {

@@ -28,6 +28,7 @@
 //! | `balance.curved_rail.moment` | [`curved_rail::CurvedRail::at`] | Ports001, 2.1.5 |
 //! | `balance.residual` | [`analysis::Residual::new`] | Balance004, eq. 3; Ports001, eq. 5.2.6 |
 //! | `balance.power` | [`crate::lemniscate::balancing::Balanced`] | load, weights and balance on one mechanism |
+//! | `balance.table_5_2_1` | [`published::table_5_2_1`] | Ports001, table 5.2.1 |
 //! | `balance.range` | [`analysis::Analysis::new`] | Balance004, criteria F1-F3 |
 //! | `balance.synthesis.three` | `lemnis_synthesis::three::lever` | Ports001, 2.2.1 |
 //! | `balance.synthesis.four` | `lemnis_synthesis::four::Nodes` | Balance004, eq. 4 |
@@ -39,6 +40,7 @@ pub mod boom;
 pub mod curved_rail;
 pub mod lever;
 pub mod parallelogram;
+pub mod published;
 pub mod scene;
 pub mod straight_rail;
 pub mod symbols;

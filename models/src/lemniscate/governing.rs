@@ -230,9 +230,9 @@ fn dead_drive(crane: &Crane<Dual64>, motion: &Motion) -> Option<Extreme> {
 /// quantity: derivatives in SI, exact.
 #[must_use]
 pub fn sensitivity(luffing: &Luffing, range: &Range, governing: &[Summary]) -> Sensitivity {
-    let forces = governing
-        .iter()
-        .filter(|g| g.value.is_finite() && [&s::M_Q_MAX, &s::F_D_MAX, &b::DM_MAX, &b::N_MAX].contains(&g.symbol));
+    let forces = governing.iter().filter(|g| {
+        g.value.is_finite() && g.value != 0.0 && [&s::M_Q_MAX, &s::F_D_MAX, &b::DM_MAX, &b::N_MAX].contains(&g.symbol)
+    });
     let mut results = vec![(&s::MU_MIN, range.mu_min.value), (&s::EPSILON_Y, range.epsilon_y())];
     results.push((&s::R_MAX, range.r_max.value));
     results.extend(forces.map(|g| (g.symbol, g.value)));
