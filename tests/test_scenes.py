@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import tomllib
 
 import numpy as np
 import pytest
@@ -20,7 +21,27 @@ ROCKER = (
     .replace('from  = "60 deg"', 'from  = "50 deg"')
     .replace('to    = "120 deg"', 'to    = "130 deg"')
 )
+PORTAL = (ROOT / "models/scenes/portal_004_new.toml").read_text(encoding="utf-8")
+
+
+def balanced(balance):
+    """The portal crane with another balance, without limits on it."""
+    start, drive, limits = (PORTAL.index(f"[luffing.{table}]") for table in ("balance", "drive", "limits"))
+    lines = balance.replace("; ", "\n")
+    return f"{PORTAL[:start]}[luffing.balance]\n{lines}\n\n{PORTAL[drive:limits]}"
+
+
 SCENES = {
+    "tail weight": balanced('kind = "tail"; G_c = "600 kN"; r_c = "4 m"; chi_c = "0 deg"'),
+    "parallelogram lever": balanced(
+        'kind = "parallelogram"; G_c = "600 kN"; r_c = "4 m"; chi_c = "-2 deg"; r_1 = "3 m"; alpha_K = "5 deg"; '
+        'd_1 = "6 m"; delta_1 = "143 deg"'),
+    "straight rail": balanced(
+        'kind = "straight_rail"; G_c = "300 kN"; r_1 = "8 m"; alpha_K = "2 deg"; H_x = "-2 m"; H_y = "11 m"; '
+        'lambda = "70 deg"'),
+    "curved rail": balanced(
+        'kind = "curved_rail"; G_c = "300 kN"; r_1 = "9 m"; alpha_K = "10 deg"; L_r = "14 m"; y_0 = "10 m"; '
+        'phi_0 = "60 deg"'),
     "rocker driven": ROCKER,
     "rack": DEFAULT.replace('kind  = "cylinder"', 'kind  = "rack"').replace('D_c   = "320 mm"', "").replace('d_r   = "220 mm"', ""),
     "load alone": BARE,
@@ -43,7 +64,7 @@ def test_scene_builds_and_runs(name, tmp_path):
     scene = tmp_path / "scene.toml"
     scene.write_text(SCENES[name], encoding="utf-8")
     lemnis("build", scene, "--output", tmp_path)
-    model = "PortalCrane" if name == "portal crane" else "LemniscateCrane"
+    model = tomllib.loads(SCENES[name])["name"]
     assert (tmp_path / f"{model}.pdf").read_bytes().startswith(b"%PDF")
     for suffix in (".fmu", ".fmi2.fmu"):
         path = str(tmp_path / (model + suffix))

@@ -39,6 +39,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "constants.typ",
     "positions.typ",
     "range.typ",
+    "balance.typ",
     "published.typ",
     "remarks.typ",
     "notation.typ",
