@@ -11,7 +11,7 @@ use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Role, Task};
 use lemnis_models::diagnostic::Diagnostic;
 use lemnis_models::four_bar::Branch;
-use lemnis_models::scene::Scene;
+use lemnis_models::scene::{LONGEST_NAME, Scene};
 use lemnis_models::schema::short;
 use lemnis_synthesis::comparison::{Compared, Comparison};
 use lemnis_synthesis::optimum::Watch;
@@ -19,8 +19,8 @@ use lemnis_synthesis::run::{Outcome, decimals, run, steps};
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, value};
 
 use crate::failure::Failure;
-use crate::output::Output;
-use crate::{scene_file, write};
+use crate::output::{Output, say, write};
+use crate::scene_file;
 
 #[derive(Args)]
 pub struct Synth {
@@ -58,9 +58,9 @@ impl Synth {
         let outcome = outcome.map_err(|fault| self.explain(&scene, &task, &fault))?;
         let result = improved(&scene, luffing.own_lever().as_ref(), &task, &outcome)?;
         let comparison = Comparison::new(&result).expect("the result has a synthesis");
-        print!("{}", table(&comparison));
+        say(table(&comparison).trim_end())?;
         if !outcome.complete {
-            println!("broken off: this is the best so far");
+            say("broken off: this is the best so far")?;
         }
         let output = Output {
             name: format!("{}.toml", result.name()),
@@ -68,8 +68,7 @@ impl Synth {
         };
         write(&self.output, &[output])?;
         let path = self.output.join(format!("{}.toml", result.name()));
-        println!("  build it with `lemnis build {}`", path.display());
-        Ok(())
+        say(format_args!("  build it with `lemnis build {}`", path.display()))
     }
 
     /// The fault where the scene gives what it blames.
@@ -84,6 +83,7 @@ impl Synth {
 fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outcome) -> Result<Scene, Failure> {
     let mut document: DocumentMut = scene.text().parse().expect("a scene that was read is TOML");
     let name = scene.name().strip_suffix(SUFFIX).unwrap_or(scene.name());
+    let name = &name[..name.len().min(LONGEST_NAME - SUFFIX.len())];
     document["name"] = value(format!("{name}{SUFFIX}"));
     let luffing = &mut document["luffing"];
     let mut balance = taken(&mut luffing["balance"]);
@@ -104,7 +104,7 @@ fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outc
     synthesis["seed"] = value(i64::try_from(task.seed).expect("TOML has no greater integers"));
     let listed = synthesis.remove("candidates");
     let listed = listed.and_then(|listed| listed.into_array_of_tables().ok());
-    let mut candidates = listed.unwrap_or_else(ArrayOfTables::new);
+    let mut candidates: ArrayOfTables = listed.unwrap_or_default();
     let fronts = [Role::RodForce, Role::Counterweight].map(Role::name);
     candidates.retain(|table| !table["role"].as_str().is_some_and(|role| fronts.contains(&role)));
     if let Some(own) = own.filter(|_| task.found.is_none()) {
