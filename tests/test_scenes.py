@@ -1,5 +1,8 @@
 """Every kind of scene gives both FMUs and a book."""
 
+import csv
+import json
+import math
 import tomllib
 
 import numpy as np
@@ -73,3 +76,19 @@ def test_scene_builds_and_runs(name, tmp_path):
             assert np.isfinite(result[variable]).all(), variable
         for variable in variables:
             assert not np.isnan(result[variable]).any(), variable
+
+
+def test_csv_has_the_numbers_of_json_in_the_units_of_the_trade():
+    head, *rows = csv.reader(lemnis("check", "--csv").splitlines())
+    assert [row[0] for row in rows] == [str(angle) for angle in range(60, 121)]
+    variables = json.loads(lemnis("check", "--json"))["variables"]
+    factors = {"deg": math.pi / 180, "deg/s": math.pi / 180, "kN": 1e3, "kN.m": 1e3, "mm/s": 1e-3, "L/min": 1e-3 / 60}
+    compared = 0
+    for column, name in enumerate(head):
+        symbol, unit = name.rstrip("]").split(" [")
+        for row, value in zip(rows, variables[symbol]["values"]):
+            if value is not None:
+                # 15 digits are right to 5e-15 of the value.
+                assert math.isclose(float(row[column]) * factors.get(unit, 1), value, rel_tol=6e-15), (name, row[0])
+                compared += 1
+    assert compared > 2000
