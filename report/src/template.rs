@@ -40,6 +40,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "positions.typ",
     "range.typ",
     "balance.typ",
+    "synthesis.typ",
     "published.typ",
     "remarks.typ",
     "notation.typ",

@@ -261,6 +261,23 @@ fn by_boom<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Parameters<C> {
     }
 }
 
+/// The boom system as its boom moves it, and its boom angles (rad) over the working range.
+///
+/// # Errors
+/// A mechanism without weights.
+pub fn boom(p: &Parameters<f64>, motion: &Motion) -> Result<(Boom<f64>, [f64; 2]), Fault> {
+    let boom = Boom::system(&by_boom(p, motion))?;
+    let ends = [motion.from, motion.to].map(|theta| match p.driven {
+        Driven::Boom => Some(theta),
+        Driven::Rocker => Position::new(&Geometry::new(p).ok()?, theta).map(|p| p.follower_angle()),
+    });
+    let [Some(a), Some(b)] = ends else {
+        let what = "the linkage does not close over the whole working range";
+        return Err(Fault::new(&s::THETA_1, motion.from, crate::balance::FINITE, what));
+    };
+    Ok((boom, [a.min(b), a.max(b)]))
+}
+
 fn middle(p: &Parameters<f64>, motion: &Motion) -> Option<Position<f64>> {
     let g = Geometry::new(p).ok()?;
     Position::new(&g, f64::midpoint(motion.from, motion.to))
