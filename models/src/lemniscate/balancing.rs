@@ -197,8 +197,11 @@ impl<C: Calc> Criteria<C> {
                 e_plus += fall.abs();
             }
         }
-        let of = |extreme: Option<crate::lemniscate::range::Extreme>, pick: fn(&Residual<C>) -> Option<C>| {
-            extreme.map_or(Ok(None), |extreme| at(extreme.at).map(|r| pick(&r)))
+        let of = |extreme: Option<crate::lemniscate::range::Extreme>, pick: fn(&Residual<C>) -> Option<C>| match extreme
+        {
+            Some(extreme) if extreme.value.is_infinite() => Ok(Some(C::constant(extreme.value))),
+            Some(extreme) => at(extreme.at).map(|r| pick(&r)),
+            None => Ok(None),
         };
         let y_5 = |end: usize| of(found.y_5.map(|ends| ends[end]), |r| r.action.y_5);
         Ok(Criteria {
