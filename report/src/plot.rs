@@ -374,8 +374,8 @@ impl Field {
         [LEFT + width * self.x.part(p[0]), EDGE[1] - height * self.y.part(p[1])]
     }
 
-    /// Grid, numbers, border and names of the axes.
-    fn picture(&self, language: &Language, x: &Symbol, y: &Symbol) -> Picture {
+    /// Grid, numbers and border.
+    fn picture(&self, language: &Language) -> Picture {
         let [right, bottom] = EDGE;
         let mut picture = Picture {
             width: CHART[0],
@@ -399,10 +399,14 @@ impl Field {
             &[[LEFT, TOP], [right, TOP], [right, bottom], [LEFT, bottom]],
             true,
         );
-        picture.text([LEFT - 8.0, TOP - 3.6], "left", axis_name(y));
-        picture.text([right, bottom + 7.2], "right", axis_name(x));
         picture
     }
+}
+
+/// The axes' names, last, so that no line crosses them.
+fn name_axes(picture: &mut Picture, [x, y]: [&Symbol; 2]) {
+    picture.text([LEFT - 8.0, TOP - 3.6], "left", axis_name(y));
+    picture.text([EDGE[0], EDGE[1] + 7.2], "right", axis_name(x));
 }
 
 /// A line of a diagram with several, in SI.
@@ -422,7 +426,7 @@ const STROKES: [&str; 4] = ["curve", "path", "axis", "thin"];
 pub fn lines(language: &Language, [x, y]: [&Symbol; 2], lines: &[Line]) -> Picture {
     let shown = |p: &Point| [x.shown(p[0]), y.shown(p[1])];
     let field = Field::around(lines.iter().flat_map(|line| line.points.iter().map(shown)));
-    let mut picture = field.picture(language, x, y);
+    let mut picture = field.picture(language);
     let placed: Vec<Vec<Point>> = lines
         .iter()
         .map(|line| line.points.iter().map(|p| field.place(shown(p))).collect())
@@ -466,6 +470,7 @@ pub fn lines(language: &Language, [x, y]: [&Symbol; 2], lines: &[Line]) -> Pictu
             picture.text(at, "centre", line.label.as_str());
         }
     }
+    name_axes(&mut picture, [x, y]);
     picture
 }
 
@@ -479,7 +484,7 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
         .map(|piece| piece.iter().map(shown).collect())
         .collect();
     let field = Field::around(pieces.iter().flatten().copied());
-    let mut picture = field.picture(language, curve.x, curve.y);
+    let mut picture = field.picture(language);
     let place = |p: Point| field.place(p);
     for piece in &pieces {
         picture.line("curve", &piece.iter().copied().map(place).collect::<Vec<_>>());
@@ -504,6 +509,7 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
             );
         }
     }
+    name_axes(&mut picture, [curve.x, curve.y]);
     picture
 }
 
