@@ -95,8 +95,7 @@ impl Cylinder {
         let volumes = self.volumes(length);
         let (ports, still) = (C::constant(self.port_volume), C::constant(0.0));
         let port = |i: usize| pressure_rate(self.bulk_modulus, ports, f.valve[i] - f.line[i] - f.relief[i], still);
-        let chamber =
-            |i: usize, flow: C, growth: C| pressure_rate(self.bulk_modulus, volumes[i], flow, growth);
+        let chamber = |i: usize, flow: C, growth: C| pressure_rate(self.bulk_modulus, volumes[i], flow, growth);
         Oil {
             ports: [port(0), port(1)],
             chambers: [

@@ -8,10 +8,9 @@
 use num_dual::{Dual2, Dual64, DualNum};
 
 use crate::calc::Calc;
-use crate::lemniscate::drive::Drive;
 use crate::lemniscate::geometry::{Anchors, Driven, Geometry};
 use crate::lemniscate::position::Position;
-use crate::plane::{Point, dot};
+use crate::plane::{self, Point, dot};
 use crate::solver::{Gradient, runge_kutta};
 
 /// A body that moves with one of the bars.
@@ -106,43 +105,35 @@ pub struct Reduced<C> {
 }
 
 impl<T: Calc + DualNum> Reduced<T> {
-    fn new(g: &Geometry<Dual2<T>>, anchors: Option<Anchors<Dual2<T>>>, bodies: &Bodies, theta: T) -> Option<Self> {
+    #[inline]
+    fn new(g: &Geometry<Dual2<T>>, bodies: &Bodies, push: Option<&Push>, theta: T) -> Option<Self> {
         let (zero, one, constant) = (T::constant(0.0), T::constant(1.0), T::constant);
         let p = Position::new(g, Dual2::new(theta, one, zero))?;
-        let foot = g.lengths.o3();
-        let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
+        let foot = Point::new(Dual2::from_re(zero), Dual2::from_re(zero));
         let bars = [
-            (&bodies.boom, Point::new(Dual2::from_re(zero), Dual2::from_re(zero)), p.x_1),
-            (&bodies.jib, p.b, p.x_2),
-            (&bodies.rocker, foot, p.x_3),
+            Bar::new(foot, p.x_1),
+            Bar::new(p.b, p.x_2),
+            Bar::new(g.lengths.o3(), p.x_3),
         ];
-        for (body, joint, bar) in bars {
-            let (mass, spin, weight) = (
-                constant(body.mass),
-                constant(body.inertia),
-                constant(body.mass * bodies.gravity),
-            );
-            let [e, d, dd] = parts(bar);
-            let square = dot(e, e);
-            let length = Calc::sqrt(square);
-            let (along, across) = (constant(body.centre.x) / length, constant(body.centre.y) / length);
-            let turned = |v: Point<T>| Point::new(along * v.x - across * v.y, across * v.x + along * v.y);
-            let [j, dj, ddj] = parts(joint);
-            let (r, dr, ddr) = (j + turned(e), dj + turned(d), ddj + turned(dd));
-            // A bar of constant length turns by phi: |d| = length · phi', and d · d″ = length² · phi' phi″.
-            let (turn, turn_change) = (dot(d, d) / square, dot(d, dd) / square);
-            inertia += mass * dot(dr, dr) + spin * turn;
-            slope += constant(2.0) * (mass * dot(dr, ddr) + spin * turn_change);
-            moment += weight * dr.y;
+        let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
+        for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(&bars) {
+            let (mass, spin) = (constant(body.mass), constant(body.inertia));
+            let weight = constant(body.mass * bodies.gravity);
+            let [r, d, dd] = bar.point(body.centre);
+            inertia += mass * dot(d, d) + spin * bar.turn;
+            slope += constant(2.0) * (mass * dot(d, dd) + spin * bar.turn_change);
+            moment += weight * d.y;
             energy += weight * r.y;
         }
-        let drive = anchors.map_or([zero; 2], |anchors| {
+        let drive = push.map_or([zero; 2], |push| {
             let bar = match g.driven {
-                Driven::Boom => g.lengths.x_1,
-                Driven::Rocker => g.lengths.x_3,
+                Driven::Boom => &bars[0],
+                Driven::Rocker => &bars[2],
             };
-            let length = Drive::new(&p, bar, foot, &anchors).l_d;
-            [length.re, length.v1]
+            let [r, d, _] = bar.point(push.to);
+            let line = r - push.from.map(constant);
+            let length = plane::length(line);
+            [length, dot(line, d) / length]
         });
         Some(Reduced {
             inertia,
@@ -152,6 +143,39 @@ impl<T: Calc + DualNum> Reduced<T> {
             head: parts(p.a),
             drive,
         })
+    }
+}
+
+/// A bar with its derivatives by the driven angle.
+struct Bar<T> {
+    joint: [Point<T>; 3],
+    along: [Point<T>; 3],
+    length: T,
+    /// Square of its turning by the driven angle, and half of how that changes.
+    turn: T,
+    turn_change: T,
+}
+
+impl<T: Calc + DualNum> Bar<T> {
+    #[inline]
+    fn new(joint: Point<Dual2<T>>, along: Point<Dual2<T>>) -> Bar<T> {
+        let [e, d, dd] = parts(along);
+        let square = dot(e, e);
+        // A bar of constant length turns by phi: |d| = length · phi', and d · d″ = length² · phi' phi″.
+        Bar {
+            joint: parts(joint),
+            along: [e, d, dd],
+            length: Calc::sqrt(square),
+            turn: dot(d, d) / square,
+            turn_change: dot(d, dd) / square,
+        }
+    }
+
+    /// A point of the bar's frame: place, first and second derivative.
+    #[inline]
+    fn point(&self, at: Point<f64>) -> [Point<T>; 3] {
+        let (along, across) = (T::constant(at.x) / self.length, T::constant(at.y) / self.length);
+        [0, 1, 2].map(|i| self.joint[i] + plane::turned(self.along[i], along, across))
     }
 }
 
@@ -169,7 +193,7 @@ pub trait Coordinate: Calc {
 impl Coordinate for f64 {
     #[inline]
     fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
-        Reduced::new(&d.twice, d.anchors.map(|a| a.map(&mut |_, x| Dual2::from_re(x))), &d.bodies, theta)
+        Reduced::new(&d.twice, &d.bodies, d.push.as_ref(), theta)
     }
 }
 
@@ -177,8 +201,7 @@ impl Coordinate for f64 {
 impl<const N: usize> Coordinate for Gradient<N> {
     #[inline]
     fn reduced(d: &Dynamics, theta: Gradient<N>) -> Option<Reduced<Gradient<N>>> {
-        let anchors = d.anchors.map(|a| a.map(&mut |_, x| Dual2::from_re(Dual64::from_re(x))));
-        let r = Reduced::new(&d.thrice, anchors, &d.bodies, Dual64::new(theta.re, 1.0))?;
+        let r = Reduced::new(&d.thrice, &d.bodies, d.push.as_ref(), Dual64::new(theta.re, 1.0))?;
         let of = |x: Dual64| theta.chain(x);
         Some(Reduced {
             inertia: of(r.inertia),
@@ -197,8 +220,15 @@ pub struct Dynamics {
     /// For two and for three derivatives.
     twice: Geometry<Dual2<f64>>,
     thrice: Geometry<Dual2<Dual64>>,
-    anchors: Option<Anchors<f64>>,
+    push: Option<Push>,
     bodies: Bodies,
+}
+
+/// A drive's line from a point of the frame to one of the driven bar, in its frame, in m.
+#[derive(Clone, Copy, Debug)]
+struct Push {
+    from: Point<f64>,
+    to: Point<f64>,
 }
 
 impl Dynamics {
@@ -207,16 +237,21 @@ impl Dynamics {
         Dynamics {
             twice: geometry.map(Dual2::from_re),
             thrice: geometry.map(|x| Dual2::from_re(Dual64::from_re(x))),
-            anchors: None,
+            push: None,
             bodies,
         }
     }
 
     /// With a drive that pushes along a line from the frame to the driven bar.
     #[must_use]
-    pub fn with_drive(self, anchors: Anchors<f64>) -> Dynamics {
+    pub fn with_drive(self, anchors: &Anchors<f64>) -> Dynamics {
+        let (sin, cos) = Calc::sin_cos(anchors.chi_d);
+        let push = Push {
+            from: Point::new(anchors.e_x, anchors.e_y),
+            to: Point::new(anchors.s_d * cos, anchors.s_d * sin),
+        };
         Dynamics {
-            anchors: Some(anchors),
+            push: Some(push),
             ..self
         }
     }

@@ -92,8 +92,9 @@ pub struct Motion {
 
 /// How far beyond the greatest hold the moment must be before the bar breaks loose: rounding alone must not.
 const LOOSE: f64 = 1.0 + 1e-12;
-/// Events at one instant.
-const MOST_EVENTS: u32 = 16;
+/// Events in one call, and changes at one instant.
+const MOST_EVENTS: u32 = 10_000;
+const MOST_CHANGES: u32 = 16;
 
 impl Motion {
     /// The load on its rope as it is now.
@@ -237,7 +238,7 @@ impl Motion {
     /// The linkage does not close.
     pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
         let mut changed = false;
-        for _ in 0..MOST_EVENTS {
+        for _ in 0..MOST_CHANGES {
             let before = *state;
             let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
             self.stop_bar(state, &r, commands);
@@ -315,16 +316,14 @@ impl Motion {
     ///
     /// # Errors
     /// See [`Halt`]; the state is that of the last step that succeeded.
-    pub fn advance(
-        &self,
-        state: &mut State,
-        commands: &Commands,
-        duration: f64,
-        longest: f64,
-    ) -> Result<u32, Halt> {
+    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<u32, Halt> {
+        let Commands { moment, brake, hoist } = *commands;
+        if !(moment.is_finite() && hoist.is_finite() && brake >= 0.0) {
+            return Err(Halt::Outside);
+        }
         self.event(state, commands)?;
         let mut left = duration;
-        let mut steps = 0;
+        let (mut steps, mut events) = (0, 0);
         while left > 0.0 {
             steps += 1;
             if steps > MOST_STEPS || left / longest > f64::from(MOST_STEPS) {
@@ -336,6 +335,10 @@ impl Motion {
             // The last of equal steps ends exactly.
             left = if part == 1.0 && h >= left { 0.0 } else { left - part * h };
             if part < 1.0 || self.crossed(state, commands, &end) {
+                events += 1;
+                if events > MOST_EVENTS {
+                    return Err(Halt::TooMany);
+                }
                 self.event(state, commands)?;
             }
         }

@@ -77,31 +77,39 @@ impl<const N: usize> Step<N> {
         rate: &[f64; N],
         jacobian: &[[f64; N]; N],
     ) -> Option<Step<N>> {
-        let mut matrix = *jacobian;
-        for (i, row) in matrix.iter_mut().enumerate() {
-            for x in row.iter_mut() {
-                *x = -*x;
-            }
-            row[i] += 1.0 / (h * GAMMA);
+        let mut columns = [[0.0; N]; N];
+        for (j, column) in columns.iter_mut().enumerate() {
+            *column = std::array::from_fn(|i| -jacobian[i][j]);
+            column[j] += 1.0 / (h * GAMMA);
         }
-        let factors = Factors::new(matrix)?;
+        let factors = Factors::new(columns)?;
         let mut k = [[0.0; N]; 6];
         k[0] = factors.solve(*rate);
         let mut to = *y;
         for stage in 1..6 {
             // The last stage adds to the one before.
             if stage < 5 {
-                to = std::array::from_fn(|i| y[i] + (0..stage).map(|j| A[stage - 1][j] * k[j][i]).sum::<f64>());
+                to = *y;
+                for (a, k) in A[stage - 1].iter().zip(&k[..stage]) {
+                    add(&mut to, *a, k);
+                }
             } else {
-                to = std::array::from_fn(|i| to[i] + k[4][i]);
+                add(&mut to, 1.0, &k[4]);
             }
-            let f = system.rates(&to)?;
-            let right =
-                std::array::from_fn(|i| f[i] + (0..stage).map(|j| C[stage - 1][j] * k[j][i]).sum::<f64>() / h);
+            let mut right = system.rates(&to)?;
+            for (c, k) in C[stage - 1].iter().zip(&k[..stage]) {
+                add(&mut right, c / h, k);
+            }
             k[stage] = factors.solve(right);
         }
-        let to = std::array::from_fn(|i| to[i] + k[5][i]);
-        let bend = D.map(|d| std::array::from_fn(|i| (0..5).map(|j| d[j] * k[j][i]).sum()));
+        add(&mut to, 1.0, &k[5]);
+        let bend = D.map(|d| {
+            let mut bend = [0.0; N];
+            for (d, k) in d.iter().zip(&k) {
+                add(&mut bend, *d, k);
+            }
+            bend
+        });
         finite(&to).then_some(Step {
             h,
             from: *y,
@@ -121,60 +129,72 @@ impl<const N: usize> Step<N> {
     }
 }
 
-/// LU factors with row exchanges.
+#[inline]
+fn add<const N: usize>(to: &mut [f64; N], factor: f64, k: &[f64; N]) {
+    for i in 0..N {
+        to[i] += factor * k[i];
+    }
+}
+
+/// LU factors with row exchanges, by columns: all inner loops run along one.
 struct Factors<const N: usize> {
-    lu: [[f64; N]; N],
+    columns: [[f64; N]; N],
+    /// Where each row of the right side comes from.
     row: [usize; N],
 }
 
 impl<const N: usize> Factors<N> {
     #[inline]
-    fn new(mut lu: [[f64; N]; N]) -> Option<Factors<N>> {
-        let mut row = [0; N];
+    fn new(mut columns: [[f64; N]; N]) -> Option<Factors<N>> {
+        let mut row = std::array::from_fn(|i| i);
         for k in 0..N {
             let mut pivot = k;
             for i in k + 1..N {
-                if lu[i][k].abs() > lu[pivot][k].abs() {
+                if columns[k][i].abs() > columns[k][pivot].abs() {
                     pivot = i;
                 }
             }
-            row[k] = pivot;
-            lu.swap(k, pivot);
-            // Not `== 0.0`: NaN and infinity are no pivots either.
-            if !(lu[k][k].abs() > 0.0 && lu[k][k].is_finite()) {
-                return None;
-            }
-            let inverse = 1.0 / lu[k][k];
-            let upper = lu[k];
-            for below in &mut lu[k + 1..] {
-                if below[k] != 0.0 {
-                    below[k] *= inverse;
-                    let factor = below[k];
-                    for j in k + 1..N {
-                        below[j] -= factor * upper[j];
-                    }
+            if pivot != k {
+                row.swap(k, pivot);
+                for column in &mut columns {
+                    column.swap(k, pivot);
                 }
             }
-            lu[k][k] = inverse;
+            let diagonal = columns[k][k];
+            // Neither zero, nor NaN or infinity.
+            if !(diagonal.abs() > 0.0 && diagonal.is_finite()) {
+                return None;
+            }
+            let inverse = 1.0 / diagonal;
+            for i in k + 1..N {
+                columns[k][i] *= inverse;
+            }
+            columns[k][k] = inverse;
+            let (done, rest) = columns.split_at_mut(k + 1);
+            let lower = &done[k];
+            for column in rest {
+                let upper = column[k];
+                for i in k + 1..N {
+                    column[i] -= lower[i] * upper;
+                }
+            }
         }
-        Some(Factors { lu, row })
+        Some(Factors { columns, row })
     }
 
     #[inline]
-    fn solve(&self, mut x: [f64; N]) -> [f64; N] {
+    fn solve(&self, right: [f64; N]) -> [f64; N] {
+        let mut x: [f64; N] = std::array::from_fn(|i| right[self.row[i]]);
         for k in 0..N {
-            x.swap(k, self.row[k]);
-        }
-        for i in 1..N {
-            for j in 0..i {
-                x[i] -= self.lu[i][j] * x[j];
+            for i in k + 1..N {
+                x[i] -= self.columns[k][i] * x[k];
             }
         }
-        for i in (0..N).rev() {
-            for j in i + 1..N {
-                x[i] -= self.lu[i][j] * x[j];
+        for k in (0..N).rev() {
+            x[k] *= self.columns[k][k];
+            for i in 0..k {
+                x[i] -= self.columns[k][i] * x[k];
             }
-            x[i] *= self.lu[i][i];
         }
         x
     }
@@ -254,13 +274,15 @@ impl<const N: usize> Run<N> {
         longest: f64,
     ) -> Result<(), Halt> {
         let mut left = duration;
-        let mut tried = 0;
+        let mut tried = 0_u32;
         while left > self.step.h - self.behind {
             left -= self.step.h - self.behind;
             self.behind = self.step.h;
             let y = self.step.to;
             let (rate, jacobian) = system.jacobian(&y).ok_or(Halt::Outside)?;
             self.count.jacobians += 1;
+            // A step that was refused is not followed by a longer one at once.
+            let mut growth = 5.0;
             loop {
                 tried += 1;
                 if tried > MOST_STEPS {
@@ -279,7 +301,7 @@ impl<const N: usize> Run<N> {
                 let measure = tolerance.measure(&step);
                 // The error grows as the fourth power of the step; `fourth` is its root.
                 let fourth = measure.sqrt().sqrt();
-                let factor = (0.9 / fourth).clamp(0.2, 5.0);
+                let factor = (0.9 / fourth).clamp(0.2, growth);
                 if measure <= 1.0 {
                     self.next = h * factor;
                     self.step = step;
@@ -289,6 +311,7 @@ impl<const N: usize> Run<N> {
                 }
                 self.next = h * if measure.is_nan() { 0.2 } else { factor };
                 self.count.rejected += 1;
+                growth = 1.0;
             }
         }
         self.behind += left;

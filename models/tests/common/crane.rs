@@ -1,5 +1,7 @@
 //! The lemniscate crane of issue 7's reference with its bodies, and its luffing cylinder.
 
+#![allow(dead_code, reason = "not every test uses all of it")]
+
 use lemnis_models::four_bar::Branch;
 use lemnis_models::hydraulics::cylinder::Cylinder;
 use lemnis_models::hydraulics::valve::Valve;
@@ -22,7 +24,11 @@ pub fn bodies(g: &Geometry<f64>, pendulum: Option<Pendulum>) -> Bodies {
     let jib = Body::uniform(6e3, Point::new(l.x_2, 0.0), a);
     Bodies {
         boom: Body::uniform(20e3, zero, Point::new(l.x_1, 0.0)),
-        jib: if pendulum.is_some() { jib } else { jib.with_mass(16e3, a) },
+        jib: if pendulum.is_some() {
+            jib
+        } else {
+            jib.with_mass(16e3, a)
+        },
         rocker: Body::uniform(4e3, zero, Point::new(l.x_3, 0.0)),
         pendulum,
         gravity: 9.81,
@@ -83,7 +89,7 @@ pub fn hydraulic<const N: usize>(pendulum: Option<Pendulum>) -> Hydraulic<N> {
         chi_d: -5_f64.to_radians(),
     };
     Hydraulic {
-        dynamics: dynamics(pendulum).with_drive(anchors),
+        dynamics: dynamics(pendulum).with_drive(&anchors),
         cylinder: cylinder(),
         viscous: 2e4,
         command: 0.0,
