@@ -8,7 +8,7 @@ use fmi_rs::fmi3::builder::FMU3Builder;
 use fmi_rs::fmi3::types::fmi3Status;
 use lemnis_fmu::description::Standard;
 use lemnis_fmu::package::{self, Library};
-use lemnis_models::model::{Model, Role};
+use lemnis_models::model::{Model, Role, Type};
 use lemnis_models::scene::{self, Scene};
 use std::path::PathBuf;
 use tempfile::TempDir;
@@ -37,14 +37,14 @@ struct Expected {
 
 impl Expected {
     fn new(model: Model) -> Expected {
-        let references = |boolean| {
+        let references = |kind| {
             let variables = model.variables().iter().zip(1..);
             variables
-                .filter(|(variable, _)| variable.boolean == boolean && variable.role != Role::Parameter)
+                .filter(|(variable, _)| variable.kind == kind && variable.role != Role::Parameter)
                 .map(|(_, reference)| reference)
                 .collect()
         };
-        let (reals, booleans) = (references(false), references(true));
+        let (reals, booleans) = (references(Type::Real), references(Type::Boolean));
         Expected { model, reals, booleans }
     }
 

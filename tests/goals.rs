@@ -62,7 +62,7 @@ fn main() {
 }
 
 fn models(scene: &Scene) {
-    let parameters = scene.luffing.parameters;
+    let parameters = scene.mechanism.luffing().expect("a luffing mechanism").parameters;
     let g = Geometry::new(&parameters).expect("exists");
     let kinematics = nanoseconds(|theta| {
         let p = Position::new(&g, theta).expect("closes");

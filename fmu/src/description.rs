@@ -3,7 +3,7 @@
 
 use crate::instance::{CATEGORIES, strings, token};
 use crate::layout::{self, Place};
-use lemnis_models::model::{Fault, Model, Role, TIME};
+use lemnis_models::model::{Enumeration, Fault, Model, Name, Role, TIME, Type};
 use lemnis_models::scene::Scene;
 use lemnis_models::unit::{self, Unit};
 use quick_xml::Writer;
@@ -60,9 +60,9 @@ pub fn terminals_and_icons(scene: &Scene) -> Result<Vec<u8>, Fault> {
                             ("description", terminal.text),
                         ]);
                         element(xml, "Terminal", &general, |xml| {
-                            terminal.members.iter().try_for_each(|(symbol, member)| {
+                            terminal.members.iter().try_for_each(|(variable, member)| {
                                 let member = attributes([
-                                    ("variableName", symbol.id),
+                                    ("variableName", variable),
                                     ("memberName", member),
                                     ("variableKind", "signal"),
                                 ]);
@@ -78,7 +78,7 @@ pub fn terminals_and_icons(scene: &Scene) -> Result<Vec<u8>, Fault> {
 
 /// A variable as the description has it.
 struct Entry {
-    name: &'static str,
+    name: String,
     text: String,
     reference: u32,
     kind: Kind,
@@ -96,6 +96,7 @@ struct Entry {
 enum Kind {
     Real(&'static Unit, &'static Unit),
     Boolean,
+    Enumeration(&'static Enumeration),
     String,
 }
 
@@ -103,21 +104,21 @@ enum Kind {
 fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
     let mut model = Model::new(scene)?;
     let variables = model.variables().to_vec();
-    let reference = |place| layout::reference(&variables, place).expect("a model has few variables");
-    let references: BTreeMap<&str, u32> = variables
+    let reference = |place| layout::reference(variables.len(), place);
+    let references: BTreeMap<Name, u32> = variables
         .iter()
         .enumerate()
-        .map(|(index, variable)| (variable.symbol.id, reference(Place::Variable(index))))
-        .chain([(TIME.id, reference(Place::Time))])
+        .map(|(index, v)| ((v.symbol.id, v.number), reference(Place::Variable(index))))
+        .chain([((TIME.id, None), reference(Place::Time))])
         .collect();
     let dependencies: Vec<BTreeSet<u32>> = model
         .dependencies()
         .into_iter()
-        .map(|names| names.into_iter().map(|name| references[name]).collect())
+        .map(|names| names.into_iter().map(|name| references[&name]).collect())
         .collect();
     let nominals = nominals(&mut model);
     let mut entries = vec![Entry {
-        name: TIME.id,
+        name: TIME.id.to_owned(),
         text: TIME.text.to_owned(),
         reference: reference(Place::Time),
         kind: Kind::Real(TIME.unit, TIME.display),
@@ -130,28 +131,32 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
     }];
     for (index, variable) in variables.iter().enumerate() {
         let start = match variable.role {
-            Role::Input | Role::Parameter | Role::Tunable => Some(number(model.get(index)?)),
+            Role::Input | Role::Parameter | Role::Tunable => Some(match variable.kind {
+                Type::Enumeration(_) => format!("{}", model.get(index)?),
+                _ => number(model.get(index)?),
+            }),
             Role::Output | Role::Calculated => None,
         };
         entries.push(Entry {
-            name: variable.symbol.id,
+            name: variable.name(),
             text: variable.symbol.text.to_owned(),
             reference: reference(Place::Variable(index)),
-            kind: match variable.boolean {
-                true => Kind::Boolean,
-                false => Kind::Real(variable.symbol.unit, variable.symbol.display),
+            kind: match variable.kind {
+                Type::Real => Kind::Real(variable.symbol.unit, variable.symbol.display),
+                Type::Boolean => Kind::Boolean,
+                Type::Enumeration(of) => Kind::Enumeration(of),
             },
             role: Some(variable.role),
             start,
             bounds: variable.bounds,
-            nominal: nominals[index].filter(|_| !variable.boolean),
+            nominal: nominals[index].filter(|_| variable.kind == Type::Real),
             size: None,
             dependencies: dependencies[index].clone(),
         });
     }
     for (index, ((name, text), start)) in layout::STRINGS.iter().zip(strings(scene)).enumerate() {
         entries.push(Entry {
-            name,
+            name: (*name).to_owned(),
             text: (*text).to_owned(),
             reference: reference(Place::String(index)),
             kind: Kind::String,
@@ -164,19 +169,24 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
         });
     }
     if standard == Standard::Fmi3 {
-        for layout::Vector { name, first } in layout::vectors(&variables) {
-            let (x, y) = (variables[first].symbol, variables[first + 1].symbol);
+        for (index, vector) in layout::vectors(&variables).into_iter().enumerate() {
+            let of = vector.components.clone();
+            let first = &variables[of.start];
+            let text = match first.number {
+                Some(_) => first.symbol.text.to_owned(),
+                None => format!("The vector [{first}, {}].", variables[of.start + 1]),
+            };
             entries.push(Entry {
-                name,
-                text: format!("The vector [{}, {}].", x.id, y.id),
-                reference: reference(Place::Vector(first)),
-                kind: Kind::Real(x.unit, x.display),
+                name: vector.name.to_owned(),
+                text,
+                reference: reference(Place::Vector(index)),
+                kind: Kind::Real(first.symbol.unit, first.symbol.display),
                 role: Some(Role::Output),
                 start: None,
                 bounds: [f64::NEG_INFINITY, f64::INFINITY],
-                nominal: nominals[first].into_iter().chain(nominals[first + 1]).reduce(f64::max),
-                size: Some(2),
-                dependencies: &dependencies[first] | &dependencies[first + 1],
+                nominal: nominals[of.clone()].iter().copied().flatten().reduce(f64::max),
+                size: Some(of.len()),
+                dependencies: dependencies[of].iter().flatten().copied().collect(),
             });
         }
     }
@@ -331,8 +341,32 @@ fn units(xml: &mut Xml, entries: &[Entry]) -> io::Result<()> {
     })
 }
 
-/// One type for each quantity in each display unit: `Angle_deg`.
+/// One type for each quantity in each display unit: `Angle_deg`; and the enumerations.
 fn types(xml: &mut Xml, entries: &[Entry], standard: Standard) -> io::Result<()> {
+    let mut enumerations: Vec<&Enumeration> = Vec::new();
+    for entry in entries {
+        if let Kind::Enumeration(of) = entry.kind
+            && !enumerations.contains(&of)
+        {
+            enumerations.push(of);
+        }
+    }
+    enumerations.into_iter().try_for_each(|of| {
+        let general = attributes([("name", of.name)]);
+        let items = |xml: &mut Xml| {
+            (1..).zip(of.items).try_for_each(|(value, (name, text))| {
+                let value: u32 = value;
+                let item = attributes([("name", name), ("value", &value.to_string()), ("description", text)]);
+                empty(xml, "Item", &item)
+            })
+        };
+        match standard {
+            Standard::Fmi2 => element(xml, "SimpleType", &general, |xml| {
+                element(xml, "Enumeration", &[], items)
+            }),
+            Standard::Fmi3 => element(xml, "EnumerationType", &general, items),
+        }
+    })?;
     used(entries).try_for_each(|(unit, display)| {
         let mut own = attributes([("quantity", unit.quantity()), ("unit", unit.name)]);
         if display != unit {
@@ -371,7 +405,7 @@ fn variable(xml: &mut Xml, entry: &Entry, standard: Standard) -> io::Result<()> 
         (None, _) => ("independent", None, None),
     };
     let variability = fixed.unwrap_or(match entry.kind {
-        Kind::Boolean => "discrete",
+        Kind::Boolean | Kind::Enumeration(_) => "discrete",
         _ => "continuous",
     });
     let mut general = vec![
@@ -390,11 +424,15 @@ fn variable(xml: &mut Xml, entry: &Entry, standard: Standard) -> io::Result<()> 
         }
         own.extend(entry.nominal.map(|nominal| ("nominal", number(nominal))));
     }
+    if let Kind::Enumeration(of) = entry.kind {
+        own.push(("declaredType", of.name.to_owned()));
+    }
     let start = |own: &mut Attributes| own.extend(entry.start.clone().map(|start| ("start", start)));
     let name = match (entry.kind, standard) {
         (Kind::Real(..), Standard::Fmi2) => "Real",
         (Kind::Real(..), Standard::Fmi3) => "Float64",
         (Kind::Boolean, _) => "Boolean",
+        (Kind::Enumeration(_), _) => "Enumeration",
         (Kind::String, _) => "String",
     };
     match standard {

@@ -1,11 +1,10 @@
 //! One instance of a model as a simulator sees it: time, the state machine and
 //! FMU states. What both standards share is here, in safe code.
 
-use crate::layout::{self, Place};
+use crate::layout::{self, Place, Vector};
 use crate::refuse;
-use lemnis_models::model::{Fault, Model, Role, State, TIME};
+use lemnis_models::model::{Fault, Model, Quantity, Role, State, TIME, Type};
 use lemnis_models::scene::{LONGEST, Scene};
-use lemnis_models::symbol::Symbol;
 use sha2::{Digest, Sha256};
 use std::ffi::{CStr, CString, c_char};
 use std::fs::File;
@@ -107,8 +106,7 @@ pub struct Instance {
     token: String,
     /// Truth values by index, as they were at the last event: they may change at events only.
     held: Vec<(usize, bool)>,
-    /// First components of the vectors, by index.
-    vectors: Vec<usize>,
+    vectors: Vec<Vector>,
     /// Which of [`CATEGORIES`] are reported.
     logged: [bool; CATEGORIES.len()],
     now: Now,
@@ -176,8 +174,11 @@ impl Instance {
         }
         let model = Model::new(scene)?;
         let variables = model.variables().iter().enumerate();
-        let held: Vec<(usize, bool)> = variables.filter(|(_, v)| v.boolean).map(|(i, _)| (i, false)).collect();
-        let vectors = layout::vectors(model.variables()).map(|vector| vector.first).collect();
+        let held: Vec<(usize, bool)> = variables
+            .filter(|(_, v)| v.kind == Type::Boolean)
+            .map(|(i, _)| (i, false))
+            .collect();
+        let vectors = layout::vectors(model.variables());
         let now = Now {
             state: INSTANTIATED,
             time: 0.0,
@@ -186,7 +187,7 @@ impl Instance {
         };
         let initial = Saved {
             now,
-            model: *model.state(),
+            model: model.state(),
             held: held.clone(),
         };
         Ok(Instance {
@@ -360,7 +361,7 @@ impl Instance {
         Ok(())
     }
 
-    /// Reads real variables; a vector gives both of its components.
+    /// Reads real variables; a vector gives all of its components.
     ///
     /// # Errors
     /// A reference is not that of a real variable, there are fewer or more values than the
@@ -369,16 +370,16 @@ impl Instance {
         let given = values.len();
         let mut rest = values.iter_mut();
         for &reference in references {
-            let (first, count) = match self.place(reference)? {
-                Place::Variable(index) => (self.of_kind(index, false)?, 1),
-                Place::Vector(first) => (first, 2),
+            let indices = match self.place(reference)? {
+                Place::Variable(index) => self.real(index)?..index + 1,
+                Place::Vector(index) => self.vectors[index].components.clone(),
                 Place::Time => {
                     *rest.next().ok_or_else(|| too_few(given))? = self.now.time;
                     continue;
                 }
                 Place::String(_) => return refuse(format!("value reference {reference} is not a real variable")),
             };
-            for index in first..first + count {
+            for index in indices {
                 *rest.next().ok_or_else(|| too_few(given))? = self.model.get(index)?;
             }
         }
@@ -427,7 +428,7 @@ impl Instance {
         expect_length(values.len(), references.len())?;
         for (&reference, &value) in references.iter().zip(values) {
             let index = match self.place(reference)? {
-                Place::Variable(index) => self.of_kind(index, false)?,
+                Place::Variable(index) => self.real(index)?,
                 Place::Time => return refuse("time is no variable that can be set here"),
                 Place::Vector(_) => return refuse(format!("value reference {reference} is a result")),
                 Place::String(_) => return refuse(format!("value reference {reference} is not a real variable")),
@@ -437,6 +438,38 @@ impl Instance {
         }
         for (&reference, &value) in references.iter().zip(values) {
             self.model.set(reference as usize - 1, value)?;
+        }
+        Ok(())
+    }
+
+    /// Reads enumerations, in the standard's own type for them.
+    ///
+    /// # Errors
+    /// As [`Instance::get_reals`].
+    pub fn get_enumerations<T: From<i32>>(&mut self, references: &[u32], values: &mut [T]) -> Result<(), Fault> {
+        expect_length(values.len(), references.len())?;
+        for (&reference, value) in references.iter().zip(values) {
+            let index = self.enumeration(reference)?;
+            *value = (self.model.get(index)? as i32).into();
+        }
+        Ok(())
+    }
+
+    /// Sets enumerations, all or none.
+    ///
+    /// # Errors
+    /// As [`Instance::set_reals`].
+    pub fn set_enumerations<T: Copy + Into<i64>>(&mut self, references: &[u32], values: &[T]) -> Result<(), Fault> {
+        expect_length(values.len(), references.len())?;
+        // Numbers of items are small: a greater one is refused however it is rounded.
+        let number = |value: T| value.into() as f64;
+        for (&reference, &value) in references.iter().zip(values) {
+            let index = self.enumeration(reference)?;
+            self.check_now(index)?;
+            self.model.check(index, number(value))?;
+        }
+        for (&reference, &value) in references.iter().zip(values) {
+            self.model.set(reference as usize - 1, number(value))?;
         }
         Ok(())
     }
@@ -472,8 +505,8 @@ impl Instance {
         for &known in knowns {
             self.known(known)?;
         }
-        let rate = |symbol| {
-            let of = |&(&known, _): &(&u32, &f64)| self.known(known).is_ok_and(|known| known == symbol);
+        let rate = |quantity| {
+            let of = |&(&known, _): &(&u32, &f64)| self.known(known).is_ok_and(|known| known == quantity);
             knowns.iter().zip(seed).filter(of).map(|(_, rate)| rate).sum()
         };
         let mut tangent = self.model.tangent(rate);
@@ -501,7 +534,7 @@ impl Instance {
         expect_length(sensitivity.len(), knowns.len())?;
         for (&known, sensitivity) in knowns.iter().zip(sensitivity) {
             let known = self.known(known)?;
-            let mut tangent = self.model.tangent(|symbol| f64::from(symbol == known));
+            let mut tangent = self.model.tangent(|quantity| f64::from(quantity == known));
             let mut weights = seed.iter();
             *sensitivity = 0.0;
             for &unknown in unknowns {
@@ -516,16 +549,15 @@ impl Instance {
     }
 
     /// The quantity that a derivative is taken by.
-    fn known(&self, reference: u32) -> Result<&'static Symbol, Fault> {
+    fn known(&self, reference: u32) -> Result<Quantity, Fault> {
         match self.place(reference)? {
-            Place::Time => Ok(&TIME),
+            Place::Time => Ok((&TIME, None)),
             Place::Variable(index) => {
-                let variable = self.model.variables()[self.of_kind(index, false)?];
+                let variable = self.model.variables()[self.real(index)?];
                 match variable.role {
-                    Role::Input | Role::Parameter | Role::Tunable => Ok(variable.symbol),
+                    Role::Input | Role::Parameter | Role::Tunable => Ok(variable.quantity()),
                     _ => refuse(format!(
-                        "{} is a result: derivatives are by inputs and parameters",
-                        variable.symbol.id
+                        "{variable} is a result: derivatives are by inputs and parameters"
                     )),
                 }
             }
@@ -536,35 +568,44 @@ impl Instance {
     /// The results that a derivative is taken of; the model refuses what is none.
     fn unknown(&self, reference: u32) -> Result<std::ops::Range<usize>, Fault> {
         match self.place(reference)? {
-            Place::Variable(index) => Ok(self.of_kind(index, false)?..index + 1),
-            Place::Vector(first) => Ok(first..first + 2),
+            Place::Variable(index) => Ok(self.real(index)?..index + 1),
+            Place::Vector(index) => Ok(self.vectors[index].components.clone()),
             _ => refuse(format!("derivatives of value reference {reference} do not exist")),
         }
     }
 
     #[inline]
     fn place(&self, reference: u32) -> Result<Place, Fault> {
-        match layout::place(reference, self.model.variables().len(), &self.vectors) {
+        match layout::place(reference, self.model.variables().len(), self.vectors.len()) {
             Some(place) => Ok(place),
             None => refuse(format!("no variable has the value reference {reference}")),
         }
     }
 
-    /// The index, if it is that of a variable of this kind.
+    /// The index, if it is that of a real variable.
     #[inline]
-    fn of_kind(&self, index: usize, boolean: bool) -> Result<usize, Fault> {
-        let variable = self.model.variables()[index];
-        if variable.boolean == boolean {
-            return Ok(index);
+    fn real(&self, index: usize) -> Result<usize, Fault> {
+        let variable = &self.model.variables()[index];
+        match variable.kind {
+            Type::Real => Ok(index),
+            _ => refuse(format!("{variable} is not a real variable")),
         }
-        let kind = if boolean { "boolean" } else { "real" };
-        refuse(format!("{} is not a {kind} variable", variable.symbol.id))
     }
 
     fn boolean(&self, reference: u32) -> Result<usize, Fault> {
+        self.discrete(reference, "a boolean variable", |kind| kind == Type::Boolean)
+    }
+
+    fn enumeration(&self, reference: u32) -> Result<usize, Fault> {
+        self.discrete(reference, "an enumeration", |kind| matches!(kind, Type::Enumeration(_)))
+    }
+
+    /// Index of a variable of a kind that is told in words.
+    fn discrete(&self, reference: u32, words: &str, is: fn(Type) -> bool) -> Result<usize, Fault> {
         match self.place(reference)? {
-            Place::Variable(index) => self.of_kind(index, true),
-            _ => refuse(format!("value reference {reference} is not a boolean variable")),
+            Place::Variable(index) if is(self.model.variables()[index].kind) => Ok(index),
+            Place::Variable(index) => refuse(format!("{} is not {words}", self.model.variables()[index])),
+            _ => refuse(format!("value reference {reference} is not {words}")),
         }
     }
 
@@ -572,17 +613,17 @@ impl Instance {
     #[inline]
     fn check_now(&self, index: usize) -> Result<(), Fault> {
         let variable = &self.model.variables()[index];
-        let until = match variable.role {
+        let between_events = self.now.state == CONTINUOUS
+            || (self.now.state == STEP && self.interface == Interface::CoSimulationWithEvents);
+        let (what, until) = match variable.role {
             Role::Parameter if self.now.state & (INSTANTIATED | INITIALIZATION) == 0 => {
-                "before the end of initialization"
+                ("a parameter", "before the end of initialization")
             }
-            Role::Tunable if self.now.state == CONTINUOUS => "at events",
+            Role::Tunable if self.now.state == CONTINUOUS => ("a parameter", "at events"),
+            Role::Input if variable.kind != Type::Real && between_events => ("discrete", "at events"),
             _ => return Ok(()),
         };
-        refuse(format!(
-            "{} is a parameter: it can be set {until} only",
-            variable.symbol.id
-        ))
+        refuse(format!("{variable} is {what}: it can be set {until} only"))
     }
 
     /// Saves the instance under `handle`, or under a new handle if that is 0.
@@ -595,7 +636,7 @@ impl Instance {
         }
         let at = self.find(handle)?;
         let saved = &mut self.saved[at].1;
-        (saved.now, saved.model) = (self.now, *self.model.state());
+        (saved.now, saved.model) = (self.now, self.model.state());
         saved.held.clone_from(&self.held);
         Ok(handle)
     }
@@ -698,7 +739,7 @@ impl Instance {
     fn snapshot(&self) -> Saved {
         Saved {
             now: self.now,
-            model: *self.model.state(),
+            model: self.model.state(),
             held: self.held.clone(),
         }
     }

@@ -1,7 +1,9 @@
 //! Value references, the same in both standards: 0 is time, then the model's
 //! variables, then the FMU's own strings, then (in FMI 3) the vectors.
 
-use lemnis_models::model::{Role, Variable};
+use std::ops::Range;
+
+use lemnis_models::model::{Role, Type, Variable};
 
 /// The FMU's own constants, with what they are.
 pub const STRINGS: [(&str, &str); 2] = [
@@ -17,45 +19,66 @@ pub enum Place {
     Variable(usize),
     /// Index into [`STRINGS`].
     String(usize),
-    /// Index of the first of two components among the model's variables.
+    /// Index into [`vectors`].
     Vector(usize),
 }
 
-/// A vector of the plane: its two components are variables of their own as well.
-#[derive(Clone, Debug)]
+/// Results that are also one array in FMI 3: the two components of a vector of
+/// the plane, or the values of a quantity that there are several of.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Vector {
     pub name: &'static str,
-    /// Index of the first component among the model's variables.
-    pub first: usize,
+    /// Their indices among the model's variables.
+    pub components: Range<usize>,
 }
 
-/// The outputs that come in pairs `A.x`, `A.y`.
-pub fn vectors(variables: &[Variable]) -> impl Iterator<Item = Vector> {
-    variables.windows(2).enumerate().filter_map(|(first, pair)| {
-        let name = pair[0].symbol.id.strip_suffix(".x")?;
-        let vector = pair.iter().all(|v| v.role == Role::Output && !v.boolean);
-        (vector && pair[1].symbol.id.strip_suffix(".y") == Some(name)).then_some(Vector { name, first })
-    })
-}
-
-/// Value reference of a place; `None` for a vector that does not exist.
+/// Outputs that come in pairs `A.x`, `A.y`, or numbered `theta[1]`, `theta[2]`, ...
 #[must_use]
-pub fn reference(variables: &[Variable], place: Place) -> Option<u32> {
+pub fn vectors(variables: &[Variable]) -> Vec<Vector> {
+    let real = |v: &Variable| v.role == Role::Output && v.kind == Type::Real;
+    let vector = |first: usize| {
+        let (one, rest) = (&variables[first], &variables[first + 1..]);
+        let (name, others) = match one.number {
+            Some(1) => (
+                one.symbol.id,
+                rest.iter().take_while(|v| v.symbol == one.symbol).count(),
+            ),
+            Some(_) => return None,
+            None => {
+                let name = one.symbol.id.strip_suffix(".x")?;
+                let second = |v: &&Variable| real(v) && v.symbol.id.strip_suffix(".y") == Some(name);
+                (name, rest.first().filter(second).map(|_| 1)?)
+            }
+        };
+        Some(Vector {
+            name,
+            components: first..first + 1 + others,
+        })
+    };
+    (0..variables.len())
+        .filter(|&first| real(&variables[first]))
+        .filter_map(vector)
+        .collect()
+}
+
+/// Value reference of a place.
+///
+/// # Panics
+/// A model with 2³² variables or more.
+#[must_use]
+pub fn reference(variables: usize, place: Place) -> u32 {
     let number = match place {
         Place::Time => 0,
         Place::Variable(index) => 1 + index,
-        Place::String(index) => 1 + variables.len() + index,
-        Place::Vector(first) => {
-            let position = vectors(variables).position(|vector| vector.first == first)?;
-            1 + variables.len() + STRINGS.len() + position
-        }
+        Place::String(index) => 1 + variables + index,
+        Place::Vector(index) => 1 + variables + STRINGS.len() + index,
     };
-    u32::try_from(number).ok()
+    u32::try_from(number).expect("a model has few variables")
 }
 
-/// What a value reference means, if anything. `vectors` are the first components' indices.
+/// What a value reference means, if anything, where there are this many variables and vectors.
 #[must_use]
-pub fn place(reference: u32, variables: usize, vectors: &[usize]) -> Option<Place> {
+pub fn place(reference: u32, variables: usize, vectors: usize) -> Option<Place> {
     let index = match (reference as usize).checked_sub(1) {
         None => return Some(Place::Time),
         Some(index) if index < variables => return Some(Place::Variable(index)),
@@ -64,5 +87,6 @@ pub fn place(reference: u32, variables: usize, vectors: &[usize]) -> Option<Plac
     if index < STRINGS.len() {
         return Some(Place::String(index));
     }
-    vectors.get(index - STRINGS.len()).map(|&first| Place::Vector(first))
+    let index = index - STRINGS.len();
+    (index < vectors).then_some(Place::Vector(index))
 }

@@ -3,6 +3,7 @@
 mod common;
 
 use lemnis_fmu::abi::{fmi2::*, fmi3::*};
+use lemnis_models::model::Type;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::ptr::{null, null_mut};
@@ -33,14 +34,14 @@ fn stepping_allocates_nothing() {
     let fmu = common::Unpacked::new();
     let resources = fmu.resources();
     let theta_1 = fmu.reference("theta_1");
-    let kind = |boolean| {
+    let kind = |kind| {
         let variables = fmu.model.variables().iter().zip(1..);
         variables
-            .filter(|(v, _)| v.boolean == boolean)
+            .filter(|(v, _)| v.kind == kind)
             .map(|(_, reference)| reference)
             .collect::<Vec<u32>>()
     };
-    let (reals, booleans) = (kind(false), kind(true));
+    let (reals, booleans) = (kind(Type::Real), kind(Type::Boolean));
     let mut values = vec![0.0; reals.len()];
     let (mut integers, mut bytes) = (vec![0; booleans.len()], vec![0; booleans.len()]);
     let (mut event, mut terminate, mut early, mut reached) = (0, 0, 0, 0.0);

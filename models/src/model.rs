@@ -1,7 +1,11 @@
 //! A scene as a running model: inputs and parameters in, outputs out. What the
 //! FMU, the tables and the tests step is this and nothing else.
 
-pub use crate::lemniscate::model::{Model, State, Tangent};
+use std::collections::BTreeSet;
+use std::fmt;
+
+use crate::lemniscate;
+use crate::scene::{Mechanism, Scene};
 use crate::symbol::Symbol;
 use crate::unit;
 
@@ -30,15 +34,64 @@ pub enum Role {
     Calculated,
 }
 
+/// What values a variable has; every one is kept as a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Type {
+    Real,
+    /// Truth value, kept as 0 and 1.
+    Boolean,
+    /// One of several, kept as its number from 1.
+    Enumeration(&'static Enumeration),
+}
+
+/// What an enumeration counts, in the order of the numbers.
+#[derive(Debug, PartialEq)]
+pub struct Enumeration {
+    /// Name of the type: `Mode`.
+    pub name: &'static str,
+    /// Each with what it means.
+    pub items: &'static [(&'static str, &'static str)],
+}
+
+/// A quantity, and which one where there are several of it, numbered from 1.
+pub type Quantity = (&'static Symbol, Option<u16>);
+
+/// A [`Quantity`] by the id of its symbol.
+pub type Name = (&'static str, Option<u16>);
+
 /// A variable that exists in a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Variable {
     pub symbol: &'static Symbol,
+    /// Number from 1 where there are several of the quantity, as of wheel groups.
+    /// These stand together, in their order.
+    pub number: Option<u16>,
     pub role: Role,
-    /// Truth value, kept as 0 and 1.
-    pub boolean: bool,
+    pub kind: Type,
     /// Smallest and greatest value, in SI; infinite where there is none.
     pub bounds: [f64; 2],
+}
+
+impl Variable {
+    #[must_use]
+    pub fn quantity(&self) -> Quantity {
+        (self.symbol, self.number)
+    }
+
+    /// Name in FMUs, tables and messages: `R`, `theta[3]`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        self.to_string()
+    }
+}
+
+impl fmt::Display for Variable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.number {
+            None => f.write_str(self.symbol.id),
+            Some(number) => write!(f, "{}[{number}]", self.symbol.id),
+        }
+    }
 }
 
 /// Variables that belong together where a mechanism meets another one.
@@ -46,8 +99,8 @@ pub struct Variable {
 pub struct Terminal {
     pub name: &'static str,
     pub text: &'static str,
-    /// Each variable with its name in this terminal.
-    pub members: Vec<(&'static Symbol, &'static str)>,
+    /// Each variable's name with its name in this terminal.
+    pub members: Vec<(String, &'static str)>,
 }
 
 /// What the model refuses, in words that name the quantity, its value, what is
@@ -75,5 +128,175 @@ impl Fault {
             message: message.into(),
             outside: true,
         }
+    }
+}
+
+/// The running model of a scene, stepped by the FMU and by tables: that of its mechanism.
+#[derive(Clone, Debug)]
+pub enum Model {
+    Luffing(lemniscate::model::Model),
+}
+
+/// All that changes in a model while it runs.
+#[derive(Clone, Debug)]
+pub enum State {
+    Luffing(lemniscate::model::State),
+}
+
+/// A model's outputs with their derivatives in one direction.
+#[derive(Clone, Debug)]
+pub enum Tangent {
+    Luffing(lemniscate::model::Tangent),
+}
+
+/// Calls whichever mechanism's model this is.
+macro_rules! of_each {
+    ($model:expr, $one:ident => $call:expr) => {
+        match $model {
+            Model::Luffing($one) => $call,
+        }
+    };
+}
+
+impl Model {
+    /// # Errors
+    /// Never for a scene that was read by [`Scene::parse`], which checks that
+    /// the mechanism exists.
+    pub fn new(scene: &Scene) -> Result<Model, Fault> {
+        match &scene.mechanism {
+            Mechanism::Luffing(luffing) => lemniscate::model::Model::new(luffing).map(Model::Luffing),
+        }
+    }
+
+    /// What exists in this scene; an index into it names a variable. The first one
+    /// is the coordinate, over which tables and the default experiment run.
+    #[must_use]
+    #[inline]
+    pub fn variables(&self) -> &[Variable] {
+        of_each!(self, model => model.variables())
+    }
+
+    /// What belongs together where another mechanism is connected: only what exists in this scene.
+    #[must_use]
+    pub fn terminals(&self) -> Vec<Terminal> {
+        of_each!(self, model => model.terminals())
+    }
+
+    /// Values of the first variable in tables, in SI.
+    #[must_use]
+    pub fn positions(&self) -> Vec<f64> {
+        of_each!(self, model => model.positions())
+    }
+
+    /// Duration of the default experiment, in s.
+    #[must_use]
+    pub fn stop_time(&self) -> f64 {
+        of_each!(self, model => model.stop_time())
+    }
+
+    /// Time for one step of the scene's tables, in s.
+    #[must_use]
+    pub fn step_size(&self) -> f64 {
+        of_each!(self, model => model.step_size())
+    }
+
+    /// Value of a variable in SI; truth values are 0 and 1, enumerations count from 1.
+    ///
+    /// # Errors
+    /// Where the value depends on a configuration that does not exist.
+    #[inline]
+    pub fn get(&mut self, index: usize) -> Result<f64, Fault> {
+        of_each!(self, model => model.get(index))
+    }
+
+    /// Whether an input or a parameter may take a value, in SI.
+    ///
+    /// # Errors
+    /// A value that is not finite or outside what the symbol allows, an output, an unknown index.
+    #[inline]
+    pub fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
+        of_each!(self, model => model.check(index, value))
+    }
+
+    /// Sets an input or a parameter, in SI.
+    ///
+    /// # Errors
+    /// As [`check`](Model::check); a refused value changes nothing.
+    #[inline]
+    pub fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
+        of_each!(self, model => model.set(index, value))
+    }
+
+    /// Moves to a time in s. Left alone, the model runs its default experiment.
+    #[inline]
+    pub fn set_time(&mut self, time: f64) {
+        of_each!(self, model => model.set_time(time));
+    }
+
+    /// Brings the mechanism to the current inputs.
+    ///
+    /// # Errors
+    /// Parameters or inputs with which there is no configuration, with the values and what is allowed.
+    #[inline]
+    pub fn update(&mut self) -> Result<(), Fault> {
+        of_each!(self, model => model.update())
+    }
+
+    /// All that changes in the model.
+    #[must_use]
+    pub fn state(&self) -> State {
+        match self {
+            Model::Luffing(model) => State::Luffing(*model.state()),
+        }
+    }
+
+    /// Takes back what [`state`](Model::state) gave, of this model or of one of the same scene.
+    pub fn set_state(&mut self, state: &State) {
+        match (self, state) {
+            (Model::Luffing(model), State::Luffing(state)) => model.set_state(state),
+        }
+    }
+
+    /// A state as numbers.
+    #[must_use]
+    pub fn numbers(&self, state: &State) -> Vec<f64> {
+        match (self, state) {
+            (Model::Luffing(model), State::Luffing(state)) => model.numbers(state),
+        }
+    }
+
+    /// The state that [`numbers`](Model::numbers) belong to.
+    ///
+    /// # Errors
+    /// Numbers that are not those of a state of this model.
+    pub fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
+        match self {
+            Model::Luffing(model) => model.state_of(numbers).map(State::Luffing),
+        }
+    }
+
+    /// The model with derivatives along a direction: `seed` is the rate of change
+    /// of each input and parameter, in SI, and of [`TIME`].
+    #[must_use]
+    pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
+        match self {
+            Model::Luffing(model) => Tangent::Luffing(model.tangent(seed)),
+        }
+    }
+
+    /// Derivative of an output along the direction of a tangent, in SI.
+    ///
+    /// # Errors
+    /// Not an output, or a place where there is no derivative.
+    pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+        match (self, tangent) {
+            (Model::Luffing(model), Tangent::Luffing(tangent)) => model.derivative(tangent, index),
+        }
+    }
+
+    /// What each variable's expression contains: inputs, parameters and [`TIME`].
+    #[must_use]
+    pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
+        of_each!(self, model => model.dependencies())
     }
 }

@@ -3,7 +3,7 @@
 use toml::de::DeTable;
 
 use crate::diagnostic::Diagnostic;
-use crate::lemniscate::scene::{KEYS as LUFFING, Luffing, Place};
+use crate::lemniscate::scene::{KEYS as LUFFING, Luffing};
 use crate::schema::{self, Key, Kind, Values};
 
 /// The lemniscate crane. [Li2022, Table 1]
@@ -30,8 +30,11 @@ static KEYS: &[Key] = &[
     },
     Key::table("project", PROJECT, "Title block of the book.").optional(),
     Key::table("book", BOOK, "What the book says, and in how much detail.").optional(),
-    Key::table("luffing", LUFFING, "The luffing mechanism."),
+    Key::table(MECHANISMS[0], LUFFING, "A luffing mechanism.").optional(),
 ];
+
+/// The tables that describe a mechanism, of which a scene has one.
+const MECHANISMS: [&str; 1] = ["luffing"];
 
 static PROJECT: &[Key] = &[
     Key::text("crane", "The crane."),
@@ -117,7 +120,22 @@ pub struct Scene {
     revisions: Vec<Vec<String>>,
     pub book: Book,
     given: Vec<Given>,
-    pub luffing: Luffing,
+    pub mechanism: Mechanism,
+}
+
+/// What a scene describes.
+#[derive(Clone, Debug)]
+pub enum Mechanism {
+    Luffing(Luffing),
+}
+
+/// A position at which formulas are worked out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// By a name that the mechanism knows.
+    Named(&'static str),
+    /// A value of the coordinate, in SI.
+    At(f64),
 }
 
 /// What the scene asks of its book.
@@ -181,15 +199,13 @@ impl Scene {
                 .help("up to 60 letters, digits and _, beginning with a letter"),
             );
         }
-        let luffing = values
-            .table("luffing")
-            .and_then(|table| Luffing::new(table, &mut found));
+        let mechanism = Mechanism::new(&values, &mut found);
         let project = values.table("project");
-        let book = luffing
+        let book = mechanism
             .as_ref()
-            .map(|luffing| Book::new(values.table("book"), project, luffing, &mut found));
-        match luffing.zip(book) {
-            Some((luffing, book)) if found.is_empty() => Ok(Scene {
+            .map(|mechanism| Book::new(values.table("book"), project, mechanism, &mut found));
+        match mechanism.zip(book) {
+            Some((mechanism, book)) if found.is_empty() => Ok(Scene {
                 text: text.to_owned(),
                 name,
                 title: values.text("title").unwrap_or_default().to_owned(),
@@ -200,7 +216,7 @@ impl Scene {
                 revisions: project.map_or_else(Vec::new, revisions),
                 book,
                 given: given(text, &values),
-                luffing,
+                mechanism,
             }),
             _ => {
                 found.sort_by_key(|diagnostic| diagnostic.span.start);
@@ -274,15 +290,63 @@ pub fn iso_date(text: &str) -> Option<(i32, u8, u8)> {
     (text.len() == 10 && (1..=12).contains(&month) && (1..=31).contains(&day)).then_some((year, month, day))
 }
 
+impl Mechanism {
+    fn new(values: &Values, found: &mut Vec<Diagnostic>) -> Option<Mechanism> {
+        let given: Vec<(&str, &Values)> = MECHANISMS
+            .into_iter()
+            .filter_map(|name| Some((name, values.table(name)?)))
+            .collect();
+        match given.as_slice() {
+            [(_, table)] => Luffing::new(table, found).map(Mechanism::Luffing),
+            [] => {
+                let tables = MECHANISMS.map(|name| format!("[{name}]")).join(" or ");
+                found.push(
+                    Diagnostic::new(values.span.clone(), "the scene has no mechanism", "needed here")
+                        .help(format!("add a table {tables}")),
+                );
+                None
+            }
+            [(first, _), (second, table), ..] => {
+                let message = format!("the scene has two mechanisms, [{first}] and [{second}]");
+                found.push(
+                    Diagnostic::new(table.span.clone(), message, "the second one")
+                        .help("make a scene of its own for each"),
+                );
+                None
+            }
+        }
+    }
+
+    /// The luffing mechanism, if it is one.
+    #[must_use]
+    pub fn luffing(&self) -> Option<&Luffing> {
+        match self {
+            Mechanism::Luffing(luffing) => Some(luffing),
+        }
+    }
+
+    /// A position as a scene writes it, for the book; on failure a message and help.
+    fn place(&self, text: &str) -> Result<Place, (String, String)> {
+        match self {
+            Mechanism::Luffing(luffing) => luffing.place(text),
+        }
+    }
+}
+
 impl Book {
-    fn new(table: Option<&Values>, project: Option<&Values>, luffing: &Luffing, found: &mut Vec<Diagnostic>) -> Book {
+    fn new(
+        table: Option<&Values>,
+        project: Option<&Values>,
+        mechanism: &Mechanism,
+        found: &mut Vec<Diagnostic>,
+    ) -> Book {
         let Some(table) = table else {
             return Book::default();
         };
         let known = |list: &'static [&'static str], text: &str| list.iter().copied().find(|known| *known == text);
         let mut positions = Vec::new();
         for (text, span) in table.texts("positions") {
-            match luffing.place(text) {
+            match mechanism.place(text) {
                 Ok(place) => positions.push(place),
                 Err((message, help)) => found.push(
                     Diagnostic::new(span.clone(), format!("`book.positions`: {message}"), "not a position").help(help),

@@ -2,8 +2,9 @@
 //! in SI. It is made from the same functions that the FMU runs; words, units
 //! of print and layout are added later, elsewhere.
 
+use crate::lemniscate;
 use crate::record::Trace;
-use crate::scene::Given;
+use crate::scene::{Given, Mechanism, Scene};
 use crate::symbol::Symbol;
 
 /// All that is known about a scene.
@@ -33,6 +34,14 @@ pub struct Sheet {
     pub outputs: Vec<&'static Symbol>,
     /// Ids of remarks on the publications, worded in the templates.
     pub remarks: Vec<&'static str>,
+}
+
+/// The sheet of a scene.
+#[must_use]
+pub fn sheet(scene: &Scene) -> Sheet {
+    match &scene.mechanism {
+        Mechanism::Luffing(luffing) => lemniscate::sheet::sheet(scene, luffing),
+    }
 }
 
 /// A given quantity.

@@ -18,7 +18,6 @@ use lemnis_models::four_bar::Branch;
 use lemnis_models::lemniscate::geometry::{Driven, Lengths, Parameters, Weights};
 use lemnis_models::plane;
 use lemnis_models::record::{Rec, record};
-use lemnis_models::scene::Scene;
 use num_dual::Dual64;
 use portal::{boom, lever, oracle, published, rad, range};
 use proptest::prelude::*;
@@ -65,10 +64,7 @@ fn published_levers_of_004() {
         assert!((found.e_abs / 1e3 - energy).abs() <= 0.05, "{name}");
         let mut bands = [[f64::INFINITY, 0.0]; 2];
         let mut random = fastrand::Rng::with_seed(4);
-        let scene = Scene::parse(include_str!("../scenes/portal_004.toml"))
-            .expect("valid")
-            .luffing
-            .parameters;
+        let scene = portal::parameters();
         for _ in 0..1000 {
             let mut off = |half: f64| half * (2.0 * random.f64() - 1.0);
             // Half of the last printed digit of the boom's own data.
@@ -437,8 +433,7 @@ fn zero_weights() {
     let found = Analysis::new(&weightless.boom().expect("sound"), &balance, range()).expect("exists");
     assert_eq!((found.dm_max.value, found.e_abs), (0.0, 0.0));
     assert!(found.equilibria.is_empty());
-    let scene = Scene::parse(include_str!("../scenes/portal_004.toml")).expect("valid");
-    let p = scene.luffing.parameters;
+    let p = portal::parameters();
     let fault = Boom::system(&Parameters { weights: None, ..p }).expect_err("no weights");
     assert!(fault.to_string().contains("no weights"), "{fault}");
     assert!(
@@ -492,8 +487,7 @@ fn bad_dimensions_are_refused_by_name() {
 }
 
 fn system(x: [f64; 6], w: [f64; 9]) -> Option<Boom<f64>> {
-    let scene = Scene::parse(include_str!("../scenes/portal_004.toml")).expect("valid");
-    let p = scene.luffing.parameters;
+    let p = portal::parameters();
     let l = p.lengths;
     let lengths = Lengths {
         x_1: l.x_1 * x[0],
@@ -526,8 +520,7 @@ fn system(x: [f64; 6], w: [f64; 9]) -> Option<Boom<f64>> {
 /// Every formula of every balance has the dimension of its name.
 #[test]
 fn dimensions_are_consistent() {
-    let scene = Scene::parse(include_str!("../scenes/portal_004.toml")).expect("valid");
-    let p = scene.luffing.parameters;
+    let p = portal::parameters();
     let d = published("balance_existing");
     let rail = curved_rail::Dimensions {
         g_c: 300e3,

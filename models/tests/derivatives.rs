@@ -51,8 +51,8 @@ fn derivatives_are_exact() {
         model.set(theta, row.theta_1).expect("reachable");
         let at = model.get(known).expect("a value");
         let value = model.get(output).expect("a value");
-        let symbol = model.variables()[known].symbol;
-        let mut tangent = model.tangent(|other| f64::from(other == symbol));
+        let quantity = model.variables()[known].quantity();
+        let mut tangent = model.tangent(|other| f64::from(other == quantity));
         let derivative = model.derivative(&mut tangent, output).expect("smooth here");
         let size = row.derivative.abs().max((row.value / at.abs().max(0.1)).abs());
         assert!(
@@ -90,7 +90,7 @@ fn dependencies_are_exact() {
         let expected = changes || (output, known) == ("q_d", "d_r");
         // The unset angle follows from time and angular velocity.
         let expected = expected || known == "omega_1";
-        let found = dependencies[index(&model, output)].contains(known);
+        let found = dependencies[index(&model, output)].contains(&(known, None));
         // Contained in the expression, where it cancels: the anchor's arm is a part of the boom, and
         // a longer front arm with the same sag moves A along the line CA.
         let cancels = known == "X_1" && ["L_d", "h_d", "v_d", "q_d"].contains(&output);
@@ -99,12 +99,12 @@ fn dependencies_are_exact() {
     }
     for (variable, dependencies) in model.variables().iter().zip(&dependencies) {
         match variable.role {
-            Role::Output => assert!(dependencies.contains(TIME.id), "{}", variable.symbol.id),
+            Role::Output => assert!(dependencies.contains(&(TIME.id, None)), "{}", variable.symbol.id),
             Role::Calculated => assert!(
                 !dependencies.is_empty()
                     && dependencies
                         .iter()
-                        .all(|name| !["time", "theta_1", "omega_1"].contains(name)),
+                        .all(|(name, _)| !["time", "theta_1", "omega_1"].contains(name)),
                 "{}: {dependencies:?}",
                 variable.symbol.id
             ),
@@ -122,7 +122,7 @@ fn derivatives_of_the_range() {
         for known in ["X_1", "X_2", "X_3", "X_4", "X_5", "X_6", "X_7", "X_8"] {
             let (output, known) = (index(&model, output), index(&model, known));
             let symbol = model.variables()[known].symbol;
-            let mut tangent = model.tangent(|other| f64::from(other == symbol));
+            let mut tangent = model.tangent(|other| f64::from(other == (symbol, None)));
             let derivative = model.derivative(&mut tangent, output).expect("smooth");
             let middle = model.get(known).expect("a value");
             let step = 1e-6;
@@ -149,14 +149,14 @@ fn derivatives_by_time() {
     let mut model = model();
     model.set_time(20.0);
     let reach = index(&model, "R");
-    let mut by_time = model.tangent(|symbol| f64::from(symbol == &TIME));
+    let mut by_time = model.tangent(|quantity| f64::from(quantity == (&TIME, None)));
     let swept = model.derivative(&mut by_time, reach).expect("smooth");
     let (theta, omega) = (model.get(0).expect("a value"), model.get(1).expect("a value"));
     model.set(0, theta).expect("reachable");
-    let symbol = model.variables()[0].symbol;
-    let mut by_angle = model.tangent(|other| f64::from(other == symbol));
+    let angle = model.variables()[0].quantity();
+    let mut by_angle = model.tangent(|other| f64::from(other == angle));
     let slope = model.derivative(&mut by_angle, reach).expect("smooth");
     assert!((swept - omega * slope).abs() <= 1e-15 * swept.abs().max(1.0));
-    let mut by_time = model.tangent(|symbol| f64::from(symbol == &TIME));
+    let mut by_time = model.tangent(|quantity| f64::from(quantity == (&TIME, None)));
     assert_eq!(model.derivative(&mut by_time, reach).expect("smooth"), 0.0);
 }

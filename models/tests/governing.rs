@@ -8,6 +8,12 @@ use lemnis_models::model::Model;
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_models::symbol::Symbol;
 
+/// The luffing mechanism of a scene's text.
+fn luffing(text: &str) -> Luffing {
+    let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
+    scene.mechanism.luffing().expect("a luffing mechanism").clone()
+}
+
 /// Value of a checked or governing result, searched anew.
 fn result(luffing: &Luffing, symbol: &'static Symbol) -> f64 {
     let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
@@ -39,7 +45,7 @@ fn sensitivities_agree_with_differences() {
     let axis = DEFAULT.replace("X_7 = \"1.354 m\"", "AC = \"22.3 m\"");
     let (mut compared, mut worst) = (0, 0.0_f64);
     for text in [DEFAULT, portal, &axis] {
-        let luffing = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}")).luffing;
+        let luffing = luffing(text);
         let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
         let table = sensitivity(&luffing, &range, &governing(&luffing, &range));
         for row in &table.rows {
@@ -70,10 +76,11 @@ fn sensitivities_agree_with_differences() {
 #[test]
 fn governing_positions_are_the_extremes() {
     let scene = Scene::parse(DEFAULT).expect("valid");
-    let motion = scene.luffing.motion;
-    let range = Range::new(&scene.luffing.parameters, &motion).expect("closes");
+    let luffing = scene.mechanism.luffing().expect("a luffing mechanism");
+    let motion = luffing.motion;
+    let range = Range::new(&luffing.parameters, &motion).expect("closes");
     let mut model = Model::new(&scene).expect("a mechanism");
-    let list = governing(&scene.luffing, &range);
+    let list = governing(luffing, &range);
     assert_eq!(list.len(), 8);
     let mut inside = 0;
     for found in list {
@@ -115,7 +122,7 @@ fn governing_positions_are_the_extremes() {
 #[test]
 fn a_drive_through_the_foot_has_no_greatest_force() {
     let text = DEFAULT.replace("E_x   = \"3 m\"", "E_x   = \"0.1 m\"");
-    let luffing = Scene::parse(&text).expect("valid").luffing;
+    let luffing = luffing(&text);
     let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
     let list = governing(&luffing, &range);
     let force = list.iter().find(|g| g.symbol == &s::F_D_MAX).expect("a drive");

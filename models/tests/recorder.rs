@@ -1,9 +1,9 @@
 //! Every mechanism under the recorder: consistent dimensions, and the values of `f64` bit for bit.
 
-use lemnis_models::lemniscate::sheet::sheet;
 use lemnis_models::model::Model;
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_models::sheet::Section;
+use lemnis_models::sheet::sheet;
 
 /// The default scene and its variations that reach every branch of the equations.
 fn scenes() -> Vec<Scene> {

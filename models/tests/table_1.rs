@@ -8,7 +8,13 @@ use lemnis_models::scene::{DEFAULT, Scene};
 #[test]
 fn every_value_of_table_1() {
     let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
-    let published = scene.luffing.published.clone().expect("with the table");
+    let published = scene
+        .mechanism
+        .luffing()
+        .expect("a luffing mechanism")
+        .published
+        .as_ref()
+        .expect("with the table");
     let mut model = Model::new(&scene).expect("and a mechanism");
     let index = |model: &Model, id: &str| {
         model
@@ -43,7 +49,15 @@ fn every_value_of_table_1() {
 fn the_scene_holds_the_oracle() {
     let oracle = include_str!("../../tests/oracles/lemniscate_table1.csv");
     let scene = Scene::parse(DEFAULT).expect("valid");
-    let rows = scene.luffing.published.expect("with the table").rows;
+    let rows = scene
+        .mechanism
+        .luffing()
+        .expect("a luffing mechanism")
+        .published
+        .as_ref()
+        .expect("with the table")
+        .rows
+        .clone();
     let oracle: Vec<Vec<String>> = oracle
         .lines()
         .skip(1)

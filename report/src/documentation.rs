@@ -2,7 +2,7 @@
 
 use lemnis_fmu::instance::strings;
 use lemnis_fmu::layout::{self, Place};
-use lemnis_models::model::{Model, Role};
+use lemnis_models::model::{Enumeration, Model, Role, Type, Variable};
 use lemnis_models::scene::Scene;
 use minijinja::value::Serde;
 use minijinja::{Environment, UndefinedBehavior, context};
@@ -14,10 +14,10 @@ const TEMPLATE: &str = include_str!("../../templates/index.html");
 
 #[derive(Serialize)]
 struct Row {
-    name: &'static str,
+    name: String,
     /// Id of the words for its causality.
     role: &'static str,
-    unit: &'static str,
+    unit: String,
     display: &'static str,
     text: &'static str,
     source: &'static str,
@@ -29,7 +29,15 @@ struct Terminal {
     name: &'static str,
     text: &'static str,
     /// Names in the terminal and of the variables.
-    members: Vec<[&'static str; 2]>,
+    members: Vec<[String; 2]>,
+}
+
+/// `1 straight, 2 crab`.
+fn numbered(of: &Enumeration) -> String {
+    let items = (1..)
+        .zip(of.items)
+        .map(|(number, (item, _))| format!("{number} {item}"));
+    items.collect::<Vec<_>>().join(", ")
 }
 
 /// The page as HTML. `book` is the name of the book's file beside it.
@@ -39,8 +47,8 @@ struct Terminal {
 pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
     let model = Model::new(scene).map_err(|fault| Error(fault.message))?;
     let variables = model.variables();
-    let row = |(index, variable): (usize, &lemnis_models::model::Variable)| Row {
-        name: variable.symbol.id,
+    let row = |(index, variable): (usize, &Variable)| Row {
+        name: variable.name(),
         role: match variable.role {
             Role::Input => "input",
             Role::Parameter => "parameter",
@@ -48,15 +56,15 @@ pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
             Role::Output => "output",
             Role::Calculated => "calculated parameter",
         },
-        unit: if variable.boolean {
-            "true or false"
-        } else {
-            variable.symbol.unit.name
+        unit: match variable.kind {
+            Type::Real => variable.symbol.unit.name.to_owned(),
+            Type::Boolean => "true or false".to_owned(),
+            Type::Enumeration(of) => numbered(of),
         },
         display: variable.symbol.display.name,
         text: variable.symbol.text,
         source: variable.symbol.source,
-        reference: layout::reference(variables, Place::Variable(index)).expect("few variables"),
+        reference: layout::reference(variables.len(), Place::Variable(index)),
     };
     let rows: Vec<Row> = variables.iter().enumerate().map(row).collect();
     let terminals = model.terminals().into_iter().map(|terminal| Terminal {
@@ -65,7 +73,7 @@ pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
         members: terminal
             .members
             .iter()
-            .map(|(symbol, member)| [*member, symbol.id])
+            .map(|(variable, member)| [(*member).to_owned(), variable.clone()])
             .collect(),
     });
     let terminals: Vec<Terminal> = terminals.collect();
@@ -76,7 +84,7 @@ pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
     let made = environment.add_template("index.html", TEMPLATE).and_then(|()| {
         environment.get_template("index.html")?.render(context! {
             title => scene.title(), name => scene.name(), version, hash, book, stop => model.stop_time(),
-            coordinate => variables[0].symbol.id,
+            coordinate => variables[0].name(),
             variables => Serde(rows), terminals => Serde(terminals),
         })
     });

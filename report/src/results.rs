@@ -2,12 +2,10 @@
 
 use std::fmt::Write as _;
 
-use lemnis_models::lemniscate::sheet::sheet;
-use lemnis_models::model::{Model, Role};
+use lemnis_models::model::{Model, Role, Variable};
 use lemnis_models::scene::Scene;
 use lemnis_models::schema::short;
-use lemnis_models::sheet::{Sheet, Summary};
-use lemnis_models::symbol::Symbol;
+use lemnis_models::sheet::{Sheet, Summary, sheet};
 use serde_json::{Map, Value, json};
 
 use crate::failure::Failure;
@@ -17,7 +15,7 @@ use crate::failure::Failure;
 pub struct Results {
     scene: Scene,
     pub sheet: Sheet,
-    columns: Vec<&'static Symbol>,
+    columns: Vec<Variable>,
     rows: Vec<Vec<f64>>,
 }
 
@@ -28,14 +26,12 @@ impl Results {
         let indices: Vec<usize> = (0..model.variables().len())
             .filter(|&i| varies(model.variables()[i].role))
             .collect();
-        let columns = indices.iter().map(|&i| model.variables()[i].symbol).collect();
-        let rows: Result<Vec<Vec<f64>>, _> = scene
-            .luffing
-            .motion
-            .angles()
+        let columns = indices.iter().map(|&i| model.variables()[i]).collect();
+        let rows: Result<Vec<Vec<f64>>, _> = model
+            .positions()
             .into_iter()
-            .map(|theta| {
-                model.set(0, theta)?;
+            .map(|value| {
+                model.set(0, value)?;
                 indices.iter().map(|&i| model.get(i)).collect()
             })
             .collect();
@@ -104,7 +100,7 @@ impl Results {
         let heads: Vec<String> = self
             .columns
             .iter()
-            .map(|symbol| format!("{} [{}]", symbol.id, symbol.display.name))
+            .map(|column| format!("{column} [{}]", column.symbol.display.name))
             .collect();
         let mut text = format!("{}\n\n{}\n", self.scene.title(), self.summary());
         // As many columns side by side as a line of 120 holds, the coordinate first.
@@ -127,7 +123,7 @@ impl Results {
             };
             let _ = writeln!(text, "{}", line(&|i| heads[i].clone()));
             for row in &self.rows {
-                let _ = writeln!(text, "{}", line(&|i| short(self.columns[i].shown(row[i]))));
+                let _ = writeln!(text, "{}", line(&|i| short(self.columns[i].symbol.shown(row[i]))));
             }
             text.push('\n');
         }
@@ -140,11 +136,11 @@ impl Results {
         let heads = self
             .columns
             .iter()
-            .map(|symbol| format!("{} [{}]", symbol.id, symbol.display.name));
+            .map(|column| format!("{column} [{}]", column.symbol.display.name));
         let rows = self.rows.iter().map(|row| {
             row.iter()
                 .zip(&self.columns)
-                .map(|(value, symbol)| symbol.shown(*value).to_string())
+                .map(|(value, column)| column.symbol.shown(*value).to_string())
                 .collect::<Vec<_>>()
         });
         let written = std::iter::once(heads.collect())
@@ -180,11 +176,12 @@ impl Results {
             .columns
             .iter()
             .enumerate()
-            .map(|(i, symbol)| {
+            .map(|(i, column)| {
+                let symbol = column.symbol;
                 let values: Vec<Value> = self.rows.iter().map(|row| number(row[i])).collect();
                 let entry =
                     json!({ "unit": symbol.unit.name, "text": symbol.text, "source": symbol.source, "values": values });
-                (symbol.id.to_owned(), entry)
+                (column.name(), entry)
             })
             .collect();
         let whole = json!({

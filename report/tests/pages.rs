@@ -3,8 +3,8 @@
 use lemnis::book::Edition;
 use lemnis::language::LANGUAGES;
 use lemnis::template::Templates;
-use lemnis_models::lemniscate::sheet::sheet;
 use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
+use lemnis_models::sheet::sheet;
 use lemnis_typeset::{Embedded, Format, ink};
 
 /// Margins of `templates/style.typ` in mm: left, top, right, bottom. Header and

@@ -181,7 +181,8 @@ exports! { FMI2, i;
 
     fn fmi2GetReal(references: *const u32, n: usize, values: *mut f64) in GET =>
         i.get_reals(slice(references, n)?, slice_mut(values, n)?);
-    fn fmi2GetInteger(_: *const u32, n: usize, _: *mut c_int) in GET => expect_none(n);
+    fn fmi2GetInteger(references: *const u32, n: usize, values: *mut c_int) in GET =>
+        i.get_enumerations(slice(references, n)?, slice_mut(values, n)?);
     fn fmi2GetBoolean(references: *const u32, n: usize, values: *mut fmi2Boolean) in GET =>
         i.get_booleans(slice(references, n)?, slice_mut(values, n)?);
     fn fmi2GetString(references: *const u32, n: usize, values: *mut *const c_char) in GET =>
@@ -189,7 +190,8 @@ exports! { FMI2, i;
 
     fn fmi2SetReal(references: *const u32, n: usize, values: *const f64) in SET | CONTINUOUS =>
         i.set_reals(slice(references, n)?, slice(values, n)?);
-    fn fmi2SetInteger(_: *const u32, n: usize, _: *const c_int) in SET => expect_none(n);
+    fn fmi2SetInteger(references: *const u32, n: usize, values: *const c_int) in SET =>
+        i.set_enumerations(slice(references, n)?, slice(values, n)?);
     fn fmi2SetBoolean(references: *const u32, n: usize, _: *const fmi2Boolean) in SET =>
         i.set_booleans(slice(references, n)?);
     fn fmi2SetString(_: *const u32, n: usize, _: *const *const c_char) in SET => expect_none(n);

@@ -159,7 +159,8 @@ exports! { FMI3, i;
     fn fmi3GetUInt16(_: *const u32, n: usize, _: *mut u16, _: usize) in GET => expect_none(n);
     fn fmi3GetInt32(_: *const u32, n: usize, _: *mut i32, _: usize) in GET => expect_none(n);
     fn fmi3GetUInt32(_: *const u32, n: usize, _: *mut u32, _: usize) in GET => expect_none(n);
-    fn fmi3GetInt64(_: *const u32, n: usize, _: *mut i64, _: usize) in GET => expect_none(n);
+    fn fmi3GetInt64(references: *const u32, n: usize, values: *mut i64, m: usize) in GET =>
+        i.get_enumerations(slice(references, n)?, slice_mut(values, m)?);
     fn fmi3GetUInt64(_: *const u32, n: usize, _: *mut u64, _: usize) in GET => expect_none(n);
     fn fmi3GetBoolean(references: *const u32, n: usize, values: *mut fmi3Boolean, m: usize) in GET =>
         i.get_booleans(slice(references, n)?, slice_mut(values, m)?);
@@ -178,7 +179,8 @@ exports! { FMI3, i;
     fn fmi3SetUInt16(_: *const u32, n: usize, _: *const u16, _: usize) in SET => expect_none(n);
     fn fmi3SetInt32(_: *const u32, n: usize, _: *const i32, _: usize) in SET => expect_none(n);
     fn fmi3SetUInt32(_: *const u32, n: usize, _: *const u32, _: usize) in SET => expect_none(n);
-    fn fmi3SetInt64(_: *const u32, n: usize, _: *const i64, _: usize) in SET => expect_none(n);
+    fn fmi3SetInt64(references: *const u32, n: usize, values: *const i64, m: usize) in SET =>
+        i.set_enumerations(slice(references, n)?, slice(values, m)?);
     fn fmi3SetUInt64(_: *const u32, n: usize, _: *const u64, _: usize) in SET => expect_none(n);
     fn fmi3SetBoolean(references: *const u32, n: usize, _: *const fmi3Boolean, _: usize) in SET =>
         i.set_booleans(slice(references, n)?);

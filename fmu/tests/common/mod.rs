@@ -48,19 +48,20 @@ impl Unpacked {
     /// Position of a variable in the model.
     pub fn index(&self, id: &str) -> usize {
         let variables = self.model.variables().iter();
-        variables.map(|v| v.symbol.id).position(|name| name == id).unwrap()
+        variables.map(|v| v.name()).position(|name| name == id).unwrap()
     }
 
     /// Value reference of a variable, a string or a vector.
     pub fn reference(&self, name: &str) -> u32 {
         let variables = self.model.variables();
         let string = layout::STRINGS.iter().position(|(string, _)| *string == name);
-        let place = match (string, layout::vectors(variables).find(|vector| vector.name == name)) {
+        let mut vectors = layout::vectors(variables).into_iter();
+        let place = match (string, vectors.position(|vector| vector.name == name)) {
             (Some(index), _) => Place::String(index),
-            (_, Some(vector)) => Place::Vector(vector.first),
+            (_, Some(index)) => Place::Vector(index),
             _ => Place::Variable(self.index(name)),
         };
-        layout::reference(variables, place).unwrap()
+        layout::reference(variables.len(), place)
     }
 }
 

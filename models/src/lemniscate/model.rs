@@ -11,9 +11,8 @@ use crate::lemniscate::geometry::{Driven, Geometry};
 use crate::lemniscate::outputs::{Evaluation, Inputs, Output};
 use crate::lemniscate::scene::{KEYS, Luffing, Motion};
 use crate::lemniscate::symbols as s;
-use crate::model::{Fault, Role, TIME, Terminal, Variable};
+use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::record::{Rec, record};
-use crate::scene::Scene;
 use crate::schema::{Key, Kind, Sign};
 use crate::symbol::Symbol;
 
@@ -54,10 +53,9 @@ enum Slot {
 
 impl Model {
     /// # Errors
-    /// Never for a scene that was read by [`Scene::parse`], which checks that
-    /// the mechanism exists over its range.
-    pub fn new(scene: &Scene) -> Result<Model, Fault> {
-        let luffing = &scene.luffing;
+    /// Never for a scene that was read by [`Scene::parse`](crate::scene::Scene::parse),
+    /// which checks that the mechanism exists over its range.
+    pub fn new(luffing: &Luffing) -> Result<Model, Fault> {
         let inputs = Inputs {
             theta: luffing.motion.from,
             omega: luffing.motion.speed,
@@ -78,8 +76,9 @@ impl Model {
             let sign = allowed(KEYS, symbol).unwrap_or(Sign::Any);
             model.variables.push(Variable {
                 symbol,
+                number: None,
                 role,
-                boolean: symbol == &s::P_FAR,
+                kind: if symbol == &s::P_FAR { Type::Boolean } else { Type::Real },
                 bounds: bounds(luffing, symbol, slot, sign),
             });
             model.slots.push(slot);
@@ -110,6 +109,7 @@ impl Model {
                 .iter()
                 .copied()
                 .filter(|(symbol, member)| exists(symbol, member))
+                .map(|(symbol, member)| (symbol.id.to_owned(), member))
                 .collect(),
         };
         let mut terminals = vec![
@@ -149,6 +149,12 @@ impl Model {
     #[must_use]
     pub fn stop_time(&self) -> f64 {
         nanosecond((self.motion.to - self.motion.from) / self.motion.speed)
+    }
+
+    /// Values of the first variable in tables, in SI.
+    #[must_use]
+    pub fn positions(&self) -> Vec<f64> {
+        self.motion.angles()
     }
 
     /// Time for one step of the scene's tables, in s.
@@ -288,7 +294,8 @@ impl Model {
     /// The model with derivatives along a direction: `seed` is the rate of change
     /// of each input and parameter, in SI, and of [`TIME`].
     #[must_use]
-    pub fn tangent(&self, seed: impl Fn(&'static Symbol) -> f64) -> Tangent {
+    pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
+        let seed = |symbol| seed((symbol, None));
         let evaluation = &self.state.evaluation;
         let mut same_geometry = true;
         let parameters = evaluation.parameters().map(|symbol, value| {
@@ -325,7 +332,7 @@ impl Model {
     /// as the recorder finds them all over the working range, in both directions
     /// of motion and with the angle set or following from the time.
     #[must_use]
-    pub fn dependencies(&self) -> Vec<BTreeSet<&'static str>> {
+    pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
         let mut found = vec![BTreeSet::new(); self.slots.len()];
         let Motion { from, to, speed, .. } = self.motion;
         let middle = f64::midpoint(from, to);
@@ -352,7 +359,12 @@ impl Model {
                         .collect::<Vec<_>>()
                 });
                 for (found, output) in found.iter_mut().zip(outputs) {
-                    found.extend(output.into_iter().flat_map(|output| trace.givens(output)).map(|g| g.id));
+                    found.extend(
+                        output
+                            .into_iter()
+                            .flat_map(|output| trace.givens(output))
+                            .map(|g| (g.id, None)),
+                    );
                 }
             }
         }

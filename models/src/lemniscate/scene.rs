@@ -5,6 +5,7 @@ use crate::four_bar::{Arc, Branch};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
 use crate::lemniscate::governing::{coordinate, governed};
 use crate::lemniscate::symbols as s;
+use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values};
 use crate::symbol::Symbol;
 
@@ -169,15 +170,6 @@ impl Motion {
     }
 }
 
-/// A position at which formulas are worked out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Place {
-    /// `from`, `middle`, `to`, `governing`, or the id of a governing result.
-    Named(&'static str),
-    /// Angle of the driven bar, in rad.
-    Angle(f64),
-}
-
 /// Limits that the book checks.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
@@ -197,7 +189,8 @@ pub struct Published {
 const MOST_ROWS: f64 = 10_000.0;
 
 impl Luffing {
-    /// A position as a scene writes it, for the book; on failure a message and help.
+    /// A position as a scene writes it, for the book: an angle of the driven bar, `from`, `middle`,
+    /// `to`, `governing` or the id of a governing result; on failure a message and help.
     pub fn place(&self, text: &str) -> Result<Place, (String, String)> {
         let named = ["governing", "from", "middle", "to"].into_iter();
         let named: Vec<&'static str> = named.chain(governed(self)).collect();
@@ -218,7 +211,7 @@ impl Luffing {
             let (from, to) = (degrees(self.motion.from), degrees(self.motion.to));
             return Err((format!("{text} lies outside the working range {from} to {to}"), help));
         }
-        Ok(Place::Angle(within))
+        Ok(Place::At(within))
     }
 
     /// Builds the mechanism of a checked table; mistakes go to `found`.

@@ -4,37 +4,37 @@ use crate::calc::Calc;
 use crate::lemniscate::drive::{Drive, oil_flow};
 use crate::lemniscate::geometry::{Driven, Geometry, Jib, Parameters};
 use crate::lemniscate::governing::{coordinate, governing, rate, sensitivity};
+use crate::lemniscate::model::Model;
 use crate::lemniscate::position::Position;
 use crate::lemniscate::published::Published;
 use crate::lemniscate::range::{Range, rise_by_integration};
-use crate::lemniscate::scene::{Luffing, Motion, Place};
+use crate::lemniscate::scene::{Luffing, Motion};
 use crate::lemniscate::statics::{Centres, PinForces, load_moment, weight_moment};
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::velocity::{Pole, Velocity};
-use crate::model::{Model, Role};
+use crate::model::Role;
 use crate::plane::{self, Point};
 use crate::record::{Rec, record};
-use crate::scene::Scene;
+use crate::scene::{Place, Scene};
 use crate::sheet::{Check, Comparison, Curve, Drawing, Input, Section, Shape, Sheet, Summary, Table, Worked};
 use crate::symbol::Symbol;
 
 /// Points of a drawn curve.
 const CURVE: u32 = 240;
 
-/// The sheet of a scene.
+/// The sheet of a scene with this mechanism.
 #[must_use]
-pub fn sheet(scene: &Scene) -> Sheet {
-    let mut model = Model::new(scene).expect("a scene that was read has a mechanism");
-    let luffing = &scene.luffing;
+pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
+    let mut model = Model::new(luffing).expect("a scene that was read has a mechanism");
     let geometry = Geometry::new(&luffing.parameters).expect("checked when the scene was read");
     let range = Range::new(&luffing.parameters, &luffing.motion).expect("checked when the scene was read");
     let coordinate = coordinate(luffing.parameters.driven);
     let motion = luffing.motion;
     let middle = f64::midpoint(motion.from, motion.to);
     let governing = governing(luffing, &range);
-    let positions = positions(scene, &governing);
+    let positions = positions(scene, &luffing.motion, &governing);
     Sheet {
-        inputs: inputs(scene),
+        inputs: inputs(scene, luffing),
         constants: constants(luffing),
         positions: positions
             .into_iter()
@@ -56,13 +56,12 @@ pub fn sheet(scene: &Scene) -> Sheet {
 
 /// Positions at which the formulas are worked out, with their names: what the
 /// scene asks for, otherwise where the luffing moment of the load is greatest.
-fn positions(scene: &Scene, governing: &[Summary]) -> Vec<(&'static str, f64)> {
-    let motion = &scene.luffing.motion;
+fn positions(scene: &Scene, motion: &Motion, governing: &[Summary]) -> Vec<(&'static str, f64)> {
     let middle = ("middle", f64::midpoint(motion.from, motion.to));
     let greatest = |id: &str| governing.iter().find(|g| g.symbol.id == id).and_then(|g| g.at);
     let worst = greatest(s::M_Q_MAX.id).map_or(middle, |(_, theta)| ("governing", theta));
     let position = |place: &Place| match *place {
-        Place::Angle(theta) => ("chosen", theta),
+        Place::At(theta) => ("chosen", theta),
         Place::Named("governing") => worst,
         Place::Named("middle") => middle,
         Place::Named("from") => ("from", motion.from),
@@ -83,8 +82,7 @@ fn outputs(model: &Model) -> Vec<&'static Symbol> {
         .collect()
 }
 
-fn inputs(scene: &Scene) -> Vec<Input> {
-    let luffing = &scene.luffing;
+fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
     let mut inputs = Vec::new();
     let mut add = |chapter: &'static str, table: &str, name: &str, symbol: &'static Symbol, value: f64| {
         inputs.push(Input {

@@ -5,7 +5,8 @@ use lemnis_models::lemniscate::scene::Luffing;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 pub fn luffing() -> Luffing {
-    Scene::parse(DEFAULT).expect("the default scene is valid").luffing
+    let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
+    scene.mechanism.luffing().expect("a luffing mechanism").clone()
 }
 
 pub fn parameters(driven: Driven) -> Parameters<f64> {

@@ -3,11 +3,16 @@
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::four_bar::Branch;
+use lemnis_models::lemniscate::geometry::Parameters;
 use lemnis_models::scene::Scene;
 
-pub fn boom() -> Boom<f64> {
+pub fn parameters() -> Parameters<f64> {
     let scene = Scene::parse(include_str!("../../scenes/portal_004.toml")).expect("valid");
-    Boom::system(&scene.luffing.parameters).expect("a boom system")
+    scene.mechanism.luffing().expect("a luffing mechanism").parameters
+}
+
+pub fn boom() -> Boom<f64> {
+    Boom::system(&parameters()).expect("a boom system")
 }
 
 pub fn rad(degrees: f64) -> f64 {
