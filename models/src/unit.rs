@@ -110,6 +110,7 @@ units! {
     RAD         = "rad"      "rad"     [0 0 0 1]     1.0;
     DEG         = "deg"      "°"       [0 0 0 1]     DEGREE;
     S           = "s"        "s"       [0 0 1 0]     1.0;
+    MS          = "ms"       "ms"      [0 0 1 0]     1e-3;
     MIN         = "min"      "min"     [0 0 1 0]     60.0;
     RAD_PER_S   = "rad/s"    "rad/s"   [0 0 -1 1]    1.0;
     DEG_PER_S   = "deg/s"    "°/s"     [0 0 -1 1]    DEGREE;
@@ -129,6 +130,11 @@ units! {
     PA          = "Pa"       "Pa"      [-1 1 -2 0]   1.0;
     BAR         = "bar"      "bar"     [-1 1 -2 0]   1e5;
     MPA         = "MPa"      "MPa"     [-1 1 -2 0]   1e6;
+    KG_M2       = "kg.m2"    "kg·m²"   [2 1 0 0]     1.0;
+    N_M_S       = "N.m.s"    "N·m·s"   [2 1 -1 0]    1.0;
+    KN_M_S      = "kN.m.s"   "kN·m·s"  [2 1 -1 0]    1e3;
+    M_PER_S2    = "m/s2"     "m/s²"    [1 0 -2 0]    1.0;
+    RAD_PER_S2  = "rad/s2"   "rad/s²"  [0 0 -2 1]    1.0;
     M3          = "m3"       "m³"      [3 0 0 0]     1.0;
     CM3         = "cm3"      "cm³"     [3 0 0 0]     1e-6;
     PER_S       = "1/s"      "1/s"     [0 0 -1 0]    1.0;
@@ -155,6 +161,10 @@ impl Unit {
             (d, _) if d == N_M.dimension && self.name.ends_with('J') => "Energy",
             (d, _) if d == N_M.dimension => "Torque",
             (d, _) if d == PA.dimension => "Pressure",
+            (d, _) if d == KG_M2.dimension => "MomentOfInertia",
+            (d, _) if d == N_M_S.dimension => "RotationalDampingConstant",
+            (d, _) if d == M_PER_S2.dimension => "Acceleration",
+            (d, _) if d == RAD_PER_S2.dimension => "AngularAcceleration",
             (d, _) if d == M3_PER_S.dimension => "VolumeFlowRate",
             _ => "Ratio",
         }

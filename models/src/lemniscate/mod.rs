@@ -37,6 +37,7 @@ pub mod governing;
 pub mod hydraulic;
 pub mod model;
 pub mod motion;
+pub mod moving;
 pub mod outputs;
 pub mod position;
 pub mod published;

@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use num_dual::Dual64;
 
 use crate::calc::Calc;
-use crate::lemniscate::geometry::{Driven, Geometry};
+use crate::lemniscate::geometry::{Driven, Geometry, Parameters};
 use crate::lemniscate::outputs::{Evaluation, Inputs, Output};
 use crate::lemniscate::scene::{KEYS, Luffing, Motion};
 use crate::lemniscate::symbols as s;
@@ -245,6 +245,18 @@ impl Model {
     #[inline]
     pub fn update(&mut self) -> Result<(), Fault> {
         self.state.evaluation.update()
+    }
+
+    /// The parameters as they are now.
+    #[must_use]
+    pub fn parameters(&self) -> &Parameters<f64> {
+        self.state.evaluation.parameters()
+    }
+
+    /// Weight of the load as it is now, in N.
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        self.state.evaluation.inputs().q
     }
 
     /// All that changes in the model.

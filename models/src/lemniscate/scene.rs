@@ -4,6 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::four_bar::{Arc, Branch};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
 use crate::lemniscate::governing::{coordinate, governed};
+use crate::lemniscate::moving;
 use crate::lemniscate::symbols as s;
 use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values};
@@ -36,9 +37,21 @@ pub static KEYS: &[Key] = &[
     Key::quantity(&s::AC, Sign::Positive).optional(),
     Key::quantity(&s::X_8, Sign::Any),
     Key::quantity(&s::Q, Sign::NotNegative).optional(),
+    Key {
+        name: "fidelity",
+        kind: Kind::Choice(moving::scene::FIDELITIES),
+        required: false,
+        text: "How deep it is modelled: \"static\" (the angle is an input), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope).",
+    },
     Key::table("motion", MOTION, "Working range of the driven bar."),
     Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
     Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
+    Key::table(
+        "dynamics",
+        moving::scene::KEYS,
+        "Inertias, friction, drive and rope of a mechanism in motion.",
+    )
+    .optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
     Key::table(
         "published",
@@ -140,6 +153,8 @@ pub struct Luffing {
     /// Weight of the load; `None` models no forces.
     pub q: Option<f64>,
     pub motion: Motion,
+    /// With `fidelity` beyond `static`.
+    pub moving: Option<moving::scene::Moving>,
     pub limits: Limits,
     pub published: Option<Published>,
 }
@@ -305,6 +320,7 @@ impl Luffing {
             branch,
         };
         let motion = motion(v, &parameters, found);
+        let moving = moving::scene::Moving::new(v, q.is_some(), found);
         let limits = v.table("limits");
         let limit = |symbol: &Symbol| limits.and_then(|table| table.number(symbol.id));
         let limits = Limits {
@@ -317,6 +333,7 @@ impl Luffing {
             parameters,
             q,
             motion,
+            moving,
             limits,
             published,
         })
