@@ -385,7 +385,6 @@ impl Model {
     /// The model with derivatives along a direction: `seed` is the rate of change
     /// of each input and parameter, in SI, and of [`TIME`].
     #[must_use]
-    #[must_use]
     pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
         match self {
             Model::Luffing(model) => Tangent::Luffing(model.tangent(seed)),

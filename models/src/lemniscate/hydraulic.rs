@@ -5,6 +5,9 @@ use crate::hydraulics::cylinder::{Cylinder, Oil};
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reel};
 use crate::solver::{Gradient, System};
 
+/// Angular velocity, in rad/s, below which dry friction is in proportion to it.
+pub const CREEP: f64 = 1e-4;
+
 /// States of the oil, the last ones of the system's.
 const OIL: usize = 6;
 
@@ -14,8 +17,13 @@ const OIL: usize = 6;
 pub struct Hydraulic<const N: usize> {
     pub dynamics: Dynamics,
     pub cylinder: Cylinder,
-    /// Friction at the driven bar, in N·m·s/rad.
+    /// Friction at the driven bar, in N·m·s/rad, and dry, in N·m; below [`CREEP`] the bar creeps.
     pub viscous: f64,
+    pub coulomb: f64,
+    /// Least and greatest angle of the driven bar, in rad, and the end stops' stiffness (N·m/rad) and
+    /// damping (N·m·s/rad) beyond them.
+    pub stops: [f64; 2],
+    pub buffer: [f64; 2],
     /// Command of the valve in [−1, 1]; positive raises the driven bar.
     pub command: f64,
     /// Pressure of the pump, in Pa.
@@ -54,7 +62,19 @@ impl<const N: usize> Hydraulic<N> {
         let rates = self
             .cylinder
             .rates(&oil, length, arm * m.omega, self.command, self.supply);
-        let moment = self.cylinder.force(&oil) * arm - C::constant(self.viscous) * m.omega;
+        let mut moment = self.cylinder.force(&oil) * arm - C::constant(self.viscous) * m.omega;
+        if self.coulomb > 0.0 {
+            let smooth = (m.omega.square() + C::constant(CREEP * CREEP)).sqrt();
+            moment -= C::constant(self.coulomb) * m.omega / smooth;
+        }
+        if let Some(depth) = self.beyond(m.theta) {
+            let [stiffness, damping] = self.buffer;
+            let push = C::constant(-stiffness) * depth - C::constant(damping) * m.omega;
+            // A stop pushes, and never pulls.
+            if push.value() * depth.value() < 0.0 {
+                moment += push;
+            }
+        }
         let rope = self.dynamics.bodies().pendulum.map_or(0.0, |p| p.length);
         let reel = Reel {
             length: C::constant(rope),
@@ -80,10 +100,16 @@ impl<const N: usize> Hydraulic<N> {
         Some(out)
     }
 
-    /// The crane at rest at an angle (rad), the valve closed and the oil carrying it; the annulus
-    /// at `back` (Pa). `None` where the linkage does not close.
+    /// How far the bar is beyond its range, in rad.
+    fn beyond<C: Coordinate>(&self, theta: C) -> Option<C> {
+        let nearest = theta.value().clamp(self.stops[0], self.stops[1]);
+        (theta.value() != nearest).then(|| theta - C::constant(nearest))
+    }
+
+    /// The crane at rest at an angle (rad), the valve closed and the oil carrying it, both chambers at
+    /// `least` (Pa) or more. `None` where the linkage does not close or the cylinder cannot hold it.
     #[must_use]
-    pub fn resting(&self, theta: f64, back: f64) -> Option<[f64; N]> {
+    pub fn resting(&self, theta: f64, least: f64) -> Option<[f64; N]> {
         let r = f64::reduced(&self.dynamics, theta)?;
         let still = Phase {
             theta,
@@ -94,7 +120,12 @@ impl<const N: usize> Hydraulic<N> {
         let length = self.dynamics.bodies().pendulum.map_or(0.0, |p| p.length);
         let [moment, _] = self.dynamics.hold(&r, &still, Reel { length, rate: 0.0 });
         let [bore, annulus] = self.cylinder.areas;
-        let push = (moment / r.drive[1] + annulus * back) / bore;
+        let force = moment / r.drive[1];
+        let back = least.max((least * bore - force) / annulus);
+        let push = (force + annulus * back) / bore;
+        if !push.is_finite() {
+            return None;
+        }
         let mut y = [0.0; N];
         y[0] = theta;
         y[N - OIL..N - 2].copy_from_slice(&[push, back, push, back]);

@@ -41,7 +41,7 @@ pub static KEYS: &[Key] = &[
         name: "fidelity",
         kind: Kind::Choice(moving::scene::FIDELITIES),
         required: false,
-        text: "How deep it is modelled: \"static\" (the angle is an input), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope).",
+        text: "How deep it is modelled: \"static\" (the angle is an input), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it).",
     },
     Key::table("motion", MOTION, "Working range of the driven bar."),
     Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
@@ -50,6 +50,12 @@ pub static KEYS: &[Key] = &[
         "dynamics",
         moving::scene::KEYS,
         "Inertias, friction, drive and rope of a mechanism in motion.",
+    )
+    .optional(),
+    Key::table(
+        "hydraulics",
+        moving::scene::OIL_KEYS,
+        "Oil, valve and lines of the luffing cylinder in motion.",
     )
     .optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),

@@ -92,6 +92,9 @@ pub fn hydraulic<const N: usize>(pendulum: Option<Pendulum>) -> Hydraulic<N> {
         dynamics: dynamics(pendulum).with_drive(&anchors),
         cylinder: cylinder(),
         viscous: 2e4,
+        coulomb: 0.0,
+        stops: [0.5, 2.5],
+        buffer: [0.0; 2],
         command: 0.0,
         supply: 250e5,
     }

@@ -2,12 +2,13 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::lemniscate::motion::Commands;
+use crate::lemniscate::moving::level::Inputs;
 use crate::lemniscate::moving::symbols as s;
 use crate::schema::{Key, Sign, Values};
 use crate::symbol::{Symbol, quantities};
 
 /// How deep the mechanism is modelled.
-pub const FIDELITIES: &[&str] = &["static", "rigid", "swing"];
+pub const FIDELITIES: &[&str] = &["static", "rigid", "swing", "hydraulic"];
 
 /// Keys of `[luffing.dynamics]`.
 pub static KEYS: &[Key] = &[
@@ -29,6 +30,38 @@ pub static KEYS: &[Key] = &[
     ),
 ];
 
+/// Keys of `[luffing.hydraulics]`.
+pub static OIL_KEYS: &[Key] = &[
+    Key::quantity(&s::L_MIN, Sign::Positive),
+    Key::quantity(&s::L_MAX, Sign::Positive),
+    Key::quantity(&s::V_0, Sign::Positive),
+    Key::quantity(&s::V_1, Sign::Positive),
+    Key::quantity(&s::Q_N, Sign::Positive),
+    Key::quantity(&s::DP_N, Sign::Positive),
+    Key::quantity(&s::DP_L, Sign::Positive),
+    Key::quantity(&s::BETA_E, Sign::Positive),
+    Key::quantity(&s::P_R, Sign::Positive),
+    Key::quantity(&s::K_R, Sign::NotNegative),
+    Key::quantity(&s::K_L, Sign::NotNegative),
+    Key::quantity(&s::OMEGA_V, Sign::Positive),
+    Key::quantity(&s::ZETA_V, Sign::NotNegative),
+    Key::quantity(&s::TOL, Sign::Positive).optional(),
+    Key::quantity(&s::P_P, Sign::NotNegative),
+    Key::quantity(&s::U_V, Sign::Any).optional(),
+    Key::text(
+        "source",
+        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+    ),
+];
+
+quantities! {
+    /// A luffing cylinder with its oil and valve, besides bore and rod.
+    Oil {
+        l_min: L_MIN, l_max: L_MAX, v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, dp_l: DP_L, beta_e: BETA_E,
+        p_r: P_R, k_r: K_R, k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, tol: TOL
+    }
+}
+
 quantities! {
     /// What is constant in motion, besides geometry and weights.
     Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_c: M_C, g: G, step: STEP }
@@ -48,9 +81,11 @@ pub struct Rope {
 pub struct Moving {
     pub constants: Constants<f64>,
     /// Of the inputs, until an importer sets others.
-    pub commands: Commands,
-    /// With level `swing`.
+    pub inputs: Inputs,
+    /// With level `swing`, and with level `hydraulic` where the scene gives a rope.
     pub rope: Option<Rope>,
+    /// With level `hydraulic`.
+    pub oil: Option<Oil<f64>>,
 }
 
 impl Moving {
@@ -93,7 +128,7 @@ impl Moving {
         }
         let n = |symbol: &Symbol| table.number(symbol.id);
         let rope = match (fidelity, n(&s::L_R)) {
-            ("swing", Some(length)) => Some(Rope {
+            ("swing" | "hydraulic", Some(length)) => Some(Rope {
                 length,
                 swing: n(&s::PHI).unwrap_or(0.0),
             }),
@@ -126,7 +161,45 @@ impl Moving {
                 None
             }
         };
+        let (oil, valve, supply) = match (fidelity, v.table("hydraulics")) {
+            ("hydraulic", Some(table)) => {
+                let n = |symbol: &Symbol| table.number(symbol.id);
+                let oil = oil(v, table, found)?;
+                (Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?)
+            }
+            ("hydraulic", None) => {
+                found.push(
+                    Diagnostic::new(
+                        v.place("fidelity"),
+                        "fidelity = \"hydraulic\" without oil",
+                        "needs [luffing.hydraulics]",
+                    )
+                    .help("add [luffing.hydraulics]; `lemnis schema` lists its keys"),
+                );
+                return None;
+            }
+            (_, Some(_)) => {
+                found.push(
+                    Diagnostic::new(
+                        v.place("hydraulics"),
+                        "oil of a mechanism without a hydraulic level",
+                        "not used",
+                    )
+                    .help("set fidelity = \"hydraulic\", or remove this table"),
+                );
+                return None;
+            }
+            _ => (None, 0.0, 0.0),
+        };
+        if oil.is_some() && n(&s::V_H).is_some() {
+            found.push(
+                Diagnostic::new(table.place(s::V_H.id), "v_h at the hydraulic level", "not used")
+                    .help("remove it: the rope keeps its length there"),
+            );
+            return None;
+        }
         Some(Moving {
+            oil,
             constants: Constants {
                 j_1: n(&s::J_1)?,
                 j_2: n(&s::J_2)?,
@@ -136,12 +209,56 @@ impl Moving {
                 g: n(&s::G).unwrap_or(9.81),
                 step: n(&s::STEP).unwrap_or(0.01),
             },
-            commands: Commands {
-                moment: n(&s::M_A).unwrap_or(0.0),
-                brake: n(&s::M_B).unwrap_or(0.0),
-                hoist: n(&s::V_H).unwrap_or(0.0),
+            inputs: Inputs {
+                motion: Commands {
+                    moment: n(&s::M_A).unwrap_or(0.0),
+                    brake: n(&s::M_B).unwrap_or(0.0),
+                    hoist: n(&s::V_H).unwrap_or(0.0),
+                },
+                valve,
+                supply,
             },
             rope,
         })
     }
+}
+
+/// The cylinder's oil; its bore and rod are those of the drive.
+fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<Oil<f64>> {
+    let n = |symbol: &Symbol| table.number(symbol.id);
+    if v.table("drive").and_then(|drive| drive.text("kind")) != Some("cylinder") {
+        found.push(
+            Diagnostic::new(table.span.clone(), "oil without a cylinder", "needs [luffing.drive]")
+                .help("add [luffing.drive] with kind = \"cylinder\", D_c and d_r"),
+        );
+        return None;
+    }
+    let (l_min, l_max) = (n(&s::L_MIN)?, n(&s::L_MAX)?);
+    if l_min >= l_max {
+        found.push(
+            Diagnostic::new(
+                table.place(s::L_MAX.id),
+                format!("the cylinder is {l_max} m extended and {l_min} m retracted"),
+                "not above l_min",
+            )
+            .help("l_max must be greater than l_min"),
+        );
+        return None;
+    }
+    Some(Oil {
+        l_min,
+        l_max,
+        v_0: n(&s::V_0)?,
+        v_1: n(&s::V_1)?,
+        q_n: n(&s::Q_N)?,
+        dp_n: n(&s::DP_N)?,
+        dp_l: n(&s::DP_L)?,
+        beta_e: n(&s::BETA_E)?,
+        p_r: n(&s::P_R)?,
+        k_r: n(&s::K_R)?,
+        k_l: n(&s::K_L)?,
+        omega_v: n(&s::OMEGA_V)?,
+        zeta_v: n(&s::ZETA_V)?,
+        tol: n(&s::TOL).unwrap_or(1e-5),
+    })
 }
