@@ -5,10 +5,13 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use lemnis_fmu::description::{Standard, model_description};
 use lemnis_models::lemniscate::dynamics::{Dynamics, Phase};
 
 #[path = "../models/tests/common/crane.rs"]
 mod crane;
+#[path = "../models/tests/common/levels.rs"]
+mod levels;
 
 /// Reference at t = 5 s under 1.8 MN·m, in rad.
 const THETA: f64 = 1.959_365_828_718_83;
@@ -38,7 +41,42 @@ fn best(mut call: impl FnMut()) -> f64 {
     best
 }
 
+/// What each level costs: parts of the same crane switched off one by one.
+fn table() {
+    println!(
+        "{:24} {:>8} {:>10} {:>12} {:>14} {:>16}",
+        "level", "states", "variables", "bytes saved", "XML of FMI 3", "us/s at 1 ms"
+    );
+    for level in levels::LEVELS.into_iter().rev() {
+        let scene = levels::scene(level);
+        let xml = model_description(&scene, Standard::Fmi3).expect("described").len();
+        let mut model = levels::model(level);
+        let saved = model.state();
+        let reach = model
+            .variables()
+            .iter()
+            .position(|v| v.symbol.id == "R")
+            .expect("exists");
+        let seconds = best(|| {
+            model.set_state(&saved);
+            for step in 0..1000 {
+                let t = f64::from(step) * 1e-3;
+                model.advance(t, t + 1e-3).expect("moves");
+                black_box(model.get(reach).expect("exists"));
+            }
+        });
+        let (states, variables, bytes) = (model.states(), model.variables().len(), 8 * model.numbers(&saved).len());
+        println!(
+            "{level:24} {states:>8} {variables:>10} {bytes:>12} {xml:>14} {:>16.0}",
+            seconds * 1e6
+        );
+    }
+}
+
 fn main() {
+    if std::env::args().all(|argument| argument != "pendulum") {
+        table();
+    }
     let crane = crane::dynamics(Some(crane::PENDULUM));
     for h in [0.1, 0.05, 0.02, 0.01] {
         let end = run(&crane, h);
