@@ -104,6 +104,7 @@ pub const CHAPTERS: &[&str] = &[
     "constants",
     "positions",
     "range",
+    "balance",
     "published",
     "remarks",
     "notation",

@@ -5,7 +5,7 @@
 //! have their international symbols, as standards and publications in all
 //! three languages write them.
 
-use lemnis_models::lemniscate::symbols;
+use lemnis_models::{balance, lemniscate};
 
 use crate::template::escape;
 
@@ -87,8 +87,9 @@ impl Words {
     pub(crate) fn new(language: &Language, own: Option<&str>, own_references: Option<&str>) -> Result<Words, String> {
         let mut words = parse(&language.file(), language.words)?;
         if language.code == LANGUAGES[0].code {
-            let meanings = symbols::ALL
+            let meanings = lemniscate::symbols::ALL
                 .iter()
+                .chain(balance::symbols::ALL)
                 .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
             words.insert("symbol".to_owned(), toml::Value::Table(meanings.collect()));
             words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?.into());

@@ -98,19 +98,20 @@ fn unit(from: Point, to: Point) -> Point {
 
 /// Usual scales of drawings, 1 : n.
 const SCALES: [u32; 15] = [10, 15, 20, 25, 50, 75, 100, 150, 200, 250, 300, 400, 500, 750, 1000];
-/// Largest size of a drawing, and the room around it for labels and supports.
-const LARGEST: Point = [166.0, 190.0];
+/// Largest size of a drawing on a page of its own.
+pub const PAGE: Point = [166.0, 190.0];
+/// Room around a drawing for labels and supports.
 const MARGIN: Point = [3.5, 7.0];
 
-/// The mechanism to the largest usual scale that fits.
+/// The mechanism to the largest usual scale that fits into `largest` mm.
 #[must_use]
-pub fn drawing(drawing: &Drawing) -> Picture {
+pub fn drawing(drawing: &Drawing, largest: Point) -> Picture {
     let points: Vec<Point> = drawing.shapes.iter().flat_map(extent).collect();
     let low = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min));
     let high = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max));
     let size =
         |scale: u32| [0, 1].map(|axis| (high[axis] - low[axis]) * 1000.0 / f64::from(scale) + 2.0 * MARGIN[axis]);
-    let fits = |scale: &u32| size(*scale)[0] <= LARGEST[0] && size(*scale)[1] <= LARGEST[1];
+    let fits = |scale: &u32| size(*scale)[0] <= largest[0] && size(*scale)[1] <= largest[1];
     let scale = SCALES.into_iter().find(fits).unwrap_or(SCALES[SCALES.len() - 1]);
     let millimetres = 1000.0 / f64::from(scale);
     let place = |p: Point| {

@@ -24,6 +24,7 @@ pub fn scaled(length: f64, mass: f64, pendulum: Option<Pendulum>) -> Dynamics {
         weights: None,
         anchors: None,
         cylinder: None,
+        balance: None,
         driven: Driven::Boom,
         branch: Branch::Left,
     };

@@ -51,6 +51,7 @@ pub fn geometry() -> Geometry<f64> {
         weights: None,
         anchors: None,
         cylinder: None,
+        balance: None,
         driven: Driven::Boom,
         branch: Branch::Left,
     };

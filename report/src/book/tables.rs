@@ -142,6 +142,7 @@ fn input(language: &Language, input: &sheet::Input, notation: &mut Notation) -> 
 fn step(symbol: &Symbol) -> (f64, &'static str) {
     match symbol.unit {
         unit if unit == &unit::M => (1e-3, "1 thin\"mm\""),
+        unit if unit == &unit::N_M => (1e3, "1 thin\"kN·m\""),
         unit if unit == &unit::RAD => (0.1 * unit::DEG.factor, "0.1\"°\""),
         _ => (1e3, "1 thin\"kN\""),
     }

@@ -177,8 +177,8 @@ impl Model {
         }
         let inputs: &[(&'static Symbol, Slot)] = match (hydraulic, reeled) {
             (true, _) => &[(&m::U_V, Slot::Valve), (&m::P_P, Slot::Supply)],
-            (_, false) => &[(&m::M_A, Slot::Moment), (&m::M_B, Slot::Brake)],
-            (_, true) => &[(&m::M_A, Slot::Moment), (&m::M_B, Slot::Brake), (&m::V_H, Slot::Hoist)],
+            (_, false) => &[(&m::M_A, Slot::Moment), (&m::M_S, Slot::Brake)],
+            (_, true) => &[(&m::M_A, Slot::Moment), (&m::M_S, Slot::Brake), (&m::V_H, Slot::Hoist)],
         };
         list.extend(inputs.iter().map(|&(symbol, slot)| (of(symbol, Role::Input), slot)));
         let mut constant = |symbol, _| list.push((of(symbol, Role::Parameter), Slot::Constant));
@@ -290,7 +290,7 @@ impl Model {
             j_2,
             j_3,
             c_v,
-            m_c,
+            m_f,
             g,
             ..
         } = self.state.constants;
@@ -332,7 +332,7 @@ impl Model {
                 dynamics,
                 friction: Friction {
                     viscous: c_v,
-                    coulomb: m_c,
+                    coulomb: m_f,
                 },
                 stops: self.stops,
             }));
@@ -370,7 +370,7 @@ impl Model {
             dynamics,
             cylinder,
             viscous: self.state.constants.c_v,
-            coulomb: self.state.constants.m_c,
+            coulomb: self.state.constants.m_f,
             stops: self.stops,
             buffer: [inertia * STOP * STOP, 2.0 * inertia * STOP],
             command: self.state.inputs.valve,

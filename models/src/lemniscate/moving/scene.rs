@@ -16,10 +16,10 @@ pub static KEYS: &[Key] = &[
     Key::quantity(&s::J_2, Sign::NotNegative),
     Key::quantity(&s::J_3, Sign::NotNegative),
     Key::quantity(&s::C_V, Sign::NotNegative).optional(),
-    Key::quantity(&s::M_C, Sign::NotNegative).optional(),
+    Key::quantity(&s::M_F, Sign::NotNegative).optional(),
     Key::quantity(&s::G, Sign::Positive).optional(),
     Key::quantity(&s::M_A, Sign::Any).optional(),
-    Key::quantity(&s::M_B, Sign::NotNegative).optional(),
+    Key::quantity(&s::M_S, Sign::NotNegative).optional(),
     Key::quantity(&s::L_R, Sign::Positive).optional(),
     Key::quantity(&s::PHI, Sign::Any).optional(),
     Key::quantity(&s::V_H, Sign::Any).optional(),
@@ -64,7 +64,7 @@ quantities! {
 
 quantities! {
     /// What is constant in motion, besides geometry and weights.
-    Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_c: M_C, g: G, step: STEP }
+    Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_f: M_F, g: G, step: STEP }
 }
 
 /// The load's rope at the start.
@@ -123,6 +123,15 @@ impl Moving {
                 format!("fidelity = \"{fidelity}\" without weights and load"),
                 "what moves must weigh something",
                 "add Q to [luffing] and a table [luffing.weights]; their masses are weights over g",
+            );
+            return None;
+        }
+        if v.table("balance").is_some() {
+            mistake(
+                "balance",
+                format!("fidelity = \"{fidelity}\" with a balance"),
+                "its counterweight has no inertia yet",
+                "remove [luffing.balance], or set fidelity = \"static\"",
             );
             return None;
         }
@@ -205,14 +214,14 @@ impl Moving {
                 j_2: n(&s::J_2)?,
                 j_3: n(&s::J_3)?,
                 c_v: n(&s::C_V).unwrap_or(0.0),
-                m_c: n(&s::M_C).unwrap_or(0.0),
+                m_f: n(&s::M_F).unwrap_or(0.0),
                 g: n(&s::G).unwrap_or(9.81),
                 step: n(&s::STEP).unwrap_or(0.01),
             },
             inputs: Inputs {
                 motion: Commands {
                     moment: n(&s::M_A).unwrap_or(0.0),
-                    brake: n(&s::M_B).unwrap_or(0.0),
+                    brake: n(&s::M_S).unwrap_or(0.0),
                     hoist: n(&s::V_H).unwrap_or(0.0),
                 },
                 valve,
