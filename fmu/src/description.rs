@@ -118,7 +118,13 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
         .into_iter()
         .map(|names| names.into_iter().map(|name| references[&name]).collect())
         .collect();
-    let nominals = nominals(&mut model);
+    let mut nominals = nominals(&mut model);
+    let mut of_states = vec![1.0; model.states()];
+    model.nominals(&mut of_states);
+    let is_state = |index: &usize| variables[*index].role == Role::State;
+    for (index, nominal) in (0..variables.len()).filter(is_state).zip(of_states) {
+        nominals[index] = Some(nominal);
+    }
     let mut entries = vec![Entry {
         name: TIME.id.to_owned(),
         text: TIME.text.to_owned(),

@@ -403,7 +403,7 @@ impl Instance {
     /// Another number of values than there are states.
     pub fn get_nominals(&self, values: &mut [f64]) -> Result<(), Fault> {
         expect_length(values.len(), self.model.states())?;
-        values.fill(1.0);
+        self.model.nominals(values);
         Ok(())
     }
 

@@ -329,6 +329,13 @@ impl Model {
         }
     }
 
+    /// Orders of magnitude of the continuous states, as many as there are.
+    pub fn nominals(&self, nominals: &mut [f64]) {
+        if let Model::Moving(model) = self {
+            model.nominals(nominals);
+        }
+    }
+
     /// Decides what follows at an event; returns whether a continuous state jumped.
     ///
     /// # Errors

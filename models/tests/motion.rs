@@ -75,6 +75,21 @@ fn no_friction_holds_nothing() {
     }
 }
 
+/// What a bar at rest does follows from the commands of the moment, not from those before.
+#[test]
+fn a_bar_at_rest_is_decided_again() {
+    let m = motion(None, 0.0, 20e3);
+    let mut state = at(60.0, 0.0);
+    let up = Commands { moment: 1e7, ..STILL };
+    m.event(&mut state, &up).expect("closes");
+    assert_eq!(state.bar, Bar::Forward);
+    // The lower stop holds it: without a moment it stays.
+    m.event(&mut state, &STILL).expect("closes");
+    assert_eq!(state.bar, Bar::Held);
+    let rates = m.rates(&state, &STILL, &state.y).expect("closes");
+    assert_eq!(rates[..2], [0.0, 0.0]);
+}
+
 /// A brake of any moment, up to infinity, holds; released, the crane falls, and braked again it stops
 /// and stays: the energy lost is the work of friction and brake over the way.
 #[test]

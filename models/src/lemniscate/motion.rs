@@ -266,8 +266,9 @@ impl Motion {
         let at_stop = (theta >= high && omega > 0.0) || (theta <= low && omega < 0.0);
         let turned = match state.bar {
             Bar::Held => omega != 0.0,
-            Bar::Forward => omega < 0.0,
-            Bar::Backward => omega > 0.0,
+            // At rest it is decided again which way it goes, as the commands may have changed.
+            Bar::Forward => omega <= 0.0,
+            Bar::Backward => omega >= 0.0,
         };
         if at_stop {
             let reel = self.reel(state, &state.y, commands);

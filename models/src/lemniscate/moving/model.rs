@@ -22,6 +22,7 @@ use crate::plane::Point;
 use crate::schema::{Kind, Sign, short};
 use crate::solver::{Halt, MOST_STEPS};
 use crate::symbol::Symbol;
+use crate::unit;
 
 /// Least pressure of the chambers at the start, in Pa.
 const LEAST_PRESSURE: f64 = 20e5;
@@ -597,6 +598,17 @@ impl Model {
         }
         self.state.present.set_states(states);
         self.follow()
+    }
+
+    /// Orders of magnitude of the continuous states.
+    pub fn nominals(&self, nominals: &mut [f64]) {
+        for (nominal, variable) in nominals.iter_mut().zip(&self.variables) {
+            *nominal = match variable.symbol {
+                symbol if symbol.unit.dimension == unit::PA.dimension => 1e5,
+                symbol if symbol == &m::V_V => 1e2,
+                _ => 1.0,
+            };
+        }
     }
 
     /// Rates of the continuous states.
