@@ -145,6 +145,10 @@ impl From<balance::Fault> for Fault {
 
 /// The running model of a scene, stepped by the FMU and by tables: that of its mechanism.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "an instance has one of it; a box would be an allocation where nothing may allocate"
+)]
 pub enum Model {
     Luffing(lemniscate::model::Model),
     Moving(lemniscate::moving::model::Model),
@@ -152,6 +156,10 @@ pub enum Model {
 
 /// All that changes in a model while it runs.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "an instance has one of it; a box would be an allocation where nothing may allocate"
+)]
 pub enum State {
     Luffing(lemniscate::model::State),
     Moving(lemniscate::moving::model::State),
@@ -159,6 +167,10 @@ pub enum State {
 
 /// A model's outputs with their derivatives in one direction.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "an instance has one of it; a box would be an allocation where nothing may allocate"
+)]
 pub enum Tangent {
     Luffing(lemniscate::model::Tangent),
     Moving,

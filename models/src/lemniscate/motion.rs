@@ -348,7 +348,7 @@ impl Motion {
 
     fn crossed(&self, state: &State, commands: &Commands, y: &[f64; STATES]) -> bool {
         self.indicators(state, commands, y)
-            .is_none_or(|z| z.iter().any(|z| !(*z >= 0.0)))
+            .is_none_or(|z| z.iter().any(|z| z.is_nan() || *z < 0.0))
     }
 
     /// A step of `h` s, or the part of it up to just beyond the first event; the states there, and which part.

@@ -166,8 +166,8 @@ impl<const N: usize> Factors<N> {
                 return None;
             }
             let inverse = 1.0 / diagonal;
-            for i in k + 1..N {
-                columns[k][i] *= inverse;
+            for below in &mut columns[k][k + 1..] {
+                *below *= inverse;
             }
             columns[k][k] = inverse;
             let (done, rest) = columns.split_at_mut(k + 1);
