@@ -15,6 +15,7 @@ use lemnis_models::lemniscate::geometry::Geometry;
 use lemnis_models::lemniscate::position::Position;
 use lemnis_models::lemniscate::statics::{Centres, PinForces, load_moment};
 use lemnis_models::lemniscate::velocity::{Pole, Velocity};
+use lemnis_models::model::Model;
 use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
 use libloading::{Library as Shared, Symbol};
 
@@ -134,6 +135,22 @@ fn models(scene: &Scene) {
             );
         }
     }
+    let text = include_str!("../models/scenes/portal_004_new.toml");
+    let scene = Scene::parse(text).expect("a ready-made scene is valid");
+    let mut model = Model::new(&scene).expect("a mechanism");
+    let index = |model: &Model, id: &str| model.variables().iter().position(|v| v.symbol.id == id).expect("there");
+    let residual = ["M_D", "dM", "N_1", "gamma"].map(|id| index(&model, id));
+    let balanced = nanoseconds(|angle| {
+        // Within the working range, 44 to 82 deg.
+        model.set(0, 0.77 + 0.65 * (angle - 1.05)).expect("an angle");
+        black_box(residual.map(|index| model.get(index).expect("closes")));
+    });
+    row(
+        "model: forces with a balance, as the FMU asks for them",
+        balanced,
+        "ns",
+        1000.0,
+    );
     println!("model: generic over Calc {generic:.1} ns, written by hand for f64 {by_hand:.1} ns");
 }
 
@@ -289,7 +306,7 @@ impl Unpacked {
 /// A step through the shared library, as an importer makes it.
 fn abi(what: &str, text: &str, forces: bool, goal: f64) {
     let fmu = Unpacked::new(text);
-    let model = lemnis_models::model::Model::new(&fmu.scene).expect("a mechanism");
+    let model = Model::new(&fmu.scene).expect("a mechanism");
     let reference = |id: &str| {
         let index = model.variables().iter().position(|variable| variable.symbol.id == id);
         u32::try_from(index.unwrap_or_else(|| panic!("{id}")) + 1).expect("few variables")

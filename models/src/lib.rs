@@ -5,8 +5,8 @@
 //! [`plane`]) run on any scalar ([`calc`]): on `f64` in a [`model`], which the
 //! FMU steps, on the recorder ([`record`]) for the book's [`sheet`].
 //!
-//! [`balance`] and [`steering`] are equations and searches without scene, FMU
-//! and book yet.
+//! [`balance`] is a part of a luffing mechanism; its synthesis and [`steering`]
+//! are searches and equations without scene, FMU and book yet.
 
 #![forbid(unsafe_code)]
 

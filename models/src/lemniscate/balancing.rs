@@ -187,8 +187,8 @@ impl<C: Calc> Criteria<C> {
         let energies = places
             .map(|place| at(place).map(|r| (r.phi, r.boom.u_0 + r.action.u_5)))
             .collect::<Result<Vec<_>, Fault>>()?;
-        let nothing = || energies[0].1 - energies[0].1;
-        let (mut e_abs, mut e_plus) = (nothing(), nothing());
+        let nothing = C::constant(0.0) * energies[0].1;
+        let (mut e_abs, mut e_plus) = (nothing, nothing);
         for pair in energies.windows(2) {
             let fall = pair[0].1 - pair[1].1;
             e_abs += fall.abs();
@@ -197,8 +197,11 @@ impl<C: Calc> Criteria<C> {
                 e_plus += fall.abs();
             }
         }
-        let of = |extreme: Option<crate::lemniscate::range::Extreme>, pick: fn(&Residual<C>) -> Option<C>| {
-            extreme.map_or(Ok(None), |extreme| at(extreme.at).map(|r| pick(&r)))
+        let of = |extreme: Option<crate::lemniscate::range::Extreme>, pick: fn(&Residual<C>) -> Option<C>| match extreme
+        {
+            Some(extreme) if extreme.value.is_infinite() => Ok(Some(C::constant(extreme.value))),
+            Some(extreme) => at(extreme.at).map(|r| pick(&r)),
+            None => Ok(None),
         };
         let y_5 = |end: usize| of(found.y_5.map(|ends| ends[end]), |r| r.action.y_5);
         Ok(Criteria {
