@@ -106,23 +106,32 @@ fn the_regions_are_drawn() {
     .enumerate()
     {
         let left = 20.0 + 430.0 * panel as f64;
-        // From -6 to 2 and from -4 to 4, in cells of 0.1.
-        for i in 0..80 {
-            for j in 0..80 {
-                let (re, im) = (-5.95 + 0.1 * f64::from(i), -3.95 + 0.1 * f64::from(j));
-                let bounded = growth(method, re, im) <= 1.0;
-                let accurate = error(method, re, im) <= 0.01;
-                let colour = match (bounded, accurate) {
-                    (true, true) => "#2b6cb0",
-                    (true, false) => "#bcd4ea",
-                    (false, true) => "#a0c69c",
-                    (false, false) => continue,
-                };
-                let (x, y) = (left + 4.875 * f64::from(i), 30.0 + 4.875 * f64::from(79 - j));
-                let _ = writeln!(
-                    svg,
-                    "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"4.9\" height=\"4.9\" fill=\"{colour}\"/>"
-                );
+        let colour = |i: i32, j: i32| {
+            // From -6 to 2 and from -4 to 4, in cells of 0.1.
+            let (re, im) = (-5.95 + 0.1 * f64::from(i), -3.95 + 0.1 * f64::from(j));
+            match (growth(method, re, im) <= 1.0, error(method, re, im) <= 0.01) {
+                (true, true) => Some("#2b6cb0"),
+                (true, false) => Some("#bcd4ea"),
+                (false, true) => Some("#a0c69c"),
+                (false, false) => None,
+            }
+        };
+        for j in 0..80 {
+            // Neighbours of one colour are one rectangle.
+            let mut from = 0;
+            for i in 1..=80 {
+                if i < 80 && colour(i, j) == colour(from, j) {
+                    continue;
+                }
+                if let Some(colour) = colour(from, j) {
+                    let (x, y) = (left + 4.875 * f64::from(from), 30.0 + 4.875 * f64::from(79 - j));
+                    let width = 4.875 * f64::from(i - from);
+                    let _ = writeln!(
+                        svg,
+                        "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"4.9\" fill=\"{colour}\"/>"
+                    );
+                }
+                from = i;
             }
         }
         let (x, y) = (left + 60.0 * 4.875, 30.0 + 40.0 * 4.875);
