@@ -88,8 +88,10 @@ struct Entry {
     nominal: Option<f64>,
     /// Number of components of a vector.
     size: Option<usize>,
-    /// Value references of time, inputs and parameters that the value depends on.
+    /// Value references of time, inputs, states and parameters that the value depends on.
     dependencies: BTreeSet<u32>,
+    /// Value reference of the state whose rate this is.
+    state: Option<u32>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -116,7 +118,13 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
         .into_iter()
         .map(|names| names.into_iter().map(|name| references[&name]).collect())
         .collect();
-    let nominals = nominals(&mut model);
+    let mut nominals = nominals(&mut model);
+    let mut of_states = vec![1.0; model.states()];
+    model.nominals(&mut of_states);
+    let is_state = |index: &usize| variables[*index].role == Role::State;
+    for (index, nominal) in (0..variables.len()).filter(is_state).zip(of_states) {
+        nominals[index] = Some(nominal);
+    }
     let mut entries = vec![Entry {
         name: TIME.id.to_owned(),
         text: TIME.text.to_owned(),
@@ -128,14 +136,18 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
         nominal: None,
         size: None,
         dependencies: BTreeSet::new(),
+        state: None,
     }];
+    let mut states = (0..variables.len())
+        .filter(|&index| variables[index].role == Role::State)
+        .map(|index| reference(Place::Variable(index)));
     for (index, variable) in variables.iter().enumerate() {
         let start = match variable.role {
-            Role::Input | Role::Parameter | Role::Tunable => Some(match variable.kind {
+            Role::Input | Role::Parameter | Role::Tunable | Role::State => Some(match variable.kind {
                 Type::Enumeration(_) => format!("{}", model.get(index)?),
                 _ => number(model.get(index)?),
             }),
-            Role::Output | Role::Calculated => None,
+            Role::Output | Role::Calculated | Role::Rate | Role::Indicator => None,
         };
         entries.push(Entry {
             name: variable.name(),
@@ -152,6 +164,7 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
             nominal: nominals[index].filter(|_| variable.kind == Type::Real),
             size: None,
             dependencies: dependencies[index].clone(),
+            state: (variable.role == Role::Rate).then(|| states.next()).flatten(),
         });
     }
     for (index, ((name, text), start)) in layout::STRINGS.iter().zip(strings(scene)).enumerate() {
@@ -166,6 +179,7 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
             nominal: None,
             size: None,
             dependencies: BTreeSet::new(),
+            state: None,
         });
     }
     if standard == Standard::Fmi3 {
@@ -187,6 +201,7 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
                 nominal: nominals[of.clone()].iter().copied().flatten().reduce(f64::max),
                 size: Some(of.len()),
                 dependencies: dependencies[of].iter().flatten().copied().collect(),
+                state: None,
             });
         }
     }
@@ -236,10 +251,10 @@ fn write(xml: &mut Xml, scene: &Scene, entries: &[Entry], standard: Standard) ->
         ("variableNamingConvention", "structured"),
     ]);
     if standard == Standard::Fmi2 {
-        root.push(("numberOfEventIndicators", "0".to_owned()));
+        root.push(("numberOfEventIndicators", model.indicators().to_string()));
     }
     element(xml, "fmiModelDescription", &root, |xml| {
-        interfaces(xml, scene, standard)?;
+        interfaces(xml, scene, model.has_derivatives(), standard)?;
         element(xml, "UnitDefinitions", &[], |xml| units(xml, entries))?;
         element(xml, "TypeDefinitions", &[], |xml| types(xml, entries, standard))?;
         element(xml, "LogCategories", &[], |xml| {
@@ -266,7 +281,7 @@ fn write(xml: &mut Xml, scene: &Scene, entries: &[Entry], standard: Standard) ->
     })
 }
 
-fn interfaces(xml: &mut Xml, scene: &Scene, standard: Standard) -> io::Result<()> {
+fn interfaces(xml: &mut Xml, scene: &Scene, derivatives: bool, standard: Standard) -> io::Result<()> {
     let yes = || "true".to_owned();
     let (get_and_set, serialize, directional) = match standard {
         Standard::Fmi2 => (
@@ -284,14 +299,14 @@ fn interfaces(xml: &mut Xml, scene: &Scene, standard: Standard) -> io::Result<()
         ("modelIdentifier", scene.name().to_owned()),
         (get_and_set, yes()),
         (serialize, yes()),
-        (directional, yes()),
+        (directional, derivatives.to_string()),
     ];
     let mut model_exchange = Vec::new();
     let mut co_simulation = vec![("canHandleVariableCommunicationStepSize", yes())];
     match standard {
         Standard::Fmi2 => model_exchange.push(("completedIntegratorStepNotNeeded", yes())),
         Standard::Fmi3 => {
-            common.push(("providesAdjointDerivatives", yes()));
+            common.push(("providesAdjointDerivatives", derivatives.to_string()));
             co_simulation.push(("hasEventMode", yes()));
         }
     }
@@ -400,6 +415,8 @@ fn variable(xml: &mut Xml, entry: &Entry, standard: Standard) -> io::Result<()> 
         (Some(Role::Parameter), _) => ("parameter", Some("exact"), Some("fixed")),
         (Some(Role::Tunable), _) => ("parameter", Some("exact"), Some("tunable")),
         (Some(Role::Output), _) => ("output", Some("calculated"), None),
+        (Some(Role::State), _) => ("output", Some("exact"), None),
+        (Some(Role::Rate | Role::Indicator), _) => ("local", Some("calculated"), None),
         (Some(Role::Calculated), _) => ("calculatedParameter", Some("calculated"), Some("fixed")),
         (None, Kind::String) => ("local", Some("exact"), Some("constant")),
         (None, _) => ("independent", None, None),
@@ -427,6 +444,9 @@ fn variable(xml: &mut Xml, entry: &Entry, standard: Standard) -> io::Result<()> 
     if let Kind::Enumeration(of) = entry.kind {
         own.push(("declaredType", of.name.to_owned()));
     }
+    // FMI 2 counts variables from 1.
+    let shift = u32::from(standard == Standard::Fmi2);
+    own.extend(entry.state.map(|state| ("derivative", (state + shift).to_string())));
     let start = |own: &mut Attributes| own.extend(entry.start.clone().map(|start| ("start", start)));
     let name = match (entry.kind, standard) {
         (Kind::Real(..), Standard::Fmi2) => "Real",
@@ -463,17 +483,13 @@ fn variable(xml: &mut Xml, entry: &Entry, standard: Standard) -> io::Result<()> 
 fn structure(xml: &mut Xml, entries: &[Entry], standard: Standard) -> io::Result<()> {
     let during: BTreeSet<u32> = entries
         .iter()
-        .filter(|entry| entry.role == Some(Role::Input) || entry.name == TIME.id)
+        .filter(|entry| matches!(entry.role, Some(Role::Input | Role::State)) || entry.name == TIME.id)
         .map(|entry| entry.reference)
         .collect();
-    let unknowns = |xml: &mut Xml, name: &str, initial: bool| {
+    let unknowns = |xml: &mut Xml, name: &str, roles: &[Role], initial: bool| {
         entries
             .iter()
-            .filter(|entry| match entry.role {
-                Some(Role::Output) => true,
-                Some(Role::Calculated) => initial,
-                _ => false,
-            })
+            .filter(|entry| entry.role.is_some_and(|role| roles.contains(&role)))
             .try_for_each(|entry| {
                 let known = entry
                     .dependencies
@@ -492,13 +508,23 @@ fn structure(xml: &mut Xml, entries: &[Entry], standard: Standard) -> io::Result
                 empty(xml, name, &unknown)
             })
     };
-    for (list, name, initial) in [
-        ("Outputs", "Output", false),
-        ("InitialUnknowns", "InitialUnknown", true),
+    let outputs: &[Role] = &[Role::State, Role::Output];
+    let initially: &[Role] = &[Role::Output, Role::Calculated, Role::Rate];
+    // FMI 2 only says how many event indicators there are.
+    for (list, name, roles, initial) in [
+        ("Outputs", "Output", outputs, false),
+        ("Derivatives", "ContinuousStateDerivative", &[Role::Rate], false),
+        ("InitialUnknowns", "InitialUnknown", initially, true),
+        ("", "EventIndicator", &[Role::Indicator], false),
     ] {
+        let exists = entries
+            .iter()
+            .any(|entry| entry.role.is_some_and(|role| roles.contains(&role)));
         match standard {
-            Standard::Fmi2 => element(xml, list, &[], |xml| unknowns(xml, "Unknown", initial))?,
-            Standard::Fmi3 => unknowns(xml, name, initial)?,
+            _ if !exists => {}
+            Standard::Fmi2 if list.is_empty() => {}
+            Standard::Fmi2 => element(xml, list, &[], |xml| unknowns(xml, "Unknown", roles, initial))?,
+            Standard::Fmi3 => unknowns(xml, name, roles, initial)?,
         }
     }
     Ok(())

@@ -352,13 +352,76 @@ impl Instance {
             ));
         }
         self.now.tried = end;
-        self.model.set_time(end);
-        if let Err(fault) = self.model.update() {
-            self.model.set_time(self.now.time);
-            return Err(fault);
-        }
+        self.model.advance(self.now.time, end)?;
         self.now.time = end;
         Ok(())
+    }
+
+    /// Number of continuous states.
+    #[must_use]
+    pub fn states(&self) -> usize {
+        self.model.states()
+    }
+
+    /// Number of event indicators.
+    #[must_use]
+    pub fn indicators(&self) -> usize {
+        self.model.indicators()
+    }
+
+    /// Reads the continuous states.
+    ///
+    /// # Errors
+    /// Another number of values than there are states.
+    pub fn get_states(&self, values: &mut [f64]) -> Result<(), Fault> {
+        expect_length(values.len(), self.model.states())?;
+        self.model.get_states(values);
+        Ok(())
+    }
+
+    /// Sets the continuous states.
+    ///
+    /// # Errors
+    /// Another number of values than there are states, or one is not finite; none changes.
+    pub fn set_states(&mut self, values: &[f64]) -> Result<(), Fault> {
+        expect_length(values.len(), self.model.states())?;
+        self.model.set_states(values)
+    }
+
+    /// Reads the rates of the continuous states.
+    ///
+    /// # Errors
+    /// Another number of values than there are states, or a configuration that does not exist.
+    pub fn get_rates(&mut self, values: &mut [f64]) -> Result<(), Fault> {
+        expect_length(values.len(), self.model.states())?;
+        self.model.rates(values)
+    }
+
+    /// Orders of magnitude of the continuous states.
+    ///
+    /// # Errors
+    /// Another number of values than there are states.
+    pub fn get_nominals(&self, values: &mut [f64]) -> Result<(), Fault> {
+        expect_length(values.len(), self.model.states())?;
+        self.model.nominals(values);
+        Ok(())
+    }
+
+    /// Reads the event indicators.
+    ///
+    /// # Errors
+    /// Another number of values than there are indicators, or a configuration that does not exist.
+    pub fn get_indicators(&mut self, values: &mut [f64]) -> Result<(), Fault> {
+        expect_length(values.len(), self.model.indicators())?;
+        self.model.event_indicators(values)
+    }
+
+    /// Decides what follows at an event; returns whether a continuous state jumped.
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    pub fn update_discrete(&mut self) -> Result<bool, Fault> {
+        self.model.event()
     }
 
     /// Reads real variables; a vector gives all of its components.
@@ -616,6 +679,9 @@ impl Instance {
         let between_events = self.now.state == CONTINUOUS
             || (self.now.state == STEP && self.interface == Interface::CoSimulationWithEvents);
         let (what, until) = match variable.role {
+            Role::State if self.now.state & (INSTANTIATED | INITIALIZATION) == 0 => {
+                ("a state", "before the end of initialization")
+            }
             Role::Parameter if self.now.state & (INSTANTIATED | INITIALIZATION) == 0 => {
                 ("a parameter", "before the end of initialization")
             }

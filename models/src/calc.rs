@@ -6,7 +6,7 @@
 //! `libm`, which gives the same bits on every platform, where `std` does not.
 
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
-use num_dual::{Dual2_64, Dual64};
+use num_dual::{Dual2, Dual64, DualNum};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::ops::Neg;
 
@@ -137,47 +137,52 @@ impl Calc for Dual64 {
 }
 
 /// A function of one scalar by its value and two derivatives.
-fn chain(x: Dual2_64, [value, first, second]: [f64; 3]) -> Dual2_64 {
-    Dual2_64::new(value, first * x.v1, first * x.v2 + second * x.v1 * x.v1)
+fn chain<T: Calc + DualNum>(x: Dual2<T>, [value, first, second]: [T; 3]) -> Dual2<T> {
+    Dual2::new(value, first * x.v1, first * x.v2 + second * x.v1 * x.v1)
 }
 
-impl Calc for Dual2_64 {
-    fn constant(value: f64) -> Dual2_64 {
-        Dual2_64::from_re(value)
+/// Second derivatives over any scalar: over `Dual64` they are derived once more.
+impl<T: Calc + DualNum> Calc for Dual2<T> {
+    fn constant(value: f64) -> Dual2<T> {
+        Dual2::from_re(T::constant(value))
     }
     fn value(self) -> f64 {
-        self.re
+        self.re.value()
     }
-    fn abs(self) -> Dual2_64 {
-        if self.re < 0.0 { -self } else { self }
+    fn abs(self) -> Dual2<T> {
+        if self.value() < 0.0 { -self } else { self }
     }
-    fn sqrt(self) -> Dual2_64 {
-        let root = self.re.sqrt();
-        chain(self, [root, 0.5 / root, -0.25 / (root * self.re)])
+    fn sqrt(self) -> Dual2<T> {
+        let root = Calc::sqrt(self.re);
+        let first = T::constant(0.5) / root;
+        chain(self, [root, first, T::constant(-0.25) / (root * self.re)])
     }
-    fn sin(self) -> Dual2_64 {
-        self.sin_cos().0
+    fn sin(self) -> Dual2<T> {
+        Calc::sin_cos(self).0
     }
-    fn sin_cos(self) -> (Dual2_64, Dual2_64) {
+    fn sin_cos(self) -> (Dual2<T>, Dual2<T>) {
         let (sin, cos) = Calc::sin_cos(self.re);
         (chain(self, [sin, cos, -sin]), chain(self, [cos, -sin, -cos]))
     }
-    fn asin(self) -> Dual2_64 {
-        let slope = 1.0 / (1.0 - self.re * self.re).sqrt();
+    fn asin(self) -> Dual2<T> {
+        let one = T::constant(1.0);
+        let slope = one / Calc::sqrt(one - self.re * self.re);
         chain(self, [Calc::asin(self.re), slope, self.re * slope * slope * slope])
     }
-    fn acos(self) -> Dual2_64 {
-        let slope = -1.0 / (1.0 - self.re * self.re).sqrt();
+    fn acos(self) -> Dual2<T> {
+        let one = T::constant(1.0);
+        let slope = -(one / Calc::sqrt(one - self.re * self.re));
         chain(self, [Calc::acos(self.re), slope, self.re * slope * slope * slope])
     }
-    fn direction(x: Dual2_64, y: Dual2_64) -> Dual2_64 {
+    fn direction(x: Dual2<T>, y: Dual2<T>) -> Dual2<T> {
         let square = x.re * x.re + y.re * y.re;
         let turn = (x.re * y.v1 - y.re * x.v1) / square;
-        let bend = (x.re * y.v2 - y.re * x.v2) / square - 2.0 * turn * (x.re * x.v1 + y.re * y.v1) / square;
-        Dual2_64::new(Calc::direction(x.re, y.re), turn, bend)
+        let bend =
+            (x.re * y.v2 - y.re * x.v2) / square - T::constant(2.0) * turn * (x.re * x.v1 + y.re * y.v1) / square;
+        Dual2::new(T::direction(x.re, y.re), turn, bend)
     }
-    fn minus_exact(self, other: Dual2_64, tail: f64) -> Dual2_64 {
-        Dual2_64::new(
+    fn minus_exact(self, other: Dual2<T>, tail: f64) -> Dual2<T> {
+        Dual2::new(
             self.re.minus_exact(other.re, tail),
             self.v1 - other.v1,
             self.v2 - other.v2,
@@ -188,6 +193,7 @@ impl Calc for Dual2_64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use num_dual::Dual2_64;
 
     #[test]
     fn directions_are_continuous_through_the_upright_and_the_rear() {

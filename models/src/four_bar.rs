@@ -9,6 +9,11 @@
 //! (b + c)² − d² = −4 a f sin((θ − θ_s)/2) sin((θ − θ_s′)/2)
 //!
 //! with crank a, coupler b, follower c, frame f and diagonal d = N–J.
+//!
+//! Where both margins vanish (parallelogram, kite, rhombus) the two branches of
+//! assembly meet in change points. There the root of their product has a closed
+//! form that changes its sign, 2 a f sin(θ − θ_f): a linkage keeps its branch
+//! through every change point, even exactly in it.
 
 use std::f64::consts::{PI, TAU};
 
@@ -37,7 +42,8 @@ pub struct Names {
 }
 
 /// On which side of the line from the follower's pivot N to the crank's joint J
-/// the joint K of coupler and follower lies.
+/// the joint K of coupler and follower lies; with change points, where it lies
+/// up to half a turn clockwise of the frame: there a parallelogram is `Left`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
     Left,
@@ -71,6 +77,8 @@ pub struct FourBar<C> {
     folded: Limit<C>,
     /// Middle of the crank angles in use, in rad.
     middle: f64,
+    /// Whether both margins vanish.
+    changes: bool,
 }
 
 /// The linkage at one crank angle: bars as vectors, in m.
@@ -123,6 +131,7 @@ impl<C: Copy + Scalar> FourBar<C> {
             stretched: self.stretched.map(f),
             folded: self.folded.map(f),
             middle: self.middle,
+            changes: self.changes,
         }
     }
 }
@@ -190,6 +199,8 @@ impl<C: Calc> FourBar<C> {
         };
         let middle = frame_angle.value() + if reaches_folded && !reaches_stretched { PI } else { 0.0 };
         let frame_direction = frame / frame_length;
+        let vanishes = |limit: &Limit<C>| matches!(limit, Limit::Free(margin) if margin.value() == 0.0);
+        let changes = vanishes(&stretched) && vanishes(&folded);
         Some(FourBar {
             crank,
             coupler,
@@ -201,6 +212,7 @@ impl<C: Calc> FourBar<C> {
             stretched,
             folded,
             middle,
+            changes,
         })
     }
 
@@ -238,6 +250,9 @@ impl<C: Calc> FourBar<C> {
         let crank = plane::def(Point::new(self.crank * cos, self.crank * sin), names.crank);
         let diagonal = plane::def(crank - self.frame, names.diagonal);
         let square = diagonal.x.square() + diagonal.y.square();
+        if let Some(closure) = self.parallel(crank, diagonal, square) {
+            return Some(closure);
+        }
         let length = square.sqrt().def(names.diagonal_length);
 
         let two = C::constant(2.0);
@@ -274,7 +289,11 @@ impl<C: Calc> FourBar<C> {
         if !(stretched.value() >= 0.0 && folded.value() >= 0.0 && square.value() > 0.0) {
             return None;
         }
-        let root = (stretched * folded).sqrt();
+        let root = if self.changes {
+            two * product * plane::cross(Point::new(cos, sin), self.frame_direction)
+        } else {
+            (stretched * folded).sqrt()
+        };
         let area = match self.branch {
             Branch::Left => root,
             Branch::Right => -root,
@@ -305,6 +324,33 @@ impl<C: Calc> FourBar<C> {
             follower,
             diagonal: length,
             area,
+        })
+    }
+
+    /// Where bars stay parallel to each other: the parallelogram, and the rhombus folded onto
+    /// itself. Exact in the change points too, where the diagonal may vanish.
+    fn parallel(&self, crank: Point<C>, diagonal: Point<C>, square: C) -> Option<Closure<C>> {
+        let same = |a: C, b: C| self.changes && a.value() == b.value();
+        let (coupler, follower) = match self.branch {
+            Branch::Left if same(self.follower, self.crank) => (self.frame, crank),
+            Branch::Right if same(self.follower, self.frame_length) && same(self.crank, self.frame_length) => {
+                (-crank, -self.frame)
+            }
+            _ => return None,
+        };
+        let two = C::constant(2.0);
+        // No root where the diagonal vanishes: its derivative would not exist.
+        let diagonal = if square.value() > 0.0 {
+            square.sqrt()
+        } else {
+            plane::dot(diagonal, self.frame_direction)
+        };
+        Some(Closure {
+            crank,
+            coupler,
+            follower,
+            diagonal,
+            area: two * plane::cross(follower, coupler),
         })
     }
 }

@@ -32,6 +32,12 @@ pub enum Role {
     Output,
     /// Follows from the parameters.
     Calculated,
+    /// A continuous state; its start is set before the simulation.
+    State,
+    /// Rate of a state: as many as states, in their order.
+    Rate,
+    /// An event is where it falls below zero.
+    Indicator,
 }
 
 /// What values a variable has; every one is kept as a number.
@@ -139,27 +145,46 @@ impl From<balance::Fault> for Fault {
 
 /// The running model of a scene, stepped by the FMU and by tables: that of its mechanism.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "an instance has one of it; a box would be an allocation where nothing may allocate"
+)]
 pub enum Model {
     Luffing(lemniscate::model::Model),
+    Moving(lemniscate::moving::model::Model),
 }
 
 /// All that changes in a model while it runs.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "an instance has one of it; a box would be an allocation where nothing may allocate"
+)]
 pub enum State {
     Luffing(lemniscate::model::State),
+    Moving(lemniscate::moving::model::State),
 }
 
 /// A model's outputs with their derivatives in one direction.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "an instance has one of it; a box would be an allocation where nothing may allocate"
+)]
 pub enum Tangent {
     Luffing(lemniscate::model::Tangent),
+    Moving,
 }
+
+/// States go with the model that gave them, which the caller keeps together.
+const OTHER: &str = "a state of another scene's model";
 
 /// Calls whichever mechanism's model this is.
 macro_rules! of_each {
     ($model:expr, $one:ident => $call:expr) => {
         match $model {
             Model::Luffing($one) => $call,
+            Model::Moving($one) => $call,
         }
     };
 }
@@ -170,7 +195,10 @@ impl Model {
     /// the mechanism exists.
     pub fn new(scene: &Scene) -> Result<Model, Fault> {
         match &scene.mechanism {
-            Mechanism::Luffing(luffing) => lemniscate::model::Model::new(luffing).map(Model::Luffing),
+            Mechanism::Luffing(luffing) => match &luffing.moving {
+                None => lemniscate::model::Model::new(luffing).map(Model::Luffing),
+                Some(moving) => lemniscate::moving::model::Model::new(luffing, moving).map(Model::Moving),
+            },
         }
     }
 
@@ -239,6 +267,98 @@ impl Model {
         of_each!(self, model => model.set_time(time));
     }
 
+    /// Moves from one time to another, both in s: solves the equations of motion, or brings the
+    /// mechanism to where it is then. A step that fails changes nothing.
+    ///
+    /// # Errors
+    /// As [`update`](Model::update); a motion that ends on the way, or needs too many steps.
+    #[inline]
+    pub fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
+        match self {
+            Model::Luffing(model) => {
+                model.set_time(to);
+                model.update().inspect_err(|_| model.set_time(from))
+            }
+            Model::Moving(model) => model.advance(from, to),
+        }
+    }
+
+    /// Number of continuous states.
+    #[must_use]
+    pub fn states(&self) -> usize {
+        match self {
+            Model::Luffing(_) => 0,
+            Model::Moving(model) => model.states(),
+        }
+    }
+
+    /// Number of event indicators.
+    #[must_use]
+    pub fn indicators(&self) -> usize {
+        match self {
+            Model::Luffing(_) => 0,
+            Model::Moving(model) => model.indicators(),
+        }
+    }
+
+    /// The continuous states, as many as there are.
+    pub fn get_states(&self, states: &mut [f64]) {
+        if let Model::Moving(model) = self {
+            model.get_states(states);
+        }
+    }
+
+    /// Sets the continuous states, as many as there are.
+    ///
+    /// # Errors
+    /// A state is not finite; none changes.
+    pub fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
+        match self {
+            Model::Luffing(_) => Ok(()),
+            Model::Moving(model) => model.set_states(states),
+        }
+    }
+
+    /// Rates of the continuous states, as many as there are.
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    pub fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
+        match self {
+            Model::Luffing(_) => Ok(()),
+            Model::Moving(model) => model.rates(rates),
+        }
+    }
+
+    /// Event indicators, as many as there are.
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    pub fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
+        match self {
+            Model::Luffing(_) => Ok(()),
+            Model::Moving(model) => model.event_indicators(indicators),
+        }
+    }
+
+    /// Orders of magnitude of the continuous states, as many as there are.
+    pub fn nominals(&self, nominals: &mut [f64]) {
+        if let Model::Moving(model) = self {
+            model.nominals(nominals);
+        }
+    }
+
+    /// Decides what follows at an event; returns whether a continuous state jumped.
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    pub fn event(&mut self) -> Result<bool, Fault> {
+        match self {
+            Model::Luffing(_) => Ok(false),
+            Model::Moving(model) => model.event(),
+        }
+    }
+
     /// Brings the mechanism to the current inputs.
     ///
     /// # Errors
@@ -253,6 +373,7 @@ impl Model {
     pub fn state(&self) -> State {
         match self {
             Model::Luffing(model) => State::Luffing(*model.state()),
+            Model::Moving(model) => State::Moving(model.state()),
         }
     }
 
@@ -260,6 +381,8 @@ impl Model {
     pub fn set_state(&mut self, state: &State) {
         match (self, state) {
             (Model::Luffing(model), State::Luffing(state)) => model.set_state(state),
+            (Model::Moving(model), State::Moving(state)) => model.set_state(state),
+            _ => unreachable!("{OTHER}"),
         }
     }
 
@@ -268,6 +391,8 @@ impl Model {
     pub fn numbers(&self, state: &State) -> Vec<f64> {
         match (self, state) {
             (Model::Luffing(model), State::Luffing(state)) => model.numbers(state),
+            (Model::Moving(model), State::Moving(state)) => model.numbers(state),
+            _ => unreachable!("{OTHER}"),
         }
     }
 
@@ -278,6 +403,7 @@ impl Model {
     pub fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
         match self {
             Model::Luffing(model) => model.state_of(numbers).map(State::Luffing),
+            Model::Moving(model) => model.state_of(numbers).map(State::Moving),
         }
     }
 
@@ -287,7 +413,14 @@ impl Model {
     pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
         match self {
             Model::Luffing(model) => Tangent::Luffing(model.tangent(seed)),
+            Model::Moving(_) => Tangent::Moving,
         }
+    }
+
+    /// Whether directional derivatives exist.
+    #[must_use]
+    pub fn has_derivatives(&self) -> bool {
+        matches!(self, Model::Luffing(_))
     }
 
     /// Derivative of an output along the direction of a tangent, in SI.
@@ -297,6 +430,10 @@ impl Model {
     pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
         match (self, tangent) {
             (Model::Luffing(model), Tangent::Luffing(tangent)) => model.derivative(tangent, index),
+            (Model::Moving(_), Tangent::Moving) => Err(Fault::new(
+                "there are no directional derivatives of a mechanism in motion",
+            )),
+            _ => unreachable!("{OTHER}"),
         }
     }
 

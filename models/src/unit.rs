@@ -103,6 +103,7 @@ units! {
     ONE         = "1"        ""        [0 0 0 0]     1.0;
     PERCENT     = "%"        "%"       [0 0 0 0]     0.01;
     M           = "m"        "m"       [1 0 0 0]     1.0;
+    L           = "L"        "L"       [3 0 0 0]     1e-3;
     MM          = "mm"       "mm"      [1 0 0 0]     1e-3;
     CM          = "cm"       "cm"      [1 0 0 0]     1e-2;
     KM          = "km"       "km"      [1 0 0 0]     1e3;
@@ -110,6 +111,7 @@ units! {
     RAD         = "rad"      "rad"     [0 0 0 1]     1.0;
     DEG         = "deg"      "°"       [0 0 0 1]     DEGREE;
     S           = "s"        "s"       [0 0 1 0]     1.0;
+    MS          = "ms"       "ms"      [0 0 1 0]     1e-3;
     MIN         = "min"      "min"     [0 0 1 0]     60.0;
     RAD_PER_S   = "rad/s"    "rad/s"   [0 0 -1 1]    1.0;
     DEG_PER_S   = "deg/s"    "°/s"     [0 0 -1 1]    DEGREE;
@@ -129,10 +131,19 @@ units! {
     PA          = "Pa"       "Pa"      [-1 1 -2 0]   1.0;
     BAR         = "bar"      "bar"     [-1 1 -2 0]   1e5;
     MPA         = "MPa"      "MPa"     [-1 1 -2 0]   1e6;
+    KG_M2       = "kg.m2"    "kg·m²"   [2 1 0 0]     1.0;
+    N_M_S       = "N.m.s"    "N·m·s"   [2 1 -1 0]    1.0;
+    KN_M_S      = "kN.m.s"   "kN·m·s"  [2 1 -1 0]    1e3;
+    M_PER_S2    = "m/s2"     "m/s²"    [1 0 -2 0]    1.0;
+    RAD_PER_S2  = "rad/s2"   "rad/s²"  [0 0 -2 1]    1.0;
     M3          = "m3"       "m³"      [3 0 0 0]     1.0;
     CM3         = "cm3"      "cm³"     [3 0 0 0]     1e-6;
     PER_S       = "1/s"      "1/s"     [0 0 -1 0]    1.0;
+    PER_S2      = "1/s2"     "1/s²"    [0 0 -2 0]    1.0;
+    PA_PER_S    = "Pa/s"     "Pa/s"    [-1 1 -3 0]   1.0;
+    BAR_PER_S   = "bar/s"    "bar/s"   [-1 1 -3 0]   1e5;
     PER_MIN     = "1/min"    "1/min"   [0 0 -1 0]    1.0 / 60.0;
+    M3_PER_SPA  = "m3/(s.Pa)" "m³/(s·Pa)" [4 -1 1 0] 1.0;
     M3_PER_S    = "m3/s"     "m³/s"    [3 0 -1 0]    1.0;
     L_PER_MIN   = "L/min"    "L/min"   [3 0 -1 0]    1e-3 / 60.0;
 }
@@ -155,6 +166,13 @@ impl Unit {
             (d, _) if d == N_M.dimension && self.name.ends_with('J') => "Energy",
             (d, _) if d == N_M.dimension => "Torque",
             (d, _) if d == PA.dimension => "Pressure",
+            (d, _) if d == M3_PER_SPA.dimension => "HydraulicConductance",
+            (d, 0) if d == PER_S2.dimension => "SpoolAcceleration",
+            (d, _) if d == PA_PER_S.dimension => "PressureRate",
+            (d, _) if d == KG_M2.dimension => "MomentOfInertia",
+            (d, _) if d == N_M_S.dimension => "RotationalDampingConstant",
+            (d, _) if d == M_PER_S2.dimension => "Acceleration",
+            (d, _) if d == RAD_PER_S2.dimension => "AngularAcceleration",
             (d, _) if d == M3_PER_S.dimension => "VolumeFlowRate",
             _ => "Ratio",
         }

@@ -7,8 +7,12 @@ use lemnis_models::symbol::Symbol;
 use lemnis_models::{balance, lemniscate, steering};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 3] = [
+const TABLES: [(&str, &[&Symbol]); 4] = [
     ("The double-link luffing mechanism", lemniscate::symbols::ALL),
+    (
+        "The double-link luffing mechanism in motion",
+        lemniscate::moving::symbols::ALL,
+    ),
     ("The balance of the boom system", balance::symbols::ALL),
     (
         "Steering, seen from above: x forward, y to the left, angles counter-clockwise from straight ahead",

@@ -55,6 +55,9 @@ pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
             Role::Tunable => "tunable parameter",
             Role::Output => "output",
             Role::Calculated => "calculated parameter",
+            Role::State => "state",
+            Role::Rate => "rate of a state",
+            Role::Indicator => "event indicator",
         },
         unit: match variable.kind {
             Type::Real => variable.symbol.unit.name.to_owned(),

@@ -22,7 +22,7 @@ pub struct Results {
 impl Results {
     pub fn new(scene: &Scene) -> Result<Results, Failure> {
         let mut model = Model::new(scene).map_err(|fault| Failure::Scene(fault.message))?;
-        let varies = |role: Role| matches!(role, Role::Input | Role::Output);
+        let varies = |role: Role| matches!(role, Role::Input | Role::State | Role::Output);
         let indices: Vec<usize> = (0..model.variables().len())
             .filter(|&i| varies(model.variables()[i].role))
             .collect();

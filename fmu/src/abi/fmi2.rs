@@ -222,7 +222,10 @@ exports! { FMI2, i;
     // Model Exchange
     fn fmi2EnterEventMode() in EVENT | CONTINUOUS => i.enter_event_mode();
     fn fmi2NewDiscreteStates(info: *mut fmi2EventInfo) in EVENT => {
-        *place(info)? = fmi2EventInfo::default();
+        *place(info)? = fmi2EventInfo {
+            valuesOfContinuousStatesChanged: i.update_discrete()?.into(),
+            ..fmi2EventInfo::default()
+        };
         Ok(())
     };
     fn fmi2EnterContinuousTimeMode() in EVENT => i.enter(CONTINUOUS);
@@ -233,14 +236,15 @@ exports! { FMI2, i;
         Ok(())
     };
     fn fmi2SetTime(time: f64) in EVENT | CONTINUOUS => i.set_time(time);
-    fn fmi2SetContinuousStates(_: *const f64, n: usize) in CONTINUOUS => expect_none(n);
-    fn fmi2GetDerivatives(_: *mut f64, n: usize) in EVENT | CONTINUOUS | TERMINATED => expect_none(n);
-    fn fmi2GetEventIndicators(_: *mut f64, n: usize) in INITIALIZATION | EVENT | CONTINUOUS | TERMINATED =>
-        expect_none(n);
-    fn fmi2GetContinuousStates(_: *mut f64, n: usize) in INITIALIZATION | EVENT | CONTINUOUS | TERMINATED =>
-        expect_none(n);
-    fn fmi2GetNominalsOfContinuousStates(_: *mut f64, n: usize) in INSTANTIATED | EVENT | CONTINUOUS | TERMINATED =>
-        expect_none(n);
+    fn fmi2SetContinuousStates(values: *const f64, n: usize) in CONTINUOUS => i.set_states(slice(values, n)?);
+    fn fmi2GetDerivatives(values: *mut f64, n: usize) in EVENT | CONTINUOUS | TERMINATED =>
+        i.get_rates(slice_mut(values, n)?);
+    fn fmi2GetEventIndicators(values: *mut f64, n: usize) in INITIALIZATION | EVENT | CONTINUOUS | TERMINATED =>
+        i.get_indicators(slice_mut(values, n)?);
+    fn fmi2GetContinuousStates(values: *mut f64, n: usize) in INITIALIZATION | EVENT | CONTINUOUS | TERMINATED =>
+        i.get_states(slice_mut(values, n)?);
+    fn fmi2GetNominalsOfContinuousStates(values: *mut f64, n: usize) in INSTANTIATED | EVENT | CONTINUOUS | TERMINATED =>
+        i.get_nominals(slice_mut(values, n)?);
 
     // Co-Simulation
     fn fmi2SetRealInputDerivatives(_: *const u32, _: usize, _: *const c_int, _: *const f64) in NEVER => Ok(());

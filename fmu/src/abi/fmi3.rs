@@ -246,6 +246,7 @@ exports! { FMI3, i;
             *place(flag)? = 0;
         }
         *place(next_event)? = 0.0;
+        *place(values_changed)? = i.update_discrete()?.into();
         Ok(())
     };
 
@@ -258,17 +259,19 @@ exports! { FMI3, i;
         Ok(())
     };
     fn fmi3SetTime(time: f64) in EVENT | CONTINUOUS => i.set_time(time);
-    fn fmi3SetContinuousStates(_: *const f64, n: usize) in CONTINUOUS => expect_none(n);
-    fn fmi3GetContinuousStateDerivatives(_: *mut f64, n: usize) in MODEL_EXCHANGE => expect_none(n);
-    fn fmi3GetEventIndicators(_: *mut f64, n: usize) in MODEL_EXCHANGE => expect_none(n);
-    fn fmi3GetContinuousStates(_: *mut f64, n: usize) in MODEL_EXCHANGE => expect_none(n);
-    fn fmi3GetNominalsOfContinuousStates(_: *mut f64, n: usize) in MODEL_EXCHANGE => expect_none(n);
+    fn fmi3SetContinuousStates(values: *const f64, n: usize) in CONTINUOUS => i.set_states(slice(values, n)?);
+    fn fmi3GetContinuousStateDerivatives(values: *mut f64, n: usize) in MODEL_EXCHANGE =>
+        i.get_rates(slice_mut(values, n)?);
+    fn fmi3GetEventIndicators(values: *mut f64, n: usize) in MODEL_EXCHANGE => i.get_indicators(slice_mut(values, n)?);
+    fn fmi3GetContinuousStates(values: *mut f64, n: usize) in MODEL_EXCHANGE => i.get_states(slice_mut(values, n)?);
+    fn fmi3GetNominalsOfContinuousStates(values: *mut f64, n: usize) in MODEL_EXCHANGE =>
+        i.get_nominals(slice_mut(values, n)?);
     fn fmi3GetNumberOfEventIndicators(n: *mut usize) in INSTANTIATED | MODEL_EXCHANGE => {
-        *place(n)? = 0;
+        *place(n)? = i.indicators();
         Ok(())
     };
     fn fmi3GetNumberOfContinuousStates(n: *mut usize) in INSTANTIATED | MODEL_EXCHANGE => {
-        *place(n)? = 0;
+        *place(n)? = i.states();
         Ok(())
     };
 

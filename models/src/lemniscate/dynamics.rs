@@ -5,12 +5,13 @@
 //! second-order dual numbers, and reduced inertia, its change and the moment of
 //! the weights follow from their derivatives. [virtual work; Lagrange]
 
-use num_dual::Dual2_64;
+use num_dual::{Dual2, Dual64, DualNum};
 
 use crate::calc::Calc;
-use crate::lemniscate::geometry::{Driven, Geometry};
+use crate::lemniscate::geometry::{Anchors, Driven, Geometry};
 use crate::lemniscate::position::Position;
-use crate::plane::Point;
+use crate::plane::{self, Point, dot};
+use crate::solver::{Gradient, runge_kutta};
 
 /// A body that moves with one of the bars.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +32,20 @@ impl Body {
             mass,
             inertia: mass * (to - from).norm_squared() / 12.0,
             centre: (from + to) / 2.0,
+        }
+    }
+
+    /// The body with a mass (kg) that is fixed to it at a point of its frame, in m.
+    #[must_use]
+    pub fn with_mass(self, mass: f64, at: Point<f64>) -> Body {
+        let sum = self.mass + mass;
+        if sum == 0.0 {
+            return self;
+        }
+        Body {
+            mass: sum,
+            inertia: self.inertia + self.mass * mass / sum * (at - self.centre).norm_squared(),
+            centre: (self.centre * self.mass + at * mass) / sum,
         }
     }
 }
@@ -57,126 +72,270 @@ pub struct Bodies {
 
 /// Angles in rad and their rates in rad/s: where the mechanism is and how it moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Phase {
+pub struct Phase<C = f64> {
     /// Angle of the driven bar.
-    pub theta: f64,
-    pub omega: f64,
+    pub theta: C,
+    pub omega: C,
     /// Rope from the vertical, forward positive; stays as it is without a pendulum.
-    pub swing: f64,
-    pub swing_rate: f64,
+    pub swing: C,
+    pub swing_rate: C,
+}
+
+/// The rope: its length (m) and how fast it is paid out (m/s).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reel<C> {
+    pub length: C,
+    pub rate: f64,
 }
 
 /// What the equations of motion need at one angle, all by derivatives of the positions.
 #[derive(Clone, Copy, Debug)]
-struct Reduced {
+pub struct Reduced<C> {
     /// Inertia of boom, jib and rocker at the driven bar (kg·m²), and its change by the angle.
-    inertia: f64,
-    slope: f64,
+    pub inertia: C,
+    pub slope: C,
     /// Moment of their weights, in N·m; positive lowers the driven bar.
-    moment: f64,
+    pub moment: C,
     /// Height of their centres of gravity times their weights, in J.
-    energy: f64,
+    pub energy: C,
     /// Head A: place, first and second derivative by the angle, in m.
-    head: [Point<f64>; 3],
+    pub head: [Point<C>; 3],
+    /// Length of the drive (m) and its lever arm (m), which is its derivative by the angle; zero without one.
+    pub drive: [C; 2],
 }
 
-impl Reduced {
-    fn new(g: &Geometry<Dual2_64>, bodies: &Bodies, theta: f64) -> Option<Reduced> {
-        let p = Position::new(g, Dual2_64::new(theta, 1.0, 0.0))?;
-        let foot = g.lengths.o3();
-        let (mut inertia, mut slope, mut moment, mut energy) = (0.0, 0.0, 0.0, 0.0);
+impl<T: Calc + DualNum> Reduced<T> {
+    #[inline]
+    fn new(g: &Geometry<Dual2<T>>, bodies: &Bodies, push: Option<&Push>, theta: T) -> Option<Self> {
+        let (zero, one, constant) = (T::constant(0.0), T::constant(1.0), T::constant);
+        let p = Position::new(g, Dual2::new(theta, one, zero))?;
+        let foot = Point::new(Dual2::from_re(zero), Dual2::from_re(zero));
         let bars = [
-            (&bodies.boom, Point::zeros().map(Dual2_64::from_re), p.x_1),
-            (&bodies.jib, p.b, p.x_2),
-            (&bodies.rocker, foot, p.x_3),
+            Bar::new(foot, p.x_1),
+            Bar::new(p.b, p.x_2),
+            Bar::new(g.lengths.o3(), p.x_3),
         ];
-        for (body, joint, bar) in bars {
-            let [_, d, dd] = parts(bar);
-            let square = square_length(bar);
-            let (along, across) = (body.centre.x / square.sqrt(), body.centre.y / square.sqrt());
-            let turned = |v: Point<f64>| Point::new(along * v.x - across * v.y, across * v.x + along * v.y);
-            let [j, dj, ddj] = parts(joint);
-            let (r, dr, ddr) = (j + turned(parts(bar)[0]), dj + turned(d), ddj + turned(dd));
-            // A bar of constant length turns by phi: |d| = length · phi', and d · d″ = length² · phi' phi″.
-            let (turn, turn_change) = (d.norm_squared() / square, d.dot(&dd) / square);
-            inertia += body.mass * dr.norm_squared() + body.inertia * turn;
-            slope += 2.0 * (body.mass * dr.dot(&ddr) + body.inertia * turn_change);
-            moment += body.mass * bodies.gravity * dr.y;
-            energy += body.mass * bodies.gravity * r.y;
+        let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
+        for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(&bars) {
+            let (mass, spin) = (constant(body.mass), constant(body.inertia));
+            let weight = constant(body.mass * bodies.gravity);
+            let [r, d, dd] = bar.point(body.centre);
+            inertia += mass * dot(d, d) + spin * bar.turn;
+            slope += constant(2.0) * (mass * dot(d, dd) + spin * bar.turn_change);
+            moment += weight * d.y;
+            energy += weight * r.y;
         }
+        let drive = push.map_or([zero; 2], |push| {
+            let bar = match g.driven {
+                Driven::Boom => &bars[0],
+                Driven::Rocker => &bars[2],
+            };
+            let [r, d, _] = bar.point(push.to);
+            let line = r - push.from.map(constant);
+            let length = plane::length(line);
+            [length, dot(line, d) / length]
+        });
         Some(Reduced {
             inertia,
             slope,
             moment,
             energy,
             head: parts(p.a),
+            drive,
         })
     }
 }
 
+/// A bar with its derivatives by the driven angle.
+struct Bar<T> {
+    joint: [Point<T>; 3],
+    along: [Point<T>; 3],
+    length: T,
+    /// Square of its turning by the driven angle, and half of how that changes.
+    turn: T,
+    turn_change: T,
+}
+
+impl<T: Calc + DualNum> Bar<T> {
+    #[inline]
+    fn new(joint: Point<Dual2<T>>, along: Point<Dual2<T>>) -> Bar<T> {
+        let [e, d, dd] = parts(along);
+        let square = dot(e, e);
+        // A bar of constant length turns by phi: |d| = length · phi', and d · d″ = length² · phi' phi″.
+        Bar {
+            joint: parts(joint),
+            along: [e, d, dd],
+            length: Calc::sqrt(square),
+            turn: dot(d, d) / square,
+            turn_change: dot(d, dd) / square,
+        }
+    }
+
+    /// A point of the bar's frame: place, first and second derivative.
+    #[inline]
+    fn point(&self, at: Point<f64>) -> [Point<T>; 3] {
+        let (along, across) = (T::constant(at.x) / self.length, T::constant(at.y) / self.length);
+        [0, 1, 2].map(|i| self.joint[i] + plane::turned(self.along[i], along, across))
+    }
+}
+
 /// Value, first and second derivative.
-fn parts(v: Point<Dual2_64>) -> [Point<f64>; 3] {
+fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
     [v.map(|x| x.re), v.map(|x| x.v1), v.map(|x| x.v2)]
 }
 
-/// Square of a bar's length, in m².
-fn square_length(v: Point<Dual2_64>) -> f64 {
-    v.x.re * v.x.re + v.y.re * v.y.re
+/// A scalar that the equations of motion run on: a number, or one with its derivatives by all states.
+pub trait Coordinate: Calc {
+    /// `None` where the linkage does not close.
+    fn reduced(d: &Dynamics, theta: Self) -> Option<Reduced<Self>>;
+}
+
+impl Coordinate for f64 {
+    #[inline]
+    fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
+        Reduced::new(&d.twice, &d.bodies, d.push.as_ref(), theta)
+    }
+}
+
+/// The mechanism depends on the driven angle alone, so that one more derivative by it serves all states.
+impl<const N: usize> Coordinate for Gradient<N> {
+    #[inline]
+    fn reduced(d: &Dynamics, theta: Gradient<N>) -> Option<Reduced<Gradient<N>>> {
+        let r = Reduced::new(&d.thrice, &d.bodies, d.push.as_ref(), Dual64::new(theta.re, 1.0))?;
+        let of = |x: Dual64| theta.chain(x);
+        Some(Reduced {
+            inertia: of(r.inertia),
+            slope: of(r.slope),
+            moment: of(r.moment),
+            energy: of(r.energy),
+            head: r.head.map(|p| p.map(of)),
+            drive: r.drive.map(of),
+        })
+    }
 }
 
 /// The mechanism with its bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct Dynamics {
-    geometry: Geometry<Dual2_64>,
+    /// For two and for three derivatives.
+    twice: Geometry<Dual2<f64>>,
+    thrice: Geometry<Dual2<Dual64>>,
+    push: Option<Push>,
     bodies: Bodies,
+}
+
+/// A drive's line from a point of the frame to one of the driven bar, in its frame, in m.
+#[derive(Clone, Copy, Debug)]
+struct Push {
+    from: Point<f64>,
+    to: Point<f64>,
 }
 
 impl Dynamics {
     #[must_use]
     pub fn new(geometry: &Geometry<f64>, bodies: Bodies) -> Dynamics {
         Dynamics {
-            geometry: geometry.map(Dual2_64::from_re),
+            twice: geometry.map(Dual2::from_re),
+            thrice: geometry.map(|x| Dual2::from_re(Dual64::from_re(x))),
+            push: None,
             bodies,
+        }
+    }
+
+    /// With a drive that pushes along a line from the frame to the driven bar.
+    #[must_use]
+    pub fn with_drive(self, anchors: &Anchors<f64>) -> Dynamics {
+        let (sin, cos) = Calc::sin_cos(anchors.chi_d);
+        let push = Push {
+            from: Point::new(anchors.e_x, anchors.e_y),
+            to: Point::new(anchors.s_d * cos, anchors.s_d * sin),
+        };
+        Dynamics {
+            push: Some(push),
+            ..self
         }
     }
 
     #[must_use]
     pub fn driven(&self) -> Driven {
-        self.geometry.driven
+        self.twice.driven
+    }
+
+    #[must_use]
+    pub fn bodies(&self) -> &Bodies {
+        &self.bodies
+    }
+
+    /// The pendulum's part of the equations of motion, for the coordinates (theta, swing):
+    /// the two terms that it adds to the inertia of the first and couples it with, its own, and the forces.
+    fn pendulum<C: Coordinate>(&self, r: &Reduced<C>, m: &Phase<C>, mass: f64, reel: Reel<C>) -> [C; 5] {
+        let [_, d, dd] = r.head;
+        let (sin, cos) = m.swing.sin_cos();
+        // Directions of the load's motion when the rope swings, and of its centripetal acceleration.
+        let (swing, inward) = (Point::new(cos, sin), Point::new(-sin, cos));
+        let (mass, gravity, l) = (C::constant(mass), C::constant(self.bodies.gravity), reel.length);
+        let pull = l * m.swing_rate.square();
+        let coriolis = C::constant(2.0 * reel.rate) * m.swing_rate;
+        let square = m.omega.square();
+        [
+            mass * dot(d, d),
+            mass * l * dot(d, swing),
+            mass * l.square(),
+            -mass * (dot(d, dd) * square + dot(d, inward) * pull + dot(d, swing) * coriolis + gravity * d.y),
+            -mass * l * (dot(dd, swing) * square + coriolis + gravity * sin),
+        ]
+    }
+
+    /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar
+    /// (N·m, positive raises it), with what the mechanism is at this angle.
+    #[inline]
+    pub fn motion<C: Coordinate>(&self, r: &Reduced<C>, m: &Phase<C>, moment: C, reel: Reel<C>) -> [C; 2] {
+        let driven = moment - r.moment - C::constant(0.5) * r.slope * m.omega.square();
+        let Some(Pendulum { mass, .. }) = self.bodies.pendulum else {
+            return [driven / r.inertia, C::constant(0.0)];
+        };
+        let [own, coupled, m_22, f_1, f_2] = self.pendulum(r, m, mass, reel);
+        // M q″ = f.
+        let (m_11, f_1) = (r.inertia + own, driven + f_1);
+        let determinant = m_11 * m_22 - coupled * coupled;
+        [
+            (f_1 * m_22 - coupled * f_2) / determinant,
+            (m_11 * f_2 - coupled * f_1) / determinant,
+        ]
+    }
+
+    /// Moment on the driven bar (N·m) that keeps it at rest, and the acceleration of the rope (rad/s²) with it.
+    #[must_use]
+    pub fn hold(&self, r: &Reduced<f64>, m: &Phase, reel: Reel<f64>) -> [f64; 2] {
+        let Some(Pendulum { mass, .. }) = self.bodies.pendulum else {
+            return [r.moment, 0.0];
+        };
+        let [_, coupled, m_22, f_1, f_2] = self.pendulum(r, m, mass, reel);
+        [r.moment - f_1 + coupled * f_2 / m_22, f_2 / m_22]
+    }
+
+    /// How much the rope's rate changes, over how much the driven bar's does, in a blow on the driven bar.
+    #[must_use]
+    pub fn blow(&self, r: &Reduced<f64>, m: &Phase, reel: Reel<f64>) -> f64 {
+        self.bodies.pendulum.map_or(0.0, |Pendulum { mass, .. }| {
+            let [_, coupled, m_22, _, _] = self.pendulum(r, m, mass, reel);
+            -coupled / m_22
+        })
     }
 
     /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar
     /// (N·m, positive raises it); `None` where the linkage does not close.
     #[must_use]
     pub fn accelerations(&self, m: &Phase, moment: f64) -> Option<[f64; 2]> {
-        let r = Reduced::new(&self.geometry, &self.bodies, m.theta)?;
-        let driven = moment - r.moment - 0.5 * r.slope * m.omega * m.omega;
-        let Some(Pendulum { mass, length }) = self.bodies.pendulum else {
-            return Some([driven / r.inertia, 0.0]);
-        };
-        let [_, d, dd] = r.head;
-        let (sin, cos) = Calc::sin_cos(m.swing);
-        // Directions of the load's motion when the rope swings, and of its centripetal acceleration.
-        let (swing, inward) = (Point::new(cos, sin), Point::new(-sin, cos));
-        let gravity = self.bodies.gravity;
-        // M q″ = f for the coordinates (theta, swing).
-        let coupled = mass * length * d.dot(&swing);
-        let m_11 = r.inertia + mass * d.norm_squared();
-        let m_22 = mass * length * length;
-        let pull = length * m.swing_rate * m.swing_rate;
-        let f_1 = driven - mass * (d.dot(&dd) * m.omega * m.omega + d.dot(&inward) * pull + gravity * d.y);
-        let f_2 = -mass * length * (dd.dot(&swing) * m.omega * m.omega + gravity * sin);
-        let determinant = m_11 * m_22 - coupled * coupled;
-        Some([
-            (f_1 * m_22 - coupled * f_2) / determinant,
-            (m_11 * f_2 - coupled * f_1) / determinant,
-        ])
+        let r = f64::reduced(self, m.theta)?;
+        let length = self.bodies.pendulum.map_or(0.0, |p| p.length);
+        Some(self.motion(&r, m, moment, Reel { length, rate: 0.0 }))
     }
 
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
     #[must_use]
     pub fn energy(&self, m: &Phase) -> Option<f64> {
-        let r = Reduced::new(&self.geometry, &self.bodies, m.theta)?;
+        let r = f64::reduced(self, m.theta)?;
         let bars = 0.5 * r.inertia * m.omega * m.omega + r.energy;
         let Some(Pendulum { mass, length }) = self.bodies.pendulum else {
             return Some(bars);
@@ -192,21 +351,17 @@ impl Dynamics {
     /// moment (N·m); `None` where the linkage does not close on the way.
     #[must_use]
     pub fn step(&self, m: &Phase, moment: f64, h: f64) -> Option<Phase> {
-        let rate = |m: &Phase| {
-            let [alpha, swing] = self.accelerations(m, moment)?;
-            Some([m.omega, alpha, m.swing_rate, swing])
+        let phase = |&[theta, omega, swing, swing_rate]: &[f64; 4]| Phase {
+            theta,
+            omega,
+            swing,
+            swing_rate,
         };
-        let moved = |rate: &[f64; 4], h: f64| Phase {
-            theta: m.theta + h * rate[0],
-            omega: m.omega + h * rate[1],
-            swing: m.swing + h * rate[2],
-            swing_rate: m.swing_rate + h * rate[3],
-        };
-        let k_1 = rate(m)?;
-        let k_2 = rate(&moved(&k_1, h / 2.0))?;
-        let k_3 = rate(&moved(&k_2, h / 2.0))?;
-        let k_4 = rate(&moved(&k_3, h))?;
-        let mean = std::array::from_fn(|i| (k_1[i] + 2.0 * (k_2[i] + k_3[i]) + k_4[i]) / 6.0);
-        Some(moved(&mean, h))
+        let start = [m.theta, m.omega, m.swing, m.swing_rate];
+        let end = runge_kutta::step(&start, h, |y| {
+            let [alpha, swing] = self.accelerations(&phase(y), moment)?;
+            Some([y[1], alpha, y[3], swing])
+        })?;
+        Some(phase(&end))
     }
 }

@@ -249,6 +249,18 @@ impl Model {
         self.state.evaluation.update()
     }
 
+    /// The parameters as they are now.
+    #[must_use]
+    pub fn parameters(&self) -> &Parameters<f64> {
+        self.state.evaluation.parameters()
+    }
+
+    /// Weight of the load as it is now, in N.
+    #[must_use]
+    pub fn load(&self) -> f64 {
+        self.state.evaluation.inputs().q
+    }
+
     /// All that changes in the model.
     #[must_use]
     pub fn state(&self) -> &State {

@@ -10,6 +10,7 @@ use crate::four_bar::{Arc, Branch};
 use crate::lemniscate::balancing::{analysis, boom};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
 use crate::lemniscate::governing::{coordinate, governed};
+use crate::lemniscate::moving;
 use crate::lemniscate::symbols as s;
 use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values};
@@ -42,6 +43,12 @@ pub static KEYS: &[Key] = &[
     Key::quantity(&s::AC, Sign::Positive).optional(),
     Key::quantity(&s::X_8, Sign::Any),
     Key::quantity(&s::Q, Sign::NotNegative).optional(),
+    Key {
+        name: "fidelity",
+        kind: Kind::Choice(moving::scene::FIDELITIES),
+        required: false,
+        text: "How deep it is modelled: \"static\" (the angle is an input), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it).",
+    },
     Key::table("motion", MOTION, "Working range of the driven bar."),
     Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
     Key::table(
@@ -52,6 +59,18 @@ pub static KEYS: &[Key] = &[
     .optional(),
     Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
     Key::table("synthesis", SYNTHESIS, "What `lemnis synth` finds.").optional(),
+    Key::table(
+        "dynamics",
+        moving::scene::KEYS,
+        "Inertias, friction, drive and rope of a mechanism in motion.",
+    )
+    .optional(),
+    Key::table(
+        "hydraulics",
+        moving::scene::OIL_KEYS,
+        "Oil, valve and lines of the luffing cylinder in motion.",
+    )
+    .optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
     Key::table(
         "published",
@@ -156,6 +175,8 @@ pub struct Luffing {
     /// Weight of the load; `None` models no forces.
     pub q: Option<f64>,
     pub motion: Motion,
+    /// With `fidelity` beyond `static`.
+    pub moving: Option<moving::scene::Moving>,
     pub limits: Limits,
     pub published: Option<Published>,
     /// What is asked of the synthesis of its balance.
@@ -336,6 +357,7 @@ impl Luffing {
             branch,
         };
         let motion = motion(v, &parameters, found);
+        let moving = moving::scene::Moving::new(v, q.is_some(), found);
         if let Some(table) = v.table("balance") {
             balanced(v, table, &parameters, motion.as_ref(), found);
         }
@@ -370,6 +392,7 @@ impl Luffing {
             parameters,
             q,
             motion,
+            moving,
             limits,
             published,
             synthesis,

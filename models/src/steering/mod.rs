@@ -41,6 +41,7 @@
 //! | `steering.published` | [`published::Layout::angles`] | Zhang2016, eq. 1-9, misprints mended |
 
 pub mod cylinder;
+pub mod hydraulic;
 pub mod load;
 pub mod machine;
 pub mod mode;

@@ -1,0 +1,26 @@
+//! Flow through sharp edges and gaps.
+
+use crate::calc::Calc;
+
+/// Pressure difference, in Pa, below which a sharp edge passes oil in
+/// proportion to it: 0.2 bar, where the flow turns laminar. It also keeps the
+/// derivative finite at rest.
+pub const LAMINAR: f64 = 2e4;
+
+/// Flow through a sharp edge over its conductance: Δp/(Δp² + Δp_l²)^(1/4), in √Pa, which is
+/// √Δp with the sign of Δp beyond the laminar range.
+#[inline]
+pub fn root<C: Calc>(difference: C) -> C {
+    difference / (difference.square() + C::constant(LAMINAR * LAMINAR)).sqrt().sqrt()
+}
+
+/// Flow out of a volume through a relief valve, in m³/s: above `opening` (Pa) in proportion to the
+/// excess, by `slope` in m³/(s·Pa).
+#[inline]
+pub fn relief<C: Calc>(pressure: C, opening: f64, slope: f64) -> C {
+    if pressure.value() > opening {
+        C::constant(slope) * (pressure - C::constant(opening))
+    } else {
+        C::constant(0.0)
+    }
+}

@@ -1,0 +1,147 @@
+//! Level `hydraulic`: the driven bar moved by a cylinder with its oil, ports
+//! and proportional valve; with 8 states, or with 10 where the load swings.
+
+use crate::hydraulics::cylinder::{Cylinder, Oil};
+use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reel};
+use crate::solver::{Gradient, System};
+
+/// Angular velocity, in rad/s, below which dry friction is in proportion to it.
+pub const CREEP: f64 = 1e-4;
+
+/// States of the oil, the last ones of the system's.
+const OIL: usize = 6;
+
+/// A luffing cylinder at work, as a system of N states: angle and rate of the driven bar, with
+/// N = 10 also those of the rope, pressures of ports and chambers, spool and its speed.
+#[derive(Clone, Copy, Debug)]
+pub struct Hydraulic<const N: usize> {
+    pub dynamics: Dynamics,
+    pub cylinder: Cylinder,
+    /// Friction at the driven bar, in N·m·s/rad, and dry, in N·m; below [`CREEP`] the bar creeps.
+    pub viscous: f64,
+    pub coulomb: f64,
+    /// Least and greatest angle of the driven bar, in rad, and the end stops' stiffness (N·m/rad) and
+    /// damping (N·m·s/rad) beyond them.
+    pub stops: [f64; 2],
+    pub buffer: [f64; 2],
+    /// Command of the valve in [−1, 1]; positive raises the driven bar.
+    pub command: f64,
+    /// Pressure of the pump, in Pa.
+    pub supply: f64,
+}
+
+impl<const N: usize> Hydraulic<N> {
+    pub fn phase<C: Coordinate>(y: &[C; N]) -> Phase<C> {
+        let still = C::constant(0.0);
+        let swings = N > OIL + 2;
+        Phase {
+            theta: y[0],
+            omega: y[1],
+            swing: if swings { y[2] } else { still },
+            swing_rate: if swings { y[3] } else { still },
+        }
+    }
+
+    pub fn oil<C: Coordinate>(y: &[C; N]) -> Oil<C> {
+        let oil = &y[N - OIL..];
+        Oil {
+            ports: [oil[0], oil[1]],
+            chambers: [oil[2], oil[3]],
+            spool: oil[4],
+            spool_speed: oil[5],
+        }
+    }
+
+    /// Equations over any scalar.
+    #[inline]
+    pub fn equations<C: Coordinate>(&self, y: &[C; N]) -> Option<[C; N]> {
+        let m = Self::phase(y);
+        let oil = Self::oil(y);
+        let r = C::reduced(&self.dynamics, m.theta)?;
+        let [length, arm] = r.drive;
+        let rates = self
+            .cylinder
+            .rates(&oil, length, arm * m.omega, self.command, self.supply);
+        let mut moment = self.cylinder.force(&oil) * arm - C::constant(self.viscous) * m.omega;
+        if self.coulomb > 0.0 {
+            let smooth = (m.omega.square() + C::constant(CREEP * CREEP)).sqrt();
+            moment -= C::constant(self.coulomb) * m.omega / smooth;
+        }
+        if let Some(depth) = self.beyond(m.theta) {
+            let [stiffness, damping] = self.buffer;
+            let push = C::constant(-stiffness) * depth - C::constant(damping) * m.omega;
+            // A stop pushes, and never pulls.
+            if push.value() * depth.value() < 0.0 {
+                moment += push;
+            }
+        }
+        let rope = self.dynamics.bodies().pendulum.map_or(0.0, |p| p.length);
+        let reel = Reel {
+            length: C::constant(rope),
+            rate: 0.0,
+        };
+        let [alpha, swing] = self.dynamics.motion(&r, &m, moment, reel);
+        let mut out = [C::constant(0.0); N];
+        out[0] = m.omega;
+        out[1] = alpha;
+        if N > OIL + 2 {
+            out[2] = m.swing_rate;
+            out[3] = swing;
+        }
+        let oil = [
+            rates.ports[0],
+            rates.ports[1],
+            rates.chambers[0],
+            rates.chambers[1],
+            rates.spool,
+            rates.spool_speed,
+        ];
+        out[N - OIL..].copy_from_slice(&oil);
+        Some(out)
+    }
+
+    /// How far the bar is beyond its range, in rad.
+    fn beyond<C: Coordinate>(&self, theta: C) -> Option<C> {
+        let nearest = theta.value().clamp(self.stops[0], self.stops[1]);
+        (theta.value() != nearest).then(|| theta - C::constant(nearest))
+    }
+
+    /// The crane at rest at an angle (rad), the valve closed and the oil carrying it, both chambers at
+    /// `least` (Pa) or more. `None` where the linkage does not close or the cylinder cannot hold it.
+    #[must_use]
+    pub fn resting(&self, theta: f64, least: f64) -> Option<[f64; N]> {
+        let r = f64::reduced(&self.dynamics, theta)?;
+        let still = Phase {
+            theta,
+            omega: 0.0,
+            swing: 0.0,
+            swing_rate: 0.0,
+        };
+        let length = self.dynamics.bodies().pendulum.map_or(0.0, |p| p.length);
+        let [moment, _] = self.dynamics.hold(&r, &still, Reel { length, rate: 0.0 });
+        let [bore, annulus] = self.cylinder.areas;
+        let force = moment / r.drive[1];
+        let back = least.max((least * bore - force) / annulus);
+        let push = (force + annulus * back) / bore;
+        if !push.is_finite() {
+            return None;
+        }
+        let mut y = [0.0; N];
+        y[0] = theta;
+        y[N - OIL..N - 2].copy_from_slice(&[push, back, push, back]);
+        Some(y)
+    }
+}
+
+impl<const N: usize> System<N> for Hydraulic<N> {
+    #[inline]
+    fn rates(&self, y: &[f64; N]) -> Option<[f64; N]> {
+        self.equations(y)
+    }
+
+    #[inline]
+    fn jacobian(&self, y: &[f64; N]) -> Option<([f64; N], [[f64; N]; N])> {
+        let out = self.equations(&Gradient::states(y))?;
+        Some((out.map(|x| x.re), out.map(|x| x.by)))
+    }
+}

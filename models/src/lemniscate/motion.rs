@@ -1,0 +1,407 @@
+//! Levels `rigid` and `swing`: the driven bar as a state under a moment, with
+//! friction that truly sticks, a brake and end stops; and the load on a rope
+//! that swings through any angle, is reeled in and out, and may go slack.
+//!
+//! Between events the motion is smooth and solved by the explicit Runge-Kutta
+//! method of fourth order. What ends a smooth piece is an [`indicator`](Motion::indicators)
+//! below zero; what follows is decided by [`Motion::event`]. Blows (an end
+//! stop, a rope that becomes taut) are plastic: no bouncing, no energy gained.
+
+use crate::calc::Calc;
+use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
+use crate::plane::Point;
+use crate::solver::{Halt, MOST_STEPS, runge_kutta};
+
+/// Friction at the driven bar.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction {
+    /// In N·m·s/rad.
+    pub viscous: f64,
+    /// In N·m: it holds the bar at rest up to this moment.
+    pub coulomb: f64,
+}
+
+/// What drives the motion; constant over a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Commands {
+    /// Moment of the drive on the driven bar, in N·m; positive raises it.
+    pub moment: f64,
+    /// Moment that the brake adds to the dry friction, in N·m; not negative.
+    pub brake: f64,
+    /// How fast the rope is paid out, in m/s.
+    pub hoist: f64,
+}
+
+/// The driven bar between events.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bar {
+    Held,
+    Forward,
+    Backward,
+}
+
+/// Number of states: angle and rate of the driven bar, of the rope, the rope's length, the distance
+/// of the load from the head and its rate; rad, m, s.
+pub const STATES: usize = 7;
+/// Number of event indicators.
+pub const INDICATORS: usize = 5;
+
+/// A motion at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    pub y: [f64; STATES],
+    pub bar: Bar,
+    /// The load hangs on the rope, or flies free.
+    pub taut: bool,
+}
+
+impl State {
+    /// At rest at an angle (rad), the load hanging at the end of a rope of a length (m).
+    #[must_use]
+    pub fn resting(theta: f64, length: f64) -> State {
+        State {
+            y: [theta, 0.0, 0.0, 0.0, length, length, 0.0],
+            bar: Bar::Held,
+            taut: true,
+        }
+    }
+
+    #[must_use]
+    pub fn phase(&self) -> Phase {
+        phase(&self.y)
+    }
+}
+
+fn phase(y: &[f64; STATES]) -> Phase {
+    Phase {
+        theta: y[0],
+        omega: y[1],
+        swing: y[2],
+        swing_rate: y[3],
+    }
+}
+
+/// A luffing mechanism that moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion {
+    pub dynamics: Dynamics,
+    pub friction: Friction,
+    /// Least and greatest angle of the driven bar, in rad.
+    pub stops: [f64; 2],
+}
+
+/// How far beyond the greatest hold the moment must be before the bar breaks loose: rounding alone must not.
+const LOOSE: f64 = 1.0 + 1e-12;
+/// Events in one call, and changes at one instant.
+const MOST_EVENTS: u32 = 10_000;
+const MOST_CHANGES: u32 = 16;
+
+impl Motion {
+    /// The load on its rope as it is now.
+    fn reel(&self, state: &State, y: &[f64; STATES], commands: &Commands) -> Reel<f64> {
+        if state.taut {
+            Reel {
+                length: y[4],
+                rate: commands.hoist,
+            }
+        } else {
+            Reel {
+                length: y[5],
+                rate: y[6],
+            }
+        }
+    }
+
+    /// Greatest moment of dry friction and brake, in N·m.
+    fn dry(&self, commands: &Commands) -> f64 {
+        self.friction.coulomb + commands.brake
+    }
+
+    /// Accelerations of bar and rope (rad/s²), and of the load away from the head (m/s²).
+    fn accelerations(&self, state: &State, r: &Reduced<f64>, y: &[f64; STATES], commands: &Commands) -> [f64; 3] {
+        let m = phase(y);
+        let way = match state.bar {
+            Bar::Held => 0.0,
+            Bar::Forward => 1.0,
+            Bar::Backward => -1.0,
+        };
+        let moment = commands.moment - self.friction.viscous * m.omega - way * self.dry(commands);
+        let reel = self.reel(state, y, commands);
+        if state.taut {
+            let [alpha, swing] = match state.bar {
+                Bar::Held => [0.0, self.dynamics.hold(r, &m, reel)[1]],
+                _ => self.dynamics.motion(r, &m, moment, reel),
+            };
+            return [alpha, swing, 0.0];
+        }
+        let alpha = match state.bar {
+            Bar::Held => 0.0,
+            _ => (moment - r.moment - 0.5 * r.slope * m.omega * m.omega) / r.inertia,
+        };
+        // The load falls freely; seen from the head, which moves.
+        let [_, d, dd] = r.head;
+        let fall = -Point::new(0.0, self.dynamics.bodies().gravity) - d * alpha - dd * (m.omega * m.omega);
+        let (out, along) = directions(m.swing);
+        [
+            alpha,
+            (fall.dot(&along) - 2.0 * reel.rate * m.swing_rate) / reel.length,
+            fall.dot(&out) + reel.length * m.swing_rate * m.swing_rate,
+        ]
+    }
+
+    /// Rates of all states between events; `None` where the linkage does not close.
+    #[must_use]
+    pub fn rates(&self, state: &State, commands: &Commands, y: &[f64; STATES]) -> Option<[f64; STATES]> {
+        let r = f64::reduced(&self.dynamics, y[0])?;
+        let [alpha, swing, out] = self.accelerations(state, &r, y, commands);
+        if self.dynamics.bodies().pendulum.is_none() {
+            return Some([y[1], alpha, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        }
+        let distance = if state.taut { commands.hoist } else { y[6] };
+        Some([y[1], alpha, y[3], swing, commands.hoist, distance, out])
+    }
+
+    /// Moment that friction, brake and stops must give to hold the bar at rest, in N·m, with the
+    /// least and greatest that they can.
+    fn held(&self, state: &State, r: &Reduced<f64>, y: &[f64; STATES], commands: &Commands) -> [f64; 3] {
+        let hold = if state.taut {
+            let still = Phase { omega: 0.0, ..phase(y) };
+            self.dynamics.hold(r, &still, self.reel(state, y, commands))[0]
+        } else {
+            r.moment
+        };
+        let dry = self.dry(commands) * LOOSE;
+        [
+            hold - commands.moment,
+            if y[0] >= self.stops[1] { f64::NEG_INFINITY } else { -dry },
+            if y[0] <= self.stops[0] { f64::INFINITY } else { dry },
+        ]
+    }
+
+    /// Force of the rope on the load towards the head, in N; zero where it is slack or there is none.
+    fn tension(&self, state: &State, r: &Reduced<f64>, y: &[f64; STATES], commands: &Commands) -> f64 {
+        let Some(pendulum) = self.dynamics.bodies().pendulum.filter(|_| state.taut) else {
+            return 0.0;
+        };
+        let [alpha, _, _] = self.accelerations(state, r, y, commands);
+        let [_, d, dd] = r.head;
+        let (out, _) = directions(y[2]);
+        let head = d * alpha + dd * (y[1] * y[1]) + Point::new(0.0, self.dynamics.bodies().gravity);
+        pendulum.mass * (y[4] * y[3] * y[3] - head.dot(&out))
+    }
+
+    /// Force of the rope, in N; zero where it is slack or there is none.
+    #[must_use]
+    pub fn rope_force(&self, state: &State, commands: &Commands) -> Option<f64> {
+        let r = f64::reduced(&self.dynamics, state.y[0])?;
+        Some(self.tension(state, &r, &state.y, commands))
+    }
+
+    /// Moment of friction, brake and end stop on the driven bar, in N·m; positive raises it.
+    #[must_use]
+    pub fn friction_moment(&self, state: &State, commands: &Commands) -> Option<f64> {
+        let r = f64::reduced(&self.dynamics, state.y[0])?;
+        let viscous = -self.friction.viscous * state.y[1];
+        Some(match state.bar {
+            Bar::Held => self.held(state, &r, &state.y, commands)[0],
+            Bar::Forward => viscous - self.dry(commands),
+            Bar::Backward => viscous + self.dry(commands),
+        })
+    }
+
+    /// Numbers whose fall below zero ends a smooth piece: the bar comes to rest or (two) breaks
+    /// loose; it meets its lower or upper stop; the rope becomes slack or taut.
+    #[must_use]
+    pub fn indicators(&self, state: &State, commands: &Commands, y: &[f64; STATES]) -> Option<[f64; INDICATORS]> {
+        let r = f64::reduced(&self.dynamics, y[0])?;
+        let [rest, loose, low, high] = match state.bar {
+            Bar::Held => {
+                let [hold, least, most] = self.held(state, &r, y, commands);
+                // Where a stop gives any moment there is nothing to break.
+                [(most - hold).min(f64::MAX), (hold - least).min(f64::MAX), 1.0, 1.0]
+            }
+            Bar::Forward => [y[1], 1.0, y[0] - self.stops[0], self.stops[1] - y[0]],
+            Bar::Backward => [-y[1], 1.0, y[0] - self.stops[0], self.stops[1] - y[0]],
+        };
+        let rope = match self.dynamics.bodies().pendulum {
+            None => 1.0,
+            Some(_) if state.taut => self.tension(state, &r, y, commands),
+            Some(_) => y[4] - y[5],
+        };
+        Some([rest, loose, low, high, rope])
+    }
+
+    /// Decides what follows at an instant, as often as one event causes another. Returns whether
+    /// anything changed.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
+        let mut changed = false;
+        for _ in 0..MOST_CHANGES {
+            let before = *state;
+            let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
+            self.stop_bar(state, &r, commands);
+            self.switch_rope(state, &r, commands);
+            if state.bar == Bar::Held {
+                let [hold, least, most] = self.held(state, &r, &state.y, commands);
+                if hold > most {
+                    state.bar = Bar::Backward;
+                } else if hold < least {
+                    state.bar = Bar::Forward;
+                }
+            }
+            if *state == before {
+                break;
+            }
+            changed = true;
+        }
+        Ok(changed)
+    }
+
+    /// A bar that has reached a stop, or turned round, is at rest.
+    fn stop_bar(&self, state: &mut State, r: &Reduced<f64>, commands: &Commands) {
+        let [theta, omega, ..] = state.y;
+        let [low, high] = self.stops;
+        let at_stop = (theta >= high && omega > 0.0) || (theta <= low && omega < 0.0);
+        let turned = match state.bar {
+            Bar::Held => omega != 0.0,
+            // At rest it is decided again which way it goes, as the commands may have changed.
+            Bar::Forward => omega <= 0.0,
+            Bar::Backward => omega >= 0.0,
+        };
+        if at_stop {
+            let reel = self.reel(state, &state.y, commands);
+            if state.taut {
+                state.y[3] -= omega * self.dynamics.blow(r, &state.phase(), reel);
+            } else {
+                let (out, along) = directions(state.y[2]);
+                state.y[3] += omega * r.head[1].dot(&along) / reel.length;
+                state.y[6] += omega * r.head[1].dot(&out);
+            }
+            state.y[0] = theta.clamp(low, high);
+        }
+        if state.bar == Bar::Held && turned && !at_stop {
+            // Set in motion from outside.
+            state.bar = if omega > 0.0 { Bar::Forward } else { Bar::Backward };
+        } else if at_stop || turned {
+            state.y[1] = 0.0;
+            state.bar = Bar::Held;
+        }
+    }
+
+    /// The rope lets go where it would push, and catches the load with a plastic blow along itself.
+    fn switch_rope(&self, state: &mut State, r: &Reduced<f64>, commands: &Commands) {
+        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+            return;
+        };
+        if state.taut {
+            state.y[5] = state.y[4];
+            state.y[6] = commands.hoist;
+            state.taut = self.tension(state, r, &state.y, commands) >= 0.0;
+        } else if state.y[5] >= state.y[4] && state.y[6] > commands.hoist {
+            let (out, along) = directions(state.y[2]);
+            let arm = r.head[1].dot(&out);
+            let follow = if state.bar == Bar::Held { 0.0 } else { arm / r.inertia };
+            let blow = (state.y[6] - commands.hoist) / (1.0 / pendulum.mass + arm * follow);
+            state.y[1] += blow * follow;
+            state.y[3] -= blow * follow * r.head[1].dot(&along) / state.y[4];
+            state.y[5] = state.y[4];
+            state.y[6] = commands.hoist;
+            state.taut = true;
+        }
+    }
+
+    /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way
+    /// to the last bits of the step. Returns the number of steps.
+    ///
+    /// # Errors
+    /// See [`Halt`]; the state is that of the last step that succeeded.
+    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<u32, Halt> {
+        let Commands { moment, brake, hoist } = *commands;
+        if !(moment.is_finite() && hoist.is_finite() && brake >= 0.0) {
+            return Err(Halt::Outside);
+        }
+        self.event(state, commands)?;
+        let mut left = duration;
+        let (mut steps, mut events) = (0, 0);
+        while left > 0.0 {
+            steps += 1;
+            if steps > MOST_STEPS || left / longest > f64::from(MOST_STEPS) {
+                return Err(Halt::TooMany);
+            }
+            let h = left / (left / longest).ceil();
+            let (end, part) = self.piece(state, commands, h)?;
+            state.y = end;
+            // The last of equal steps ends exactly.
+            left = if part == 1.0 && h >= left { 0.0 } else { left - part * h };
+            if part < 1.0 || self.crossed(state, commands, &end) {
+                events += 1;
+                if events > MOST_EVENTS {
+                    return Err(Halt::TooMany);
+                }
+                self.event(state, commands)?;
+            }
+        }
+        Ok(steps)
+    }
+
+    fn crossed(&self, state: &State, commands: &Commands, y: &[f64; STATES]) -> bool {
+        self.indicators(state, commands, y)
+            .is_none_or(|z| z.iter().any(|z| z.is_nan() || *z < 0.0))
+    }
+
+    /// A step of `h` s, or the part of it up to just beyond the first event; the states there, and which part.
+    fn piece(&self, state: &State, commands: &Commands, h: f64) -> Result<([f64; STATES], f64), Halt> {
+        let after = |part: f64| {
+            let y = runge_kutta::step(&state.y, part * h, |y| self.rates(state, commands, y))?;
+            let crossed = self.crossed(state, commands, &y);
+            Some((y, crossed))
+        };
+        let whole = after(1.0);
+        if let Some((y, false)) = whole {
+            return Ok((y, 1.0));
+        }
+        let (mut before, mut beyond) = (0.0, 1.0);
+        let mut found = whole;
+        for _ in 0..60 {
+            let middle = f64::midpoint(before, beyond);
+            if middle <= before || middle >= beyond {
+                break;
+            }
+            match after(middle) {
+                Some((_, false)) => before = middle,
+                other => (beyond, found) = (middle, other),
+            }
+        }
+        match found {
+            Some((y, _)) => Ok((y, beyond)),
+            // The end of assembly lies before any stop.
+            None => Err(Halt::Outside),
+        }
+    }
+
+    /// Kinetic and potential energy, in J; `None` where the linkage does not close.
+    #[must_use]
+    pub fn energy(&self, state: &State, commands: &Commands) -> Option<f64> {
+        let r = f64::reduced(&self.dynamics, state.y[0])?;
+        let m = state.phase();
+        let bars = 0.5 * r.inertia * m.omega * m.omega + r.energy;
+        let bodies = self.dynamics.bodies();
+        let Some(pendulum) = bodies.pendulum else {
+            return Some(bars);
+        };
+        let reel = self.reel(state, &state.y, commands);
+        let [a, d, _] = r.head;
+        let (out, along) = directions(m.swing);
+        let velocity = d * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;
+        let height = a.y + out.y * reel.length;
+        Some(bars + pendulum.mass * (0.5 * velocity.norm_squared() + bodies.gravity * height))
+    }
+}
+
+/// From the head to the load, and where it swings to, at an angle of the rope.
+fn directions(swing: f64) -> (Point<f64>, Point<f64>) {
+    let (sin, cos) = Calc::sin_cos(swing);
+    (Point::new(sin, -cos), Point::new(cos, sin))
+}

@@ -1,0 +1,261 @@
+//! What the levels have in common for the running model: states, rates, events,
+//! steps. Each variant is a system of equations with all of its solver's state
+//! beside it.
+
+use crate::lemniscate::hydraulic::Hydraulic;
+use crate::lemniscate::motion::{self, Bar, Commands, Motion};
+use crate::solver::rodas::{Run, Tolerance};
+use crate::solver::{Halt, System};
+
+/// Most continuous states of any level.
+pub const MOST_STATES: usize = 10;
+/// Event indicators of the deepest level.
+pub const MOST_INDICATORS: usize = 5;
+
+/// First step of the implicit solver after a change from outside, in s.
+const FIRST: f64 = 1e-3;
+
+/// Inputs, constant over a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inputs {
+    pub motion: Commands,
+    /// Command of the valve in [−1, 1], and pressure of the pump in Pa.
+    pub valve: f64,
+    pub supply: f64,
+}
+
+/// The equations of a level.
+#[derive(Clone, Copy, Debug)]
+pub enum Level {
+    Free(Motion),
+    /// A cylinder, the load fixed to the head.
+    Fixed(Hydraulic<8>),
+    /// A cylinder, the load on its rope.
+    Hanging(Hydraulic<10>),
+}
+
+/// Where a level is: its states, and its solver's.
+#[derive(Clone, Copy, Debug)]
+pub enum Present {
+    Free(motion::State),
+    Fixed(Run<8>),
+    Hanging(Run<10>),
+}
+
+/// Level and state come from one model, which keeps them together.
+const OTHER: &str = "the state of another level";
+
+fn tolerance<const N: usize>(relative: f64) -> Tolerance<N> {
+    // Angles and rates, pressures, spool and its speed.
+    let mut absolute = [1e-3; N];
+    absolute[N - 6..N - 2].fill(1e5);
+    absolute[N - 2] = 1e-2;
+    absolute[N - 1] = 1.0;
+    Tolerance {
+        relative,
+        absolute: absolute.map(|x| relative * x),
+    }
+}
+
+fn oil_indicators<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> [f64; MOST_INDICATORS] {
+    let opening = system.cylinder.relief[0];
+    [
+        y[N - 2],
+        opening - y[N - 6],
+        opening - y[N - 5],
+        y[0] - system.stops[0],
+        system.stops[1] - y[0],
+    ]
+}
+
+/// Whether a state of the oil or of the mechanism is none of theirs any more.
+fn possible<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> bool {
+    y[N - 6..N - 2].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.rates(y).is_some()
+}
+
+impl Level {
+    pub fn set_inputs(&mut self, inputs: &Inputs) {
+        match self {
+            Level::Free(_) => {}
+            Level::Fixed(system) => (system.command, system.supply) = (inputs.valve, inputs.supply),
+            Level::Hanging(system) => (system.command, system.supply) = (inputs.valve, inputs.supply),
+        }
+    }
+
+    /// Rates of the states; `None` where the linkage does not close.
+    pub fn rates(&self, present: &Present, inputs: &Inputs, rates: &mut [f64]) -> Option<()> {
+        match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => {
+                put(rates, &motion.rates(state, &inputs.motion, &state.y)?);
+            }
+            (Level::Fixed(system), Present::Fixed(run)) => put(rates, &system.rates(&run.states())?),
+            (Level::Hanging(system), Present::Hanging(run)) => put(rates, &system.rates(&run.states())?),
+            _ => unreachable!("{OTHER}"),
+        }
+        Some(())
+    }
+
+    /// Numbers whose change of sign is an event; `None` where the linkage does not close.
+    pub fn indicators(&self, present: &Present, inputs: &Inputs) -> Option<[f64; MOST_INDICATORS]> {
+        match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => motion.indicators(state, &inputs.motion, &state.y),
+            (Level::Fixed(system), Present::Fixed(run)) => Some(oil_indicators(system, &run.states())),
+            (Level::Hanging(system), Present::Hanging(run)) => Some(oil_indicators(system, &run.states())),
+            _ => unreachable!("{OTHER}"),
+        }
+    }
+
+    /// Decides what follows at an instant. The events of oil are kinks: nothing is to be decided.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub fn event(&self, present: &mut Present, inputs: &Inputs) -> Result<(), Halt> {
+        match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => motion.event(state, &inputs.motion).map(|_| ()),
+            (Level::Fixed(system), Present::Fixed(run)) => system.rates(&run.states()).map(|_| ()).ok_or(Halt::Outside),
+            (Level::Hanging(system), Present::Hanging(run)) => {
+                system.rates(&run.states()).map(|_| ()).ok_or(Halt::Outside)
+            }
+            _ => unreachable!("{OTHER}"),
+        }
+    }
+
+    /// Moves on by a duration, in s; `step` is the longest explicit step (s), `relative` the
+    /// tolerance of the implicit solver.
+    ///
+    /// # Errors
+    /// See [`Halt`].
+    pub fn advance(
+        &self,
+        present: &mut Present,
+        inputs: &Inputs,
+        duration: f64,
+        step: f64,
+        relative: f64,
+    ) -> Result<(), Halt> {
+        match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => {
+                motion.advance(state, &inputs.motion, duration, step).map(|_| ())
+            }
+            (Level::Fixed(system), Present::Fixed(run)) => oil_advance(system, run, duration, step, relative),
+            (Level::Hanging(system), Present::Hanging(run)) => oil_advance(system, run, duration, step, relative),
+            _ => unreachable!("{OTHER}"),
+        }
+    }
+}
+
+fn oil_advance<const N: usize>(
+    system: &Hydraulic<N>,
+    run: &mut Run<N>,
+    duration: f64,
+    longest: f64,
+    relative: f64,
+) -> Result<(), Halt> {
+    run.advance(system, &tolerance(relative), duration, longest)?;
+    possible(system, &run.states()).then_some(()).ok_or(Halt::Outside)
+}
+
+fn put(to: &mut [f64], from: &[f64]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = *from;
+    }
+}
+
+impl Present {
+    pub fn of_oil_8(y: [f64; 8]) -> Present {
+        Present::Fixed(Run::new(y, FIRST))
+    }
+
+    pub fn of_oil_10(y: [f64; 10]) -> Present {
+        Present::Hanging(Run::new(y, FIRST))
+    }
+
+    /// The states, the rest being zero.
+    #[must_use]
+    pub fn states(&self) -> [f64; MOST_STATES] {
+        let mut y = [0.0; MOST_STATES];
+        match self {
+            Present::Free(state) => put(&mut y, &state.y),
+            Present::Fixed(run) => put(&mut y, &run.states()),
+            Present::Hanging(run) => put(&mut y, &run.states()),
+        }
+        y
+    }
+
+    /// Takes over states from outside; what a solver knew ahead is dropped.
+    pub fn set_states(&mut self, values: &[f64]) {
+        match self {
+            Present::Free(state) => put(&mut state.y, values),
+            Present::Fixed(run) => {
+                let mut y = run.states();
+                put(&mut y, values);
+                *run = Run::new(y, FIRST);
+            }
+            Present::Hanging(run) => {
+                let mut y = run.states();
+                put(&mut y, values);
+                *run = Run::new(y, FIRST);
+            }
+        }
+    }
+
+    /// To be called when an input or a parameter changes.
+    pub fn interrupt(&mut self) {
+        match self {
+            Present::Free(_) => {}
+            Present::Fixed(run) => run.interrupt(FIRST),
+            Present::Hanging(run) => run.interrupt(FIRST),
+        }
+    }
+
+    /// All of it as numbers.
+    pub fn numbers(&self, numbers: &mut Vec<f64>) {
+        match self {
+            Present::Free(state) => {
+                numbers.extend(state.y);
+                numbers.push(match state.bar {
+                    Bar::Held => 0.0,
+                    Bar::Forward => 1.0,
+                    Bar::Backward => -1.0,
+                });
+                numbers.push(f64::from(state.taut));
+            }
+            Present::Fixed(run) => numbers.extend(run.numbers()),
+            Present::Hanging(run) => numbers.extend(run.numbers()),
+        }
+    }
+
+    /// What [`numbers`](Present::numbers) gave, of this level, and the numbers that follow it.
+    #[must_use]
+    pub fn of<'a>(&self, numbers: &'a [f64]) -> Option<(Present, &'a [f64])> {
+        let count = {
+            let mut own = Vec::new();
+            self.numbers(&mut own);
+            own.len()
+        };
+        let (own, rest) = numbers.split_at_checked(count)?;
+        if own.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
+        let found = match self {
+            Present::Free(_) => {
+                let (y, modes) = own.split_first_chunk::<{ motion::STATES }>()?;
+                let &[bar, taut] = modes else { return None };
+                let bar = match bar {
+                    0.0 => Bar::Held,
+                    1.0 => Bar::Forward,
+                    -1.0 => Bar::Backward,
+                    _ => return None,
+                };
+                Present::Free(motion::State {
+                    y: *y,
+                    bar,
+                    taut: taut != 0.0,
+                })
+            }
+            Present::Fixed(_) => Present::Fixed(Run::of(own)?),
+            Present::Hanging(_) => Present::Hanging(Run::of(own)?),
+        };
+        Some((found, rest))
+    }
+}

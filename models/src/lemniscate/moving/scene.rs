@@ -1,0 +1,273 @@
+//! What a scene says about the mechanism in motion.
+
+use crate::diagnostic::Diagnostic;
+use crate::lemniscate::motion::Commands;
+use crate::lemniscate::moving::level::Inputs;
+use crate::lemniscate::moving::symbols as s;
+use crate::schema::{Key, Sign, Values};
+use crate::symbol::{Symbol, quantities};
+
+/// How deep the mechanism is modelled.
+pub const FIDELITIES: &[&str] = &["static", "rigid", "swing", "hydraulic"];
+
+/// Keys of `[luffing.dynamics]`.
+pub static KEYS: &[Key] = &[
+    Key::quantity(&s::J_1, Sign::NotNegative),
+    Key::quantity(&s::J_2, Sign::NotNegative),
+    Key::quantity(&s::J_3, Sign::NotNegative),
+    Key::quantity(&s::C_V, Sign::NotNegative).optional(),
+    Key::quantity(&s::M_F, Sign::NotNegative).optional(),
+    Key::quantity(&s::G, Sign::Positive).optional(),
+    Key::quantity(&s::M_A, Sign::Any).optional(),
+    Key::quantity(&s::M_S, Sign::NotNegative).optional(),
+    Key::quantity(&s::L_R, Sign::Positive).optional(),
+    Key::quantity(&s::PHI, Sign::Any).optional(),
+    Key::quantity(&s::V_H, Sign::Any).optional(),
+    Key::quantity(&s::STEP, Sign::Positive).optional(),
+    Key::text(
+        "source",
+        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+    ),
+];
+
+/// Keys of `[luffing.hydraulics]`.
+pub static OIL_KEYS: &[Key] = &[
+    Key::quantity(&s::L_MIN, Sign::Positive),
+    Key::quantity(&s::L_MAX, Sign::Positive),
+    Key::quantity(&s::V_0, Sign::Positive),
+    Key::quantity(&s::V_1, Sign::Positive),
+    Key::quantity(&s::Q_N, Sign::Positive),
+    Key::quantity(&s::DP_N, Sign::Positive),
+    Key::quantity(&s::DP_L, Sign::Positive),
+    Key::quantity(&s::BETA_E, Sign::Positive),
+    Key::quantity(&s::P_R, Sign::Positive),
+    Key::quantity(&s::K_R, Sign::NotNegative),
+    Key::quantity(&s::K_L, Sign::NotNegative),
+    Key::quantity(&s::OMEGA_V, Sign::Positive),
+    Key::quantity(&s::ZETA_V, Sign::NotNegative),
+    Key::quantity(&s::TOL, Sign::Positive).optional(),
+    Key::quantity(&s::P_P, Sign::NotNegative),
+    Key::quantity(&s::U_V, Sign::Any).optional(),
+    Key::text(
+        "source",
+        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+    ),
+];
+
+quantities! {
+    /// A luffing cylinder with its oil and valve, besides bore and rod.
+    Oil {
+        l_min: L_MIN, l_max: L_MAX, v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, dp_l: DP_L, beta_e: BETA_E,
+        p_r: P_R, k_r: K_R, k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, tol: TOL
+    }
+}
+
+quantities! {
+    /// What is constant in motion, besides geometry and weights.
+    Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_f: M_F, g: G, step: STEP }
+}
+
+/// The load's rope at the start.
+#[derive(Clone, Copy, Debug)]
+pub struct Rope {
+    /// In m.
+    pub length: f64,
+    /// From the vertical, in rad.
+    pub swing: f64,
+}
+
+/// A mechanism in motion as the scene describes it; SI.
+#[derive(Clone, Copy, Debug)]
+pub struct Moving {
+    pub constants: Constants<f64>,
+    /// Of the inputs, until an importer sets others.
+    pub inputs: Inputs,
+    /// With level `swing`, and with level `hydraulic` where the scene gives a rope.
+    pub rope: Option<Rope>,
+    /// With level `hydraulic`.
+    pub oil: Option<Oil<f64>>,
+}
+
+impl Moving {
+    /// The checked table `[luffing]`; `None` at the static level, and where there are mistakes, which go to `found`.
+    pub fn new(v: &Values, loaded: bool, found: &mut Vec<Diagnostic>) -> Option<Moving> {
+        let fidelity = v.text("fidelity").unwrap_or("static");
+        let mut mistake = |key: &str, what: String, label: &str, help: &str| {
+            found.push(Diagnostic::new(v.place(key), what, label).help(help));
+        };
+        let table = match (fidelity, v.table("dynamics")) {
+            ("static", None) => return None,
+            ("static", Some(_)) => {
+                mistake(
+                    "dynamics",
+                    "inertias and drive of a mechanism that does not move by itself".to_owned(),
+                    "not used",
+                    "add fidelity = \"rigid\" or \"swing\" to [luffing], or remove this table",
+                );
+                return None;
+            }
+            (_, None) => {
+                mistake(
+                    "fidelity",
+                    format!("fidelity = \"{fidelity}\" without inertias"),
+                    "needs [luffing.dynamics]",
+                    "add [luffing.dynamics] with J_1, J_2 and J_3 (kg.m2)",
+                );
+                return None;
+            }
+            (_, Some(table)) => table,
+        };
+        if v.table("weights").is_none() || !loaded {
+            mistake(
+                "fidelity",
+                format!("fidelity = \"{fidelity}\" without weights and load"),
+                "what moves must weigh something",
+                "add Q to [luffing] and a table [luffing.weights]; their masses are weights over g",
+            );
+            return None;
+        }
+        if v.table("balance").is_some() {
+            mistake(
+                "balance",
+                format!("fidelity = \"{fidelity}\" with a balance"),
+                "its counterweight has no inertia yet",
+                "remove [luffing.balance], or set fidelity = \"static\"",
+            );
+            return None;
+        }
+        let n = |symbol: &Symbol| table.number(symbol.id);
+        let rope = match (fidelity, n(&s::L_R)) {
+            ("swing" | "hydraulic", Some(length)) => Some(Rope {
+                length,
+                swing: n(&s::PHI).unwrap_or(0.0),
+            }),
+            ("swing", None) => {
+                found.push(
+                    Diagnostic::new(
+                        table.span.clone(),
+                        "a swinging load without a rope",
+                        "l_R is needed here",
+                    )
+                    .help("add l_R = \"... m\", the length of the rope at the start"),
+                );
+                return None;
+            }
+            _ => {
+                let unused = [&s::L_R, &s::PHI, &s::V_H]
+                    .into_iter()
+                    .find(|symbol| n(symbol).is_some());
+                if let Some(symbol) = unused {
+                    found.push(
+                        Diagnostic::new(
+                            table.place(symbol.id),
+                            format!("{} without a swinging load", symbol.id),
+                            "not used",
+                        )
+                        .help("remove it, or set fidelity = \"swing\""),
+                    );
+                    return None;
+                }
+                None
+            }
+        };
+        let (oil, valve, supply) = match (fidelity, v.table("hydraulics")) {
+            ("hydraulic", Some(table)) => {
+                let n = |symbol: &Symbol| table.number(symbol.id);
+                let oil = oil(v, table, found)?;
+                (Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?)
+            }
+            ("hydraulic", None) => {
+                found.push(
+                    Diagnostic::new(
+                        v.place("fidelity"),
+                        "fidelity = \"hydraulic\" without oil",
+                        "needs [luffing.hydraulics]",
+                    )
+                    .help("add [luffing.hydraulics]; `lemnis schema` lists its keys"),
+                );
+                return None;
+            }
+            (_, Some(_)) => {
+                found.push(
+                    Diagnostic::new(
+                        v.place("hydraulics"),
+                        "oil of a mechanism without a hydraulic level",
+                        "not used",
+                    )
+                    .help("set fidelity = \"hydraulic\", or remove this table"),
+                );
+                return None;
+            }
+            _ => (None, 0.0, 0.0),
+        };
+        if oil.is_some() && n(&s::V_H).is_some() {
+            found.push(
+                Diagnostic::new(table.place(s::V_H.id), "v_h at the hydraulic level", "not used")
+                    .help("remove it: the rope keeps its length there"),
+            );
+            return None;
+        }
+        Some(Moving {
+            oil,
+            constants: Constants {
+                j_1: n(&s::J_1)?,
+                j_2: n(&s::J_2)?,
+                j_3: n(&s::J_3)?,
+                c_v: n(&s::C_V).unwrap_or(0.0),
+                m_f: n(&s::M_F).unwrap_or(0.0),
+                g: n(&s::G).unwrap_or(9.81),
+                step: n(&s::STEP).unwrap_or(0.01),
+            },
+            inputs: Inputs {
+                motion: Commands {
+                    moment: n(&s::M_A).unwrap_or(0.0),
+                    brake: n(&s::M_S).unwrap_or(0.0),
+                    hoist: n(&s::V_H).unwrap_or(0.0),
+                },
+                valve,
+                supply,
+            },
+            rope,
+        })
+    }
+}
+
+/// The cylinder's oil; its bore and rod are those of the drive.
+fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<Oil<f64>> {
+    let n = |symbol: &Symbol| table.number(symbol.id);
+    if v.table("drive").and_then(|drive| drive.text("kind")) != Some("cylinder") {
+        found.push(
+            Diagnostic::new(table.span.clone(), "oil without a cylinder", "needs [luffing.drive]")
+                .help("add [luffing.drive] with kind = \"cylinder\", D_c and d_r"),
+        );
+        return None;
+    }
+    let (l_min, l_max) = (n(&s::L_MIN)?, n(&s::L_MAX)?);
+    if l_min >= l_max {
+        found.push(
+            Diagnostic::new(
+                table.place(s::L_MAX.id),
+                format!("the cylinder is {l_max} m extended and {l_min} m retracted"),
+                "not above l_min",
+            )
+            .help("l_max must be greater than l_min"),
+        );
+        return None;
+    }
+    Some(Oil {
+        l_min,
+        l_max,
+        v_0: n(&s::V_0)?,
+        v_1: n(&s::V_1)?,
+        q_n: n(&s::Q_N)?,
+        dp_n: n(&s::DP_N)?,
+        dp_l: n(&s::DP_L)?,
+        beta_e: n(&s::BETA_E)?,
+        p_r: n(&s::P_R)?,
+        k_r: n(&s::K_R)?,
+        k_l: n(&s::K_L)?,
+        omega_v: n(&s::OMEGA_V)?,
+        zeta_v: n(&s::ZETA_V)?,
+        tol: n(&s::TOL).unwrap_or(1e-5),
+    })
+}

@@ -1,0 +1,58 @@
+//! Solvers for the levels of modelling: small systems on fixed arrays, without
+//! allocation, bounded and counted.
+//!
+//! | file | method | for |
+//! |---|---|---|
+//! | `runge_kutta` | explicit, fourth order, fixed step | levels without stiffness |
+//! | `rodas` | linearly implicit, fourth order, L-stable, continuous to third order | hydraulics |
+//! | `gradient` | a number with its derivatives by all states | the exact Jacobian |
+//!
+//! Inputs are constant over a communication step, so that no system depends on time itself.
+//! `numeris` has the same Rodas without single steps and continuous output, `diffsol` can neither
+//! be saved nor hold a step: both were measured, both are fine references.
+
+pub mod gradient;
+pub mod rodas;
+pub mod runge_kutta;
+
+pub use gradient::Gradient;
+
+/// Rates of change of N states. In every system a state's unit is its own.
+pub trait System<const N: usize> {
+    /// `None` where the states do not exist, such as a linkage that does not close.
+    fn rates(&self, y: &[f64; N]) -> Option<[f64; N]>;
+
+    /// Rates and their derivatives: `jacobian[i][j]` is that of rate i by state j.
+    fn jacobian(&self, y: &[f64; N]) -> Option<([f64; N], [[f64; N]; N])>;
+}
+
+/// Why a solver stops: the states stay those of the last step that succeeded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Halt {
+    /// The states do not exist beyond this time: the linkage does not close, or a number overflows.
+    Outside,
+    /// The tolerance asks for steps below the resolution of the time.
+    TooSmall,
+    /// More steps than one call may take.
+    TooMany,
+}
+
+/// Work done, to be asserted where a clock would be noisy.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Count {
+    pub steps: u32,
+    pub rejected: u32,
+    /// Evaluations of the rates.
+    pub rates: u32,
+    /// Evaluations of the Jacobian, each with one factorisation or more.
+    pub jacobians: u32,
+}
+
+/// Steps that one call may take, tried ones included.
+pub const MOST_STEPS: u32 = 1_000_000;
+
+/// Whether every number is finite.
+#[must_use]
+pub fn finite<const N: usize>(y: &[f64; N]) -> bool {
+    y.iter().all(|x| x.is_finite())
+}

@@ -1,0 +1,102 @@
+//! The lemniscate crane of issue 7's reference with its bodies, and its luffing cylinder.
+
+#![allow(dead_code, reason = "not every test uses all of it")]
+
+use lemnis_models::four_bar::Branch;
+use lemnis_models::hydraulics::cylinder::Cylinder;
+use lemnis_models::hydraulics::valve::Valve;
+use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Pendulum};
+use lemnis_models::lemniscate::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters};
+use lemnis_models::lemniscate::hydraulic::Hydraulic;
+use lemnis_models::plane::Point;
+
+pub const PENDULUM: Pendulum = Pendulum {
+    mass: 16e3,
+    length: 10.0,
+};
+
+/// Uniform bars of 20 t, 6 t and 4 t; with a load on a rope, or one of 16 t fixed to the head.
+pub fn bodies(g: &Geometry<f64>, pendulum: Option<Pendulum>) -> Bodies {
+    let l = g.lengths;
+    let zero = Point::new(0.0, 0.0);
+    // The jib as one bar from C to A, in the frame of its rear arm BC.
+    let a = Point::new(g.kappa.x, -g.kappa.y) * l.x_2;
+    let jib = Body::uniform(6e3, Point::new(l.x_2, 0.0), a);
+    Bodies {
+        boom: Body::uniform(20e3, zero, Point::new(l.x_1, 0.0)),
+        jib: if pendulum.is_some() {
+            jib
+        } else {
+            jib.with_mass(16e3, a)
+        },
+        rocker: Body::uniform(4e3, zero, Point::new(l.x_3, 0.0)),
+        pendulum,
+        gravity: 9.81,
+    }
+}
+
+pub fn geometry() -> Geometry<f64> {
+    let lengths = Lengths {
+        x_1: 19.3,
+        x_2: 6.5,
+        x_3: 14.7,
+        x_4: 16.0,
+        x_5: 6.4,
+        x_6: 5.3,
+        x_8: 5.2,
+    };
+    let parameters = Parameters {
+        lengths,
+        jib: Jib::Sag(1.354),
+        weights: None,
+        anchors: None,
+        cylinder: None,
+        balance: None,
+        driven: Driven::Boom,
+        branch: Branch::Left,
+    };
+    Geometry::new(&parameters).expect("the crane exists")
+}
+
+pub fn dynamics(pendulum: Option<Pendulum>) -> Dynamics {
+    let g = geometry();
+    Dynamics::new(&g, bodies(&g, pendulum))
+}
+
+/// Bore 320 mm, rod 220 mm; 600 l/min over one edge at 35 bar; ports of 0.2 l.
+pub fn cylinder() -> Cylinder {
+    Cylinder {
+        areas: Cylinder::areas(0.32, 0.22),
+        lengths: [4.0, 9.0],
+        dead_volume: 2e-3,
+        port_volume: 2e-4,
+        line: Valve::rated(0.01, 2e5),
+        leakage: 1e-12,
+        bulk_modulus: 1.4e9,
+        relief: [280e5, 1e-9],
+        valve: Valve {
+            conductance: Valve::rated(0.01, 35e5),
+            frequency: 300.0,
+            damping: 0.7,
+        },
+    }
+}
+
+pub fn hydraulic<const N: usize>(pendulum: Option<Pendulum>) -> Hydraulic<N> {
+    let anchors = Anchors {
+        e_x: 3.0,
+        e_y: -1.5,
+        s_d: 7.0,
+        chi_d: -5_f64.to_radians(),
+    };
+    Hydraulic {
+        dynamics: dynamics(pendulum).with_drive(&anchors),
+        cylinder: cylinder(),
+        viscous: 2e4,
+        coulomb: 0.0,
+        stops: [0.5, 2.5],
+        buffer: [0.0; 2],
+        command: 0.0,
+        supply: 250e5,
+    }
+}

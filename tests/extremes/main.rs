@@ -1,0 +1,11 @@
+//! The extremes: every case is named, and what must come out is known from theory or from a 50-digit
+//! reference. No case hangs: every loop of the solvers is bounded and counted.
+
+mod inputs;
+mod oil;
+mod positions;
+mod regions;
+mod rope;
+
+#[path = "../../models/tests/common/crane.rs"]
+mod crane;
