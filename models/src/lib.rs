@@ -5,8 +5,7 @@
 //! [`plane`]) run on any scalar ([`calc`]): on `f64` in a [`model`], which the
 //! FMU steps, on the recorder ([`record`]) for the book's [`sheet`].
 //!
-//! [`balance`] and [`steering`] are equations and searches without scene, FMU
-//! and book yet.
+//! [`balance`] is equations and searches without scene, FMU and book yet.
 
 #![forbid(unsafe_code)]
 
@@ -16,6 +15,7 @@ pub mod diagnostic;
 pub mod four_bar;
 pub mod lemniscate;
 pub mod model;
+pub mod motion;
 pub mod plane;
 pub mod record;
 pub mod scene;

@@ -6,6 +6,7 @@ use std::fmt;
 
 use crate::lemniscate;
 use crate::scene::{Mechanism, Scene};
+use crate::steering;
 use crate::symbol::Symbol;
 use crate::unit;
 
@@ -135,25 +136,32 @@ impl Fault {
 #[derive(Clone, Debug)]
 pub enum Model {
     Luffing(lemniscate::model::Model),
+    Steering(steering::model::Model),
 }
 
 /// All that changes in a model while it runs.
 #[derive(Clone, Debug)]
 pub enum State {
     Luffing(lemniscate::model::State),
+    Steering(steering::model::State),
 }
 
 /// A model's outputs with their derivatives in one direction.
 #[derive(Clone, Debug)]
 pub enum Tangent {
     Luffing(lemniscate::model::Tangent),
+    Steering(steering::model::Tangent),
 }
+
+/// A mistake of the program: states and tangents stay with their model.
+const OF_ANOTHER: &str = "a state or a tangent of another mechanism";
 
 /// Calls whichever mechanism's model this is.
 macro_rules! of_each {
     ($model:expr, $one:ident => $call:expr) => {
         match $model {
             Model::Luffing($one) => $call,
+            Model::Steering($one) => $call,
         }
     };
 }
@@ -165,6 +173,7 @@ impl Model {
     pub fn new(scene: &Scene) -> Result<Model, Fault> {
         match &scene.mechanism {
             Mechanism::Luffing(luffing) => lemniscate::model::Model::new(luffing).map(Model::Luffing),
+            Mechanism::Steering(steering) => steering::model::Model::new(steering).map(Model::Steering),
         }
     }
 
@@ -247,21 +256,32 @@ impl Model {
     pub fn state(&self) -> State {
         match self {
             Model::Luffing(model) => State::Luffing(*model.state()),
+            Model::Steering(model) => State::Steering(model.state().clone()),
         }
     }
 
     /// Takes back what [`state`](Model::state) gave, of this model or of one of the same scene.
+    ///
+    /// # Panics
+    /// With the state of another mechanism.
     pub fn set_state(&mut self, state: &State) {
         match (self, state) {
             (Model::Luffing(model), State::Luffing(state)) => model.set_state(state),
+            (Model::Steering(model), State::Steering(state)) => model.set_state(state),
+            _ => unreachable!("{OF_ANOTHER}"),
         }
     }
 
     /// A state as numbers.
+    ///
+    /// # Panics
+    /// With the state of another mechanism.
     #[must_use]
     pub fn numbers(&self, state: &State) -> Vec<f64> {
         match (self, state) {
             (Model::Luffing(model), State::Luffing(state)) => model.numbers(state),
+            (Model::Steering(model), State::Steering(state)) => model.numbers(state),
+            _ => unreachable!("{OF_ANOTHER}"),
         }
     }
 
@@ -272,6 +292,7 @@ impl Model {
     pub fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
         match self {
             Model::Luffing(model) => model.state_of(numbers).map(State::Luffing),
+            Model::Steering(model) => model.state_of(numbers).map(State::Steering),
         }
     }
 
@@ -281,6 +302,7 @@ impl Model {
     pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
         match self {
             Model::Luffing(model) => Tangent::Luffing(model.tangent(seed)),
+            Model::Steering(model) => Tangent::Steering(model.tangent(seed)),
         }
     }
 
@@ -288,9 +310,14 @@ impl Model {
     ///
     /// # Errors
     /// Not an output, or a place where there is no derivative.
+    ///
+    /// # Panics
+    /// With the tangent of another mechanism.
     pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
         match (self, tangent) {
             (Model::Luffing(model), Tangent::Luffing(tangent)) => model.derivative(tangent, index),
+            (Model::Steering(model), Tangent::Steering(tangent)) => model.derivative(tangent, index),
+            _ => unreachable!("{OF_ANOTHER}"),
         }
     }
 

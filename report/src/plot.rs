@@ -101,16 +101,28 @@ const SCALES: [u32; 15] = [10, 15, 20, 25, 50, 75, 100, 150, 200, 250, 300, 400,
 /// Largest size of a drawing, and the room around it for labels and supports.
 const LARGEST: Point = [166.0, 190.0];
 const MARGIN: Point = [3.5, 7.0];
+/// Largest size of one of many.
+const SMALL: Point = [80.0, 100.0];
 
-/// The mechanism to the largest usual scale that fits.
+/// The mechanism to the largest usual scale that fits the page.
 #[must_use]
 pub fn drawing(drawing: &Drawing) -> Picture {
+    within(drawing, LARGEST)
+}
+
+/// The mechanism to the largest usual scale that fits the column of a curve.
+#[must_use]
+pub fn small(drawing: &Drawing) -> Picture {
+    within(drawing, SMALL)
+}
+
+fn within(drawing: &Drawing, largest: Point) -> Picture {
     let points: Vec<Point> = drawing.shapes.iter().flat_map(extent).collect();
     let low = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min));
     let high = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max));
     let size =
         |scale: u32| [0, 1].map(|axis| (high[axis] - low[axis]) * 1000.0 / f64::from(scale) + 2.0 * MARGIN[axis]);
-    let fits = |scale: &u32| size(*scale)[0] <= LARGEST[0] && size(*scale)[1] <= LARGEST[1];
+    let fits = |scale: &u32| size(*scale)[0] <= largest[0] && size(*scale)[1] <= largest[1];
     let scale = SCALES.into_iter().find(fits).unwrap_or(SCALES[SCALES.len() - 1]);
     let millimetres = 1000.0 / f64::from(scale);
     let place = |p: Point| {
@@ -136,7 +148,12 @@ pub fn drawing(drawing: &Drawing) -> Picture {
 fn extent(shape: &Shape) -> Vec<Point> {
     match shape {
         Shape::Body { points, .. } | Shape::Path { points } => points.clone(),
-        Shape::Pin { at, .. } | Shape::Label { at, .. } | Shape::Load { at, .. } | Shape::Angle { at, .. } => vec![*at],
+        Shape::Pin { at, .. }
+        | Shape::Label { at, .. }
+        | Shape::Number { at, .. }
+        | Shape::Load { at, .. }
+        | Shape::Angle { at, .. } => vec![*at],
+        Shape::Axis { from, to } | Shape::Arrow { from, to } => vec![*from, *to],
         Shape::CentreLine { x, from, to } => vec![[*x, *from], [*x, *to]],
         Shape::Distance { from, to, offset, .. } => {
             let [x, y] = unit(*from, *to);
@@ -177,6 +194,13 @@ fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(P
             let points: Vec<Point> = points.iter().copied().map(place).collect();
             picture.line("path", &points);
         }
+        Shape::Axis { from, to } => picture.line("axis", &[place(*from), place(*to)]),
+        Shape::Arrow { from, to } => {
+            let (from, to) = (place(*from), place(*to));
+            picture.line("thin", &[from, to]);
+            picture.arrow(from, to);
+        }
+        Shape::Number { at, number } => picture.text(place(*at), "centre", number.to_string()),
         Shape::CentreLine { x, from, to } => picture.line("axis", &[place([*x, *from]), place([*x, *to])]),
         Shape::Load { at, text } => {
             let [x, y] = place(*at);
@@ -384,8 +408,16 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
     for piece in &pieces {
         picture.line("curve", &piece.iter().copied().map(place).collect::<Vec<_>>());
     }
+    // Where they end, every other one further in.
+    for (piece, number) in pieces.iter().zip(&curve.numbers) {
+        let at = piece.len() - 1 - if number % 2 == 0 { piece.len() / 12 } else { 0 };
+        if let Some(point) = piece.get(at) {
+            let [x, y] = place(*point);
+            picture.text([x - 1.6, y], "centre", number.to_string());
+        }
+    }
     // A curve that is broken runs to infinity between its pieces: no extremes.
-    if let [piece] = pieces.as_slice() {
+    if let ([piece], []) = (pieces.as_slice(), curve.numbers.as_slice()) {
         let extreme = |sign: f64| {
             piece
                 .iter()

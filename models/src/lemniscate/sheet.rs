@@ -36,6 +36,8 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
     Sheet {
         inputs: inputs(scene, luffing),
         constants: constants(luffing),
+        views: Vec::new(),
+        sizing: Vec::new(),
         positions: positions
             .into_iter()
             .map(|(id, theta)| worked(luffing, id, coordinate, theta))
@@ -87,6 +89,7 @@ fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
     let mut add = |chapter: &'static str, table: &str, name: &str, symbol: &'static Symbol, value: f64| {
         inputs.push(Input {
             symbol,
+            number: None,
             value,
             chapter,
             given: scene.given(&format!("luffing.{table}{name}")).cloned(),
@@ -136,6 +139,7 @@ fn constants(luffing: &Luffing) -> Vec<Section> {
     vec![Section {
         id: "geometry_constants",
         trace,
+        drawing: None,
     }]
 }
 
@@ -153,13 +157,18 @@ fn worked(luffing: &Luffing, id: &'static str, coordinate: &'static Symbol, thet
         seen += new.len();
         trace.steps = new;
         if there && !trace.steps.is_empty() {
-            sections.push(Section { id, trace });
+            sections.push(Section {
+                id,
+                trace,
+                drawing: None,
+            });
         }
     }
     Worked {
         id,
         coordinate,
         value: theta,
+        of: None,
         sections,
     }
 }
@@ -341,7 +350,13 @@ fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> 
             .filter(|piece| piece.len() > 1)
             .map(|piece| piece.iter().map(|point| [point[0], point[1]]).collect())
             .collect();
-        Curve { id, x, y, pieces }
+        Curve {
+            id,
+            x,
+            y,
+            pieces,
+            numbers: Vec::new(),
+        }
     };
     // With boom and rocker always parallel, nothing is left of the path of the centre.
     list.into_iter()

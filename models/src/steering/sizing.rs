@@ -1,15 +1,13 @@
 //! Force, bore, oil flow, pump and buckling of the steering cylinders. [Zhang2016, 5.2-6]
 
-use num_dual::Dual64;
-
 use crate::calc::Calc;
-use crate::plane::Point;
 use crate::schema::short;
 use crate::steering::cylinder::Linkage;
 use crate::steering::machine::{Limits, Machine, Refusal, within};
 use crate::steering::mode::{Command, Mode};
 use crate::steering::reach::{Reach, reach};
 use crate::steering::symbols as s;
+use crate::steering::wheels::rate;
 use crate::symbol::quantities;
 
 /// Bores of ISO 3320, in m. The clause has not been seen: check it before use.
@@ -21,6 +19,13 @@ pub const BORES: [f64; 24] = [
 quantities! {
     /// Bore and rod of a steering cylinder, in m.
     Piston { d_g: D_G, d: D }
+}
+
+quantities! {
+    /// Oil supply: working pressure (Pa), speed (1/s) and volumetric efficiency of
+    /// the pump, relief valve's pressure over the working pressure; Young's modulus
+    /// (Pa) and safety factor of the rod against buckling.
+    Hydraulics { p: P, n: N, eta: ETA, k_r: K_R, e: E, nu: NU }
 }
 
 /// Force of a cylinder, in N, against a moment (N·m) at a lever arm (m): f_g = T_g/od. [Zhang2016, 5.2]
@@ -69,17 +74,12 @@ pub fn flow<C: Calc>(piston: &Piston<C>, speed: C) -> C {
     (area.def(&s::A_G) * speed).def(&s::Q_G)
 }
 
-/// Angle of each group for one radian of the command's angle, by dual numbers.
-/// Zero for a group on the turning centre, whose angle stays.
+/// Angle of each group for one radian of the command's angle.
 pub fn rates(machine: &Machine<f64>, mode: Mode, theta: f64, rates: &mut [f64]) -> Result<(), Refusal> {
-    let centre = mode.centre(&machine.map(Dual64::from_re), Command::Angle(Dual64::new(theta, 1.0)))?;
-    for (p, rate) in machine.groups.iter().zip(rates.iter_mut()) {
-        let along = centre.rolling(Point::new(Dual64::from_re(p.x), Dual64::from_re(p.y)));
-        *rate = if along.x.re == 0.0 && along.y.re == 0.0 {
-            0.0
-        } else {
-            Dual64::direction(along.x, along.y).eps
-        };
+    let centre = mode.centre(machine, Command::Angle(theta))?;
+    let slope = mode.slope(machine, theta);
+    for (p, slot) in machine.groups.iter().zip(rates.iter_mut()) {
+        *slot = slope.map_or(0.0, |slope| rate(&centre, &slope, *p));
     }
     Ok(())
 }
