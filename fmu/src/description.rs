@@ -236,7 +236,7 @@ fn write(xml: &mut Xml, scene: &Scene, entries: &[Entry], standard: Standard) ->
         ("variableNamingConvention", "structured"),
     ]);
     if standard == Standard::Fmi2 {
-        root.push(("numberOfEventIndicators", "0".to_owned()));
+        root.push(("numberOfEventIndicators", model.indicators().len().to_string()));
     }
     element(xml, "fmiModelDescription", &root, |xml| {
         interfaces(xml, scene, standard)?;
@@ -262,7 +262,17 @@ fn write(xml: &mut Xml, scene: &Scene, entries: &[Entry], standard: Standard) ->
         element(xml, "ModelVariables", &[], |xml| {
             entries.iter().try_for_each(|entry| variable(xml, entry, standard))
         })?;
-        element(xml, "ModelStructure", &[], |xml| structure(xml, entries, standard))
+        element(xml, "ModelStructure", &[], |xml| {
+            structure(xml, entries, standard)?;
+            if standard == Standard::Fmi2 {
+                return Ok(());
+            }
+            let variables = model.variables().len();
+            model.indicators().iter().try_for_each(|&index| {
+                let reference = layout::reference(variables, Place::Variable(index));
+                empty(xml, "EventIndicator", &[("valueReference", reference.to_string())])
+            })
+        })
     })
 }
 

@@ -386,6 +386,24 @@ impl Instance {
         expect_length(given, given - rest.len())
     }
 
+    /// Number of event indicators.
+    #[must_use]
+    pub fn indicators(&self) -> usize {
+        self.model.indicators().len()
+    }
+
+    /// Reads the event indicators: at their zeros truth values change.
+    ///
+    /// # Errors
+    /// Not as many values as indicators, or a configuration that does not exist.
+    pub fn get_indicators(&mut self, values: &mut [f64]) -> Result<(), Fault> {
+        expect_length(values.len(), self.indicators())?;
+        for (i, value) in values.iter_mut().enumerate() {
+            *value = self.model.get(self.model.indicators()[i])?;
+        }
+        Ok(())
+    }
+
     /// Reads truth values, in the standard's own type for them.
     ///
     /// # Errors
@@ -455,7 +473,8 @@ impl Instance {
         Ok(())
     }
 
-    /// Sets enumerations, all or none.
+    /// Sets enumerations, all or none. Between events they keep their values: FMPy sets them
+    /// there again to what they are, which is no change.
     ///
     /// # Errors
     /// As [`Instance::set_reals`].
@@ -465,8 +484,10 @@ impl Instance {
         let number = |value: T| value.into() as f64;
         for (&reference, &value) in references.iter().zip(values) {
             let index = self.enumeration(reference)?;
-            self.check_now(index)?;
             self.model.check(index, number(value))?;
+            if self.model.get(index)? != number(value) {
+                self.check_now(index)?;
+            }
         }
         for (&reference, &value) in references.iter().zip(values) {
             self.model.set(reference as usize - 1, number(value))?;

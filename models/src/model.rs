@@ -191,6 +191,16 @@ impl Model {
         of_each!(self, model => model.terminals())
     }
 
+    /// Indices of the outputs at whose zeros a truth value changes.
+    #[must_use]
+    pub fn indicators(&self) -> &[usize] {
+        match self {
+            // The instantaneous centre is at infinity at one angle, which no search for events hits.
+            Model::Luffing(_) => &[],
+            Model::Steering(model) => model.indicators(),
+        }
+    }
+
     /// Values of the first variable in tables, in SI.
     #[must_use]
     pub fn positions(&self) -> Vec<f64> {

@@ -190,7 +190,7 @@ exports! { FMI2, i;
 
     fn fmi2SetReal(references: *const u32, n: usize, values: *const f64) in SET | CONTINUOUS =>
         i.set_reals(slice(references, n)?, slice(values, n)?);
-    fn fmi2SetInteger(references: *const u32, n: usize, values: *const c_int) in SET =>
+    fn fmi2SetInteger(references: *const u32, n: usize, values: *const c_int) in SET | CONTINUOUS =>
         i.set_enumerations(slice(references, n)?, slice(values, n)?);
     fn fmi2SetBoolean(references: *const u32, n: usize, _: *const fmi2Boolean) in SET =>
         i.set_booleans(slice(references, n)?);
@@ -235,8 +235,8 @@ exports! { FMI2, i;
     fn fmi2SetTime(time: f64) in EVENT | CONTINUOUS => i.set_time(time);
     fn fmi2SetContinuousStates(_: *const f64, n: usize) in CONTINUOUS => expect_none(n);
     fn fmi2GetDerivatives(_: *mut f64, n: usize) in EVENT | CONTINUOUS | TERMINATED => expect_none(n);
-    fn fmi2GetEventIndicators(_: *mut f64, n: usize) in INITIALIZATION | EVENT | CONTINUOUS | TERMINATED =>
-        expect_none(n);
+    fn fmi2GetEventIndicators(values: *mut f64, n: usize) in INITIALIZATION | EVENT | CONTINUOUS | TERMINATED =>
+        i.get_indicators(slice_mut(values, n)?);
     fn fmi2GetContinuousStates(_: *mut f64, n: usize) in INITIALIZATION | EVENT | CONTINUOUS | TERMINATED =>
         expect_none(n);
     fn fmi2GetNominalsOfContinuousStates(_: *mut f64, n: usize) in INSTANTIATED | EVENT | CONTINUOUS | TERMINATED =>

@@ -179,7 +179,7 @@ exports! { FMI3, i;
     fn fmi3SetUInt16(_: *const u32, n: usize, _: *const u16, _: usize) in SET => expect_none(n);
     fn fmi3SetInt32(_: *const u32, n: usize, _: *const i32, _: usize) in SET => expect_none(n);
     fn fmi3SetUInt32(_: *const u32, n: usize, _: *const u32, _: usize) in SET => expect_none(n);
-    fn fmi3SetInt64(references: *const u32, n: usize, values: *const i64, m: usize) in SET =>
+    fn fmi3SetInt64(references: *const u32, n: usize, values: *const i64, m: usize) in SET | CONTINUOUS =>
         i.set_enumerations(slice(references, n)?, slice(values, m)?);
     fn fmi3SetUInt64(_: *const u32, n: usize, _: *const u64, _: usize) in SET => expect_none(n);
     fn fmi3SetBoolean(references: *const u32, n: usize, _: *const fmi3Boolean, _: usize) in SET =>
@@ -260,11 +260,11 @@ exports! { FMI3, i;
     fn fmi3SetTime(time: f64) in EVENT | CONTINUOUS => i.set_time(time);
     fn fmi3SetContinuousStates(_: *const f64, n: usize) in CONTINUOUS => expect_none(n);
     fn fmi3GetContinuousStateDerivatives(_: *mut f64, n: usize) in MODEL_EXCHANGE => expect_none(n);
-    fn fmi3GetEventIndicators(_: *mut f64, n: usize) in MODEL_EXCHANGE => expect_none(n);
+    fn fmi3GetEventIndicators(values: *mut f64, n: usize) in MODEL_EXCHANGE => i.get_indicators(slice_mut(values, n)?);
     fn fmi3GetContinuousStates(_: *mut f64, n: usize) in MODEL_EXCHANGE => expect_none(n);
     fn fmi3GetNominalsOfContinuousStates(_: *mut f64, n: usize) in MODEL_EXCHANGE => expect_none(n);
     fn fmi3GetNumberOfEventIndicators(n: *mut usize) in INSTANTIATED | MODEL_EXCHANGE => {
-        *place(n)? = 0;
+        *place(n)? = i.indicators();
         Ok(())
     };
     fn fmi3GetNumberOfContinuousStates(n: *mut usize) in INSTANTIATED | MODEL_EXCHANGE => {

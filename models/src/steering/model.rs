@@ -52,6 +52,7 @@ static CORNER: Enumeration = Enumeration {
 pub struct Model {
     variables: Vec<Variable>,
     slots: Vec<Slot>,
+    indicators: Vec<usize>,
     motion: Motion,
     state: State,
 }
@@ -94,6 +95,7 @@ impl Model {
         let mut model = Model {
             variables: Vec::new(),
             slots: Vec::new(),
+            indicators: Vec::new(),
             motion: steering.motion,
             state: State {
                 time: 0.0,
@@ -115,6 +117,9 @@ impl Model {
                 },
                 bounds: bounds(symbol),
             });
+            if matches!(slot, Slot::Output(Output::Margin)) {
+                model.indicators.push(model.slots.len());
+            }
             model.slots.push(slot);
         }
         model.update()?;
@@ -126,6 +131,12 @@ impl Model {
     #[inline]
     pub fn variables(&self) -> &[Variable] {
         &self.variables
+    }
+
+    /// The margin of the ranges: where it is zero, the reachable flag changes.
+    #[must_use]
+    pub fn indicators(&self) -> &[usize] {
+        &self.indicators
     }
 
     /// What belongs together where something is connected: one cylinder for each group.

@@ -165,6 +165,7 @@ pub fn buckling<C: Calc>(rod: &Rod<C>) -> Result<C, Refusal> {
     within(&s::D, rod.d, 0.0, 2.0, true)?;
     within(&s::L_K, rod.l_k, 0.0, 100.0, true)?;
     within(&s::NU, rod.nu, 1.0, 20.0, false)?;
-    let pi_3 = C::constant(std::f64::consts::PI.powi(3) / 64.0);
-    Ok((pi_3 * rod.e * rod.d.square().square() / (rod.nu * rod.l_k.square())).def(&s::F_K))
+    let pi = C::constant(std::f64::consts::PI);
+    let stiffness = pi * pi.square() * rod.e * rod.d.square().square();
+    Ok((stiffness / (C::constant(64.0) * rod.nu * rod.l_k.square())).def(&s::F_K))
 }

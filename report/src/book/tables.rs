@@ -21,8 +21,8 @@ pub(super) struct Check {
     limit: String,
     at_most: bool,
     passed: bool,
-    /// Part of what is allowed that is used, in percent.
-    utilisation: String,
+    /// Part of what is allowed that is used, in percent; none of a limit of zero.
+    utilisation: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -213,7 +213,7 @@ pub(super) fn check(language: &Language, check: &sheet::Check) -> Check {
         limit: quantity(language, check.symbol, check.limit),
         at_most: check.at_most,
         passed: check.passed(),
-        utilisation: language.text(&fixed(100.0 * check.utilisation(), 1)),
+        utilisation: (check.limit != 0.0).then(|| language.text(&fixed(100.0 * check.utilisation(), 1))),
     }
 }
 
