@@ -15,6 +15,7 @@ use lemnis_models::lemniscate::geometry::Geometry;
 use lemnis_models::lemniscate::position::Position;
 use lemnis_models::lemniscate::statics::{Centres, PinForces, load_moment};
 use lemnis_models::lemniscate::velocity::{Pole, Velocity};
+use lemnis_models::model::Model;
 use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
 use libloading::{Library as Shared, Symbol};
 
@@ -40,6 +41,7 @@ fn row(what: &str, value: f64, unit: &str, goal: f64) {
 fn main() {
     let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
     models(&scene);
+    steering();
     abi(
         "C ABI: set theta_1, doStep, get 12 outputs, forces",
         DEFAULT,
@@ -59,6 +61,30 @@ fn main() {
     );
     instances();
     programs();
+}
+
+/// All eight groups of the boat hoist through the running model.
+fn steering() {
+    let text = include_str!("../models/scenes/boat_hoist_003.toml");
+    let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
+    let mut model = Model::new(&scene).expect("a machine");
+    let wanted = ["theta", "v", "R", "od", "f_g"];
+    let indices: Vec<usize> = (0..model.variables().len())
+        .filter(|&i| model.variables()[i].number.is_some() && wanted.contains(&model.variables()[i].symbol.id))
+        .collect();
+    assert_eq!(indices.len(), 40);
+    let time = nanoseconds(|theta| {
+        model.set(0, theta - 1.5).expect("allowed");
+        for &index in &indices {
+            black_box(model.get(index).expect("a value"));
+        }
+    });
+    row(
+        "model: steering of 8 groups, angles, speeds, cylinders, forces",
+        time,
+        "ns",
+        500.0,
+    );
 }
 
 fn models(scene: &Scene) {
@@ -289,7 +315,7 @@ impl Unpacked {
 /// A step through the shared library, as an importer makes it.
 fn abi(what: &str, text: &str, forces: bool, goal: f64) {
     let fmu = Unpacked::new(text);
-    let model = lemnis_models::model::Model::new(&fmu.scene).expect("a mechanism");
+    let model = Model::new(&fmu.scene).expect("a mechanism");
     let reference = |id: &str| {
         let index = model.variables().iter().position(|variable| variable.symbol.id == id);
         u32::try_from(index.unwrap_or_else(|| panic!("{id}")) + 1).expect("few variables")

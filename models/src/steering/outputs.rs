@@ -7,7 +7,7 @@ use crate::calc::Calc;
 use crate::model::{Fault, Quantity};
 use crate::plane::{self, Point};
 use crate::steering::cylinder::{Cylinder, Linkage, Pose};
-use crate::steering::load::{Resistance, Tyre, check_load, resistance};
+use crate::steering::load::{Resistance, Tyre, resistance};
 use crate::steering::machine::{Limits, Machine, Refusal};
 use crate::steering::mode::{Centre, Command, Mode};
 use crate::steering::ring::{Bearing, friction};
@@ -220,6 +220,7 @@ pub struct Built<C> {
 #[derive(Clone, Copy, Debug)]
 struct Stance<C> {
     centre: Centre<C>,
+    /// How the centre moves with the commanded angle, once it was asked for.
     slope: Option<Centre<C>>,
     travel: Travel<C>,
     reachable: bool,
@@ -304,32 +305,19 @@ impl<C: Calc> Evaluation<C> {
     /// Parameters without a machine, or a command that its mode does not take.
     #[inline]
     pub fn update(&mut self) -> Result<(), Fault> {
-        self.stance().map(drop)
-    }
-
-    #[inline]
-    fn stance(&mut self) -> Result<Stance<C>, Fault> {
         match self.stance {
-            Some(stance) => Ok(stance),
+            Some(_) => Ok(()),
             None => self.stand().map_err(|refusal| Fault::outside(refusal.to_string())),
         }
     }
 
-    fn stand(&mut self) -> Result<Stance<C>, Refusal> {
+    fn stand(&mut self) -> Result<(), Refusal> {
         let built = match &mut self.built {
             Some(built) => built,
             slot => slot.insert(self.parameters.build()?),
         };
-        let inputs = &self.inputs;
-        for (group, g) in inputs.loads.iter().enumerate() {
-            check_load(group, *g)?;
-        }
-        let (machine, command) = (&built.machine, inputs.command());
-        let centre = inputs.mode.centre(machine, command)?;
-        let slope = match command {
-            Command::Angle(theta) => inputs.mode.slope(machine, theta),
-            _ => None,
-        };
+        let (machine, inputs) = (&built.machine, &self.inputs);
+        let centre = inputs.mode.centre(machine, inputs.command())?;
         let travel = roll(
             &machine.groups,
             machine.middle,
@@ -342,14 +330,13 @@ impl<C: Calc> Evaluation<C> {
         for ((pose, linkage), wheel) in self.poses.iter_mut().zip(&built.linkages).zip(&self.wheels) {
             *pose = linkage.at(wheel.turn);
         }
-        let stance = Stance {
+        self.stance = Some(Stance {
             centre,
-            slope,
+            slope: None,
             travel,
             reachable,
-        };
-        self.stance = Some(stance);
-        Ok(stance)
+        });
+        Ok(())
     }
 
     /// A result in SI; a truth value is 0 or 1.
@@ -364,116 +351,123 @@ impl<C: Calc> Evaluation<C> {
             O::Tr(i) => return Ok(self.resistance(i)?.standing),
             O::Trx(i) => return Ok(self.resistance(i)?.travelling),
             O::Tg(i) => return Ok(self.resistance(i)?.standing + self.friction(i)),
-            _ => {}
+            _ => self.update()?,
         }
-        let stance = self.stance()?;
-        Ok(match output {
-            O::Theta(i) => self.wheels[i].theta,
-            O::V(i) => self.wheels[i].v,
-            O::R(i) => self.poses[i].l,
-            O::Od(i) => self.poses[i].od,
-            O::OmegaI(i) => self.rate(&stance, i)?,
-            O::Vc(i) => self.cylinder_speed(&stance, i)?,
-            O::Qg(i) => self.flow(&stance, i)?,
+        match output {
+            O::Theta(i) => Ok(self.wheels[i].theta),
+            O::V(i) => Ok(self.wheels[i].v),
+            O::R(i) => Ok(self.poses[i].l),
+            O::Od(i) => Ok(self.poses[i].od),
+            O::Fg(i) => Ok(force(self.resistance(i)?.standing + self.friction(i), self.poses[i].od)),
+            O::Fgx(i) => Ok(force(
+                self.resistance(i)?.travelling + self.friction(i),
+                self.poses[i].od,
+            )),
+            O::OmegaI(i) => self.rate(i),
+            O::Vc(i) => self.cylinder_speed(i),
+            O::Qg(i) => self.flow(i),
             O::QSum => {
                 let mut sum = C::constant(0.0);
                 for i in 0..self.wheels.len() {
-                    sum += self.flow(&stance, i)?.abs();
+                    sum += self.flow(i)?.abs();
                 }
-                sum
+                Ok(sum)
             }
-            O::Tr(_) | O::Trx(_) | O::Tg(_) => return Err(absent()),
-            O::Fg(i) => force(self.resistance(i)?.standing + self.friction(i), self.poses[i].od),
-            O::Fgx(i) => force(self.resistance(i)?.travelling + self.friction(i), self.poses[i].od),
+            _ => self.of_machine(output),
+        }
+    }
+
+    /// A result of the machine as a whole.
+    fn of_machine(&self, output: Output) -> Result<C, Fault> {
+        use Output as O;
+        let (Some(stance), Some(built)) = (&self.stance, &self.built) else {
+            return Err(absent());
+        };
+        let swept = || Swept::new(&built.machine.corners, &stance.centre).ok_or_else(absent);
+        Ok(match output {
             O::Omega => stance.travel.omega.unwrap_or(C::constant(0.0)),
             O::VMx => stance.travel.middle.x,
             O::VMy => stance.travel.middle.y,
-            O::Ox => self.centre(&stance)?.x,
-            O::Oy => self.centre(&stance)?.y,
+            O::Ox => centre(built, stance).x,
+            O::Oy => centre(built, stance).y,
             O::AtInfinity => C::constant(f64::from(stance.centre.point().is_none())),
-            O::RO => {
-                let middle = self.built()?.machine.middle;
-                match stance.centre.point() {
-                    Some(at) => plane::length(at - middle),
-                    None => C::constant(f64::INFINITY),
-                }
+            O::RO => match stance.centre.point() {
+                Some(at) => plane::length(at - built.machine.middle),
+                None => C::constant(f64::INFINITY),
+            },
+            O::RIn => swept()?.inner,
+            O::ROut => swept()?.outer,
+            O::Width => swept()?.width,
+            O::Margin => {
+                let ends = self.wheels.iter().zip(&built.limits).flat_map(|(wheel, limits)| {
+                    [
+                        wheel.theta - C::constant(limits.min),
+                        C::constant(limits.max) - wheel.theta,
+                    ]
+                });
+                let least = |a: C, b: C| if b.value() < a.value() { b } else { a };
+                ends.reduce(least).ok_or_else(absent)?
             }
-            O::RIn => self.swept(&stance)?.inner,
-            O::ROut => self.swept(&stance)?.outer,
-            O::Width => self.swept(&stance)?.width,
-            O::Margin => self.margin()?,
             O::Reachable => C::constant(f64::from(stance.reachable)),
+            _ => return Err(absent()),
         })
     }
 
-    /// The turning centre. At infinity it lies to the left of the way, on the line across the machine.
-    fn centre(&self, stance: &Stance<C>) -> Result<Point<C>, Fault> {
-        if let Some(at) = stance.centre.point() {
-            return Ok(at);
-        }
-        let along = stance.centre.rolling(self.built()?.machine.middle);
-        let far = |x: C| match x.value() {
-            0.0 => C::constant(0.0),
-            x => C::constant(f64::INFINITY.copysign(x)),
+    /// Rate of a group's angle, in rad/s; zero where no angle commands.
+    fn rate(&mut self, i: usize) -> Result<C, Fault> {
+        let (Some(stance), Some(built)) = (&mut self.stance, &self.built) else {
+            return Err(absent());
         };
-        Ok(Point::new(far(-along.y), far(along.x)))
+        let Command::Angle(theta) = self.inputs.command() else {
+            return Ok(C::constant(0.0));
+        };
+        let slope = match stance.slope {
+            Some(slope) => slope,
+            None => self.inputs.mode.slope(&built.machine, theta).ok_or_else(absent)?,
+        };
+        stance.slope = Some(slope);
+        Ok(rate(&stance.centre, &slope, built.machine.groups[i]) * self.inputs.omega_s)
     }
 
-    fn rate(&self, stance: &Stance<C>, i: usize) -> Result<C, Fault> {
-        let at = self.built()?.machine.groups[i];
-        Ok(match &stance.slope {
-            Some(slope) => rate(&stance.centre, slope, at) * self.inputs.omega_s,
-            None => C::constant(0.0),
-        })
+    fn cylinder_speed(&mut self, i: usize) -> Result<C, Fault> {
+        Ok(self.rate(i)? * self.poses[i].od)
     }
 
-    fn cylinder_speed(&self, stance: &Stance<C>, i: usize) -> Result<C, Fault> {
-        Ok(self.rate(stance, i)? * self.poses[i].od)
-    }
-
-    fn flow(&self, stance: &Stance<C>, i: usize) -> Result<C, Fault> {
-        let speed = self.cylinder_speed(stance, i)?;
+    fn flow(&mut self, i: usize) -> Result<C, Fault> {
+        let speed = self.cylinder_speed(i)?;
         self.parameters
             .piston
             .map(|piston| flow(&piston, speed))
             .ok_or_else(absent)
     }
 
+    #[inline]
     fn resistance(&self, i: usize) -> Result<Resistance<C>, Fault> {
         let tyre = self.parameters.tyre.as_ref().ok_or_else(absent)?;
         Ok(resistance(tyre, self.inputs.loads[i]))
     }
 
     /// Friction moment of a group's slewing ring, in N·m; none where no ring is modelled.
+    #[inline]
     fn friction(&self, i: usize) -> C {
         match &self.parameters.bearing {
             Some(bearing) => friction(bearing, self.inputs.loads[i]),
             None => C::constant(0.0),
         }
     }
+}
 
-    fn swept(&self, stance: &Stance<C>) -> Result<Swept<C>, Fault> {
-        Swept::new(&self.built()?.machine.corners, &stance.centre).ok_or_else(absent)
+/// The turning centre. At infinity it lies to the left of the way, on the line across the machine.
+fn centre<C: Calc>(built: &Built<C>, stance: &Stance<C>) -> Point<C> {
+    if let Some(at) = stance.centre.point() {
+        return at;
     }
-
-    fn margin(&self) -> Result<C, Fault> {
-        let each = self
-            .wheels
-            .iter()
-            .zip(&self.built()?.limits)
-            .flat_map(|(wheel, limits)| {
-                [
-                    wheel.theta - C::constant(limits.min),
-                    C::constant(limits.max) - wheel.theta,
-                ]
-            });
-        let least = |a: C, b: C| if b.value() < a.value() { b } else { a };
-        each.reduce(least).ok_or_else(absent)
-    }
-
-    fn built(&self) -> Result<&Built<C>, Fault> {
-        self.built.as_ref().ok_or_else(absent)
-    }
+    let along = stance.centre.rolling(built.machine.middle);
+    let far = |x: C| match x.value() {
+        0.0 => C::constant(0.0),
+        x => C::constant(f64::INFINITY.copysign(x)),
+    };
+    Point::new(far(-along.y), far(along.x))
 }
 
 /// For results that a scene does not model: its list of variables has none of them.

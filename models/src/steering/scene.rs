@@ -403,7 +403,9 @@ impl Steering {
                 found.push(told(v, refusal));
             }
         }
-        if (weight.is_some() && !given.is_empty()) || ![0, tables.len()].contains(&given.len()) {
+        let unclear = (weight.is_some() && !given.is_empty()) || ![0, tables.len()].contains(&given.len());
+        // A load that cannot be read is not one that is missing.
+        if unclear && found.is_empty() {
             let message = "some groups give their load, but not every one does, or [steering.load] gives it too";
             found.push(
                 Diagnostic::new(v.place("groups"), message, "G here")
