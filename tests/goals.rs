@@ -130,7 +130,7 @@ fn models(scene: &Scene) {
             v.beta(),
         ));
         let r = Centres::new(&p, [l.x_1, l.x_2, l.x_3], &weights);
-        black_box(PinForces::new(&p, l.x_3, 160e3, Some((&weights, &r)), |_| None));
+        black_box(PinForces::new(&p, l.x_3, 160e3, Some((&weights, &r)), None, |_| None));
         black_box((load_moment(&v, 160e3), Pole::new(&g, &p).moment(&g, &p, &v, 160e3)));
     });
     row(

@@ -106,3 +106,15 @@ def test_limits_that_are_not_kept(tmp_path):
     assert "mu_min" in message and "at least 80 deg" in message
     # The book is made all the same, and says so.
     assert "checks failed" in lemnis("build", scene, "--output", tmp_path)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="pipes and /dev/full are POSIX")
+def test_a_reader_that_leaves_is_no_failure_and_a_full_device_is_one():
+    reader, writer = os.pipe()
+    os.close(reader)
+    result = subprocess.run([LEMNIS, "schema"], stdout=writer, stderr=subprocess.PIPE)
+    os.close(writer)
+    assert result.returncode == 0 and result.stderr == b""
+    with open("/dev/full", "w") as full:
+        result = subprocess.run([LEMNIS, "check"], stdout=full, stderr=subprocess.PIPE, text=True)
+    assert result.returncode == 3 and "cannot write to the standard output" in result.stderr

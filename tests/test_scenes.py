@@ -1,5 +1,10 @@
 """Every kind of scene gives both FMUs and a book."""
 
+import csv
+import json
+import math
+import tomllib
+
 import numpy as np
 import pytest
 from fmpy import read_model_description, simulate_fmu
@@ -16,7 +21,27 @@ ROCKER = (
     .replace('from  = "60 deg"', 'from  = "50 deg"')
     .replace('to    = "120 deg"', 'to    = "130 deg"')
 )
+PORTAL = (ROOT / "models/scenes/portal_004_new.toml").read_text(encoding="utf-8")
+
+
+def balanced(balance):
+    """The portal crane with another balance, without limits on it."""
+    start, drive, limits = (PORTAL.index(f"[luffing.{table}]") for table in ("balance", "drive", "limits"))
+    lines = balance.replace("; ", "\n")
+    return f"{PORTAL[:start]}[luffing.balance]\n{lines}\n\n{PORTAL[drive:limits]}"
+
+
 SCENES = {
+    "tail weight": balanced('kind = "tail"; G_c = "600 kN"; r_c = "4 m"; chi_c = "0 deg"'),
+    "parallelogram lever": balanced(
+        'kind = "parallelogram"; G_c = "600 kN"; r_c = "4 m"; chi_c = "-2 deg"; r_1 = "3 m"; alpha_K = "5 deg"; '
+        'd_1 = "6 m"; delta_1 = "143 deg"'),
+    "straight rail": balanced(
+        'kind = "straight_rail"; G_c = "300 kN"; r_1 = "8 m"; alpha_K = "2 deg"; H_x = "-2 m"; H_y = "11 m"; '
+        'lambda = "70 deg"'),
+    "curved rail": balanced(
+        'kind = "curved_rail"; G_c = "300 kN"; r_1 = "9 m"; alpha_K = "10 deg"; L_r = "14 m"; y_0 = "10 m"; '
+        'phi_0 = "60 deg"'),
     "rocker driven": ROCKER,
     "rack": DEFAULT.replace('kind  = "cylinder"', 'kind  = "rack"').replace('D_c   = "320 mm"', "").replace('d_r   = "220 mm"', ""),
     "load alone": BARE,
@@ -39,7 +64,7 @@ def test_scene_builds_and_runs(name, tmp_path):
     scene = tmp_path / "scene.toml"
     scene.write_text(SCENES[name], encoding="utf-8")
     lemnis("build", scene, "--output", tmp_path)
-    model = "PortalCrane" if name == "portal crane" else "LemniscateCrane"
+    model = tomllib.loads(SCENES[name])["name"]
     assert (tmp_path / f"{model}.pdf").read_bytes().startswith(b"%PDF")
     for suffix in (".fmu", ".fmi2.fmu"):
         path = str(tmp_path / (model + suffix))
@@ -51,3 +76,19 @@ def test_scene_builds_and_runs(name, tmp_path):
             assert np.isfinite(result[variable]).all(), variable
         for variable in variables:
             assert not np.isnan(result[variable]).any(), variable
+
+
+def test_csv_has_the_numbers_of_json_in_the_units_of_the_trade():
+    head, *rows = csv.reader(lemnis("check", "--csv").splitlines())
+    assert [row[0] for row in rows] == [str(angle) for angle in range(60, 121)]
+    variables = json.loads(lemnis("check", "--json"))["variables"]
+    factors = {"deg": math.pi / 180, "deg/s": math.pi / 180, "kN": 1e3, "kN.m": 1e3, "mm/s": 1e-3, "L/min": 1e-3 / 60}
+    compared = 0
+    for column, name in enumerate(head):
+        symbol, unit = name.rstrip("]").split(" [")
+        for row, value in zip(rows, variables[symbol]["values"]):
+            if value is not None:
+                # 15 digits are right to 5e-15 of the value.
+                assert math.isclose(float(row[column]) * factors.get(unit, 1), value, rel_tol=6e-15), (name, row[0])
+                compared += 1
+    assert compared > 2000

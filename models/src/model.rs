@@ -4,11 +4,11 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use crate::lemniscate;
 use crate::scene::{Mechanism, Scene};
 use crate::steering;
 use crate::symbol::Symbol;
 use crate::unit;
+use crate::{balance, lemniscate};
 
 /// The independent variable.
 pub static TIME: Symbol = Symbol {
@@ -129,6 +129,12 @@ impl Fault {
             message: message.into(),
             outside: true,
         }
+    }
+}
+
+impl From<balance::Fault> for Fault {
+    fn from(fault: balance::Fault) -> Fault {
+        Fault::outside(fault.to_string())
     }
 }
 

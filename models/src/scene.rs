@@ -108,6 +108,7 @@ pub const CHAPTERS: &[&str] = &[
     "positions",
     "range",
     "sizing",
+    "balance",
     "published",
     "remarks",
     "notation",

@@ -199,6 +199,12 @@ impl Values {
         }
     }
 
+    /// Whether the scene gives a sound value for a key.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        self.entries.contains_key(name)
+    }
+
     /// Place of a key's value; of the table where the key is absent.
     #[must_use]
     pub fn place(&self, name: &str) -> Range<usize> {
@@ -238,17 +244,16 @@ pub fn check(
     }
     for key in keys.iter().filter(|key| key.required) {
         if !table.keys().any(|name| name.get_ref() == key.name) {
-            found.push(
-                Diagnostic::new(
-                    span.clone(),
-                    format!("`{}` is missing {place}", key.name),
-                    "needed here",
-                )
-                .help(format!("add {}", example(key))),
-            );
+            found.push(missing(span.clone(), &place, key));
         }
     }
     Values { entries, span }
+}
+
+/// A key that is needed in a table and not there; `place` as "in [luffing]".
+pub(crate) fn missing(span: Range<usize>, place: &str, key: &Key) -> Diagnostic {
+    Diagnostic::new(span, format!("`{}` is missing {place}", key.name), "needed here")
+        .help(format!("add {}", example(key)))
 }
 
 fn unknown(name: &Spanned<std::borrow::Cow<'_, str>>, place: &str, keys: &'static [Key]) -> Diagnostic {

@@ -39,6 +39,52 @@ pub struct Sheet {
     pub outputs: Vec<&'static Symbol>,
     /// Ids of remarks on the publications, worded in the templates.
     pub remarks: Vec<&'static str>,
+    pub balance: Option<Balance>,
+}
+
+/// The balance of the boom system over the working range.
+pub struct Balance {
+    /// As in a scene: `tail`, `lever` and so on; worded in the templates.
+    pub kind: &'static str,
+    pub drawing: Drawing,
+    pub criteria: Vec<Criterion>,
+    /// Where the published criteria are printed.
+    pub published_source: Option<String>,
+    pub equilibria: Vec<Equilibrium>,
+    pub curves: Vec<Curve>,
+    pub range: Table,
+    /// A published table, computed again; empty where the balance is not its.
+    pub table: Vec<PublishedRow>,
+}
+
+/// A row of a published table, in the publication's own units.
+pub struct PublishedRow {
+    /// Cells as printed from which the others follow.
+    pub given: Vec<&'static str>,
+    pub moments: Vec<PublishedCell>,
+}
+
+/// A published number beside the one that its own row gives.
+pub struct PublishedCell {
+    pub printed: &'static str,
+    pub computed: f64,
+    pub misprint: bool,
+}
+
+/// A result that tells how good a balance is.
+pub struct Criterion {
+    pub summary: Summary,
+    /// As published, in SI.
+    pub published: Option<f64>,
+}
+
+/// A position at which weights and balance leave no moment.
+pub struct Equilibrium {
+    pub coordinate: &'static Symbol,
+    pub at: f64,
+    pub reach: (&'static Symbol, f64),
+    /// The boom comes back when it is moved a little.
+    pub stable: bool,
 }
 
 /// The sheet of a scene.

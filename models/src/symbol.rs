@@ -77,6 +77,14 @@ macro_rules! quantities {
         }
 
         impl<C: Copy> $name<C> {
+            /// The symbols of the fields, in their order.
+            pub const SYMBOLS: &'static [&'static $crate::symbol::Symbol] = &[$(&s::$symbol),*];
+
+            /// Each quantity by its symbol; `None` where one is not given.
+            pub fn of(given: impl Fn(&'static $crate::symbol::Symbol) -> Option<C>) -> Option<$name<C>> {
+                Some($name { $($field: given(&s::$symbol)?),* })
+            }
+
             /// The same quantities over another scalar.
             pub fn map<D>(&self, f: &mut impl FnMut(&'static $crate::symbol::Symbol, C) -> D) -> $name<D> {
                 $name { $($field: f(&s::$symbol, self.$field)),* }

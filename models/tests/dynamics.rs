@@ -30,6 +30,7 @@ fn with_bodies(boom: f64, from: f64, to: f64, pendulum: Option<Pendulum>) -> Dyn
         weights: None,
         anchors: None,
         cylinder: None,
+        balance: None,
         driven: Driven::Boom,
         branch: Branch::Left,
     };

@@ -20,7 +20,9 @@ fn result(luffing: &Luffing, symbol: &'static Symbol) -> f64 {
     if symbol == &s::EPSILON_Y {
         return range.epsilon_y();
     }
-    let found = governing(luffing, &range).into_iter().find(|g| g.symbol == symbol);
+    let found = governing(luffing, &range, None)
+        .into_iter()
+        .find(|g| g.symbol == symbol);
     found.expect("a governing result").value
 }
 
@@ -47,7 +49,7 @@ fn sensitivities_agree_with_differences() {
     for text in [DEFAULT, portal, &axis] {
         let luffing = luffing(text);
         let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
-        let table = sensitivity(&luffing, &range, &governing(&luffing, &range));
+        let table = sensitivity(&luffing, &range, &governing(&luffing, &range, None));
         for row in &table.rows {
             for (&(symbol, value), exact) in table.results.iter().zip(&row.by) {
                 let step = 1e-4 * row.value.abs().max(0.1);
@@ -80,7 +82,7 @@ fn governing_positions_are_the_extremes() {
     let motion = luffing.motion;
     let range = Range::new(&luffing.parameters, &motion).expect("closes");
     let mut model = Model::new(&scene).expect("a mechanism");
-    let list = governing(luffing, &range);
+    let list = governing(luffing, &range, None);
     assert_eq!(list.len(), 8);
     let mut inside = 0;
     for found in list {
@@ -124,7 +126,7 @@ fn a_drive_through_the_foot_has_no_greatest_force() {
     let text = DEFAULT.replace("E_x   = \"3 m\"", "E_x   = \"0.1 m\"");
     let luffing = luffing(&text);
     let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
-    let list = governing(&luffing, &range);
+    let list = governing(&luffing, &range, None);
     let force = list.iter().find(|g| g.symbol == &s::F_D_MAX).expect("a drive");
     assert!(force.value.is_infinite());
     // The anchor on the boom, 5° below it, stands on the far side of O1 from E.

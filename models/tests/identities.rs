@@ -67,6 +67,7 @@ fn mechanisms() -> impl Strategy<Value = (Parameters<f64>, f64)> {
                     chi_d: a.3,
                 }),
                 cylinder: None,
+                balance: None,
                 driven: if boom { Driven::Boom } else { Driven::Rocker },
                 branch: if left { Branch::Left } else { Branch::Right },
             };
@@ -156,7 +157,7 @@ proptest! {
         // A lever arm of nearly nothing makes forces of nearly everything.
         let with_drive = with_drive && drive.h_d.abs() > 0.1;
         let mut push: Option<Point<f64>> = None;
-        let f = PinForces::new(&p, l.x_3, q, Some((&w, &r)), |m_d| {
+        let f = PinForces::new(&p, l.x_3, q, Some((&w, &r)), None, |m_d| {
             let reaction = drive.reaction(m_d).filter(|_| with_drive);
             push = reaction.map(|reaction| reaction.force);
             reaction

@@ -1,5 +1,8 @@
 //! Every mechanism under the recorder: consistent dimensions, and the values of `f64` bit for bit.
 
+#[path = "common/balances.rs"]
+mod balances;
+
 use lemnis_models::model::Model;
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_models::sheet::Section;
@@ -19,6 +22,8 @@ fn scenes() -> Vec<Scene> {
     let bare = boom[..boom.find("[luffing.weights]").expect("there")].to_owned();
     let kinematic = bare.replace("Q = \"160 kN\"", "");
     let texts = [boom, rocker, angle, axis, bare, kinematic];
+    let texts = texts.into_iter().chain(balances::every_kind());
+    let texts: Vec<String> = texts.collect();
     texts
         .iter()
         .map(|text| Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}")))

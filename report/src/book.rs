@@ -1,6 +1,7 @@
 //! The book as plain data: every string is ready to print, every word is an
 //! id that the templates turn into the words of a language.
 
+mod balance;
 mod steps;
 mod tables;
 
@@ -13,6 +14,7 @@ use lemnis_models::symbol::Symbol;
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 
+use crate::book::balance::Balance;
 use crate::book::steps::{Notation, Position, Section};
 use crate::book::tables::{Chapter, Check, Published, Sensitivity, Summary, Table, View};
 use crate::formula::quantity;
@@ -113,6 +115,7 @@ pub(crate) struct Book<'a> {
     sizing: Vec<Section>,
     range: Table,
     curves: Vec<Figure>,
+    balance: Option<Balance>,
     sensitivity: Sensitivity,
     published: Option<Published>,
     remarks: &'a [&'static str],
@@ -147,6 +150,15 @@ struct Figure {
     picture: String,
 }
 
+impl Figure {
+    fn new(language: &Language, curve: &lemnis_models::sheet::Curve) -> Figure {
+        Figure {
+            id: curve.id,
+            picture: json(&plot::curve(language, curve)),
+        }
+    }
+}
+
 /// The chapters of a level; a chapter that has nothing to say is left out.
 fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
     let of_level = |chapter: &&'static str| match level {
@@ -163,6 +175,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "views" => !sheet.views.is_empty(),
         "sizing" => !sheet.sizing.is_empty(),
         "remarks" => !sheet.remarks.is_empty(),
+        "balance" => sheet.balance.is_some(),
         _ => true,
     };
     chosen.into_iter().filter(has).collect()
@@ -198,17 +211,19 @@ impl<'a> Book<'a> {
         }
         let results = sheet.checks.iter().map(|check| check.symbol);
         let results = results.chain(sheet.governing.iter().chain(&sheet.summary).map(|s| s.symbol));
+        let balance = sheet.balance.iter().filter(|_| chapters.contains(&"balance"));
+        let balance = balance.flat_map(|b| {
+            let criteria = b.criteria.iter().map(|c| c.summary.symbol);
+            criteria.chain(b.range.columns.iter().copied())
+        });
         let tables = sheet.views.iter().flat_map(|view| &view.table.columns);
         let tables = tables.chain(&sheet.range.columns).copied();
         let curves = sheet.curves.iter().flat_map(|curve| [curve.x, curve.y]);
-        for symbol in results.chain(tables).chain(curves) {
+        for symbol in results.chain(tables).chain(curves).chain(balance) {
             notation.meet(symbol);
         }
-        let drawing = plot::drawing(&sheet.drawing);
-        let figure = |c: &lemnis_models::sheet::Curve| Figure {
-            id: c.id,
-            picture: json(&plot::curve(language, c)),
-        };
+        let drawing = plot::drawing(&sheet.drawing, plot::PAGE);
+        let figure = |c: &lemnis_models::sheet::Curve| Figure::new(language, c);
         let summary = |s: &lemnis_models::sheet::Summary| tables::summary(language, s);
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
@@ -239,6 +254,7 @@ impl<'a> Book<'a> {
             sizing,
             range: tables::table(language, &sheet.range),
             curves: sheet.curves.iter().map(figure).collect(),
+            balance: sheet.balance.as_ref().map(|b| Balance::new(language, b)),
             sensitivity: tables::sensitivity(language, &sheet.sensitivity),
             published: tables::published(language, sheet),
             remarks: &sheet.remarks,

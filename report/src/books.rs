@@ -15,9 +15,9 @@ use lemnis_typeset::{Embedded, External, Typesetter};
 use notify::{Event, RecursiveMode, Watcher};
 
 use crate::failure::Failure;
-use crate::output::Output;
+use crate::output::{self, Complete, Output, say, write};
 use crate::results::Results;
-use crate::{busy, scene_file, write};
+use crate::{busy, scene_file};
 
 /// How books are made.
 #[derive(Args)]
@@ -151,7 +151,7 @@ impl Books {
         let spinner = busy("typesetting".to_owned());
         let made = self.make();
         spinner.finish_and_clear();
-        write(&self.output, &made?)
+        output::place(made?)
     }
 
     fn scenes(&self) -> Result<Vec<Scene>, Failure> {
@@ -176,13 +176,16 @@ impl Books {
         Ok(scenes)
     }
 
-    /// All books, or the first failure; nothing is written yet.
-    fn make(&self) -> Result<Vec<Output>, Failure> {
+    /// All books, or the first failure; none has taken its place yet.
+    fn make(&self) -> Result<Vec<Complete>, Failure> {
         let scenes = self.scenes()?;
         let (templates, typesetter) = (self.making.templates()?, self.making.typesetter()?);
         let make = |scene: &Scene| {
             let edition = self.making.edition(scene, &templates, &*typesetter);
-            book(&edition, scene, &Results::new(scene)?, self.format)
+            output::complete(
+                &self.output,
+                &book(&edition, scene, &Results::new(scene)?, self.format)?,
+            )
         };
         // Each core takes the next scene that is left.
         let next = AtomicUsize::new(0);
@@ -203,8 +206,7 @@ impl Books {
             done.flatten().collect()
         });
         made.sort_by_key(|(i, _)| *i);
-        let outputs: Result<Vec<Vec<Output>>, Failure> = made.into_iter().map(|(_, outputs)| outputs).collect();
-        Ok(outputs?.into_iter().flatten().collect())
+        made.into_iter().map(|(_, complete)| complete).collect()
     }
 
     /// Makes the books now and after every change, until the program is ended.
@@ -225,8 +227,11 @@ impl Books {
         }
         loop {
             let started = Instant::now();
-            match self.make().and_then(|made| write(&self.output, &made)) {
-                Ok(()) => println!("  in {} ms; waiting for changes", started.elapsed().as_millis()),
+            match self.make().and_then(output::place) {
+                Ok(()) => say(format_args!(
+                    "  in {} ms; waiting for changes",
+                    started.elapsed().as_millis()
+                ))?,
                 Err(failure) => eprintln!("{failure}\n  waiting for changes"),
             }
             if !self.changed(&changes) {

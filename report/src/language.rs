@@ -6,7 +6,7 @@
 //! three languages write them.
 
 use lemnis_models::symbol::Symbol;
-use lemnis_models::{lemniscate, steering};
+use lemnis_models::{balance, lemniscate, steering};
 
 use crate::template::escape;
 
@@ -77,9 +77,9 @@ impl Language {
 }
 
 /// The symbols of each mechanism, by the scene's name for it.
-const SYMBOLS: [(&str, &[&Symbol]); 2] = [
-    ("luffing", lemniscate::symbols::ALL),
-    ("steering", steering::symbols::ALL),
+const SYMBOLS: [(&str, &[&[&Symbol]]); 2] = [
+    ("luffing", &[lemniscate::symbols::ALL, balance::symbols::ALL]),
+    ("steering", &[steering::symbols::ALL]),
 ];
 
 /// The group of words for a mechanism's symbols.
@@ -102,9 +102,10 @@ impl Words {
     pub(crate) fn new(language: &Language, own: Option<&str>, own_references: Option<&str>) -> Result<Words, String> {
         let mut words = parse(&language.file(), language.words)?;
         if language.code == LANGUAGES[0].code {
-            for (mechanism, table) in SYMBOLS {
-                let meanings = table
+            for (mechanism, tables) in SYMBOLS {
+                let meanings = tables
                     .iter()
+                    .flat_map(|table| *table)
                     .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
                 words.insert(symbols(mechanism).to_owned(), toml::Value::Table(meanings.collect()));
             }

@@ -18,7 +18,7 @@ use lemnis_models::scene::{self, DEFAULT, Scene};
 
 use crate::books::{Books, Making};
 use crate::failure::Failure;
-use crate::output::Output;
+use crate::output::{Output, say, write};
 use crate::results::Results;
 
 /// Crane mechanisms from one scene file: an FMU for simulators and a calculation book.
@@ -130,7 +130,7 @@ fn run(command: Command) -> Result<(), Failure> {
             let documentation = documentation(&scene, Some(&pdf))?;
             let mut outputs = fmus(&scene, platforms.as_deref(), &documentation)?;
             outputs.push(pdf);
-            println!("{}\n{}", scene.title(), results.summary());
+            say(format_args!("{}\n{}", scene.title(), results.summary()))?;
             write(&make.output, &outputs)
         }
         Command::Fmu(Pack { make, platforms }) => {
@@ -144,10 +144,7 @@ fn run(command: Command) -> Result<(), Failure> {
         },
         Command::Check { scene, json, csv } => check(scene.as_deref(), json, csv),
         Command::New { file } => new(&file),
-        Command::Schema => {
-            println!("{:#}", scene::json_schema());
-            Ok(())
-        }
+        Command::Schema => say(format_args!("{:#}", scene::json_schema())),
     }
 }
 
@@ -188,23 +185,19 @@ fn fmus(scene: &Scene, platforms: Option<&Path>, documentation: &[(String, Vec<u
     })
 }
 
-fn write(folder: &Path, outputs: &[Output]) -> Result<(), Failure> {
-    for path in output::write(folder, outputs)? {
-        println!("  wrote {}", path.display());
-    }
-    Ok(())
-}
-
 fn check(path: Option<&Path>, json: bool, csv: bool) -> Result<(), Failure> {
     let scene = scene_file::read(path)?;
     let results = Results::new(&scene)?;
     if json {
-        println!("{}", results.json());
+        say(results.json())?;
     } else if csv {
-        print!("{}", results.csv());
+        say(results.csv().trim_end())?;
     } else {
-        print!("{}", results.table());
-        println!("would build {0}.fmu, {0}.fmi2.fmu and {0}.pdf", scene.name());
+        let name = scene.name();
+        say(format_args!(
+            "{}would build {name}.fmu, {name}.fmi2.fmu and {name}.pdf",
+            results.table()
+        ))?;
     }
     match results.broken_limits().as_slice() {
         [] => Ok(()),
@@ -236,6 +229,5 @@ fn new(file: &Path) -> Result<(), Failure> {
             bytes: DEFAULT.into(),
         }],
     )?;
-    println!("  build it with `lemnis build {}`", file.display());
-    Ok(())
+    say(format_args!("  build it with `lemnis build {}`", file.display()))
 }

@@ -1,9 +1,10 @@
-//! Writing files whole or not at all.
+//! Writing files whole or not at all, and to the terminal.
 
-use std::io::Write;
+use std::fmt::Display;
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 use crate::failure::Failure;
 
@@ -14,39 +15,55 @@ pub struct Output {
     pub bytes: Vec<u8>,
 }
 
-/// Writes all files into a folder, made where it is missing. Every file is
-/// complete under a temporary name before the first takes its place, so that a
-/// failure leaves what was there.
-pub fn write(folder: &Path, outputs: &[Output]) -> Result<Vec<PathBuf>, Failure> {
-    let cannot = |what: &Path, error: &dyn std::fmt::Display| {
+/// Files that are complete under temporary names, each with its place. Dropped, they are gone.
+pub struct Complete(Vec<(TempPath, PathBuf)>);
+
+/// Writes files into a folder, made where it is missing, under temporary names.
+pub fn complete(folder: &Path, outputs: &[Output]) -> Result<Complete, Failure> {
+    let cannot = |what: &Path, error: &dyn Display| {
         Failure::File(format!(
             "cannot write {}: {error}; nothing was changed, choose another folder with --output",
             what.display()
         ))
     };
     std::fs::create_dir_all(folder).map_err(|error| cannot(folder, &error))?;
-    let mut waiting = Vec::new();
-    for output in outputs {
+    let one = |output: &Output| {
         let path = folder.join(&output.name);
         let written = NamedTempFile::new_in(folder).and_then(|mut file| {
             file.write_all(&output.bytes)?;
             file.as_file().sync_all()?;
             open_to_all(&file)?;
-            Ok(file)
+            Ok(file.into_temp_path())
         });
-        waiting.push((written.map_err(|error| cannot(&path, &error))?, path));
+        Ok((written.map_err(|error| cannot(&path, &error))?, path))
+    };
+    outputs.iter().map(one).collect::<Result<_, _>>().map(Complete)
+}
+
+/// Lets complete files take their places. All are complete before the first
+/// does, so that a failure leaves what was there.
+pub fn place(files: impl IntoIterator<Item = Complete>) -> Result<(), Failure> {
+    for (file, path) in files.into_iter().flat_map(|complete| complete.0) {
+        file.persist(&path)
+            .map_err(|error| Failure::File(format!("cannot replace {}: {}", path.display(), error.error)))?;
+        say(format_args!("  wrote {}", path.display()))?;
     }
-    waiting
-        .into_iter()
-        .map(|(file, path)| match file.persist(&path) {
-            Ok(_) => Ok(path),
-            Err(error) => Err(Failure::File(format!(
-                "cannot replace {}: {}",
-                path.display(),
-                error.error
-            ))),
-        })
-        .collect()
+    Ok(())
+}
+
+/// Writes all files into a folder, or changes nothing.
+pub fn write(folder: &Path, outputs: &[Output]) -> Result<(), Failure> {
+    place([complete(folder, outputs)?])
+}
+
+/// A line for the terminal, or for whoever reads there. One that has read enough, as `head` does, is no failure.
+pub fn say(line: impl Display) -> Result<(), Failure> {
+    match writeln!(std::io::stdout(), "{line}") {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::File(format!("cannot write to the standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Temporary files are readable by their owner alone; results are ordinary files.

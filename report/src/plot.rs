@@ -98,25 +98,16 @@ fn unit(from: Point, to: Point) -> Point {
 
 /// Usual scales of drawings, 1 : n.
 const SCALES: [u32; 15] = [10, 15, 20, 25, 50, 75, 100, 150, 200, 250, 300, 400, 500, 750, 1000];
-/// Largest size of a drawing, and the room around it for labels and supports.
-const LARGEST: Point = [166.0, 190.0];
+/// Largest size of a drawing on a page of its own.
+pub const PAGE: Point = [166.0, 190.0];
+/// Room around a drawing for labels and supports.
 const MARGIN: Point = [3.5, 7.0];
 /// Largest size of one of many.
-const SMALL: Point = [80.0, 100.0];
+pub const SMALL: Point = [80.0, 100.0];
 
-/// The mechanism to the largest usual scale that fits the page.
+/// The mechanism to the largest usual scale that fits into `largest` mm.
 #[must_use]
-pub fn drawing(drawing: &Drawing) -> Picture {
-    within(drawing, LARGEST)
-}
-
-/// The mechanism to the largest usual scale that fits the column of a curve.
-#[must_use]
-pub fn small(drawing: &Drawing) -> Picture {
-    within(drawing, SMALL)
-}
-
-fn within(drawing: &Drawing, largest: Point) -> Picture {
+pub fn drawing(drawing: &Drawing, largest: Point) -> Picture {
     let points: Vec<Point> = drawing.shapes.iter().flat_map(extent).collect();
     let low = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min));
     let high = [0, 1].map(|axis| points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max));

@@ -140,7 +140,7 @@ impl Results {
         let rows = self.rows.iter().map(|row| {
             row.iter()
                 .zip(&self.columns)
-                .map(|(value, column)| column.symbol.shown(*value).to_string())
+                .map(|(value, column)| fifteen_digits(column.symbol.shown(*value)))
                 .collect::<Vec<_>>()
         });
         let written = std::iter::once(heads.collect())
@@ -189,4 +189,10 @@ impl Results {
         });
         serde_json::to_string_pretty(&whole).expect("plain data")
     }
+}
+
+/// A number as it was before its unit was converted to SI and back: 60, not 59.99999999999999.
+fn fifteen_digits(value: f64) -> String {
+    let rounded = format!("{value:.14e}").parse().unwrap_or(value);
+    f64::to_string(&rounded)
 }

@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Serde, Value};
-use minijinja::{Environment, ErrorKind, UndefinedBehavior, context};
+use minijinja::{Environment, ErrorKind, State, UndefinedBehavior, context};
 
 use crate::book::{Book, Error};
 use crate::language::{LANGUAGES, Language, Words};
@@ -41,6 +41,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "positions.typ",
     "range.typ",
     "sizing.typ",
+    "balance.typ",
     "published.typ",
     "remarks.typ",
     "notation.typ",
@@ -195,6 +196,16 @@ fn environment(words: Words) -> Environment<'static> {
         }
     });
     environment.add_filter("string", |text: &str| Value::from_safe_string(speech::string(text)));
+    // "2.1 " and so on. Typst's own numbers would come from counters, which cost a further pass over the document.
+    environment.add_function("number", |state: &mut State, level: usize| {
+        let counts = &mut state.get_or_insert_extension(Headings::default()).0;
+        counts.resize(level, 0);
+        if let Some(count) = counts.last_mut() {
+            *count += 1;
+        }
+        let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
+        Value::from_safe_string(counts.join("."))
+    });
     let undefined = |detail| minijinja::Error::new(ErrorKind::UndefinedError, detail);
     let dictionary = words.clone();
     environment.add_function("word", move |group: &str, id: &str| {
@@ -212,6 +223,10 @@ fn environment(words: Words) -> Environment<'static> {
     });
     environment
 }
+
+/// How many headings of each level a book has so far, since the last one of a level above.
+#[derive(Default)]
+struct Headings(Vec<usize>);
 
 /// Template, line, and what is wrong with which variable. Templates of the user
 /// are named with their folder.

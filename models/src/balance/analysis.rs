@@ -4,20 +4,20 @@ use crate::balance::boom::{Boom, Load};
 use crate::balance::{Action, Balance, FINITE, Fault, symbols as s};
 use crate::calc::Calc;
 use crate::lemniscate::range::Extreme;
-use crate::plane::{self, Point};
+use crate::plane::Point;
 use crate::symbol::Symbol;
 
 /// What is left at one boom angle.
 #[derive(Clone, Copy, Debug)]
 pub struct Residual<C> {
+    /// Boom angle, in rad.
+    pub phi: C,
     pub boom: Load<C>,
     pub action: Action<C>,
     /// About the boom foot, in N·m; positive raises the boom.
     pub dm: C,
     /// About the lever's pivot, in N·m; none where there is no lever or it stands still.
     pub dm_5: Option<C>,
-    /// Force of the frame on the boom foot, in N, with a drive that is a moment.
-    pub foot: Point<C>,
 }
 
 impl<C: Calc> Residual<C> {
@@ -28,15 +28,20 @@ impl<C: Calc> Residual<C> {
     pub fn new(boom: &Boom<C>, balance: &Balance<C>, phi: C) -> Result<Residual<C>, Fault> {
         let load = boom.at(phi)?;
         let action = balance.at(phi, &load)?;
-        let dm = (load.m_0 + action.m_b).def(&s::DM);
+        Ok(Residual::of(phi, load, action))
+    }
+
+    /// What boom and balance leave together.
+    pub fn of(phi: C, boom: Load<C>, action: Action<C>) -> Residual<C> {
+        let dm = (boom.m_0 + action.m_b).def(&s::DM);
         let moving = action.lever.filter(|turn| turn.i_5.value() != 0.0);
-        Ok(Residual {
-            boom: load,
+        Residual {
+            phi,
+            boom,
             action,
             dm,
             dm_5: moving.map(|turn| (dm / turn.i_5).def(&s::DM_5)),
-            foot: plane::def(load.foot - action.on_boom, [&s::F_OX, &s::F_OY]),
-        })
+        }
     }
 }
 
@@ -55,14 +60,16 @@ impl Residual<f64> {
         list.extend(action.y_5.map(|y_5| (&s::C_Y, y_5)));
         list.extend(both(Some(action.on_boom), [&s::F_KX, &s::F_KY]).into_iter().flatten());
         list.extend(both(action.on_pivot, [&s::F_PX, &s::F_PY]).into_iter().flatten());
-        list.extend(both(Some(self.foot), [&s::F_OX, &s::F_OY]).into_iter().flatten());
         list
     }
 }
 
-/// An angle (rad) at which nothing is left.
+/// Where nothing is left.
 #[derive(Clone, Copy, Debug)]
 pub struct Equilibrium {
+    /// Coordinate of the working range, in rad: the boom angle, unless the rocker is driven.
+    pub at: f64,
+    /// Boom angle, in rad.
     pub phi: f64,
     /// The boom comes back when it is moved a little.
     pub stable: bool,
@@ -82,10 +89,10 @@ pub struct Analysis {
     pub gamma_min: Option<Extreme>,
     /// Greatest amount of the force in rod or rope, in N.
     pub n_max: Option<Extreme>,
-    /// Greatest less smallest height of the counterweight, in m.
-    pub travel: Option<f64>,
+    /// Smallest and greatest height of the counterweight, in m.
+    pub y_5: Option<[Extreme; 2]>,
     pub equilibria: Vec<Equilibrium>,
-    /// Residual at both ends, in N·m: stable ends have it positive, then negative. [Balance004, eq. 6-7]
+    /// Residual at the lowest and the highest boom angle, in N·m: stable ends have it positive, then negative. [Balance004, eq. 6-7]
     pub ends: [f64; 2],
 }
 
@@ -93,7 +100,7 @@ pub struct Analysis {
 const GRID: u32 = 380;
 
 impl Analysis {
-    /// Over the boom angles `range` (rad).
+    /// Over the boom angles `range`, in rad.
     ///
     /// # Errors
     /// A range that is empty, or where boom or balance do not close or would
@@ -126,14 +133,37 @@ impl Analysis {
                 }
             }
         }
-        let at = |phi: f64| Residual::new(boom, balance, phi);
-        let grid = Sampled::new(range, at)?;
-        let dm = |phi| at(phi).map(|r| r.dm);
+        Analysis::over(range, |phi| Residual::new(boom, balance, phi))
+    }
+
+    /// Over any coordinate that turns the boom one way, `range` in rad.
+    ///
+    /// # Errors
+    /// Those of `at`; a boom that turns back, a moment that is not finite.
+    pub fn over(range: [f64; 2], at: impl Fn(f64) -> Result<Residual<f64>, Fault>) -> Result<Analysis, Fault> {
+        let grid = Sampled::new(range, &at)?;
+        let first = grid.samples[0].phi;
+        let upward = grid.samples[GRID as usize].phi > first;
+        if let Some(pair) = grid
+            .samples
+            .windows(2)
+            .find(|pair| (pair[1].phi > pair[0].phi) != upward)
+        {
+            let allowed = if upward {
+                [first, pair[0].phi]
+            } else {
+                [pair[0].phi, first]
+            };
+            let what = "the boom turns back within the working range: no moment about its foot moves it there";
+            return Err(Fault::new(&s::PHI, pair[1].phi, allowed, what));
+        }
+        let dm = |theta| at(theta).map(|r| r.dm);
         let dm_max = grid.greatest(|r| r.dm.abs())?.expect("a residual exists");
         let dm_5_max = grid.greatest_of(|r| r.dm_5.map(f64::abs))?;
         // The integral of the residual is the fall of the potential energy, and
         // its zeros split the range.
-        let energy = |r: &Residual<f64>| -(r.boom.u_0 + r.action.u_5);
+        let forward = if upward { 1.0 } else { -1.0 };
+        let energy = |r: &Residual<f64>| -forward * (r.boom.u_0 + r.action.u_5);
         let mut equilibria = Vec::new();
         let (mut e_abs, mut e_plus) = (0.0, 0.0);
         let mut last = energy(&grid.samples[0]);
@@ -150,24 +180,33 @@ impl Analysis {
             if a.abs().max(b.abs()) <= 1e-10 * scale || (a > 0.0) == (b > 0.0) {
                 continue;
             }
-            let phi = zero([grid.phi(i), grid.phi(i + 1)], a > 0.0, dm)?;
-            equilibria.push(Equilibrium { phi, stable: a > 0.0 });
-            gain(energy(&at(phi)?), &mut last);
+            let theta = zero([grid.angle(i), grid.angle(i + 1)], a > 0.0, dm)?;
+            let there = at(theta)?;
+            equilibria.push(Equilibrium {
+                at: theta,
+                phi: there.phi,
+                stable: (a > 0.0) == upward,
+            });
+            gain(energy(&there), &mut last);
         }
         gain(energy(grid.samples.last().expect("samples")), &mut last);
         let highest = grid.greatest_of(|r| r.action.y_5)?;
         let lowest = grid.greatest_of(|r| r.action.y_5.map(|y| -y))?;
+        let turned = |e: Extreme| Extreme { value: -e.value, ..e };
         let gamma = grid.greatest_of(|r| r.action.lever.map(|turn| -turn.gamma))?;
         Ok(Analysis {
             dm_max,
             dm_5_max,
             e_abs,
             e_plus,
-            gamma_min: gamma.map(|e| Extreme { value: -e.value, ..e }),
+            gamma_min: gamma.map(turned),
             n_max: grid.greatest_of(|r| r.action.n_1.map(f64::abs))?,
-            travel: highest.zip(lowest).map(|(high, low)| high.value + low.value),
+            y_5: lowest.map(turned).zip(highest).map(|(low, high)| [low, high]),
             equilibria,
-            ends: [grid.samples[0].dm, grid.samples.last().expect("samples").dm],
+            ends: {
+                let [from, to] = [grid.samples[0].dm, grid.samples.last().expect("samples").dm];
+                if upward { [from, to] } else { [to, from] }
+            },
         })
     }
 }
@@ -185,7 +224,7 @@ impl Analysis {
             (&s::DM_5_MAX, self.dm_5_max.map(|e| e.value)),
             (&s::GAMMA_MIN, self.gamma_min.map(|e| e.value)),
             (&s::N_MAX, self.n_max.map(|e| e.value)),
-            (&s::TRAVEL, self.travel),
+            (&s::TRAVEL, self.y_5.map(|[low, high]| high.value - low.value)),
         ];
         list.extend(
             optional
@@ -211,15 +250,15 @@ impl<F: Fn(f64) -> Result<Residual<f64>, Fault>> Sampled<F> {
             at,
         };
         for i in 0..=GRID as usize {
-            let phi = grid.phi(i);
-            let sample = (grid.at)(phi)?;
+            let theta = grid.angle(i);
+            let sample = (grid.at)(theta)?;
             let whole = [sample.dm, sample.action.u_5, sample.action.n_1.unwrap_or(0.0)];
             if let Some(&value) = whole.iter().find(|value| !value.is_finite()) {
                 return Err(Fault::new(
                     &s::DM,
                     value,
                     FINITE,
-                    format!("no finite moment at {} deg", phi.to_degrees()),
+                    format!("no finite moment at {} deg", theta.to_degrees()),
                 ));
             }
             grid.samples.push(sample);
@@ -227,7 +266,7 @@ impl<F: Fn(f64) -> Result<Residual<f64>, Fault>> Sampled<F> {
         Ok(grid)
     }
 
-    fn phi(&self, i: usize) -> f64 {
+    fn angle(&self, i: usize) -> f64 {
         let [from, to] = self.range;
         if i == GRID as usize {
             to
@@ -256,14 +295,17 @@ impl<F: Fn(f64) -> Result<Residual<f64>, Fault>> Sampled<F> {
         for (i, &value) in values.iter().enumerate() {
             let (before, after) = (i.saturating_sub(1), (i + 1).min(last));
             if value > best.value {
-                best = Extreme { value, at: self.phi(i) };
+                best = Extreme {
+                    value,
+                    at: self.angle(i),
+                };
             }
             // Between two samples a peak hides less than this part of the whole swing.
             let near = value >= top - 0.01 * (top - bottom);
             if !(near && value >= values[before] && value >= values[after]) {
                 continue;
             }
-            let mut ends = [self.phi(before), self.phi(after)];
+            let mut ends = [self.angle(before), self.angle(after)];
             const GOLDEN: f64 = 0.618_033_988_749_894_9;
             for _ in 0..40 {
                 let width = ends[1] - ends[0];

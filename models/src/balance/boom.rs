@@ -5,7 +5,7 @@ use crate::balance::{FINITE, Fault, NOT_NEGATIVE, check, symbols as s};
 use crate::calc::Calc;
 use crate::lemniscate::geometry::{Driven, Geometry, Misfit, Parameters, Weights};
 use crate::lemniscate::position::Position;
-use crate::lemniscate::statics::{Centres, PinForces, weight_moment};
+use crate::lemniscate::statics::{Centres, weight_moment};
 use crate::lemniscate::symbols as l;
 use crate::lemniscate::velocity::{Pole, Velocity};
 use crate::plane::{self, Point};
@@ -31,8 +31,23 @@ pub struct Load<C> {
     pub m_0: C,
     /// Potential energy, in J, from the height of the boom foot.
     pub u_0: C,
-    /// Force of the frame on the boom foot without a balance, in N.
-    pub foot: Point<C>,
+}
+
+impl<C: Calc> Load<C> {
+    /// Of the double-link mechanism at a position; `m_g` is the moment of its
+    /// weights about the foot of the driven bar (N·m, positive lowers it).
+    pub fn new(g: &Geometry<C>, w: &Weights<C>, p: &Position<C>, v: &Velocity<C>, r: &Centres<C>, m_g: C) -> Load<C> {
+        // The same power at the boom.
+        let m_0 = match p.driven {
+            Driven::Boom => -m_g,
+            Driven::Rocker => -(m_g / v.i_follower),
+        };
+        let u_0 = w.g_1 * r.boom.y + w.g_2 * (p.b.y + r.jib.y) + w.g_3 * (g.lengths.x_6 + r.rocker.y);
+        Load {
+            m_0: m_0.def(&s::M_0),
+            u_0: u_0.def(&s::U_0),
+        }
+    }
 }
 
 impl<C: Calc> Plain<C> {
@@ -121,28 +136,17 @@ impl<C: Calc> Boom<C> {
                 Ok(Load {
                     m_0: (-(p.g_b * p.r_b * cos)).def(&s::M_0),
                     u_0: (p.g_b * p.r_b * sin).def(&s::U_0),
-                    foot: Point::new(C::constant(0.0) * p.g_b, p.g_b),
                 })
             }
             Boom::System(g, w) => {
                 let (p, centres) = self.place(g, w, phi)?;
                 let v = Velocity::new(&p);
-                let m_0 = (-weight_moment(w, &centres, &p, &v)).def(&s::M_0);
-                let u_0 = (w.g_1 * centres.boom.y
-                    + w.g_2 * (p.b.y + centres.jib.y)
-                    + w.g_3 * (g.lengths.x_6 + centres.rocker.y))
-                    .def(&s::U_0);
-                let pins = PinForces::new(&p, g.lengths.x_3, C::constant(0.0) * w.g_1, Some((w, &centres)), |_| {
-                    None
-                });
-                if !m_0.value().is_finite() {
-                    return Err(self.outside(phi));
+                let load = Load::new(g, w, &p, &v, &centres, weight_moment(w, &centres, &p, &v));
+                if load.m_0.value().is_finite() {
+                    Ok(load)
+                } else {
+                    Err(self.outside(phi))
                 }
-                Ok(Load {
-                    m_0,
-                    u_0,
-                    foot: pins.o1,
-                })
             }
         }
     }
@@ -189,14 +193,14 @@ impl<C: Calc> Boom<C> {
         // Jib about its centre, and the rocker's ratio.
         let (jib, i_3) = match Pole::new(g, &p) {
             Pole::Finite { o1p, o3p, at } => {
-                let i_2 = (one / (one - o1p / g.lengths.x_1)).def(&s::I_2);
-                let i_3 = (i_2 * (one - o3p / g.lengths.x_3)).def(&s::I_3);
+                let i_2 = (one / (one - o1p / g.lengths.x_1)).def(&l::I_2);
+                let i_3 = (i_2 * (one - o3p / g.lengths.x_3)).def(&l::I_3);
                 (i_2 * (p.b.x + r.jib.x - at.x), i_3)
             }
             // The jib only shifts: boom and rocker are parallel.
             Pole::AtInfinity => (
                 p.x_1.x,
-                (plane::dot(p.x_1, p.x_3) / g.lengths.x_3.square()).def(&s::I_3),
+                (plane::dot(p.x_1, p.x_3) / g.lengths.x_3.square()).def(&l::I_3),
             ),
         };
         Ok((-(w.g_1 * r.boom.x + w.g_2 * jib + w.g_3 * i_3 * r.rocker.x)).def(&s::M_0_P))

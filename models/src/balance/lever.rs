@@ -34,7 +34,7 @@ impl<C: Calc> Lever<C> {
         let mut sound = Ok(());
         dimensions.map(&mut |symbol, value: C| {
             let allowed = match symbol.id {
-                "delta_1" | "alpha_1" | "chi_5" => FINITE,
+                "delta_1" | "alpha_K" | "chi_5" => FINITE,
                 "M_5" => NOT_NEGATIVE,
                 _ => POSITIVE,
             };

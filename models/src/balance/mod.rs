@@ -27,6 +27,8 @@
 //! | `balance.straight_rail.moment` | [`straight_rail::StraightRail::at`] | Ports001, 2.1.4 |
 //! | `balance.curved_rail.moment` | [`curved_rail::CurvedRail::at`] | Ports001, 2.1.5 |
 //! | `balance.residual` | [`analysis::Residual::new`] | Balance004, eq. 3; Ports001, eq. 5.2.6 |
+//! | `balance.power` | [`crate::lemniscate::balancing::Balanced`] | load, weights and balance on one mechanism |
+//! | `balance.table_5_2_1` | [`published::table_5_2_1`] | Ports001, table 5.2.1 |
 //! | `balance.range` | [`analysis::Analysis::new`] | Balance004, criteria F1-F3 |
 //! | `balance.synthesis.three` | [`synthesis::three::lever`] | Ports001, 2.2.1 |
 //! | `balance.synthesis.four` | [`synthesis::four::Nodes`] | Balance004, eq. 4 |
@@ -38,6 +40,8 @@ pub mod boom;
 pub mod curved_rail;
 pub mod lever;
 pub mod parallelogram;
+pub mod published;
+pub mod scene;
 pub mod straight_rail;
 pub mod symbols;
 pub mod synthesis;
@@ -71,20 +75,28 @@ impl Fault {
     }
 }
 
-impl std::fmt::Display for Fault {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl Fault {
+    /// The quantity with its value, and what is allowed.
+    #[must_use]
+    pub fn range(&self) -> String {
         let unit = self.quantity.display.name;
         let shown = |value: f64| crate::schema::short(self.quantity.shown(value));
-        write!(f, "{}: {} = {} {unit}", self.what, self.quantity.id, shown(self.value))?;
+        let value = format!("{} = {} {unit}", self.quantity.id, shown(self.value));
         match self.allowed {
-            FINITE if self.value.is_finite() => Ok(()),
-            FINITE => f.write_str(", it must be a finite number"),
-            POSITIVE => f.write_str(", it must be greater than zero"),
-            NOT_NEGATIVE => f.write_str(", it must be zero or greater"),
-            [low, high] if high >= f64::MAX => write!(f, ", allowed from {} {unit}", shown(low)),
-            [low, high] if low <= f64::MIN => write!(f, ", allowed up to {} {unit}", shown(high)),
-            [low, high] => write!(f, ", allowed {} to {} {unit}", shown(low), shown(high)),
+            FINITE if self.value.is_finite() => value,
+            FINITE => format!("{value}, it must be a finite number"),
+            POSITIVE => format!("{value}, it must be greater than zero"),
+            NOT_NEGATIVE => format!("{value}, it must be zero or greater"),
+            [low, high] if high >= f64::MAX => format!("{value}, allowed from {} {unit}", shown(low)),
+            [low, high] if low <= f64::MIN => format!("{value}, allowed up to {} {unit}", shown(high)),
+            [low, high] => format!("{value}, allowed {} to {} {unit}", shown(low), shown(high)),
         }
+    }
+}
+
+impl std::fmt::Display for Fault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {}", self.what, self.range())
     }
 }
 

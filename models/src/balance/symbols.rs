@@ -11,8 +11,6 @@ symbols! {
     M_0: "M_0" "M_0" N_M / KN_M, "Moment of the boom system's weights about the boom foot; positive raises the boom.", "[Balance004, eq. 1]";
     M_0_P: "M_0.P" "M_0" N_M / KN_M, "Moment of the boom system's weights by the power about instant centres; positive raises the boom.", "[Ports001, 9]";
     U_0: "U_0" "U_0" J / KJ, "Potential energy of the boom system, from the height of the boom foot.", "derived";
-    I_2: "i_2" "i_2" ONE / ONE, "Jib's angular velocity over the boom's, by the instant centre.", "[Ports001, 4.2]";
-    I_3: "i_3" "i_3" ONE / ONE, "Rocker's angular velocity over the boom's, by the instant centre.", "[Ports001, 4.2]";
 
     // Dimensions of the balances.
     G_C: "G_c" "G_c" N / KN, "Weight of the counterweight.", "[Ports001, 2.1]";
@@ -21,14 +19,14 @@ symbols! {
     D_1: "d_1" "d_1" M / M, "Distance of the lever's pivot from the boom foot.", "[Balance004, Fig. 2]";
     DELTA_1: "delta_1" "delta_1" RAD / DEG, "Direction from the boom foot to the lever's pivot.", "[Balance004, Fig. 2]";
     R_K: "r_1" "r_1" M / M, "Distance of the rod's or rope's joint on the boom from the boom foot.", "[Balance004, Fig. 2]";
-    ALPHA_K: "alpha_1" "alpha_1" RAD / DEG, "Angle from the boom's axis to the joint on the boom, counter-clockwise positive.", "[Balance004, Fig. 2]";
+    ALPHA_K: "alpha_K" "alpha_K" RAD / DEG, "Angle from the boom's axis to the joint on the boom, counter-clockwise positive; alpha_1 in the publication.", "[Balance004, Fig. 2]";
     L_K: "l_1" "l_1" M / M, "Length of the coupling rod.", "[Balance004, Fig. 2]";
     R_L: "R_1" "R_1" M / M, "Distance of the rod's joint on the lever from the lever's pivot.", "[Balance004, Fig. 2]";
     CHI_5: "chi_5" "chi_5" RAD / DEG, "Angle from the lever's rod arm to its counterweight arm, counter-clockwise positive.", "[Balance004, Fig. 2]";
     M_5: "M_5" "M_5" N_M / KN_M, "Weight of the counterweight times its arm.", "[Balance004, eq. 2]";
     S_5: "s_5" "s_5" M / M, "Arm of the counterweight on the lever.", "[Balance004, Fig. 2]";
-    H_X: "H.x" "x_H" M / M, "Guide pulley, forward of the boom foot.", "[Ports001, 2.1.4]";
-    H_Y: "H.y" "y_H" M / M, "Guide pulley, above the boom foot.", "[Ports001, 2.1.4]";
+    H_X: "H_x" "x_H" M / M, "Guide pulley, forward of the boom foot.", "[Ports001, 2.1.4]";
+    H_Y: "H_y" "y_H" M / M, "Guide pulley, above the boom foot.", "[Ports001, 2.1.4]";
     LAMBDA: "lambda" "lambda" RAD / DEG, "Slope of the straight rail below the horizontal, rearward; 90 deg is a vertical one.", "[Ports001, 2.1.4]";
     L_R: "L_r" "L_r" M / M, "Length of the rope between boom and trolley.", "[Ports001, 2.1.5]";
     Y_0: "y_0" "y_0" M / M, "Height of the trolley at the reference angle.", "[Ports001, 2.1.5]";
@@ -62,20 +60,21 @@ symbols! {
     I_5: "i_5" "i_5" ONE / ONE, "Lever's angular velocity over the boom's.", "[Ports001, 4.1]";
     GAMMA: "gamma" "gamma" RAD / DEG, "Transmission angle between rod and lever, 0 to 90 deg.", "[Balance004, Fig. 2]";
     H_1: "h_1" "h_1" M / M, "Distance of the boom foot from the line of the rod; positive where a pull raises the boom.", "[Ports001, eq. 5.2.3]";
-    H_5: "h_5" "h_5" M / M, "Distance of the lever's pivot from the line of the rod; positive where lever and boom turn alike when h_1 is.", "[Ports001, eq. 5.2.4]";
+    H_5: "h_5" "h_5" M / M, "Distance of the lever's pivot from the line of the rod; where it has the sign of the boom's, lever and boom turn alike.", "[Ports001, eq. 5.2.4]";
     N_1: "N_1" "N_1" N / KN, "Force in the coupling rod or rope, tension positive.", "equilibrium";
     C_X: "C_5.x" "x_5" M / M, "Counterweight, forward of the boom foot.", "[Ports001, 2.1]";
     C_Y: "C_5.y" "y_5" M / M, "Counterweight, above the boom foot.", "[Ports001, 2.1]";
     U_5: "U_5" "U_5" J / KJ, "Potential energy of the counterweight, up to a constant.", "derived";
     M_B: "M_ur" "M_(u r)" N_M / KN_M, "Moment of the balance about the boom foot; positive raises the boom.", "[Balance004, eq. 2]";
     DM: "dM" "Delta M" N_M / KN_M, "Residual moment about the boom foot; positive raises the boom.", "[Balance004, eq. 3]";
+    M_SUM: "M_sum" "M_Sigma" N_M / KN_M, "Total moment of load, weights and balance about the boom foot; positive raises the boom.", "equilibrium";
+    M_D_0: "M_D_0" "M_(D 0)" N_M / KN_M, "Moment that the drive would have to give to the driven bar without the balance.", "virtual work";
+    F_D_0: "F_d_0" "F_(d 0)" N / KN, "Force that the drive would need without the balance, push positive.", "equilibrium";
     DM_5: "dM_5" "Delta M_5" N_M / KN_M, "Residual moment about the lever's pivot, of the same power as the one about the boom foot.", "[Ports001, eq. 5.2.6]";
     F_KX: "F_K.x" "F_(K x)" N / KN, "Force of the balance on the boom, forward component.", "equilibrium";
     F_KY: "F_K.y" "F_(K y)" N / KN, "Force of the balance on the boom, upward component.", "equilibrium";
     F_PX: "F_M.x" "F_(M x)" N / KN, "Force of the frame on the lever's pivot, guide pulley or rail, forward component.", "equilibrium";
     F_PY: "F_M.y" "F_(M y)" N / KN, "Force of the frame on the lever's pivot, guide pulley or rail, upward component.", "equilibrium";
-    F_OX: "F_O.x" "F_(O x)" N / KN, "Force of the frame on the boom foot with balance and a driving moment, forward component.", "equilibrium";
-    F_OY: "F_O.y" "F_(O y)" N / KN, "Force of the frame on the boom foot with balance and a driving moment, upward component.", "equilibrium";
     S_R: "s_r" "s_r" M / M, "Rope from the joint on the boom to the guide pulley.", "[Ports001, 2.1.4]";
     W_R: "w_r" "w_r" M / M, "Horizontal projection of the trolley's rope.", "[Ports001, 2.1.5]";
     T_Y: "t.y" "t_y" M / M, "Rise of the trolley for one radian of the boom.", "derived";
@@ -84,7 +83,7 @@ symbols! {
     DM_MAX: "dM_max" "abs(Delta M)_max" N_M / KN_M, "Greatest residual moment about the boom foot, by amount.", "[Balance004, F1]";
     DM_5_MAX: "dM_5_max" "abs(Delta M_5)_max" N_M / KN_M, "Greatest residual moment about the lever's pivot, by amount.", "[Ports001, eq. 5.2.6]";
     E_ABS: "E" "E" J / KJ, "Integral of the amount of the residual moment over the working range.", "[Balance004, F2]";
-    E_PLUS: "E_plus" "E^+" J / KJ, "Integral of the residual moment where it raises the boom, over the working range.", "[Balance004, F2]";
+    E_PLUS: "E_plus" "E_(+)" J / KJ, "Integral of the residual moment where it raises the boom, over the working range.", "[Balance004, F2]";
     GAMMA_MIN: "gamma_min" "gamma_min" RAD / DEG, "Smallest transmission angle of the working range.", "[Balance004, F3]";
     N_MAX: "N_max" "abs(N_1)_max" N / KN, "Greatest force in the rod or rope, by amount.", "derived";
     TRAVEL: "Delta_y_5" "Delta y_5" M / M, "Difference of the counterweight's greatest and smallest height.", "[Ports001, eq. 5.2.1]";

@@ -52,14 +52,17 @@ impl<C: Calc> Drive<C> {
 
     /// The force that gives the moment `m_d` (N·m) about the foot; `None` where
     /// the drive points at the foot and no force can.
-    pub fn reaction(&self, m_d: C) -> Option<Reaction<C>> {
+    pub fn force(&self, m_d: C) -> Option<C> {
         let usable = self.h_d.value().abs() > 4.0 * f64::EPSILON * self.l_d.value();
-        usable.then(|| {
-            let f_d = (m_d / self.h_d).def(&s::F_D);
-            Reaction {
-                f_d,
-                force: Point::new(f_d * self.line.x / self.l_d, f_d * self.line.y / self.l_d),
-            }
+        usable.then(|| m_d / self.h_d)
+    }
+
+    /// The force that gives the moment `m_d` (N·m), as the driven bar feels it.
+    pub fn reaction(&self, m_d: C) -> Option<Reaction<C>> {
+        let f_d = self.force(m_d)?.def(&s::F_D);
+        Some(Reaction {
+            f_d,
+            force: Point::new(f_d * self.line.x / self.l_d, f_d * self.line.y / self.l_d),
         })
     }
 

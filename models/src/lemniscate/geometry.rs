@@ -1,5 +1,6 @@
 //! Dimensions of the crane, and what follows from them alone.
 
+use crate::balance::scene::Form;
 use crate::calc::Calc;
 use crate::four_bar::{Branch, FourBar, Names};
 use crate::lemniscate::symbols as s;
@@ -62,6 +63,7 @@ pub struct Parameters<C> {
     pub weights: Option<Weights<C>>,
     pub anchors: Option<Anchors<C>>,
     pub cylinder: Option<Cylinder<C>>,
+    pub balance: Option<Form<C>>,
     pub driven: Driven,
     pub branch: Branch,
 }
@@ -79,6 +81,7 @@ impl<C: Copy> Parameters<C> {
             weights: self.weights.map(|part| part.map(&mut f)),
             anchors: self.anchors.map(|part| part.map(&mut f)),
             cylinder: self.cylinder.map(|part| part.map(&mut f)),
+            balance: self.balance.map(|part| part.map(&mut f)),
             driven: self.driven,
             branch: self.branch,
         }

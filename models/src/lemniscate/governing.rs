@@ -9,7 +9,10 @@
 
 use num_dual::Dual64;
 
+use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::symbols as b;
 use crate::calc::Calc;
+use crate::lemniscate::balancing::{Balancing, analysis, residual};
 use crate::lemniscate::drive::Drive;
 use crate::lemniscate::geometry::{Driven, Geometry, Parameters};
 use crate::lemniscate::position::Position;
@@ -25,6 +28,7 @@ use crate::symbol::Symbol;
 struct Crane<C> {
     parameters: Parameters<C>,
     geometry: Geometry<C>,
+    balancing: Option<Balancing<C>>,
     q: Option<C>,
     speed: C,
 }
@@ -38,6 +42,7 @@ impl<C: Calc> Crane<C> {
         let parameters = luffing.parameters.map(&mut given);
         Some(Crane {
             geometry: Geometry::new(&parameters).ok()?,
+            balancing: Balancing::new(&parameters, &luffing.motion).ok()?,
             q: luffing.q.map(|q| given(&s::Q, q)),
             speed: given(rate(luffing.parameters.driven), luffing.motion.speed),
             parameters,
@@ -62,7 +67,15 @@ impl<C: Calc> Crane<C> {
         let weights = self.parameters.weights.as_ref();
         let centres = weights.map(|w| Centres::new(&p, [l.x_1, l.x_2, l.x_3], w));
         let both = weights.zip(centres.as_ref());
-        Some(PinForces::new(&p, l.x_3, self.q?, both, |_| None))
+        let residual = self.residual(theta);
+        let action = residual.as_ref().map(|residual| &residual.action);
+        Some(PinForces::new(&p, l.x_3, self.q?, both, action, |_| None))
+    }
+
+    /// What the balance leaves.
+    fn residual(&self, theta: C) -> Option<Residual<C>> {
+        let (balancing, weights) = (self.balancing.as_ref()?, self.parameters.weights.as_ref()?);
+        residual(balancing, &self.geometry, weights, theta).ok()
     }
 
     fn drive(&self, theta: C) -> Option<Drive<C>> {
@@ -110,16 +123,37 @@ static AMOUNTS: [(&Symbol, Quantity); 5] = [
     (&s::F_D_MAX, |crane, theta| crane.drive_force(theta)),
 ];
 
+/// What governs of the balance: [`analysis`] finds where.
+static OF_BALANCE: [(&Symbol, Quantity); 4] = [
+    (&b::DM_MAX, |crane, theta| Some(crane.residual(theta)?.dm.abs())),
+    (&b::DM_5_MAX, |crane, theta| Some(crane.residual(theta)?.dm_5?.abs())),
+    (&b::N_MAX, |crane, theta| Some(crane.residual(theta)?.action.n_1?.abs())),
+    (&b::GAMMA_MIN, |crane, theta| {
+        Some(crane.residual(theta)?.action.lever?.gamma)
+    }),
+];
+
+/// The extremes of the balance with their symbols: only what its kind has.
+fn of_balance(found: &Analysis) -> [(&'static Symbol, Option<Extreme>); 4] {
+    [
+        (&b::DM_MAX, Some(found.dm_max)),
+        (&b::DM_5_MAX, found.dm_5_max),
+        (&b::N_MAX, found.n_max),
+        (&b::GAMMA_MIN, found.gamma_min),
+    ]
+}
+
 fn quantity(symbol: &'static Symbol) -> Option<Quantity> {
     AMOUNTS
         .iter()
+        .chain(&OF_BALANCE)
         .find(|(known, _)| *known == symbol)
         .map(|(_, quantity)| *quantity)
 }
 
 /// The governing results of a scene with their positions: only of what it models.
 #[must_use]
-pub fn governing(luffing: &Luffing, range: &Range) -> Vec<Summary> {
+pub fn governing(luffing: &Luffing, range: &Range, balance: Option<&Analysis>) -> Vec<Summary> {
     let coordinate = coordinate(luffing.parameters.driven);
     let entry = |symbol, extreme: Extreme| Summary {
         symbol,
@@ -142,6 +176,8 @@ pub fn governing(luffing: &Luffing, range: &Range) -> Vec<Summary> {
         let extreme = extreme.or_else(|| greatest_amount(&luffing.motion, |theta| quantity(&crane, theta)));
         list.extend(extreme.map(|extreme| entry(symbol, extreme)));
     }
+    let found = balance.into_iter().flat_map(of_balance);
+    list.extend(found.filter_map(|(symbol, extreme)| Some(entry(symbol, extreme?))));
     list
 }
 
@@ -151,10 +187,14 @@ pub fn governed(luffing: &Luffing) -> impl Iterator<Item = &'static str> {
     let modelled = [true, true, true, true, load, load, load, load && drive];
     let symbols = [&s::R_MAX, &s::R_MIN, &s::MU_MIN].into_iter();
     let symbols = symbols.chain(AMOUNTS.iter().map(|(symbol, _)| *symbol));
+    let balance = analysis(&luffing.parameters, &luffing.motion).ok().flatten();
+    let balance = balance.into_iter().flat_map(|found| of_balance(&found));
+    let balance = balance.filter(|(_, extreme)| extreme.is_some());
     symbols
         .zip(modelled)
         .filter(|(_, modelled)| *modelled)
         .map(|(symbol, _)| symbol.id)
+        .chain(balance.map(|(symbol, _)| symbol.id))
 }
 
 /// Where the lever arm of the drive changes its sign no force of it gives a
@@ -190,9 +230,9 @@ fn dead_drive(crane: &Crane<Dual64>, motion: &Motion) -> Option<Extreme> {
 /// quantity: derivatives in SI, exact.
 #[must_use]
 pub fn sensitivity(luffing: &Luffing, range: &Range, governing: &[Summary]) -> Sensitivity {
-    let forces = governing
-        .iter()
-        .filter(|g| g.value.is_finite() && [&s::M_Q_MAX, &s::F_D_MAX].contains(&g.symbol));
+    let forces = governing.iter().filter(|g| {
+        g.value.is_finite() && g.value != 0.0 && [&s::M_Q_MAX, &s::F_D_MAX, &b::DM_MAX, &b::N_MAX].contains(&g.symbol)
+    });
     let mut results = vec![(&s::MU_MIN, range.mu_min.value), (&s::EPSILON_Y, range.epsilon_y())];
     results.push((&s::R_MAX, range.r_max.value));
     results.extend(forces.map(|g| (g.symbol, g.value)));

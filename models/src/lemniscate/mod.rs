@@ -24,12 +24,14 @@
 //! | `lemniscate.luffing_moment` | [`statics::load_moment`], [`velocity::Pole::moment`] | Li2022, eq. 11 |
 //! | `lemniscate.weight_moment` | [`statics::weight_moment`] | Balance004, eq. 1 |
 //! | `lemniscate.pin_forces` | [`statics::PinForces::new`] | equilibrium |
+//! | `lemniscate.balance` | [`balancing::Balancing::at`] | [`crate::balance`] |
 //! | `lemniscate.drive` | [`drive::Drive::new`] | derived |
 //! | `lemniscate.dynamics` | [`dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
 //! | `lemniscate.governing` | [`range::greatest`], [`governing::governing`] | derived |
 //! | `lemniscate.sensitivity` | [`governing::sensitivity`] | derived |
 //! | `lemniscate.published` | [`published::Published::new`] | Li2022, eq. 1, 4-7 |
 
+pub mod balancing;
 pub mod drive;
 pub mod dynamics;
 pub mod geometry;

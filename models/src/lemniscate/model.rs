@@ -6,8 +6,10 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use num_dual::Dual64;
 
+use crate::balance::scene::Form;
+use crate::balance::symbols as b;
 use crate::calc::Calc;
-use crate::lemniscate::geometry::{Driven, Geometry};
+use crate::lemniscate::geometry::{Driven, Geometry, Parameters};
 use crate::lemniscate::outputs::{Evaluation, Inputs, Output};
 use crate::lemniscate::scene::{KEYS, Luffing, Motion};
 use crate::lemniscate::symbols as s;
@@ -435,8 +437,11 @@ fn bounds(luffing: &Luffing, symbol: &'static Symbol, slot: Slot, sign: Sign) ->
             arc.map_or(any, |arc| [arc.from, arc.to])
         }
         Slot::Parameter if symbol == &s::BETA_0 => [0.0, TAU],
-        Slot::Output(Output::Mu | Output::MuMin) => [0.0, FRAC_PI_2],
+        Slot::Output(Output::Mu | Output::MuMin | Output::Gamma | Output::GammaMin) => [0.0, FRAC_PI_2],
         Slot::Output(Output::L | Output::Y | Output::LD | Output::DeltaY | Output::EpsilonY) => not_negative,
+        Slot::Output(Output::DMMax | Output::DM5Max | Output::NMax | Output::EAbs | Output::EPlus | Output::Travel) => {
+            not_negative
+        }
         _ if sign != Sign::Any => not_negative,
         _ => any,
     }
@@ -476,6 +481,8 @@ fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
         &s::G_3,
         &s::S_3,
         &s::CHI_3,
+        &b::G_C,
+        &b::M_5,
     ];
     luffing.parameters.map(|symbol, _| {
         let role = if weights.contains(&symbol) {
@@ -537,6 +544,23 @@ fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
             output(&s::F_D, Output::FD);
         }
     }
+    let balance = luffing.parameters.balance.as_ref();
+    for (symbol, output) in balance
+        .map(|form| balanced(form, &luffing.parameters))
+        .unwrap_or_default()
+    {
+        let role = match output {
+            Output::DMMax
+            | Output::DM5Max
+            | Output::EAbs
+            | Output::EPlus
+            | Output::GammaMin
+            | Output::NMax
+            | Output::Travel => Role::Calculated,
+            _ => Role::Output,
+        };
+        list.push((symbol, role, Slot::Output(output)));
+    }
     for (symbol, output) in [
         (&s::DELTA_Y, Output::DeltaY),
         (&s::EPSILON_Y, Output::EpsilonY),
@@ -547,4 +571,35 @@ fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
         list.push((symbol, Role::Calculated, Slot::Output(output)));
     }
     list
+}
+
+/// Results of a balance: only what its kind has.
+fn balanced(form: &Form<f64>, p: &Parameters<f64>) -> Vec<(&'static Symbol, Output)> {
+    let list = [
+        (&b::M_0, Output::M0),
+        (&b::M_B, Output::MUr),
+        (&b::DM, Output::DM),
+        (&b::DM_5, Output::DM5),
+        (&b::M_SUM, Output::MSum),
+        (&b::M_D_0, Output::MD0),
+        (&b::F_D_0, Output::FD0),
+        (&b::PSI, Output::Psi),
+        (&b::I_5, Output::I5),
+        (&b::GAMMA, Output::Gamma),
+        (&b::N_1, Output::N1),
+        (&b::C_Y, Output::Y5),
+        (&b::F_KX, Output::FKX),
+        (&b::F_KY, Output::FKY),
+        (&b::F_PX, Output::FMX),
+        (&b::F_PY, Output::FMY),
+        (&b::DM_MAX, Output::DMMax),
+        (&b::DM_5_MAX, Output::DM5Max),
+        (&b::E_ABS, Output::EAbs),
+        (&b::E_PLUS, Output::EPlus),
+        (&b::GAMMA_MIN, Output::GammaMin),
+        (&b::N_MAX, Output::NMax),
+        (&b::TRAVEL, Output::Travel),
+    ];
+    let exists = |symbol| form.has(symbol) && (symbol != &b::F_D_0 || p.anchors.is_some());
+    list.into_iter().filter(|(symbol, _)| exists(symbol)).collect()
 }

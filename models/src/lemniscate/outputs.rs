@@ -2,7 +2,9 @@
 //! a running model, dual numbers for its derivatives, the recorder for what
 //! depends on what.
 
+use crate::balance::{Action, Turn};
 use crate::calc::Calc;
+use crate::lemniscate::balancing::{Balanced, Balancing, Criteria, analysis, residual};
 use crate::lemniscate::drive::{Drive, oil_flow};
 use crate::lemniscate::geometry::{Driven, Geometry, Parameters};
 use crate::lemniscate::position::Position;
@@ -57,6 +59,29 @@ pub enum Output {
     FO3Y,
     N3,
     FD,
+    M0,
+    MUr,
+    DM,
+    DM5,
+    MSum,
+    Psi,
+    I5,
+    Gamma,
+    N1,
+    Y5,
+    FKX,
+    FKY,
+    FMX,
+    FMY,
+    MD0,
+    FD0,
+    DMMax,
+    DM5Max,
+    EAbs,
+    EPlus,
+    GammaMin,
+    NMax,
+    Travel,
     DeltaY,
     EpsilonY,
     RMax,
@@ -84,6 +109,8 @@ pub struct Evaluation<C> {
     geometry: Option<Geometry<C>>,
     range: Option<Range>,
     place: Option<Place<C>>,
+    balancing: Option<Option<Balancing<C>>>,
+    criteria: Option<Criteria<C>>,
     forces: Option<Forces<C>>,
 }
 
@@ -100,6 +127,7 @@ struct Forces<C> {
     pins: PinForces<C>,
     m_g: C,
     f_d: C,
+    balanced: Option<Balanced<C>>,
 }
 
 impl<C: Calc> Evaluation<C> {
@@ -112,6 +140,8 @@ impl<C: Calc> Evaluation<C> {
             geometry: None,
             range: None,
             place: None,
+            balancing: None,
+            criteria: None,
             forces: None,
         }
     }
@@ -223,8 +253,64 @@ impl<C: Calc> Evaluation<C> {
             O::FO3Y => self.forces()?.pins.o3.y,
             O::N3 => self.forces()?.pins.n_3,
             O::FD => self.forces()?.f_d,
+            O::M0 => self.balanced()?.residual.boom.m_0,
+            O::MUr => self.action()?.m_b,
+            O::DM => self.balanced()?.residual.dm,
+            O::DM5 => self.balanced()?.residual.dm_5.ok_or_else(unbalanced)?,
+            O::MSum => self.balanced()?.m_sum,
+            O::Psi => self.turn()?.psi,
+            O::I5 => self.turn()?.i_5,
+            O::Gamma => self.turn()?.gamma,
+            O::N1 => self.action()?.n_1.ok_or_else(unbalanced)?,
+            O::Y5 => self.action()?.y_5.ok_or_else(unbalanced)?,
+            O::FKX => self.action()?.on_boom.x,
+            O::FKY => self.action()?.on_boom.y,
+            O::FMX => self.action()?.on_pivot.ok_or_else(unbalanced)?.x,
+            O::FMY => self.action()?.on_pivot.ok_or_else(unbalanced)?.y,
+            O::MD0 => self.balanced()?.without.0,
+            O::FD0 => self.balanced()?.without.1.ok_or_else(absent)?,
+            O::DMMax => self.criteria()?.dm_max,
+            O::DM5Max => self.criteria()?.dm_5_max.ok_or_else(unbalanced)?,
+            O::EAbs => self.criteria()?.e_abs,
+            O::EPlus => self.criteria()?.e_plus,
+            O::GammaMin => self.criteria()?.gamma_min.ok_or_else(unbalanced)?,
+            O::NMax => self.criteria()?.n_max.ok_or_else(unbalanced)?,
+            O::Travel => self.criteria()?.travel.ok_or_else(unbalanced)?,
             O::DeltaY | O::EpsilonY | O::RMax | O::RMin | O::MuMin => self.of_range(output)?,
         })
+    }
+
+    fn balanced(&mut self) -> Result<&Balanced<C>, Fault> {
+        self.forces()?.balanced.as_ref().ok_or_else(unbalanced)
+    }
+
+    fn action(&mut self) -> Result<&Action<C>, Fault> {
+        Ok(&self.balanced()?.residual.action)
+    }
+
+    fn turn(&mut self) -> Result<&Turn<C>, Fault> {
+        self.action()?.lever.as_ref().ok_or_else(unbalanced)
+    }
+
+    fn balancing(&mut self) -> Result<Option<Balancing<C>>, Fault> {
+        if self.balancing.is_none() {
+            self.balancing = Some(Balancing::new(&self.parameters, &self.motion)?);
+        }
+        Ok(self.balancing.expect("just made"))
+    }
+
+    fn criteria(&mut self) -> Result<&Criteria<C>, Fault> {
+        if self.criteria.is_none() {
+            let parameters = self.parameters.map(|_, value| value.value());
+            let balancing = self.balancing()?.ok_or_else(unbalanced)?;
+            let weights = self.parameters.weights.ok_or_else(unbalanced)?;
+            let motion = self.motion;
+            let g = self.geometry()?;
+            let found = analysis(&parameters, &motion)?.ok_or_else(unbalanced)?;
+            let criteria = Criteria::new(&found, &motion, |theta| residual(&balancing, g, &weights, theta))?;
+            self.criteria = Some(criteria);
+        }
+        Ok(self.criteria.as_ref().expect("just made"))
     }
 
     fn velocity(&mut self) -> Result<(C, C), Fault> {
@@ -316,14 +402,25 @@ impl<C: Calc> Evaluation<C> {
     fn forces(&mut self) -> Result<&Forces<C>, Fault> {
         if self.forces.is_none() {
             let Place { p, v } = *self.place()?;
-            let (q, lengths) = (self.inputs.q, self.parameters.lengths);
+            let (q, theta, lengths) = (self.inputs.q, self.inputs.theta, self.parameters.lengths);
+            let balancing = self.balancing()?;
+            let geometry = *self.geometry()?;
             let weights = self.parameters.weights.as_ref();
             let centres = weights.map(|w| Centres::new(&p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
             let both = weights.zip(centres.as_ref());
             let m_g = both.map_or(C::constant(0.0), |(w, r)| weight_moment(w, r, &p, &v));
             let drive = drive(&self.parameters, &p);
+            let balanced = match balancing.zip(both) {
+                Some((balancing, both)) => {
+                    let residual = balancing.at(&geometry, both, (&p, &v), theta, m_g)?;
+                    let balanced = Balanced::new(residual, &v, p.driven, load_moment(&v, q), m_g);
+                    Some(drive.as_ref().map_or(balanced, |drive| balanced.driven_by(drive)))
+                }
+                None => None,
+            };
             let mut f_d = C::constant(0.0);
-            let pins = PinForces::new(&p, lengths.x_3, q, both, |m_d| {
+            let action = balanced.as_ref().map(|balanced| &balanced.residual.action);
+            let pins = PinForces::new(&p, lengths.x_3, q, both, action, |m_d| {
                 let reaction = drive.and_then(|drive| drive.reaction(m_d));
                 // A drive that points at the foot would need an infinite force.
                 f_d = match (reaction, m_d.value()) {
@@ -333,7 +430,12 @@ impl<C: Calc> Evaluation<C> {
                 };
                 reaction
             });
-            self.forces = Some(Forces { pins, m_g, f_d });
+            self.forces = Some(Forces {
+                pins,
+                m_g,
+                f_d,
+                balanced,
+            });
         }
         Ok(self.forces.as_ref().expect("just made"))
     }
@@ -360,6 +462,10 @@ fn drive<C: Calc>(parameters: &Parameters<C>, p: &Position<C>) -> Option<Drive<C
     };
     let anchors = parameters.anchors.as_ref()?;
     Some(Drive::new(p, bar, l.o3(), anchors))
+}
+
+fn unbalanced() -> Fault {
+    Fault::new("the balance of this scene has no such result")
 }
 
 fn absent() -> Fault {

@@ -1,7 +1,10 @@
 //! What a scene says about a luffing mechanism.
 
+use crate::balance::scene::{Form, KEYS as BALANCE};
+use crate::balance::{self, symbols as b};
 use crate::diagnostic::Diagnostic;
 use crate::four_bar::{Arc, Branch};
+use crate::lemniscate::balancing::analysis;
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
 use crate::lemniscate::governing::{coordinate, governed};
 use crate::lemniscate::symbols as s;
@@ -39,6 +42,12 @@ pub static KEYS: &[Key] = &[
     Key::quantity(&s::Q, Sign::NotNegative).optional(),
     Key::table("motion", MOTION, "Working range of the driven bar."),
     Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
+    Key::table(
+        "balance",
+        BALANCE,
+        "Counterweight that carries the boom system's own weights.",
+    )
+    .optional(),
     Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
     Key::table(
@@ -116,6 +125,9 @@ static DRIVE: &[Key] = &[
 static LIMITS: &[Key] = &[
     Key::quantity(&s::MU_MIN, Sign::NotNegative).optional(),
     Key::quantity(&s::EPSILON_Y, Sign::Positive).optional(),
+    Key::quantity(&b::DM_MAX, Sign::Positive).optional(),
+    Key::quantity(&b::GAMMA_MIN, Sign::NotNegative).optional(),
+    Key::quantity(&b::N_MAX, Sign::Positive).optional(),
     SOURCE,
 ];
 
@@ -143,6 +155,8 @@ pub struct Luffing {
     pub motion: Motion,
     pub limits: Limits,
     pub published: Option<Published>,
+    /// Published results of the balance.
+    pub published_balance: Option<balance::scene::Published>,
 }
 
 /// Limits that the book checks.
@@ -150,6 +164,10 @@ pub struct Luffing {
 pub struct Limits {
     pub mu_min: Option<f64>,
     pub epsilon_y: Option<f64>,
+    /// Of the balance.
+    pub dm_max: Option<f64>,
+    pub gamma_min: Option<f64>,
+    pub n_max: Option<f64>,
 }
 
 /// Published values, as printed.
@@ -203,15 +221,7 @@ impl Luffing {
             Branch::Right
         };
         let n = |symbol: &Symbol| v.number(symbol.id);
-        let lengths = Lengths {
-            x_1: n(&s::X_1)?,
-            x_2: n(&s::X_2)?,
-            x_3: n(&s::X_3)?,
-            x_4: n(&s::X_4)?,
-            x_5: n(&s::X_5)?,
-            x_6: n(&s::X_6)?,
-            x_8: n(&s::X_8)?,
-        };
+        let lengths = Lengths::of(n)?;
         let jib = match (n(&s::X_7), n(&s::BETA_0), n(&s::AC)) {
             (Some(x), None, None) => Jib::Sag(x),
             (None, Some(x), None) => Jib::Angle(x),
@@ -243,18 +253,12 @@ impl Luffing {
             }
         };
         let weights = match v.table("weights") {
-            Some(table) => Some(weights(table)?),
+            Some(table) => Some(Weights::of(|symbol| table.number(symbol.id))?),
             None => None,
         };
         let (anchors, cylinder) = match v.table("drive") {
             Some(d) => {
-                let n = |symbol: &Symbol| d.number(symbol.id);
-                let anchors = Anchors {
-                    e_x: n(&s::E_X)?,
-                    e_y: n(&s::E_Y)?,
-                    s_d: n(&s::S_D)?,
-                    chi_d: n(&s::CHI_D)?,
-                };
+                let anchors = Anchors::of(|symbol| d.number(symbol.id))?;
                 (Some(anchors), cylinder(d, found))
             }
             None => (None, None),
@@ -270,22 +274,46 @@ impl Luffing {
                 .help("add Q = \"0 kN\" or more to [luffing]"),
             );
         }
+        let balance = match v.table("balance") {
+            Some(table) => Some(Form::read(table, found)?),
+            None => None,
+        };
         let parameters = Parameters {
             lengths,
             jib,
             weights,
             anchors,
             cylinder,
+            balance,
             driven,
             branch,
         };
         let motion = motion(v, &parameters, found);
-        let limits = v.table("limits");
-        let limit = |symbol: &Symbol| limits.and_then(|table| table.number(symbol.id));
+        if let Some(table) = v.table("balance") {
+            balanced(v, table, &parameters, motion.as_ref(), found);
+        }
+        let limit = |symbol: &Symbol| v.table("limits")?.number(symbol.id);
         let limits = Limits {
             mu_min: limit(&s::MU_MIN),
             epsilon_y: limit(&s::EPSILON_Y),
+            dm_max: limit(&b::DM_MAX),
+            gamma_min: limit(&b::GAMMA_MIN),
+            n_max: limit(&b::N_MAX),
         };
+        if let Some(table) = v.table("limits") {
+            for symbol in [&b::DM_MAX, &b::GAMMA_MIN, &b::N_MAX] {
+                let checked = balance.is_some_and(|balance| balance.has(symbol));
+                if table.has(symbol.id) && !checked {
+                    let what = match &balance {
+                        Some(balance) => format!("a balance of the kind \"{}\" has no {}", balance.kind(), symbol.id),
+                        None => format!("a limit {} without a balance", symbol.id),
+                    };
+                    found.push(
+                        Diagnostic::new(table.place(symbol.id), what, "nothing to check").help("remove the limit"),
+                    );
+                }
+            }
+        }
         let published = v.table("published").and_then(|table| published(table, found));
         let motion = motion?;
         (found.len() == before).then_some(Luffing {
@@ -294,23 +322,34 @@ impl Luffing {
             motion,
             limits,
             published,
+            published_balance: v.table("balance").and_then(balance::scene::Published::read),
         })
     }
 }
 
-fn weights(w: &Values) -> Option<Weights<f64>> {
-    let n = |symbol: &Symbol| w.number(symbol.id);
-    Some(Weights {
-        g_1: n(&s::G_1)?,
-        s_1: n(&s::S_1)?,
-        chi_1: n(&s::CHI_1)?,
-        g_2: n(&s::G_2)?,
-        s_2: n(&s::S_2)?,
-        chi_2: n(&s::CHI_2)?,
-        g_3: n(&s::G_3)?,
-        s_3: n(&s::S_3)?,
-        chi_3: n(&s::CHI_3)?,
-    })
+/// Checks that the balance exists over the whole working range.
+fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: Option<&Motion>, found: &mut Vec<Diagnostic>) {
+    if p.weights.is_none() {
+        found.push(
+            Diagnostic::new(
+                v.place("balance"),
+                "a balance without own weights",
+                "there is nothing to balance",
+            )
+            .help("add [luffing.weights] with the weights of boom, jib and rocker"),
+        );
+        return;
+    }
+    let Some(Err(fault)) = motion.map(|motion| analysis(p, motion)) else {
+        return;
+    };
+    let place = if fault.quantity == &s::THETA_1 {
+        v.place("motion")
+    } else {
+        table.place(fault.quantity.id)
+    };
+    let label = format!("{} is not possible", fault.quantity.id);
+    found.push(Diagnostic::new(place, fault.what.clone(), label).help(fault.range()));
 }
 
 fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Cylinder<f64>> {

@@ -1,6 +1,11 @@
 //! Everything a book says about a luffing mechanism.
 
+mod balance;
+
+use crate::balance::analysis::Analysis;
+use crate::balance::symbols as b;
 use crate::calc::Calc;
+use crate::lemniscate::balancing::{Balanced, Balancing, agreement, analysis};
 use crate::lemniscate::drive::{Drive, oil_flow};
 use crate::lemniscate::geometry::{Driven, Geometry, Jib, Parameters};
 use crate::lemniscate::governing::{coordinate, governing, rate, sensitivity};
@@ -31,7 +36,8 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
     let coordinate = coordinate(luffing.parameters.driven);
     let motion = luffing.motion;
     let middle = f64::midpoint(motion.from, motion.to);
-    let governing = governing(luffing, &range);
+    let balance = analysis(&luffing.parameters, &motion).expect("checked when the scene was read");
+    let governing = governing(luffing, &range, balance.as_ref());
     let positions = positions(scene, &luffing.motion, &governing);
     Sheet {
         inputs: inputs(scene, luffing),
@@ -45,7 +51,7 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         range: table(&mut model, coordinate, &motion),
         curves: curves(&mut model, luffing, coordinate),
         drawing: drawing(&geometry, luffing, middle),
-        checks: checks(&mut model, luffing, &geometry, &range),
+        checks: checks(&mut model, luffing, &geometry, &range, balance.as_ref()),
         published: published(&mut model, luffing, coordinate),
         published_source: luffing.published.as_ref().map(|p| p.source.clone()),
         summary: summary(luffing, &geometry, &range),
@@ -53,6 +59,7 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         governing,
         outputs: outputs(&model),
         remarks: remarks(luffing),
+        balance: balance::balance(&mut model, luffing, &geometry, balance.as_ref(), coordinate),
     }
 }
 
@@ -101,6 +108,8 @@ fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
             place = ("weights", "weights.");
         } else if symbol == &s::E_X {
             place = ("drive", "drive.");
+        } else if b::ALL.contains(&symbol) {
+            place = ("balance", "balance.");
         }
         add(place.0, place.1, symbol.id, symbol, value);
     });
@@ -120,6 +129,9 @@ fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
     let limits = [
         (&s::MU_MIN, luffing.limits.mu_min),
         (&s::EPSILON_Y, luffing.limits.epsilon_y),
+        (&b::DM_MAX, luffing.limits.dm_max),
+        (&b::GAMMA_MIN, luffing.limits.gamma_min),
+        (&b::N_MAX, luffing.limits.n_max),
     ];
     for (symbol, limit) in limits {
         if let Some(value) = limit {
@@ -135,12 +147,28 @@ fn given(parameters: &Parameters<f64>) -> Parameters<Rec> {
 }
 
 fn constants(luffing: &Luffing) -> Vec<Section> {
-    let (trace, _) = record(|| Geometry::new(&given(&luffing.parameters)));
-    vec![Section {
+    let parameters = || given(&luffing.parameters);
+    let (trace, _) = record(|| Geometry::new(&parameters()));
+    let before = trace.steps.len();
+    let mut sections = vec![Section {
         id: "geometry_constants",
         trace,
         drawing: None,
-    }]
+    }];
+    let (mut trace, _) = record(|| {
+        let parameters = parameters();
+        let _ = Geometry::new(&parameters);
+        Balancing::new(&parameters, &luffing.motion)
+    });
+    trace.steps.drain(..before);
+    if !trace.steps.is_empty() {
+        sections.push(Section {
+            id: "balance_constants",
+            trace,
+            drawing: None,
+        });
+    }
+    sections
 }
 
 /// The formulas at one position, each group as its own section.
@@ -173,7 +201,7 @@ fn worked(luffing: &Luffing, id: &'static str, coordinate: &'static Symbol, thet
     }
 }
 
-const STAGES: [&str; 10] = [
+const STAGES: [&str; 11] = [
     "given",
     "position",
     "angles",
@@ -182,6 +210,7 @@ const STAGES: [&str; 10] = [
     "load_moment",
     "weight_moment",
     "drive",
+    "balance",
     "pin_forces",
     "published_forms",
 ];
@@ -191,6 +220,9 @@ const STAGES: [&str; 10] = [
 fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     let parameters = given(&luffing.parameters);
     let Ok(g) = Geometry::new(&parameters) else {
+        return false;
+    };
+    let Ok(balancing) = Balancing::new(&parameters, &luffing.motion) else {
         return false;
     };
     let theta = Rec::given(coordinate(luffing.parameters.driven), theta);
@@ -228,7 +260,7 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
         return stage == 7 && drive_chain(luffing, &g, &p, omega).is_some();
     };
     let q = Rec::given(&s::Q, q);
-    let _ = load_moment(&v, q);
+    let m_q = load_moment(&v, q);
     let _ = pole.moment(&g, &p, &v, q);
     if stage == 5 {
         return true;
@@ -237,7 +269,7 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     let weights = parameters.weights.as_ref();
     let centres = weights.map(|w| Centres::new(&p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
     let both = weights.zip(centres.as_ref());
-    let _ = both.map(|(w, r)| weight_moment(w, r, &p, &v));
+    let m_g = both.map(|(w, r)| weight_moment(w, r, &p, &v));
     if stage == 6 {
         return true;
     }
@@ -245,10 +277,22 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     if stage == 7 {
         return true;
     }
-    let _ = PinForces::new(&p, lengths.x_3, q, both, |m_d| {
+    let mut action = None;
+    if let (Some(balancing), Some(both), Some(m_g)) = (balancing, both, m_g) {
+        let Ok(residual) = balancing.at(&g, both, (&p, &v), theta, m_g) else {
+            return false;
+        };
+        let balanced = Balanced::new(residual, &v, p.driven, m_q, m_g);
+        let _ = drive.as_ref().map(|drive| balanced.driven_by(drive));
+        action = Some(residual.action);
+    }
+    if stage == 8 {
+        return true;
+    }
+    let _ = PinForces::new(&p, lengths.x_3, q, both, action.as_ref(), |m_d| {
         drive.and_then(|drive| drive.reaction(m_d))
     });
-    if stage == 8 {
+    if stage == 9 {
         return true;
     }
     match (parameters.jib, luffing.parameters.driven) {
@@ -365,7 +409,13 @@ fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> 
         .collect()
 }
 
-fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Check> {
+fn checks(
+    model: &mut Model,
+    luffing: &Luffing,
+    g: &Geometry<f64>,
+    range: &Range,
+    balance: Option<&Analysis>,
+) -> Vec<Check> {
     let mut checks = Vec::new();
     if let Some(limit) = luffing.limits.mu_min {
         checks.push(Check {
@@ -384,6 +434,39 @@ fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range
             limit,
             at_most: true,
         });
+    }
+    if let Some(found) = balance {
+        let limits = &luffing.limits;
+        let list = [
+            ("balance_residual", &b::DM_MAX, Some(found.dm_max), limits.dm_max, true),
+            (
+                "balance_transmission",
+                &b::GAMMA_MIN,
+                found.gamma_min,
+                limits.gamma_min,
+                false,
+            ),
+            ("balance_rod", &b::N_MAX, found.n_max, limits.n_max, true),
+        ];
+        for (id, symbol, extreme, limit, at_most) in list {
+            checks.extend(extreme.zip(limit).map(|(extreme, limit)| Check {
+                id,
+                symbol,
+                value: extreme.value,
+                limit,
+                at_most,
+            }));
+        }
+        let [work, power] = agreement(&luffing.parameters, &luffing.motion, fine(&luffing.motion));
+        for (id, value) in [("balance_work", work), ("balance_power", power)] {
+            checks.push(Check {
+                id,
+                symbol: &s::AGREEMENT,
+                value,
+                limit: 1e-12,
+                at_most: true,
+            });
+        }
     }
     if luffing.q.is_some() {
         // Agreement of independent ways, relative to the largest moment.
@@ -426,6 +509,7 @@ fn checks(model: &mut Model, luffing: &Luffing, g: &Geometry<f64>, range: &Range
 fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
     let lengths = g.lengths;
     let q = luffing.q.unwrap_or(0.0);
+    let balancing = Balancing::new(&luffing.parameters, &luffing.motion).ok().flatten();
     let (mut worst, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
     for theta in fine(&luffing.motion) {
         let Some(p) = Position::new(g, theta) else { continue };
@@ -433,10 +517,15 @@ fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
         let weights = luffing.parameters.weights.as_ref();
         let centres = weights.map(|w| Centres::new(&p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
         let both = weights.zip(centres.as_ref());
-        let work = load_moment(&v, q) + both.map_or(0.0, |(w, r)| weight_moment(w, r, &p, &v));
-        let m_d = PinForces::new(&p, lengths.x_3, q, both, |_| None).m_d;
+        let m_g = both.map_or(0.0, |(w, r)| weight_moment(w, r, &p, &v));
+        let residual = balancing.zip(both);
+        let residual = residual.and_then(|(balancing, both)| balancing.at(g, both, (&p, &v), theta, m_g).ok());
+        let action = residual.as_ref().map(|residual| &residual.action);
+        let turn = if p.driven == Driven::Boom { 1.0 } else { v.i_follower };
+        let work = load_moment(&v, q) + m_g - action.map_or(0.0, |action| action.m_b * turn);
+        let m_d = PinForces::new(&p, lengths.x_3, q, both, action, |_| None).m_d;
         worst = worst.max((m_d - work).abs());
-        scale = scale.max(work.abs());
+        scale = scale.max(work.abs()).max(m_g.abs());
     }
     worst / scale
 }
@@ -483,18 +572,32 @@ fn summary(luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Summary> 
 }
 
 fn remarks(luffing: &Luffing) -> Vec<&'static str> {
-    match &luffing.published {
-        Some(published) if published.source.starts_with("[Li2022") => {
-            vec![
-                "li2022_sag",
-                "li2022_sign",
-                "li2022_quadrants",
-                "li2022_level_error",
-                "li2022_drive_comparison",
-            ]
-        }
-        _ => Vec::new(),
+    let from = |source: Option<&String>, key: &str| source.is_some_and(|source| source.starts_with(key));
+    let mechanism = luffing.published.as_ref().map(|published| &published.source);
+    let balance = luffing.published_balance.as_ref().map(|published| &published.source);
+    let mut list = Vec::new();
+    if from(mechanism, "[Li2022") {
+        list.extend([
+            "li2022_sag",
+            "li2022_sign",
+            "li2022_quadrants",
+            "li2022_level_error",
+            "li2022_drive_comparison",
+        ]);
     }
+    if from(balance, "[Balance004") {
+        list.extend([
+            "balance004_rounding",
+            "balance004_nodes",
+            "balance004_double_node",
+            "balance004_rod",
+            "balance004_chi_2",
+        ]);
+    }
+    if from(balance, "[Ports001") {
+        list.extend(["ports001_pivot", "ports001_positions", "ports001_linkage"]);
+    }
+    list
 }
 
 fn drawing(g: &Geometry<f64>, luffing: &Luffing, middle: f64) -> Drawing {

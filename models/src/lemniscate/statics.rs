@@ -1,5 +1,6 @@
 //! Moments by virtual work, and the forces in the pins by equilibrium of each body.
 
+use crate::balance::Action;
 use crate::calc::Calc;
 use crate::lemniscate::drive::Reaction;
 use crate::lemniscate::geometry::{Driven, Weights};
@@ -73,6 +74,7 @@ pub struct PinForces<C> {
 impl<C: Calc> PinForces<C> {
     /// Equilibrium of jib, driven-along bar and driven bar, in this order.
     /// `weights` come with their centres; without them the bars are weightless.
+    /// `balance` acts on the boom.
     /// `drive` turns the driven bar's moment into a force at its anchor, or
     /// into none where the drive is a moment.
     pub fn new(
@@ -80,6 +82,7 @@ impl<C: Calc> PinForces<C> {
         x_3: C,
         q: C,
         weights: Option<(&Weights<C>, &Centres<C>)>,
+        balance: Option<&Action<C>>,
         drive: impl FnOnce(C) -> Option<Reaction<C>>,
     ) -> PinForces<C> {
         let half = p.k / C::constant(2.0);
@@ -94,6 +97,12 @@ impl<C: Calc> PinForces<C> {
             ),
             None => (q, q * p.x_4.x, None, None),
         };
+        // What the balance does not carry.
+        let boom = match (boom, balance) {
+            (Some(boom), Some(action)) => Some(boom - action.m_b),
+            _ => boom,
+        };
+        let foot = |force: Point<C>| balance.map_or(force, |action| force - action.on_boom);
         let (g_1, g_3) = (weights.map(|(w, _)| w.g_1), weights.map(|(w, _)| w.g_3));
         let minus = |force: Point<C>| Point::new(-force.x, load - force.y);
         let up = |force: Point<C>, g: Option<C>| Point::new(force.x, g.map_or(force.y, |g| force.y + g));
@@ -114,7 +123,7 @@ impl<C: Calc> PinForces<C> {
                 let m_d = boom.map_or(lift, |boom| lift + boom).def(&s::M_D);
                 let push = drive(m_d);
                 let o1 = plane::def(
-                    push.map_or(up(b, g_1), |push| up(b, g_1) - push.force),
+                    push.map_or(foot(up(b, g_1)), |push| foot(up(b, g_1)) - push.force),
                     [&s::F_O1X, &s::F_O1Y],
                 );
                 let o3 = plane::def(up(c, g_3), [&s::F_O3X, &s::F_O3Y]);
@@ -140,7 +149,7 @@ impl<C: Calc> PinForces<C> {
                     push.map_or(up(c, g_3), |push| up(c, g_3) - push.force),
                     [&s::F_O3X, &s::F_O3Y],
                 );
-                let o1 = plane::def(up(b, g_1), [&s::F_O1X, &s::F_O1Y]);
+                let o1 = plane::def(foot(up(b, g_1)), [&s::F_O1X, &s::F_O1Y]);
                 let n_3 = (-(plane::dot(c, p.x_3) / x_3)).def(&s::N_3);
                 PinForces { m_d, b, c, o1, o3, n_3 }
             }

@@ -62,6 +62,7 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
         drawing: plan(&built, &standing(steering, &built, steering.inputs.clone())),
         checks: checks(steering, &built, demand.as_ref()),
         published: Vec::<Comparison>::new(),
+        balance: None,
         published_source: None,
         summary: Vec::new(),
         sensitivity: Sensitivity {

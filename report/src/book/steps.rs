@@ -76,7 +76,10 @@ pub(super) fn sections(
 ) -> Vec<Section> {
     let section = |section: &sheet::Section| Section {
         id: section.id,
-        picture: section.drawing.as_ref().map(|drawing| plot::small(drawing).into()),
+        picture: section
+            .drawing
+            .as_ref()
+            .map(|drawing| plot::drawing(drawing, plot::SMALL).into()),
         steps: steps(language, &section.trace, outputs, notation),
     };
     sections.iter().map(section).collect()

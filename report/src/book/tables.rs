@@ -158,6 +158,7 @@ fn input(language: &Language, input: &sheet::Input, notation: &mut Notation) -> 
 fn step(symbol: &Symbol) -> (f64, &'static str) {
     match symbol.unit {
         unit if unit == &unit::M => (1e-3, "1 thin\"mm\""),
+        unit if unit == &unit::N_M => (1e3, "1 thin\"kN·m\""),
         unit if unit == &unit::RAD => (0.1 * unit::DEG.factor, "0.1\"°\""),
         _ => (1e3, "1 thin\"kN\""),
     }
@@ -249,7 +250,7 @@ pub(super) fn view(language: &Language, view: &sheet::View) -> View {
             .command
             .map(|(symbol, value)| format!("{} = {}", symbol.print, quantity(language, symbol, value))),
         reachable: view.reachable,
-        drawn: plot::small(&view.drawing).into(),
+        drawn: plot::drawing(&view.drawing, plot::SMALL).into(),
         table: table(language, &view.table),
     }
 }

@@ -105,7 +105,7 @@ impl Problem {
         let mut sound = Ok(());
         self.bounds.map(&mut |symbol, [low, high]| {
             let least = match symbol.id {
-                "delta_1" | "alpha_1" | "chi_5" => f64::MIN,
+                "delta_1" | "alpha_K" | "chi_5" => f64::MIN,
                 "M_5" => 0.0,
                 _ => f64::MIN_POSITIVE,
             };

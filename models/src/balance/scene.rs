@@ -1,0 +1,226 @@
+//! What a scene says about a balance.
+
+use crate::balance::lever::{Dimensions, Lever};
+use crate::balance::parallelogram::Parallelogram;
+use crate::balance::straight_rail::StraightRail;
+use crate::balance::tail::Tail;
+use crate::balance::{Balance, Fault, boom::Boom, curved_rail, symbols as s};
+use crate::calc::Calc;
+use crate::diagnostic::Diagnostic;
+use crate::four_bar::Branch;
+use crate::schema::{Key, Kind, Sign, Values, missing};
+use crate::symbol::Symbol;
+
+const KINDS: &[&str] = &["tail", "parallelogram", "lever", "straight_rail", "curved_rail"];
+
+/// Keys of `[luffing.balance]`; which quantities are needed depends on the kind.
+pub static KEYS: &[Key] = &[
+    Key {
+        name: "kind",
+        kind: Kind::Choice(KINDS),
+        required: true,
+        text: "A weight on the boom's rear, a parallelogram lever, a four-bar lever, or a rope to a weight on a straight \
+               or a curved rail.",
+    },
+    Key {
+        name: "branch",
+        kind: Kind::Choice(&["left", "right"]),
+        required: false,
+        text: "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever.",
+    },
+    Key::quantity(&s::G_C, Sign::NotNegative).optional(),
+    Key::quantity(&s::R_C, Sign::NotNegative).optional(),
+    Key::quantity(&s::CHI_C, Sign::Any).optional(),
+    Key::quantity(&s::D_1, Sign::Positive).optional(),
+    Key::quantity(&s::DELTA_1, Sign::Any).optional(),
+    Key::quantity(&s::R_K, Sign::Positive).optional(),
+    Key::quantity(&s::ALPHA_K, Sign::Any).optional(),
+    Key::quantity(&s::L_K, Sign::Positive).optional(),
+    Key::quantity(&s::R_L, Sign::Positive).optional(),
+    Key::quantity(&s::CHI_5, Sign::Any).optional(),
+    Key::quantity(&s::M_5, Sign::NotNegative).optional(),
+    Key::quantity(&s::S_5, Sign::Positive).optional(),
+    Key::quantity(&s::H_X, Sign::Any).optional(),
+    Key::quantity(&s::H_Y, Sign::Any).optional(),
+    Key::quantity(&s::LAMBDA, Sign::NotNegative).optional(),
+    Key::quantity(&s::L_R, Sign::Positive).optional(),
+    Key::quantity(&s::Y_0, Sign::Any).optional(),
+    Key::quantity(&s::PHI_0, Sign::Any).optional(),
+    Key::table(
+        "published",
+        PUBLISHED,
+        "Published results to stand beside the computed ones.",
+    )
+    .optional(),
+    Key::text(
+        "source",
+        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+    ),
+];
+
+static PUBLISHED: &[Key] = &[
+    Key {
+        name: "source",
+        kind: Kind::Text,
+        required: true,
+        text: "Where the results are printed.",
+    },
+    Key::quantity(&s::DM_MAX, Sign::NotNegative).optional(),
+    Key::quantity(&s::DM_5_MAX, Sign::NotNegative).optional(),
+    Key::quantity(&s::E_ABS, Sign::NotNegative).optional(),
+    Key::quantity(&s::GAMMA_MIN, Sign::NotNegative).optional(),
+    Key::quantity(&s::N_MAX, Sign::NotNegative).optional(),
+];
+
+/// A balance as it is given, before anything follows from it.
+#[derive(Clone, Copy, Debug)]
+pub enum Form<C> {
+    Tail(Tail<C>),
+    Parallelogram(Parallelogram<C>),
+    /// With the counterweight's arm (m), where that is known.
+    Lever(Dimensions<C>, Option<C>, Branch),
+    StraightRail(StraightRail<C>),
+    CurvedRail(curved_rail::Dimensions<C>),
+}
+
+impl<C: Copy> Form<C> {
+    /// As in a scene.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        KINDS[match self {
+            Form::Tail(_) => 0,
+            Form::Parallelogram(_) => 1,
+            Form::Lever(..) => 2,
+            Form::StraightRail(_) => 3,
+            Form::CurvedRail(_) => 4,
+        }]
+    }
+
+    /// Whether a balance of this kind has a result.
+    #[must_use]
+    pub fn has(&self, result: &'static Symbol) -> bool {
+        let turns = matches!(self, Form::Lever(..) | Form::Parallelogram(_));
+        let pulls = !matches!(self, Form::Tail(_));
+        // Without the arm of its counterweight a lever has neither place nor weight of it.
+        let heavy = !matches!(self, Form::Lever(_, None, _));
+        let is = |list: &[&'static Symbol]| list.contains(&result);
+        if is(&[&s::DM_5, &s::DM_5_MAX, &s::PSI, &s::I_5, &s::GAMMA, &s::GAMMA_MIN]) {
+            turns
+        } else if is(&[&s::N_1, &s::N_MAX]) {
+            pulls
+        } else if is(&[&s::C_Y, &s::TRAVEL]) {
+            heavy
+        } else if is(&[&s::F_PX, &s::F_PY]) {
+            pulls && heavy
+        } else {
+            true
+        }
+    }
+
+    /// The same balance over another scalar.
+    pub fn map<D>(&self, f: &mut impl FnMut(&'static Symbol, C) -> D) -> Form<D> {
+        match self {
+            Form::Tail(it) => Form::Tail(it.map(f)),
+            Form::Parallelogram(it) => Form::Parallelogram(it.map(f)),
+            Form::Lever(it, s_5, branch) => Form::Lever(it.map(f), s_5.map(|s_5| f(&s::S_5, s_5)), *branch),
+            Form::StraightRail(it) => Form::StraightRail(it.map(f)),
+            Form::CurvedRail(it) => Form::CurvedRail(it.map(f)),
+        }
+    }
+}
+
+impl<C: Calc> Form<C> {
+    /// The balance of a boom.
+    ///
+    /// # Errors
+    /// Quantities with which there is no such balance; whatever `boom` objects to,
+    /// which only the curved rail asks for.
+    pub fn balance(&self, boom: impl FnOnce() -> Result<Boom<C>, Fault>) -> Result<Balance<C>, Fault> {
+        Ok(match *self {
+            Form::Tail(it) => Balance::Tail(it.new()?),
+            Form::Parallelogram(it) => Balance::Parallelogram(it.new()?),
+            Form::Lever(it, s_5, branch) => Balance::Lever(Lever::new(it, s_5, branch)?),
+            Form::StraightRail(it) => Balance::StraightRail(it.new()?),
+            Form::CurvedRail(it) => Balance::CurvedRail(curved_rail::CurvedRail::new(it, &boom()?)?),
+        })
+    }
+}
+
+impl Form<f64> {
+    /// The balance of a checked table; mistakes go to `found`.
+    pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Form<f64>> {
+        let kind = v.text("kind")?;
+        let needed = match kind {
+            "tail" => Tail::<f64>::SYMBOLS,
+            "parallelogram" => Parallelogram::<f64>::SYMBOLS,
+            "lever" => Dimensions::<f64>::SYMBOLS,
+            "straight_rail" => StraightRail::<f64>::SYMBOLS,
+            _ => curved_rail::Dimensions::<f64>::SYMBOLS,
+        };
+        let lever = kind == "lever";
+        for key in KEYS {
+            let (needs, takes) = match key.kind {
+                Kind::Quantity(symbol, _) => {
+                    let needs = needed.contains(&symbol);
+                    (needs, needs || (lever && symbol == &s::S_5))
+                }
+                _ if key.name == "branch" => (lever, lever),
+                _ => continue,
+            };
+            let given = v.has(key.name);
+            if needs && !given {
+                found.push(missing(v.span.clone(), "in [luffing.balance]", key));
+            } else if given && !takes {
+                found.push(
+                    Diagnostic::new(
+                        v.place(key.name),
+                        format!(
+                            "`luffing.balance.{}`: a balance of the kind \"{kind}\" has none",
+                            key.name
+                        ),
+                        "not used",
+                    )
+                    .help("remove it"),
+                );
+            }
+        }
+        let n = |symbol: &Symbol| v.number(symbol.id);
+        match kind {
+            "tail" => Tail::of(n).map(Form::Tail),
+            "parallelogram" => Parallelogram::of(n).map(Form::Parallelogram),
+            "lever" => {
+                let branch = if v.text("branch")? == "left" {
+                    Branch::Left
+                } else {
+                    Branch::Right
+                };
+                Dimensions::of(n).map(|it| Form::Lever(it, n(&s::S_5), branch))
+            }
+            "straight_rail" => StraightRail::of(n).map(Form::StraightRail),
+            _ => curved_rail::Dimensions::of(n).map(Form::CurvedRail),
+        }
+    }
+}
+
+/// Published results of a balance, in SI.
+#[derive(Clone, Debug)]
+pub struct Published {
+    pub source: String,
+    pub values: Vec<(&'static Symbol, f64)>,
+}
+
+impl Published {
+    /// Those of the balance's table.
+    #[must_use]
+    pub fn read(v: &Values) -> Option<Published> {
+        let table = v.table("published")?;
+        let value = |key: &Key| match key.kind {
+            Kind::Quantity(symbol, _) => table.number(key.name).map(|value| (symbol, value)),
+            _ => None,
+        };
+        Some(Published {
+            source: table.text("source")?.to_owned(),
+            values: PUBLISHED.iter().filter_map(value).collect(),
+        })
+    }
+}

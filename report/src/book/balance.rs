@@ -1,0 +1,109 @@
+//! The balance of the boom system: criteria, equilibria, curves, table, drawing.
+
+use lemnis_models::balance::symbols::DM_5;
+use lemnis_models::sheet;
+use serde::Serialize;
+
+use crate::book::tables::{self, Summary, Table};
+use crate::book::{Figure, json};
+use crate::formula::quantity;
+use crate::language::Language;
+use crate::number::fixed;
+use crate::plot;
+
+#[derive(Serialize)]
+pub(super) struct Balance {
+    kind: &'static str,
+    /// Whether there is a residual about the pivot of a lever.
+    turns: bool,
+    drawing: String,
+    scale: u32,
+    criteria: Vec<Criterion>,
+    published_source: Option<String>,
+    equilibria: Vec<Equilibrium>,
+    curves: Vec<Figure>,
+    range: Table,
+    table: Vec<Row>,
+}
+
+/// A row of a published table.
+#[derive(Serialize)]
+struct Row {
+    given: Vec<String>,
+    moments: Vec<Cell>,
+}
+
+#[derive(Serialize)]
+struct Cell {
+    printed: String,
+    computed: String,
+    misprint: bool,
+}
+
+#[derive(Serialize)]
+struct Criterion {
+    #[serde(flatten)]
+    summary: Summary,
+    published: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Equilibrium {
+    at: String,
+    reach: String,
+    stable: bool,
+}
+
+impl Balance {
+    pub(super) fn new(language: &Language, balance: &sheet::Balance) -> Balance {
+        let criterion = |criterion: &sheet::Criterion| Criterion {
+            summary: tables::summary(language, &criterion.summary),
+            published: criterion
+                .published
+                .map(|value| quantity(language, criterion.summary.symbol, value)),
+        };
+        let named = |symbol: &'static lemnis_models::symbol::Symbol, value: f64| {
+            format!("{} = {}", symbol.print, quantity(language, symbol, value))
+        };
+        let drawing = plot::drawing(&balance.drawing, [plot::PAGE[0], 95.0]);
+        Balance {
+            kind: balance.kind,
+            turns: balance.range.columns.contains(&&DM_5),
+            scale: drawing.scale,
+            drawing: json(&drawing),
+            criteria: balance.criteria.iter().map(criterion).collect(),
+            published_source: balance.published_source.clone(),
+            equilibria: balance
+                .equilibria
+                .iter()
+                .map(|e| Equilibrium {
+                    at: named(e.coordinate, e.at),
+                    reach: named(e.reach.0, e.reach.1),
+                    stable: e.stable,
+                })
+                .collect(),
+            curves: balance
+                .curves
+                .iter()
+                .map(|curve| Figure::new(language, curve))
+                .collect(),
+            range: tables::table(language, &balance.range),
+            table: balance.table.iter().map(|row| Row::new(language, row)).collect(),
+        }
+    }
+}
+
+impl Row {
+    fn new(language: &Language, row: &sheet::PublishedRow) -> Row {
+        let text = |number: &str| language.text(&number.replace('-', "−"));
+        let cell = |cell: &sheet::PublishedCell| Cell {
+            printed: text(cell.printed),
+            computed: text(&fixed(cell.computed, 3)),
+            misprint: cell.misprint,
+        };
+        Row {
+            given: row.given.iter().map(|cell| text(cell)).collect(),
+            moments: row.moments.iter().map(cell).collect(),
+        }
+    }
+}
