@@ -140,6 +140,10 @@ impl From<balance::Fault> for Fault {
 
 /// The running model of a scene, stepped by the FMU and by tables: that of its mechanism.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "one for each instance: a box would cost every step a detour"
+)]
 pub enum Model {
     Luffing(lemniscate::model::Model),
     Steering(steering::model::Model),
@@ -147,6 +151,10 @@ pub enum Model {
 
 /// All that changes in a model while it runs.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "one for each instance: a box would cost every step a detour"
+)]
 pub enum State {
     Luffing(lemniscate::model::State),
     Steering(steering::model::State),
@@ -154,6 +162,10 @@ pub enum State {
 
 /// A model's outputs with their derivatives in one direction.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "one for each instance: a box would cost every step a detour"
+)]
 pub enum Tangent {
     Luffing(lemniscate::model::Tangent),
     Steering(steering::model::Tangent),

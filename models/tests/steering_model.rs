@@ -140,8 +140,7 @@ fn derivatives_agree_with_differences() {
                     })
                     .collect();
                 let Some(v) = values else { continue };
-                for output in 0..at.variables().len() {
-                    let of = at.variables()[output];
+                for (output, of) in at.variables().iter().enumerate() {
                     // Which edge of the outline is nearest, and which group has the least left, changes at corners.
                     if of.kind != Type::Real || of.role != Role::Output {
                         continue;

@@ -279,6 +279,7 @@ fn free_side(drawing: &Drawing, at: Point) -> Point {
                 }
             }
             Shape::Angle { at: centre, .. } if *centre == at => taken.push([1.0, 0.0]),
+            Shape::Axis { from, to } if *to == at => taken.push(unit(at, *from)),
             Shape::Pin {
                 at: pin, fixed: true, ..
             }

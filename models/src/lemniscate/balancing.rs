@@ -187,7 +187,7 @@ impl<C: Calc> Criteria<C> {
         let energies = places
             .map(|place| at(place).map(|r| (r.phi, r.boom.u_0 + r.action.u_5)))
             .collect::<Result<Vec<_>, Fault>>()?;
-        let nothing = || energies[0].1 - energies[0].1;
+        let nothing = || energies[0].1 * C::constant(0.0);
         let (mut e_abs, mut e_plus) = (nothing(), nothing());
         for pair in energies.windows(2) {
             let fall = pair[0].1 - pair[1].1;

@@ -17,7 +17,7 @@ use crate::steering::published::Layout;
 use crate::steering::reach::{Reach, reach};
 use crate::steering::ring::{Duty, friction};
 use crate::steering::scene::Steering;
-use crate::steering::sizing::{Demand, Rod, bore, buckling, flow, force, greatest_demand, pump, relief};
+use crate::steering::sizing::{BORES, Demand, Rod, bore, buckling, flow, force, greatest_demand, next, pump, relief};
 use crate::steering::symbols as s;
 use crate::steering::wheels::{one, rate, residual};
 use crate::symbol::Symbol;
@@ -64,7 +64,7 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
         published: Vec::<Comparison>::new(),
         balance: None,
         published_source: None,
-        summary: Vec::new(),
+        summary: summary(steering, &built, demand.as_ref()),
         sensitivity: Sensitivity {
             results: Vec::new(),
             rows: Vec::new(),
@@ -361,7 +361,7 @@ fn plan(built: &Built<f64>, standing: &Standing) -> Drawing {
         }
         let aside = if p.y >= machine.middle.y { 1.0 } else { -1.0 };
         shapes.push(Shape::Number {
-            at: [p.x - 1.6 * half, p.y + aside * 1.8 * half],
+            at: [p.x - 1.6 * half, p.y + aside * 2.7 * half],
             number,
         });
     }
@@ -666,6 +666,23 @@ fn sizing(steering: &Steering, built: &Built<f64>, demand: Option<&Demand>) -> V
         });
     }));
     list
+}
+
+/// What the choice of the parts comes to.
+fn summary(steering: &Steering, built: &Built<f64>, demand: Option<&Demand>) -> Vec<Summary> {
+    let sections = sizing(steering, built, demand);
+    let least = defined(&sections, &s::D_G_MIN);
+    let bore = least.and_then(|least| next(&BORES, least).ok());
+    let found = [&s::D_G_MIN, &s::V_P, &s::P_R, &s::F_K].map(|symbol| (symbol, defined(&sections, symbol)));
+    let found = found.into_iter().chain([(&s::D_G_NEXT, bore)]);
+    let alone = |(symbol, value): (&'static Symbol, Option<f64>)| {
+        Some(Summary {
+            symbol,
+            value: value?,
+            at: None,
+        })
+    };
+    found.filter_map(alone).collect()
 }
 
 /// The value that a step of a section defines.

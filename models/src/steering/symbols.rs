@@ -133,6 +133,7 @@ symbols! {
     BOLT_USE: "bolt_use" "k_2" ONE / PERCENT, "Moment on the bolts over what their load curve bears.", "[Zhang2016, 4]";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
     D_G_MIN: "D_g_min" "D_(g,min)" M / MM, "Smallest bore that pulls with the force.", "[Zhang2016, 5.3]";
+    D_G_NEXT: "D_g_next" "D_(g,n)" M / MM, "Next bore of the series of ISO 3320.", "[ISO 3320]";
     D_G: "D_g" "D_g" M / MM, "Bore of the cylinder.", "[ISO 3320]";
     A_G: "A_g" "A_(g i)" M2 / M2, "Working area of the cylinder: bore where it lengthens, annulus where it shortens.", "derived";
     Q_G: "q_g" "q_(g i)" M3_PER_S / L_PER_MIN, "Oil flow to a group's cylinder; negative where it shortens.", "derived";
