@@ -6,6 +6,7 @@ use std::hint::black_box;
 use std::io::BufRead;
 use std::path::Path;
 use std::process::Command;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use lemnis_fmu::instance::token;
@@ -17,6 +18,9 @@ use lemnis_models::lemniscate::statics::{Centres, PinForces, load_moment};
 use lemnis_models::lemniscate::velocity::{Pole, Velocity};
 use lemnis_models::model::Model;
 use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
+use lemnis_synthesis::candidate::Positions;
+use lemnis_synthesis::optimum::Watch;
+use lemnis_synthesis::run::run;
 use libloading::{Library as Shared, Symbol};
 
 /// Nanoseconds of one call: the best of twenty rounds of a hundred thousand.
@@ -60,6 +64,7 @@ fn main() {
         400.0,
     );
     instances();
+    synthesis();
     programs();
 }
 
@@ -85,6 +90,35 @@ fn steering() {
         "ns",
         500.0,
     );
+}
+
+/// One candidate of a search, and a whole search with its fronts.
+fn synthesis() {
+    let text = include_str!("../models/scenes/portal_004_synthesis.toml");
+    let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
+    let luffing = scene.mechanism.luffing().expect("a luffing mechanism");
+    let (boom, range) = luffing.boom().expect("weights");
+    let task = luffing.synthesis.as_ref().expect("asked for");
+    let positions = Positions::new(&boom, range, 101).expect("closes");
+    let lever = luffing.own_lever().expect("a lever");
+    let times = (0..200).map(|_| {
+        let start = Instant::now();
+        for _ in 0..100 {
+            black_box(positions.evaluate(black_box(&lever.dimensions), lever.branch)).expect("closes");
+        }
+        start.elapsed() / 100
+    });
+    let best = times.min().expect("many").as_secs_f64();
+    row("synthesis: one candidate over 101 positions", best * 1e6, "us", 10.0);
+    let stop = AtomicBool::new(false);
+    let start = Instant::now();
+    let watch = Watch {
+        stop: &stop,
+        run: &|| {},
+    };
+    black_box(run(&boom, range, task, 2, watch)).expect("there is one");
+    let time = start.elapsed().as_secs_f64();
+    row("synthesis: search and fronts, two threads", time, "s", 10.0);
 }
 
 fn models(scene: &Scene) {
@@ -160,6 +194,22 @@ fn models(scene: &Scene) {
             );
         }
     }
+    let text = include_str!("../models/scenes/portal_004_new.toml");
+    let scene = Scene::parse(text).expect("a ready-made scene is valid");
+    let mut model = Model::new(&scene).expect("a mechanism");
+    let index = |model: &Model, id: &str| model.variables().iter().position(|v| v.symbol.id == id).expect("there");
+    let residual = ["M_D", "dM", "N_1", "gamma"].map(|id| index(&model, id));
+    let balanced = nanoseconds(|angle| {
+        // Within the working range, 44 to 82 deg.
+        model.set(0, 0.77 + 0.65 * (angle - 1.05)).expect("an angle");
+        black_box(residual.map(|index| model.get(index).expect("closes")));
+    });
+    row(
+        "model: forces with a balance, as the FMU asks for them",
+        balanced,
+        "ns",
+        1000.0,
+    );
     println!("model: generic over Calc {generic:.1} ns, written by hand for f64 {by_hand:.1} ns");
 }
 

@@ -9,6 +9,7 @@ import cmath
 import json
 import math
 
+import pypdf
 import pytest
 from fmpy.fmi1 import FMICallException
 from fmpy.validation import validate_fmu
@@ -174,6 +175,41 @@ def test_derivatives_are_those_of_the_geometry(crane):
     # The moment of the balance is proportional to its counterweight.
     assert abs(read("M_ur", "M_5") * crane.crane.M5 * 1e3 - crane.read("M_ur")) <= 1e-9 * 3e6
     assert abs(read("M_D", "M_5") + read("M_ur", "M_5")) <= 1e-12
+
+
+def six(value):
+    """As the book prints it: six significant digits."""
+    digits = 5 - math.floor(math.log10(abs(value)))
+    return f"{value:.{digits}f}"
+
+
+def text_of(path):
+    return " ".join(" ".join(page.extract_text() for page in pypdf.PdfReader(path).pages).split())
+
+
+def test_the_book_has_the_numbers_of_the_fmu(crane, tmp_path):
+    scene = ROOT / f"models/scenes/portal_004_{crane.name}.toml"
+    lemnis("book", scene, "--output", tmp_path)
+    text = text_of(next(tmp_path.glob("*.pdf")))
+    for name, factor in [("dM_max", 1e-3), ("dM_5_max", 1e-3), ("E", 1e-3), ("E_plus", 1e-3), ("N_max", 1e-3),
+                         ("gamma_min", 180 / math.pi), ("Delta_y_5", 1)]:
+        assert six(crane.read(name) * factor) in text, name
+    # At the position worked out, 44 deg, where the load's moment is greatest in both.
+    crane.write("theta_1", math.radians(44))
+    for name, factor in [("M_0", 1e-3), ("M_ur", 1e-3), ("dM", 1e-3), ("N_1", 1e-3), ("M_D_0", 1e-3), ("F_d_0", 1e-3)]:
+        assert six(abs(crane.read(name)) * factor) in text, name
+    printed = ORACLE["printed"]["synthesised" if crane.name == "new" else crane.name]
+    assert f"{printed['dM_max_kNm']}kN" in text.replace(" ", "") and f"{printed['gamma_min_deg']}" in text
+    assert text.count(" unstable") >= 1 and "148.805" in text and "154.897" in text
+
+
+def test_misprints_of_table_5_2_1_are_marked(tmp_path):
+    lemnis("book", ROOT / "models/scenes/ports_001.toml", "--output", tmp_path)
+    text = text_of(next(tmp_path.glob("*.pdf")))
+    for cell in ["25.42", "0.14", "26.94", "1.74", "24.38", "23.06", "1.32", "14.25", "−0.75", "6.81", "0.41"]:
+        assert "∗" + cell in text.replace("*", "∗"), cell
+    for cell in ["16.53", "22.8", "−6.27", "0.20", "13.5", "6.4"]:
+        assert "∗" + cell + " " not in text.replace("*", "∗"), cell
 
 
 def test_beyond_a_dead_point_nothing_is_invented(crane):

@@ -5,7 +5,8 @@
 //! [`plane`]) run on any scalar ([`calc`]): on `f64` in a [`model`], which the
 //! FMU steps, on the recorder ([`record`]) for the book's [`sheet`].
 //!
-//! [`balance`] is equations and searches without scene, FMU and book yet.
+//! [`balance`] is a part of a luffing mechanism; its synthesis is searches
+//! without FMU.
 
 #![forbid(unsafe_code)]
 

@@ -13,6 +13,9 @@ pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");
 /// A longer scene is refused: the longest known has 10 kB.
 pub const LONGEST: usize = 1 << 20;
 
+/// Most characters of a scene's name.
+pub const LONGEST_NAME: usize = 60;
+
 /// The languages that a book can be in, by ISO 639-1; the first is the default.
 pub const LANGUAGES: [&str; 3] = ["en", "zh", "bg"];
 
@@ -109,6 +112,7 @@ pub const CHAPTERS: &[&str] = &[
     "range",
     "sizing",
     "balance",
+    "synthesis",
     "published",
     "remarks",
     "notation",
@@ -130,6 +134,7 @@ pub struct Scene {
 
 /// What a scene describes.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "a scene holds one")]
 pub enum Mechanism {
     Luffing(Luffing),
     Steering(Steering),
@@ -410,7 +415,7 @@ impl Default for Book {
 }
 
 fn is_identifier(name: &str) -> bool {
-    name.len() <= 60
+    name.len() <= LONGEST_NAME
         && name.starts_with(|c: char| c.is_ascii_alphabetic())
         && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }

@@ -36,6 +36,10 @@ pub enum Kind {
     Choices(&'static [&'static str]),
     /// A list of tables: `[[...]]`.
     Tables(&'static [Key]),
+    /// A list of at least and at most so many quantities; one may stand without brackets.
+    Quantities(&'static Symbol, Sign, [usize; 2]),
+    /// A whole number, zero or greater.
+    Count,
 }
 
 /// Which numbers a quantity may have.
@@ -118,6 +122,9 @@ pub enum Value {
     /// With their places.
     Texts(Vec<(String, Range<usize>)>),
     Tables(Vec<Values>),
+    /// In SI, with their places.
+    Numbers(Vec<(f64, Range<usize>)>),
+    Count(u64),
 }
 
 /// A checked table: every value with its place.
@@ -169,6 +176,23 @@ impl Values {
         match self.entries.get(name) {
             Some((Value::Tables(tables), _)) => tables,
             _ => &[],
+        }
+    }
+
+    /// The quantities of a list with their places; empty where the scene gives none.
+    #[must_use]
+    pub fn numbers(&self, name: &str) -> &[(f64, Range<usize>)] {
+        match self.entries.get(name) {
+            Some((Value::Numbers(numbers), _)) => numbers,
+            _ => &[],
+        }
+    }
+
+    #[must_use]
+    pub fn count(&self, name: &str) -> Option<u64> {
+        match self.entries.get(name) {
+            Some((Value::Count(count), _)) => Some(*count),
+            _ => None,
         }
     }
 
@@ -332,6 +356,35 @@ fn check_value(
             }
             Some(Value::Tables(tables))
         }
+        (Kind::Quantities(symbol, sign, [least, most]), DeValue::Array(_) | DeValue::String(_)) => {
+            let items = match value.get_ref() {
+                DeValue::Array(items) => items.iter().collect(),
+                _ => vec![value],
+            };
+            if !(*least..=*most).contains(&items.len()) {
+                return wrong(format!("{} of them", items.len()));
+            }
+            let before = found.len();
+            let mut numbers = Vec::new();
+            for item in items {
+                let DeValue::String(text) = item.get_ref() else {
+                    let message = format!("`{path}` is not {}", wanted(key));
+                    found.push(Diagnostic::new(item.span(), message, "not a text").help(example(key)));
+                    continue;
+                };
+                match quantity(text, symbol, *sign) {
+                    Ok(number) => numbers.push((number, item.span())),
+                    Err((message, label, help)) => {
+                        found.push(Diagnostic::new(item.span(), format!("`{path}`: {message}"), label).help(help));
+                    }
+                }
+            }
+            (found.len() == before).then_some(Value::Numbers(numbers))
+        }
+        (Kind::Count, DeValue::Integer(number)) => match number.as_str().parse::<i64>().map(u64::try_from) {
+            Ok(Ok(count)) => Some(Value::Count(count)),
+            _ => wrong(format!("`{}` is none", number.as_str())),
+        },
         (Kind::Quantity(symbol, _), DeValue::Integer(_) | DeValue::Float(_)) => {
             let text = match value.get_ref() {
                 DeValue::Integer(number) => number.as_str().to_owned(),
@@ -456,6 +509,16 @@ fn wanted(key: &Key) -> String {
         Kind::Texts => "a list of texts".to_owned(),
         Kind::Choices(choices) => format!("a list of {}, none twice", choices.join(", ")),
         Kind::Tables(_) => "a list of tables".to_owned(),
+        Kind::Quantities(symbol, _, [least, most]) => {
+            let unit = symbol.display.name;
+            let count = if least == most {
+                format!("{least}")
+            } else {
+                format!("{least} to {most}")
+            };
+            format!("a list of {count} numbers with units such as \"1 {unit}\"")
+        }
+        Kind::Count => "a whole number, zero or greater".to_owned(),
     }
 }
 
@@ -468,6 +531,11 @@ fn example(key: &Key) -> String {
         Kind::Texts => format!("{} = [\"...\"]  ({})", key.name, key.text),
         Kind::Choices(choices) => format!("{} = [\"{}\"]", key.name, choices[0]),
         Kind::Tables(_) => format!("tables [[{}]]  ({})", key.name, key.text),
+        Kind::Quantities(symbol, _, [_, most]) => {
+            let each = vec![format!("\"... {}\"", symbol.display.name); most];
+            format!("{} = [{}]  ({})", key.name, each.join(", "), key.text)
+        }
+        Kind::Count => format!("{} = 1  ({})", key.name, key.text),
     }
 }
 
@@ -480,15 +548,27 @@ pub fn json_schema(keys: &'static [Key]) -> Json {
 }
 
 fn property(key: &Key) -> Json {
+    let text = |symbol: &Symbol| {
+        json!({
+            "type": "string",
+            "pattern": r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S.*$",
+            "examples": [format!("1 {}", symbol.display.name)],
+        })
+    };
     let mut schema = match key.kind {
         Kind::Text => json!({ "type": "string" }),
+        Kind::Count => json!({ "type": "integer", "minimum": 0 }),
+        Kind::Quantities(symbol, _, [least, most]) => {
+            let list = json!({ "type": "array", "items": text(symbol), "minItems": least, "maxItems": most });
+            if least > 1 {
+                list
+            } else {
+                json!({ "anyOf": [text(symbol), list] })
+            }
+        }
         Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
         Kind::Quantity(symbol, _) => {
-            let value = json!({
-                "type": "string",
-                "pattern": r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S.*$",
-                "examples": [format!("1 {}", symbol.display.name)],
-            });
+            let value = text(symbol);
             let noted = json!({
                 "type": "object",
                 "additionalProperties": false,

@@ -223,11 +223,12 @@ pub struct Comparison {
 }
 
 /// The mechanism to scale, in metres, y upwards.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub struct Drawing {
     pub shapes: Vec<Shape>,
 }
 
+#[derive(Debug)]
 pub enum Shape {
     /// A bar or a polygon of one body. `faint` for the positions beside the main one.
     Body {

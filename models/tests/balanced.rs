@@ -203,6 +203,7 @@ fn derivatives_of_every_result() {
         let [from, to] = model.variables()[0].bounds;
         model.set(0, from + 0.45 * (to - from)).expect("an angle");
         let variables = model.variables().to_vec();
+        let dependencies = model.dependencies();
         let settable = |role| matches!(role, Role::Input | Role::Parameter | Role::Tunable);
         for (known, variable) in variables.iter().enumerate().filter(|(_, v)| settable(v.role)) {
             let middle = model.get(known).expect("a value");
@@ -213,6 +214,14 @@ fn derivatives_of_every_result() {
                     continue;
                 }
                 let exact = model.derivative(&mut tangent, output).expect("smooth");
+                // What changes a result is among its dependencies.
+                let depends = dependencies[output].contains(&(variable.symbol.id, None));
+                assert!(
+                    depends || exact == 0.0,
+                    "{} of {}",
+                    result.symbol.id,
+                    variable.symbol.id
+                );
                 let mut value = |at: f64| {
                     model.set(known, at).expect("allowed");
                     model.get(output).expect("closes")
@@ -270,6 +279,91 @@ fn never_another_assembly() {
     }
     println!("{:?}", (refused.first(), refused.last(), refused.len()));
     assert!(!refused.is_empty());
+}
+
+/// A lever that comes to rest within the range: no moment about its pivot has the power
+/// of the residual there, which is said as infinite, while all else is finite.
+#[test]
+fn a_lever_at_rest() {
+    let resting = with(
+        r#"
+kind = "lever"
+branch = "left"
+d_1 = "8 m"
+delta_1 = "95 deg"
+r_1 = "3 m"
+alpha_K = "0 deg"
+l_1 = "7 m"
+R_1 = "6 m"
+chi_5 = "0 deg"
+M_5 = "500 kN.m"
+s_5 = "3 m"
+"#,
+    );
+    let mut model = model(&resting);
+    let ratio = |model: &mut Model, degrees: f64| {
+        at(model, degrees);
+        shown(model, "i_5")
+    };
+    let (low, high) = (ratio(&mut model, 44.0), ratio(&mut model, 82.0));
+    assert!(low * high < 0.0, "{low} {high}");
+    for id in ["dM_max", "E", "E_plus", "gamma_min", "N_max", "Delta_y_5"] {
+        assert!(shown(&mut model, id).is_finite(), "{id}");
+    }
+    assert_eq!(shown(&mut model, "dM_5_max"), f64::INFINITY);
+    let sheet = sheet(&scene(&resting));
+    let found = sheet
+        .governing
+        .iter()
+        .find(|g| g.symbol.id == "dM_5_max")
+        .expect("there");
+    let (_, theta) = found.at.expect("an angle");
+    model.set(0, theta).expect("an angle");
+    assert!(shown(&mut model, "i_5").abs() < 1e-9);
+}
+
+/// Whatever the parameters: a number, or a refusal with a reason, and never NaN.
+#[test]
+fn never_not_a_number() {
+    let (mut numbers, mut refusals) = (0, 0);
+    let mut random = fastrand::Rng::with_seed(5);
+    for text in every_kind() {
+        let fresh = model(&text);
+        for _ in 0..60 {
+            let mut model = fresh.clone();
+            for index in 0..model.variables().len() {
+                let value = model.get(index).unwrap_or(1.0);
+                // Some far off, some zero, most a little aside.
+                let value = match random.u8(..20) {
+                    0 => 0.0,
+                    1 => -value,
+                    2 => value * 10.0,
+                    3..8 => value * (0.8 + 0.4 * random.f64()),
+                    _ => value,
+                };
+                let _ = model.set(index, value);
+            }
+            for index in 0..model.variables().len() {
+                match model.get(index) {
+                    Ok(value) => {
+                        assert!(
+                            !value.is_nan(),
+                            "{}
+{text}",
+                            model.variables()[index].symbol.id
+                        );
+                        numbers += 1;
+                    }
+                    Err(fault) => {
+                        assert!(fault.outside && !fault.message.contains("NaN"), "{}", fault.message);
+                        refusals += 1;
+                    }
+                }
+            }
+        }
+    }
+    println!("{numbers} numbers, {refusals} refusals");
+    assert!(numbers > 10_000 && refusals > 1000);
 }
 
 /// A state stays plain data, and a scene without a balance has none of it in its book.

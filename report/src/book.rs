@@ -3,6 +3,7 @@
 
 mod balance;
 mod steps;
+mod synthesis;
 mod tables;
 
 use std::fmt;
@@ -16,6 +17,7 @@ use serde::Serialize;
 
 use crate::book::balance::Balance;
 use crate::book::steps::{Notation, Position, Section};
+use crate::book::synthesis::{Synthesis, synthesis};
 use crate::book::tables::{Chapter, Check, Published, Sensitivity, Summary, Table, View};
 use crate::formula::quantity;
 use crate::language::{Language, symbols};
@@ -117,6 +119,7 @@ pub(crate) struct Book<'a> {
     curves: Vec<Figure>,
     balance: Option<Balance>,
     sensitivity: Sensitivity,
+    synthesis: Option<Synthesis>,
     published: Option<Published>,
     remarks: &'a [&'static str],
     notation: Vec<steps::Entry>,
@@ -176,6 +179,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "sizing" => !sheet.sizing.is_empty(),
         "remarks" => !sheet.remarks.is_empty(),
         "balance" => sheet.balance.is_some(),
+        "synthesis" => scene.mechanism.luffing().is_some_and(|it| it.synthesis.is_some()),
         _ => true,
     };
     chosen.into_iter().filter(has).collect()
@@ -222,6 +226,8 @@ impl<'a> Book<'a> {
         for symbol in results.chain(tables).chain(curves).chain(balance) {
             notation.meet(symbol);
         }
+        let compares = chapters.contains(&"synthesis");
+        let synthesis = compares.then(|| synthesis(language, scene, &mut notation)).flatten();
         let drawing = plot::drawing(&sheet.drawing, plot::PAGE);
         let figure = |c: &lemnis_models::sheet::Curve| Figure::new(language, c);
         let summary = |s: &lemnis_models::sheet::Summary| tables::summary(language, s);
@@ -256,6 +262,7 @@ impl<'a> Book<'a> {
             curves: sheet.curves.iter().map(figure).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(language, b)),
             sensitivity: tables::sensitivity(language, &sheet.sensitivity),
+            synthesis,
             published: tables::published(language, sheet),
             remarks: &sheet.remarks,
             references: notation.references(),

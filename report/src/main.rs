@@ -5,6 +5,7 @@ mod failure;
 mod output;
 mod results;
 mod scene_file;
+mod synth;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -20,6 +21,7 @@ use crate::books::{Books, Making};
 use crate::failure::Failure;
 use crate::output::{Output, say, write};
 use crate::results::Results;
+use crate::synth::Synth;
 
 /// Crane mechanisms from one scene file: an FMU for simulators and a calculation book.
 ///
@@ -55,6 +57,8 @@ enum Command {
     Fmu(Pack),
     /// Make calculation books: NAME.pdf of every scene
     Book(Books),
+    /// Find the lever counterweight that a scene asks for: NAME_synth.toml
+    Synth(Synth),
     /// Work with the templates of books
     Templates {
         #[command(subcommand)]
@@ -139,6 +143,7 @@ fn run(command: Command) -> Result<(), Failure> {
             write(&make.output, &fmus(&scene, platforms.as_deref(), &documentation)?)
         }
         Command::Book(books) => books.run(),
+        Command::Synth(synth) => synth.run(),
         Command::Templates { command } => match command {
             TemplatesCommand::Export { dir } => books::export(&dir),
         },

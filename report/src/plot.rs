@@ -105,6 +105,9 @@ const MARGIN: Point = [3.5, 7.0];
 /// Largest size of one of many.
 pub const SMALL: Point = [80.0, 100.0];
 
+/// Largest size of one of two drawings side by side.
+pub const HALF: Point = [80.0, 80.0];
+
 /// The mechanism to the largest usual scale that fits into `largest` mm.
 #[must_use]
 pub fn drawing(drawing: &Drawing, largest: Point) -> Picture {
@@ -363,6 +366,124 @@ impl Axis {
     }
 }
 
+/// The field of a diagram: its axes, in display units.
+struct Field {
+    x: Axis,
+    y: Axis,
+}
+
+/// Right and lower edge of the field, in mm.
+const EDGE: Point = [CHART[0] - RIGHT, CHART[1] - BOTTOM];
+
+impl Field {
+    fn around(points: impl Iterator<Item = Point> + Clone) -> Field {
+        Field {
+            x: Axis::new(points.clone().map(|p| p[0])),
+            y: Axis::new(points.map(|p| p[1])),
+        }
+    }
+
+    /// On paper, in mm.
+    fn place(&self, p: Point) -> Point {
+        let [width, height] = [EDGE[0] - LEFT, EDGE[1] - TOP];
+        [LEFT + width * self.x.part(p[0]), EDGE[1] - height * self.y.part(p[1])]
+    }
+
+    /// Grid, numbers, border and names of the axes.
+    fn picture(&self, language: &Language, x: &Symbol, y: &Symbol) -> Picture {
+        let [right, bottom] = EDGE;
+        let mut picture = Picture {
+            width: CHART[0],
+            height: CHART[1],
+            ..Picture::default()
+        };
+        for tick in self.x.ticks() {
+            let left = self.place([tick, self.y.from])[0];
+            picture.line("grid", &[[left, TOP], [left, bottom]]);
+            let number = language.math(&fixed(tick, self.x.decimals()));
+            picture.text([left, bottom + 1.2], "above", number);
+        }
+        for tick in self.y.ticks() {
+            let top = self.place([self.x.from, tick])[1];
+            picture.line(if tick == 0.0 { "thin" } else { "grid" }, &[[LEFT, top], [right, top]]);
+            let number = language.math(&fixed(tick, self.y.decimals()));
+            picture.text([LEFT - 1.2, top], "right", number);
+        }
+        picture.shape(
+            "thin",
+            &[[LEFT, TOP], [right, TOP], [right, bottom], [LEFT, bottom]],
+            true,
+        );
+        picture.text([LEFT - 8.0, TOP - 3.6], "left", axis_name(y));
+        picture.text([right, bottom + 7.2], "right", axis_name(x));
+        picture
+    }
+}
+
+/// A line of a diagram with several, in SI.
+pub struct Line {
+    /// In Typst's mathematics; empty for none.
+    pub label: String,
+    pub points: Vec<Point>,
+    /// Points are marked.
+    pub marked: bool,
+}
+
+/// Strokes of lines that must be told apart, the last line's first.
+const STROKES: [&str; 4] = ["curve", "path", "axis", "thin"];
+
+/// Several lines in one diagram, each with its label; the last is the most prominent.
+#[must_use]
+pub fn lines(language: &Language, [x, y]: [&Symbol; 2], lines: &[Line]) -> Picture {
+    let shown = |p: &Point| [x.shown(p[0]), y.shown(p[1])];
+    let field = Field::around(lines.iter().flat_map(|line| line.points.iter().map(shown)));
+    let mut picture = field.picture(language, x, y);
+    let placed: Vec<Vec<Point>> = lines
+        .iter()
+        .map(|line| line.points.iter().map(|p| field.place(shown(p))).collect())
+        .collect();
+    for (i, (line, points)) in lines.iter().zip(&placed).enumerate() {
+        let style = STROKES[(lines.len() - 1 - i).min(STROKES.len() - 1)];
+        if points.len() > 1 {
+            picture.line(if line.marked { "medium" } else { style }, points);
+        }
+        if line.marked {
+            points.iter().for_each(|&at| picture.circle("solid", at, 0.7));
+        }
+    }
+    for (i, (line, points)) in lines.iter().zip(&placed).enumerate() {
+        if line.label.is_empty() {
+            continue;
+        }
+        // Beside the point that is farthest from every other line, on its freer side.
+        let others: Vec<Point> = placed
+            .iter()
+            .enumerate()
+            .filter(|(j, _)| *j != i)
+            .flat_map(|(_, points)| points.iter().copied())
+            .collect();
+        let room = |p: Point| {
+            let gap = |q: &Point| length([p[0] - q[0], p[1] - q[1]]);
+            others.iter().map(gap).fold(20.0, f64::min)
+        };
+        let sides = |p: Point| [[0.0, -3.0], [0.0, 3.0], [3.0, 0.0], [-3.0, 0.0]].map(|d| [p[0] + d[0], p[1] + d[1]]);
+        let inside =
+            |p: &Point| (LEFT + 2.0..EDGE[0] - 2.0).contains(&p[0]) && (TOP + 2.0..EDGE[1] - 2.0).contains(&p[1]);
+        let free = |p: Point| {
+            let own = |q: &Point| length([p[0] - q[0], p[1] - q[1]]);
+            room(p) + 3.0 * points.iter().map(own).fold(3.0, f64::min)
+        };
+        let places = points.iter().flat_map(|&p| sides(p)).filter(inside);
+        let best = places
+            .map(|p| (free(p), p))
+            .reduce(|a, b| if b.0 > a.0 { b } else { a });
+        if let Some((_, at)) = best {
+            picture.text(at, "centre", line.label.as_str());
+        }
+    }
+    picture
+}
+
 /// A curve with axes, grid and extremes.
 #[must_use]
 pub fn curve(language: &Language, curve: &Curve) -> Picture {
@@ -372,31 +493,9 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
         .iter()
         .map(|piece| piece.iter().map(shown).collect())
         .collect();
-    let all = || pieces.iter().flatten();
-    let (x, y) = (Axis::new(all().map(|p| p[0])), Axis::new(all().map(|p| p[1])));
-    let (width, height) = (CHART[0] - LEFT - RIGHT, CHART[1] - TOP - BOTTOM);
-    let (right, bottom) = (LEFT + width, TOP + height);
-    let place = |p: Point| [LEFT + width * x.part(p[0]), bottom - height * y.part(p[1])];
-    let mut picture = Picture {
-        width: CHART[0],
-        height: CHART[1],
-        ..Picture::default()
-    };
-    for tick in x.ticks() {
-        let left = place([tick, y.from])[0];
-        picture.line("grid", &[[left, TOP], [left, bottom]]);
-        picture.text([left, bottom + 1.2], "above", language.math(&fixed(tick, x.decimals())));
-    }
-    for tick in y.ticks() {
-        let top = place([x.from, tick])[1];
-        picture.line(if tick == 0.0 { "thin" } else { "grid" }, &[[LEFT, top], [right, top]]);
-        picture.text([LEFT - 1.2, top], "right", language.math(&fixed(tick, y.decimals())));
-    }
-    picture.shape(
-        "thin",
-        &[[LEFT, TOP], [right, TOP], [right, bottom], [LEFT, bottom]],
-        true,
-    );
+    let field = Field::around(pieces.iter().flatten().copied());
+    let mut picture = field.picture(language, curve.x, curve.y);
+    let place = |p: Point| field.place(p);
     for piece in &pieces {
         picture.line("curve", &piece.iter().copied().map(place).collect::<Vec<_>>());
     }
@@ -422,14 +521,12 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
             picture.circle("solid", place(point), 0.7);
             let text = four_digits(point[1]);
             picture.text(
-                beside(place(point), outside, &text, &curve, [right, bottom]),
+                beside(place(point), outside, &text, &curve),
                 "centre",
                 language.math(&text),
             );
         }
     }
-    picture.text([LEFT - 8.0, TOP - 3.6], "left", axis_name(curve.y));
-    picture.text([right, bottom + 7.2], "right", axis_name(curve.x));
     picture
 }
 
@@ -470,7 +567,8 @@ pub fn bars(language: &Language, mut effects: Vec<(&str, f64)>) -> Picture {
 
 /// Where a number beside a point of a curve is farthest from the curve, within
 /// the field; `outside` (up or down) where there is a choice.
-fn beside([x, y]: Point, outside: f64, text: &str, curve: &[Point], [right, bottom]: Point) -> Point {
+fn beside([x, y]: Point, outside: f64, text: &str, curve: &[Point]) -> Point {
+    let [right, bottom] = EDGE;
     let half = [0.85 * text.chars().count() as f64, 1.5];
     let sides = [[0.0, outside], [1.0, outside], [-1.0, outside], [1.0, 0.0], [-1.0, 0.0]];
     let places = sides

@@ -51,10 +51,14 @@ fn parse(name: &str, bytes: Vec<u8>) -> Result<Scene, Failure> {
             "{name} is not text in UTF-8: byte {at} is the first that is not; save it as UTF-8"
         ))
     })?;
-    Scene::parse(&text).map_err(|found| Failure::Scene(render(name, &text, &found)))
+    Scene::parse(&text).map_err(|found| failure(name, &text, &found))
 }
 
 /// All mistakes with their lines, as a compiler shows them.
+pub fn failure(name: &str, text: &str, found: &[Diagnostic]) -> Failure {
+    Failure::Scene(render(name, text, found))
+}
+
 fn render(name: &str, text: &str, found: &[Diagnostic]) -> String {
     let mut reports = Vec::new();
     for diagnostic in found {

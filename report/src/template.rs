@@ -42,6 +42,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "range.typ",
     "sizing.typ",
     "balance.typ",
+    "synthesis.typ",
     "published.typ",
     "remarks.typ",
     "notation.typ",

@@ -1,7 +1,7 @@
 //! What is left of the moment: at one position, and over the working range.
 
 use crate::balance::boom::{Boom, Load};
-use crate::balance::{Action, Balance, FINITE, Fault, symbols as s};
+use crate::balance::{Action, Balance, FINITE, Fault, Turn, symbols as s};
 use crate::calc::Calc;
 use crate::lemniscate::range::Extreme;
 use crate::plane::Point;
@@ -16,7 +16,8 @@ pub struct Residual<C> {
     pub action: Action<C>,
     /// About the boom foot, in N·m; positive raises the boom.
     pub dm: C,
-    /// About the lever's pivot, in N·m; none where there is no lever or it stands still.
+    /// About the lever's pivot, in N·m; infinite where the lever stands still, none
+    /// where there is no lever.
     pub dm_5: Option<C>,
 }
 
@@ -34,13 +35,18 @@ impl<C: Calc> Residual<C> {
     /// What boom and balance leave together.
     pub fn of(phi: C, boom: Load<C>, action: Action<C>) -> Residual<C> {
         let dm = (boom.m_0 + action.m_b).def(&s::DM);
-        let moving = action.lever.filter(|turn| turn.i_5.value() != 0.0);
+        // At rest no moment about its pivot has the power of another one.
+        let about_pivot = |turn: &Turn<C>| match (turn.i_5.value(), dm.value()) {
+            (0.0, 0.0) => dm,
+            (0.0, left) => C::constant(f64::INFINITY.copysign(left)),
+            _ => (dm / turn.i_5).def(&s::DM_5),
+        };
         Residual {
             phi,
             boom,
             action,
             dm,
-            dm_5: moving.map(|turn| (dm / turn.i_5).def(&s::DM_5)),
+            dm_5: action.lever.as_ref().map(about_pivot),
         }
     }
 }
@@ -80,7 +86,8 @@ pub struct Equilibrium {
 pub struct Analysis {
     /// Greatest amount of the residual about the boom foot, in N·m.
     pub dm_max: Extreme,
-    /// Greatest amount of the residual about the lever's pivot, in N·m.
+    /// Greatest amount of the residual about the lever's pivot, in N·m; infinite where
+    /// the lever comes to rest within the range.
     pub dm_5_max: Option<Extreme>,
     /// ∫ |dM| dφ, in J.
     pub e_abs: f64,
@@ -159,7 +166,22 @@ impl Analysis {
         }
         let dm = |theta| at(theta).map(|r| r.dm);
         let dm_max = grid.greatest(|r| r.dm.abs())?.expect("a residual exists");
-        let dm_5_max = grid.greatest_of(|r| r.dm_5.map(f64::abs))?;
+        let ratio = |r: &Residual<f64>| r.action.lever.map_or(1.0, |turn| turn.i_5);
+        let rest = grid
+            .samples
+            .windows(2)
+            .position(|pair| ratio(&pair[0]) * ratio(&pair[1]) < 0.0);
+        let dm_5_max = match rest {
+            Some(i) => Some(Extreme {
+                value: f64::INFINITY,
+                at: zero(
+                    [grid.angle(i), grid.angle(i + 1)],
+                    ratio(&grid.samples[i]) > 0.0,
+                    |theta| at(theta).map(|r| ratio(&r)),
+                )?,
+            }),
+            None => grid.greatest_of(|r| r.dm_5.map(f64::abs))?,
+        };
         // The integral of the residual is the fall of the potential energy, and
         // its zeros split the range.
         let forward = if upward { 1.0 } else { -1.0 };

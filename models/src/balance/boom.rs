@@ -225,7 +225,7 @@ impl<C: Calc> Boom<C> {
 }
 
 /// The joint on the boom at `r` (m) and `alpha` (rad) from its axis.
-pub(crate) fn joint<C: Calc>(phi: C, r: C, alpha: C) -> Point<C> {
+pub fn joint<C: Calc>(phi: C, r: C, alpha: C) -> Point<C> {
     let (sin, cos) = (phi + alpha).def(&s::PHI_K).sin_cos();
     plane::def(Point::new(r * cos, r * sin), [&s::K_X, &s::K_Y])
 }

@@ -27,13 +27,13 @@
 //! | `balance.straight_rail.moment` | [`straight_rail::StraightRail::at`] | Ports001, 2.1.4 |
 //! | `balance.curved_rail.moment` | [`curved_rail::CurvedRail::at`] | Ports001, 2.1.5 |
 //! | `balance.residual` | [`analysis::Residual::new`] | Balance004, eq. 3; Ports001, eq. 5.2.6 |
-//! | `balance.power` | [`crate::lemniscate::balancing::Balanced`] | load, weights and balance on one mechanism |
+//! | `balance.drive` | [`crate::lemniscate::balancing::Balanced`] | equilibrium, with and without the balance |
 //! | `balance.table_5_2_1` | [`published::table_5_2_1`] | Ports001, table 5.2.1 |
 //! | `balance.range` | [`analysis::Analysis::new`] | Balance004, criteria F1-F3 |
-//! | `balance.synthesis.three` | [`synthesis::three::lever`] | Ports001, 2.2.1 |
-//! | `balance.synthesis.four` | [`synthesis::four::Nodes`] | Balance004, eq. 4 |
-//! | `balance.synthesis.optimum` | [`synthesis::optimum::search`] | Balance004, eq. 6-7, global |
-//! | `balance.synthesis.tolerance` | [`synthesis::tolerance::Spread::new`] | derived |
+//! | `balance.synthesis.three` | `lemnis_synthesis::three::lever` | Ports001, 2.2.1 |
+//! | `balance.synthesis.four` | `lemnis_synthesis::four::Nodes` | Balance004, eq. 4 |
+//! | `balance.synthesis.optimum` | `lemnis_synthesis::optimum::search` | Balance004, eq. 6-7, global |
+//! | `balance.synthesis.tolerance` | `lemnis_synthesis::tolerance::Spread::new` | derived |
 
 pub mod analysis;
 pub mod boom;
@@ -44,8 +44,8 @@ pub mod published;
 pub mod scene;
 pub mod straight_rail;
 pub mod symbols;
-pub mod synthesis;
 pub mod tail;
+pub mod task;
 
 use crate::calc::Calc;
 use crate::plane::Point;
@@ -115,11 +115,11 @@ pub fn check(quantity: &'static Symbol, value: f64, allowed: [f64; 2]) -> Result
 }
 
 /// Greater than zero.
-pub(crate) const POSITIVE: [f64; 2] = [f64::MIN_POSITIVE, f64::MAX];
+pub const POSITIVE: [f64; 2] = [f64::MIN_POSITIVE, f64::MAX];
 /// Zero or greater.
-pub(crate) const NOT_NEGATIVE: [f64; 2] = [0.0, f64::MAX];
+pub const NOT_NEGATIVE: [f64; 2] = [0.0, f64::MAX];
 /// Any finite number.
-pub(crate) const FINITE: [f64; 2] = [f64::MIN, f64::MAX];
+pub const FINITE: [f64; 2] = [f64::MIN, f64::MAX];
 
 /// What a balance does at one boom angle.
 #[derive(Clone, Copy, Debug)]

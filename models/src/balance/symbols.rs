@@ -88,5 +88,12 @@ symbols! {
     N_MAX: "N_max" "abs(N_1)_max" N / KN, "Greatest force in the rod or rope, by amount.", "derived";
     TRAVEL: "Delta_y_5" "Delta y_5" M / M, "Difference of the counterweight's greatest and smallest height.", "[Ports001, eq. 5.2.1]";
     M_PLUS: "M_plus" "M^+" N_M / KN_M, "Least residual moment that turns the boom inwards at both ends.", "[Balance004, eq. 6-7]";
-    TOLERANCE: "tolerance" "t" ONE / ONE, "A tolerance of manufacturing, to both sides: m, rad or relative.", "given";
+    DM_50: "dM_50" "abs(Delta M)_50" N_M / KN_M, "Residual that half of all builds stay below.", "derived";
+    DM_95: "dM_95" "abs(Delta M)_95" N_M / KN_M, "Residual that 95 % of all builds stay below.", "derived";
+
+    // Given to the synthesis.
+    PSI_1: "psi_1" "psi_1" RAD / DEG, "Angle of the counterweight's arm at the first chosen position.", "[Balance004, eq. 4]";
+    T_L: "t_l" "t_l" M / MM, "Tolerance of every length, to both sides.", "given";
+    T_A: "t_a" "t_alpha" RAD / DEG, "Tolerance of every angle, to both sides.", "given";
+    T_W: "t_w" "t_G" ONE / PERCENT, "Tolerance of every weight, to both sides, relative.", "given";
 }

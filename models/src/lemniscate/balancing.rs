@@ -187,8 +187,8 @@ impl<C: Calc> Criteria<C> {
         let energies = places
             .map(|place| at(place).map(|r| (r.phi, r.boom.u_0 + r.action.u_5)))
             .collect::<Result<Vec<_>, Fault>>()?;
-        let nothing = || energies[0].1 * C::constant(0.0);
-        let (mut e_abs, mut e_plus) = (nothing(), nothing());
+        let nothing = C::constant(0.0) * energies[0].1;
+        let (mut e_abs, mut e_plus) = (nothing, nothing);
         for pair in energies.windows(2) {
             let fall = pair[0].1 - pair[1].1;
             e_abs += fall.abs();
@@ -197,8 +197,11 @@ impl<C: Calc> Criteria<C> {
                 e_plus += fall.abs();
             }
         }
-        let of = |extreme: Option<crate::lemniscate::range::Extreme>, pick: fn(&Residual<C>) -> Option<C>| {
-            extreme.map_or(Ok(None), |extreme| at(extreme.at).map(|r| pick(&r)))
+        let of = |extreme: Option<crate::lemniscate::range::Extreme>, pick: fn(&Residual<C>) -> Option<C>| match extreme
+        {
+            Some(extreme) if extreme.value.is_infinite() => Ok(Some(C::constant(extreme.value))),
+            Some(extreme) => at(extreme.at).map(|r| pick(&r)),
+            None => Ok(None),
         };
         let y_5 = |end: usize| of(found.y_5.map(|ends| ends[end]), |r| r.action.y_5);
         Ok(Criteria {
@@ -256,6 +259,23 @@ fn by_boom<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Parameters<C> {
         branch,
         ..*p
     }
+}
+
+/// The boom system as its boom moves it, and its boom angles (rad) over the working range.
+///
+/// # Errors
+/// A mechanism without weights.
+pub fn boom(p: &Parameters<f64>, motion: &Motion) -> Result<(Boom<f64>, [f64; 2]), Fault> {
+    let boom = Boom::system(&by_boom(p, motion))?;
+    let ends = [motion.from, motion.to].map(|theta| match p.driven {
+        Driven::Boom => Some(theta),
+        Driven::Rocker => Position::new(&Geometry::new(p).ok()?, theta).map(|p| p.follower_angle()),
+    });
+    let [Some(a), Some(b)] = ends else {
+        let what = "the linkage does not close over the whole working range";
+        return Err(Fault::new(&s::THETA_1, motion.from, crate::balance::FINITE, what));
+    };
+    Ok((boom, [a.min(b), a.max(b)]))
 }
 
 fn middle(p: &Parameters<f64>, motion: &Motion) -> Option<Position<f64>> {

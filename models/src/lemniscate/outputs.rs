@@ -403,15 +403,17 @@ impl<C: Calc> Evaluation<C> {
         if self.forces.is_none() {
             let Place { p, v } = *self.place()?;
             let (q, theta, lengths) = (self.inputs.q, self.inputs.theta, self.parameters.lengths);
-            let balancing = self.balancing()?;
-            let geometry = *self.geometry()?;
+            let balancing = match self.parameters.balance {
+                Some(_) => self.balancing()?.zip(Some(*self.geometry()?)),
+                None => None,
+            };
             let weights = self.parameters.weights.as_ref();
             let centres = weights.map(|w| Centres::new(&p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
             let both = weights.zip(centres.as_ref());
             let m_g = both.map_or(C::constant(0.0), |(w, r)| weight_moment(w, r, &p, &v));
             let drive = drive(&self.parameters, &p);
             let balanced = match balancing.zip(both) {
-                Some((balancing, both)) => {
+                Some(((balancing, geometry), both)) => {
                     let residual = balancing.at(&geometry, both, (&p, &v), theta, m_g)?;
                     let balanced = Balanced::new(residual, &v, p.driven, load_moment(&v, q), m_g);
                     Some(drive.as_ref().map_or(balanced, |drive| balanced.driven_by(drive)))

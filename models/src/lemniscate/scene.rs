@@ -1,10 +1,13 @@
 //! What a scene says about a luffing mechanism.
 
+use crate::balance::boom::Boom;
+use crate::balance::lever::Lever;
 use crate::balance::scene::{Form, KEYS as BALANCE};
-use crate::balance::{self, symbols as b};
+use crate::balance::task::{KEYS as SYNTHESIS, Task};
+use crate::balance::{self, Fault, symbols as b};
 use crate::diagnostic::Diagnostic;
 use crate::four_bar::{Arc, Branch};
-use crate::lemniscate::balancing::analysis;
+use crate::lemniscate::balancing::{analysis, boom};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
 use crate::lemniscate::governing::{coordinate, governed};
 use crate::lemniscate::symbols as s;
@@ -49,6 +52,7 @@ pub static KEYS: &[Key] = &[
     )
     .optional(),
     Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
+    Key::table("synthesis", SYNTHESIS, "What `lemnis synth` finds.").optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
     Key::table(
         "published",
@@ -155,6 +159,8 @@ pub struct Luffing {
     pub motion: Motion,
     pub limits: Limits,
     pub published: Option<Published>,
+    /// What is asked of the synthesis of its balance.
+    pub synthesis: Option<Task>,
     /// Published results of the balance.
     pub published_balance: Option<balance::scene::Published>,
 }
@@ -176,6 +182,22 @@ pub struct Published {
     pub source: String,
     pub columns: Vec<&'static Symbol>,
     pub rows: Vec<Vec<String>>,
+}
+
+impl Luffing {
+    /// The scene's own lever counterweight.
+    #[must_use]
+    pub fn own_lever(&self) -> Option<Lever<f64>> {
+        own_lever(&self.parameters)
+    }
+
+    /// The boom system as its boom moves it, and its boom angles (rad) over the working range.
+    ///
+    /// # Errors
+    /// A mechanism without weights.
+    pub fn boom(&self) -> Result<(Boom<f64>, [f64; 2]), Fault> {
+        boom(&self.parameters, &self.motion)
+    }
 }
 
 /// More rows in a table than anyone reads, and than a step of `1e-9 deg` would make.
@@ -316,14 +338,36 @@ impl Luffing {
         }
         let published = v.table("published").and_then(|table| published(table, found));
         let motion = motion?;
+        let synthesis = v
+            .table("synthesis")
+            .and_then(|table| synthesis(table, &parameters, &motion, found));
         (found.len() == before).then_some(Luffing {
             parameters,
             q,
             motion,
             limits,
             published,
+            synthesis,
             published_balance: v.table("balance").and_then(balance::scene::Published::read),
         })
+    }
+}
+
+/// What is asked of the synthesis; mistakes go to `found`.
+fn synthesis(v: &Values, p: &Parameters<f64>, motion: &Motion, found: &mut Vec<Diagnostic>) -> Option<Task> {
+    match boom(p, motion) {
+        Ok((boom, range)) => Task::new(v, &boom, range, own_lever(p).as_ref(), found),
+        Err(fault) => {
+            found.push(Diagnostic::new(v.span.clone(), fault.what, "nothing to search for"));
+            None
+        }
+    }
+}
+
+fn own_lever(p: &Parameters<f64>) -> Option<Lever<f64>> {
+    match p.balance {
+        Some(Form::Lever(dimensions, s_5, branch)) => Lever::new(dimensions, s_5, branch).ok(),
+        _ => None,
     }
 }
 

@@ -525,7 +525,9 @@ fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
         let work = load_moment(&v, q) + m_g - action.map_or(0.0, |action| action.m_b * turn);
         let m_d = PinForces::new(&p, lengths.x_3, q, both, action, |_| None).m_d;
         worst = worst.max((m_d - work).abs());
-        scale = scale.max(work.abs()).max(m_g.abs());
+        // What is left of great moments may be nothing.
+        let carried = action.map_or(0.0, |action| (action.m_b * turn).abs());
+        scale = scale.max(work.abs()).max(carried);
     }
     worst / scale
 }

@@ -39,6 +39,7 @@ pub(super) fn balance(
         equilibria: equilibria.collect(),
         drawing: drawing(luffing, geometry)?,
         criteria: criteria(found, coordinate)
+            .chain(std::iter::once(weight(&form)))
             .map(|summary| Criterion {
                 published: published.and_then(|table| {
                     let value = table.values.iter().find(|(symbol, _)| *symbol == summary.symbol);
@@ -82,6 +83,22 @@ fn criteria(found: &Analysis, coordinate: &'static Symbol) -> impl Iterator<Item
         alone(&b::TRAVEL, found.y_5.map(|[low, high]| high.value - low.value)),
     ];
     list.into_iter().flatten()
+}
+
+/// What the balance costs: its weight, or its moment.
+fn weight(form: &Form<f64>) -> Summary {
+    let (symbol, value) = match form {
+        Form::Lever(it, ..) => (&b::M_5, it.m_5),
+        Form::Tail(it) => (&b::G_C, it.g_c),
+        Form::Parallelogram(it) => (&b::G_C, it.g_c),
+        Form::StraightRail(it) => (&b::G_C, it.g_c),
+        Form::CurvedRail(it) => (&b::G_C, it.g_c),
+    };
+    Summary {
+        symbol,
+        value,
+        at: None,
+    }
 }
 
 fn exists(model: &Model, symbol: &'static Symbol) -> bool {

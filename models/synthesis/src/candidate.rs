@@ -1,12 +1,12 @@
 //! One candidate of a search over the whole working range, fast: the boom's
 //! side is computed once, the linkage closes by squares of lengths alone. What
-//! a search finds is computed again by [`Analysis`](crate::balance::analysis::Analysis).
+//! a search finds is computed again by [`Analysis`](lemnis_models::balance::analysis::Analysis).
 
-use crate::balance::boom::Boom;
-use crate::balance::lever::Dimensions;
-use crate::balance::{Fault, symbols as s};
-use crate::calc::Calc;
-use crate::four_bar::Branch;
+use lemnis_models::balance::boom::Boom;
+use lemnis_models::balance::lever::Dimensions;
+use lemnis_models::balance::{Fault, POSITIVE, symbols as s};
+use lemnis_models::calc::Calc;
+use lemnis_models::four_bar::Branch;
 
 /// The boom at equally spaced positions of its working range.
 #[derive(Clone, Debug)]
@@ -83,13 +83,8 @@ impl Positions {
         let places = (0..count).map(place).collect::<Result<Vec<Place>, Fault>>()?;
         let scale = places.iter().map(|place| place.m_0.abs()).fold(0.0, f64::max);
         if scale == 0.0 {
-            let allowed = [f64::MIN_POSITIVE, f64::INFINITY];
-            return Err(Fault::new(
-                &s::M_0,
-                0.0,
-                allowed,
-                "the boom has no moment: there is nothing to balance",
-            ));
+            let what = "the boom has no moment: there is nothing to balance";
+            return Err(Fault::new(&s::M_0, 0.0, POSITIVE, what));
         }
         Ok(Positions { range, places, scale })
     }

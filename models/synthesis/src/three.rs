@@ -4,12 +4,12 @@
 //! Equal energy at three positions does not make the moment zero there; it
 //! makes it pass zero inside each of the two intervals. (The book says otherwise.)
 
-use crate::balance::boom::{Boom, joint};
-use crate::balance::lever::{Dimensions, Lever};
-use crate::balance::{FINITE, Fault, POSITIVE, check, symbols as s};
-use crate::calc::Calc;
-use crate::four_bar::Branch;
-use crate::plane::{self, Point};
+use lemnis_models::balance::boom::{Boom, joint};
+use lemnis_models::balance::lever::{Dimensions, Lever};
+use lemnis_models::balance::{FINITE, Fault, POSITIVE, check, symbols as s};
+use lemnis_models::calc::Calc;
+use lemnis_models::four_bar::Branch;
+use lemnis_models::plane::{self, Point};
 
 /// What is chosen before the construction.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ pub struct Given {
 ///
 /// # Errors
 /// A counterweight too light to take up the energy.
-pub(super) fn ordinate(m_5: f64, psi_1: f64, u_1: f64, u_0: f64) -> Result<f64, Fault> {
+pub(crate) fn ordinate(m_5: f64, psi_1: f64, u_1: f64, u_0: f64) -> Result<f64, Fault> {
     let (sin, cos) = Calc::sin_cos(psi_1);
     if cos >= 0.0 {
         let what = "the counterweight must start behind the lever's pivot";
@@ -94,9 +94,8 @@ pub fn lever(boom: &Boom<f64>, given: &Given) -> Result<Lever<f64>, Fault> {
     let longest = plane::length(a).max(plane::length(b)).max(plane::length(b - a));
     let height = double_area.abs() / longest;
     if height.is_nan() || height <= COLLINEAR * longest {
-        let what =
-            "the three positions of the joint seen from the lever lie in one line: the rod would be infinitely long";
-        return Err(Fault::new(&s::R_K, g.r_1, POSITIVE, what));
+        let what = "the three positions of the joint seen from the lever lie in one line: the rod would be infinitely long; choose other positions or another joint";
+        return Err(Fault::new(&s::R_K, g.r_1, FINITE, what));
     }
     let (aa, bb) = (plane::dot(a, a), plane::dot(b, b));
     let centre = Point::new(b.y * aa - a.y * bb, a.x * bb - b.x * aa) / (2.0 * double_area);
@@ -121,6 +120,6 @@ pub fn lever(boom: &Boom<f64>, given: &Given) -> Result<Lever<f64>, Fault> {
 }
 
 /// The angle less whole turns, in [−π, π].
-pub(super) fn near_zero(angle: f64) -> f64 {
+pub(crate) fn near_zero(angle: f64) -> f64 {
     angle - (angle / std::f64::consts::TAU).round() * std::f64::consts::TAU
 }

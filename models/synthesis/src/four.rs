@@ -9,13 +9,13 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::balance::boom::Boom;
-use crate::balance::lever::{Dimensions, Lever};
-use crate::balance::synthesis::three::{near_zero, ordinate};
-use crate::balance::{FINITE, Fault, POSITIVE, check, symbols as s};
-use crate::calc::Calc;
-use crate::four_bar::Branch;
-use crate::plane::{self, Point};
+use crate::three::{near_zero, ordinate};
+use lemnis_models::balance::boom::Boom;
+use lemnis_models::balance::lever::{Dimensions, Lever};
+use lemnis_models::balance::{FINITE, Fault, POSITIVE, check, symbols as s};
+use lemnis_models::calc::Calc;
+use lemnis_models::four_bar::Branch;
+use lemnis_models::plane::{self, Point};
 
 /// Nodes of approximation: at the first also the derivative is met.
 #[derive(Clone, Copy, Debug)]

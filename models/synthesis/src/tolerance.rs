@@ -3,21 +3,11 @@
 //! Every dimension is spread evenly within its tolerance, independently; so are
 //! the weights of boom, jib, rocker and counterweight. The boom's own lengths stay.
 
-use crate::balance::lever::Dimensions;
-use crate::balance::synthesis::candidate::Positions;
-use crate::balance::{Fault, NOT_NEGATIVE, check, symbols as s};
-use crate::four_bar::Branch;
-
-/// Tolerances, each to both sides.
-#[derive(Clone, Copy, Debug)]
-pub struct Tolerances {
-    /// Of every length, in m.
-    pub length: f64,
-    /// Of every angle, in rad.
-    pub angle: f64,
-    /// Of every weight, relative.
-    pub weight: f64,
-}
+use crate::candidate::Positions;
+use lemnis_models::balance::lever::Dimensions;
+use lemnis_models::balance::task::Tolerances;
+use lemnis_models::balance::{Fault, NOT_NEGATIVE, POSITIVE, check, symbols as s};
+use lemnis_models::four_bar::Branch;
 
 /// Deviations of many builds, drawn once: what is compared is built alike.
 #[derive(Clone, Debug)]
@@ -41,15 +31,15 @@ pub struct Spread {
 
 impl Builds {
     /// # Errors
-    /// A tolerance that is negative or no number, weights that could vanish, fewer than 20 builds.
+    /// A tolerance that is negative or no number, weights that could vanish.
+    ///
+    /// # Panics
+    /// Fewer than 20 builds.
     pub fn new(positions: &Positions, t: Tolerances, count: usize, seed: u64) -> Result<Builds, Fault> {
-        check(&s::TOLERANCE, t.length, NOT_NEGATIVE)?;
-        check(&s::TOLERANCE, t.angle, NOT_NEGATIVE)?;
-        check(&s::TOLERANCE, t.weight, [0.0, 0.5])?;
-        if count < 20 {
-            let what = "too few builds to say what 95 % of them keep";
-            return Err(Fault::new(&s::TOLERANCE, count as f64, [20.0, f64::INFINITY], what));
-        }
+        check(&s::T_L, t.length, NOT_NEGATIVE)?;
+        check(&s::T_A, t.angle, NOT_NEGATIVE)?;
+        check(&s::T_W, t.weight, [0.0, 0.5])?;
+        assert!(count >= 20, "too few builds to say what 95 % of them keep");
         let mut random = fastrand::Rng::with_seed(seed);
         let mut within = |limit: f64| limit * (2.0 * random.f64() - 1.0);
         let mut builds = Builds {
@@ -103,7 +93,7 @@ impl Spread {
     /// # Errors
     /// A lever that does not close as designed, or of which 95 % cannot be built.
     pub fn new(builds: &Builds, positions: &Positions, d: &Dimensions<f64>, branch: Branch) -> Result<Spread, Fault> {
-        let fault = |what| Fault::new(&s::L_K, d.l_1, [f64::MIN_POSITIVE, f64::INFINITY], what);
+        let fault = |what| Fault::new(&s::L_K, d.l_1, POSITIVE, what);
         let what = "the balance linkage does not close over the whole working range";
         let nominal = positions.evaluate(d, branch).map_err(|_| fault(what))?.dm_max;
         let all = builds.residuals(d, branch);

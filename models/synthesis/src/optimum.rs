@@ -3,48 +3,20 @@
 
 use std::cell::RefCell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use cmaes::{CMAESOptions, DVector};
 
-use crate::balance::lever::Dimensions;
-use crate::balance::synthesis::candidate::{Criteria, Positions};
-use crate::balance::synthesis::tolerance::Builds;
-use crate::balance::{Fault, POSITIVE, check, symbols as s};
-use crate::calc::Calc;
-use crate::four_bar::Branch;
-use crate::symbol::Symbol;
-
-/// What is minimised.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Criterion {
-    /// Greatest amount of the residual.
-    Residual,
-    /// Integral of the residual's amount.
-    Energy,
-    /// Greatest force in the rod.
-    RodForce,
-}
-
-/// What a solution must keep.
-#[derive(Clone, Copy, Debug)]
-pub struct Constraints {
-    /// Smallest transmission angle, in rad.
-    pub gamma_min: f64,
-    /// Stable ends: at least this moment turns the boom inwards, in N·m. [Balance004, eq. 6-7]
-    pub m_plus: Option<f64>,
-    /// Greatest force in the rod, in N.
-    pub n_max: Option<f64>,
-    /// Greatest amount of the residual, in N·m, when something else is minimised.
-    pub dm_max: Option<f64>,
-    /// The counterweight stays behind the lever's pivot.
-    pub rearward: bool,
-}
-
-/// Smallest and greatest value of each dimension; equal where it is fixed.
-pub type Bounds = Dimensions<[f64; 2]>;
+use crate::candidate::{Criteria, Positions};
+use crate::tolerance::Builds;
+use lemnis_models::balance::boom::Boom;
+use lemnis_models::balance::lever::Dimensions;
+use lemnis_models::balance::task::{Bounds, Constraints, Criterion, Task};
+use lemnis_models::balance::{Fault, POSITIVE, check, symbols as s};
+use lemnis_models::calc::Calc;
+use lemnis_models::four_bar::Branch;
+use lemnis_models::symbol::Symbol;
 
 /// A search.
 #[derive(Clone, Debug)]
@@ -98,7 +70,25 @@ const IDLE: usize = 4;
 /// Keeps the seeds of two searches apart (2⁶⁴ over the golden ratio).
 const SPREAD: u64 = 0x9E37_79B9_7F4A_7C15;
 
+/// Positions at which a candidate is looked at.
+const POSITIONS: usize = 101;
+
 impl Problem {
+    /// What a scene asks for, in one branch of assembly; without its robust mode.
+    ///
+    /// # Errors
+    /// As [`Positions::new`].
+    pub fn new(boom: &Boom<f64>, range: [f64; 2], task: &Task, branch: Branch) -> Result<Problem, Fault> {
+        Ok(Problem {
+            positions: Positions::new(boom, range, POSITIONS)?,
+            branch,
+            criterion: task.criterion,
+            constraints: task.constraints,
+            bounds: task.bounds,
+            robust: None,
+        })
+    }
+
     /// # Errors
     /// Bounds or constraints that contradict each other or are no numbers.
     pub fn check(&self) -> Result<(), Fault> {
@@ -306,7 +296,7 @@ impl Problem {
     }
 
     /// Runs from the best so far, until nothing is gained any more.
-    fn refine(&self, mut best: Attempt, random: &mut fastrand::Rng) -> Attempt {
+    fn refine(&self, mut best: Attempt, random: &mut fastrand::Rng, watch: Watch<'_>) -> Attempt {
         // Of many builds each evaluation takes as many times longer.
         let evaluations = if self.robust.is_some() { LONG / 10 } else { LONG };
         let mut idle = 0;
@@ -317,8 +307,20 @@ impl Problem {
             self.descend(&mut best, step, evaluations, random);
             let gained = best.keeps && (!before.keeps || before.cost - best.cost > 1e-4 * before.cost);
             idle = if gained { 0 } else { idle + 1 };
-            if idle == IDLE {
+            if idle == IDLE || !watch.goes_on() {
                 break;
+            }
+        }
+        self.snapped(best)
+    }
+
+    /// With each dimension that lies close to a bound at that bound, where that is no worse.
+    fn snapped(&self, mut best: Attempt) -> Attempt {
+        for (symbol, bound) in self.at_bounds(&best.dimensions) {
+            let snap = &mut |other: &'static Symbol, value| if other == symbol { bound } else { value };
+            let other = self.attempt(best.dimensions.map(snap));
+            if other.better(&best) {
+                best = other;
             }
         }
         best
@@ -335,39 +337,67 @@ impl Problem {
         sound
     }
 
-    /// The dimensions that lie at one of their bounds.
+    /// The dimensions that lie at one of their bounds, with that bound in SI.
     #[must_use]
-    pub fn at_bounds(&self, d: &Dimensions<f64>) -> Vec<&'static Symbol> {
+    pub fn at_bounds(&self, d: &Dimensions<f64>) -> Vec<(&'static Symbol, f64)> {
         let mut found = Vec::new();
         self.each(d, |symbol, value, [low, high]| {
             if low < high && (value - low).min(high - value) <= 1e-3 * (high - low) {
-                found.push(symbol);
+                found.push((symbol, if value - low < high - value { low } else { high }));
             }
         });
         found
     }
 
+    /// Where the nearest miss lies, and what may help.
+    fn advice(&self, d: &Dimensions<f64>) -> String {
+        let at = self.at_bounds(d).into_iter().map(|(symbol, value)| {
+            let value = lemnis_models::schema::short(symbol.shown(value));
+            format!("{} = {value} {}", symbol.id, symbol.display.name)
+        });
+        match at.collect::<Vec<String>>() {
+            none if none.is_empty() => "lies at no bound: ease the constraint".to_owned(),
+            at => format!(
+                "lies at the bounds {}: widen these or ease the constraint",
+                at.join(", ")
+            ),
+        }
+    }
+
+    /// Why a linkage does not close over the whole range.
+    fn open(&self, d: &Dimensions<f64>) -> Fault {
+        let [near, far] = self.positions.diagonals(d);
+        let what = format!(
+            "no linkage within the bounds closes over the whole working range; the nearest one {}",
+            self.advice(d)
+        );
+        // Rod and rod arm must span every distance from lever's pivot to joint.
+        let [shortest, longest] = [(far - d.lever).max(d.lever - near), near + d.lever];
+        if shortest < longest {
+            Fault::new(&s::L_K, d.l_1, [shortest, longest], what)
+        } else {
+            Fault::new(&s::R_L, d.lever, [0.5 * (far - near), f64::INFINITY], what)
+        }
+    }
+
     fn found(&self, best: &Attempt, complete: bool) -> Result<Found, Fault> {
         let dimensions = best.dimensions;
-        let criteria = self.positions.evaluate(&dimensions, self.branch).map_err(|_| {
-            let what = "no linkage within the bounds closes over the whole working range";
-            Fault::new(&s::L_K, dimensions.l_1, self.bounds.l_1, what)
-        })?;
+        let criteria = self.positions.evaluate(&dimensions, self.branch);
+        let criteria = criteria.map_err(|_| self.open(&dimensions))?;
         if let Some(worst) = self.violated(&criteria).first() {
-            let names: Vec<&str> = self.at_bounds(&dimensions).iter().map(|symbol| symbol.id).collect();
-            let bounds = if names.is_empty() {
-                "none".to_owned()
-            } else {
-                names.join(", ")
-            };
-            return Err(Fault {
-                what: format!(
-                    "no lever within the bounds keeps every constraint; the nearest one misses the {} \
-                     and lies at the bounds of {bounds}: widen these or ease the constraint",
+            let what = if complete {
+                let advice = self.advice(&dimensions);
+                format!(
+                    "no lever within the bounds keeps every constraint; the nearest one misses the {} and {advice}",
                     worst.what
-                ),
-                ..worst.clone()
-            });
+                )
+            } else {
+                format!(
+                    "broken off before a lever was found that keeps every constraint; the best so far misses the {}",
+                    worst.what
+                )
+            };
+            return Err(Fault { what, ..worst.clone() });
         }
         Ok(Found {
             dimensions,
@@ -393,67 +423,71 @@ impl Attempt {
     }
 }
 
-/// How far a search has come.
-#[derive(Clone, Copy, Debug)]
-pub struct Progress {
-    /// Runs done, and how many there are.
-    pub done: usize,
-    pub of: usize,
+/// What a search tells, and what can break it off.
+#[derive(Clone, Copy)]
+pub struct Watch<'a> {
+    /// Set it to have the best so far.
+    pub stop: &'a AtomicBool,
+    /// Called after every run.
+    pub run: &'a (dyn Fn() + Sync),
 }
 
-/// The best lever. `progress` is told after every run, and can break off: then
-/// the best so far is returned, marked as not complete.
+impl Watch<'_> {
+    pub(crate) fn goes_on(&self) -> bool {
+        !self.stop.load(Ordering::Relaxed)
+    }
+}
+
+/// How often [`search`] calls [`Watch::run`].
+#[must_use]
+pub fn runs(effort: Effort) -> usize {
+    effort.runs + REFINED.min(effort.runs)
+}
+
+/// The best lever, or the best so far where it was broken off.
 ///
 /// # Errors
 /// Bounds or constraints that contradict each other; constraints that no
 /// lever within the bounds keeps, with the bounds that the nearest one touches.
-pub fn search(
+pub fn search(problem: &Problem, effort: Effort, watch: Watch<'_>) -> Result<Found, Fault> {
+    seek(problem, effort, None, REFINED, watch)
+}
+
+/// Runs from nowhere, and `known` where there is one; the best `refined` of them all are continued.
+fn seek(
     problem: &Problem,
     effort: Effort,
-    progress: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
+    known: Option<Dimensions<f64>>,
+    refined: usize,
+    watch: Watch<'_>,
 ) -> Result<Found, Fault> {
     problem.check()?;
-    let runs = effort.runs.max(1);
-    let of = runs + REFINED.min(runs);
-    let stop = AtomicBool::new(false);
-    let done = AtomicUsize::new(0);
+    let count = effort.runs.max(1);
     let seed = |run: usize| fastrand::Rng::with_seed(effort.seed.wrapping_mul(SPREAD).wrapping_add(run as u64));
-    let finished = || {
-        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        if progress(Progress { done, of }).is_break() {
-            stop.store(true, Ordering::Relaxed);
-        }
-    };
-    let explored = shared(runs, effort.threads, &stop, |run| {
-        let best = problem.explore(&mut seed(run));
-        finished();
-        best
-    });
-    let mut best = explored;
+    let mut best = shared(count, effort.threads, watch, |run| problem.explore(&mut seed(run)));
+    best.extend(known.map(|known| problem.attempt(known)));
     best.sort_by(|a, b| b.keeps.cmp(&a.keeps).then(a.cost.total_cmp(&b.cost)));
-    best.truncate(REFINED);
-    let refined = shared(best.len(), effort.threads, &stop, |run| {
-        let best = problem.refine(best[run], &mut seed(runs + run));
-        finished();
-        best
+    best.truncate(refined);
+    let refined = shared(best.len(), effort.threads, watch, |run| {
+        problem.refine(best[run], &mut seed(count + run), watch)
     });
     // What was broken off has not been refined.
     let chosen = refined
         .iter()
         .chain(&best)
         .reduce(|a, b| if b.better(a) { b } else { a });
-    problem.found(chosen.expect("the first run always ends"), !stop.into_inner())
+    problem.found(chosen.expect("the first run always ends"), watch.goes_on())
 }
 
 /// The best near a given lever: a search that knows where to begin.
 ///
 /// # Errors
 /// As [`search`]; a start outside the bounds.
-pub fn improve(problem: &Problem, start: Dimensions<f64>, seed: u64) -> Result<Found, Fault> {
+pub fn improve(problem: &Problem, start: Dimensions<f64>, seed: u64, watch: Watch<'_>) -> Result<Found, Fault> {
     problem.check()?;
     problem.within(&start)?;
-    let best = problem.refine(problem.attempt(start), &mut fastrand::Rng::with_seed(seed));
-    problem.found(&best, true)
+    let best = problem.refine(problem.attempt(start), &mut fastrand::Rng::with_seed(seed), watch);
+    problem.found(&best, watch.goes_on())
 }
 
 /// What a front is drawn against.
@@ -465,8 +499,8 @@ pub enum Limit {
     Counterweight,
 }
 
-/// The best lever for each value of a limit, from the tightest: what each step
-/// of it costs. A value that no lever keeps has its fault in its place.
+/// The best lever for each value of a limit, from the tightest, which the next
+/// begins with: what each step of it costs. A value that no lever keeps has its fault in its place.
 ///
 /// # Errors
 /// Values that do not rise.
@@ -475,7 +509,7 @@ pub fn front(
     limit: Limit,
     values: &[f64],
     effort: Effort,
-    progress: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
+    watch: Watch<'_>,
 ) -> Result<Vec<Result<Found, Fault>>, Fault> {
     let symbol = match limit {
         Limit::RodForce => &s::N_MAX,
@@ -491,22 +525,16 @@ pub fn front(
             Limit::RodForce => problem.constraints.n_max = Some(value),
             Limit::Counterweight => problem.bounds.m_5[1] = value,
         }
-        let cold = search(&problem, effort, progress);
         // What a tighter limit allows, this one allows too.
         let tighter = front.last().and_then(|last| last.as_ref().ok());
-        let warm = tighter.map(|last| improve(&problem, last.dimensions, effort.seed));
-        front.push(match (cold, warm) {
-            (Ok(cold), Some(Ok(warm))) if warm.value < cold.value => Ok(warm),
-            (Err(_), Some(Ok(warm))) => Ok(warm),
-            (cold, _) => cold,
-        });
+        front.push(seek(&problem, effort, tighter.map(|last| last.dimensions), 1, watch));
     }
     Ok(front)
 }
 
 /// Results of `count` jobs in their order, whichever thread did them. The
 /// first job is always done; later ones are left out after a stop.
-fn shared<T: Send>(count: usize, threads: usize, stop: &AtomicBool, job: impl Fn(usize) -> T + Sync) -> Vec<T> {
+fn shared<T: Send>(count: usize, threads: usize, watch: Watch<'_>, job: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let results = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
@@ -514,10 +542,11 @@ fn shared<T: Send>(count: usize, threads: usize, stop: &AtomicBool, job: impl Fn
             scope.spawn(|| {
                 loop {
                     let index = next.fetch_add(1, Ordering::Relaxed);
-                    if index >= count || (index > 0 && stop.load(Ordering::Relaxed)) {
+                    if index >= count || (index > 0 && !watch.goes_on()) {
                         return;
                     }
                     let result = job(index);
+                    (watch.run)();
                     results.lock().expect("no job panics").push((index, result));
                 }
             });

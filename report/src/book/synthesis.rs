@@ -1,0 +1,227 @@
+//! The chapter that compares levers: existing, published and found.
+
+use lemnis_models::balance::symbols as s;
+use lemnis_models::balance::task::{Criterion, Method, Task};
+use lemnis_models::scene::Scene;
+use lemnis_models::symbol::Symbol;
+use lemnis_synthesis::comparison::{BUILDS, Bound, Compared, Comparison, Worth};
+use serde::Serialize;
+
+use crate::book::steps::Notation;
+use crate::book::{Figure, Quantity, json};
+use crate::formula::quantity;
+use crate::language::Language;
+use crate::plot::{self, Line};
+
+#[derive(Serialize)]
+pub(super) struct Synthesis {
+    method: &'static str,
+    /// What is minimised.
+    objective: Quantity,
+    seed: u64,
+    /// `complete`, `broken` or `open`: whether the search came to its end.
+    state: &'static str,
+    levers: Vec<Lever>,
+    rows: Vec<Row>,
+    builds: usize,
+    /// Of lengths, angles and weights.
+    tolerances: [String; 3],
+    /// Dimensions with their bounds, then the constraints.
+    limits: Vec<Limit>,
+    residual: String,
+    drawings: Vec<Drawing>,
+    fronts: Vec<Figure>,
+    nodes: Option<Nodes>,
+    /// The joint of the last lever lies behind the boom's foot.
+    tail: bool,
+}
+
+#[derive(Serialize)]
+struct Lever {
+    number: usize,
+    role: &'static str,
+    source: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    #[serde(flatten)]
+    quantity: Quantity,
+    /// One for each lever; none where it does not close.
+    cells: Vec<Option<String>>,
+}
+
+#[derive(Serialize)]
+struct Limit {
+    #[serde(flatten)]
+    quantity: Quantity,
+    low: Option<String>,
+    value: Option<String>,
+    high: Option<String>,
+    binds: bool,
+    missed: bool,
+}
+
+#[derive(Serialize)]
+struct Drawing {
+    number: usize,
+    role: &'static str,
+    scale: u32,
+    picture: String,
+}
+
+#[derive(Serialize)]
+struct Nodes {
+    columns: Vec<Quantity>,
+    rows: Vec<[String; 3]>,
+    slope: Option<String>,
+    contradicted: bool,
+}
+
+/// `None` for a scene that asks for no synthesis.
+pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notation) -> Option<Synthesis> {
+    let task = scene.mechanism.luffing()?.synthesis.as_ref()?;
+    let comparison = Comparison::new(scene)?;
+    let levers = &comparison.levers;
+    let number = |i: usize| language.math(&(i + 1).to_string());
+    let columns: Vec<_> = levers.iter().map(Compared::criteria).collect();
+    let row = |(i, symbol): (usize, &'static Symbol)| Row {
+        quantity: symbol.into(),
+        cells: columns
+            .iter()
+            .map(|column| column[i].1.map(|value| quantity(language, symbol, value)))
+            .collect(),
+    };
+    let symbols: Vec<&'static Symbol> = columns
+        .first()
+        .into_iter()
+        .flatten()
+        .map(|(symbol, _)| *symbol)
+        .collect();
+    let limited = comparison.limits.iter().map(|bound| bound.symbol);
+    let shown = symbols.iter().copied().chain(limited);
+    for symbol in shown.chain([&s::PHI, &s::PSI, &s::DM]) {
+        notation.meet(symbol);
+    }
+    let rows = symbols.into_iter().enumerate().map(row).collect();
+    let worths: Vec<(usize, &Compared, &Worth)> = levers
+        .iter()
+        .enumerate()
+        .filter_map(|(i, lever)| Some((i, lever, lever.worth.as_ref()?)))
+        .collect();
+    let residuals = worths.iter().map(|(i, _, worth)| Line {
+        label: number(*i),
+        points: worth.residual.clone(),
+        marked: false,
+    });
+    let residuals: Vec<Line> = residuals.collect();
+    let drawings = worths.iter().map(|(i, lever, worth)| {
+        let picture = plot::drawing(&worth.drawing, plot::HALF);
+        Drawing {
+            number: i + 1,
+            role: lever.role,
+            scale: picture.scale,
+            picture: json(&picture),
+        }
+    });
+    let fronts = comparison.fronts.iter().map(|front| {
+        let mut lines = vec![Line {
+            label: String::new(),
+            points: front.points.clone(),
+            marked: true,
+        }];
+        lines.extend(worths.iter().filter_map(|(i, lever, worth)| {
+            let x = if front.symbol == &s::M_5 {
+                lever.dimensions.m_5
+            } else {
+                worth.analysis.n_max?.value
+            };
+            Some(Line {
+                label: number(*i),
+                points: vec![[x, worth.analysis.dm_max.value]],
+                marked: true,
+            })
+        }));
+        Figure {
+            id: front.symbol.id,
+            picture: json(&plot::lines(language, [front.symbol, &s::DM_MAX], &lines)),
+        }
+    });
+    let limits = comparison.bounds.iter().filter(|bound| bound.low < bound.high);
+    let limits = limits.chain(&comparison.limits).map(|bound| limit(language, bound));
+    let of = |symbol, value| quantity(language, symbol, value);
+    let t = task.tolerances;
+    let last = levers.last().map(|last| last.dimensions.alpha_1.abs());
+    Some(Synthesis {
+        method: match task.method {
+            Method::Optimum => "optimum",
+            Method::Three { .. } => "three",
+            Method::Four { .. } => "four",
+        },
+        objective: objective(task).into(),
+        seed: task.seed,
+        state: match task.found {
+            Some(true) => "complete",
+            Some(false) => "broken",
+            None => "open",
+        },
+        builds: BUILDS,
+        tolerances: [of(&s::T_L, t.length), of(&s::T_A, t.angle), of(&s::T_W, t.weight)],
+        limits: limits.collect(),
+        residual: json(&plot::lines(language, [&s::PHI, &s::DM], &residuals)),
+        drawings: drawings.collect(),
+        fronts: fronts.collect(),
+        nodes: comparison.nodes.as_ref().map(|nodes| {
+            let columns = [&s::PHI, &s::PSI, &s::DM];
+            Nodes {
+                columns: columns.map(Quantity::from).into(),
+                rows: nodes
+                    .rows
+                    .iter()
+                    // Dimensions are rounded so that a residual is known to the newton metre.
+                    .map(|row| {
+                        [
+                            of(columns[0], row[0]),
+                            of(columns[1], row[1]),
+                            of(columns[2], row[2].round()),
+                        ]
+                    })
+                    .collect(),
+                slope: nodes.slope.map(|slope| of(&s::I_5, slope)),
+                contradicted: nodes.contradicted,
+            }
+        }),
+        tail: last.is_some_and(|angle| angle > std::f64::consts::FRAC_PI_2),
+        levers: levers
+            .iter()
+            .enumerate()
+            .map(|(i, lever)| Lever {
+                number: i + 1,
+                role: lever.role,
+                source: lever.source.clone(),
+            })
+            .collect(),
+        rows,
+    })
+}
+
+fn objective(task: &Task) -> &'static Symbol {
+    match task.criterion {
+        _ if task.robust => &s::DM_95,
+        Criterion::Residual => &s::DM_MAX,
+        Criterion::Energy => &s::E_ABS,
+        Criterion::RodForce => &s::N_MAX,
+    }
+}
+
+fn limit(language: &Language, bound: &Bound) -> Limit {
+    let of = |value: f64| value.is_finite().then(|| quantity(language, bound.symbol, value));
+    Limit {
+        quantity: bound.symbol.into(),
+        low: of(bound.low),
+        value: bound.value.and_then(of),
+        high: of(bound.high),
+        binds: bound.binds,
+        missed: bound.missed(),
+    }
+}

@@ -1,0 +1,218 @@
+//! `lemnis synth`: a lever counterweight for a scene, as a scene.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use lemnis_models::balance::Fault;
+use lemnis_models::balance::lever::{Dimensions, Lever};
+use lemnis_models::balance::task::{Role, Task};
+use lemnis_models::diagnostic::Diagnostic;
+use lemnis_models::four_bar::Branch;
+use lemnis_models::scene::{LONGEST_NAME, Scene};
+use lemnis_models::schema::short;
+use lemnis_synthesis::comparison::{Compared, Comparison};
+use lemnis_synthesis::optimum::Watch;
+use lemnis_synthesis::run::{Outcome, decimals, run, steps};
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, value};
+
+use crate::failure::Failure;
+use crate::output::{Output, say, write};
+use crate::scene_file;
+
+#[derive(Args)]
+pub struct Synth {
+    /// Scene file with a table [luffing.synthesis]
+    scene: PathBuf,
+    /// Folder for the result
+    #[arg(short, long, default_value = "out")]
+    output: PathBuf,
+    /// Seed of the search [default: the scene's, otherwise 1]
+    #[arg(long, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
+    seed: Option<u64>,
+}
+
+/// Set by Ctrl-C.
+static STOP: AtomicBool = AtomicBool::new(false);
+
+impl Synth {
+    pub fn run(&self) -> Result<(), Failure> {
+        let scene = scene_file::read(Some(&self.scene))?;
+        let asked = scene
+            .mechanism
+            .luffing()
+            .and_then(|it| Some((it, it.synthesis.as_ref()?)));
+        let Some((luffing, task)) = asked else {
+            return Err(Failure::Scene(format!(
+                "{} asks for no synthesis: add a table [luffing.synthesis], an empty one will do where [luffing.balance] \
+                 is a lever",
+                self.scene.display()
+            )));
+        };
+        let mut task = task.clone();
+        task.seed = self.seed.unwrap_or(task.seed);
+        let (boom, range) = luffing.boom().expect("checked when the scene was read");
+        let outcome = watched(&task, |threads, watch| run(&boom, range, &task, threads, watch));
+        let outcome = outcome.map_err(|fault| self.explain(&scene, &task, &fault))?;
+        let result = improved(&scene, luffing.own_lever().as_ref(), &task, &outcome)?;
+        let comparison = Comparison::new(&result).expect("the result has a synthesis");
+        say(table(&comparison).trim_end())?;
+        if !outcome.complete {
+            say("broken off: this is the best so far")?;
+        }
+        let output = Output {
+            name: format!("{}.toml", result.name()),
+            bytes: result.text().into(),
+        };
+        write(&self.output, &[output])?;
+        let path = self.output.join(format!("{}.toml", result.name()));
+        say(format_args!("  build it with `lemnis build {}`", path.display()))
+    }
+
+    /// The fault where the scene gives what it blames.
+    fn explain(&self, scene: &Scene, task: &Task, fault: &Fault) -> Failure {
+        let label = format!("{} is not possible", fault.quantity.id);
+        let diagnostic = Diagnostic::new(task.place(fault.quantity), fault.what.clone(), label).help(fault.range());
+        scene_file::failure(&self.scene.display().to_string(), scene.text(), &[diagnostic])
+    }
+}
+
+/// The user's scene with the lever found, and with what the book compares.
+fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outcome) -> Result<Scene, Failure> {
+    let mut document: DocumentMut = scene.text().parse().expect("a scene that was read is TOML");
+    let name = scene.name().strip_suffix(SUFFIX).unwrap_or(scene.name());
+    let name = &name[..name.len().min(LONGEST_NAME - SUFFIX.len())];
+    document["name"] = value(format!("{name}{SUFFIX}"));
+    let luffing = &mut document["luffing"];
+    let mut balance = taken(&mut luffing["balance"]);
+    if own.is_none() {
+        balance.clear();
+    }
+    // What was published was so of another lever.
+    balance.remove("published");
+    set(&mut balance, "kind", "lever".into());
+    fill(&mut balance, &outcome.dimensions, outcome.branch);
+    let source = format!("lemnis synth {}, seed {}", env!("CARGO_PKG_VERSION"), task.seed);
+    set(&mut balance, "source", source);
+    luffing["balance"] = Item::Table(balance);
+
+    let mut synthesis = taken(&mut luffing["synthesis"]);
+    let found = if outcome.complete { "complete" } else { "broken off" };
+    set(&mut synthesis, "found", found.into());
+    synthesis["seed"] = value(i64::try_from(task.seed).expect("TOML has no greater integers"));
+    let listed = synthesis.remove("candidates");
+    let listed = listed.and_then(|listed| listed.into_array_of_tables().ok());
+    let mut candidates: ArrayOfTables = listed.unwrap_or_default();
+    let fronts = [Role::RodForce, Role::Counterweight].map(Role::name);
+    candidates.retain(|table| !table["role"].as_str().is_some_and(|role| fronts.contains(&role)));
+    if let Some(own) = own.filter(|_| task.found.is_none()) {
+        candidates.push(lever(Role::Existing, &own.dimensions, own.branch));
+    }
+    for (role, dimensions) in &outcome.fronts {
+        candidates.push(lever(*role, dimensions, outcome.branch));
+    }
+    synthesis["candidates"] = Item::ArrayOfTables(candidates);
+    luffing["synthesis"] = Item::Table(synthesis);
+    let text = document.to_string();
+    Scene::parse(&text).map_err(|found| {
+        let whole: Vec<String> = found.iter().map(ToString::to_string).collect();
+        Failure::Program(format!(
+            "the scene with the lever found cannot be read: {}",
+            whole.join("; ")
+        ))
+    })
+}
+
+const SUFFIX: &str = "_synth";
+
+/// Runs a search with a progress bar; Ctrl-C keeps the best so far, and a second one ends the program.
+fn watched<T>(task: &Task, search: impl FnOnce(usize, Watch<'_>) -> T) -> T {
+    let handler = ctrlc::set_handler(|| {
+        if STOP.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    if let Err(error) = handler {
+        eprintln!("warning: Ctrl-C will end the search without a result: {error}");
+    }
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let style = ProgressStyle::with_template("searching {wide_bar} {percent} %, Ctrl-C keeps the best so far");
+    let bar = ProgressBar::new(steps(task) as u64).with_style(style.expect("a template"));
+    let found = search(
+        threads,
+        Watch {
+            stop: &STOP,
+            run: &|| bar.inc(1),
+        },
+    );
+    bar.finish_and_clear();
+    found
+}
+
+fn lever(role: Role, d: &Dimensions<f64>, branch: Branch) -> Table {
+    let mut table = Table::new();
+    set(&mut table, "role", role.name().into());
+    fill(&mut table, d, branch);
+    table
+}
+
+fn fill(table: &mut Table, d: &Dimensions<f64>, branch: Branch) {
+    set(
+        table,
+        "branch",
+        if branch == Branch::Left { "left" } else { "right" }.into(),
+    );
+    d.map(&mut |symbol, number| {
+        let shown = format!("{:.*}", decimals(symbol), symbol.shown(number));
+        let shown = shown.trim_end_matches('0').trim_end_matches('.');
+        set(table, symbol.id, format!("{shown} {}", symbol.display.name));
+    });
+}
+
+/// A table out of its place, for a while; an empty one where there is none.
+fn taken(place: &mut Item) -> Table {
+    std::mem::take(place).into_table().unwrap_or_default()
+}
+
+/// Changes a text of a table; its comment stays.
+fn set(table: &mut Table, key: &str, text: String) {
+    let mut new = toml_edit::Value::from(text);
+    if let Some(old) = table.get(key).and_then(Item::as_value) {
+        *new.decor_mut() = old.decor().clone();
+    }
+    table[key] = Item::Value(new);
+}
+
+/// The levers side by side, in display units, and what binds the last.
+fn table(comparison: &Comparison) -> String {
+    let mut text = String::new();
+    let mut rows = vec![vec![String::new()]];
+    rows[0].extend(comparison.levers.iter().map(|lever| lever.role.to_owned()));
+    let columns: Vec<_> = comparison.levers.iter().map(Compared::criteria).collect();
+    for (i, (symbol, _)) in columns.first().into_iter().flatten().enumerate() {
+        let mut row = vec![format!("{} [{}]", symbol.id, symbol.display.name)];
+        row.extend(columns.iter().map(|column| match column[i].1 {
+            Some(value) => short(symbol.shown(value)),
+            None => "does not close".to_owned(),
+        }));
+        rows.push(row);
+    }
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
+    for row in &rows {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}"));
+        let _ = writeln!(text, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end());
+    }
+    let binding = comparison
+        .bounds
+        .iter()
+        .chain(&comparison.limits)
+        .filter(|bound| bound.binds);
+    let binding: Vec<&str> = binding.map(|bound| bound.symbol.id).collect();
+    if !binding.is_empty() {
+        let _ = writeln!(text, "  at its limit: {}", binding.join(", "));
+    }
+    text
+}
