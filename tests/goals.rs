@@ -45,6 +45,7 @@ fn row(what: &str, value: f64, unit: &str, goal: f64) {
 fn main() {
     let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
     models(&scene);
+    steering();
     abi(
         "C ABI: set theta_1, doStep, get 12 outputs, forces",
         DEFAULT,
@@ -65,6 +66,30 @@ fn main() {
     instances();
     synthesis();
     programs();
+}
+
+/// All eight groups of the boat hoist through the running model.
+fn steering() {
+    let text = include_str!("../models/scenes/boat_hoist_003.toml");
+    let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
+    let mut model = Model::new(&scene).expect("a machine");
+    let wanted = ["theta", "v", "R", "od", "f_g"];
+    let indices: Vec<usize> = (0..model.variables().len())
+        .filter(|&i| model.variables()[i].number.is_some() && wanted.contains(&model.variables()[i].symbol.id))
+        .collect();
+    assert_eq!(indices.len(), 40);
+    let time = nanoseconds(|theta| {
+        model.set(0, theta - 1.5).expect("allowed");
+        for &index in &indices {
+            black_box(model.get(index).expect("a value"));
+        }
+    });
+    row(
+        "model: steering of 8 groups, angles, speeds, cylinders, forces",
+        time,
+        "ns",
+        500.0,
+    );
 }
 
 /// One candidate of a search, and a whole search with its fronts.

@@ -110,6 +110,17 @@ def test_pages_look_like_the_golden_ones(language, tmp_path):
     assert all(different(small(page), expected[4]) > 1e-4 for page in (moved, bare))
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_steering_book_is_the_golden_one(language, tmp_path):
+    options = [ROOT / "models/scenes/boat_hoist_003.toml", "--level", "standard", "--language", language]
+    lemnis("book", *options, "--format", "typ", "--output", tmp_path)
+    golden(f"steering_{language}_standard.typ", (tmp_path / "BoatHoist.typ").read_text(encoding="utf-8"))
+    lemnis("book", *options, "--output", tmp_path)
+    pages = text_of(tmp_path / "BoatHoist.pdf")
+    assert len(pages) in PAGES["standard"]
+    golden(f"steering_{language}_standard.txt", "\n".join(pages) + "\n")
+
+
 @pytest.fixture(scope="module")
 def standard(tmp_path_factory):
     folder = tmp_path_factory.mktemp("standard")

@@ -518,7 +518,8 @@ impl Instance {
         Ok(())
     }
 
-    /// Sets enumerations, all or none.
+    /// Sets enumerations, all or none. Between events they keep their values: FMPy sets them
+    /// there again to what they are, which is no change.
     ///
     /// # Errors
     /// As [`Instance::set_reals`].
@@ -528,8 +529,10 @@ impl Instance {
         let number = |value: T| value.into() as f64;
         for (&reference, &value) in references.iter().zip(values) {
             let index = self.enumeration(reference)?;
-            self.check_now(index)?;
             self.model.check(index, number(value))?;
+            if self.model.get(index)? != number(value) {
+                self.check_now(index)?;
+            }
         }
         for (&reference, &value) in references.iter().zip(values) {
             self.model.set(reference as usize - 1, number(value))?;

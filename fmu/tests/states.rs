@@ -33,7 +33,7 @@ const FMI2_CASES: &[Case] = cases! {
     "NECST"  fmi2GetBoolean(null(), 0, null_mut());
     "NECST"  fmi2GetString(null(), 0, null_mut());
     "INECS"  fmi2SetReal(null(), 0, null());
-    "INES"   fmi2SetInteger(null(), 0, null());
+    "INECS"  fmi2SetInteger(null(), 0, null());
     "INES"   fmi2SetBoolean(null(), 0, null());
     "INES"   fmi2SetString(null(), 0, null());
     "INECST" fmi2GetFMUstate(&mut 0);
@@ -95,7 +95,7 @@ const FMI3_CASES: &[Case] = cases! {
     "INESV"   fmi3SetUInt16(null(), 0, null(), 0);
     "INESV"   fmi3SetInt32(null(), 0, null(), 0);
     "INESV"   fmi3SetUInt32(null(), 0, null(), 0);
-    "INESV"   fmi3SetInt64(null(), 0, null(), 0);
+    "INECSV"  fmi3SetInt64(null(), 0, null(), 0);
     "INESV"   fmi3SetUInt64(null(), 0, null(), 0);
     "INESV"   fmi3SetBoolean(null(), 0, null(), 0);
     "INESV"   fmi3SetString(null(), 0, null(), 0);

@@ -5,8 +5,8 @@
 //! [`plane`]) run on any scalar ([`calc`]): on `f64` in a [`model`], which the
 //! FMU steps, on the recorder ([`record`]) for the book's [`sheet`].
 //!
-//! [`balance`] is a part of a luffing mechanism; its synthesis and [`steering`]
-//! are searches and equations without scene, FMU and book yet.
+//! [`balance`] is a part of a luffing mechanism; its synthesis is searches
+//! without FMU.
 
 #![forbid(unsafe_code)]
 
@@ -17,6 +17,7 @@ pub mod four_bar;
 pub mod hydraulics;
 pub mod lemniscate;
 pub mod model;
+pub mod motion;
 pub mod plane;
 pub mod record;
 pub mod scene;

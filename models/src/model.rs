@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::scene::{Mechanism, Scene};
+use crate::steering;
 use crate::symbol::Symbol;
 use crate::unit;
 use crate::{balance, lemniscate};
@@ -152,6 +153,7 @@ impl From<balance::Fault> for Fault {
 pub enum Model {
     Luffing(lemniscate::model::Model),
     Moving(lemniscate::moving::model::Model),
+    Steering(steering::model::Model),
 }
 
 /// All that changes in a model while it runs.
@@ -163,6 +165,7 @@ pub enum Model {
 pub enum State {
     Luffing(lemniscate::model::State),
     Moving(lemniscate::moving::model::State),
+    Steering(steering::model::State),
 }
 
 /// A model's outputs with their derivatives in one direction.
@@ -174,10 +177,11 @@ pub enum State {
 pub enum Tangent {
     Luffing(lemniscate::model::Tangent),
     Moving,
+    Steering(steering::model::Tangent),
 }
 
-/// States go with the model that gave them, which the caller keeps together.
-const OTHER: &str = "a state of another scene's model";
+/// A mistake of the program: states and tangents stay with their model.
+const OF_ANOTHER: &str = "a state or a tangent of another mechanism";
 
 /// Calls whichever mechanism's model this is.
 macro_rules! of_each {
@@ -185,6 +189,7 @@ macro_rules! of_each {
         match $model {
             Model::Luffing($one) => $call,
             Model::Moving($one) => $call,
+            Model::Steering($one) => $call,
         }
     };
 }
@@ -199,6 +204,7 @@ impl Model {
                 None => lemniscate::model::Model::new(luffing).map(Model::Luffing),
                 Some(moving) => lemniscate::moving::model::Model::new(luffing, moving).map(Model::Moving),
             },
+            Mechanism::Steering(steering) => steering::model::Model::new(steering).map(Model::Steering),
         }
     }
 
@@ -275,11 +281,11 @@ impl Model {
     #[inline]
     pub fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
         match self {
-            Model::Luffing(model) => {
-                model.set_time(to);
-                model.update().inspect_err(|_| model.set_time(from))
-            }
             Model::Moving(model) => model.advance(from, to),
+            Model::Luffing(_) | Model::Steering(_) => {
+                self.set_time(to);
+                self.update().inspect_err(|_| self.set_time(from))
+            }
         }
     }
 
@@ -287,7 +293,7 @@ impl Model {
     #[must_use]
     pub fn states(&self) -> usize {
         match self {
-            Model::Luffing(_) => 0,
+            Model::Luffing(_) | Model::Steering(_) => 0,
             Model::Moving(model) => model.states(),
         }
     }
@@ -296,8 +302,10 @@ impl Model {
     #[must_use]
     pub fn indicators(&self) -> usize {
         match self {
+            // The instantaneous centre is at infinity at one angle, which no search for events hits.
             Model::Luffing(_) => 0,
             Model::Moving(model) => model.indicators(),
+            Model::Steering(model) => model.indicators(),
         }
     }
 
@@ -314,7 +322,7 @@ impl Model {
     /// A state is not finite; none changes.
     pub fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
         match self {
-            Model::Luffing(_) => Ok(()),
+            Model::Luffing(_) | Model::Steering(_) => Ok(()),
             Model::Moving(model) => model.set_states(states),
         }
     }
@@ -325,7 +333,7 @@ impl Model {
     /// A configuration that does not exist.
     pub fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
         match self {
-            Model::Luffing(_) => Ok(()),
+            Model::Luffing(_) | Model::Steering(_) => Ok(()),
             Model::Moving(model) => model.rates(rates),
         }
     }
@@ -338,6 +346,7 @@ impl Model {
         match self {
             Model::Luffing(_) => Ok(()),
             Model::Moving(model) => model.event_indicators(indicators),
+            Model::Steering(model) => model.event_indicators(indicators),
         }
     }
 
@@ -354,7 +363,7 @@ impl Model {
     /// A configuration that does not exist.
     pub fn event(&mut self) -> Result<bool, Fault> {
         match self {
-            Model::Luffing(_) => Ok(false),
+            Model::Luffing(_) | Model::Steering(_) => Ok(false),
             Model::Moving(model) => model.event(),
         }
     }
@@ -374,25 +383,34 @@ impl Model {
         match self {
             Model::Luffing(model) => State::Luffing(*model.state()),
             Model::Moving(model) => State::Moving(model.state()),
+            Model::Steering(model) => State::Steering(model.state().clone()),
         }
     }
 
     /// Takes back what [`state`](Model::state) gave, of this model or of one of the same scene.
+    ///
+    /// # Panics
+    /// With the state of another mechanism.
     pub fn set_state(&mut self, state: &State) {
         match (self, state) {
             (Model::Luffing(model), State::Luffing(state)) => model.set_state(state),
             (Model::Moving(model), State::Moving(state)) => model.set_state(state),
-            _ => unreachable!("{OTHER}"),
+            (Model::Steering(model), State::Steering(state)) => model.set_state(state),
+            _ => unreachable!("{OF_ANOTHER}"),
         }
     }
 
     /// A state as numbers.
+    ///
+    /// # Panics
+    /// With the state of another mechanism.
     #[must_use]
     pub fn numbers(&self, state: &State) -> Vec<f64> {
         match (self, state) {
             (Model::Luffing(model), State::Luffing(state)) => model.numbers(state),
             (Model::Moving(model), State::Moving(state)) => model.numbers(state),
-            _ => unreachable!("{OTHER}"),
+            (Model::Steering(model), State::Steering(state)) => model.numbers(state),
+            _ => unreachable!("{OF_ANOTHER}"),
         }
     }
 
@@ -404,6 +422,7 @@ impl Model {
         match self {
             Model::Luffing(model) => model.state_of(numbers).map(State::Luffing),
             Model::Moving(model) => model.state_of(numbers).map(State::Moving),
+            Model::Steering(model) => model.state_of(numbers).map(State::Steering),
         }
     }
 
@@ -414,6 +433,7 @@ impl Model {
         match self {
             Model::Luffing(model) => Tangent::Luffing(model.tangent(seed)),
             Model::Moving(_) => Tangent::Moving,
+            Model::Steering(model) => Tangent::Steering(model.tangent(seed)),
         }
     }
 
@@ -427,13 +447,17 @@ impl Model {
     ///
     /// # Errors
     /// Not an output, or a place where there is no derivative.
+    ///
+    /// # Panics
+    /// With the tangent of another mechanism.
     pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
         match (self, tangent) {
             (Model::Luffing(model), Tangent::Luffing(tangent)) => model.derivative(tangent, index),
             (Model::Moving(_), Tangent::Moving) => Err(Fault::new(
                 "there are no directional derivatives of a mechanism in motion",
             )),
-            _ => unreachable!("{OTHER}"),
+            (Model::Steering(model), Tangent::Steering(tangent)) => model.derivative(tangent, index),
+            _ => unreachable!("{OF_ANOTHER}"),
         }
     }
 

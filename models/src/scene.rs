@@ -5,6 +5,7 @@ use toml::de::DeTable;
 use crate::diagnostic::Diagnostic;
 use crate::lemniscate::scene::{KEYS as LUFFING, Luffing};
 use crate::schema::{self, Key, Kind, Values};
+use crate::steering::scene::{KEYS as STEERING, Steering};
 
 /// The lemniscate crane. [Li2022, Table 1]
 pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");
@@ -34,10 +35,11 @@ static KEYS: &[Key] = &[
     Key::table("project", PROJECT, "Title block of the book.").optional(),
     Key::table("book", BOOK, "What the book says, and in how much detail.").optional(),
     Key::table(MECHANISMS[0], LUFFING, "A luffing mechanism.").optional(),
+    Key::table(MECHANISMS[1], STEERING, "The steering of a machine on wheels.").optional(),
 ];
 
 /// The tables that describe a mechanism, of which a scene has one.
-const MECHANISMS: [&str; 1] = ["luffing"];
+const MECHANISMS: [&str; 2] = ["luffing", "steering"];
 
 static PROJECT: &[Key] = &[
     Key::text("crane", "The crane."),
@@ -103,10 +105,12 @@ pub const CHAPTERS: &[&str] = &[
     "results",
     "inputs",
     "conventions",
+    "views",
     "sensitivity",
     "constants",
     "positions",
     "range",
+    "sizing",
     "balance",
     "synthesis",
     "published",
@@ -130,8 +134,10 @@ pub struct Scene {
 
 /// What a scene describes.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "a scene holds one")]
 pub enum Mechanism {
     Luffing(Luffing),
+    Steering(Steering),
 }
 
 /// A position at which formulas are worked out.
@@ -302,7 +308,8 @@ impl Mechanism {
             .filter_map(|name| Some((name, values.table(name)?)))
             .collect();
         match given.as_slice() {
-            [(_, table)] => Luffing::new(table, found).map(Mechanism::Luffing),
+            [(name, table)] if *name == MECHANISMS[0] => Luffing::new(table, found).map(Mechanism::Luffing),
+            [(_, table)] => Steering::new(table, found).map(Mechanism::Steering),
             [] => {
                 let tables = MECHANISMS.map(|name| format!("[{name}]")).join(" or ");
                 found.push(
@@ -322,11 +329,21 @@ impl Mechanism {
         }
     }
 
+    /// The table of the scene that describes it.
+    #[must_use]
+    pub fn id(&self) -> &'static str {
+        match self {
+            Mechanism::Luffing(_) => MECHANISMS[0],
+            Mechanism::Steering(_) => MECHANISMS[1],
+        }
+    }
+
     /// The luffing mechanism, if it is one.
     #[must_use]
     pub fn luffing(&self) -> Option<&Luffing> {
         match self {
             Mechanism::Luffing(luffing) => Some(luffing),
+            Mechanism::Steering(_) => None,
         }
     }
 
@@ -334,6 +351,7 @@ impl Mechanism {
     fn place(&self, text: &str) -> Result<Place, (String, String)> {
         match self {
             Mechanism::Luffing(luffing) => luffing.place(text),
+            Mechanism::Steering(steering) => steering.place(text),
         }
     }
 }

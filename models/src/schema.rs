@@ -212,6 +212,12 @@ impl Values {
                     found.push((key, place.clone(), source.map(str::to_owned)));
                 }
                 Value::Table(table) => table.quantities(&key, found),
+                Value::Tables(tables) => {
+                    for (number, table) in (1..).zip(tables) {
+                        let number: usize = number;
+                        table.quantities(&format!("{key}[{number}]"), found);
+                    }
+                }
                 _ => {}
             }
         }

@@ -5,6 +5,7 @@
 use crate::lemniscate;
 use crate::record::Trace;
 use crate::scene::{Given, Mechanism, Scene};
+use crate::steering;
 use crate::symbol::Symbol;
 
 /// All that is known about a scene.
@@ -13,6 +14,10 @@ pub struct Sheet {
     pub inputs: Vec<Input>,
     /// Formulas that do not depend on the position.
     pub constants: Vec<Section>,
+    /// The mechanism in each of its ways of working; empty where it has one.
+    pub views: Vec<View>,
+    /// Formulas by which parts are chosen; empty where none are.
+    pub sizing: Vec<Section>,
     /// Positions at which the formulas are written out.
     pub positions: Vec<Worked>,
     /// Results over the working range, one row for each position of the scene's step.
@@ -87,6 +92,7 @@ pub struct Equilibrium {
 pub fn sheet(scene: &Scene) -> Sheet {
     match &scene.mechanism {
         Mechanism::Luffing(luffing) => lemniscate::sheet::sheet(scene, luffing),
+        Mechanism::Steering(steering) => steering::sheet::sheet(scene, steering),
     }
 }
 
@@ -94,7 +100,9 @@ pub fn sheet(scene: &Scene) -> Sheet {
 pub struct Input {
     pub symbol: &'static Symbol,
     pub value: f64,
-    /// Chapter of inputs: `geometry`, `load`, `weights`, `drive`, `motion`, `limits`.
+    /// Number from 1 where there are several of the quantity.
+    pub number: Option<u16>,
+    /// Chapter of inputs: `geometry`, `load`, `weights`, `drive`, `motion`, `limits`, ...
     pub chapter: &'static str,
     /// Where the scene gives it.
     pub given: Option<Given>,
@@ -105,6 +113,20 @@ pub struct Section {
     /// Id of the heading, worded in the templates.
     pub id: &'static str,
     pub trace: Trace,
+    /// What the formulas speak of, to scale.
+    pub drawing: Option<Drawing>,
+}
+
+/// A way in which the mechanism works.
+pub struct View {
+    /// Id of the caption, worded in the templates.
+    pub id: &'static str,
+    /// What is commanded, if it is a quantity.
+    pub command: Option<(&'static Symbol, f64)>,
+    /// Whether it can be done.
+    pub reachable: bool,
+    pub drawing: Drawing,
+    pub table: Table,
 }
 
 /// A position of the mechanism with its formulas.
@@ -114,6 +136,8 @@ pub struct Worked {
     pub id: &'static str,
     pub coordinate: &'static Symbol,
     pub value: f64,
+    /// Which of several bodies the formulas speak of, numbered from 1.
+    pub of: Option<usize>,
     pub sections: Vec<Section>,
 }
 
@@ -151,6 +175,8 @@ pub struct Curve {
     pub y: &'static Symbol,
     /// Where a value is infinite the curve is broken: pieces of points.
     pub pieces: Vec<Vec<[f64; 2]>>,
+    /// Numbers of the pieces, where each is that of another body; else empty.
+    pub numbers: Vec<usize>,
 }
 
 /// A check with its limit.
@@ -218,6 +244,12 @@ pub enum Shape {
     Path { points: Vec<[f64; 2]> },
     /// A vertical centre line through `x`.
     CentreLine { x: f64, from: f64, to: f64 },
+    /// A line through a point and its axis, dash-dotted.
+    Axis { from: [f64; 2], to: [f64; 2] },
+    /// A motion from one point towards another.
+    Arrow { from: [f64; 2], to: [f64; 2] },
+    /// The number of a body.
+    Number { at: [f64; 2], number: usize },
     /// A weight hanging at a point.
     Load { at: [f64; 2], text: &'static str },
     /// A distance with arrows at both ends, `offset` metres beside the line it measures.

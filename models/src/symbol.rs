@@ -28,6 +28,17 @@ impl PartialEq for Symbol {
 }
 
 impl Symbol {
+    /// Typeset form for one of several: the index i gives way to its number.
+    #[must_use]
+    pub fn numbered(&self, number: u16) -> String {
+        for end in ["i", "i)"] {
+            if let Some(stem) = self.print.strip_suffix(end) {
+                return format!("{stem}{number}{}", &end[1..]);
+            }
+        }
+        self.print.to_owned()
+    }
+
     /// A value in SI, converted to the display unit.
     #[must_use]
     pub fn shown(&self, value: f64) -> f64 {

@@ -36,7 +36,7 @@ fn every_formula_is_dimensionally_consistent() {
     for scene in scenes() {
         let sheet = sheet(&scene);
         let worked = sheet.positions.iter().flat_map(|position| &position.sections);
-        for Section { id, trace } in sheet.constants.iter().chain(worked) {
+        for Section { id, trace, .. } in sheet.constants.iter().chain(worked) {
             assert!(trace.faults.is_empty(), "{id}: {:?}", trace.faults);
             steps += trace.steps.len();
         }

@@ -11,7 +11,7 @@ use lemnis_models::steering::machine::{Limits, Machine};
 use lemnis_models::steering::mode::{Centre, Command, Mode};
 use lemnis_models::steering::published::Layout;
 use lemnis_models::steering::reach::{Reach, reach};
-use lemnis_models::steering::ring::{Catalogue, Duty, Support, friction};
+use lemnis_models::steering::ring::{Bearing, Catalogue, Duty, friction};
 use lemnis_models::steering::sizing::{
     BORES, Piston, Rod, bore, buckling, flow, force, greatest_demand, next, pump, rates, relief,
 };
@@ -606,13 +606,14 @@ fn loads_and_sizing() {
     // With MPa, as printed, the number would be 31.6 times too great for kN·m.
     let in_mpa = 0.7 / 3.0 * (900.0_f64.powi(3) / 0.9).sqrt();
     assert!((in_mpa / in_kn_kpa - 1000.0_f64.sqrt()).abs() <= 1e-12);
-    let support = Support {
-        f_a: 900e3,
+    let bearing = Bearing {
         l_max: 0.3,
         f_s: 1.25,
         k_test: 1.25,
+        mu_r: 0.006,
+        d_l: 1.0,
     };
-    let duty = Duty::new(&support).expect("allowed");
+    let duty = Duty::new(&bearing, 900e3).expect("allowed");
     assert!((duty.f - 1406.25e3).abs() <= 1e-9 && (duty.m - 421.875e3).abs() <= 1e-9);
     assert!((duty.f_bolt - 1125e3).abs() <= 1e-9 && (duty.m_bolt - 337.5e3).abs() <= 1e-9);
     let catalogue = Catalogue::example();
@@ -625,7 +626,7 @@ fn loads_and_sizing() {
             .all(|parts| parts.is_none_or(|p| p.iter().any(|x| *x > 1.0)))
     );
     // mu/2 (4.4 M + F D) = 0.003 · (4.4 · 270 + 900) kN·m.
-    let drag = friction(0.006, 270e3, 900e3, 1.0);
+    let drag = friction(&bearing, 900e3);
     assert!((drag - 0.003 * 2088e3).abs() <= 1e-9);
     let limits = Limits::new(-LAYOUT.pivot(), LAYOUT.pivot(), Vec::new()).expect("valid");
     let extremes = CYLINDER.linkage(false).over(&limits).expect("between dead points");
@@ -920,15 +921,17 @@ fn dimensions() {
         }
         .map(&mut given.clone());
         let moment = resistance(&tyre, given(&s::G, 900e3)).standing;
-        let support = Support {
-            f_a: 900e3,
+        let bearing = Bearing {
             l_max: 0.3,
             f_s: 1.25,
             k_test: 1.25,
+            mu_r: 0.006,
+            d_l: 1.0,
         }
         .map(&mut given.clone());
-        let duty = Duty::new(&support).expect("allowed");
-        let drag = friction(given(&s::MU_R, 0.006), duty.m, duty.f, given(&s::D_L, 1.0));
+        let f_a = given(&s::F_A, 900e3);
+        Duty::new(&bearing, f_a).expect("allowed");
+        let drag = friction(&bearing, f_a);
         let f_g = force((moment + drag).def(&s::T_G), pose.od);
         bore(f_g, given(&s::P, 25e6), given(&s::D, 0.14)).expect("allowed");
         let q = flow(

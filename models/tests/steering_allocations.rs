@@ -4,7 +4,9 @@ use std::alloc::{GlobalAlloc, Layout as Memory, System};
 use std::cell::Cell;
 use std::hint::black_box;
 
+use lemnis_models::model::{Model, Role};
 use lemnis_models::plane::Point;
+use lemnis_models::scene::Scene;
 use lemnis_models::steering::cylinder::{Cylinder, Linkage};
 use lemnis_models::steering::load::{Tyre, resistance};
 use lemnis_models::steering::machine::{Limits, Machine};
@@ -81,6 +83,34 @@ fn eight_groups_without_allocation() {
     let before = COUNT.get();
     for i in 0..1400 {
         evaluate(black_box(-0.5 + f64::from(i) * 1e-3));
+    }
+    assert_eq!(COUNT.get(), before, "allocations");
+}
+
+/// The same through the running model, in every mode, all outputs.
+#[test]
+fn the_model_without_allocation() {
+    let scene = Scene::parse(include_str!("../scenes/boat_hoist_003.toml")).unwrap_or_else(|found| panic!("{found:?}"));
+    let mut model = Model::new(&scene).expect("a machine");
+    let mode = model
+        .variables()
+        .iter()
+        .position(|v| v.symbol.id == "mode")
+        .expect("there");
+    let outputs: Vec<usize> = (0..model.variables().len())
+        .filter(|&i| model.variables()[i].role == Role::Output)
+        .collect();
+    let mut evaluate = |theta: f64, number: u32| {
+        model.set(0, theta).expect("allowed");
+        model.set(mode, f64::from(number)).expect("a mode");
+        for &index in &outputs {
+            black_box(model.get(index).expect("a value"));
+        }
+    };
+    evaluate(0.3, 6);
+    let before = COUNT.get();
+    for i in 0..900 {
+        evaluate(black_box(-0.4 + f64::from(i) * 1e-3), 1 + i % 9);
     }
     assert_eq!(COUNT.get(), before, "allocations");
 }

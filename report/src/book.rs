@@ -18,9 +18,9 @@ use serde::Serialize;
 use crate::book::balance::Balance;
 use crate::book::steps::{Notation, Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
-use crate::book::tables::{Chapter, Check, Published, Sensitivity, Summary, Table};
+use crate::book::tables::{Chapter, Check, Published, Sensitivity, Summary, Table, View};
 use crate::formula::quantity;
-use crate::language::Language;
+use crate::language::{Language, symbols};
 use crate::plot;
 use crate::template::Templates;
 
@@ -99,6 +99,9 @@ pub(crate) struct Book<'a> {
     version: String,
     level: &'a str,
     html: bool,
+    /// Names the words that speak of this mechanism alone, and those of its symbols.
+    mechanism: &'static str,
+    symbols: &'static str,
     /// Ids of the chapters in their order.
     chapters: Vec<&'static str>,
     passed: bool,
@@ -110,6 +113,8 @@ pub(crate) struct Book<'a> {
     scale: u32,
     constants: Vec<Section>,
     positions: Vec<Position>,
+    views: Vec<View>,
+    sizing: Vec<Section>,
     range: Table,
     curves: Vec<Figure>,
     balance: Option<Balance>,
@@ -169,6 +174,9 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
     };
     let has = |chapter: &&str| match *chapter {
         "published" => !sheet.published.is_empty(),
+        "sensitivity" => !sheet.sensitivity.results.is_empty(),
+        "views" => !sheet.views.is_empty(),
+        "sizing" => !sheet.sizing.is_empty(),
         "remarks" => !sheet.remarks.is_empty(),
         "balance" => sheet.balance.is_some(),
         "synthesis" => scene.mechanism.luffing().is_some_and(|it| it.synthesis.is_some()),
@@ -184,17 +192,20 @@ impl<'a> Book<'a> {
         let mut notation = Notation::new(sheet, &chapters);
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
+        let mut sizing = Vec::new();
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
             match *chapter {
                 "inputs" => inputs = tables::inputs(language, sheet, &mut notation),
                 "constants" => constants = steps::sections(language, &sheet.constants, None, &mut notation),
+                "sizing" => sizing = steps::sections(language, &sheet.sizing, None, &mut notation),
                 "positions" => {
                     let outputs = (!full).then_some(sheet.outputs.as_slice());
                     let position = |position: &lemnis_models::sheet::Worked| Position {
                         id: position.id,
                         symbol: position.coordinate.print,
                         value: quantity(language, position.coordinate, position.value),
+                        of: position.of,
                         sections: steps::sections(language, &position.sections, outputs, &mut notation),
                     };
                     positions = sheet.positions.iter().map(position).collect();
@@ -209,7 +220,10 @@ impl<'a> Book<'a> {
             let criteria = b.criteria.iter().map(|c| c.summary.symbol);
             criteria.chain(b.range.columns.iter().copied())
         });
-        for symbol in results.chain(sheet.range.columns.iter().copied()).chain(balance) {
+        let tables = sheet.views.iter().flat_map(|view| &view.table.columns);
+        let tables = tables.chain(&sheet.range.columns).copied();
+        let curves = sheet.curves.iter().flat_map(|curve| [curve.x, curve.y]);
+        for symbol in results.chain(tables).chain(curves).chain(balance) {
             notation.meet(symbol);
         }
         let compares = chapters.contains(&"synthesis");
@@ -230,6 +244,8 @@ impl<'a> Book<'a> {
             attachment: format!("{}.toml", scene.name()),
             version,
             level: edition.level,
+            mechanism: scene.mechanism.id(),
+            symbols: symbols(scene.mechanism.id()),
             html: format == Format::Html,
             passed: sheet.checks.iter().all(lemnis_models::sheet::Check::passed),
             checks: sheet.checks.iter().map(|c| tables::check(language, c)).collect(),
@@ -240,6 +256,8 @@ impl<'a> Book<'a> {
             drawing: json(&drawing),
             constants,
             positions,
+            views: sheet.views.iter().map(|view| tables::view(language, view)).collect(),
+            sizing,
             range: tables::table(language, &sheet.range),
             curves: sheet.curves.iter().map(figure).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(language, b)),

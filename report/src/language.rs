@@ -5,7 +5,8 @@
 //! have their international symbols, as standards and publications in all
 //! three languages write them.
 
-use lemnis_models::{balance, lemniscate};
+use lemnis_models::symbol::Symbol;
+use lemnis_models::{balance, lemniscate, steering};
 
 use crate::template::escape;
 
@@ -75,6 +76,20 @@ impl Language {
     }
 }
 
+/// The symbols of each mechanism, by the scene's name for it.
+const SYMBOLS: [(&str, &[&[&Symbol]]); 2] = [
+    ("luffing", &[lemniscate::symbols::ALL, balance::symbols::ALL]),
+    ("steering", &[steering::symbols::ALL]),
+];
+
+/// The group of words for a mechanism's symbols.
+pub(crate) fn symbols(mechanism: &str) -> &'static str {
+    match mechanism {
+        "steering" => "steering_symbol",
+        _ => "symbol",
+    }
+}
+
 /// The words of a language, in groups; Typst markup.
 #[derive(Clone, Debug)]
 pub(crate) struct Words(toml::Table);
@@ -87,11 +102,13 @@ impl Words {
     pub(crate) fn new(language: &Language, own: Option<&str>, own_references: Option<&str>) -> Result<Words, String> {
         let mut words = parse(&language.file(), language.words)?;
         if language.code == LANGUAGES[0].code {
-            let meanings = lemniscate::symbols::ALL
-                .iter()
-                .chain(balance::symbols::ALL)
-                .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
-            words.insert("symbol".to_owned(), toml::Value::Table(meanings.collect()));
+            for (mechanism, tables) in SYMBOLS {
+                let meanings = tables
+                    .iter()
+                    .flat_map(|table| *table)
+                    .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
+                words.insert(symbols(mechanism).to_owned(), toml::Value::Table(meanings.collect()));
+            }
             words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?.into());
         }
         let mut replace = |group: String, own: toml::Table| {

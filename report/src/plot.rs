@@ -102,6 +102,8 @@ const SCALES: [u32; 15] = [10, 15, 20, 25, 50, 75, 100, 150, 200, 250, 300, 400,
 pub const PAGE: Point = [166.0, 190.0];
 /// Room around a drawing for labels and supports.
 const MARGIN: Point = [3.5, 7.0];
+/// Largest size of one of many.
+pub const SMALL: Point = [80.0, 100.0];
 
 /// Largest size of one of two drawings side by side.
 pub const HALF: Point = [80.0, 80.0];
@@ -140,7 +142,12 @@ pub fn drawing(drawing: &Drawing, largest: Point) -> Picture {
 fn extent(shape: &Shape) -> Vec<Point> {
     match shape {
         Shape::Body { points, .. } | Shape::Path { points } => points.clone(),
-        Shape::Pin { at, .. } | Shape::Label { at, .. } | Shape::Load { at, .. } | Shape::Angle { at, .. } => vec![*at],
+        Shape::Pin { at, .. }
+        | Shape::Label { at, .. }
+        | Shape::Number { at, .. }
+        | Shape::Load { at, .. }
+        | Shape::Angle { at, .. } => vec![*at],
+        Shape::Axis { from, to } | Shape::Arrow { from, to } => vec![*from, *to],
         Shape::CentreLine { x, from, to } => vec![[*x, *from], [*x, *to]],
         Shape::Distance { from, to, offset, .. } => {
             let [x, y] = unit(*from, *to);
@@ -181,6 +188,13 @@ fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(P
             let points: Vec<Point> = points.iter().copied().map(place).collect();
             picture.line("path", &points);
         }
+        Shape::Axis { from, to } => picture.line("axis", &[place(*from), place(*to)]),
+        Shape::Arrow { from, to } => {
+            let (from, to) = (place(*from), place(*to));
+            picture.line("thin", &[from, to]);
+            picture.arrow(from, to);
+        }
+        Shape::Number { at, number } => picture.text(place(*at), "centre", number.to_string()),
         Shape::CentreLine { x, from, to } => picture.line("axis", &[place([*x, *from]), place([*x, *to])]),
         Shape::Load { at, text } => {
             let [x, y] = place(*at);
@@ -268,6 +282,7 @@ fn free_side(drawing: &Drawing, at: Point) -> Point {
                 }
             }
             Shape::Angle { at: centre, .. } if *centre == at => taken.push([1.0, 0.0]),
+            Shape::Axis { from, to } if *to == at => taken.push(unit(at, *from)),
             Shape::Pin {
                 at: pin, fixed: true, ..
             }
@@ -489,8 +504,16 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
     for piece in &pieces {
         picture.line("curve", &piece.iter().copied().map(place).collect::<Vec<_>>());
     }
+    // Where they end, every other one further in.
+    for (piece, number) in pieces.iter().zip(&curve.numbers) {
+        let at = piece.len() - 1 - if number % 2 == 0 { piece.len() / 12 } else { 0 };
+        if let Some(point) = piece.get(at) {
+            let [x, y] = place(*point);
+            picture.text([x - 1.6, y], "centre", number.to_string());
+        }
+    }
     // A curve that is broken runs to infinity between its pieces: no extremes.
-    if let [piece] = pieces.as_slice() {
+    if let ([piece], []) = (pieces.as_slice(), curve.numbers.as_slice()) {
         let extreme = |sign: f64| {
             piece
                 .iter()

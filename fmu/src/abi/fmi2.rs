@@ -190,7 +190,7 @@ exports! { FMI2, i;
 
     fn fmi2SetReal(references: *const u32, n: usize, values: *const f64) in SET | CONTINUOUS =>
         i.set_reals(slice(references, n)?, slice(values, n)?);
-    fn fmi2SetInteger(references: *const u32, n: usize, values: *const c_int) in SET =>
+    fn fmi2SetInteger(references: *const u32, n: usize, values: *const c_int) in SET | CONTINUOUS =>
         i.set_enumerations(slice(references, n)?, slice(values, n)?);
     fn fmi2SetBoolean(references: *const u32, n: usize, _: *const fmi2Boolean) in SET =>
         i.set_booleans(slice(references, n)?);

@@ -179,7 +179,7 @@ exports! { FMI3, i;
     fn fmi3SetUInt16(_: *const u32, n: usize, _: *const u16, _: usize) in SET => expect_none(n);
     fn fmi3SetInt32(_: *const u32, n: usize, _: *const i32, _: usize) in SET => expect_none(n);
     fn fmi3SetUInt32(_: *const u32, n: usize, _: *const u32, _: usize) in SET => expect_none(n);
-    fn fmi3SetInt64(references: *const u32, n: usize, values: *const i64, m: usize) in SET =>
+    fn fmi3SetInt64(references: *const u32, n: usize, values: *const i64, m: usize) in SET | CONTINUOUS =>
         i.set_enumerations(slice(references, n)?, slice(values, m)?);
     fn fmi3SetUInt64(_: *const u32, n: usize, _: *const u64, _: usize) in SET => expect_none(n);
     fn fmi3SetBoolean(references: *const u32, n: usize, _: *const fmi3Boolean, _: usize) in SET =>

@@ -150,7 +150,7 @@ impl Model {
     /// Duration of one run through the working range, in s.
     #[must_use]
     pub fn stop_time(&self) -> f64 {
-        nanosecond((self.motion.to - self.motion.from) / self.motion.speed)
+        self.motion.stop_time()
     }
 
     /// Values of the first variable in tables, in SI.
@@ -162,7 +162,7 @@ impl Model {
     /// Time for one step of the scene's tables, in s.
     #[must_use]
     pub fn step_size(&self) -> f64 {
-        nanosecond(self.motion.step / self.motion.speed)
+        self.motion.step_size()
     }
 
     /// Value of a variable in SI; truth values are 0 and 1.
@@ -396,7 +396,7 @@ impl Model {
         let theta = if self.state.given {
             of(|slot| matches!(slot, Slot::Theta), theta)
         } else {
-            swept(&self.motion, omega, f(&TIME, self.state.time))
+            self.motion.swept(omega, f(&TIME, self.state.time))
         };
         let q = of(|slot| matches!(slot, Slot::Load), q);
         Inputs { theta, omega, q }
@@ -418,7 +418,7 @@ impl Model {
     fn sweep(&mut self) {
         if !self.state.given {
             let evaluation = &mut self.state.evaluation;
-            evaluation.set_theta(swept(&self.motion, evaluation.inputs().omega, self.state.time));
+            evaluation.set_theta(self.motion.swept(evaluation.inputs().omega, self.state.time));
         }
     }
 
@@ -431,25 +431,6 @@ impl Model {
         });
         found
     }
-}
-
-/// The angle of the driven bar (rad) that runs through the working range by itself.
-fn swept<C: Calc>(motion: &Motion, omega: C, time: C) -> C {
-    let theta = C::constant(motion.from) + omega * time;
-    // Not `clamp`: beyond an end the angle does not change any more.
-    if theta.value() < motion.from {
-        C::constant(motion.from)
-    } else if theta.value() > motion.to {
-        C::constant(motion.to)
-    } else {
-        theta
-    }
-}
-
-/// A time without the rounding of angles: 60 s, not 59.999999999999993 s.
-fn nanosecond(time: f64) -> f64 {
-    let rounded = (time * 1e9).round() / 1e9;
-    if rounded > 0.0 { rounded } else { time }
 }
 
 /// Smallest and greatest value of a variable, in SI.

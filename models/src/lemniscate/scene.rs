@@ -12,6 +12,7 @@ use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Leng
 use crate::lemniscate::governing::{coordinate, governed};
 use crate::lemniscate::moving;
 use crate::lemniscate::symbols as s;
+pub use crate::motion::Motion;
 use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values};
 use crate::symbol::Symbol;
@@ -183,32 +184,6 @@ pub struct Luffing {
     pub synthesis: Option<Task>,
     /// Published results of the balance.
     pub published_balance: Option<balance::scene::Published>,
-}
-
-/// Working range of the driven bar, in rad and rad/s.
-#[derive(Clone, Copy, Debug)]
-pub struct Motion {
-    pub from: f64,
-    pub to: f64,
-    pub step: f64,
-    pub speed: f64,
-}
-
-impl Motion {
-    /// The angles of tables: every step from the start, and the end.
-    #[must_use]
-    pub fn angles(&self) -> Vec<f64> {
-        let steps = ((self.to - self.from) / self.step).round().max(1.0);
-        (0..=steps as u32)
-            .map(|i| {
-                if f64::from(i) == steps {
-                    self.to
-                } else {
-                    self.from + f64::from(i) * self.step
-                }
-            })
-            .collect()
-    }
 }
 
 /// Limits that the book checks.

@@ -42,6 +42,8 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
     Sheet {
         inputs: inputs(scene, luffing),
         constants: constants(luffing),
+        views: Vec::new(),
+        sizing: Vec::new(),
         positions: positions
             .into_iter()
             .map(|(id, theta)| worked(luffing, id, coordinate, theta))
@@ -94,6 +96,7 @@ fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
     let mut add = |chapter: &'static str, table: &str, name: &str, symbol: &'static Symbol, value: f64| {
         inputs.push(Input {
             symbol,
+            number: None,
             value,
             chapter,
             given: scene.given(&format!("luffing.{table}{name}")).cloned(),
@@ -150,6 +153,7 @@ fn constants(luffing: &Luffing) -> Vec<Section> {
     let mut sections = vec![Section {
         id: "geometry_constants",
         trace,
+        drawing: None,
     }];
     let (mut trace, _) = record(|| {
         let parameters = parameters();
@@ -161,6 +165,7 @@ fn constants(luffing: &Luffing) -> Vec<Section> {
         sections.push(Section {
             id: "balance_constants",
             trace,
+            drawing: None,
         });
     }
     sections
@@ -180,13 +185,18 @@ fn worked(luffing: &Luffing, id: &'static str, coordinate: &'static Symbol, thet
         seen += new.len();
         trace.steps = new;
         if there && !trace.steps.is_empty() {
-            sections.push(Section { id, trace });
+            sections.push(Section {
+                id,
+                trace,
+                drawing: None,
+            });
         }
     }
     Worked {
         id,
         coordinate,
         value: theta,
+        of: None,
         sections,
     }
 }
@@ -384,7 +394,13 @@ fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> 
             .filter(|piece| piece.len() > 1)
             .map(|piece| piece.iter().map(|point| [point[0], point[1]]).collect())
             .collect();
-        Curve { id, x, y, pieces }
+        Curve {
+            id,
+            x,
+            y,
+            pieces,
+            numbers: Vec::new(),
+        }
     };
     // With boom and rocker always parallel, nothing is left of the path of the centre.
     list.into_iter()

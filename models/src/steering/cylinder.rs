@@ -79,7 +79,7 @@ impl<C: Calc> Linkage<C> {
     #[inline]
     pub fn at(&self, turn: Point<C>) -> Pose<C> {
         let (sin, sense) = if self.mirrored { (-turn.y, -1.0) } else { (turn.y, 1.0) };
-        let c = plane::turned(self.c, turn.x, sin);
+        let c = plane::def(plane::turned(self.c, turn.x, sin), [&s::CT_X, &s::CT_Y]);
         let line = Point::new(c.x - self.b.x, c.y - self.b.y);
         let l = plane::length(line).def(&s::L_C);
         let od = plane::cross(c, line) / l;

@@ -84,6 +84,9 @@ pub struct Machine<C> {
     /// Foremost and rearmost axle line's x.
     pub front: C,
     pub rear: C,
+    /// Outermost groups' y.
+    pub left: C,
+    pub right: C,
     /// Midway between the outermost groups.
     pub middle: Point<C>,
 }
@@ -154,8 +157,14 @@ impl<C: Calc> Machine<C> {
                 }
             })
         };
-        let (front, rear) = (greatest(|p| p.x, 1.0), greatest(|p| p.x, -1.0));
-        let (left, right) = (greatest(|p| p.y, 1.0), greatest(|p| p.y, -1.0));
+        let (front, rear) = (
+            greatest(|p| p.x, 1.0).def(&s::X_F),
+            greatest(|p| p.x, -1.0).def(&s::X_R),
+        );
+        let (left, right) = (
+            greatest(|p| p.y, 1.0).def(&s::Y_L),
+            greatest(|p| p.y, -1.0).def(&s::Y_R),
+        );
         let two = C::constant(2.0);
         let middle = Point::new(((front + rear) / two).def(&s::X_M), ((left + right) / two).def(&s::Y_M));
         Ok(Machine {
@@ -165,6 +174,8 @@ impl<C: Calc> Machine<C> {
             rear_base,
             front,
             rear,
+            left,
+            right,
             middle,
         })
     }
@@ -182,6 +193,8 @@ impl<C: Calc> Machine<C> {
             rear_base: self.rear_base,
             front: f(self.front),
             rear: f(self.rear),
+            left: f(self.left),
+            right: f(self.right),
             middle: point(&self.middle),
         }
     }

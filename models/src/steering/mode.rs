@@ -223,6 +223,25 @@ impl Mode {
         }
     }
 
+    /// How the turning centre moves with the commanded angle: its rolling
+    /// directions are the derivatives of those of [`Mode::centre`]. `None` where
+    /// the mode takes no angle.
+    #[inline]
+    pub fn slope<C: Calc>(self, machine: &Machine<C>, theta: C) -> Option<Centre<C>> {
+        let (sin, cos) = theta.sin_cos();
+        if self == Mode::Crab {
+            return Some(Centre::Far(Point::new(-sin, cos)));
+        }
+        let (line, base) = machine.line(self)?;
+        let from = machine.groups[base];
+        let lever = from.x - line;
+        let d = Point::new(-(lever * cos), -(lever * sin));
+        Some(match lever.value() > 0.0 {
+            true => Centre::Beyond { from, d, w: cos },
+            false => Centre::Beyond { from, d: -d, w: -cos },
+        })
+    }
+
     fn wants(self, given: &str) -> Refusal {
         let wanted = match self {
             Mode::Straight | Mode::Crosswise | Mode::Pivot => "no command",

@@ -7,9 +7,10 @@ use crate::steering::symbols as s;
 use crate::symbol::quantities;
 
 quantities! {
-    /// Vertical force on a ring (N), greatest arm of it (m), safety factor of the
-    /// use, factor of the test load. The paper takes 1.25 for both factors.
-    Support { f_a: F_A, l_max: L_MAX, f_s: F_S, k_test: K_TEST }
+    /// A group's slewing ring: greatest arm of the vertical force (m), safety factor
+    /// of the use, factor of the test load, friction, diameter of the raceway (m).
+    /// The paper takes 1.25 for both factors.
+    Bearing { l_max: L_MAX, f_s: F_S, k_test: K_TEST, mu_r: MU_R, d_l: D_L }
 }
 
 /// What the curves must bear: force (N) and overturning moment (N·m).
@@ -25,23 +26,34 @@ pub struct Duty<C> {
 
 impl<C: Calc> Duty<C> {
     /// F_a′ = 1.25 F_s F_a, M′ = F_a′ L_max; for the bolts without F_s. [Zhang2016, 4]
-    pub fn new(support: &Support<C>) -> Result<Duty<C>, Refusal> {
-        within(&s::F_A, support.f_a, 0.0, f64::INFINITY, false)?;
-        within(&s::L_MAX, support.l_max, 0.0, 100.0, false)?;
-        within(&s::F_S, support.f_s, 1.0, 10.0, false)?;
-        within(&s::K_TEST, support.k_test, 1.0, 10.0, false)?;
-        let f = (support.k_test * support.f_s * support.f_a).def(&s::F_A_REF);
-        let m = (support.k_test * support.f_s * support.f_a * support.l_max).def(&s::M_REF);
-        let f_bolt = (support.k_test * support.f_a).def(&s::F_BOLT);
-        let m_bolt = (support.k_test * support.f_a * support.l_max).def(&s::M_BOLT);
+    pub fn new(ring: &Bearing<C>, f_a: C) -> Result<Duty<C>, Refusal> {
+        within(&s::F_A, f_a, 0.0, f64::INFINITY, false)?;
+        ring.check()?;
+        let f = (ring.k_test * ring.f_s * f_a).def(&s::F_A_REF);
+        let m = (ring.k_test * ring.f_s * f_a * ring.l_max).def(&s::M_REF);
+        let f_bolt = (ring.k_test * f_a).def(&s::F_BOLT);
+        let m_bolt = (ring.k_test * f_a * ring.l_max).def(&s::M_BOLT);
         Ok(Duty { f, m, f_bolt, m_bolt })
     }
 }
 
-/// Friction moment of a ring, in N·m: `mu` its coefficient, `m` and `f_a` its load
-/// (N·m, N), `d_l` its raceway diameter (m). Form of makers' catalogues, without radial load.
-pub fn friction<C: Calc>(mu: C, m: C, f_a: C, d_l: C) -> C {
-    (mu / C::constant(2.0) * (C::constant(4.4) * m + f_a * d_l)).def(&s::M_F)
+impl<C: Calc> Bearing<C> {
+    pub fn check(&self) -> Result<(), Refusal> {
+        within(&s::L_MAX, self.l_max, 0.0, 100.0, false)?;
+        within(&s::F_S, self.f_s, 1.0, 10.0, false)?;
+        within(&s::K_TEST, self.k_test, 1.0, 10.0, false)?;
+        within(&s::MU_R, self.mu_r, 0.0, 1.0, false)?;
+        within(&s::D_L, self.d_l, 0.0, 100.0, true)?;
+        Ok(())
+    }
+}
+
+/// Friction moment of a ring under a vertical force (N) at its greatest arm, in
+/// N·m. Form of makers' catalogues, without radial load.
+#[inline]
+pub fn friction<C: Calc>(ring: &Bearing<C>, f_a: C) -> C {
+    let load = C::constant(4.4) * f_a * ring.l_max + f_a * ring.d_l;
+    (ring.mu_r / C::constant(2.0) * load).def(&s::M_F)
 }
 
 /// A load curve: points (force N, moment N·m) with rising force.

@@ -1,18 +1,17 @@
 //! Force, bore, oil flow, pump and buckling of the steering cylinders. [Zhang2016, 5.2-6]
 
-use num_dual::Dual64;
-
 use crate::calc::Calc;
-use crate::plane::Point;
 use crate::schema::short;
 use crate::steering::cylinder::Linkage;
 use crate::steering::machine::{Limits, Machine, Refusal, within};
 use crate::steering::mode::{Command, Mode};
 use crate::steering::reach::{Reach, reach};
 use crate::steering::symbols as s;
+use crate::steering::wheels::rate;
 use crate::symbol::quantities;
 
-/// Bores of ISO 3320, in m. The clause has not been seen: check it before use.
+/// Bores of ISO 3320, in m. The standard itself has not been seen; the sizes of a maker's list of
+/// ISO 6020-2 cylinders, 50 to 320 mm, are among them: check it before use.
 pub const BORES: [f64; 24] = [
     0.025, 0.032, 0.04, 0.05, 0.063, 0.08, 0.09, 0.1, 0.11, 0.125, 0.14, 0.16, 0.18, 0.2, 0.22, 0.25, 0.28, 0.32, 0.36,
     0.4, 0.45, 0.5, 0.56, 0.63,
@@ -21,6 +20,13 @@ pub const BORES: [f64; 24] = [
 quantities! {
     /// Bore and rod of a steering cylinder, in m.
     Piston { d_g: D_G, d: D }
+}
+
+quantities! {
+    /// Oil supply: working pressure (Pa), speed (1/s) and volumetric efficiency of
+    /// the pump, relief valve's pressure over the working pressure; Young's modulus
+    /// (Pa) and safety factor of the rod against buckling.
+    Hydraulics { p: P, n: N, eta: ETA, k_r: K_R, e: E, nu: NU }
 }
 
 /// Force of a cylinder, in N, against a moment (N·m) at a lever arm (m): f_g = T_g/od. [Zhang2016, 5.2]
@@ -69,17 +75,12 @@ pub fn flow<C: Calc>(piston: &Piston<C>, speed: C) -> C {
     (area.def(&s::A_G) * speed).def(&s::Q_G)
 }
 
-/// Angle of each group for one radian of the command's angle, by dual numbers.
-/// Zero for a group on the turning centre, whose angle stays.
+/// Angle of each group for one radian of the command's angle.
 pub fn rates(machine: &Machine<f64>, mode: Mode, theta: f64, rates: &mut [f64]) -> Result<(), Refusal> {
-    let centre = mode.centre(&machine.map(Dual64::from_re), Command::Angle(Dual64::new(theta, 1.0)))?;
-    for (p, rate) in machine.groups.iter().zip(rates.iter_mut()) {
-        let along = centre.rolling(Point::new(Dual64::from_re(p.x), Dual64::from_re(p.y)));
-        *rate = if along.x.re == 0.0 && along.y.re == 0.0 {
-            0.0
-        } else {
-            Dual64::direction(along.x, along.y).eps
-        };
+    let centre = mode.centre(machine, Command::Angle(theta))?;
+    let slope = mode.slope(machine, theta);
+    for (p, slot) in machine.groups.iter().zip(rates.iter_mut()) {
+        *slot = slope.map_or(0.0, |slope| rate(&centre, &slope, *p));
     }
     Ok(())
 }
@@ -165,6 +166,7 @@ pub fn buckling<C: Calc>(rod: &Rod<C>) -> Result<C, Refusal> {
     within(&s::D, rod.d, 0.0, 2.0, true)?;
     within(&s::L_K, rod.l_k, 0.0, 100.0, true)?;
     within(&s::NU, rod.nu, 1.0, 20.0, false)?;
-    let pi_3 = C::constant(std::f64::consts::PI.powi(3) / 64.0);
-    Ok((pi_3 * rod.e * rod.d.square().square() / (rod.nu * rod.l_k.square())).def(&s::F_K))
+    let pi = C::constant(std::f64::consts::PI);
+    let stiffness = pi * pi.square() * rod.e * rod.d.square().square();
+    Ok((stiffness / (C::constant(64.0) * rod.nu * rod.l_k.square())).def(&s::F_K))
 }

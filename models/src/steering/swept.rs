@@ -26,59 +26,61 @@ pub fn moved<C: Calc>(centre: &Centre<C>, fastest: C, p: Point<C>, distance: C) 
 
 /// The lane that the outline sweeps while the centre stays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Swept {
+pub struct Swept<C> {
     /// Distance from the centre to the nearest and the farthest point of the
     /// outline, in m; infinite for a centre at infinity.
-    pub inner: f64,
-    pub outer: f64,
+    pub inner: C,
+    pub outer: C,
     /// Width of the lane, in m: what `outer` − `inner` is, without cancellation.
-    pub width: f64,
+    pub width: C,
 }
 
-impl Swept {
+impl<C: Calc> Swept<C> {
     /// For the convex outline with these corners, in order around it; `None` for fewer than three.
     #[must_use]
-    pub fn new(corners: &[Point<f64>], centre: &Centre<f64>) -> Option<Swept> {
+    pub fn new(corners: &[Point<C>], centre: &Centre<C>) -> Option<Swept<C>> {
         if corners.len() < 3 {
             return None;
         }
-        let w = centre.turning().unwrap_or(0.0);
-        let reach = |p: Point<f64>| plane::length(centre.rolling(p));
+        let w = centre.turning().unwrap_or(C::constant(0.0));
+        let sign = C::constant(w.value().signum());
+        let reach = |p: Point<C>| plane::length(centre.rolling(p));
         let edges = || corners.iter().zip(corners.iter().cycle().skip(1));
         let (mut far, mut near) = (corners[0], corners[0]);
         let mut turns = [false; 2];
         for (&p, &q) in edges() {
-            if reach(p) > reach(far) {
+            if reach(p).value() > reach(far).value() {
                 far = p;
             }
             let nearest = nearest(centre, w, p, q);
-            if reach(nearest) < reach(near) {
+            if reach(nearest).value() < reach(near).value() {
                 near = nearest;
             }
             // The centre lies on one side of every edge where it lies inside.
-            let side = plane::dot(q - p, centre.rolling(p)) * w;
+            let side = (plane::dot(q - p, centre.rolling(p)) * w).value();
             turns[0] |= side >= 0.0;
             turns[1] |= side <= 0.0;
         }
-        if w == 0.0 {
+        if w.value() == 0.0 {
             let along = centre.rolling(corners[0]);
-            let across = |p: &Point<f64>| plane::cross(along, *p) / plane::length(along);
-            let (low, high) = corners
-                .iter()
-                .map(across)
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-                    (low.min(x), high.max(x))
-                });
+            let across = |p: &Point<C>| plane::cross(along, *p) / plane::length(along);
+            let first = across(&corners[0]);
+            let (low, high) = corners.iter().map(across).fold((first, first), |(low, high), x| {
+                (
+                    if x.value() < low.value() { x } else { low },
+                    if x.value() > high.value() { x } else { high },
+                )
+            });
             return Some(Swept {
-                inner: f64::INFINITY,
-                outer: f64::INFINITY,
+                inner: C::constant(f64::INFINITY),
+                outer: C::constant(f64::INFINITY),
                 width: high - low,
             });
         }
         let outer = reach(far) / w.abs();
         if turns[0] != turns[1] {
             return Some(Swept {
-                inner: 0.0,
+                inner: C::constant(0.0),
                 outer,
                 width: outer,
             });
@@ -86,7 +88,7 @@ impl Swept {
         // |f|² − |n|² = (f − n)·(f + n) over the rolling vectors, whose difference is w times the distance.
         let apart = far - near;
         let sum = centre.rolling(far) + centre.rolling(near);
-        let width = plane::cross(apart, sum) * w.signum() / (reach(far) + reach(near));
+        let width = plane::cross(apart, sum) * sign / (reach(far) + reach(near));
         Some(Swept {
             inner: reach(near) / w.abs(),
             outer,
@@ -96,14 +98,14 @@ impl Swept {
 }
 
 /// Point of the edge from `p` to `q` that is nearest to the centre.
-fn nearest(centre: &Centre<f64>, w: f64, p: Point<f64>, q: Point<f64>) -> Point<f64> {
+fn nearest<C: Calc>(centre: &Centre<C>, w: C, p: Point<C>, q: Point<C>) -> Point<C> {
     let edge = q - p;
     // Rolling vectors are those to the centre, turned by a right angle and stretched by w.
-    let along = -plane::cross(edge, centre.rolling(p)) * w.signum();
+    let along = -plane::cross(edge, centre.rolling(p)) * C::constant(w.value().signum());
     let whole = plane::dot(edge, edge) * w.abs();
-    if along <= 0.0 {
+    if along.value() <= 0.0 {
         p
-    } else if along >= whole {
+    } else if along.value() >= whole.value() {
         q
     } else {
         p + edge * (along / whole)

@@ -5,11 +5,41 @@ use crate::symbol::symbols;
 symbols! {
     // Command and motion.
     THETA_B: "theta_b" "theta_b" RAD / DEG, "Commanded angle of the base group, counter-clockwise from straight ahead.", "[Zhang2016, 2]";
-    R_T: "R_t" "R_t" M / M, "Turning radius: from the machine's middle line to the turning centre, left positive.", "derived";
+    R_T: "R_t" "R_t" M / M, "Commanded radius: from the machine's middle line to the turning centre, left positive.", "derived";
+    O_CX: "x_c" "x_(O c)" M / M, "Commanded turning centre, forward.", "input";
+    O_CY: "y_c" "y_(O c)" M / M, "Commanded turning centre, to the left.", "input";
+    MODE: "mode" "m" ONE / ONE, "Travel mode.", "[Zhang2016, 2]";
+    COMMAND: "command" "k_c" ONE / ONE, "What commands front-axle, rear-axle and all-wheel steering.", "input";
+    CORNER: "corner" "k_e" ONE / ONE, "Corner of the outline about which the mode corner turns.", "input";
+    X_I: "x" "x_i" M / M, "Axis of a steered group, forward.", "input";
+    Y_I: "y" "y_i" M / M, "Axis of a steered group, to the left.", "input";
+    X_B: "x_b" "x_B" M / M, "Axis of the base group, forward.", "input";
+    Y_B: "y_b" "y_B" M / M, "Axis of the base group, to the left.", "input";
+    X_F: "x_F" "x_F" M / M, "Foremost axle line.", "derived";
+    X_R: "x_R" "x_R" M / M, "Rearmost axle line.", "derived";
+    Y_L: "y_L" "y_L" M / M, "Outermost group to the left.", "derived";
+    Y_R: "y_R" "y_R" M / M, "Outermost group to the right.", "derived";
+    E_F: "e_F" "x_(e F)" M / M, "Front of the machine's outline.", "input";
+    E_R: "e_R" "x_(e R)" M / M, "Rear of the machine's outline.", "input";
+    E_LEFT: "e_left" "y_(e L)" M / M, "Left side of the machine's outline.", "input";
+    E_RIGHT: "e_right" "y_(e R)" M / M, "Right side of the machine's outline.", "input";
+    THETA_MIN: "theta_min" "theta_min" RAD / DEG, "Greatest angle that a group turns clockwise, negative.", "input";
+    THETA_MAX: "theta_max" "theta_max" RAD / DEG, "Greatest angle that a group turns counter-clockwise.", "input";
     OMEGA_S: "omega_s" "omega_s" RAD_PER_S / DEG_PER_S, "Steering speed: rate of the commanded angle.", "input";
     V_T: "v_t" "v_t" M_PER_S / M_PER_MIN, "Travel speed: that of the fastest group; positive travels forward.", "input";
     THETA: "theta" "theta_i" RAD / DEG, "Heading of a group, counter-clockwise from straight ahead.", "[Zhang2016, eq. 1-9]";
     V: "v" "v_i" M_PER_S / M_PER_MIN, "Rolling speed of a group along its heading; negative rolls backwards.", "rigid body";
+    U_X: "u.x" "u_(x i)" M / M, "Rolling direction of a group, forward: what a turn about the centre gives it.", "rigid body";
+    U_Y: "u.y" "u_(y i)" M / M, "Rolling direction of a group, to the left.", "rigid body";
+    U: "u" "u_i" M / M, "Speed of a group over the turn about the centre.", "rigid body";
+    U_MAX: "u_max" "u_max" M / M, "Greatest of these over all groups.", "rigid body";
+    UD_X: "u_d.x" "u'_(x i)" M / M, "Change of the rolling direction with the commanded angle, forward.", "derived";
+    UD_Y: "u_d.y" "u'_(y i)" M / M, "Change of the rolling direction with the commanded angle, to the left.", "derived";
+    C_I: "c_i" "c_i" ONE / ONE, "Cosine of a group's heading.", "derived";
+    S_I: "s_i" "s_i" ONE / ONE, "Sine of a group's heading.", "derived";
+    OMEGA_I: "theta_dot" "omega_i" RAD_PER_S / DEG_PER_S, "Rate of a group's angle while the commanded angle moves at the steering speed.", "derived";
+    MARGIN: "margin" "Delta theta" RAD / DEG, "Smallest angle that is left between a group and an end of its range; negative beyond it.", "derived";
+    REACHABLE: "reachable" "r" ONE / ONE, "Whether every group can stand as commanded.", "derived";
     OMEGA: "omega" "omega" RAD_PER_S / DEG_PER_S, "Angular velocity of the machine, counter-clockwise positive.", "rigid body";
     V_MX: "v_M.x" "v_(M x)" M_PER_S / M_PER_MIN, "Velocity of the machine's middle, forward.", "rigid body";
     V_MY: "v_M.y" "v_(M y)" M_PER_S / M_PER_MIN, "Velocity of the machine's middle, to the left.", "rigid body";
@@ -17,9 +47,18 @@ symbols! {
     Y_M: "M.y" "y_M" M / M, "Middle between the outermost groups to the left and to the right.", "derived";
     O_X: "O.x" "x_O" M / M, "Turning centre, forward.", "[Zhang2016, Fig. 3]";
     O_Y: "O.y" "y_O" M / M, "Turning centre, to the left.", "[Zhang2016, Fig. 3]";
+    O_FAR: "O.at_infinity" "O_infinity" ONE / ONE, "Whether the turning centre lies at infinity.", "derived";
+    R_O: "R_O" "R_O" M / M, "Turning radius: distance of the turning centre from the machine's middle.", "derived";
+    R_IN: "R_in" "R_1" M / M, "Inner radius of the lane that the outline sweeps.", "rigid body";
+    R_OUT: "R_out" "R_2" M / M, "Outer radius of the lane that the outline sweeps.", "rigid body";
+    B_S: "b_s" "b_s" M / M, "Width of the lane that the outline sweeps.", "rigid body";
+    E_O: "e_O" "e_O" M / M, "Greatest distance at which an axle line passes the turning centre.", "derived";
+    FROM: "from" "theta_a" RAD / DEG, "Commanded angle at the start of the working range.", "input";
+    TO: "to" "theta_e" RAD / DEG, "Commanded angle at the end of the working range.", "input";
     DELTA: "delta" "delta_i" RAD / DEG, "Error of a group's angle.", "derived";
 
     // The paper's layout.
+    NUMBER: "number" "i" ONE / ONE, "Number of a group, in the order of the scene.", "input";
     S_T: "S" "S" M / M, "Track: distance between the groups of the two sides.", "[Zhang2016, Fig. 3]";
     L_1: "L_1" "L_1" M / M, "Half the distance between the inner axles.", "[Zhang2016, Fig. 3]";
     L_2: "L_2" "L_2" M / M, "Half the distance between the outer axles.", "[Zhang2016, Fig. 3]";
@@ -31,25 +70,27 @@ symbols! {
 
     // Resistance.
     W: "W" "W" N / KN, "Weight of machine and load.", "input";
+    X_G: "x_G" "x_G" M / M, "Centre of gravity, forward.", "input";
+    Y_G: "y_G" "y_G" M / M, "Centre of gravity, to the left.", "input";
     G: "G" "G_i" N / KN, "Vertical load of a group.", "[Zhang2016, 3]";
     F_T: "f_t" "f_t" ONE / ONE, "Coefficient of sliding friction between tyre and ground.", "[Zhang2016, 3]";
     P_T: "p_t" "p_t" PA / MPA, "Tyre pressure.", "[Zhang2016, 3]";
     K_V: "k_v" "k_v" ONE / ONE, "How many times the resistance to steering is smaller while travelling.", "[Zhang2016, 3]";
-    T_R: "T_r" "T_r" N_M / KN_M, "Resistance of a group to steering at standstill.", "[Zhang2016, 3]";
-    T_RX: "T_rx" "T_(r x)" N_M / KN_M, "Resistance of a group to steering while travelling.", "[Zhang2016, 3]";
+    T_R: "T_r" "T_(r i)" N_M / KN_M, "Resistance of a group to steering at standstill.", "[Zhang2016, 3]";
+    T_RX: "T_rx" "T_(r x i)" N_M / KN_M, "Resistance of a group to steering while travelling.", "[Zhang2016, 3]";
 
     // Slewing ring.
     F_A: "F_a" "F_a" N / KN, "Vertical force on the slewing ring of a group.", "[Zhang2016, 4]";
     L_MAX: "L_max" "L_max" M / M, "Greatest arm of the vertical force about the ring's axis.", "[Zhang2016, 4]";
     F_S: "F_s" "F_s" ONE / ONE, "Safety factor of the slewing ring.", "[Zhang2016, 4]";
-    K_TEST: "k_test" "k_\"test\"" ONE / ONE, "Test load over rated load.", "[Zhang2016, 4]";
+    K_TEST: "k_test" "k_t" ONE / ONE, "Test load over rated load.", "[Zhang2016, 4]";
     F_A_REF: "F_a_ref" "F'_a" N / KN, "Static reference force of the slewing ring.", "[Zhang2016, 4]";
     M_REF: "M_ref" "M'" N_M / KN_M, "Static reference moment of the slewing ring.", "[Zhang2016, 4]";
-    F_BOLT: "F_bolt" "F_\"bolt\"" N / KN, "Total force on the bolts of the slewing ring.", "[Zhang2016, 4]";
-    M_BOLT: "M_bolt" "M_\"bolt\"" N_M / KN_M, "Total moment on the bolts of the slewing ring.", "[Zhang2016, 4]";
+    F_BOLT: "F_bolt" "F_b" N / KN, "Total force on the bolts of the slewing ring.", "[Zhang2016, 4]";
+    M_BOLT: "M_bolt" "M_b" N_M / KN_M, "Total moment on the bolts of the slewing ring.", "[Zhang2016, 4]";
     MU_R: "mu_r" "mu_r" ONE / ONE, "Coefficient of friction of the slewing ring.", "input";
     D_L: "D_L" "D_L" M / MM, "Diameter of the slewing ring's raceway.", "input";
-    M_F: "M_f" "M_f" N_M / KN_M, "Friction moment of the slewing ring.", "makers' catalogues";
+    M_F: "M_f" "M_(f i)" N_M / KN_M, "Friction moment of a group's slewing ring.", "makers' catalogues";
 
     // Cylinder.
     R_C: "R_c" "overline(o c)" M / M, "Arm of the cylinder on its group.", "[Zhang2016, Fig. 5]";
@@ -61,20 +102,41 @@ symbols! {
     C_Y: "c.y" "y_c" M / M, "Rod end of the cylinder with the group straight ahead, left of the group's axis.", "[Zhang2016, Fig. 5]";
     B_X: "b.x" "x_b" M / M, "Foot of the cylinder, forward of the group's axis.", "[Zhang2016, Fig. 5]";
     B_Y: "b.y" "y_b" M / M, "Foot of the cylinder, left of the group's axis.", "[Zhang2016, Fig. 5]";
-    L_C: "R" "R(theta)" M / M, "Length of the cylinder.", "[Zhang2016, Fig. 6]";
-    OD: "od" "overline(o d)" M / M, "Lever arm of the cylinder: dR/dtheta, positive where a push turns the group counter-clockwise.", "[Zhang2016, Fig. 6]";
-    M_OUT: "m_out" "m_\"out\"" M / MM, "Stroke left over when the cylinder is longest.", "[Zhang2016, 5.1]";
-    M_IN: "m_in" "m_\"in\"" M / MM, "Stroke left over when the cylinder is shortest.", "[Zhang2016, 5.1]";
+    L_C: "R" "R_i" M / M, "Length of a group's cylinder.", "[Zhang2016, Fig. 6]";
+    CT_X: "c_t.x" "x_(c i)" M / M, "Rod end of the cylinder with the group turned, forward of the group's axis.", "[Zhang2016, Fig. 6]";
+    CT_Y: "c_t.y" "y_(c i)" M / M, "Rod end of the cylinder with the group turned, left of the group's axis.", "[Zhang2016, Fig. 6]";
+    OD: "od" "d_(o i)" M / M, "Lever arm of a group's cylinder: dR/dtheta, positive where a push turns the group counter-clockwise.", "[Zhang2016, Fig. 6]";
+    R_LONG: "R_max" "R_max" M / M, "Greatest length of a cylinder over its group's range.", "[Zhang2016, 5.1]";
+    R_SHORT: "R_min" "R_min" M / M, "Smallest length of a cylinder over its group's range.", "[Zhang2016, 5.1]";
+    OD_MIN: "od_min" "d_(o,min)" M / M, "Smallest lever arm of a cylinder over its group's range, by amount.", "[Zhang2016, 5.2]";
+    M_OUT: "m_out" "m_1" M / MM, "Stroke left over when the cylinder is longest.", "[Zhang2016, 5.1]";
+    M_IN: "m_in" "m_2" M / MM, "Stroke left over when the cylinder is shortest.", "[Zhang2016, 5.1]";
 
     // Sizing.
-    T_G: "T_g" "T_g" N_M / KN_M, "Moment that the cylinder must overcome: resistance to steering and friction of the ring.", "[Zhang2016, 5.2]";
-    F_G: "f_g" "f_g" N / KN, "Force of the cylinder.", "[Zhang2016, 5.2]";
+    T_G: "T_g" "T_(g i)" N_M / KN_M, "Moment that a group's cylinder must overcome at standstill: resistance to steering and friction of the ring.", "[Zhang2016, 5.2]";
+    T_GX: "T_gx" "T_(g x i)" N_M / KN_M, "The same while travelling.", "[Zhang2016, 5.2]";
+    F_GX: "f_gx" "f_(g x i)" N / KN, "Force of a group's cylinder while travelling.", "[Zhang2016, 5.2]";
+    V_C: "v_c" "v_(c i)" M_PER_S / MM_PER_S, "Speed of a group's cylinder, lengthening positive.", "derived";
+    Q_SUM: "q_sum" "q" M3_PER_S / L_PER_MIN, "Oil flow of all cylinders together, by amount.", "derived";
+    F_G: "f_g" "f_(g i)" N / KN, "Force of a group's cylinder against the resistance at standstill, by amount.", "[Zhang2016, 5.2]";
     P: "p" "p" PA / MPA, "Oil pressure.", "[Zhang2016, 5.3]";
     D: "d" "d" M / MM, "Diameter of the piston rod.", "[Zhang2016, 5.3]";
+    G_MAX: "G_max" "G_max" N / KN, "Greatest vertical load of a group.", "derived";
+    T_G_MAX: "T_g_max" "T_(g,max)" N_M / KN_M, "Greatest moment that a cylinder must overcome at standstill.", "[Zhang2016, 5.2]";
+    F_G_MAX: "f_g_max" "f_(g,max)" N / KN, "Greatest force of a cylinder: at the smallest lever arm, at standstill.", "[Zhang2016, 5.2]";
+    F_G_WORK: "f_g_work" "f_(g,w)" N / KN, "Greatest force of a cylinder in the working range, at standstill.", "[Zhang2016, 5.2]";
+    Q_MAX: "q_max" "q_max" M3_PER_S / L_PER_MIN, "Greatest oil flow of all cylinders together, of all modes at the steering speed.", "derived";
+    MARGIN_MIN: "margin_min" "Delta theta_min" RAD / DEG, "Smallest angle that is left to an end of a group's range in the working range.", "derived";
+    B_S_MAX: "b_s_max" "b_(s,max)" M / M, "Greatest width of the swept lane in the working range.", "rigid body";
+    R_O_MIN: "R_O_min" "R_(O,min)" M / M, "Smallest turning radius in the working range.", "derived";
+    RING_USE: "ring_use" "k_1" ONE / PERCENT, "Moment on the ring over what its load curve bears.", "[Zhang2016, 4]";
+    BOLT_USE: "bolt_use" "k_2" ONE / PERCENT, "Moment on the bolts over what their load curve bears.", "[Zhang2016, 4]";
+    AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
     D_G_MIN: "D_g_min" "D_(g,min)" M / MM, "Smallest bore that pulls with the force.", "[Zhang2016, 5.3]";
+    D_G_NEXT: "D_g_next" "D_(g,n)" M / MM, "Next bore of the series of ISO 3320.", "[ISO 3320]";
     D_G: "D_g" "D_g" M / MM, "Bore of the cylinder.", "[ISO 3320]";
-    A_G: "A_g" "A_g" M2 / M2, "Working area of the cylinder: bore where it lengthens, annulus where it shortens.", "derived";
-    Q_G: "q_g" "q_g" M3_PER_S / L_PER_MIN, "Oil flow to the cylinder; negative where it shortens.", "derived";
+    A_G: "A_g" "A_(g i)" M2 / M2, "Working area of the cylinder: bore where it lengthens, annulus where it shortens.", "derived";
+    Q_G: "q_g" "q_(g i)" M3_PER_S / L_PER_MIN, "Oil flow to a group's cylinder; negative where it shortens.", "derived";
     N: "n" "n" PER_S / PER_MIN, "Speed of the pump.", "input";
     ETA: "eta_v" "eta_v" ONE / ONE, "Volumetric efficiency of the pump.", "input";
     V_P: "V_p" "V_p" M3 / CM3, "Displacement of the pump, per turn.", "derived";

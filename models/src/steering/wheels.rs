@@ -70,9 +70,10 @@ pub fn roll<C: Calc>(
     }
 }
 
-/// One group from its rolling direction and the length of that.
+/// One group from its rolling direction and the length of that; `scale` is the
+/// travel speed over the greatest length of all groups.
 #[inline]
-fn one<C: Calc>(along: Point<C>, length: C, scale: C, hold: C) -> Wheel<C> {
+pub fn one<C: Calc>(along: Point<C>, length: C, scale: C, hold: C) -> Wheel<C> {
     if length.value() == 0.0 {
         let (sin, cos) = hold.sin_cos();
         return Wheel {
@@ -85,30 +86,49 @@ fn one<C: Calc>(along: Point<C>, length: C, scale: C, hold: C) -> Wheel<C> {
     let (along, v) = if backwards { (-along, -length) } else { (along, length) };
     Wheel {
         theta: C::direction(along.x, along.y).def(&s::THETA),
-        turn: Point::new(along.x / length, along.y / length),
+        turn: plane::def(Point::new(along.x / length, along.y / length), [&s::C_I, &s::S_I]),
         v: (v * scale).def(&s::V),
     }
 }
 
+/// Angle by which the group at `p` turns for one radian of the commanded angle,
+/// from the centre and its [slope](crate::steering::mode::Mode::slope). Zero for a
+/// group on the centre, whose angle stays.
+#[inline]
+pub fn rate<C: Calc>(centre: &Centre<C>, slope: &Centre<C>, p: Point<C>) -> C {
+    let (along, change) = (centre.rolling(p), slope.rolling(p));
+    let square = plane::dot(along, along);
+    if square.value() == 0.0 {
+        return C::constant(0.0);
+    }
+    plane::cross(along, change) / square
+}
+
 /// Turns each group over, by half a turn, where only that brings it into its
-/// range. Returns the first group that cannot stand on its axle line at all.
+/// range. Returns the first group that cannot stand on its axle line at all; such
+/// a group keeps its angle.
 ///
 /// # Panics
 /// Where the slices differ in length.
+#[inline]
 pub fn place<C: Calc>(limits: &[Limits], wheels: &mut [Wheel<C>]) -> Result<(), usize> {
     assert!(limits.len() == wheels.len(), "one of each for every group");
+    let mut obstacle = Ok(());
     for (i, (wheel, limits)) in wheels.iter_mut().zip(limits).enumerate() {
         let theta = wheel.theta.value();
         if limits.allows(theta) {
             continue;
         }
-        let at = limits.equivalents(theta).next().ok_or(i)?;
+        let Some(at) = limits.equivalents(theta).next() else {
+            obstacle = obstacle.and(Err(i));
+            continue;
+        };
         let half = std::f64::consts::PI;
         wheel.theta += C::constant(half.copysign(at - theta));
         wheel.turn = -wheel.turn;
         wheel.v = -wheel.v;
     }
-    Ok(())
+    obstacle
 }
 
 /// Distance, in m, at which the axle line of a group at `p` with heading `theta`

@@ -7,14 +7,32 @@ use lemnis_models::sheet::{self, Sheet};
 use lemnis_models::symbol::Symbol;
 use serde::Serialize;
 
-use crate::book::Quantity;
+use crate::book::{Quantity, json};
 use crate::formula::{self, Layout, Printed};
 use crate::language::Language;
+use crate::plot;
 
 #[derive(Serialize)]
 pub(super) struct Section {
     id: &'static str,
+    picture: Option<Drawn>,
     steps: Vec<Step>,
+}
+
+/// A picture to scale.
+#[derive(Serialize)]
+pub(super) struct Drawn {
+    picture: String,
+    scale: u32,
+}
+
+impl From<plot::Picture> for Drawn {
+    fn from(picture: plot::Picture) -> Drawn {
+        Drawn {
+            scale: picture.scale,
+            picture: json(&picture),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -34,6 +52,8 @@ pub(super) struct Position {
     pub id: &'static str,
     pub symbol: &'static str,
     pub value: String,
+    /// Number of the body that the formulas speak of.
+    pub of: Option<usize>,
     pub sections: Vec<Section>,
 }
 
@@ -56,6 +76,10 @@ pub(super) fn sections(
 ) -> Vec<Section> {
     let section = |section: &sheet::Section| Section {
         id: section.id,
+        picture: section
+            .drawing
+            .as_ref()
+            .map(|drawing| plot::drawing(drawing, plot::SMALL).into()),
         steps: steps(language, &section.trace, outputs, notation),
     };
     sections.iter().map(section).collect()
@@ -110,6 +134,7 @@ impl Notation {
             match *chapter {
                 "inputs" => defined.extend(sheet.inputs.iter().map(|input| input.symbol.print)),
                 "constants" => defined.extend(sheet.constants.iter().flat_map(steps)),
+                "sizing" => defined.extend(sheet.sizing.iter().flat_map(steps)),
                 "positions" => {
                     let sections = sheet.positions.iter().flat_map(|position| &position.sections);
                     defined.extend(sections.flat_map(steps));

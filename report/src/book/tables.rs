@@ -6,7 +6,7 @@ use lemnis_models::symbol::Symbol;
 use lemnis_models::unit;
 use serde::Serialize;
 
-use crate::book::steps::Notation;
+use crate::book::steps::{Drawn, Notation};
 use crate::book::{Figure, Quantity, json};
 use crate::formula::quantity;
 use crate::language::Language;
@@ -21,8 +21,8 @@ pub(super) struct Check {
     limit: String,
     at_most: bool,
     passed: bool,
-    /// Part of what is allowed that is used, in percent.
-    utilisation: String,
+    /// Part of what is allowed that is used, in percent; none of a limit of zero.
+    utilisation: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -47,11 +47,23 @@ struct Input {
     quantity: Quantity,
     /// Whether the book meets the symbol for the first time.
     first: bool,
+    /// The symbol, with the number of the one among several.
+    shown: String,
     value: String,
     /// Key and line of the scene, and where the scene says that the value comes from.
     key: Option<String>,
     line: usize,
     note: Option<String>,
+}
+
+/// A way in which the mechanism works.
+#[derive(Serialize)]
+pub(super) struct View {
+    id: &'static str,
+    command: Option<String>,
+    reachable: bool,
+    drawn: Drawn,
+    table: Table,
 }
 
 #[derive(Serialize)]
@@ -131,6 +143,10 @@ fn input(language: &Language, input: &sheet::Input, notation: &mut Notation) -> 
     Input {
         quantity: input.symbol.into(),
         first: notation.meet(input.symbol),
+        shown: match input.number {
+            Some(number) => input.symbol.numbered(number),
+            None => input.symbol.print.to_owned(),
+        },
         value: quantity(language, input.symbol, input.value),
         key: given.map(|given| given.key.clone()),
         line: given.map_or(0, |given| given.line),
@@ -198,7 +214,7 @@ pub(super) fn check(language: &Language, check: &sheet::Check) -> Check {
         limit: quantity(language, check.symbol, check.limit),
         at_most: check.at_most,
         passed: check.passed(),
-        utilisation: language.text(&fixed(100.0 * check.utilisation(), 1)),
+        utilisation: (check.limit != 0.0).then(|| language.text(&fixed(100.0 * check.utilisation(), 1))),
     }
 }
 
@@ -224,6 +240,18 @@ pub(super) fn table(language: &Language, table: &sheet::Table) -> Table {
     Table {
         columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
         rows: table.rows.iter().map(row).collect(),
+    }
+}
+
+pub(super) fn view(language: &Language, view: &sheet::View) -> View {
+    View {
+        id: view.id,
+        command: view
+            .command
+            .map(|(symbol, value)| format!("{} = {}", symbol.print, quantity(language, symbol, value))),
+        reachable: view.reachable,
+        drawn: plot::drawing(&view.drawing, plot::SMALL).into(),
+        table: table(language, &view.table),
     }
 }
 

@@ -126,6 +126,7 @@ fn curves(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol, fou
             x,
             y,
             pieces: vec![points.iter().map(|point| [point[0], point[1]]).collect()],
+            numbers: Vec::new(),
         }
     };
     list.into_iter().map(curve).collect()
