@@ -277,9 +277,7 @@ fn write(xml: &mut Xml, scene: &Scene, entries: &[Entry], standard: Standard) ->
         element(xml, "ModelVariables", &[], |xml| {
             entries.iter().try_for_each(|entry| variable(xml, entry, standard))
         })?;
-        element(xml, "ModelStructure", &[], |xml| {
-            structure(xml, entries, standard)
-        })
+        element(xml, "ModelStructure", &[], |xml| structure(xml, entries, standard))
     })
 }
 

@@ -106,8 +106,12 @@ impl Typesetter for External {
 #[cfg(all(test, unix))]
 mod tests {
     use std::os::unix::fs::PermissionsExt;
+    use std::sync::{Mutex, PoisonError};
 
     use super::*;
+
+    /// A script that is open for writing while another test starts a process cannot be run: one test at a time.
+    static ALONE: Mutex<()> = Mutex::new(());
 
     /// A command that answers as `typst` would.
     fn script(folder: &Path, text: &str) -> PathBuf {
@@ -119,6 +123,7 @@ mod tests {
 
     #[test]
     fn absent_foreign_and_old_commands_are_refused() {
+        let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
         let folder = tempfile::tempdir().expect("a folder");
         let message = |path: &Path| External::new(path).expect_err("refused").message;
         assert!(message(&folder.path().join("nothing")).contains("cannot run"));
@@ -132,6 +137,7 @@ mod tests {
     /// The command gets the source, and its pages come back in their order.
     #[test]
     fn pages_and_complaints_of_the_command_come_back() {
+        let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
         let folder = tempfile::tempdir().expect("a folder");
         let pages = "[ $1 = --version ] && echo 'typst 0.15.1' && exit\n\
                      for last; do :; done\nd=$(dirname $last)\n\
