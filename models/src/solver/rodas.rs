@@ -1,5 +1,6 @@
 //! RODAS, linearly implicit of fourth order with six stages, L-stable, with an
-//! embedded error and a continuous extension of third order. [Hairer1996, IV.7]
+//! embedded error and a continuous extension of third order. Hairer and Wanner,
+//! Solving Ordinary Differential Equations II, 2nd edition 1996, section IV.7.
 //!
 //! One Jacobian and one factorisation for each step. The solver may run ahead of
 //! the time asked for, by as much as its tolerance allows, and reads the
