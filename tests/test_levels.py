@@ -239,7 +239,7 @@ def test_a_step_beyond_the_bound_is_refused_and_the_instance_goes_on(level, tmp_
 
 
 def test_the_swing_level_meets_the_reference(tmp_path):
-    """The reference of issue 7, through scene and FMU: theta_1 and phi at 5 s to 1e-7 rad."""
+    """The reference motion of two independent codes, through scene and FMU: theta_1 and phi at 5 s to 1e-7 rad."""
     text = scene("swing").replace('c_v   = "200 kN.m.s"\nM_F   = "20 kN.m"\n', "").replace('v_h = "0.05 m/s"\n', "")
     text = text.replace('from  = "60 deg"', 'from  = "65 deg"')
     # The rest as in the reference: centres of uniform bars, exactly.

@@ -31,7 +31,7 @@ const ALONE: Watch<'static> = {
     }
 };
 
-/// The crane of 004 with pivot as built: what the numbers are asked for.
+/// The crane of 004 with pivot as built: what the numbers to reach belong to.
 fn problem(m_5: f64, n_max: Option<f64>) -> Problem {
     let d = published("balance_existing");
     Problem {

@@ -1,4 +1,4 @@
-//! The lemniscate crane of issue 7's reference with its bodies, and its luffing cylinder.
+//! The lemniscate crane of the reference motion with its bodies, and its luffing cylinder.
 
 #![allow(dead_code, reason = "not every test uses all of it")]
 
