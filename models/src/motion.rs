@@ -2,6 +2,13 @@
 //! the default experiment.
 
 use crate::calc::Calc;
+use crate::diagnostic::Diagnostic;
+use crate::scene::Place;
+use crate::schema::{self, Sign, Values};
+use crate::symbol::Symbol;
+
+/// More rows in a table than anyone reads, and than a step of `1e-9 deg` would make.
+const MOST_ROWS: f64 = 10_000.0;
 
 /// Working range of the coordinate, in rad and rad/s.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +20,65 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// Reads a checked table with `from`, `to`, `step` and `speed`; mistakes go to `found`.
+    pub fn read(m: &Values, found: &mut Vec<Diagnostic>) -> Option<Motion> {
+        let motion = Motion {
+            from: m.number("from")?,
+            to: m.number("to")?,
+            step: m.number("step")?,
+            speed: m.number("speed")?,
+        };
+        let (from, to) = (degrees(motion.from), degrees(motion.to));
+        if motion.from >= motion.to {
+            let message = format!("the working range ends at {to} and starts at {from}");
+            found.push(
+                Diagnostic::new(m.place("to"), message, "not above `from`").help("`from` must be smaller than `to`"),
+            );
+            return None;
+        }
+        if (motion.to - motion.from) / motion.step > MOST_ROWS {
+            let message = format!("the step {} is too small", degrees(motion.step));
+            let least = degrees((motion.to - motion.from) / MOST_ROWS);
+            found.push(
+                Diagnostic::new(m.place("step"), message, "too many rows")
+                    .help(format!("a table may have {MOST_ROWS} rows: step at least {least}")),
+            );
+            return None;
+        }
+        Some(motion)
+    }
+
+    /// A position as a scene writes it: one of `named`, or a value of the coordinate within the range, which
+    /// the help calls `what`.
+    ///
+    /// # Errors
+    /// Neither; with a message and help.
+    pub fn place(
+        &self,
+        text: &str,
+        coordinate: &'static Symbol,
+        what: &str,
+        named: &[&'static str],
+    ) -> Result<Place, (String, String)> {
+        if let Some(name) = named.iter().find(|name| **name == text) {
+            return Ok(Place::Named(name));
+        }
+        let help = format!(
+            "{what} such as \"{}\", or one of {}",
+            degrees(f64::midpoint(self.from, self.to)),
+            named.join(", ")
+        );
+        let angle = schema::quantity(text, coordinate, Sign::Any)
+            .map_err(|_| (format!("\"{text}\" is no position of this scene"), help.clone()))?;
+        // A rounding of degrees is not a position outside.
+        let within = angle.clamp(self.from, self.to);
+        if (angle - within).abs() > 1e-12 {
+            let (from, to) = (degrees(self.from), degrees(self.to));
+            return Err((format!("{text} lies outside the working range {from} to {to}"), help));
+        }
+        Ok(Place::At(within))
+    }
+
     /// The values of tables: every step from the start, and the end.
     #[must_use]
     pub fn angles(&self) -> Vec<f64> {
@@ -53,6 +119,11 @@ impl Motion {
     pub fn step_size(&self) -> f64 {
         nanosecond(self.step / self.speed)
     }
+}
+
+/// An angle (rad) for messages.
+pub(crate) fn degrees(angle: f64) -> String {
+    format!("{} deg", schema::short(angle.to_degrees()))
 }
 
 /// A time without the rounding of angles: 60 s, not 59.999999999999993 s.

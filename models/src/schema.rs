@@ -53,11 +53,17 @@ pub enum Sign {
 impl Key {
     #[must_use]
     pub const fn quantity(symbol: &'static Symbol, sign: Sign) -> Key {
+        Key::named(symbol.id, symbol, sign, symbol.text)
+    }
+
+    /// A quantity under a name of its own.
+    #[must_use]
+    pub const fn named(name: &'static str, symbol: &'static Symbol, sign: Sign, text: &'static str) -> Key {
         Key {
-            name: symbol.id,
+            name,
             kind: Kind::Quantity(symbol, sign),
             required: true,
-            text: symbol.text,
+            text,
         }
     }
 

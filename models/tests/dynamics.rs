@@ -1,49 +1,23 @@
 //! The mechanism in motion, against references that two independent codes agreed on, and by its energy.
 
-use lemnis_models::four_bar::Branch;
 use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase};
-use lemnis_models::lemniscate::geometry::{Driven, Geometry, Jib, Lengths, Parameters};
 use lemnis_models::plane::Point;
 
-fn crane(pendulum: bool) -> Dynamics {
-    let pendulum = pendulum.then_some(Pendulum {
-        mass: 16e3,
-        length: 10.0,
-    });
-    with_bodies(20e3, 0.0, 19.3, pendulum)
+#[path = "common/crane.rs"]
+mod common;
+
+/// The crane with a load on a rope.
+fn crane() -> Dynamics {
+    common::dynamics(Some(common::PENDULUM))
 }
 
-/// The lemniscate crane with a boom of a mass (kg) from one place to another on its line (m).
-fn with_bodies(boom: f64, from: f64, to: f64, pendulum: Option<Pendulum>) -> Dynamics {
-    let lengths = Lengths {
-        x_1: 19.3,
-        x_2: 6.5,
-        x_3: 14.7,
-        x_4: 16.0,
-        x_5: 6.4,
-        x_6: 5.3,
-        x_8: 5.2,
-    };
-    let parameters = Parameters {
-        lengths,
-        jib: Jib::Sag(1.354),
-        weights: None,
-        anchors: None,
-        cylinder: None,
-        balance: None,
-        driven: Driven::Boom,
-        branch: Branch::Left,
-    };
-    let g = Geometry::new(&parameters).expect("the crane exists");
-    let zero = Point::new(0.0, 0.0);
-    // The jib as one bar from C to A, in the frame of its rear arm BC.
-    let a = Point::new(g.kappa.x, -g.kappa.y) * lengths.x_2;
+/// The crane with a boom of a mass (kg) from one place to another on its line (m).
+fn with_boom(mass: f64, from: f64, to: f64, pendulum: Option<Pendulum>) -> Dynamics {
+    let g = common::geometry();
     let bodies = Bodies {
-        boom: Body::uniform(boom, Point::new(from, 0.0), Point::new(to, 0.0)),
-        jib: Body::uniform(6e3, Point::new(lengths.x_2, 0.0), a),
-        rocker: Body::uniform(4e3, zero, Point::new(lengths.x_3, 0.0)),
+        boom: Body::uniform(mass, Point::new(from, 0.0), Point::new(to, 0.0)),
         pendulum,
-        gravity: 9.81,
+        ..common::bodies(&g, 1.0, Some(common::PENDULUM))
     };
     Dynamics::new(&g, bodies)
 }
@@ -62,7 +36,7 @@ fn run(crane: &Dynamics, moment: f64, h: f64, steps: u32) -> Phase {
 /// Luffing with a swinging load under 1.8 MN·m for 5 s: the reference of the measurements.
 #[test]
 fn luffing_with_a_pendulum_meets_the_reference() {
-    let crane = crane(true);
+    let crane = crane();
     let (theta, swing) = (1.959_365_828_718_83, 0.510_282_010_345_209_9);
     let mut last = f64::INFINITY;
     for (h, steps, bound) in [(0.1, 50, 1e-4), (0.01, 500, 1e-8), (0.001, 5000, 1e-12)] {
@@ -78,7 +52,7 @@ fn luffing_with_a_pendulum_meets_the_reference() {
 /// upright for a million steps.
 #[test]
 fn a_million_steps_conserve_energy() {
-    let crane = with_bodies(120e3, -12.0, 2.0, None);
+    let crane = with_boom(120e3, -12.0, 2.0, None);
     let mut m = Phase {
         theta: 1.2,
         omega: 0.05,
@@ -104,15 +78,7 @@ fn a_million_steps_conserve_energy() {
 /// The work of the drive is what the energy grows by, with a swinging load and large angles of the rope.
 #[test]
 fn work_is_energy() {
-    let crane = with_bodies(
-        200e3,
-        -16.0,
-        2.0,
-        Some(Pendulum {
-            mass: 16e3,
-            length: 10.0,
-        }),
-    );
+    let crane = with_boom(200e3, -16.0, 2.0, Some(common::PENDULUM));
     let mut m = Phase {
         theta: 1.2,
         swing: 3.0,

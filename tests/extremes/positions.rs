@@ -1,49 +1,16 @@
 //! Positions, lengths and masses: `tests/oracles/dynamics_extremes.py`, 50 digits.
 
-use lemnis_models::four_bar::Branch;
 use lemnis_models::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Phase};
-use lemnis_models::lemniscate::geometry::{Driven, Geometry, Jib, Lengths, Parameters};
 use lemnis_models::plane::Point;
+
+use crate::crane;
 
 const ORACLE: &str = include_str!("../oracles/dynamics_extremes.csv");
 
 /// The crane with lengths and masses multiplied; the load is fixed to the head, or hangs on a rope.
 pub fn scaled(length: f64, mass: f64, pendulum: Option<Pendulum>) -> Dynamics {
-    let lengths = Lengths {
-        x_1: 19.3 * length,
-        x_2: 6.5 * length,
-        x_3: 14.7 * length,
-        x_4: 16.0 * length,
-        x_5: 6.4 * length,
-        x_6: 5.3 * length,
-        x_8: 5.2 * length,
-    };
-    let parameters = Parameters {
-        lengths,
-        jib: Jib::Sag(1.354 * length),
-        weights: None,
-        anchors: None,
-        cylinder: None,
-        balance: None,
-        driven: Driven::Boom,
-        branch: Branch::Left,
-    };
-    let g = Geometry::new(&parameters).expect("the crane exists");
-    let zero = Point::new(0.0, 0.0);
-    let a = Point::new(g.kappa.x, -g.kappa.y) * lengths.x_2;
-    let jib = Body::uniform(6e3 * mass, Point::new(lengths.x_2, 0.0), a);
-    let bodies = Bodies {
-        boom: Body::uniform(20e3 * mass, zero, Point::new(lengths.x_1, 0.0)),
-        jib: if pendulum.is_some() {
-            jib
-        } else {
-            jib.with_mass(16e3 * mass, a)
-        },
-        rocker: Body::uniform(4e3 * mass, zero, Point::new(lengths.x_3, 0.0)),
-        pendulum,
-        gravity: 9.81,
-    };
-    Dynamics::new(&g, bodies)
+    let g = crane::scaled(length);
+    Dynamics::new(&g, crane::bodies(&g, mass, pendulum))
 }
 
 /// A double as C and Python write it in hexadecimal.
@@ -121,7 +88,7 @@ fn zero_inertia_and_zero_load() {
         centre: zero,
     };
     let full = *scaled(1.0, 1.0, None).bodies();
-    let g = super::crane::geometry();
+    let g = crane::geometry();
     for bodies in [
         Bodies { boom: none, ..full },
         Bodies { jib: none, ..full },
@@ -160,7 +127,7 @@ fn no_inertia_at_all_is_refused() {
         centre: Point::new(0.0, 0.0),
     };
     let crane = Dynamics::new(
-        &super::crane::geometry(),
+        &crane::geometry(),
         Bodies {
             boom: none,
             jib: none,

@@ -14,7 +14,7 @@ use crate::lemniscate::statics::{Centres, PinForces, load_moment, weight_moment}
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::velocity::{Pole, Velocity};
 use crate::model::Fault;
-use crate::schema;
+use crate::motion::degrees;
 
 /// A result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -472,10 +472,6 @@ fn unbalanced() -> Fault {
 
 fn absent() -> Fault {
     Fault::new("this scene has no drive")
-}
-
-fn degrees(angle: f64) -> String {
-    format!("{} deg", schema::short(angle.to_degrees()))
 }
 
 /// The angles at which the linkage closes, in words.

@@ -13,6 +13,7 @@ use crate::lemniscate::governing::{coordinate, governed};
 use crate::lemniscate::moving;
 use crate::lemniscate::symbols as s;
 pub use crate::motion::Motion;
+use crate::motion::degrees;
 use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values};
 use crate::symbol::Symbol;
@@ -89,30 +90,15 @@ const SOURCE: Key = Key::text(
 );
 
 static MOTION: &[Key] = &[
-    Key {
-        name: "from",
-        kind: Kind::Quantity(&s::THETA_1, Sign::Any),
-        required: true,
-        text: "Angle of the driven bar at the start.",
-    },
-    Key {
-        name: "to",
-        kind: Kind::Quantity(&s::THETA_1, Sign::Any),
-        required: true,
-        text: "Angle of the driven bar at the end.",
-    },
-    Key {
-        name: "step",
-        kind: Kind::Quantity(&s::THETA_1, Sign::Positive),
-        required: true,
-        text: "Step of tables.",
-    },
-    Key {
-        name: "speed",
-        kind: Kind::Quantity(&s::OMEGA_1, Sign::Positive),
-        required: true,
-        text: "Angular velocity of the driven bar.",
-    },
+    Key::named("from", &s::THETA_1, Sign::Any, "Angle of the driven bar at the start."),
+    Key::named("to", &s::THETA_1, Sign::Any, "Angle of the driven bar at the end."),
+    Key::named("step", &s::THETA_1, Sign::Positive, "Step of tables."),
+    Key::named(
+        "speed",
+        &s::OMEGA_1,
+        Sign::Positive,
+        "Angular velocity of the driven bar.",
+    ),
     SOURCE,
 ];
 
@@ -221,33 +207,14 @@ impl Luffing {
     }
 }
 
-/// More rows in a table than anyone reads, and than a step of `1e-9 deg` would make.
-const MOST_ROWS: f64 = 10_000.0;
-
 impl Luffing {
     /// A position as a scene writes it, for the book: an angle of the driven bar, `from`, `middle`,
     /// `to`, `governing` or the id of a governing result; on failure a message and help.
     pub fn place(&self, text: &str) -> Result<Place, (String, String)> {
         let named = ["governing", "from", "middle", "to"].into_iter();
         let named: Vec<&'static str> = named.chain(governed(self)).collect();
-        if let Some(name) = named.iter().find(|name| **name == text) {
-            return Ok(Place::Named(name));
-        }
         let theta = coordinate(self.parameters.driven);
-        let help = format!(
-            "an angle of the working range such as \"{}\", or one of {}",
-            degrees(f64::midpoint(self.motion.from, self.motion.to)),
-            named.join(", ")
-        );
-        let angle = crate::schema::quantity(text, theta, Sign::Any)
-            .map_err(|_| (format!("\"{text}\" is no position of this scene"), help.clone()))?;
-        // A rounding of degrees is not a position outside.
-        let within = angle.clamp(self.motion.from, self.motion.to);
-        if (angle - within).abs() > 1e-12 {
-            let (from, to) = (degrees(self.motion.from), degrees(self.motion.to));
-            return Err((format!("{text} lies outside the working range {from} to {to}"), help));
-        }
-        Ok(Place::At(within))
+        self.motion.place(text, theta, "an angle of the working range", &named)
     }
 
     /// Builds the mechanism of a checked table; mistakes go to `found`.
@@ -455,48 +422,10 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Cylinder<f64>> {
     }
 }
 
-fn degrees(angle: f64) -> String {
-    format!("{} deg", crate::schema::short(angle.to_degrees()))
-}
-
 /// Checks that the mechanism exists and closes over the whole working range.
 fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>) -> Option<Motion> {
     let m = v.table("motion")?;
-    let motion = Motion {
-        from: m.number("from")?,
-        to: m.number("to")?,
-        step: m.number("step")?,
-        speed: m.number("speed")?,
-    };
-    if motion.from >= motion.to {
-        found.push(
-            Diagnostic::new(
-                m.place("to"),
-                format!(
-                    "the working range ends at {} and starts at {}",
-                    degrees(motion.to),
-                    degrees(motion.from)
-                ),
-                "not above `from`",
-            )
-            .help("`from` must be smaller than `to`"),
-        );
-        return None;
-    }
-    if (motion.to - motion.from) / motion.step > MOST_ROWS {
-        found.push(
-            Diagnostic::new(
-                m.place("step"),
-                format!("the step {} is too small", degrees(motion.step)),
-                "too many rows",
-            )
-            .help(format!(
-                "a table may have {MOST_ROWS} rows: step at least {}",
-                degrees((motion.to - motion.from) / MOST_ROWS)
-            )),
-        );
-        return None;
-    }
+    let motion = Motion::read(m, found)?;
     let geometry = match Geometry::new(parameters) {
         Ok(geometry) => geometry,
         Err(misfit) => {

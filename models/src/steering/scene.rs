@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::diagnostic::Diagnostic;
-use crate::motion::Motion;
+use crate::motion::{Motion, degrees};
 use crate::plane::Point;
 use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values, quantity, short};
@@ -140,30 +140,15 @@ static LOAD: &[Key] = &[
 static RANGE: &[Key] = &[angle("min", &s::THETA_MIN), angle("max", &s::THETA_MAX), SOURCE];
 
 static MOTION: &[Key] = &[
-    Key {
-        name: "from",
-        kind: Kind::Quantity(&s::THETA_B, Sign::Any),
-        required: true,
-        text: "Commanded angle at the start.",
-    },
-    Key {
-        name: "to",
-        kind: Kind::Quantity(&s::THETA_B, Sign::Any),
-        required: true,
-        text: "Commanded angle at the end.",
-    },
-    Key {
-        name: "step",
-        kind: Kind::Quantity(&s::THETA_B, Sign::Positive),
-        required: true,
-        text: "Step of tables.",
-    },
-    Key {
-        name: "speed",
-        kind: Kind::Quantity(&s::OMEGA_S, Sign::Positive),
-        required: true,
-        text: "Steering speed: rate of the commanded angle.",
-    },
+    Key::named("from", &s::THETA_B, Sign::Any, "Commanded angle at the start."),
+    Key::named("to", &s::THETA_B, Sign::Any, "Commanded angle at the end."),
+    Key::named("step", &s::THETA_B, Sign::Positive, "Step of tables."),
+    Key::named(
+        "speed",
+        &s::OMEGA_S,
+        Sign::Positive,
+        "Steering speed: rate of the commanded angle.",
+    ),
     Key::quantity(&s::V_T, Sign::Any),
     SOURCE,
 ];
@@ -234,12 +219,7 @@ static HYDRAULICS: &[Key] = &[
 
 /// A quantity under a name of its own.
 const fn angle(name: &'static str, symbol: &'static Symbol) -> Key {
-    Key {
-        name,
-        kind: Kind::Quantity(symbol, Sign::Any),
-        required: true,
-        text: symbol.text,
-    }
+    Key::named(name, symbol, Sign::Any, symbol.text)
 }
 
 /// The steering of a machine as the scene describes it; SI.
@@ -255,31 +235,12 @@ pub struct Steering {
     pub catalogue: Option<Catalogue>,
 }
 
-/// More rows in a table than anyone reads.
-const MOST_ROWS: f64 = 10_000.0;
-
 impl Steering {
     /// A position as a scene writes it, for the book: a commanded angle, `from`,
     /// `middle`, `to` or `governing`; on failure a message and help.
     pub fn place(&self, text: &str) -> Result<Place, (String, String)> {
         let named = ["governing", "from", "middle", "to"];
-        if let Some(name) = named.into_iter().find(|name| *name == text) {
-            return Ok(Place::Named(name));
-        }
-        let Motion { from, to, .. } = self.motion;
-        let help = format!(
-            "a commanded angle such as \"{}\", or one of {}",
-            degrees(f64::midpoint(from, to)),
-            named.join(", ")
-        );
-        let angle = quantity(text, &s::THETA_B, Sign::Any)
-            .map_err(|_| (format!("\"{text}\" is no position of this scene"), help.clone()))?;
-        let within = angle.clamp(from, to);
-        if (angle - within).abs() > 1e-12 {
-            let (from, to) = (degrees(from), degrees(to));
-            return Err((format!("{text} lies outside the working range {from} to {to}"), help));
-        }
-        Ok(Place::At(within))
+        self.motion.place(text, &s::THETA_B, "a commanded angle", &named)
     }
 
     /// Builds the machine of a checked table; mistakes go to `found`.
@@ -446,12 +407,7 @@ impl Steering {
         let size = (machine.front - machine.rear).max(machine.left - machine.right);
         let radius = n(v, &s::R_T).unwrap_or(3.0 * size);
         let m = v.table("motion")?;
-        let motion = Motion {
-            from: m.number("from")?,
-            to: m.number("to")?,
-            step: m.number("step")?,
-            speed: m.number("speed")?,
-        };
+        let motion = Motion::read(m, found)?;
         let number =
             |name: &str, names: &[&str]| names.iter().position(|known| v.text(name) == Some(known)).unwrap_or(0);
         let inputs = Inputs {
@@ -468,20 +424,6 @@ impl Steering {
             ),
             loads,
         };
-        if motion.from >= motion.to {
-            let (from, to) = (degrees(motion.from), degrees(motion.to));
-            let message = format!("the working range ends at {to} and starts at {from}");
-            found.push(
-                Diagnostic::new(m.place("to"), message, "not above `from`").help("`from` must be smaller than `to`"),
-            );
-        } else if (motion.to - motion.from) / motion.step > MOST_ROWS {
-            let message = format!("the step {} is too small", degrees(motion.step));
-            let least = degrees((motion.to - motion.from) / MOST_ROWS);
-            found.push(
-                Diagnostic::new(m.place("step"), message, "too many rows")
-                    .help(format!("a table may have {MOST_ROWS} rows: step at least {least}")),
-            );
-        }
         if found.len() > before {
             return None;
         }
@@ -518,10 +460,6 @@ impl Steering {
             catalogue,
         })
     }
-}
-
-fn degrees(angle: f64) -> String {
-    format!("{} deg", short(angle.to_degrees()))
 }
 
 /// A refusal with its place: the quantity in its table, that of a group where it has a number.

@@ -15,39 +15,44 @@ pub const PENDULUM: Pendulum = Pendulum {
     length: 10.0,
 };
 
-/// Uniform bars of 20 t, 6 t and 4 t; with a load on a rope, or one of 16 t fixed to the head.
-pub fn bodies(g: &Geometry<f64>, pendulum: Option<Pendulum>) -> Bodies {
+/// Uniform bars of 20 t, 6 t and 4 t; with a load on a rope, or one of 16 t fixed to the head. `mass` multiplies all.
+pub fn bodies(g: &Geometry<f64>, mass: f64, pendulum: Option<Pendulum>) -> Bodies {
     let l = g.lengths;
     let zero = Point::new(0.0, 0.0);
     // The jib as one bar from C to A, in the frame of its rear arm BC.
     let a = Point::new(g.kappa.x, -g.kappa.y) * l.x_2;
-    let jib = Body::uniform(6e3, Point::new(l.x_2, 0.0), a);
+    let jib = Body::uniform(6e3 * mass, Point::new(l.x_2, 0.0), a);
     Bodies {
-        boom: Body::uniform(20e3, zero, Point::new(l.x_1, 0.0)),
+        boom: Body::uniform(20e3 * mass, zero, Point::new(l.x_1, 0.0)),
         jib: if pendulum.is_some() {
             jib
         } else {
-            jib.with_mass(16e3, a)
+            jib.with_mass(16e3 * mass, a)
         },
-        rocker: Body::uniform(4e3, zero, Point::new(l.x_3, 0.0)),
+        rocker: Body::uniform(4e3 * mass, zero, Point::new(l.x_3, 0.0)),
         pendulum,
         gravity: 9.81,
     }
 }
 
 pub fn geometry() -> Geometry<f64> {
+    scaled(1.0)
+}
+
+/// The crane with all lengths multiplied.
+pub fn scaled(length: f64) -> Geometry<f64> {
     let lengths = Lengths {
-        x_1: 19.3,
-        x_2: 6.5,
-        x_3: 14.7,
-        x_4: 16.0,
-        x_5: 6.4,
-        x_6: 5.3,
-        x_8: 5.2,
+        x_1: 19.3 * length,
+        x_2: 6.5 * length,
+        x_3: 14.7 * length,
+        x_4: 16.0 * length,
+        x_5: 6.4 * length,
+        x_6: 5.3 * length,
+        x_8: 5.2 * length,
     };
     let parameters = Parameters {
         lengths,
-        jib: Jib::Sag(1.354),
+        jib: Jib::Sag(1.354 * length),
         weights: None,
         anchors: None,
         cylinder: None,
@@ -60,7 +65,7 @@ pub fn geometry() -> Geometry<f64> {
 
 pub fn dynamics(pendulum: Option<Pendulum>) -> Dynamics {
     let g = geometry();
-    Dynamics::new(&g, bodies(&g, pendulum))
+    Dynamics::new(&g, bodies(&g, 1.0, pendulum))
 }
 
 /// Bore 320 mm, rod 220 mm; 600 l/min over one edge at 35 bar; ports of 0.2 l.
