@@ -45,6 +45,7 @@ struct Step {
     numbers: Option<String>,
     result: String,
     layout: Layout,
+    size: u32,
 }
 
 #[derive(Serialize)]
@@ -98,6 +99,7 @@ fn steps(
             numbers,
             result,
             layout,
+            size,
         } = formula::step(language, &notation.defined, trace, step, in_full);
         Step {
             quantity: step.symbol.into(),
@@ -106,6 +108,7 @@ fn steps(
             numbers,
             result,
             layout,
+            size,
         }
     };
     trace.steps.iter().map(step).collect()
