@@ -2,10 +2,11 @@
 //! steps. Each variant is a system of equations with all of its solver's state
 //! beside it.
 
+use crate::lemniscate::dynamics::Dynamics;
 use crate::lemniscate::hydraulic::Hydraulic;
 use crate::lemniscate::motion::{self, Bar, Commands, Motion};
 use crate::solver::rodas::{Run, Tolerance};
-use crate::solver::{Halt, System};
+use crate::solver::{Count, Halt, System};
 
 /// Most continuous states of any level.
 pub const MOST_STATES: usize = 10;
@@ -74,6 +75,15 @@ fn possible<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> bool {
 }
 
 impl Level {
+    #[must_use]
+    pub fn dynamics(&self) -> &Dynamics {
+        match self {
+            Level::Free(motion) => &motion.dynamics,
+            Level::Fixed(system) => &system.dynamics,
+            Level::Hanging(system) => &system.dynamics,
+        }
+    }
+
     pub fn set_inputs(&mut self, inputs: &Inputs) {
         match self {
             Level::Free(_) => {}
@@ -121,7 +131,7 @@ impl Level {
     }
 
     /// Moves on by a duration, in s; `step` is the longest explicit step (s), `relative` the
-    /// tolerance of the implicit solver.
+    /// tolerance of the implicit solver. Returns the work done.
     ///
     /// # Errors
     /// See [`Halt`].
@@ -132,11 +142,9 @@ impl Level {
         duration: f64,
         step: f64,
         relative: f64,
-    ) -> Result<(), Halt> {
+    ) -> Result<Count, Halt> {
         match (self, present) {
-            (Level::Free(motion), Present::Free(state)) => {
-                motion.advance(state, &inputs.motion, duration, step).map(|_| ())
-            }
+            (Level::Free(motion), Present::Free(state)) => motion.advance(state, &inputs.motion, duration, step),
             (Level::Fixed(system), Present::Fixed(run)) => oil_advance(system, run, duration, step, relative),
             (Level::Hanging(system), Present::Hanging(run)) => oil_advance(system, run, duration, step, relative),
             _ => unreachable!("{OTHER}"),
@@ -150,9 +158,11 @@ fn oil_advance<const N: usize>(
     duration: f64,
     longest: f64,
     relative: f64,
-) -> Result<(), Halt> {
+) -> Result<Count, Halt> {
+    let before = run.count;
     run.advance(system, &tolerance(relative), duration, longest)?;
-    possible(system, &run.states()).then_some(()).ok_or(Halt::Outside)
+    let work = run.count.since(before);
+    possible(system, &run.states()).then_some(work).ok_or(Halt::Outside)
 }
 
 fn put(to: &mut [f64], from: &[f64]) {
