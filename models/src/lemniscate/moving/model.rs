@@ -18,6 +18,7 @@ use crate::lemniscate::moving::symbols as m;
 use crate::lemniscate::scene::Luffing;
 use crate::lemniscate::symbols as s;
 use crate::model::{Fault, Name, Role, TIME, Terminal, Type, Variable};
+use crate::motion::Motion as Range;
 use crate::plane::Point;
 use crate::schema::{Kind, Sign, short};
 use crate::solver::{Count, Halt, MOST_STEPS};
@@ -36,7 +37,7 @@ const STOP: f64 = 100.0;
 pub struct Model {
     algebraic: Algebraic,
     driven: Driven,
-    stops: [f64; 2],
+    range: Range,
     rope: Option<Rope>,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
@@ -102,7 +103,7 @@ impl Model {
         };
         let mut model = Model {
             driven: luffing.parameters.driven,
-            stops: [luffing.motion.from, luffing.motion.to],
+            range: luffing.motion,
             rope,
             variables: Vec::new(),
             slots: Vec::new(),
@@ -347,7 +348,9 @@ impl Model {
             pendulum,
             gravity: g,
         };
-        let dynamics = Dynamics::new(&geometry, bodies);
+        let dynamics = Dynamics::new(&geometry, bodies)
+            .with_balance(&parameters, &self.range)
+            .map_err(|fault| Fault::outside(fault.to_string()))?;
         let Some(oil) = self.state.oil else {
             return Ok(Level::Free(Motion {
                 dynamics,
@@ -355,7 +358,7 @@ impl Model {
                     viscous: c_v,
                     coulomb: m_f,
                 },
-                stops: self.stops,
+                stops: self.stops(),
             }));
         };
         let (anchors, bore) = parameters
@@ -386,17 +389,21 @@ impl Model {
     }
 
     fn hydraulic<const N: usize>(&self, dynamics: Dynamics, cylinder: Cylinder) -> Hydraulic<N> {
-        let inertia = f64::reduced(&dynamics, self.stops[0]).map_or(0.0, |r| r.inertia);
+        let inertia = f64::reduced(&dynamics, self.range.from).map_or(0.0, |r| r.inertia);
         Hydraulic {
             dynamics,
             cylinder,
             viscous: self.state.constants.c_v,
             coulomb: self.state.constants.m_f,
-            stops: self.stops,
+            stops: self.stops(),
             buffer: [inertia * STOP * STOP, 2.0 * inertia * STOP],
             command: self.state.inputs.valve,
             supply: self.state.inputs.supply,
         }
+    }
+
+    fn stops(&self) -> [f64; 2] {
+        [self.range.from, self.range.to]
     }
 
     /// Brings the algebraic model to the present angle and angular velocity.
