@@ -41,7 +41,7 @@ CASES = {
     "hydraulic/raising": ({"theta_1": "1.2", "omega_1": "0.05", **PORTS}, VALVE, 1),
     "hydraulic/relief": ({"theta_1": "1.9", "omega_1": "-0.03", **OPEN}, VALVE, -1),
     "hydraulic/stop": ({"theta_1": "2.0955", "omega_1": "0.05", **PORTS}, VALVE, 1),
-    "hydraulic with swing/raising": ({**SWING, **PORTS}, VALVE, 1),
+    "hydraulic with swing/raising": ({**SWING, "l_R": "10", **PORTS}, VALVE, 1),
 }
 
 

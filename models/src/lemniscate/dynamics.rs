@@ -7,9 +7,12 @@
 
 use num_dual::{Dual2, Dual64, DualNum};
 
+use crate::balance::Fault;
 use crate::calc::{Calc, Over};
-use crate::lemniscate::geometry::{Anchors, Driven, Geometry};
+use crate::lemniscate::balancing::Balancing;
+use crate::lemniscate::geometry::{Anchors, Driven, Geometry, Parameters, Weights};
 use crate::lemniscate::position::Position;
+use crate::motion::Motion as Range;
 use crate::plane::{self, Point, dot};
 use crate::solver::{Gradient, runge_kutta};
 
@@ -94,7 +97,7 @@ pub struct Reel<C> {
 /// What the equations of motion need at one angle, all by derivatives of the positions.
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced<C> {
-    /// Inertia of boom, jib and rocker at the driven bar (kg·m²), and its change by the angle.
+    /// Inertia of boom, jib, rocker and counterweight at the driven bar (kg·m²), and its change by the angle.
     pub inertia: C,
     pub slope: C,
     /// Moment of their weights, in N·m; positive lowers the driven bar.
@@ -107,14 +110,49 @@ pub struct Reduced<C> {
     pub drive: [C; 2],
 }
 
+/// Positions with their first and second derivatives by the driven angle.
+#[derive(Clone, Copy, Debug)]
+struct Positions<T> {
+    geometry: Geometry<Dual2<T>>,
+    counterweight: Option<Counterweight<T>>,
+}
+
+/// The counterweight of a balance: a body of its weight in its centre of gravity. A rope to it is taken as taut.
+#[derive(Clone, Copy, Debug)]
+struct Counterweight<T> {
+    balancing: Balancing<Dual2<T>>,
+    weights: Weights<Dual2<T>>,
+    /// In kg.
+    mass: T,
+}
+
+impl<T: Calc + DualNum> Counterweight<T> {
+    fn new(p: &Parameters<T>, range: &Range, gravity: T) -> Result<Option<Self>, Fault> {
+        let over = p.map(|_, value| Dual2::from_re(value));
+        let Some((balancing, weights)) = Balancing::new(&over, range)?.zip(over.weights) else {
+            return Ok(None);
+        };
+        let mass = balancing
+            .balance
+            .weight()
+            .map_or(T::constant(0.0), |weight| weight.re / gravity);
+        Ok(Some(Counterweight {
+            balancing,
+            weights,
+            mass,
+        }))
+    }
+}
+
 impl<T: Calc + DualNum> Reduced<T> {
     #[inline]
-    fn new<P: Calc>(g: &Geometry<Dual2<T>>, bodies: &Bodies<P>, push: Option<&Push<P>>, theta: T) -> Option<Self>
+    fn new<P: Calc>(positions: &Positions<T>, bodies: &Bodies<P>, push: Option<&Push<P>>, theta: T) -> Option<Self>
     where
         T: Over<P>,
     {
         let (zero, one) = (T::constant(0.0), T::constant(1.0));
-        let p = Position::new(g, Dual2::new(theta, one, zero))?;
+        let (g, theta) = (&positions.geometry, Dual2::new(theta, one, zero));
+        let p = Position::new(g, theta)?;
         let foot = Point::new(Dual2::from_re(zero), Dual2::from_re(zero));
         let bars = [
             Bar::new(foot, p.x_1),
@@ -128,6 +166,19 @@ impl<T: Calc + DualNum> Reduced<T> {
             let [r, d, dd] = bar.point(body.centre.map(T::of));
             inertia += mass * dot(d, d) + spin * bar.turn;
             slope += T::constant(2.0) * (mass * dot(d, dd) + spin * bar.turn_change);
+            moment += weight * d.y;
+            energy += weight * r.y;
+        }
+        if let Some(Counterweight {
+            balancing,
+            weights,
+            mass,
+        }) = &positions.counterweight
+        {
+            let [r, d, dd] = parts(balancing.place(g, weights, &p, theta)?);
+            let weight = *mass * T::of(bodies.gravity);
+            inertia += *mass * dot(d, d);
+            slope += T::constant(2.0) * *mass * dot(d, dd);
             moment += weight * d.y;
             energy += weight * r.y;
         }
@@ -231,8 +282,8 @@ impl<const N: usize> Coordinate for Gradient<N> {
 #[derive(Clone, Copy, Debug)]
 pub struct Dynamics<P = f64> {
     /// For two and for three derivatives.
-    twice: Geometry<Dual2<f64>>,
-    thrice: Geometry<Dual2<Dual64>>,
+    twice: Positions<f64>,
+    thrice: Positions<Dual64>,
     push: Option<Push<P>>,
     bodies: Bodies<P>,
 }
@@ -251,11 +302,33 @@ impl<P: Calc> Dynamics<P> {
         Dual64: Over<P>,
     {
         Dynamics {
-            twice: geometry.map(|x| Dual2::from_re(x.value())),
-            thrice: geometry.map(|x| Dual2::from_re(Dual64::of(x))),
+            twice: Positions {
+                geometry: geometry.map(|x| Dual2::from_re(x.value())),
+                counterweight: None,
+            },
+            thrice: Positions {
+                geometry: geometry.map(|x| Dual2::from_re(Dual64::of(x))),
+                counterweight: None,
+            },
             push: None,
             bodies,
         }
+    }
+
+    /// With the balance of the same mechanism's parameters, if they have one, over its working range.
+    ///
+    /// # Errors
+    /// Quantities with which there is no such balance.
+    pub fn with_balance(mut self, p: &Parameters<P>, range: &Range) -> Result<Dynamics<P>, Fault>
+    where
+        Dual64: Over<P>,
+    {
+        let gravity = self.bodies.gravity;
+        let values = p.map(|_, value| value.value());
+        self.twice.counterweight = Counterweight::new(&values, range, gravity.value())?;
+        let dual = p.map(|_, value| Dual64::of(value));
+        self.thrice.counterweight = Counterweight::new(&dual, range, Dual64::of(gravity))?;
+        Ok(self)
     }
 
     /// With a drive that pushes along a line from the frame to the driven bar.
@@ -274,7 +347,7 @@ impl<P: Calc> Dynamics<P> {
 
     #[must_use]
     pub fn driven(&self) -> Driven {
-        self.twice.driven
+        self.twice.geometry.driven
     }
 
     #[must_use]

@@ -20,6 +20,7 @@ use crate::lemniscate::moving::symbols as m;
 use crate::lemniscate::scene::Luffing;
 use crate::lemniscate::symbols as s;
 use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
+use crate::motion::Motion as Range;
 use crate::plane::Point;
 use crate::schema::{Kind, Sign, short};
 use crate::solver::{Halt, MOST_STEPS};
@@ -41,7 +42,7 @@ const TRACE: f64 = 1e-6;
 pub struct Model {
     algebraic: Algebraic,
     driven: Driven,
-    stops: [f64; 2],
+    range: Range,
     rope: Option<Rope>,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
@@ -114,7 +115,7 @@ impl Model {
         };
         let mut model = Model {
             driven: luffing.parameters.driven,
-            stops: [luffing.motion.from, luffing.motion.to],
+            range: luffing.motion,
             rope,
             variables: Vec::new(),
             slots: Vec::new(),
@@ -347,7 +348,9 @@ impl Model {
             pendulum,
             gravity: constants.g,
         };
-        let dynamics = Dynamics::new(&geometry, bodies);
+        let dynamics = Dynamics::new(&geometry, bodies)
+            .with_balance(&over, &self.range)
+            .map_err(|fault| Fault::outside(fault.to_string()))?;
         let Some(oil) = oil else {
             return Ok(Level::Free(Motion {
                 dynamics,
@@ -355,7 +358,7 @@ impl Model {
                     viscous: constants.c_v,
                     coulomb: constants.m_f,
                 },
-                stops: self.stops,
+                stops: self.stops(),
             }));
         };
         let (anchors, bore) = over
@@ -394,13 +397,13 @@ impl Model {
         inputs: &Inputs<P>,
     ) -> Hydraulic<N, P> {
         let none = P::constant(0.0);
-        let inertia = P::reduced(&dynamics, P::constant(self.stops[0])).map_or(none, |r| r.inertia);
+        let inertia = P::reduced(&dynamics, P::constant(self.range.from)).map_or(none, |r| r.inertia);
         Hydraulic {
             dynamics,
             cylinder,
             viscous,
             coulomb,
-            stops: self.stops,
+            stops: self.stops(),
             buffer: [STOP * STOP, 2.0 * STOP].map(|factor| inertia * P::constant(factor)),
             command: inputs.valve,
             supply: inputs.supply,
@@ -419,6 +422,10 @@ impl Model {
             valve: of(&m::U_V, valve),
             supply: of(&m::P_P, supply),
         }
+    }
+
+    fn stops(&self) -> [f64; 2] {
+        [self.range.from, self.range.to]
     }
 
     /// Brings the algebraic model to the present angle and angular velocity.
@@ -820,7 +827,7 @@ impl Model {
             }
         }
         let opening = self.state.oil.map_or(0.0, |oil| oil.p_r);
-        for present in self.state.present.lively(self.stops, opening) {
+        for present in self.state.present.lively(self.stops(), opening) {
             lively.state.present = present;
             for known in &self.variables {
                 if !matches!(known.role, Role::Input | Role::Parameter | Role::Tunable | Role::State) {
