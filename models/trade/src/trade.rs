@@ -170,7 +170,11 @@ impl Trade {
         let mut references = Vec::new();
         for level in levels.iter().rev().copied() {
             let reference = reference(scene, &experiment, level, &names)?;
-            if let Some(apart) = reference.apart.as_ref().filter(|apart| apart.part.is_nan() || apart.part > AGREEMENT) {
+            if let Some(apart) = reference
+                .apart
+                .as_ref()
+                .filter(|apart| apart.part.is_nan() || apart.part > AGREEMENT)
+            {
                 let variable = model.variables().iter().find(|v| v.name() == apart.result);
                 let symbol = variable.unwrap_or(&model.variables()[0]).symbol;
                 return Err(Failure::Apart(level, apart.clone(), symbol));
