@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::scene::{Mechanism, Scene};
+use crate::solver::Count;
 use crate::steering;
 use crate::symbol::Symbol;
 use crate::unit;
@@ -104,7 +105,7 @@ impl fmt::Display for Variable {
 /// Variables that belong together where a mechanism meets another one.
 #[derive(Clone, Debug)]
 pub struct Terminal {
-    pub name: &'static str,
+    pub name: String,
     pub text: &'static str,
     /// Each variable's name with its name in this terminal.
     pub members: Vec<(String, &'static str)>,
@@ -176,7 +177,7 @@ pub enum State {
 )]
 pub enum Tangent {
     Luffing(lemniscate::model::Tangent),
-    Moving,
+    Moving(lemniscate::moving::model::Tangent),
     Steering(steering::model::Tangent),
 }
 
@@ -298,6 +299,15 @@ impl Model {
         }
     }
 
+    /// Work of the solver since the model was made; nothing where nothing is solved.
+    #[must_use]
+    pub fn count(&self) -> Count {
+        match self {
+            Model::Luffing(_) | Model::Steering(_) => Count::default(),
+            Model::Moving(model) => model.count(),
+        }
+    }
+
     /// Number of event indicators.
     #[must_use]
     pub fn indicators(&self) -> usize {
@@ -368,6 +378,17 @@ impl Model {
         }
     }
 
+    /// Ends initialization and brings the mechanism to the current inputs.
+    ///
+    /// # Errors
+    /// As [`update`](Model::update).
+    pub fn start(&mut self) -> Result<(), Fault> {
+        match self {
+            Model::Luffing(_) | Model::Moving(_) => self.update(),
+            Model::Steering(model) => model.start(),
+        }
+    }
+
     /// Brings the mechanism to the current inputs.
     ///
     /// # Errors
@@ -427,12 +448,12 @@ impl Model {
     }
 
     /// The model with derivatives along a direction: `seed` is the rate of change
-    /// of each input and parameter, in SI, and of [`TIME`].
+    /// of each input, parameter and continuous state, in SI, and of [`TIME`].
     #[must_use]
     pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
         match self {
             Model::Luffing(model) => Tangent::Luffing(model.tangent(seed)),
-            Model::Moving(_) => Tangent::Moving,
+            Model::Moving(model) => Tangent::Moving(model.tangent(seed)),
             Model::Steering(model) => Tangent::Steering(model.tangent(seed)),
         }
     }
@@ -440,22 +461,20 @@ impl Model {
     /// Whether directional derivatives exist.
     #[must_use]
     pub fn has_derivatives(&self) -> bool {
-        matches!(self, Model::Luffing(_))
+        matches!(self, Model::Luffing(_) | Model::Moving(_))
     }
 
-    /// Derivative of an output along the direction of a tangent, in SI.
+    /// Derivative of an output or a rate along the direction of a tangent, in SI.
     ///
     /// # Errors
-    /// Not an output, or a place where there is no derivative.
+    /// Not a result, or a place where there is no derivative.
     ///
     /// # Panics
     /// With the tangent of another mechanism.
     pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
         match (self, tangent) {
             (Model::Luffing(model), Tangent::Luffing(tangent)) => model.derivative(tangent, index),
-            (Model::Moving(_), Tangent::Moving) => Err(Fault::new(
-                "there are no directional derivatives of a mechanism in motion",
-            )),
+            (Model::Moving(model), Tangent::Moving(tangent)) => model.derivative(tangent, index),
             (Model::Steering(model), Tangent::Steering(tangent)) => model.derivative(tangent, index),
             _ => unreachable!("{OF_ANOTHER}"),
         }

@@ -1,5 +1,6 @@
 //! What a scene says about the mechanism in motion.
 
+use crate::balance;
 use crate::diagnostic::Diagnostic;
 use crate::lemniscate::motion::Commands;
 use crate::lemniscate::moving::level::Inputs;
@@ -8,7 +9,7 @@ use crate::schema::{Key, Sign, Values};
 use crate::symbol::{Symbol, quantities};
 
 /// How deep the mechanism is modelled.
-pub const FIDELITIES: &[&str] = &["static", "rigid", "swing", "hydraulic"];
+pub const FIDELITIES: &[&str] = &["static", "rigid", "swing", "hydraulic", "auto"];
 
 /// Keys of `[luffing.dynamics]`.
 pub static KEYS: &[Key] = &[
@@ -96,7 +97,7 @@ impl Moving {
             found.push(Diagnostic::new(v.place(key), what, label).help(help));
         };
         let table = match (fidelity, v.table("dynamics")) {
-            ("static", None) => return None,
+            ("static" | "auto", None) => return None,
             ("static", Some(_)) => {
                 mistake(
                     "dynamics",
@@ -126,18 +127,19 @@ impl Moving {
             );
             return None;
         }
-        if v.table("balance").is_some() {
+        let balance = v.table("balance");
+        if balance.is_some_and(|b| b.text("kind") == Some("lever") && !b.has(balance::symbols::S_5.id)) {
             mistake(
                 "balance",
-                format!("fidelity = \"{fidelity}\" with a balance"),
-                "its counterweight has no inertia yet",
-                "remove [luffing.balance], or set fidelity = \"static\"",
+                format!("fidelity = \"{fidelity}\" with a lever whose counterweight has no arm"),
+                "its inertia is not known",
+                "add s_5 = \"... m\": the counterweight weighs M_5 / s_5",
             );
             return None;
         }
         let n = |symbol: &Symbol| table.number(symbol.id);
         let rope = match (fidelity, n(&s::L_R)) {
-            ("swing" | "hydraulic", Some(length)) => Some(Rope {
+            ("swing" | "hydraulic" | "auto", Some(length)) => Some(Rope {
                 length,
                 swing: n(&s::PHI).unwrap_or(0.0),
             }),
@@ -171,7 +173,7 @@ impl Moving {
             }
         };
         let (oil, valve, supply) = match (fidelity, v.table("hydraulics")) {
-            ("hydraulic", Some(table)) => {
+            ("hydraulic" | "auto", Some(table)) => {
                 let n = |symbol: &Symbol| table.number(symbol.id);
                 let oil = oil(v, table, found)?;
                 (Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?)
