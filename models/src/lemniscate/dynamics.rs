@@ -25,17 +25,32 @@ pub struct Body {
     pub inertia: f64,
     /// Centre of gravity from the bar's first joint, along the bar and to its left, in m.
     pub centre: Point<f64>,
+    /// Where the inertia lies: mass times xx, xy and yy of the same directions about the centre, in kg·m².
+    pub spread: [f64; 3],
 }
 
 impl Body {
+    /// A slender body of a mass (kg), an inertia about its centre (kg·m²), the centre (m) and the direction
+    /// along which it lies, both in the frame of its bar.
+    #[must_use]
+    pub fn slender(mass: f64, inertia: f64, centre: Point<f64>, along: Point<f64>) -> Body {
+        let per = match along.norm_squared() {
+            0.0 => 0.0,
+            square => inertia / square,
+        };
+        Body {
+            mass,
+            inertia,
+            centre,
+            spread: products(along).map(|x| per * x),
+        }
+    }
+
     /// A uniform bar of a mass (kg) from one point to another, both in the frame of its bar, in m.
     #[must_use]
     pub fn uniform(mass: f64, from: Point<f64>, to: Point<f64>) -> Body {
-        Body {
-            mass,
-            inertia: mass * (to - from).norm_squared() / 12.0,
-            centre: (from + to) / 2.0,
-        }
+        let inertia = mass * (to - from).norm_squared() / 12.0;
+        Body::slender(mass, inertia, (from + to) / 2.0, to - from)
     }
 
     /// The body with a mass (kg) that is fixed to it at a point of its frame, in m.
@@ -45,12 +60,28 @@ impl Body {
         if sum == 0.0 {
             return self;
         }
+        let (apart, both) = (at - self.centre, self.mass * mass / sum);
+        let more = products(apart);
         Body {
             mass: sum,
-            inertia: self.inertia + self.mass * mass / sum * (at - self.centre).norm_squared(),
+            inertia: self.inertia + both * apart.norm_squared(),
             centre: (self.centre * self.mass + at * mass) / sum,
+            spread: std::array::from_fn(|i| self.spread[i] + both * more[i]),
         }
     }
+}
+
+fn products(v: Point<f64>) -> [f64; 3] {
+    [v.x * v.x, v.x * v.y, v.y * v.y]
+}
+
+/// The crane as it turns about its vertical axis. Bodies are thin: across the mechanism's plane they have no width.
+#[derive(Clone, Copy, Debug)]
+pub struct Turntable {
+    /// The axis from O1, in m; positive lies forward.
+    pub axis: f64,
+    /// Of all that turns besides the bodies of the mechanism, about the axis, in kg·m².
+    pub inertia: f64,
 }
 
 /// The load on its rope: a pendulum in the plane of the mechanism.
@@ -105,6 +136,8 @@ pub struct Reduced<C> {
     pub head: [Point<C>; 3],
     /// Length of the drive (m) and its lever arm (m), which is its derivative by the angle; zero without one.
     pub drive: [C; 2],
+    /// Inertia about the slewing axis (kg·m²), and its change by the angle; zero where the crane does not slew.
+    pub turn: [C; 2],
 }
 
 /// Positions with their first and second derivatives by the driven angle.
@@ -143,7 +176,8 @@ impl<T: Calc + DualNum> Counterweight<T> {
 
 impl<T: Calc + DualNum> Reduced<T> {
     #[inline]
-    fn new(positions: &Positions<T>, bodies: &Bodies, push: Option<&Push>, theta: T) -> Option<Self> {
+    fn new(d: &Dynamics, positions: &Positions<T>, theta: T) -> Option<Self> {
+        let (bodies, push) = (&d.bodies, d.push.as_ref());
         let (zero, one, constant) = (T::constant(0.0), T::constant(1.0), T::constant);
         let (g, theta) = (&positions.geometry, Dual2::new(theta, one, zero));
         let p = Position::new(g, theta)?;
@@ -154,14 +188,18 @@ impl<T: Calc + DualNum> Reduced<T> {
             Bar::new(g.lengths.o3(), p.x_3),
         ];
         let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
+        let mut turn = Dual2::from_re(zero);
         for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(&bars) {
             let (mass, spin) = (constant(body.mass), constant(body.inertia));
             let weight = constant(body.mass * bodies.gravity);
-            let [r, d, dd] = bar.point(body.centre);
-            inertia += mass * dot(d, d) + spin * bar.turn;
-            slope += constant(2.0) * (mass * dot(d, dd) + spin * bar.turn_change);
-            moment += weight * d.y;
+            let [r, v, dd] = bar.point(body.centre);
+            inertia += mass * dot(v, v) + spin * bar.turn;
+            slope += constant(2.0) * (mass * dot(v, dd) + spin * bar.turn_change);
+            moment += weight * v.y;
             energy += weight * r.y;
+            if let Some(Turntable { axis, .. }) = d.turntable {
+                turn += about(axis, body.mass, [r, v, dd]) + bar.spread(&body.spread);
+            }
         }
         if let Some(Counterweight {
             balancing,
@@ -169,12 +207,19 @@ impl<T: Calc + DualNum> Reduced<T> {
             mass,
         }) = &positions.counterweight
         {
-            let [r, d, dd] = parts(balancing.place(g, weights, &p, theta)?);
-            let (mass, weight) = (constant(*mass), constant(*mass * bodies.gravity));
-            inertia += mass * dot(d, d);
-            slope += constant(2.0) * mass * dot(d, dd);
-            moment += weight * d.y;
+            let place = parts(balancing.place(g, weights, &p, theta)?);
+            let [r, v, a] = place;
+            let weight = constant(*mass * bodies.gravity);
+            inertia += constant(*mass) * dot(v, v);
+            slope += constant(2.0 * *mass) * dot(v, a);
+            moment += weight * v.y;
             energy += weight * r.y;
+            if let Some(Turntable { axis, .. }) = d.turntable {
+                turn += about(axis, *mass, place);
+            }
+        }
+        if let Some(table) = d.turntable {
+            turn += Dual2::constant(table.inertia);
         }
         let drive = push.map_or([zero; 2], |push| {
             let bar = match g.driven {
@@ -193,6 +238,7 @@ impl<T: Calc + DualNum> Reduced<T> {
             energy,
             head: parts(p.a),
             drive,
+            turn: [turn.re, turn.v1],
         })
     }
 }
@@ -222,6 +268,14 @@ impl<T: Calc + DualNum> Bar<T> {
         }
     }
 
+    /// Inertia about a vertical axis through the centre of a body that lies in the bar's frame as `spread` says.
+    fn spread(&self, [xx, xy, yy]: &[f64; 3]) -> Dual2<T> {
+        let [e, d, dd] = self.along.map(|x| x / self.length);
+        let (along, across) = (Dual2::new(e.x, d.x, dd.x), -Dual2::new(e.y, d.y, dd.y));
+        let of = |product: &f64| Dual2::constant(*product);
+        of(xx) * along * along + of(xy) * along * across * Dual2::constant(2.0) + of(yy) * across * across
+    }
+
     /// A point of the bar's frame: place, first and second derivative.
     #[inline]
     fn point(&self, at: Point<f64>) -> [Point<T>; 3] {
@@ -235,6 +289,12 @@ fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
     [v.map(|x| x.re), v.map(|x| x.v1), v.map(|x| x.v2)]
 }
 
+/// Inertia about a vertical axis (m from O1) of a mass (kg) at a place with its derivatives.
+fn about<T: Calc + DualNum>(axis: f64, mass: f64, [r, d, dd]: [Point<T>; 3]) -> Dual2<T> {
+    let arm = Dual2::new(r.x - T::constant(axis), d.x, dd.x);
+    Dual2::constant(mass) * arm * arm
+}
+
 /// A scalar that the equations of motion run on: a number, or one with its derivatives by all states.
 pub trait Coordinate: Calc {
     /// `None` where the linkage does not close.
@@ -244,7 +304,7 @@ pub trait Coordinate: Calc {
 impl Coordinate for f64 {
     #[inline]
     fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
-        Reduced::new(&d.twice, &d.bodies, d.push.as_ref(), theta)
+        Reduced::new(d, &d.twice, theta)
     }
 }
 
@@ -252,7 +312,7 @@ impl Coordinate for f64 {
 impl<const N: usize> Coordinate for Gradient<N> {
     #[inline]
     fn reduced(d: &Dynamics, theta: Gradient<N>) -> Option<Reduced<Gradient<N>>> {
-        let r = Reduced::new(&d.thrice, &d.bodies, d.push.as_ref(), Dual64::new(theta.re, 1.0))?;
+        let r = Reduced::new(d, &d.thrice, Dual64::new(theta.re, 1.0))?;
         let of = |x: Dual64| theta.chain(x);
         Some(Reduced {
             inertia: of(r.inertia),
@@ -261,6 +321,7 @@ impl<const N: usize> Coordinate for Gradient<N> {
             energy: of(r.energy),
             head: r.head.map(|p| p.map(of)),
             drive: r.drive.map(of),
+            turn: r.turn.map(of),
         })
     }
 }
@@ -272,6 +333,7 @@ pub struct Dynamics {
     twice: Positions<f64>,
     thrice: Positions<Dual64>,
     push: Option<Push>,
+    turntable: Option<Turntable>,
     bodies: Bodies,
 }
 
@@ -295,6 +357,7 @@ impl Dynamics {
                 counterweight: None,
             },
             push: None,
+            turntable: None,
             bodies,
         }
     }
@@ -321,6 +384,21 @@ impl Dynamics {
             push: Some(push),
             ..self
         }
+    }
+
+    /// On a turntable.
+    #[must_use]
+    pub fn with_slewing(self, turntable: Turntable) -> Dynamics {
+        Dynamics {
+            turntable: Some(turntable),
+            ..self
+        }
+    }
+
+    /// Where it slews.
+    #[must_use]
+    pub fn turntable(&self) -> Option<Turntable> {
+        self.turntable
     }
 
     #[must_use]

@@ -302,29 +302,28 @@ impl Model {
             Fault::outside(format!("{}; {}", words.what, words.help))
         })?;
         let weights = parameters.weights.expect("checked when the scene was read");
-        let body = |weight: f64, inertia: f64, distance: f64, angle: f64| {
+        // Boom and rocker lie along their bars, the jib along the line from its tail to its head.
+        let bar = Point::new(1.0, 0.0);
+        let head = Point::new(geometry.kappa.x, -geometry.kappa.y) * geometry.lengths.x_2;
+        let body = |weight: f64, inertia: f64, distance: f64, angle: f64, along: Point<f64>| {
             let (sin, cos) = Calc::sin_cos(angle);
-            Body {
-                mass: weight / g,
-                inertia,
-                centre: Point::new(distance * cos, distance * sin),
-            }
+            Body::slender(weight / g, inertia, Point::new(distance * cos, distance * sin), along)
         };
         let load = self.algebraic.load() / g;
-        let jib = body(weights.g_2, j_2, weights.s_2, weights.chi_2);
-        let head = Point::new(geometry.kappa.x, -geometry.kappa.y) * geometry.lengths.x_2;
+        let axis = head - bar * geometry.lengths.x_2;
+        let jib = body(weights.g_2, j_2, weights.s_2, weights.chi_2, axis);
         let pendulum = self.rope.map(|rope| Pendulum {
             mass: load,
             length: rope.length,
         });
         let bodies = Bodies {
-            boom: body(weights.g_1, j_1, weights.s_1, weights.chi_1),
+            boom: body(weights.g_1, j_1, weights.s_1, weights.chi_1, bar),
             jib: if pendulum.is_some() {
                 jib
             } else {
                 jib.with_mass(load, head)
             },
-            rocker: body(weights.g_3, j_3, weights.s_3, weights.chi_3),
+            rocker: body(weights.g_3, j_3, weights.s_3, weights.chi_3, bar),
             pendulum,
             gravity: g,
         };
