@@ -4,13 +4,16 @@
 
 use crate::lemniscate::hydraulic::Hydraulic;
 use crate::lemniscate::motion::{self, Bar, Commands, Motion};
+use crate::lemniscate::slewing::{self, Drive, Slewing};
 use crate::solver::rodas::{Run, Tolerance};
 use crate::solver::{Halt, System};
 
 /// Most continuous states of any level.
-pub const MOST_STATES: usize = 10;
-/// Event indicators of the deepest level.
-pub const MOST_INDICATORS: usize = 5;
+pub const MOST_STATES: usize = 11;
+/// Most event indicators of any level.
+pub const MOST_INDICATORS: usize = 9;
+/// Event indicators of the hydraulic level.
+pub const OIL_INDICATORS: usize = 5;
 
 /// First step of the implicit solver after a change from outside, in s.
 const FIRST: f64 = 1e-3;
@@ -19,15 +22,30 @@ const FIRST: f64 = 1e-3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inputs {
     pub motion: Commands,
+    /// Of slewing.
+    pub slewing: Drive,
     /// Command of the valve in [−1, 1], and pressure of the pump in Pa.
     pub valve: f64,
     pub supply: f64,
+}
+
+impl Inputs {
+    /// Of a crane that slews.
+    #[must_use]
+    pub fn of_both(&self) -> slewing::Commands {
+        let Commands { moment, brake, hoist } = self.motion;
+        slewing::Commands {
+            drives: [Drive { moment, brake }, self.slewing],
+            hoist,
+        }
+    }
 }
 
 /// The equations of a level.
 #[derive(Clone, Copy, Debug)]
 pub enum Level {
     Free(Motion),
+    Slewing(Slewing),
     /// A cylinder, the load fixed to the head.
     Fixed(Hydraulic<8>),
     /// A cylinder, the load on its rope.
@@ -38,6 +56,7 @@ pub enum Level {
 #[derive(Clone, Copy, Debug)]
 pub enum Present {
     Free(motion::State),
+    Slewing(slewing::State),
     Fixed(Run<8>),
     Hanging(Run<10>),
 }
@@ -57,7 +76,7 @@ fn tolerance<const N: usize>(relative: f64) -> Tolerance<N> {
     }
 }
 
-fn oil_indicators<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> [f64; MOST_INDICATORS] {
+fn oil_indicators<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> [f64; OIL_INDICATORS] {
     let opening = system.cylinder.relief[0];
     [
         y[N - 2],
@@ -76,7 +95,7 @@ fn possible<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> bool {
 impl Level {
     pub fn set_inputs(&mut self, inputs: &Inputs) {
         match self {
-            Level::Free(_) => {}
+            Level::Free(_) | Level::Slewing(_) => {}
             Level::Fixed(system) => (system.command, system.supply) = (inputs.valve, inputs.supply),
             Level::Hanging(system) => (system.command, system.supply) = (inputs.valve, inputs.supply),
         }
@@ -88,6 +107,9 @@ impl Level {
             (Level::Free(motion), Present::Free(state)) => {
                 put(rates, &motion.rates(state, &inputs.motion, &state.y)?);
             }
+            (Level::Slewing(crane), Present::Slewing(state)) => {
+                put(rates, &crane.rates(state, &inputs.of_both(), &state.y)?);
+            }
             (Level::Fixed(system), Present::Fixed(run)) => put(rates, &system.rates(&run.states())?),
             (Level::Hanging(system), Present::Hanging(run)) => put(rates, &system.rates(&run.states())?),
             _ => unreachable!("{OTHER}"),
@@ -96,13 +118,19 @@ impl Level {
     }
 
     /// Numbers whose change of sign is an event; `None` where the linkage does not close.
-    pub fn indicators(&self, present: &Present, inputs: &Inputs) -> Option<[f64; MOST_INDICATORS]> {
+    pub fn indicators(&self, present: &Present, inputs: &Inputs, indicators: &mut [f64]) -> Option<()> {
         match (self, present) {
-            (Level::Free(motion), Present::Free(state)) => motion.indicators(state, &inputs.motion, &state.y),
-            (Level::Fixed(system), Present::Fixed(run)) => Some(oil_indicators(system, &run.states())),
-            (Level::Hanging(system), Present::Hanging(run)) => Some(oil_indicators(system, &run.states())),
+            (Level::Free(motion), Present::Free(state)) => {
+                put(indicators, &motion.indicators(state, &inputs.motion, &state.y)?);
+            }
+            (Level::Slewing(crane), Present::Slewing(state)) => {
+                put(indicators, &crane.indicators(state, &inputs.of_both(), &state.y)?);
+            }
+            (Level::Fixed(system), Present::Fixed(run)) => put(indicators, &oil_indicators(system, &run.states())),
+            (Level::Hanging(system), Present::Hanging(run)) => put(indicators, &oil_indicators(system, &run.states())),
             _ => unreachable!("{OTHER}"),
         }
+        Some(())
     }
 
     /// Decides what follows at an instant. The events of oil are kinks: nothing is to be decided.
@@ -112,6 +140,7 @@ impl Level {
     pub fn event(&self, present: &mut Present, inputs: &Inputs) -> Result<(), Halt> {
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => motion.event(state, &inputs.motion).map(|_| ()),
+            (Level::Slewing(crane), Present::Slewing(state)) => crane.event(state, &inputs.of_both()).map(|_| ()),
             (Level::Fixed(system), Present::Fixed(run)) => system.rates(&run.states()).map(|_| ()).ok_or(Halt::Outside),
             (Level::Hanging(system), Present::Hanging(run)) => {
                 system.rates(&run.states()).map(|_| ()).ok_or(Halt::Outside)
@@ -137,6 +166,9 @@ impl Level {
             (Level::Free(motion), Present::Free(state)) => {
                 motion.advance(state, &inputs.motion, duration, step).map(|_| ())
             }
+            (Level::Slewing(crane), Present::Slewing(state)) => {
+                crane.advance(state, &inputs.of_both(), duration, step).map(|_| ())
+            }
             (Level::Fixed(system), Present::Fixed(run)) => oil_advance(system, run, duration, step, relative),
             (Level::Hanging(system), Present::Hanging(run)) => oil_advance(system, run, duration, step, relative),
             _ => unreachable!("{OTHER}"),
@@ -153,6 +185,21 @@ fn oil_advance<const N: usize>(
 ) -> Result<(), Halt> {
     run.advance(system, &tolerance(relative), duration, longest)?;
     possible(system, &run.states()).then_some(()).ok_or(Halt::Outside)
+}
+
+/// Which way a bar moves, as a number, and back.
+fn way(bar: Bar) -> f64 {
+    match bar {
+        Bar::Held => 0.0,
+        Bar::Forward => 1.0,
+        Bar::Backward => -1.0,
+    }
+}
+
+fn bar_of(way: f64) -> Option<Bar> {
+    [Bar::Held, Bar::Forward, Bar::Backward]
+        .into_iter()
+        .find(|bar| self::way(*bar) == way)
 }
 
 fn put(to: &mut [f64], from: &[f64]) {
@@ -176,6 +223,7 @@ impl Present {
         let mut y = [0.0; MOST_STATES];
         match self {
             Present::Free(state) => put(&mut y, &state.y),
+            Present::Slewing(state) => put(&mut y, &state.y),
             Present::Fixed(run) => put(&mut y, &run.states()),
             Present::Hanging(run) => put(&mut y, &run.states()),
         }
@@ -186,6 +234,7 @@ impl Present {
     pub fn set_states(&mut self, values: &[f64]) {
         match self {
             Present::Free(state) => put(&mut state.y, values),
+            Present::Slewing(state) => put(&mut state.y, values),
             Present::Fixed(run) => {
                 let mut y = run.states();
                 put(&mut y, values);
@@ -202,7 +251,7 @@ impl Present {
     /// To be called when an input or a parameter changes.
     pub fn interrupt(&mut self) {
         match self {
-            Present::Free(_) => {}
+            Present::Free(_) | Present::Slewing(_) => {}
             Present::Fixed(run) => run.interrupt(FIRST),
             Present::Hanging(run) => run.interrupt(FIRST),
         }
@@ -213,11 +262,11 @@ impl Present {
         match self {
             Present::Free(state) => {
                 numbers.extend(state.y);
-                numbers.push(match state.bar {
-                    Bar::Held => 0.0,
-                    Bar::Forward => 1.0,
-                    Bar::Backward => -1.0,
-                });
+                numbers.extend([way(state.bar), f64::from(state.taut)]);
+            }
+            Present::Slewing(state) => {
+                numbers.extend(state.y);
+                numbers.extend(state.joints.map(way));
                 numbers.push(f64::from(state.taut));
             }
             Present::Fixed(run) => numbers.extend(run.numbers()),
@@ -241,15 +290,18 @@ impl Present {
             Present::Free(_) => {
                 let (y, modes) = own.split_first_chunk::<{ motion::STATES }>()?;
                 let &[bar, taut] = modes else { return None };
-                let bar = match bar {
-                    0.0 => Bar::Held,
-                    1.0 => Bar::Forward,
-                    -1.0 => Bar::Backward,
-                    _ => return None,
-                };
                 Present::Free(motion::State {
                     y: *y,
-                    bar,
+                    bar: bar_of(bar)?,
+                    taut: taut != 0.0,
+                })
+            }
+            Present::Slewing(_) => {
+                let (y, modes) = own.split_first_chunk::<{ slewing::STATES }>()?;
+                let &[luffing, turning, taut] = modes else { return None };
+                Present::Slewing(slewing::State {
+                    y: *y,
+                    joints: [bar_of(luffing)?, bar_of(turning)?],
                     taut: taut != 0.0,
                 })
             }

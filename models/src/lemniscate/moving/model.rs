@@ -4,18 +4,21 @@
 
 use std::collections::BTreeSet;
 
+use nalgebra::Vector3;
+
 use crate::calc::Calc;
 use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::valve::Valve;
-use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum};
+use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::lemniscate::geometry::{Driven, Geometry};
 use crate::lemniscate::hydraulic::Hydraulic;
 use crate::lemniscate::model::{Model as Algebraic, State as AlgebraicState};
 use crate::lemniscate::motion::{self, Commands, Friction, Motion};
-use crate::lemniscate::moving::level::{Inputs, Level, MOST_INDICATORS, MOST_STATES, Present};
-use crate::lemniscate::moving::scene::{Constants, KEYS, Moving, OIL_KEYS, Oil, Rope};
+use crate::lemniscate::moving::level::{Inputs, Level, MOST_INDICATORS, MOST_STATES, OIL_INDICATORS, Present};
+use crate::lemniscate::moving::scene::{Constants, KEYS, Moving, OIL_KEYS, Oil, Rope, SLEWING_KEYS, Turning};
 use crate::lemniscate::moving::symbols as m;
 use crate::lemniscate::scene::Luffing;
+use crate::lemniscate::slewing::{self, Joint, Slewing};
 use crate::lemniscate::symbols as s;
 use crate::model::{Fault, Name, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion as Range;
@@ -39,6 +42,8 @@ pub struct Model {
     driven: Driven,
     range: Range,
     rope: Option<Rope>,
+    /// Where the crane slews.
+    slewing_stops: Option<[f64; 2]>,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
     signs: Vec<Sign>,
@@ -58,6 +63,7 @@ pub struct State {
     present: Present,
     inputs: Inputs,
     constants: Constants<f64>,
+    turning: Option<Turning<f64>>,
     oil: Option<Oil<f64>>,
     algebraic: AlgebraicState,
 }
@@ -73,8 +79,14 @@ enum Slot {
     Valve,
     Supply,
     Constant,
+    SlewingMoment,
+    SlewingBrake,
     FrictionMoment,
+    SlewingFriction,
     RopeForce,
+    /// Of the rope, in the mechanism's plane and from it.
+    RopeAngle(usize),
+    Distance,
     CylinderForce,
     /// Index of a variable of the algebraic model.
     Algebraic(usize),
@@ -90,19 +102,32 @@ impl Model {
             oil,
             inputs,
             constants,
+            slewing,
         } = *moving;
         let mut start = motion::State::resting(luffing.motion.from, rope.map_or(0.0, |rope| rope.length));
         start.y[2] = rope.map_or(0.0, |rope| rope.swing);
-        let (states, indicators) = match (oil, rope) {
-            (None, None) => (2, motion::INDICATORS - 1),
-            (None, Some(_)) => (motion::STATES, motion::INDICATORS),
-            (Some(_), None) => (8, MOST_INDICATORS),
-            (Some(_), Some(_)) => (10, MOST_INDICATORS),
+        let (states, indicators) = match (oil, rope, slewing) {
+            (None, None, None) => (2, motion::INDICATORS - 1),
+            (None, Some(_), None) => (motion::STATES, motion::INDICATORS),
+            (None, None, Some(_)) => (slewing::RIGID, slewing::INDICATORS - 1),
+            (None, Some(_), Some(_)) => (slewing::STATES, slewing::INDICATORS),
+            (Some(_), None, _) => (8, OIL_INDICATORS),
+            (Some(_), Some(_), _) => (10, OIL_INDICATORS),
+        };
+        let present = match slewing {
+            None => Present::Free(start),
+            Some(turn) => {
+                let mut start = slewing::State::resting(start.y[0], start.y[4]);
+                start.put_load([rope.map_or(0.0, |rope| rope.swing), turn.side]);
+                start.y[2..4].copy_from_slice(&turn.start);
+                Present::Slewing(start)
+            }
         };
         let mut model = Model {
             driven: luffing.parameters.driven,
             range: luffing.motion,
             rope,
+            slewing_stops: slewing.map(|turn| turn.stops),
             variables: Vec::new(),
             slots: Vec::new(),
             signs: Vec::new(),
@@ -111,9 +136,10 @@ impl Model {
             level: None,
             state: State {
                 time: 0.0,
-                present: Present::Free(start),
+                present,
                 inputs,
                 constants,
+                turning: slewing.map(|turn| turn.constants),
                 oil,
                 algebraic: *algebraic.state(),
             },
@@ -139,7 +165,7 @@ impl Model {
                 y[2] = swing;
                 Present::of_oil_10(y)
             }),
-            Level::Free(_) => None,
+            Level::Free(_) | Level::Slewing(_) => None,
         };
         present.ok_or_else(|| {
             Fault::outside("the cylinder has no lever arm at the start of the working range: it cannot hold the crane")
@@ -162,7 +188,7 @@ impl Model {
         };
         let boom = self.driven == Driven::Boom;
         let hydraulic = self.state.oil.is_some();
-        let reeled = self.rope.is_some() && !hydraulic;
+        let (reeled, slews) = (self.rope.is_some() && !hydraulic, self.slewing_stops.is_some());
         let coordinate = if boom {
             [&s::THETA_1, &s::OMEGA_1]
         } else {
@@ -170,6 +196,8 @@ impl Model {
         };
         let states = self.of_level(
             coordinate,
+            [&m::PSI_SL, &m::OMEGA_SL],
+            [&m::X_Q, &m::Y_Q, &m::Z_Q, &m::V_QX, &m::V_QY, &m::V_QZ],
             [&m::PHI, &m::OMEGA_PHI],
             [&m::L_R, &m::S_Q, &m::V_Q],
             [&m::P_1, &m::P_2, &m::P_A, &m::P_B, &m::X_V, &m::V_V],
@@ -183,8 +211,13 @@ impl Model {
             (_, true) => &[(&m::M_A, Slot::Moment), (&m::M_S, Slot::Brake), (&m::V_H, Slot::Hoist)],
         };
         list.extend(inputs.iter().map(|&(symbol, slot)| (of(symbol, Role::Input), slot)));
+        if slews {
+            list.push((of(&m::M_SL, Role::Input), Slot::SlewingMoment));
+            list.push((of(&m::M_B_SL, Role::Input), Slot::SlewingBrake));
+        }
         let mut constant = |symbol, _| list.push((of(symbol, Role::Parameter), Slot::Constant));
         self.state.constants.map(&mut constant);
+        self.state.turning.map(|turning| turning.map(&mut constant));
         self.state.oil.map(|oil| oil.map(&mut constant));
         let results: &[(&'static Symbol, Slot)] = match (hydraulic, reeled) {
             (true, _) => &[(&m::F_C, Slot::CylinderForce)],
@@ -192,6 +225,14 @@ impl Model {
             (_, true) => &[(&m::M_R, Slot::FrictionMoment), (&m::S_R, Slot::RopeForce)],
         };
         list.extend(results.iter().map(|&(symbol, slot)| (of(symbol, Role::Output), slot)));
+        if slews {
+            list.push((of(&m::M_R_SL, Role::Output), Slot::SlewingFriction));
+            if reeled {
+                list.push((of(&m::PHI, Role::Output), Slot::RopeAngle(0)));
+                list.push((of(&m::CHI_R, Role::Output), Slot::RopeAngle(1)));
+                list.push((of(&m::S_Q, Role::Output), Slot::Distance));
+            }
+        }
         for (index, variable) in self.algebraic.variables().iter().enumerate() {
             if !coordinate.contains(&variable.symbol) {
                 list.push((*variable, Slot::Algebraic(index)));
@@ -203,6 +244,8 @@ impl Model {
             } else {
                 [&m::D_THETA_3, &m::D_OMEGA_3]
             },
+            [&m::D_PSI_SL, &m::D_OMEGA_SL],
+            [&m::D_X_Q, &m::D_Y_Q, &m::D_Z_Q, &m::D_V_QX, &m::D_V_QY, &m::D_V_QZ],
             [&m::D_PHI, &m::D_OMEGA_PHI],
             [&m::D_L_R, &m::D_S_Q, &m::D_V_Q],
             [&m::D_P_1, &m::D_P_2, &m::D_P_A, &m::D_P_B, &m::D_X_V, &m::D_V_V],
@@ -210,12 +253,18 @@ impl Model {
         for (i, symbol) in rates.into_iter().enumerate() {
             list.push((of(symbol, Role::Rate), Slot::Rate(i)));
         }
-        let indicators = if hydraulic {
-            [&m::Z_SPOOL, &m::Z_RELIEF_1, &m::Z_RELIEF_2, &m::Z_LOW, &m::Z_HIGH]
+        let mut indicators = if hydraulic {
+            vec![&m::Z_SPOOL, &m::Z_RELIEF_1, &m::Z_RELIEF_2, &m::Z_LOW, &m::Z_HIGH]
         } else {
-            [&m::Z_REST, &m::Z_LOOSE, &m::Z_LOW, &m::Z_HIGH, &m::Z_ROPE]
+            vec![&m::Z_REST, &m::Z_LOOSE, &m::Z_LOW, &m::Z_HIGH]
         };
-        for (i, symbol) in indicators.into_iter().take(self.indicators).enumerate() {
+        if slews {
+            indicators.extend([&m::Z_SL_REST, &m::Z_SL_LOOSE, &m::Z_SL_LOW, &m::Z_SL_HIGH]);
+        }
+        if reeled {
+            indicators.push(&m::Z_ROPE);
+        }
+        for (i, symbol) in indicators.into_iter().enumerate() {
             list.push((of(symbol, Role::Indicator), Slot::Indicator(i)));
         }
         list
@@ -225,11 +274,21 @@ impl Model {
     fn of_level(
         &self,
         coordinate: [&'static Symbol; 2],
+        slewing: [&'static Symbol; 2],
+        load: [&'static Symbol; 6],
         swing: [&'static Symbol; 2],
         reel: [&'static Symbol; 3],
         oil: [&'static Symbol; 6],
     ) -> Vec<&'static Symbol> {
         let mut symbols = coordinate.to_vec();
+        if self.slewing_stops.is_some() {
+            symbols.extend(slewing);
+            if self.rope.is_some() {
+                symbols.extend(load);
+                symbols.push(reel[0]);
+            }
+            return symbols;
+        }
         if self.rope.is_some() {
             symbols.extend(swing);
         }
@@ -330,6 +389,23 @@ impl Model {
         let dynamics = Dynamics::new(&geometry, bodies)
             .with_balance(&parameters, &self.range)
             .map_err(|fault| Fault::outside(fault.to_string()))?;
+        if let Some((turning, stops)) = self.state.turning.zip(self.slewing_stops) {
+            let turntable = Turntable {
+                axis: -geometry.lengths.x_8,
+                inertia: turning.j_sl,
+            };
+            let joint = |viscous, coulomb, stops| Joint {
+                friction: Friction { viscous, coulomb },
+                stops,
+            };
+            return Ok(Level::Slewing(Slewing {
+                dynamics: dynamics.with_slewing(turntable),
+                joints: [
+                    joint(c_v, m_f, self.stops()),
+                    joint(turning.c_sl, turning.m_f_sl, stops),
+                ],
+            }));
+        }
         let Some(oil) = self.state.oil else {
             return Ok(Level::Free(Motion {
                 dynamics,
@@ -381,6 +457,12 @@ impl Model {
         }
     }
 
+    /// The load from the head of a crane that slews, in m.
+    fn load_place(&self) -> Vector3<f64> {
+        let y = self.state.present.states();
+        Vector3::new(y[4], y[5], y[6])
+    }
+
     fn stops(&self) -> [f64; 2] {
         [self.range.from, self.range.to]
     }
@@ -417,6 +499,8 @@ impl Model {
             Slot::Moment => Ok(inputs.motion.moment),
             Slot::Brake => Ok(inputs.motion.brake),
             Slot::Hoist => Ok(inputs.motion.hoist),
+            Slot::SlewingMoment => Ok(inputs.slewing.moment),
+            Slot::SlewingBrake => Ok(inputs.slewing.brake),
             Slot::Valve => Ok(inputs.valve),
             Slot::Supply => Ok(inputs.supply),
             Slot::Constant => {
@@ -427,16 +511,27 @@ impl Model {
                     }
                 };
                 self.state.constants.map(&mut look);
+                self.state.turning.map(|turning| turning.map(&mut look));
                 self.state.oil.map(|oil| oil.map(&mut look));
                 Ok(found)
             }
-            Slot::FrictionMoment | Slot::RopeForce | Slot::CylinderForce => {
+            Slot::RopeAngle(i) => Ok(slewing::angles(self.load_place())[i]),
+            Slot::Distance => Ok(self.load_place().norm()),
+            Slot::FrictionMoment | Slot::SlewingFriction | Slot::RopeForce | Slot::CylinderForce => {
                 let present = self.state.present;
                 let found = match (self.level()?, present, slot) {
                     (Level::Free(motion), Present::Free(state), Slot::RopeForce) => {
                         motion.rope_force(&state, &inputs.motion)
                     }
                     (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(&state, &inputs.motion),
+                    (Level::Slewing(crane), Present::Slewing(state), slot) => {
+                        let commands = inputs.of_both();
+                        match slot {
+                            Slot::RopeForce => crane.rope_force(&state, &commands),
+                            Slot::SlewingFriction => crane.friction_moment(1, &state, &commands),
+                            _ => crane.friction_moment(0, &state, &commands),
+                        }
+                    }
                     (Level::Fixed(system), Present::Fixed(run), _) => {
                         Some(system.cylinder.force(&Hydraulic::<8>::oil(&run.states())))
                     }
@@ -457,9 +552,14 @@ impl Model {
         let (slot, symbol, sign) = (self.slot(index)?, self.variables[index].symbol, self.signs[index]);
         match slot {
             Slot::Algebraic(inner) => self.algebraic.check(inner, value),
-            Slot::Rate(_) | Slot::Indicator(_) | Slot::FrictionMoment | Slot::RopeForce | Slot::CylinderForce => {
-                Err(Fault::new(format!("{} is a result and cannot be set", symbol.id)))
-            }
+            Slot::Rate(_)
+            | Slot::Indicator(_)
+            | Slot::FrictionMoment
+            | Slot::SlewingFriction
+            | Slot::RopeForce
+            | Slot::RopeAngle(_)
+            | Slot::Distance
+            | Slot::CylinderForce => Err(Fault::new(format!("{} is a result and cannot be set", symbol.id))),
             _ if sign.allows(value) => Ok(()),
             _ => Err(Fault::outside(format!(
                 "{} = {} {} is not allowed: it must be {}",
@@ -490,6 +590,8 @@ impl Model {
             Slot::Moment => inputs.motion.moment = value,
             Slot::Brake => inputs.motion.brake = value,
             Slot::Hoist => inputs.motion.hoist = value,
+            Slot::SlewingMoment => inputs.slewing.moment = value,
+            Slot::SlewingBrake => inputs.slewing.brake = value,
             Slot::Valve if inputs.valve != value => {
                 inputs.valve = value;
                 self.commanded();
@@ -502,6 +604,7 @@ impl Model {
                 let wanted = self.variables[index].symbol;
                 let mut change = |symbol, old| if symbol == wanted { value } else { old };
                 self.state.constants = self.state.constants.map(&mut change);
+                self.state.turning = self.state.turning.map(|turning| turning.map(&mut change));
                 self.state.oil = self.state.oil.map(|oil| oil.map(&mut change));
                 self.changed();
             }
@@ -631,12 +734,8 @@ impl Model {
     /// The linkage does not close.
     pub fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
         let (present, inputs) = (self.state.present, self.state.inputs);
-        let found = self.level()?.indicators(&present, &inputs);
-        let found = found.ok_or_else(|| self.open())?;
-        for (indicator, found) in indicators.iter_mut().zip(found) {
-            *indicator = found;
-        }
-        Ok(())
+        let found = self.level()?.indicators(&present, &inputs, indicators);
+        found.ok_or_else(|| self.open())
     }
 
     fn open(&self) -> Fault {
@@ -666,11 +765,20 @@ impl Model {
     /// A state as numbers.
     #[must_use]
     pub fn numbers(&self, state: &State) -> Vec<f64> {
-        let Inputs { motion, valve, supply } = state.inputs;
+        let Inputs {
+            motion,
+            slewing,
+            valve,
+            supply,
+        } = state.inputs;
         let Commands { moment, brake, hoist } = motion;
         let mut numbers = vec![state.time, moment, brake, hoist, valve, supply];
         state.present.numbers(&mut numbers);
         state.constants.map(&mut |_, value| numbers.push(value));
+        if let Some(turning) = state.turning {
+            numbers.extend([slewing.moment, slewing.brake]);
+            turning.map(&mut |_, value| numbers.push(value));
+        }
         state.oil.map(|oil| oil.map(&mut |_, value| numbers.push(value)));
         numbers.extend(self.algebraic.numbers(&state.algebraic));
         numbers
@@ -685,12 +793,17 @@ impl Model {
         let (present, rest) = self.state.present.of(rest).ok_or_else(wrong)?;
         let mut complete = numbers[..6].iter().all(|x| x.is_finite());
         let mut values = rest.iter();
-        let mut next = |_, _| {
+        let mut next = |_: &'static Symbol, _: f64| {
             let value = values.next().copied().unwrap_or(f64::NAN);
             complete &= value.is_finite();
             value
         };
         let constants = self.state.constants.map(&mut next);
+        let mut slewing = self.state.inputs.slewing;
+        let turning = self.state.turning.map(|turning| {
+            (slewing.moment, slewing.brake) = (next(&m::M_SL, 0.0), next(&m::M_B_SL, 0.0));
+            turning.map(&mut next)
+        });
         let oil = self.state.oil.map(|oil| oil.map(&mut next));
         if !complete {
             return Err(wrong());
@@ -700,10 +813,12 @@ impl Model {
             present,
             inputs: Inputs {
                 motion: Commands { moment, brake, hoist },
+                slewing,
                 valve,
                 supply,
             },
             constants,
+            turning,
             oil,
             algebraic: self.algebraic.state_of(values.as_slice())?,
         })
@@ -726,9 +841,14 @@ impl Model {
             Slot::State(i) => BTreeSet::from([name(&self.variables[i])]),
             // The rate of the angle is another state.
             Slot::Rate(0) => BTreeSet::from([name(&self.variables[1])]),
-            Slot::Rate(_) | Slot::Indicator(_) | Slot::FrictionMoment | Slot::RopeForce | Slot::CylinderForce => {
-                all.clone()
-            }
+            Slot::Rate(2) if self.slewing_stops.is_some() => BTreeSet::from([name(&self.variables[3])]),
+            Slot::RopeAngle(_) | Slot::Distance => self.variables[4..7].iter().map(name).collect(),
+            Slot::Rate(_)
+            | Slot::Indicator(_)
+            | Slot::FrictionMoment
+            | Slot::SlewingFriction
+            | Slot::RopeForce
+            | Slot::CylinderForce => all.clone(),
             Slot::Algebraic(inner) => {
                 let found = algebraic[inner].iter().copied();
                 found.filter(|name| *name != (TIME.id, None)).collect()
@@ -754,5 +874,6 @@ fn allowed(symbol: &'static Symbol) -> Sign {
         Kind::Quantity(known, sign) if known == symbol => Some(sign),
         _ => None,
     };
-    KEYS.iter().chain(OIL_KEYS).find_map(of).unwrap_or(Sign::Any)
+    let keys = KEYS.iter().chain(SLEWING_KEYS).chain(OIL_KEYS);
+    keys.into_iter().find_map(of).unwrap_or(Sign::Any)
 }
