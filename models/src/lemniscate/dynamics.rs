@@ -8,7 +8,7 @@
 use num_dual::{Dual2, Dual64, DualNum};
 
 use crate::balance::Fault;
-use crate::calc::Calc;
+use crate::calc::{Calc, Over};
 use crate::lemniscate::balancing::Balancing;
 use crate::lemniscate::geometry::{Anchors, Driven, Geometry, Parameters, Weights};
 use crate::lemniscate::position::Position;
@@ -18,25 +18,35 @@ use crate::solver::{Gradient, runge_kutta};
 
 /// A body that moves with one of the bars.
 #[derive(Clone, Copy, Debug)]
-pub struct Body {
+pub struct Body<P = f64> {
     /// In kg.
-    pub mass: f64,
+    pub mass: P,
     /// About the centre of gravity, in kg·m².
-    pub inertia: f64,
+    pub inertia: P,
     /// Centre of gravity from the bar's first joint, along the bar and to its left, in m.
-    pub centre: Point<f64>,
+    pub centre: Point<P>,
     /// Where the inertia lies: mass times xx, xy and yy of the same directions about the centre, in kg·m².
-    pub spread: [f64; 3],
+    pub spread: [P; 3],
 }
 
 impl Body {
+    /// A uniform bar of a mass (kg) from one point to another, both in the frame of its bar, in m.
+    #[must_use]
+    pub fn uniform(mass: f64, from: Point<f64>, to: Point<f64>) -> Body {
+        let inertia = mass * (to - from).norm_squared() / 12.0;
+        Body::slender(mass, inertia, (from + to) / 2.0, to - from)
+    }
+}
+
+impl<P: Calc> Body<P> {
     /// A slender body of a mass (kg), an inertia about its centre (kg·m²), the centre (m) and the direction
     /// along which it lies, both in the frame of its bar.
     #[must_use]
-    pub fn slender(mass: f64, inertia: f64, centre: Point<f64>, along: Point<f64>) -> Body {
-        let per = match along.norm_squared() {
-            0.0 => 0.0,
-            square => inertia / square,
+    pub fn slender(mass: P, inertia: P, centre: Point<P>, along: Point<P>) -> Body<P> {
+        let square = dot(along, along);
+        let per = match square.value() {
+            0.0 => P::constant(0.0),
+            _ => inertia / square,
         };
         Body {
             mass,
@@ -46,62 +56,55 @@ impl Body {
         }
     }
 
-    /// A uniform bar of a mass (kg) from one point to another, both in the frame of its bar, in m.
-    #[must_use]
-    pub fn uniform(mass: f64, from: Point<f64>, to: Point<f64>) -> Body {
-        let inertia = mass * (to - from).norm_squared() / 12.0;
-        Body::slender(mass, inertia, (from + to) / 2.0, to - from)
-    }
-
     /// The body with a mass (kg) that is fixed to it at a point of its frame, in m.
     #[must_use]
-    pub fn with_mass(self, mass: f64, at: Point<f64>) -> Body {
+    pub fn with_mass(self, mass: P, at: Point<P>) -> Body<P> {
         let sum = self.mass + mass;
-        if sum == 0.0 {
+        if sum.value() == 0.0 {
             return self;
         }
         let (apart, both) = (at - self.centre, self.mass * mass / sum);
         let more = products(apart);
         Body {
             mass: sum,
-            inertia: self.inertia + both * apart.norm_squared(),
+            inertia: self.inertia + both * dot(apart, apart),
             centre: (self.centre * self.mass + at * mass) / sum,
             spread: std::array::from_fn(|i| self.spread[i] + both * more[i]),
         }
     }
 }
 
-fn products(v: Point<f64>) -> [f64; 3] {
+fn products<P: Calc>(v: Point<P>) -> [P; 3] {
     [v.x * v.x, v.x * v.y, v.y * v.y]
 }
 
 /// The crane as it turns about its vertical axis. Bodies are thin: across the mechanism's plane they have no width.
 #[derive(Clone, Copy, Debug)]
-pub struct Turntable {
+pub struct Turntable<P = f64> {
     /// The axis from O1, in m; positive lies forward.
-    pub axis: f64,
+    pub axis: P,
     /// Of all that turns besides the bodies of the mechanism, about the axis, in kg·m².
-    pub inertia: f64,
+    pub inertia: P,
 }
 
 /// The load on its rope: a pendulum in the plane of the mechanism.
 #[derive(Clone, Copy, Debug)]
-pub struct Pendulum {
+pub struct Pendulum<P = f64> {
     /// In kg.
-    pub mass: f64,
+    pub mass: P,
     /// Length of the rope, in m.
-    pub length: f64,
+    pub length: P,
 }
 
 /// Bodies that the mechanism moves.
 #[derive(Clone, Copy, Debug)]
-pub struct Bodies {
-    pub boom: Body,
-    pub jib: Body,
-    pub rocker: Body,
-    pub pendulum: Option<Pendulum>,
+pub struct Bodies<P = f64> {
+    pub boom: Body<P>,
+    pub jib: Body<P>,
+    pub rocker: Body<P>,
+    pub pendulum: Option<Pendulum<P>>,
     /// In m/s².
-    pub gravity: f64,
+    pub gravity: P,
 }
 
 /// Angles in rad and their rates in rad/s: where the mechanism is and how it moves.
@@ -119,7 +122,7 @@ pub struct Phase<C = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reel<C> {
     pub length: C,
-    pub rate: f64,
+    pub rate: C,
 }
 
 /// What the equations of motion need at one angle, all by derivatives of the positions.
@@ -153,19 +156,19 @@ struct Counterweight<T> {
     balancing: Balancing<Dual2<T>>,
     weights: Weights<Dual2<T>>,
     /// In kg.
-    mass: f64,
+    mass: T,
 }
 
 impl<T: Calc + DualNum> Counterweight<T> {
-    fn new(p: &Parameters<f64>, range: &Range, gravity: f64) -> Result<Option<Self>, Fault> {
-        let over = p.map(|_, value| Dual2::constant(value));
+    fn new(p: &Parameters<T>, range: &Range, gravity: T) -> Result<Option<Self>, Fault> {
+        let over = p.map(|_, value| Dual2::from_re(value));
         let Some((balancing, weights)) = Balancing::new(&over, range)?.zip(over.weights) else {
             return Ok(None);
         };
         let mass = balancing
             .balance
             .weight()
-            .map_or(0.0, |weight| weight.value() / gravity);
+            .map_or(T::constant(0.0), |weight| weight.re / gravity);
         Ok(Some(Counterweight {
             balancing,
             weights,
@@ -176,9 +179,12 @@ impl<T: Calc + DualNum> Counterweight<T> {
 
 impl<T: Calc + DualNum> Reduced<T> {
     #[inline]
-    fn new(d: &Dynamics, positions: &Positions<T>, theta: T) -> Option<Self> {
+    fn new<P: Calc>(d: &Dynamics<P>, positions: &Positions<T>, theta: T) -> Option<Self>
+    where
+        T: Over<P>,
+    {
         let (bodies, push) = (&d.bodies, d.push.as_ref());
-        let (zero, one, constant) = (T::constant(0.0), T::constant(1.0), T::constant);
+        let (zero, one) = (T::constant(0.0), T::constant(1.0));
         let (g, theta) = (&positions.geometry, Dual2::new(theta, one, zero));
         let p = Position::new(g, theta)?;
         let foot = Point::new(Dual2::from_re(zero), Dual2::from_re(zero));
@@ -190,15 +196,16 @@ impl<T: Calc + DualNum> Reduced<T> {
         let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
         let mut turn = Dual2::from_re(zero);
         for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(&bars) {
-            let (mass, spin) = (constant(body.mass), constant(body.inertia));
-            let weight = constant(body.mass * bodies.gravity);
-            let [r, v, dd] = bar.point(body.centre);
+            let (mass, spin) = (T::of(body.mass), T::of(body.inertia));
+            let weight = T::of(body.mass * bodies.gravity);
+            let place = bar.point(body.centre.map(T::of));
+            let [r, v, a] = place;
             inertia += mass * dot(v, v) + spin * bar.turn;
-            slope += constant(2.0) * (mass * dot(v, dd) + spin * bar.turn_change);
+            slope += T::constant(2.0) * (mass * dot(v, a) + spin * bar.turn_change);
             moment += weight * v.y;
             energy += weight * r.y;
             if let Some(Turntable { axis, .. }) = d.turntable {
-                turn += about(axis, body.mass, [r, v, dd]) + bar.spread(&body.spread);
+                turn += about(T::of(axis), mass, place) + bar.spread(body.spread.map(T::of));
             }
         }
         if let Some(Counterweight {
@@ -209,25 +216,25 @@ impl<T: Calc + DualNum> Reduced<T> {
         {
             let place = parts(balancing.place(g, weights, &p, theta)?);
             let [r, v, a] = place;
-            let weight = constant(*mass * bodies.gravity);
-            inertia += constant(*mass) * dot(v, v);
-            slope += constant(2.0 * *mass) * dot(v, a);
+            let weight = *mass * T::of(bodies.gravity);
+            inertia += *mass * dot(v, v);
+            slope += T::constant(2.0) * *mass * dot(v, a);
             moment += weight * v.y;
             energy += weight * r.y;
             if let Some(Turntable { axis, .. }) = d.turntable {
-                turn += about(axis, *mass, place);
+                turn += about(T::of(axis), *mass, place);
             }
         }
         if let Some(table) = d.turntable {
-            turn += Dual2::constant(table.inertia);
+            turn += Dual2::from_re(T::of(table.inertia));
         }
         let drive = push.map_or([zero; 2], |push| {
             let bar = match g.driven {
                 Driven::Boom => &bars[0],
                 Driven::Rocker => &bars[2],
             };
-            let [r, d, _] = bar.point(push.to);
-            let line = r - push.from.map(constant);
+            let [r, d, _] = bar.point(push.to.map(T::of));
+            let line = r - push.from.map(T::of);
             let length = plane::length(line);
             [length, dot(line, d) / length]
         });
@@ -269,17 +276,17 @@ impl<T: Calc + DualNum> Bar<T> {
     }
 
     /// Inertia about a vertical axis through the centre of a body that lies in the bar's frame as `spread` says.
-    fn spread(&self, [xx, xy, yy]: &[f64; 3]) -> Dual2<T> {
+    fn spread(&self, spread: [T; 3]) -> Dual2<T> {
         let [e, d, dd] = self.along.map(|x| x / self.length);
         let (along, across) = (Dual2::new(e.x, d.x, dd.x), -Dual2::new(e.y, d.y, dd.y));
-        let of = |product: &f64| Dual2::constant(*product);
-        of(xx) * along * along + of(xy) * along * across * Dual2::constant(2.0) + of(yy) * across * across
+        let [xx, xy, yy] = spread.map(Dual2::from_re);
+        xx * along * along + xy * along * across * Dual2::constant(2.0) + yy * across * across
     }
 
     /// A point of the bar's frame: place, first and second derivative.
     #[inline]
-    fn point(&self, at: Point<f64>) -> [Point<T>; 3] {
-        let (along, across) = (T::constant(at.x) / self.length, T::constant(at.y) / self.length);
+    fn point(&self, at: Point<T>) -> [Point<T>; 3] {
+        let (along, across) = (at.x / self.length, at.y / self.length);
         [0, 1, 2].map(|i| self.joint[i] + plane::turned(self.along[i], along, across))
     }
 }
@@ -290,21 +297,28 @@ fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
 }
 
 /// Inertia about a vertical axis (m from O1) of a mass (kg) at a place with its derivatives.
-fn about<T: Calc + DualNum>(axis: f64, mass: f64, [r, d, dd]: [Point<T>; 3]) -> Dual2<T> {
-    let arm = Dual2::new(r.x - T::constant(axis), d.x, dd.x);
-    Dual2::constant(mass) * arm * arm
+fn about<T: Calc + DualNum>(axis: T, mass: T, [r, d, dd]: [Point<T>; 3]) -> Dual2<T> {
+    let arm = Dual2::new(r.x - axis, d.x, dd.x);
+    Dual2::from_re(mass) * arm * arm
 }
 
-/// A scalar that the equations of motion run on: a number, or one with its derivatives by all states.
-pub trait Coordinate: Calc {
+/// A scalar that the equations of motion run on, with parameters known as `P`: a number, one with its
+/// derivatives by all states, or one with its derivative in one direction of states and parameters.
+pub trait Coordinate<P = f64>: Over<P> {
     /// `None` where the linkage does not close.
-    fn reduced(d: &Dynamics, theta: Self) -> Option<Reduced<Self>>;
+    fn reduced(d: &Dynamics<P>, theta: Self) -> Option<Reduced<Self>>;
 }
 
 impl Coordinate for f64 {
     #[inline]
     fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
         Reduced::new(d, &d.twice, theta)
+    }
+}
+
+impl Coordinate<Dual64> for Dual64 {
+    fn reduced(d: &Dynamics<Dual64>, theta: Dual64) -> Option<Reduced<Dual64>> {
+        Reduced::new(d, &d.thrice, theta)
     }
 }
 
@@ -328,32 +342,35 @@ impl<const N: usize> Coordinate for Gradient<N> {
 
 /// The mechanism with its bodies.
 #[derive(Clone, Copy, Debug)]
-pub struct Dynamics {
+pub struct Dynamics<P = f64> {
     /// For two and for three derivatives.
     twice: Positions<f64>,
     thrice: Positions<Dual64>,
-    push: Option<Push>,
-    turntable: Option<Turntable>,
-    bodies: Bodies,
+    push: Option<Push<P>>,
+    turntable: Option<Turntable<P>>,
+    bodies: Bodies<P>,
 }
 
 /// A drive's line from a point of the frame to one of the driven bar, in its frame, in m.
 #[derive(Clone, Copy, Debug)]
-struct Push {
-    from: Point<f64>,
-    to: Point<f64>,
+struct Push<P> {
+    from: Point<P>,
+    to: Point<P>,
 }
 
-impl Dynamics {
+impl<P: Calc> Dynamics<P> {
     #[must_use]
-    pub fn new(geometry: &Geometry<f64>, bodies: Bodies) -> Dynamics {
+    pub fn new(geometry: &Geometry<P>, bodies: Bodies<P>) -> Dynamics<P>
+    where
+        Dual64: Over<P>,
+    {
         Dynamics {
             twice: Positions {
-                geometry: geometry.map(Dual2::from_re),
+                geometry: geometry.map(|x| Dual2::from_re(x.value())),
                 counterweight: None,
             },
             thrice: Positions {
-                geometry: geometry.map(|x| Dual2::from_re(Dual64::from_re(x))),
+                geometry: geometry.map(|x| Dual2::from_re(Dual64::of(x))),
                 counterweight: None,
             },
             push: None,
@@ -366,16 +383,22 @@ impl Dynamics {
     ///
     /// # Errors
     /// Quantities with which there is no such balance.
-    pub fn with_balance(mut self, p: &Parameters<f64>, range: &Range) -> Result<Dynamics, Fault> {
-        self.twice.counterweight = Counterweight::new(p, range, self.bodies.gravity)?;
-        self.thrice.counterweight = Counterweight::new(p, range, self.bodies.gravity)?;
+    pub fn with_balance(mut self, p: &Parameters<P>, range: &Range) -> Result<Dynamics<P>, Fault>
+    where
+        Dual64: Over<P>,
+    {
+        let gravity = self.bodies.gravity;
+        let values = p.map(|_, value| value.value());
+        self.twice.counterweight = Counterweight::new(&values, range, gravity.value())?;
+        let dual = p.map(|_, value| Dual64::of(value));
+        self.thrice.counterweight = Counterweight::new(&dual, range, Dual64::of(gravity))?;
         Ok(self)
     }
 
     /// With a drive that pushes along a line from the frame to the driven bar.
     #[must_use]
-    pub fn with_drive(self, anchors: &Anchors<f64>) -> Dynamics {
-        let (sin, cos) = Calc::sin_cos(anchors.chi_d);
+    pub fn with_drive(self, anchors: &Anchors<P>) -> Dynamics<P> {
+        let (sin, cos) = anchors.chi_d.sin_cos();
         let push = Push {
             from: Point::new(anchors.e_x, anchors.e_y),
             to: Point::new(anchors.s_d * cos, anchors.s_d * sin),
@@ -388,7 +411,7 @@ impl Dynamics {
 
     /// On a turntable.
     #[must_use]
-    pub fn with_slewing(self, turntable: Turntable) -> Dynamics {
+    pub fn with_slewing(self, turntable: Turntable<P>) -> Dynamics<P> {
         Dynamics {
             turntable: Some(turntable),
             ..self
@@ -397,7 +420,7 @@ impl Dynamics {
 
     /// Where it slews.
     #[must_use]
-    pub fn turntable(&self) -> Option<Turntable> {
+    pub fn turntable(&self) -> Option<Turntable<P>> {
         self.turntable
     }
 
@@ -407,20 +430,20 @@ impl Dynamics {
     }
 
     #[must_use]
-    pub fn bodies(&self) -> &Bodies {
+    pub fn bodies(&self) -> &Bodies<P> {
         &self.bodies
     }
 
     /// The pendulum's part of the equations of motion, for the coordinates (theta, swing):
     /// the two terms that it adds to the inertia of the first and couples it with, its own, and the forces.
-    fn pendulum<C: Coordinate>(&self, r: &Reduced<C>, m: &Phase<C>, mass: f64, reel: Reel<C>) -> [C; 5] {
+    fn pendulum<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, mass: P, reel: Reel<C>) -> [C; 5] {
         let [_, d, dd] = r.head;
         let (sin, cos) = m.swing.sin_cos();
         // Directions of the load's motion when the rope swings, and of its centripetal acceleration.
         let (swing, inward) = (Point::new(cos, sin), Point::new(-sin, cos));
-        let (mass, gravity, l) = (C::constant(mass), C::constant(self.bodies.gravity), reel.length);
+        let (mass, gravity, l) = (C::of(mass), C::of(self.bodies.gravity), reel.length);
         let pull = l * m.swing_rate.square();
-        let coriolis = C::constant(2.0 * reel.rate) * m.swing_rate;
+        let coriolis = C::constant(2.0) * reel.rate * m.swing_rate;
         let square = m.omega.square();
         [
             mass * dot(d, d),
@@ -434,7 +457,7 @@ impl Dynamics {
     /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar
     /// (N·m, positive raises it), with what the mechanism is at this angle.
     #[inline]
-    pub fn motion<C: Coordinate>(&self, r: &Reduced<C>, m: &Phase<C>, moment: C, reel: Reel<C>) -> [C; 2] {
+    pub fn motion<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, moment: C, reel: Reel<C>) -> [C; 2] {
         let driven = moment - r.moment - C::constant(0.5) * r.slope * m.omega.square();
         let Some(Pendulum { mass, .. }) = self.bodies.pendulum else {
             return [driven / r.inertia, C::constant(0.0)];
@@ -451,14 +474,16 @@ impl Dynamics {
 
     /// Moment on the driven bar (N·m) that keeps it at rest, and the acceleration of the rope (rad/s²) with it.
     #[must_use]
-    pub fn hold(&self, r: &Reduced<f64>, m: &Phase, reel: Reel<f64>) -> [f64; 2] {
+    pub fn hold<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: Reel<C>) -> [C; 2] {
         let Some(Pendulum { mass, .. }) = self.bodies.pendulum else {
-            return [r.moment, 0.0];
+            return [r.moment, C::constant(0.0)];
         };
         let [_, coupled, m_22, f_1, f_2] = self.pendulum(r, m, mass, reel);
         [r.moment - f_1 + coupled * f_2 / m_22, f_2 / m_22]
     }
+}
 
+impl Dynamics {
     /// How much the rope's rate changes, over how much the driven bar's does, in a blow on the driven bar.
     #[must_use]
     pub fn blow(&self, r: &Reduced<f64>, m: &Phase, reel: Reel<f64>) -> f64 {

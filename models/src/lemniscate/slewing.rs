@@ -18,7 +18,7 @@ use nalgebra::Vector3;
 
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Reduced};
-use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES};
+use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, capped};
 use crate::solver::pieces::{self, Pieces};
 use crate::solver::{Count, Halt};
 
@@ -32,26 +32,26 @@ pub const INDICATORS: usize = 9;
 
 /// What drives a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drive<C = f64> {
+pub struct Drive<P = f64> {
     /// In N·m, in the direction of the angle.
-    pub moment: C,
+    pub moment: P,
     /// Moment that the brake adds to the dry friction, in N·m; not negative.
-    pub brake: f64,
+    pub brake: P,
 }
 
 /// What drives the motion; constant over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Commands {
+pub struct Commands<P = f64> {
     /// Of luffing and slewing.
-    pub drives: [Drive; 2],
+    pub drives: [Drive<P>; 2],
     /// How fast the rope is paid out, in m/s.
-    pub hoist: f64,
+    pub hoist: P,
 }
 
 /// Luffing or slewing, at no particular angle.
 #[derive(Clone, Copy, Debug)]
-pub struct Joint {
-    pub friction: Friction,
+pub struct Joint<P = f64> {
+    pub friction: Friction<P>,
     /// Least and greatest angle, in rad; infinite where there is no stop.
     pub stops: [f64; 2],
 }
@@ -92,13 +92,24 @@ impl State {
     }
 }
 
-/// Angles of a rope (rad) to a load at a place from the head: in the plane of the mechanism from the
-/// vertical, in (−π, π], forward positive; and from that plane, in [−π/2, π/2], left positive.
+/// Angles of the rope in rad: in the plane of the mechanism from the vertical, in (−π, π], forward positive;
+/// and from that plane, in [−π/2, π/2], left positive.
 #[must_use]
-pub fn angles<C: Calc>(load: Vector3<C>) -> [C; 2] {
+pub fn angles<C: Calc>(y: &[C; STATES]) -> [C; 2] {
+    let place = load_of(y).place;
     let quarter = C::constant(std::f64::consts::FRAC_PI_2);
-    let within = (load.x.square() + load.y.square()).sqrt();
-    [C::direction(-load.x, -load.y) - quarter, C::direction(within, load.z)]
+    let within = (place.x.square() + place.y.square()).sqrt();
+    [
+        C::direction(-place.x, -place.y) - quarter,
+        C::direction(within, place.z),
+    ]
+}
+
+/// Distance of the load from the head, in m.
+#[must_use]
+pub fn distance<C: Calc>(y: &[C; STATES]) -> C {
+    let place = load_of(y).place;
+    dot(place, place).sqrt()
 }
 
 /// What may move.
@@ -169,21 +180,18 @@ impl<C: Calc> Load<C> {
     }
 }
 
-impl Dynamics {
+impl<P: Calc> Dynamics<P> {
     /// How the head moves with each joint, in the frame that slews, in m.
-    fn head<C: Coordinate>(&self, r: &Reduced<C>) -> [Vector3<C>; 2] {
+    fn head<C: Coordinate<P>>(&self, r: &Reduced<C>) -> [Vector3<C>; 2] {
         let zero = C::constant(0.0);
         let [a, d, _] = r.head;
-        let axis = self.turntable().map_or(0.0, |table| table.axis);
-        [
-            Vector3::new(d.x, d.y, zero),
-            Vector3::new(zero, zero, a.x - C::constant(axis)),
-        ]
+        let axis = self.turntable().map_or(zero, |table| C::of(table.axis));
+        [Vector3::new(d.x, d.y, zero), Vector3::new(zero, zero, a.x - axis)]
     }
 
     /// Motion under moments on both joints (N·m) at rates of the joints (rad/s); the load only where there is
     /// one on a rope, which is paid out at `hoist` (m/s).
-    pub fn slewed<C: Coordinate>(
+    pub fn slewed<C: Coordinate<P>>(
         &self,
         r: &Reduced<C>,
         [omega, turning]: [C; 2],
@@ -224,10 +232,10 @@ impl Dynamics {
         let bend = Vector3::new(dd.x, dd.y, zero);
         let coriolis = scaled(turned(rate), two * turning);
         let centripetal = scaled(turned(turned(from_axis)), turning.square());
-        let gravity = Vector3::new(zero, C::constant(-self.bodies().gravity), zero);
+        let gravity = Vector3::new(zero, -C::of(self.bodies().gravity), zero);
         // Of the free load, seen from a head whose joints keep their rates.
         let fall = gravity - scaled(bend, omega.square()) - coriolis - centripetal;
-        let mass = C::constant(pendulum.mass);
+        let mass = C::of(pendulum.mass);
         let (joints, pull) = match &rope {
             None => (alone, zero),
             Some(rope) => {
@@ -258,20 +266,20 @@ impl Dynamics {
 
 /// A crane that luffs and slews.
 #[derive(Clone, Copy, Debug)]
-pub struct Slewing {
+pub struct Slewing<P = f64> {
     /// On a turntable.
-    pub dynamics: Dynamics,
-    pub joints: [Joint; 2],
+    pub dynamics: Dynamics<P>,
+    pub joints: [Joint<P>; 2],
 }
 
-impl Slewing {
-    fn load(y: &[f64; STATES]) -> Load<f64> {
-        Load {
-            place: Vector3::new(y[4], y[5], y[6]),
-            rate: Vector3::new(y[7], y[8], y[9]),
-        }
+fn load_of<C: Calc>(y: &[C; STATES]) -> Load<C> {
+    Load {
+        place: Vector3::new(y[4], y[5], y[6]),
+        rate: Vector3::new(y[7], y[8], y[9]),
     }
+}
 
+impl<C: Coordinate<C>> Slewing<C> {
     fn free(state: &State) -> Free {
         Free {
             joints: state.joints.map(|joint| joint != Bar::Held),
@@ -280,15 +288,15 @@ impl Slewing {
     }
 
     /// Greatest moment of dry friction and brake of a joint, in N·m.
-    fn dry(&self, i: usize, commands: &Commands) -> f64 {
+    fn dry(&self, i: usize, commands: &Commands<C>) -> C {
         self.joints[i].friction.coulomb + commands.drives[i].brake
     }
 
     /// Moment of friction and brake on a joint that moves, in N·m.
-    fn resistance(&self, i: usize, state: &State, y: &[f64; STATES], commands: &Commands) -> f64 {
+    fn resistance(&self, i: usize, state: &State, y: &[C; STATES], commands: &Commands<C>) -> C {
         let viscous = -self.joints[i].friction.viscous * y[2 * i + 1];
         match state.joints[i] {
-            Bar::Held => 0.0,
+            Bar::Held => C::constant(0.0),
             Bar::Forward => viscous - self.dry(i, commands),
             Bar::Backward => viscous + self.dry(i, commands),
         }
@@ -297,25 +305,25 @@ impl Slewing {
     fn accelerations(
         &self,
         state: &State,
-        r: &Reduced<f64>,
-        y: &[f64; STATES],
-        commands: &Commands,
-    ) -> Accelerations<f64> {
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> Accelerations<C> {
         let moments = [0, 1].map(|i| commands.drives[i].moment + self.resistance(i, state, y, commands));
         let (rates, free) = ([y[1], y[3]], Self::free(state));
         self.dynamics
-            .slewed(r, rates, Self::load(y), moments, commands.hoist, free)
+            .slewed(r, rates, load_of(y), moments, commands.hoist, free)
     }
 
     /// Rates of all states between events; `None` where the linkage does not close.
     #[must_use]
-    pub fn rates(&self, state: &State, commands: &Commands, y: &[f64; STATES]) -> Option<[f64; STATES]> {
-        let r = f64::reduced(&self.dynamics, y[0])?;
+    pub fn rates(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; STATES]> {
+        let r = C::reduced(&self.dynamics, y[0])?;
         let a = self.accelerations(state, &r, y, commands);
-        let mut out = [0.0; STATES];
+        let mut out = [C::constant(0.0); STATES];
         out[..RIGID].copy_from_slice(&[y[1], a.joints[0], y[3], a.joints[1]]);
         if self.dynamics.bodies().pendulum.is_some() {
-            let mut load = Self::load(y);
+            let mut load = load_of(y);
             if state.taut {
                 load = load.on_rope(&Rope::new(load.place, &self.dynamics.head(&r)), commands.hoist);
             }
@@ -328,65 +336,67 @@ impl Slewing {
 
     /// Moment that friction, brake and stops must give to hold a joint at rest, in N·m, with the least and
     /// greatest that they can.
-    fn held(&self, i: usize, state: &State, r: &Reduced<f64>, y: &[f64; STATES], commands: &Commands) -> [f64; 3] {
-        let a = self.accelerations(state, r, y, commands);
+    fn held(&self, i: usize, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> [C; 3] {
         let [_, slope] = r.turn;
         let (omega, turning) = (y[1], y[3]);
         // What drives the joint besides the rope, as in the equations of motion at rest of this joint.
-        let force = match i {
-            0 => commands.drives[0].moment - r.moment + 0.5 * slope * turning * turning,
+        let mut force = match i {
+            0 => commands.drives[0].moment - r.moment + C::constant(0.5) * slope * turning.square(),
             _ => commands.drives[1].moment - slope * omega * turning,
         };
-        let pull = if state.taut && a.rope != 0.0 {
-            a.rope * Rope::new(Self::load(y).place, &self.dynamics.head(r)).arms[i]
-        } else {
-            0.0
-        };
-        let (dry, [low, high], at) = (self.dry(i, commands) * LOOSE, self.joints[i].stops, y[2 * i]);
+        if state.taut && self.dynamics.bodies().pendulum.is_some() {
+            let rope = Rope::new(load_of(y).place, &self.dynamics.head(r));
+            force += self.accelerations(state, r, y, commands).rope * rope.arms[i];
+        }
+        let (dry, without_end) = (self.dry(i, commands) * C::constant(LOOSE), C::constant(f64::INFINITY));
+        let ([low, high], at) = (self.joints[i].stops, y[2 * i].value());
         [
-            -(force + pull),
-            if at >= high { f64::NEG_INFINITY } else { -dry },
-            if at <= low { f64::INFINITY } else { dry },
+            -force,
+            if at >= high { -without_end } else { -dry },
+            if at <= low { without_end } else { dry },
         ]
     }
 
     /// Force of the rope, in N; zero where it is slack or there is none.
     #[must_use]
-    pub fn rope_force(&self, state: &State, commands: &Commands) -> Option<f64> {
-        let r = f64::reduced(&self.dynamics, state.y[0])?;
-        Some(self.accelerations(state, &r, &state.y, commands).rope)
+    pub fn rope_force(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        Some(self.accelerations(state, &r, y, commands).rope)
     }
 
     /// Moment of friction, brake and end stop on luffing (0) or slewing (1), in N·m, in the direction of the angle.
     #[must_use]
-    pub fn friction_moment(&self, i: usize, state: &State, commands: &Commands) -> Option<f64> {
-        let r = f64::reduced(&self.dynamics, state.y[0])?;
+    pub fn friction_moment(&self, i: usize, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+        let r = C::reduced(&self.dynamics, y[0])?;
         Some(match state.joints[i] {
-            Bar::Held => self.held(i, state, &r, &state.y, commands)[0],
-            _ => self.resistance(i, state, &state.y, commands),
+            Bar::Held => self.held(i, state, &r, y, commands)[0],
+            _ => self.resistance(i, state, y, commands),
         })
     }
 
     /// Numbers whose fall below zero ends a smooth piece: luffing comes to rest or (two) breaks loose, meets
     /// its lower or upper stop; the same for slewing; the rope becomes slack or taut.
     #[must_use]
-    pub fn indicators(&self, state: &State, commands: &Commands, y: &[f64; STATES]) -> Option<[f64; INDICATORS]> {
-        let r = f64::reduced(&self.dynamics, y[0])?;
-        let mut out = [1.0; INDICATORS];
+    pub fn indicators(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; INDICATORS]> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        let mut out = [C::constant(1.0); INDICATORS];
         for i in 0..2 {
-            let (rate, way) = (y[2 * i + 1], 4 * i);
-            if state.joints[i] == Bar::Held {
-                let [hold, least, most] = self.held(i, state, &r, y, commands);
-                // Where a stop gives any moment there is nothing to break.
-                out[way] = (most - hold).min(f64::MAX);
-                out[way + 1] = (hold - least).min(f64::MAX);
-                continue;
-            }
-            out[way] = if state.joints[i] == Bar::Forward { rate } else { -rate };
+            let (at, rate, first) = (y[2 * i], y[2 * i + 1], 4 * i);
+            out[first] = match state.joints[i] {
+                Bar::Held => {
+                    let [hold, least, most] = self.held(i, state, &r, y, commands);
+                    // Where a stop gives any moment there is nothing to break.
+                    out[first + 1] = capped(hold - least);
+                    out[first] = capped(most - hold);
+                    continue;
+                }
+                Bar::Forward => rate,
+                Bar::Backward => -rate,
+            };
             let [low, high] = self.joints[i].stops;
-            for (end, room) in [(low, y[2 * i] - low), (high, high - y[2 * i])].into_iter().enumerate() {
-                if room.0.is_finite() {
-                    out[way + 2 + end] = room.1;
+            for (place, end, room) in [(2, low, at - C::constant(low)), (3, high, C::constant(high) - at)] {
+                if end.is_finite() {
+                    out[first + place] = room;
                 }
             }
         }
@@ -394,12 +404,14 @@ impl Slewing {
             out[8] = if state.taut {
                 self.accelerations(state, &r, y, commands).rope
             } else {
-                y[10] - Self::load(y).place.norm()
+                y[10] - distance(y)
             };
         }
         Some(out)
     }
+}
 
+impl Slewing {
     /// Decides what follows at an instant, as often as one event causes another. Returns whether anything changed.
     ///
     /// # Errors
@@ -468,7 +480,7 @@ impl Slewing {
             self.shift(state, &head, lost, Vector3::zeros());
             return;
         }
-        let rope = Rope::new(Self::load(&state.y).place, &head);
+        let rope = Rope::new(load_of(&state.y).place, &head);
         let ease = self.ease(state, r);
         let give = 1.0 + pendulum.mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1]);
         let pull = -(rope.arms[i] * lost[i]) / give;
@@ -508,7 +520,7 @@ impl Slewing {
 
     /// The load's rate as the head's changes under it, and its own by `own` (m/s).
     fn shift(&self, state: &mut State, head: &[Vector3<f64>; 2], change: [f64; 2], own: Vector3<f64>) {
-        let place = Self::load(&state.y).place + Vector3::new(head[1].z, 0.0, 0.0);
+        let place = load_of(&state.y).place + Vector3::new(head[1].z, 0.0, 0.0);
         let rate = own - head[0] * change[0] - turned(place) * change[1];
         for (y, rate) in state.y[7..10].iter_mut().zip(&rate) {
             *y += rate;
@@ -522,7 +534,7 @@ impl Slewing {
         };
         let head = self.dynamics.head(r);
         if !state.taut {
-            let load = Self::load(&state.y);
+            let load = load_of(&state.y);
             let rope = Rope::new(load.place, &head);
             let excess = rope.direction.dot(&load.rate) - commands.hoist;
             if rope.length < state.y[10] || excess <= 0.0 {
@@ -539,7 +551,7 @@ impl Slewing {
 
     /// Puts the load of a taut rope at its end, moving with it, where roundings have moved it by more than a few bits.
     fn straighten(state: &mut State, hoist: f64) {
-        let load = Self::load(&state.y);
+        let load = load_of(&state.y);
         let length = load.place.norm();
         let direction = load.place / length;
         let excess = direction.dot(&load.rate) - hoist;
@@ -595,7 +607,7 @@ impl Slewing {
     /// The load's place from the slewing axis (m) and its velocity (m/s) against the ground, in the frame that slews.
     fn velocity(&self, state: &State, r: &Reduced<f64>, commands: &Commands) -> (Vector3<f64>, Vector3<f64>) {
         let head = self.dynamics.head(r);
-        let mut load = Self::load(&state.y);
+        let mut load = load_of(&state.y);
         if state.taut {
             load = load.on_rope(&Rope::new(load.place, &head), commands.hoist);
         }

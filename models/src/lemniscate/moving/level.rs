@@ -2,6 +2,8 @@
 //! steps. Each variant is a system of equations with all of its solver's state
 //! beside it.
 
+use crate::calc::Calc;
+use crate::lemniscate::dynamics::Coordinate;
 use crate::lemniscate::hydraulic::Hydraulic;
 use crate::lemniscate::motion::{self, Bar, Commands, Motion};
 use crate::lemniscate::slewing::{self, Drive, Slewing};
@@ -20,19 +22,19 @@ const FIRST: f64 = 1e-3;
 
 /// Inputs, constant over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inputs {
-    pub motion: Commands,
+pub struct Inputs<P = f64> {
+    pub motion: Commands<P>,
     /// Of slewing.
-    pub slewing: Drive,
+    pub slewing: Drive<P>,
     /// Command of the valve in [−1, 1], and pressure of the pump in Pa.
-    pub valve: f64,
-    pub supply: f64,
+    pub valve: P,
+    pub supply: P,
 }
 
-impl Inputs {
+impl<P: Copy> Inputs<P> {
     /// Of a crane that slews.
     #[must_use]
-    pub fn of_both(&self) -> slewing::Commands {
+    pub fn of_both(&self) -> slewing::Commands<P> {
         let Commands { moment, brake, hoist } = self.motion;
         slewing::Commands {
             drives: [Drive { moment, brake }, self.slewing],
@@ -43,13 +45,13 @@ impl Inputs {
 
 /// The equations of a level.
 #[derive(Clone, Copy, Debug)]
-pub enum Level {
-    Free(Motion),
-    Slewing(Slewing),
+pub enum Level<P = f64> {
+    Free(Motion<P>),
+    Slewing(Slewing<P>),
     /// A cylinder, the load fixed to the head.
-    Fixed(Hydraulic<8>),
+    Fixed(Hydraulic<8, P>),
     /// A cylinder, the load on its rope.
-    Hanging(Hydraulic<10>),
+    Hanging(Hydraulic<10, P>),
 }
 
 /// Where a level is: its states, and its solver's.
@@ -59,6 +61,22 @@ pub enum Present {
     Slewing(slewing::State),
     Fixed(Run<8>),
     Hanging(Run<10>),
+}
+
+/// A result that only motion has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reaction {
+    /// Of friction, brake and end stop on the driven bar.
+    Friction,
+    /// The same on slewing.
+    SlewingFriction,
+    Rope,
+    /// Angles of the rope of a crane that slews, in the mechanism's plane and from it.
+    Swing,
+    Side,
+    /// Of the load from the head of a crane that slews.
+    Distance,
+    Cylinder,
 }
 
 /// Level and state come from one model, which keeps them together.
@@ -76,14 +94,14 @@ fn tolerance<const N: usize>(relative: f64) -> Tolerance<N> {
     }
 }
 
-fn oil_indicators<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> [f64; OIL_INDICATORS] {
-    let opening = system.cylinder.relief[0];
+fn oil_indicators<const N: usize, C: Calc>(system: &Hydraulic<N, C>, y: &[C; N]) -> [C; OIL_INDICATORS] {
+    let (opening, [low, high]) = (system.cylinder.relief[0], system.stops.map(C::constant));
     [
         y[N - 2],
         opening - y[N - 6],
         opening - y[N - 5],
-        y[0] - system.stops[0],
-        system.stops[1] - y[0],
+        y[0] - low,
+        high - y[0],
     ]
 }
 
@@ -92,8 +110,8 @@ fn possible<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> bool {
     y[N - 6..N - 2].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.rates(y).is_some()
 }
 
-impl Level {
-    pub fn set_inputs(&mut self, inputs: &Inputs) {
+impl<P: Coordinate<P>> Level<P> {
+    pub fn set_inputs(&mut self, inputs: &Inputs<P>) {
         match self {
             Level::Free(_) | Level::Slewing(_) => {}
             Level::Fixed(system) => (system.command, system.supply) = (inputs.valve, inputs.supply),
@@ -101,38 +119,87 @@ impl Level {
         }
     }
 
-    /// Rates of the states; `None` where the linkage does not close.
-    pub fn rates(&self, present: &Present, inputs: &Inputs, rates: &mut [f64]) -> Option<()> {
+    /// Rates of the states `y`; `None` where the linkage does not close.
+    pub fn rates(
+        &self,
+        present: &Present,
+        inputs: &Inputs<P>,
+        y: &[P; MOST_STATES],
+        rates: &mut [P; MOST_STATES],
+    ) -> Option<()> {
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => {
-                put(rates, &motion.rates(state, &inputs.motion, &state.y)?);
+                put(rates, &motion.rates(state, &inputs.motion, first(y))?);
             }
             (Level::Slewing(crane), Present::Slewing(state)) => {
-                put(rates, &crane.rates(state, &inputs.of_both(), &state.y)?);
+                put(rates, &crane.rates(state, &inputs.of_both(), first(y))?);
             }
-            (Level::Fixed(system), Present::Fixed(run)) => put(rates, &system.rates(&run.states())?),
-            (Level::Hanging(system), Present::Hanging(run)) => put(rates, &system.rates(&run.states())?),
+            (Level::Fixed(system), Present::Fixed(_)) => put(rates, &system.equations(first(y))?),
+            (Level::Hanging(system), Present::Hanging(_)) => put(rates, &system.equations(first(y))?),
             _ => unreachable!("{OTHER}"),
         }
         Some(())
     }
 
-    /// Numbers whose change of sign is an event; `None` where the linkage does not close.
-    pub fn indicators(&self, present: &Present, inputs: &Inputs, indicators: &mut [f64]) -> Option<()> {
+    /// Numbers whose change of sign is an event, in states `y`; `None` where the linkage does not close.
+    pub fn indicators(
+        &self,
+        present: &Present,
+        inputs: &Inputs<P>,
+        y: &[P; MOST_STATES],
+        indicators: &mut [P; MOST_INDICATORS],
+    ) -> Option<()> {
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => {
-                put(indicators, &motion.indicators(state, &inputs.motion, &state.y)?);
+                put(indicators, &motion.indicators(state, &inputs.motion, first(y))?);
             }
             (Level::Slewing(crane), Present::Slewing(state)) => {
-                put(indicators, &crane.indicators(state, &inputs.of_both(), &state.y)?);
+                let found = crane.indicators(state, &inputs.of_both(), first(y))?;
+                put(indicators, &found);
             }
-            (Level::Fixed(system), Present::Fixed(run)) => put(indicators, &oil_indicators(system, &run.states())),
-            (Level::Hanging(system), Present::Hanging(run)) => put(indicators, &oil_indicators(system, &run.states())),
+            (Level::Fixed(system), Present::Fixed(_)) => put(indicators, &oil_indicators(system, first(y))),
+            (Level::Hanging(system), Present::Hanging(_)) => put(indicators, &oil_indicators(system, first(y))),
             _ => unreachable!("{OTHER}"),
         }
         Some(())
     }
 
+    /// A result that only this level has; `None` where the linkage does not close.
+    pub fn reaction(
+        &self,
+        present: &Present,
+        inputs: &Inputs<P>,
+        y: &[P; MOST_STATES],
+        reaction: Reaction,
+    ) -> Option<P> {
+        match (self, present, reaction) {
+            (Level::Free(motion), Present::Free(state), Reaction::Rope) => {
+                motion.rope_force(state, &inputs.motion, first(y))
+            }
+            (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(state, &inputs.motion, first(y)),
+            (Level::Slewing(crane), Present::Slewing(state), reaction) => {
+                let (commands, y) = (inputs.of_both(), first(y));
+                match reaction {
+                    Reaction::Rope => crane.rope_force(state, &commands, y),
+                    Reaction::SlewingFriction => crane.friction_moment(1, state, &commands, y),
+                    Reaction::Swing => Some(slewing::angles(y)[0]),
+                    Reaction::Side => Some(slewing::angles(y)[1]),
+                    Reaction::Distance => Some(slewing::distance(y)),
+                    _ => crane.friction_moment(0, state, &commands, y),
+                }
+            }
+            (Level::Fixed(system), Present::Fixed(_), _) => {
+                Some(system.cylinder.force(&Hydraulic::<8, P>::oil(first(y))))
+            }
+            (Level::Hanging(system), Present::Hanging(_), _) => {
+                Some(system.cylinder.force(&Hydraulic::<10, P>::oil(first(y))))
+            }
+            _ => unreachable!("{OTHER}"),
+        }
+    }
+}
+
+impl Level {
     /// Decides what follows at an instant. The events of oil are kinks: nothing is to be decided.
     ///
     /// # Errors
@@ -202,7 +269,12 @@ fn bar_of(way: f64) -> Option<Bar> {
         .find(|bar| self::way(*bar) == way)
 }
 
-fn put(to: &mut [f64], from: &[f64]) {
+/// The states of this level.
+fn first<const N: usize, P>(y: &[P; MOST_STATES]) -> &[P; N] {
+    y.first_chunk().expect("no level has more states")
+}
+
+fn put<P: Copy>(to: &mut [P], from: &[P]) {
     for (to, from) in to.iter_mut().zip(from) {
         *to = *from;
     }
@@ -246,6 +318,65 @@ impl Present {
                 *run = Run::new(y, FIRST);
             }
         }
+    }
+
+    /// States of this level in every one of its ways of moving, with no number that is special: over a
+    /// range of the angle and beyond its ends (rad), relief valves that open at `opening` (Pa) open and closed.
+    #[must_use]
+    pub fn lively(&self, [from, to]: [f64; 2], opening: f64) -> Vec<Present> {
+        let mut found = Vec::new();
+        for part in [-1e-3, 0.217, 0.613, 0.871, 1.001] {
+            let theta = from + part * (to - from);
+            for sign in [1.0, -1.0] {
+                let swinging = [theta, 0.113 * sign, 0.231, -0.119 * sign];
+                let oil = |p: f64| [1.07 * p, 0.93 * p, 0.71 * p, 0.41 * p, 0.31 * sign, 1.7];
+                match self {
+                    Present::Free(state) => {
+                        let mut y = state.y;
+                        put(&mut y, &swinging);
+                        (y[5], y[6]) = (0.93 * y[4], 0.57);
+                        for bar in [Bar::Held, Bar::Forward, Bar::Backward] {
+                            for taut in [true, false] {
+                                found.push(Present::Free(motion::State { y, bar, taut }));
+                            }
+                        }
+                    }
+                    Present::Slewing(state) => {
+                        let mut y = state.y;
+                        put(&mut y, &[theta, 0.231, 0.113 * sign, -0.119 * sign]);
+                        put(
+                            &mut y[4..10],
+                            &[0.31, -0.83, 0.27, 0.17, 0.071, -0.053].map(|x| x * state.y[10]),
+                        );
+                        for luffing in [Bar::Held, Bar::Forward, Bar::Backward] {
+                            for turning in [Bar::Held, Bar::Forward, Bar::Backward] {
+                                for taut in [true, false] {
+                                    let joints = [luffing, turning];
+                                    found.push(Present::Slewing(slewing::State { y, joints, taut }));
+                                }
+                            }
+                        }
+                    }
+                    Present::Fixed(run) => {
+                        let mut y = run.states();
+                        put(&mut y, &swinging[..2]);
+                        for p in [0.3, 2.0] {
+                            y[2..].copy_from_slice(&oil(p * opening));
+                            found.push(Present::of_oil_8(y));
+                        }
+                    }
+                    Present::Hanging(run) => {
+                        let mut y = run.states();
+                        put(&mut y, &swinging);
+                        for p in [0.3, 2.0] {
+                            y[4..].copy_from_slice(&oil(p * opening));
+                            found.push(Present::of_oil_10(y));
+                        }
+                    }
+                }
+            }
+        }
+        found
     }
 
     /// To be called when an input or a parameter changes.

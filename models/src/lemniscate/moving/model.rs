@@ -4,23 +4,25 @@
 
 use std::collections::BTreeSet;
 
-use nalgebra::Vector3;
+use num_dual::Dual64;
 
-use crate::calc::Calc;
+use crate::calc::Over;
 use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::valve::Valve;
 use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::lemniscate::geometry::{Driven, Geometry};
 use crate::lemniscate::hydraulic::Hydraulic;
-use crate::lemniscate::model::{Model as Algebraic, State as AlgebraicState};
-use crate::lemniscate::motion::{self, Commands, Friction, Motion};
-use crate::lemniscate::moving::level::{Inputs, Level, MOST_INDICATORS, MOST_STATES, OIL_INDICATORS, Present};
+use crate::lemniscate::model::{Model as Algebraic, State as AlgebraicState, Tangent as AlgebraicTangent};
+use crate::lemniscate::motion::{self, Bar, Commands, Friction, Motion};
+use crate::lemniscate::moving::level::{
+    Inputs, Level, MOST_INDICATORS, MOST_STATES, OIL_INDICATORS, Present, Reaction,
+};
 use crate::lemniscate::moving::scene::{Constants, KEYS, Moving, OIL_KEYS, Oil, Rope, SLEWING_KEYS, Turning};
 use crate::lemniscate::moving::symbols as m;
 use crate::lemniscate::scene::Luffing;
-use crate::lemniscate::slewing::{self, Joint, Slewing};
+use crate::lemniscate::slewing::{self, Drive, Joint, Slewing};
 use crate::lemniscate::symbols as s;
-use crate::model::{Fault, Name, Role, TIME, Terminal, Type, Variable};
+use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion as Range;
 use crate::plane::Point;
 use crate::schema::{Kind, Sign, short};
@@ -34,6 +36,9 @@ const LEAST_PRESSURE: f64 = 20e5;
 /// Natural frequency, in rad/s, of the mechanism alone against an end stop of the hydraulic level;
 /// the stop is damped critically.
 const STOP: f64 = 100.0;
+
+/// In the place of a parameter that is zero where it is asked what depends on what.
+const TRACE: f64 = 1e-6;
 
 /// A scene's mechanism in motion.
 #[derive(Clone, Debug)]
@@ -68,6 +73,17 @@ pub struct State {
     algebraic: AlgebraicState,
 }
 
+/// Results with their derivatives in one direction of states, inputs and parameters.
+#[derive(Clone, Debug)]
+pub struct Tangent {
+    algebraic: AlgebraicTangent,
+    level: Result<Level<Dual64>, Fault>,
+    inputs: Inputs<Dual64>,
+    y: [Dual64; MOST_STATES],
+    /// Made when first asked for.
+    rates: Option<[Dual64; MOST_STATES]>,
+}
+
 #[derive(Clone, Copy, Debug)]
 enum Slot {
     State(usize),
@@ -81,13 +97,7 @@ enum Slot {
     Constant,
     SlewingMoment,
     SlewingBrake,
-    FrictionMoment,
-    SlewingFriction,
-    RopeForce,
-    /// Of the rope, in the mechanism's plane and from it.
-    RopeAngle(usize),
-    Distance,
-    CylinderForce,
+    Reaction(Reaction),
     /// Index of a variable of the algebraic model.
     Algebraic(usize),
 }
@@ -220,17 +230,20 @@ impl Model {
         self.state.turning.map(|turning| turning.map(&mut constant));
         self.state.oil.map(|oil| oil.map(&mut constant));
         let results: &[(&'static Symbol, Slot)] = match (hydraulic, reeled) {
-            (true, _) => &[(&m::F_C, Slot::CylinderForce)],
-            (_, false) => &[(&m::M_R, Slot::FrictionMoment)],
-            (_, true) => &[(&m::M_R, Slot::FrictionMoment), (&m::S_R, Slot::RopeForce)],
+            (true, _) => &[(&m::F_C, Slot::Reaction(Reaction::Cylinder))],
+            (_, false) => &[(&m::M_R, Slot::Reaction(Reaction::Friction))],
+            (_, true) => &[
+                (&m::M_R, Slot::Reaction(Reaction::Friction)),
+                (&m::S_R, Slot::Reaction(Reaction::Rope)),
+            ],
         };
         list.extend(results.iter().map(|&(symbol, slot)| (of(symbol, Role::Output), slot)));
         if slews {
-            list.push((of(&m::M_R_SL, Role::Output), Slot::SlewingFriction));
+            list.push((of(&m::M_R_SL, Role::Output), Slot::Reaction(Reaction::SlewingFriction)));
             if reeled {
-                list.push((of(&m::PHI, Role::Output), Slot::RopeAngle(0)));
-                list.push((of(&m::CHI_R, Role::Output), Slot::RopeAngle(1)));
-                list.push((of(&m::S_Q, Role::Output), Slot::Distance));
+                list.push((of(&m::PHI, Role::Output), Slot::Reaction(Reaction::Swing)));
+                list.push((of(&m::CHI_R, Role::Output), Slot::Reaction(Reaction::Side)));
+                list.push((of(&m::S_Q, Role::Output), Slot::Reaction(Reaction::Distance)));
             }
         }
         for (index, variable) in self.algebraic.variables().iter().enumerate() {
@@ -346,50 +359,55 @@ impl Model {
     }
 
     fn assemble(&self) -> Result<Level, Fault> {
-        let Constants {
-            j_1,
-            j_2,
-            j_3,
-            c_v,
-            m_f,
-            g,
-            ..
-        } = self.state.constants;
+        self.assemble_over(&mut |_, value| value)
+    }
+
+    /// The equations of motion over any scalar: `of` gives each input and parameter in it.
+    fn assemble_over<P: Coordinate<P>>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> Result<Level<P>, Fault>
+    where
+        Dual64: Over<P>,
+    {
+        let constants = self.state.constants.map(of);
         let parameters = *self.algebraic.parameters();
-        let geometry = Geometry::new(&parameters).map_err(|misfit| {
+        let load = of(&s::Q, self.algebraic.load()) / constants.g;
+        let inputs = self.inputs_over(of);
+        let turning = self.state.turning.map(|turning| turning.map(of));
+        let oil = self.state.oil.map(|oil| oil.map(of));
+        let over = parameters.map(&mut *of);
+        let geometry = Geometry::new(&over).map_err(|misfit| {
             let words = parameters.describe(misfit);
             Fault::outside(format!("{}; {}", words.what, words.help))
         })?;
-        let weights = parameters.weights.expect("checked when the scene was read");
+        let weights = over.weights.expect("checked when the scene was read");
         // Boom and rocker lie along their bars, the jib along the line from its tail to its head.
-        let bar = Point::new(1.0, 0.0);
+        let bar = Point::new(P::constant(1.0), P::constant(0.0));
         let head = Point::new(geometry.kappa.x, -geometry.kappa.y) * geometry.lengths.x_2;
-        let body = |weight: f64, inertia: f64, distance: f64, angle: f64, along: Point<f64>| {
-            let (sin, cos) = Calc::sin_cos(angle);
-            Body::slender(weight / g, inertia, Point::new(distance * cos, distance * sin), along)
-        };
-        let load = self.algebraic.load() / g;
         let axis = head - bar * geometry.lengths.x_2;
-        let jib = body(weights.g_2, j_2, weights.s_2, weights.chi_2, axis);
+        let body = |weight: P, inertia: P, distance: P, angle: P, along: Point<P>| {
+            let (sin, cos) = angle.sin_cos();
+            let centre = Point::new(distance * cos, distance * sin);
+            Body::slender(weight / constants.g, inertia, centre, along)
+        };
+        let jib = body(weights.g_2, constants.j_2, weights.s_2, weights.chi_2, axis);
         let pendulum = self.rope.map(|rope| Pendulum {
             mass: load,
-            length: rope.length,
+            length: P::constant(rope.length),
         });
         let bodies = Bodies {
-            boom: body(weights.g_1, j_1, weights.s_1, weights.chi_1, bar),
+            boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1, bar),
             jib: if pendulum.is_some() {
                 jib
             } else {
                 jib.with_mass(load, head)
             },
-            rocker: body(weights.g_3, j_3, weights.s_3, weights.chi_3, bar),
+            rocker: body(weights.g_3, constants.j_3, weights.s_3, weights.chi_3, bar),
             pendulum,
-            gravity: g,
+            gravity: constants.g,
         };
         let dynamics = Dynamics::new(&geometry, bodies)
-            .with_balance(&parameters, &self.range)
+            .with_balance(&over, &self.range)
             .map_err(|fault| Fault::outside(fault.to_string()))?;
-        if let Some((turning, stops)) = self.state.turning.zip(self.slewing_stops) {
+        if let Some((turning, stops)) = turning.zip(self.slewing_stops) {
             let turntable = Turntable {
                 axis: -geometry.lengths.x_8,
                 inertia: turning.j_sl,
@@ -401,24 +419,24 @@ impl Model {
             return Ok(Level::Slewing(Slewing {
                 dynamics: dynamics.with_slewing(turntable),
                 joints: [
-                    joint(c_v, m_f, self.stops()),
+                    joint(constants.c_v, constants.m_f, self.stops()),
                     joint(turning.c_sl, turning.m_f_sl, stops),
                 ],
             }));
         }
-        let Some(oil) = self.state.oil else {
+        let Some(oil) = oil else {
             return Ok(Level::Free(Motion {
                 dynamics,
                 friction: Friction {
-                    viscous: c_v,
-                    coulomb: m_f,
+                    viscous: constants.c_v,
+                    coulomb: constants.m_f,
                 },
                 stops: self.stops(),
             }));
         };
-        let (anchors, bore) = parameters
+        let (anchors, bore) = over
             .anchors
-            .zip(parameters.cylinder)
+            .zip(over.cylinder)
             .expect("checked when the scene was read");
         let dynamics = dynamics.with_drive(&anchors);
         let cylinder = Cylinder {
@@ -436,31 +454,56 @@ impl Model {
                 damping: oil.zeta_v,
             },
         };
+        let friction = [constants.c_v, constants.m_f];
         if self.rope.is_some() {
-            Ok(Level::Hanging(self.hydraulic(dynamics, cylinder)))
+            Ok(Level::Hanging(self.hydraulic(dynamics, cylinder, friction, &inputs)))
         } else {
-            Ok(Level::Fixed(self.hydraulic(dynamics, cylinder)))
+            Ok(Level::Fixed(self.hydraulic(dynamics, cylinder, friction, &inputs)))
         }
     }
 
-    fn hydraulic<const N: usize>(&self, dynamics: Dynamics, cylinder: Cylinder) -> Hydraulic<N> {
-        let inertia = f64::reduced(&dynamics, self.range.from).map_or(0.0, |r| r.inertia);
+    fn hydraulic<const N: usize, P: Coordinate<P>>(
+        &self,
+        dynamics: Dynamics<P>,
+        cylinder: Cylinder<P>,
+        [viscous, coulomb]: [P; 2],
+        inputs: &Inputs<P>,
+    ) -> Hydraulic<N, P> {
+        let none = P::constant(0.0);
+        let inertia = P::reduced(&dynamics, P::constant(self.range.from)).map_or(none, |r| r.inertia);
         Hydraulic {
             dynamics,
             cylinder,
-            viscous: self.state.constants.c_v,
-            coulomb: self.state.constants.m_f,
+            viscous,
+            coulomb,
             stops: self.stops(),
-            buffer: [inertia * STOP * STOP, 2.0 * inertia * STOP],
-            command: self.state.inputs.valve,
-            supply: self.state.inputs.supply,
+            buffer: [STOP * STOP, 2.0 * STOP].map(|factor| inertia * P::constant(factor)),
+            command: inputs.valve,
+            supply: inputs.supply,
         }
     }
 
-    /// The load from the head of a crane that slews, in m.
-    fn load_place(&self) -> Vector3<f64> {
-        let y = self.state.present.states();
-        Vector3::new(y[4], y[5], y[6])
+    /// The inputs over any scalar.
+    fn inputs_over<P>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> Inputs<P> {
+        let Inputs {
+            motion,
+            slewing,
+            valve,
+            supply,
+        } = self.state.inputs;
+        Inputs {
+            slewing: Drive {
+                moment: of(&m::M_SL, slewing.moment),
+                brake: of(&m::M_B_SL, slewing.brake),
+            },
+            motion: Commands {
+                moment: of(&m::M_A, motion.moment),
+                brake: of(&m::M_S, motion.brake),
+                hoist: of(&m::V_H, motion.hoist),
+            },
+            valve: of(&m::U_V, valve),
+            supply: of(&m::P_P, supply),
+        }
     }
 
     fn stops(&self) -> [f64; 2] {
@@ -488,7 +531,7 @@ impl Model {
             Slot::State(i) => Ok(self.state.present.states()[i]),
             Slot::Rate(i) => {
                 let mut rates = [0.0; MOST_STATES];
-                self.rates(&mut rates)?;
+                self.all_rates(&mut rates)?;
                 Ok(rates[i])
             }
             Slot::Indicator(i) => {
@@ -515,31 +558,9 @@ impl Model {
                 self.state.oil.map(|oil| oil.map(&mut look));
                 Ok(found)
             }
-            Slot::RopeAngle(i) => Ok(slewing::angles(self.load_place())[i]),
-            Slot::Distance => Ok(self.load_place().norm()),
-            Slot::FrictionMoment | Slot::SlewingFriction | Slot::RopeForce | Slot::CylinderForce => {
-                let present = self.state.present;
-                let found = match (self.level()?, present, slot) {
-                    (Level::Free(motion), Present::Free(state), Slot::RopeForce) => {
-                        motion.rope_force(&state, &inputs.motion)
-                    }
-                    (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(&state, &inputs.motion),
-                    (Level::Slewing(crane), Present::Slewing(state), slot) => {
-                        let commands = inputs.of_both();
-                        match slot {
-                            Slot::RopeForce => crane.rope_force(&state, &commands),
-                            Slot::SlewingFriction => crane.friction_moment(1, &state, &commands),
-                            _ => crane.friction_moment(0, &state, &commands),
-                        }
-                    }
-                    (Level::Fixed(system), Present::Fixed(run), _) => {
-                        Some(system.cylinder.force(&Hydraulic::<8>::oil(&run.states())))
-                    }
-                    (Level::Hanging(system), Present::Hanging(run), _) => {
-                        Some(system.cylinder.force(&Hydraulic::<10>::oil(&run.states())))
-                    }
-                    _ => None,
-                };
+            Slot::Reaction(reaction) => {
+                let (present, y) = (self.state.present, self.state.present.states());
+                let found = self.level()?.reaction(&present, &inputs, &y, reaction);
                 found.ok_or_else(|| self.open())
             }
             Slot::Algebraic(inner) => self.algebraic.get(inner),
@@ -552,14 +573,9 @@ impl Model {
         let (slot, symbol, sign) = (self.slot(index)?, self.variables[index].symbol, self.signs[index]);
         match slot {
             Slot::Algebraic(inner) => self.algebraic.check(inner, value),
-            Slot::Rate(_)
-            | Slot::Indicator(_)
-            | Slot::FrictionMoment
-            | Slot::SlewingFriction
-            | Slot::RopeForce
-            | Slot::RopeAngle(_)
-            | Slot::Distance
-            | Slot::CylinderForce => Err(Fault::new(format!("{} is a result and cannot be set", symbol.id))),
+            Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_) => {
+                Err(Fault::new(format!("{} is a result and cannot be set", symbol.id)))
+            }
             _ if sign.allows(value) => Ok(()),
             _ => Err(Fault::outside(format!(
                 "{} = {} {} is not allowed: it must be {}",
@@ -585,6 +601,12 @@ impl Model {
                     y[5] = value;
                 }
                 self.state.present.set_states(&y[..self.states]);
+                // Which way a bar goes is decided again: it did not turn round, it was set.
+                match (&mut self.state.present, i) {
+                    (Present::Free(state), 1) => state.bar = Bar::Held,
+                    (Present::Slewing(state), 1 | 3) => state.joints[i / 2] = Bar::Held,
+                    _ => {}
+                }
                 self.follow()?;
             }
             Slot::Moment => inputs.motion.moment = value,
@@ -725,17 +747,27 @@ impl Model {
     /// # Errors
     /// The linkage does not close.
     pub fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
-        let (present, inputs) = (self.state.present, self.state.inputs);
-        let found = self.level()?.rates(&present, &inputs, rates);
+        let mut all = [0.0; MOST_STATES];
+        self.all_rates(&mut all)?;
+        rates.copy_from_slice(&all[..self.states]);
+        Ok(())
+    }
+
+    fn all_rates(&mut self, rates: &mut [f64; MOST_STATES]) -> Result<(), Fault> {
+        let (present, inputs, y) = (self.state.present, self.state.inputs, self.state.present.states());
+        let found = self.level()?.rates(&present, &inputs, &y, rates);
         found.ok_or_else(|| self.open())
     }
 
     /// # Errors
     /// The linkage does not close.
     pub fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
-        let (present, inputs) = (self.state.present, self.state.inputs);
-        let found = self.level()?.indicators(&present, &inputs, indicators);
-        found.ok_or_else(|| self.open())
+        let (present, inputs, y) = (self.state.present, self.state.inputs, self.state.present.states());
+        let mut all = [0.0; MOST_INDICATORS];
+        let found = self.level()?.indicators(&present, &inputs, &y, &mut all);
+        found.ok_or_else(|| self.open())?;
+        indicators.copy_from_slice(&all[..indicators.len()]);
+        Ok(())
     }
 
     fn open(&self) -> Fault {
@@ -824,38 +856,104 @@ impl Model {
         })
     }
 
-    /// What each variable depends on. Results of the position depend on angle and angular velocity in
-    /// the place of the time; rates, indicators and reactions on everything that moves or weighs.
+    /// The model with derivatives along a direction: `seed` is the rate of change of each state, input
+    /// and parameter, in SI.
+    #[must_use]
+    pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
+        let mut of = |symbol: &'static Symbol, value| Dual64::new(value, seed((symbol, None)));
+        let states = self.state.present.states();
+        Tangent {
+            level: self.assemble_over(&mut of),
+            inputs: self.inputs_over(&mut of),
+            y: std::array::from_fn(|i| match self.variables.get(i).filter(|_| i < self.states) {
+                Some(variable) => of(variable.symbol, states[i]),
+                None => Dual64::from_re(states[i]),
+            }),
+            algebraic: self.algebraic.tangent(seed),
+            rates: None,
+        }
+    }
+
+    /// Derivative of a state, a rate, an event indicator or an output along the direction of a tangent, in SI.
+    ///
+    /// # Errors
+    /// None of these, or a place where there is no derivative.
+    pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+        let variable = &self.variables[index];
+        let Tangent { inputs, y, .. } = *tangent;
+        let present = &self.state.present;
+        let level = tangent.level.as_ref().map_err(Clone::clone);
+        let found = match self.slot(index)? {
+            Slot::Algebraic(inner) => return self.algebraic.derivative(&mut tangent.algebraic, inner),
+            Slot::State(i) => Some(y[i]),
+            Slot::Rate(i) => {
+                if tangent.rates.is_none() {
+                    let mut rates = y;
+                    tangent.rates = level?.rates(present, &inputs, &y, &mut rates).map(|()| rates);
+                }
+                tangent.rates.map(|rates| rates[i])
+            }
+            Slot::Indicator(i) => {
+                let mut all = [Dual64::from_re(0.0); MOST_INDICATORS];
+                level?.indicators(present, &inputs, &y, &mut all).map(|()| all[i])
+            }
+            Slot::Reaction(reaction) => level?.reaction(present, &inputs, &y, reaction),
+            _ => {
+                return Err(Fault::new(format!("{variable} is no result: it has no derivative")));
+            }
+        };
+        let derivative = found.ok_or_else(|| self.open())?.eps;
+        if derivative.is_nan() {
+            return Err(Fault::outside(format!(
+                "{variable} has no derivative in this configuration"
+            )));
+        }
+        Ok(derivative)
+    }
+
+    /// What each variable depends on: results of the position on angle and angular velocity in the place
+    /// of the time; rates, event indicators and reactions on whatever has a derivative in any of many
+    /// lively states, in every one of the level's ways of moving.
     #[must_use]
     pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
-        let known = |variable: &&Variable| {
-            matches!(
-                variable.role,
-                Role::Input | Role::Parameter | Role::Tunable | Role::State
-            )
-        };
         let name = |variable: &Variable| -> Name { (variable.symbol.id, variable.number) };
-        let all: BTreeSet<Name> = self.variables.iter().filter(known).map(name).collect();
         let algebraic = self.algebraic.dependencies();
         let of = |slot: &Slot| match *slot {
             Slot::State(i) => BTreeSet::from([name(&self.variables[i])]),
-            // The rate of the angle is another state.
-            Slot::Rate(0) => BTreeSet::from([name(&self.variables[1])]),
-            Slot::Rate(2) if self.slewing_stops.is_some() => BTreeSet::from([name(&self.variables[3])]),
-            Slot::RopeAngle(_) | Slot::Distance => self.variables[4..7].iter().map(name).collect(),
-            Slot::Rate(_)
-            | Slot::Indicator(_)
-            | Slot::FrictionMoment
-            | Slot::SlewingFriction
-            | Slot::RopeForce
-            | Slot::CylinderForce => all.clone(),
             Slot::Algebraic(inner) => {
                 let found = algebraic[inner].iter().copied();
                 found.filter(|name| *name != (TIME.id, None)).collect()
             }
             _ => BTreeSet::new(),
         };
-        self.slots.iter().map(of).collect()
+        let mut found: Vec<BTreeSet<Name>> = self.slots.iter().map(of).collect();
+        let mut lively = self.clone();
+        for index in 0..lively.slots.len() {
+            // What is zero now may hide what else acts: an arm that weighs nothing, a gap that lets nothing pass.
+            if lively.check(index, TRACE).is_ok() && lively.get(index) == Ok(0.0) {
+                let _ = lively.set(index, TRACE);
+            }
+        }
+        let opening = self.state.oil.map_or(0.0, |oil| oil.p_r);
+        for present in self.state.present.lively(self.stops(), opening) {
+            lively.state.present = present;
+            for known in &self.variables {
+                if !matches!(known.role, Role::Input | Role::Parameter | Role::Tunable | Role::State) {
+                    continue;
+                }
+                let mut tangent = lively.tangent(|quantity| f64::from(quantity == known.quantity()));
+                for (index, found) in found.iter_mut().enumerate() {
+                    let moves = matches!(
+                        self.slots[index],
+                        Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_)
+                    );
+                    if moves && lively.derivative(&mut tangent, index) != Ok(0.0) {
+                        found.insert(name(known));
+                    }
+                }
+            }
+        }
+        found
     }
 
     fn slot(&self, index: usize) -> Result<Slot, Fault> {
