@@ -10,8 +10,8 @@
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
 use crate::plane::{Point, dot};
-use crate::solver::Halt;
 use crate::solver::pieces::{self, Pieces};
+use crate::solver::{Count, Halt};
 
 /// Friction at the driven bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -326,16 +326,16 @@ impl Motion {
     }
 
     /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way
-    /// to the last bits of the step. Returns the number of steps.
+    /// to the last bits of the step. Returns the work done.
     ///
     /// # Errors
     /// See [`Halt`]; the state is that of the last step that succeeded.
-    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<u32, Halt> {
+    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<Count, Halt> {
         let Commands { moment, brake, hoist } = *commands;
         if !(moment.is_finite() && hoist.is_finite() && brake >= 0.0) {
             return Err(Halt::Outside);
         }
-        pieces::advance(&Commanded { motion: self, commands }, state, duration, longest).map(|count| count.steps)
+        pieces::advance(&Commanded { motion: self, commands }, state, duration, longest)
     }
 
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.

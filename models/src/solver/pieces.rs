@@ -2,6 +2,8 @@
 
 use crate::solver::{Count, Halt, MOST_STEPS, runge_kutta};
 
+/// A communication step that is the longest step but for its rounding is one step, not two.
+const ROUNDING: f64 = 1.0 - 1e-9;
 /// Events in one call.
 const MOST_EVENTS: u32 = 10_000;
 
@@ -41,7 +43,7 @@ pub fn advance<const N: usize, S: Copy, P: Pieces<N, S>>(
         if count.steps > MOST_STEPS || left / longest > f64::from(MOST_STEPS) {
             return Err(Halt::TooMany);
         }
-        let h = left / (left / longest).ceil();
+        let h = left / (left / longest * ROUNDING).ceil();
         let (end, part, tried) = piece(system, state, h)?;
         count.rejected += tried - 1;
         count.rates += 4 * tried;
