@@ -240,6 +240,7 @@ DERIVATIVES = {
 }
 
 
+@pytest.mark.parametrize("level", list(DERIVATIVES), indirect=True, scope="module")
 @pytest.mark.parametrize("standard", [0, 1], ids=["FMI 3.0", "FMI 2.0"])
 def test_derivatives_are_those_of_the_reference(level, standard, tmp_path):
     """In Model Exchange, rates and outputs by every state and input; adjoint derivatives are the transpose."""

@@ -5,10 +5,13 @@ use lemnis_models::calc::Calc;
 use lemnis_models::lemniscate::dynamics::{Coordinate, Pendulum};
 use lemnis_models::lemniscate::motion::{self, Bar, Friction, Motion};
 use lemnis_models::lemniscate::slewing::{Commands, Drive, Free, Load, Slewing, State, angles};
+use lemnis_models::model::{Model, Role};
 use nalgebra::Vector3;
 
 #[path = "common/crane.rs"]
 mod crane;
+#[path = "common/levels.rs"]
+mod levels;
 
 const ORACLE: &str = include_str!("../../tests/oracles/slewing.csv");
 const NONE: Drive = Drive {
@@ -487,4 +490,98 @@ fn restored_and_irregular_steps_agree() {
     }
     let error = (0..11).map(|i| (once.y[i] - cut.y[i]).abs()).fold(0.0, f64::max);
     assert!(error < 1e-10, "{error:e}");
+}
+
+/// Derivatives of rates, event indicators and reactions by every state, input and parameter against central
+/// differences, whose error is of the order of the step's square, and roundings over the step.
+#[test]
+fn derivatives_are_those_of_differences() {
+    for level in [
+        "rigid with slewing",
+        "swing with slewing",
+        "swing with slewing, balance",
+    ] {
+        let mut model = levels::model(level);
+        let index = |model: &Model, name: &str| {
+            let mut variables = model.variables().iter();
+            variables.position(|v| v.symbol.id == name).expect("exists")
+        };
+        let swings = level.starts_with("swing");
+        let mut given = vec![
+            ("theta_1", 1.3),
+            ("omega_1", 0.11),
+            ("psi_sl", 0.4),
+            ("omega_sl", -0.17),
+        ];
+        if swings {
+            given.extend([
+                ("x_Q", 3.0),
+                ("y_Q", -9.0),
+                ("z_Q", 1.7),
+                ("v_Qx", 0.4),
+                ("v_Qy", 0.3),
+                ("v_Qz", -0.9),
+            ]);
+        }
+        for (name, value) in given {
+            let at = index(&model, name);
+            model.set(at, value).expect("allowed");
+        }
+        // The load to the end of its rope, its speed across it.
+        model.update().expect("closes");
+        let all: Vec<(usize, Role)> = (0..model.variables().len())
+            .map(|i| (i, model.variables()[i].role))
+            .collect();
+        let moving =
+            |id: &str| id.starts_with("der(") || id.starts_with("z.") || ["M_R", "M_Rsl", "S_R", "phi_R"].contains(&id);
+        let unknowns: Vec<usize> = (all.iter().map(|(i, _)| *i))
+            .filter(|&i| moving(model.variables()[i].symbol.id))
+            .collect();
+        let saved = model.state();
+        let mut compared = 0;
+        for (known, role) in all {
+            if !matches!(role, Role::State | Role::Input | Role::Parameter | Role::Tunable) {
+                continue;
+            }
+            let quantity = model.variables()[known].quantity();
+            let mut tangent = model.tangent(|other| f64::from(other == quantity));
+            let exact: Vec<f64> = (unknowns.iter())
+                .map(|&i| model.derivative(&mut tangent, i).expect("a derivative"))
+                .collect();
+            let value = model.get(known).expect("known");
+            let h = 1e-5 * value.abs().max(0.1);
+            let mut beside = |at: f64| -> Option<Vec<f64>> {
+                if role == Role::State {
+                    // As a solver does: which way a joint goes stays as it is.
+                    let mut y = vec![0.0; model.states()];
+                    model.get_states(&mut y);
+                    y[known] = at;
+                    model.set_states(&y).expect("finite");
+                } else {
+                    model.set(known, at).ok()?;
+                }
+                let found = unknowns.iter().map(|&i| model.get(i).ok()).collect();
+                model.set_state(&saved);
+                found
+            };
+            // What must not be negative has one side only.
+            let Some((low, high)) = beside(value - h).zip(beside(value + h)) else {
+                continue;
+            };
+            for (j, &i) in unknowns.iter().enumerate() {
+                let difference = (high[j] - low[j]) / (2.0 * h);
+                let size = high[j].abs().max(1.0) / value.abs().max(0.1) + exact[j].abs();
+                let name = model.variables()[i].symbol.id;
+                assert!(
+                    (difference - exact[j]).abs() < 1e-6 * size,
+                    "{level}: {name} by {}: {} {difference}",
+                    quantity.0.id,
+                    exact[j]
+                );
+                compared += usize::from(exact[j] != 0.0);
+            }
+        }
+        println!("{level}: {compared} derivatives");
+        assert!(compared > 60);
+    }
 }
