@@ -1,4 +1,4 @@
-//! Proportional valve with four edges, without overlap.
+//! Proportional valve with four edges.
 
 use crate::calc::Calc;
 use crate::hydraulics::throttle::root;
@@ -7,6 +7,8 @@ use crate::hydraulics::throttle::root;
 pub struct Valve {
     /// Flow (m³/s) over the root of the pressure difference (Pa) at one fully open edge.
     pub conductance: f64,
+    /// Part of the stroke, from the middle and to either side, in which no edge is open; below 1.
+    pub overlap: f64,
     /// Natural frequency of the spool, in rad/s, and its damping ratio.
     pub frequency: f64,
     pub damping: f64,
@@ -23,7 +25,7 @@ impl Valve {
     /// stroke: positive connects A with the pump and B with the tank.
     #[inline]
     pub fn flows<C: Calc>(&self, x: C, supply: f64, ports: [C; 2]) -> [C; 2] {
-        let opening = C::constant(self.conductance) * x;
+        let opening = C::constant(self.conductance) * self.opening(x);
         let pump = |p: C| opening * root(C::constant(supply) - p);
         let tank = |p: C| opening * root(p);
         if x.value() >= 0.0 {
@@ -31,6 +33,15 @@ impl Valve {
         } else {
             [tank(ports[0]), -pump(ports[1])]
         }
+    }
+
+    /// Part of the edges that is open, with the sign of the spool: none within the overlap.
+    #[inline]
+    pub fn opening<C: Calc>(&self, x: C) -> C {
+        if x.value().abs() < self.overlap {
+            return C::constant(0.0);
+        }
+        (x - C::constant(self.overlap.copysign(x.value()))) / C::constant(1.0 - self.overlap)
     }
 
     /// Rate of the spool's speed, in 1/s², towards the command in [−1, 1].

@@ -11,6 +11,7 @@ use crate::steering::cylinder::Cylinder;
 use crate::steering::load::{Tyre, share};
 use crate::steering::machine::Refusal;
 use crate::steering::mode::{Command, Mode};
+use crate::steering::moving::scene::{FIDELITIES, Moving, TABLES};
 use crate::steering::outputs::{By, Group, Inputs, Parameters};
 use crate::steering::reach::reach;
 use crate::steering::ring::{Bearing, Catalogue, Curve, Ring};
@@ -92,6 +93,15 @@ pub static KEYS: &[Key] = &[
         "Oil supply, and what the book checks the cylinder by.",
     )
     .optional(),
+    Key {
+        name: "fidelity",
+        kind: Kind::Choice(FIDELITIES),
+        required: false,
+        text: "How deep the steering is modelled: groups that stand as commanded (kinematic), or that are turned by their cylinders under the PLC (hydraulic); without it kinematic.",
+    },
+    Key::table(TABLES[0].0, TABLES[0].1, TABLES[0].2).optional(),
+    Key::table(TABLES[1].0, TABLES[1].1, TABLES[1].2).optional(),
+    Key::table(TABLES[2].0, TABLES[2].1, TABLES[2].2).optional(),
     SOURCE,
 ];
 
@@ -233,6 +243,8 @@ pub struct Steering {
     pub weight: Option<(f64, Point<f64>)>,
     pub hydraulics: Option<Hydraulics<f64>>,
     pub catalogue: Option<Catalogue>,
+    /// With `fidelity = "hydraulic"`.
+    pub moving: Option<Moving>,
 }
 
 impl Steering {
@@ -424,6 +436,10 @@ impl Steering {
             ),
             loads,
         };
+        let moving = Moving::new(v, found).unwrap_or_else(|refusal| {
+            found.push(told(v, refusal));
+            None
+        });
         if found.len() > before {
             return None;
         }
@@ -458,6 +474,7 @@ impl Steering {
             weight,
             hydraulics,
             catalogue,
+            moving,
         })
     }
 }
@@ -476,7 +493,17 @@ fn place(v: &Values, key: &str) -> Range<usize> {
         }
     }
     let key = if key == "theta" { "range" } else { key };
-    let tables = ["tyre", "ring", "cylinder", "hydraulics", "motion", "load"];
+    let tables = [
+        "tyre",
+        "ring",
+        "cylinder",
+        "hydraulics",
+        "motion",
+        "load",
+        "oil",
+        "plc",
+        "dynamics",
+    ];
     let within = tables.into_iter().filter_map(|name| v.table(name));
     within
         .filter(|table| table.number(key).is_some())
