@@ -1,13 +1,17 @@
 """Levels rigid, swing and hydraulic as FMUs: Model Exchange beside Co-Simulation in both standards,
 roll-back, two instances in two threads, refusals."""
 
+import csv
 import math
 import threading
+import zipfile
 
 import numpy as np
 import pytest
 from fmpy import extract, read_model_description, simulate_fmu
 from fmpy.fmi1 import FMICallException
+from fmpy.fmi2 import FMU2Model
+from fmpy.fmi3 import FMU3Model
 from fmpy.validation import validate_fmu
 
 from conftest import ROOT, lemnis
@@ -209,6 +213,73 @@ def test_two_instances_in_two_threads_give_the_same_bits(level, tmp_path):
     for thread in threads:
         thread.join()
     assert found == [expected, expected]
+
+
+# Cases of the 50-digit reference, with states and inputs as in `models/tests/motion_derivatives.rs`.
+SWINGING = {"theta_1": 1.4, "omega_1": -0.12, "phi_R": 0.3, "omega_R": 0.2}
+DERIVATIVES = {
+    "rigid": ("forward", {"theta_1": 1.2, "omega_1": 0.15}, {"M_A": 2.1e6, "M_S": 3e4}),
+    "swing": ("taut", {**SWINGING, "l_R": 9.5, "s_Q": 9.5, "v_Q": 0.05}, {"M_A": 2.1e6, "M_S": 3e4, "v_h": 0.05}),
+    "hydraulic": ("relief", {"theta_1": 1.9, "omega_1": -0.03, "x_v": -0.6, "v_v": -20.0, "p_1": 320e5, "p_2": 300e5,
+                             "p_A": 250e5, "p_B": 190e5}, {"u_v": 0.4, "p_P": 250e5}),
+    "hydraulic_swing": ("raising", {**SWINGING, "x_v": 0.3, "v_v": 5.0, "p_1": 120e5, "p_2": 25e5, "p_A": 90e5,
+                                    "p_B": 60e5}, {"u_v": 0.4, "p_P": 250e5}),
+}
+
+
+@pytest.mark.parametrize("standard", [0, 1], ids=["FMI 3.0", "FMI 2.0"])
+def test_derivatives_are_those_of_the_reference(level, standard, tmp_path):
+    """In Model Exchange, rates and outputs by every state and input; adjoint derivatives are the transpose."""
+    name, paths = level
+    case, states, inputs = DERIVATIVES[name]
+    description = read_model_description(paths[standard])
+    # FMPy knows the attribute of FMI 2 alone.
+    with zipfile.ZipFile(paths[standard]) as archive:
+        text = archive.read("modelDescription.xml").decode("utf-8")
+    for attribute in ("providesDirectionalDerivatives", "providesAdjointDerivatives") if standard == 0 else ("providesDirectionalDerivative",):
+        assert text.count(f'{attribute}="true"') == 2
+    reference = {v.name: v.valueReference for v in description.modelVariables}
+    folder = str(tmp_path / "fmu")
+    extract(paths[standard], unzipdir=folder)
+    fmi3 = standard == 0
+    arguments = {"guid": description.instantiationToken if fmi3 else description.guid, "unzipDirectory": folder,
+                 "modelIdentifier": description.modelExchange.modelIdentifier, "instanceName": "test"}
+    fmu = (FMU3Model if fmi3 else FMU2Model)(**arguments)
+    fmu.instantiate()
+    if not fmi3:
+        fmu.setupExperiment(startTime=0.0)
+    fmu.enterInitializationMode()
+    write = fmu.setFloat64 if fmi3 else fmu.setReal
+    for values in (states, inputs):
+        write([reference[n] for n in values], list(values.values()))
+    fmu.exitInitializationMode()
+    with open(ROOT / "tests/oracles/motion_derivatives.csv") as file:
+        rows = {(row["unknown"], row["known"]): row for row in csv.DictReader(file)
+                if row["case"] == f"{name.replace('_', ' with ')}/{case}"}
+    unknowns = sorted({unknown for unknown, _ in rows})
+    references = [reference[n] for n in unknowns]
+    values = dict(zip(unknowns, (fmu.getFloat64 if fmi3 else fmu.getReal)(references)))
+    for known in [*states, *inputs]:
+        found = fmu.getDirectionalDerivative(references, [reference[known]], [1.0])
+        size = max(abs({**states, **inputs}[known]), 0.1)
+        for unknown, derivative in zip(unknowns, found, strict=True):
+            expected = float(rows[unknown, known]["derivative"]) if (unknown, known) in rows else 0.0
+            assert abs(derivative - expected) <= 1e-12 * max(abs(expected), abs(values[unknown]) / size), (unknown, known)
+    # What the description lists is what acts.
+    listed = {(d.variable.name, k.name) for d in description.derivatives for k in d.dependencies}
+    listed |= {(o.variable.name, k.name) for o in description.outputs for k in o.dependencies}
+    acting = {(unknown, known) for unknown, known in rows if known in states or known in inputs}
+    assert acting <= listed
+    if fmi3:
+        seed = [1.0 / (1.0 + i) for i in range(len(unknowns))]
+        knowns = [reference[n] for n in [*states, *inputs]]
+        adjoint = fmu.getAdjointDerivative(references, knowns, seed, len(knowns))
+        for known, found in zip(knowns, adjoint, strict=True):
+            column = fmu.getDirectionalDerivative(references, [known], [1.0])
+            parts = [w * d for w, d in zip(seed, column, strict=True)]
+            assert abs(found - sum(parts)) <= 1e-15 * sum(abs(p) for p in parts)
+    fmu.terminate()
+    fmu.freeInstance()
 
 
 def test_what_is_no_number_is_refused(slave):

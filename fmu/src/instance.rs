@@ -630,9 +630,9 @@ impl Instance {
             Place::Variable(index) => {
                 let variable = self.model.variables()[self.real(index)?];
                 match variable.role {
-                    Role::Input | Role::Parameter | Role::Tunable => Ok(variable.quantity()),
+                    Role::Input | Role::Parameter | Role::Tunable | Role::State => Ok(variable.quantity()),
                     _ => refuse(format!(
-                        "{variable} is a result: derivatives are by inputs and parameters"
+                        "{variable} is a result: derivatives are by inputs, parameters and states"
                     )),
                 }
             }

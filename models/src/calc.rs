@@ -50,6 +50,26 @@ pub trait Calc:
     }
 }
 
+/// A scalar that equations run on while their parameters are known as `P`: plain numbers are constants,
+/// dual numbers bring derivatives of their own.
+pub trait Over<P>: Calc {
+    fn of(parameter: P) -> Self;
+}
+
+impl<C: Calc> Over<f64> for C {
+    #[inline]
+    fn of(parameter: f64) -> C {
+        C::constant(parameter)
+    }
+}
+
+impl Over<Dual64> for Dual64 {
+    #[inline]
+    fn of(parameter: Dual64) -> Dual64 {
+        parameter
+    }
+}
+
 /// Moves an angle from (−π, π] to (−π/2, 3π/2].
 #[inline]
 fn upright(angle: f64) -> f64 {

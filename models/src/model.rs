@@ -182,7 +182,7 @@ pub enum State {
 )]
 pub enum Tangent {
     Luffing(lemniscate::model::Tangent),
-    Moving,
+    Moving(lemniscate::moving::model::Tangent),
     Steering(steering::model::Tangent),
     Turning,
 }
@@ -473,12 +473,12 @@ impl Model {
     }
 
     /// The model with derivatives along a direction: `seed` is the rate of change
-    /// of each input and parameter, in SI, and of [`TIME`].
+    /// of each input, parameter and continuous state, in SI, and of [`TIME`].
     #[must_use]
     pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
         match self {
             Model::Luffing(model) => Tangent::Luffing(model.tangent(seed)),
-            Model::Moving(_) => Tangent::Moving,
+            Model::Moving(model) => Tangent::Moving(model.tangent(seed)),
             Model::Steering(model) => Tangent::Steering(model.tangent(seed)),
             Model::Turning(_) => Tangent::Turning,
         }
@@ -487,21 +487,22 @@ impl Model {
     /// Whether directional derivatives exist.
     #[must_use]
     pub fn has_derivatives(&self) -> bool {
-        matches!(self, Model::Luffing(_))
+        matches!(self, Model::Luffing(_) | Model::Moving(_))
     }
 
-    /// Derivative of an output along the direction of a tangent, in SI.
+    /// Derivative of an output or a rate along the direction of a tangent, in SI.
     ///
     /// # Errors
-    /// Not an output, or a place where there is no derivative.
+    /// Not a result, or a place where there is no derivative.
     ///
     /// # Panics
     /// With the tangent of another mechanism.
     pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
         match (self, tangent) {
             (Model::Luffing(model), Tangent::Luffing(tangent)) => model.derivative(tangent, index),
-            (Model::Moving(_), Tangent::Moving) | (Model::Turning(_), Tangent::Turning) => Err(Fault::new(
-                "there are no directional derivatives of a mechanism in motion",
+            (Model::Moving(model), Tangent::Moving(tangent)) => model.derivative(tangent, index),
+            (Model::Turning(_), Tangent::Turning) => Err(Fault::new(
+                "there are no directional derivatives of groups turned by their cylinders",
             )),
             (Model::Steering(model), Tangent::Steering(tangent)) => model.derivative(tangent, index),
             _ => unreachable!("{OF_ANOTHER}"),

@@ -380,7 +380,7 @@ fn curved_rail_keeps_the_energy() {
                 "{energy} {first}"
             );
             let load = boom.at(phi).expect("closes");
-            let place = rail.rail(phi, &load).expect("reaches");
+            let place = rail.rail(phi, load.u_0).expect("reaches");
             let (sin, cos) = Calc::sin_cos(phi + rad(10.0));
             let rope = plane::length(plane::Point::new(9.0 * cos, 9.0 * sin) - place);
             assert!((rope - 14.0).abs() < 1e-12 * 14.0);

@@ -29,7 +29,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Steps, inputs, all results, saving and restoring allocate nothing.
+/// Steps, inputs, all results, their derivatives, saving and restoring allocate nothing.
 #[test]
 fn no_level_allocates_while_it_runs() {
     for level in levels::LEVELS {
@@ -50,8 +50,12 @@ fn no_level_allocates_while_it_runs() {
             model.get_states(&mut states);
             model.event_indicators(&mut indicators).expect("closes");
             model.rates(&mut states).expect("closes");
+            let mut tangent = model.tangent(|quantity| f64::from(quantity.0.id == "theta_1"));
             for index in 0..model.variables().len() {
                 let _ = model.get(index);
+                if matches!(model.variables()[index].role, Role::Rate | Role::Output) {
+                    let _ = model.derivative(&mut tangent, index);
+                }
             }
         }
         model.set_state(&saved);

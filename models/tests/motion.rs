@@ -29,7 +29,7 @@ fn at(degrees: f64, length: f64) -> State {
 /// Moment that holds the crane at rest.
 fn holding(m: &Motion, state: &State) -> f64 {
     let braked = Commands { brake: 1e12, ..STILL };
-    m.friction_moment(state, &braked).expect("closes")
+    m.friction_moment(state, &braked, &state.y).expect("closes")
 }
 
 /// Below the limit of friction the bar does not move by one bit, whatever the step; just above it breaks loose.
@@ -239,7 +239,7 @@ fn a_slack_rope_lets_the_load_fall_freely_and_catches_it() {
     // 150 degrees from the hanging position: 8.66 m above the head, 5 m beside it.
     state.y[2] = 150_f64.to_radians();
     m.advance(&mut state, &held, 1e-9, 0.01).expect("lets go");
-    assert!(!state.taut && m.rope_force(&state, &held) == Some(0.0));
+    assert!(!state.taut && m.rope_force(&state, &held, &state.y) == Some(0.0));
     // It falls 2 · 8.66 m until the rope is straight again below the horizontal.
     let (root_3, g) = (3_f64.sqrt(), 9.81);
     let fall = (2.0 * 10.0 * root_3 / g).sqrt();

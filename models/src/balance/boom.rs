@@ -42,12 +42,16 @@ impl<C: Calc> Load<C> {
             Driven::Boom => -m_g,
             Driven::Rocker => -(m_g / v.i_follower),
         };
-        let u_0 = w.g_1 * r.boom.y + w.g_2 * (p.b.y + r.jib.y) + w.g_3 * (g.lengths.x_6 + r.rocker.y);
         Load {
             m_0: m_0.def(&s::M_0),
-            u_0: u_0.def(&s::U_0),
+            u_0: height(g, w, p, r),
         }
     }
+}
+
+/// Potential energy of the double-link mechanism's own weights, in J, from the height of the boom foot.
+pub fn height<C: Calc>(g: &Geometry<C>, w: &Weights<C>, p: &Position<C>, r: &Centres<C>) -> C {
+    (w.g_1 * r.boom.y + w.g_2 * (p.b.y + r.jib.y) + w.g_3 * (g.lengths.x_6 + r.rocker.y)).def(&s::U_0)
 }
 
 impl<C: Calc> Plain<C> {

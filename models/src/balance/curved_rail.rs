@@ -37,14 +37,15 @@ impl<C: Calc> CurvedRail<C> {
         Ok(CurvedRail { dimensions, u_0 })
     }
 
-    /// The trolley's place on its rail, in m from the boom foot.
+    /// The trolley's place on its rail, in m from the boom foot, at boom angle `phi` (rad) where the
+    /// boom's potential energy is `u_0` (J).
     ///
     /// # Errors
     /// A rope that is too short to reach the rail.
-    pub fn rail(&self, phi: C, boom: &Load<C>) -> Result<Point<C>, Fault> {
+    pub fn rail(&self, phi: C, u_0: C) -> Result<Point<C>, Fault> {
         let d = &self.dimensions;
         let k = joint(phi, d.r_1, d.alpha_1);
-        let y = (d.y_0 - (boom.u_0 - self.u_0) / d.g_c).def(&s::C_Y);
+        let y = (d.y_0 - (u_0 - self.u_0) / d.g_c).def(&s::C_Y);
         let height = k.y - y;
         let square = (d.l_r - height) * (d.l_r + height);
         // At zero the rope hangs vertically.
@@ -68,7 +69,7 @@ impl<C: Calc> CurvedRail<C> {
     /// As [`rail`](CurvedRail::rail); a rope across the rail.
     pub fn at(&self, phi: C, boom: &Load<C>) -> Result<Action<C>, Fault> {
         let d = &self.dimensions;
-        let c = self.rail(phi, boom)?;
+        let c = self.rail(phi, boom.u_0)?;
         let k = joint(phi, d.r_1, d.alpha_1);
         let rope = k - c;
         let t_y = (boom.m_0 / d.g_c).def(&s::T_Y);

@@ -91,6 +91,19 @@ impl<C: Calc> Lever<C> {
             .unwrap_or(&arcs[0])
     }
 
+    fn psi(&self, follower: Point<C>) -> C {
+        (C::direction(follower.x, follower.y) + self.dimensions.chi_5).def(&s::PSI)
+    }
+
+    /// The counterweight from the boom foot, in m, at boom angle `phi` (rad); `None` where the linkage
+    /// does not close, and where the counterweight's arm is not known.
+    pub fn place(&self, phi: C) -> Option<Point<C>> {
+        let angle = (phi + self.dimensions.alpha_1).def(&s::PHI_K);
+        let follower = self.linkage.close(angle, &NAMES)?.follower;
+        let ((sin, cos), s_5) = (self.psi(follower).sin_cos(), self.s_5?);
+        Some(Point::new(self.pivot.x + s_5 * cos, self.pivot.y + s_5 * sin))
+    }
+
     /// At boom angle `phi` (rad). [Balance004, eq. 2]
     ///
     /// # Errors
@@ -117,7 +130,7 @@ impl<C: Calc> Lever<C> {
         let h_1 = (plane::cross(k, coupler) / d.l_1).def(&s::H_1);
         let h_5 = (area / (two * d.l_1)).def(&s::H_5);
         let i_5 = (h_1 / h_5).def(&s::I_5);
-        let psi = (C::direction(follower.x, follower.y) + d.chi_5).def(&s::PSI);
+        let psi = self.psi(follower);
         let (sin, cos) = psi.sin_cos();
         let about_pivot = d.m_5 * cos;
         let m_b = (-(about_pivot * i_5)).def(&s::M_B);

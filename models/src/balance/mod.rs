@@ -174,4 +174,27 @@ impl<C: Calc> Balance<C> {
             Balance::CurvedRail(it) => it.at(phi, boom),
         }
     }
+
+    /// The counterweight at boom angle `phi` (rad), in m from the boom foot, or on a straight rail from a
+    /// place that does not move; `u_0` is the boom's potential energy (J). `None` where the balance cannot be.
+    pub fn place(&self, phi: C, u_0: impl FnOnce() -> C) -> Option<Point<C>> {
+        match self {
+            Balance::Tail(it) => Some(it.place(phi)),
+            Balance::Parallelogram(it) => Some(it.place(phi)),
+            Balance::Lever(it) => it.place(phi),
+            Balance::StraightRail(it) => Some(it.place(phi)),
+            Balance::CurvedRail(it) => it.rail(phi, u_0()).ok(),
+        }
+    }
+
+    /// The counterweight's weight, in N; `None` where only its moment is known.
+    pub fn weight(&self) -> Option<C> {
+        match self {
+            Balance::Tail(it) => Some(it.g_c),
+            Balance::Parallelogram(it) => Some(it.g_c),
+            Balance::Lever(it) => it.s_5.map(|s_5| it.dimensions.m_5 / s_5),
+            Balance::StraightRail(it) => Some(it.g_c),
+            Balance::CurvedRail(it) => Some(it.dimensions.g_c),
+        }
+    }
 }

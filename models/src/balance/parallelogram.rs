@@ -39,6 +39,17 @@ impl<C: Calc> Parallelogram<C> {
         [low, low + PI]
     }
 
+    fn psi(&self, phi: C) -> C {
+        (phi + self.chi_c + C::constant(PI)).def(&s::PSI)
+    }
+
+    /// The counterweight from the boom foot, in m, at boom angle `phi` (rad).
+    pub fn place(&self, phi: C) -> Point<C> {
+        let (sin_1, cos_1) = self.delta_1.sin_cos();
+        let (sin, cos) = self.psi(phi).sin_cos();
+        Point::new(self.d_1 * cos_1 + self.r_c * cos, self.d_1 * sin_1 + self.r_c * sin)
+    }
+
     /// At boom angle `phi` (rad). [Ports001, 2.1.2]
     ///
     /// # Errors
@@ -52,7 +63,7 @@ impl<C: Calc> Parallelogram<C> {
             let what = "the rod points at the boom foot: a dead point";
             return Err(Fault::new(&s::PHI, phi.value(), self.arc(phi.value()), what));
         }
-        let psi = (phi + self.chi_c + C::constant(PI)).def(&s::PSI);
+        let psi = self.psi(phi);
         let (sin, cos) = psi.sin_cos();
         let y_5 = (self.r_c * sin).def(&s::C_Y);
         let m_b = (-(self.g_c * self.r_c * cos)).def(&s::M_B);

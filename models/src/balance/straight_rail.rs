@@ -28,6 +28,14 @@ impl<C: Calc> StraightRail<C> {
         Ok(self)
     }
 
+    /// The counterweight along its rail, in m from a place that does not move, at boom angle `phi` (rad).
+    pub fn place(&self, phi: C) -> Point<C> {
+        let rope = Point::new(self.h_x, self.h_y) - joint(phi, self.r_1, self.alpha_1);
+        let s_r = plane::length(rope).def(&s::S_R);
+        let (sin, cos) = self.lambda.sin_cos();
+        Point::new(s_r * cos, s_r * sin)
+    }
+
     /// At boom angle `phi` (rad). [Ports001, 2.1.4]
     ///
     /// # Errors

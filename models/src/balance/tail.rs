@@ -23,9 +23,19 @@ impl<C: Calc> Tail<C> {
         Ok(self)
     }
 
+    fn psi(&self, phi: C) -> C {
+        (phi + self.chi_c + C::constant(PI)).def(&s::PSI)
+    }
+
+    /// The counterweight from the boom foot, in m, at boom angle `phi` (rad).
+    pub fn place(&self, phi: C) -> Point<C> {
+        let (sin, cos) = self.psi(phi).sin_cos();
+        Point::new(self.r_c * cos, self.r_c * sin)
+    }
+
     /// At boom angle `phi` (rad). [Ports001, 2.1.1]
     pub fn at(&self, phi: C) -> Action<C> {
-        let psi = (phi + self.chi_c + C::constant(PI)).def(&s::PSI);
+        let psi = self.psi(phi);
         let (sin, cos) = psi.sin_cos();
         let y_5 = (self.r_c * sin).def(&s::C_Y);
         let nothing = C::constant(0.0) * self.g_c;

@@ -2,30 +2,30 @@
 //! port of the valve, a line between the two, relief valves at the ports and
 //! leakage past the piston.
 
-use crate::calc::Calc;
+use crate::calc::{Calc, Over};
 use crate::hydraulics::oil::pressure_rate;
 use crate::hydraulics::throttle::{relief, root};
 use crate::hydraulics::valve::Valve;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cylinder {
+pub struct Cylinder<P = f64> {
     /// Areas of bore and annulus, in m².
-    pub areas: [f64; 2],
+    pub areas: [P; 2],
     /// Lengths retracted and extended, in m.
-    pub lengths: [f64; 2],
+    pub lengths: [P; 2],
     /// Oil left in a chamber at the piston's end, in m³.
-    pub dead_volume: f64,
+    pub dead_volume: P,
     /// Oil in each port of the valve, in m³.
-    pub port_volume: f64,
+    pub port_volume: P,
     /// Of each line: flow (m³/s) over the root of the pressure difference (Pa).
-    pub line: f64,
+    pub line: P,
     /// Past the piston, in m³/(s·Pa).
-    pub leakage: f64,
+    pub leakage: P,
     /// Of oil and walls, in Pa.
-    pub bulk_modulus: f64,
+    pub bulk_modulus: P,
     /// Opening pressure of the relief valves (Pa), and their flow over the excess, in m³/(s·Pa).
-    pub relief: [f64; 2],
-    pub valve: Valve,
+    pub relief: [P; 2],
+    pub valve: Valve<P>,
 }
 
 /// Oil and spool of one cylinder.
@@ -51,56 +51,58 @@ pub struct Flows<C> {
     pub leakage: C,
 }
 
-impl Cylinder {
+impl<P: Calc> Cylinder<P> {
     /// Areas of bore and annulus, in m², of a bore and a rod in m.
     #[must_use]
-    pub fn areas(bore: f64, rod: f64) -> [f64; 2] {
-        let quarter = std::f64::consts::FRAC_PI_4;
+    pub fn areas(bore: P, rod: P) -> [P; 2] {
+        let quarter = P::constant(std::f64::consts::FRAC_PI_4);
         [quarter * bore * bore, quarter * (bore * bore - rod * rod)]
     }
 
     /// Push on the rod, in N.
     #[inline]
-    pub fn force<C: Calc>(&self, oil: &Oil<C>) -> C {
-        C::constant(self.areas[0]) * oil.chambers[0] - C::constant(self.areas[1]) * oil.chambers[1]
+    pub fn force<C: Over<P>>(&self, oil: &Oil<C>) -> C {
+        C::of(self.areas[0]) * oil.chambers[0] - C::of(self.areas[1]) * oil.chambers[1]
     }
 
     #[inline]
-    pub fn flows<C: Calc>(&self, oil: &Oil<C>, supply: f64) -> Flows<C> {
-        let line = |i: usize| C::constant(self.line) * root(oil.ports[i] - oil.chambers[i]);
+    pub fn flows<C: Over<P>>(&self, oil: &Oil<C>, supply: P) -> Flows<C> {
+        let line = |i: usize| C::of(self.line) * root(oil.ports[i] - oil.chambers[i]);
         Flows {
             valve: self.valve.flows(oil.spool, supply, oil.ports),
             line: [line(0), line(1)],
-            relief: oil.ports.map(|p| relief(p, self.relief[0], self.relief[1])),
-            leakage: C::constant(self.leakage) * (oil.chambers[0] - oil.chambers[1]),
+            relief: oil
+                .ports
+                .map(|p| relief(p, C::of(self.relief[0]), C::of(self.relief[1]))),
+            leakage: C::of(self.leakage) * (oil.chambers[0] - oil.chambers[1]),
         }
     }
 
     /// Oil in the chambers, in m³, at a length (m).
     #[inline]
-    pub fn volumes<C: Calc>(&self, length: C) -> [C; 2] {
-        let constant = C::constant;
+    pub fn volumes<C: Over<P>>(&self, length: C) -> [C; 2] {
+        let of = C::of;
         let [short, long] = self.lengths;
         [
-            constant(self.dead_volume) + constant(self.areas[0]) * (length - constant(short)),
-            constant(self.dead_volume) + constant(self.areas[1]) * (constant(long) - length),
+            of(self.dead_volume) + of(self.areas[0]) * (length - of(short)),
+            of(self.dead_volume) + of(self.areas[1]) * (of(long) - length),
         ]
     }
 
     /// Rates of all of the oil's states at a length (m) and speed (m/s, lengthening positive);
     /// `command` in [−1, 1], `supply` in Pa.
     #[inline]
-    pub fn rates<C: Calc>(&self, oil: &Oil<C>, length: C, speed: C, command: f64, supply: f64) -> Oil<C> {
+    pub fn rates<C: Over<P>>(&self, oil: &Oil<C>, length: C, speed: C, command: P, supply: P) -> Oil<C> {
         let f = self.flows(oil, supply);
         let volumes = self.volumes(length);
-        let (ports, still) = (C::constant(self.port_volume), C::constant(0.0));
-        let port = |i: usize| pressure_rate(self.bulk_modulus, ports, f.valve[i] - f.line[i] - f.relief[i], still);
-        let chamber = |i: usize, flow: C, growth: C| pressure_rate(self.bulk_modulus, volumes[i], flow, growth);
+        let (modulus, ports, still) = (C::of(self.bulk_modulus), C::of(self.port_volume), C::constant(0.0));
+        let port = |i: usize| pressure_rate(modulus, ports, f.valve[i] - f.line[i] - f.relief[i], still);
+        let chamber = |i: usize, flow: C, growth: C| pressure_rate(modulus, volumes[i], flow, growth);
         Oil {
             ports: [port(0), port(1)],
             chambers: [
-                chamber(0, f.line[0] - f.leakage, C::constant(self.areas[0]) * speed),
-                chamber(1, f.line[1] + f.leakage, C::constant(-self.areas[1]) * speed),
+                chamber(0, f.line[0] - f.leakage, C::of(self.areas[0]) * speed),
+                chamber(1, f.line[1] + f.leakage, C::of(-self.areas[1]) * speed),
             ],
             spool: oil.spool_speed,
             spool_speed: self.valve.acceleration(oil.spool, oil.spool_speed, command),

@@ -17,9 +17,9 @@ pub fn root<C: Calc>(difference: C) -> C {
 /// Flow out of a volume through a relief valve, in m³/s: above `opening` (Pa) in proportion to the
 /// excess, by `slope` in m³/(s·Pa).
 #[inline]
-pub fn relief<C: Calc>(pressure: C, opening: f64, slope: f64) -> C {
-    if pressure.value() > opening {
-        C::constant(slope) * (pressure - C::constant(opening))
+pub fn relief<C: Calc>(pressure: C, opening: C, slope: C) -> C {
+    if pressure.value() > opening.value() {
+        slope * (pressure - opening)
     } else {
         C::constant(0.0)
     }

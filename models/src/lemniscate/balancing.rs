@@ -5,7 +5,7 @@
 use num_dual::Dual64;
 
 use crate::balance::analysis::{Analysis, Residual};
-use crate::balance::boom::{Boom, Load};
+use crate::balance::boom::{Boom, Load, height};
 use crate::balance::{Balance, Fault, symbols as b};
 use crate::calc::Calc;
 use crate::four_bar::Branch;
@@ -16,7 +16,7 @@ use crate::lemniscate::scene::Motion;
 use crate::lemniscate::statics::{Centres, weight_moment};
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::velocity::Velocity;
-use crate::plane;
+use crate::plane::{self, Point};
 use crate::symbol::Symbol;
 
 /// The balance of a mechanism, at no particular position.
@@ -62,19 +62,11 @@ impl<C: Calc> Balancing<C> {
         theta: C,
         m_g: C,
     ) -> Result<Residual<C>, Fault> {
-        let phi = match p.driven {
-            Driven::Boom => theta,
-            Driven::Rocker => p.follower_angle(),
-        };
-        if let Some(arc) = self.arc {
-            let turn = std::f64::consts::TAU;
-            let turns = ((phi.value() - f64::midpoint(arc[0], arc[1])) / turn).round() * turn;
-            let near = phi.value() - turns;
-            if !(arc[0]..=arc[1]).contains(&near) {
-                let what = "the balance linkage cannot get to this angle without passing a dead point";
-                return Err(Fault::new(&s::THETA_1, near, arc, what));
-            }
-        }
+        let phi = boom_angle(p, theta);
+        self.reached(phi.value()).map_err(|(near, arc)| {
+            let what = "the balance linkage cannot get to this angle without passing a dead point";
+            Fault::new(&s::THETA_1, near, arc, what)
+        })?;
         let load = Load::new(g, w, p, v, r, m_g);
         if !load.m_0.value().is_finite() {
             let what = "the boom stands still here: no moment about its foot balances it";
@@ -82,6 +74,40 @@ impl<C: Calc> Balancing<C> {
         }
         let action = self.balance.at(phi, &load).map_err(in_scene)?;
         Ok(Residual::of(phi, load, action))
+    }
+
+    /// Whether the balance gets to a boom angle (rad); if not, the same angle near its arc, and the arc.
+    fn reached(&self, phi: f64) -> Result<(), (f64, [f64; 2])> {
+        let Some(arc) = self.arc else {
+            return Ok(());
+        };
+        let turn = std::f64::consts::TAU;
+        let near = phi - ((phi - f64::midpoint(arc[0], arc[1])) / turn).round() * turn;
+        if (arc[0]..=arc[1]).contains(&near) {
+            Ok(())
+        } else {
+            Err((near, arc))
+        }
+    }
+
+    /// The counterweight at a position with `theta` (rad) of the driven bar, in m from the boom foot, or on
+    /// a straight rail from a place that does not move; `None` where the balance cannot be.
+    #[inline]
+    pub fn place(&self, g: &Geometry<C>, w: &Weights<C>, p: &Position<C>, theta: C) -> Option<Point<C>> {
+        let phi = boom_angle(p, theta);
+        self.reached(phi.value()).ok()?;
+        self.balance.place(phi, || {
+            let l = &g.lengths;
+            height(g, w, p, &Centres::new(p, [l.x_1, l.x_2, l.x_3], w))
+        })
+    }
+}
+
+/// Angle of the boom (rad) where the driven bar is at `theta` (rad).
+fn boom_angle<C: Calc>(p: &Position<C>, theta: C) -> C {
+    match p.driven {
+        Driven::Boom => theta,
+        Driven::Rocker => p.follower_angle(),
     }
 }
 

@@ -7,21 +7,24 @@
 
 use num_dual::{Dual2, Dual64, DualNum};
 
-use crate::calc::Calc;
-use crate::lemniscate::geometry::{Anchors, Driven, Geometry};
+use crate::balance::Fault;
+use crate::calc::{Calc, Over};
+use crate::lemniscate::balancing::Balancing;
+use crate::lemniscate::geometry::{Anchors, Driven, Geometry, Parameters, Weights};
 use crate::lemniscate::position::Position;
+use crate::motion::Motion as Range;
 use crate::plane::{self, Point, dot};
 use crate::solver::{Gradient, runge_kutta};
 
 /// A body that moves with one of the bars.
 #[derive(Clone, Copy, Debug)]
-pub struct Body {
+pub struct Body<P = f64> {
     /// In kg.
-    pub mass: f64,
+    pub mass: P,
     /// About the centre of gravity, in kg·m².
-    pub inertia: f64,
+    pub inertia: P,
     /// Centre of gravity from the bar's first joint, along the bar and to its left, in m.
-    pub centre: Point<f64>,
+    pub centre: Point<P>,
 }
 
 impl Body {
@@ -34,17 +37,20 @@ impl Body {
             centre: (from + to) / 2.0,
         }
     }
+}
 
+impl<P: Calc> Body<P> {
     /// The body with a mass (kg) that is fixed to it at a point of its frame, in m.
     #[must_use]
-    pub fn with_mass(self, mass: f64, at: Point<f64>) -> Body {
+    pub fn with_mass(self, mass: P, at: Point<P>) -> Body<P> {
         let sum = self.mass + mass;
-        if sum == 0.0 {
+        if sum.value() == 0.0 {
             return self;
         }
+        let apart = at - self.centre;
         Body {
             mass: sum,
-            inertia: self.inertia + self.mass * mass / sum * (at - self.centre).norm_squared(),
+            inertia: self.inertia + self.mass * mass / sum * dot(apart, apart),
             centre: (self.centre * self.mass + at * mass) / sum,
         }
     }
@@ -52,22 +58,22 @@ impl Body {
 
 /// The load on its rope: a pendulum in the plane of the mechanism.
 #[derive(Clone, Copy, Debug)]
-pub struct Pendulum {
+pub struct Pendulum<P = f64> {
     /// In kg.
-    pub mass: f64,
+    pub mass: P,
     /// Length of the rope, in m.
-    pub length: f64,
+    pub length: P,
 }
 
 /// Bodies that the mechanism moves.
 #[derive(Clone, Copy, Debug)]
-pub struct Bodies {
-    pub boom: Body,
-    pub jib: Body,
-    pub rocker: Body,
-    pub pendulum: Option<Pendulum>,
+pub struct Bodies<P = f64> {
+    pub boom: Body<P>,
+    pub jib: Body<P>,
+    pub rocker: Body<P>,
+    pub pendulum: Option<Pendulum<P>>,
     /// In m/s².
-    pub gravity: f64,
+    pub gravity: P,
 }
 
 /// Angles in rad and their rates in rad/s: where the mechanism is and how it moves.
@@ -85,13 +91,13 @@ pub struct Phase<C = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reel<C> {
     pub length: C,
-    pub rate: f64,
+    pub rate: C,
 }
 
 /// What the equations of motion need at one angle, all by derivatives of the positions.
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced<C> {
-    /// Inertia of boom, jib and rocker at the driven bar (kg·m²), and its change by the angle.
+    /// Inertia of boom, jib, rocker and counterweight at the driven bar (kg·m²), and its change by the angle.
     pub inertia: C,
     pub slope: C,
     /// Moment of their weights, in N·m; positive lowers the driven bar.
@@ -104,11 +110,49 @@ pub struct Reduced<C> {
     pub drive: [C; 2],
 }
 
+/// Positions with their first and second derivatives by the driven angle.
+#[derive(Clone, Copy, Debug)]
+struct Positions<T> {
+    geometry: Geometry<Dual2<T>>,
+    counterweight: Option<Counterweight<T>>,
+}
+
+/// The counterweight of a balance: a body of its weight in its centre of gravity. A rope to it is taken as taut.
+#[derive(Clone, Copy, Debug)]
+struct Counterweight<T> {
+    balancing: Balancing<Dual2<T>>,
+    weights: Weights<Dual2<T>>,
+    /// In kg.
+    mass: T,
+}
+
+impl<T: Calc + DualNum> Counterweight<T> {
+    fn new(p: &Parameters<T>, range: &Range, gravity: T) -> Result<Option<Self>, Fault> {
+        let over = p.map(|_, value| Dual2::from_re(value));
+        let Some((balancing, weights)) = Balancing::new(&over, range)?.zip(over.weights) else {
+            return Ok(None);
+        };
+        let mass = balancing
+            .balance
+            .weight()
+            .map_or(T::constant(0.0), |weight| weight.re / gravity);
+        Ok(Some(Counterweight {
+            balancing,
+            weights,
+            mass,
+        }))
+    }
+}
+
 impl<T: Calc + DualNum> Reduced<T> {
     #[inline]
-    fn new(g: &Geometry<Dual2<T>>, bodies: &Bodies, push: Option<&Push>, theta: T) -> Option<Self> {
-        let (zero, one, constant) = (T::constant(0.0), T::constant(1.0), T::constant);
-        let p = Position::new(g, Dual2::new(theta, one, zero))?;
+    fn new<P: Calc>(positions: &Positions<T>, bodies: &Bodies<P>, push: Option<&Push<P>>, theta: T) -> Option<Self>
+    where
+        T: Over<P>,
+    {
+        let (zero, one) = (T::constant(0.0), T::constant(1.0));
+        let (g, theta) = (&positions.geometry, Dual2::new(theta, one, zero));
+        let p = Position::new(g, theta)?;
         let foot = Point::new(Dual2::from_re(zero), Dual2::from_re(zero));
         let bars = [
             Bar::new(foot, p.x_1),
@@ -117,11 +161,24 @@ impl<T: Calc + DualNum> Reduced<T> {
         ];
         let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
         for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(&bars) {
-            let (mass, spin) = (constant(body.mass), constant(body.inertia));
-            let weight = constant(body.mass * bodies.gravity);
-            let [r, d, dd] = bar.point(body.centre);
+            let (mass, spin) = (T::of(body.mass), T::of(body.inertia));
+            let weight = T::of(body.mass * bodies.gravity);
+            let [r, d, dd] = bar.point(body.centre.map(T::of));
             inertia += mass * dot(d, d) + spin * bar.turn;
-            slope += constant(2.0) * (mass * dot(d, dd) + spin * bar.turn_change);
+            slope += T::constant(2.0) * (mass * dot(d, dd) + spin * bar.turn_change);
+            moment += weight * d.y;
+            energy += weight * r.y;
+        }
+        if let Some(Counterweight {
+            balancing,
+            weights,
+            mass,
+        }) = &positions.counterweight
+        {
+            let [r, d, dd] = parts(balancing.place(g, weights, &p, theta)?);
+            let weight = *mass * T::of(bodies.gravity);
+            inertia += *mass * dot(d, d);
+            slope += T::constant(2.0) * *mass * dot(d, dd);
             moment += weight * d.y;
             energy += weight * r.y;
         }
@@ -130,8 +187,8 @@ impl<T: Calc + DualNum> Reduced<T> {
                 Driven::Boom => &bars[0],
                 Driven::Rocker => &bars[2],
             };
-            let [r, d, _] = bar.point(push.to);
-            let line = r - push.from.map(constant);
+            let [r, d, _] = bar.point(push.to.map(T::of));
+            let line = r - push.from.map(T::of);
             let length = plane::length(line);
             [length, dot(line, d) / length]
         });
@@ -173,8 +230,8 @@ impl<T: Calc + DualNum> Bar<T> {
 
     /// A point of the bar's frame: place, first and second derivative.
     #[inline]
-    fn point(&self, at: Point<f64>) -> [Point<T>; 3] {
-        let (along, across) = (T::constant(at.x) / self.length, T::constant(at.y) / self.length);
+    fn point(&self, at: Point<T>) -> [Point<T>; 3] {
+        let (along, across) = (at.x / self.length, at.y / self.length);
         [0, 1, 2].map(|i| self.joint[i] + plane::turned(self.along[i], along, across))
     }
 }
@@ -184,16 +241,23 @@ fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
     [v.map(|x| x.re), v.map(|x| x.v1), v.map(|x| x.v2)]
 }
 
-/// A scalar that the equations of motion run on: a number, or one with its derivatives by all states.
-pub trait Coordinate: Calc {
+/// A scalar that the equations of motion run on, with parameters known as `P`: a number, one with its
+/// derivatives by all states, or one with its derivative in one direction of states and parameters.
+pub trait Coordinate<P = f64>: Over<P> {
     /// `None` where the linkage does not close.
-    fn reduced(d: &Dynamics, theta: Self) -> Option<Reduced<Self>>;
+    fn reduced(d: &Dynamics<P>, theta: Self) -> Option<Reduced<Self>>;
 }
 
 impl Coordinate for f64 {
     #[inline]
     fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
         Reduced::new(&d.twice, &d.bodies, d.push.as_ref(), theta)
+    }
+}
+
+impl Coordinate<Dual64> for Dual64 {
+    fn reduced(d: &Dynamics<Dual64>, theta: Dual64) -> Option<Reduced<Dual64>> {
+        Reduced::new(&d.thrice, &d.bodies, d.push.as_ref(), theta)
     }
 }
 
@@ -216,36 +280,61 @@ impl<const N: usize> Coordinate for Gradient<N> {
 
 /// The mechanism with its bodies.
 #[derive(Clone, Copy, Debug)]
-pub struct Dynamics {
+pub struct Dynamics<P = f64> {
     /// For two and for three derivatives.
-    twice: Geometry<Dual2<f64>>,
-    thrice: Geometry<Dual2<Dual64>>,
-    push: Option<Push>,
-    bodies: Bodies,
+    twice: Positions<f64>,
+    thrice: Positions<Dual64>,
+    push: Option<Push<P>>,
+    bodies: Bodies<P>,
 }
 
 /// A drive's line from a point of the frame to one of the driven bar, in its frame, in m.
 #[derive(Clone, Copy, Debug)]
-struct Push {
-    from: Point<f64>,
-    to: Point<f64>,
+struct Push<P> {
+    from: Point<P>,
+    to: Point<P>,
 }
 
-impl Dynamics {
+impl<P: Calc> Dynamics<P> {
     #[must_use]
-    pub fn new(geometry: &Geometry<f64>, bodies: Bodies) -> Dynamics {
+    pub fn new(geometry: &Geometry<P>, bodies: Bodies<P>) -> Dynamics<P>
+    where
+        Dual64: Over<P>,
+    {
         Dynamics {
-            twice: geometry.map(Dual2::from_re),
-            thrice: geometry.map(|x| Dual2::from_re(Dual64::from_re(x))),
+            twice: Positions {
+                geometry: geometry.map(|x| Dual2::from_re(x.value())),
+                counterweight: None,
+            },
+            thrice: Positions {
+                geometry: geometry.map(|x| Dual2::from_re(Dual64::of(x))),
+                counterweight: None,
+            },
             push: None,
             bodies,
         }
     }
 
+    /// With the balance of the same mechanism's parameters, if they have one, over its working range.
+    ///
+    /// # Errors
+    /// Quantities with which there is no such balance.
+    pub fn with_balance(mut self, p: &Parameters<P>, range: &Range) -> Result<Dynamics<P>, Fault>
+    where
+        Dual64: Over<P>,
+    {
+        let gravity = self.bodies.gravity;
+        let values = p.map(|_, value| value.value());
+        self.twice.counterweight = Counterweight::new(&values, range, gravity.value())?;
+        let dual = p.map(|_, value| Dual64::of(value));
+        self.thrice.counterweight = Counterweight::new(&dual, range, Dual64::of(gravity))?;
+        Ok(self)
+    }
+
     /// With a drive that pushes along a line from the frame to the driven bar.
     #[must_use]
-    pub fn with_drive(self, anchors: &Anchors<f64>) -> Dynamics {
-        let (sin, cos) = Calc::sin_cos(anchors.chi_d);
+    pub fn with_drive(self, anchors: &Anchors<P>) -> Dynamics<P> {
+        let (sin, cos) = anchors.chi_d.sin_cos();
         let push = Push {
             from: Point::new(anchors.e_x, anchors.e_y),
             to: Point::new(anchors.s_d * cos, anchors.s_d * sin),
@@ -258,24 +347,24 @@ impl Dynamics {
 
     #[must_use]
     pub fn driven(&self) -> Driven {
-        self.twice.driven
+        self.twice.geometry.driven
     }
 
     #[must_use]
-    pub fn bodies(&self) -> &Bodies {
+    pub fn bodies(&self) -> &Bodies<P> {
         &self.bodies
     }
 
     /// The pendulum's part of the equations of motion, for the coordinates (theta, swing):
     /// the two terms that it adds to the inertia of the first and couples it with, its own, and the forces.
-    fn pendulum<C: Coordinate>(&self, r: &Reduced<C>, m: &Phase<C>, mass: f64, reel: Reel<C>) -> [C; 5] {
+    fn pendulum<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, mass: P, reel: Reel<C>) -> [C; 5] {
         let [_, d, dd] = r.head;
         let (sin, cos) = m.swing.sin_cos();
         // Directions of the load's motion when the rope swings, and of its centripetal acceleration.
         let (swing, inward) = (Point::new(cos, sin), Point::new(-sin, cos));
-        let (mass, gravity, l) = (C::constant(mass), C::constant(self.bodies.gravity), reel.length);
+        let (mass, gravity, l) = (C::of(mass), C::of(self.bodies.gravity), reel.length);
         let pull = l * m.swing_rate.square();
-        let coriolis = C::constant(2.0 * reel.rate) * m.swing_rate;
+        let coriolis = C::constant(2.0) * reel.rate * m.swing_rate;
         let square = m.omega.square();
         [
             mass * dot(d, d),
@@ -289,7 +378,7 @@ impl Dynamics {
     /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar
     /// (N·m, positive raises it), with what the mechanism is at this angle.
     #[inline]
-    pub fn motion<C: Coordinate>(&self, r: &Reduced<C>, m: &Phase<C>, moment: C, reel: Reel<C>) -> [C; 2] {
+    pub fn motion<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, moment: C, reel: Reel<C>) -> [C; 2] {
         let driven = moment - r.moment - C::constant(0.5) * r.slope * m.omega.square();
         let Some(Pendulum { mass, .. }) = self.bodies.pendulum else {
             return [driven / r.inertia, C::constant(0.0)];
@@ -306,14 +395,16 @@ impl Dynamics {
 
     /// Moment on the driven bar (N·m) that keeps it at rest, and the acceleration of the rope (rad/s²) with it.
     #[must_use]
-    pub fn hold(&self, r: &Reduced<f64>, m: &Phase, reel: Reel<f64>) -> [f64; 2] {
+    pub fn hold<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: Reel<C>) -> [C; 2] {
         let Some(Pendulum { mass, .. }) = self.bodies.pendulum else {
-            return [r.moment, 0.0];
+            return [r.moment, C::constant(0.0)];
         };
         let [_, coupled, m_22, f_1, f_2] = self.pendulum(r, m, mass, reel);
         [r.moment - f_1 + coupled * f_2 / m_22, f_2 / m_22]
     }
+}
 
+impl Dynamics {
     /// How much the rope's rate changes, over how much the driven bar's does, in a blow on the driven bar.
     #[must_use]
     pub fn blow(&self, r: &Reduced<f64>, m: &Phase, reel: Reel<f64>) -> f64 {

@@ -1,6 +1,7 @@
 //! Level `hydraulic`: the driven bar moved by a cylinder with its oil, ports
 //! and proportional valve; with 8 states, or with 10 where the load swings.
 
+use crate::calc::Calc;
 use crate::hydraulics::cylinder::{Cylinder, Oil};
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reel};
 use crate::solver::{Gradient, System};
@@ -14,24 +15,24 @@ const OIL: usize = 6;
 /// A luffing cylinder at work, as a system of N states: angle and rate of the driven bar, with
 /// N = 10 also those of the rope, pressures of ports and chambers, spool and its speed.
 #[derive(Clone, Copy, Debug)]
-pub struct Hydraulic<const N: usize> {
-    pub dynamics: Dynamics,
-    pub cylinder: Cylinder,
+pub struct Hydraulic<const N: usize, P = f64> {
+    pub dynamics: Dynamics<P>,
+    pub cylinder: Cylinder<P>,
     /// Friction at the driven bar, in N·m·s/rad, and dry, in N·m; below [`CREEP`] the bar creeps.
-    pub viscous: f64,
-    pub coulomb: f64,
+    pub viscous: P,
+    pub coulomb: P,
     /// Least and greatest angle of the driven bar, in rad, and the end stops' stiffness (N·m/rad) and
     /// damping (N·m·s/rad) beyond them.
     pub stops: [f64; 2],
-    pub buffer: [f64; 2],
+    pub buffer: [P; 2],
     /// Command of the valve in [−1, 1]; positive raises the driven bar.
-    pub command: f64,
+    pub command: P,
     /// Pressure of the pump, in Pa.
-    pub supply: f64,
+    pub supply: P,
 }
 
-impl<const N: usize> Hydraulic<N> {
-    pub fn phase<C: Coordinate>(y: &[C; N]) -> Phase<C> {
+impl<const N: usize, P: Calc> Hydraulic<N, P> {
+    pub fn phase<C: Calc>(y: &[C; N]) -> Phase<C> {
         let still = C::constant(0.0);
         let swings = N > OIL + 2;
         Phase {
@@ -42,7 +43,7 @@ impl<const N: usize> Hydraulic<N> {
         }
     }
 
-    pub fn oil<C: Coordinate>(y: &[C; N]) -> Oil<C> {
+    pub fn oil<C: Calc>(y: &[C; N]) -> Oil<C> {
         let oil = &y[N - OIL..];
         Oil {
             ports: [oil[0], oil[1]],
@@ -54,7 +55,7 @@ impl<const N: usize> Hydraulic<N> {
 
     /// Equations over any scalar.
     #[inline]
-    pub fn equations<C: Coordinate>(&self, y: &[C; N]) -> Option<[C; N]> {
+    pub fn equations<C: Coordinate<P>>(&self, y: &[C; N]) -> Option<[C; N]> {
         let m = Self::phase(y);
         let oil = Self::oil(y);
         let r = C::reduced(&self.dynamics, m.theta)?;
@@ -62,23 +63,23 @@ impl<const N: usize> Hydraulic<N> {
         let rates = self
             .cylinder
             .rates(&oil, length, arm * m.omega, self.command, self.supply);
-        let mut moment = self.cylinder.force(&oil) * arm - C::constant(self.viscous) * m.omega;
-        if self.coulomb > 0.0 {
+        let mut moment = self.cylinder.force(&oil) * arm - C::of(self.viscous) * m.omega;
+        if self.coulomb.value() > 0.0 {
             let smooth = (m.omega.square() + C::constant(CREEP * CREEP)).sqrt();
-            moment -= C::constant(self.coulomb) * m.omega / smooth;
+            moment -= C::of(self.coulomb) * m.omega / smooth;
         }
         if let Some(depth) = self.beyond(m.theta) {
             let [stiffness, damping] = self.buffer;
-            let push = C::constant(-stiffness) * depth - C::constant(damping) * m.omega;
+            let push = -C::of(stiffness) * depth - C::of(damping) * m.omega;
             // A stop pushes, and never pulls.
             if push.value() * depth.value() < 0.0 {
                 moment += push;
             }
         }
-        let rope = self.dynamics.bodies().pendulum.map_or(0.0, |p| p.length);
+        let still = C::constant(0.0);
         let reel = Reel {
-            length: C::constant(rope),
-            rate: 0.0,
+            length: self.dynamics.bodies().pendulum.map_or(still, |p| C::of(p.length)),
+            rate: still,
         };
         let [alpha, swing] = self.dynamics.motion(&r, &m, moment, reel);
         let mut out = [C::constant(0.0); N];
@@ -101,11 +102,13 @@ impl<const N: usize> Hydraulic<N> {
     }
 
     /// How far the bar is beyond its range, in rad.
-    fn beyond<C: Coordinate>(&self, theta: C) -> Option<C> {
+    fn beyond<C: Calc>(&self, theta: C) -> Option<C> {
         let nearest = theta.value().clamp(self.stops[0], self.stops[1]);
         (theta.value() != nearest).then(|| theta - C::constant(nearest))
     }
+}
 
+impl<const N: usize> Hydraulic<N> {
     /// The crane at rest at an angle (rad), the valve closed and the oil carrying it, both chambers at
     /// `least` (Pa) or more. `None` where the linkage does not close or the cylinder cannot hold it.
     #[must_use]

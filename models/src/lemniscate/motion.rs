@@ -9,27 +9,27 @@
 
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
-use crate::plane::Point;
+use crate::plane::{Point, dot};
 use crate::solver::{Halt, MOST_STEPS, runge_kutta};
 
 /// Friction at the driven bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Friction {
+pub struct Friction<P = f64> {
     /// In N·m·s/rad.
-    pub viscous: f64,
+    pub viscous: P,
     /// In N·m: it holds the bar at rest up to this moment.
-    pub coulomb: f64,
+    pub coulomb: P,
 }
 
 /// What drives the motion; constant over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Commands {
+pub struct Commands<P = f64> {
     /// Moment of the drive on the driven bar, in N·m; positive raises it.
-    pub moment: f64,
+    pub moment: P,
     /// Moment that the brake adds to the dry friction, in N·m; not negative.
-    pub brake: f64,
+    pub brake: P,
     /// How fast the rope is paid out, in m/s.
-    pub hoist: f64,
+    pub hoist: P,
 }
 
 /// The driven bar between events.
@@ -72,7 +72,7 @@ impl State {
     }
 }
 
-fn phase(y: &[f64; STATES]) -> Phase {
+fn phase<C: Calc>(y: &[C; STATES]) -> Phase<C> {
     Phase {
         theta: y[0],
         omega: y[1],
@@ -83,9 +83,9 @@ fn phase(y: &[f64; STATES]) -> Phase {
 
 /// A luffing mechanism that moves.
 #[derive(Clone, Copy, Debug)]
-pub struct Motion {
-    pub dynamics: Dynamics,
-    pub friction: Friction,
+pub struct Motion<P = f64> {
+    pub dynamics: Dynamics<P>,
+    pub friction: Friction<P>,
     /// Least and greatest angle of the driven bar, in rad.
     pub stops: [f64; 2],
 }
@@ -96,9 +96,9 @@ const LOOSE: f64 = 1.0 + 1e-12;
 const MOST_EVENTS: u32 = 10_000;
 const MOST_CHANGES: u32 = 16;
 
-impl Motion {
+impl<C: Coordinate<C>> Motion<C> {
     /// The load on its rope as it is now.
-    fn reel(&self, state: &State, y: &[f64; STATES], commands: &Commands) -> Reel<f64> {
+    fn reel(&self, state: &State, y: &[C; STATES], commands: &Commands<C>) -> Reel<C> {
         if state.taut {
             Reel {
                 length: y[4],
@@ -113,49 +113,50 @@ impl Motion {
     }
 
     /// Greatest moment of dry friction and brake, in N·m.
-    fn dry(&self, commands: &Commands) -> f64 {
+    fn dry(&self, commands: &Commands<C>) -> C {
         self.friction.coulomb + commands.brake
     }
 
     /// Accelerations of bar and rope (rad/s²), and of the load away from the head (m/s²).
-    fn accelerations(&self, state: &State, r: &Reduced<f64>, y: &[f64; STATES], commands: &Commands) -> [f64; 3] {
-        let m = phase(y);
-        let way = match state.bar {
-            Bar::Held => 0.0,
-            Bar::Forward => 1.0,
-            Bar::Backward => -1.0,
+    fn accelerations(&self, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> [C; 3] {
+        let (m, still) = (phase(y), C::constant(0.0));
+        let dry = match state.bar {
+            Bar::Held => still,
+            Bar::Forward => self.dry(commands),
+            Bar::Backward => -self.dry(commands),
         };
-        let moment = commands.moment - self.friction.viscous * m.omega - way * self.dry(commands);
+        let moment = commands.moment - self.friction.viscous * m.omega - dry;
         let reel = self.reel(state, y, commands);
         if state.taut {
             let [alpha, swing] = match state.bar {
-                Bar::Held => [0.0, self.dynamics.hold(r, &m, reel)[1]],
+                Bar::Held => [still, self.dynamics.hold(r, &m, reel)[1]],
                 _ => self.dynamics.motion(r, &m, moment, reel),
             };
-            return [alpha, swing, 0.0];
+            return [alpha, swing, still];
         }
         let alpha = match state.bar {
-            Bar::Held => 0.0,
-            _ => (moment - r.moment - 0.5 * r.slope * m.omega * m.omega) / r.inertia,
+            Bar::Held => still,
+            _ => (moment - r.moment - C::constant(0.5) * r.slope * m.omega * m.omega) / r.inertia,
         };
         // The load falls freely; seen from the head, which moves.
         let [_, d, dd] = r.head;
-        let fall = -Point::new(0.0, self.dynamics.bodies().gravity) - d * alpha - dd * (m.omega * m.omega);
+        let fall = -Point::new(still, self.dynamics.bodies().gravity) - d * alpha - dd * (m.omega * m.omega);
         let (out, along) = directions(m.swing);
         [
             alpha,
-            (fall.dot(&along) - 2.0 * reel.rate * m.swing_rate) / reel.length,
-            fall.dot(&out) + reel.length * m.swing_rate * m.swing_rate,
+            (dot(fall, along) - C::constant(2.0) * reel.rate * m.swing_rate) / reel.length,
+            dot(fall, out) + reel.length * m.swing_rate * m.swing_rate,
         ]
     }
 
     /// Rates of all states between events; `None` where the linkage does not close.
     #[must_use]
-    pub fn rates(&self, state: &State, commands: &Commands, y: &[f64; STATES]) -> Option<[f64; STATES]> {
-        let r = f64::reduced(&self.dynamics, y[0])?;
+    pub fn rates(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; STATES]> {
+        let r = C::reduced(&self.dynamics, y[0])?;
         let [alpha, swing, out] = self.accelerations(state, &r, y, commands);
         if self.dynamics.bodies().pendulum.is_none() {
-            return Some([y[1], alpha, 0.0, 0.0, 0.0, 0.0, 0.0]);
+            let none = C::constant(0.0);
+            return Some([y[1], alpha, none, none, none, none, none]);
         }
         let distance = if state.taut { commands.hoist } else { y[6] };
         Some([y[1], alpha, y[3], swing, commands.hoist, distance, out])
@@ -163,47 +164,51 @@ impl Motion {
 
     /// Moment that friction, brake and stops must give to hold the bar at rest, in N·m, with the
     /// least and greatest that they can.
-    fn held(&self, state: &State, r: &Reduced<f64>, y: &[f64; STATES], commands: &Commands) -> [f64; 3] {
+    fn held(&self, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> [C; 3] {
         let hold = if state.taut {
-            let still = Phase { omega: 0.0, ..phase(y) };
+            let still = Phase {
+                omega: C::constant(0.0),
+                ..phase(y)
+            };
             self.dynamics.hold(r, &still, self.reel(state, y, commands))[0]
         } else {
             r.moment
         };
-        let dry = self.dry(commands) * LOOSE;
+        let dry = self.dry(commands) * C::constant(LOOSE);
+        let (theta, without_end) = (y[0].value(), C::constant(f64::INFINITY));
         [
             hold - commands.moment,
-            if y[0] >= self.stops[1] { f64::NEG_INFINITY } else { -dry },
-            if y[0] <= self.stops[0] { f64::INFINITY } else { dry },
+            if theta >= self.stops[1] { -without_end } else { -dry },
+            if theta <= self.stops[0] { without_end } else { dry },
         ]
     }
 
     /// Force of the rope on the load towards the head, in N; zero where it is slack or there is none.
-    fn tension(&self, state: &State, r: &Reduced<f64>, y: &[f64; STATES], commands: &Commands) -> f64 {
+    fn tension(&self, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> C {
         let Some(pendulum) = self.dynamics.bodies().pendulum.filter(|_| state.taut) else {
-            return 0.0;
+            return C::constant(0.0);
         };
         let [alpha, _, _] = self.accelerations(state, r, y, commands);
         let [_, d, dd] = r.head;
         let (out, _) = directions(y[2]);
-        let head = d * alpha + dd * (y[1] * y[1]) + Point::new(0.0, self.dynamics.bodies().gravity);
-        pendulum.mass * (y[4] * y[3] * y[3] - head.dot(&out))
+        let head = d * alpha + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), self.dynamics.bodies().gravity);
+        pendulum.mass * (y[4] * y[3] * y[3] - dot(head, out))
     }
 
     /// Force of the rope, in N; zero where it is slack or there is none.
     #[must_use]
-    pub fn rope_force(&self, state: &State, commands: &Commands) -> Option<f64> {
-        let r = f64::reduced(&self.dynamics, state.y[0])?;
-        Some(self.tension(state, &r, &state.y, commands))
+    pub fn rope_force(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        Some(self.tension(state, &r, y, commands))
     }
 
     /// Moment of friction, brake and end stop on the driven bar, in N·m; positive raises it.
     #[must_use]
-    pub fn friction_moment(&self, state: &State, commands: &Commands) -> Option<f64> {
-        let r = f64::reduced(&self.dynamics, state.y[0])?;
-        let viscous = -self.friction.viscous * state.y[1];
+    pub fn friction_moment(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        let viscous = -self.friction.viscous * y[1];
         Some(match state.bar {
-            Bar::Held => self.held(state, &r, &state.y, commands)[0],
+            Bar::Held => self.held(state, &r, y, commands)[0],
             Bar::Forward => viscous - self.dry(commands),
             Bar::Backward => viscous + self.dry(commands),
         })
@@ -212,25 +217,28 @@ impl Motion {
     /// Numbers whose fall below zero ends a smooth piece: the bar comes to rest or (two) breaks
     /// loose; it meets its lower or upper stop; the rope becomes slack or taut.
     #[must_use]
-    pub fn indicators(&self, state: &State, commands: &Commands, y: &[f64; STATES]) -> Option<[f64; INDICATORS]> {
-        let r = f64::reduced(&self.dynamics, y[0])?;
+    pub fn indicators(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; INDICATORS]> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        let (none, [low, high]) = (C::constant(1.0), self.stops.map(C::constant));
         let [rest, loose, low, high] = match state.bar {
             Bar::Held => {
                 let [hold, least, most] = self.held(state, &r, y, commands);
                 // Where a stop gives any moment there is nothing to break.
-                [(most - hold).min(f64::MAX), (hold - least).min(f64::MAX), 1.0, 1.0]
+                [capped(most - hold), capped(hold - least), none, none]
             }
-            Bar::Forward => [y[1], 1.0, y[0] - self.stops[0], self.stops[1] - y[0]],
-            Bar::Backward => [-y[1], 1.0, y[0] - self.stops[0], self.stops[1] - y[0]],
+            Bar::Forward => [y[1], none, y[0] - low, high - y[0]],
+            Bar::Backward => [-y[1], none, y[0] - low, high - y[0]],
         };
         let rope = match self.dynamics.bodies().pendulum {
-            None => 1.0,
+            None => none,
             Some(_) if state.taut => self.tension(state, &r, y, commands),
             Some(_) => y[4] - y[5],
         };
         Some([rest, loose, low, high, rope])
     }
+}
 
+impl Motion {
     /// Decides what follows at an instant, as often as one event causes another. Returns whether
     /// anything changed.
     ///
@@ -400,8 +408,13 @@ impl Motion {
     }
 }
 
+/// A greatest moment without end as the greatest number: an indicator must be finite.
+fn capped<C: Calc>(x: C) -> C {
+    if x.value() > f64::MAX { C::constant(f64::MAX) } else { x }
+}
+
 /// From the head to the load, and where it swings to, at an angle of the rope.
-fn directions(swing: f64) -> (Point<f64>, Point<f64>) {
-    let (sin, cos) = Calc::sin_cos(swing);
+fn directions<C: Calc>(swing: C) -> (Point<C>, Point<C>) {
+    let (sin, cos) = swing.sin_cos();
     (Point::new(sin, -cos), Point::new(cos, sin))
 }

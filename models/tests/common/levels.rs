@@ -1,5 +1,7 @@
 //! The default scene at each level.
 
+#![allow(dead_code, reason = "not every test uses all of it")]
+
 use lemnis_models::model::Model;
 use lemnis_models::scene::{DEFAULT, Scene};
 

@@ -2,6 +2,8 @@
 //! steps. Each variant is a system of equations with all of its solver's state
 //! beside it.
 
+use crate::calc::Calc;
+use crate::lemniscate::dynamics::Coordinate;
 use crate::lemniscate::hydraulic::Hydraulic;
 use crate::lemniscate::motion::{self, Bar, Commands, Motion};
 use crate::solver::rodas::{Run, Tolerance};
@@ -17,21 +19,21 @@ const FIRST: f64 = 1e-3;
 
 /// Inputs, constant over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inputs {
-    pub motion: Commands,
+pub struct Inputs<P = f64> {
+    pub motion: Commands<P>,
     /// Command of the valve in [−1, 1], and pressure of the pump in Pa.
-    pub valve: f64,
-    pub supply: f64,
+    pub valve: P,
+    pub supply: P,
 }
 
 /// The equations of a level.
 #[derive(Clone, Copy, Debug)]
-pub enum Level {
-    Free(Motion),
+pub enum Level<P = f64> {
+    Free(Motion<P>),
     /// A cylinder, the load fixed to the head.
-    Fixed(Hydraulic<8>),
+    Fixed(Hydraulic<8, P>),
     /// A cylinder, the load on its rope.
-    Hanging(Hydraulic<10>),
+    Hanging(Hydraulic<10, P>),
 }
 
 /// Where a level is: its states, and its solver's.
@@ -40,6 +42,15 @@ pub enum Present {
     Free(motion::State),
     Fixed(Run<8>),
     Hanging(Run<10>),
+}
+
+/// A force or a moment that only motion has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reaction {
+    /// Of friction, brake and end stop on the driven bar.
+    Friction,
+    Rope,
+    Cylinder,
 }
 
 /// Level and state come from one model, which keeps them together.
@@ -57,14 +68,14 @@ fn tolerance<const N: usize>(relative: f64) -> Tolerance<N> {
     }
 }
 
-fn oil_indicators<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> [f64; MOST_INDICATORS] {
-    let opening = system.cylinder.relief[0];
+fn oil_indicators<const N: usize, C: Calc>(system: &Hydraulic<N, C>, y: &[C; N]) -> [C; MOST_INDICATORS] {
+    let (opening, [low, high]) = (system.cylinder.relief[0], system.stops.map(C::constant));
     [
         y[N - 2],
         opening - y[N - 6],
         opening - y[N - 5],
-        y[0] - system.stops[0],
-        system.stops[1] - y[0],
+        y[0] - low,
+        high - y[0],
     ]
 }
 
@@ -73,8 +84,8 @@ fn possible<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> bool {
     y[N - 6..N - 2].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.rates(y).is_some()
 }
 
-impl Level {
-    pub fn set_inputs(&mut self, inputs: &Inputs) {
+impl<P: Coordinate<P>> Level<P> {
+    pub fn set_inputs(&mut self, inputs: &Inputs<P>) {
         match self {
             Level::Free(_) => {}
             Level::Fixed(system) => (system.command, system.supply) = (inputs.valve, inputs.supply),
@@ -82,29 +93,65 @@ impl Level {
         }
     }
 
-    /// Rates of the states; `None` where the linkage does not close.
-    pub fn rates(&self, present: &Present, inputs: &Inputs, rates: &mut [f64]) -> Option<()> {
+    /// Rates of the states `y`; `None` where the linkage does not close.
+    pub fn rates(
+        &self,
+        present: &Present,
+        inputs: &Inputs<P>,
+        y: &[P; MOST_STATES],
+        rates: &mut [P; MOST_STATES],
+    ) -> Option<()> {
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => {
-                put(rates, &motion.rates(state, &inputs.motion, &state.y)?);
+                put(rates, &motion.rates(state, &inputs.motion, first(y))?);
             }
-            (Level::Fixed(system), Present::Fixed(run)) => put(rates, &system.rates(&run.states())?),
-            (Level::Hanging(system), Present::Hanging(run)) => put(rates, &system.rates(&run.states())?),
+            (Level::Fixed(system), Present::Fixed(_)) => put(rates, &system.equations(first(y))?),
+            (Level::Hanging(system), Present::Hanging(_)) => put(rates, &system.equations(first(y))?),
             _ => unreachable!("{OTHER}"),
         }
         Some(())
     }
 
-    /// Numbers whose change of sign is an event; `None` where the linkage does not close.
-    pub fn indicators(&self, present: &Present, inputs: &Inputs) -> Option<[f64; MOST_INDICATORS]> {
+    /// Numbers whose change of sign is an event, in states `y`; `None` where the linkage does not close.
+    pub fn indicators(
+        &self,
+        present: &Present,
+        inputs: &Inputs<P>,
+        y: &[P; MOST_STATES],
+    ) -> Option<[P; MOST_INDICATORS]> {
         match (self, present) {
-            (Level::Free(motion), Present::Free(state)) => motion.indicators(state, &inputs.motion, &state.y),
-            (Level::Fixed(system), Present::Fixed(run)) => Some(oil_indicators(system, &run.states())),
-            (Level::Hanging(system), Present::Hanging(run)) => Some(oil_indicators(system, &run.states())),
+            (Level::Free(motion), Present::Free(state)) => motion.indicators(state, &inputs.motion, first(y)),
+            (Level::Fixed(system), Present::Fixed(_)) => Some(oil_indicators(system, first(y))),
+            (Level::Hanging(system), Present::Hanging(_)) => Some(oil_indicators(system, first(y))),
             _ => unreachable!("{OTHER}"),
         }
     }
 
+    /// A force or a moment that this level has; `None` where the linkage does not close.
+    pub fn reaction(
+        &self,
+        present: &Present,
+        inputs: &Inputs<P>,
+        y: &[P; MOST_STATES],
+        reaction: Reaction,
+    ) -> Option<P> {
+        match (self, present, reaction) {
+            (Level::Free(motion), Present::Free(state), Reaction::Rope) => {
+                motion.rope_force(state, &inputs.motion, first(y))
+            }
+            (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(state, &inputs.motion, first(y)),
+            (Level::Fixed(system), Present::Fixed(_), _) => {
+                Some(system.cylinder.force(&Hydraulic::<8, P>::oil(first(y))))
+            }
+            (Level::Hanging(system), Present::Hanging(_), _) => {
+                Some(system.cylinder.force(&Hydraulic::<10, P>::oil(first(y))))
+            }
+            _ => unreachable!("{OTHER}"),
+        }
+    }
+}
+
+impl Level {
     /// Decides what follows at an instant. The events of oil are kinks: nothing is to be decided.
     ///
     /// # Errors
@@ -155,7 +202,12 @@ fn oil_advance<const N: usize>(
     possible(system, &run.states()).then_some(()).ok_or(Halt::Outside)
 }
 
-fn put(to: &mut [f64], from: &[f64]) {
+/// The states of this level.
+fn first<const N: usize, P>(y: &[P; MOST_STATES]) -> &[P; N] {
+    y.first_chunk().expect("no level has more states")
+}
+
+fn put<P: Copy>(to: &mut [P], from: &[P]) {
     for (to, from) in to.iter_mut().zip(from) {
         *to = *from;
     }
@@ -197,6 +249,49 @@ impl Present {
                 *run = Run::new(y, FIRST);
             }
         }
+    }
+
+    /// States of this level in every one of its ways of moving, with no number that is special: over a
+    /// range of the angle and beyond its ends (rad), relief valves that open at `opening` (Pa) open and closed.
+    #[must_use]
+    pub fn lively(&self, [from, to]: [f64; 2], opening: f64) -> Vec<Present> {
+        let mut found = Vec::new();
+        for part in [-1e-3, 0.217, 0.613, 0.871, 1.001] {
+            let theta = from + part * (to - from);
+            for sign in [1.0, -1.0] {
+                let swinging = [theta, 0.113 * sign, 0.231, -0.119 * sign];
+                let oil = |p: f64| [1.07 * p, 0.93 * p, 0.71 * p, 0.41 * p, 0.31 * sign, 1.7];
+                match self {
+                    Present::Free(state) => {
+                        let mut y = state.y;
+                        put(&mut y, &swinging);
+                        (y[5], y[6]) = (0.93 * y[4], 0.57);
+                        for bar in [Bar::Held, Bar::Forward, Bar::Backward] {
+                            for taut in [true, false] {
+                                found.push(Present::Free(motion::State { y, bar, taut }));
+                            }
+                        }
+                    }
+                    Present::Fixed(run) => {
+                        let mut y = run.states();
+                        put(&mut y, &swinging[..2]);
+                        for p in [0.3, 2.0] {
+                            y[2..].copy_from_slice(&oil(p * opening));
+                            found.push(Present::of_oil_8(y));
+                        }
+                    }
+                    Present::Hanging(run) => {
+                        let mut y = run.states();
+                        put(&mut y, &swinging);
+                        for p in [0.3, 2.0] {
+                            y[4..].copy_from_slice(&oil(p * opening));
+                            found.push(Present::of_oil_10(y));
+                        }
+                    }
+                }
+            }
+        }
+        found
     }
 
     /// To be called when an input or a parameter changes.

@@ -4,20 +4,23 @@
 
 use std::collections::BTreeSet;
 
-use crate::calc::Calc;
+use num_dual::Dual64;
+
+use crate::calc::Over;
 use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::valve::Valve;
 use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum};
 use crate::lemniscate::geometry::{Driven, Geometry};
 use crate::lemniscate::hydraulic::Hydraulic;
-use crate::lemniscate::model::{Model as Algebraic, State as AlgebraicState};
-use crate::lemniscate::motion::{self, Commands, Friction, Motion};
-use crate::lemniscate::moving::level::{Inputs, Level, MOST_INDICATORS, MOST_STATES, Present};
+use crate::lemniscate::model::{Model as Algebraic, State as AlgebraicState, Tangent as AlgebraicTangent};
+use crate::lemniscate::motion::{self, Bar, Commands, Friction, Motion};
+use crate::lemniscate::moving::level::{Inputs, Level, MOST_INDICATORS, MOST_STATES, Present, Reaction};
 use crate::lemniscate::moving::scene::{Constants, KEYS, Moving, OIL_KEYS, Oil, Rope};
 use crate::lemniscate::moving::symbols as m;
 use crate::lemniscate::scene::Luffing;
 use crate::lemniscate::symbols as s;
-use crate::model::{Fault, Name, Role, TIME, Terminal, Type, Variable};
+use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
+use crate::motion::Motion as Range;
 use crate::plane::Point;
 use crate::schema::{Kind, Sign, short};
 use crate::solver::{Halt, MOST_STEPS};
@@ -31,12 +34,15 @@ const LEAST_PRESSURE: f64 = 20e5;
 /// the stop is damped critically.
 const STOP: f64 = 100.0;
 
+/// In the place of a parameter that is zero where it is asked what depends on what.
+const TRACE: f64 = 1e-6;
+
 /// A scene's mechanism in motion.
 #[derive(Clone, Debug)]
 pub struct Model {
     algebraic: Algebraic,
     driven: Driven,
-    stops: [f64; 2],
+    range: Range,
     rope: Option<Rope>,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
@@ -61,6 +67,17 @@ pub struct State {
     algebraic: AlgebraicState,
 }
 
+/// Results with their derivatives in one direction of states, inputs and parameters.
+#[derive(Clone, Debug)]
+pub struct Tangent {
+    algebraic: AlgebraicTangent,
+    level: Result<Level<Dual64>, Fault>,
+    inputs: Inputs<Dual64>,
+    y: [Dual64; MOST_STATES],
+    /// Made when first asked for.
+    rates: Option<[Dual64; MOST_STATES]>,
+}
+
 #[derive(Clone, Copy, Debug)]
 enum Slot {
     State(usize),
@@ -72,9 +89,7 @@ enum Slot {
     Valve,
     Supply,
     Constant,
-    FrictionMoment,
-    RopeForce,
-    CylinderForce,
+    Reaction(Reaction),
     /// Index of a variable of the algebraic model.
     Algebraic(usize),
 }
@@ -100,7 +115,7 @@ impl Model {
         };
         let mut model = Model {
             driven: luffing.parameters.driven,
-            stops: [luffing.motion.from, luffing.motion.to],
+            range: luffing.motion,
             rope,
             variables: Vec::new(),
             slots: Vec::new(),
@@ -186,9 +201,12 @@ impl Model {
         self.state.constants.map(&mut constant);
         self.state.oil.map(|oil| oil.map(&mut constant));
         let results: &[(&'static Symbol, Slot)] = match (hydraulic, reeled) {
-            (true, _) => &[(&m::F_C, Slot::CylinderForce)],
-            (_, false) => &[(&m::M_R, Slot::FrictionMoment)],
-            (_, true) => &[(&m::M_R, Slot::FrictionMoment), (&m::S_R, Slot::RopeForce)],
+            (true, _) => &[(&m::F_C, Slot::Reaction(Reaction::Cylinder))],
+            (_, false) => &[(&m::M_R, Slot::Reaction(Reaction::Friction))],
+            (_, true) => &[
+                (&m::M_R, Slot::Reaction(Reaction::Friction)),
+                (&m::S_R, Slot::Reaction(Reaction::Rope)),
+            ],
         };
         list.extend(results.iter().map(|&(symbol, slot)| (of(symbol, Role::Output), slot)));
         for (index, variable) in self.algebraic.variables().iter().enumerate() {
@@ -286,61 +304,66 @@ impl Model {
     }
 
     fn assemble(&self) -> Result<Level, Fault> {
-        let Constants {
-            j_1,
-            j_2,
-            j_3,
-            c_v,
-            m_f,
-            g,
-            ..
-        } = self.state.constants;
+        self.assemble_over(&mut |_, value| value)
+    }
+
+    /// The equations of motion over any scalar: `of` gives each input and parameter in it.
+    fn assemble_over<P: Coordinate<P>>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> Result<Level<P>, Fault>
+    where
+        Dual64: Over<P>,
+    {
+        let constants = self.state.constants.map(of);
         let parameters = *self.algebraic.parameters();
-        let geometry = Geometry::new(&parameters).map_err(|misfit| {
+        let load = of(&s::Q, self.algebraic.load()) / constants.g;
+        let inputs = self.inputs_over(of);
+        let oil = self.state.oil.map(|oil| oil.map(of));
+        let over = parameters.map(&mut *of);
+        let geometry = Geometry::new(&over).map_err(|misfit| {
             let words = parameters.describe(misfit);
             Fault::outside(format!("{}; {}", words.what, words.help))
         })?;
-        let weights = parameters.weights.expect("checked when the scene was read");
-        let body = |weight: f64, inertia: f64, distance: f64, angle: f64| {
-            let (sin, cos) = Calc::sin_cos(angle);
+        let weights = over.weights.expect("checked when the scene was read");
+        let body = |weight: P, inertia: P, distance: P, angle: P| {
+            let (sin, cos) = angle.sin_cos();
             Body {
-                mass: weight / g,
+                mass: weight / constants.g,
                 inertia,
                 centre: Point::new(distance * cos, distance * sin),
             }
         };
-        let load = self.algebraic.load() / g;
-        let jib = body(weights.g_2, j_2, weights.s_2, weights.chi_2);
+        let jib = body(weights.g_2, constants.j_2, weights.s_2, weights.chi_2);
         let head = Point::new(geometry.kappa.x, -geometry.kappa.y) * geometry.lengths.x_2;
         let pendulum = self.rope.map(|rope| Pendulum {
             mass: load,
-            length: rope.length,
+            length: P::constant(rope.length),
         });
         let bodies = Bodies {
-            boom: body(weights.g_1, j_1, weights.s_1, weights.chi_1),
+            boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1),
             jib: if pendulum.is_some() {
                 jib
             } else {
                 jib.with_mass(load, head)
             },
-            rocker: body(weights.g_3, j_3, weights.s_3, weights.chi_3),
+            rocker: body(weights.g_3, constants.j_3, weights.s_3, weights.chi_3),
             pendulum,
-            gravity: g,
+            gravity: constants.g,
         };
-        let dynamics = Dynamics::new(&geometry, bodies);
-        let Some(oil) = self.state.oil else {
+        let dynamics = Dynamics::new(&geometry, bodies)
+            .with_balance(&over, &self.range)
+            .map_err(|fault| Fault::outside(fault.to_string()))?;
+        let Some(oil) = oil else {
             return Ok(Level::Free(Motion {
                 dynamics,
                 friction: Friction {
-                    viscous: c_v,
-                    coulomb: m_f,
+                    viscous: constants.c_v,
+                    coulomb: constants.m_f,
                 },
-                stops: self.stops,
+                stops: self.stops(),
             }));
         };
-        let (anchors, bore) = parameters
+        let (anchors, bore) = over
             .anchors
-            .zip(parameters.cylinder)
+            .zip(over.cylinder)
             .expect("checked when the scene was read");
         let dynamics = dynamics.with_drive(&anchors);
         let cylinder = Cylinder {
@@ -354,30 +377,56 @@ impl Model {
             relief: [oil.p_r, oil.k_r],
             valve: Valve {
                 conductance: Valve::rated(oil.q_n, oil.dp_n),
-                overlap: 0.0,
+                overlap: P::constant(0.0),
                 frequency: oil.omega_v,
                 damping: oil.zeta_v,
             },
         };
+        let friction = [constants.c_v, constants.m_f];
         if self.rope.is_some() {
-            Ok(Level::Hanging(self.hydraulic(dynamics, cylinder)))
+            Ok(Level::Hanging(self.hydraulic(dynamics, cylinder, friction, &inputs)))
         } else {
-            Ok(Level::Fixed(self.hydraulic(dynamics, cylinder)))
+            Ok(Level::Fixed(self.hydraulic(dynamics, cylinder, friction, &inputs)))
         }
     }
 
-    fn hydraulic<const N: usize>(&self, dynamics: Dynamics, cylinder: Cylinder) -> Hydraulic<N> {
-        let inertia = f64::reduced(&dynamics, self.stops[0]).map_or(0.0, |r| r.inertia);
+    fn hydraulic<const N: usize, P: Coordinate<P>>(
+        &self,
+        dynamics: Dynamics<P>,
+        cylinder: Cylinder<P>,
+        [viscous, coulomb]: [P; 2],
+        inputs: &Inputs<P>,
+    ) -> Hydraulic<N, P> {
+        let none = P::constant(0.0);
+        let inertia = P::reduced(&dynamics, P::constant(self.range.from)).map_or(none, |r| r.inertia);
         Hydraulic {
             dynamics,
             cylinder,
-            viscous: self.state.constants.c_v,
-            coulomb: self.state.constants.m_f,
-            stops: self.stops,
-            buffer: [inertia * STOP * STOP, 2.0 * inertia * STOP],
-            command: self.state.inputs.valve,
-            supply: self.state.inputs.supply,
+            viscous,
+            coulomb,
+            stops: self.stops(),
+            buffer: [STOP * STOP, 2.0 * STOP].map(|factor| inertia * P::constant(factor)),
+            command: inputs.valve,
+            supply: inputs.supply,
         }
+    }
+
+    /// The inputs over any scalar.
+    fn inputs_over<P>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> Inputs<P> {
+        let Inputs { motion, valve, supply } = self.state.inputs;
+        Inputs {
+            motion: Commands {
+                moment: of(&m::M_A, motion.moment),
+                brake: of(&m::M_S, motion.brake),
+                hoist: of(&m::V_H, motion.hoist),
+            },
+            valve: of(&m::U_V, valve),
+            supply: of(&m::P_P, supply),
+        }
+    }
+
+    fn stops(&self) -> [f64; 2] {
+        [self.range.from, self.range.to]
     }
 
     /// Brings the algebraic model to the present angle and angular velocity.
@@ -401,7 +450,7 @@ impl Model {
             Slot::State(i) => Ok(self.state.present.states()[i]),
             Slot::Rate(i) => {
                 let mut rates = [0.0; MOST_STATES];
-                self.rates(&mut rates)?;
+                self.all_rates(&mut rates)?;
                 Ok(rates[i])
             }
             Slot::Indicator(i) => {
@@ -425,21 +474,9 @@ impl Model {
                 self.state.oil.map(|oil| oil.map(&mut look));
                 Ok(found)
             }
-            Slot::FrictionMoment | Slot::RopeForce | Slot::CylinderForce => {
-                let present = self.state.present;
-                let found = match (self.level()?, present, slot) {
-                    (Level::Free(motion), Present::Free(state), Slot::RopeForce) => {
-                        motion.rope_force(&state, &inputs.motion)
-                    }
-                    (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(&state, &inputs.motion),
-                    (Level::Fixed(system), Present::Fixed(run), _) => {
-                        Some(system.cylinder.force(&Hydraulic::<8>::oil(&run.states())))
-                    }
-                    (Level::Hanging(system), Present::Hanging(run), _) => {
-                        Some(system.cylinder.force(&Hydraulic::<10>::oil(&run.states())))
-                    }
-                    _ => None,
-                };
+            Slot::Reaction(reaction) => {
+                let (present, y) = (self.state.present, self.state.present.states());
+                let found = self.level()?.reaction(&present, &inputs, &y, reaction);
                 found.ok_or_else(|| self.open())
             }
             Slot::Algebraic(inner) => self.algebraic.get(inner),
@@ -452,7 +489,7 @@ impl Model {
         let (slot, symbol, sign) = (self.slot(index)?, self.variables[index].symbol, self.signs[index]);
         match slot {
             Slot::Algebraic(inner) => self.algebraic.check(inner, value),
-            Slot::Rate(_) | Slot::Indicator(_) | Slot::FrictionMoment | Slot::RopeForce | Slot::CylinderForce => {
+            Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_) => {
                 Err(Fault::new(format!("{} is a result and cannot be set", symbol.id)))
             }
             _ if sign.allows(value) => Ok(()),
@@ -480,6 +517,10 @@ impl Model {
                     y[5] = value;
                 }
                 self.state.present.set_states(&y[..self.states]);
+                if let (Present::Free(state), 1) = (&mut self.state.present, i) {
+                    // Which way the bar goes is decided again: it did not turn round, it was set.
+                    state.bar = Bar::Held;
+                }
                 self.follow()?;
             }
             Slot::Moment => inputs.motion.moment = value,
@@ -617,16 +658,23 @@ impl Model {
     /// # Errors
     /// The linkage does not close.
     pub fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
-        let (present, inputs) = (self.state.present, self.state.inputs);
-        let found = self.level()?.rates(&present, &inputs, rates);
+        let mut all = [0.0; MOST_STATES];
+        self.all_rates(&mut all)?;
+        rates.copy_from_slice(&all[..self.states]);
+        Ok(())
+    }
+
+    fn all_rates(&mut self, rates: &mut [f64; MOST_STATES]) -> Result<(), Fault> {
+        let (present, inputs, y) = (self.state.present, self.state.inputs, self.state.present.states());
+        let found = self.level()?.rates(&present, &inputs, &y, rates);
         found.ok_or_else(|| self.open())
     }
 
     /// # Errors
     /// The linkage does not close.
     pub fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
-        let (present, inputs) = (self.state.present, self.state.inputs);
-        let found = self.level()?.indicators(&present, &inputs);
+        let (present, inputs, y) = (self.state.present, self.state.inputs, self.state.present.states());
+        let found = self.level()?.indicators(&present, &inputs, &y);
         let found = found.ok_or_else(|| self.open())?;
         for (indicator, found) in indicators.iter_mut().zip(found) {
             *indicator = found;
@@ -704,33 +752,101 @@ impl Model {
         })
     }
 
-    /// What each variable depends on. Results of the position depend on angle and angular velocity in
-    /// the place of the time; rates, indicators and reactions on everything that moves or weighs.
+    /// The model with derivatives along a direction: `seed` is the rate of change of each state, input
+    /// and parameter, in SI.
+    #[must_use]
+    pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
+        let mut of = |symbol: &'static Symbol, value| Dual64::new(value, seed((symbol, None)));
+        let states = self.state.present.states();
+        Tangent {
+            level: self.assemble_over(&mut of),
+            inputs: self.inputs_over(&mut of),
+            y: std::array::from_fn(|i| match self.variables.get(i).filter(|_| i < self.states) {
+                Some(variable) => of(variable.symbol, states[i]),
+                None => Dual64::from_re(states[i]),
+            }),
+            algebraic: self.algebraic.tangent(seed),
+            rates: None,
+        }
+    }
+
+    /// Derivative of a state, a rate, an event indicator or an output along the direction of a tangent, in SI.
+    ///
+    /// # Errors
+    /// None of these, or a place where there is no derivative.
+    pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+        let variable = &self.variables[index];
+        let Tangent { inputs, y, .. } = *tangent;
+        let present = &self.state.present;
+        let level = tangent.level.as_ref().map_err(Clone::clone);
+        let found = match self.slot(index)? {
+            Slot::Algebraic(inner) => return self.algebraic.derivative(&mut tangent.algebraic, inner),
+            Slot::State(i) => Some(y[i]),
+            Slot::Rate(i) => {
+                if tangent.rates.is_none() {
+                    let mut rates = y;
+                    tangent.rates = level?.rates(present, &inputs, &y, &mut rates).map(|()| rates);
+                }
+                tangent.rates.map(|rates| rates[i])
+            }
+            Slot::Indicator(i) => level?.indicators(present, &inputs, &y).map(|all| all[i]),
+            Slot::Reaction(reaction) => level?.reaction(present, &inputs, &y, reaction),
+            _ => {
+                return Err(Fault::new(format!("{variable} is no result: it has no derivative")));
+            }
+        };
+        let derivative = found.ok_or_else(|| self.open())?.eps;
+        if derivative.is_nan() {
+            return Err(Fault::outside(format!(
+                "{variable} has no derivative in this configuration"
+            )));
+        }
+        Ok(derivative)
+    }
+
+    /// What each variable depends on: results of the position on angle and angular velocity in the place
+    /// of the time; rates, event indicators and reactions on whatever has a derivative in any of many
+    /// lively states, in every one of the level's ways of moving.
     #[must_use]
     pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
-        let known = |variable: &&Variable| {
-            matches!(
-                variable.role,
-                Role::Input | Role::Parameter | Role::Tunable | Role::State
-            )
-        };
         let name = |variable: &Variable| -> Name { (variable.symbol.id, variable.number) };
-        let all: BTreeSet<Name> = self.variables.iter().filter(known).map(name).collect();
         let algebraic = self.algebraic.dependencies();
         let of = |slot: &Slot| match *slot {
             Slot::State(i) => BTreeSet::from([name(&self.variables[i])]),
-            // The rate of the angle is another state.
-            Slot::Rate(0) => BTreeSet::from([name(&self.variables[1])]),
-            Slot::Rate(_) | Slot::Indicator(_) | Slot::FrictionMoment | Slot::RopeForce | Slot::CylinderForce => {
-                all.clone()
-            }
             Slot::Algebraic(inner) => {
                 let found = algebraic[inner].iter().copied();
                 found.filter(|name| *name != (TIME.id, None)).collect()
             }
             _ => BTreeSet::new(),
         };
-        self.slots.iter().map(of).collect()
+        let mut found: Vec<BTreeSet<Name>> = self.slots.iter().map(of).collect();
+        let mut lively = self.clone();
+        for index in 0..lively.slots.len() {
+            // What is zero now may hide what else acts: an arm that weighs nothing, a gap that lets nothing pass.
+            if lively.check(index, TRACE).is_ok() && lively.get(index) == Ok(0.0) {
+                let _ = lively.set(index, TRACE);
+            }
+        }
+        let opening = self.state.oil.map_or(0.0, |oil| oil.p_r);
+        for present in self.state.present.lively(self.stops(), opening) {
+            lively.state.present = present;
+            for known in &self.variables {
+                if !matches!(known.role, Role::Input | Role::Parameter | Role::Tunable | Role::State) {
+                    continue;
+                }
+                let mut tangent = lively.tangent(|quantity| f64::from(quantity == known.quantity()));
+                for (index, found) in found.iter_mut().enumerate() {
+                    let moves = matches!(
+                        self.slots[index],
+                        Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_)
+                    );
+                    if moves && lively.derivative(&mut tangent, index) != Ok(0.0) {
+                        found.insert(name(known));
+                    }
+                }
+            }
+        }
+        found
     }
 
     fn slot(&self, index: usize) -> Result<Slot, Fault> {

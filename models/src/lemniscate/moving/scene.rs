@@ -1,5 +1,6 @@
 //! What a scene says about the mechanism in motion.
 
+use crate::balance;
 use crate::diagnostic::Diagnostic;
 use crate::lemniscate::motion::Commands;
 use crate::lemniscate::moving::level::Inputs;
@@ -126,12 +127,13 @@ impl Moving {
             );
             return None;
         }
-        if v.table("balance").is_some() {
+        let balance = v.table("balance");
+        if balance.is_some_and(|b| b.text("kind") == Some("lever") && !b.has(balance::symbols::S_5.id)) {
             mistake(
                 "balance",
-                format!("fidelity = \"{fidelity}\" with a balance"),
-                "its counterweight has no inertia yet",
-                "remove [luffing.balance], or set fidelity = \"static\"",
+                format!("fidelity = \"{fidelity}\" with a lever whose counterweight has no arm"),
+                "its inertia is not known",
+                "add s_5 = \"... m\": the counterweight weighs M_5 / s_5",
             );
             return None;
         }

@@ -160,7 +160,7 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
     let o = Point::new(0.0, 0.0);
     let mut draw = Draw::default();
     if let Balance::CurvedRail(rail) = &balancing.balance {
-        let place = |theta: f64| at(theta).and_then(|r| rail.rail(r.phi, &r.boom).ok());
+        let place = |theta: f64| at(theta).and_then(|r| rail.rail(r.phi, r.boom.u_0).ok());
         draw.path(fine(motion).filter_map(place).collect());
     }
     let shown = size(&luffing.parameters.balance?);
@@ -212,7 +212,7 @@ fn drawing(luffing: &Luffing, g: &Geometry<f64>) -> Option<Drawing> {
             Balance::CurvedRail(rail) => {
                 let (k, c) = (
                     polar(rail.dimensions.r_1, r.phi + rail.dimensions.alpha_1),
-                    rail.rail(r.phi, &r.boom).ok()?,
+                    rail.rail(r.phi, r.boom.u_0).ok()?,
                 );
                 draw.lug(p.b, k, faint);
                 draw.bar(&[k, c], faint);
