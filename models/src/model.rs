@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::scene::{Mechanism, Scene};
+use crate::solver::Count;
 use crate::steering;
 use crate::symbol::Symbol;
 use crate::unit;
@@ -308,6 +309,15 @@ impl Model {
             Model::Luffing(_) | Model::Steering(_) => 0,
             Model::Moving(model) => model.states(),
             Model::Turning(model) => model.states(),
+        }
+    }
+
+    /// Work of the solver since the model was made; nothing where nothing is solved.
+    #[must_use]
+    pub fn count(&self) -> Count {
+        match self {
+            Model::Luffing(_) | Model::Steering(_) => Count::default(),
+            Model::Moving(model) => model.count(),
         }
     }
 

@@ -414,6 +414,15 @@ impl Dynamics {
         })
     }
 
+    /// Inertia at the driven bar at an angle (rad) in kg·m², the load as if it were fixed to the head;
+    /// `None` where the linkage does not close.
+    #[must_use]
+    pub fn inertia(&self, theta: f64) -> Option<f64> {
+        let r = f64::reduced(self, theta)?;
+        let load = self.bodies.pendulum.map_or(0.0, |p| p.mass);
+        Some(r.inertia + load * r.head[1].norm_squared())
+    }
+
     /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar
     /// (N·m, positive raises it); `None` where the linkage does not close.
     #[must_use]

@@ -10,7 +10,7 @@
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
 use crate::plane::{Point, dot};
-use crate::solver::{Halt, MOST_STEPS, runge_kutta};
+use crate::solver::{Count, Halt, MOST_STEPS, runge_kutta};
 
 /// Friction at the driven bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,6 +92,8 @@ pub struct Motion<P = f64> {
 
 /// How far beyond the greatest hold the moment must be before the bar breaks loose: rounding alone must not.
 const LOOSE: f64 = 1.0 + 1e-12;
+/// A communication step that is the longest step but for its rounding is one step, not two.
+const ROUNDING: f64 = 1.0 - 1e-9;
 /// Events in one call, and changes at one instant.
 const MOST_EVENTS: u32 = 10_000;
 const MOST_CHANGES: u32 = 16;
@@ -321,25 +323,27 @@ impl Motion {
     }
 
     /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way
-    /// to the last bits of the step. Returns the number of steps.
+    /// to the last bits of the step. Returns the work done.
     ///
     /// # Errors
     /// See [`Halt`]; the state is that of the last step that succeeded.
-    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<u32, Halt> {
+    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<Count, Halt> {
         let Commands { moment, brake, hoist } = *commands;
         if !(moment.is_finite() && hoist.is_finite() && brake >= 0.0) {
             return Err(Halt::Outside);
         }
         self.event(state, commands)?;
         let mut left = duration;
-        let (mut steps, mut events) = (0, 0);
+        let (mut count, mut events) = (Count::default(), 0);
         while left > 0.0 {
-            steps += 1;
-            if steps > MOST_STEPS || left / longest > f64::from(MOST_STEPS) {
+            count.steps += 1;
+            if count.steps > MOST_STEPS || left / longest > f64::from(MOST_STEPS) {
                 return Err(Halt::TooMany);
             }
-            let h = left / (left / longest).ceil();
-            let (end, part) = self.piece(state, commands, h)?;
+            let h = left / (left / longest * ROUNDING).ceil();
+            let (end, part, tried) = self.piece(state, commands, h)?;
+            count.rejected += tried - 1;
+            count.rates += 4 * tried;
             state.y = end;
             // The last of equal steps ends exactly.
             left = if part == 1.0 && h >= left { 0.0 } else { left - part * h };
@@ -351,7 +355,7 @@ impl Motion {
                 self.event(state, commands)?;
             }
         }
-        Ok(steps)
+        Ok(count)
     }
 
     fn crossed(&self, state: &State, commands: &Commands, y: &[f64; STATES]) -> bool {
@@ -359,8 +363,9 @@ impl Motion {
             .is_none_or(|z| z.iter().any(|z| z.is_nan() || *z < 0.0))
     }
 
-    /// A step of `h` s, or the part of it up to just beyond the first event; the states there, and which part.
-    fn piece(&self, state: &State, commands: &Commands, h: f64) -> Result<([f64; STATES], f64), Halt> {
+    /// A step of `h` s, or the part of it up to just beyond the first event; the states there, which part, and
+    /// how many steps were tried.
+    fn piece(&self, state: &State, commands: &Commands, h: f64) -> Result<([f64; STATES], f64, u32), Halt> {
         let after = |part: f64| {
             let y = runge_kutta::step(&state.y, part * h, |y| self.rates(state, commands, y))?;
             let crossed = self.crossed(state, commands, &y);
@@ -368,22 +373,24 @@ impl Motion {
         };
         let whole = after(1.0);
         if let Some((y, false)) = whole {
-            return Ok((y, 1.0));
+            return Ok((y, 1.0, 1));
         }
         let (mut before, mut beyond) = (0.0, 1.0);
+        let mut tried = 1;
         let mut found = whole;
         for _ in 0..60 {
             let middle = f64::midpoint(before, beyond);
             if middle <= before || middle >= beyond {
                 break;
             }
+            tried += 1;
             match after(middle) {
                 Some((_, false)) => before = middle,
                 other => (beyond, found) = (middle, other),
             }
         }
         match found {
-            Some((y, _)) => Ok((y, beyond)),
+            Some((y, _)) => Ok((y, beyond, tried)),
             // The end of assembly lies before any stop.
             None => Err(Halt::Outside),
         }

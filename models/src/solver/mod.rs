@@ -48,6 +48,29 @@ pub struct Count {
     pub jacobians: u32,
 }
 
+impl Count {
+    /// What was done after an earlier count.
+    #[must_use]
+    pub fn since(self, earlier: Count) -> Count {
+        Count {
+            steps: self.steps - earlier.steps,
+            rejected: self.rejected - earlier.rejected,
+            rates: self.rates - earlier.rates,
+            jacobians: self.jacobians - earlier.jacobians,
+        }
+    }
+
+    #[must_use]
+    pub fn and(self, more: Count) -> Count {
+        Count {
+            steps: self.steps + more.steps,
+            rejected: self.rejected + more.rejected,
+            rates: self.rates + more.rates,
+            jacobians: self.jacobians + more.jacobians,
+        }
+    }
+}
+
 /// Steps that one call may take, tried ones included.
 pub const MOST_STEPS: u32 = 1_000_000;
 

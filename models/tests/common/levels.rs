@@ -8,6 +8,7 @@ use lemnis_models::scene::{DEFAULT, Scene};
 const DYNAMICS: &str = include_str!("../../../tests/levels/dynamics.toml");
 const OIL: &str = include_str!("../../../tests/levels/hydraulics.toml");
 
+#[allow(dead_code, reason = "not every test runs all")]
 pub const LEVELS: [&str; 5] = ["static", "rigid", "swing", "hydraulic", "hydraulic with swing"];
 
 pub fn scene(level: &str) -> Scene {

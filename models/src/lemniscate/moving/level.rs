@@ -3,11 +3,11 @@
 //! beside it.
 
 use crate::calc::Calc;
-use crate::lemniscate::dynamics::Coordinate;
+use crate::lemniscate::dynamics::{Coordinate, Dynamics};
 use crate::lemniscate::hydraulic::Hydraulic;
 use crate::lemniscate::motion::{self, Bar, Commands, Motion};
 use crate::solver::rodas::{Run, Tolerance};
-use crate::solver::{Halt, System};
+use crate::solver::{Count, Halt, System};
 
 /// Most continuous states of any level.
 pub const MOST_STATES: usize = 10;
@@ -82,6 +82,17 @@ fn oil_indicators<const N: usize, C: Calc>(system: &Hydraulic<N, C>, y: &[C; N])
 /// Whether a state of the oil or of the mechanism is none of theirs any more.
 fn possible<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> bool {
     y[N - 6..N - 2].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.rates(y).is_some()
+}
+
+impl<P> Level<P> {
+    #[must_use]
+    pub fn dynamics(&self) -> &Dynamics<P> {
+        match self {
+            Level::Free(motion) => &motion.dynamics,
+            Level::Fixed(system) => &system.dynamics,
+            Level::Hanging(system) => &system.dynamics,
+        }
+    }
 }
 
 impl<P: Coordinate<P>> Level<P> {
@@ -168,7 +179,7 @@ impl Level {
     }
 
     /// Moves on by a duration, in s; `step` is the longest explicit step (s), `relative` the
-    /// tolerance of the implicit solver.
+    /// tolerance of the implicit solver. Returns the work done.
     ///
     /// # Errors
     /// See [`Halt`].
@@ -179,11 +190,9 @@ impl Level {
         duration: f64,
         step: f64,
         relative: f64,
-    ) -> Result<(), Halt> {
+    ) -> Result<Count, Halt> {
         match (self, present) {
-            (Level::Free(motion), Present::Free(state)) => {
-                motion.advance(state, &inputs.motion, duration, step).map(|_| ())
-            }
+            (Level::Free(motion), Present::Free(state)) => motion.advance(state, &inputs.motion, duration, step),
             (Level::Fixed(system), Present::Fixed(run)) => oil_advance(system, run, duration, step, relative),
             (Level::Hanging(system), Present::Hanging(run)) => oil_advance(system, run, duration, step, relative),
             _ => unreachable!("{OTHER}"),
@@ -197,9 +206,11 @@ fn oil_advance<const N: usize>(
     duration: f64,
     longest: f64,
     relative: f64,
-) -> Result<(), Halt> {
+) -> Result<Count, Halt> {
+    let before = run.count;
     run.advance(system, &tolerance(relative), duration, longest)?;
-    possible(system, &run.states()).then_some(()).ok_or(Halt::Outside)
+    let work = run.count.since(before);
+    possible(system, &run.states()).then_some(work).ok_or(Halt::Outside)
 }
 
 /// The states of this level.

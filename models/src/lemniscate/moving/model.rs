@@ -23,7 +23,7 @@ use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion as Range;
 use crate::plane::Point;
 use crate::schema::{Kind, Sign, short};
-use crate::solver::{Halt, MOST_STEPS};
+use crate::solver::{Count, Halt, MOST_STEPS};
 use crate::symbol::Symbol;
 use crate::unit;
 
@@ -53,6 +53,8 @@ pub struct Model {
     /// Follows from the parameters; `None` after one has changed.
     level: Option<Level>,
     state: State,
+    /// Work of the solver so far; no part of the state.
+    count: Count,
 }
 
 /// All that changes in a model while it runs.
@@ -122,6 +124,7 @@ impl Model {
             signs: Vec::new(),
             states,
             indicators,
+            count: Count::default(),
             level: None,
             state: State {
                 time: 0.0,
@@ -281,6 +284,23 @@ impl Model {
     #[must_use]
     pub fn step_size(&self) -> f64 {
         self.algebraic.step_size()
+    }
+
+    /// Work of the solver since the model was made.
+    #[must_use]
+    pub fn count(&self) -> Count {
+        self.count
+    }
+
+    /// Inertia of all that moves with the driven bar as it is now, in kg·m²; the load as if it were fixed to the head.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub fn inertia(&mut self) -> Result<f64, Fault> {
+        let theta = self.state.present.states()[0];
+        let dynamics = self.level()?.dynamics();
+        let inertia = dynamics.inertia(theta);
+        inertia.ok_or_else(|| self.open())
     }
 
     /// Number of continuous states.
@@ -596,7 +616,8 @@ impl Model {
         let relative = self.state.oil.map_or(0.0, |oil| oil.tol);
         let mut present = before;
         let solved = self.level()?.advance(&mut present, &inputs, to - from, step, relative);
-        solved.map_err(|halt| self.refusal(halt, to - from))?;
+        let work = solved.map_err(|halt| self.refusal(halt, to - from))?;
+        self.count = self.count.and(work);
         self.state.present = present;
         let reached = self.follow().and_then(|()| self.algebraic.update());
         match reached {

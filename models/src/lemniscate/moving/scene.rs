@@ -9,7 +9,7 @@ use crate::schema::{Key, Sign, Values};
 use crate::symbol::{Symbol, quantities};
 
 /// How deep the mechanism is modelled.
-pub const FIDELITIES: &[&str] = &["static", "rigid", "swing", "hydraulic"];
+pub const FIDELITIES: &[&str] = &["static", "rigid", "swing", "hydraulic", "auto"];
 
 /// Keys of `[luffing.dynamics]`.
 pub static KEYS: &[Key] = &[
@@ -97,7 +97,7 @@ impl Moving {
             found.push(Diagnostic::new(v.place(key), what, label).help(help));
         };
         let table = match (fidelity, v.table("dynamics")) {
-            ("static", None) => return None,
+            ("static" | "auto", None) => return None,
             ("static", Some(_)) => {
                 mistake(
                     "dynamics",
@@ -139,7 +139,7 @@ impl Moving {
         }
         let n = |symbol: &Symbol| table.number(symbol.id);
         let rope = match (fidelity, n(&s::L_R)) {
-            ("swing" | "hydraulic", Some(length)) => Some(Rope {
+            ("swing" | "hydraulic" | "auto", Some(length)) => Some(Rope {
                 length,
                 swing: n(&s::PHI).unwrap_or(0.0),
             }),
@@ -173,7 +173,7 @@ impl Moving {
             }
         };
         let (oil, valve, supply) = match (fidelity, v.table("hydraulics")) {
-            ("hydraulic", Some(table)) => {
+            ("hydraulic" | "auto", Some(table)) => {
                 let n = |symbol: &Symbol| table.number(symbol.id);
                 let oil = oil(v, table, found)?;
                 (Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?)
