@@ -318,6 +318,7 @@ impl Model {
         match self {
             Model::Luffing(_) | Model::Steering(_) => Count::default(),
             Model::Moving(model) => model.count(),
+            Model::Turning(model) => model.count(),
         }
     }
 

@@ -177,14 +177,12 @@ fn inputs(scene: &Scene, steering: &Steering) -> Vec<Input> {
         });
     }
     if let Some(Moving { body, oil, plc }) = steering.moving {
+        // What the solver takes by default is no input of the book.
         let mut table = |chapter: &'static str, symbol: &'static Symbol, value: f64| {
-            add(
-                chapter,
-                format!("steering.{chapter}.{}", symbol.id),
-                symbol,
-                None,
-                value,
-            );
+            let key = format!("steering.{chapter}.{}", symbol.id);
+            if scene.given(&key).is_some() {
+                add(chapter, key, symbol, None, value);
+            }
         };
         body.map(&mut |symbol, value| table("dynamics", symbol, value));
         oil.map(&mut |symbol, value| table("oil", symbol, value));

@@ -9,7 +9,7 @@ use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::valve::Valve;
 use crate::model::{Fault, Name, Role, Terminal, Type, Variable};
 use crate::schema::short;
-use crate::solver::{Halt, MOST_STEPS};
+use crate::solver::{Count, Halt, MOST_STEPS};
 use crate::steering::hydraulic::{Control, Group, INDICATORS, STATES};
 use crate::steering::machine::within;
 use crate::steering::model::{Model as Algebraic, State as AlgebraicState};
@@ -262,6 +262,25 @@ impl Model {
     #[must_use]
     pub fn step_size(&self) -> f64 {
         self.state.given.plc.t_c
+    }
+
+    /// Work of the solver, of all groups together, since their states were last set.
+    #[must_use]
+    pub fn count(&self) -> Count {
+        let mut sum = Count::default();
+        for Count {
+            steps,
+            rejected,
+            rates,
+            jacobians,
+        } in self.state.groups.iter().map(|present| present.run.count)
+        {
+            sum.steps += steps;
+            sum.rejected += rejected;
+            sum.rates += rates;
+            sum.jacobians += jacobians;
+        }
+        sum
     }
 
     /// Number of continuous states.

@@ -127,7 +127,11 @@ impl Moving {
     pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Result<Option<Moving>, Refusal> {
         let names = TABLES.map(|(name, ..)| name);
         if v.text("fidelity") != Some("hydraulic") {
-            for name in names.into_iter().filter(|name| v.table(name).is_some()) {
+            // A fidelity that cannot be read is not one that is missing.
+            let unused = names
+                .into_iter()
+                .filter(|name| found.is_empty() && v.table(name).is_some());
+            for name in unused.collect::<Vec<_>>() {
                 found.push(
                     Diagnostic::new(
                         v.place(name),
