@@ -109,7 +109,7 @@ impl fmt::Display for Variable {
 /// Variables that belong together where a mechanism meets another one.
 #[derive(Clone, Debug)]
 pub struct Terminal {
-    pub name: &'static str,
+    pub name: String,
     pub text: &'static str,
     /// Each variable's name with its name in this terminal.
     pub members: Vec<(String, &'static str)>,
@@ -418,6 +418,18 @@ impl Model {
         match self {
             Model::Luffing(_) | Model::Moving(_) | Model::Steering(_) => self.set(0, value),
             Model::Turning(model) => model.place(value),
+        }
+    }
+
+    /// Ends initialization and brings the mechanism to the current inputs.
+    ///
+    /// # Errors
+    /// As [`update`](Model::update).
+    pub fn start(&mut self) -> Result<(), Fault> {
+        match self {
+            Model::Luffing(_) | Model::Moving(_) => self.update(),
+            Model::Steering(model) => model.start(),
+            Model::Turning(model) => model.start(),
         }
     }
 

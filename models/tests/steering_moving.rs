@@ -367,7 +367,7 @@ fn a_refused_step_changes_nothing() {
     for (name, value) in [
         ("J", 0.0),
         ("T_c", 0.0),
-        ("theta_s", -1.0),
+        ("resolution", -1.0),
         ("u_v_max", 1.5),
         ("p_P", f64::NAN),
     ] {

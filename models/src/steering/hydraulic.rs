@@ -156,7 +156,7 @@ impl System<STATES> for Group {
 pub struct Control {
     /// Of the PLC's cycle, in s.
     pub period: f64,
-    /// Of the encoder, in rad: it tells whole steps.
+    /// Of the encoder, in rad: it tells whole steps; with zero every angle.
     pub resolution: f64,
     /// Command for an error, in 1/rad, and for its integral, in 1/(rad·s).
     pub gains: [f64; 2],
@@ -178,7 +178,10 @@ impl Control {
     /// `mirrored` where the cylinder shortens for a positive angle.
     #[must_use]
     pub fn sample(&self, held: &Held, wanted: f64, theta: f64, mirrored: bool) -> Held {
-        let seen = (theta / self.resolution).round() * self.resolution;
+        let seen = match self.resolution {
+            0.0 => theta,
+            step => (theta / step).round() * step,
+        };
         let error = wanted - seen;
         let sum = held.integral + error * self.period;
         let command = self.gains[0] * error + self.gains[1] * sum;

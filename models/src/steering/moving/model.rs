@@ -55,9 +55,11 @@ pub struct Model {
     algebraic: Algebraic,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
-    /// Where the algebraic model has what the groups need: of the first group, angle and rolling speed as
-    /// commanded, and T_r, T_rx and T_g where there are loads; the margin to the ranges.
+    /// Where the algebraic model has what the groups need: of the first group the angle that the PLC is to
+    /// reach, which is the set point on its way through a change of mode or that of the nearest command, angle and
+    /// rolling speed as commanded, and T_r, T_rx and T_g where there are loads; the margin to the ranges.
     wanted: usize,
+    heading: usize,
     rolling: usize,
     resistance: Option<[usize; 3]>,
     margin: usize,
@@ -149,7 +151,8 @@ impl Model {
         let mut model = Model {
             variables: Vec::new(),
             slots: Vec::new(),
-            wanted: of(&s::THETA).ok_or_else(absent)?,
+            heading: of(&s::THETA).ok_or_else(absent)?,
+            wanted: of(&s::THETA_S).or(of(&s::THETA_N)).ok_or_else(absent)?,
             rolling: of(&s::V).ok_or_else(absent)?,
             resistance: of(&s::T_R)
                 .zip(of(&s::T_RX))
@@ -245,7 +248,16 @@ impl Model {
 
     #[must_use]
     pub fn terminals(&self) -> Vec<Terminal> {
-        self.algebraic.terminals()
+        let mut terminals = self.algebraic.terminals();
+        for (number, terminal) in (0..).zip(&mut terminals) {
+            let exists = |name: &String| self.variables.iter().any(|variable| variable.name() == *name);
+            terminal.members.retain(|(name, _)| exists(name));
+            // The first one is the machine's; the rate of a group's angle is a state here.
+            if number > 0 {
+                terminal.members.push((format!("{}[{number}]", m::OMEGA_G.id), "w"));
+            }
+        }
+        terminals
     }
 
     #[must_use]
@@ -303,6 +315,7 @@ impl Model {
             .build()
             .map_err(|refusal| Fault::outside(refusal.to_string()))?;
         let (linkage, piston) = parameters.cylinder.zip(parameters.piston).ok_or_else(absent)?;
+        let accuracy = parameters.accuracy.ok_or_else(absent)?;
         let cylinder = Cylinder {
             areas: Cylinder::areas(piston.d_g, piston.d),
             lengths: [linkage.l_x + linkage.l_a, 2.0 * linkage.l_x + linkage.l_a],
@@ -334,7 +347,7 @@ impl Model {
         }
         let control = Control {
             period: plc.t_c,
-            resolution: plc.theta_s,
+            resolution: accuracy.step,
             gains: [plc.k_p, plc.k_i],
             limit: plc.u_max,
         };
@@ -453,7 +466,7 @@ impl Model {
             OfGroup::Demand => group.demand(&y),
             // The ground passes under the wheels as commanded; they roll along where they point.
             OfGroup::Rolling => {
-                let off = self.algebraic.get(self.wanted + i)? - theta;
+                let off = self.algebraic.get(self.heading + i)? - theta;
                 self.algebraic.get(self.rolling + i)? * Calc::sin_cos(off).1
             }
             OfGroup::Length => pose().l,
@@ -532,6 +545,15 @@ impl Model {
     pub fn set_time(&mut self, time: f64) {
         self.state.time = time;
         self.algebraic.set_time(time);
+    }
+
+    /// Ends initialization: from now on a mode that changes has a way to go.
+    ///
+    /// # Errors
+    /// As [`update`](Model::update).
+    pub fn start(&mut self) -> Result<(), Fault> {
+        self.level()?;
+        self.algebraic.start()
     }
 
     /// Brings everything to the present parameters and inputs.

@@ -17,11 +17,7 @@ pub const TABLES: [(&str, &[Key], &str); 3] = [
         OIL_KEYS,
         "Oil and valve of each cylinder, with fidelity \"hydraulic\".",
     ),
-    (
-        "plc",
-        PLC_KEYS,
-        "Encoders and control loop of the PLC, with fidelity \"hydraulic\".",
-    ),
+    ("plc", PLC_KEYS, "Control loop of the PLC, with fidelity \"hydraulic\"."),
 ];
 
 const SOURCE: Key = Key::text(
@@ -58,7 +54,6 @@ const OIL_KEYS: &[Key] = &[
 /// Keys of `[steering.plc]`.
 const PLC_KEYS: &[Key] = &[
     Key::quantity(&s::T_C, Sign::Positive),
-    Key::quantity(&s::THETA_S, Sign::Positive),
     Key::quantity(&s::K_P, Sign::NotNegative),
     Key::quantity(&s::K_I, Sign::NotNegative).optional(),
     Key::quantity(&s::U_MAX, Sign::Positive).optional(),
@@ -79,8 +74,8 @@ quantities! {
 }
 
 quantities! {
-    /// Encoders and control loop.
-    Plc { t_c: T_C, theta_s: THETA_S, k_p: K_P, k_i: K_I, u_max: U_MAX }
+    /// The control loop.
+    Plc { t_c: T_C, k_p: K_P, k_i: K_I, u_max: U_MAX }
 }
 
 /// The groups in motion as the scene describes them; SI.
@@ -95,9 +90,8 @@ pub struct Moving {
 #[must_use]
 pub fn bounds(symbol: &Symbol) -> (f64, f64, bool) {
     // Beyond these a number is a slip of the pen; a shorter cycle would be an endless run of samples.
-    let known: [(&Symbol, (f64, f64, bool)); 5] = [
+    let known: [(&Symbol, (f64, f64, bool)); 4] = [
         (&s::T_C, (1e-4, 10.0, false)),
-        (&s::THETA_S, (0.0, 0.5, true)),
         (&s::U_MAX, (0.0, 1.0, true)),
         (&s::X_0, (0.0, 0.9, false)),
         (&s::TOL, (1e-12, 1.0, false)),
@@ -128,9 +122,7 @@ impl Moving {
         let names = TABLES.map(|(name, ..)| name);
         if v.text("fidelity") != Some("hydraulic") {
             // A fidelity that cannot be read is not one that is missing.
-            let unused = names
-                .into_iter()
-                .filter(|name| found.is_empty() && v.table(name).is_some());
+            let unused = names.into_iter().filter(|name| found.is_empty() && v.has(name));
             for name in unused.collect::<Vec<_>>() {
                 found.push(
                     Diagnostic::new(
@@ -143,9 +135,9 @@ impl Moving {
             }
             return Ok(None);
         }
-        let cylinder = v.table("cylinder").is_some();
-        for name in names.into_iter().chain((!cylinder).then_some("cylinder")) {
-            if v.table(name).is_none() {
+        // The encoders are those of the angle errors.
+        for name in names.into_iter().chain(["cylinder", "accuracy"]) {
+            if !v.has(name) {
                 found.push(
                     Diagnostic::new(
                         v.place("fidelity"),

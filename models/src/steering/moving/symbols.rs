@@ -21,7 +21,6 @@ symbols! {
     P_P: "p_P" "p_P" PA / BAR, "Pressure of the pump above the tank's.", "input";
     TOL: "tol" "epsilon" ONE / ONE, "Relative tolerance of the solver.", "input";
     T_C: "T_c" "T_c" S / MS, "Cycle of the PLC: time from one sample to the next.", "input";
-    THETA_S: "theta_s" "theta_s" RAD / DEG, "Step of the encoder, which tells whole steps.", "input";
     K_P: "k_P" "k_P" PER_RAD / PER_RAD, "Proportional gain: command of the valve over the error of the angle.", "input";
     K_I: "k_I" "k_I" PER_RAD_S / PER_RAD_S, "Integral gain: command of the valve over the integral of the error.", "input";
     U_MAX: "u_v_max" "u_(v,max)" ONE / ONE, "Greatest command of a valve, by amount.", "input";
