@@ -8,7 +8,7 @@
 //! | `model` | the running model: states, rates, events, steps; everything else from the algebraic model |
 //!
 //! The equations are in [`dynamics`](crate::lemniscate::dynamics), [`motion`](crate::lemniscate::motion),
-//! [`slewing`](crate::lemniscate::slewing) and [`hydraulic`](crate::lemniscate::hydraulic).
+//! [`hanging`](crate::lemniscate::hanging), [`slewing`](crate::lemniscate::slewing) and [`hydraulic`](crate::lemniscate::hydraulic).
 
 pub mod level;
 pub mod model;
