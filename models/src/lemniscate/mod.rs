@@ -48,4 +48,5 @@ pub mod scene;
 pub mod sheet;
 pub mod statics;
 pub mod symbols;
+pub mod table;
 pub mod velocity;

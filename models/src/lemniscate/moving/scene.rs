@@ -9,7 +9,7 @@ use crate::schema::{Key, Sign, Values};
 use crate::symbol::{Symbol, quantities};
 
 /// How deep the mechanism is modelled.
-pub const FIDELITIES: &[&str] = &["static", "rigid", "swing", "hydraulic", "auto"];
+pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydraulic", "auto"];
 
 /// Keys of `[luffing.dynamics]`.
 pub static KEYS: &[Key] = &[
@@ -97,8 +97,8 @@ impl Moving {
             found.push(Diagnostic::new(v.place(key), what, label).help(help));
         };
         let table = match (fidelity, v.table("dynamics")) {
-            ("static" | "auto", None) => return None,
-            ("static", Some(_)) => {
+            ("static" | "table" | "auto", None) => return None,
+            ("static" | "table", Some(_)) => {
                 mistake(
                     "dynamics",
                     "inertias and drive of a mechanism that does not move by itself".to_owned(),
