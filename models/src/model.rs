@@ -105,7 +105,7 @@ impl fmt::Display for Variable {
 /// Variables that belong together where a mechanism meets another one.
 #[derive(Clone, Debug)]
 pub struct Terminal {
-    pub name: &'static str,
+    pub name: String,
     pub text: &'static str,
     /// Each variable's name with its name in this terminal.
     pub members: Vec<(String, &'static str)>,
@@ -375,6 +375,17 @@ impl Model {
         match self {
             Model::Luffing(_) | Model::Steering(_) => Ok(false),
             Model::Moving(model) => model.event(),
+        }
+    }
+
+    /// Ends initialization and brings the mechanism to the current inputs.
+    ///
+    /// # Errors
+    /// As [`update`](Model::update).
+    pub fn start(&mut self) -> Result<(), Fault> {
+        match self {
+            Model::Luffing(_) | Model::Moving(_) => self.update(),
+            Model::Steering(model) => model.start(),
         }
     }
 
