@@ -88,9 +88,14 @@ pub fn decided(scene: Scene) -> Result<Scene, Failure> {
     luffing.insert("fidelity", value(level));
     if matches!(level, "static" | "table") {
         luffing.remove("dynamics");
+        luffing.remove("slewing");
     }
     if level != "hydraulic" {
         luffing.remove("hydraulics");
+    }
+    if level == "rigid" {
+        let slewing = luffing.get_mut("slewing").and_then(|item| item.as_table_like_mut());
+        slewing.map(|slewing| slewing.remove("chi_R"));
     }
     if let Some(dynamics) = luffing.get_mut("dynamics").and_then(|item| item.as_table_like_mut()) {
         if level == "rigid" {

@@ -75,6 +75,12 @@ pub static KEYS: &[Key] = &[
     )
     .optional(),
     Key::table("table", TABLE, "Interpolation of the level \"table\".").optional(),
+    Key::table(
+        "slewing",
+        moving::scene::SLEWING_KEYS,
+        "Inertia, friction and drive of a crane in motion that slews.",
+    )
+    .optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
     Key::table(
         "published",
