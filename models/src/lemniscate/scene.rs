@@ -73,6 +73,12 @@ pub static KEYS: &[Key] = &[
         "Oil, valve and lines of the luffing cylinder in motion.",
     )
     .optional(),
+    Key::table(
+        "slewing",
+        moving::scene::SLEWING_KEYS,
+        "Inertia, friction and drive of a crane in motion that slews.",
+    )
+    .optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
     Key::table(
         "published",

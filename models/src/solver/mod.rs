@@ -5,6 +5,7 @@
 //! |---|---|---|
 //! | `runge_kutta` | explicit, fourth order, fixed step | levels without stiffness |
 //! | `rodas` | linearly implicit, fourth order, L-stable, continuous to third order | hydraulics |
+//! | `pieces` | smooth pieces between located events | levels that stick, stop or go slack |
 //! | `gradient` | a number with its derivatives by all states | the exact Jacobian |
 //!
 //! Inputs are constant over a communication step, so that no system depends on time itself.
@@ -12,6 +13,7 @@
 //! be saved nor hold a step: both were measured, both are fine references.
 
 pub mod gradient;
+pub mod pieces;
 pub mod rodas;
 pub mod runge_kutta;
 
