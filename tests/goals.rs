@@ -131,7 +131,12 @@ fn steering_in_motion() {
         "ms",
         20.0,
     );
-    row(&format!("{what}, error of an angle"), worst.to_degrees(), "deg", 0.1);
+    row(
+        &format!("{what}, error of an angle"),
+        1e6 * worst.to_degrees(),
+        "udeg",
+        1e5,
+    );
 }
 
 /// One candidate of a search, and a whole search with its fronts.
