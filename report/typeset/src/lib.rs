@@ -30,7 +30,7 @@ pub use crate::attachment::attached;
 pub use crate::external::External;
 use crate::fonts::Fonts;
 pub use crate::ink::{Ink, ink};
-use crate::settled::Settled;
+use crate::settled::Places;
 
 /// What Typst objects to, with its place where it has one.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -156,7 +156,7 @@ fn make(main: &str, files: &Files, format: Format, standard: Option<&str>) -> Re
 
 /// The pages, with the world that they are from, and the warnings.
 fn pages(main: &str, files: &Files) -> Result<(Memory, PagedDocument, Vec<String>), Error> {
-    let world = Memory::new(main, files, Fonts::embedded().clone())?;
+    let mut world = Memory::new(main, files, Fonts::embedded().clone())?;
     let document = world.typeset()?;
     let missing: Vec<char> = world.fonts.unprintable(&document).into_keys().collect();
     if missing.is_empty() {
@@ -173,7 +173,7 @@ fn pages(main: &str, files: &Files) -> Result<(Memory, PagedDocument, Vec<String
              install a font that has it"
         ));
     }
-    let world = Memory::new(&source, files, fonts)?;
+    let mut world = Memory::new(&source, files, fonts)?;
     let document = world.typeset()?;
     Ok((world, document, warnings))
 }
@@ -224,38 +224,41 @@ static LIBRARY: LazyLock<LazyHash<Library>> = LazyLock::new(|| {
     LazyHash::new(Library::builder().with_features(features).build())
 });
 
-/// Sources of earlier documents. Changed where the next one differs, a source keeps the rest as
-/// Typst knows it, so that only what changed is typeset anew.
-static SOURCES: Mutex<Vec<Source>> = Mutex::new(Vec::new());
+/// Sources of earlier documents, and where their elements stand. Changed where the next one differs, a source keeps
+/// the rest as Typst knows it, so that only what changed is typeset anew.
+static EARLIER: Mutex<Vec<(Source, Option<Places>)>> = Mutex::new(Vec::new());
 
-fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+fn earlier() -> MutexGuard<'static, Vec<(Source, Option<Places>)>> {
+    EARLIER.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Drop for Memory {
     fn drop(&mut self) {
-        locked(&SOURCES).push(self.main.clone());
+        earlier().push((self.main.clone(), self.places.take()));
     }
 }
 
 struct Memory {
     main: Source,
+    /// Of the document before, then of this one.
+    places: Option<Places>,
     files: HashMap<FileId, Bytes>,
     fonts: Fonts,
 }
 
 impl Memory {
     fn new(main: &str, files: &[(String, Vec<u8>)], fonts: Fonts) -> Result<Memory, Error> {
-        let main = match locked(&SOURCES).pop() {
-            Some(mut source) => {
+        let (main, places) = match earlier().pop() {
+            Some((mut source, places)) => {
                 source.replace(main);
-                source
+                (source, places)
             }
-            None => Source::new(file_id("main.typ")?, main.to_owned()),
+            None => (Source::new(file_id("main.typ")?, main.to_owned()), None),
         };
         let mut world = Memory {
             files: HashMap::from([(main.id(), Bytes::from_string(main.text().to_owned()))]),
             main,
+            places,
             fonts,
         };
         for (path, bytes) in files {
@@ -264,9 +267,11 @@ impl Memory {
         Ok(world)
     }
 
-    fn typeset(&self) -> Result<PagedDocument, Error> {
-        let Warned { output, warnings } = typst::compile::<Settled>(self);
-        let Settled(document) = self.check(output)?;
+    fn typeset(&mut self) -> Result<PagedDocument, Error> {
+        let places = self.places.take();
+        let Warned { output, warnings } = settled::typeset(self, places);
+        let document = self.check(output)?;
+        self.places = Some(document.introspector().clone());
         match warnings.first() {
             Some(warning) => Err(self.error(warning)),
             None => Ok(document),

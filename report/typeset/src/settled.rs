@@ -2,10 +2,12 @@
 //! known and needs three passes; this begins with what is known of an earlier document, and where pages and links are
 //! the same one pass is enough.
 
-use std::sync::{Arc, Mutex};
+use std::cell::RefCell;
+use std::sync::Arc;
 
+use typst::World;
 use typst::comemo::{Constraint, Track};
-use typst::diag::{SourceResult, bail};
+use typst::diag::{SourceResult, Warned, bail};
 use typst::engine::{Engine, Route, Sink};
 use typst::foundations::{Content, Output, StyleChain, Target};
 use typst::introspection::{EmptyIntrospector, Introspector, MAX_ITERS};
@@ -13,13 +15,24 @@ use typst::syntax::Span;
 use typst::utils::Protected;
 use typst_layout::{PagedDocument, PagedIntrospector};
 
-use crate::locked;
+/// Where the elements of a document stand.
+pub type Places = Arc<PagedIntrospector>;
 
-/// Where the elements of earlier documents stand.
-static EARLIER: Mutex<Vec<Arc<PagedIntrospector>>> = Mutex::new(Vec::new());
+thread_local! {
+    /// From [`typeset`] to the layout within.
+    static EARLIER: RefCell<Option<Places>> = const { RefCell::new(None) };
+}
+
+/// Typesets a document, beginning with the places of an earlier one.
+pub fn typeset(world: &dyn World, earlier: Option<Places>) -> Warned<SourceResult<PagedDocument>> {
+    EARLIER.set(earlier);
+    let Warned { output, warnings } = typst::compile::<Settled>(world);
+    let output = output.map(|Settled(document)| document);
+    Warned { output, warnings }
+}
 
 /// A document that no further pass would change.
-pub struct Settled(pub PagedDocument);
+struct Settled(PagedDocument);
 
 impl Settled {
     /// One pass, with what is known; the document, whether it bears that out, and what was found.
@@ -50,7 +63,7 @@ impl Output for Settled {
     }
 
     fn create(engine: &mut Engine<'_>, content: &Content, styles: StyleChain<'_>) -> SourceResult<Settled> {
-        let earlier = locked(&EARLIER).pop();
+        let earlier = EARLIER.take();
         // What an earlier document knew may be wrong here: then Typst's own beginning.
         let first = earlier.and_then(|known| Settled::pass(engine, content, styles, &*known).ok());
         let mut made = match first {
@@ -60,7 +73,6 @@ impl Output for Settled {
         for _ in 0..MAX_ITERS {
             let (document, settled, mut found) = made;
             if settled {
-                locked(&EARLIER).push(document.introspector().clone());
                 engine.sink.delayed_errors(found.delayed());
                 for warning in found.warnings() {
                     engine.sink.warn(warning);
