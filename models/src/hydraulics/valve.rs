@@ -23,7 +23,7 @@ impl<P: Calc> Valve<P> {
     /// stroke: positive connects A with the pump and B with the tank.
     #[inline]
     pub fn flows<C: Over<P>>(&self, x: C, supply: P, ports: [C; 2]) -> [C; 2] {
-        let opening = C::of(self.conductance) * x;
+        let opening = x.times(self.conductance);
         let pump = |p: C| opening * root(C::of(supply) - p);
         let tank = |p: C| opening * root(p);
         if x.value() >= 0.0 {
@@ -37,6 +37,6 @@ impl<P: Calc> Valve<P> {
     #[inline]
     pub fn acceleration<C: Over<P>>(&self, x: C, speed: C, command: P) -> C {
         let w = self.frequency;
-        C::of(w * w) * (C::of(command) - x) - C::of(P::constant(2.0) * self.damping * w) * speed
+        (C::of(command) - x).times(w * w) - speed.times(P::constant(2.0) * self.damping * w)
     }
 }

@@ -24,7 +24,17 @@ pub trait System<const N: usize> {
 
     /// Rates and their derivatives: `jacobian[i][j]` is that of rate i by state j.
     fn jacobian(&self, y: &[f64; N]) -> Option<([f64; N], [[f64; N]; N])>;
+
+    /// Where the rates have a kink these change their sign: a step ends there, as nearly as the tolerance
+    /// tells one of them, which are of order one, from zero.
+    #[inline]
+    fn kinks(&self, _: &[f64; N]) -> [f64; MOST_KINKS] {
+        [1.0; MOST_KINKS]
+    }
 }
+
+/// Most kinks that a system has.
+pub const MOST_KINKS: usize = 5;
 
 /// Why a solver stops: the states stay those of the last step that succeeded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +52,8 @@ pub enum Halt {
 pub struct Count {
     pub steps: u32,
     pub rejected: u32,
+    /// Steps cut at a kink.
+    pub kinks: u32,
     /// Evaluations of the rates.
     pub rates: u32,
     /// Evaluations of the Jacobian, each with one factorisation or more.
