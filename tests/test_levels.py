@@ -19,15 +19,22 @@ from test_fmpy import Slave
 
 DYNAMICS = "\n" + (ROOT / "tests/levels/dynamics.toml").read_text(encoding="utf-8")
 OIL = "\n" + (ROOT / "tests/levels/hydraulics.toml").read_text(encoding="utf-8")
+SLEWING = "\n" + (ROOT / "tests/levels/slewing.toml").read_text(encoding="utf-8")
+BALANCE = "\n" + (ROOT / "tests/levels/balance.toml").read_text(encoding="utf-8")
 LEVELS = {
     "rigid": DYNAMICS + 'M_A = "1800 kN.m"\n',
     "swing": DYNAMICS + 'M_A = "1800 kN.m"\nl_R = "10 m"\nphi_R = "0.1 rad"\nv_h = "0.05 m/s"\n',
+    "rigid_slewing": DYNAMICS + 'M_A = "1800 kN.m"\n' + SLEWING,
+    "swing_slewing": DYNAMICS + 'M_A = "1800 kN.m"\nl_R = "10 m"\nphi_R = "0.1 rad"\nv_h = "0.05 m/s"\n'
+                     + SLEWING + 'chi_R = "-0.1 rad"\n',
+    "swing_balance": DYNAMICS + 'M_A = "900 kN.m"\nl_R = "10 m"\nphi_R = "0.1 rad"\n' + BALANCE,
     "hydraulic": DYNAMICS + OIL,
     "hydraulic_swing": DYNAMICS + 'l_R = "10 m"\nphi_R = "0.05 rad"\n' + OIL,
 }
 # States that are compared, with what two solvers may differ by: ten times CVode's own relative
 # tolerance of 1e-8 over a few hundred steps, of the state's greatest amount.
-SIZES = {"theta_1": 2.0, "omega_1": 0.5, "phi_R": 0.5, "omega_R": 0.5, "p_A": 1e7, "p_B": 1e7, "l_R": 10.0}
+SIZES = {"theta_1": 2.0, "omega_1": 0.5, "phi_R": 0.5, "omega_R": 0.5, "p_A": 1e7, "p_B": 1e7, "l_R": 10.0,
+         "psi_sl": 1.0, "omega_sl": 0.2, "x_Q": 10.0, "y_Q": 10.0, "z_Q": 10.0}
 
 
 def scene(level, **replaced):
@@ -50,7 +57,8 @@ def level(request, tmp_path_factory):
 
 def test_fmpy_finds_nothing_wrong(level):
     name, paths = level
-    states, indicators = {"rigid": (2, 4), "swing": (7, 5), "hydraulic": (8, 5), "hydraulic_swing": (10, 5)}[name]
+    states, indicators = {"rigid": (2, 4), "swing": (7, 5), "hydraulic": (8, 5), "hydraulic_swing": (10, 5),
+                          "rigid_slewing": (4, 8), "swing_slewing": (11, 9), "swing_balance": (7, 5)}[name]
     for path in paths:
         assert validate_fmu(path) == []
         description = read_model_description(path)
@@ -83,6 +91,8 @@ def test_model_exchange_agrees_with_co_simulation(level, standard):
 EVENTS = {
     "rigid": ({}, "M_A", [(0.0, 0.0), (0.5, 2.6e6), (2.5, -1e6), (4.0, 0.0), (6.5, 4e6)]),
     "swing": ({'phi_R = "0.1 rad"': 'phi_R = "125 deg"'}, "M_A", [(0.0, 1.5e6), (2.0, 2.4e6), (4.0, 1e6)]),
+    "swing_slewing": ({'chi_R = "-0.1 rad"': 'chi_R = "125 deg"\npsi_max = "20 deg"', 'M_sl  = "400 kN.m"': ""},
+                      "M_sl", [(0.0, 0.0), (0.5, 1.2e6), (4.0, -6e5), (6.0, 0.0)]),
     "hydraulic": ({'tol   = "1e-6"': 'tol   = "1e-8"'}, "u_v", [(0.0, 0.0), (0.5, 0.6), (2.5, -0.4), (4.0, 0.0), (5.0, 1.0)]),
 }
 
@@ -104,7 +114,7 @@ def test_events_are_the_same_inside_and_outside(name, end, tmp_path):
         rows += [(time, before), (time, after)]
     signals = np.array(rows + [(8.0, changes[-1][1])], dtype=[("time", float), (command, float)])
     names = [n for n in SIZES if n in {v.name for v in read_model_description(path).modelVariables}]
-    names += ["s_Q", "S_R"] if name == "swing" else []
+    names += ["s_Q", "S_R"] if name.startswith("swing") else []
     # FMPy's own loop sets a jump one step late in Co-Simulation.
     slave = Slave(path, str(tmp_path / "fmu"))
     references, inside = [slave.references[n] for n in names], []
@@ -119,8 +129,11 @@ def test_events_are_the_same_inside_and_outside(name, end, tmp_path):
     found = {round(t, 6): i for i, t in enumerate(outside["time"])}
     common = [(i, found[round(t, 6)]) for i, t in enumerate(inside["time"]) if round(t, 6) in found]
     assert len(common) > 150
-    if name == "swing":
+    if name.startswith("swing"):
         assert (inside["S_R"] == 0).any() and inside["s_Q"].min() < inside["l_R"].min() - 0.1, "the rope was slack"
+    if name == "swing_slewing":
+        assert (inside["omega_sl"] == 0).sum() >= 10, "slewing was held"
+        assert inside["psi_sl"].max() == pytest.approx(math.radians(20), abs=1e-12), "it met its stop"
     if name == "rigid":
         assert (inside["omega_1"] == 0).sum() >= 10, "the bar was held"
     for column in names:
@@ -227,6 +240,7 @@ DERIVATIVES = {
 }
 
 
+@pytest.mark.parametrize("level", list(DERIVATIVES), indirect=True, scope="module")
 @pytest.mark.parametrize("standard", [0, 1], ids=["FMI 3.0", "FMI 2.0"])
 def test_derivatives_are_those_of_the_reference(level, standard, tmp_path):
     """In Model Exchange, rates and outputs by every state and input; adjoint derivatives are the transpose."""
@@ -340,6 +354,10 @@ def test_the_swing_level_meets_the_reference(tmp_path):
     ("rigid", 'fidelity = "rigid"', 'fidelity = "static"', "does not move by itself"),
     ("hydraulic", 'l_max = "10 m"', 'l_max = "3 m"', "3 m extended and 3.5 m retracted"),
     ("hydraulic", 'fidelity = "hydraulic"', 'fidelity = "rigid"', "without a hydraulic level"),
+    ("rigid_slewing", 'M_sl  =', 'chi_R = "5 deg"\nM_sl  =', "chi_R without a swinging load"),
+    ("rigid_slewing", 'M_sl  =', 'psi_min = "10 deg"\nM_sl  =', "slewing starts at 0 deg, beyond its stop psi_min = 10 deg"),
+    ("rigid_slewing", 'M_sl  =', 'psi_min = "10 deg"\npsi_max = "5 deg"\nM_sl  =', "the slewing stops are at 10 deg and 5 deg"),
+    ("rigid_slewing", 'fidelity = "rigid"', 'fidelity = "static"', "does not move by itself"),
     ("rigid", 'J_2   = "248645 kg.m2"', 'J_2   = "-1 kg.m2"', "J_2"),
 ])
 def test_mistakes_in_a_scene_are_named(tmp_path, level, old, new, message):

@@ -8,6 +8,8 @@ import cmath
 import ctypes
 import math
 import random
+import zipfile
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -47,7 +49,14 @@ v_t = "1 m/s"
 '''
 
 
-SCENES = {"BoatHoist": HOIST, "Car": CAR, "Scatter4": scatter(4, 1), "Scatter64": scatter(64, 2)}
+# Groups 2 and 7 must not stand between 25 and 32 degrees, one way each.
+BARRED = HOIST.replace('name  = "BoatHoist"', 'name  = "Barred"').replace('mode = "all_wheel" ', 'mode = "crab"      ')
+for place, ends in [('x = "4 m"\ny = "6 m"\n', "25 deg, 32 deg"), ('x = "-4 m"\ny = "-6 m"\n', "-32 deg, -25 deg")]:
+    assert BARRED.count(place) == 1
+    BARRED = BARRED.replace(place, f'{place}forbidden = ["{ends}"]\n')
+BARRED = BARRED.replace('from  = "-26.5 deg"', 'from  = "-20 deg"').replace('to    = "57 deg" ', 'to    = "20 deg" ')
+
+SCENES = {"BoatHoist": HOIST, "Car": CAR, "Scatter4": scatter(4, 1), "Scatter64": scatter(64, 2), "Barred": BARRED}
 
 
 @pytest.fixture(scope="module")
@@ -62,7 +71,7 @@ def folder(tmp_path_factory):
 class Machine:
     """An instance of either standard and interface, by the names of its variables."""
 
-    def __init__(self, path, exchange=False, events=False):
+    def __init__(self, path, exchange=False, events=False, **start):
         description = read_model_description(str(path))
         self.fmi3 = description.fmiVersion.startswith("3")
         self.variables = {v.name: v for v in description.modelVariables}
@@ -81,7 +90,14 @@ class Machine:
             self.fmu.instantiate()
             self.fmu.setupExperiment(startTime=0.0)
             self.fmu.enterInitializationMode()
+        for name, value in start.items():
+            self.set(name, value)
         self.fmu.exitInitializationMode()
+        self.time = 0.0
+
+    def step(self, size):
+        self.fmu.doStep(currentCommunicationPoint=self.time, communicationStepSize=size)
+        self.time += size
 
     def set(self, name, value):
         variable = self.variables[name]
@@ -216,6 +232,19 @@ def test_arrays_of_fmi_3_are_the_numbered_variables(folder):
     machine.free()
 
 
+def test_terminals_name_existing_variables(folder):
+    """The machine and each group; a group without a cylinder has no length."""
+    for name, groups, members in [("BoatHoist", 8, 9), ("Car", 4, 3)]:
+        with zipfile.ZipFile(folder / f"{name}.fmu") as archive:
+            root = ElementTree.fromstring(archive.read("terminalsAndIcons/terminalsAndIcons.xml"))
+        terminals = {at.get("name"): [m.get("variableName") for m in at] for at in root.find("Terminals")}
+        assert list(terminals) == ["machine"] + [f"group_{i + 1}" for i in range(groups)]
+        known = {v.name for v in read_model_description(str(folder / f"{name}.fmu")).modelVariables}
+        for terminal, variables in terminals.items():
+            assert len(variables) == (3 if terminal == "machine" else members) and set(variables) <= known
+        assert terminals["group_2"][0] == "theta[2]"
+
+
 @pytest.mark.parametrize("suffix", ["fmu", "fmi2.fmu"])
 def test_mode_changes_are_events(folder, suffix):
     """In Model Exchange, and in FMI 3 with event mode, the mode changes at events only."""
@@ -289,4 +318,245 @@ def test_unknown_modes_are_refused(folder, suffix):
         with pytest.raises(FMICallException):
             machine.set("mode", value)
         assert machine.get("mode") == 6
+    machine.free()
+
+
+class Linkage:
+    """Triangles of the cylinders in the complex plane."""
+
+    def __init__(self, machine):
+        given = {name: machine.get(name) for name in ["R_c", "alpha", "l_x", "l_A"]}
+        self.arm = given["R_c"] * cmath.exp(1j * given["alpha"])
+        self.foot = self.arm - 1j * (given["l_A"] + 1.5 * given["l_x"]) * self.arm / abs(self.arm)
+
+    def lengths(self, angles):
+        """Of all groups, over any number of rows; the cylinders of groups 5 to 8 are mirrored."""
+        turns = np.exp(1j * np.asarray(angles) * np.array([1] * 4 + [-1] * 4))
+        return np.abs(self.arm * turns - self.foot)
+
+
+def commands(mode):
+    """Inputs of a mode that all groups of the hoist can follow."""
+    return {"mode": 1 + MODES.index(mode), "theta_b": {"crab": 0.5, "rear_axle": 0.3}.get(mode, 0.6), "x_c": -2.0, "y_c": 17.0}
+
+
+def astray(groups, angles):
+    """How far the axle lines are from meeting: the rigid motion that fits the headings best, in the complex plane."""
+    rows = [[-math.sin(a), math.cos(a), (z * cmath.exp(-1j * a)).real / 10] for z, a in zip(groups, angles, strict=True)]
+    return np.linalg.svd(np.array(rows), compute_uv=False)[-1]
+
+
+@pytest.mark.parametrize("suffix", ["fmu", "fmi2.fmu"])
+@pytest.mark.parametrize("start,end,stands", [
+    ("straight", "all_wheel", False), ("crab", "all_wheel", False), ("front_axle", "crab", False), ("free", "rear_axle", False),
+    ("straight", "pivot", True), ("pivot", "crab", True)])
+def test_changes_of_mode(folder, suffix, start, end, stands):
+    """Set points keep the cylinders' speed limit, take the time that an independent sum gives, and end where commanded."""
+    machine = Machine(folder / f"BoatHoist.{suffix}", **commands(start))
+    linkage, limit = Linkage(machine), machine.get("v_c_max")
+    groups = [complex(x, y) for x, y in zip(machine.all("x"), machine.all("y"), strict=True)]
+    first = machine.all("theta")
+    assert machine.all("theta_s") == first and machine.get("t_left") == 0 and not machine.get("stand")
+    machine.step(1.0)
+    before = motion_of(machine, groups)
+    for name, value in commands(end).items():
+        machine.set(name, value)
+    last, after = machine.all("theta"), motion_of(machine, groups)
+    assert machine.all("theta_s") == first and bool(machine.get("stand")) == stands
+    duration = machine.get("t_x")
+    assert machine.get("t_left") == pytest.approx(duration, rel=1e-14) and duration > 1
+    rows, steps = [machine.all("theta_s")], 2000
+    for step in range(steps):
+        machine.step(duration / steps)
+        rows.append(machine.all("theta_s"))
+        assert machine.get("t_left") == pytest.approx(duration * (1 - (step + 1) / steps), abs=1e-9)
+        if not stands:
+            assert astray(groups, rows[-1]) <= 1e-12
+    machine.step(1e-6)
+    assert machine.all("theta_s") == last and machine.get("t_left") == 0
+    assert np.allclose(rows[-1], last, atol=1e-9, rtol=0)
+    lengths = linkage.lengths(rows)
+    speeds = np.abs(np.diff(lengths, axis=0)) / (duration / steps)
+    assert speeds.max() <= limit * (1 + 1e-9)
+    if stands:
+        # Every cylinder evenly, all together, the governing one at the limit.
+        assert duration == pytest.approx(np.abs(lengths[-1] - lengths[0]).max() / limit, rel=1e-12)
+        assert np.allclose(np.diff(lengths, 2, axis=0), 0, atol=1e-12)
+    else:
+        # The motion turns along a great circle from the one to the other; at every place one cylinder may be at the limit.
+        across = after - before * (before @ after)
+        across /= np.linalg.norm(across)
+        whole = math.acos(before @ after)
+        middle, size = 0j, max(map(abs, groups))
+        parts = np.linspace(0, whole, 20001)
+        motions = np.outer(np.cos(parts), before) + np.outer(np.sin(parts), across)
+        velocities = (motions[:, 0] + 1j * motions[:, 1])[:, None] + 1j * motions[:, 2:] / size * (np.array(groups) - middle)
+        angles = np.unwrap(np.angle(velocities), axis=0)
+        angles += first - angles[0]
+        ideal = np.abs(np.diff(linkage.lengths(angles), axis=0)).max(axis=1).sum() / limit
+        assert ideal <= duration <= 1.02 * ideal
+        # The angles lie on that way.
+        places = np.array([np.abs(angles - row).max(axis=1).min() for row in rows[::100]])
+        assert places.max() <= 1e-3
+    # Once there, set points follow the command.
+    machine.set("theta_b", machine.get("theta_b") - 0.01)
+    machine.step(400.0)
+    assert machine.all("theta_s") == machine.all("theta")
+    machine.free()
+
+
+def motion_of(machine, groups):
+    """The machine's motion at unit speed of its middle and size times angular velocity together."""
+    size = max(abs(z) for z in groups)
+    found = np.array([machine.get("v_M.x"), machine.get("v_M.y"), machine.get("omega") * size])
+    return found / np.linalg.norm(found)
+
+
+@pytest.mark.parametrize("suffix", ["fmu", "fmi2.fmu"])
+def test_changes_interrupted_and_barred(folder, suffix):
+    """At random moments to random modes: nothing jumps, no cylinder is too fast, no group passes a forbidden range."""
+    barred = {2: (25, 32), 7: (-32, -25)}
+    for name in ["BoatHoist", "Barred"]:
+        machine = Machine(folder / f"{name}.{suffix}", **(commands("straight")))
+        linkage, limit, low, high = Linkage(machine), machine.get("v_c_max"), math.radians(-57), math.radians(57)
+        numbers, stands, refused, size = random.Random(3), set(), 0, 0.2
+        last = machine.all("theta_s")
+        for _ in range(60):
+            for key, value in commands(numbers.choice(MODES)).items():
+                # A command that moves while the groups are on their way is another matter.
+                machine.set(key, value)
+            assert machine.all("theta_s") == pytest.approx(last, abs=1e-12)
+            stands.add(machine.get("stand"))
+            refused += math.isinf(machine.get("t_x"))
+            for _ in range(numbers.randint(1, 120)):
+                machine.step(size)
+                now = machine.all("theta_s")
+                moved = np.abs(linkage.lengths(now) - linkage.lengths(last))
+                assert moved.max() <= limit * size * (1 + 1e-9)
+                assert low - 1e-9 <= min(now) and max(now) <= high + 1e-9
+                for group, ends in barred.items() if name == "Barred" else ():
+                    assert not math.radians(ends[0]) + 1e-9 < now[group - 1] < math.radians(ends[1]) - 1e-9
+                last = now
+        assert stands == {0, 1} or stands == {False, True}
+        assert (refused > 0) == (name == "Barred")
+        machine.free()
+
+
+@pytest.mark.parametrize("suffix", ["fmu", "fmi2.fmu"])
+def test_changes_are_part_of_the_state(folder, suffix):
+    machine = Machine(folder / f"BoatHoist.{suffix}", **commands("straight"))
+    machine.step(1.0)
+    machine.set("mode", 1 + MODES.index("all_wheel"))
+    machine.step(5.0)
+    names = ["getFMUState", "setFMUState", "serializeFMUState", "deserializeFMUState"]
+    if not machine.fmi3:
+        names = ["getFMUstate", "setFMUstate", "serializeFMUstate", "deSerializeFMUstate"]
+    get, put, write, read = (getattr(machine.fmu, name) for name in names)
+    state = get()
+    saved = write(state)
+    machine.step(3.0)
+    there = [machine.all("theta_s"), machine.get("t_left"), machine.get("stand")]
+    for back in [state, read(saved)]:
+        machine.step(30.0)
+        put(back)
+        machine.time = 6.0
+        machine.step(3.0)
+        assert [machine.all("theta_s"), machine.get("t_left"), machine.get("stand")] == there
+    machine.free()
+
+
+@pytest.mark.parametrize("suffix", ["fmu", "fmi2.fmu"])
+def test_changes_in_model_exchange(folder, suffix):
+    """The mode changes at an event; between events the set points move with the time."""
+    machine = Machine(folder / f"BoatHoist.{suffix}", exchange=True, **commands("straight"))
+    update = machine.fmu.updateDiscreteStates if machine.fmi3 else machine.fmu.newDiscreteStates
+    update()
+    machine.fmu.enterContinuousTimeMode()
+    machine.fmu.setTime(2.0)
+    machine.fmu.enterEventMode()
+    machine.set("mode", 1 + MODES.index("pivot"))
+    update()
+    machine.fmu.enterContinuousTimeMode()
+    duration = machine.get("t_x")
+    linkage = Linkage(machine)
+    first = linkage.lengths(machine.all("theta_s"))
+    assert machine.get("stand") and duration > 1
+    machine.fmu.setTime(2.0 + duration / 4)
+    quarter = linkage.lengths(machine.all("theta_s"))
+    machine.fmu.setTime(2.0 + duration)
+    assert machine.all("theta_s") == pytest.approx(machine.all("theta"), abs=1e-12)
+    assert np.allclose(quarter, first + (linkage.lengths(machine.all("theta")) - first) / 4, atol=1e-12)
+    machine.fmu.freeInstance()
+
+
+@pytest.mark.parametrize("suffix", ["fmu", "fmi2.fmu"])
+def test_the_nearest_command(folder, suffix):
+    """Out of reach: the nearest angle, radius and centre by plain geometry; within reach the command itself."""
+    machine = Machine(folder / f"BoatHoist.{suffix}")
+    end = math.radians(57)
+
+    def of(names, **inputs):
+        for key, value in inputs.items():
+            machine.set(key, value)
+        return [machine.get(name) for name in names]
+
+    number = {mode: 1 + MODES.index(mode) for mode in MODES}
+    assert of(["theta_b_n"], mode=number["all_wheel"], command=1, theta_b=1.2) == pytest.approx([end], rel=1e-14)
+    # Turning to the right, group 5 on the inner side stops at 57 degrees: cot(outer) = cot(57 deg) + S/L_2.
+    outer = math.atan(1 / (1 / math.tan(end) + 12 / 9))
+    assert of(["theta_b_n"], theta_b=-0.6) == pytest.approx([-outer], rel=1e-12)
+    assert of(["R_t_n"], command=2, R_t=10.0) == pytest.approx([6 + 9 / math.tan(end)], rel=1e-12)
+    assert of(["theta_b_n"], mode=number["crosswise"]) == pytest.approx([end], rel=1e-14)
+    assert machine.all("theta_n") == pytest.approx([end] * 8, rel=1e-14)
+    assert of(["theta_b_n", "R_t_n", "x_c_n"], mode=number["crab"], theta_b=0.4, R_t=33.0, x_c=3.0) == [0.4, 33.0, 3.0]
+    assert machine.all("theta_n") == machine.all("theta")
+    # About a corner: no centre of a fine grid that is nearer to it is within the ranges of all groups.
+    x, y = of(["x_c_n", "y_c_n"], mode=number["corner"], corner=2)
+    groups = np.array([complex(*at) for at in zip(machine.all("x"), machine.all("y"), strict=True)])
+
+    def reaches(centre):
+        turned = np.angle(1j * (groups - centre)) % np.pi
+        return bool(np.all(np.minimum(turned, np.pi - turned) <= end + 1e-9))
+
+    corner, found = complex(-11, 7), complex(x, y)
+    assert reaches(found)
+    for part in np.linspace(0.01, 0.999, 100):
+        for angle in np.linspace(0, 2 * np.pi, 720):
+            assert not reaches(corner + part * abs(found - corner) * np.exp(1j * angle))
+    machine.free()
+
+
+@pytest.mark.parametrize("suffix", ["fmu", "fmi2.fmu"])
+def test_slip_against_all_signs(folder, suffix):
+    """Angle errors of either sign in all 256 ways; for each, the rigid motion with the least sideways speeds."""
+    machine = Machine(folder / f"BoatHoist.{suffix}")
+    step, band = machine.get("resolution"), machine.get("dead_band")
+    groups = np.array([complex(*at) for at in zip(machine.all("x"), machine.all("y"), strict=True)])
+    signs = np.array([[1 if bits >> i & 1 else -1 for i in range(8)] for bits in range(256)])
+    machine.set("v_t", 1.0)
+    for mode, theta in [("all_wheel", 0.9), ("all_wheel", -0.3), ("crab", 0.5), ("front_axle", 0.4), ("pivot", 0.0)]:
+        machine.set("mode", 1 + MODES.index(mode))
+        machine.set("theta_b", theta)
+        arms = np.array(machine.all("od"))
+        errors = step / 2 + band / np.abs(arms)
+        assert machine.all("delta") == pytest.approx(errors, rel=1e-12)
+        omega, v_m = machine.get("omega"), complex(machine.get("v_M.x"), machine.get("v_M.y"))
+        velocity = v_m + 1j * omega * groups
+        worst = np.zeros(8)
+        for pattern in signs * errors:
+            normal = 1j * velocity / np.abs(velocity) * np.exp(1j * pattern)
+            along = lambda w: (w * np.conj(normal)).real
+            # Columns: what velocity forward, to the left, and turning add to each sideways speed.
+            columns = np.column_stack([along(np.ones(8)), along(1j * np.ones(8)), along(1j * groups)])
+            # The mean rolling speed stays: no part of the added motion along the travel of the groups.
+            travel = np.array([velocity.real.sum(), velocity.imag.sum(), (velocity * np.conj(1j * groups)).real.sum()])
+            scale = np.array([1, 1, np.abs(groups).max()])
+            free = np.linalg.svd((travel / scale)[None, :])[2][1:].T / scale[:, None]
+            added = free @ np.linalg.lstsq(columns @ free, -along(velocity), rcond=None)[0]
+            worst = np.maximum(worst, np.abs(along(velocity) + columns @ added))
+        slips = np.array(machine.all("slip"))
+        # Turning on the spot, some errors have no part in the slip of others but by their square: either sign will do.
+        least = 1 - errors.max() if mode == "pivot" else 1 - 1e-9
+        assert np.all(slips <= worst * (1 + 1e-9)) and np.all(slips >= worst * least), mode
+        assert machine.get("slip_max") == slips.max()
     machine.free()

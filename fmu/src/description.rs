@@ -33,7 +33,7 @@ pub fn model_description(scene: &Scene, standard: Standard) -> Result<Vec<u8>, F
     document(|xml| write(xml, scene, &entries, standard))
 }
 
-/// The text of FMI 3's terminalsAndIcons.xml: what belongs together at a joint or a drive.
+/// The text of FMI 3's terminalsAndIcons.xml: what belongs together at a joint, a drive or a wheel group.
 ///
 /// # Errors
 /// The model cannot be built.
@@ -55,7 +55,7 @@ pub fn terminals_and_icons(scene: &Scene) -> Result<Vec<u8>, Fault> {
                 element(xml, "Terminals", &[], |xml| {
                     model.terminals().iter().try_for_each(|terminal| {
                         let general = attributes([
-                            ("name", terminal.name),
+                            ("name", terminal.name.as_str()),
                             ("matchingRule", "plug"),
                             ("description", terminal.text),
                         ]);

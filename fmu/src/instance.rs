@@ -282,7 +282,7 @@ impl Instance {
     /// # Errors
     /// The initial configuration cannot be reached; the instance stays in initialization mode.
     pub fn start(&mut self) -> Result<(), Fault> {
-        self.model.update()?;
+        self.model.start()?;
         self.enter(match self.interface {
             Interface::ModelExchange => EVENT,
             Interface::CoSimulation => STEP,

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::scene::{Mechanism, Scene};
+use crate::solver::Count;
 use crate::steering;
 use crate::symbol::Symbol;
 use crate::unit;
@@ -104,7 +105,7 @@ impl fmt::Display for Variable {
 /// Variables that belong together where a mechanism meets another one.
 #[derive(Clone, Debug)]
 pub struct Terminal {
-    pub name: &'static str,
+    pub name: String,
     pub text: &'static str,
     /// Each variable's name with its name in this terminal.
     pub members: Vec<(String, &'static str)>,
@@ -298,6 +299,15 @@ impl Model {
         }
     }
 
+    /// Work of the solver since the model was made; nothing where nothing is solved.
+    #[must_use]
+    pub fn count(&self) -> Count {
+        match self {
+            Model::Luffing(_) | Model::Steering(_) => Count::default(),
+            Model::Moving(model) => model.count(),
+        }
+    }
+
     /// Number of event indicators.
     #[must_use]
     pub fn indicators(&self) -> usize {
@@ -365,6 +375,17 @@ impl Model {
         match self {
             Model::Luffing(_) | Model::Steering(_) => Ok(false),
             Model::Moving(model) => model.event(),
+        }
+    }
+
+    /// Ends initialization and brings the mechanism to the current inputs.
+    ///
+    /// # Errors
+    /// As [`update`](Model::update).
+    pub fn start(&mut self) -> Result<(), Fault> {
+        match self {
+            Model::Luffing(_) | Model::Moving(_) => self.update(),
+            Model::Steering(model) => model.start(),
         }
     }
 

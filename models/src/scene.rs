@@ -4,7 +4,8 @@ use toml::de::DeTable;
 
 use crate::diagnostic::Diagnostic;
 use crate::lemniscate::scene::{KEYS as LUFFING, Luffing};
-use crate::schema::{self, Key, Kind, Values};
+use crate::model::{Model, Role, Type, Variable};
+use crate::schema::{self, Key, Kind, Sign, Values};
 use crate::steering::scene::{KEYS as STEERING, Steering};
 
 /// The lemniscate crane. [Li2022, Table 1]
@@ -34,6 +35,12 @@ static KEYS: &[Key] = &[
     },
     Key::table("project", PROJECT, "Title block of the book.").optional(),
     Key::table("book", BOOK, "What the book says, and in how much detail.").optional(),
+    Key {
+        name: "accuracy",
+        kind: Kind::Named,
+        required: false,
+        text: "How far each result may be off: `lemnis trade` names the cheapest level and solver that keep to it.",
+    },
     Key::table(MECHANISMS[0], LUFFING, "A luffing mechanism.").optional(),
     Key::table(MECHANISMS[1], STEERING, "The steering of a machine on wheels.").optional(),
 ];
@@ -129,6 +136,8 @@ pub struct Scene {
     revisions: Vec<Vec<String>>,
     pub book: Book,
     given: Vec<Given>,
+    /// How far results may be off, in SI.
+    pub accuracy: Vec<(Variable, f64)>,
     pub mechanism: Mechanism,
 }
 
@@ -216,7 +225,7 @@ impl Scene {
             .as_ref()
             .map(|mechanism| Book::new(values.table("book"), project, mechanism, &mut found));
         match mechanism.zip(book) {
-            Some((mechanism, book)) if found.is_empty() => Ok(Scene {
+            Some((mechanism, book)) if found.is_empty() => Scene {
                 text: text.to_owned(),
                 name,
                 title: values.text("title").unwrap_or_default().to_owned(),
@@ -227,13 +236,78 @@ impl Scene {
                 revisions: project.map_or_else(Vec::new, revisions),
                 book,
                 given: given(text, &values),
+                accuracy: Vec::new(),
                 mechanism,
-            }),
+            }
+            .with_accuracy(&values),
             _ => {
                 found.sort_by_key(|diagnostic| diagnostic.span.start);
                 Err(found)
             }
         }
+    }
+
+    /// Reads how far results may be off.
+    fn with_accuracy(mut self, values: &Values) -> Result<Scene, Vec<Diagnostic>> {
+        let named = values.named("accuracy");
+        if named.is_empty() {
+            if self.is_auto() {
+                let place = values
+                    .table(self.mechanism.id())
+                    .map_or(0..0, |table| table.place("fidelity"));
+                let help = "add accuracy = { \"A.x\" = \"1 mm\" } at the top of the scene, or name a fidelity";
+                let message = "fidelity = \"auto\" without an accuracy to keep to";
+                return Err(vec![Diagnostic::new(place, message, "needs `accuracy`").help(help)]);
+            }
+            return Ok(self);
+        }
+        let model = Model::new(&self)
+            .map_err(|fault| vec![Diagnostic::new(values.place("accuracy"), fault.message, "here")])?;
+        let result = |v: &&Variable| matches!(v.role, Role::Output | Role::State) && v.kind == Type::Real;
+        let mut found = Vec::new();
+        for (name, text, place) in named {
+            let Some(variable) = model.variables().iter().filter(result).find(|v| v.name() == *name) else {
+                let known = model.variables().iter().filter(result).map(Variable::name);
+                let known: Vec<String> = known.collect();
+                let message = format!("`accuracy.{name}` is no result of this scene");
+                let help = format!("results here: {}", known.join(", "));
+                found.push(Diagnostic::new(place.clone(), message, "not known").help(help));
+                continue;
+            };
+            match schema::quantity(text, variable.symbol, Sign::Positive) {
+                Ok(allowed) => self.accuracy.push((*variable, allowed)),
+                Err((message, label, help)) => {
+                    let message = format!("`accuracy.{name}`: {message}");
+                    found.push(Diagnostic::new(place.clone(), message, label).help(help));
+                }
+            }
+        }
+        if found.is_empty() { Ok(self) } else { Err(found) }
+    }
+
+    /// Levels at which the scene's tables allow this mechanism, from cheap to deep.
+    #[must_use]
+    pub fn levels(&self) -> Vec<&'static str> {
+        match &self.mechanism {
+            Mechanism::Luffing(luffing) => luffing.levels(),
+            Mechanism::Steering(_) => vec!["static"],
+        }
+    }
+
+    /// Whether the scene leaves its level to `lemnis trade`.
+    #[must_use]
+    pub fn is_auto(&self) -> bool {
+        matches!(&self.mechanism, Mechanism::Luffing(luffing) if luffing.auto)
+    }
+
+    /// The scene with its mechanism at one of its [`levels`](Scene::levels); its text stays.
+    #[must_use]
+    pub fn at(&self, level: &str) -> Scene {
+        let mut scene = self.clone();
+        if let Mechanism::Luffing(luffing) = &mut scene.mechanism {
+            luffing.set_level(level);
+        }
+        scene
     }
 
     /// The file as it was read, to the byte.

@@ -40,6 +40,8 @@ pub enum Kind {
     Quantities(&'static Symbol, Sign, [usize; 2]),
     /// A whole number, zero or greater.
     Count,
+    /// A table of quantities by the names of variables: `{ "A.x" = "1 mm" }`.
+    Named,
 }
 
 /// Which numbers a quantity may have.
@@ -131,6 +133,8 @@ pub enum Value {
     /// In SI, with their places.
     Numbers(Vec<(f64, Range<usize>)>),
     Count(u64),
+    /// Names and texts, each with the place of its text.
+    Named(Vec<(String, String, Range<usize>)>),
 }
 
 /// A checked table: every value with its place.
@@ -199,6 +203,15 @@ impl Values {
         match self.entries.get(name) {
             Some((Value::Count(count), _)) => Some(*count),
             _ => None,
+        }
+    }
+
+    /// Names and texts of a table of named quantities; empty where the scene gives none.
+    #[must_use]
+    pub fn named(&self, name: &str) -> &[(String, String, Range<usize>)] {
+        match self.entries.get(name) {
+            Some((Value::Named(named), _)) => named,
+            _ => &[],
         }
     }
 
@@ -391,6 +404,18 @@ fn check_value(
             Ok(Ok(count)) => Some(Value::Count(count)),
             _ => wrong(format!("`{}` is none", number.as_str())),
         },
+        (Kind::Named, DeValue::Table(table)) => {
+            let mut named = Vec::new();
+            for (name, value) in table {
+                if let DeValue::String(text) = value.get_ref() {
+                    named.push((name.get_ref().to_string(), text.to_string(), value.span()));
+                } else {
+                    let message = format!("`{path}.{}` is not a number with a unit, as text", name.get_ref());
+                    found.push(Diagnostic::new(value.span(), message, "not a text").help(example(key)));
+                }
+            }
+            Some(Value::Named(named))
+        }
         (Kind::Quantity(symbol, _), DeValue::Integer(_) | DeValue::Float(_)) => {
             let text = match value.get_ref() {
                 DeValue::Integer(number) => number.as_str().to_owned(),
@@ -525,6 +550,7 @@ fn wanted(key: &Key) -> String {
             format!("a list of {count} numbers with units such as \"1 {unit}\"")
         }
         Kind::Count => "a whole number, zero or greater".to_owned(),
+        Kind::Named => "a table of quantities by the names of results".to_owned(),
     }
 }
 
@@ -542,6 +568,7 @@ fn example(key: &Key) -> String {
             format!("{} = [{}]  ({})", key.name, each.join(", "), key.text)
         }
         Kind::Count => format!("{} = 1  ({})", key.name, key.text),
+        Kind::Named => format!("{} = {{ \"A.x\" = \"1 mm\" }}  ({})", key.name, key.text),
     }
 }
 
@@ -564,6 +591,7 @@ fn property(key: &Key) -> Json {
     let mut schema = match key.kind {
         Kind::Text => json!({ "type": "string" }),
         Kind::Count => json!({ "type": "integer", "minimum": 0 }),
+        Kind::Named => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
         Kind::Quantities(symbol, _, [least, most]) => {
             let list = json!({ "type": "array", "items": text(symbol), "minItems": least, "maxItems": most });
             if least > 1 {

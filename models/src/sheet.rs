@@ -16,6 +16,8 @@ pub struct Sheet {
     pub constants: Vec<Section>,
     /// The mechanism in each of its ways of working; empty where it has one.
     pub views: Vec<View>,
+    /// From each of these ways to each other one.
+    pub changes: Option<Changes>,
     /// Formulas by which parts are chosen; empty where none are.
     pub sizing: Vec<Section>,
     /// Positions at which the formulas are written out.
@@ -115,6 +117,8 @@ pub struct Section {
     pub trace: Trace,
     /// What the formulas speak of, to scale.
     pub drawing: Option<Drawing>,
+    /// What they give for each of several bodies.
+    pub table: Option<Table>,
 }
 
 /// A way in which the mechanism works.
@@ -125,8 +129,31 @@ pub struct View {
     pub command: Option<(&'static Symbol, f64)>,
     /// Whether it can be done.
     pub reachable: bool,
+    /// Where it cannot, the nearest way and command with which it can.
+    pub nearest: Option<(&'static str, Vec<(&'static Symbol, f64)>)>,
     pub drawing: Drawing,
     pub table: Table,
+}
+
+/// Changes between the ways in which the mechanism works.
+pub struct Changes {
+    /// What the columns of durations and of flows are.
+    pub columns: [&'static Symbol; 2],
+    pub rows: Vec<Change>,
+    /// Ids of the ways between which the curves run.
+    pub between: [&'static str; 2],
+    /// Over the time of this change.
+    pub curves: Vec<Curve>,
+}
+
+/// From one way of working to another, and back where no row of its own says otherwise.
+pub struct Change {
+    pub between: [&'static str; 2],
+    /// Duration (s), whether the machine must stand, and the number of the group that takes longest; `None` where the
+    /// change is not possible.
+    pub plan: Option<(f64, bool, usize)>,
+    /// Greatest oil flow, in m³/s.
+    pub flow: Option<f64>,
 }
 
 /// A position of the mechanism with its formulas.

@@ -21,6 +21,7 @@ const NOTHING: Body = Body {
     mass: 0.0,
     inertia: 0.0,
     centre: Point::new(0.0, 0.0),
+    spread: [0.0; 3],
 };
 
 /// Every kind with either bar driven; levers with the arm of their counterweight.
@@ -155,11 +156,8 @@ fn a_free_balanced_crane_conserves_energy() {
         let w = p.weights.expect("weights");
         let body = |weight: f64, inertia: f64, distance: f64, angle: f64| {
             let (sin, cos) = Calc::sin_cos(angle);
-            Body {
-                mass: weight / G,
-                inertia,
-                centre: Point::new(distance * cos, distance * sin),
-            }
+            let centre = Point::new(distance * cos, distance * sin);
+            Body::slender(weight / G, inertia, centre, Point::new(1.0, 0.0))
         };
         let bodies = Bodies {
             boom: body(w.g_1, 9e5, w.s_1, w.chi_1),

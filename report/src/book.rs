@@ -18,7 +18,7 @@ use serde::Serialize;
 use crate::book::balance::Balance;
 use crate::book::steps::{Notation, Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
-use crate::book::tables::{Chapter, Check, Published, Sensitivity, Summary, Table, View};
+use crate::book::tables::{Changes, Chapter, Check, Published, Sensitivity, Summary, Table, View};
 use crate::formula::quantity;
 use crate::language::{Language, symbols};
 use crate::plot;
@@ -114,6 +114,7 @@ pub(crate) struct Book<'a> {
     constants: Vec<Section>,
     positions: Vec<Position>,
     views: Vec<View>,
+    changes: Option<Changes>,
     sizing: Vec<Section>,
     range: Table,
     curves: Vec<Figure>,
@@ -222,8 +223,13 @@ impl<'a> Book<'a> {
         });
         let tables = sheet.views.iter().flat_map(|view| &view.table.columns);
         let tables = tables.chain(&sheet.range.columns).copied();
-        let curves = sheet.curves.iter().flat_map(|curve| [curve.x, curve.y]);
-        for symbol in results.chain(tables).chain(curves).chain(balance) {
+        let changing = sheet.changes.iter().flat_map(|changes| &changes.curves);
+        let curves = sheet.curves.iter().chain(changing).flat_map(|curve| [curve.x, curve.y]);
+        let nearest = sheet.views.iter().flat_map(|view| &view.nearest);
+        let nearest = nearest.flat_map(|(_, command)| command.iter().map(|(symbol, _)| *symbol));
+        let changes = sheet.changes.iter().flat_map(|changes| changes.columns);
+        let results = results.chain(tables).chain(nearest).chain(changes);
+        for symbol in results.chain(curves).chain(balance) {
             notation.meet(symbol);
         }
         let compares = chapters.contains(&"synthesis");
@@ -257,6 +263,7 @@ impl<'a> Book<'a> {
             constants,
             positions,
             views: sheet.views.iter().map(|view| tables::view(language, view)).collect(),
+            changes: sheet.changes.as_ref().map(|changes| tables::changes(language, changes)),
             sizing,
             range: tables::table(language, &sheet.range),
             curves: sheet.curves.iter().map(figure).collect(),

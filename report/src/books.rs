@@ -17,6 +17,7 @@ use notify::{Event, RecursiveMode, Watcher};
 use crate::failure::Failure;
 use crate::output::{self, Complete, Output, say, write};
 use crate::results::Results;
+use crate::trade::decided;
 use crate::{busy, scene_file};
 
 /// How books are made.
@@ -163,6 +164,7 @@ impl Books {
                 .map(|path| scene_file::read(Some(path)))
                 .collect::<Result<_, _>>()?,
         };
+        let scenes: Vec<Scene> = scenes.into_iter().map(decided).collect::<Result<_, _>>()?;
         for (i, scene) in scenes.iter().enumerate() {
             if let Some(other) = scenes[..i].iter().position(|other| other.name() == scene.name()) {
                 return Err(Failure::Scene(format!(

@@ -26,7 +26,7 @@ struct Row {
 
 #[derive(Serialize)]
 struct Terminal {
-    name: &'static str,
+    name: String,
     text: &'static str,
     /// Names in the terminal and of the variables.
     members: Vec<[String; 2]>,

@@ -6,6 +6,7 @@ mod output;
 mod results;
 mod scene_file;
 mod synth;
+mod trade;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -22,6 +23,7 @@ use crate::failure::Failure;
 use crate::output::{Output, say, write};
 use crate::results::Results;
 use crate::synth::Synth;
+use crate::trade::{Trade, decided};
 
 /// Crane mechanisms from one scene file: an FMU for simulators and a calculation book.
 ///
@@ -59,6 +61,8 @@ enum Command {
     Book(Books),
     /// Find the lever counterweight that a scene asks for: NAME_synth.toml
     Synth(Synth),
+    /// Measure what accuracy costs: every level, solver and step of a scene; name the cheapest that keeps to `accuracy`
+    Trade(Trade),
     /// Work with the templates of books
     Templates {
         #[command(subcommand)]
@@ -128,7 +132,7 @@ fn run(command: Command) -> Result<(), Failure> {
             pack: Pack { make, platforms },
             making,
         } => {
-            let scene = scene_file::read(make.scene.as_deref())?;
+            let scene = decided(scene_file::read(make.scene.as_deref())?)?;
             let results = Results::new(&scene)?;
             let pdf = making.pdf(&scene, &results)?;
             let documentation = documentation(&scene, Some(&pdf))?;
@@ -138,12 +142,13 @@ fn run(command: Command) -> Result<(), Failure> {
             write(&make.output, &outputs)
         }
         Command::Fmu(Pack { make, platforms }) => {
-            let scene = scene_file::read(make.scene.as_deref())?;
+            let scene = decided(scene_file::read(make.scene.as_deref())?)?;
             let documentation = documentation(&scene, None)?;
             write(&make.output, &fmus(&scene, platforms.as_deref(), &documentation)?)
         }
         Command::Book(books) => books.run(),
         Command::Synth(synth) => synth.run(),
+        Command::Trade(trade) => trade.run(),
         Command::Templates { command } => match command {
             TemplatesCommand::Export { dir } => books::export(&dir),
         },

@@ -370,6 +370,8 @@ impl Axis {
 struct Field {
     x: Axis,
     y: Axis,
+    /// The axes are of decimal logarithms.
+    powers: bool,
 }
 
 /// Right and lower edge of the field, in mm.
@@ -380,6 +382,16 @@ impl Field {
         Field {
             x: Axis::new(points.clone().map(|p| p[0])),
             y: Axis::new(points.map(|p| p[1])),
+            powers: false,
+        }
+    }
+
+    /// Number at a tick of an axis.
+    fn number(&self, language: &Language, axis: &Axis, tick: f64) -> String {
+        let number = fixed(tick, axis.decimals());
+        match self.powers {
+            false => language.math(&number),
+            true => format!("10^({number})"),
         }
     }
 
@@ -400,13 +412,14 @@ impl Field {
         for tick in self.x.ticks() {
             let left = self.place([tick, self.y.from])[0];
             picture.line("grid", &[[left, TOP], [left, bottom]]);
-            let number = language.math(&fixed(tick, self.x.decimals()));
+            let number = self.number(language, &self.x, tick);
             picture.text([left, bottom + 1.2], "above", number);
         }
         for tick in self.y.ticks() {
             let top = self.place([self.x.from, tick])[1];
-            picture.line(if tick == 0.0 { "thin" } else { "grid" }, &[[LEFT, top], [right, top]]);
-            let number = language.math(&fixed(tick, self.y.decimals()));
+            let zero = tick == 0.0 && !self.powers;
+            picture.line(if zero { "thin" } else { "grid" }, &[[LEFT, top], [right, top]]);
+            let number = self.number(language, &self.y, tick);
             picture.text([LEFT - 1.2, top], "right", number);
         }
         picture.shape(
@@ -486,6 +499,95 @@ pub fn lines(language: &Language, [x, y]: [&Symbol; 2], lines: &[Line]) -> Pictu
         }
     }
     name_axes(&mut picture, [x, y]);
+    picture
+}
+
+/// Settings of one level in a work-precision diagram: error and cost of each, and whether it lies on the front.
+pub struct Series {
+    /// In Typst's mathematics.
+    pub label: String,
+    pub points: Vec<(Point, bool)>,
+}
+
+/// Errors below this part are drawn at it: rounding.
+const LEAST_ERROR: f64 = 1e-10;
+
+/// Cost over error on logarithmic axes, one line for each level; what lies on the front is filled. The axes' names are
+/// in Typst's mathematics; a vertical line stands at `allowed`.
+#[must_use]
+pub fn work_precision(language: &Language, names: [&str; 2], levels: &[Series], allowed: Option<f64>) -> Picture {
+    let logarithm = |[error, cost]: Point| [error.clamp(LEAST_ERROR, 1e10).log10(), cost.log10()];
+    let whole = |low: f64, high: f64| {
+        let step = ((high - low) / 6.0).ceil().max(1.0);
+        let (from, to) = (low.floor(), high.ceil().max(low.floor() + 1.0));
+        Axis { from, to, step }
+    };
+    let points = levels
+        .iter()
+        .flat_map(|level| level.points.iter().map(|(p, _)| logarithm(*p)));
+    let points: Vec<Point> = points.chain(allowed.map(|error| logarithm([error, 1e-6]))).collect();
+    let extent = |axis: usize, points: &[Point]| {
+        let values = points.iter().map(|p| p[axis]);
+        let (low, high) = (
+            values.clone().fold(f64::INFINITY, f64::min),
+            values.fold(f64::NEG_INFINITY, f64::max),
+        );
+        whole(low - 0.1, high + 0.1)
+    };
+    let count = points.len() - usize::from(allowed.is_some());
+    let field = Field {
+        x: extent(0, &points),
+        y: extent(1, &points[..count]),
+        powers: true,
+    };
+    let mut picture = field.picture(language);
+    if let Some(allowed) = allowed {
+        let at = field.place([logarithm([allowed, 1.0])[0], field.y.from])[0];
+        picture.line("path", &[[at, TOP], [at, EDGE[1]]]);
+    }
+    for level in levels {
+        let placed: Vec<Point> = level.points.iter().map(|(p, _)| field.place(logarithm(*p))).collect();
+        if placed.len() > 1 {
+            picture.line("medium", &placed);
+        }
+        for (at, (_, front)) in placed.iter().zip(&level.points) {
+            picture.circle(if *front { "solid" } else { "pin" }, *at, 0.8);
+        }
+    }
+    let placed = levels
+        .iter()
+        .flat_map(|level| level.points.iter().map(|(p, _)| field.place(logarithm(*p))));
+    let mut taken: Vec<Point> = placed.collect();
+    for level in levels {
+        let placed: Vec<Point> = level.points.iter().map(|(p, _)| field.place(logarithm(*p))).collect();
+        let half = 0.9 * level.label.chars().count() as f64;
+        // At one of the line's ends, where most room is.
+        let ends = placed.last().into_iter().chain(placed.first());
+        let sides = ends.flat_map(|[x, y]| {
+            let sides = [[0.0, -3.4], [half + 2.0, 0.0], [-half - 2.0, 0.0], [0.0, 3.4]];
+            sides.map(|[right, down]| [x + right, y + down])
+        });
+        let inside = |p: &Point| {
+            (LEFT + half + 1.0..EDGE[0] - half - 1.0).contains(&p[0]) && (TOP + 2.0..EDGE[1] - 2.0).contains(&p[1])
+        };
+        let room = |p: &Point| {
+            let gap = |q: &Point| {
+                length([
+                    ((p[0] - q[0]).abs() - half).max(0.0),
+                    ((p[1] - q[1]).abs() - 1.6).max(0.0),
+                ])
+            };
+            taken.iter().map(gap).fold(1.5, f64::min)
+        };
+        let best = sides.filter(inside).map(|p| (room(&p), p));
+        if let Some((_, at)) = best.reduce(|a, b| if b.0 > a.0 { b } else { a }) {
+            picture.text(at, "centre", level.label.as_str());
+            // A label takes room from the next ones.
+            taken.extend([-1.0, 0.0, 1.0].map(|part| [at[0] + part * half, at[1]]));
+        }
+    }
+    picture.text([LEFT - 8.0, TOP - 3.6], "left", names[1]);
+    picture.text([EDGE[0], EDGE[1] + 7.2], "right", names[0]);
     picture
 }
 

@@ -16,6 +16,7 @@ use minijinja::{Environment, ErrorKind, State, UndefinedBehavior, context};
 
 use crate::book::{Book, Error};
 use crate::language::{LANGUAGES, Language, Words};
+use crate::plot::Picture;
 use crate::speech;
 
 macro_rules! embedded {
@@ -140,6 +141,23 @@ impl Templates {
         let source = render(context! { book => Serde(book) })
             .map_err(|error| Error(describe(self.folder.as_deref(), &error)))?;
         speech::accessible(&source, words).map_err(Error)
+    }
+
+    /// The Typst source of a page with a picture and nothing else.
+    ///
+    /// # Errors
+    /// As [`Edition::source`](crate::book::Edition::source).
+    pub fn picture(&self, picture: &Picture, language: &Language) -> Result<String, Error> {
+        let Ready { environment, .. } = &self.prepare(language).map_err(Error)?;
+        let page = environment
+            .get_template("picture.typ")
+            .and_then(|template| template.render(context! { book => context! { html => false } }));
+        let page = page.map_err(|error| Error(describe(self.folder.as_deref(), &error)))?;
+        let data = serde_json::to_string(picture).expect("a picture is plain data");
+        Ok(format!(
+            "{page}\n#set page(width: auto, height: auto, margin: 3mm)\n#picture(\"{}\")\n",
+            escape(&data)
+        ))
     }
 
     fn prepare(&self, language: &Language) -> Result<Ready, String> {

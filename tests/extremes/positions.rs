@@ -86,6 +86,7 @@ fn zero_inertia_and_zero_load() {
         mass: 0.0,
         inertia: 0.0,
         centre: zero,
+        spread: [0.0; 3],
     };
     let full = *scaled(1.0, 1.0, None).bodies();
     let g = crane::geometry();
@@ -125,6 +126,7 @@ fn no_inertia_at_all_is_refused() {
         mass: 0.0,
         inertia: 0.0,
         centre: Point::new(0.0, 0.0),
+        spread: [0.0; 3],
     };
     let crane = Dynamics::new(
         &crane::geometry(),

@@ -25,21 +25,37 @@ pub struct Body<P = f64> {
     pub inertia: P,
     /// Centre of gravity from the bar's first joint, along the bar and to its left, in m.
     pub centre: Point<P>,
+    /// Where the inertia lies: mass times xx, xy and yy of the same directions about the centre, in kg·m².
+    pub spread: [P; 3],
 }
 
 impl Body {
     /// A uniform bar of a mass (kg) from one point to another, both in the frame of its bar, in m.
     #[must_use]
     pub fn uniform(mass: f64, from: Point<f64>, to: Point<f64>) -> Body {
-        Body {
-            mass,
-            inertia: mass * (to - from).norm_squared() / 12.0,
-            centre: (from + to) / 2.0,
-        }
+        let inertia = mass * (to - from).norm_squared() / 12.0;
+        Body::slender(mass, inertia, (from + to) / 2.0, to - from)
     }
 }
 
 impl<P: Calc> Body<P> {
+    /// A slender body of a mass (kg), an inertia about its centre (kg·m²), the centre (m) and the direction
+    /// along which it lies, both in the frame of its bar.
+    #[must_use]
+    pub fn slender(mass: P, inertia: P, centre: Point<P>, along: Point<P>) -> Body<P> {
+        let square = dot(along, along);
+        let per = match square.value() {
+            0.0 => P::constant(0.0),
+            _ => inertia / square,
+        };
+        Body {
+            mass,
+            inertia,
+            centre,
+            spread: products(along).map(|x| per * x),
+        }
+    }
+
     /// The body with a mass (kg) that is fixed to it at a point of its frame, in m.
     #[must_use]
     pub fn with_mass(self, mass: P, at: Point<P>) -> Body<P> {
@@ -47,13 +63,28 @@ impl<P: Calc> Body<P> {
         if sum.value() == 0.0 {
             return self;
         }
-        let apart = at - self.centre;
+        let (apart, both) = (at - self.centre, self.mass * mass / sum);
+        let more = products(apart);
         Body {
             mass: sum,
-            inertia: self.inertia + self.mass * mass / sum * dot(apart, apart),
+            inertia: self.inertia + both * dot(apart, apart),
             centre: (self.centre * self.mass + at * mass) / sum,
+            spread: std::array::from_fn(|i| self.spread[i] + both * more[i]),
         }
     }
+}
+
+fn products<P: Calc>(v: Point<P>) -> [P; 3] {
+    [v.x * v.x, v.x * v.y, v.y * v.y]
+}
+
+/// The crane as it turns about its vertical axis. Bodies are thin: across the mechanism's plane they have no width.
+#[derive(Clone, Copy, Debug)]
+pub struct Turntable<P = f64> {
+    /// The axis from O1, in m; positive lies forward.
+    pub axis: P,
+    /// Of all that turns besides the bodies of the mechanism, about the axis, in kg·m².
+    pub inertia: P,
 }
 
 /// The load on its rope: a pendulum in the plane of the mechanism.
@@ -108,6 +139,8 @@ pub struct Reduced<C> {
     pub head: [Point<C>; 3],
     /// Length of the drive (m) and its lever arm (m), which is its derivative by the angle; zero without one.
     pub drive: [C; 2],
+    /// Inertia about the slewing axis (kg·m²), and its change by the angle; zero where the crane does not slew.
+    pub turn: [C; 2],
 }
 
 /// Positions with their first and second derivatives by the driven angle.
@@ -146,10 +179,11 @@ impl<T: Calc + DualNum> Counterweight<T> {
 
 impl<T: Calc + DualNum> Reduced<T> {
     #[inline]
-    fn new<P: Calc>(positions: &Positions<T>, bodies: &Bodies<P>, push: Option<&Push<P>>, theta: T) -> Option<Self>
+    fn new<P: Calc>(d: &Dynamics<P>, positions: &Positions<T>, theta: T) -> Option<Self>
     where
         T: Over<P>,
     {
+        let (bodies, push) = (&d.bodies, d.push.as_ref());
         let (zero, one) = (T::constant(0.0), T::constant(1.0));
         let (g, theta) = (&positions.geometry, Dual2::new(theta, one, zero));
         let p = Position::new(g, theta)?;
@@ -160,14 +194,19 @@ impl<T: Calc + DualNum> Reduced<T> {
             Bar::new(g.lengths.o3(), p.x_3),
         ];
         let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
+        let mut turn = Dual2::from_re(zero);
         for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(&bars) {
             let (mass, spin) = (T::of(body.mass), T::of(body.inertia));
             let weight = T::of(body.mass * bodies.gravity);
-            let [r, d, dd] = bar.point(body.centre.map(T::of));
-            inertia += mass * dot(d, d) + spin * bar.turn;
-            slope += T::constant(2.0) * (mass * dot(d, dd) + spin * bar.turn_change);
-            moment += weight * d.y;
+            let place = bar.point(body.centre.map(T::of));
+            let [r, v, a] = place;
+            inertia += mass * dot(v, v) + spin * bar.turn;
+            slope += T::constant(2.0) * (mass * dot(v, a) + spin * bar.turn_change);
+            moment += weight * v.y;
             energy += weight * r.y;
+            if let Some(Turntable { axis, .. }) = d.turntable {
+                turn += about(T::of(axis), mass, place) + bar.spread(body.spread.map(T::of));
+            }
         }
         if let Some(Counterweight {
             balancing,
@@ -175,12 +214,19 @@ impl<T: Calc + DualNum> Reduced<T> {
             mass,
         }) = &positions.counterweight
         {
-            let [r, d, dd] = parts(balancing.place(g, weights, &p, theta)?);
+            let place = parts(balancing.place(g, weights, &p, theta)?);
+            let [r, v, a] = place;
             let weight = *mass * T::of(bodies.gravity);
-            inertia += *mass * dot(d, d);
-            slope += T::constant(2.0) * *mass * dot(d, dd);
-            moment += weight * d.y;
+            inertia += *mass * dot(v, v);
+            slope += T::constant(2.0) * *mass * dot(v, a);
+            moment += weight * v.y;
             energy += weight * r.y;
+            if let Some(Turntable { axis, .. }) = d.turntable {
+                turn += about(T::of(axis), *mass, place);
+            }
+        }
+        if let Some(table) = d.turntable {
+            turn += Dual2::from_re(T::of(table.inertia));
         }
         let drive = push.map_or([zero; 2], |push| {
             let bar = match g.driven {
@@ -199,6 +245,7 @@ impl<T: Calc + DualNum> Reduced<T> {
             energy,
             head: parts(p.a),
             drive,
+            turn: [turn.re, turn.v1],
         })
     }
 }
@@ -228,6 +275,14 @@ impl<T: Calc + DualNum> Bar<T> {
         }
     }
 
+    /// Inertia about a vertical axis through the centre of a body that lies in the bar's frame as `spread` says.
+    fn spread(&self, spread: [T; 3]) -> Dual2<T> {
+        let [e, d, dd] = self.along.map(|x| x / self.length);
+        let (along, across) = (Dual2::new(e.x, d.x, dd.x), -Dual2::new(e.y, d.y, dd.y));
+        let [xx, xy, yy] = spread.map(Dual2::from_re);
+        xx * along * along + xy * along * across * Dual2::constant(2.0) + yy * across * across
+    }
+
     /// A point of the bar's frame: place, first and second derivative.
     #[inline]
     fn point(&self, at: Point<T>) -> [Point<T>; 3] {
@@ -242,6 +297,12 @@ fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
     [v.map(|x| x.re), v.map(|x| x.v1), v.map(|x| x.v2)]
 }
 
+/// Inertia about a vertical axis (m from O1) of a mass (kg) at a place with its derivatives.
+fn about<T: Calc + DualNum>(axis: T, mass: T, [r, d, dd]: [Point<T>; 3]) -> Dual2<T> {
+    let arm = Dual2::new(r.x - axis, d.x, dd.x);
+    Dual2::from_re(mass) * arm * arm
+}
+
 /// A scalar that the equations of motion run on, with parameters known as `P`: a number, one with its
 /// derivatives by all states, or one with its derivative in one direction of states and parameters.
 pub trait Coordinate<P = f64>: Over<P> {
@@ -252,13 +313,13 @@ pub trait Coordinate<P = f64>: Over<P> {
 impl Coordinate for f64 {
     #[inline]
     fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
-        Reduced::new(&d.twice, &d.bodies, d.push.as_ref(), theta)
+        Reduced::new(d, &d.twice, theta)
     }
 }
 
 impl Coordinate<Dual64> for Dual64 {
     fn reduced(d: &Dynamics<Dual64>, theta: Dual64) -> Option<Reduced<Dual64>> {
-        Reduced::new(&d.thrice, &d.bodies, d.push.as_ref(), theta)
+        Reduced::new(d, &d.thrice, theta)
     }
 }
 
@@ -266,7 +327,7 @@ impl Coordinate<Dual64> for Dual64 {
 impl<const N: usize> Coordinate for Gradient<N> {
     #[inline]
     fn reduced(d: &Dynamics, theta: Gradient<N>) -> Option<Reduced<Gradient<N>>> {
-        let r = Reduced::new(&d.thrice, &d.bodies, d.push.as_ref(), Dual64::new(theta.re, 1.0))?;
+        let r = Reduced::new(d, &d.thrice, Dual64::new(theta.re, 1.0))?;
         let of = |x: Dual64| theta.chain(x);
         Some(Reduced {
             inertia: of(r.inertia),
@@ -275,6 +336,7 @@ impl<const N: usize> Coordinate for Gradient<N> {
             energy: of(r.energy),
             head: [r.head[0].map(of), r.head[1].map(of), r.head[2].map(of)],
             drive: [of(r.drive[0]), of(r.drive[1])],
+            turn: r.turn.map(of),
         })
     }
 }
@@ -286,6 +348,7 @@ pub struct Dynamics<P = f64> {
     twice: Positions<f64>,
     thrice: Positions<Dual64>,
     push: Option<Push<P>>,
+    turntable: Option<Turntable<P>>,
     bodies: Bodies<P>,
 }
 
@@ -312,6 +375,7 @@ impl<P: Calc> Dynamics<P> {
                 counterweight: None,
             },
             push: None,
+            turntable: None,
             bodies,
         }
     }
@@ -344,6 +408,21 @@ impl<P: Calc> Dynamics<P> {
             push: Some(push),
             ..self
         }
+    }
+
+    /// On a turntable.
+    #[must_use]
+    pub fn with_slewing(self, turntable: Turntable<P>) -> Dynamics<P> {
+        Dynamics {
+            turntable: Some(turntable),
+            ..self
+        }
+    }
+
+    /// Where it slews.
+    #[must_use]
+    pub fn turntable(&self) -> Option<Turntable<P>> {
+        self.turntable
     }
 
     #[must_use]
@@ -413,6 +492,15 @@ impl Dynamics {
             let [_, coupled, m_22, _, _] = self.pendulum(r, m, mass, reel);
             -coupled / m_22
         })
+    }
+
+    /// Inertia at the driven bar at an angle (rad) in kg·m², the load as if it were fixed to the head;
+    /// `None` where the linkage does not close.
+    #[must_use]
+    pub fn inertia(&self, theta: f64) -> Option<f64> {
+        let r = f64::reduced(self, theta)?;
+        let load = self.bodies.pendulum.map_or(0.0, |p| p.mass);
+        Some(r.inertia + load * r.head[1].norm_squared())
     }
 
     /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar

@@ -46,6 +46,7 @@ pub mod published;
 pub mod range;
 pub mod scene;
 pub mod sheet;
+pub mod slewing;
 pub mod statics;
 pub mod symbols;
 pub mod velocity;

@@ -104,8 +104,8 @@ impl Model {
             // The shaft is turned by an input; the other bar's angle is a result.
             found.any(|variable| variable.role == Role::Input || !matches!(member, "phi" | "w"))
         };
-        let terminal = |name, text, members: &[(&'static Symbol, &'static str)]| Terminal {
-            name,
+        let terminal = |name: &str, text, members: &[(&'static Symbol, &'static str)]| Terminal {
+            name: name.to_owned(),
             text,
             members: members
                 .iter()

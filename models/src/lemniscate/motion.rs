@@ -10,7 +10,8 @@
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
 use crate::plane::{Point, dot};
-use crate::solver::{Halt, MOST_STEPS, runge_kutta};
+use crate::solver::pieces::{self, Pieces};
+use crate::solver::{Count, Halt};
 
 /// Friction at the driven bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,10 +92,9 @@ pub struct Motion<P = f64> {
 }
 
 /// How far beyond the greatest hold the moment must be before the bar breaks loose: rounding alone must not.
-const LOOSE: f64 = 1.0 + 1e-12;
-/// Events in one call, and changes at one instant.
-const MOST_EVENTS: u32 = 10_000;
-const MOST_CHANGES: u32 = 16;
+pub(crate) const LOOSE: f64 = 1.0 + 1e-12;
+/// Changes at one instant.
+pub(crate) const MOST_CHANGES: u32 = 16;
 
 impl<C: Coordinate<C>> Motion<C> {
     /// The load on its rope as it is now.
@@ -279,11 +279,16 @@ impl Motion {
             Bar::Backward => omega >= 0.0,
         };
         if at_stop {
+            let (out, along) = directions(state.y[2]);
+            // A rope along which the head comes to rest would have to push: it lets go.
+            let hangs = state.taut && self.dynamics.bodies().pendulum.is_some();
+            if hangs && omega * r.head[1].dot(&out) < 0.0 {
+                (state.y[5], state.y[6], state.taut) = (state.y[4], commands.hoist, false);
+            }
             let reel = self.reel(state, &state.y, commands);
             if state.taut {
                 state.y[3] -= omega * self.dynamics.blow(r, &state.phase(), reel);
             } else {
-                let (out, along) = directions(state.y[2]);
                 state.y[3] += omega * r.head[1].dot(&along) / reel.length;
                 state.y[6] += omega * r.head[1].dot(&out);
             }
@@ -321,72 +326,16 @@ impl Motion {
     }
 
     /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way
-    /// to the last bits of the step. Returns the number of steps.
+    /// to the last bits of the step. Returns the work done.
     ///
     /// # Errors
     /// See [`Halt`]; the state is that of the last step that succeeded.
-    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<u32, Halt> {
+    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<Count, Halt> {
         let Commands { moment, brake, hoist } = *commands;
         if !(moment.is_finite() && hoist.is_finite() && brake >= 0.0) {
             return Err(Halt::Outside);
         }
-        self.event(state, commands)?;
-        let mut left = duration;
-        let (mut steps, mut events) = (0, 0);
-        while left > 0.0 {
-            steps += 1;
-            if steps > MOST_STEPS || left / longest > f64::from(MOST_STEPS) {
-                return Err(Halt::TooMany);
-            }
-            let h = left / (left / longest).ceil();
-            let (end, part) = self.piece(state, commands, h)?;
-            state.y = end;
-            // The last of equal steps ends exactly.
-            left = if part == 1.0 && h >= left { 0.0 } else { left - part * h };
-            if part < 1.0 || self.crossed(state, commands, &end) {
-                events += 1;
-                if events > MOST_EVENTS {
-                    return Err(Halt::TooMany);
-                }
-                self.event(state, commands)?;
-            }
-        }
-        Ok(steps)
-    }
-
-    fn crossed(&self, state: &State, commands: &Commands, y: &[f64; STATES]) -> bool {
-        self.indicators(state, commands, y)
-            .is_none_or(|z| z.iter().any(|z| z.is_nan() || *z < 0.0))
-    }
-
-    /// A step of `h` s, or the part of it up to just beyond the first event; the states there, and which part.
-    fn piece(&self, state: &State, commands: &Commands, h: f64) -> Result<([f64; STATES], f64), Halt> {
-        let after = |part: f64| {
-            let y = runge_kutta::step(&state.y, part * h, |y| self.rates(state, commands, y))?;
-            let crossed = self.crossed(state, commands, &y);
-            Some((y, crossed))
-        };
-        let whole = after(1.0);
-        if let Some((y, false)) = whole {
-            return Ok((y, 1.0));
-        }
-        let (mut before, mut beyond) = (0.0, 1.0);
-        let mut found = whole;
-        for _ in 0..60 {
-            let middle = f64::midpoint(before, beyond);
-            if middle <= before || middle >= beyond {
-                break;
-            }
-            match after(middle) {
-                Some((_, false)) => before = middle,
-                other => (beyond, found) = (middle, other),
-            }
-        }
-        match found {
-            Some((y, _)) => Ok((y, beyond)),
-            // The end of assembly lies before any stop.
-            None => Err(Halt::Outside),
-        }
+        pieces::advance(&Commanded { motion: self, commands }, state, duration, longest)
     }
 
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
@@ -408,8 +357,32 @@ impl Motion {
     }
 }
 
+/// A motion under commands, for the solver.
+struct Commanded<'a> {
+    motion: &'a Motion,
+    commands: &'a Commands,
+}
+
+impl Pieces<STATES, State> for Commanded<'_> {
+    fn states(state: &mut State) -> &mut [f64; STATES] {
+        &mut state.y
+    }
+
+    fn rates(&self, state: &State, y: &[f64; STATES]) -> Option<[f64; STATES]> {
+        self.motion.rates(state, self.commands, y)
+    }
+
+    fn crossed(&self, state: &State, y: &[f64; STATES]) -> bool {
+        pieces::crossed(self.motion.indicators(state, self.commands, y))
+    }
+
+    fn event(&self, state: &mut State) -> Result<(), Halt> {
+        self.motion.event(state, self.commands).map(|_| ())
+    }
+}
+
 /// A greatest moment without end as the greatest number: an indicator must be finite.
-fn capped<C: Calc>(x: C) -> C {
+pub(crate) fn capped<C: Calc>(x: C) -> C {
     if x.value() > f64::MAX { C::constant(f64::MAX) } else { x }
 }
 

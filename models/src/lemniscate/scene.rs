@@ -49,7 +49,7 @@ pub static KEYS: &[Key] = &[
         name: "fidelity",
         kind: Kind::Choice(moving::scene::FIDELITIES),
         required: false,
-        text: "How deep it is modelled: \"static\" (the angle is an input), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it).",
+        text: "How deep it is modelled: \"static\" (the angle is an input), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).",
     },
     Key::table("motion", MOTION, "Working range of the driven bar."),
     Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
@@ -71,6 +71,12 @@ pub static KEYS: &[Key] = &[
         "hydraulics",
         moving::scene::OIL_KEYS,
         "Oil, valve and lines of the luffing cylinder in motion.",
+    )
+    .optional(),
+    Key::table(
+        "slewing",
+        moving::scene::SLEWING_KEYS,
+        "Inertia, friction and drive of a crane in motion that slews.",
     )
     .optional(),
     Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
@@ -162,8 +168,10 @@ pub struct Luffing {
     /// Weight of the load; `None` models no forces.
     pub q: Option<f64>,
     pub motion: Motion,
-    /// With `fidelity` beyond `static`.
+    /// With `fidelity` beyond `static`; with `auto` as deep as the scene's tables allow.
     pub moving: Option<moving::scene::Moving>,
+    /// Whether the level is left to `lemnis trade`.
+    pub auto: bool,
     pub limits: Limits,
     pub published: Option<Published>,
     /// What is asked of the synthesis of its balance.
@@ -192,6 +200,37 @@ pub struct Published {
 }
 
 impl Luffing {
+    /// Levels that the scene's tables allow, from cheap to deep.
+    #[must_use]
+    pub fn levels(&self) -> Vec<&'static str> {
+        let mut levels = vec!["static"];
+        if let Some(moving) = &self.moving {
+            levels.push("rigid");
+            levels.extend(moving.rope.map(|_| "swing"));
+            levels.extend(moving.oil.map(|_| "hydraulic"));
+        }
+        levels
+    }
+
+    /// Leaves out what a level does not have.
+    pub fn set_level(&mut self, level: &str) {
+        self.auto = false;
+        match level {
+            "rigid" => {
+                if let Some(moving) = &mut self.moving {
+                    (moving.rope, moving.oil) = (None, None);
+                }
+            }
+            "swing" => {
+                if let Some(moving) = &mut self.moving {
+                    moving.oil = None;
+                }
+            }
+            "hydraulic" => {}
+            _ => self.moving = None,
+        }
+    }
+
     /// The scene's own lever counterweight.
     #[must_use]
     pub fn own_lever(&self) -> Option<Lever<f64>> {
@@ -335,6 +374,7 @@ impl Luffing {
             q,
             motion,
             moving,
+            auto: v.text("fidelity") == Some("auto"),
             limits,
             published,
             synthesis,

@@ -43,6 +43,7 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         inputs: inputs(scene, luffing),
         constants: constants(luffing),
         views: Vec::new(),
+        changes: None,
         sizing: Vec::new(),
         positions: positions
             .into_iter()
@@ -154,6 +155,7 @@ fn constants(luffing: &Luffing) -> Vec<Section> {
         id: "geometry_constants",
         trace,
         drawing: None,
+        table: None,
     }];
     let (mut trace, _) = record(|| {
         let parameters = parameters();
@@ -166,6 +168,7 @@ fn constants(luffing: &Luffing) -> Vec<Section> {
             id: "balance_constants",
             trace,
             drawing: None,
+            table: None,
         });
     }
     sections
@@ -189,6 +192,7 @@ fn worked(luffing: &Luffing, id: &'static str, coordinate: &'static Symbol, thet
                 id,
                 trace,
                 drawing: None,
+                table: None,
             });
         }
     }

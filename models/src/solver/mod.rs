@@ -5,6 +5,7 @@
 //! |---|---|---|
 //! | `runge_kutta` | explicit, fourth order, fixed step | levels without stiffness |
 //! | `rodas` | linearly implicit, fourth order, L-stable, continuous to third order | hydraulics |
+//! | `pieces` | smooth pieces between located events | levels that stick, stop or go slack |
 //! | `gradient` | a number with its derivatives by all states | the exact Jacobian |
 //!
 //! Inputs are constant over a communication step, so that no system depends on time itself.
@@ -12,6 +13,7 @@
 //! be saved nor hold a step: both were measured, both are fine references.
 
 pub mod gradient;
+pub mod pieces;
 pub mod rodas;
 pub mod runge_kutta;
 
@@ -58,6 +60,31 @@ pub struct Count {
     pub rates: u32,
     /// Evaluations of the Jacobian, each with one factorisation or more.
     pub jacobians: u32,
+}
+
+impl Count {
+    /// What was done after an earlier count.
+    #[must_use]
+    pub fn since(self, earlier: Count) -> Count {
+        Count {
+            steps: self.steps - earlier.steps,
+            rejected: self.rejected - earlier.rejected,
+            kinks: self.kinks - earlier.kinks,
+            rates: self.rates - earlier.rates,
+            jacobians: self.jacobians - earlier.jacobians,
+        }
+    }
+
+    #[must_use]
+    pub fn and(self, more: Count) -> Count {
+        Count {
+            steps: self.steps + more.steps,
+            rejected: self.rejected + more.rejected,
+            kinks: self.kinks + more.kinks,
+            rates: self.rates + more.rates,
+            jacobians: self.jacobians + more.jacobians,
+        }
+    }
 }
 
 /// Steps that one call may take, tried ones included.

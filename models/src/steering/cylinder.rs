@@ -214,7 +214,7 @@ pub fn choose_stroke(cylinder: &Cylinder<f64>, limits: &Limits, strokes: &[f64])
     })
 }
 
-/// Strokes that makers of cylinders list, in m; an example, to be replaced by the maker's own.
+/// An example of a list of strokes, in m, of no standard and of no maker, to be replaced by the maker's own.
 pub const EXAMPLE_STROKES: [f64; 17] = [
     0.1, 0.125, 0.16, 0.2, 0.25, 0.32, 0.4, 0.5, 0.63, 0.7, 0.8, 0.9, 1.0, 1.25, 1.6, 2.0, 2.5,
 ];

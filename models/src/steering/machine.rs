@@ -213,11 +213,13 @@ impl Limits {
     /// A range that contains straight ahead, less than a turn in all.
     pub fn new(min: f64, max: f64, forbidden: Vec<[f64; 2]>) -> Result<Limits, Refusal> {
         let half = std::f64::consts::PI;
-        let ordered = forbidden
-            .iter()
-            .all(|[from, to]| from < to && *from >= min && *to <= max);
-        if min >= -half && max <= half && min <= 0.0 && max >= 0.0 && ordered {
-            return Ok(Limits { min, max, forbidden });
+        if min >= -half && max <= half && min <= 0.0 && max >= 0.0 {
+            let whole = Limits {
+                min,
+                max,
+                forbidden: Vec::new(),
+            };
+            return whole.forbid(forbidden);
         }
         Err(Refusal::new(
             "theta",
@@ -226,8 +228,43 @@ impl Limits {
                 short(min.to_degrees()),
                 short(max.to_degrees())
             ),
-            "it must contain 0 deg, lie within -180 to 180 deg, and hold its forbidden ranges in rising order of their ends",
+            "it must contain 0 deg and lie within -180 to 180 deg",
         ))
+    }
+
+    /// The same range with these ranges in it forbidden.
+    pub fn forbid(mut self, forbidden: Vec<[f64; 2]>) -> Result<Limits, Refusal> {
+        let degrees = |x: f64| short(x.to_degrees());
+        let sound =
+            |[from, to]: &&[f64; 2]| from < to && *from >= self.min && *to <= self.max && !(*from < 0.0 && *to > 0.0);
+        if let Some([from, to]) = forbidden.iter().find(|range| !sound(range)) {
+            return Err(Refusal::new(
+                "forbidden",
+                format!("forbidden range {} to {} deg", degrees(*from), degrees(*to)),
+                format!(
+                    "its second end must be the greater one, both must lie within {} to {} deg, and 0 deg must stay allowed",
+                    degrees(self.min),
+                    degrees(self.max)
+                ),
+            ));
+        }
+        self.forbidden = forbidden;
+        Ok(self)
+    }
+
+    /// Smallest angle, in rad, that is left at a heading to an end of the range or to a forbidden one; negative
+    /// beyond it.
+    pub fn margin<C: Calc>(&self, theta: C) -> C {
+        let (smaller, greater) = (
+            |a: C, b: C| if b.value() < a.value() { b } else { a },
+            |a: C, b: C| if b.value() > a.value() { b } else { a },
+        );
+        let outer = smaller(theta - C::constant(self.min), C::constant(self.max) - theta);
+        let inner = self
+            .forbidden
+            .iter()
+            .map(|[from, to]| greater(C::constant(*from) - theta, theta - C::constant(*to)));
+        inner.fold(outer, smaller)
     }
 
     /// Whether the group may stand at this angle.

@@ -24,9 +24,9 @@
 //! | `steering.ackermann.angle` | [`wheels::roll`] | Zhang2016, eq. 1-9, generalised |
 //! | `steering.ackermann.residual` | [`wheels::residual`] | derived |
 //! | `steering.swept` | [`swept::moved`], [`swept::Swept::new`] | rigid body |
-//! | `steering.reach` | [`reach::reach`] | derived |
-//! | `steering.slip` | [`slip::Slip::new`] | least squares |
-//! | `steering.transition` | [`transition::Crew::transition`] | derived |
+//! | `steering.reach` | [`reach::reach`], [`reach::nearest`] | derived |
+//! | `steering.slip` | [`slip::Slip::new`], [`slip::worst`], [`slip::Accuracy::angle_error`] | least squares |
+//! | `steering.transition` | [`transition::Crew::transition`], [`transition::Plan`] | derived |
 //! | `steering.resistance` | [`load::resistance`] | Zhang2016, 3 |
 //! | `steering.load_share` | [`load::share`] | equal springs |
 //! | `steering.ring` | [`ring::Duty::new`], [`ring::Catalogue::choose`] | Zhang2016, 4 |
@@ -40,6 +40,7 @@
 //! | `steering.buckling` | [`sizing::buckling`] | Euler |
 //! | `steering.published` | [`published::Layout::angles`] | Zhang2016, eq. 1-9, misprints mended |
 
+pub(crate) mod changes;
 pub mod cylinder;
 pub mod hydraulic;
 pub mod load;
@@ -51,6 +52,8 @@ pub mod published;
 pub mod reach;
 pub mod ring;
 pub mod scene;
+pub mod searched;
+pub mod set_points;
 pub mod sheet;
 pub mod sizing;
 pub mod slip;

@@ -10,6 +10,8 @@ use crate::motion::Motion;
 use crate::steering::mode::Mode;
 use crate::steering::outputs::{By, Evaluation, Output};
 use crate::steering::scene::{CORNERS, Steering};
+use crate::steering::searched::{Search, Searched};
+use crate::steering::set_points::{Change, OfChange, SetPoints};
 use crate::steering::symbols as s;
 use crate::symbol::Symbol;
 
@@ -55,6 +57,8 @@ pub struct Model {
     indicators: Vec<usize>,
     motion: Motion,
     state: State,
+    search: Search,
+    set_points: SetPoints,
 }
 
 /// All that changes in a model while it runs.
@@ -65,6 +69,7 @@ pub struct State {
     /// Whether a command has been set. Until then the commanded angle runs
     /// through its working range by itself.
     given: bool,
+    change: Change,
     evaluation: Evaluation<f64>,
 }
 
@@ -85,6 +90,15 @@ enum Slot {
     Load(usize),
     Parameter,
     Output(Output),
+    Searched(Searched),
+    OfChange(OfChange),
+}
+
+impl Slot {
+    /// Whether the variable follows from the others.
+    fn follows(self) -> bool {
+        matches!(self, Slot::Output(_) | Slot::Searched(_) | Slot::OfChange(_))
+    }
 }
 
 impl Model {
@@ -92,6 +106,7 @@ impl Model {
     /// Never for a scene that was read by [`Scene::parse`](crate::scene::Scene::parse),
     /// which checks that the machine exists.
     pub fn new(steering: &Steering) -> Result<Model, Fault> {
+        let groups = steering.parameters.groups.len();
         let mut model = Model {
             variables: Vec::new(),
             slots: Vec::new(),
@@ -100,8 +115,11 @@ impl Model {
             state: State {
                 time: 0.0,
                 given: false,
+                change: Change::new(groups),
                 evaluation: Evaluation::new(steering.parameters.clone(), steering.inputs.clone()),
             },
+            search: Search::new(groups),
+            set_points: SetPoints::new(groups),
         };
         for (symbol, number, role, slot) in list(steering) {
             model.variables.push(Variable {
@@ -112,7 +130,9 @@ impl Model {
                     Slot::Mode => Type::Enumeration(&MODES),
                     Slot::Command => Type::Enumeration(&COMMANDS),
                     Slot::Corner => Type::Enumeration(&CORNER),
-                    Slot::Output(Output::AtInfinity | Output::Reachable) => Type::Boolean,
+                    Slot::Output(Output::AtInfinity | Output::Reachable) | Slot::OfChange(OfChange::Stand) => {
+                        Type::Boolean
+                    }
                     _ => Type::Real,
                 },
                 bounds: bounds(symbol),
@@ -150,10 +170,40 @@ impl Model {
         Ok(())
     }
 
-    /// What belongs together where something is connected: one cylinder for each group.
+    /// What belongs together where something is connected: the machine's motion, and each group with its cylinder.
     #[must_use]
     pub fn terminals(&self) -> Vec<Terminal> {
-        Vec::new()
+        let terminal = |name, text, number, members: &[(&'static Symbol, &'static str)]| {
+            let of = |symbol: &Symbol| {
+                let mut all = self.variables.iter();
+                all.find(|variable| variable.symbol == symbol && variable.number == number)
+            };
+            let members = members.iter();
+            Terminal {
+                name,
+                text,
+                members: members
+                    .filter_map(|(symbol, member)| Some((of(symbol)?.name(), *member)))
+                    .collect(),
+            }
+        };
+        let machine = [(&s::V_MX, "v_x"), (&s::V_MY, "v_y"), (&s::OMEGA, "w")];
+        let group = [
+            (&s::THETA, "phi"),
+            (&s::THETA_S, "phi_set"),
+            (&s::OMEGA_I, "w"),
+            (&s::V, "v_roll"),
+            (&s::G, "f_z"),
+            (&s::L_C, "s"),
+            (&s::V_C, "v"),
+            (&s::F_G, "f"),
+            (&s::Q_G, "q"),
+        ];
+        let text = "A steered group, and the cylinder that turns it.";
+        let numbers = (1..).zip(&self.state.evaluation.parameters().groups);
+        let groups = numbers.map(|(number, _)| terminal(format!("group_{number}"), text, Some(number), &group));
+        let whole = terminal("machine".to_owned(), "Motion of the machine's middle.", None, &machine);
+        std::iter::once(whole).chain(groups).collect()
     }
 
     /// Values of the commanded angle in tables, in rad.
@@ -181,10 +231,18 @@ impl Model {
     #[inline]
     pub fn get(&mut self, index: usize) -> Result<f64, Fault> {
         let slot = self.slot(index)?;
-        if let Slot::Output(output) = slot {
-            return self.state.evaluation.output(output);
+        let State {
+            time,
+            change,
+            evaluation,
+            ..
+        } = &mut self.state;
+        match slot {
+            Slot::Output(output) => evaluation.output(output),
+            Slot::Searched(what) => self.search.get(evaluation, what),
+            Slot::OfChange(what) => self.set_points.get((evaluation, &mut self.search, change), *time, what),
+            _ => Ok(self.given(&self.state, index)),
         }
-        Ok(self.given(&self.state, index))
     }
 
     /// Value of an input or a parameter in a state.
@@ -211,7 +269,7 @@ impl Model {
                 });
                 found
             }
-            Slot::Output(_) => f64::NAN,
+            Slot::Output(_) | Slot::Searched(_) | Slot::OfChange(_) => f64::NAN,
         }
     }
 
@@ -222,7 +280,7 @@ impl Model {
     #[inline]
     pub fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
         let (slot, variable) = (self.slot(index)?, &self.variables[index]);
-        if let Slot::Output(_) = slot {
+        if slot.follows() {
             return Err(Fault::new(format!("{variable} is a result and cannot be set")));
         }
         if let Type::Enumeration(of) = variable.kind {
@@ -262,6 +320,10 @@ impl Model {
     pub fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         self.check(index, value)?;
         let slot = self.slots[index];
+        if matches!(slot, Slot::Mode | Slot::Command | Slot::Corner) && self.given(&self.state, index) != value {
+            self.leave();
+        }
+        self.forget();
         let evaluation = &mut self.state.evaluation;
         match slot {
             Slot::OmegaS => {
@@ -301,8 +363,18 @@ impl Model {
     pub fn set_time(&mut self, time: f64) {
         if time != self.state.time {
             self.state.time = time;
+            self.set_points.pass();
             self.sweep();
         }
+    }
+
+    /// Ends initialization: from now on a mode that changes has a way to go.
+    ///
+    /// # Errors
+    /// As [`update`](Model::update).
+    pub fn start(&mut self) -> Result<(), Fault> {
+        self.state.change.running = true;
+        self.update()
     }
 
     /// Puts the groups where the current inputs want them.
@@ -323,17 +395,39 @@ impl Model {
     /// Takes back what [`state`](Model::state) gave, of this model or of one of the same scene.
     pub fn set_state(&mut self, state: &State) {
         self.state.clone_from(state);
+        self.forget();
+    }
+
+    /// What was found for the inputs holds no longer.
+    #[inline]
+    fn forget(&mut self) {
+        self.search.forget();
+        self.set_points.forget();
+    }
+
+    /// Keeps the set points of this moment, where the scene has any.
+    fn leave(&mut self) {
+        let State {
+            time,
+            change,
+            evaluation,
+            ..
+        } = &mut self.state;
+        if evaluation.parameters().pace.is_some() {
+            self.set_points.leave((evaluation, &mut self.search), change, *time);
+        }
     }
 
     fn settable(&self) -> impl Iterator<Item = usize> + Clone {
-        (0..self.slots.len()).filter(|&index| !matches!(self.slots[index], Slot::Output(_)))
+        (0..self.slots.len()).filter(|&index| !self.slots[index].follows())
     }
 
-    /// A state as numbers: time, whether the angle was set, then all inputs and
-    /// parameters in the order of the variables.
+    /// A state as numbers: time, whether the angle was set, the last change of mode, then
+    /// all inputs and parameters in the order of the variables.
     pub fn numbers(&self, state: &State) -> Vec<f64> {
         let values = self.settable().map(|index| self.given(state, index));
-        [state.time, f64::from(state.given)].into_iter().chain(values).collect()
+        let head = [state.time, f64::from(state.given)].into_iter();
+        head.chain(state.change.numbers()).chain(values).collect()
     }
 
     /// The state that [`numbers`](Model::numbers) belong to.
@@ -344,13 +438,17 @@ impl Model {
         let [time, given, values @ ..] = numbers else {
             return Err(Fault::new("a saved state is empty"));
         };
-        if values.len() != self.settable().count() || !time.is_finite() {
+        let mut model = self.clone();
+        let change = &mut model.state.change;
+        if values.len() != change.count() + self.settable().count() || !time.is_finite() {
             return Err(Fault::new("a saved state does not belong to this model"));
         }
-        let mut model = self.clone();
+        let (numbers, values) = values.split_at(change.count());
+        change.running = false;
         for (index, &value) in self.settable().zip(values) {
             model.set(index, value)?;
         }
+        model.state.change.read(numbers);
         model.state.time = *time;
         model.state.given = *given != 0.0;
         Ok(model.state)
@@ -377,8 +475,15 @@ impl Model {
     /// Not an output, or a place where there is no derivative.
     pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
         let variable = || &self.variables[index];
-        let Slot::Output(output) = self.slot(index)? else {
-            return Err(Fault::new(format!("{} is no result: it has no derivative", variable())));
+        let output = match self.slot(index)? {
+            Slot::Output(output) => output,
+            Slot::Searched(_) | Slot::OfChange(_) => {
+                return Err(Fault::new(format!(
+                    "{} is searched for: it has no derivative",
+                    variable()
+                )));
+            }
+            _ => return Err(Fault::new(format!("{} is no result: it has no derivative", variable()))),
         };
         let derivative = tangent.0.output(output)?.eps;
         if derivative.is_nan() {
@@ -420,6 +525,8 @@ impl Model {
         let load = |group: usize| of(&|_, slot| matches!(slot, Slot::Load(of) if of == group));
         let standing = named(&[&s::F_T, &s::P_T]);
         let travelling = &standing | &named(&[&s::K_V]);
+        let errors = &linkage | &named(&[&s::Q_E, &s::B_V]);
+        let changes = &linkage | &named(&[&s::V_CX]);
         let drag = named(&[&s::L_MAX, &s::MU_R, &s::D_L]);
         let each = self.slots.iter().map(|slot| match *slot {
             Slot::Output(output) => match output {
@@ -429,6 +536,7 @@ impl Model {
                 Output::RIn | Output::ROut | Output::Width => stance.clone(),
                 // The range may be that of the cylinder.
                 Output::R(_) | Output::Od(_) | Output::Vc(_) | Output::Margin | Output::Reachable => linkage.clone(),
+                Output::Delta(_) => errors.clone(),
                 Output::Qg(_) | Output::QSum => flows.clone(),
                 Output::Tr(i) => &load(i) | &standing,
                 Output::Trx(i) => &load(i) | &travelling,
@@ -436,6 +544,9 @@ impl Model {
                 Output::Fg(i) => &(&(&load(i) | &standing) | &drag) | &linkage,
                 Output::Fgx(i) => &(&(&load(i) | &travelling) | &drag) | &linkage,
             },
+            Slot::Searched(Searched::Slip(_) | Searched::SlipMax) => errors.clone(),
+            Slot::Searched(_) => linkage.clone(),
+            Slot::OfChange(_) => changes.clone(),
             _ => BTreeSet::new(),
         });
         each.collect()
@@ -460,6 +571,7 @@ impl Model {
                 .motion
                 .swept(self.state.evaluation.inputs().omega_s, self.state.time);
             self.state.evaluation.command(|inputs| inputs.theta_b = theta_b);
+            self.forget();
         }
     }
 }
@@ -471,7 +583,7 @@ fn bounds(symbol: &'static Symbol) -> [f64; 2] {
     const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
     const NOT_NEGATIVE: [f64; 2] = [0.0, f64::INFINITY];
     // The same that the parameters' own checks allow.
-    let known: [(&Symbol, [f64; 2]); 18] = [
+    let known: [(&Symbol, [f64; 2]); 21] = [
         (&s::THETA_B, [-std::f64::consts::PI, std::f64::consts::PI]),
         (&s::X_I, [-1e4, 1e4]),
         (&s::Y_I, [-1e4, 1e4]),
@@ -488,6 +600,9 @@ fn bounds(symbol: &'static Symbol) -> [f64; 2] {
         (&s::L_X, [0.0, 10.0]),
         (&s::L_A, [0.0, 10.0]),
         (&s::ALPHA, [-std::f64::consts::TAU, std::f64::consts::TAU]),
+        (&s::Q_E, [0.0, 0.2]),
+        (&s::B_V, [0.0, 1.0]),
+        (&s::V_CX, [f64::MIN_POSITIVE, 10.0]),
         (&s::R_IN, NOT_NEGATIVE),
         (&s::R_OUT, NOT_NEGATIVE),
     ];
@@ -540,8 +655,41 @@ fn list(steering: &Steering) -> Vec<(&'static Symbol, Option<u16>, Role, Slot)> 
     output(&s::R_OUT, Output::ROut);
     output(&s::B_S, Output::Width);
     output(&s::REACHABLE, Output::Reachable);
+    for (symbol, what) in [
+        (&s::THETA_BN, Searched::ThetaB),
+        (&s::R_TN, Searched::Radius),
+        (&s::O_NX, Searched::CentreX),
+        (&s::O_NY, Searched::CentreY),
+    ] {
+        list.push((symbol, None, Role::Output, Slot::Searched(what)));
+    }
+    let mut output = |symbol: &'static Symbol, output| list.push((symbol, None, Role::Output, Slot::Output(output)));
     if parameters.piston.is_some() {
         output(&s::Q_SUM, Output::QSum);
+    }
+    if parameters.accuracy.is_some() {
+        list.push((&s::SLIP_MAX, None, Role::Output, Slot::Searched(Searched::SlipMax)));
+    }
+    if parameters.pace.is_some() {
+        for (symbol, what) in [
+            (&s::T_X, OfChange::Duration),
+            (&s::T_LEFT, OfChange::Left),
+            (&s::STAND, OfChange::Stand),
+        ] {
+            list.push((symbol, None, Role::Output, Slot::OfChange(what)));
+        }
+    }
+    let mut slots = |symbol: &'static Symbol, of: fn(usize) -> Slot| {
+        let each = (0..groups).zip(1..);
+        list.extend(each.map(|(group, number)| (symbol, Some(number), Role::Output, of(group))));
+    };
+    slots(&s::THETA_N, |i| Slot::Searched(Searched::Theta(i)));
+    if parameters.accuracy.is_some() {
+        slots(&s::DELTA, |i| Slot::Output(Output::Delta(i)));
+        slots(&s::SLIP, |i| Slot::Searched(Searched::Slip(i)));
+    }
+    if parameters.pace.is_some() {
+        slots(&s::THETA_S, |i| Slot::OfChange(OfChange::SetPoint(i)));
     }
     let mut each = |symbol: &'static Symbol, of: fn(usize) -> Output| {
         list.extend(

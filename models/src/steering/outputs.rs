@@ -12,8 +12,10 @@ use crate::steering::machine::{Limits, Machine, Refusal};
 use crate::steering::mode::{Centre, Command, Mode};
 use crate::steering::ring::{Bearing, friction};
 use crate::steering::sizing::{Piston, flow, force};
+use crate::steering::slip::Accuracy;
 use crate::steering::swept::Swept;
 use crate::steering::symbols as s;
+use crate::steering::transition::Pace;
 use crate::steering::wheels::{Travel, Wheel, place, rate, roll};
 
 /// A result; those of groups with the group's number from 0.
@@ -30,6 +32,7 @@ pub enum Output {
     Fg(usize),
     Fgx(usize),
     Vc(usize),
+    Delta(usize),
     Qg(usize),
     QSum,
     Omega,
@@ -105,7 +108,7 @@ impl<C: Calc> Inputs<C> {
 }
 
 /// A steered group.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Group<C> {
     /// Its axis, in m.
     pub at: Point<C>,
@@ -113,6 +116,8 @@ pub struct Group<C> {
     pub mirrored: bool,
     /// How far it turns, in rad; `None` as far as its cylinder turns it.
     pub range: Option<[f64; 2]>,
+    /// Ranges through which it must not turn, in rad.
+    pub forbidden: Vec<[f64; 2]>,
 }
 
 /// A machine as given; groups of quantities that are absent are not modelled.
@@ -125,6 +130,8 @@ pub struct Parameters<C> {
     pub bearing: Option<Bearing<C>>,
     pub cylinder: Option<Cylinder<C>>,
     pub piston: Option<Piston<C>>,
+    pub accuracy: Option<Accuracy<C>>,
+    pub pace: Option<Pace<C>>,
 }
 
 impl<C: Calc> Parameters<C> {
@@ -143,6 +150,7 @@ impl<C: Calc> Parameters<C> {
             at: Point::new(x, y),
             mirrored: group.mirrored,
             range: group.range,
+            forbidden: group.forbidden.clone(),
         });
         let groups = groups.collect();
         let mut alone = |symbol, x| f((symbol, None), x);
@@ -153,6 +161,8 @@ impl<C: Calc> Parameters<C> {
             bearing: self.bearing.map(|bearing| bearing.map(&mut alone)),
             cylinder: self.cylinder.map(|cylinder| cylinder.map(&mut alone)),
             piston: self.piston.map(|piston| piston.map(&mut alone)),
+            accuracy: self.accuracy.map(|accuracy| accuracy.map(&mut alone)),
+            pace: self.pace.map(|pace| pace.map(&mut alone)),
         }
     }
 
@@ -171,6 +181,12 @@ impl<C: Calc> Parameters<C> {
         if let Some(tyre) = &self.tyre {
             tyre.check()?;
         }
+        if let Some(accuracy) = &self.accuracy {
+            accuracy.check()?;
+        }
+        if let Some(pace) = &self.pace {
+            pace.check()?;
+        }
         let mut limits = Vec::new();
         let mut linkages = Vec::new();
         if let Some(bearing) = &self.bearing {
@@ -185,12 +201,17 @@ impl<C: Calc> Parameters<C> {
                 .collect();
         }
         let plain = self.cylinder.map(|cylinder| cylinder.map(&mut |_, x| x.value()));
-        for group in &self.groups {
-            limits.push(match (group.range, &plain) {
+        for (number, group) in (1..).zip(&self.groups) {
+            let whole = match (group.range, &plain) {
                 (Some([min, max]), _) => Limits::new(min, max, Vec::new())?,
                 (None, Some(cylinder)) => cylinder.range(group.mirrored),
                 (None, None) => Limits::new(-std::f64::consts::PI, std::f64::consts::PI, Vec::new())?,
-            });
+            };
+            limits.push(whole.forbid(group.forbidden.clone()).map_err(|found| Refusal {
+                key: format!("forbidden[{number}]"),
+                what: format!("group {number}: {}", found.what),
+                ..found
+            })?);
         }
         Ok(Built {
             machine,
@@ -365,6 +386,10 @@ impl<C: Calc> Evaluation<C> {
             )),
             O::OmegaI(i) => self.rate(i),
             O::Vc(i) => self.cylinder_speed(i),
+            O::Delta(i) => {
+                let accuracy = self.parameters.accuracy.as_ref().ok_or_else(absent)?;
+                Ok(accuracy.angle_error(self.poses[i].od))
+            }
             O::Qg(i) => self.flow(i),
             O::QSum => {
                 let mut sum = C::constant(0.0);
@@ -374,6 +399,18 @@ impl<C: Calc> Evaluation<C> {
                 Ok(sum)
             }
             _ => self.of_machine(output),
+        }
+    }
+
+    /// The machine, and the turning centre of the current inputs.
+    ///
+    /// # Errors
+    /// As [`Evaluation::update`].
+    pub fn stance(&mut self) -> Result<(&Built<C>, &Centre<C>), Fault> {
+        self.update()?;
+        match (&self.built, &self.stance) {
+            (Some(built), Some(stance)) => Ok((built, &stance.centre)),
+            _ => Err(absent()),
         }
     }
 
@@ -399,14 +436,13 @@ impl<C: Calc> Evaluation<C> {
             O::ROut => swept()?.outer,
             O::Width => swept()?.width,
             O::Margin => {
-                let ends = self.wheels.iter().zip(&built.limits).flat_map(|(wheel, limits)| {
-                    [
-                        wheel.theta - C::constant(limits.min),
-                        C::constant(limits.max) - wheel.theta,
-                    ]
-                });
+                let left = self
+                    .wheels
+                    .iter()
+                    .zip(&built.limits)
+                    .map(|(wheel, limits)| limits.margin(wheel.theta));
                 let least = |a: C, b: C| if b.value() < a.value() { b } else { a };
-                ends.reduce(least).ok_or_else(absent)?
+                left.reduce(least).ok_or_else(absent)?
             }
             O::Reachable => C::constant(f64::from(stance.reachable)),
             _ => return Err(absent()),

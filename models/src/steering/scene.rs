@@ -11,11 +11,13 @@ use crate::steering::cylinder::Cylinder;
 use crate::steering::load::{Tyre, share};
 use crate::steering::machine::Refusal;
 use crate::steering::mode::{Command, Mode};
-use crate::steering::outputs::{By, Group, Inputs, Parameters};
-use crate::steering::reach::reach;
+use crate::steering::outputs::{Built, By, Group, Inputs, Parameters};
+use crate::steering::reach::{reach, stand};
 use crate::steering::ring::{Bearing, Catalogue, Curve, Ring};
 use crate::steering::sizing::{Hydraulics, Piston};
+use crate::steering::slip::Accuracy;
 use crate::steering::symbols as s;
+use crate::steering::transition::Pace;
 use crate::symbol::Symbol;
 
 /// What a scene calls the nine modes.
@@ -87,6 +89,18 @@ pub static KEYS: &[Key] = &[
     Key::table("ring", RING, "Slewing ring of a group.").optional(),
     Key::table("cylinder", CYLINDER, "Steering cylinder of a group.").optional(),
     Key::table(
+        "accuracy",
+        ACCURACY,
+        "How exactly the groups' angles are kept: from it follows the slip of the tyres.",
+    )
+    .optional(),
+    Key::table(
+        "transition",
+        TRANSITION,
+        "How fast the groups turn when the mode changes: from it follow set points.",
+    )
+    .optional(),
+    Key::table(
         "hydraulics",
         HYDRAULICS,
         "Oil supply, and what the book checks the cylinder by.",
@@ -113,6 +127,7 @@ static GROUP: &[Key] = &[
     Key::quantity(&s::G, Sign::NotNegative).optional(),
     angle("min", &s::THETA_MIN).optional(),
     angle("max", &s::THETA_MAX).optional(),
+    FORBIDDEN,
     Key {
         name: "cylinder",
         kind: Kind::Choice(&["direct", "mirrored"]),
@@ -137,7 +152,20 @@ static LOAD: &[Key] = &[
     SOURCE,
 ];
 
-static RANGE: &[Key] = &[angle("min", &s::THETA_MIN), angle("max", &s::THETA_MAX), SOURCE];
+static RANGE: &[Key] = &[
+    angle("min", &s::THETA_MIN),
+    angle("max", &s::THETA_MAX),
+    FORBIDDEN,
+    SOURCE,
+];
+
+/// Where a group must not turn.
+const FORBIDDEN: Key = Key {
+    name: "forbidden",
+    kind: Kind::Texts,
+    required: false,
+    text: "Ranges through which a group must not turn, each by its two ends: \"20 deg, 25 deg\"; a group's own ones take the place of those of all.",
+};
 
 static MOTION: &[Key] = &[
     Key::named("from", &s::THETA_B, Sign::Any, "Commanded angle at the start."),
@@ -207,6 +235,30 @@ static CYLINDER: &[Key] = &[
     SOURCE,
 ];
 
+static ACCURACY: &[Key] = &[
+    Key::quantity(&s::Q_E, Sign::NotNegative),
+    Key::quantity(&s::B_V, Sign::NotNegative),
+    Key::quantity(&s::SLIP_LIMIT, Sign::Positive).optional(),
+    SOURCE,
+];
+
+static TRANSITION: &[Key] = &[
+    Key::quantity(&s::V_CX, Sign::Positive),
+    Key {
+        name: "from",
+        kind: Kind::Choice(MODES),
+        required: false,
+        text: "Mode from which the change starts that the book draws; without it that of the scene.",
+    },
+    Key {
+        name: "to",
+        kind: Kind::Choice(MODES),
+        required: false,
+        text: "Mode in which it ends; without it the one whose change from there takes longest.",
+    },
+    SOURCE,
+];
+
 static HYDRAULICS: &[Key] = &[
     Key::quantity(&s::P, Sign::Positive),
     Key::quantity(&s::N, Sign::Positive),
@@ -232,6 +284,10 @@ pub struct Steering {
     /// Weight and centre of gravity, where the loads of the groups follow from them.
     pub weight: Option<(f64, Point<f64>)>,
     pub hydraulics: Option<Hydraulics<f64>>,
+    /// Slip that is allowed.
+    pub slip_limit: Option<f64>,
+    /// Modes between which the book draws the change.
+    pub drawn: [Option<Mode>; 2],
     pub catalogue: Option<Catalogue>,
 }
 
@@ -254,12 +310,19 @@ impl Steering {
                 .number(name)
                 .or_else(|| range.and_then(|range| range.number(name)))
         };
+        // Told once, however many groups share them.
+        range.into_iter().for_each(|range| drop(forbidden(range, found)));
         let mut groups = Vec::new();
         for group in tables {
             groups.push(Group {
                 at: Point::new(n(group, &s::X_I)?, n(group, &s::Y_I)?),
                 mirrored: group.text("cylinder") == Some("mirrored"),
                 range: end(group, "min").zip(end(group, "max")).map(|(min, max)| [min, max]),
+                forbidden: if group.has("forbidden") {
+                    forbidden(group, found)
+                } else {
+                    range.map_or_else(Vec::new, |range| forbidden(range, &mut Vec::new()))
+                },
             });
         }
         let outline = match v.table("outline") {
@@ -331,6 +394,24 @@ impl Steering {
             }),
             None => None,
         };
+        let (accuracy, slip_limit) = match v.table("accuracy") {
+            Some(a) => {
+                let accuracy = Accuracy {
+                    step: n(a, &s::Q_E)?,
+                    dead_band: n(a, &s::B_V)?,
+                };
+                (Some(accuracy), n(a, &s::SLIP_LIMIT))
+            }
+            None => (None, None),
+        };
+        let (pace, drawn) = match v.table("transition") {
+            Some(t) => {
+                let mode = |name| t.text(name).and_then(|text| Mode::parse(text).ok());
+                let pace = Pace { speed: n(t, &s::V_CX)? };
+                (Some(pace), ["from", "to"].map(mode))
+            }
+            None => (None, [None; 2]),
+        };
         let parameters = Parameters {
             groups,
             outline,
@@ -338,6 +419,8 @@ impl Steering {
             bearing,
             cylinder,
             piston,
+            accuracy,
+            pace,
         };
         let built = match parameters.build() {
             Ok(built) => built,
@@ -393,15 +476,17 @@ impl Steering {
                     .help("add [steering.tyre] with f_t, p_t and k_v, or leave the loads out"),
             );
         }
-        if hydraulics.is_some() && cylinder.is_none() {
-            found.push(
-                Diagnostic::new(
-                    v.place("hydraulics"),
-                    "oil without a cylinder",
-                    "[steering.cylinder] is needed",
-                )
-                .help("add [steering.cylinder], or remove this"),
-            );
+        for (name, message) in [
+            ("hydraulics", "oil without a cylinder"),
+            ("accuracy", "angle errors without a cylinder"),
+            ("transition", "changes of mode without a cylinder"),
+        ] {
+            if v.has(name) && cylinder.is_none() {
+                found.push(
+                    Diagnostic::new(v.place(name), message, "[steering.cylinder] is needed")
+                        .help("add [steering.cylinder], or remove this"),
+                );
+            }
         }
         let machine = &built.machine;
         let size = (machine.front - machine.rear).max(machine.left - machine.right);
@@ -427,11 +512,12 @@ impl Steering {
         if found.len() > before {
             return None;
         }
-        // The command, and the ends of the working range and all between where an angle commands.
+        // The command; where an angle commands, the working range: a group's angle grows or falls with it.
         let angles = match inputs.command() {
             Command::Angle(_) => motion.angles(),
             _ => vec![motion.from],
         };
+        let mut last: Option<Vec<f64>> = None;
         for theta_b in angles {
             let command = Inputs {
                 theta_b,
@@ -442,7 +528,23 @@ impl Steering {
                 Ok(reach) => reach.refusal(&built.limits),
                 Err(refusal) => Some(refusal),
             };
-            let Some(refusal) = refusal else { continue };
+            let Some(refusal) = refusal else {
+                if let Some((group, turn)) = passes(&built, inputs.mode, command, &mut last) {
+                    let message = format!(
+                        "the mode {} is out of reach: on the way to theta_b = {} group {group} would turn from {} to {}",
+                        inputs.mode.id(),
+                        degrees(theta_b),
+                        degrees(turn[0]),
+                        degrees(turn[1])
+                    );
+                    found.push(
+                        Diagnostic::new(m.span.clone(), message, "passes a forbidden range")
+                            .help("end the working range before it, or choose another mode"),
+                    );
+                    return None;
+                }
+                continue;
+            };
             let (place, what) = match command {
                 Command::Angle(_) => (m.span.clone(), format!("theta_b = {}: ", degrees(theta_b))),
                 _ => (v.place("mode"), String::new()),
@@ -457,9 +559,27 @@ impl Steering {
             motion,
             weight,
             hydraulics,
+            slip_limit,
+            drawn,
             catalogue,
         })
     }
+}
+
+/// The first group, from 1, that passes a forbidden range on its way from the `last` angles to those of a reachable
+/// command, with both angles (rad); the angles of the command become the last ones.
+fn passes(
+    built: &Built<f64>,
+    mode: Mode,
+    command: Command<f64>,
+    last: &mut Option<Vec<f64>>,
+) -> Option<(usize, [f64; 2])> {
+    let centre = mode.centre(&built.machine, command).ok()?;
+    let mut angles = vec![0.0; built.limits.len()];
+    stand(&built.machine, &built.limits, &centre, &mut angles);
+    let before = last.replace(angles)?;
+    let mut turns = (1..).zip(before.iter().zip(last.as_ref()?)).zip(&built.limits);
+    turns.find_map(|((group, (&from, &to)), limits)| (!limits.allows_turn(from, to)).then_some((group, [from, to])))
 }
 
 /// A refusal with its place: the quantity in its table, that of a group where it has a number.
@@ -472,17 +592,46 @@ fn place(v: &Values, key: &str) -> Range<usize> {
     if let Some((name, number)) = key.split_once('[') {
         let number = number.split(']').next().and_then(|number| number.parse::<usize>().ok());
         if let Some(group) = number.and_then(|number| v.tables("groups").get(number.checked_sub(1)?)) {
-            return group.place(name);
+            let common = v.table("range").filter(|range| !group.has(name) && range.has(name));
+            return common.unwrap_or(group).place(name);
         }
     }
     let key = if key == "theta" { "range" } else { key };
-    let tables = ["tyre", "ring", "cylinder", "hydraulics", "motion", "load"];
+    let tables = [
+        "tyre",
+        "ring",
+        "cylinder",
+        "hydraulics",
+        "motion",
+        "load",
+        "accuracy",
+        "transition",
+    ];
     let within = tables.into_iter().filter_map(|name| v.table(name));
     within
         .filter(|table| table.number(key).is_some())
         .map(|table| table.place(key))
         .next()
         .unwrap_or_else(|| v.place(key))
+}
+
+/// The forbidden ranges of a table, in rad.
+fn forbidden(table: &Values, found: &mut Vec<Diagnostic>) -> Vec<[f64; 2]> {
+    let mut list = Vec::new();
+    for (text, span) in table.texts("forbidden") {
+        let ends = text.split_once(',').and_then(|(from, to)| {
+            let from = quantity(from, &s::THETA, Sign::Any).ok()?;
+            Some([from, quantity(to, &s::THETA, Sign::Any).ok()?])
+        });
+        match ends {
+            Some(ends) => list.push(ends),
+            None => found.push(
+                Diagnostic::new(span.clone(), format!("\"{text}\" is no range of angles"), "not this")
+                    .help("write its two ends: \"20 deg, 25 deg\""),
+            ),
+        }
+    }
+    list
 }
 
 /// The rings of a catalogue; `None` without one.

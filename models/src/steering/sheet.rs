@@ -6,17 +6,19 @@ use crate::plane::{self, Point};
 use crate::record::{Rec, record};
 use crate::scene::{Place, Scene};
 use crate::sheet::{
-    Check, Comparison, Curve, Drawing, Input, Section, Sensitivity, Shape, Sheet, Summary, Table, View, Worked,
+    Changes, Check, Comparison, Curve, Drawing, Input, Section, Sensitivity, Shape, Sheet, Summary, Table, View, Worked,
 };
+use crate::steering::changes::changes;
 use crate::steering::load::resistance;
 use crate::steering::machine::Machine;
 use crate::steering::mode::{Centre, Command, Mode};
 use crate::steering::model::Model;
 use crate::steering::outputs::{Built, By, Evaluation, Inputs, Output};
 use crate::steering::published::Layout;
-use crate::steering::reach::{Reach, reach};
+use crate::steering::reach::{Reach, nearest, reach, stand};
 use crate::steering::ring::{Duty, friction};
 use crate::steering::scene::Steering;
+use crate::steering::searched::{Search, Searched};
 use crate::steering::sizing::{BORES, Demand, Rod, bore, buckling, flow, force, greatest_demand, next, pump, relief};
 use crate::steering::symbols as s;
 use crate::steering::wheels::{one, rate, residual};
@@ -31,6 +33,8 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
     let built = steering.parameters.build().expect("checked when the scene was read");
     let model = Model::new(steering).expect("a scene that was read has a machine");
     let demand = demand(steering, &built);
+    let changes = changes(steering, &built);
+    let pumped = pumped(demand.as_ref(), changes.as_ref());
     let (governing, worst) = governing(steering, demand.as_ref());
     let middle = f64::midpoint(steering.motion.from, steering.motion.to);
     let place = |place: &Place| match *place {
@@ -52,7 +56,7 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
             .into_iter()
             .filter_map(|mode| view(steering, &built, mode))
             .collect(),
-        sizing: sizing(steering, &built, demand.as_ref()),
+        sizing: sizing(steering, &built, pumped),
         positions: places
             .into_iter()
             .map(|(id, theta)| worked(steering, &built, id, theta, group))
@@ -60,11 +64,11 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
         range: table(steering),
         curves: curves(steering, &built),
         drawing: plan(&built, &standing(steering, &built, steering.inputs.clone())),
-        checks: checks(steering, &built, demand.as_ref()),
+        checks: checks(steering, &built, pumped),
         published: Vec::<Comparison>::new(),
         balance: None,
         published_source: None,
-        summary: summary(steering, &built, demand.as_ref()),
+        summary: summary(steering, &built, pumped),
         sensitivity: Sensitivity {
             results: Vec::new(),
             rows: Vec::new(),
@@ -77,11 +81,12 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
             .map(|variable| variable.symbol)
             .collect(),
         remarks: remarks(&built),
+        changes,
     }
 }
 
 /// The evaluation of a scene at other inputs.
-fn evaluation(steering: &Steering, inputs: Inputs<f64>) -> Evaluation<f64> {
+pub(super) fn evaluation(steering: &Steering, inputs: Inputs<f64>) -> Evaluation<f64> {
     Evaluation::new(steering.parameters.clone(), inputs)
 }
 
@@ -132,6 +137,12 @@ fn inputs(scene: &Scene, steering: &Steering) -> Vec<Input> {
             }
         }
     }
+    for (number, group) in (1..).zip(&parameters.groups) {
+        for [from, to] in &group.forbidden {
+            add("range", String::new(), &s::BARRED_FROM, Some(number), *from);
+            add("range", String::new(), &s::BARRED_TO, Some(number), *to);
+        }
+    }
     match steering.weight {
         Some((weight, centre)) => {
             add("load", "steering.load.W".to_owned(), &s::W, None, weight);
@@ -151,7 +162,7 @@ fn inputs(scene: &Scene, steering: &Steering) -> Vec<Input> {
         }
     }
     for (symbol, value) in others {
-        let table = ["tyre", "ring", "cylinder"].into_iter();
+        let table = ["tyre", "ring", "cylinder", "accuracy", "transition"].into_iter();
         let key = table.map(|table| format!("steering.{table}.{}", symbol.id));
         let key = key
             .into_iter()
@@ -160,9 +171,20 @@ fn inputs(scene: &Scene, steering: &Steering) -> Vec<Input> {
         let chapter = match key.split('.').nth(1) {
             Some("tyre") => "tyre",
             Some("ring") => "ring",
+            Some("accuracy") => "accuracy",
+            Some("transition") => "transition",
             _ => "cylinder",
         };
         add(chapter, key, symbol, None, value);
+        if let Some(limit) = steering.slip_limit.filter(|_| symbol == &s::B_V) {
+            add(
+                chapter,
+                "steering.accuracy.slip_limit".to_owned(),
+                &s::SLIP_LIMIT,
+                None,
+                limit,
+            );
+        }
     }
     if let Some(hydraulics) = steering.hydraulics {
         hydraulics.map(&mut |symbol, value| {
@@ -193,6 +215,7 @@ fn section(id: &'static str, equations: impl FnOnce()) -> Section {
         id,
         trace,
         drawing: None,
+        table: None,
     }
 }
 
@@ -381,7 +404,7 @@ fn plan(built: &Built<f64>, standing: &Standing) -> Drawing {
 
 /// What a mode is shown with: the scene's own command in its own mode, elsewhere
 /// one that all groups can follow, as far as there is one.
-fn example(steering: &Steering, built: &Built<f64>, mode: Mode) -> Option<Inputs<f64>> {
+pub(super) fn example(steering: &Steering, built: &Built<f64>, mode: Mode) -> Option<Inputs<f64>> {
     let (machine, limits) = (&built.machine, &built.limits);
     let motion = &steering.motion;
     let greatest = if motion.to.abs() >= motion.from.abs() {
@@ -417,18 +440,36 @@ fn view(steering: &Steering, built: &Built<f64>, mode: Mode) -> Option<View> {
         Command::Radius(radius) => Some((&s::R_T, radius)),
         _ => None,
     };
+    let (machine, limits) = (&built.machine, &built.limits);
+    let nearest = nearest(machine, limits, mode, inputs.command());
     let standing = standing(steering, built, inputs);
-    let rows = (1..)
-        .zip(&standing.wheels)
-        .map(|(number, [theta, v])| vec![f64::from(number), *theta, *v]);
+    let nearest = nearest.filter(|_| !standing.reachable);
+    let mut columns = vec![&s::NUMBER, &s::THETA, &s::V];
+    let mut angles = vec![0.0; limits.len()];
+    if let Some(centre) = nearest.and_then(|(mode, command)| mode.centre(machine, command).ok()) {
+        columns.push(&s::THETA_N);
+        stand(machine, limits, &centre, &mut angles);
+    }
+    let row = |(number, ([theta, v], angle)): (u32, (&[f64; 2], &f64))| {
+        let cells = [f64::from(number), *theta, *v, *angle];
+        cells[..columns.len()].to_vec()
+    };
+    let rows = (1..).zip(standing.wheels.iter().zip(&angles)).map(row).collect();
+    let told = |(mode, command): (Mode, Command<f64>)| {
+        let command = match command {
+            Command::Angle(theta) => vec![(&s::THETA_BN, theta)],
+            Command::Radius(radius) => vec![(&s::R_TN, radius)],
+            Command::Centre(at) => vec![(&s::O_NX, at.x), (&s::O_NY, at.y)],
+            Command::None | Command::Corner(_) => Vec::new(),
+        };
+        (mode.id(), command)
+    };
     Some(View {
         id: mode.id(),
         command,
         reachable: standing.reachable,
-        table: Table {
-            columns: vec![&s::NUMBER, &s::THETA, &s::V],
-            rows: rows.collect(),
-        },
+        nearest: nearest.map(told),
+        table: Table { columns, rows },
         drawing: plan(built, &standing),
     })
 }
@@ -447,6 +488,7 @@ fn worked(steering: &Steering, built: &Built<f64>, id: &'static str, theta: f64,
                 id,
                 trace,
                 drawing: None,
+                table: (*id == "slip").then(|| slip_table(steering, theta)),
             });
         }
     }
@@ -459,7 +501,7 @@ fn worked(steering: &Steering, built: &Built<f64>, id: &'static str, theta: f64,
     }
 }
 
-const STAGES: [&str; 6] = ["centre", "heading", "rates", "cylinder", "forces", "flow"];
+const STAGES: [&str; 7] = ["centre", "heading", "rates", "cylinder", "forces", "flow", "slip"];
 
 /// Runs the equations under the recorder up to a stage.
 fn chain(steering: &Steering, built: &Built<f64>, theta: f64, group: usize, stage: usize) {
@@ -573,6 +615,46 @@ fn chain(steering: &Steering, built: &Built<f64>, theta: f64, group: usize, stag
         let speed = (omega * pose.od).def(&s::V_C);
         let _ = flow(&piston.map(&mut Rec::given), speed);
     }
+    if stage == 5 {
+        return;
+    }
+    if let Some(accuracy) = &steering.parameters.accuracy {
+        let error = accuracy.map(&mut Rec::given).angle_error(pose.od);
+        // Were the machine to keep its motion; what it gives way follows from all groups together.
+        let _ = (wheel.v.abs() * error.sin() / given(&s::V_T, inputs.v_t).abs()).def(&s::SLIP_ALONE);
+    }
+}
+
+/// Greatest slip of each group at a commanded angle.
+fn slips(steering: &Steering, theta: f64) -> Vec<f64> {
+    let (mut evaluation, n) = (
+        evaluation(steering, at(steering, theta)),
+        steering.parameters.groups.len(),
+    );
+    let mut search = Search::new(n);
+    let of = |i| {
+        search
+            .get(&mut evaluation, Searched::Slip(i))
+            .expect("the working range was checked")
+    };
+    (0..n).map(of).collect()
+}
+
+/// Error and slip of all groups.
+fn slip_table(steering: &Steering, theta: f64) -> Table {
+    let row = |(i, slip): (usize, f64)| {
+        let of = |output: Output| value(steering, theta, output);
+        vec![(1 + i) as f64, of(Output::Od(i)), of(Output::Delta(i)), slip]
+    };
+    Table {
+        columns: vec![&s::NUMBER, &s::OD, &s::DELTA, &s::SLIP],
+        rows: slips(steering, theta).into_iter().enumerate().map(row).collect(),
+    }
+}
+
+/// The greatest of all groups.
+fn slip(steering: &Steering, theta: f64) -> f64 {
+    slips(steering, theta).into_iter().fold(0.0, f64::max)
 }
 
 /// Moments and forces of a group at a lever arm, standing and travelling.
@@ -602,6 +684,15 @@ fn demand(steering: &Steering, built: &Built<f64>) -> Option<Demand> {
     found.max_by(|a, b| a.flow.total_cmp(&b.flow))
 }
 
+/// What the pump must deliver: the greatest flow of steering or, where that is more, of a change of mode.
+fn pumped(demand: Option<&Demand>, changes: Option<&Changes>) -> Option<(&'static Symbol, f64)> {
+    let changing = changes.into_iter().flat_map(|changes| &changes.rows);
+    let changing = changing.filter_map(|change| Some((&s::Q_X_MAX, change.flow?)));
+    let steering = demand.map(|demand| (&s::Q_MAX, demand.flow));
+    let all: Vec<(&'static Symbol, f64)> = steering.into_iter().chain(changing).collect();
+    all.into_iter().reduce(|a, b| if b.1 > a.1 { b } else { a })
+}
+
 /// Ends and smallest lever arm of all cylinders over their groups' ranges.
 fn extremes(built: &Built<f64>) -> Option<[f64; 3]> {
     let each = built.linkages.iter().zip(&built.limits);
@@ -615,7 +706,7 @@ fn heaviest(steering: &Steering) -> Option<f64> {
     steering.inputs.loads.iter().copied().reduce(f64::max)
 }
 
-fn sizing(steering: &Steering, built: &Built<f64>, demand: Option<&Demand>) -> Vec<Section> {
+fn sizing(steering: &Steering, built: &Built<f64>, pumped: Option<(&'static Symbol, f64)>) -> Vec<Section> {
     let mut list = Vec::new();
     let parameters = &steering.parameters;
     let (load, tyre) = (heaviest(steering), parameters.tyre);
@@ -651,9 +742,9 @@ fn sizing(steering: &Steering, built: &Built<f64>, demand: Option<&Demand>) -> V
     list.push(section("bore", || {
         let _ = bore(given(&s::F_G_MAX, f_max), given(&s::P, h.p), given(&s::D, piston.d));
     }));
-    if let Some(demand) = demand {
+    if let Some((symbol, flow)) = pumped {
         list.push(section("pump", || {
-            let _ = pump(given(&s::Q_MAX, demand.flow), given(&s::N, h.n), given(&s::ETA, h.eta));
+            let _ = pump(given(symbol, flow), given(&s::N, h.n), given(&s::ETA, h.eta));
             let _ = relief(given(&s::P, h.p), given(&s::K_R, h.k_r));
         }));
     }
@@ -669,8 +760,8 @@ fn sizing(steering: &Steering, built: &Built<f64>, demand: Option<&Demand>) -> V
 }
 
 /// What the choice of the parts comes to.
-fn summary(steering: &Steering, built: &Built<f64>, demand: Option<&Demand>) -> Vec<Summary> {
-    let sections = sizing(steering, built, demand);
+fn summary(steering: &Steering, built: &Built<f64>, pumped: Option<(&'static Symbol, f64)>) -> Vec<Summary> {
+    let sections = sizing(steering, built, pumped);
     let least = defined(&sections, &s::D_G_MIN);
     let bore = least.and_then(|least| next(&BORES, least).ok());
     let found = [&s::D_G_MIN, &s::V_P, &s::P_R, &s::F_K].map(|symbol| (symbol, defined(&sections, symbol)));
@@ -694,7 +785,7 @@ fn defined(sections: &[Section], symbol: &'static Symbol) -> Option<f64> {
         .next_back()
 }
 
-fn checks(steering: &Steering, built: &Built<f64>, demand: Option<&Demand>) -> Vec<Check> {
+fn checks(steering: &Steering, built: &Built<f64>, pumped: Option<(&'static Symbol, f64)>) -> Vec<Check> {
     let mut checks = Vec::new();
     let mut add = |id, symbol, value, limit, at_most| {
         checks.push(Check {
@@ -728,7 +819,7 @@ fn checks(steering: &Steering, built: &Built<f64>, demand: Option<&Demand>) -> V
         let _ = layout;
         add("published_angles", &s::AGREEMENT, difference, 1e-12, true);
     }
-    let sections = sizing(steering, built, demand);
+    let sections = sizing(steering, built, pumped);
     let of = |symbol| defined(&sections, symbol);
     if let Some(linkage) = linkage(built).map(|index| &built.linkages[index]) {
         let limits = &built.limits[0];
@@ -752,6 +843,24 @@ fn checks(steering: &Steering, built: &Built<f64>, demand: Option<&Demand>) -> V
     }
     if let Some((force, bears)) = of(&s::F_G_MAX).zip(of(&s::F_K)) {
         add("buckling", &s::F_G_MAX, force, bears, true);
+    }
+    if let Some(pace) = steering.parameters.pace {
+        let groups = 0..machine.groups.len();
+        let fastest = |theta| {
+            let speeds = groups.clone().map(|i| value(steering, theta, Output::Vc(i)).abs());
+            speeds.fold(0.0, f64::max)
+        };
+        add(
+            "cylinder_speed",
+            &s::V_C_WORK,
+            greatest(steering, &fastest).1,
+            pace.speed,
+            true,
+        );
+    }
+    if let Some(limit) = steering.slip_limit {
+        let (_, most) = greatest(steering, &|theta| slip(steering, theta));
+        add("slip", &s::SLIP_WORK, most, limit, true);
     }
     if let Some([ring, bolts]) = ring(steering) {
         add("ring", &s::RING_USE, ring, 1.0, true);
@@ -829,8 +938,9 @@ fn value(steering: &Steering, theta: f64, output: Output) -> f64 {
 /// golden section between the neighbours.
 fn greatest(steering: &Steering, of: &dyn Fn(f64) -> f64) -> (f64, f64) {
     let grid: Vec<f64> = fine(steering).collect();
+    let values: Vec<f64> = grid.iter().map(|&theta| of(theta)).collect();
     let at = (0..grid.len())
-        .max_by(|&a, &b| of(grid[a]).total_cmp(&of(grid[b])))
+        .max_by(|&a, &b| values[a].total_cmp(&values[b]))
         .expect("a range has points");
     let (mut low, mut high) = (grid[at.saturating_sub(1)], grid[(at + 1).min(grid.len() - 1)]);
     let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
@@ -843,7 +953,9 @@ fn greatest(steering: &Steering, of: &dyn Fn(f64) -> f64) -> (f64, f64) {
         }
     }
     let inside = f64::midpoint(low, high);
-    let best = if of(inside) > of(grid[at]) { inside } else { grid[at] };
+    // Straight ahead curves have corners: there the search stops one rounding beside it.
+    let inside = if inside.abs() < 1e-9 { 0.0 } else { inside };
+    let best = if of(inside) > values[at] { inside } else { grid[at] };
     (best, of(best))
 }
 
@@ -878,6 +990,9 @@ fn governing(steering: &Steering, demand: Option<&Demand>) -> (Vec<Summary>, Opt
             add(&s::F_G_WORK, (at, force));
             worst = Some((at, i));
         }
+    }
+    if steering.parameters.accuracy.is_some() {
+        add(&s::SLIP_WORK, greatest(steering, &|theta| slip(steering, theta)));
     }
     if let Some(demand) = demand {
         add(&s::Q_MAX, (demand.at, demand.flow));
@@ -952,6 +1067,15 @@ fn curves(steering: &Steering, built: &Built<f64>) -> Vec<Curve> {
     list.push(of_groups("steering_speeds", &s::V, Output::V));
     if steering.parameters.cylinder.is_some() && !steering.inputs.loads.is_empty() {
         list.push(of_groups("steering_forces", &s::F_G, Output::Fg));
+    }
+    if steering.parameters.accuracy.is_some() {
+        list.push(Curve {
+            id: "steering_slip",
+            x: &s::THETA_B,
+            y: &s::SLIP_MAX,
+            pieces: vec![fine(steering).map(|theta| [theta, slip(steering, theta)]).collect()],
+            numbers: Vec::new(),
+        });
     }
     if steering.parameters.piston.is_some() {
         list.push(Curve {

@@ -10,8 +10,8 @@ use crate::steering::symbols as s;
 use crate::steering::wheels::rate;
 use crate::symbol::quantities;
 
-/// Bores of ISO 3320, in m. The standard itself has not been seen; the sizes of a maker's list of
-/// ISO 6020-2 cylinders, 50 to 320 mm, are among them: check it before use.
+/// Bores of ISO 3320, in m. The standard itself has not been seen: eleven of the 24, from 50 to 320 mm, stand in a
+/// maker's list of cylinders to ISO 6020-2, the others are not verified. Check it before use.
 pub const BORES: [f64; 24] = [
     0.025, 0.032, 0.04, 0.05, 0.063, 0.08, 0.09, 0.1, 0.11, 0.125, 0.14, 0.16, 0.18, 0.2, 0.22, 0.25, 0.28, 0.32, 0.36,
     0.4, 0.45, 0.5, 0.56, 0.63,

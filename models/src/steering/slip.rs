@@ -1,17 +1,32 @@
-//! Tyre slip from angles that are not quite right: encoder resolution, dead band
-//! of the valve, play.
+//! Tyre slip from angles that are not quite right: encoder resolution and dead band
+//! of the valve.
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::calc::Calc;
 use crate::plane::{self, Point};
-use crate::steering::machine::Machine;
+use crate::steering::machine::{GROUPS, Machine, Refusal, within};
 use crate::steering::mode::Centre;
+use crate::steering::symbols as s;
+use crate::symbol::quantities;
 
-/// Angle error of a group, in rad: half a step of the encoder's `resolution`
-/// (rad) and the valve's dead band as `stroke` (m) over the lever arm `od` (m).
-pub fn angle_error<C: Calc>(resolution: C, stroke: C, od: C) -> C {
-    (resolution / C::constant(2.0) + stroke / od.abs()).def(&crate::steering::symbols::DELTA)
+quantities! {
+    /// Step of the encoder (rad), and stroke of a cylinder that the valve's dead band leaves (m).
+    Accuracy { step: Q_E, dead_band: B_V }
+}
+
+impl<C: Calc> Accuracy<C> {
+    pub fn check(&self) -> Result<(), Refusal> {
+        within(&s::Q_E, self.step, 0.0, 0.2, false)?;
+        within(&s::B_V, self.dead_band, 0.0, 1.0, false)?;
+        Ok(())
+    }
+
+    /// Angle error of a group at the lever arm `od` (m), in rad: half a step of the encoder, and the dead band.
+    #[inline]
+    pub fn angle_error(&self, od: C) -> C {
+        (self.step / C::constant(2.0) + self.dead_band / od.abs()).def(&s::DELTA)
+    }
 }
 
 /// How the machine moves when its groups err, and what the tyres make of it.
@@ -94,6 +109,43 @@ impl Slip {
             drift: Point::new(gained.x, gained.y),
             turn: gained.z / size,
             rms: (sum / groups.len() as f64).sqrt(),
+        }
+    }
+}
+
+/// The greatest sideways speed of each group at a travel speed of one, of all signs of the angle errors (rad). Which
+/// signs add up in a group is told by each error alone, one way and the other: errors that have no part in its slip
+/// but by their square may stand with either sign.
+///
+/// # Panics
+/// Where the slices differ in length, or for more groups than a machine may have.
+pub fn worst(machine: &Machine<f64>, centre: &Centre<f64>, errors: &[f64], slips: &mut [f64]) {
+    let n = slips.len();
+    let (mut signed, mut sideways) = ([0.0; GROUPS[1]], [[0.0; GROUPS[1]]; 2]);
+    let slip = |signed: &[f64], sideways: &mut [f64]| {
+        let _ = Slip::new(machine, centre, 1.0, signed, sideways);
+    };
+    // Bit j of group i: whether a positive error of group j lets it slip to the right.
+    let mut right = [0_u64; GROUPS[1]];
+    for j in 0..n {
+        for (sign, sideways) in [1.0, -1.0].into_iter().zip(&mut sideways) {
+            signed[j] = sign * errors[j];
+            slip(&signed[..n], &mut sideways[..n]);
+        }
+        signed[j] = 0.0;
+        for i in 0..n {
+            right[i] |= u64::from(sideways[0][i] < sideways[1][i]) << j;
+        }
+    }
+    for (i, slot) in slips.iter_mut().enumerate() {
+        *slot = 0.0;
+        for sign in [1.0, -1.0] {
+            for j in 0..n {
+                let towards = if right[i] >> j & 1 == 1 { -sign } else { sign };
+                signed[j] = towards * errors[j];
+            }
+            slip(&signed[..n], &mut sideways[0][..n]);
+            *slot = slot.max(sideways[0][i].abs());
         }
     }
 }

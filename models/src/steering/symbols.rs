@@ -25,6 +25,8 @@ symbols! {
     E_RIGHT: "e_right" "y_(e R)" M / M, "Right side of the machine's outline.", "input";
     THETA_MIN: "theta_min" "theta_min" RAD / DEG, "Greatest angle that a group turns clockwise, negative.", "input";
     THETA_MAX: "theta_max" "theta_max" RAD / DEG, "Greatest angle that a group turns counter-clockwise.", "input";
+    BARRED_FROM: "forbidden_from" "theta_(f i)" RAD / DEG, "Start of a range of angles through which a group must not turn.", "input";
+    BARRED_TO: "forbidden_to" "theta_(g i)" RAD / DEG, "End of this range.", "input";
     OMEGA_S: "omega_s" "omega_s" RAD_PER_S / DEG_PER_S, "Steering speed: rate of the commanded angle.", "input";
     V_T: "v_t" "v_t" M_PER_S / M_PER_MIN, "Travel speed: that of the fastest group; positive travels forward.", "input";
     THETA: "theta" "theta_i" RAD / DEG, "Heading of a group, counter-clockwise from straight ahead.", "[Zhang2016, eq. 1-9]";
@@ -55,7 +57,29 @@ symbols! {
     E_O: "e_O" "e_O" M / M, "Greatest distance at which an axle line passes the turning centre.", "derived";
     FROM: "from" "theta_a" RAD / DEG, "Commanded angle at the start of the working range.", "input";
     TO: "to" "theta_e" RAD / DEG, "Commanded angle at the end of the working range.", "input";
-    DELTA: "delta" "delta_i" RAD / DEG, "Error of a group's angle.", "derived";
+    DELTA: "delta" "delta_i" RAD / DEG, "Greatest error of a group's angle.", "derived";
+    Q_E: "resolution" "q_e" RAD / DEG, "Step of the encoders of the groups' angles.", "input";
+    B_V: "dead_band" "b_v" M / MM, "Stroke by which a cylinder may be wrong before its valve opens.", "input";
+    SLIP_LIMIT: "slip_limit" "sigma_lim" ONE / PERCENT, "Slip that is allowed.", "input";
+    SLIP_ALONE: "slip_alone" "sigma_(0 i)" ONE / PERCENT, "Slip of a group by its own error alone, were the machine to keep its motion.", "derived";
+    SLIP: "slip" "sigma_i" ONE / PERCENT, "Slip of a group: its greatest sideways speed over the travel speed, for all signs of the angle errors.", "least squares";
+    SLIP_MAX: "slip_max" "sigma_max" ONE / PERCENT, "Greatest slip of all groups.", "least squares";
+    SLIP_WORK: "slip_work" "sigma_w" ONE / PERCENT, "Greatest slip of all groups in the working range.", "least squares";
+
+    // Out of reach, and from mode to mode.
+    THETA_BN: "theta_b_n" "theta_(b n)" RAD / DEG, "Angle that all groups can follow and that is nearest to the commanded one, or to the direction of travel of the modes straight and crosswise.", "derived";
+    R_TN: "R_t_n" "R_(t n)" M / M, "Radius that all groups can follow and that is nearest to the commanded one.", "derived";
+    O_NX: "x_c_n" "x_(O n)" M / M, "Turning centre that all groups can follow and that is nearest to the commanded one, to the middle or to the corner, forward.", "derived";
+    O_NY: "y_c_n" "y_(O n)" M / M, "The same, to the left.", "derived";
+    THETA_N: "theta_n" "theta_(n i)" RAD / DEG, "Heading of a group at the nearest command that all groups can follow; straight ahead where there is none.", "derived";
+    V_CX: "v_c_max" "v_(c,max)" M_PER_S / MM_PER_S, "Speed limit of the steering cylinders.", "input";
+    V_C_WORK: "v_c_work" "v_(c,w)" M_PER_S / MM_PER_S, "Greatest speed of a cylinder in the working range at the steering speed.", "derived";
+    THETA_S: "theta_s" "theta_(s i)" RAD / DEG, "Set point of a group's heading: after a change of mode it moves to the new one within the cylinders' speed limit.", "derived";
+    T_X: "t_x" "t_x" S / S, "Duration of the last change of mode; infinite where it is not possible.", "derived";
+    T_LEFT: "t_left" "t_r" S / S, "What is left of the duration of the change of mode.", "derived";
+    T_C: "t_c" "t" S / S, "Time since the change of mode.", "derived";
+    STAND: "stand" "k_s" ONE / ONE, "Whether the machine must stand during the last change of mode.", "derived";
+    Q_X_MAX: "q_x_max" "q_(x,max)" M3_PER_S / L_PER_MIN, "Greatest oil flow of all cylinders together in a change of mode.", "derived";
 
     // The paper's layout.
     NUMBER: "number" "i" ONE / ONE, "Number of a group, in the order of the scene.", "input";

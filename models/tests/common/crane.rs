@@ -5,9 +5,11 @@
 use lemnis_models::four_bar::Branch;
 use lemnis_models::hydraulics::cylinder::Cylinder;
 use lemnis_models::hydraulics::valve::Valve;
-use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Pendulum};
+use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Pendulum, Turntable};
 use lemnis_models::lemniscate::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters};
 use lemnis_models::lemniscate::hydraulic::Hydraulic;
+use lemnis_models::lemniscate::motion::Friction;
+use lemnis_models::lemniscate::slewing::{Joint, Slewing};
 use lemnis_models::plane::Point;
 
 pub const PENDULUM: Pendulum = Pendulum {
@@ -66,6 +68,26 @@ pub fn scaled(length: f64) -> Geometry<f64> {
 pub fn dynamics(pendulum: Option<Pendulum>) -> Dynamics {
     let g = geometry();
     Dynamics::new(&g, bodies(&g, 1.0, pendulum))
+}
+
+/// The crane on a turntable whose axis lies X_8 behind O1.
+pub fn turning(pendulum: Option<Pendulum>, inertia: f64) -> Dynamics {
+    dynamics(pendulum).with_slewing(Turntable { axis: -5.2, inertia })
+}
+
+/// Luffing between 60 and 120 deg, slewing without end; both with viscous (N·m·s/rad) and dry friction (N·m).
+pub fn slewing(pendulum: Option<Pendulum>, inertia: f64, [luff, slew]: [[f64; 2]; 2]) -> Slewing {
+    let joint = |[viscous, coulomb]: [f64; 2], stops: [f64; 2]| Joint {
+        friction: Friction { viscous, coulomb },
+        stops,
+    };
+    Slewing {
+        dynamics: turning(pendulum, inertia),
+        joints: [
+            joint(luff, [60_f64.to_radians(), 120_f64.to_radians()]),
+            joint(slew, [f64::NEG_INFINITY, f64::INFINITY]),
+        ],
+    }
 }
 
 /// Bore 320 mm, rod 220 mm; 600 l/min over one edge at 35 bar; ports of 0.2 l.

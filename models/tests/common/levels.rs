@@ -8,17 +8,39 @@ use lemnis_models::scene::{DEFAULT, Scene};
 const DYNAMICS: &str = include_str!("../../../tests/levels/dynamics.toml");
 const OIL: &str = include_str!("../../../tests/levels/hydraulics.toml");
 
-pub const LEVELS: [&str; 5] = ["static", "rigid", "swing", "hydraulic", "hydraulic with swing"];
+const SLEWING: &str = include_str!("../../../tests/levels/slewing.toml");
+const BALANCE: &str = include_str!("../../../tests/levels/balance.toml");
+
+pub const LEVELS: [&str; 9] = [
+    "static",
+    "rigid",
+    "rigid with balance",
+    "rigid with slewing",
+    "swing",
+    "swing with slewing",
+    "swing with slewing, balance",
+    "hydraulic",
+    "hydraulic with swing",
+];
 
 pub fn scene(level: &str) -> Scene {
-    let extra = match level {
-        "rigid" => format!("{DYNAMICS}M_A = \"1800 kN.m\"\n"),
-        "swing" => format!("{DYNAMICS}M_A = \"1800 kN.m\"\nl_R = \"10 m\"\n"),
-        "hydraulic" => format!("{DYNAMICS}{OIL}"),
-        "hydraulic with swing" => format!("{DYNAMICS}l_R = \"10 m\"\n{OIL}"),
-        _ => String::new(),
-    };
     let fidelity = level.split(' ').next().unwrap_or_default();
+    let has = |part: &str| level.contains(part);
+    let mut extra = String::new();
+    if fidelity != "static" {
+        extra.push_str(DYNAMICS);
+    }
+    if matches!(fidelity, "rigid" | "swing") {
+        extra.push_str("M_A = \"1800 kN.m\"\n");
+    }
+    if has("swing") {
+        extra.push_str("l_R = \"10 m\"\n");
+    }
+    for (part, table) in [("hydraulic", OIL), ("slewing", SLEWING), ("balance", BALANCE)] {
+        if has(part) {
+            extra.push_str(table);
+        }
+    }
     let text = DEFAULT
         .replacen(
             "driven = \"boom\" ",

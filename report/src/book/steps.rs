@@ -7,6 +7,7 @@ use lemnis_models::sheet::{self, Sheet};
 use lemnis_models::symbol::Symbol;
 use serde::Serialize;
 
+use crate::book::tables::{self, Table};
 use crate::book::{Quantity, json};
 use crate::formula::{self, Layout, Printed};
 use crate::language::Language;
@@ -17,6 +18,7 @@ pub(super) struct Section {
     id: &'static str,
     picture: Option<Drawn>,
     steps: Vec<Step>,
+    table: Option<Table>,
 }
 
 /// A picture to scale.
@@ -81,6 +83,12 @@ pub(super) fn sections(
             .as_ref()
             .map(|drawing| plot::drawing(drawing, plot::SMALL).into()),
         steps: steps(language, &section.trace, outputs, notation),
+        table: section.table.as_ref().map(|table| {
+            for symbol in &table.columns {
+                notation.meet(symbol);
+            }
+            tables::table(language, table)
+        }),
     };
     sections.iter().map(section).collect()
 }

@@ -62,8 +62,34 @@ pub(super) struct View {
     id: &'static str,
     command: Option<String>,
     reachable: bool,
+    nearest: Option<Nearest>,
     drawn: Drawn,
     table: Table,
+}
+
+/// The nearest way in which the mechanism can work, and the command there.
+#[derive(Serialize)]
+struct Nearest {
+    id: &'static str,
+    command: String,
+}
+
+/// Changes between the ways in which the mechanism works.
+#[derive(Serialize)]
+pub(super) struct Changes {
+    duration: Quantity,
+    flow: Option<Quantity>,
+    rows: Vec<ChangeRow>,
+    between: [&'static str; 2],
+    curves: Vec<Figure>,
+}
+
+#[derive(Serialize)]
+struct ChangeRow {
+    between: [&'static str; 2],
+    /// Duration, whether the machine must stand, number of the group; none of a change that is not possible.
+    plan: Option<(String, bool, usize)>,
+    flow: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -243,6 +269,30 @@ pub(super) fn table(language: &Language, table: &sheet::Table) -> Table {
     }
 }
 
+pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes {
+    let [duration, flow] = changes.columns;
+    let shown = |symbol: &Symbol, value: f64| language.text(&fixed(symbol.shown(value), 1));
+    let row = |row: &sheet::Change| ChangeRow {
+        between: row.between,
+        plan: row
+            .plan
+            .map(|(time, standing, group)| (shown(duration, time), standing, group)),
+        flow: row.flow.map(|value| shown(flow, value)),
+    };
+    let flows = changes.rows.iter().any(|row| row.flow.is_some());
+    Changes {
+        duration: duration.into(),
+        flow: flows.then(|| flow.into()),
+        rows: changes.rows.iter().map(row).collect(),
+        between: changes.between,
+        curves: changes
+            .curves
+            .iter()
+            .map(|curve| Figure::new(language, curve))
+            .collect(),
+    }
+}
+
 pub(super) fn view(language: &Language, view: &sheet::View) -> View {
     View {
         id: view.id,
@@ -250,6 +300,14 @@ pub(super) fn view(language: &Language, view: &sheet::View) -> View {
             .command
             .map(|(symbol, value)| format!("{} = {}", symbol.print, quantity(language, symbol, value))),
         reachable: view.reachable,
+        nearest: view.nearest.as_ref().map(|(id, command)| Nearest {
+            id,
+            command: command
+                .iter()
+                .map(|&(symbol, value)| format!("{} = {}", symbol.print, quantity(language, symbol, value)))
+                .collect::<Vec<_>>()
+                .join(", "),
+        }),
         drawn: plot::drawing(&view.drawing, plot::SMALL).into(),
         table: table(language, &view.table),
     }

@@ -3,16 +3,19 @@
 //! beside it.
 
 use crate::calc::Calc;
-use crate::lemniscate::dynamics::Coordinate;
+use crate::lemniscate::dynamics::{Coordinate, Dynamics};
 use crate::lemniscate::hydraulic::Hydraulic;
 use crate::lemniscate::motion::{self, Bar, Commands, Motion};
+use crate::lemniscate::slewing::{self, Drive, Slewing};
 use crate::solver::rodas::{Run, Tolerance};
-use crate::solver::{Halt, System};
+use crate::solver::{Count, Halt, System};
 
 /// Most continuous states of any level.
-pub const MOST_STATES: usize = 10;
-/// Event indicators of the deepest level.
-pub const MOST_INDICATORS: usize = 5;
+pub const MOST_STATES: usize = 11;
+/// Most event indicators of any level.
+pub const MOST_INDICATORS: usize = 9;
+/// Event indicators of the hydraulic level.
+pub const OIL_INDICATORS: usize = 5;
 
 /// First step of the implicit solver after a change from outside, in s.
 const FIRST: f64 = 1e-3;
@@ -21,15 +24,30 @@ const FIRST: f64 = 1e-3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inputs<P = f64> {
     pub motion: Commands<P>,
+    /// Of slewing.
+    pub slewing: Drive<P>,
     /// Command of the valve in [−1, 1], and pressure of the pump in Pa.
     pub valve: P,
     pub supply: P,
+}
+
+impl<P: Copy> Inputs<P> {
+    /// Of a crane that slews.
+    #[must_use]
+    pub fn of_both(&self) -> slewing::Commands<P> {
+        let Commands { moment, brake, hoist } = self.motion;
+        slewing::Commands {
+            drives: [Drive { moment, brake }, self.slewing],
+            hoist,
+        }
+    }
 }
 
 /// The equations of a level.
 #[derive(Clone, Copy, Debug)]
 pub enum Level<P = f64> {
     Free(Motion<P>),
+    Slewing(Slewing<P>),
     /// A cylinder, the load fixed to the head.
     Fixed(Hydraulic<8, P>),
     /// A cylinder, the load on its rope.
@@ -40,16 +58,24 @@ pub enum Level<P = f64> {
 #[derive(Clone, Copy, Debug)]
 pub enum Present {
     Free(motion::State),
+    Slewing(slewing::State),
     Fixed(Run<8>),
     Hanging(Run<10>),
 }
 
-/// A force or a moment that only motion has.
+/// A result that only motion has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reaction {
     /// Of friction, brake and end stop on the driven bar.
     Friction,
+    /// The same on slewing.
+    SlewingFriction,
     Rope,
+    /// Angles of the rope of a crane that slews, in the mechanism's plane and from it.
+    Swing,
+    Side,
+    /// Of the load from the head of a crane that slews.
+    Distance,
     Cylinder,
 }
 
@@ -69,7 +95,7 @@ fn tolerance<const N: usize>(relative: f64) -> Tolerance<N> {
     }
 }
 
-fn oil_indicators<const N: usize, C: Calc>(system: &Hydraulic<N, C>, y: &[C; N]) -> [C; MOST_INDICATORS] {
+fn oil_indicators<const N: usize, C: Calc>(system: &Hydraulic<N, C>, y: &[C; N]) -> [C; OIL_INDICATORS] {
     let (opening, [low, high]) = (system.cylinder.relief[0], system.stops.map(C::constant));
     [
         y[N - 2],
@@ -85,10 +111,22 @@ fn possible<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> bool {
     y[N - 6..N - 2].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.rates(y).is_some()
 }
 
+impl<P> Level<P> {
+    #[must_use]
+    pub fn dynamics(&self) -> &Dynamics<P> {
+        match self {
+            Level::Free(motion) => &motion.dynamics,
+            Level::Slewing(crane) => &crane.dynamics,
+            Level::Fixed(system) => &system.dynamics,
+            Level::Hanging(system) => &system.dynamics,
+        }
+    }
+}
+
 impl<P: Coordinate<P>> Level<P> {
     pub fn set_inputs(&mut self, inputs: &Inputs<P>) {
         match self {
-            Level::Free(_) => {}
+            Level::Free(_) | Level::Slewing(_) => {}
             Level::Fixed(system) => (system.command, system.supply) = (inputs.valve, inputs.supply),
             Level::Hanging(system) => (system.command, system.supply) = (inputs.valve, inputs.supply),
         }
@@ -106,6 +144,9 @@ impl<P: Coordinate<P>> Level<P> {
             (Level::Free(motion), Present::Free(state)) => {
                 put(rates, &motion.rates(state, &inputs.motion, first(y))?);
             }
+            (Level::Slewing(crane), Present::Slewing(state)) => {
+                put(rates, &crane.rates(state, &inputs.of_both(), first(y))?);
+            }
             (Level::Fixed(system), Present::Fixed(_)) => put(rates, &system.equations(first(y))?),
             (Level::Hanging(system), Present::Hanging(_)) => put(rates, &system.equations(first(y))?),
             _ => unreachable!("{OTHER}"),
@@ -119,16 +160,24 @@ impl<P: Coordinate<P>> Level<P> {
         present: &Present,
         inputs: &Inputs<P>,
         y: &[P; MOST_STATES],
-    ) -> Option<[P; MOST_INDICATORS]> {
+        indicators: &mut [P; MOST_INDICATORS],
+    ) -> Option<()> {
         match (self, present) {
-            (Level::Free(motion), Present::Free(state)) => motion.indicators(state, &inputs.motion, first(y)),
-            (Level::Fixed(system), Present::Fixed(_)) => Some(oil_indicators(system, first(y))),
-            (Level::Hanging(system), Present::Hanging(_)) => Some(oil_indicators(system, first(y))),
+            (Level::Free(motion), Present::Free(state)) => {
+                put(indicators, &motion.indicators(state, &inputs.motion, first(y))?);
+            }
+            (Level::Slewing(crane), Present::Slewing(state)) => {
+                let found = crane.indicators(state, &inputs.of_both(), first(y))?;
+                put(indicators, &found);
+            }
+            (Level::Fixed(system), Present::Fixed(_)) => put(indicators, &oil_indicators(system, first(y))),
+            (Level::Hanging(system), Present::Hanging(_)) => put(indicators, &oil_indicators(system, first(y))),
             _ => unreachable!("{OTHER}"),
         }
+        Some(())
     }
 
-    /// A force or a moment that this level has; `None` where the linkage does not close.
+    /// A result that only this level has; `None` where the linkage does not close.
     pub fn reaction(
         &self,
         present: &Present,
@@ -141,6 +190,17 @@ impl<P: Coordinate<P>> Level<P> {
                 motion.rope_force(state, &inputs.motion, first(y))
             }
             (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(state, &inputs.motion, first(y)),
+            (Level::Slewing(crane), Present::Slewing(state), reaction) => {
+                let (commands, y) = (inputs.of_both(), first(y));
+                match reaction {
+                    Reaction::Rope => crane.rope_force(state, &commands, y),
+                    Reaction::SlewingFriction => crane.friction_moment(1, state, &commands, y),
+                    Reaction::Swing => Some(slewing::angles(y)[0]),
+                    Reaction::Side => Some(slewing::angles(y)[1]),
+                    Reaction::Distance => Some(slewing::distance(y)),
+                    _ => crane.friction_moment(0, state, &commands, y),
+                }
+            }
             (Level::Fixed(system), Present::Fixed(_), _) => {
                 Some(system.cylinder.force(&Hydraulic::<8, P>::oil(first(y))))
             }
@@ -160,6 +220,7 @@ impl Level {
     pub fn event(&self, present: &mut Present, inputs: &Inputs) -> Result<(), Halt> {
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => motion.event(state, &inputs.motion).map(|_| ()),
+            (Level::Slewing(crane), Present::Slewing(state)) => crane.event(state, &inputs.of_both()).map(|_| ()),
             (Level::Fixed(system), Present::Fixed(run)) => system.rates(&run.states()).map(|_| ()).ok_or(Halt::Outside),
             (Level::Hanging(system), Present::Hanging(run)) => {
                 system.rates(&run.states()).map(|_| ()).ok_or(Halt::Outside)
@@ -169,7 +230,7 @@ impl Level {
     }
 
     /// Moves on by a duration, in s; `step` is the longest explicit step (s), `relative` the
-    /// tolerance of the implicit solver.
+    /// tolerance of the implicit solver. Returns the work done.
     ///
     /// # Errors
     /// See [`Halt`].
@@ -180,11 +241,10 @@ impl Level {
         duration: f64,
         step: f64,
         relative: f64,
-    ) -> Result<(), Halt> {
+    ) -> Result<Count, Halt> {
         match (self, present) {
-            (Level::Free(motion), Present::Free(state)) => {
-                motion.advance(state, &inputs.motion, duration, step).map(|_| ())
-            }
+            (Level::Free(motion), Present::Free(state)) => motion.advance(state, &inputs.motion, duration, step),
+            (Level::Slewing(crane), Present::Slewing(state)) => crane.advance(state, &inputs.of_both(), duration, step),
             (Level::Fixed(system), Present::Fixed(run)) => oil_advance(system, run, duration, step, relative),
             (Level::Hanging(system), Present::Hanging(run)) => oil_advance(system, run, duration, step, relative),
             _ => unreachable!("{OTHER}"),
@@ -198,9 +258,26 @@ fn oil_advance<const N: usize>(
     duration: f64,
     longest: f64,
     relative: f64,
-) -> Result<(), Halt> {
+) -> Result<Count, Halt> {
+    let before = run.count;
     run.advance(system, &tolerance(relative), duration, longest)?;
-    possible(system, &run.states()).then_some(()).ok_or(Halt::Outside)
+    let work = run.count.since(before);
+    possible(system, &run.states()).then_some(work).ok_or(Halt::Outside)
+}
+
+/// Which way a bar moves, as a number, and back.
+fn way(bar: Bar) -> f64 {
+    match bar {
+        Bar::Held => 0.0,
+        Bar::Forward => 1.0,
+        Bar::Backward => -1.0,
+    }
+}
+
+fn bar_of(way: f64) -> Option<Bar> {
+    [Bar::Held, Bar::Forward, Bar::Backward]
+        .into_iter()
+        .find(|bar| self::way(*bar) == way)
 }
 
 /// The states of this level.
@@ -229,6 +306,7 @@ impl Present {
         let mut y = [0.0; MOST_STATES];
         match self {
             Present::Free(state) => put(&mut y, &state.y),
+            Present::Slewing(state) => put(&mut y, &state.y),
             Present::Fixed(run) => put(&mut y, &run.states()),
             Present::Hanging(run) => put(&mut y, &run.states()),
         }
@@ -239,6 +317,7 @@ impl Present {
     pub fn set_states(&mut self, values: &[f64]) {
         match self {
             Present::Free(state) => put(&mut state.y, values),
+            Present::Slewing(state) => put(&mut state.y, values),
             Present::Fixed(run) => {
                 let mut y = run.states();
                 put(&mut y, values);
@@ -273,6 +352,22 @@ impl Present {
                             }
                         }
                     }
+                    Present::Slewing(state) => {
+                        let mut y = state.y;
+                        put(&mut y, &[theta, 0.231, 0.113 * sign, -0.119 * sign]);
+                        put(
+                            &mut y[4..10],
+                            &[0.31, -0.83, 0.27, 0.17, 0.071, -0.053].map(|x| x * state.y[10]),
+                        );
+                        for luffing in [Bar::Held, Bar::Forward, Bar::Backward] {
+                            for turning in [Bar::Held, Bar::Forward, Bar::Backward] {
+                                for taut in [true, false] {
+                                    let joints = [luffing, turning];
+                                    found.push(Present::Slewing(slewing::State { y, joints, taut }));
+                                }
+                            }
+                        }
+                    }
                     Present::Fixed(run) => {
                         let mut y = run.states();
                         put(&mut y, &swinging[..2]);
@@ -298,7 +393,7 @@ impl Present {
     /// To be called when an input or a parameter changes.
     pub fn interrupt(&mut self) {
         match self {
-            Present::Free(_) => {}
+            Present::Free(_) | Present::Slewing(_) => {}
             Present::Fixed(run) => run.interrupt(FIRST),
             Present::Hanging(run) => run.interrupt(FIRST),
         }
@@ -309,11 +404,11 @@ impl Present {
         match self {
             Present::Free(state) => {
                 numbers.extend(state.y);
-                numbers.push(match state.bar {
-                    Bar::Held => 0.0,
-                    Bar::Forward => 1.0,
-                    Bar::Backward => -1.0,
-                });
+                numbers.extend([way(state.bar), f64::from(state.taut)]);
+            }
+            Present::Slewing(state) => {
+                numbers.extend(state.y);
+                numbers.extend(state.joints.map(way));
                 numbers.push(f64::from(state.taut));
             }
             Present::Fixed(run) => numbers.extend(run.numbers()),
@@ -337,15 +432,18 @@ impl Present {
             Present::Free(_) => {
                 let (y, modes) = own.split_first_chunk::<{ motion::STATES }>()?;
                 let &[bar, taut] = modes else { return None };
-                let bar = match bar {
-                    0.0 => Bar::Held,
-                    1.0 => Bar::Forward,
-                    -1.0 => Bar::Backward,
-                    _ => return None,
-                };
                 Present::Free(motion::State {
                     y: *y,
-                    bar,
+                    bar: bar_of(bar)?,
+                    taut: taut != 0.0,
+                })
+            }
+            Present::Slewing(_) => {
+                let (y, modes) = own.split_first_chunk::<{ slewing::STATES }>()?;
+                let &[luffing, turning, taut] = modes else { return None };
+                Present::Slewing(slewing::State {
+                    y: *y,
+                    joints: [bar_of(luffing)?, bar_of(turning)?],
                     taut: taut != 0.0,
                 })
             }

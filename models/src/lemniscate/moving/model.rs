@@ -9,21 +9,24 @@ use num_dual::Dual64;
 use crate::calc::Over;
 use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::valve::Valve;
-use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum};
+use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::lemniscate::geometry::{Driven, Geometry};
 use crate::lemniscate::hydraulic::Hydraulic;
 use crate::lemniscate::model::{Model as Algebraic, State as AlgebraicState, Tangent as AlgebraicTangent};
 use crate::lemniscate::motion::{self, Bar, Commands, Friction, Motion};
-use crate::lemniscate::moving::level::{Inputs, Level, MOST_INDICATORS, MOST_STATES, Present, Reaction};
-use crate::lemniscate::moving::scene::{Constants, KEYS, Moving, OIL_KEYS, Oil, Rope};
+use crate::lemniscate::moving::level::{
+    Inputs, Level, MOST_INDICATORS, MOST_STATES, OIL_INDICATORS, Present, Reaction,
+};
+use crate::lemniscate::moving::scene::{Constants, KEYS, Moving, OIL_KEYS, Oil, Rope, SLEWING_KEYS, Turning};
 use crate::lemniscate::moving::symbols as m;
 use crate::lemniscate::scene::Luffing;
+use crate::lemniscate::slewing::{self, Drive, Joint, Slewing};
 use crate::lemniscate::symbols as s;
 use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion as Range;
 use crate::plane::Point;
 use crate::schema::{Kind, Sign, short};
-use crate::solver::{Halt, MOST_STEPS};
+use crate::solver::{Count, Halt, MOST_STEPS};
 use crate::symbol::Symbol;
 use crate::unit;
 
@@ -44,6 +47,8 @@ pub struct Model {
     driven: Driven,
     range: Range,
     rope: Option<Rope>,
+    /// Where the crane slews.
+    slewing_stops: Option<[f64; 2]>,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
     signs: Vec<Sign>,
@@ -53,6 +58,8 @@ pub struct Model {
     /// Follows from the parameters; `None` after one has changed.
     level: Option<Level>,
     state: State,
+    /// Work of the solver so far; no part of the state.
+    count: Count,
 }
 
 /// All that changes in a model while it runs.
@@ -63,6 +70,7 @@ pub struct State {
     present: Present,
     inputs: Inputs,
     constants: Constants<f64>,
+    turning: Option<Turning<f64>>,
     oil: Option<Oil<f64>>,
     algebraic: AlgebraicState,
 }
@@ -89,6 +97,8 @@ enum Slot {
     Valve,
     Supply,
     Constant,
+    SlewingMoment,
+    SlewingBrake,
     Reaction(Reaction),
     /// Index of a variable of the algebraic model.
     Algebraic(usize),
@@ -104,30 +114,45 @@ impl Model {
             oil,
             inputs,
             constants,
+            slewing,
         } = *moving;
         let mut start = motion::State::resting(luffing.motion.from, rope.map_or(0.0, |rope| rope.length));
         start.y[2] = rope.map_or(0.0, |rope| rope.swing);
-        let (states, indicators) = match (oil, rope) {
-            (None, None) => (2, motion::INDICATORS - 1),
-            (None, Some(_)) => (motion::STATES, motion::INDICATORS),
-            (Some(_), None) => (8, MOST_INDICATORS),
-            (Some(_), Some(_)) => (10, MOST_INDICATORS),
+        let (states, indicators) = match (oil, rope, slewing) {
+            (None, None, None) => (2, motion::INDICATORS - 1),
+            (None, Some(_), None) => (motion::STATES, motion::INDICATORS),
+            (None, None, Some(_)) => (slewing::RIGID, slewing::INDICATORS - 1),
+            (None, Some(_), Some(_)) => (slewing::STATES, slewing::INDICATORS),
+            (Some(_), None, _) => (8, OIL_INDICATORS),
+            (Some(_), Some(_), _) => (10, OIL_INDICATORS),
+        };
+        let present = match slewing {
+            None => Present::Free(start),
+            Some(turn) => {
+                let mut start = slewing::State::resting(start.y[0], start.y[4]);
+                start.put_load([rope.map_or(0.0, |rope| rope.swing), turn.side]);
+                start.y[2..4].copy_from_slice(&turn.start);
+                Present::Slewing(start)
+            }
         };
         let mut model = Model {
             driven: luffing.parameters.driven,
             range: luffing.motion,
             rope,
+            slewing_stops: slewing.map(|turn| turn.stops),
             variables: Vec::new(),
             slots: Vec::new(),
             signs: Vec::new(),
             states,
             indicators,
+            count: Count::default(),
             level: None,
             state: State {
                 time: 0.0,
-                present: Present::Free(start),
+                present,
                 inputs,
                 constants,
+                turning: slewing.map(|turn| turn.constants),
                 oil,
                 algebraic: *algebraic.state(),
             },
@@ -153,7 +178,7 @@ impl Model {
                 y[2] = swing;
                 Present::of_oil_10(y)
             }),
-            Level::Free(_) => None,
+            Level::Free(_) | Level::Slewing(_) => None,
         };
         present.ok_or_else(|| {
             Fault::outside("the cylinder has no lever arm at the start of the working range: it cannot hold the crane")
@@ -176,7 +201,7 @@ impl Model {
         };
         let boom = self.driven == Driven::Boom;
         let hydraulic = self.state.oil.is_some();
-        let reeled = self.rope.is_some() && !hydraulic;
+        let (reeled, slews) = (self.rope.is_some() && !hydraulic, self.slewing_stops.is_some());
         let coordinate = if boom {
             [&s::THETA_1, &s::OMEGA_1]
         } else {
@@ -184,6 +209,8 @@ impl Model {
         };
         let states = self.of_level(
             coordinate,
+            [&m::PSI_SL, &m::OMEGA_SL],
+            [&m::X_Q, &m::Y_Q, &m::Z_Q, &m::V_QX, &m::V_QY, &m::V_QZ],
             [&m::PHI, &m::OMEGA_PHI],
             [&m::L_R, &m::S_Q, &m::V_Q],
             [&m::P_1, &m::P_2, &m::P_A, &m::P_B, &m::X_V, &m::V_V],
@@ -197,8 +224,13 @@ impl Model {
             (_, true) => &[(&m::M_A, Slot::Moment), (&m::M_S, Slot::Brake), (&m::V_H, Slot::Hoist)],
         };
         list.extend(inputs.iter().map(|&(symbol, slot)| (of(symbol, Role::Input), slot)));
+        if slews {
+            list.push((of(&m::M_SL, Role::Input), Slot::SlewingMoment));
+            list.push((of(&m::M_B_SL, Role::Input), Slot::SlewingBrake));
+        }
         let mut constant = |symbol, _| list.push((of(symbol, Role::Parameter), Slot::Constant));
         self.state.constants.map(&mut constant);
+        self.state.turning.map(|turning| turning.map(&mut constant));
         self.state.oil.map(|oil| oil.map(&mut constant));
         let results: &[(&'static Symbol, Slot)] = match (hydraulic, reeled) {
             (true, _) => &[(&m::F_C, Slot::Reaction(Reaction::Cylinder))],
@@ -209,6 +241,14 @@ impl Model {
             ],
         };
         list.extend(results.iter().map(|&(symbol, slot)| (of(symbol, Role::Output), slot)));
+        if slews {
+            list.push((of(&m::M_R_SL, Role::Output), Slot::Reaction(Reaction::SlewingFriction)));
+            if reeled {
+                list.push((of(&m::PHI, Role::Output), Slot::Reaction(Reaction::Swing)));
+                list.push((of(&m::CHI_R, Role::Output), Slot::Reaction(Reaction::Side)));
+                list.push((of(&m::S_Q, Role::Output), Slot::Reaction(Reaction::Distance)));
+            }
+        }
         for (index, variable) in self.algebraic.variables().iter().enumerate() {
             if !coordinate.contains(&variable.symbol) {
                 list.push((*variable, Slot::Algebraic(index)));
@@ -220,6 +260,8 @@ impl Model {
             } else {
                 [&m::D_THETA_3, &m::D_OMEGA_3]
             },
+            [&m::D_PSI_SL, &m::D_OMEGA_SL],
+            [&m::D_X_Q, &m::D_Y_Q, &m::D_Z_Q, &m::D_V_QX, &m::D_V_QY, &m::D_V_QZ],
             [&m::D_PHI, &m::D_OMEGA_PHI],
             [&m::D_L_R, &m::D_S_Q, &m::D_V_Q],
             [&m::D_P_1, &m::D_P_2, &m::D_P_A, &m::D_P_B, &m::D_X_V, &m::D_V_V],
@@ -227,12 +269,18 @@ impl Model {
         for (i, symbol) in rates.into_iter().enumerate() {
             list.push((of(symbol, Role::Rate), Slot::Rate(i)));
         }
-        let indicators = if hydraulic {
-            [&m::Z_SPOOL, &m::Z_RELIEF_1, &m::Z_RELIEF_2, &m::Z_LOW, &m::Z_HIGH]
+        let mut indicators = if hydraulic {
+            vec![&m::Z_SPOOL, &m::Z_RELIEF_1, &m::Z_RELIEF_2, &m::Z_LOW, &m::Z_HIGH]
         } else {
-            [&m::Z_REST, &m::Z_LOOSE, &m::Z_LOW, &m::Z_HIGH, &m::Z_ROPE]
+            vec![&m::Z_REST, &m::Z_LOOSE, &m::Z_LOW, &m::Z_HIGH]
         };
-        for (i, symbol) in indicators.into_iter().take(self.indicators).enumerate() {
+        if slews {
+            indicators.extend([&m::Z_SL_REST, &m::Z_SL_LOOSE, &m::Z_SL_LOW, &m::Z_SL_HIGH]);
+        }
+        if reeled {
+            indicators.push(&m::Z_ROPE);
+        }
+        for (i, symbol) in indicators.into_iter().enumerate() {
             list.push((of(symbol, Role::Indicator), Slot::Indicator(i)));
         }
         list
@@ -242,11 +290,21 @@ impl Model {
     fn of_level(
         &self,
         coordinate: [&'static Symbol; 2],
+        slewing: [&'static Symbol; 2],
+        load: [&'static Symbol; 6],
         swing: [&'static Symbol; 2],
         reel: [&'static Symbol; 3],
         oil: [&'static Symbol; 6],
     ) -> Vec<&'static Symbol> {
         let mut symbols = coordinate.to_vec();
+        if self.slewing_stops.is_some() {
+            symbols.extend(slewing);
+            if self.rope.is_some() {
+                symbols.extend(load);
+                symbols.push(reel[0]);
+            }
+            return symbols;
+        }
         if self.rope.is_some() {
             symbols.extend(swing);
         }
@@ -283,6 +341,23 @@ impl Model {
         self.algebraic.step_size()
     }
 
+    /// Work of the solver since the model was made.
+    #[must_use]
+    pub fn count(&self) -> Count {
+        self.count
+    }
+
+    /// Inertia of all that moves with the driven bar as it is now, in kg·m²; the load as if it were fixed to the head.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub fn inertia(&mut self) -> Result<f64, Fault> {
+        let theta = self.state.present.states()[0];
+        let dynamics = self.level()?.dynamics();
+        let inertia = dynamics.inertia(theta);
+        inertia.ok_or_else(|| self.open())
+    }
+
     /// Number of continuous states.
     #[must_use]
     pub fn states(&self) -> usize {
@@ -316,6 +391,7 @@ impl Model {
         let parameters = *self.algebraic.parameters();
         let load = of(&s::Q, self.algebraic.load()) / constants.g;
         let inputs = self.inputs_over(of);
+        let turning = self.state.turning.map(|turning| turning.map(of));
         let oil = self.state.oil.map(|oil| oil.map(of));
         let over = parameters.map(&mut *of);
         let geometry = Geometry::new(&over).map_err(|misfit| {
@@ -323,34 +399,51 @@ impl Model {
             Fault::outside(format!("{}; {}", words.what, words.help))
         })?;
         let weights = over.weights.expect("checked when the scene was read");
-        let body = |weight: P, inertia: P, distance: P, angle: P| {
-            let (sin, cos) = angle.sin_cos();
-            Body {
-                mass: weight / constants.g,
-                inertia,
-                centre: Point::new(distance * cos, distance * sin),
-            }
-        };
-        let jib = body(weights.g_2, constants.j_2, weights.s_2, weights.chi_2);
+        // Boom and rocker lie along their bars, the jib along the line from its tail to its head.
+        let bar = Point::new(P::constant(1.0), P::constant(0.0));
         let head = Point::new(geometry.kappa.x, -geometry.kappa.y) * geometry.lengths.x_2;
+        let axis = head - bar * geometry.lengths.x_2;
+        let body = |weight: P, inertia: P, distance: P, angle: P, along: Point<P>| {
+            let (sin, cos) = angle.sin_cos();
+            let centre = Point::new(distance * cos, distance * sin);
+            Body::slender(weight / constants.g, inertia, centre, along)
+        };
+        let jib = body(weights.g_2, constants.j_2, weights.s_2, weights.chi_2, axis);
         let pendulum = self.rope.map(|rope| Pendulum {
             mass: load,
             length: P::constant(rope.length),
         });
         let bodies = Bodies {
-            boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1),
+            boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1, bar),
             jib: if pendulum.is_some() {
                 jib
             } else {
                 jib.with_mass(load, head)
             },
-            rocker: body(weights.g_3, constants.j_3, weights.s_3, weights.chi_3),
+            rocker: body(weights.g_3, constants.j_3, weights.s_3, weights.chi_3, bar),
             pendulum,
             gravity: constants.g,
         };
         let dynamics = Dynamics::new(&geometry, bodies)
             .with_balance(&over, &self.range)
             .map_err(|fault| Fault::outside(fault.to_string()))?;
+        if let Some((turning, stops)) = turning.zip(self.slewing_stops) {
+            let turntable = Turntable {
+                axis: -geometry.lengths.x_8,
+                inertia: turning.j_sl,
+            };
+            let joint = |viscous, coulomb, stops| Joint {
+                friction: Friction { viscous, coulomb },
+                stops,
+            };
+            return Ok(Level::Slewing(Slewing {
+                dynamics: dynamics.with_slewing(turntable),
+                joints: [
+                    joint(constants.c_v, constants.m_f, self.stops()),
+                    joint(turning.c_sl, turning.m_f_sl, stops),
+                ],
+            }));
+        }
         let Some(oil) = oil else {
             return Ok(Level::Free(Motion {
                 dynamics,
@@ -412,8 +505,17 @@ impl Model {
 
     /// The inputs over any scalar.
     fn inputs_over<P>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> Inputs<P> {
-        let Inputs { motion, valve, supply } = self.state.inputs;
+        let Inputs {
+            motion,
+            slewing,
+            valve,
+            supply,
+        } = self.state.inputs;
         Inputs {
+            slewing: Drive {
+                moment: of(&m::M_SL, slewing.moment),
+                brake: of(&m::M_B_SL, slewing.brake),
+            },
             motion: Commands {
                 moment: of(&m::M_A, motion.moment),
                 brake: of(&m::M_S, motion.brake),
@@ -460,6 +562,8 @@ impl Model {
             Slot::Moment => Ok(inputs.motion.moment),
             Slot::Brake => Ok(inputs.motion.brake),
             Slot::Hoist => Ok(inputs.motion.hoist),
+            Slot::SlewingMoment => Ok(inputs.slewing.moment),
+            Slot::SlewingBrake => Ok(inputs.slewing.brake),
             Slot::Valve => Ok(inputs.valve),
             Slot::Supply => Ok(inputs.supply),
             Slot::Constant => {
@@ -470,6 +574,7 @@ impl Model {
                     }
                 };
                 self.state.constants.map(&mut look);
+                self.state.turning.map(|turning| turning.map(&mut look));
                 self.state.oil.map(|oil| oil.map(&mut look));
                 Ok(found)
             }
@@ -516,15 +621,19 @@ impl Model {
                     y[5] = value;
                 }
                 self.state.present.set_states(&y[..self.states]);
-                if let (Present::Free(state), 1) = (&mut self.state.present, i) {
-                    // Which way the bar goes is decided again: it did not turn round, it was set.
-                    state.bar = Bar::Held;
+                // Which way a bar goes is decided again: it did not turn round, it was set.
+                match (&mut self.state.present, i) {
+                    (Present::Free(state), 1) => state.bar = Bar::Held,
+                    (Present::Slewing(state), 1 | 3) => state.joints[i / 2] = Bar::Held,
+                    _ => {}
                 }
                 self.follow()?;
             }
             Slot::Moment => inputs.motion.moment = value,
             Slot::Brake => inputs.motion.brake = value,
             Slot::Hoist => inputs.motion.hoist = value,
+            Slot::SlewingMoment => inputs.slewing.moment = value,
+            Slot::SlewingBrake => inputs.slewing.brake = value,
             Slot::Valve if inputs.valve != value => {
                 inputs.valve = value;
                 self.commanded();
@@ -537,6 +646,7 @@ impl Model {
                 let wanted = self.variables[index].symbol;
                 let mut change = |symbol, old| if symbol == wanted { value } else { old };
                 self.state.constants = self.state.constants.map(&mut change);
+                self.state.turning = self.state.turning.map(|turning| turning.map(&mut change));
                 self.state.oil = self.state.oil.map(|oil| oil.map(&mut change));
                 self.changed();
             }
@@ -595,7 +705,8 @@ impl Model {
         let relative = self.state.oil.map_or(0.0, |oil| oil.tol);
         let mut present = before;
         let solved = self.level()?.advance(&mut present, &inputs, to - from, step, relative);
-        solved.map_err(|halt| self.refusal(halt, to - from))?;
+        let work = solved.map_err(|halt| self.refusal(halt, to - from))?;
+        self.count = self.count.and(work);
         self.state.present = present;
         let reached = self.follow().and_then(|()| self.algebraic.update());
         match reached {
@@ -673,11 +784,10 @@ impl Model {
     /// The linkage does not close.
     pub fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
         let (present, inputs, y) = (self.state.present, self.state.inputs, self.state.present.states());
-        let found = self.level()?.indicators(&present, &inputs, &y);
-        let found = found.ok_or_else(|| self.open())?;
-        for (indicator, found) in indicators.iter_mut().zip(found) {
-            *indicator = found;
-        }
+        let mut all = [0.0; MOST_INDICATORS];
+        let found = self.level()?.indicators(&present, &inputs, &y, &mut all);
+        found.ok_or_else(|| self.open())?;
+        indicators.copy_from_slice(&all[..indicators.len()]);
         Ok(())
     }
 
@@ -708,11 +818,20 @@ impl Model {
     /// A state as numbers.
     #[must_use]
     pub fn numbers(&self, state: &State) -> Vec<f64> {
-        let Inputs { motion, valve, supply } = state.inputs;
+        let Inputs {
+            motion,
+            slewing,
+            valve,
+            supply,
+        } = state.inputs;
         let Commands { moment, brake, hoist } = motion;
         let mut numbers = vec![state.time, moment, brake, hoist, valve, supply];
         state.present.numbers(&mut numbers);
         state.constants.map(&mut |_, value| numbers.push(value));
+        if let Some(turning) = state.turning {
+            numbers.extend([slewing.moment, slewing.brake]);
+            turning.map(&mut |_, value| numbers.push(value));
+        }
         state.oil.map(|oil| oil.map(&mut |_, value| numbers.push(value)));
         numbers.extend(self.algebraic.numbers(&state.algebraic));
         numbers
@@ -727,12 +846,17 @@ impl Model {
         let (present, rest) = self.state.present.of(rest).ok_or_else(wrong)?;
         let mut complete = numbers[..6].iter().all(|x| x.is_finite());
         let mut values = rest.iter();
-        let mut next = |_, _| {
+        let mut next = |_: &'static Symbol, _: f64| {
             let value = values.next().copied().unwrap_or(f64::NAN);
             complete &= value.is_finite();
             value
         };
         let constants = self.state.constants.map(&mut next);
+        let mut slewing = self.state.inputs.slewing;
+        let turning = self.state.turning.map(|turning| {
+            (slewing.moment, slewing.brake) = (next(&m::M_SL, 0.0), next(&m::M_B_SL, 0.0));
+            turning.map(&mut next)
+        });
         let oil = self.state.oil.map(|oil| oil.map(&mut next));
         if !complete {
             return Err(wrong());
@@ -742,10 +866,12 @@ impl Model {
             present,
             inputs: Inputs {
                 motion: Commands { moment, brake, hoist },
+                slewing,
                 valve,
                 supply,
             },
             constants,
+            turning,
             oil,
             algebraic: self.algebraic.state_of(values.as_slice())?,
         })
@@ -788,7 +914,10 @@ impl Model {
                 }
                 tangent.rates.map(|rates| rates[i])
             }
-            Slot::Indicator(i) => level?.indicators(present, &inputs, &y).map(|all| all[i]),
+            Slot::Indicator(i) => {
+                let mut all = [Dual64::from_re(0.0); MOST_INDICATORS];
+                level?.indicators(present, &inputs, &y, &mut all).map(|()| all[i])
+            }
             Slot::Reaction(reaction) => level?.reaction(present, &inputs, &y, reaction),
             _ => {
                 return Err(Fault::new(format!("{variable} is no result: it has no derivative")));
@@ -864,5 +993,6 @@ fn allowed(symbol: &'static Symbol) -> Sign {
         Kind::Quantity(known, sign) if known == symbol => Some(sign),
         _ => None,
     };
-    KEYS.iter().chain(OIL_KEYS).find_map(of).unwrap_or(Sign::Any)
+    let keys = KEYS.iter().chain(SLEWING_KEYS).chain(OIL_KEYS);
+    keys.into_iter().find_map(of).unwrap_or(Sign::Any)
 }

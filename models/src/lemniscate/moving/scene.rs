@@ -5,11 +5,13 @@ use crate::diagnostic::Diagnostic;
 use crate::lemniscate::motion::Commands;
 use crate::lemniscate::moving::level::Inputs;
 use crate::lemniscate::moving::symbols as s;
+use crate::lemniscate::slewing::Drive;
+use crate::motion::degrees;
 use crate::schema::{Key, Sign, Values};
 use crate::symbol::{Symbol, quantities};
 
 /// How deep the mechanism is modelled.
-pub const FIDELITIES: &[&str] = &["static", "rigid", "swing", "hydraulic"];
+pub const FIDELITIES: &[&str] = &["static", "rigid", "swing", "hydraulic", "auto"];
 
 /// Keys of `[luffing.dynamics]`.
 pub static KEYS: &[Key] = &[
@@ -25,6 +27,24 @@ pub static KEYS: &[Key] = &[
     Key::quantity(&s::PHI, Sign::Any).optional(),
     Key::quantity(&s::V_H, Sign::Any).optional(),
     Key::quantity(&s::STEP, Sign::Positive).optional(),
+    Key::text(
+        "source",
+        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+    ),
+];
+
+/// Keys of `[luffing.slewing]`.
+pub static SLEWING_KEYS: &[Key] = &[
+    Key::quantity(&s::J_SL, Sign::NotNegative),
+    Key::quantity(&s::C_SL, Sign::NotNegative).optional(),
+    Key::quantity(&s::M_F_SL, Sign::NotNegative).optional(),
+    Key::quantity(&s::M_SL, Sign::Any).optional(),
+    Key::quantity(&s::M_B_SL, Sign::NotNegative).optional(),
+    Key::quantity(&s::PSI_SL, Sign::Any).optional(),
+    Key::quantity(&s::OMEGA_SL, Sign::Any).optional(),
+    Key::quantity(&s::PSI_MIN, Sign::Any).optional(),
+    Key::quantity(&s::PSI_MAX, Sign::Any).optional(),
+    Key::quantity(&s::CHI_R, Sign::Any).optional(),
     Key::text(
         "source",
         "Where the quantities of this table come from: a drawing, a publication, an assumption.",
@@ -64,6 +84,11 @@ quantities! {
 }
 
 quantities! {
+    /// What slews besides the mechanism, and its friction.
+    Turning { j_sl: J_SL, c_sl: C_SL, m_f_sl: M_F_SL }
+}
+
+quantities! {
     /// What is constant in motion, besides geometry and weights.
     Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_f: M_F, g: G, step: STEP }
 }
@@ -77,6 +102,18 @@ pub struct Rope {
     pub swing: f64,
 }
 
+/// A crane that slews, at the start.
+#[derive(Clone, Copy, Debug)]
+pub struct Slewing {
+    pub constants: Turning<f64>,
+    /// Angle (rad) and angular velocity (rad/s).
+    pub start: [f64; 2],
+    /// End stops, in rad; infinite where there are none.
+    pub stops: [f64; 2],
+    /// Angle of the rope from the mechanism's plane, in rad.
+    pub side: f64,
+}
+
 /// A mechanism in motion as the scene describes it; SI.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving {
@@ -87,6 +124,8 @@ pub struct Moving {
     pub rope: Option<Rope>,
     /// With level `hydraulic`.
     pub oil: Option<Oil<f64>>,
+    /// Where the crane slews.
+    pub slewing: Option<Slewing>,
 }
 
 impl Moving {
@@ -97,7 +136,17 @@ impl Moving {
             found.push(Diagnostic::new(v.place(key), what, label).help(help));
         };
         let table = match (fidelity, v.table("dynamics")) {
-            ("static", None) => return None,
+            ("static" | "auto", None) => {
+                if v.table("slewing").is_some() {
+                    mistake(
+                        "slewing",
+                        "slewing of a mechanism that does not move by itself".to_owned(),
+                        "not used",
+                        "add fidelity = \"rigid\" or \"swing\" to [luffing], or remove this table",
+                    );
+                }
+                return None;
+            }
             ("static", Some(_)) => {
                 mistake(
                     "dynamics",
@@ -139,7 +188,7 @@ impl Moving {
         }
         let n = |symbol: &Symbol| table.number(symbol.id);
         let rope = match (fidelity, n(&s::L_R)) {
-            ("swing" | "hydraulic", Some(length)) => Some(Rope {
+            ("swing" | "hydraulic" | "auto", Some(length)) => Some(Rope {
                 length,
                 swing: n(&s::PHI).unwrap_or(0.0),
             }),
@@ -173,7 +222,7 @@ impl Moving {
             }
         };
         let (oil, valve, supply) = match (fidelity, v.table("hydraulics")) {
-            ("hydraulic", Some(table)) => {
+            ("hydraulic" | "auto", Some(table)) => {
                 let n = |symbol: &Symbol| table.number(symbol.id);
                 let oil = oil(v, table, found)?;
                 (Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?)
@@ -209,7 +258,13 @@ impl Moving {
             );
             return None;
         }
+        let slewing = match v.table("slewing") {
+            Some(table) => Some(slewing(v, table, [rope.is_some(), oil.is_some()], found)?),
+            None => None,
+        };
+        let turn = |symbol: &Symbol| v.table("slewing").and_then(|table| table.number(symbol.id));
         Some(Moving {
+            slewing,
             oil,
             constants: Constants {
                 j_1: n(&s::J_1)?,
@@ -226,12 +281,95 @@ impl Moving {
                     brake: n(&s::M_S).unwrap_or(0.0),
                     hoist: n(&s::V_H).unwrap_or(0.0),
                 },
+                slewing: Drive {
+                    moment: turn(&s::M_SL).unwrap_or(0.0),
+                    brake: turn(&s::M_B_SL).unwrap_or(0.0),
+                },
                 valve,
                 supply,
             },
             rope,
         })
     }
+}
+
+/// What slews; whether the load swings on a rope, and whether a cylinder with oil luffs.
+fn slewing(v: &Values, table: &Values, [swings, oil]: [bool; 2], found: &mut Vec<Diagnostic>) -> Option<Slewing> {
+    let n = |symbol: &Symbol| table.number(symbol.id);
+    let mut mistake = |place, what: String, label: &str, help: &str| {
+        found.push(Diagnostic::new(place, what, label).help(help));
+    };
+    if oil {
+        mistake(
+            table.span.clone(),
+            "slewing at the hydraulic level".to_owned(),
+            "not modelled together",
+            "remove [luffing.slewing], or set fidelity = \"swing\"",
+        );
+        return None;
+    }
+    if let Some(balance) = v.table("balance").filter(|b| b.text("kind") == Some("straight_rail")) {
+        mistake(
+            balance.span.clone(),
+            "slewing with a counterweight on a straight rail".to_owned(),
+            "its distance from the slewing axis is not known",
+            "remove [luffing.slewing], or take another balance",
+        );
+        return None;
+    }
+    if !swings && n(&s::CHI_R).is_some() {
+        mistake(
+            table.place(s::CHI_R.id),
+            "chi_R without a swinging load".to_owned(),
+            "not used",
+            "remove it, or set fidelity = \"swing\"",
+        );
+        return None;
+    }
+    let stops = [
+        n(&s::PSI_MIN).unwrap_or(f64::NEG_INFINITY),
+        n(&s::PSI_MAX).unwrap_or(f64::INFINITY),
+    ];
+    let start = n(&s::PSI_SL).unwrap_or(0.0);
+    if stops[0] >= stops[1] {
+        let [low, high] = stops.map(degrees);
+        mistake(
+            table.place(s::PSI_MAX.id),
+            format!("the slewing stops are at {low} and {high}"),
+            "not above psi_min",
+            "psi_max must be greater than psi_min",
+        );
+        return None;
+    }
+    let beyond = match start {
+        _ if start < stops[0] => Some((&s::PSI_MIN, stops[0])),
+        _ if start > stops[1] => Some((&s::PSI_MAX, stops[1])),
+        _ => None,
+    };
+    if let Some((stop, at)) = beyond {
+        mistake(
+            table.place(stop.id),
+            format!(
+                "slewing starts at {}, beyond its stop {} = {}",
+                degrees(start),
+                stop.id,
+                degrees(at)
+            ),
+            "not between the stops",
+            "let psi_sl, the angle at the start, lie between psi_min and psi_max",
+        );
+        return None;
+    }
+    Some(Slewing {
+        constants: Turning {
+            j_sl: n(&s::J_SL)?,
+            c_sl: n(&s::C_SL).unwrap_or(0.0),
+            m_f_sl: n(&s::M_F_SL).unwrap_or(0.0),
+        },
+        start: [start, n(&s::OMEGA_SL).unwrap_or(0.0)],
+        stops,
+        side: n(&s::CHI_R).unwrap_or(0.0),
+    })
 }
 
 /// The cylinder's oil; its bore and rod are those of the drive.

@@ -27,11 +27,20 @@ symbols! {
     ZETA_V: "zeta_v" "zeta_v" ONE / ONE, "Damping ratio of the valve's spool.", "input";
     TOL: "tol" "epsilon" ONE / ONE, "Relative tolerance of the implicit solver.", "input";
 
+    // Slewing, given.
+    J_SL: "J_sl" "J_\"sl\"" KG_M2 / KG_M2, "Inertia about the slewing axis of all that slews besides boom, jib, rocker, counterweight and load.", "input";
+    C_SL: "c_sl" "c_\"sl\"" N_M_S / KN_M_S, "Viscous friction of slewing: moment over angular velocity.", "input";
+    M_F_SL: "M_Fsl" "M_\"F sl\"" N_M / KN_M, "Dry friction of slewing: the moment that it holds, and that it sets against motion.", "input";
+    PSI_MIN: "psi_min" "psi_\"min\"" RAD / DEG, "Slewing angle of the right end stop.", "input";
+    PSI_MAX: "psi_max" "psi_\"max\"" RAD / DEG, "Slewing angle of the left end stop.", "input";
+
     // Commands.
     U_V: "u_v" "u_v" ONE / ONE, "Command of the valve from -1 to 1; positive lengthens the cylinder.", "input";
     P_P: "p_P" "p_P" PA / BAR, "Pressure of the pump above the tank's.", "input";
     M_A: "M_A" "M_A" N_M / KN_M, "Moment of the drive on the driven bar; positive turns it counter-clockwise.", "input";
     M_S: "M_S" "M_S" N_M / KN_M, "Moment of the brake, added to the dry friction.", "input";
+    M_SL: "M_sl" "M_\"sl\"" N_M / KN_M, "Moment of the slewing drive; positive turns the crane counter-clockwise, seen from above.", "input";
+    M_B_SL: "M_Bsl" "M_\"B sl\"" N_M / KN_M, "Moment of the slewing brake, added to its dry friction.", "input";
     V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head; positive lowers the load.", "input";
 
     // States.
@@ -40,6 +49,16 @@ symbols! {
     L_R: "l_R" "l_R" M / M, "Length of the rope from the head to the load.", "equations of motion";
     S_Q: "s_Q" "s_Q" M / M, "Distance of the load from the head: the rope's length, or less where it is slack.", "equations of motion";
     V_Q: "v_Q" "v_Q" M_PER_S / M_PER_S, "Speed of the load away from the head.", "equations of motion";
+
+    // States of slewing, seen from the frame that slews.
+    PSI_SL: "psi_sl" "psi_\"sl\"" RAD / DEG, "Slewing angle; positive counter-clockwise, seen from above.", "equations of motion";
+    OMEGA_SL: "omega_sl" "omega_\"sl\"" RAD_PER_S / DEG_PER_S, "Angular velocity of slewing.", "equations of motion";
+    X_Q: "x_Q" "x_Q" M / M, "Load, forward of the head.", "equations of motion";
+    Y_Q: "y_Q" "y_Q" M / M, "Load, above the head.", "equations of motion";
+    Z_Q: "z_Q" "z_Q" M / M, "Load, to the left of the head.", "equations of motion";
+    V_QX: "v_Qx" "v_(Q x)" M_PER_S / M_PER_S, "Speed of the load forward, from the head.", "equations of motion";
+    V_QY: "v_Qy" "v_(Q y)" M_PER_S / M_PER_S, "Speed of the load up, from the head.", "equations of motion";
+    V_QZ: "v_Qz" "v_(Q z)" M_PER_S / M_PER_S, "Speed of the load to the left, from the head.", "equations of motion";
 
     P_1: "p_1" "p_1" PA / BAR, "Pressure in the valve's port on the side of the bore.", "equations of motion";
     P_2: "p_2" "p_2" PA / BAR, "Pressure in the valve's port on the side of the annulus.", "equations of motion";
@@ -51,6 +70,8 @@ symbols! {
     // Results.
     F_C: "F_c" "F_c" N / KN, "Force of the cylinder by its pressures; push positive.", "equations of motion";
     M_R: "M_R" "M_R" N_M / KN_M, "Moment of friction, brake and end stop on the driven bar; positive turns it counter-clockwise.", "equations of motion";
+    M_R_SL: "M_Rsl" "M_\"R sl\"" N_M / KN_M, "Moment of friction, brake and end stop on slewing; positive counter-clockwise, seen from above.", "equations of motion";
+    CHI_R: "chi_R" "chi_R" RAD / DEG, "Angle of the rope from the mechanism's plane; positive swings the load to the left.", "equations of motion";
     S_R: "S_R" "S_R" N / KN, "Force in the rope; zero where it is slack.", "equations of motion";
 
     // Rates of the states.
@@ -63,6 +84,14 @@ symbols! {
     D_L_R: "der(l_R)" "dot(l)_R" M_PER_S / M_PER_S, "Rate of the rope's length.", "equations of motion";
     D_S_Q: "der(s_Q)" "dot(s)_Q" M_PER_S / M_PER_S, "Rate of the load's distance from the head.", "equations of motion";
     D_V_Q: "der(v_Q)" "dot(v)_Q" M_PER_S2 / M_PER_S2, "Acceleration of the load away from the head.", "equations of motion";
+    D_PSI_SL: "der(psi_sl)" "dot(psi)_\"sl\"" RAD_PER_S / DEG_PER_S, "Rate of the slewing angle.", "equations of motion";
+    D_OMEGA_SL: "der(omega_sl)" "dot(omega)_\"sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing.", "equations of motion";
+    D_X_Q: "der(x_Q)" "dot(x)_Q" M_PER_S / M_PER_S, "Rate of the load's place forward of the head.", "equations of motion";
+    D_Y_Q: "der(y_Q)" "dot(y)_Q" M_PER_S / M_PER_S, "Rate of the load's place above the head.", "equations of motion";
+    D_Z_Q: "der(z_Q)" "dot(z)_Q" M_PER_S / M_PER_S, "Rate of the load's place to the left of the head.", "equations of motion";
+    D_V_QX: "der(v_Qx)" "dot(v)_(Q x)" M_PER_S2 / M_PER_S2, "Acceleration of the load forward, from the head.", "equations of motion";
+    D_V_QY: "der(v_Qy)" "dot(v)_(Q y)" M_PER_S2 / M_PER_S2, "Acceleration of the load up, from the head.", "equations of motion";
+    D_V_QZ: "der(v_Qz)" "dot(v)_(Q z)" M_PER_S2 / M_PER_S2, "Acceleration of the load to the left, from the head.", "equations of motion";
     D_P_1: "der(p_1)" "dot(p)_1" PA_PER_S / BAR_PER_S, "Rate of the pressure in the port of the bore.", "equations of motion";
     D_P_2: "der(p_2)" "dot(p)_2" PA_PER_S / BAR_PER_S, "Rate of the pressure in the port of the annulus.", "equations of motion";
     D_P_A: "der(p_A)" "dot(p)_A" PA_PER_S / BAR_PER_S, "Rate of the pressure in the chamber of the bore.", "equations of motion";
@@ -78,5 +107,9 @@ symbols! {
     Z_SPOOL: "z.spool" "z_6" ONE / ONE, "Changes its sign where the valve's spool passes its middle.", "event";
     Z_RELIEF_1: "z.relief_1" "z_7" ONE / ONE, "Falls below zero where the relief valve on the side of the bore opens.", "event";
     Z_RELIEF_2: "z.relief_2" "z_8" ONE / ONE, "Falls below zero where the relief valve on the side of the annulus opens.", "event";
+    Z_SL_REST: "z.sl_rest" "z_9" ONE / ONE, "Falls below zero where slewing comes to rest, or breaks loose to the right.", "event";
+    Z_SL_LOOSE: "z.sl_loose" "z_10" ONE / ONE, "Falls below zero where slewing breaks loose to the left.", "event";
+    Z_SL_LOW: "z.sl_low" "z_11" ONE / ONE, "Falls below zero where slewing meets its right end stop.", "event";
+    Z_SL_HIGH: "z.sl_high" "z_12" ONE / ONE, "Falls below zero where slewing meets its left end stop.", "event";
     Z_ROPE: "z.rope" "z_5" ONE / ONE, "Falls below zero where the rope becomes slack or taut.", "event";
 }

@@ -1,0 +1,641 @@
+//! Levels `rigid` and `swing` of a crane that slews: luffing and slewing as two
+//! joints, each with friction that truly sticks, a brake and end stops, and the
+//! load on a rope that swings in all directions, is reeled, and may go slack.
+//!
+//! Everything stands in the frame that slews with the crane: x forward in the
+//! plane of the mechanism, y up, z to the left, where a growing angle psi turns
+//! x. The load's place is that of a point seen from the head, not two angles of
+//! the rope: no direction of the rope is singular, not even straight up or
+//! sideways. While the rope is taut its length is a constraint, and the rope's
+//! force the multiplier that keeps it. [Lagrange, first kind]
+//!
+//! The mechanism enters by what [`Reduced`] holds, all of it by differentiation:
+//! T = ½ I(theta) omega² + ½ J(theta) omega_psi², with their slopes, height and
+//! place of the head. A thin mechanism that slews moves across its own plane, so
+//! that both angular velocities do not couple but through the slopes.
+
+use nalgebra::Vector3;
+
+use crate::calc::Calc;
+use crate::lemniscate::dynamics::{Coordinate, Dynamics, Reduced};
+use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, capped};
+use crate::solver::pieces::{self, Pieces};
+use crate::solver::{Count, Halt};
+
+/// Number of states: angle and rate of the driven bar, of slewing, the load from the head and its rate in
+/// the frame that slews, the rope's length; rad, m, s.
+pub const STATES: usize = 11;
+/// States without a load on a rope.
+pub const RIGID: usize = 4;
+/// Number of event indicators.
+pub const INDICATORS: usize = 9;
+
+/// What drives a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drive<P = f64> {
+    /// In N·m, in the direction of the angle.
+    pub moment: P,
+    /// Moment that the brake adds to the dry friction, in N·m; not negative.
+    pub brake: P,
+}
+
+/// What drives the motion; constant over a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Commands<P = f64> {
+    /// Of luffing and slewing.
+    pub drives: [Drive<P>; 2],
+    /// How fast the rope is paid out, in m/s.
+    pub hoist: P,
+}
+
+/// Luffing or slewing, at no particular angle.
+#[derive(Clone, Copy, Debug)]
+pub struct Joint<P = f64> {
+    pub friction: Friction<P>,
+    /// Least and greatest angle, in rad; infinite where there is no stop.
+    pub stops: [f64; 2],
+}
+
+/// A motion at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    pub y: [f64; STATES],
+    pub joints: [Bar; 2],
+    /// The load hangs on the rope, or flies free.
+    pub taut: bool,
+}
+
+impl State {
+    /// At rest at an angle of the driven bar (rad), the load hanging on a rope of a length (m).
+    #[must_use]
+    pub fn resting(theta: f64, length: f64) -> State {
+        let mut y = [0.0; STATES];
+        y[0] = theta;
+        y[10] = length;
+        let mut state = State {
+            y,
+            joints: [Bar::Held; 2],
+            taut: true,
+        };
+        state.put_load([0.0; 2]);
+        state
+    }
+
+    /// Puts the load at rest at the end of its rope, at angles (rad) from the vertical in the plane of the
+    /// mechanism, forward positive, and from that plane, left positive.
+    pub fn put_load(&mut self, [swing, side]: [f64; 2]) {
+        let ((sin, cos), (aside, within)) = (Calc::sin_cos(swing), Calc::sin_cos(side));
+        let direction = Vector3::new(within * sin, -within * cos, aside);
+        let place = direction * self.y[10];
+        self.y[4..7].copy_from_slice(place.as_slice());
+        self.y[7..10].fill(0.0);
+    }
+}
+
+/// Angles of the rope in rad: in the plane of the mechanism from the vertical, in (−π, π], forward positive;
+/// and from that plane, in [−π/2, π/2], left positive.
+#[must_use]
+pub fn angles<C: Calc>(y: &[C; STATES]) -> [C; 2] {
+    let place = load_of(y).place;
+    let quarter = C::constant(std::f64::consts::FRAC_PI_2);
+    let within = (place.x.square() + place.y.square()).sqrt();
+    [
+        C::direction(-place.x, -place.y) - quarter,
+        C::direction(within, place.z),
+    ]
+}
+
+/// Distance of the load from the head, in m.
+#[must_use]
+pub fn distance<C: Calc>(y: &[C; STATES]) -> C {
+    let place = load_of(y).place;
+    dot(place, place).sqrt()
+}
+
+/// What may move.
+#[derive(Clone, Copy, Debug)]
+pub struct Free {
+    pub joints: [bool; 2],
+    pub taut: bool,
+}
+
+/// Accelerations of the joints (rad/s²) and of the load from the head in the frame that slews (m/s²), and the
+/// force of the rope (N).
+#[derive(Clone, Copy, Debug)]
+pub struct Accelerations<C> {
+    pub joints: [C; 2],
+    pub load: Vector3<C>,
+    pub rope: C,
+}
+
+/// The load at one instant: place and rate from the head, in the frame that slews.
+#[derive(Clone, Copy, Debug)]
+pub struct Load<C> {
+    pub place: Vector3<C>,
+    pub rate: Vector3<C>,
+}
+
+/// Turned by a right angle about the slewing axis: what a point moves by when the crane slews by one.
+fn turned<C: Calc>(v: Vector3<C>) -> Vector3<C> {
+    Vector3::new(-v.z, C::constant(0.0), v.x)
+}
+
+fn dot<C: Calc>(a: Vector3<C>, b: Vector3<C>) -> C {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+fn scaled<C: Calc>(v: Vector3<C>, by: C) -> Vector3<C> {
+    v.map(|x| x * by)
+}
+
+/// Where the rope points, and what it moves: the head's displacement by each joint, and how much of it
+/// goes along the rope.
+struct Rope<C> {
+    length: C,
+    direction: Vector3<C>,
+    arms: [C; 2],
+}
+
+impl<C: Calc> Rope<C> {
+    fn new(place: Vector3<C>, head: &[Vector3<C>; 2]) -> Rope<C> {
+        let length = dot(place, place).sqrt();
+        let direction = place.map(|x| x / length);
+        Rope {
+            length,
+            direction,
+            arms: head.map(|by| dot(direction, by)),
+        }
+    }
+}
+
+impl<C: Calc> Load<C> {
+    /// On a taut rope: away from the head exactly as fast as the rope is paid out. The rate along the rope
+    /// that numbers carry besides is left alone by the equations, so that it cannot grow.
+    fn on_rope(self, rope: &Rope<C>, hoist: C) -> Load<C> {
+        let excess = dot(rope.direction, self.rate) - hoist;
+        Load {
+            rate: self.rate - scaled(rope.direction, excess),
+            ..self
+        }
+    }
+}
+
+impl<P: Calc> Dynamics<P> {
+    /// How the head moves with each joint, in the frame that slews, in m.
+    fn head<C: Coordinate<P>>(&self, r: &Reduced<C>) -> [Vector3<C>; 2] {
+        let zero = C::constant(0.0);
+        let [a, d, _] = r.head;
+        let axis = self.turntable().map_or(zero, |table| C::of(table.axis));
+        [Vector3::new(d.x, d.y, zero), Vector3::new(zero, zero, a.x - axis)]
+    }
+
+    /// Motion under moments on both joints (N·m) at rates of the joints (rad/s); the load only where there is
+    /// one on a rope, which is paid out at `hoist` (m/s).
+    pub fn slewed<C: Coordinate<P>>(
+        &self,
+        r: &Reduced<C>,
+        [omega, turning]: [C; 2],
+        load: Load<C>,
+        moments: [C; 2],
+        hoist: C,
+        free: Free,
+    ) -> Accelerations<C> {
+        let (zero, half, two) = (C::constant(0.0), C::constant(0.5), C::constant(2.0));
+        let [inertia, slope] = r.turn;
+        let forces = [
+            moments[0] - r.moment - half * r.slope * omega.square() + half * slope * turning.square(),
+            moments[1] - slope * omega * turning,
+        ];
+        let ease = |i: usize, inertia: C| {
+            if free.joints[i] {
+                C::constant(1.0) / inertia
+            } else {
+                zero
+            }
+        };
+        let ease = [ease(0, r.inertia), ease(1, inertia)];
+        let alone = [forces[0] * ease[0], forces[1] * ease[1]];
+        let Some(pendulum) = self.bodies().pendulum else {
+            return Accelerations {
+                joints: alone,
+                load: Vector3::new(zero, zero, zero),
+                rope: zero,
+            };
+        };
+        let head = self.head(r);
+        let rope = free.taut.then(|| Rope::new(load.place, &head));
+        let load = rope.as_ref().map_or(load, |rope| load.on_rope(rope, hoist));
+        // From the slewing axis; how high does not matter to what slewing does.
+        let from_axis = load.place + Vector3::new(head[1].z, zero, zero);
+        let rate = load.rate + scaled(head[0], omega);
+        let [_, _, dd] = r.head;
+        let bend = Vector3::new(dd.x, dd.y, zero);
+        let coriolis = scaled(turned(rate), two * turning);
+        let centripetal = scaled(turned(turned(from_axis)), turning.square());
+        let gravity = Vector3::new(zero, -C::of(self.bodies().gravity), zero);
+        // Of the free load, seen from a head whose joints keep their rates.
+        let fall = gravity - scaled(bend, omega.square()) - coriolis - centripetal;
+        let mass = C::of(pendulum.mass);
+        let (joints, pull) = match &rope {
+            None => (alone, zero),
+            Some(rope) => {
+                // Away from the head by the speed across the rope; the joints give way to the rope's force.
+                let speed = dot(load.rate, load.rate) - hoist.square();
+                let mut need = dot(rope.direction, fall) + speed / rope.length;
+                let mut give = C::constant(1.0);
+                for i in 0..2 {
+                    need -= rope.arms[i] * alone[i];
+                    give += mass * rope.arms[i].square() * ease[i];
+                }
+                let pull = need / give;
+                let joint = |i: usize| alone[i] + mass * pull * rope.arms[i] * ease[i];
+                ([joint(0), joint(1)], pull)
+            }
+        };
+        let mut relative = fall - scaled(head[0], joints[0]) - scaled(turned(from_axis), joints[1]);
+        if let Some(rope) = &rope {
+            relative -= scaled(rope.direction, pull);
+        }
+        Accelerations {
+            joints,
+            load: relative,
+            rope: mass * pull,
+        }
+    }
+}
+
+/// A crane that luffs and slews.
+#[derive(Clone, Copy, Debug)]
+pub struct Slewing<P = f64> {
+    /// On a turntable.
+    pub dynamics: Dynamics<P>,
+    pub joints: [Joint<P>; 2],
+}
+
+fn load_of<C: Calc>(y: &[C; STATES]) -> Load<C> {
+    Load {
+        place: Vector3::new(y[4], y[5], y[6]),
+        rate: Vector3::new(y[7], y[8], y[9]),
+    }
+}
+
+impl<C: Coordinate<C>> Slewing<C> {
+    fn free(state: &State) -> Free {
+        Free {
+            joints: state.joints.map(|joint| joint != Bar::Held),
+            taut: state.taut,
+        }
+    }
+
+    /// Greatest moment of dry friction and brake of a joint, in N·m.
+    fn dry(&self, i: usize, commands: &Commands<C>) -> C {
+        self.joints[i].friction.coulomb + commands.drives[i].brake
+    }
+
+    /// Moment of friction and brake on a joint that moves, in N·m.
+    fn resistance(&self, i: usize, state: &State, y: &[C; STATES], commands: &Commands<C>) -> C {
+        let viscous = -self.joints[i].friction.viscous * y[2 * i + 1];
+        match state.joints[i] {
+            Bar::Held => C::constant(0.0),
+            Bar::Forward => viscous - self.dry(i, commands),
+            Bar::Backward => viscous + self.dry(i, commands),
+        }
+    }
+
+    fn accelerations(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> Accelerations<C> {
+        let moments = [0, 1].map(|i| commands.drives[i].moment + self.resistance(i, state, y, commands));
+        let (rates, free) = ([y[1], y[3]], Self::free(state));
+        self.dynamics
+            .slewed(r, rates, load_of(y), moments, commands.hoist, free)
+    }
+
+    /// Rates of all states between events; `None` where the linkage does not close.
+    #[must_use]
+    pub fn rates(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; STATES]> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        let a = self.accelerations(state, &r, y, commands);
+        let mut out = [C::constant(0.0); STATES];
+        out[..RIGID].copy_from_slice(&[y[1], a.joints[0], y[3], a.joints[1]]);
+        if self.dynamics.bodies().pendulum.is_some() {
+            let mut load = load_of(y);
+            if state.taut {
+                load = load.on_rope(&Rope::new(load.place, &self.dynamics.head(&r)), commands.hoist);
+            }
+            out[4..7].copy_from_slice(load.rate.as_slice());
+            out[7..10].copy_from_slice(a.load.as_slice());
+            out[10] = commands.hoist;
+        }
+        Some(out)
+    }
+
+    /// Moment that friction, brake and stops must give to hold a joint at rest, in N·m, with the least and
+    /// greatest that they can.
+    fn held(&self, i: usize, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> [C; 3] {
+        let [_, slope] = r.turn;
+        let (omega, turning) = (y[1], y[3]);
+        // What drives the joint besides the rope, as in the equations of motion at rest of this joint.
+        let mut force = match i {
+            0 => commands.drives[0].moment - r.moment + C::constant(0.5) * slope * turning.square(),
+            _ => commands.drives[1].moment - slope * omega * turning,
+        };
+        if state.taut && self.dynamics.bodies().pendulum.is_some() {
+            let rope = Rope::new(load_of(y).place, &self.dynamics.head(r));
+            force += self.accelerations(state, r, y, commands).rope * rope.arms[i];
+        }
+        let (dry, without_end) = (self.dry(i, commands) * C::constant(LOOSE), C::constant(f64::INFINITY));
+        let ([low, high], at) = (self.joints[i].stops, y[2 * i].value());
+        [
+            -force,
+            if at >= high { -without_end } else { -dry },
+            if at <= low { without_end } else { dry },
+        ]
+    }
+
+    /// Force of the rope, in N; zero where it is slack or there is none.
+    #[must_use]
+    pub fn rope_force(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        Some(self.accelerations(state, &r, y, commands).rope)
+    }
+
+    /// Moment of friction, brake and end stop on luffing (0) or slewing (1), in N·m, in the direction of the angle.
+    #[must_use]
+    pub fn friction_moment(&self, i: usize, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        Some(match state.joints[i] {
+            Bar::Held => self.held(i, state, &r, y, commands)[0],
+            _ => self.resistance(i, state, y, commands),
+        })
+    }
+
+    /// Numbers whose fall below zero ends a smooth piece: luffing comes to rest or (two) breaks loose, meets
+    /// its lower or upper stop; the same for slewing; the rope becomes slack or taut.
+    #[must_use]
+    pub fn indicators(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; INDICATORS]> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        let mut out = [C::constant(1.0); INDICATORS];
+        for i in 0..2 {
+            let (at, rate, first) = (y[2 * i], y[2 * i + 1], 4 * i);
+            out[first] = match state.joints[i] {
+                Bar::Held => {
+                    let [hold, least, most] = self.held(i, state, &r, y, commands);
+                    // Where a stop gives any moment there is nothing to break.
+                    out[first + 1] = capped(hold - least);
+                    out[first] = capped(most - hold);
+                    continue;
+                }
+                Bar::Forward => rate,
+                Bar::Backward => -rate,
+            };
+            let [low, high] = self.joints[i].stops;
+            for (place, end, room) in [(2, low, at - C::constant(low)), (3, high, C::constant(high) - at)] {
+                if end.is_finite() {
+                    out[first + place] = room;
+                }
+            }
+        }
+        if self.dynamics.bodies().pendulum.is_some() {
+            out[8] = if state.taut {
+                self.accelerations(state, &r, y, commands).rope
+            } else {
+                y[10] - distance(y)
+            };
+        }
+        Some(out)
+    }
+}
+
+impl Slewing {
+    /// Decides what follows at an instant, as often as one event causes another. Returns whether anything changed.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
+        let mut changed = false;
+        for _ in 0..MOST_CHANGES {
+            let before = *state;
+            let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
+            for i in 0..2 {
+                self.stop_joint(i, state, &r);
+            }
+            self.switch_rope(state, &r, commands);
+            for i in 0..2 {
+                if state.joints[i] == Bar::Held {
+                    let [hold, least, most] = self.held(i, state, &r, &state.y, commands);
+                    if hold > most {
+                        state.joints[i] = Bar::Backward;
+                    } else if hold < least {
+                        state.joints[i] = Bar::Forward;
+                    }
+                }
+            }
+            if *state == before {
+                break;
+            }
+            changed = true;
+        }
+        Ok(changed)
+    }
+
+    /// A joint that has reached a stop, or turned round, is at rest.
+    fn stop_joint(&self, i: usize, state: &mut State, r: &Reduced<f64>) {
+        let (at, rate) = (state.y[2 * i], state.y[2 * i + 1]);
+        let [low, high] = self.joints[i].stops;
+        let at_stop = (at >= high && rate > 0.0) || (at <= low && rate < 0.0);
+        let turned = match state.joints[i] {
+            Bar::Held => rate != 0.0,
+            // At rest it is decided again which way it goes, as the commands may have changed.
+            Bar::Forward => rate <= 0.0,
+            Bar::Backward => rate >= 0.0,
+        };
+        if state.joints[i] == Bar::Held && turned && !at_stop {
+            // Set in motion from outside.
+            state.joints[i] = if rate > 0.0 { Bar::Forward } else { Bar::Backward };
+        } else if at_stop || turned {
+            state.joints[i] = Bar::Held;
+            if at_stop {
+                state.y[2 * i] = at.clamp(low, high);
+                self.blow(state, r, i);
+            }
+            state.y[2 * i + 1] = 0.0;
+        }
+    }
+
+    /// The joint stops at once; the load goes on. A taut rope that the head would run away from pulls load
+    /// and other joint along; one that it would push lets go.
+    fn blow(&self, state: &mut State, r: &Reduced<f64>, i: usize) {
+        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+            return;
+        };
+        let head = self.dynamics.head(r);
+        let mut lost = [0.0; 2];
+        lost[i] = -state.y[2 * i + 1];
+        if !state.taut {
+            self.shift(state, &head, lost, Vector3::zeros());
+            return;
+        }
+        let rope = Rope::new(load_of(&state.y).place, &head);
+        let ease = self.ease(state, r);
+        let give = 1.0 + pendulum.mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1]);
+        let pull = -(rope.arms[i] * lost[i]) / give;
+        state.taut = pull >= 0.0;
+        self.jerk(state, &head, &rope, ease, pull.max(0.0), pendulum.mass, lost);
+    }
+
+    /// One over the inertia of each joint that moves.
+    fn ease(&self, state: &State, r: &Reduced<f64>) -> [f64; 2] {
+        let inertias = [r.inertia, r.turn[0]];
+        [0, 1].map(|i| match state.joints[i] {
+            Bar::Held => 0.0,
+            _ => 1.0 / inertias[i],
+        })
+    }
+
+    /// A blow of the rope that changes the load's own speed by `pull` (m/s) towards the head, with what the
+    /// joints' rates change by besides.
+    #[expect(clippy::too_many_arguments, reason = "what a blow is made of")]
+    fn jerk(
+        &self,
+        state: &mut State,
+        head: &[Vector3<f64>; 2],
+        rope: &Rope<f64>,
+        ease: [f64; 2],
+        pull: f64,
+        mass: f64,
+        mut change: [f64; 2],
+    ) {
+        for i in 0..2 {
+            let more = mass * pull * rope.arms[i] * ease[i];
+            change[i] += more;
+            state.y[2 * i + 1] += more;
+        }
+        self.shift(state, head, change, -rope.direction * pull);
+    }
+
+    /// The load's rate as the head's changes under it, and its own by `own` (m/s).
+    fn shift(&self, state: &mut State, head: &[Vector3<f64>; 2], change: [f64; 2], own: Vector3<f64>) {
+        let place = load_of(&state.y).place + Vector3::new(head[1].z, 0.0, 0.0);
+        let rate = own - head[0] * change[0] - turned(place) * change[1];
+        for (y, rate) in state.y[7..10].iter_mut().zip(&rate) {
+            *y += rate;
+        }
+    }
+
+    /// The rope lets go where it would push, and catches the load with a plastic blow along itself.
+    fn switch_rope(&self, state: &mut State, r: &Reduced<f64>, commands: &Commands) {
+        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+            return;
+        };
+        let head = self.dynamics.head(r);
+        if !state.taut {
+            let load = load_of(&state.y);
+            let rope = Rope::new(load.place, &head);
+            let excess = rope.direction.dot(&load.rate) - commands.hoist;
+            if rope.length < state.y[10] || excess <= 0.0 {
+                return;
+            }
+            let ease = self.ease(state, r);
+            let give = 1.0 + pendulum.mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1]);
+            self.jerk(state, &head, &rope, ease, excess / give, pendulum.mass, [0.0; 2]);
+            state.taut = true;
+        }
+        Self::straighten(state, commands.hoist);
+        state.taut = self.accelerations(state, r, &state.y, commands).rope >= 0.0;
+    }
+
+    /// Puts the load of a taut rope at its end, moving with it, where roundings have moved it by more than a few bits.
+    fn straighten(state: &mut State, hoist: f64) {
+        let load = load_of(&state.y);
+        let length = load.place.norm();
+        let direction = load.place / length;
+        let excess = direction.dot(&load.rate) - hoist;
+        let few = 16.0 * f64::EPSILON;
+        if (length - state.y[10]).abs() > few * length {
+            let place = direction * state.y[10];
+            state.y[4..7].copy_from_slice(place.as_slice());
+        }
+        if excess.abs() > few * (load.rate.norm() + hoist.abs()) {
+            state.y[7..10].copy_from_slice((load.rate - direction * excess).as_slice());
+        }
+    }
+
+    /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way. Returns
+    /// the work done.
+    ///
+    /// # Errors
+    /// See [`Halt`]; the state is that of the last step that succeeded.
+    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<Count, Halt> {
+        let sound = |drive: &Drive| drive.moment.is_finite() && drive.brake >= 0.0;
+        if !(commands.drives.iter().all(sound) && commands.hoist.is_finite()) {
+            return Err(Halt::Outside);
+        }
+        let commanded = Commanded { crane: self, commands };
+        pieces::advance(&commanded, state, duration, longest)
+    }
+
+    /// Kinetic and potential energy, in J; `None` where the linkage does not close.
+    #[must_use]
+    pub fn energy(&self, state: &State, commands: &Commands) -> Option<f64> {
+        let r = f64::reduced(&self.dynamics, state.y[0])?;
+        let (omega, turning) = (state.y[1], state.y[3]);
+        let bars = 0.5 * (r.inertia * omega * omega + r.turn[0] * turning * turning) + r.energy;
+        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+            return Some(bars);
+        };
+        let (place, velocity) = self.velocity(state, &r, commands);
+        Some(bars + pendulum.mass * (0.5 * velocity.norm_squared() + self.dynamics.bodies().gravity * place.y))
+    }
+
+    /// Angular momentum about the slewing axis, in kg·m²/s; `None` where the linkage does not close.
+    #[must_use]
+    pub fn angular_momentum(&self, state: &State, commands: &Commands) -> Option<f64> {
+        let r = f64::reduced(&self.dynamics, state.y[0])?;
+        let own = r.turn[0] * state.y[3];
+        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+            return Some(own);
+        };
+        let (place, velocity) = self.velocity(state, &r, commands);
+        Some(own + pendulum.mass * (place.x * velocity.z - place.z * velocity.x))
+    }
+
+    /// The load's place from the slewing axis (m) and its velocity (m/s) against the ground, in the frame that slews.
+    fn velocity(&self, state: &State, r: &Reduced<f64>, commands: &Commands) -> (Vector3<f64>, Vector3<f64>) {
+        let head = self.dynamics.head(r);
+        let mut load = load_of(&state.y);
+        if state.taut {
+            load = load.on_rope(&Rope::new(load.place, &head), commands.hoist);
+        }
+        let place = load.place + Vector3::new(head[1].z, r.head[0].y, 0.0);
+        (place, load.rate + head[0] * state.y[1] + turned(place) * state.y[3])
+    }
+}
+
+/// A crane under commands, for the solver.
+struct Commanded<'a> {
+    crane: &'a Slewing,
+    commands: &'a Commands,
+}
+
+impl Pieces<STATES, State> for Commanded<'_> {
+    fn states(state: &mut State) -> &mut [f64; STATES] {
+        &mut state.y
+    }
+
+    fn rates(&self, state: &State, y: &[f64; STATES]) -> Option<[f64; STATES]> {
+        self.crane.rates(state, self.commands, y)
+    }
+
+    fn crossed(&self, state: &State, y: &[f64; STATES]) -> bool {
+        pieces::crossed(self.crane.indicators(state, self.commands, y))
+    }
+
+    fn event(&self, state: &mut State) -> Result<(), Halt> {
+        self.crane.event(state, self.commands).map(|_| ())
+    }
+}

@@ -1,0 +1,144 @@
+//! A second solver, that of the library `numeris`, in an importer's loop of
+//! Model Exchange: the model gives rates, event indicators and what follows an
+//! event, and nothing of its own solvers, steps and searches for events is used.
+//!
+//! Explicit levels run on Verner's method of ninth order, of another family than
+//! their own of fourth; stiff ones on the library's RODAS with Jacobians by
+//! finite differences, where ours are exact. The equations are the model's own:
+//! what checks these is the oracles and the balance of energy in the tests.
+
+use lemnis_models::model::{Fault, Model};
+use numeris::Vector;
+use numeris::ode::{AdaptiveSettings, RKAdaptive, RKV98NoInterp, RODAS4, Rosenbrock};
+
+use crate::setting::Method;
+
+/// The states are looked at for events this often, in s.
+const LOOK: f64 = 0.005;
+/// Halvings by which an event is located.
+const HALVINGS: u32 = 60;
+/// Most pieces of one communication step.
+const MOST: u32 = 100_000;
+/// Steps of the library in one piece.
+const MOST_STEPS: usize = 1_000_000;
+
+/// Relative tolerances of the library: below those of our references.
+const EXPLICIT: f64 = 1e-12;
+const IMPLICIT: f64 = 1e-10;
+
+/// Moves a model on from one time to another, both in s.
+///
+/// # Errors
+/// The model refuses its states, or the library its step.
+pub fn advance(model: &mut Model, method: Method, from: f64, to: f64) -> Result<(), Fault> {
+    model.event()?;
+    let mut left = to - from;
+    let (states, indicators) = (model.states(), model.indicators());
+    let mut nominals = vec![1.0; states];
+    model.nominals(&mut nominals);
+    let mut start = vec![0.0; states];
+    let (mut before, mut after) = (vec![0.0; indicators], vec![0.0; indicators]);
+    for _ in 0..MOST {
+        if left <= 0.0 {
+            model.set_time(to);
+            return model.update();
+        }
+        let whole = left.min(LOOK);
+        model.get_states(&mut start);
+        model.event_indicators(&mut before)?;
+        let end = piece(model, method, &start, &nominals, whole)?;
+        model.set_states(&end)?;
+        model.event_indicators(&mut after)?;
+        if !crossed(&before, &after) {
+            left -= whole;
+            continue;
+        }
+        let (mut low, mut high, mut beyond) = (0.0, whole, end);
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(low, high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            model.set_states(&start)?;
+            let end = piece(model, method, &start, &nominals, middle)?;
+            model.set_states(&end)?;
+            model.event_indicators(&mut after)?;
+            if crossed(&before, &after) {
+                (high, beyond) = (middle, end);
+            } else {
+                low = middle;
+            }
+        }
+        model.set_states(&beyond)?;
+        model.event()?;
+        left -= high;
+    }
+    Err(Fault::outside(format!(
+        "more than {MOST} events within {} s",
+        to - from
+    )))
+}
+
+fn crossed(before: &[f64], after: &[f64]) -> bool {
+    before.iter().zip(after).any(|(a, b)| (*a >= 0.0) != (*b >= 0.0))
+}
+
+/// A smooth piece of `h` s, on states over their nominals.
+fn piece(model: &mut Model, method: Method, start: &[f64], nominals: &[f64], h: f64) -> Result<Vec<f64>, Fault> {
+    // The library's systems have a size that is known when it is compiled: the next greater one, filled with zeros.
+    match start.len() {
+        0..=2 => sized::<2>(model, method, start, nominals, h),
+        3..=7 => sized::<7>(model, method, start, nominals, h),
+        8 => sized::<8>(model, method, start, nominals, h),
+        9..=12 => sized::<12>(model, method, start, nominals, h),
+        13..=24 => sized::<24>(model, method, start, nominals, h),
+        25..=64 => sized::<64>(model, method, start, nominals, h),
+        more => Err(Fault::new(format!(
+            "{more} states are more than the second solver takes"
+        ))),
+    }
+}
+
+fn sized<const N: usize>(
+    model: &mut Model,
+    method: Method,
+    start: &[f64],
+    nominals: &[f64],
+    h: f64,
+) -> Result<Vec<f64>, Fault> {
+    let count = start.len();
+    let scaled = Vector::<f64, N>::from_array(std::array::from_fn(|i| {
+        if i < count { start[i] / nominals[i] } else { 0.0 }
+    }));
+    let (mut y, mut rates) = (vec![0.0; count], vec![0.0; count]);
+    let mut refused = None;
+    let mut f = |_: f64, at: &Vector<f64, N>| {
+        for (i, y) in y.iter_mut().enumerate() {
+            *y = at[i] * nominals[i];
+        }
+        match model.set_states(&y).and_then(|()| model.rates(&mut rates)) {
+            Ok(()) => Vector::from_array(std::array::from_fn(|i| {
+                if i < count { rates[i] / nominals[i] } else { 0.0 }
+            })),
+            Err(fault) => {
+                refused = Some(fault);
+                Vector::from_array([f64::NAN; N])
+            }
+        }
+    };
+    let settings = |tolerance: f64| AdaptiveSettings {
+        abs_tol: tolerance,
+        rel_tol: tolerance,
+        max_steps: MOST_STEPS,
+        min_step: 1e-13,
+        ..AdaptiveSettings::default()
+    };
+    let solved = match method {
+        Method::Implicit(_) => RODAS4::integrate_auto(0.0, h, &scaled, &mut f, &settings(IMPLICIT)),
+        Method::Explicit(_) | Method::Closed => RKV98NoInterp::integrate(0.0, h, &scaled, &mut f, &settings(EXPLICIT)),
+    };
+    match solved {
+        Ok(solution) => Ok((0..count).map(|i| solution.y[i] * nominals[i]).collect()),
+        Err(error) => Err(refused.unwrap_or_else(|| Fault::outside(format!("the second solver stops: {error}")))),
+    }
+}

@@ -1,0 +1,150 @@
+//! A level with its solver and step, and what counted work costs.
+
+use std::fmt;
+
+use lemnis_models::model::{Fault, Model};
+use lemnis_models::scene::Scene;
+use lemnis_models::solver::Count;
+
+/// How a level is solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Method {
+    /// Nothing is solved: results follow from the inputs.
+    Closed,
+    /// Runge and Kutta's explicit method of fourth order, with this longest step in s.
+    Explicit(f64),
+    /// Rodas, linearly implicit, with this relative tolerance.
+    Implicit(f64),
+}
+
+/// One way to run a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Setting {
+    pub level: &'static str,
+    pub method: Method,
+}
+
+/// Longest steps of the explicit solver, in s, and tolerances of the implicit one.
+const STEPS: [f64; 6] = [0.1, 0.05, 0.02, 0.01, 0.005, 0.002];
+const TOLERANCES: [f64; 6] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
+
+/// Of the references: an order of magnitude below what is compared with them.
+const FINE_STEP: f64 = 0.0005;
+const FINE_TOLERANCE: f64 = 1e-9;
+
+/// What a level's equations cost, in s, measured once: the position with some results, the rates of
+/// the states, and the rates with their Jacobian and its factors. They stand here so that a choice by cost is
+/// the same on every machine; only their ratios matter.
+struct Price {
+    position: f64,
+    rates: f64,
+    jacobian: f64,
+}
+
+fn price(level: &str) -> Price {
+    let (rates, jacobian) = match level {
+        "rigid" => (0.17e-6, 0.0),
+        "swing" => (0.20e-6, 0.0),
+        "hydraulic" => (0.22e-6, 1.0e-6),
+        _ => (0.0, 0.0),
+    };
+    Price {
+        position: 0.08e-6,
+        rates,
+        jacobian,
+    }
+}
+
+impl Setting {
+    /// All that apply at a level, from cheap to fine, with communication steps of `sample` s.
+    #[must_use]
+    pub fn all(level: &'static str, sample: f64) -> Vec<Setting> {
+        let of = |method| Setting { level, method };
+        match Setting::fine(level).method {
+            Method::Closed => vec![of(Method::Closed)],
+            Method::Explicit(_) => STEPS
+                .into_iter()
+                .filter(|step| *step <= sample)
+                .map(|step| of(Method::Explicit(step)))
+                .collect(),
+            Method::Implicit(_) => TOLERANCES.map(|tol| of(Method::Implicit(tol))).to_vec(),
+        }
+    }
+
+    /// As fine as the level's solution needs to be when others are compared with it.
+    #[must_use]
+    pub fn fine(level: &'static str) -> Setting {
+        let method = match level {
+            "rigid" | "swing" => Method::Explicit(FINE_STEP),
+            "hydraulic" => Method::Implicit(FINE_TOLERANCE),
+            _ => Method::Closed,
+        };
+        Setting { level, method }
+    }
+
+    /// The running model of a scene with this setting.
+    ///
+    /// # Errors
+    /// As [`Model::new`].
+    pub fn model(&self, scene: &Scene, sample: f64) -> Result<Model, Fault> {
+        let mut model = Model::new(&scene.at(self.level))?;
+        let set = |model: &mut Model, id: &str, value| match index(model, id) {
+            Some(index) => model.set(index, value),
+            None => Ok(()),
+        };
+        match self.method {
+            Method::Closed => {}
+            Method::Explicit(step) => set(&mut model, "step", step)?,
+            Method::Implicit(tolerance) => {
+                set(&mut model, "step", sample)?;
+                set(&mut model, "tol", tolerance)?;
+            }
+        }
+        model.update()?;
+        Ok(model)
+    }
+
+    /// What work costs, in s of the machine that the prices were measured on.
+    #[must_use]
+    pub fn price(&self, work: &Count, positions: u32) -> f64 {
+        let price = price(self.level);
+        f64::from(positions) * price.position
+            + f64::from(work.rates) * price.rates
+            + f64::from(work.jacobians) * price.jacobian
+    }
+
+    /// The key of the scene that says so, with its value.
+    #[must_use]
+    pub fn key(&self) -> Option<(&'static str, String)> {
+        match self.method {
+            Method::Closed => None,
+            Method::Explicit(step) => Some(("step", format!("{} ms", step * 1e3))),
+            Method::Implicit(tolerance) => Some(("tol", format!("{tolerance:e}"))),
+        }
+    }
+
+    /// `RK4`, `Rodas`, or a closed form.
+    #[must_use]
+    pub fn solver(&self) -> &'static str {
+        match self.method {
+            Method::Closed => "closed form",
+            Method::Explicit(_) => "RK4",
+            Method::Implicit(_) => "Rodas",
+        }
+    }
+}
+
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, {}", self.level, self.solver())?;
+        self.key()
+            .iter()
+            .try_for_each(|(key, value)| write!(f, ", {key} = {value}"))
+    }
+}
+
+/// A variable of a model by its name.
+#[must_use]
+pub fn index(model: &Model, name: &str) -> Option<usize> {
+    model.variables().iter().position(|variable| variable.name() == name)
+}

@@ -1,0 +1,430 @@
+//! References that two codes agree on, errors of every setting, the front of
+//! what is worth its price, and the choice.
+
+use std::fmt;
+use std::time::Instant;
+
+use lemnis_models::model::{Fault, Model, Role, Type, Variable};
+use lemnis_models::scene::Scene;
+use lemnis_models::solver::Count;
+
+use crate::experiment::{Experiment, Seen};
+use crate::library;
+use crate::setting::{Setting, index};
+
+/// Part of a result's range to which the two codes must agree.
+pub const AGREEMENT: f64 = 1e-6;
+
+/// Communication step where nothing else is asked for, in s.
+pub const SAMPLE: f64 = 0.1;
+
+/// An error over the whole motion, in the result's unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Size {
+    pub max: f64,
+    /// Root of the mean square.
+    pub rms: f64,
+}
+
+/// How far one result of a setting is off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    /// Against the solution of its own level.
+    pub numerical: Size,
+    /// Of its level's solution against the deepest level's.
+    pub modelling: Size,
+    /// Against the deepest level's solution.
+    pub total: Size,
+}
+
+/// A result that is compared.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    pub variable: Variable,
+    pub name: String,
+    /// How far it may be off, where the scene says so.
+    pub allowed: Option<f64>,
+    /// From its least to its greatest value on the deepest level.
+    pub range: f64,
+}
+
+/// A level's solution by two codes.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    pub level: &'static str,
+    /// Where the two codes are farthest apart, over what each result changes: result, both values, part of its range.
+    pub apart: Option<Apart>,
+    seen: Seen,
+}
+
+/// Two codes at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Apart {
+    pub result: String,
+    /// In s.
+    pub time: f64,
+    /// Ours and the library's, in SI.
+    pub values: [f64; 2],
+    pub part: f64,
+}
+
+/// A setting with its price and its errors.
+#[derive(Clone, Debug)]
+pub struct Row {
+    pub setting: Setting,
+    /// Seconds of the clock for each simulated second, the median of several rounds; `None` without a clock.
+    pub seconds: Option<f64>,
+    /// The same by counted work.
+    pub cost: f64,
+    /// Work of the whole motion.
+    pub work: Count,
+    /// Size of a saved state.
+    pub bytes: usize,
+    /// One for each result asked for; `None` where the level has none.
+    pub errors: Vec<Option<Errors>>,
+    /// The level cannot take the command that moves the scene and follows the deepest level's motion: its errors are
+    /// shown, but it is no substitute.
+    pub follows: bool,
+    /// A tenth more accurate than every cheaper setting.
+    pub front: bool,
+    /// Whether every result asked for is as accurate as it must be; `None` where nothing is asked.
+    pub holds: Option<bool>,
+}
+
+/// A result that is less accurate than it must be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Missed {
+    pub result: usize,
+    /// How far it is off at the most accurate setting; infinite where no level has it.
+    pub off: f64,
+}
+
+/// Speed against accuracy of one scene.
+#[derive(Clone, Debug)]
+pub struct Trade {
+    pub asked: Vec<Asked>,
+    /// Communication step and duration of the motion, in s.
+    pub sample: f64,
+    pub duration: f64,
+    /// The command of the scene's own that moves it; `None` for the luffing cycle.
+    pub command: Option<&'static str>,
+    pub references: Vec<Reference>,
+    /// From cheap to dear.
+    pub rows: Vec<Row>,
+}
+
+/// Why there is no trade.
+#[derive(Clone, Debug)]
+pub enum Failure {
+    Refused(Fault),
+    /// The two codes do not agree on a level.
+    Apart(&'static str, Apart, &'static lemnis_models::symbol::Symbol),
+}
+
+impl From<Fault> for Failure {
+    fn from(fault: Fault) -> Failure {
+        Failure::Refused(fault)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Refused(fault) => f.write_str(&fault.message),
+            Failure::Apart(level, apart, symbol) => {
+                let Apart {
+                    result,
+                    time,
+                    values: [ours, theirs],
+                    part,
+                } = apart;
+                write!(
+                    f,
+                    "no reference at level {level}: {result} at {time} s is {} {unit} by our solver and {} {unit} by the \
+                     library's, {part:.1e} of its range apart and {AGREEMENT:e} is allowed; a motion without blows and \
+                     resonance, or a smaller --step, may do",
+                    symbol.shown(*ours),
+                    symbol.shown(*theirs),
+                    unit = symbol.display.name
+                )
+            }
+        }
+    }
+}
+
+impl Trade {
+    /// Runs all settings of a scene with communication steps of `sample` s, each `rounds` times by the clock (none: without
+    /// a clock), and calls `done` at each one.
+    ///
+    /// # Errors
+    /// See [`Failure`].
+    pub fn new(scene: &Scene, sample: f64, rounds: usize, done: &dyn Fn()) -> Result<Trade, Failure> {
+        let levels = scene.levels();
+        let deepest = levels.last().copied().unwrap_or("static");
+        let mut experiment = Experiment::new(&scene.at(deepest), sample)?;
+        let mut asked = asked(scene, deepest)?;
+        let mut names: Vec<String> = asked.iter().map(|asked| asked.name.clone()).collect();
+        // What moves is followed by the levels where it is an input.
+        let model = Model::new(&scene.at(deepest))?;
+        names.extend(model.variables()[..2].iter().map(Variable::name));
+        let mut references = Vec::new();
+        for level in levels.iter().rev().copied() {
+            let reference = reference(scene, &experiment, level, &names)?;
+            if let Some(apart) = reference
+                .apart
+                .as_ref()
+                .filter(|apart| apart.part.is_nan() || apart.part > AGREEMENT)
+            {
+                let variable = model.variables().iter().find(|v| v.name() == apart.result);
+                let symbol = variable.unwrap_or(&model.variables()[0]).symbol;
+                return Err(Failure::Apart(level, apart.clone(), symbol));
+            }
+            if references.is_empty() {
+                let [.., angles, rates] = reference.seen.series.as_slice() else {
+                    unreachable!("two names were added above");
+                };
+                experiment.follow(angles, rates);
+            }
+            references.push(reference);
+            done();
+        }
+        let truth = references[0].seen.clone();
+        for (asked, series) in asked.iter_mut().zip(&truth.series) {
+            let [low, high] = extent(series);
+            asked.range = high - low;
+        }
+        let mut rows = Vec::new();
+        for reference in &references {
+            for setting in Setting::all(reference.level, sample) {
+                rows.push(row(
+                    scene,
+                    &experiment,
+                    setting,
+                    &names,
+                    &asked,
+                    reference,
+                    &truth,
+                    rounds,
+                )?);
+                done();
+            }
+        }
+        rows.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        mark_front(&mut rows, &asked);
+        references.reverse();
+        Ok(Trade {
+            asked,
+            sample,
+            duration: experiment.duration(),
+            command: experiment.own_command(),
+            references,
+            rows,
+        })
+    }
+
+    /// How often [`new`](Trade::new) calls back.
+    #[must_use]
+    pub fn steps(scene: &Scene, sample: f64) -> usize {
+        let of = |level: &&'static str| 1 + Setting::all(level, sample).len();
+        scene.levels().iter().map(of).sum()
+    }
+
+    /// The cheapest setting, by counted work, at which every result is as accurate as the scene asks.
+    #[must_use]
+    pub fn choice(&self) -> Option<&Row> {
+        self.rows.iter().find(|row| row.holds == Some(true))
+    }
+
+    /// What the most accurate setting misses: that with the least of its worst errors over what is allowed.
+    #[must_use]
+    pub fn missed(&self) -> Option<(&Row, Vec<Missed>)> {
+        let worst = |row: &Row| {
+            let part = |(asked, errors): (&Asked, &Option<Errors>)| {
+                asked
+                    .allowed
+                    .map(|allowed| errors.map_or(f64::INFINITY, |e| e.total.max / allowed))
+            };
+            self.asked.iter().zip(&row.errors).filter_map(part).fold(0.0, f64::max)
+        };
+        let rows = self.rows.iter().filter(|row| !row.follows);
+        let best = rows.min_by(|a, b| worst(a).total_cmp(&worst(b)))?;
+        let missed = self.asked.iter().zip(&best.errors).enumerate();
+        let missed = missed.filter_map(|(result, (asked, errors))| {
+            let off = errors.map_or(f64::INFINITY, |e| e.total.max + AGREEMENT * asked.range);
+            asked
+                .allowed
+                .filter(|allowed| off > *allowed)
+                .map(|_| Missed { result, off })
+        });
+        Some((best, missed.collect()))
+    }
+}
+
+/// What is compared: what the scene's accuracy names, otherwise the coordinate and what the first connection of the
+/// mechanism tells.
+fn asked(scene: &Scene, deepest: &str) -> Result<Vec<Asked>, Fault> {
+    let model = Model::new(&scene.at(deepest))?;
+    let of = |variable: Variable, allowed| Asked {
+        name: variable.name(),
+        variable,
+        allowed,
+        range: 0.0,
+    };
+    if !scene.accuracy.is_empty() {
+        let asked = scene.accuracy.iter();
+        return Ok(asked.map(|(variable, allowed)| of(*variable, Some(*allowed))).collect());
+    }
+    let members: Vec<String> = model
+        .terminals()
+        .into_iter()
+        .take(1)
+        .flat_map(|terminal| terminal.members)
+        .map(|(name, _)| name)
+        .collect();
+    let variables = model.variables().iter().enumerate();
+    let compared = variables.filter(|(i, variable)| {
+        let result = variable.role == Role::Output && members.contains(&variable.name());
+        variable.kind == Type::Real && (*i == 0 || result)
+    });
+    Ok(compared.map(|(_, variable)| of(*variable, None)).collect())
+}
+
+/// A level's solution by both codes.
+fn reference(
+    scene: &Scene,
+    experiment: &Experiment,
+    level: &'static str,
+    names: &[String],
+) -> Result<Reference, Failure> {
+    let setting = Setting::fine(level);
+    let mut model = setting.model(scene, experiment.sample)?;
+    let solved = model.states() > 0;
+    let seen = experiment.run(scene, &mut model, names, &mut |model, from, to| model.advance(from, to))?;
+    let mut apart: Option<Apart> = None;
+    if solved {
+        let mut model = setting.model(scene, experiment.sample)?;
+        let second = experiment.run(scene, &mut model, names, &mut |model, from, to| {
+            library::advance(model, setting.method, from, to)
+        })?;
+        for ((name, ours), theirs) in names.iter().zip(&seen.series).zip(&second.series) {
+            let [low, high] = extent(ours);
+            for (i, (a, b)) in ours.iter().zip(theirs).enumerate() {
+                let part = (a - b).abs() / (high - low).max(f64::MIN_POSITIVE);
+                if apart.as_ref().is_none_or(|apart| part > apart.part || part.is_nan()) {
+                    apart = Some(Apart {
+                        result: name.clone(),
+                        time: i as f64 * experiment.sample,
+                        values: [*a, *b],
+                        part: if a == b { 0.0 } else { part },
+                    });
+                }
+            }
+        }
+    }
+    Ok(Reference { level, apart, seen })
+}
+
+#[expect(
+    clippy::too_many_arguments,
+    reason = "one call; a struct would only repeat the names"
+)]
+fn row(
+    scene: &Scene,
+    experiment: &Experiment,
+    setting: Setting,
+    names: &[String],
+    asked: &[Asked],
+    reference: &Reference,
+    truth: &Seen,
+    rounds: usize,
+) -> Result<Row, Fault> {
+    let mut model = setting.model(scene, experiment.sample)?;
+    let bytes = 8 * model.numbers(&model.state()).len();
+    let seen = experiment.run(scene, &mut model, names, &mut |model, from, to| model.advance(from, to))?;
+    let work = model.count();
+    let mut clocked = Vec::new();
+    for _ in 0..rounds {
+        let mut model = setting.model(scene, experiment.sample)?;
+        let clock = Instant::now();
+        experiment.replay(&mut model, &names[..asked.len()], &seen.commands)?;
+        clocked.push(clock.elapsed().as_secs_f64());
+    }
+    clocked.sort_by(f64::total_cmp);
+    let errors: Vec<Option<Errors>> = (0..asked.len())
+        .map(|i| {
+            let (own, level, deepest) = (&seen.series[i], &reference.seen.series[i], &truth.series[i]);
+            (!own.is_empty()).then(|| Errors {
+                numerical: distance(own, level),
+                modelling: distance(level, deepest),
+                total: distance(own, deepest),
+            })
+        })
+        .collect();
+    let holds = |(asked, errors): (&Asked, &Option<Errors>)| {
+        let allowed = asked.allowed?;
+        // What the references themselves may be off counts as well.
+        Some(errors.is_some_and(|e| e.total.max + AGREEMENT * asked.range <= allowed))
+    };
+    let mut verdicts = asked.iter().zip(&errors).filter_map(holds).peekable();
+    let holds = verdicts.peek().is_some().then(|| verdicts.all(|held| held));
+    let follows = experiment.own_command().is_some_and(|id| index(&model, id).is_none());
+    let duration = experiment.duration();
+    Ok(Row {
+        setting,
+        seconds: clocked.get(rounds / 2).map(|seconds| seconds / duration),
+        cost: setting.price(&work, experiment.samples) / duration,
+        work,
+        bytes,
+        errors,
+        follows,
+        front: false,
+        holds: holds.map(|holds| holds && !follows),
+    })
+}
+
+/// The worst error of a setting over what is allowed, or over the result's range; infinite where one is not modelled.
+#[must_use]
+pub fn relative(row: &Row, asked: &[Asked]) -> f64 {
+    let part = |(asked, errors): (&Asked, &Option<Errors>)| {
+        let over = asked.allowed.unwrap_or(asked.range);
+        match errors {
+            None => f64::INFINITY,
+            Some(errors) if errors.total.max == 0.0 => 0.0,
+            Some(errors) => errors.total.max / over,
+        }
+    };
+    asked.iter().zip(&row.errors).map(part).fold(0.0, f64::max)
+}
+
+/// What a dearer setting must be more accurate by to be worth its price.
+const WORTH: f64 = 0.9;
+
+/// Rows come from cheap to dear.
+fn mark_front(rows: &mut [Row], asked: &[Asked]) {
+    let mut best = f64::INFINITY;
+    for row in rows.iter_mut().filter(|row| !row.follows) {
+        let off = relative(row, asked);
+        row.front = off < WORTH * best;
+        if row.front {
+            best = off;
+        }
+    }
+}
+
+fn extent(series: &[f64]) -> [f64; 2] {
+    let least = series.iter().copied().fold(f64::INFINITY, f64::min);
+    [least, series.iter().copied().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+fn distance(a: &[f64], b: &[f64]) -> Size {
+    let (mut max, mut sum) = (0.0_f64, 0.0);
+    for (a, b) in a.iter().zip(b) {
+        let off = if a == b { 0.0 } else { (a - b).abs() };
+        max = if off.is_nan() { f64::INFINITY } else { max.max(off) };
+        sum += off * off;
+    }
+    Size {
+        max,
+        rms: (sum / a.len().min(b.len()).max(1) as f64).sqrt(),
+    }
+}

@@ -1,0 +1,393 @@
+//! `lemnis trade`: what accuracy costs, and the cheapest that keeps to what a
+//! scene asks; and the scene that `fidelity = "auto"` stands for.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use lemnis::language::Language;
+use lemnis::plot::{self, Series};
+use lemnis::template::Templates;
+use lemnis_models::scene::Scene;
+use lemnis_models::schema::short;
+use lemnis_trade::setting::Method;
+use lemnis_trade::trade::{self, AGREEMENT, Row, SAMPLE, Size, Trade as Traded};
+use lemnis_typeset::{Embedded, Format, Typesetter};
+use serde_json::{Map, Value, json};
+use toml_edit::{DocumentMut, value};
+
+use crate::failure::Failure;
+use crate::output::{Output, say, write};
+use crate::scene_file;
+
+#[derive(Args)]
+pub struct Trade {
+    /// Scene file [default: the embedded scene]
+    scene: Option<PathBuf>,
+    /// Folder for the results: NAME_trade.json, NAME_trade.csv and the diagram NAME_trade.svg
+    #[arg(short, long, default_value = "out")]
+    output: PathBuf,
+    /// Communication step, in s
+    #[arg(long, value_name = "SECONDS", default_value_t = SAMPLE, value_parser = positive)]
+    step: f64,
+    /// Rounds by the clock, of which the median counts
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    rounds: u16,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
+    let possible = (1e-6..=10.0).contains(&number);
+    possible
+        .then_some(number)
+        .ok_or_else(|| "must be from 1e-6 to 10 s".to_owned())
+}
+
+impl Trade {
+    pub fn run(&self) -> Result<(), Failure> {
+        let scene = scene_file::read(self.scene.as_deref())?;
+        let traded = measured(&scene, self.step, self.rounds.into())?;
+        say(format_args!("{}\n{}", scene.title(), table(&traded).trim_end()))?;
+        let name = |suffix: &str| format!("{}_trade.{suffix}", scene.name());
+        let outputs = [
+            ("json", json(&scene, &traded)),
+            ("csv", csv(&traded)),
+            ("svg", diagram(&traded)?),
+        ];
+        let outputs = outputs.map(|(suffix, bytes)| Output {
+            name: name(suffix),
+            bytes: bytes.into_bytes(),
+        });
+        write(&self.output, &outputs)
+    }
+}
+
+fn measured(scene: &Scene, step: f64, rounds: usize) -> Result<Traded, Failure> {
+    let style = ProgressStyle::with_template("measuring {wide_bar} {percent} %").expect("a template");
+    let bar = ProgressBar::new(Traded::steps(scene, step) as u64).with_style(style);
+    let traded = Traded::new(scene, step, rounds, &|| bar.inc(1));
+    bar.finish_and_clear();
+    traded.map_err(|failure| Failure::Scene(format!("error: {failure}")))
+}
+
+/// The scene that is built: where the level is left open, the same with the cheapest level, step and tolerance that keep
+/// to its accuracy. They are chosen by counted work, so that the same scene always gives the same FMU.
+pub fn decided(scene: Scene) -> Result<Scene, Failure> {
+    if !scene.is_auto() {
+        return Ok(scene);
+    }
+    let traded = measured(&scene, SAMPLE, 0)?;
+    let Some(row) = traded.choice() else {
+        return Err(Failure::Scene(format!("error: {}", verdict(&traded))));
+    };
+    say(verdict(&traded))?;
+    let mut document: DocumentMut = scene.text().parse().expect("a scene that was read is TOML");
+    let level = row.setting.level;
+    let luffing = document[scene.mechanism.id()].as_table_like_mut().expect("a table");
+    luffing.insert("fidelity", value(level));
+    if level == "static" {
+        luffing.remove("dynamics");
+    }
+    if level != "hydraulic" {
+        luffing.remove("hydraulics");
+    }
+    if let Some(dynamics) = luffing.get_mut("dynamics").and_then(|item| item.as_table_like_mut()) {
+        if level == "rigid" {
+            for key in ["l_R", "phi_R", "v_h"] {
+                dynamics.remove(key);
+            }
+        }
+        let step = match row.setting.method {
+            Method::Explicit(step) => step,
+            Method::Closed | Method::Implicit(_) => traded.sample,
+        };
+        dynamics.insert("step", value(format!("{} ms", step * 1e3)));
+    }
+    if let (Some(oil), Method::Implicit(tolerance)) = (
+        luffing.get_mut("hydraulics").and_then(|item| item.as_table_like_mut()),
+        row.setting.method,
+    ) {
+        oil.insert("tol", value(format!("{tolerance:e}")));
+    }
+    let text = document.to_string();
+    Scene::parse(&text).map_err(|found| {
+        let whole: Vec<String> = found.iter().map(ToString::to_string).collect();
+        Failure::Program(format!(
+            "the scene at level {level} cannot be read: {}",
+            whole.join("; ")
+        ))
+    })
+}
+
+/// What was chosen and why, or what is missed.
+fn verdict(traded: &Traded) -> String {
+    let of = |i: usize, off: f64| {
+        let asked = &traded.asked[i];
+        let (symbol, unit) = (asked.variable.symbol, asked.variable.symbol.display.name);
+        let allowed = asked
+            .allowed
+            .map_or_else(String::new, |a| format!(", {} {unit} allowed", digits(symbol.shown(a))));
+        format!("{} off by {} {unit}{allowed}", asked.name, digits(symbol.shown(off)))
+    };
+    if let Some(row) = traded.choice() {
+        let errors = row.errors.iter().enumerate();
+        let errors = errors.filter_map(|(i, e)| Some(of(i, e.as_ref()?.total.max)));
+        return format!(
+            "the cheapest that keeps to the accuracy: {}; {}",
+            row.setting,
+            errors.collect::<Vec<_>>().join("; ")
+        );
+    }
+    let Some((row, missed)) = traded.missed() else {
+        return "nothing was measured".to_owned();
+    };
+    if missed.is_empty() {
+        return "the scene asks for no accuracy: add accuracy = { \"A.x\" = \"1 mm\" } and the cheapest that keeps to it is \
+                named here"
+            .to_owned();
+    }
+    let missed = missed.iter().map(|missed| of(missed.result, missed.off));
+    format!(
+        "nothing keeps to the accuracy; nearest is {}: {}; allow as much, or remove these results from `accuracy`",
+        row.setting,
+        missed.collect::<Vec<_>>().join("; ")
+    )
+}
+
+/// Three significant digits, as text.
+fn digits(value: f64) -> String {
+    if value == 0.0 {
+        "0".to_owned()
+    } else if value.is_infinite() {
+        "-".to_owned()
+    } else if (1e-3..1e5).contains(&value.abs()) {
+        short(format!("{value:.2e}").parse().unwrap_or(value))
+    } else {
+        format!("{value:.1e}")
+    }
+}
+
+/// For reading: from cheap to dear, a star at what is on the front.
+fn table(traded: &Traded) -> String {
+    let motion = match traded.command {
+        Some(id) => format!("moved by the scene's {id}"),
+        None => "a cycle through the working range".to_owned(),
+    };
+    let mut text = format!(
+        "  {motion}, {} s, communication step {} ms\n",
+        short(traded.duration),
+        short(traded.sample * 1e3)
+    );
+    for reference in &traded.references {
+        if let Some(apart) = &reference.apart {
+            let _ = writeln!(
+                text,
+                "  reference of level {}: two codes agree to {:.0e} of the range, in {} ({AGREEMENT:e} asked for)",
+                reference.level, apart.part, apart.result
+            );
+        }
+    }
+    let per_second = |count: u32| short((f64::from(count) / traded.duration).round());
+    let mut rows = vec![
+        ["", "level", "solver", "", "us/s", "rates/s", "steps/s", "bytes"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    for asked in &traded.asked {
+        rows[0].push(format!("{} [{}]", asked.name, asked.variable.symbol.display.name));
+    }
+    rows[0].extend(["numerical", "modelling"].map(str::to_owned));
+    for row in &traded.rows {
+        let mark = match (row.front, row.follows) {
+            (_, true) => "follows",
+            (true, _) => "*",
+            _ => "",
+        };
+        let setting = row
+            .setting
+            .key()
+            .map_or_else(String::new, |(key, value)| format!("{key} = {value}"));
+        let mut cells = vec![
+            mark.to_owned(),
+            row.setting.level.to_owned(),
+            row.setting.solver().to_owned(),
+            setting,
+            digits(row.seconds.unwrap_or(row.cost) * 1e6),
+            per_second(row.work.rates),
+            per_second(row.work.steps),
+            row.bytes.to_string(),
+        ];
+        for (asked, errors) in traded.asked.iter().zip(&row.errors) {
+            let symbol = asked.variable.symbol;
+            cells.push(errors.map_or_else(|| "-".to_owned(), |e| digits(symbol.shown(e.total.max))));
+        }
+        // The worst of all results, over their ranges.
+        for of in [|e: &trade::Errors| e.numerical.max, |e: &trade::Errors| e.modelling.max] {
+            let parts = traded.asked.iter().zip(&row.errors);
+            let parts = parts.map(|(asked, errors)| match errors {
+                None => f64::INFINITY,
+                Some(errors) if of(errors) == 0.0 => 0.0,
+                Some(errors) => of(errors) / asked.range,
+            });
+            cells.push(digits(parts.fold(0.0, f64::max)));
+        }
+        rows.push(cells);
+    }
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
+    for row in &rows {
+        let cells = row.iter().zip(&widths).enumerate().map(|(i, (cell, &width))| match i {
+            0..4 => format!("{cell:<width$}"),
+            _ => format!("{cell:>width$}"),
+        });
+        let _ = writeln!(text, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end());
+    }
+    text.push_str(
+        "  errors are the greatest; numerical and modelling are parts of the range, the worst of all results\n",
+    );
+    if traded.rows.iter().any(|row| row.follows) {
+        text.push_str(
+            "  follows: cannot take the command and is led along the deepest level's motion, so it is no substitute\n",
+        );
+    }
+    let _ = writeln!(text, "  {}", verdict(traded));
+    text
+}
+
+/// The work-precision diagram by the clock, as SVG.
+fn diagram(traded: &Traded) -> Result<String, Failure> {
+    let wrong = |error: &dyn std::fmt::Display| Failure::Program(format!("the diagram cannot be drawn: {error}"));
+    let language = Language::find("en").expect("known");
+    let asks = traded.asked.iter().any(|asked| asked.allowed.is_some());
+    let picture = plot::work_precision(
+        language,
+        [
+            if asks {
+                "\"error over what is allowed\""
+            } else {
+                "\"error over range\""
+            },
+            "\"computing, µs per s\"",
+        ],
+        &series(traded, |row| row.seconds.unwrap_or(row.cost)),
+        asks.then_some(1.0),
+    );
+    let source = Templates::embedded()
+        .picture(&picture, language)
+        .map_err(|error| wrong(&error))?;
+    let made = Embedded
+        .typeset(&source, &[], Format::Svg, None)
+        .map_err(|error| wrong(&error))?;
+    let page = made.files.into_iter().next().unwrap_or_default();
+    String::from_utf8(page).map_err(|error| wrong(&error))
+}
+
+fn series(traded: &Traded, cost: impl Fn(&Row) -> f64) -> Vec<Series> {
+    let levels = traded.references.iter().map(|reference| {
+        let rows = traded
+            .rows
+            .iter()
+            .filter(|row| row.setting.level == reference.level && !row.follows);
+        let points = rows.map(|row| ([trade::relative(row, &traded.asked), 1e6 * cost(row)], row.front));
+        Series {
+            label: format!("\"{}\"", reference.level),
+            points: points.filter(|(p, _)| p[0].is_finite()).collect(),
+        }
+    });
+    levels.filter(|level| !level.points.is_empty()).collect()
+}
+
+fn number(value: f64) -> Value {
+    serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number)
+}
+
+/// Everything, in SI.
+fn json(scene: &Scene, traded: &Traded) -> String {
+    let asked = traded.asked.iter().map(|asked| {
+        let entry = json!({
+            "unit": asked.variable.symbol.unit.name, "range": number(asked.range), "allowed": asked.allowed.map(number),
+        });
+        (asked.name.clone(), entry)
+    });
+    let references = traded.references.iter().map(|reference| {
+        let apart = reference.apart.as_ref().map(|apart| {
+            json!({
+                "result": apart.result, "time": number(apart.time), "values": apart.values.map(number),
+                "part_of_range": number(apart.part),
+            })
+        });
+        json!({ "level": reference.level, "farthest_apart": apart })
+    });
+    let size = |size: Size| json!({ "max": number(size.max), "rms": number(size.rms) });
+    let rows = traded.rows.iter().map(|row| {
+        let errors = traded.asked.iter().zip(&row.errors).map(|(asked, errors)| {
+            let entry = errors.map(
+                |e| json!({ "numerical": size(e.numerical), "modelling": size(e.modelling), "total": size(e.total) }),
+            );
+            (asked.name.clone(), entry.unwrap_or(Value::Null))
+        });
+        let key = row.setting.key().map(|(key, value)| json!({ key: value }));
+        json!({
+            "level": row.setting.level, "solver": row.setting.solver(), "setting": key,
+            "seconds_per_second": row.seconds.map(number), "cost": number(row.cost),
+            "rates": row.work.rates, "jacobians": row.work.jacobians, "steps": row.work.steps,
+            "rejected": row.work.rejected, "bytes": row.bytes, "follows": row.follows, "front": row.front,
+            "holds": row.holds, "errors": errors.collect::<Map<_, _>>(),
+        })
+    });
+    let choice = traded.choice().map(|row| row.setting.to_string());
+    let whole = json!({
+        "name": scene.name(), "motion": traded.command.unwrap_or("cycle"), "duration": number(traded.duration),
+        "communication_step": number(traded.sample), "agreement_asked": number(AGREEMENT),
+        "results": asked.collect::<Map<_, _>>(), "references": references.collect::<Vec<_>>(),
+        "settings": rows.collect::<Vec<_>>(), "choice": choice, "verdict": verdict(traded),
+    });
+    serde_json::to_string_pretty(&whole).expect("plain data")
+}
+
+/// One line for each setting and result, errors in display units.
+fn csv(traded: &Traded) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let heads = "level,solver,setting,us_per_s,cost_us_per_s,rates,jacobians,steps,rejected,bytes,front,result,unit,numerical_max,\
+                 numerical_rms,modelling_max,modelling_rms,total_max,total_rms,total_part_of_range";
+    writer
+        .write_record(heads.split(','))
+        .expect("memory takes every record");
+    for row in &traded.rows {
+        for (asked, errors) in traded.asked.iter().zip(&row.errors) {
+            let symbol = asked.variable.symbol;
+            let setting = row
+                .setting
+                .key()
+                .map_or_else(String::new, |(key, value)| format!("{key} = {value}"));
+            let mut record = vec![
+                row.setting.level.to_owned(),
+                row.setting.solver().to_owned(),
+                setting,
+                row.seconds
+                    .map_or_else(String::new, |seconds| (seconds * 1e6).to_string()),
+                (row.cost * 1e6).to_string(),
+            ];
+            let work = [row.work.rates, row.work.jacobians, row.work.steps, row.work.rejected];
+            record.extend(work.map(|count| count.to_string()));
+            record.extend([
+                row.bytes.to_string(),
+                row.front.to_string(),
+                asked.name.clone(),
+                symbol.display.name.to_owned(),
+            ]);
+            match errors {
+                None => record.extend(std::iter::repeat_n(String::new(), 7)),
+                Some(e) => {
+                    for size in [e.numerical, e.modelling, e.total] {
+                        record.extend([size.max, size.rms].map(|error| symbol.shown(error).to_string()));
+                    }
+                    record.push((e.total.max / asked.range).to_string());
+                }
+            }
+            writer.write_record(record).expect("memory takes every record");
+        }
+    }
+    String::from_utf8(writer.into_inner().expect("memory takes every record")).expect("numbers and names are text")
+}

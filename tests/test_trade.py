@@ -1,0 +1,137 @@
+"""`lemnis trade`: a table, JSON, CSV and a diagram; the errors that it tells, by another solver; `fidelity = "auto"`."""
+
+import csv
+import hashlib
+import json
+import tomllib
+import zipfile
+
+import fmpy
+import numpy as np
+import pytest
+from conftest import ROOT, lemnis
+
+CRANE = (ROOT / "models/scenes/lemniscate.toml").read_text(encoding="utf-8")
+DYNAMICS = (ROOT / "tests/levels/dynamics.toml").read_text(encoding="utf-8")
+OIL = (ROOT / "tests/levels/hydraulics.toml").read_text(encoding="utf-8")
+
+
+def scene(folder, fidelity, tables="", top="", name="scene"):
+    """The default crane, quicker and over a part of its range."""
+    text = CRANE.replace('driven = "boom" ', f'fidelity = "{fidelity}"\ndriven = "boom" ', 1)
+    text = text.replace("[project]", f"{top}\n[project]", 1).replace("\n[luffing.limits]", f"\n{tables}\n[luffing.limits]", 1)
+    text = text.replace('to    = "120 deg"', 'to    = "80 deg"', 1).replace('speed = "1 deg/s"', 'speed = "4 deg/s"', 1)
+    # What was published of the whole range does not belong to a part of it.
+    path = folder / f"{name}.toml"
+    path.write_text(text.split("[luffing.published]")[0], encoding="utf-8")
+    return path
+
+
+def without(key, tables):
+    return "\n".join(line for line in tables.splitlines() if not line.startswith(key)) + "\n"
+
+
+SWING = DYNAMICS + 'l_R = "10 m"\n'
+ACCURACY = 'accuracy = { "A.x" = "1 mm", "M_Q" = "0.5 kN.m" }'
+
+
+def trade(path, folder, *arguments):
+    text = lemnis("trade", path, "--output", folder, "--rounds", 1, *arguments)
+    return text, json.loads((folder / "LemniscateCrane_trade.json").read_text(encoding="utf-8"))
+
+
+def test_everything_is_written(tmp_path):
+    path = scene(tmp_path, "swing", SWING, ACCURACY)
+    text, found = trade(path, tmp_path / "out")
+    assert {row["level"] for row in found["settings"]} == {"static", "rigid", "swing"}
+    assert all(reference["farthest_apart"]["part_of_range"] < 1e-9 for reference in found["references"][1:])
+    assert found["choice"] in text and found["choice"].startswith("swing, RK4")
+    rows = list(csv.DictReader((tmp_path / "out/LemniscateCrane_trade.csv").open(encoding="utf-8", newline="")))
+    assert len(rows) == 2 * len(found["settings"])
+    # Metres in JSON and in the units of the trade: the same numbers.
+    for row, setting in zip(rows[::2], found["settings"]):
+        assert row["result"] == "A.x" and row["unit"] == "m"
+        assert float(row["total_max"]) == pytest.approx(setting["errors"]["A.x"]["total"]["max"], rel=1e-12)
+    for row, setting in zip(rows[1::2], found["settings"]):
+        assert row["unit"] == "kN.m"
+        assert float(row["total_max"]) == pytest.approx(setting["errors"]["M_Q"]["total"]["max"] / 1e3, rel=1e-12)
+    # The front: each dearer one is more accurate than all before it.
+    worst = [max(row["errors"]["A.x"]["total"]["max"] / 1e-3, row["errors"]["M_Q"]["total"]["max"] / 500) for row in found["settings"]]
+    costs = [row["cost"] for row in found["settings"]]
+    assert costs == sorted(costs)
+    front = [worst[i] for i, row in enumerate(found["settings"]) if row["front"]]
+    assert len(front) >= 3 and all(b < 0.9 * a for a, b in zip(front, front[1:]))
+    cheapest = next(row for row, off in zip(found["settings"], worst) if off < 0.99)
+    assert cheapest["holds"] and (cheapest["level"], cheapest["setting"]["step"]) == ("swing", "100 ms")
+    svg = (tmp_path / "out/LemniscateCrane_trade.svg").read_text(encoding="utf-8")
+    assert svg.startswith("<svg") and len(svg) > 5000
+
+
+def test_counted_results_are_the_same_again(tmp_path):
+    path = scene(tmp_path, "hydraulic", without("u_v", SWING + OIL), 'accuracy = { "p_A" = "1 bar" }')
+    seconds = "seconds_per_second"
+    found = [trade(path, tmp_path / str(i))[1] for i in range(2)]
+    for trades in found:
+        for row in trades["settings"]:
+            assert row.pop(seconds) > 0
+    assert found[0] == found[1]
+
+
+@pytest.mark.parametrize("level", ["rigid", "swing"])
+def test_errors_by_another_solver(tmp_path, level):
+    """The error that `trade` tells of a coarse step, against FMPy with CVode on the same FMU's Model Exchange."""
+    tables = (DYNAMICS if level == "rigid" else SWING) + 'M_A = "1800 kN.m"\nstep = "100 ms"\n'
+    path = scene(tmp_path, level, tables, 'accuracy = { "A.x" = "1 mm" }')
+    # Four seconds, before the bar meets its end stop.
+    text = path.read_text(encoding="utf-8").replace('"80 deg"', '"120 deg"').replace('"4 deg/s"', '"15 deg/s"')
+    path.write_text(text, encoding="utf-8")
+    _, found = trade(path, tmp_path / "out")
+    [row] = [row for row in found["settings"] if row["level"] == level and row["setting"] == {"step": "100 ms"}]
+    told = row["errors"]["A.x"]["numerical"]
+    assert found["motion"] == "M_A"
+    lemnis("fmu", path, "--output", tmp_path)
+    fmu = str(tmp_path / "LemniscateCrane.fmu")
+    run = {"stop_time": 4.0, "output_interval": 0.1, "output": ["A.x"]}
+    coarse = fmpy.simulate_fmu(fmu, fmi_type="CoSimulation", **run)
+    fine = fmpy.simulate_fmu(fmu, fmi_type="ModelExchange", solver="CVode", relative_tolerance=1e-11, **run)
+    off = np.abs(coarse["A.x"] - fine["A.x"])
+    print(level, off.max(), told["max"])
+    assert len(off) == 41 and found["duration"] == 4.0
+    assert off.max() == pytest.approx(told["max"], rel=0.1) and told["max"] > 1e-8
+    assert np.sqrt(np.mean(off**2)) == pytest.approx(told["rms"], rel=0.1)
+
+
+def test_auto_is_the_cheapest_and_the_same_again(tmp_path):
+    tables = without("u_v", SWING + OIL)
+    cases = {
+        'accuracy = { "A.x" = "2 m" }': ("static", set()),
+        'accuracy = { "A.x" = "1 mm", "phi_R" = "0.1 deg" }': ("hydraulic", {"dynamics", "hydraulics"}),
+    }
+    for i, (top, (level, left)) in enumerate(cases.items()):
+        path = scene(tmp_path, "auto", tables, top, name=f"auto{i}")
+        hashes = []
+        for again in range(2):
+            folder = tmp_path / f"{i}{again}"
+            text = lemnis("fmu", path, "--output", folder)
+            assert f"the cheapest that keeps to the accuracy: {level}" in text
+            hashes.append(hashlib.sha256((folder / "LemniscateCrane.fmu").read_bytes()).hexdigest())
+        assert hashes[0] == hashes[1]
+        with zipfile.ZipFile(folder / "LemniscateCrane.fmu") as archive:
+            inside = tomllib.loads(archive.read("resources/scene.toml").decode("utf-8"))
+        luffing = inside["luffing"]
+        assert luffing["fidelity"] == level and {"dynamics", "hydraulics"} & set(luffing) == left
+        assert fmpy.validation.validate_fmu(str(folder / "LemniscateCrane.fmu")) == []
+
+
+def test_what_nothing_keeps_to_is_said(tmp_path):
+    path = scene(tmp_path, "auto", SWING, 'accuracy = { "A.x" = "1e-12 m" }')
+    message = lemnis("fmu", path, "--output", tmp_path / "out", expect=1)
+    assert "nothing keeps to the accuracy; nearest is swing, RK4" in message and "1.0e-12 m allowed" in message
+    assert not (tmp_path / "out").exists()
+    text, found = trade(path, tmp_path / "out")
+    assert found["choice"] is None and "nothing keeps to the accuracy" in text
+
+
+def test_a_steering_has_a_trade_too(tmp_path):
+    text = lemnis("trade", ROOT / "models/scenes/car_4x2.toml", "--output", tmp_path, "--rounds", 1)
+    assert "static" in text and (tmp_path / "Car_trade.svg").exists()
