@@ -6,6 +6,7 @@ mod oil;
 mod positions;
 mod regions;
 mod rope;
+mod running;
 
 #[path = "../../models/tests/common/crane.rs"]
 mod crane;

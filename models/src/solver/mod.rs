@@ -47,6 +47,8 @@ pub enum Halt {
     TooSmall,
     /// More steps than one call may take.
     TooMany,
+    /// Steps too long for how fast the motion changes: their results would be bounded, and mean nothing.
+    TooFast,
 }
 
 /// Work done, to be asserted where a clock would be noisy.
