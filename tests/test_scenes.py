@@ -54,6 +54,7 @@ SCENES = {
                          .replace('"6.4 m"', '"3 m"').replace('"5.3 m"', '"4 m"').replace('"60 deg"', '"30 deg"')
                          .replace('to    = "120 deg"', 'to    = "80 deg"'),
     "portal crane": (ROOT / "models/scenes/portal_004.toml").read_text(encoding="utf-8"),
+    "steering under the PLC": (ROOT / "models/scenes/boat_hoist_003_hydraulic.toml").read_text(encoding="utf-8"),
     "hostile words": BARE.replace("Lemniscate level-luffing crane 16 t × 30 m",
                                   "#read(\\\"/etc/passwd\\\") $x$ *b* _i_ `c` <l> @r = - + / \\\\ { } [ ] // /* ${7*7} {{ 7 }} <% if %> %s %n"),
 }
@@ -72,7 +73,7 @@ def test_scene_builds_and_runs(name, tmp_path):
         variables = {v.name for v in read_model_description(path).modelVariables if v.causality == "output"}
         result = simulate_fmu(path, output=sorted(variables))
         assert len(result) > 10
-        for variable in variables - {"O1P", "P", "P.x", "P.y"}:
+        for variable in variables - {"O1P", "P", "P.x", "P.y", "O", "O.y", "R_O", "R_in", "R_out"}:  # at infinity
             assert np.isfinite(result[variable]).all(), variable
         for variable in variables:
             assert not np.isnan(result[variable]).any(), variable

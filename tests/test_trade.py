@@ -43,8 +43,8 @@ def trade(path, folder, *arguments):
 def test_everything_is_written(tmp_path):
     path = scene(tmp_path, "swing", SWING, ACCURACY)
     text, found = trade(path, tmp_path / "out")
-    assert {row["level"] for row in found["settings"]} == {"static", "rigid", "swing"}
-    assert all(reference["farthest_apart"]["part_of_range"] < 1e-9 for reference in found["references"][1:])
+    assert {row["level"] for row in found["settings"]} == {"table", "static", "rigid", "swing"}
+    assert all(reference["farthest_apart"]["part_of_range"] < 1e-9 for reference in found["references"][2:])
     assert found["choice"] in text and found["choice"].startswith("swing, RK4")
     rows = list(csv.DictReader((tmp_path / "out/LemniscateCrane_trade.csv").open(encoding="utf-8", newline="")))
     assert len(rows) == 2 * len(found["settings"])
@@ -101,10 +101,32 @@ def test_errors_by_another_solver(tmp_path, level):
     assert np.sqrt(np.mean(off**2)) == pytest.approx(told["rms"], rel=0.1)
 
 
+def test_a_table_as_an_fmu(tmp_path):
+    """The same results as of the closed form within the tolerance, in both standards; dimensions cannot be set."""
+    closed, table = scene(tmp_path, "static", name="closed"), scene(tmp_path, "table", '[luffing.table]\ntol = "1e-7"\n', name="table")
+    results = {}
+    for path in (closed, table):
+        folder = tmp_path / path.stem
+        lemnis("fmu", path, "--output", folder)
+        for suffix in ("fmu", "fmi2.fmu"):
+            file = str(folder / f"LemniscateCrane.{suffix}")
+            assert fmpy.validation.validate_fmu(file) == []
+            for kind in ("CoSimulation", "ModelExchange"):
+                results[path.stem, suffix, kind] = fmpy.simulate_fmu(file, fmi_type=kind, output_interval=0.01)
+    for (_, suffix, kind), found in results.items():
+        exact = results["closed", suffix, kind]
+        for name in ("A.x", "A.y", "M_Q", "M_D", "V_AX", "F_d"):
+            assert np.abs(found[name] - exact[name]).max() <= 1.01e-7 * np.ptp(exact[name]), name
+    assert not np.array_equal(results["table", "fmu", "CoSimulation"]["A.x"], results["closed", "fmu", "CoSimulation"]["A.x"])
+    description = fmpy.read_model_description(str(tmp_path / "table/LemniscateCrane.fmu"))
+    boom = next(v for v in description.modelVariables if v.name == "X_1")
+    assert (boom.causality, boom.variability) == ("calculatedParameter", "fixed")
+
+
 def test_auto_is_the_cheapest_and_the_same_again(tmp_path):
     tables = without("u_v", SWING + OIL)
     cases = {
-        'accuracy = { "A.x" = "2 m" }': ("static", set()),
+        'accuracy = { "A.x" = "2 m" }': ("table", set()),
         'accuracy = { "A.x" = "1 mm", "phi_R" = "0.1 deg" }': ("hydraulic", {"dynamics", "hydraulics"}),
     }
     for i, (top, (level, left)) in enumerate(cases.items()):

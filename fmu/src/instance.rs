@@ -424,6 +424,15 @@ impl Instance {
         self.model.event()
     }
 
+    /// Time of the next event that is known beforehand, in s. In Co-Simulation steps handle theirs inside.
+    #[must_use]
+    pub fn next_event(&self) -> Option<f64> {
+        match self.interface {
+            Interface::ModelExchange => self.model.next_event(),
+            Interface::CoSimulation | Interface::CoSimulationWithEvents => None,
+        }
+    }
+
     /// Reads real variables; a vector gives all of its components.
     ///
     /// # Errors

@@ -97,7 +97,11 @@ impl fmt::Display for Variable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.number {
             None => f.write_str(self.symbol.id),
-            Some(number) => write!(f, "{}[{number}]", self.symbol.id),
+            // The rate of one of several is the rate of that one: `der(theta[3])`.
+            Some(number) => match self.symbol.id.strip_suffix(')') {
+                Some(open) => write!(f, "{open}[{number}])"),
+                None => write!(f, "{}[{number}]", self.symbol.id),
+            },
         }
     }
 }
@@ -155,6 +159,7 @@ pub enum Model {
     Luffing(lemniscate::model::Model),
     Moving(lemniscate::moving::model::Model),
     Steering(steering::model::Model),
+    Turning(steering::moving::model::Model),
 }
 
 /// All that changes in a model while it runs.
@@ -167,6 +172,7 @@ pub enum State {
     Luffing(lemniscate::model::State),
     Moving(lemniscate::moving::model::State),
     Steering(steering::model::State),
+    Turning(steering::moving::model::State),
 }
 
 /// A model's outputs with their derivatives in one direction.
@@ -179,6 +185,7 @@ pub enum Tangent {
     Luffing(lemniscate::model::Tangent),
     Moving(lemniscate::moving::model::Tangent),
     Steering(steering::model::Tangent),
+    Turning,
 }
 
 /// A mistake of the program: states and tangents stay with their model.
@@ -191,6 +198,7 @@ macro_rules! of_each {
             Model::Luffing($one) => $call,
             Model::Moving($one) => $call,
             Model::Steering($one) => $call,
+            Model::Turning($one) => $call,
         }
     };
 }
@@ -205,7 +213,10 @@ impl Model {
                 None => lemniscate::model::Model::new(luffing).map(Model::Luffing),
                 Some(moving) => lemniscate::moving::model::Model::new(luffing, moving).map(Model::Moving),
             },
-            Mechanism::Steering(steering) => steering::model::Model::new(steering).map(Model::Steering),
+            Mechanism::Steering(steering) => match &steering.moving {
+                None => steering::model::Model::new(steering).map(Model::Steering),
+                Some(moving) => steering::moving::model::Model::new(steering, moving).map(Model::Turning),
+            },
         }
     }
 
@@ -283,6 +294,7 @@ impl Model {
     pub fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
         match self {
             Model::Moving(model) => model.advance(from, to),
+            Model::Turning(model) => model.advance(from, to),
             Model::Luffing(_) | Model::Steering(_) => {
                 self.set_time(to);
                 self.update().inspect_err(|_| self.set_time(from))
@@ -296,6 +308,7 @@ impl Model {
         match self {
             Model::Luffing(_) | Model::Steering(_) => 0,
             Model::Moving(model) => model.states(),
+            Model::Turning(model) => model.states(),
         }
     }
 
@@ -305,6 +318,7 @@ impl Model {
         match self {
             Model::Luffing(_) | Model::Steering(_) => Count::default(),
             Model::Moving(model) => model.count(),
+            Model::Turning(model) => model.count(),
         }
     }
 
@@ -316,13 +330,16 @@ impl Model {
             Model::Luffing(_) => 0,
             Model::Moving(model) => model.indicators(),
             Model::Steering(model) => model.indicators(),
+            Model::Turning(model) => model.indicators(),
         }
     }
 
     /// The continuous states, as many as there are.
     pub fn get_states(&self, states: &mut [f64]) {
-        if let Model::Moving(model) = self {
-            model.get_states(states);
+        match self {
+            Model::Luffing(_) | Model::Steering(_) => {}
+            Model::Moving(model) => model.get_states(states),
+            Model::Turning(model) => model.get_states(states),
         }
     }
 
@@ -334,6 +351,7 @@ impl Model {
         match self {
             Model::Luffing(_) | Model::Steering(_) => Ok(()),
             Model::Moving(model) => model.set_states(states),
+            Model::Turning(model) => model.set_states(states),
         }
     }
 
@@ -345,6 +363,7 @@ impl Model {
         match self {
             Model::Luffing(_) | Model::Steering(_) => Ok(()),
             Model::Moving(model) => model.rates(rates),
+            Model::Turning(model) => model.rates(rates),
         }
     }
 
@@ -357,13 +376,16 @@ impl Model {
             Model::Luffing(_) => Ok(()),
             Model::Moving(model) => model.event_indicators(indicators),
             Model::Steering(model) => model.event_indicators(indicators),
+            Model::Turning(model) => model.event_indicators(indicators),
         }
     }
 
     /// Orders of magnitude of the continuous states, as many as there are.
     pub fn nominals(&self, nominals: &mut [f64]) {
-        if let Model::Moving(model) = self {
-            model.nominals(nominals);
+        match self {
+            Model::Luffing(_) | Model::Steering(_) => {}
+            Model::Moving(model) => model.nominals(nominals),
+            Model::Turning(model) => model.nominals(nominals),
         }
     }
 
@@ -375,6 +397,27 @@ impl Model {
         match self {
             Model::Luffing(_) | Model::Steering(_) => Ok(false),
             Model::Moving(model) => model.event(),
+            Model::Turning(model) => model.event(),
+        }
+    }
+
+    /// Time of the next event that is known beforehand, in s: a sample of the PLC.
+    #[must_use]
+    pub fn next_event(&self) -> Option<f64> {
+        match self {
+            Model::Luffing(_) | Model::Moving(_) | Model::Steering(_) => None,
+            Model::Turning(model) => model.next_event(),
+        }
+    }
+
+    /// Brings the mechanism to a value of its coordinate, in SI: a row of a table, at rest.
+    ///
+    /// # Errors
+    /// As [`set`](Model::set).
+    pub fn place(&mut self, value: f64) -> Result<(), Fault> {
+        match self {
+            Model::Luffing(_) | Model::Moving(_) | Model::Steering(_) => self.set(0, value),
+            Model::Turning(model) => model.place(value),
         }
     }
 
@@ -386,6 +429,7 @@ impl Model {
         match self {
             Model::Luffing(_) | Model::Moving(_) => self.update(),
             Model::Steering(model) => model.start(),
+            Model::Turning(model) => model.start(),
         }
     }
 
@@ -405,6 +449,7 @@ impl Model {
             Model::Luffing(model) => State::Luffing(*model.state()),
             Model::Moving(model) => State::Moving(model.state()),
             Model::Steering(model) => State::Steering(model.state().clone()),
+            Model::Turning(model) => State::Turning(model.state()),
         }
     }
 
@@ -417,6 +462,7 @@ impl Model {
             (Model::Luffing(model), State::Luffing(state)) => model.set_state(state),
             (Model::Moving(model), State::Moving(state)) => model.set_state(state),
             (Model::Steering(model), State::Steering(state)) => model.set_state(state),
+            (Model::Turning(model), State::Turning(state)) => model.set_state(state),
             _ => unreachable!("{OF_ANOTHER}"),
         }
     }
@@ -431,6 +477,7 @@ impl Model {
             (Model::Luffing(model), State::Luffing(state)) => model.numbers(state),
             (Model::Moving(model), State::Moving(state)) => model.numbers(state),
             (Model::Steering(model), State::Steering(state)) => model.numbers(state),
+            (Model::Turning(model), State::Turning(state)) => model.numbers(state),
             _ => unreachable!("{OF_ANOTHER}"),
         }
     }
@@ -444,6 +491,7 @@ impl Model {
             Model::Luffing(model) => model.state_of(numbers).map(State::Luffing),
             Model::Moving(model) => model.state_of(numbers).map(State::Moving),
             Model::Steering(model) => model.state_of(numbers).map(State::Steering),
+            Model::Turning(model) => model.state_of(numbers).map(State::Turning),
         }
     }
 
@@ -455,6 +503,7 @@ impl Model {
             Model::Luffing(model) => Tangent::Luffing(model.tangent(seed)),
             Model::Moving(model) => Tangent::Moving(model.tangent(seed)),
             Model::Steering(model) => Tangent::Steering(model.tangent(seed)),
+            Model::Turning(_) => Tangent::Turning,
         }
     }
 
@@ -475,6 +524,9 @@ impl Model {
         match (self, tangent) {
             (Model::Luffing(model), Tangent::Luffing(tangent)) => model.derivative(tangent, index),
             (Model::Moving(model), Tangent::Moving(tangent)) => model.derivative(tangent, index),
+            (Model::Turning(_), Tangent::Turning) => Err(Fault::new(
+                "there are no directional derivatives of groups turned by their cylinders",
+            )),
             (Model::Steering(model), Tangent::Steering(tangent)) => model.derivative(tangent, index),
             _ => unreachable!("{OF_ANOTHER}"),
         }

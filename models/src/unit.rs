@@ -142,6 +142,8 @@ units! {
     PER_S2      = "1/s2"     "1/s²"    [0 0 -2 0]    1.0;
     PA_PER_S    = "Pa/s"     "Pa/s"    [-1 1 -3 0]   1.0;
     BAR_PER_S   = "bar/s"    "bar/s"   [-1 1 -3 0]   1e5;
+    PER_RAD     = "1/rad"    "1/rad"   [0 0 0 -1]    1.0;
+    PER_RAD_S   = "1/(rad.s)" "1/(rad·s)" [0 0 -1 -1] 1.0;
     PER_MIN     = "1/min"    "1/min"   [0 0 -1 0]    1.0 / 60.0;
     M3_PER_SPA  = "m3/(s.Pa)" "m³/(s·Pa)" [4 -1 1 0] 1.0;
     M3_PER_S    = "m3/s"     "m³/s"    [3 0 -1 0]    1.0;
@@ -159,6 +161,7 @@ impl Unit {
             (d, _) if d == M3.dimension => "Volume",
             (d, _) if d == S.dimension => "Time",
             (d, 0) if d == PER_S.dimension => "Frequency",
+            (_, -1) => "ControlGain",
             (d, 1) if d == RAD_PER_S.dimension => "AngularVelocity",
             (d, _) if d == M_PER_S.dimension => "Velocity",
             (d, _) if d == KG.dimension => "Mass",

@@ -7,7 +7,7 @@ use lemnis_models::symbol::Symbol;
 use lemnis_models::{balance, lemniscate, steering};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 4] = [
+const TABLES: [(&str, &[&Symbol]); 5] = [
     ("The double-link luffing mechanism", lemniscate::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -18,6 +18,7 @@ const TABLES: [(&str, &[&Symbol]); 4] = [
         "Steering, seen from above: x forward, y to the left, angles counter-clockwise from straight ahead",
         steering::symbols::ALL,
     ),
+    ("The steered groups in motion", steering::moving::symbols::ALL),
 ];
 
 fn page() -> String {

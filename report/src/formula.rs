@@ -86,6 +86,8 @@ impl Term {
 /// Width of a line without a source beside it, and what the source takes.
 const LINE: f64 = 84.0;
 const SOURCE: f64 = 18.0;
+/// Widths are estimated at least this much too large (4 to 15 %, measured over all scenes).
+const WIDE: f64 = 1.04;
 
 #[derive(Clone, Copy)]
 enum Form {
@@ -111,8 +113,6 @@ pub enum Layout {
     Line,
     /// A line for each, and more for a long sum.
     Lines,
-    /// Lines that must be made smaller to fit.
-    Small,
 }
 
 /// A step in Typst's mathematics.
@@ -123,6 +123,8 @@ pub struct Printed {
     pub numbers: Option<String>,
     pub result: String,
     pub layout: Layout,
+    /// Of the type, in percent: below 100 where lines would not fit otherwise.
+    pub size: u32,
 }
 
 /// A step of a recorded calculation, with its numbers put in where `in_full`.
@@ -152,17 +154,18 @@ pub fn step(
             numbers,
             result: result.text,
             layout: Layout::Line,
+            size: 100,
         };
     }
     let (formula, formula_width) = broken(forms[0], step.formula, LINE - SOURCE - name);
     let (numbers, numbers_width) = broken(forms[1], step.formula, LINE - name);
-    let fits = formula_width <= LINE - SOURCE - name && (repeats || numbers_width <= LINE - name);
-    let layout = if fits { Layout::Lines } else { Layout::Small };
+    let widest = name + (formula_width + SOURCE).max(if repeats { 0.0 } else { numbers_width });
     Printed {
         formula,
         numbers: (!repeats).then_some(numbers),
         result: result.text,
-        layout,
+        layout: Layout::Lines,
+        size: (100.0 * WIDE * LINE / widest).min(100.0) as u32,
     }
 }
 

@@ -5,6 +5,7 @@
 //! have their international symbols, as standards and publications in all
 //! three languages write them.
 
+use lemnis_models::steering::moving::scene::{Body, Oil, Plc};
 use lemnis_models::symbol::Symbol;
 use lemnis_models::{balance, lemniscate, steering};
 
@@ -79,7 +80,15 @@ impl Language {
 /// The symbols of each mechanism, by the scene's name for it.
 const SYMBOLS: [(&str, &[&[&Symbol]]); 2] = [
     ("luffing", &[lemniscate::symbols::ALL, balance::symbols::ALL]),
-    ("steering", &[steering::symbols::ALL]),
+    (
+        "steering",
+        &[
+            steering::symbols::ALL,
+            Body::<f64>::SYMBOLS,
+            Oil::<f64>::SYMBOLS,
+            Plc::<f64>::SYMBOLS,
+        ],
+    ),
 ];
 
 /// The group of words for a mechanism's symbols.

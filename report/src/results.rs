@@ -31,7 +31,7 @@ impl Results {
             .positions()
             .into_iter()
             .map(|value| {
-                model.set(0, value)?;
+                model.place(value)?;
                 indices.iter().map(|&i| model.get(i)).collect()
             })
             .collect();

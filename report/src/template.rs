@@ -215,7 +215,7 @@ fn environment(words: Words) -> Environment<'static> {
         }
     });
     environment.add_filter("string", |text: &str| Value::from_safe_string(speech::string(text)));
-    // "2.1 " and so on. Typst's own numbers would come from counters, which cost a further pass over the document.
+    // "2.1" and so on. Typst's own numbers would come from counters, which cost a further pass over the document.
     environment.add_function("number", |state: &mut State, level: usize| {
         let counts = &mut state.get_or_insert_extension(Headings::default()).0;
         counts.resize(level, 0);
@@ -224,6 +224,11 @@ fn environment(words: Words) -> Environment<'static> {
         }
         let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
         Value::from_safe_string(counts.join("."))
+    });
+    environment.add_function("figure", |state: &mut State| {
+        let count = &mut state.get_or_insert_extension(Figures::default()).0;
+        *count += 1;
+        *count
     });
     let undefined = |detail| minijinja::Error::new(ErrorKind::UndefinedError, detail);
     let dictionary = words.clone();
@@ -246,6 +251,9 @@ fn environment(words: Words) -> Environment<'static> {
 /// How many headings of each level a book has so far, since the last one of a level above.
 #[derive(Default)]
 struct Headings(Vec<usize>);
+
+#[derive(Default)]
+struct Figures(usize);
 
 /// Template, line, and what is wrong with which variable. Templates of the user
 /// are named with their folder.

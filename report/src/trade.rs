@@ -86,11 +86,16 @@ pub fn decided(scene: Scene) -> Result<Scene, Failure> {
     let level = row.setting.level;
     let luffing = document[scene.mechanism.id()].as_table_like_mut().expect("a table");
     luffing.insert("fidelity", value(level));
-    if level == "static" {
+    if matches!(level, "static" | "table") {
         luffing.remove("dynamics");
+        luffing.remove("slewing");
     }
     if level != "hydraulic" {
         luffing.remove("hydraulics");
+    }
+    if level == "rigid" {
+        let slewing = luffing.get_mut("slewing").and_then(|item| item.as_table_like_mut());
+        slewing.map(|slewing| slewing.remove("chi_R"));
     }
     if let Some(dynamics) = luffing.get_mut("dynamics").and_then(|item| item.as_table_like_mut()) {
         if level == "rigid" {
@@ -100,7 +105,7 @@ pub fn decided(scene: Scene) -> Result<Scene, Failure> {
         }
         let step = match row.setting.method {
             Method::Explicit(step) => step,
-            Method::Closed | Method::Implicit(_) => traded.sample,
+            Method::Closed | Method::Implicit(_) | Method::Interpolated(_) => traded.sample,
         };
         dynamics.insert("step", value(format!("{} ms", step * 1e3)));
     }
@@ -109,6 +114,13 @@ pub fn decided(scene: Scene) -> Result<Scene, Failure> {
         row.setting.method,
     ) {
         oil.insert("tol", value(format!("{tolerance:e}")));
+    }
+    if let Method::Interpolated(tolerance) = row.setting.method {
+        let mut table = toml_edit::Table::new();
+        table.insert("tol", value(format!("{tolerance:e}")));
+        luffing.insert("table", toml_edit::Item::Table(table));
+    } else {
+        luffing.remove("table");
     }
     let text = document.to_string();
     Scene::parse(&text).map_err(|found| {
@@ -246,6 +258,22 @@ fn table(traded: &Traded) -> String {
     text.push_str(
         "  errors are the greatest; numerical and modelling are parts of the range, the worst of all results\n",
     );
+    let best = |level: &str| {
+        let seconds = traded.rows.iter().filter(|row| row.setting.level == level);
+        seconds.filter_map(|row| row.seconds).reduce(f64::min)
+    };
+    if let (Some(table), Some(closed)) = (best("table"), best("static")) {
+        let times = closed / table;
+        let _ = if times > 1.0 {
+            writeln!(
+                text,
+                "  the table is {} times as fast as the closed form for what is asked",
+                digits(times)
+            )
+        } else {
+            writeln!(text, "  the table is no faster than the closed form for what is asked")
+        };
+    }
     if traded.rows.iter().any(|row| row.follows) {
         text.push_str(
             "  follows: cannot take the command and is led along the deepest level's motion, so it is no substitute\n",

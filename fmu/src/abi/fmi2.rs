@@ -222,8 +222,12 @@ exports! { FMI2, i;
     // Model Exchange
     fn fmi2EnterEventMode() in EVENT | CONTINUOUS => i.enter_event_mode();
     fn fmi2NewDiscreteStates(info: *mut fmi2EventInfo) in EVENT => {
+        let values_changed = i.update_discrete()?;
+        let next = i.next_event();
         *place(info)? = fmi2EventInfo {
-            valuesOfContinuousStatesChanged: i.update_discrete()?.into(),
+            valuesOfContinuousStatesChanged: values_changed.into(),
+            nextEventTimeDefined: next.is_some().into(),
+            nextEventTime: next.unwrap_or(0.0),
             ..fmi2EventInfo::default()
         };
         Ok(())

@@ -242,11 +242,13 @@ exports! { FMI3, i;
         needs_update: *mut fmi3Boolean, terminate: *mut fmi3Boolean, nominals_changed: *mut fmi3Boolean,
         values_changed: *mut fmi3Boolean, next_event_defined: *mut fmi3Boolean, next_event: *mut f64,
     ) in EVENT | STEP_EVENT => {
-        for flag in [needs_update, terminate, nominals_changed, values_changed, next_event_defined] {
+        for flag in [needs_update, terminate, nominals_changed] {
             *place(flag)? = 0;
         }
-        *place(next_event)? = 0.0;
         *place(values_changed)? = i.update_discrete()?.into();
+        let next = i.next_event();
+        *place(next_event_defined)? = next.is_some().into();
+        *place(next_event)? = next.unwrap_or(0.0);
         Ok(())
     };
 

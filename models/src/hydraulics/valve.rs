@@ -1,4 +1,4 @@
-//! Proportional valve with four edges, without overlap.
+//! Proportional valve with four edges.
 
 use crate::calc::{Calc, Over};
 use crate::hydraulics::throttle::root;
@@ -7,6 +7,8 @@ use crate::hydraulics::throttle::root;
 pub struct Valve<P = f64> {
     /// Flow (m³/s) over the root of the pressure difference (Pa) at one fully open edge.
     pub conductance: P,
+    /// Part of the stroke, from the middle and to either side, in which no edge is open; below 1.
+    pub overlap: P,
     /// Natural frequency of the spool, in rad/s, and its damping ratio.
     pub frequency: P,
     pub damping: P,
@@ -23,7 +25,7 @@ impl<P: Calc> Valve<P> {
     /// stroke: positive connects A with the pump and B with the tank.
     #[inline]
     pub fn flows<C: Over<P>>(&self, x: C, supply: P, ports: [C; 2]) -> [C; 2] {
-        let opening = x.times(self.conductance);
+        let opening = self.opening(x).times(self.conductance);
         let pump = |p: C| opening * root(C::of(supply) - p);
         let tank = |p: C| opening * root(p);
         if x.value() >= 0.0 {
@@ -31,6 +33,17 @@ impl<P: Calc> Valve<P> {
         } else {
             [tank(ports[0]), -pump(ports[1])]
         }
+    }
+
+    /// Part of the edges that is open, with the sign of the spool: none within the overlap.
+    #[inline]
+    pub fn opening<C: Over<P>>(&self, x: C) -> C {
+        let overlap = C::of(self.overlap);
+        if x.value().abs() < overlap.value() {
+            return C::constant(0.0);
+        }
+        let beyond = if x.value() < 0.0 { x + overlap } else { x - overlap };
+        beyond / (C::constant(1.0) - overlap)
     }
 
     /// Rate of the spool's speed, in 1/s², towards the command in [−1, 1].

@@ -49,4 +49,5 @@ pub mod sheet;
 pub mod slewing;
 pub mod statics;
 pub mod symbols;
+pub mod table;
 pub mod velocity;

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, TAU};
+use std::sync::Arc;
 
 use num_dual::Dual64;
 
@@ -13,9 +14,10 @@ use crate::lemniscate::geometry::{Driven, Geometry, Parameters};
 use crate::lemniscate::outputs::{Evaluation, Inputs, Output};
 use crate::lemniscate::scene::{KEYS, Luffing, Motion};
 use crate::lemniscate::symbols as s;
+use crate::lemniscate::table::Table;
 use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::record::{Rec, record};
-use crate::schema::{Key, Kind, Sign};
+use crate::schema::{Key, Kind, Sign, short};
 use crate::symbol::Symbol;
 
 /// A scene's mechanism with its inputs, stepped by the FMU and by tables.
@@ -25,6 +27,8 @@ pub struct Model {
     slots: Vec<Slot>,
     /// Which numbers may be set, in the order of the variables.
     signs: Vec<Sign>,
+    /// At the level `table`, with the column of each variable that has one.
+    table: Option<(Arc<Table>, Vec<Option<usize>>)>,
     motion: Motion,
     state: State,
 }
@@ -67,6 +71,7 @@ impl Model {
             variables: Vec::new(),
             slots: Vec::new(),
             signs: Vec::new(),
+            table: None,
             motion: luffing.motion,
             state: State {
                 time: 0.0,
@@ -86,8 +91,80 @@ impl Model {
             model.slots.push(slot);
             model.signs.push(sign);
         }
+        if let Some(tolerance) = luffing.table {
+            model.tabulate(luffing.q, tolerance);
+        }
         model.update()?;
         Ok(model)
+    }
+
+    /// Puts a table in the place of the closed form: dimensions and weights cannot be set any more.
+    fn tabulate(&mut self, load: Option<f64>, tolerance: f64) {
+        let outputs = self
+            .variables
+            .iter()
+            .zip(&self.slots)
+            .filter_map(|(variable, slot)| match slot {
+                Slot::Output(output) if variable.role == Role::Output && variable.kind == Type::Real => Some(*output),
+                _ => None,
+            });
+        let table = Table::new(
+            self.state.evaluation.parameters(),
+            &self.motion,
+            load,
+            outputs,
+            tolerance,
+        );
+        let column = |slot: &Slot| match slot {
+            Slot::Output(output) => table.find(*output),
+            _ => None,
+        };
+        let columns = self.slots.iter().map(column).collect();
+        self.table = Some((Arc::new(table), columns));
+        for (variable, slot) in self.variables.iter_mut().zip(&self.slots) {
+            if matches!(slot, Slot::Parameter) {
+                variable.role = Role::Calculated;
+            }
+        }
+    }
+
+    /// What a result may be off its closed form by, in SI, with the present inputs; zero where it is the closed form.
+    #[must_use]
+    pub fn bound(&self, index: usize) -> f64 {
+        let column = self
+            .table
+            .as_ref()
+            .and_then(|(table, columns)| Some((table, (*columns.get(index)?)?)));
+        column.map_or(0.0, |(table, column)| {
+            table.bound(column, self.state.evaluation.inputs())
+        })
+    }
+
+    /// The table, at its level.
+    #[must_use]
+    pub fn table(&self) -> Option<&Table> {
+        self.table.as_ref().map(|(table, _)| &**table)
+    }
+
+    /// Whether the angle lies in the table.
+    #[inline]
+    fn tabulated(&self, table: &Table) -> Result<(), Fault> {
+        let theta = self.state.evaluation.inputs().theta;
+        let [from, to] = table.range();
+        // A rounding of degrees is not an angle outside.
+        if (from - 1e-12..=to + 1e-12).contains(&theta) {
+            return Ok(());
+        }
+        let symbol = self.variables[0].symbol;
+        let shown = |angle: f64| short(symbol.shown(angle));
+        Err(Fault::outside(format!(
+            "{} = {} {unit} lies outside the table from {} to {} {unit}: widen the working range, or set fidelity = \"static\"",
+            symbol.id,
+            shown(theta),
+            shown(from),
+            shown(to),
+            unit = symbol.display.name
+        )))
     }
 
     /// What exists in this scene; an index into it names a variable.
@@ -176,7 +253,15 @@ impl Model {
             Slot::Omega => Ok(self.state.evaluation.inputs().omega),
             Slot::Load => Ok(self.state.evaluation.inputs().q),
             Slot::Parameter => Ok(self.parameter(self.variables[index].symbol)),
-            Slot::Output(output) => self.state.evaluation.output(output),
+            Slot::Output(output) => {
+                if let Some((table, columns)) = &self.table
+                    && let Some(column) = columns[index]
+                {
+                    self.tabulated(table)?;
+                    return Ok(table.value(column, self.state.evaluation.inputs()));
+                }
+                self.state.evaluation.output(output)
+            }
         }
     }
 
@@ -189,6 +274,12 @@ impl Model {
         let (slot, symbol, sign) = (self.slot(index)?, self.variables[index].symbol, self.signs[index]);
         if let Slot::Output(_) = slot {
             return Err(Fault::new(format!("{} is a result and cannot be set", symbol.id)));
+        }
+        if self.table.is_some() && matches!(slot, Slot::Parameter) {
+            return Err(Fault::new(format!(
+                "{} is fixed in the table and cannot be set: set fidelity = \"static\" to change it",
+                symbol.id
+            )));
         }
         if !sign.allows(value) {
             let (value, unit) = (symbol.shown(value), symbol.display.name);
@@ -246,6 +337,9 @@ impl Model {
     /// not close, with the values and the allowed range.
     #[inline]
     pub fn update(&mut self) -> Result<(), Fault> {
+        if let Some((table, _)) = &self.table {
+            return self.tabulated(table);
+        }
         self.state.evaluation.update()
     }
 
@@ -272,7 +366,7 @@ impl Model {
         self.state = *state;
     }
 
-    /// A state as numbers: time, whether the angle was set, then all inputs and
+    /// A state as numbers: time, whether the angle was set, then all inputs and, but for a table's, all
     /// parameters in the order of the variables.
     pub fn numbers(&self, state: &State) -> Vec<f64> {
         let Inputs { theta, omega, q } = *state.evaluation.inputs();
@@ -280,7 +374,9 @@ impl Model {
         if self.slots.iter().any(|slot| matches!(slot, Slot::Load)) {
             numbers.push(q);
         }
-        state.evaluation.parameters().map(|_, value| numbers.push(value));
+        if self.table.is_none() {
+            state.evaluation.parameters().map(|_, value| numbers.push(value));
+        }
         numbers
     }
 
@@ -289,7 +385,12 @@ impl Model {
     /// # Errors
     /// Numbers that are not those of a state of this model.
     pub fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
-        let settable = (0..self.slots.len()).filter(|&index| !matches!(self.slots[index], Slot::Output(_)));
+        let fixed = |slot: &Slot| match slot {
+            Slot::Output(_) => true,
+            Slot::Parameter => self.table.is_some(),
+            _ => false,
+        };
+        let settable = (0..self.slots.len()).filter(|&index| !fixed(&self.slots[index]));
         let [time, given, values @ ..] = numbers else {
             return Err(Fault::new("a saved state is empty"));
         };

@@ -12,6 +12,7 @@ use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Leng
 use crate::lemniscate::governing::{coordinate, governed};
 use crate::lemniscate::moving;
 use crate::lemniscate::symbols as s;
+use crate::lemniscate::table::TOLERANCE;
 pub use crate::motion::Motion;
 use crate::motion::degrees;
 use crate::scene::Place;
@@ -49,7 +50,7 @@ pub static KEYS: &[Key] = &[
         name: "fidelity",
         kind: Kind::Choice(moving::scene::FIDELITIES),
         required: false,
-        text: "How deep it is modelled: \"static\" (the angle is an input), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).",
+        text: "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range, its dimensions fixed), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).",
     },
     Key::table("motion", MOTION, "Working range of the driven bar."),
     Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
@@ -73,6 +74,7 @@ pub static KEYS: &[Key] = &[
         "Oil, valve and lines of the luffing cylinder in motion.",
     )
     .optional(),
+    Key::table("table", TABLE, "Interpolation of the level \"table\".").optional(),
     Key::table(
         "slewing",
         moving::scene::SLEWING_KEYS,
@@ -137,6 +139,13 @@ static DRIVE: &[Key] = &[
     SOURCE,
 ];
 
+static TABLE: &[Key] = &[Key::named(
+    "tol",
+    &moving::symbols::TOL,
+    Sign::Positive,
+    "How far each result may be off the closed form, as a part of its range.",
+)];
+
 static LIMITS: &[Key] = &[
     Key::quantity(&s::MU_MIN, Sign::NotNegative).optional(),
     Key::quantity(&s::EPSILON_Y, Sign::Positive).optional(),
@@ -170,6 +179,8 @@ pub struct Luffing {
     pub motion: Motion,
     /// With `fidelity` beyond `static`; with `auto` as deep as the scene's tables allow.
     pub moving: Option<moving::scene::Moving>,
+    /// Tolerance of the level `table`, as part of each result's range.
+    pub table: Option<f64>,
     /// Whether the level is left to `lemnis trade`.
     pub auto: bool,
     pub limits: Limits,
@@ -203,7 +214,7 @@ impl Luffing {
     /// Levels that the scene's tables allow, from cheap to deep.
     #[must_use]
     pub fn levels(&self) -> Vec<&'static str> {
-        let mut levels = vec!["static"];
+        let mut levels = vec!["table", "static"];
         if let Some(moving) = &self.moving {
             levels.push("rigid");
             levels.extend(moving.rope.map(|_| "swing"));
@@ -228,6 +239,9 @@ impl Luffing {
             }
             "hydraulic" => {}
             _ => self.moving = None,
+        }
+        if level == "table" {
+            self.table = Some(TOLERANCE);
         }
     }
 
@@ -339,6 +353,7 @@ impl Luffing {
         };
         let motion = motion(v, &parameters, found);
         let moving = moving::scene::Moving::new(v, q.is_some(), found);
+        let table = interpolation(v, found);
         if let Some(table) = v.table("balance") {
             balanced(v, table, &parameters, motion.as_ref(), found);
         }
@@ -374,6 +389,7 @@ impl Luffing {
             q,
             motion,
             moving,
+            table,
             auto: v.text("fidelity") == Some("auto"),
             limits,
             published,
@@ -381,6 +397,21 @@ impl Luffing {
             published_balance: v.table("balance").and_then(balance::scene::Published::read),
         })
     }
+}
+
+/// Tolerance of the level `table`; `None` at other levels.
+fn interpolation(v: &Values, found: &mut Vec<Diagnostic>) -> Option<f64> {
+    let given = v.table("table");
+    if v.text("fidelity") != Some("table") {
+        if let Some(table) = given.filter(|_| v.text("fidelity") != Some("auto")) {
+            found.push(
+                Diagnostic::new(table.span.clone(), "an interpolation at another level", "not used")
+                    .help("set fidelity = \"table\", or remove this table"),
+            );
+        }
+        return None;
+    }
+    Some(given.and_then(|table| table.number("tol")).unwrap_or(TOLERANCE))
 }
 
 /// What is asked of the synthesis; mistakes go to `found`.

@@ -7,12 +7,17 @@
 use crate::calc::Calc;
 use crate::hydraulics::cylinder::{Cylinder, Oil};
 use crate::plane::Point;
-use crate::solver::rodas::{Run, Tolerance};
-use crate::solver::{Gradient, Halt, System};
-use crate::steering::cylinder::Linkage;
+use crate::solver::{Gradient, System};
+use crate::steering::cylinder::{Linkage, Pose};
 
 /// Angular velocity, in rad/s, below which the resistance is in proportion to it: tyres creep.
 pub const CREEP: f64 = 1e-3;
+
+/// Continuous states of a group.
+pub const STATES: usize = 8;
+
+/// Event indicators of a group.
+pub const INDICATORS: usize = 6;
 
 /// One group at work: angle, rate, pressures of ports and chambers, spool and its speed.
 #[derive(Clone, Copy, Debug)]
@@ -21,8 +26,11 @@ pub struct Group {
     pub cylinder: Cylinder,
     /// About the group's axis, in kg·m².
     pub inertia: f64,
-    /// Resistance to steering, in N·m.
+    /// Resistance to steering, in N·m: tyres and slewing ring.
     pub resistance: f64,
+    /// Least and greatest angle, in rad, and the end stops' stiffness (N·m/rad) and damping (N·m·s/rad) beyond them.
+    pub stops: [f64; 2],
+    pub buffer: [f64; 2],
     /// Pressure of the pump, in Pa.
     pub supply: f64,
     /// Command of the valve in [−1, 1]; positive lengthens the cylinder.
@@ -30,10 +38,29 @@ pub struct Group {
 }
 
 impl Group {
-    /// Equations over any scalar.
+    /// At rest at an angle (rad), the chamber of the bore at a pressure (Pa), without force on the group.
+    #[must_use]
+    pub fn resting(&self, theta: f64, pressure: f64) -> [f64; STATES] {
+        let [bore, annulus] = self.cylinder.areas;
+        let back = pressure * bore / annulus;
+        [theta, 0.0, pressure, back, pressure, back, 0.0, 0.0]
+    }
+
+    /// Pressures and spool out of the states.
     #[inline]
-    pub fn equations<C: Calc>(&self, y: &[C; 8]) -> [C; 8] {
-        let &[theta, omega, p_a, p_b, a, b, spool, spool_speed] = y;
+    pub fn oil<C: Calc>(y: &[C; STATES]) -> Oil<C> {
+        let &[_, _, p_1, p_2, a, b, spool, spool_speed] = y;
+        Oil {
+            ports: [p_1, p_2],
+            chambers: [a, b],
+            spool,
+            spool_speed,
+        }
+    }
+
+    /// Length and lever arm of the cylinder at an angle (rad).
+    #[inline]
+    pub fn pose<C: Calc>(&self, theta: C) -> Pose<C> {
         let linkage = Linkage {
             c: self.linkage.c.map(C::constant),
             b: self.linkage.b.map(C::constant),
@@ -41,18 +68,39 @@ impl Group {
             mirrored: self.linkage.mirrored,
         };
         let (sin, cos) = theta.sin_cos();
-        let pose = linkage.at(Point::new(cos, sin));
-        let oil = Oil {
-            ports: [p_a, p_b],
-            chambers: [a, b],
-            spool,
-            spool_speed,
-        };
+        linkage.at(Point::new(cos, sin))
+    }
+
+    /// Moment of tyres, slewing ring and end stop on the group, in N·m; positive turns it counter-clockwise.
+    #[inline]
+    pub fn reaction<C: Calc>(&self, theta: C, omega: C) -> C {
+        let smooth = (omega.square() + C::constant(CREEP * CREEP)).sqrt();
+        let tyres = C::constant(-self.resistance) * omega / smooth;
+        let nearest = theta.value().clamp(self.stops[0], self.stops[1]);
+        let depth = theta - C::constant(nearest);
+        if depth.value() == 0.0 {
+            return tyres;
+        }
+        let [stiffness, damping] = self.buffer;
+        let push = C::constant(-stiffness) * depth - C::constant(damping) * omega;
+        // A stop pushes, and never pulls.
+        if push.value() * depth.value() < 0.0 {
+            tyres + push
+        } else {
+            tyres
+        }
+    }
+
+    /// Equations over any scalar.
+    #[inline]
+    pub fn equations<C: Calc>(&self, y: &[C; STATES]) -> [C; STATES] {
+        let [theta, omega, ..] = *y;
+        let oil = Group::oil(y);
+        let pose = self.pose(theta);
         let rates = self
             .cylinder
             .rates(&oil, pose.l, pose.od * omega, self.command, self.supply);
-        let smooth = (omega.square() + C::constant(CREEP * CREEP)).sqrt();
-        let moment = self.cylinder.force(&oil) * pose.od - C::constant(self.resistance) * omega / smooth;
+        let moment = self.cylinder.force(&oil) * pose.od + self.reaction(theta, omega);
         [
             omega,
             moment / C::constant(self.inertia),
@@ -64,16 +112,40 @@ impl Group {
             rates.spool_speed,
         ]
     }
+
+    /// Where one falls below zero there is a kink in the rates: both pairs of edges close, both relief
+    /// valves open, both end stops are met.
+    #[must_use]
+    pub fn indicators(&self, y: &[f64; STATES]) -> [f64; INDICATORS] {
+        let &[theta, _, p_1, p_2, _, _, spool, _] = y;
+        let (overlap, opening) = (self.cylinder.valve.overlap, self.cylinder.relief[0]);
+        [
+            spool - overlap,
+            -spool - overlap,
+            opening - p_1,
+            opening - p_2,
+            theta - self.stops[0],
+            self.stops[1] - theta,
+        ]
+    }
+
+    /// Flow from the pump through the valve, in m³/s.
+    #[must_use]
+    pub fn demand(&self, y: &[f64; STATES]) -> f64 {
+        let oil = Group::oil(y);
+        let [a, b] = self.cylinder.valve.flows(oil.spool, self.supply, oil.ports);
+        if oil.spool >= 0.0 { a } else { b }
+    }
 }
 
-impl System<8> for Group {
+impl System<STATES> for Group {
     #[inline]
-    fn rates(&self, y: &[f64; 8]) -> Option<[f64; 8]> {
+    fn rates(&self, y: &[f64; STATES]) -> Option<[f64; STATES]> {
         Some(self.equations(y))
     }
 
     #[inline]
-    fn jacobian(&self, y: &[f64; 8]) -> Option<([f64; 8], [[f64; 8]; 8])> {
+    fn jacobian(&self, y: &[f64; STATES]) -> Option<([f64; STATES], [[f64; STATES]; STATES])> {
         let out = self.equations(&Gradient::states(y));
         Some((out.map(|x| x.re), out.map(|x| x.by)))
     }
@@ -84,59 +156,40 @@ impl System<8> for Group {
 pub struct Control {
     /// Of the PLC's cycle, in s.
     pub period: f64,
-    /// Of the encoder, in rad: it tells whole steps.
+    /// Of the encoder, in rad: it tells whole steps; with zero every angle.
     pub resolution: f64,
     /// Command for an error, in 1/rad, and for its integral, in 1/(rad·s).
     pub gains: [f64; 2],
+    /// Greatest command by amount, up to 1.
+    pub limit: f64,
 }
 
-/// A group with its loop, from sample to sample.
-#[derive(Clone, Copy, Debug)]
-pub struct Steered {
-    pub group: Group,
-    pub control: Control,
-    pub run: Run<8>,
+/// What the PLC holds of a group from one sample to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Held {
     /// Of the error, in rad·s.
-    integral: f64,
+    pub integral: f64,
+    /// Of the valve.
+    pub command: f64,
 }
 
-impl Steered {
-    /// At rest at an angle (rad), both chambers at a pressure (Pa) without force on the group.
+impl Control {
+    /// One sample: reads the encoder at an angle (rad) and sets the valve for the angle wanted (rad);
+    /// `mirrored` where the cylinder shortens for a positive angle.
     #[must_use]
-    pub fn new(group: Group, control: Control, theta: f64, pressure: f64) -> Steered {
-        let [bore, annulus] = group.cylinder.areas;
-        let back = pressure * bore / annulus;
-        let y = [theta, 0.0, pressure, back, pressure, back, 0.0, 0.0];
-        Steered {
-            group,
-            control,
-            run: Run::new(y, control.period / 10.0),
-            integral: 0.0,
-        }
-    }
-
-    /// One cycle of the PLC: reads the encoder, sets the valve for the angle wanted (rad), and moves
-    /// on by the period.
-    ///
-    /// # Errors
-    /// As [`Run::advance`].
-    pub fn cycle(&mut self, wanted: f64, tolerance: &Tolerance<8>) -> Result<(), Halt> {
-        let Control {
-            period,
-            resolution,
-            gains: [proportional, integral],
-        } = self.control;
-        let seen = (self.run.states()[0] / resolution).round() * resolution;
+    pub fn sample(&self, held: &Held, wanted: f64, theta: f64, mirrored: bool) -> Held {
+        let seen = match self.resolution {
+            0.0 => theta,
+            step => (theta / step).round() * step,
+        };
         let error = wanted - seen;
-        let sum = self.integral + error * period;
-        let command = proportional * error + integral * sum;
-        // The integral waits while the valve is fully open.
-        if command.abs() < 1.0 {
-            self.integral = sum;
+        let sum = held.integral + error * self.period;
+        let command = self.gains[0] * error + self.gains[1] * sum;
+        let sense = if mirrored { -1.0 } else { 1.0 };
+        Held {
+            // The integral waits while the command is at its limit.
+            integral: if command.abs() < self.limit { sum } else { held.integral },
+            command: sense * command.clamp(-self.limit, self.limit),
         }
-        let sense = if self.group.linkage.mirrored { -1.0 } else { 1.0 };
-        self.group.command = sense * command.clamp(-1.0, 1.0);
-        self.run.interrupt(period / 10.0);
-        self.run.advance(&self.group, tolerance, period, period)
     }
 }

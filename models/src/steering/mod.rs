@@ -47,6 +47,7 @@ pub mod load;
 pub mod machine;
 pub mod mode;
 pub mod model;
+pub mod moving;
 pub mod outputs;
 pub mod published;
 pub mod reach;

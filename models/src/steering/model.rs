@@ -8,7 +8,7 @@ use num_dual::Dual64;
 use crate::model::{Enumeration, Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion;
 use crate::steering::mode::Mode;
-use crate::steering::outputs::{By, Evaluation, Output};
+use crate::steering::outputs::{By, Evaluation, Inputs, Output, Parameters};
 use crate::steering::scene::{CORNERS, Steering};
 use crate::steering::searched::{Search, Searched};
 use crate::steering::set_points::{Change, OfChange, SetPoints};
@@ -366,6 +366,15 @@ impl Model {
             self.set_points.pass();
             self.sweep();
         }
+    }
+
+    /// The present inputs and parameters.
+    pub(crate) fn inputs(&self) -> &Inputs<f64> {
+        self.state.evaluation.inputs()
+    }
+
+    pub(crate) fn parameters(&self) -> &Parameters<f64> {
+        self.state.evaluation.parameters()
     }
 
     /// Ends initialization: from now on a mode that changes has a way to go.

@@ -11,6 +11,7 @@ use crate::steering::cylinder::Cylinder;
 use crate::steering::load::{Tyre, share};
 use crate::steering::machine::Refusal;
 use crate::steering::mode::{Command, Mode};
+use crate::steering::moving::scene::{FIDELITIES, Moving, TABLES};
 use crate::steering::outputs::{Built, By, Group, Inputs, Parameters};
 use crate::steering::reach::{reach, stand};
 use crate::steering::ring::{Bearing, Catalogue, Curve, Ring};
@@ -106,6 +107,15 @@ pub static KEYS: &[Key] = &[
         "Oil supply, and what the book checks the cylinder by.",
     )
     .optional(),
+    Key {
+        name: "fidelity",
+        kind: Kind::Choice(FIDELITIES),
+        required: false,
+        text: "How deep the steering is modelled: groups that stand as commanded (kinematic), or that are turned by their cylinders under the PLC (hydraulic); without it kinematic.",
+    },
+    Key::table(TABLES[0].0, TABLES[0].1, TABLES[0].2).optional(),
+    Key::table(TABLES[1].0, TABLES[1].1, TABLES[1].2).optional(),
+    Key::table(TABLES[2].0, TABLES[2].1, TABLES[2].2).optional(),
     SOURCE,
 ];
 
@@ -289,6 +299,8 @@ pub struct Steering {
     /// Modes between which the book draws the change.
     pub drawn: [Option<Mode>; 2],
     pub catalogue: Option<Catalogue>,
+    /// With `fidelity = "hydraulic"`.
+    pub moving: Option<Moving>,
 }
 
 impl Steering {
@@ -509,6 +521,10 @@ impl Steering {
             ),
             loads,
         };
+        let moving = Moving::new(v, found).unwrap_or_else(|refusal| {
+            found.push(told(v, refusal));
+            None
+        });
         if found.len() > before {
             return None;
         }
@@ -562,6 +578,7 @@ impl Steering {
             slip_limit,
             drawn,
             catalogue,
+            moving,
         })
     }
 }
@@ -604,6 +621,9 @@ fn place(v: &Values, key: &str) -> Range<usize> {
         "hydraulics",
         "motion",
         "load",
+        "oil",
+        "plc",
+        "dynamics",
         "accuracy",
         "transition",
     ];

@@ -13,6 +13,7 @@ use crate::steering::load::resistance;
 use crate::steering::machine::Machine;
 use crate::steering::mode::{Centre, Command, Mode};
 use crate::steering::model::Model;
+use crate::steering::moving::scene::Moving;
 use crate::steering::outputs::{Built, By, Evaluation, Inputs, Output};
 use crate::steering::published::Layout;
 use crate::steering::reach::{Reach, nearest, reach, stand};
@@ -80,7 +81,7 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
             .filter(|variable| variable.role == Role::Output && variable.kind == Type::Real)
             .map(|variable| variable.symbol)
             .collect(),
-        remarks: remarks(&built),
+        remarks: remarks(steering, &built),
         changes,
     }
 }
@@ -196,6 +197,18 @@ fn inputs(scene: &Scene, steering: &Steering) -> Vec<Input> {
                 value,
             );
         });
+    }
+    if let Some(Moving { body, oil, plc }) = steering.moving {
+        // What the solver takes by default is no input of the book.
+        let mut table = |chapter: &'static str, symbol: &'static Symbol, value: f64| {
+            let key = format!("steering.{chapter}.{}", symbol.id);
+            if scene.given(&key).is_some() {
+                add(chapter, key, symbol, None, value);
+            }
+        };
+        body.map(&mut |symbol, value| table("dynamics", symbol, value));
+        oil.map(&mut |symbol, value| table("oil", symbol, value));
+        plc.map(&mut |symbol, value| table("plc", symbol, value));
     }
     let motion = [
         ("from", &s::FROM, motion.from),
@@ -909,8 +922,11 @@ fn printed(built: &Built<f64>) -> Option<(Layout<f64>, f64)> {
     Some((layout, worst))
 }
 
-fn remarks(built: &Built<f64>) -> Vec<&'static str> {
+fn remarks(steering: &Steering, built: &Built<f64>) -> Vec<&'static str> {
     let mut list = vec!["zhang2016_modes"];
+    if steering.moving.is_some() {
+        list.insert(0, "steering_moving");
+    }
     if printed(built).is_some() {
         list.extend(["zhang2016_cot", "zhang2016_pairs", "zhang2016_dimensions"]);
     }

@@ -103,6 +103,7 @@ pub fn cylinder() -> Cylinder {
         relief: [280e5, 1e-9],
         valve: Valve {
             conductance: Valve::rated(0.01, 35e5),
+            overlap: 0.0,
             frequency: 300.0,
             damping: 0.7,
         },

@@ -363,7 +363,7 @@ impl Controller {
                 let (angle, rate) = (model.get(0)?, model.get(1)?);
                 let inertia = match model {
                     Model::Moving(moving) => moving.inertia()?,
-                    Model::Luffing(_) | Model::Steering(_) => 0.0,
+                    Model::Luffing(_) | Model::Steering(_) | Model::Turning(_) => 0.0,
                 };
                 let correction =
                     2.0 * MOMENT_LOOP * (wanted.rate - rate) + MOMENT_LOOP * MOMENT_LOOP * (wanted.angle - angle);

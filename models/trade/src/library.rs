@@ -135,7 +135,9 @@ fn sized<const N: usize>(
     };
     let solved = match method {
         Method::Implicit(_) => RODAS4::integrate_auto(0.0, h, &scaled, &mut f, &settings(IMPLICIT)),
-        Method::Explicit(_) | Method::Closed => RKV98NoInterp::integrate(0.0, h, &scaled, &mut f, &settings(EXPLICIT)),
+        Method::Explicit(_) | Method::Closed | Method::Interpolated(_) => {
+            RKV98NoInterp::integrate(0.0, h, &scaled, &mut f, &settings(EXPLICIT))
+        }
     };
     match solved {
         Ok(solution) => Ok((0..count).map(|i| solution.y[i] * nominals[i]).collect()),

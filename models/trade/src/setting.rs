@@ -3,7 +3,7 @@
 use std::fmt;
 
 use lemnis_models::model::{Fault, Model};
-use lemnis_models::scene::Scene;
+use lemnis_models::scene::{Mechanism, Scene};
 use lemnis_models::solver::Count;
 
 /// How a level is solved.
@@ -15,6 +15,8 @@ pub enum Method {
     Explicit(f64),
     /// Rodas, linearly implicit, with this relative tolerance.
     Implicit(f64),
+    /// Nothing is solved: results are interpolated, to this part of their range.
+    Interpolated(f64),
 }
 
 /// One way to run a scene.
@@ -27,10 +29,13 @@ pub struct Setting {
 /// Longest steps of the explicit solver, in s, and tolerances of the implicit one.
 const STEPS: [f64; 6] = [0.1, 0.05, 0.02, 0.01, 0.005, 0.002];
 const TOLERANCES: [f64; 6] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
+/// Tolerances of the interpolation.
+const INTERPOLATIONS: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
 /// Of the references: an order of magnitude below what is compared with them.
 const FINE_STEP: f64 = 0.0005;
 const FINE_TOLERANCE: f64 = 1e-9;
+const FINE_INTERPOLATION: f64 = 1e-11;
 
 /// What a level's equations cost, in s, measured once: the position with some results, the rates of
 /// the states, and the rates with their Jacobian and its factors. They stand here so that a choice by cost is
@@ -49,7 +54,7 @@ fn price(level: &str) -> Price {
         _ => (0.0, 0.0),
     };
     Price {
-        position: 0.08e-6,
+        position: if level == "table" { 0.03e-6 } else { 0.08e-6 },
         rates,
         jacobian,
     }
@@ -68,6 +73,7 @@ impl Setting {
                 .map(|step| of(Method::Explicit(step)))
                 .collect(),
             Method::Implicit(_) => TOLERANCES.map(|tol| of(Method::Implicit(tol))).to_vec(),
+            Method::Interpolated(_) => INTERPOLATIONS.map(|tol| of(Method::Interpolated(tol))).to_vec(),
         }
     }
 
@@ -77,6 +83,7 @@ impl Setting {
         let method = match level {
             "rigid" | "swing" => Method::Explicit(FINE_STEP),
             "hydraulic" => Method::Implicit(FINE_TOLERANCE),
+            "table" => Method::Interpolated(FINE_INTERPOLATION),
             _ => Method::Closed,
         };
         Setting { level, method }
@@ -87,13 +94,17 @@ impl Setting {
     /// # Errors
     /// As [`Model::new`].
     pub fn model(&self, scene: &Scene, sample: f64) -> Result<Model, Fault> {
-        let mut model = Model::new(&scene.at(self.level))?;
+        let mut scene = scene.at(self.level);
+        if let (Method::Interpolated(tolerance), Mechanism::Luffing(luffing)) = (self.method, &mut scene.mechanism) {
+            luffing.table = Some(tolerance);
+        }
+        let mut model = Model::new(&scene)?;
         let set = |model: &mut Model, id: &str, value| match index(model, id) {
             Some(index) => model.set(index, value),
             None => Ok(()),
         };
         match self.method {
-            Method::Closed => {}
+            Method::Closed | Method::Interpolated(_) => {}
             Method::Explicit(step) => set(&mut model, "step", step)?,
             Method::Implicit(tolerance) => {
                 set(&mut model, "step", sample)?;
@@ -119,7 +130,7 @@ impl Setting {
         match self.method {
             Method::Closed => None,
             Method::Explicit(step) => Some(("step", format!("{} ms", step * 1e3))),
-            Method::Implicit(tolerance) => Some(("tol", format!("{tolerance:e}"))),
+            Method::Implicit(tolerance) | Method::Interpolated(tolerance) => Some(("tol", format!("{tolerance:e}"))),
         }
     }
 
@@ -130,6 +141,7 @@ impl Setting {
             Method::Closed => "closed form",
             Method::Explicit(_) => "RK4",
             Method::Implicit(_) => "Rodas",
+            Method::Interpolated(_) => "cubic pieces",
         }
     }
 }

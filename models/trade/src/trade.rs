@@ -169,6 +169,10 @@ impl Trade {
         names.extend(model.variables()[..2].iter().map(Variable::name));
         let mut references = Vec::new();
         for level in levels.iter().rev().copied() {
+            // A command may lead beyond the working range, which a table does not have.
+            if level == "table" && experiment.own_command().is_some() {
+                continue;
+            }
             let reference = reference(scene, &experiment, level, &names)?;
             if let Some(apart) = reference
                 .apart

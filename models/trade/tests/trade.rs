@@ -33,8 +33,8 @@ fn every_level_has_a_reference_of_two_codes() {
     let first = Trade::new(&scene, SAMPLE, 0, &|| steps.set(steps.get() + 1)).expect("agrees");
     assert_eq!(steps.get(), Trade::steps(&scene, SAMPLE));
     let found: Vec<&str> = first.references.iter().map(|reference| reference.level).collect();
-    assert_eq!(found, ["static", "rigid", "swing", "hydraulic"]);
-    for reference in &first.references[1..] {
+    assert_eq!(found, ["table", "static", "rigid", "swing", "hydraulic"]);
+    for reference in &first.references[2..] {
         let apart = reference.apart.as_ref().expect("two codes");
         println!("{}: {apart:?}", reference.level);
         // Far below what a user sees; explicit levels agree to rounding.
@@ -75,7 +75,7 @@ fn the_choice_follows_the_demand() {
         let found = trade(&scene("swing", accuracy));
         found.choice().map(|row| row.setting.level)
     };
-    assert_eq!(level("accuracy = { \"A.x\" = \"1 m\" }"), Some("static"));
+    assert_eq!(level("accuracy = { \"A.x\" = \"1 m\" }"), Some("table"));
     assert_eq!(level("accuracy = { \"A.x\" = \"1 mm\" }"), Some("swing"));
     assert_eq!(
         level("accuracy = { \"A.x\" = \"1 m\", \"phi_R\" = \"1 deg\" }"),

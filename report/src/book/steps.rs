@@ -47,6 +47,7 @@ struct Step {
     numbers: Option<String>,
     result: String,
     layout: Layout,
+    size: u32,
 }
 
 #[derive(Serialize)]
@@ -106,6 +107,7 @@ fn steps(
             numbers,
             result,
             layout,
+            size,
         } = formula::step(language, &notation.defined, trace, step, in_full);
         Step {
             quantity: step.symbol.into(),
@@ -114,6 +116,7 @@ fn steps(
             numbers,
             result,
             layout,
+            size,
         }
     };
     trace.steps.iter().map(step).collect()

@@ -7,9 +7,11 @@ mod attachment;
 mod external;
 mod fonts;
 mod ink;
+mod settled;
 
 use std::collections::HashMap;
 use std::fmt;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use typst::diag::{FileError, FileResult, SourceDiagnostic, SourceResult, Warned};
@@ -28,6 +30,7 @@ pub use crate::attachment::attached;
 pub use crate::external::External;
 use crate::fonts::Fonts;
 pub use crate::ink::{Ink, ink};
+use crate::settled::Settled;
 
 /// What Typst objects to, with its place where it has one.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -109,11 +112,28 @@ pub struct Embedded;
 
 impl Typesetter for Embedded {
     fn typeset(&self, main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Typeset, Error> {
-        let made = make(main, files, format, standard);
-        // What the last document did not use is forgotten.
-        comemo::evict(1);
-        let (files, warnings) = made?;
+        let _in_work = InWork::begin();
+        let (files, warnings) = make(main, files, format, standard)?;
         Ok(Typeset { files, warnings })
+    }
+}
+
+/// A document in work. At its end Typst forgets what as many documents as are in work did not use: each of them
+/// finds what its predecessor left.
+struct InWork;
+
+static IN_WORK: AtomicUsize = AtomicUsize::new(0);
+
+impl InWork {
+    fn begin() -> InWork {
+        IN_WORK.fetch_add(1, Ordering::Relaxed);
+        InWork
+    }
+}
+
+impl Drop for InWork {
+    fn drop(&mut self) {
+        comemo::evict(IN_WORK.fetch_sub(1, Ordering::Relaxed));
     }
 }
 
@@ -204,16 +224,17 @@ static LIBRARY: LazyLock<LazyHash<Library>> = LazyLock::new(|| {
     LazyHash::new(Library::builder().with_features(features).build())
 });
 
-/// The latest source. Changed where the next one differs, it keeps the rest as
+/// Sources of earlier documents. Changed where the next one differs, a source keeps the rest as
 /// Typst knows it, so that only what changed is typeset anew.
-fn latest() -> MutexGuard<'static, Option<Source>> {
-    static LATEST: Mutex<Option<Source>> = Mutex::new(None);
-    LATEST.lock().unwrap_or_else(PoisonError::into_inner)
+static SOURCES: Mutex<Vec<Source>> = Mutex::new(Vec::new());
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Drop for Memory {
     fn drop(&mut self) {
-        *latest() = Some(self.main.clone());
+        locked(&SOURCES).push(self.main.clone());
     }
 }
 
@@ -225,7 +246,7 @@ struct Memory {
 
 impl Memory {
     fn new(main: &str, files: &[(String, Vec<u8>)], fonts: Fonts) -> Result<Memory, Error> {
-        let main = match latest().take() {
+        let main = match locked(&SOURCES).pop() {
             Some(mut source) => {
                 source.replace(main);
                 source
@@ -244,8 +265,8 @@ impl Memory {
     }
 
     fn typeset(&self) -> Result<PagedDocument, Error> {
-        let Warned { output, warnings } = typst::compile::<PagedDocument>(self);
-        let document = self.check(output)?;
+        let Warned { output, warnings } = typst::compile::<Settled>(self);
+        let Settled(document) = self.check(output)?;
         match warnings.first() {
             Some(warning) => Err(self.error(warning)),
             None => Ok(document),
@@ -319,6 +340,30 @@ mod tests {
         let first = pdf(source, &files).unwrap();
         assert!(first.files[0].starts_with(b"%PDF") && first.warnings.is_empty());
         assert_eq!(first, pdf(source, &files).unwrap());
+    }
+
+    #[test]
+    fn what_was_typeset_before_leaves_no_trace() {
+        let outline = "#set document(title: \"T\")\n#set page(footer: context counter(page).display())\n#outline()\n";
+        let link =
+            "#pagebreak()\n= End <end>\nPage #context counter(page).final().first() #link(<end>)[is the last].\n";
+        let long = format!("{outline}= One\n#lorem(900)\n= Two\n#lorem(900)\n{link}");
+        let short = format!("{outline}= Two\n#lorem(90)\n{link}");
+        let first = pdf(&long, &[]).unwrap();
+        let second = pdf(&short, &[]).unwrap();
+        assert_ne!(first, second);
+        for _ in 0..2 {
+            assert_eq!(first, pdf(&long, &[]).unwrap());
+            assert_eq!(first, pdf(&long, &[]).unwrap());
+            assert_eq!(second, pdf(&short, &[]).unwrap());
+        }
+    }
+
+    #[test]
+    fn pages_that_never_come_to_rest_are_an_error() {
+        let source = "#set document(title: \"T\")\n#context { let n = counter(page).final().first(); for _ in range(n) { pagebreak() } }";
+        let message = pdf(source, &[]).unwrap_err().to_string();
+        assert!(message.starts_with("the pages do not come to rest"), "{message}");
     }
 
     #[test]

@@ -470,6 +470,7 @@ impl Model {
             relief: [oil.p_r, oil.k_r],
             valve: Valve {
                 conductance: Valve::rated(oil.q_n, oil.dp_n),
+                overlap: P::constant(0.0),
                 frequency: oil.omega_v,
                 damping: oil.zeta_v,
             },

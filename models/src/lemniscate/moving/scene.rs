@@ -11,7 +11,7 @@ use crate::schema::{Key, Sign, Values};
 use crate::symbol::{Symbol, quantities};
 
 /// How deep the mechanism is modelled.
-pub const FIDELITIES: &[&str] = &["static", "rigid", "swing", "hydraulic", "auto"];
+pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydraulic", "auto"];
 
 /// Keys of `[luffing.dynamics]`.
 pub static KEYS: &[Key] = &[
@@ -136,7 +136,7 @@ impl Moving {
             found.push(Diagnostic::new(v.place(key), what, label).help(help));
         };
         let table = match (fidelity, v.table("dynamics")) {
-            ("static" | "auto", None) => {
+            ("static" | "table" | "auto", None) => {
                 if v.table("slewing").is_some() {
                     mistake(
                         "slewing",
@@ -147,7 +147,7 @@ impl Moving {
                 }
                 return None;
             }
-            ("static", Some(_)) => {
+            ("static" | "table", Some(_)) => {
                 mistake(
                     "dynamics",
                     "inertias and drive of a mechanism that does not move by itself".to_owned(),

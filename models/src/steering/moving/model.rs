@@ -1,0 +1,876 @@
+//! The groups in motion as a running model: commands, loads and parameters in,
+//! states and results out. What the command wants, and what follows from loads
+//! alone, comes from the algebraic model of the same scene.
+
+use std::collections::BTreeSet;
+
+use crate::calc::Calc;
+use crate::hydraulics::cylinder::Cylinder;
+use crate::hydraulics::valve::Valve;
+use crate::model::{Fault, Name, Role, Terminal, Type, Variable};
+use crate::schema::short;
+use crate::solver::{Count, Halt, MOST_STEPS};
+use crate::steering::hydraulic::{Control, Group, INDICATORS, STATES};
+use crate::steering::machine::within;
+use crate::steering::model::{Model as Algebraic, State as AlgebraicState};
+use crate::steering::moving::level::{Clock, Level, Present};
+use crate::steering::moving::scene::{Moving, bounds};
+use crate::steering::moving::symbols as m;
+use crate::steering::scene::Steering;
+use crate::steering::sizing::{flow, force};
+use crate::steering::symbols as s;
+use crate::symbol::Symbol;
+use crate::unit;
+
+/// Pressure of the chamber on the bore's side at the start, in Pa.
+const RESTING_PRESSURE: f64 = 20e5;
+
+/// Natural frequency, in rad/s, of a group alone against its end stop, which is damped critically.
+const STOP: f64 = 100.0;
+
+/// The states of a group, in their order, with their rates.
+const OF_GROUP: [(&Symbol, &Symbol); STATES] = [
+    (&s::THETA, &m::D_THETA),
+    (&m::OMEGA_G, &m::D_OMEGA_G),
+    (&m::P_1, &m::D_P_1),
+    (&m::P_2, &m::D_P_2),
+    (&m::P_A, &m::D_P_A),
+    (&m::P_B, &m::D_P_B),
+    (&m::X_V, &m::D_X_V),
+    (&m::V_V, &m::D_V_V),
+];
+
+const OF_EVENTS: [&Symbol; INDICATORS] = [
+    &m::Z_OPEN_1,
+    &m::Z_OPEN_2,
+    &m::Z_RELIEF_1,
+    &m::Z_RELIEF_2,
+    &m::Z_MIN,
+    &m::Z_MAX,
+];
+
+/// A scene's steering in motion.
+#[derive(Clone, Debug)]
+pub struct Model {
+    algebraic: Algebraic,
+    variables: Vec<Variable>,
+    slots: Vec<Slot>,
+    /// Where the algebraic model has what the groups need: of the first group the angle that the PLC is to
+    /// reach, which is the set point on its way through a change of mode or that of the nearest command, angle and
+    /// rolling speed as commanded, and T_r, T_rx and T_g where there are loads; the margin to the ranges.
+    wanted: usize,
+    heading: usize,
+    rolling: usize,
+    resistance: Option<[usize; 3]>,
+    margin: usize,
+    /// Follows from parameters and inputs; `None` where there is no machine.
+    level: Option<Level>,
+    /// How the groups were before a step that may fail.
+    before: Vec<Present>,
+    state: State,
+}
+
+/// All that changes in a model while it runs.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// In s.
+    time: f64,
+    clock: Clock,
+    groups: Vec<Present>,
+    given: Moving,
+    /// Of the algebraic model; while the model runs, it has a newer one.
+    algebraic: AlgebraicState,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Slot {
+    /// State, rate and indicator of a group.
+    State(usize, usize),
+    Rate(usize, usize),
+    Indicator(usize, usize),
+    /// A quantity of [`Moving`].
+    Given,
+    Demand,
+    /// A result of a group.
+    Of(OfGroup, usize),
+    /// Index of a variable of the algebraic model.
+    Algebraic(usize),
+}
+
+/// Results of a group at the angle where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum OfGroup {
+    Wanted,
+    Error,
+    Command,
+    Force,
+    Reaction,
+    Demand,
+    Rolling,
+    Length,
+    Arm,
+    Speed,
+    Flow,
+    ForceStanding,
+    ForceTravelling,
+}
+
+const RESULTS: [(&Symbol, OfGroup); 6] = [
+    (&m::THETA_W, OfGroup::Wanted),
+    (&m::E_I, OfGroup::Error),
+    (&m::U_V, OfGroup::Command),
+    (&m::F_C, OfGroup::Force),
+    (&m::M_R, OfGroup::Reaction),
+    (&m::Q_V, OfGroup::Demand),
+];
+
+/// Results that the algebraic model has at the angle wanted, and this one at the angle where the group is.
+const AT_ANGLE: [(&Symbol, OfGroup); 7] = [
+    (&s::V, OfGroup::Rolling),
+    (&s::L_C, OfGroup::Length),
+    (&s::OD, OfGroup::Arm),
+    (&s::V_C, OfGroup::Speed),
+    (&s::Q_G, OfGroup::Flow),
+    (&s::F_G, OfGroup::ForceStanding),
+    (&s::F_GX, OfGroup::ForceTravelling),
+];
+
+/// The angle itself and its rate are states here; the pump's flow takes the place of what the cylinders take.
+const REPLACED: [&Symbol; 3] = [&s::THETA, &s::OMEGA_I, &s::Q_SUM];
+
+impl Model {
+    /// # Errors
+    /// Never for a scene that was read: it has a machine, and a command that its mode takes.
+    pub fn new(steering: &Steering, moving: &Moving) -> Result<Model, Fault> {
+        let algebraic = Algebraic::new(steering)?;
+        let of = |symbol: &Symbol| {
+            let mut all = algebraic.variables().iter();
+            all.position(|variable| variable.symbol == symbol)
+        };
+        let groups = vec![Present::new([0.0; STATES]); algebraic.parameters().groups.len()];
+        let mut model = Model {
+            variables: Vec::new(),
+            slots: Vec::new(),
+            heading: of(&s::THETA).ok_or_else(absent)?,
+            wanted: of(&s::THETA_S).or(of(&s::THETA_N)).ok_or_else(absent)?,
+            rolling: of(&s::V).ok_or_else(absent)?,
+            resistance: of(&s::T_R)
+                .zip(of(&s::T_RX))
+                .zip(of(&s::T_G))
+                .map(|((t_r, t_rx), t_g)| [t_r, t_rx, t_g]),
+            margin: of(&s::MARGIN).ok_or_else(absent)?,
+            level: None,
+            before: groups.clone(),
+            state: State {
+                time: 0.0,
+                clock: Clock::STOPPED,
+                groups,
+                given: *moving,
+                algebraic: algebraic.state().clone(),
+            },
+            algebraic,
+        };
+        for (variable, slot) in model.list() {
+            model.variables.push(variable);
+            model.slots.push(slot);
+        }
+        model.level = Some(model.assemble()?);
+        model.stand()?;
+        Ok(model)
+    }
+
+    /// Variables of a scene: inputs and parameters of the algebraic model, what is given besides, states,
+    /// results, rates and event indicators; those of groups group by group in each quantity.
+    fn list(&self) -> Vec<(Variable, Slot)> {
+        let groups = self.state.groups.len();
+        let mut list = Vec::new();
+        let mut results = Vec::new();
+        for (index, variable) in self.algebraic.variables().iter().enumerate() {
+            let slot = match AT_ANGLE.iter().find(|(symbol, _)| *symbol == variable.symbol) {
+                Some((_, of)) => Slot::Of(*of, usize::from(variable.number.unwrap_or(1)) - 1),
+                None => Slot::Algebraic(index),
+            };
+            match variable.role {
+                Role::Output if REPLACED.contains(&variable.symbol) => {}
+                Role::Output => results.push((*variable, slot)),
+                Role::Indicator => {}
+                _ => list.push((*variable, slot)),
+            }
+        }
+        let real = |symbol: &'static Symbol, number, role, bounds| Variable {
+            symbol,
+            number,
+            role,
+            kind: Type::Real,
+            bounds,
+        };
+        const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+        self.state.given.map(&mut |symbol, value| {
+            let role = if *symbol == m::P_P {
+                Role::Input
+            } else {
+                Role::Parameter
+            };
+            let (least, most, _) = bounds(symbol);
+            list.push((real(symbol, None, role, [least, most]), Slot::Given));
+            value
+        });
+        let mut each = |symbol, role, of: &dyn Fn(usize) -> Slot| {
+            list.extend(
+                (0..groups)
+                    .zip(1..)
+                    .map(|(i, number)| (real(symbol, Some(number), role, ANY), of(i))),
+            );
+        };
+        for (k, (symbol, _)) in OF_GROUP.into_iter().enumerate() {
+            each(symbol, Role::State, &|i| Slot::State(k, i));
+        }
+        for (symbol, of) in RESULTS {
+            each(symbol, Role::Output, &|i| Slot::Of(of, i));
+        }
+        for (k, (_, symbol)) in OF_GROUP.into_iter().enumerate() {
+            each(symbol, Role::Rate, &|i| Slot::Rate(k, i));
+        }
+        for (k, symbol) in OF_EVENTS.into_iter().enumerate() {
+            each(symbol, Role::Indicator, &|i| Slot::Indicator(k, i));
+        }
+        let margin = self.algebraic.variables()[self.margin];
+        list.push((margin, Slot::Algebraic(self.margin)));
+        list.push((real(&m::Q_P, None, Role::Output, ANY), Slot::Demand));
+        list.extend(results);
+        list
+    }
+
+    #[must_use]
+    pub fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    #[must_use]
+    pub fn terminals(&self) -> Vec<Terminal> {
+        let mut terminals = self.algebraic.terminals();
+        for (number, terminal) in (0..).zip(&mut terminals) {
+            let exists = |name: &String| self.variables.iter().any(|variable| variable.name() == *name);
+            terminal.members.retain(|(name, _)| exists(name));
+            // The first one is the machine's; the rate of a group's angle is a state here.
+            if number > 0 {
+                terminal.members.push((format!("{}[{number}]", m::OMEGA_G.id), "w"));
+            }
+        }
+        terminals
+    }
+
+    #[must_use]
+    pub fn positions(&self) -> Vec<f64> {
+        self.algebraic.positions()
+    }
+
+    #[must_use]
+    pub fn stop_time(&self) -> f64 {
+        self.algebraic.stop_time()
+    }
+
+    /// The PLC's cycle, in s.
+    #[must_use]
+    pub fn step_size(&self) -> f64 {
+        self.state.given.plc.t_c
+    }
+
+    /// Work of the solver, of all groups together, since their states were last set.
+    #[must_use]
+    pub fn count(&self) -> Count {
+        let mut sum = Count::default();
+        for Count {
+            steps,
+            rejected,
+            rates,
+            jacobians,
+        } in self.state.groups.iter().map(|present| present.run.count)
+        {
+            sum.steps += steps;
+            sum.rejected += rejected;
+            sum.rates += rates;
+            sum.jacobians += jacobians;
+        }
+        sum
+    }
+
+    /// Number of continuous states.
+    #[must_use]
+    pub fn states(&self) -> usize {
+        STATES * self.state.groups.len()
+    }
+
+    /// Number of event indicators: those of the groups, and the margin to the ranges.
+    #[must_use]
+    pub fn indicators(&self) -> usize {
+        INDICATORS * self.state.groups.len() + 1
+    }
+
+    /// The equations of motion with the present parameters and inputs.
+    fn assemble(&mut self) -> Result<Level, Fault> {
+        let Moving { body, oil, plc } = self.state.given;
+        let parameters = self.algebraic.parameters();
+        let built = parameters
+            .build()
+            .map_err(|refusal| Fault::outside(refusal.to_string()))?;
+        let (linkage, piston) = parameters.cylinder.zip(parameters.piston).ok_or_else(absent)?;
+        let accuracy = parameters.accuracy.ok_or_else(absent)?;
+        let cylinder = Cylinder {
+            areas: Cylinder::areas(piston.d_g, piston.d),
+            lengths: [linkage.l_x + linkage.l_a, 2.0 * linkage.l_x + linkage.l_a],
+            dead_volume: oil.v_0,
+            port_volume: oil.v_1,
+            line: Valve::rated(oil.q_n, oil.dp_l),
+            leakage: oil.k_l,
+            bulk_modulus: oil.beta_e,
+            relief: [oil.p_r, oil.k_r],
+            valve: Valve {
+                conductance: Valve::rated(oil.q_n, oil.dp_n),
+                overlap: oil.x_0,
+                frequency: oil.omega_v,
+                damping: oil.zeta_v,
+            },
+        };
+        let mut groups = Vec::with_capacity(built.linkages.len());
+        for (i, (linkage, limits)) in built.linkages.iter().zip(&built.limits).enumerate() {
+            groups.push(Group {
+                linkage: *linkage,
+                cylinder,
+                inertia: body.j,
+                resistance: drag(&mut self.algebraic, self.resistance, i)?,
+                stops: [limits.min, limits.max],
+                buffer: [body.j * STOP * STOP, 2.0 * body.j * STOP],
+                supply: oil.p_p,
+                command: self.state.groups[i].held.command,
+            });
+        }
+        let control = Control {
+            period: plc.t_c,
+            resolution: accuracy.step,
+            gains: [plc.k_p, plc.k_i],
+            limit: plc.u_max,
+        };
+        Ok(Level { groups, control })
+    }
+
+    /// A parameter has changed.
+    fn changed(&mut self) {
+        // Where there is no machine, the next call that needs one says why.
+        self.level = self.assemble().ok();
+        for present in &mut self.state.groups {
+            present.interrupt();
+        }
+    }
+
+    /// A load, the travel speed or the pump's pressure may have changed.
+    fn loaded(&mut self) -> Result<(), Fault> {
+        let Some(level) = &mut self.level else { return Ok(()) };
+        let supply = self.state.given.oil.p_p;
+        for (i, (group, present)) in level.groups.iter_mut().zip(&mut self.state.groups).enumerate() {
+            let resistance = drag(&mut self.algebraic, self.resistance, i)?;
+            // An importer that repeats itself does not interrupt the solver.
+            if group.resistance != resistance || group.supply != supply {
+                (group.resistance, group.supply) = (resistance, supply);
+                present.interrupt();
+            }
+        }
+        Ok(())
+    }
+
+    fn level(&mut self) -> Result<&Level, Fault> {
+        if self.level.is_none() {
+            self.level = Some(self.assemble()?);
+        }
+        self.level.as_ref().ok_or_else(absent)
+    }
+
+    /// Angle that the command wants of a group, in rad, within its range.
+    fn wanted(&mut self, group: usize) -> Result<f64, Fault> {
+        let [least, most] = self.level()?.groups[group].stops;
+        Ok(self.algebraic.get(self.wanted + group)?.clamp(least, most))
+    }
+
+    /// Puts every group at rest where the command wants it.
+    fn stand(&mut self) -> Result<(), Fault> {
+        for i in 0..self.state.groups.len() {
+            let wanted = self.wanted(i)?;
+            let y = self.level()?.groups[i].resting(wanted, RESTING_PRESSURE);
+            self.state.groups[i] = Present::new(y);
+        }
+        self.state.clock = Clock::STOPPED;
+        Ok(())
+    }
+
+    /// The groups at rest where a commanded angle (rad) wants them: a row of a table.
+    ///
+    /// # Errors
+    /// As [`set`](Model::set) and [`update`](Model::update).
+    pub fn place(&mut self, theta_b: f64) -> Result<(), Fault> {
+        self.set(0, theta_b)?;
+        self.stand()
+    }
+
+    /// # Errors
+    /// Where the command is one that its mode does not take.
+    pub fn get(&mut self, index: usize) -> Result<f64, Fault> {
+        let slot = self.slot(index)?;
+        match slot {
+            Slot::State(k, i) => Ok(self.state.groups[i].run.states()[k]),
+            Slot::Rate(k, i) => {
+                let present = self.state.groups[i];
+                Ok(self.level()?.rates(i, &present)[k])
+            }
+            Slot::Indicator(k, i) => {
+                let y = self.state.groups[i].run.states();
+                Ok(self.level()?.groups[i].indicators(&y)[k])
+            }
+            Slot::Given => {
+                let (wanted, mut found) = (self.variables[index].symbol, f64::NAN);
+                self.state.given.map(&mut |symbol, value| {
+                    if symbol == wanted {
+                        found = value;
+                    }
+                    value
+                });
+                Ok(found)
+            }
+            Slot::Demand => {
+                let mut sum = 0.0;
+                for i in 0..self.state.groups.len() {
+                    sum += self.of_group(OfGroup::Demand, i)?;
+                }
+                Ok(sum)
+            }
+            Slot::Of(of, i) => self.of_group(of, i),
+            Slot::Algebraic(inner) => self.algebraic.get(inner),
+        }
+    }
+
+    fn of_group(&mut self, of: OfGroup, i: usize) -> Result<f64, Fault> {
+        let present = self.state.groups[i];
+        let y = present.run.states();
+        let (theta, omega) = (y[0], y[1]);
+        let group = self.level()?.groups[i];
+        let pose = || group.pose(theta);
+        let mut load = |which: usize| match self.resistance {
+            Some(first) => self.algebraic.get(first[which] + i),
+            None => Err(absent()),
+        };
+        Ok(match of {
+            OfGroup::Wanted => self.wanted(i)?,
+            OfGroup::Error => self.wanted(i)? - theta,
+            OfGroup::Command => present.held.command,
+            OfGroup::Force => group.cylinder.force(&Group::oil(&y)),
+            OfGroup::Reaction => group.reaction(theta, omega),
+            OfGroup::Demand => group.demand(&y),
+            // The ground passes under the wheels as commanded; they roll along where they point.
+            OfGroup::Rolling => {
+                let off = self.algebraic.get(self.heading + i)? - theta;
+                self.algebraic.get(self.rolling + i)? * Calc::sin_cos(off).1
+            }
+            OfGroup::Length => pose().l,
+            OfGroup::Arm => pose().od,
+            OfGroup::Speed => pose().od * omega,
+            OfGroup::Flow => {
+                let piston = self.algebraic.parameters().piston.ok_or_else(absent)?;
+                flow(&piston, pose().od * omega)
+            }
+            OfGroup::ForceStanding => force(load(2)?, pose().od),
+            OfGroup::ForceTravelling => force(load(2)? - load(0)? + load(1)?, pose().od),
+        })
+    }
+    /// # Errors
+    /// A value that is not finite or outside what the symbol allows, a result, an unknown index.
+    pub fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
+        let (slot, variable) = (self.slot(index)?, &self.variables[index]);
+        match slot {
+            Slot::Algebraic(inner) => self.algebraic.check(inner, value),
+            Slot::Given => {
+                let (least, most, open) = bounds(variable.symbol);
+                let checked = within(variable.symbol, value, least, most, open);
+                checked.map(drop).map_err(|refusal| Fault::outside(refusal.to_string()))
+            }
+            Slot::State(..) if value.is_finite() => Ok(()),
+            Slot::State(..) => Err(Fault::outside(format!("{variable} = {value} is not finite"))),
+            _ => Err(Fault::new(format!("{variable} is a result and cannot be set"))),
+        }
+    }
+
+    /// # Errors
+    /// As [`check`](Model::check); a refused value changes nothing.
+    pub fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
+        self.check(index, value)?;
+        let variable = self.variables[index];
+        match self.slots[index] {
+            Slot::State(k, i) => {
+                let mut y = self.state.groups[i].run.states();
+                y[k] = value;
+                self.state.groups[i].set_states(y);
+                Ok(())
+            }
+            Slot::Given => {
+                let mut same = false;
+                self.state.given = self.state.given.map(&mut |symbol, old| {
+                    if symbol == variable.symbol {
+                        same = old == value;
+                        value
+                    } else {
+                        old
+                    }
+                });
+                match variable.role {
+                    Role::Input => self.loaded()?,
+                    _ if !same => self.changed(),
+                    _ => {}
+                }
+                Ok(())
+            }
+            Slot::Algebraic(inner) => {
+                let before = self.algebraic.get(inner)?;
+                self.algebraic.set(inner, value)?;
+                match variable.role {
+                    // A command waits for the next sample.
+                    Role::Input if [&s::G, &s::V_T].contains(&variable.symbol) => self.loaded()?,
+                    Role::Parameter | Role::Tunable if before != value => self.changed(),
+                    _ => {}
+                }
+                Ok(())
+            }
+            _ => unreachable!("refused above"),
+        }
+    }
+
+    /// The time alone: states move by [`advance`](Model::advance), or are set from outside.
+    pub fn set_time(&mut self, time: f64) {
+        self.state.time = time;
+        self.algebraic.set_time(time);
+    }
+
+    /// Ends initialization: from now on a mode that changes has a way to go.
+    ///
+    /// # Errors
+    /// As [`update`](Model::update).
+    pub fn start(&mut self) -> Result<(), Fault> {
+        self.level()?;
+        self.algebraic.start()
+    }
+
+    /// Brings everything to the present parameters and inputs.
+    ///
+    /// # Errors
+    /// Parameters without a machine, or a command that its mode does not take.
+    pub fn update(&mut self) -> Result<(), Fault> {
+        self.level()?;
+        self.algebraic.update()
+    }
+
+    /// The PLC's sample, where one is due; no state jumps.
+    ///
+    /// # Errors
+    /// As [`update`](Model::update).
+    pub fn event(&mut self) -> Result<bool, Fault> {
+        let (time, control) = (self.state.time, self.level()?.control);
+        if self.state.clock.is_due(&control, time) {
+            self.sample(time)?;
+        }
+        Ok(false)
+    }
+
+    /// Time of the PLC's next sample, in s; none before the first one.
+    #[must_use]
+    pub fn next_event(&self) -> Option<f64> {
+        let control = &self.level.as_ref()?.control;
+        self.state.clock.next(control)
+    }
+
+    /// The PLC reads all encoders and sets all valves.
+    fn sample(&mut self, time: f64) -> Result<(), Fault> {
+        self.update()?;
+        for i in 0..self.state.groups.len() {
+            let wanted = self.wanted(i)?;
+            let Some(Level { groups, control }) = &mut self.level else {
+                return Err(absent());
+            };
+            self.state.groups[i].sample(&mut groups[i], control, wanted);
+        }
+        let control = self.level()?.control;
+        self.state.clock = self.state.clock.sampled(&control, time);
+        Ok(())
+    }
+
+    /// Solves from one time to another, both in s, with the PLC's samples on the way; one at the end
+    /// belongs to the next step, which may come with other commands. A step that fails changes nothing.
+    ///
+    /// # Errors
+    /// As [`update`](Model::update); a group's oil gets out of hand, or the step needs more inner steps than
+    /// are allowed.
+    pub fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
+        let (clock, time) = (self.state.clock, self.state.time);
+        self.before.copy_from_slice(&self.state.groups);
+        let solved = self.solve(from, to);
+        if solved.is_err() {
+            self.state.groups.copy_from_slice(&self.before);
+            self.state.clock = clock;
+            self.set_time(time);
+            if let Some(level) = &mut self.level {
+                for (group, present) in level.groups.iter_mut().zip(&self.state.groups) {
+                    group.command = present.held.command;
+                }
+            }
+        }
+        solved
+    }
+
+    fn solve(&mut self, from: f64, to: f64) -> Result<(), Fault> {
+        let control = self.level()?.control;
+        let Moving { body, oil, .. } = self.state.given;
+        let samples = (to - from) / control.period * self.state.groups.len() as f64;
+        if samples > f64::from(MOST_STEPS) {
+            return Err(self.refusal(Halt::TooMany, 0, to - from));
+        }
+        let mut time = from;
+        while time < to {
+            if self.state.clock.is_due(&control, time) {
+                self.set_time(time);
+                self.sample(time)?;
+            }
+            let end = self.state.clock.next_before(&control, to).unwrap_or(to);
+            for i in 0..self.state.groups.len() {
+                let Some(level) = &self.level else { return Err(absent()) };
+                let present = &mut self.state.groups[i];
+                if let Err(halt) = present.advance(&level.groups[i], end - time, body.step, oil.tol) {
+                    return Err(self.refusal(halt, i, to - from));
+                }
+            }
+            time = end;
+        }
+        self.set_time(to);
+        self.update()
+    }
+
+    fn refusal(&self, halt: Halt, group: usize, size: f64) -> Fault {
+        let at = self.state.groups[group].run.states()[0];
+        let angle = format!(
+            "theta[{}] = {} {}",
+            group + 1,
+            short(s::THETA.shown(at)),
+            s::THETA.display.name
+        );
+        Fault::outside(match halt {
+            Halt::Outside => format!(
+                "the motion from {angle} ends within {size} s beyond its cylinder or beyond all reasonable numbers: \
+                 keep J above what the oil moves, and V_0 above what an end stop gives way"
+            ),
+            Halt::TooSmall | Halt::TooMany => format!(
+                "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
+                 at T_c = {} s: take smaller communication steps, a longer cycle or a coarser tolerance",
+                self.state.given.plc.t_c
+            ),
+        })
+    }
+
+    /// The continuous states.
+    pub fn get_states(&self, states: &mut [f64]) {
+        let groups = self.state.groups.len();
+        for (i, present) in self.state.groups.iter().enumerate() {
+            for (k, y) in present.run.states().into_iter().enumerate() {
+                states[k * groups + i] = y;
+            }
+        }
+    }
+
+    /// # Errors
+    /// A state is not finite; none changes.
+    pub fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
+        let groups = self.state.groups.len();
+        if let Some(at) = states.iter().position(|value| !value.is_finite()) {
+            let (symbol, _) = OF_GROUP[at / groups];
+            let number = at % groups + 1;
+            return Err(Fault::outside(format!(
+                "{}[{number}] = {} is not finite",
+                symbol.id, states[at]
+            )));
+        }
+        for (i, present) in self.state.groups.iter_mut().enumerate() {
+            present.set_states(std::array::from_fn(|k| states[k * groups + i]));
+        }
+        Ok(())
+    }
+
+    /// Orders of magnitude of the continuous states.
+    pub fn nominals(&self, nominals: &mut [f64]) {
+        for ((symbol, _), nominals) in OF_GROUP.iter().zip(nominals.chunks_exact_mut(self.state.groups.len())) {
+            nominals.fill(match symbol {
+                symbol if symbol.unit.dimension == unit::PA.dimension => 1e5,
+                symbol if *symbol == &m::V_V => 1e2,
+                _ => 1.0,
+            });
+        }
+    }
+
+    /// Rates of the continuous states.
+    ///
+    /// # Errors
+    /// Parameters without a machine.
+    pub fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
+        let groups = self.state.groups.len();
+        for i in 0..groups {
+            let present = self.state.groups[i];
+            for (k, rate) in self.level()?.rates(i, &present).into_iter().enumerate() {
+                rates[k * groups + i] = rate;
+            }
+        }
+        Ok(())
+    }
+
+    /// # Errors
+    /// As [`update`](Model::update).
+    pub fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
+        let groups = self.state.groups.len();
+        for i in 0..groups {
+            let y = self.state.groups[i].run.states();
+            for (k, indicator) in self.level()?.groups[i].indicators(&y).into_iter().enumerate() {
+                indicators[k * groups + i] = indicator;
+            }
+        }
+        indicators[INDICATORS * groups] = self.algebraic.get(self.margin)?;
+        Ok(())
+    }
+
+    #[must_use]
+    pub fn state(&self) -> State {
+        let State {
+            time,
+            clock,
+            ref groups,
+            given,
+            ..
+        } = self.state;
+        State {
+            time,
+            clock,
+            groups: groups.clone(),
+            given,
+            algebraic: self.algebraic.state().clone(),
+        }
+    }
+
+    pub fn set_state(&mut self, state: &State) {
+        self.state.clone_from(state);
+        self.algebraic.set_state(&state.algebraic);
+        self.level = self.assemble().ok();
+    }
+
+    /// A state as numbers.
+    #[must_use]
+    pub fn numbers(&self, state: &State) -> Vec<f64> {
+        let mut numbers = vec![state.time, state.clock.number()];
+        state.given.map(&mut |_, value| {
+            numbers.push(value);
+            value
+        });
+        for present in &state.groups {
+            numbers.extend(present.numbers());
+        }
+        numbers.extend(self.algebraic.numbers(&state.algebraic));
+        numbers
+    }
+
+    /// # Errors
+    /// Numbers that are not those of a state of this model.
+    pub fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
+        let wrong = || Fault::new("a saved state does not belong to this model");
+        let (&[time, clock], rest) = numbers.split_first_chunk::<2>().ok_or_else(wrong)?;
+        let clock = Clock::of(clock).ok_or_else(wrong)?;
+        let mut values = rest.iter();
+        let mut complete = time.is_finite();
+        let given = self.state.given.map(&mut |_, _| {
+            let value = values.next().copied().unwrap_or(f64::NAN);
+            complete &= value.is_finite();
+            value
+        });
+        if !complete {
+            return Err(wrong());
+        }
+        let mut rest = values.as_slice();
+        let mut groups = Vec::with_capacity(self.state.groups.len());
+        for present in &self.state.groups {
+            let (found, left) = present.of(rest).ok_or_else(wrong)?;
+            groups.push(found);
+            rest = left;
+        }
+        Ok(State {
+            time,
+            clock,
+            groups,
+            given,
+            algebraic: self.algebraic.state_of(rest)?,
+        })
+    }
+
+    /// What each variable depends on: of a group its own states and what acts on it, and for what the
+    /// command wants what it does in the algebraic model. The PLC's command is held between samples.
+    #[must_use]
+    pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
+        let name = |symbol: &Symbol, i: usize| -> Name { (symbol.id, Some(i as u16 + 1)) };
+        let algebraic = self.algebraic.dependencies();
+        let constants: BTreeSet<Name> = self
+            .variables
+            .iter()
+            .filter(|variable| matches!(variable.role, Role::Parameter | Role::Tunable) && variable.number.is_none())
+            .map(|variable| (variable.symbol.id, None))
+            .collect();
+        let loaded = self.resistance.is_some();
+        let acting = |i: usize| {
+            let mut all = constants.clone();
+            all.extend([(m::P_P.id, None), (s::V_T.id, None)]);
+            all.extend(loaded.then(|| name(&s::G, i)));
+            all.extend(OF_GROUP.iter().map(|(symbol, _)| name(symbol, i)));
+            all
+        };
+        let of = |slot: &Slot| match *slot {
+            Slot::State(k, i) => BTreeSet::from([name(OF_GROUP[k].0, i)]),
+            // The rate of the angle is another state.
+            Slot::Rate(0, i) => BTreeSet::from([name(&m::OMEGA_G, i)]),
+            Slot::Rate(_, i) | Slot::Indicator(_, i) => acting(i),
+            Slot::Given => BTreeSet::new(),
+            Slot::Demand => (0..self.state.groups.len()).flat_map(acting).collect(),
+            Slot::Of(OfGroup::Command, _) => BTreeSet::new(),
+            Slot::Of(OfGroup::Wanted, i) => &algebraic[self.wanted + i] | &constants,
+            Slot::Of(OfGroup::Error, i) => &(&algebraic[self.wanted + i] | &constants) | &acting(i),
+            Slot::Of(OfGroup::Rolling, i) => &algebraic[self.rolling + i] | &acting(i),
+            Slot::Of(_, i) => acting(i),
+            Slot::Algebraic(inner) => algebraic[inner].clone(),
+        };
+        self.slots.iter().map(of).collect()
+    }
+
+    fn slot(&self, index: usize) -> Result<Slot, Fault> {
+        self.slots.get(index).copied().ok_or_else(|| {
+            Fault::new(format!(
+                "there is no variable {index}; this model has {}",
+                self.slots.len()
+            ))
+        })
+    }
+}
+
+/// Resistance of a group to steering, in N·m: at standstill, or while travelling; none without loads.
+/// `first` is where the algebraic model has T_r, T_rx and T_g of the first group.
+fn drag(algebraic: &mut Algebraic, first: Option<[usize; 3]>, group: usize) -> Result<f64, Fault> {
+    let Some([t_r, t_rx, t_g]) = first.map(|first| first.map(|at| at + group)) else {
+        return Ok(0.0);
+    };
+    let standing = algebraic.get(t_g)?;
+    if algebraic.inputs().v_t == 0.0 {
+        return Ok(standing);
+    }
+    // The ring's friction stays.
+    Ok(standing - algebraic.get(t_r)? + algebraic.get(t_rx)?)
+}
+
+/// For what the scene of a steering in motion always has.
+fn absent() -> Fault {
+    Fault::new("this scene does not model the result")
+}

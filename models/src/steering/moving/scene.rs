@@ -1,0 +1,183 @@
+//! What a scene says about the groups in motion.
+
+use crate::diagnostic::Diagnostic;
+use crate::schema::{Key, Sign, Values};
+use crate::steering::machine::{Refusal, within};
+use crate::steering::moving::symbols as s;
+use crate::symbol::{Symbol, quantities};
+
+/// How deep the steering is modelled.
+pub const FIDELITIES: &[&str] = &["kinematic", "hydraulic"];
+
+/// The tables of the groups in motion, each with what it says.
+pub const TABLES: [(&str, &[Key], &str); 3] = [
+    ("dynamics", KEYS, "What moves, with fidelity \"hydraulic\"."),
+    (
+        "oil",
+        OIL_KEYS,
+        "Oil and valve of each cylinder, with fidelity \"hydraulic\".",
+    ),
+    ("plc", PLC_KEYS, "Control loop of the PLC, with fidelity \"hydraulic\"."),
+];
+
+const SOURCE: Key = Key::text(
+    "source",
+    "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+);
+
+/// Keys of `[steering.dynamics]`.
+const KEYS: &[Key] = &[
+    Key::quantity(&s::J, Sign::Positive),
+    Key::quantity(&s::STEP, Sign::Positive).optional(),
+    SOURCE,
+];
+
+/// Keys of `[steering.oil]`.
+const OIL_KEYS: &[Key] = &[
+    Key::quantity(&s::V_0, Sign::Positive),
+    Key::quantity(&s::V_1, Sign::Positive),
+    Key::quantity(&s::Q_N, Sign::Positive),
+    Key::quantity(&s::DP_N, Sign::Positive),
+    Key::quantity(&s::X_0, Sign::NotNegative).optional(),
+    Key::quantity(&s::DP_L, Sign::Positive),
+    Key::quantity(&s::BETA_E, Sign::Positive),
+    Key::quantity(&s::P_R, Sign::Positive),
+    Key::quantity(&s::K_R, Sign::NotNegative),
+    Key::quantity(&s::K_L, Sign::NotNegative),
+    Key::quantity(&s::OMEGA_V, Sign::Positive),
+    Key::quantity(&s::ZETA_V, Sign::NotNegative),
+    Key::quantity(&s::P_P, Sign::NotNegative),
+    Key::quantity(&s::TOL, Sign::Positive).optional(),
+    SOURCE,
+];
+
+/// Keys of `[steering.plc]`.
+const PLC_KEYS: &[Key] = &[
+    Key::quantity(&s::T_C, Sign::Positive),
+    Key::quantity(&s::K_P, Sign::NotNegative),
+    Key::quantity(&s::K_I, Sign::NotNegative).optional(),
+    Key::quantity(&s::U_MAX, Sign::Positive).optional(),
+    SOURCE,
+];
+
+quantities! {
+    /// What moves, and how it is solved.
+    Body { j: J, step: STEP }
+}
+
+quantities! {
+    /// Oil and valve of each cylinder.
+    Oil {
+        v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, x_0: X_0, dp_l: DP_L, beta_e: BETA_E, p_r: P_R, k_r: K_R,
+        k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, p_p: P_P, tol: TOL
+    }
+}
+
+quantities! {
+    /// The control loop.
+    Plc { t_c: T_C, k_p: K_P, k_i: K_I, u_max: U_MAX }
+}
+
+/// The groups in motion as the scene describes them; SI.
+#[derive(Clone, Copy, Debug)]
+pub struct Moving {
+    pub body: Body<f64>,
+    pub oil: Oil<f64>,
+    pub plc: Plc<f64>,
+}
+
+/// Least and greatest value of a quantity in SI, with whether the least one is excluded.
+#[must_use]
+pub fn bounds(symbol: &Symbol) -> (f64, f64, bool) {
+    // Beyond these a number is a slip of the pen; a shorter cycle would be an endless run of samples.
+    let known: [(&Symbol, (f64, f64, bool)); 4] = [
+        (&s::T_C, (1e-4, 10.0, false)),
+        (&s::U_MAX, (0.0, 1.0, true)),
+        (&s::X_0, (0.0, 0.9, false)),
+        (&s::TOL, (1e-12, 1.0, false)),
+    ];
+    if let Some((_, bounds)) = known.into_iter().find(|(known, _)| *known == symbol) {
+        return bounds;
+    }
+    let zero = [&s::K_R, &s::K_L, &s::ZETA_V, &s::P_P, &s::K_P, &s::K_I];
+    (0.0, f64::INFINITY, !zero.contains(&symbol))
+}
+
+impl Moving {
+    /// The same with each quantity changed, by its symbol.
+    pub fn map(&self, f: &mut impl FnMut(&'static Symbol, f64) -> f64) -> Moving {
+        Moving {
+            body: self.body.map(f),
+            oil: self.oil.map(f),
+            plc: self.plc.map(f),
+        }
+    }
+
+    /// The checked table `[steering]`; `None` where groups turn as commanded, and where there are
+    /// mistakes, which go to `found`.
+    ///
+    /// # Errors
+    /// A quantity that is out of its range.
+    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Result<Option<Moving>, Refusal> {
+        let names = TABLES.map(|(name, ..)| name);
+        if v.text("fidelity") != Some("hydraulic") {
+            // A fidelity that cannot be read is not one that is missing.
+            let unused = names.into_iter().filter(|name| found.is_empty() && v.has(name));
+            for name in unused.collect::<Vec<_>>() {
+                found.push(
+                    Diagnostic::new(
+                        v.place(name),
+                        format!("[steering.{name}] of groups that stand as commanded"),
+                        "not used",
+                    )
+                    .help("set fidelity = \"hydraulic\" in [steering], or remove this table"),
+                );
+            }
+            return Ok(None);
+        }
+        // The encoders are those of the angle errors.
+        for name in names.into_iter().chain(["cylinder", "accuracy"]) {
+            if !v.has(name) {
+                found.push(
+                    Diagnostic::new(
+                        v.place("fidelity"),
+                        format!("fidelity = \"hydraulic\" without [steering.{name}]"),
+                        format!("needs [steering.{name}]"),
+                    )
+                    .help(format!("add [steering.{name}]; `lemnis schema` lists its keys")),
+                );
+            }
+        }
+        let [Some(dynamics), Some(oil), Some(plc)] = names.map(|name| v.table(name)) else {
+            return Ok(None);
+        };
+        let given = |table: &Values, symbol: &Symbol| {
+            let default = match symbol {
+                symbol if *symbol == s::STEP => Some(0.01),
+                symbol if *symbol == s::TOL => Some(1e-5),
+                symbol if *symbol == s::U_MAX => Some(1.0),
+                symbol if *symbol == s::X_0 || *symbol == s::K_I => Some(0.0),
+                _ => None,
+            };
+            table.number(symbol.id).or(default)
+        };
+        let all = (
+            Body::of(|symbol| given(dynamics, symbol)),
+            Oil::of(|symbol| given(oil, symbol)),
+            Plc::of(|symbol| given(plc, symbol)),
+        );
+        let (Some(body), Some(oil), Some(plc)) = all else {
+            return Ok(None);
+        };
+        let moving = Moving { body, oil, plc };
+        let mut outside = None;
+        moving.map(&mut |symbol, value| {
+            let (least, most, open) = bounds(symbol);
+            if let Err(refusal) = within(symbol, value, least, most, open) {
+                outside = outside.take().or(Some(refusal));
+            }
+            value
+        });
+        outside.map_or(Ok(Some(moving)), Err)
+    }
+}
