@@ -43,7 +43,7 @@ impl<P: Calc> Valve<P> {
             return C::constant(0.0);
         }
         let beyond = if x.value() < 0.0 { x + overlap } else { x - overlap };
-        beyond / (C::constant(1.0) - overlap)
+        beyond.times(P::constant(1.0) / (P::constant(1.0) - self.overlap))
     }
 
     /// Rate of the spool's speed, in 1/s², towards the command in [−1, 1].
