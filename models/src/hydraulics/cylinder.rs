@@ -94,7 +94,7 @@ impl<P: Calc> Cylinder<P> {
         let f = self.flows(oil, supply);
         let volumes = self.volumes(length);
         let modulus = self.bulk_modulus;
-        let port = |i: usize| (f.valve[i] - f.line[i] - f.relief[i]).times(modulus / self.port_volume);
+        let port = |i: usize| (f.valve[i] - f.line[i] - f.relief[i]).times(modulus) / C::of(self.port_volume);
         let chamber = |i: usize, flow: C, growth: C| pressure_rate(modulus, volumes[i], flow, growth);
         Oil {
             ports: [port(0), port(1)],

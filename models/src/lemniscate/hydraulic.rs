@@ -1,7 +1,7 @@
 //! Level `hydraulic`: the driven bar moved by a cylinder with its oil, ports
 //! and proportional valve; with 8 states, or with 10 where the load swings.
 
-use crate::calc::{Calc, Function};
+use crate::calc::Calc;
 use crate::hydraulics::cylinder::{Cylinder, Oil};
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reel};
 use crate::solver::{Gradient, MOST_KINKS, System};
@@ -17,16 +17,6 @@ const TOUCH: f64 = 1e-3;
 
 /// States of the oil, the last ones of the system's.
 const OIL: usize = 6;
-
-/// Sense of an angular velocity (rad/s), smooth below [`CREEP`].
-struct Creeping;
-
-impl Function for Creeping {
-    #[inline]
-    fn at<C: Calc>(&self, omega: C) -> C {
-        omega / (omega.square() + C::constant(CREEP * CREEP)).sqrt()
-    }
-}
 
 /// A luffing cylinder at work, as a system of N states: angle and rate of the driven bar, with
 /// N = 10 also those of the rope, pressures of ports and chambers, spool and its speed.
@@ -81,7 +71,8 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
             .rates(&oil, length, arm * m.omega, self.command, self.supply);
         let mut moment = self.cylinder.force(&oil) * arm - m.omega.times(self.viscous);
         if self.coulomb.value() > 0.0 {
-            moment -= m.omega.through(Creeping).times(self.coulomb);
+            let smooth = (m.omega.square() + C::constant(CREEP * CREEP)).sqrt();
+            moment -= m.omega.times(self.coulomb) / smooth;
         }
         if let Some(depth) = self.beyond(m.theta) {
             let [stiffness, damping] = self.buffer;
