@@ -376,6 +376,7 @@ def test_the_swing_level_meets_the_reference(tmp_path):
     ("rigid_slewing", 'M_sl  =', 'chi_R = "5 deg"\nM_sl  =', "chi_R without a swinging load"),
     ("rigid_slewing", 'M_sl  =', 'psi_min = "10 deg"\nM_sl  =', "slewing starts at 0 deg, beyond its stop psi_min = 10 deg"),
     ("rigid_slewing", 'M_sl  =', 'psi_min = "10 deg"\npsi_max = "5 deg"\nM_sl  =', "the slewing stops are at 10 deg and 5 deg"),
+    ("hydraulic_swing", 'u_v   = "0.4"', 'u_v   = "0.4"\n[luffing.slewing]\nJ_sl = "1e6 kg.m2"', "slewing at the hydraulic level"),
     ("rigid_slewing", 'fidelity = "rigid"', 'fidelity = "static"', "does not move by itself"),
     ("rigid", 'J_2   = "248645 kg.m2"', 'J_2   = "-1 kg.m2"', "J_2"),
 ])

@@ -290,7 +290,10 @@ impl Scene {
     pub fn levels(&self) -> Vec<&'static str> {
         match &self.mechanism {
             Mechanism::Luffing(luffing) => luffing.levels(),
-            Mechanism::Steering(_) => vec!["static"],
+            Mechanism::Steering(steering) => {
+                let moving = steering.moving.iter().map(|_| "hydraulic");
+                std::iter::once("static").chain(moving).collect()
+            }
         }
     }
 
@@ -304,8 +307,10 @@ impl Scene {
     #[must_use]
     pub fn at(&self, level: &str) -> Scene {
         let mut scene = self.clone();
-        if let Mechanism::Luffing(luffing) = &mut scene.mechanism {
-            luffing.set_level(level);
+        match &mut scene.mechanism {
+            Mechanism::Luffing(luffing) => luffing.set_level(level),
+            Mechanism::Steering(steering) if level == "static" => steering.moving = None,
+            Mechanism::Steering(_) => {}
         }
         scene
     }

@@ -16,6 +16,8 @@ pub struct Sheet {
     pub constants: Vec<Section>,
     /// The mechanism in each of its ways of working; empty where it has one.
     pub views: Vec<View>,
+    /// What each of these ways asks for at most: its id, how much, and where.
+    pub demands: Vec<(&'static str, Summary)>,
     /// From each of these ways to each other one.
     pub changes: Option<Changes>,
     /// Formulas by which parts are chosen; empty where none are.
@@ -140,10 +142,8 @@ pub struct Changes {
     /// What the columns of durations and of flows are.
     pub columns: [&'static Symbol; 2],
     pub rows: Vec<Change>,
-    /// Ids of the ways between which the curves run.
-    pub between: [&'static str; 2],
-    /// Over the time of this change.
-    pub curves: Vec<Curve>,
+    /// Curves over the time of one change, and the ids of the ways between which it runs.
+    pub drawn: Option<([&'static str; 2], Vec<Curve>)>,
 }
 
 /// From one way of working to another, and back where no row of its own says otherwise.

@@ -3,8 +3,9 @@
 
 use lemnis_models::calc::Calc;
 use lemnis_models::lemniscate::dynamics::{Coordinate, Pendulum};
+use lemnis_models::lemniscate::hanging::{Free, Load};
 use lemnis_models::lemniscate::motion::{self, Bar, Friction, Motion};
-use lemnis_models::lemniscate::slewing::{Commands, Drive, Free, Load, Slewing, State, angles};
+use lemnis_models::lemniscate::slewing::{Commands, Drive, Slewing, State, angles};
 use lemnis_models::model::{Model, Role};
 use nalgebra::Vector3;
 

@@ -861,6 +861,92 @@ fn transitions() {
     assert!(!way.standing && way.target().iter().all(|x| (x - (0.7 - PI)).abs() <= 1e-12));
 }
 
+/// Random machines with random forbidden ranges: whatever change is possible ends exactly on the commanded angles,
+/// keeps every cylinder within its speed limit and every group out of its forbidden ranges; no range between two
+/// stances that a group could pass is a reason to refuse.
+#[test]
+fn random_transitions() {
+    let mut seed = 88_172_645_463_325_252_u64;
+    let mut random = |low: f64, high: f64| {
+        seed ^= seed << 13;
+        seed ^= seed >> 7;
+        seed ^= seed << 17;
+        low + (high - low) * (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut travelled, mut stood, mut refused) = (0, 0, 0);
+    for _ in 0..300 {
+        let n = random(4.0, 12.0) as usize;
+        let groups = (0..n).map(|_| Point::new(random(-15.0, 15.0), random(-8.0, 8.0)));
+        let Ok(machine) = Machine::new(groups.collect(), Vec::new(), 0, n - 1) else {
+            continue;
+        };
+        let linkages: Vec<_> = (0..n).map(|i| CYLINDER.linkage(i % 2 == 1)).collect();
+        let limits: Vec<Limits> = (0..n)
+            .map(|_| {
+                let (from, side) = (random(0.1, 0.8), random(-1.0, 1.0).signum());
+                let ends = [side * from, side * (from + 0.1)];
+                let barred = vec![[ends[0].min(ends[1]), ends[0].max(ends[1])]];
+                let forbidden = if random(0.0, 1.0) < 0.1 { barred } else { Vec::new() };
+                Limits::new(-1.2, 1.2, forbidden).expect("valid")
+            })
+            .collect();
+        let crew = Crew {
+            machine: &machine,
+            limits: &limits,
+            linkages: &linkages,
+            speed: 0.05,
+        };
+        let mut stance = || loop {
+            let turn = random(-1.0, 1.0);
+            let found = match turn {
+                x if x < -0.4 => Mode::Crab.centre(&machine, Command::Angle(turn)),
+                x if x < 0.9 => {
+                    let at = Point::new(random(-10.0, 10.0), random(-12.0, 12.0));
+                    Mode::Free.centre(&machine, Command::Centre(at))
+                }
+                _ => Mode::Straight.centre(&machine, Command::None),
+            };
+            let centre = found.expect("allowed");
+            let mut angles = vec![0.0; n];
+            stand(&machine, &limits, &centre, &mut angles);
+            if limits.iter().zip(&angles).all(|(limits, theta)| limits.allows(*theta)) {
+                return (centre, angles);
+            }
+        };
+        let ((from, start), (to, end)) = (stance(), stance());
+        let blocked = (0..n).any(|i| !limits[i].allows_turn(start[i], end[i]));
+        let Ok(plan) = crew.transition(&from, &start, &to) else {
+            assert!(blocked);
+            refused += 1;
+            continue;
+        };
+        assert!(!blocked && plan.target() == end.as_slice());
+        if plan.standing {
+            stood += 1
+        } else {
+            travelled += 1
+        }
+        let (mut last, mut now) = (start.clone(), start);
+        let slice = plan.time / 500.0;
+        for step in 1..=500 {
+            let motion = plan.angles(&crew, slice * f64::from(step), &mut now);
+            for i in 0..n {
+                let run = linkages[i].at_angle(now[i]).l - linkages[i].at_angle(last[i]).l;
+                assert!(run.abs() <= 0.05 * slice * (1.0 + 1e-9) + 1e-12, "{run} {slice}");
+                assert!(limits[i].allows_turn(last[i], now[i]));
+                if let Some(motion) = motion {
+                    assert!(residual(&crew.centre(motion), machine.groups[i], now[i]).abs() <= 1e-12);
+                }
+            }
+            last.copy_from_slice(&now);
+        }
+    }
+    assert!(
+        travelled > 100 && stood > 5 && refused > 20,
+        "{travelled} {stood} {refused}"
+    );
+}
+
 /// Where only half a turn over brings a group into its range, it rolls backwards.
 #[test]
 fn turned_over() {

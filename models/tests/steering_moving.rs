@@ -428,6 +428,70 @@ fn standing_tyres_resist_more() {
     assert!((travelling + moving).abs() < 1e-3 * moving, "{travelling} {moving}");
 }
 
+/// The PLC follows the set points on their way through a change of mode, which the cylinders can keep up with, and
+/// never asks for an angle outside a group's range.
+#[test]
+fn a_change_of_mode_is_followed() {
+    let mut model = model(SCENE);
+    model.start().expect("starts");
+    model.advance(0.0, 2.0).expect("moves");
+    // The change starts from the old command.
+    set(&mut model, "mode", 2.0);
+    set(&mut model, "theta_b", 0.3);
+    for step in 0..3000 {
+        let t = 2.0 + f64::from(step) * 0.01;
+        model.advance(t, t + 0.01).expect("moves");
+        for i in 1..=8 {
+            let wanted = get(&mut model, &format!("theta_w[{i}]"));
+            assert!(wanted.abs() <= 57_f64.to_radians() + 1e-12);
+            // 40 mm/s of a cylinder are 3.5 deg/s, which the loop follows 1.5 degrees behind.
+            let error = get(&mut model, &format!("e[{i}]"));
+            assert!(error.abs() < 2.5_f64.to_radians(), "{t} {i}: {error}");
+        }
+    }
+    for i in 1..=8 {
+        let wanted = get(&mut model, &format!("theta_w[{i}]"));
+        assert!((wanted - 0.3).abs() < 1e-12, "crab: {wanted}");
+        assert!(get(&mut model, &format!("e[{i}]")).abs() < 0.1_f64.to_radians());
+    }
+}
+
+/// What changes a variable when it is moved is among its dependencies.
+#[test]
+fn dependencies_are_complete() {
+    let mut at = model(SCENE);
+    at.advance(0.0, 1.005).expect("moves");
+    let values = |model: &mut Model| -> Vec<f64> {
+        (0..model.variables().len())
+            .map(|i| model.get(i).unwrap_or(f64::NAN))
+            .collect()
+    };
+    let dependencies = at.dependencies();
+    let before = values(&mut at);
+    let mut seen = 0;
+    for known in 0..before.len() {
+        let variable = at.variables()[known];
+        let given = matches!(
+            variable.role,
+            Role::Input | Role::Parameter | Role::Tunable | Role::State
+        );
+        let mut moved = at.clone();
+        if !given || moved.set(known, before[known] * 1.01 + 1e-3).is_err() {
+            continue;
+        }
+        for (index, (a, b)) in before.iter().zip(values(&mut moved)).enumerate() {
+            // The command runs by itself, and is an input.
+            let result = at.variables()[index].role != Role::Input;
+            if result && index != known && a.to_bits() != b.to_bits() && !(a.is_nan() && b.is_nan()) {
+                let found = dependencies[index].contains(&(variable.symbol.id, variable.number));
+                assert!(found, "{} of {variable}", at.variables()[index]);
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 1_500, "{seen}");
+}
+
 /// As many groups as a machine may have.
 #[test]
 fn sixty_four_groups() {

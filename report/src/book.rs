@@ -18,7 +18,7 @@ use serde::Serialize;
 use crate::book::balance::Balance;
 use crate::book::steps::{Notation, Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
-use crate::book::tables::{Changes, Chapter, Check, Published, Sensitivity, Summary, Table, View};
+use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Sensitivity, Summary, Table, View};
 use crate::formula::quantity;
 use crate::language::{Language, symbols};
 use crate::plot;
@@ -114,6 +114,7 @@ pub(crate) struct Book<'a> {
     constants: Vec<Section>,
     positions: Vec<Position>,
     views: Vec<View>,
+    demands: Vec<Demand>,
     changes: Option<Changes>,
     sizing: Vec<Section>,
     range: Table,
@@ -223,12 +224,14 @@ impl<'a> Book<'a> {
         });
         let tables = sheet.views.iter().flat_map(|view| &view.table.columns);
         let tables = tables.chain(&sheet.range.columns).copied();
-        let changing = sheet.changes.iter().flat_map(|changes| &changes.curves);
+        let drawn = sheet.changes.iter().filter_map(|changes| changes.drawn.as_ref());
+        let changing = drawn.flat_map(|(_, curves)| curves);
         let curves = sheet.curves.iter().chain(changing).flat_map(|curve| [curve.x, curve.y]);
         let nearest = sheet.views.iter().flat_map(|view| &view.nearest);
         let nearest = nearest.flat_map(|(_, command)| command.iter().map(|(symbol, _)| *symbol));
         let changes = sheet.changes.iter().flat_map(|changes| changes.columns);
-        let results = results.chain(tables).chain(nearest).chain(changes);
+        let demands = sheet.demands.iter().map(|(_, demand)| demand.symbol);
+        let results = results.chain(tables).chain(nearest).chain(changes).chain(demands);
         for symbol in results.chain(curves).chain(balance) {
             notation.meet(symbol);
         }
@@ -263,6 +266,7 @@ impl<'a> Book<'a> {
             constants,
             positions,
             views: sheet.views.iter().map(|view| tables::view(language, view)).collect(),
+            demands: tables::demands(language, sheet),
             changes: sheet.changes.as_ref().map(|changes| tables::changes(language, changes)),
             sizing,
             range: tables::table(language, &sheet.range),

@@ -7,6 +7,7 @@ mod positions;
 mod regions;
 mod rope;
 mod running;
+mod slewing;
 
 #[path = "../../models/tests/common/crane.rs"]
 mod crane;

@@ -194,40 +194,35 @@ impl<T: Calc + DualNum> Reduced<T> {
             Bar::new(g.lengths.o3(), p.x_3),
         ];
         let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
-        let mut turn = Dual2::from_re(zero);
         for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(&bars) {
             let (mass, spin) = (T::of(body.mass), T::of(body.inertia));
             let weight = T::of(body.mass * bodies.gravity);
-            let place = bar.point(body.centre.map(T::of));
-            let [r, v, a] = place;
+            let [r, v, a] = bar.point(body.centre.map(T::of));
             inertia += mass * dot(v, v) + spin * bar.turn;
             slope += T::constant(2.0) * (mass * dot(v, a) + spin * bar.turn_change);
             moment += weight * v.y;
             energy += weight * r.y;
-            if let Some(Turntable { axis, .. }) = d.turntable {
-                turn += about(T::of(axis), mass, place) + bar.spread(body.spread.map(T::of));
-            }
         }
+        let mut counterweight = None;
         if let Some(Counterweight {
             balancing,
             weights,
             mass,
         }) = &positions.counterweight
         {
-            let place = parts(balancing.place(g, weights, &p, theta)?);
-            let [r, v, a] = place;
+            let place = balancing.place(g, weights, &p, theta)?;
+            let [r, v, a] = parts(place);
             let weight = *mass * T::of(bodies.gravity);
             inertia += *mass * dot(v, v);
             slope += T::constant(2.0) * *mass * dot(v, a);
             moment += weight * v.y;
             energy += weight * r.y;
-            if let Some(Turntable { axis, .. }) = d.turntable {
-                turn += about(T::of(axis), *mass, place);
-            }
+            counterweight = Some((*mass, place));
         }
-        if let Some(table) = d.turntable {
-            turn += Dual2::from_re(T::of(table.inertia));
-        }
+        let turn = d
+            .turntable
+            .as_ref()
+            .map_or([zero; 2], |table| turned_inertia(table, bodies, &bars, counterweight));
         let drive = push.map_or([zero; 2], |push| {
             let bar = match g.driven {
                 Driven::Boom => &bars[0],
@@ -245,7 +240,7 @@ impl<T: Calc + DualNum> Reduced<T> {
             energy,
             head: parts(p.a),
             drive,
-            turn: [turn.re, turn.v1],
+            turn,
         })
     }
 }
@@ -297,10 +292,25 @@ fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
     [v.map(|x| x.re), v.map(|x| x.v1), v.map(|x| x.v2)]
 }
 
-/// Inertia about a vertical axis (m from O1) of a mass (kg) at a place with its derivatives.
-fn about<T: Calc + DualNum>(axis: T, mass: T, [r, d, dd]: [Point<T>; 3]) -> Dual2<T> {
-    let arm = Dual2::new(r.x - axis, d.x, dd.x);
-    Dual2::from_re(mass) * arm * arm
+/// Inertia of all bodies about the slewing axis (kg·m²), and its change by the driven angle; the counterweight
+/// by its mass (kg) and place (m).
+fn turned_inertia<P: Calc, T: Calc + DualNum + Over<P>>(
+    table: &Turntable<P>,
+    bodies: &Bodies<P>,
+    bars: &[Bar<T>; 3],
+    counterweight: Option<(T, Point<Dual2<T>>)>,
+) -> [T; 2] {
+    let axis = Dual2::from_re(T::of(table.axis));
+    let about = |mass: T, x: Dual2<T>| Dual2::from_re(mass) * (x - axis) * (x - axis);
+    let mut sum = Dual2::from_re(T::of(table.inertia));
+    for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(bars) {
+        let [r, v, a] = bar.point(body.centre.map(T::of));
+        sum += about(T::of(body.mass), Dual2::new(r.x, v.x, a.x)) + bar.spread(body.spread.map(T::of));
+    }
+    if let Some((mass, place)) = counterweight {
+        sum += about(mass, place.x);
+    }
+    [sum.re, sum.v1]
 }
 
 /// A scalar that the equations of motion run on, with parameters known as `P`: a number, one with its

@@ -36,6 +36,7 @@ pub mod drive;
 pub mod dynamics;
 pub mod geometry;
 pub mod governing;
+pub mod hanging;
 pub mod hydraulic;
 pub mod model;
 pub mod motion;

@@ -151,6 +151,7 @@ impl<C: Coordinate<C>> Motion<C> {
 
     /// Rates of all states between events; `None` where the linkage does not close.
     #[must_use]
+    #[inline]
     pub fn rates(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; STATES]> {
         let r = C::reduced(&self.dynamics, y[0])?;
         let [alpha, swing, out] = self.accelerations(state, &r, y, commands);
@@ -368,10 +369,12 @@ impl Pieces<STATES, State> for Commanded<'_> {
         &mut state.y
     }
 
+    #[inline]
     fn rates(&self, state: &State, y: &[f64; STATES]) -> Option<[f64; STATES]> {
         self.motion.rates(state, self.commands, y)
     }
 
+    #[inline]
     fn crossed(&self, state: &State, y: &[f64; STATES]) -> bool {
         pieces::crossed(self.motion.indicators(state, self.commands, y))
     }

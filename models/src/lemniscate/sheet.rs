@@ -43,6 +43,7 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         inputs: inputs(scene, luffing),
         constants: constants(luffing),
         views: Vec::new(),
+        demands: Vec::new(),
         changes: None,
         sizing: Vec::new(),
         positions: positions

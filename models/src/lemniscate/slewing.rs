@@ -2,22 +2,13 @@
 //! joints, each with friction that truly sticks, a brake and end stops, and the
 //! load on a rope that swings in all directions, is reeled, and may go slack.
 //!
-//! Everything stands in the frame that slews with the crane: x forward in the
-//! plane of the mechanism, y up, z to the left, where a growing angle psi turns
-//! x. The load's place is that of a point seen from the head, not two angles of
-//! the rope: no direction of the rope is singular, not even straight up or
-//! sideways. While the rope is taut its length is a constraint, and the rope's
-//! force the multiplier that keeps it. [Lagrange, first kind]
-//!
-//! The mechanism enters by what [`Reduced`] holds, all of it by differentiation:
-//! T = ½ I(theta) omega² + ½ J(theta) omega_psi², with their slopes, height and
-//! place of the head. A thin mechanism that slews moves across its own plane, so
-//! that both angular velocities do not couple but through the slopes.
+//! The equations are in [`hanging`](crate::lemniscate::hanging), and so is the frame.
 
 use nalgebra::Vector3;
 
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Reduced};
+use crate::lemniscate::hanging::{Accelerations, Free, Load, Rope, dot, turned};
 use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, capped};
 use crate::solver::pieces::{self, Pieces};
 use crate::solver::{Count, Halt};
@@ -110,158 +101,6 @@ pub fn angles<C: Calc>(y: &[C; STATES]) -> [C; 2] {
 pub fn distance<C: Calc>(y: &[C; STATES]) -> C {
     let place = load_of(y).place;
     dot(place, place).sqrt()
-}
-
-/// What may move.
-#[derive(Clone, Copy, Debug)]
-pub struct Free {
-    pub joints: [bool; 2],
-    pub taut: bool,
-}
-
-/// Accelerations of the joints (rad/s²) and of the load from the head in the frame that slews (m/s²), and the
-/// force of the rope (N).
-#[derive(Clone, Copy, Debug)]
-pub struct Accelerations<C> {
-    pub joints: [C; 2],
-    pub load: Vector3<C>,
-    pub rope: C,
-}
-
-/// The load at one instant: place and rate from the head, in the frame that slews.
-#[derive(Clone, Copy, Debug)]
-pub struct Load<C> {
-    pub place: Vector3<C>,
-    pub rate: Vector3<C>,
-}
-
-/// Turned by a right angle about the slewing axis: what a point moves by when the crane slews by one.
-fn turned<C: Calc>(v: Vector3<C>) -> Vector3<C> {
-    Vector3::new(-v.z, C::constant(0.0), v.x)
-}
-
-fn dot<C: Calc>(a: Vector3<C>, b: Vector3<C>) -> C {
-    a.x * b.x + a.y * b.y + a.z * b.z
-}
-
-fn scaled<C: Calc>(v: Vector3<C>, by: C) -> Vector3<C> {
-    v.map(|x| x * by)
-}
-
-/// Where the rope points, and what it moves: the head's displacement by each joint, and how much of it
-/// goes along the rope.
-struct Rope<C> {
-    length: C,
-    direction: Vector3<C>,
-    arms: [C; 2],
-}
-
-impl<C: Calc> Rope<C> {
-    fn new(place: Vector3<C>, head: &[Vector3<C>; 2]) -> Rope<C> {
-        let length = dot(place, place).sqrt();
-        let direction = place.map(|x| x / length);
-        Rope {
-            length,
-            direction,
-            arms: head.map(|by| dot(direction, by)),
-        }
-    }
-}
-
-impl<C: Calc> Load<C> {
-    /// On a taut rope: away from the head exactly as fast as the rope is paid out. The rate along the rope
-    /// that numbers carry besides is left alone by the equations, so that it cannot grow.
-    fn on_rope(self, rope: &Rope<C>, hoist: C) -> Load<C> {
-        let excess = dot(rope.direction, self.rate) - hoist;
-        Load {
-            rate: self.rate - scaled(rope.direction, excess),
-            ..self
-        }
-    }
-}
-
-impl<P: Calc> Dynamics<P> {
-    /// How the head moves with each joint, in the frame that slews, in m.
-    fn head<C: Coordinate<P>>(&self, r: &Reduced<C>) -> [Vector3<C>; 2] {
-        let zero = C::constant(0.0);
-        let [a, d, _] = r.head;
-        let axis = self.turntable().map_or(zero, |table| C::of(table.axis));
-        [Vector3::new(d.x, d.y, zero), Vector3::new(zero, zero, a.x - axis)]
-    }
-
-    /// Motion under moments on both joints (N·m) at rates of the joints (rad/s); the load only where there is
-    /// one on a rope, which is paid out at `hoist` (m/s).
-    pub fn slewed<C: Coordinate<P>>(
-        &self,
-        r: &Reduced<C>,
-        [omega, turning]: [C; 2],
-        load: Load<C>,
-        moments: [C; 2],
-        hoist: C,
-        free: Free,
-    ) -> Accelerations<C> {
-        let (zero, half, two) = (C::constant(0.0), C::constant(0.5), C::constant(2.0));
-        let [inertia, slope] = r.turn;
-        let forces = [
-            moments[0] - r.moment - half * r.slope * omega.square() + half * slope * turning.square(),
-            moments[1] - slope * omega * turning,
-        ];
-        let ease = |i: usize, inertia: C| {
-            if free.joints[i] {
-                C::constant(1.0) / inertia
-            } else {
-                zero
-            }
-        };
-        let ease = [ease(0, r.inertia), ease(1, inertia)];
-        let alone = [forces[0] * ease[0], forces[1] * ease[1]];
-        let Some(pendulum) = self.bodies().pendulum else {
-            return Accelerations {
-                joints: alone,
-                load: Vector3::new(zero, zero, zero),
-                rope: zero,
-            };
-        };
-        let head = self.head(r);
-        let rope = free.taut.then(|| Rope::new(load.place, &head));
-        let load = rope.as_ref().map_or(load, |rope| load.on_rope(rope, hoist));
-        // From the slewing axis; how high does not matter to what slewing does.
-        let from_axis = load.place + Vector3::new(head[1].z, zero, zero);
-        let rate = load.rate + scaled(head[0], omega);
-        let [_, _, dd] = r.head;
-        let bend = Vector3::new(dd.x, dd.y, zero);
-        let coriolis = scaled(turned(rate), two * turning);
-        let centripetal = scaled(turned(turned(from_axis)), turning.square());
-        let gravity = Vector3::new(zero, -C::of(self.bodies().gravity), zero);
-        // Of the free load, seen from a head whose joints keep their rates.
-        let fall = gravity - scaled(bend, omega.square()) - coriolis - centripetal;
-        let mass = C::of(pendulum.mass);
-        let (joints, pull) = match &rope {
-            None => (alone, zero),
-            Some(rope) => {
-                // Away from the head by the speed across the rope; the joints give way to the rope's force.
-                let speed = dot(load.rate, load.rate) - hoist.square();
-                let mut need = dot(rope.direction, fall) + speed / rope.length;
-                let mut give = C::constant(1.0);
-                for i in 0..2 {
-                    need -= rope.arms[i] * alone[i];
-                    give += mass * rope.arms[i].square() * ease[i];
-                }
-                let pull = need / give;
-                let joint = |i: usize| alone[i] + mass * pull * rope.arms[i] * ease[i];
-                ([joint(0), joint(1)], pull)
-            }
-        };
-        let mut relative = fall - scaled(head[0], joints[0]) - scaled(turned(from_axis), joints[1]);
-        if let Some(rope) = &rope {
-            relative -= scaled(rope.direction, pull);
-        }
-        Accelerations {
-            joints,
-            load: relative,
-            rope: mass * pull,
-        }
-    }
 }
 
 /// A crane that luffs and slews.

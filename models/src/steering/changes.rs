@@ -55,18 +55,19 @@ pub(super) fn changes(steering: &Steering, built: &Built<f64>) -> Option<Changes
     }
     let of = |mode: Mode| stances.iter().find(|stance| stance.mode == mode);
     let [from, to] = steering.drawn;
-    let from = of(from.unwrap_or(steering.inputs.mode))?;
-    let longest = || {
+    let drawn = of(from.unwrap_or(steering.inputs.mode)).and_then(|from| {
         let others = stances.iter().filter(|to| to.mode != from.mode);
-        let timed = others.filter_map(|to| Some((to, plan(from, to)?.time)));
-        timed.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(to, _)| to)
-    };
-    let to = to.and_then(of).or_else(longest)?;
+        let timed = others.filter_map(|to| Some((to, plan(from, to)?)));
+        let (to, plan) = match to {
+            Some(to) => (of(to)?, plan(from, of(to)?)?),
+            None => timed.max_by(|a, b| a.1.time.total_cmp(&b.1.time))?,
+        };
+        Some(([from.mode.id(), to.mode.id()], curves(&crew, &plan)))
+    });
     Some(Changes {
         columns: [&s::T_X, &s::Q_X_MAX],
         rows,
-        between: [from.mode.id(), to.mode.id()],
-        curves: plan(from, to).map_or_else(Vec::new, |plan| curves(&crew, &plan)),
+        drawn,
     })
 }
 

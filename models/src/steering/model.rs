@@ -193,6 +193,7 @@ impl Model {
             (&s::THETA_S, "phi_set"),
             (&s::OMEGA_I, "w"),
             (&s::V, "v_roll"),
+            (&s::V_S, "v_roll_set"),
             (&s::G, "f_z"),
             (&s::L_C, "s"),
             (&s::V_C, "v"),
@@ -555,6 +556,7 @@ impl Model {
             },
             Slot::Searched(Searched::Slip(_) | Searched::SlipMax) => errors.clone(),
             Slot::Searched(_) => linkage.clone(),
+            Slot::OfChange(OfChange::Speed(_)) => &changes | &speeds,
             Slot::OfChange(_) => changes.clone(),
             _ => BTreeSet::new(),
         });
@@ -699,6 +701,7 @@ fn list(steering: &Steering) -> Vec<(&'static Symbol, Option<u16>, Role, Slot)> 
     }
     if parameters.pace.is_some() {
         slots(&s::THETA_S, |i| Slot::OfChange(OfChange::SetPoint(i)));
+        slots(&s::V_S, |i| Slot::OfChange(OfChange::Speed(i)));
     }
     let mut each = |symbol: &'static Symbol, of: fn(usize) -> Output| {
         list.extend(

@@ -521,6 +521,13 @@ impl Steering {
             ),
             loads,
         };
+        if let [from, Some(to)] = drawn
+            && from.unwrap_or(inputs.mode) == to
+        {
+            let place = v.table("transition").map_or_else(|| v.span.clone(), |t| t.place("to"));
+            let message = format!("a change from the mode {0} to the mode {0}", to.id());
+            found.push(Diagnostic::new(place, message, "no change").help("name two modes, or leave `to` out"));
+        }
         let moving = Moving::new(v, found).unwrap_or_else(|refusal| {
             found.push(told(v, refusal));
             None

@@ -4,7 +4,9 @@
 //! A change starts when mode, kind of command or corner change, from the set points of that moment. Its way is always
 //! that from there to the current command: a command that moves meanwhile moves the way with it.
 
+use crate::calc::Calc;
 use crate::model::Fault;
+use crate::plane::{self, Point};
 use crate::steering::outputs::Evaluation;
 use crate::steering::searched::Search;
 use crate::steering::transition::{Crew, Motion, Plan};
@@ -60,6 +62,7 @@ impl Change {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OfChange {
     SetPoint(usize),
+    Speed(usize),
     Duration,
     Left,
     Stand,
@@ -73,6 +76,9 @@ pub struct SetPoints {
     planned: Option<bool>,
     motion: Option<Motion>,
     points: Vec<f64>,
+    /// Whether the machine may travel, and whether the motion is against that of the command.
+    travels: bool,
+    against: bool,
     /// Whether the points are those of the current inputs and time.
     placed: bool,
 }
@@ -85,6 +91,8 @@ impl SetPoints {
             planned: None,
             motion: None,
             points: vec![0.0; groups],
+            travels: false,
+            against: false,
             placed: false,
         }
     }
@@ -111,9 +119,12 @@ impl SetPoints {
         time: f64,
         what: OfChange,
     ) -> Result<f64, Fault> {
-        if let OfChange::SetPoint(i) = what {
-            self.place((evaluation, search, change), time)?;
-            return Ok(self.points[i]);
+        if let OfChange::SetPoint(i) | OfChange::Speed(i) = what {
+            self.place((&mut *evaluation, search, change), time)?;
+            return match what {
+                OfChange::Speed(i) => self.speed(evaluation, i),
+                _ => Ok(self.points[i]),
+            };
         }
         let possible = self.plan((evaluation, search, change))?;
         let duration = if possible { self.plan.time } else { f64::INFINITY };
@@ -181,18 +192,40 @@ impl SetPoints {
         if before || (to.is_some() && direct && time - change.since >= crew.longest()) {
             // There is always a way within a range, and it has been gone.
             self.points.copy_from_slice(target);
-            self.motion = to;
+            (self.motion, self.travels, self.against) = (to, to.is_some(), false);
         } else if self.plan((&mut *evaluation, search, change))? {
             let crew = self::crew(evaluation)?;
             let motion = self.plan.angles(&crew, time - change.since, &mut self.points);
             let arrived = time - change.since >= self.plan.time;
             self.motion = if arrived { to } else { motion };
+            self.travels = arrived || !self.plan.standing;
+            self.against = !arrived && self.plan.reversed(to);
         } else {
             self.points.copy_from_slice(&change.angles);
-            self.motion = change.motion;
+            (self.motion, self.travels, self.against) = (change.motion, false, false);
         }
         self.placed = true;
         Ok(())
+    }
+}
+
+impl SetPoints {
+    /// Rolling speed of a group at the set points, in m/s: the fastest group has the travel speed.
+    fn speed(&self, evaluation: &mut Evaluation<f64>, i: usize) -> Result<f64, Fault> {
+        let Some(motion) = self.motion.filter(|_| self.travels) else {
+            return Ok(0.0);
+        };
+        let v_t = evaluation.inputs().v_t;
+        let crew = crew(evaluation)?;
+        let centre = crew.centre(motion);
+        let groups = &crew.machine.groups;
+        let fastest = groups
+            .iter()
+            .map(|p| plane::length(centre.rolling(*p)))
+            .fold(0.0, f64::max);
+        let (sin, cos) = Calc::sin_cos(self.points[i]);
+        let along = plane::dot(centre.rolling(groups[i]), Point::new(cos, sin));
+        Ok(if self.against { -v_t } else { v_t } * along / fastest)
     }
 }
 

@@ -9,8 +9,9 @@ use crate::sheet::{
     Changes, Check, Comparison, Curve, Drawing, Input, Section, Sensitivity, Shape, Sheet, Summary, Table, View, Worked,
 };
 use crate::steering::changes::changes;
+use crate::steering::cylinder::{EXAMPLE_STROKES, choose_stroke};
 use crate::steering::load::resistance;
-use crate::steering::machine::Machine;
+use crate::steering::machine::{Limits, Machine};
 use crate::steering::mode::{Centre, Command, Mode};
 use crate::steering::model::Model;
 use crate::steering::moving::scene::Moving;
@@ -21,6 +22,7 @@ use crate::steering::ring::{Duty, friction};
 use crate::steering::scene::Steering;
 use crate::steering::searched::{Search, Searched};
 use crate::steering::sizing::{BORES, Demand, Rod, bore, buckling, flow, force, greatest_demand, next, pump, relief};
+use crate::steering::swept::moved;
 use crate::steering::symbols as s;
 use crate::steering::wheels::{one, rate, residual};
 use crate::symbol::Symbol;
@@ -33,10 +35,14 @@ const CURVE: u32 = 240;
 pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
     let built = steering.parameters.build().expect("checked when the scene was read");
     let model = Model::new(steering).expect("a scene that was read has a machine");
-    let demand = demand(steering, &built);
+    let demands = demands(steering, &built);
+    let demand = demands
+        .iter()
+        .map(|(_, demand)| demand)
+        .max_by(|a, b| a.flow.total_cmp(&b.flow));
     let changes = changes(steering, &built);
-    let pumped = pumped(demand.as_ref(), changes.as_ref());
-    let (governing, worst) = governing(steering, demand.as_ref());
+    let pumped = pumped(demand, changes.as_ref());
+    let (governing, worst) = governing(steering, demand);
     let middle = f64::midpoint(steering.motion.from, steering.motion.to);
     let place = |place: &Place| match *place {
         Place::At(theta) => ("chosen", theta),
@@ -64,7 +70,7 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
             .collect(),
         range: table(steering),
         curves: curves(steering, &built),
-        drawing: plan(&built, &standing(steering, &built, steering.inputs.clone())),
+        drawing: swept(&built, &standing(steering, &built, steering.inputs.clone())),
         checks: checks(steering, &built, pumped),
         published: Vec::<Comparison>::new(),
         balance: None,
@@ -82,6 +88,17 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
             .map(|variable| variable.symbol)
             .collect(),
         remarks: remarks(steering, &built),
+        demands: demands
+            .iter()
+            .map(|(mode, demand)| {
+                let summary = Summary {
+                    symbol: &s::Q_MODE,
+                    value: demand.flow,
+                    at: Some((&s::THETA_B, demand.at)),
+                };
+                (mode.id(), summary)
+            })
+            .collect(),
         changes,
     }
 }
@@ -415,6 +432,23 @@ fn plan(built: &Built<f64>, standing: &Standing) -> Drawing {
     Drawing { shapes }
 }
 
+/// The machine from above with the paths that its corners sweep while it travels its own length.
+fn swept(built: &Built<f64>, standing: &Standing) -> Drawing {
+    let machine = &built.machine;
+    let mut drawing = plan(built, standing);
+    let fastest = machine
+        .groups
+        .iter()
+        .map(|p| plane::length(standing.centre.rolling(*p)));
+    let (fastest, whole) = (fastest.fold(0.0, f64::max), machine.front - machine.rear);
+    for corner in &machine.corners {
+        let at = |i: u32| moved(&standing.centre, fastest, *corner, whole * f64::from(i) / 24.0);
+        let points = (0..=24).map(|i| [at(i).x, at(i).y]).collect();
+        drawing.shapes.push(Shape::Path { points });
+    }
+    drawing
+}
+
 /// What a mode is shown with: the scene's own command in its own mode, elsewhere
 /// one that all groups can follow, as far as there is one.
 pub(super) fn example(steering: &Steering, built: &Built<f64>, mode: Mode) -> Option<Inputs<f64>> {
@@ -686,15 +720,18 @@ fn forces(steering: &Steering, tyre: crate::steering::load::Tyre<Rec>, load: Rec
     f_g
 }
 
-/// The greatest simultaneous oil flow of the modes that an angle commands.
-fn demand(steering: &Steering, built: &Built<f64>) -> Option<Demand> {
-    let piston = steering.parameters.piston?;
+/// The greatest simultaneous oil flow of each mode that an angle commands.
+fn demands(steering: &Steering, built: &Built<f64>) -> Vec<(Mode, Demand)> {
+    let Some(piston) = steering.parameters.piston else {
+        return Vec::new();
+    };
     let modes = [Mode::Crab, Mode::FrontAxle, Mode::RearAxle, Mode::AllWheel];
     let found = modes.into_iter().filter_map(|mode| {
         let omega_s = steering.motion.speed;
-        greatest_demand(&built.machine, &built.limits, &built.linkages, &piston, mode, omega_s).ok()
+        let demand = greatest_demand(&built.machine, &built.limits, &built.linkages, &piston, mode, omega_s);
+        Some((mode, demand.ok().filter(|demand| demand.flow > 0.0)?))
     });
-    found.max_by(|a, b| a.flow.total_cmp(&b.flow))
+    found.collect()
 }
 
 /// What the pump must deliver: the greatest flow of steering or, where that is more, of a change of mode.
@@ -778,7 +815,22 @@ fn summary(steering: &Steering, built: &Built<f64>, pumped: Option<(&'static Sym
     let least = defined(&sections, &s::D_G_MIN);
     let bore = least.and_then(|least| next(&BORES, least).ok());
     let found = [&s::D_G_MIN, &s::V_P, &s::P_R, &s::F_K].map(|symbol| (symbol, defined(&sections, symbol)));
-    let found = found.into_iter().chain([(&s::D_G_NEXT, bore)]);
+    let stroke = steering.parameters.cylinder.and_then(|cylinder| {
+        let needed = built
+            .limits
+            .iter()
+            .zip(&steering.parameters.groups)
+            .map(|(limits, group)| {
+                // A mirrored cylinder turns the other way.
+                let limits = match group.mirrored {
+                    true => Limits::new(-limits.max, -limits.min, Vec::new()).ok()?,
+                    false => limits.clone(),
+                };
+                choose_stroke(&cylinder, &limits, &EXAMPLE_STROKES).ok()
+            });
+        needed.reduce(|a, b| Some(a?.max(b?)))?
+    });
+    let found = found.into_iter().chain([(&s::D_G_NEXT, bore), (&s::L_X_NEXT, stroke)]);
     let alone = |(symbol, value): (&'static Symbol, Option<f64>)| {
         Some(Summary {
             symbol,

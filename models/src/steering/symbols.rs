@@ -75,6 +75,7 @@ symbols! {
     V_CX: "v_c_max" "v_(c,max)" M_PER_S / MM_PER_S, "Speed limit of the steering cylinders.", "input";
     V_C_WORK: "v_c_work" "v_(c,w)" M_PER_S / MM_PER_S, "Greatest speed of a cylinder in the working range at the steering speed.", "derived";
     THETA_S: "theta_s" "theta_(s i)" RAD / DEG, "Set point of a group's heading: after a change of mode it moves to the new one within the cylinders' speed limit.", "derived";
+    V_S: "v_s" "v_(s i)" M_PER_S / M_PER_MIN, "Set point of a group's rolling speed along its set point of heading; zero while the machine must stand.", "derived";
     T_X: "t_x" "t_x" S / S, "Duration of the last change of mode; infinite where it is not possible.", "derived";
     T_LEFT: "t_left" "t_r" S / S, "What is left of the duration of the change of mode.", "derived";
     T_C: "t_c" "t" S / S, "Time since the change of mode.", "derived";
@@ -119,6 +120,7 @@ symbols! {
     // Cylinder.
     R_C: "R_c" "overline(o c)" M / M, "Arm of the cylinder on its group.", "[Zhang2016, Fig. 5]";
     ALPHA: "alpha" "alpha" RAD / DEG, "Angle of the arm with the group straight ahead, counter-clockwise from straight ahead.", "[Zhang2016, Fig. 5]";
+    L_X_NEXT: "l_x_next" "l_(x,n)" M / MM, "Shortest stroke of the example list that covers the range.", "[Zhang2016, 5.1]";
     L_X: "l_x" "l_x" M / MM, "Stroke of the cylinder.", "[Zhang2016, 5.1]";
     L_A: "l_A" "l_A" M / MM, "Length of the retracted cylinder less its stroke.", "[Zhang2016, 5.1]";
     L_0: "l_0" "overline(b c)" M / M, "Length of the cylinder with the group straight ahead.", "[Zhang2016, Fig. 5]";
@@ -149,6 +151,7 @@ symbols! {
     T_G_MAX: "T_g_max" "T_(g,max)" N_M / KN_M, "Greatest moment that a cylinder must overcome at standstill.", "[Zhang2016, 5.2]";
     F_G_MAX: "f_g_max" "f_(g,max)" N / KN, "Greatest force of a cylinder: at the smallest lever arm, at standstill.", "[Zhang2016, 5.2]";
     F_G_WORK: "f_g_work" "f_(g,w)" N / KN, "Greatest force of a cylinder in the working range, at standstill.", "[Zhang2016, 5.2]";
+    Q_MODE: "q_mode" "q_m" M3_PER_S / L_PER_MIN, "Greatest oil flow of all cylinders together in a mode, at the steering speed.", "derived";
     Q_MAX: "q_max" "q_max" M3_PER_S / L_PER_MIN, "Greatest oil flow of all cylinders together, of all modes at the steering speed.", "derived";
     MARGIN_MIN: "margin_min" "Delta theta_min" RAD / DEG, "Smallest angle that is left to an end of a group's range in the working range.", "derived";
     B_S_MAX: "b_s_max" "b_(s,max)" M / M, "Greatest width of the swept lane in the working range.", "rigid body";

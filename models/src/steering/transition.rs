@@ -362,6 +362,13 @@ impl Plan {
         Ok(direct)
     }
 
+    /// Whether it ends with the motion against that of its target: what was forward becomes backward.
+    #[must_use]
+    pub fn reversed(&self, target: Option<Motion>) -> bool {
+        let along = |to: Motion| (0..3).map(|i| to[i] * self.ends[1][i]).sum::<f64>();
+        !self.standing && target.is_some_and(|to| along(to) < 0.0)
+    }
+
     /// Angles at the end, in rad.
     #[must_use]
     pub fn target(&self) -> &[f64] {

@@ -7,7 +7,7 @@
 //! all settings of a level: a moment that would move the crane so, or a valve
 //! that would let as much oil through, each with what corrects the angle.
 
-use lemnis_models::model::{Fault, Model, Role};
+use lemnis_models::model::{Fault, Model, Role, Variable};
 use lemnis_models::motion::Motion;
 use lemnis_models::scene::{Mechanism, Scene};
 
@@ -308,8 +308,14 @@ impl Controller {
                 ))
             })
         };
-        if model.states() == 0 {
-            return Ok(Controller::Input([0, 1]));
+        // A steering is commanded alike at every level.
+        let coordinate = Model::new(&scene.at("static"))?.variables()[..2].to_vec();
+        let inputs = coordinate.iter().filter_map(|wanted| {
+            let same = |v: &Variable| v.symbol == wanted.symbol && v.number == wanted.number && v.role == Role::Input;
+            model.variables().iter().position(same)
+        });
+        if let [angle, rate] = inputs.collect::<Vec<_>>()[..] {
+            return Ok(Controller::Input([angle, rate]));
         }
         if let Some(input) = experiment.own.and_then(|id| index(model, id)) {
             return Ok(Controller::Own(input, model.get(input)?));

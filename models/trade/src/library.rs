@@ -15,6 +15,8 @@ use crate::setting::Method;
 
 /// The states are looked at for events this often, in s.
 const LOOK: f64 = 0.005;
+/// Times nearer than this, in s, are the same.
+const ROUNDING: f64 = 1e-12;
 /// Halvings by which an event is located.
 const HALVINGS: u32 = 60;
 /// Most pieces of one communication step.
@@ -31,6 +33,7 @@ const IMPLICIT: f64 = 1e-10;
 /// # Errors
 /// The model refuses its states, or the library its step.
 pub fn advance(model: &mut Model, method: Method, from: f64, to: f64) -> Result<(), Fault> {
+    model.set_time(from);
     model.event()?;
     let mut left = to - from;
     let (states, indicators) = (model.states(), model.indicators());
@@ -43,14 +46,22 @@ pub fn advance(model: &mut Model, method: Method, from: f64, to: f64) -> Result<
             model.set_time(to);
             return model.update();
         }
-        let whole = left.min(LOOK);
+        // A sample of the PLC is an event whose time is known; one at the end belongs to the next call.
+        let now = to - left;
+        let mut due = model.next_event().map_or(f64::INFINITY, |at| at - now);
+        if due <= ROUNDING {
+            model.set_time(now + due);
+            model.event()?;
+            due = model.next_event().map_or(f64::INFINITY, |at| at - now);
+        }
+        let whole = left.min(LOOK).min(due.max(ROUNDING));
         model.get_states(&mut start);
         model.event_indicators(&mut before)?;
         let end = piece(model, method, &start, &nominals, whole)?;
         model.set_states(&end)?;
         model.event_indicators(&mut after)?;
         if !crossed(&before, &after) {
-            left -= whole;
+            left = if left - whole > ROUNDING { left - whole } else { 0.0 };
             continue;
         }
         let (mut low, mut high, mut beyond) = (0.0, whole, end);

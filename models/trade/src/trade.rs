@@ -265,7 +265,7 @@ impl Trade {
 }
 
 /// What is compared: what the scene's accuracy names, otherwise the coordinate and what the first connection of the
-/// mechanism tells.
+/// mechanism tells, and what moves by itself where a cheaper level computes it.
 fn asked(scene: &Scene, deepest: &str) -> Result<Vec<Asked>, Fault> {
     let model = Model::new(&scene.at(deepest))?;
     let of = |variable: Variable, allowed| Asked {
@@ -285,10 +285,15 @@ fn asked(scene: &Scene, deepest: &str) -> Result<Vec<Asked>, Fault> {
         .flat_map(|terminal| terminal.members)
         .map(|(name, _)| name)
         .collect();
+    let closed = Model::new(&scene.at("static"))?;
+    let given = |variable: &Variable| {
+        let same = |v: &Variable| v.role == Role::Output && v.symbol == variable.symbol && v.number == variable.number;
+        variable.role == Role::State && closed.variables().iter().any(same)
+    };
     let variables = model.variables().iter().enumerate();
     let compared = variables.filter(|(i, variable)| {
         let result = variable.role == Role::Output && members.contains(&variable.name());
-        variable.kind == Type::Real && (*i == 0 || result)
+        variable.kind == Type::Real && (*i == 0 || result || given(variable))
     });
     Ok(compared.map(|(_, variable)| of(*variable, None)).collect())
 }

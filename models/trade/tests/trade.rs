@@ -161,3 +161,31 @@ fn two_codes_that_part_are_named() {
         "{message}"
     );
 }
+
+/// Eight cylinders with the PLC: the command is an input at both levels, the samples are events of the second code too.
+#[test]
+fn a_steering_with_its_plc() {
+    let text = include_str!("../../scenes/boat_hoist_003_hydraulic.toml");
+    let (before, motion) = text.split_once("[steering.motion]").expect("there");
+    let (motion, after) = motion.split_once("\n\n").expect("an empty line");
+    let motion = motion
+        .lines()
+        .map(|line| match line.split('=').next().unwrap_or_default().trim() {
+            "to" => "to = \"-9 deg\"",
+            "step" => "step = \"0.5 deg\"",
+            _ => line,
+        });
+    let motion: Vec<&str> = motion.collect();
+    let accuracy = "accuracy = { \"theta[1]\" = \"0.1 deg\" }\n";
+    let text = format!("{accuracy}{before}[steering.motion]{}\n\n{after}", motion.join("\n"));
+    let scene = Scene::parse(&text).unwrap_or_else(|found| panic!("{found:?}"));
+    let found = trade(&scene);
+    let apart = found.references[1].apart.as_ref().expect("two codes");
+    println!("{apart:?}");
+    assert!(found.references[1].level == "hydraulic" && apart.part < 1e-6);
+    let off = |row: &lemnis_trade::trade::Row| row.errors[0].expect("modelled");
+    let (first, last) = (&found.rows[1], &found.rows[found.rows.len() - 1]);
+    // The cylinders lag behind the command; finer tolerances are dearer and nearer.
+    assert!(off(&found.rows[0]).modelling.max > 1e-4 && found.rows[0].setting.level == "static");
+    assert!(off(first).numerical.max > 10.0 * off(last).numerical.max && first.cost < last.cost);
+}

@@ -74,14 +74,21 @@ struct Nearest {
     command: String,
 }
 
+/// What one way in which the mechanism works asks for at most.
+#[derive(Serialize)]
+pub(super) struct Demand {
+    mode: &'static str,
+    #[serde(flatten)]
+    summary: Summary,
+}
+
 /// Changes between the ways in which the mechanism works.
 #[derive(Serialize)]
 pub(super) struct Changes {
     duration: Quantity,
     flow: Option<Quantity>,
     rows: Vec<ChangeRow>,
-    between: [&'static str; 2],
-    curves: Vec<Figure>,
+    drawn: Option<([&'static str; 2], Vec<Figure>)>,
 }
 
 #[derive(Serialize)]
@@ -269,6 +276,14 @@ pub(super) fn table(language: &Language, table: &sheet::Table) -> Table {
     }
 }
 
+pub(super) fn demands(language: &Language, sheet: &Sheet) -> Vec<Demand> {
+    let demand = |(id, demand): &(&'static str, sheet::Summary)| Demand {
+        mode: id,
+        summary: summary(language, demand),
+    };
+    sheet.demands.iter().map(demand).collect()
+}
+
 pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes {
     let [duration, flow] = changes.columns;
     let shown = |symbol: &Symbol, value: f64| language.text(&fixed(symbol.shown(value), 1));
@@ -284,12 +299,10 @@ pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes 
         duration: duration.into(),
         flow: flows.then(|| flow.into()),
         rows: changes.rows.iter().map(row).collect(),
-        between: changes.between,
-        curves: changes
-            .curves
-            .iter()
-            .map(|curve| Figure::new(language, curve))
-            .collect(),
+        drawn: changes.drawn.as_ref().map(|(between, curves)| {
+            let figures = curves.iter().map(|curve| Figure::new(language, curve));
+            (*between, figures.collect())
+        }),
     }
 }
 

@@ -3,12 +3,12 @@
 //! | file | what |
 //! |---|---|
 //! | `symbols` | quantities that exist in motion only |
-//! | `scene` | keys of `[luffing.dynamics]` and `[luffing.hydraulics]` |
+//! | `scene` | keys of `[luffing.dynamics]`, `[luffing.slewing]` and `[luffing.hydraulics]` |
 //! | `level` | equations and solver of each level |
 //! | `model` | the running model: states, rates, events, steps; everything else from the algebraic model |
 //!
-//! The equations are in [`dynamics`](crate::lemniscate::dynamics), [`motion`](crate::lemniscate::motion) and
-//! [`hydraulic`](crate::lemniscate::hydraulic).
+//! The equations are in [`dynamics`](crate::lemniscate::dynamics), [`motion`](crate::lemniscate::motion),
+//! [`hanging`](crate::lemniscate::hanging), [`slewing`](crate::lemniscate::slewing) and [`hydraulic`](crate::lemniscate::hydraulic).
 
 pub mod level;
 pub mod model;
