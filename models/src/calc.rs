@@ -43,6 +43,20 @@ pub trait Calc:
         self * self
     }
 
+    /// The product with a plain number.
+    #[inline]
+    #[must_use]
+    fn scaled(self, factor: f64) -> Self {
+        Self::constant(factor) * self
+    }
+
+    /// A function of this number: with many derivatives it runs on one, by the chain rule.
+    #[inline]
+    #[must_use]
+    fn through(self, f: impl Function) -> Self {
+        f.at(self)
+    }
+
     /// Names a result: nothing for numbers, a line in the book for the recorder.
     #[must_use]
     fn def(self, _: &'static Symbol) -> Self {
@@ -54,12 +68,28 @@ pub trait Calc:
 /// dual numbers bring derivatives of their own.
 pub trait Over<P>: Calc {
     fn of(parameter: P) -> Self;
+
+    /// The product with a parameter.
+    #[inline]
+    #[must_use]
+    fn times(self, parameter: P) -> Self {
+        Self::of(parameter) * self
+    }
+}
+
+/// A function of one number, over any scalar.
+pub trait Function {
+    fn at<C: Calc>(&self, x: C) -> C;
 }
 
 impl<C: Calc> Over<f64> for C {
     #[inline]
     fn of(parameter: f64) -> C {
         C::constant(parameter)
+    }
+    #[inline]
+    fn times(self, parameter: f64) -> C {
+        self.scaled(parameter)
     }
 }
 

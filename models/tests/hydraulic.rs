@@ -8,7 +8,7 @@ use lemnis_models::hydraulics::throttle::root;
 use lemnis_models::lemniscate::dynamics::Phase;
 use lemnis_models::lemniscate::hydraulic::Hydraulic;
 use lemnis_models::solver::rodas::{Run, Step, Tolerance};
-use lemnis_models::solver::{System, runge_kutta};
+use lemnis_models::solver::{Count, Halt, System, runge_kutta};
 
 #[path = "common/crane.rs"]
 mod crane;
@@ -22,7 +22,7 @@ const COMMANDS: [(u32, f64); 3] = [(0, 0.5), (1200, -0.4), (1800, 0.0)];
 const FIRST: f64 = 1e-3;
 
 fn tolerance(relative: f64) -> Tolerance<8> {
-    let scale = [1e-3, 1e-3, 1e5, 1e5, 1e5, 1e5, 1e-2, 1.0];
+    let scale = [1e-3, 1e-3, 1e6, 1e6, 1e6, 1e6, 0.1, 30.0];
     Tolerance {
         relative,
         absolute: scale.map(|x| relative * x),
@@ -35,8 +35,35 @@ fn start() -> (Hydraulic<8>, [f64; 8]) {
     (system, y)
 }
 
+/// The cylinder, whose solver knows of no kink.
+struct Smooth<'a>(&'a Hydraulic<8>);
+
+impl System<8> for Smooth<'_> {
+    fn rates(&self, y: &[f64; 8]) -> Option<[f64; 8]> {
+        self.0.rates(y)
+    }
+    fn jacobian(&self, y: &[f64; 8]) -> Option<([f64; 8], [[f64; 8]; 8])> {
+        self.0.jacobian(y)
+    }
+}
+
 /// 2.5 s in communication steps of 1 ms; the states at every one go to `seen`.
-fn simulate(tolerance: &Tolerance<8>, mut seen: impl FnMut(u32, &[f64; 8])) -> Run<8> {
+fn simulate(tolerance: &Tolerance<8>, seen: impl FnMut(u32, &[f64; 8])) -> Run<8> {
+    simulate_by(&located, tolerance, seen)
+}
+
+/// How a run gets over a communication step.
+type Advance = dyn Fn(&mut Run<8>, &Hydraulic<8>, &Tolerance<8>) -> Result<(), Halt>;
+
+fn located(run: &mut Run<8>, system: &Hydraulic<8>, tolerance: &Tolerance<8>) -> Result<(), Halt> {
+    run.advance(system, tolerance, 1e-3, 1.0)
+}
+
+fn not_located(run: &mut Run<8>, system: &Hydraulic<8>, tolerance: &Tolerance<8>) -> Result<(), Halt> {
+    run.advance(&Smooth(system), tolerance, 1e-3, 1.0)
+}
+
+fn simulate_by(advance: &Advance, tolerance: &Tolerance<8>, mut seen: impl FnMut(u32, &[f64; 8])) -> Run<8> {
     let (mut system, y) = start();
     let mut run = Run::new(y, FIRST);
     for step in 0..2500 {
@@ -44,23 +71,21 @@ fn simulate(tolerance: &Tolerance<8>, mut seen: impl FnMut(u32, &[f64; 8])) -> R
             system.command = command;
             run.interrupt(FIRST);
         }
-        run.advance(&system, tolerance, 1e-3, 1.0)
-            .expect("stays within the range");
+        advance(&mut run, &system, tolerance).expect("stays within the range");
         seen(step + 1, &run.states());
     }
     run
 }
 
-/// Time (s, the best of several rounds), steps and greatest error of a chamber's pressure (bar).
-fn measure(relative: f64) -> (f64, u32, f64) {
-    let tolerance = tolerance(relative);
+/// Greatest error of a chamber's pressure (bar), and the solver's work.
+fn error(advance: &Advance, tolerance: &Tolerance<8>) -> (f64, Count) {
     let rows: Vec<Vec<f64>> = ORACLE
         .lines()
         .skip(1)
         .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
         .collect();
     let (mut worst, mut at) = (0.0_f64, 0);
-    let run = simulate(&tolerance, |step, y| {
+    let run = simulate_by(advance, tolerance, |step, y| {
         let row = &rows[at.min(rows.len() - 1)];
         if (row[0] * 1e3).round() == f64::from(step) {
             worst = worst.max((y[4] - row[2]).abs()).max((y[5] - row[3]).abs());
@@ -68,6 +93,13 @@ fn measure(relative: f64) -> (f64, u32, f64) {
         }
     });
     assert_eq!(at, rows.len(), "every row was compared");
+    (worst / 1e5, run.count)
+}
+
+/// Time (s, the best of several rounds), steps and greatest error (bar).
+fn measure(relative: f64) -> (f64, u32, f64) {
+    let tolerance = tolerance(relative);
+    let (worst, count) = error(&located, &tolerance);
     let mut best = f64::INFINITY;
     for _ in 0..200 {
         let clock = Instant::now();
@@ -76,26 +108,52 @@ fn measure(relative: f64) -> (f64, u32, f64) {
         assert!(sum.is_finite());
         best = best.min(clock.elapsed().as_secs_f64());
     }
-    (best / 2.5, run.count.steps, worst / 1e5)
+    (best / 2.5, count.steps, worst)
 }
 
 #[test]
 fn the_stiff_cylinder_meets_its_reference() {
     println!("tolerance  steps  error/bar  time per simulated second/us");
     let cases = [
-        (3e-4, 150, 0.1),
-        (1e-4, 200, 0.1),
-        (1e-5, 400, 5e-3),
-        (2e-6, 600, 1e-3),
-        (1e-6, 700, 1e-3),
-        (1e-8, 2500, 1e-5),
+        (2.5e-4, 130, 0.1),
+        (1e-4, 160, 0.1),
+        (1e-5, 280, 5e-3),
+        (2e-6, 400, 1e-3),
+        (1e-6, 470, 1e-3),
+        (1e-8, 2000, 1e-5),
     ];
     for (relative, most_steps, bound) in cases {
         let (time, steps, error) = measure(relative);
-        println!("{relative:9.0e} {steps:6} {error:10.1e} {:10.1}", time * 1e6);
+        println!("{relative:9.1e} {steps:6} {error:10.1e} {:10.1}", time * 1e6);
         assert!(error <= bound, "{relative:e}: {error:e} bar");
         assert!(steps <= most_steps, "{relative:e}: {steps} steps");
     }
+}
+
+/// Steps that end at the spool's middle and where relief valves open divide the error by one and a half, in the
+/// mean of many tolerances, for three steps more in a hundred; and they are few.
+#[test]
+fn kinks_are_located() {
+    let (mut gain, mut work) = (0.0, [0; 2]);
+    let tolerances = [6e-4, 4.5e-4, 3e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6, 1e-6, 5e-7];
+    println!("tolerance  error/bar located, not  tried steps, not");
+    for relative in tolerances {
+        let tolerance = tolerance(relative);
+        let ((located, count), (not, smooth)) = (error(&located, &tolerance), error(&not_located, &tolerance));
+        let tried = [
+            count.steps + count.rejected + count.kinks,
+            smooth.steps + smooth.rejected,
+        ];
+        println!(
+            "{relative:9.1e} {located:9.1e} {not:9.1e} {:5} {:5}; {} at kinks",
+            tried[0], tried[1], count.kinks
+        );
+        assert!((5..=20).contains(&count.kinks) && smooth.kinks == 0, "{count:?}");
+        gain += (not / located).log2() / tolerances.len() as f64;
+        work = [work[0] + tried[0], work[1] + tried[1]];
+    }
+    println!("error divided by {:.2}, work {work:?}", gain.exp2());
+    assert!(gain.exp2() > 1.4 && 100 * work[0] < 105 * work[1]);
 }
 
 /// At rest, with the oil between port and chamber laminar, an eigenvalue lies beyond -1e6 1/s.
@@ -127,8 +185,19 @@ fn the_jacobian_is_that_of_the_rates() {
     run.advance(&system, &tolerance(1e-6), 0.02, 1.0).expect("solves");
     let y = run.states();
     let (rates, jacobian) = system.jacobian(&y).expect("closes");
-    for (dual, plain) in rates.iter().zip(system.rates(&y).expect("closes")) {
-        assert!((dual - plain).abs() <= 1e-14 * plain.abs(), "{dual} {plain}");
+    // A port's rate is a small difference of two flows, each rounded.
+    let flow = system.cylinder.flows(&Hydraulic::<8>::oil(&y), system.supply).line[0].abs();
+    let stiffness = system.cylinder.bulk_modulus / system.cylinder.port_volume;
+    for (i, (dual, plain)) in rates.iter().zip(system.rates(&y).expect("closes")).enumerate() {
+        let summands = if (2..4).contains(&i) {
+            stiffness * flow
+        } else {
+            plain.abs()
+        };
+        assert!(
+            (dual - plain).abs() <= 1e-15 * summands.max(plain.abs()),
+            "{dual} {plain}"
+        );
     }
     let scale = [1e-1, 1e-1, 1e6, 1e6, 1e6, 1e6, 1e-1, 1e1];
     for j in 0..8 {

@@ -6,6 +6,7 @@ mod oil;
 mod positions;
 mod regions;
 mod rope;
+mod running;
 mod slewing;
 
 #[path = "../../models/tests/common/crane.rs"]

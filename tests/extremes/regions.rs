@@ -1,4 +1,4 @@
-//! The stable region of each solver: where a step neither grows nor strays, on y′ = λ y over the plane
+//! The stable region of each solver, and of each level with its solver: where a step neither grows nor strays, on y′ = λ y over the plane
 //! of z = λ h. Drawn to `docs/stability.svg` (`LEMNIS_WRITE=1` renews it).
 
 use std::fmt::Write as _;
@@ -6,6 +6,8 @@ use std::path::Path;
 
 use lemnis_models::solver::rodas::Step;
 use lemnis_models::solver::{System, runge_kutta};
+
+use super::running;
 
 /// λ as a system of two real states.
 struct Linear {
@@ -92,11 +94,71 @@ fn limits_are_those_of_theory() {
     assert!(error(implicit, -2.7, 0.0) < 0.02);
 }
 
+/// Cells for each factor of ten, and the factors of ten from first to last, of |λ| h.
+const CELLS: i32 = 6;
+const DECADES: [i32; 2] = [-2, 7];
+
+/// What each level makes of a longest step, over |λ| h: every step is taken within a twentieth of the known
+/// motion, or refused.
+fn levels() -> String {
+    let (left, width, top) = (220.0, 620.0, 455.0);
+    let cell = width / f64::from(CELLS * (DECADES[1] - DECADES[0]));
+    let mut svg = String::from("<text x=\"20\" y=\"446\">Levels with their solvers: |λ|h of the longest step</text>\n");
+    for (row, y) in running::rows().into_iter().zip([0.0, 26.0, 52.0, 78.0]) {
+        let _ = writeln!(
+            svg,
+            "<text x=\"20\" y=\"{}\" font-size=\"11\">{}</text>",
+            top + y + 14.0,
+            row.name
+        );
+        let mut refused = false;
+        for i in 0..CELLS * (DECADES[1] - DECADES[0]) {
+            let exponent = f64::from(DECADES[0]) + (f64::from(i) + 0.5) / f64::from(CELLS);
+            let z = libm_exp(exponent * std::f64::consts::LN_10);
+            // Of a stiff system, steps longer than the motion are none, and ones of microseconds without use.
+            let step = z / row.fastest;
+            if row.fastest > 1e3 && !(5e-5..0.5).contains(&step) {
+                continue;
+            }
+            let error = (row.error)(step);
+            assert!(
+                error.is_none_or(|error| error < 0.05),
+                "{}: |lambda| h = {z}: {error:?}",
+                row.name
+            );
+            assert!(!refused || error.is_none(), "{}: taken again at {z}", row.name);
+            refused |= error.is_none();
+            let colour = match error {
+                Some(error) if error <= 0.01 => "#2b6cb0",
+                Some(_) => "#bcd4ea",
+                None => "#d8d8d8",
+            };
+            let x = left + cell * f64::from(i);
+            let _ = writeln!(
+                svg,
+                "<rect x=\"{x:.2}\" y=\"{}\" width=\"{cell:.2}\" height=\"20\" fill=\"{colour}\"/>",
+                top + y
+            );
+        }
+    }
+    for decade in DECADES[0]..=DECADES[1] {
+        let x = left + cell * f64::from(CELLS * (decade - DECADES[0]));
+        let _ = writeln!(
+            svg,
+            "<path d=\"M{x:.2} {top}v104\" stroke=\"white\" stroke-width=\"0.7\"/><text x=\"{x:.2}\" y=\"{}\" font-size=\"11\" \
+             text-anchor=\"middle\">1e{decade}</text>",
+            top + 118.0
+        );
+    }
+    svg.push_str("<rect x=\"25\" y=\"575\" width=\"10\" height=\"10\" fill=\"#d8d8d8\"/><text x=\"40\" y=\"584\" font-size=\"11\">refused</text>\n");
+    svg
+}
+
 #[test]
 fn the_regions_are_drawn() {
     let mut svg = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 430\" font-family=\"sans-serif\" font-size=\"13\">\n\
-         <rect width=\"860\" height=\"430\" fill=\"white\"/>\n",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 590\" font-family=\"sans-serif\" font-size=\"13\">\n\
+         <rect width=\"860\" height=\"590\" fill=\"white\"/>\n",
     );
     for (panel, (name, method)) in [
         ("RK4, explicit", explicit as Method),
@@ -143,8 +205,10 @@ fn the_regions_are_drawn() {
     svg.push_str(
         "<g font-size=\"11\"><rect x=\"25\" y=\"375\" width=\"10\" height=\"10\" fill=\"#2b6cb0\"/><text x=\"40\" y=\"384\">bounded, within 1 % of the solution</text>\
          <rect x=\"25\" y=\"390\" width=\"10\" height=\"10\" fill=\"#bcd4ea\"/><text x=\"40\" y=\"399\">bounded, not accurate</text>\
-         <rect x=\"25\" y=\"405\" width=\"10\" height=\"10\" fill=\"#a0c69c\"/><text x=\"40\" y=\"414\">growing, as the solution does</text></g>\n</svg>\n",
+         <rect x=\"25\" y=\"405\" width=\"10\" height=\"10\" fill=\"#a0c69c\"/><text x=\"40\" y=\"414\">growing, as the solution does</text></g>\n",
     );
+    svg.push_str(&levels());
+    svg.push_str("</svg>\n");
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/stability.svg");
     if std::env::var_os("LEMNIS_WRITE").is_some() {
         std::fs::write(&path, &svg).expect("written");

@@ -62,19 +62,17 @@ impl<P: Calc> Cylinder<P> {
     /// Push on the rod, in N.
     #[inline]
     pub fn force<C: Over<P>>(&self, oil: &Oil<C>) -> C {
-        C::of(self.areas[0]) * oil.chambers[0] - C::of(self.areas[1]) * oil.chambers[1]
+        oil.chambers[0].times(self.areas[0]) - oil.chambers[1].times(self.areas[1])
     }
 
     #[inline]
     pub fn flows<C: Over<P>>(&self, oil: &Oil<C>, supply: P) -> Flows<C> {
-        let line = |i: usize| C::of(self.line) * root(oil.ports[i] - oil.chambers[i]);
+        let line = |i: usize| root(oil.ports[i] - oil.chambers[i]).times(self.line);
         Flows {
             valve: self.valve.flows(oil.spool, supply, oil.ports),
             line: [line(0), line(1)],
-            relief: oil
-                .ports
-                .map(|p| relief(p, C::of(self.relief[0]), C::of(self.relief[1]))),
-            leakage: C::of(self.leakage) * (oil.chambers[0] - oil.chambers[1]),
+            relief: oil.ports.map(|p| relief(p, self.relief[0], self.relief[1])),
+            leakage: (oil.chambers[0] - oil.chambers[1]).times(self.leakage),
         }
     }
 
@@ -84,8 +82,8 @@ impl<P: Calc> Cylinder<P> {
         let of = C::of;
         let [short, long] = self.lengths;
         [
-            of(self.dead_volume) + of(self.areas[0]) * (length - of(short)),
-            of(self.dead_volume) + of(self.areas[1]) * (of(long) - length),
+            of(self.dead_volume) + (length - of(short)).times(self.areas[0]),
+            of(self.dead_volume) + (of(long) - length).times(self.areas[1]),
         ]
     }
 
@@ -95,14 +93,14 @@ impl<P: Calc> Cylinder<P> {
     pub fn rates<C: Over<P>>(&self, oil: &Oil<C>, length: C, speed: C, command: P, supply: P) -> Oil<C> {
         let f = self.flows(oil, supply);
         let volumes = self.volumes(length);
-        let (modulus, ports, still) = (C::of(self.bulk_modulus), C::of(self.port_volume), C::constant(0.0));
-        let port = |i: usize| pressure_rate(modulus, ports, f.valve[i] - f.line[i] - f.relief[i], still);
+        let modulus = self.bulk_modulus;
+        let port = |i: usize| (f.valve[i] - f.line[i] - f.relief[i]).times(modulus) / C::of(self.port_volume);
         let chamber = |i: usize, flow: C, growth: C| pressure_rate(modulus, volumes[i], flow, growth);
         Oil {
             ports: [port(0), port(1)],
             chambers: [
-                chamber(0, f.line[0] - f.leakage, C::of(self.areas[0]) * speed),
-                chamber(1, f.line[1] + f.leakage, C::of(-self.areas[1]) * speed),
+                chamber(0, f.line[0] - f.leakage, speed.times(self.areas[0])),
+                chamber(1, f.line[1] + f.leakage, speed.times(-self.areas[1])),
             ],
             spool: oil.spool_speed,
             spool_speed: self.valve.acceleration(oil.spool, oil.spool_speed, command),

@@ -1,6 +1,6 @@
 //! Flow through sharp edges and gaps.
 
-use crate::calc::Calc;
+use crate::calc::{Calc, Function, Over};
 
 /// Pressure difference, in Pa, below which a sharp edge passes oil in
 /// proportion to it: 0.2 bar, where the flow turns laminar. It also keeps the
@@ -11,15 +11,24 @@ pub const LAMINAR: f64 = 2e4;
 /// √Δp with the sign of Δp beyond the laminar range.
 #[inline]
 pub fn root<C: Calc>(difference: C) -> C {
-    difference / (difference.square() + C::constant(LAMINAR * LAMINAR)).sqrt().sqrt()
+    difference.through(Root)
+}
+
+struct Root;
+
+impl Function for Root {
+    #[inline]
+    fn at<C: Calc>(&self, difference: C) -> C {
+        difference / (difference.square() + C::constant(LAMINAR * LAMINAR)).sqrt().sqrt()
+    }
 }
 
 /// Flow out of a volume through a relief valve, in m³/s: above `opening` (Pa) in proportion to the
 /// excess, by `slope` in m³/(s·Pa).
 #[inline]
-pub fn relief<C: Calc>(pressure: C, opening: C, slope: C) -> C {
+pub fn relief<P: Calc, C: Over<P>>(pressure: C, opening: P, slope: P) -> C {
     if pressure.value() > opening.value() {
-        slope * (pressure - opening)
+        (pressure - C::of(opening)).times(slope)
     } else {
         C::constant(0.0)
     }

@@ -25,7 +25,7 @@ impl<P: Calc> Valve<P> {
     /// stroke: positive connects A with the pump and B with the tank.
     #[inline]
     pub fn flows<C: Over<P>>(&self, x: C, supply: P, ports: [C; 2]) -> [C; 2] {
-        let opening = C::of(self.conductance) * self.opening(x);
+        let opening = self.opening(x).times(self.conductance);
         let pump = |p: C| opening * root(C::of(supply) - p);
         let tank = |p: C| opening * root(p);
         if x.value() >= 0.0 {
@@ -43,13 +43,13 @@ impl<P: Calc> Valve<P> {
             return C::constant(0.0);
         }
         let beyond = if x.value() < 0.0 { x + overlap } else { x - overlap };
-        beyond / (C::constant(1.0) - overlap)
+        beyond.times(P::constant(1.0) / (P::constant(1.0) - self.overlap))
     }
 
     /// Rate of the spool's speed, in 1/s², towards the command in [−1, 1].
     #[inline]
     pub fn acceleration<C: Over<P>>(&self, x: C, speed: C, command: P) -> C {
         let w = self.frequency;
-        C::of(w * w) * (C::of(command) - x) - C::of(P::constant(2.0) * self.damping * w) * speed
+        (C::of(command) - x).times(w * w) - speed.times(P::constant(2.0) * self.damping * w)
     }
 }

@@ -282,7 +282,8 @@ impl<T: Calc + DualNum> Bar<T> {
     #[inline]
     fn point(&self, at: Point<T>) -> [Point<T>; 3] {
         let (along, across) = (at.x / self.length, at.y / self.length);
-        [0, 1, 2].map(|i| self.joint[i] + plane::turned(self.along[i], along, across))
+        let of = |i: usize| self.joint[i] + plane::turned(self.along[i], along, across);
+        [of(0), of(1), of(2)]
     }
 }
 
@@ -343,8 +344,8 @@ impl<const N: usize> Coordinate for Gradient<N> {
             slope: of(r.slope),
             moment: of(r.moment),
             energy: of(r.energy),
-            head: r.head.map(|p| p.map(of)),
-            drive: r.drive.map(of),
+            head: [r.head[0].map(of), r.head[1].map(of), r.head[2].map(of)],
+            drive: [of(r.drive[0]), of(r.drive[1])],
             turn: r.turn.map(of),
         })
     }

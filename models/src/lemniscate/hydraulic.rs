@@ -4,10 +4,16 @@
 use crate::calc::Calc;
 use crate::hydraulics::cylinder::{Cylinder, Oil};
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reel};
-use crate::solver::{Gradient, System};
+use crate::solver::{Gradient, MOST_KINKS, System};
 
 /// Angular velocity, in rad/s, below which dry friction is in proportion to it.
 pub const CREEP: f64 = 1e-4;
+
+/// What counts as much at a kink: parts of the spool's stroke and of a relief valve's opening pressure, and a
+/// way into an end stop in rad. Times the tolerance, a step ends as near to it.
+const GAP: f64 = 0.1;
+const CRACK: f64 = 0.03;
+const TOUCH: f64 = 1e-3;
 
 /// States of the oil, the last ones of the system's.
 const OIL: usize = 6;
@@ -63,10 +69,10 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         let rates = self
             .cylinder
             .rates(&oil, length, arm * m.omega, self.command, self.supply);
-        let mut moment = self.cylinder.force(&oil) * arm - C::of(self.viscous) * m.omega;
+        let mut moment = self.cylinder.force(&oil) * arm - m.omega.times(self.viscous);
         if self.coulomb.value() > 0.0 {
             let smooth = (m.omega.square() + C::constant(CREEP * CREEP)).sqrt();
-            moment -= C::of(self.coulomb) * m.omega / smooth;
+            moment -= m.omega.times(self.coulomb) / smooth;
         }
         if let Some(depth) = self.beyond(m.theta) {
             let [stiffness, damping] = self.buffer;
@@ -146,5 +152,19 @@ impl<const N: usize> System<N> for Hydraulic<N> {
     fn jacobian(&self, y: &[f64; N]) -> Option<([f64; N], [[f64; N]; N])> {
         let out = self.equations(&Gradient::states(y))?;
         Some((out.map(|x| x.re), out.map(|x| x.by)))
+    }
+
+    #[inline]
+    fn kinks(&self, y: &[f64; N]) -> [f64; MOST_KINKS] {
+        let opening = self.cylinder.relief[0];
+        let over = |port: f64| (port / opening - 1.0) / CRACK;
+        let oil = &y[N - OIL..];
+        [
+            oil[4] / GAP,
+            over(oil[0]),
+            over(oil[1]),
+            (y[0] - self.stops[0]) / TOUCH,
+            (self.stops[1] - y[0]) / TOUCH,
+        ]
     }
 }

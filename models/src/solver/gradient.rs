@@ -7,7 +7,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use num_dual::Dual64;
 
-use crate::calc::Calc;
+use crate::calc::{Calc, Function};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gradient<const N: usize> {
@@ -108,6 +108,14 @@ impl<const N: usize> Calc for Gradient<N> {
     #[inline]
     fn value(self) -> f64 {
         self.re
+    }
+    #[inline]
+    fn scaled(self, factor: f64) -> Self {
+        self.chain(Dual64::new(factor * self.re, factor))
+    }
+    #[inline]
+    fn through(self, f: impl Function) -> Self {
+        self.chain(f.at(Dual64::new(self.re, 1.0)))
     }
     #[inline]
     fn abs(self) -> Self {

@@ -26,7 +26,17 @@ pub trait System<const N: usize> {
 
     /// Rates and their derivatives: `jacobian[i][j]` is that of rate i by state j.
     fn jacobian(&self, y: &[f64; N]) -> Option<([f64; N], [[f64; N]; N])>;
+
+    /// Where the rates have a kink these change their sign: a step ends there, as nearly as the tolerance
+    /// tells one of them, which are of order one, from zero.
+    #[inline]
+    fn kinks(&self, _: &[f64; N]) -> [f64; MOST_KINKS] {
+        [1.0; MOST_KINKS]
+    }
 }
+
+/// Most kinks that a system has.
+pub const MOST_KINKS: usize = 5;
 
 /// Why a solver stops: the states stay those of the last step that succeeded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,6 +47,8 @@ pub enum Halt {
     TooSmall,
     /// More steps than one call may take.
     TooMany,
+    /// Steps too long for how fast the motion changes: their results would be bounded, and mean nothing.
+    TooFast,
 }
 
 /// Work done, to be asserted where a clock would be noisy.
@@ -44,6 +56,8 @@ pub enum Halt {
 pub struct Count {
     pub steps: u32,
     pub rejected: u32,
+    /// Steps cut at a kink.
+    pub kinks: u32,
     /// Evaluations of the rates.
     pub rates: u32,
     /// Evaluations of the Jacobian, each with one factorisation or more.
@@ -57,6 +71,7 @@ impl Count {
         Count {
             steps: self.steps - earlier.steps,
             rejected: self.rejected - earlier.rejected,
+            kinks: self.kinks - earlier.kinks,
             rates: self.rates - earlier.rates,
             jacobians: self.jacobians - earlier.jacobians,
         }
@@ -67,6 +82,7 @@ impl Count {
         Count {
             steps: self.steps + more.steps,
             rejected: self.rejected + more.rejected,
+            kinks: self.kinks + more.kinks,
             rates: self.rates + more.rates,
             jacobians: self.jacobians + more.jacobians,
         }

@@ -4,6 +4,9 @@ use crate::solver::{Count, Halt, MOST_STEPS, runge_kutta};
 
 /// A communication step that is the longest step but for its rounding is one step, not two.
 const ROUNDING: f64 = 1.0 - 1e-9;
+/// Greatest |λ| h of a step: beyond it explicit steps are refused, as they err by more than a hundredth of what
+/// changes and are soon unstable.
+pub const FASTEST: f64 = 1.0;
 /// Events in one call.
 const MOST_EVENTS: u32 = 10_000;
 
@@ -75,13 +78,15 @@ fn piece<const N: usize, S: Copy, P: Pieces<N, S>>(
 ) -> Result<([f64; N], f64, u32), Halt> {
     let start = *P::states(&mut { *state });
     let after = |part: f64| {
-        let y = runge_kutta::step(&start, part * h, |y| system.rates(state, y))?;
+        let (y, fast) = runge_kutta::measured(&start, part * h, |y| system.rates(state, y))?;
         let crossed = system.crossed(state, &y);
-        Some((y, crossed))
+        Some((y, crossed, fast.0 <= FASTEST * FASTEST))
     };
     let whole = after(1.0);
-    if let Some((y, false)) = whole {
-        return Ok((y, 1.0, 1));
+    match whole {
+        Some((y, false, true)) => return Ok((y, 1.0, 1)),
+        Some((_, _, false)) => return Err(Halt::TooFast),
+        _ => {}
     }
     let (mut before, mut beyond) = (0.0, 1.0);
     let mut tried = 1;
@@ -93,12 +98,12 @@ fn piece<const N: usize, S: Copy, P: Pieces<N, S>>(
         }
         tried += 1;
         match after(middle) {
-            Some((_, false)) => before = middle,
+            Some((_, false, _)) => before = middle,
             other => (beyond, found) = (middle, other),
         }
     }
     match found {
-        Some((y, _)) => Ok((y, beyond, tried)),
+        Some((y, ..)) => Ok((y, beyond, tried)),
         // The end of assembly lies before any stop.
         None => Err(Halt::Outside),
     }

@@ -729,6 +729,11 @@ impl Model {
                 "the motion from {angle} ends within {size} s where the linkage does not close, or beyond all \
                  reasonable numbers: keep the working range away from dead points, or command less"
             ),
+            Halt::TooFast => format!(
+                "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
+                 within one: set step below {} s, or make the rope longer or the friction less",
+                short(step / 2.0)
+            ),
             Halt::TooSmall | Halt::TooMany => format!(
                 "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
                  at step = {step} s: take smaller communication steps, a longer step or a coarser tolerance"

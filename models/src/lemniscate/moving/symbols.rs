@@ -10,7 +10,7 @@ symbols! {
     C_V: "c_v" "c_v" N_M_S / KN_M_S, "Viscous friction at the driven bar: moment over angular velocity.", "input";
     M_F: "M_F" "M_F" N_M / KN_M, "Dry friction at the driven bar: the moment that it holds, and that it sets against motion.", "input";
     G: "g" "g" M_PER_S2 / M_PER_S2, "Acceleration of gravity.", "input";
-    STEP: "step" "h" S / MS, "Longest step of the solver.", "input";
+    STEP: "step" "h" S / MS, "Longest step of the solver. An explicit one is refused where the motion changes by more than itself within it.", "input";
 
     L_MIN: "l_min" "l_min" M / M, "Length of the cylinder retracted, between its anchors.", "input";
     L_MAX: "l_max" "l_max" M / M, "Length of the cylinder extended, between its anchors.", "input";

@@ -279,20 +279,8 @@ impl Model {
     /// Work of the solver, of all groups together, since their states were last set.
     #[must_use]
     pub fn count(&self) -> Count {
-        let mut sum = Count::default();
-        for Count {
-            steps,
-            rejected,
-            rates,
-            jacobians,
-        } in self.state.groups.iter().map(|present| present.run.count)
-        {
-            sum.steps += steps;
-            sum.rejected += rejected;
-            sum.rates += rates;
-            sum.jacobians += jacobians;
-        }
-        sum
+        let groups = self.state.groups.iter();
+        groups.fold(Count::default(), |sum, present| sum.and(present.run.count))
     }
 
     /// Number of continuous states.
@@ -662,7 +650,8 @@ impl Model {
                 "the motion from {angle} ends within {size} s beyond its cylinder or beyond all reasonable numbers: \
                  keep J above what the oil moves, and V_0 above what an end stop gives way"
             ),
-            Halt::TooSmall | Halt::TooMany => format!(
+            // Its solver is implicit, for which no step is too fast.
+            Halt::TooSmall | Halt::TooMany | Halt::TooFast => format!(
                 "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
                  at T_c = {} s: take smaller communication steps, a longer cycle or a coarser tolerance",
                 self.state.given.plc.t_c
