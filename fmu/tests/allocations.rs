@@ -4,30 +4,10 @@ mod common;
 
 use lemnis_fmu::abi::{fmi2::*, fmi3::*};
 use lemnis_models::model::Type;
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use std::ptr::{null, null_mut};
 
-struct Counting;
-
-thread_local!(static COUNT: Cell<usize> = const { Cell::new(0) });
-
-// SAFETY: every request is passed on to the system's allocator.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.set(COUNT.get() + 1);
-        // SAFETY: the caller's promise.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller's promise.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
+#[path = "../../models/tests/common/counting.rs"]
+mod counting;
 
 #[test]
 fn stepping_allocates_nothing() {
@@ -69,7 +49,7 @@ fn stepping_allocates_nothing() {
             0
         );
 
-        let before = COUNT.get();
+        let before = counting::count();
         let mut failures = 0;
         for step in 0..1000 {
             let (time, angle) = (f64::from(step), 1.2 + 1e-4 * f64::from(step));
@@ -82,7 +62,7 @@ fn stepping_allocates_nothing() {
                 + fmi3GetFloat64(i, reals.as_ptr(), reals.len(), values.as_mut_ptr(), values.len())
                 + fmi3GetBoolean(i, booleans.as_ptr(), booleans.len(), bytes.as_mut_ptr(), bytes.len());
         }
-        assert_eq!(COUNT.get() - before, 0, "allocations in 1000 steps");
+        assert_eq!(counting::count() - before, 0, "allocations in 1000 steps");
         assert_eq!(failures, 0);
         fmi2FreeInstance(c);
         fmi3FreeInstance(i);

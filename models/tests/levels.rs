@@ -1,33 +1,12 @@
 //! Every level as a running model: no allocation, the work it does, states that go on with the same bits.
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
-
 use lemnis_models::model::Role;
 
 #[path = "common/levels.rs"]
 mod levels;
 
-struct Counting;
-
-thread_local!(static COUNT: Cell<usize> = const { Cell::new(0) });
-
-// SAFETY: every request is passed on to the system's allocator.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.set(COUNT.get() + 1);
-        // SAFETY: the caller's promise.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller's promise.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
+#[path = "common/counting.rs"]
+mod counting;
 
 /// Steps, inputs, all results, their derivatives, saving and restoring allocate nothing.
 #[test]
@@ -42,7 +21,7 @@ fn no_level_allocates_while_it_runs() {
         for index in 0..model.variables().len() {
             let _ = model.get(index);
         }
-        let before = COUNT.get();
+        let before = counting::count();
         let saved = model.state();
         for step in 0..1000 {
             let t = f64::from(step) * 1e-3;
@@ -63,7 +42,7 @@ fn no_level_allocates_while_it_runs() {
             }
         }
         model.set_state(&saved);
-        assert_eq!(COUNT.get() - before, 0, "{level}");
+        assert_eq!(counting::count() - before, 0, "{level}");
     }
 }
 

@@ -1,7 +1,5 @@
 //! Eight groups, evaluated without allocation.
 
-use std::alloc::{GlobalAlloc, Layout as Memory, System};
-use std::cell::Cell;
 use std::hint::black_box;
 
 use lemnis_models::model::{Model, Role};
@@ -15,27 +13,8 @@ use lemnis_models::steering::published::Layout;
 use lemnis_models::steering::sizing::force;
 use lemnis_models::steering::wheels::{Wheel, place, roll};
 
-struct Counting;
-
-thread_local! {
-    static COUNT: Cell<u64> = const { Cell::new(0) };
-}
-
-// SAFETY: every call is handed to the system's allocator unchanged.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, memory: Memory) -> *mut u8 {
-        COUNT.set(COUNT.get() + 1);
-        // SAFETY: as the caller promises.
-        unsafe { System.alloc(memory) }
-    }
-    unsafe fn dealloc(&self, at: *mut u8, memory: Memory) {
-        // SAFETY: as the caller promises.
-        unsafe { System.dealloc(at, memory) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
+#[path = "common/counting.rs"]
+mod counting;
 
 /// Angles, speeds, cylinder lengths, lever arms and forces of the paper's eight
 /// groups, from an angle command: no allocation.
@@ -80,11 +59,11 @@ fn eight_groups_without_allocation() {
         black_box((&wheels, &lengths, &arms, &forces));
     };
     evaluate(0.3);
-    let before = COUNT.get();
+    let before = counting::count();
     for i in 0..1400 {
         evaluate(black_box(-0.5 + f64::from(i) * 1e-3));
     }
-    assert_eq!(COUNT.get(), before, "allocations");
+    assert_eq!(counting::count(), before, "allocations");
 }
 
 /// The same through the running model, in every mode, all outputs, set points on their way among them.
@@ -113,10 +92,10 @@ fn the_model_without_allocation() {
         }
     };
     evaluate(0.3, 6);
-    let before = COUNT.get();
+    let before = counting::count();
     // Every change of mode starts while the one before is under way.
     for i in 0..900 {
         evaluate(black_box(-0.4 + f64::from(i) * 1e-3), 1 + i % 9);
     }
-    assert_eq!(COUNT.get(), before, "allocations");
+    assert_eq!(counting::count(), before, "allocations");
 }

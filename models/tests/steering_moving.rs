@@ -1,8 +1,6 @@
 //! Groups turned by their cylinders under the PLC, as the running model that the FMU steps: against an independent code
 //! (`tests/oracles/steering_hydraulics.py`), by its energy, its samples, its states, its cost.
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use std::time::Instant;
 
 use lemnis_models::hydraulics::cylinder::Cylinder;
@@ -17,26 +15,8 @@ use lemnis_models::steering::hydraulic::{Control, Group, Held};
 const SCENE: &str = include_str!("../scenes/boat_hoist_003_hydraulic.toml");
 const ORACLE: &str = include_str!("../../tests/oracles/steering_hydraulics.csv");
 
-struct Counting;
-
-thread_local!(static COUNT: Cell<usize> = const { Cell::new(0) });
-
-// SAFETY: every request is passed on to the system's allocator.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.set(COUNT.get() + 1);
-        // SAFETY: the caller's promise.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller's promise.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
+#[path = "common/counting.rs"]
+mod counting;
 
 fn model(text: &str) -> Model {
     let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
@@ -303,7 +283,7 @@ fn steps_inputs_and_results_allocate_nothing() {
         .collect();
     let (mut states, mut indicators) = (vec![0.0; model.states()], vec![0.0; model.indicators()]);
     assert_eq!((states.len(), indicators.len()), (64, 49));
-    let before = COUNT.get();
+    let before = counting::count();
     for step in 0..500 {
         let t = f64::from(step) * 7e-3;
         for &input in &inputs {
@@ -318,7 +298,7 @@ fn steps_inputs_and_results_allocate_nothing() {
             model.get(index).expect("a value");
         }
     }
-    assert_eq!(COUNT.get() - before, 0);
+    assert_eq!(counting::count() - before, 0);
 }
 
 /// Written as numbers and read back, the model goes on with the same bits; damaged numbers are refused.
