@@ -115,7 +115,8 @@ impl<const N: usize> Calc for Gradient<N> {
     }
     #[inline]
     fn through(self, f: impl Function) -> Self {
-        self.chain(f.at(Dual64::new(self.re, 1.0)))
+        // The value as plain numbers have it, to the last bit.
+        self.chain(Dual64::new(f.at(self.re), f.at(Dual64::new(self.re, 1.0)).eps))
     }
     #[inline]
     fn abs(self) -> Self {
