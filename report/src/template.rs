@@ -7,6 +7,7 @@
 //! a logo, can be read by the templates.
 
 use std::collections::BTreeMap;
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -275,20 +276,28 @@ fn describe(folder: Option<&Path>, error: &minijinja::Error) -> String {
     format!("{place}{detail}")
 }
 
-/// Text that Typst prints as it is, in markup and between quotes: everything
-/// that could be syntax becomes `\u{hex}`.
+/// Text that Typst prints as it is, in markup and between quotes: everything that could be syntax becomes
+/// `\u{hex}`. Between letters or digits a point, a comma, a colon or a stroke is none; nor is a point or a comma after
+/// a letter. Every escape is a node of its own for Typst, so numbers are left whole.
 pub(crate) fn escape(text: &str) -> String {
-    let plain =
-        |c: char| c == ' ' || c.is_ascii_alphanumeric() || !(c.is_ascii() || c.is_control() || c.is_whitespace());
-    text.chars()
-        .map(|c| {
-            if plain(c) {
-                c.to_string()
-            } else {
-                format!("\\u{{{:x}}}", u32::from(c))
-            }
-        })
-        .collect()
+    let mut escaped = String::with_capacity(2 * text.len());
+    let (mut before, mut rest) = (' ', text.chars());
+    while let Some(c) = rest.next() {
+        let after = rest.clone().next().unwrap_or(' ');
+        let plain = match c {
+            ' ' => true,
+            '.' | ',' if before.is_alphabetic() => after != '.',
+            '.' | ',' | ':' | '/' => before.is_alphanumeric() && after.is_alphanumeric(),
+            _ if c.is_ascii() => c.is_alphanumeric(),
+            _ => !(c.is_control() || c.is_whitespace()),
+        };
+        match plain {
+            true => escaped.push(c),
+            false => write!(escaped, "\\u{{{:x}}}", u32::from(c)).expect("strings can be written to"),
+        }
+        before = c;
+    }
+    escaped
 }
 
 #[cfg(test)]
