@@ -84,7 +84,7 @@ fn numbers_of_a_state_go_on_with_the_same_bits() {
         let mut model = levels::model(level);
         model.advance(0.0, 0.777).expect("moves");
         let numbers = model.numbers(&model.state());
-        let run = |model: &mut lemnis_models::model::Model| {
+        let run = |model: &mut Model| {
             let mut states = vec![0.0; model.states()];
             for step in 0..100 {
                 let t = 0.777 + 0.013 * f64::from(step);

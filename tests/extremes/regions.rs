@@ -101,7 +101,7 @@ const DECADES: [i32; 2] = [-2, 7];
 /// What each level makes of a longest step, over |λ| h: every step is taken within a twentieth of the known
 /// motion, or refused.
 fn levels() -> String {
-    let (left, width, top) = (220.0, 620.0, 455.0);
+    let (left, width, top) = (250.0, 590.0, 455.0);
     let cell = width / f64::from(CELLS * (DECADES[1] - DECADES[0]));
     let mut svg = String::from("<text x=\"20\" y=\"446\">Levels with their solvers: |λ|h of the longest step</text>\n");
     let rows = running::rows();
@@ -164,8 +164,8 @@ fn levels() -> String {
 #[test]
 fn the_regions_are_drawn() {
     let mut svg = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 642\" font-family=\"sans-serif\" font-size=\"13\">\n\
-         <rect width=\"860\" height=\"642\" fill=\"white\"/>\n",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 668\" font-family=\"sans-serif\" font-size=\"13\">\n\
+         <rect width=\"860\" height=\"668\" fill=\"white\"/>\n",
     );
     for (panel, (name, method)) in [
         ("RK4, explicit", explicit as Method),

@@ -6,6 +6,8 @@ use lemnis_models::calc::Calc;
 use lemnis_models::model::{Fault, Model};
 use lemnis_models::scene::Scene;
 
+use super::steering;
+
 #[path = "../../models/tests/common/levels.rs"]
 pub mod levels;
 
@@ -138,7 +140,7 @@ pub struct Row {
 }
 
 /// Every level beside the static one, each with its solver.
-pub fn rows() -> [Row; 6] {
+pub fn rows() -> [Row; 7] {
     let slope = |model: &Model, rate: &str, state: &str| {
         let known = model.variables()[index(model, state)].quantity();
         let mut tangent = model.tangent(|other| f64::from(other == known));
@@ -200,6 +202,17 @@ pub fn rows() -> [Row; 6] {
             name: "hydraulic, swing: Rodas",
             fastest: slope(&levels::model("hydraulic with swing"), "der(p_1)", "p_1"),
             error: |step| oil("hydraulic with swing", step),
+        },
+        Row {
+            name: "steering, hydraulic: Rodas, ports of 0.3 l",
+            fastest: {
+                let model = steering::model();
+                let at = |name| steering::index(&model, name);
+                let known = model.variables()[at("p_1[1]")].quantity();
+                let mut tangent = model.tangent(|other| f64::from(other == known));
+                -model.derivative(&mut tangent, at("der(p_1[1])")).expect("smooth")
+            },
+            error: steering::strayed,
         },
     ]
 }
@@ -355,7 +368,10 @@ fn oil_of_any_stiffness_rests() {
 fn ever_stiffer_oil_moves_as_stiff_oil() {
     let end = |modulus: f64, port: f64| {
         let mut model = levels::model("hydraulic");
-        set(&mut model, &[("u_v", 0.2), ("beta_E", modulus), ("V_1", port), ("tol", 1e-8)]);
+        set(
+            &mut model,
+            &[("u_v", 0.2), ("beta_E", modulus), ("V_1", port), ("tol", 1e-8)],
+        );
         run(&mut model, &[0.8]).unwrap_or_else(|f| panic!("{modulus:e}: {}", f.message));
         let work = model.count();
         assert!(work.steps + work.rejected < 100_000, "{modulus:e}: {work:?}");
@@ -377,7 +393,10 @@ fn ever_stiffer_oil_moves_as_stiff_oil() {
         assert!(difference < amplitude, "{ends:?}");
     }
     let (theta, amplitude, fastest) = end(1.4e9, 1e-9);
-    assert!(fastest > 1e9 && (theta - ends[3].0).abs() < amplitude, "{fastest:e} {theta}");
+    assert!(
+        fastest > 1e9 && (theta - ends[3].0).abs() < amplitude,
+        "{fastest:e} {theta}"
+    );
 }
 
 /// Communication steps from 1e-9 to 1e3 s, irregular and again after a restore: the same bits.

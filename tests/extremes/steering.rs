@@ -7,12 +7,12 @@ use super::running::{bits, run, states};
 
 const SCENE: &str = include_str!("../../models/scenes/boat_hoist_003_hydraulic.toml");
 
-fn model() -> Model {
+pub fn model() -> Model {
     let scene = Scene::parse(SCENE).unwrap_or_else(|found| panic!("{found:?}"));
     Model::new(&scene).expect("built")
 }
 
-fn index(model: &Model, name: &str) -> usize {
+pub fn index(model: &Model, name: &str) -> usize {
     let found = model.variables().iter().position(|variable| variable.name() == name);
     found.unwrap_or_else(|| panic!("{name}"))
 }
@@ -27,6 +27,24 @@ fn get(model: &mut Model, name: &str) -> f64 {
     model
         .get(at)
         .unwrap_or_else(|fault| panic!("{name}: {}", fault.message))
+}
+
+/// How far the angle of a group on its way of two degrees is off with a longest step (s), over that way, against a
+/// tolerance of 1e-9.
+pub fn strayed(step: f64) -> Option<f64> {
+    let end = |step: f64, tolerance: f64| {
+        let mut model = model();
+        let start = get(&mut model, "theta[1]");
+        for (name, value) in [("step", step), ("tol", tolerance), ("theta_b", start + 0.035)] {
+            set(&mut model, name, value).expect("allowed");
+        }
+        run(&mut model, &[0.3])
+            .ok()
+            .map(|()| [start, get(&mut model, "theta[1]")])
+    };
+    let [start, exact] = end(1.0, 1e-9)?;
+    assert!((exact - start).abs() > 0.01, "it moves: {start} {exact}");
+    Some((end(step, 1e-5)?[1] - exact).abs() / (exact - start).abs())
 }
 
 /// Bulk modulus from 1e5 to 1e12 Pa and ports from 1e-9 m³, eigenvalues beyond -1e9 1/s: commanded where they stand, the
