@@ -91,7 +91,7 @@ fn derivatives_are_exact() {
             if !known(variable.role) || variable.kind != lemnis_models::model::Type::Real {
                 continue;
             }
-            let mut tangent = model.tangent(|other| f64::from(other == variable.quantity()));
+            let mut tangent = model.tangent(&|other| f64::from(other == variable.quantity()));
             let at = model.get(at).expect("a value");
             for &unknown in &unknowns {
                 let i = index(&model, unknown, of_group);
@@ -128,7 +128,7 @@ fn what_has_a_derivative_is_a_dependency() {
         if !known(variable.role) {
             continue;
         }
-        let mut tangent = model.tangent(|other| f64::from(other == variable.quantity()));
+        let mut tangent = model.tangent(&|other| f64::from(other == variable.quantity()));
         for (i, found) in dependencies.iter().enumerate() {
             let of = model.variables()[i];
             if matches!(of.role, Role::Rate | Role::Output | Role::Indicator)
@@ -169,7 +169,7 @@ fn results_of_the_command_are_those_of_the_kinematic_level() {
     }
     let by = |model: &Model, id: &str, number, unknown: &str, of| {
         let known = model.variables()[index(model, id, number)].quantity();
-        let mut tangent = model.tangent(|other| f64::from(other == known));
+        let mut tangent = model.tangent(&|other| f64::from(other == known));
         model.derivative(&mut tangent, index(model, unknown, of))
     };
     for (id, number) in [
@@ -234,7 +234,7 @@ fn a_jacobian_without_allocation() {
     let mut sum = 0.0;
     for &state in &states {
         let known = model.variables()[state].quantity();
-        let mut tangent = model.tangent(|other| f64::from(other == known));
+        let mut tangent = model.tangent(&|other| f64::from(other == known));
         for &unknown in &unknowns {
             sum += model.derivative(&mut tangent, unknown).expect("smooth");
         }

@@ -209,7 +209,7 @@ pub fn rows() -> [Row; 7] {
                 let model = steering::model();
                 let at = |name| steering::index(&model, name);
                 let known = model.variables()[at("p_1[1]")].quantity();
-                let mut tangent = model.tangent(|other| f64::from(other == known));
+                let mut tangent = model.tangent(&|other| f64::from(other == known));
                 -model.derivative(&mut tangent, at("der(p_1[1])")).expect("smooth")
             },
             error: steering::strayed,
@@ -377,7 +377,7 @@ fn ever_stiffer_oil_moves_as_stiff_oil() {
         assert!(work.steps + work.rejected < 100_000, "{modulus:e}: {work:?}");
         let by = |state: &str, rate: &str| {
             let known = model.variables()[index(&model, state)].quantity();
-            let mut tangent = model.tangent(|other| f64::from(other == known));
+            let mut tangent = model.tangent(&|other| f64::from(other == known));
             model.derivative(&mut tangent, index(&model, rate)).expect("smooth")
         };
         let column = |id: &str| -by(id, "der(omega_1)") * by("omega_1", &format!("der({id})"));

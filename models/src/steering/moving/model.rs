@@ -339,7 +339,7 @@ impl Model {
     }
 
     /// The equations of one group over any scalar: `of` gives each input and parameter in it. The parameters have a machine.
-    fn group<P: Calc>(&self, i: usize, of: &mut impl FnMut(Quantity, f64) -> P) -> Result<Group<P>, Fault> {
+    fn group<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> Result<Group<P>, Fault> {
         let parameters = self.algebraic.parameters();
         let steered = parameters.groups.get(i).ok_or_else(absent)?;
         let resistance = self.resistance(i, of);
@@ -380,7 +380,7 @@ impl Model {
     }
 
     /// What a group resists now: at standstill, or while travelling; nothing without loads.
-    fn resistance<P: Calc>(&self, i: usize, of: &mut impl FnMut(Quantity, f64) -> P) -> P {
+    fn resistance<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> P {
         match self.drag(i, of) {
             None => P::constant(0.0),
             Some(drag) if self.algebraic.inputs().v_t == 0.0 => drag.standing,
@@ -390,7 +390,7 @@ impl Model {
 
     /// Resistance of a group to steering over any scalar, in N·m, with the slewing ring's friction, which stays while
     /// travelling; none without loads.
-    fn drag<P: Calc>(&self, i: usize, of: &mut impl FnMut(Quantity, f64) -> P) -> Option<Resistance<P>> {
+    fn drag<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> Option<Resistance<P>> {
         let (parameters, inputs) = (self.algebraic.parameters(), self.algebraic.inputs());
         let load = of((&s::G, Some(i as u16 + 1)), *inputs.loads.get(i)?);
         let mut alone = |symbol, value| of((symbol, None), value);
@@ -521,7 +521,7 @@ impl Model {
         i: usize,
         group: &Group<P>,
         y: &[P; STATES],
-        scalar: &mut impl FnMut(Quantity, f64) -> P,
+        scalar: &mut dyn FnMut(Quantity, f64) -> P,
     ) -> Result<P, Fault> {
         let (theta, omega) = (y[0], y[1]);
         let pose = group.pose(theta);
@@ -879,7 +879,7 @@ impl Model {
     /// The model with derivatives along a direction: `seed` is the rate of change of each state, input and parameter, in SI,
     /// and of [`TIME`](crate::model::TIME).
     #[must_use]
-    pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
+    pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
         let mut tangent = Tangent {
             few: [((&s::THETA, None), 0.0); FEW],
             count: 0,
@@ -962,7 +962,7 @@ impl Model {
     fn of_command(&self, tangent: &mut Tangent, inner: usize) -> Result<Dual64, Fault> {
         let mut algebraic = match tangent.algebraic.take() {
             Some(algebraic) => algebraic,
-            None => self.algebraic.tangent(|quantity| tangent.rate(quantity)),
+            None => self.algebraic.tangent(&|quantity| tangent.rate(quantity)),
         };
         let found = self.algebraic.with_derivative(&mut algebraic, inner);
         tangent.algebraic = Some(algebraic);
