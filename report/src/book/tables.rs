@@ -114,7 +114,7 @@ pub(super) struct Range {
 }
 
 /// The longest table over the working range that is printed with all its rows where the book is not a full one.
-const MANY: usize = 31;
+const MANY: usize = 50;
 /// Of a longer one, one row in so many.
 const ONE_IN: usize = 5;
 
