@@ -115,7 +115,8 @@ def exudyn_rows():
     o, b, c, a, load = start()
     o3 = (-X5, X6)
     rows = []
-    for steps in (250, 500, 1000, 1250, 2000, 5000):
+
+    def solve(steps):
         container = exu.SystemContainer()
         mbs = container.AddSystem()
         ground = mbs.AddObject(ObjectGround())
@@ -164,6 +165,10 @@ def exudyn_rows():
         turned = [mbs.GetObjectOutputBody(n, exu.OutputVariableType.Rotation, [0, 0, 0]) for n in (boom[0], rope[0])]
         turned = [float(np.asarray(x).reshape(-1)[-1]) for x in turned]
         at = error(math.radians(65) + turned[0], 0.1 + turned[1])
+        return seconds, at
+
+    for steps in (250, 500, 1000, 1250, 2000, 5000):
+        seconds, at = min(solve(steps) for _ in range(3))
         rows.append((f"Exudyn {exu.__version__} trapezoidal index 2, h = {END / steps:g} s", at, seconds / END))
     return rows
 

@@ -159,10 +159,9 @@ struct Peer {
 fn peers() -> Result<Vec<Peer>, String> {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("peers.py");
     let python = if cfg!(windows) { "python" } else { "python3" };
-    let done = Command::new(python)
-        .arg(&script)
-        .output()
-        .map_err(|error| format!("{python}: {error}; install Python 3.10 or later with venv"))?;
+    let done = Command::new(python).arg(&script).output().map_err(|error| {
+        format!("{python}: {error}; install Python 3.10 or later with venv, tests/peers.py gets both from PyPI")
+    })?;
     if !done.status.success() {
         return Err(String::from_utf8_lossy(&done.stderr).into_owned());
     }
