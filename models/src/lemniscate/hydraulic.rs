@@ -7,10 +7,10 @@
 use crate::calc::Calc;
 use crate::hydraulics::cylinder::{Cylinder, Oil};
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
-use crate::lemniscate::motion::{self, Bar, Friction, MOST_CHANGES, Motion};
+use crate::lemniscate::motion::{self, Bar, Friction, MOST_CHANGES, Motion, above_zero};
 use crate::lemniscate::slewing::{self, Drive, Slewing};
 use crate::solver::rodas::{Run, Tolerance};
-use crate::solver::{Gradient, Halt, MOST_KINKS, System};
+use crate::solver::{Gradient, Halt, MOST_KINKS, MOST_STEPS, System};
 
 /// Angular velocity, in rad/s, below which dry friction at the driven bar is in proportion to it.
 pub const CREEP: f64 = 1e-4;
@@ -224,7 +224,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         }
     }
 
-    /// Equations over any scalar.
+    /// Equations over any scalar; `None` where the linkage does not close or nothing is left of the rope.
     #[inline]
     pub fn equations<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; N]> {
         let oil = Self::oil(y);
@@ -238,6 +238,8 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         let mut out = [C::constant(0.0); N];
         if N > FIXED {
             match &self.crane {
+                Crane::Plane(motion) if motion.is_reeled_in(y[10]) => return None,
+                Crane::Slewing(slewing) if slewing.is_reeled_in(y[16]) => return None,
                 Crane::Plane(motion) => {
                     let rates = motion.rates_at(&modes.plane(y), &r, &part(y), &self.in_plane(moment));
                     put(&mut out, &rates);
@@ -285,7 +287,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         Some(match &self.crane {
             Crane::Plane(motion) => {
                 let rope = motion.slackening(&modes.plane(y), &r, &part(y), &self.in_plane(moment));
-                [none, none, none, none, rope]
+                [none, none, none, none, above_zero(rope)]
             }
             Crane::Slewing(slewing) => {
                 let [_, _, _, _, all @ ..] =
@@ -421,13 +423,17 @@ impl<const N: usize> Hydraulic<N> {
         if present.run.is_fresh() {
             self.event(present)?;
         }
-        let mut left = duration;
+        let (mut left, before) = (duration, present.run.count);
         for _ in 0..MOST_EVENTS {
             left = (present.run).piece(&self.between(present.modes), tolerance, left, longest)?;
             if !present.run.at_event() {
                 return Ok(());
             }
             self.event(present)?;
+            let work = present.run.count.since(before);
+            if work.steps + work.rejected > MOST_STEPS {
+                break;
+            }
         }
         Err(Halt::TooMany)
     }

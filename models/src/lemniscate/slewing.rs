@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Reduced};
 use crate::lemniscate::hanging::{Accelerations, Free, Load, Rope, dot, turned};
-use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, capped};
+use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, REELED_IN, above_zero, capped};
 use crate::solver::pieces::{self, Pieces};
 use crate::solver::{Count, Halt};
 
@@ -179,7 +179,7 @@ impl<P: Calc> Slewing<P> {
             .slewed(r, rates, load_of(y), moments, commands.hoist, free)
     }
 
-    /// Rates of all states between events; `None` where the linkage does not close.
+    /// Rates of all states between events; `None` where the linkage does not close or nothing is left of the rope.
     #[must_use]
     pub fn rates<C: Coordinate<P>>(
         &self,
@@ -187,8 +187,16 @@ impl<P: Calc> Slewing<P> {
         commands: &Commands<C>,
         y: &[C; STATES],
     ) -> Option<[C; STATES]> {
+        if self.is_reeled_in(y[10]) {
+            return None;
+        }
         let r = C::reduced(&self.dynamics, y[0])?;
         Some(self.rates_at(state, &r, y, commands))
+    }
+
+    /// Whether nothing is left of a rope of a length (m).
+    pub(crate) fn is_reeled_in<C: Calc>(&self, length: C) -> bool {
+        self.dynamics.bodies().pendulum.is_some() && length.value() <= REELED_IN
     }
 
     /// The same where it is known what the mechanism is at this angle.
@@ -280,7 +288,7 @@ impl<P: Calc> Slewing<P> {
     }
 
     /// Numbers whose fall below zero ends a smooth piece: luffing comes to rest or (two) breaks loose, meets
-    /// its lower or upper stop; the same for slewing; the rope becomes slack or taut.
+    /// its lower or upper stop; the same for slewing; the rope becomes slack or taut. After an event all are above zero.
     #[must_use]
     pub fn indicators<C: Coordinate<P>>(
         &self,
@@ -326,10 +334,10 @@ impl<P: Calc> Slewing<P> {
             out[8] = if state.taut {
                 self.accelerations(state, r, y, commands).rope
             } else {
-                y[10] - distance(y)
+                y[10] * C::constant(LOOSE) - distance(y)
             };
         }
-        out
+        out.map(above_zero)
     }
 }
 
@@ -339,7 +347,13 @@ impl Slewing {
     /// # Errors
     /// The linkage does not close.
     pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
-        let mut changed = false;
+        let first = *state;
+        for i in 0..2 {
+            if state.y[2 * i + 1] == 0.0 && state.joints[i] != Bar::Loose {
+                // At rest it is decided again which way it goes, as the commands may have changed.
+                state.joints[i] = Bar::Held;
+            }
+        }
         for _ in 0..MOST_CHANGES {
             let before = *state;
             let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
@@ -360,9 +374,8 @@ impl Slewing {
             if *state == before {
                 break;
             }
-            changed = true;
         }
-        Ok(changed)
+        Ok(*state != first)
     }
 
     /// A joint that has reached a stop, or turned round, is at rest.
@@ -372,9 +385,9 @@ impl Slewing {
         let at_stop = (at >= high && rate > 0.0) || (at <= low && rate < 0.0);
         let turned = match state.joints[i] {
             Bar::Held => rate != 0.0,
-            // At rest it is decided again which way it goes, as the commands may have changed.
-            Bar::Forward => rate <= 0.0,
-            Bar::Backward => rate >= 0.0,
+            // A joint that breaks loose is at rest: whether the rope lets go is decided as it moves.
+            Bar::Forward => rate < 0.0,
+            Bar::Backward => rate > 0.0,
             Bar::Loose => return,
         };
         if state.joints[i] == Bar::Held && turned && !at_stop {

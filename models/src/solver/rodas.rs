@@ -377,7 +377,7 @@ impl<const N: usize> Run<N> {
             self.count.jacobians += 1;
             // A step that was refused is not followed by a longer one at once.
             let mut growth = 5.0;
-            let (mut cuts, mut ends) = (0, 0);
+            let (mut cuts, mut ends, mut exists) = (0, 0, true);
             loop {
                 tried += 1;
                 if tried > MOST_STEPS {
@@ -385,14 +385,16 @@ impl<const N: usize> Run<N> {
                 }
                 let h = self.next.min(longest);
                 if h < RESOLUTION * duration {
-                    return Err(Halt::TooSmall);
+                    return Err(if exists { Halt::TooSmall } else { Halt::Outside });
                 }
                 self.count.rates += 6;
                 let Some(mut step) = Step::with(system, &y, h, &rate, &jacobian) else {
                     self.count.rejected += 1;
                     self.next = h / 4.0;
+                    exists = false;
                     continue;
                 };
+                exists = true;
                 if cuts < MOST_CUTS
                     && let Some(part) = step.kink(system, tolerance.relative)
                 {

@@ -438,37 +438,23 @@ impl Model {
             pendulum,
             gravity: constants.g,
         };
-        let dynamics = Dynamics::new(&geometry, bodies)
+        let mut dynamics = Dynamics::new(&geometry, bodies)
             .with_balance(&over, &self.range)
             .map_err(|fault| Fault::outside(fault.to_string()))?;
-        let friction = Friction {
-            viscous: constants.c_v,
-            coulomb: constants.m_f,
+        let joint = |viscous, coulomb, stops| Joint {
+            friction: Friction { viscous, coulomb },
+            stops,
         };
-        let crane = |dynamics: Dynamics<P>| match turning.zip(self.slewing_stops) {
-            None => Crane::Plane(Motion {
-                dynamics,
-                friction,
-                stops: self.stops(),
-            }),
-            Some((turning, stops)) => {
-                let turntable = Turntable {
-                    axis: -geometry.lengths.x_8,
-                    inertia: turning.j_sl,
-                };
-                let slewing = Friction {
-                    viscous: turning.c_sl,
-                    coulomb: turning.m_f_sl,
-                };
-                let joint = |friction, stops| Joint { friction, stops };
-                Crane::Slewing(Slewing {
-                    dynamics: dynamics.with_slewing(turntable),
-                    joints: [joint(friction, self.stops()), joint(slewing, stops)],
-                })
-            }
-        };
+        let luffing = joint(constants.c_v, constants.m_f, self.stops());
+        let slewing = (turning.zip(self.slewing_stops)).map(|(t, stops)| joint(t.c_sl, t.m_f_sl, stops));
+        if let Some(turning) = turning {
+            dynamics = dynamics.with_slewing(Turntable {
+                axis: -geometry.lengths.x_8,
+                inertia: turning.j_sl,
+            });
+        }
         let Some(oil) = oil else {
-            return Ok(match crane(dynamics) {
+            return Ok(match crane(&dynamics, luffing, slewing) {
                 Crane::Plane(motion) => Level::Free(motion),
                 Crane::Slewing(slewing) => Level::Slewing(slewing),
             });
@@ -497,7 +483,7 @@ impl Model {
         let start = P::reduced(&dynamics, P::constant(self.range.from));
         let inertia = start.map_or(P::constant(0.0), |r| r.inertia);
         let buffer = [STOP * STOP, 2.0 * STOP].map(|factor| inertia * P::constant(factor));
-        let crane = crane(dynamics);
+        let crane = crane(&dynamics, luffing, slewing);
         if self.rope.is_some() || self.slewing_stops.is_some() {
             Ok(Level::Hanging(hydraulic(crane, cylinder, buffer, &inputs)))
         } else {
@@ -740,8 +726,9 @@ impl Model {
         let step = self.state.constants.step;
         Fault::outside(match halt {
             Halt::Outside => format!(
-                "the motion from {angle} ends within {size} s where the linkage does not close, or beyond all \
-                 reasonable numbers: keep the working range away from dead points, or command less"
+                "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
+                 the rope, or beyond all reasonable numbers: keep the working range away from dead points, reel in \
+                 less, or command less"
             ),
             Halt::TooFast => format!(
                 "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
@@ -1008,7 +995,26 @@ impl Model {
     }
 }
 
-/// A crane with its cylinder under inputs.
+/// A crane with its joints of luffing and, where it slews, slewing. A call, as its many numbers would be moved one
+/// by one.
+#[inline(never)]
+fn crane<P: Copy>(dynamics: &Dynamics<P>, luffing: Joint<P>, slewing: Option<Joint<P>>) -> Crane<P> {
+    let dynamics = *dynamics;
+    match slewing {
+        None => Crane::Plane(Motion {
+            dynamics,
+            friction: luffing.friction,
+            stops: luffing.stops,
+        }),
+        Some(slewing) => Crane::Slewing(Slewing {
+            dynamics,
+            joints: [luffing, slewing],
+        }),
+    }
+}
+
+/// The same with its cylinder under inputs.
+#[inline(never)]
 fn hydraulic<const N: usize, P: Copy>(
     crane: Crane<P>,
     cylinder: Cylinder<P>,
