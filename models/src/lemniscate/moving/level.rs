@@ -52,6 +52,10 @@ pub enum Level<P = f64> {
 }
 
 /// Where a level is: its states, and its solver's.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a state is copied, and nothing is allocated while a model runs"
+)]
 #[derive(Clone, Copy, Debug)]
 pub enum Present {
     Free(motion::State),
