@@ -120,7 +120,7 @@ fn let_go_at_179_degrees() {
 #[test]
 fn a_rope_that_is_reeled_in_to_nothing() {
     for slews in [false, true] {
-        for swing in [0.0, 0.3] {
+        for swing in [0.0, 0.01] {
             let (mut system, mut present) = hanging(0.5, [swing, 0.0], slews);
             system.hoist = -1.0;
             // A load that swings does so ever faster: the tolerance may ask for too much first.

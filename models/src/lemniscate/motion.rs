@@ -97,7 +97,7 @@ pub struct Motion<P = f64> {
 /// end a slack load before it is caught: rounding alone must do neither.
 pub(crate) const LOOSE: f64 = 1.0 + 1e-12;
 /// Length of a rope, in m, of which nothing is left.
-pub(crate) const REELED_IN: f64 = 1e-3;
+pub(crate) const REELED_IN: f64 = 1e-4;
 /// Changes at one instant.
 pub(crate) const MOST_CHANGES: u32 = 16;
 
