@@ -877,7 +877,7 @@ impl Model {
     }
 
     /// The model with derivatives along a direction: `seed` is the rate of change of each state, input and parameter, in SI,
-    /// and of [`TIME`](crate::model::TIME).
+    /// and of [`TIME`].
     #[must_use]
     pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
         let mut tangent = Tangent {
