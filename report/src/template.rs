@@ -310,8 +310,9 @@ mod tests {
     fn hostile_text_is_only_text() {
         let hostile = "#read(\"/etc/passwd\") $x$ *b* @ref /* // \\ ] } \" ~ <l>\n= h\u{2028}`";
         let escaped = escape(hostile);
-        let syntax = |c: char| c.is_ascii_punctuation() && !matches!(c, '\\' | '{' | '}');
+        let syntax = |c: char| c.is_ascii_punctuation() && !matches!(c, '\\' | '{' | '}' | '/');
         assert!(!escaped.contains(syntax) && !escaped.contains('\n'), "{escaped}");
+        assert!(!escaped.contains("//") && !escaped.contains("/\\"), "{escaped}");
         for source in [
             format!("= {escaped}"),
             format!("#\"{escaped}\""),
@@ -321,6 +322,14 @@ mod tests {
             let made = Embedded.typeset(&source, &[], Format::Pdf, None).unwrap();
             assert!(made.warnings.is_empty());
         }
+    }
+
+    /// Numbers and units stay whole; what Typst would make a list, an ellipsis, a comment or a link of does not.
+    #[test]
+    fn points_and_strokes_within_words_are_no_syntax() {
+        assert_eq!(escape("3.5 m/s, 0,25; Fig. 3"), "3.5 m/s, 0,25\\u{3b} Fig. 3");
+        assert_eq!(escape("1. a..."), "1\\u{2e} a\\u{2e}\\u{2e}\\u{2e}");
+        assert_eq!(escape("http://a /*"), "http\\u{3a}\\u{2f}\\u{2f}a \\u{2f}\\u{2a}");
     }
 
     #[test]

@@ -124,7 +124,7 @@ fn sparse<T>(rows: Vec<T>, full: bool) -> (Vec<T>, Option<usize>) {
         return (rows, None);
     }
     let last = rows.len() - 1;
-    let printed = |i: usize| i % ONE_IN == 0 || i == last;
+    let printed = |i: usize| i.is_multiple_of(ONE_IN) || i == last;
     let rows = rows.into_iter().enumerate().filter(|(i, _)| printed(*i));
     (rows.map(|(_, row)| row).collect(), Some(ONE_IN))
 }
