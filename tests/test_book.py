@@ -121,6 +121,32 @@ def test_the_steering_book_is_the_golden_one(language, tmp_path):
     golden(f"steering_{language}_standard.txt", "\n".join(pages) + "\n")
 
 
+MOTION = (ROOT / "models/scenes/portal_004_motion.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_chapter_of_motion_is_the_golden_one(language, tmp_path):
+    own = '[book]\nchapters = ["results", "motion", "notation"]\n\n'
+    path = scene(tmp_path, "motion.toml", ("[luffing]\n", own + "[luffing]\n"), text=MOTION)
+    lemnis("book", path, "--language", language, "--format", "typ", "--output", tmp_path)
+    golden(f"motion_{language}.typ", (tmp_path / "PortalCraneMotion.typ").read_text(encoding="utf-8"))
+    lemnis("book", path, "--language", language, "--output", tmp_path)
+    golden(f"motion_{language}.txt", "\n".join(text_of(tmp_path / "PortalCraneMotion.pdf")) + "\n")
+
+
+def test_a_swing_beyond_its_limit_fails_the_verdict(tmp_path):
+    path = scene(tmp_path, "motion.toml", ("[luffing.limits]", '[luffing.limits]\nphi_max = "6 deg"'), text=MOTION)
+    lemnis("book", path, "--level", "summary", "--output", tmp_path)
+    page = text_of(tmp_path / "PortalCraneMotion.pdf")[0]
+    swing = re.search(r"Greatest angle of the rope from the vertical during the run .{0,20}= ([\d.]+)° ≤ 6° ([\d.]+) % FAILED", page)
+    assert swing and float(swing[1]) > 6
+
+
+def test_a_crane_that_stands_as_commanded_has_no_chapter_of_motion(standard):
+    text = " ".join(text_of(standard))
+    assert "The mechanism in motion" not in text and "equations of motion" not in text.lower()
+
+
 @pytest.fixture(scope="module")
 def standard(tmp_path_factory):
     folder = tmp_path_factory.mktemp("standard")

@@ -119,6 +119,7 @@ pub const CHAPTERS: &[&str] = &[
     "range",
     "sizing",
     "balance",
+    "motion",
     "synthesis",
     "published",
     "remarks",

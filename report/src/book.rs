@@ -2,6 +2,7 @@
 //! id that the templates turn into the words of a language.
 
 mod balance;
+mod motion;
 mod steps;
 mod synthesis;
 mod tables;
@@ -16,6 +17,7 @@ use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 
 use crate::book::balance::Balance;
+use crate::book::motion::Motion;
 use crate::book::steps::{Notation, Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
 use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Sensitivity, Summary, Table, View};
@@ -120,6 +122,7 @@ pub(crate) struct Book<'a> {
     range: Table,
     curves: Vec<Figure>,
     balance: Option<Balance>,
+    motion: Option<Motion<'a>>,
     sensitivity: Sensitivity,
     synthesis: Option<Synthesis>,
     published: Option<Published>,
@@ -181,6 +184,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "sizing" => !sheet.sizing.is_empty(),
         "remarks" => !sheet.remarks.is_empty(),
         "balance" => sheet.balance.is_some(),
+        "motion" => sheet.motion.is_some(),
         "synthesis" => scene.mechanism.luffing().is_some_and(|it| it.synthesis.is_some()),
         _ => true,
     };
@@ -194,7 +198,7 @@ impl<'a> Book<'a> {
         let mut notation = Notation::new(sheet, &chapters);
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
-        let mut sizing = Vec::new();
+        let (mut sizing, mut motion) = (Vec::new(), None);
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
             match *chapter {
@@ -211,6 +215,10 @@ impl<'a> Book<'a> {
                         sections: steps::sections(language, &position.sections, outputs, &mut notation),
                     };
                     positions = sheet.positions.iter().map(position).collect();
+                }
+                "motion" => {
+                    let of = |motion| Motion::new(language, motion, &mut notation);
+                    motion = sheet.motion.as_ref().map(of);
                 }
                 _ => {}
             }
@@ -272,6 +280,7 @@ impl<'a> Book<'a> {
             range: tables::table(language, &sheet.range),
             curves: sheet.curves.iter().map(figure).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(language, b)),
+            motion,
             sensitivity: tables::sensitivity(language, &sheet.sensitivity),
             synthesis,
             published: tables::published(language, sheet),

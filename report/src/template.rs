@@ -43,6 +43,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "range.typ",
     "sizing.typ",
     "balance.typ",
+    "motion.typ",
     "synthesis.typ",
     "published.typ",
     "remarks.typ",

@@ -1,9 +1,11 @@
 //! Level `hydraulic`: the driven bar moved by a cylinder with its oil, ports
 //! and proportional valve; with 8 states, or with 10 where the load swings.
 
-use crate::calc::Calc;
+use crate::calc::{Calc, Over};
 use crate::hydraulics::cylinder::{Cylinder, Oil};
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reel};
+use crate::lemniscate::moving::symbols as s;
+use crate::lemniscate::symbols as g;
 use crate::solver::{Gradient, MOST_KINKS, System};
 
 /// Angular velocity, in rad/s, below which dry friction is in proportion to it.
@@ -68,20 +70,8 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         let [length, arm] = r.drive;
         let rates = self
             .cylinder
-            .rates(&oil, length, arm * m.omega, self.command, self.supply);
-        let mut moment = self.cylinder.force(&oil) * arm - m.omega.times(self.viscous);
-        if self.coulomb.value() > 0.0 {
-            let smooth = (m.omega.square() + C::constant(CREEP * CREEP)).sqrt();
-            moment -= m.omega.times(self.coulomb) / smooth;
-        }
-        if let Some(depth) = self.beyond(m.theta) {
-            let [stiffness, damping] = self.buffer;
-            let push = -C::of(stiffness) * depth - C::of(damping) * m.omega;
-            // A stop pushes, and never pulls.
-            if push.value() * depth.value() < 0.0 {
-                moment += push;
-            }
-        }
+            .rates(&oil, length, (arm * m.omega).def(&g::V_D), self.command, self.supply);
+        let moment = self.cylinder.force(&oil).def(&s::F_C) * arm + self.reaction(&m);
         let still = C::constant(0.0);
         let reel = Reel {
             length: self.dynamics.bodies().pendulum.map_or(still, |p| C::of(p.length)),
@@ -96,21 +86,41 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
             out[3] = swing;
         }
         let oil = [
-            rates.ports[0],
-            rates.ports[1],
-            rates.chambers[0],
-            rates.chambers[1],
+            rates.ports[0].def(&s::D_P_1),
+            rates.ports[1].def(&s::D_P_2),
+            rates.chambers[0].def(&s::D_P_A),
+            rates.chambers[1].def(&s::D_P_B),
             rates.spool,
-            rates.spool_speed,
+            rates.spool_speed.def(&s::D_V_V),
         ];
         out[N - OIL..].copy_from_slice(&oil);
         Some(out)
     }
 
+    /// Moment of friction and end stop on the driven bar, in N·m; positive turns it counter-clockwise.
+    #[inline]
+    pub fn reaction<C: Over<P>>(&self, m: &Phase<C>) -> C {
+        let mut moment = -m.omega.times(self.viscous);
+        if self.coulomb.value() > 0.0 {
+            let smooth = (m.omega.square() + C::known(&s::OMEGA_C, CREEP).square()).sqrt();
+            moment -= m.omega.times(self.coulomb) / smooth;
+        }
+        if let Some(depth) = self.beyond(m.theta) {
+            let [stiffness, damping] = self.buffer;
+            let push = -C::of(stiffness) * depth - C::of(damping) * m.omega;
+            // A stop pushes, and never pulls.
+            if push.value() * depth.value() < 0.0 {
+                moment += push;
+            }
+        }
+        moment.def(&s::M_R)
+    }
+
     /// How far the bar is beyond its range, in rad.
     fn beyond<C: Calc>(&self, theta: C) -> Option<C> {
         let nearest = theta.value().clamp(self.stops[0], self.stops[1]);
-        (theta.value() != nearest).then(|| theta - C::constant(nearest))
+        let name = if nearest == self.stops[0] { &g::FROM } else { &g::TO };
+        (theta.value() != nearest).then(|| theta - C::known(name, nearest))
     }
 }
 
