@@ -156,4 +156,36 @@ def test_what_nothing_keeps_to_is_said(tmp_path):
 
 def test_a_steering_has_a_trade_too(tmp_path):
     text = lemnis("trade", ROOT / "models/scenes/car_4x2.toml", "--output", tmp_path, "--rounds", 1)
-    assert "static" in text and (tmp_path / "Car_trade.svg").exists()
+    assert "kinematic" in text and (tmp_path / "Car_trade.svg").exists()
+
+
+def test_auto_of_a_steering(tmp_path):
+    """A coarse demand is met by groups that stand as commanded, a finer one needs cylinders and PLC."""
+    hydraulic = (ROOT / "models/scenes/boat_hoist_003_hydraulic.toml").read_text(encoding="utf-8")
+    shorter = hydraulic.replace('to    = "20 deg" ', 'to    = "-9 deg" ').replace('fidelity = "hydraulic"', 'fidelity = "auto"')
+    for allowed, level, tables in (("5 deg", "kinematic", set()), ("0.01 deg", "hydraulic", {"dynamics", "oil", "plc"})):
+        path = tmp_path / f"{level}.toml"
+        path.write_text(f'accuracy = {{ "theta[1]" = "{allowed}" }}\n{shorter}', encoding="utf-8")
+        text, found = lemnis("trade", path, "--output", tmp_path, "--rounds", 1), None
+        found = json.loads((tmp_path / "BoatHoistHydraulic_trade.json").read_text(encoding="utf-8"))
+        assert found["choice"].startswith(level) and found["choice"] in text
+        assert {row["level"] for row in found["settings"]} == {"kinematic", "hydraulic"}
+        text = lemnis("fmu", path, "--output", tmp_path / level)
+        assert f"the cheapest that keeps to the accuracy: {found['choice']}" in text
+        fmu = str(tmp_path / level / "BoatHoistHydraulic.fmu")
+        with zipfile.ZipFile(fmu) as archive:
+            inside = tomllib.loads(archive.read("resources/scene.toml").decode("utf-8"))
+        steering = inside["steering"]
+        assert steering["fidelity"] == level and {"dynamics", "oil", "plc"} & set(steering) == tables
+        if tables:
+            [row] = [row for row in found["settings"] if row["holds"] and row["level"] == level][:1]
+            assert f"{float(steering['oil']['tol']):e}" == f"{float(row['setting']['tol']):e}"
+        assert fmpy.validation.validate_fmu(fmu) == []
+
+
+def test_auto_of_a_steering_with_half_its_tables(tmp_path):
+    text = (ROOT / "models/scenes/boat_hoist_003_hydraulic.toml").read_text(encoding="utf-8")
+    text = text.replace('fidelity = "hydraulic"', 'fidelity = "auto"').split("[steering.plc]")[0]
+    path = tmp_path / "half.toml"
+    path.write_text(f'accuracy = {{ "theta[1]" = "1 deg" }}\n{text}', encoding="utf-8")
+    assert 'fidelity = "auto" without [steering.plc]' in lemnis("check", path, expect=1)

@@ -293,7 +293,7 @@ impl Scene {
             Mechanism::Luffing(luffing) => luffing.levels(),
             Mechanism::Steering(steering) => {
                 let moving = steering.moving.iter().map(|_| "hydraulic");
-                std::iter::once("static").chain(moving).collect()
+                std::iter::once("kinematic").chain(moving).collect()
             }
         }
     }
@@ -301,7 +301,10 @@ impl Scene {
     /// Whether the scene leaves its level to `lemnis trade`.
     #[must_use]
     pub fn is_auto(&self) -> bool {
-        matches!(&self.mechanism, Mechanism::Luffing(luffing) if luffing.auto)
+        match &self.mechanism {
+            Mechanism::Luffing(luffing) => luffing.auto,
+            Mechanism::Steering(steering) => steering.auto,
+        }
     }
 
     /// The scene with its mechanism at one of its [`levels`](Scene::levels); its text stays.
@@ -310,8 +313,8 @@ impl Scene {
         let mut scene = self.clone();
         match &mut scene.mechanism {
             Mechanism::Luffing(luffing) => luffing.set_level(level),
-            Mechanism::Steering(steering) if level == "static" => steering.moving = None,
-            Mechanism::Steering(_) => {}
+            Mechanism::Steering(_) if level == "hydraulic" => {}
+            Mechanism::Steering(steering) => steering.moving = None,
         }
         scene
     }

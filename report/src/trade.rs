@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use lemnis::language::Language;
 use lemnis::plot::{self, Series};
 use lemnis::template::Templates;
-use lemnis_models::scene::Scene;
+use lemnis_models::scene::{Mechanism, Scene};
 use lemnis_models::schema::short;
 use lemnis_trade::setting::Method;
 use lemnis_trade::trade::{self, AGREEMENT, Row, SAMPLE, Size, Trade as Traded};
@@ -84,20 +84,23 @@ pub fn decided(scene: Scene) -> Result<Scene, Failure> {
     say(verdict(&traded))?;
     let mut document: DocumentMut = scene.text().parse().expect("a scene that was read is TOML");
     let level = row.setting.level;
-    let luffing = document[scene.mechanism.id()].as_table_like_mut().expect("a table");
-    luffing.insert("fidelity", value(level));
-    if matches!(level, "static" | "table") {
-        luffing.remove("dynamics");
-        luffing.remove("slewing");
-    }
-    if level != "hydraulic" {
-        luffing.remove("hydraulics");
+    let (oil, left_out): (&str, &[&str]) = match (&scene.mechanism, level) {
+        (Mechanism::Steering(_), "kinematic") => ("oil", &["dynamics", "oil", "plc"]),
+        (Mechanism::Steering(_), _) => ("oil", &[]),
+        (Mechanism::Luffing(_), "static" | "table") => ("hydraulics", &["dynamics", "slewing", "hydraulics"]),
+        (Mechanism::Luffing(_), "rigid" | "swing") => ("hydraulics", &["hydraulics"]),
+        (Mechanism::Luffing(_), _) => ("hydraulics", &[]),
+    };
+    let mechanism = document[scene.mechanism.id()].as_table_like_mut().expect("a table");
+    mechanism.insert("fidelity", value(level));
+    for table in left_out {
+        mechanism.remove(table);
     }
     if level == "rigid" {
-        let slewing = luffing.get_mut("slewing").and_then(|item| item.as_table_like_mut());
+        let slewing = mechanism.get_mut("slewing").and_then(|item| item.as_table_like_mut());
         slewing.map(|slewing| slewing.remove("chi_R"));
     }
-    if let Some(dynamics) = luffing.get_mut("dynamics").and_then(|item| item.as_table_like_mut()) {
+    if let Some(dynamics) = mechanism.get_mut("dynamics").and_then(|item| item.as_table_like_mut()) {
         if level == "rigid" {
             for key in ["l_R", "phi_R", "v_h"] {
                 dynamics.remove(key);
@@ -110,7 +113,7 @@ pub fn decided(scene: Scene) -> Result<Scene, Failure> {
         dynamics.insert("step", value(format!("{} ms", step * 1e3)));
     }
     if let (Some(oil), Method::Implicit(tolerance)) = (
-        luffing.get_mut("hydraulics").and_then(|item| item.as_table_like_mut()),
+        mechanism.get_mut(oil).and_then(|item| item.as_table_like_mut()),
         row.setting.method,
     ) {
         oil.insert("tol", value(format!("{tolerance:e}")));
@@ -118,9 +121,9 @@ pub fn decided(scene: Scene) -> Result<Scene, Failure> {
     if let Method::Interpolated(tolerance) = row.setting.method {
         let mut table = toml_edit::Table::new();
         table.insert("tol", value(format!("{tolerance:e}")));
-        luffing.insert("table", toml_edit::Item::Table(table));
+        mechanism.insert("table", toml_edit::Item::Table(table));
     } else {
-        luffing.remove("table");
+        mechanism.remove("table");
     }
     let text = document.to_string();
     Scene::parse(&text).map_err(|found| {

@@ -92,7 +92,8 @@ pub struct Motion<P = f64> {
     pub stops: [f64; 2],
 }
 
-/// How far beyond the greatest hold the moment must be before the bar breaks loose: rounding alone must not.
+/// How far beyond the greatest hold the moment must be before the bar breaks loose, and how far beyond the rope's
+/// end a slack load before it is caught: rounding alone must do neither.
 pub(crate) const LOOSE: f64 = 1.0 + 1e-12;
 /// Changes at one instant.
 pub(crate) const MOST_CHANGES: u32 = 16;
@@ -217,7 +218,7 @@ impl<C: Coordinate<C>> Motion<C> {
     }
 
     /// Numbers whose fall below zero ends a smooth piece: the bar comes to rest or (two) breaks
-    /// loose; it meets its lower or upper stop; the rope becomes slack or taut.
+    /// loose; it meets its lower or upper stop; the rope becomes slack or taut. After an event all are above zero.
     #[must_use]
     pub fn indicators(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; INDICATORS]> {
         let r = C::reduced(&self.dynamics, y[0])?;
@@ -234,9 +235,9 @@ impl<C: Coordinate<C>> Motion<C> {
         let rope = match self.dynamics.bodies().pendulum {
             None => none,
             Some(_) if state.taut => self.tension(state, &r, y, commands),
-            Some(_) => y[4] - y[5],
+            Some(_) => y[4] * C::constant(LOOSE) - y[5],
         };
-        Some([rest, loose, low, high, rope])
+        Some([rest, loose, low, high, rope].map(above_zero))
     }
 }
 
@@ -247,7 +248,11 @@ impl Motion {
     /// # Errors
     /// The linkage does not close.
     pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
-        let mut changed = false;
+        let first = *state;
+        if state.y[1] == 0.0 {
+            // At rest it is decided again which way it goes, as the commands may have changed.
+            state.bar = Bar::Held;
+        }
         for _ in 0..MOST_CHANGES {
             let before = *state;
             let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
@@ -264,9 +269,8 @@ impl Motion {
             if *state == before {
                 break;
             }
-            changed = true;
         }
-        Ok(changed)
+        Ok(*state != first)
     }
 
     /// A bar that has reached a stop, or turned round, is at rest.
@@ -276,9 +280,9 @@ impl Motion {
         let at_stop = (theta >= high && omega > 0.0) || (theta <= low && omega < 0.0);
         let turned = match state.bar {
             Bar::Held => omega != 0.0,
-            // At rest it is decided again which way it goes, as the commands may have changed.
-            Bar::Forward => omega <= 0.0,
-            Bar::Backward => omega >= 0.0,
+            // A bar that breaks loose is at rest: whether the rope lets go is decided as it moves.
+            Bar::Forward => omega < 0.0,
+            Bar::Backward => omega > 0.0,
         };
         if at_stop {
             let (out, along) = directions(state.y[2]);
@@ -388,6 +392,13 @@ impl Pieces<STATES, State> for Commanded<'_> {
 /// A greatest moment without end as the greatest number: an indicator must be finite.
 pub(crate) fn capped<C: Calc>(x: C) -> C {
     if x.value() > f64::MAX { C::constant(f64::MAX) } else { x }
+}
+
+/// An indicator that an event leaves at zero, such as the rate of a bar that breaks loose, begins just above it: an
+/// importer that looks at signs sees the next crossing, even where it follows within one of its steps. Every other
+/// number keeps its bits.
+pub(crate) fn above_zero<C: Calc>(z: C) -> C {
+    z + C::constant(f64::MIN_POSITIVE)
 }
 
 /// From the head to the load, and where it swings to, at an angle of the rope.

@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Reduced};
 use crate::lemniscate::hanging::{Accelerations, Free, Load, Rope, squared, turned};
-use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, capped};
+use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, above_zero, capped};
 use crate::lemniscate::moving::symbols as s;
 use crate::solver::pieces::{self, Pieces};
 use crate::solver::{Count, Halt};
@@ -215,7 +215,7 @@ impl<C: Coordinate<C>> Slewing<C> {
     }
 
     /// Numbers whose fall below zero ends a smooth piece: luffing comes to rest or (two) breaks loose, meets
-    /// its lower or upper stop; the same for slewing; the rope becomes slack or taut.
+    /// its lower or upper stop; the same for slewing; the rope becomes slack or taut. After an event all are above zero.
     #[must_use]
     pub fn indicators(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; INDICATORS]> {
         let r = C::reduced(&self.dynamics, y[0])?;
@@ -244,10 +244,10 @@ impl<C: Coordinate<C>> Slewing<C> {
             out[8] = if state.taut {
                 self.accelerations(state, &r, y, commands).rope
             } else {
-                y[10] - distance(y)
+                y[10] * C::constant(LOOSE) - distance(y)
             };
         }
-        Some(out)
+        Some(out.map(above_zero))
     }
 }
 
@@ -257,7 +257,13 @@ impl Slewing {
     /// # Errors
     /// The linkage does not close.
     pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
-        let mut changed = false;
+        let first = *state;
+        for i in 0..2 {
+            if state.y[2 * i + 1] == 0.0 {
+                // At rest it is decided again which way it goes, as the commands may have changed.
+                state.joints[i] = Bar::Held;
+            }
+        }
         for _ in 0..MOST_CHANGES {
             let before = *state;
             let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
@@ -278,9 +284,8 @@ impl Slewing {
             if *state == before {
                 break;
             }
-            changed = true;
         }
-        Ok(changed)
+        Ok(*state != first)
     }
 
     /// A joint that has reached a stop, or turned round, is at rest.
@@ -290,9 +295,9 @@ impl Slewing {
         let at_stop = (at >= high && rate > 0.0) || (at <= low && rate < 0.0);
         let turned = match state.joints[i] {
             Bar::Held => rate != 0.0,
-            // At rest it is decided again which way it goes, as the commands may have changed.
-            Bar::Forward => rate <= 0.0,
-            Bar::Backward => rate >= 0.0,
+            // A joint that breaks loose is at rest: whether the rope lets go is decided as it moves.
+            Bar::Forward => rate < 0.0,
+            Bar::Backward => rate > 0.0,
         };
         if state.joints[i] == Bar::Held && turned && !at_stop {
             // Set in motion from outside.

@@ -111,7 +111,7 @@ pub static KEYS: &[Key] = &[
         name: "fidelity",
         kind: Kind::Choice(FIDELITIES),
         required: false,
-        text: "How deep the steering is modelled: groups that stand as commanded (kinematic), or that are turned by their cylinders under the PLC (hydraulic); without it kinematic.",
+        text: "How deep the steering is modelled: groups that stand as commanded (kinematic), or that are turned by their cylinders under the PLC (hydraulic), or as deep as the scene's accuracy needs (auto); without it kinematic.",
     },
     Key::table(TABLES[0].0, TABLES[0].1, TABLES[0].2).optional(),
     Key::table(TABLES[1].0, TABLES[1].1, TABLES[1].2).optional(),
@@ -299,8 +299,10 @@ pub struct Steering {
     /// Modes between which the book draws the change.
     pub drawn: [Option<Mode>; 2],
     pub catalogue: Option<Catalogue>,
-    /// With `fidelity = "hydraulic"`.
+    /// With `fidelity = "hydraulic"`; with `auto` where the scene's tables allow it.
     pub moving: Option<Moving>,
+    /// Whether the level is left to the accuracy that the scene asks for.
+    pub auto: bool,
 }
 
 impl Steering {
@@ -586,6 +588,7 @@ impl Steering {
             drawn,
             catalogue,
             moving,
+            auto: v.text("fidelity") == Some("auto"),
         })
     }
 }

@@ -90,8 +90,9 @@ pub fn advance(model: &mut Model, method: Method, from: f64, to: f64) -> Result<
     )))
 }
 
+/// As the standard says it: an indicator that was above zero is not any more, or the other way round.
 fn crossed(before: &[f64], after: &[f64]) -> bool {
-    before.iter().zip(after).any(|(a, b)| (*a >= 0.0) != (*b >= 0.0))
+    before.iter().zip(after).any(|(a, b)| (*a > 0.0) != (*b > 0.0))
 }
 
 /// A smooth piece of `h` s, on states over their nominals.

@@ -7,7 +7,7 @@ use crate::steering::moving::symbols as s;
 use crate::symbol::{Symbol, quantities};
 
 /// How deep the steering is modelled.
-pub const FIDELITIES: &[&str] = &["kinematic", "hydraulic"];
+pub const FIDELITIES: &[&str] = &["kinematic", "hydraulic", "auto"];
 
 /// The tables of the groups in motion, each with what it says.
 pub const TABLES: [(&str, &[Key], &str); 3] = [
@@ -120,7 +120,11 @@ impl Moving {
     /// A quantity that is out of its range.
     pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Result<Option<Moving>, Refusal> {
         let names = TABLES.map(|(name, ..)| name);
-        if v.text("fidelity") != Some("hydraulic") {
+        let fidelity = v.text("fidelity").unwrap_or(FIDELITIES[0]);
+        if fidelity == "auto" && !names.iter().any(|name| v.has(name)) {
+            return Ok(None);
+        }
+        if !matches!(fidelity, "hydraulic" | "auto") {
             // A fidelity that cannot be read is not one that is missing.
             let unused = names.into_iter().filter(|name| found.is_empty() && v.has(name));
             for name in unused.collect::<Vec<_>>() {
@@ -141,7 +145,7 @@ impl Moving {
                 found.push(
                     Diagnostic::new(
                         v.place("fidelity"),
-                        format!("fidelity = \"hydraulic\" without [steering.{name}]"),
+                        format!("fidelity = \"{fidelity}\" without [steering.{name}]"),
                         format!("needs [steering.{name}]"),
                     )
                     .help(format!("add [steering.{name}]; `lemnis schema` lists its keys")),
