@@ -584,7 +584,7 @@ impl Instance {
             let of = |&(&known, _): &(&u32, &f64)| self.known(known).is_ok_and(|known| known == quantity);
             knowns.iter().zip(seed).filter(of).map(|(_, rate)| rate).sum()
         };
-        let mut tangent = self.model.tangent(rate);
+        let mut tangent = self.model.tangent(&rate);
         let given = sensitivity.len();
         let mut rest = sensitivity.iter_mut();
         for &unknown in unknowns {
@@ -609,7 +609,7 @@ impl Instance {
         expect_length(sensitivity.len(), knowns.len())?;
         for (&known, sensitivity) in knowns.iter().zip(sensitivity) {
             let known = self.known(known)?;
-            let mut tangent = self.model.tangent(|quantity| f64::from(quantity == known));
+            let mut tangent = self.model.tangent(&|quantity| f64::from(quantity == known));
             let mut weights = seed.iter();
             *sensitivity = 0.0;
             for &unknown in unknowns {
@@ -714,7 +714,8 @@ impl Instance {
         }
         let at = self.find(handle)?;
         let saved = &mut self.saved[at].1;
-        (saved.now, saved.model) = (self.now, self.model.state());
+        saved.now = self.now;
+        self.model.state_into(&mut saved.model);
         saved.held.clone_from(&self.held);
         Ok(handle)
     }

@@ -26,6 +26,7 @@ pub mod package;
 use lemnis_models::model::Fault;
 
 /// Shorthand for leaving a function with a message.
+#[cold]
 fn refuse<T>(message: impl Into<String>) -> Result<T, Fault> {
     Err(Fault::new(message))
 }

@@ -17,6 +17,7 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     #[must_use]
+    #[cold]
     pub fn new(span: Range<usize>, message: impl Into<String>, label: impl Into<String>) -> Diagnostic {
         Diagnostic {
             message: message.into(),
@@ -27,6 +28,7 @@ impl Diagnostic {
     }
 
     #[must_use]
+    #[cold]
     pub fn help(mut self, text: impl Into<String>) -> Diagnostic {
         self.help = Some(text.into());
         self

@@ -127,6 +127,7 @@ pub struct Fault {
 
 impl Fault {
     /// Something that cannot be done.
+    #[cold]
     pub fn new(message: impl Into<String>) -> Fault {
         Fault {
             message: message.into(),
@@ -135,6 +136,7 @@ impl Fault {
     }
 
     /// A value or a configuration that does not exist.
+    #[cold]
     pub fn outside(message: impl Into<String>) -> Fault {
         Fault {
             message: message.into(),
@@ -453,6 +455,15 @@ impl Model {
         }
     }
 
+    /// As [`state`](Model::state), into a state that exists.
+    pub fn state_into(&self, state: &mut State) {
+        match (self, state) {
+            (Model::Luffing(model), State::Luffing(state)) => *state = *model.state(),
+            (Model::Moving(model), State::Moving(state)) => *state = model.state(),
+            (_, state) => *state = self.state(),
+        }
+    }
+
     /// Takes back what [`state`](Model::state) gave, of this model or of one of the same scene.
     ///
     /// # Panics
@@ -498,7 +509,7 @@ impl Model {
     /// The model with derivatives along a direction: `seed` is the rate of change
     /// of each input, parameter and continuous state, in SI, and of [`TIME`].
     #[must_use]
-    pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
+    pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
         match self {
             Model::Luffing(model) => Tangent::Luffing(model.tangent(seed)),
             Model::Moving(model) => Tangent::Moving(model.tangent(seed)),

@@ -1,7 +1,6 @@
 //! What a scene may say, as data: the one place behind reading, checking and
 //! the JSON Schema for editors.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 use serde_json::{Map, Value as Json, json};
@@ -140,16 +139,24 @@ pub enum Value {
 /// A checked table: every value with its place.
 #[derive(Clone, Debug, Default)]
 pub struct Values {
-    entries: BTreeMap<&'static str, (Value, Range<usize>)>,
+    /// In the order of their names.
+    entries: Vec<(&'static str, Value, Range<usize>)>,
     /// Place of the table itself.
     pub span: Range<usize>,
 }
 
 impl Values {
+    /// Not inlined: scenes ask for hundreds of keys.
+    #[inline(never)]
+    fn entry(&self, name: &str) -> Option<(&Value, &Range<usize>)> {
+        let found = self.entries.iter().find(|(known, ..)| *known == name);
+        found.map(|(_, value, place)| (value, place))
+    }
+
     /// In SI; `None` where the scene does not give it.
     #[must_use]
     pub fn number(&self, name: &str) -> Option<f64> {
-        match self.entries.get(name) {
+        match self.entry(name) {
             Some((Value::Number(number, _), _)) => Some(*number),
             _ => None,
         }
@@ -157,7 +164,7 @@ impl Values {
 
     #[must_use]
     pub fn text(&self, name: &str) -> Option<&str> {
-        match self.entries.get(name) {
+        match self.entry(name) {
             Some((Value::Text(text), _)) => Some(text),
             _ => None,
         }
@@ -165,7 +172,7 @@ impl Values {
 
     #[must_use]
     pub fn table(&self, name: &str) -> Option<&Values> {
-        match self.entries.get(name) {
+        match self.entry(name) {
             Some((Value::Table(table), _)) => Some(table),
             _ => None,
         }
@@ -174,7 +181,7 @@ impl Values {
     /// The texts of a list with their places; empty where the scene gives none.
     #[must_use]
     pub fn texts(&self, name: &str) -> &[(String, Range<usize>)] {
-        match self.entries.get(name) {
+        match self.entry(name) {
             Some((Value::Texts(texts), _)) => texts,
             _ => &[],
         }
@@ -183,7 +190,7 @@ impl Values {
     /// The tables of a list; empty where the scene gives none.
     #[must_use]
     pub fn tables(&self, name: &str) -> &[Values] {
-        match self.entries.get(name) {
+        match self.entry(name) {
             Some((Value::Tables(tables), _)) => tables,
             _ => &[],
         }
@@ -192,7 +199,7 @@ impl Values {
     /// The quantities of a list with their places; empty where the scene gives none.
     #[must_use]
     pub fn numbers(&self, name: &str) -> &[(f64, Range<usize>)] {
-        match self.entries.get(name) {
+        match self.entry(name) {
             Some((Value::Numbers(numbers), _)) => numbers,
             _ => &[],
         }
@@ -200,7 +207,7 @@ impl Values {
 
     #[must_use]
     pub fn count(&self, name: &str) -> Option<u64> {
-        match self.entries.get(name) {
+        match self.entry(name) {
             Some((Value::Count(count), _)) => Some(*count),
             _ => None,
         }
@@ -209,7 +216,7 @@ impl Values {
     /// Names and texts of a table of named quantities; empty where the scene gives none.
     #[must_use]
     pub fn named(&self, name: &str) -> &[(String, String, Range<usize>)] {
-        match self.entries.get(name) {
+        match self.entry(name) {
             Some((Value::Named(named), _)) => named,
             _ => &[],
         }
@@ -219,7 +226,7 @@ impl Values {
     /// top of the scene, its place, and where it comes from by its own note or
     /// by the `source` of its table.
     pub fn quantities(&self, path: &str, found: &mut Vec<(String, Range<usize>, Option<String>)>) {
-        for (name, (value, place)) in &self.entries {
+        for (name, value, place) in &self.entries {
             let key = if path.is_empty() {
                 (*name).to_owned()
             } else {
@@ -245,14 +252,13 @@ impl Values {
     /// Whether the scene gives a sound value for a key.
     #[must_use]
     pub fn has(&self, name: &str) -> bool {
-        self.entries.contains_key(name)
+        self.entry(name).is_some()
     }
 
     /// Place of a key's value; of the table where the key is absent.
     #[must_use]
     pub fn place(&self, name: &str) -> Range<usize> {
-        self.entries
-            .get(name)
+        self.entry(name)
             .map_or_else(|| self.span.clone(), |(_, span)| span.clone())
     }
 }
@@ -270,7 +276,7 @@ pub fn check(
     } else {
         format!("in [{path}]")
     };
-    let mut entries = BTreeMap::new();
+    let mut entries: Vec<(&'static str, Value, Range<usize>)> = Vec::new();
     for (name, value) in table {
         let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
             found.push(unknown(name, &place, keys));
@@ -282,7 +288,8 @@ pub fn check(
             format!("{path}.{}", key.name)
         };
         if let Some(checked) = check_value(value, &full, key, found) {
-            entries.insert(key.name, (checked, value.span()));
+            let at = entries.partition_point(|(before, ..)| *before < key.name);
+            entries.insert(at, (key.name, checked, value.span()));
         }
     }
     for key in keys.iter().filter(|key| key.required) {

@@ -86,7 +86,7 @@ macro_rules! quantities {
             }
 
             /// The same quantities over another scalar.
-            pub fn map<D>(&self, f: &mut impl FnMut(&'static $crate::symbol::Symbol, C) -> D) -> $name<D> {
+            pub fn map<D>(&self, f: &mut dyn FnMut(&'static $crate::symbol::Symbol, C) -> D) -> $name<D> {
                 $name { $($field: f(&s::$symbol, self.$field)),* }
             }
         }

@@ -69,7 +69,7 @@ fn published_levers_of_004() {
         for _ in 0..1000 {
             let mut off = |half: f64| half * (2.0 * random.f64() - 1.0);
             // Half of the last printed digit of the boom's own data.
-            let boom = scene.map(|symbol, value| {
+            let boom = scene.map(&mut |symbol, value| {
                 value
                     + match symbol.id {
                         "X_1" | "X_2" | "X_3" | "s_2" => off(0.05),
@@ -542,7 +542,7 @@ fn dimensions_are_consistent() {
     let (trace, values) = record(|| {
         let given = &mut Rec::given;
         let phi = Rec::given(&symbols::PHI, rad(60.0));
-        let system = Boom::system(&p.map(Rec::given)).expect("exists");
+        let system = Boom::system(&p.map(&mut Rec::given)).expect("exists");
         let plain = Plain {
             g_b: 12e4,
             r_b: 14.0,

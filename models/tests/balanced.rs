@@ -208,7 +208,7 @@ fn derivatives_of_every_result() {
         for (known, variable) in variables.iter().enumerate().filter(|(_, v)| settable(v.role)) {
             let middle = model.get(known).expect("a value");
             let step = 1e-5 * middle.abs().max(1.0);
-            let mut tangent = model.tangent(|other| f64::from(other.0 == variable.symbol));
+            let mut tangent = model.tangent(&|other| f64::from(other.0 == variable.symbol));
             for (output, result) in variables.iter().enumerate() {
                 if !lemnis_models::balance::symbols::ALL.contains(&result.symbol) || settable(result.role) {
                     continue;

@@ -52,7 +52,7 @@ fn derivatives_are_exact() {
         let at = model.get(known).expect("a value");
         let value = model.get(output).expect("a value");
         let quantity = model.variables()[known].quantity();
-        let mut tangent = model.tangent(|other| f64::from(other == quantity));
+        let mut tangent = model.tangent(&|other| f64::from(other == quantity));
         let derivative = model.derivative(&mut tangent, output).expect("smooth here");
         let size = row.derivative.abs().max((row.value / at.abs().max(0.1)).abs());
         assert!(
@@ -122,7 +122,7 @@ fn derivatives_of_the_range() {
         for known in ["X_1", "X_2", "X_3", "X_4", "X_5", "X_6", "X_7", "X_8"] {
             let (output, known) = (index(&model, output), index(&model, known));
             let symbol = model.variables()[known].symbol;
-            let mut tangent = model.tangent(|other| f64::from(other == (symbol, None)));
+            let mut tangent = model.tangent(&|other| f64::from(other == (symbol, None)));
             let derivative = model.derivative(&mut tangent, output).expect("smooth");
             let middle = model.get(known).expect("a value");
             let step = 1e-6;
@@ -149,14 +149,14 @@ fn derivatives_by_time() {
     let mut model = model();
     model.set_time(20.0);
     let reach = index(&model, "R");
-    let mut by_time = model.tangent(|quantity| f64::from(quantity == (&TIME, None)));
+    let mut by_time = model.tangent(&|quantity| f64::from(quantity == (&TIME, None)));
     let swept = model.derivative(&mut by_time, reach).expect("smooth");
     let (theta, omega) = (model.get(0).expect("a value"), model.get(1).expect("a value"));
     model.set(0, theta).expect("reachable");
     let angle = model.variables()[0].quantity();
-    let mut by_angle = model.tangent(|other| f64::from(other == angle));
+    let mut by_angle = model.tangent(&|other| f64::from(other == angle));
     let slope = model.derivative(&mut by_angle, reach).expect("smooth");
     assert!((swept - omega * slope).abs() <= 1e-15 * swept.abs().max(1.0));
-    let mut by_time = model.tangent(|quantity| f64::from(quantity == (&TIME, None)));
+    let mut by_time = model.tangent(&|quantity| f64::from(quantity == (&TIME, None)));
     assert_eq!(model.derivative(&mut by_time, reach).expect("smooth"), 0.0);
 }

@@ -30,7 +30,7 @@ fn result(luffing: &Luffing, symbol: &'static Symbol) -> f64 {
 fn moved(luffing: &Luffing, symbol: &'static Symbol, by: f64) -> Luffing {
     let change = |known: &'static Symbol, value| if known == symbol { value + by } else { value };
     Luffing {
-        parameters: luffing.parameters.map(change),
+        parameters: luffing.parameters.map(&mut change.clone()),
         q: luffing.q.map(|q| change(&s::Q, q)),
         ..luffing.clone()
     }

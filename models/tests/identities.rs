@@ -80,7 +80,7 @@ fn mechanisms() -> impl Strategy<Value = (Parameters<f64>, f64)> {
 
 /// A pose over dual numbers: derivatives by the coordinate.
 fn dual(parameters: &Parameters<f64>, theta: f64) -> (Geometry<Dual64>, Position<Dual64>) {
-    let g = Geometry::new(&parameters.map(|_, x| Dual64::from_re(x))).expect("exists over f64");
+    let g = Geometry::new(&parameters.map(&mut |_, x| Dual64::from_re(x))).expect("exists over f64");
     let p = Position::new(&g, Dual64::new(theta, 1.0)).expect("closes over f64");
     (g, p)
 }

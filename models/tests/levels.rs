@@ -33,7 +33,7 @@ fn no_level_allocates_while_it_runs() {
             model.get_states(&mut states);
             model.event_indicators(&mut indicators).expect("closes");
             model.rates(&mut states).expect("closes");
-            let mut tangent = model.tangent(|quantity| f64::from(quantity.0.id == "theta_1"));
+            let mut tangent = model.tangent(&|quantity| f64::from(quantity.0.id == "theta_1"));
             for index in 0..model.variables().len() {
                 let _ = model.get(index);
                 if matches!(model.variables()[index].role, Role::Rate | Role::Output) {

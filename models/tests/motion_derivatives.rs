@@ -135,7 +135,7 @@ fn derivatives_are_exact() {
             if !known(variable.role) {
                 continue;
             }
-            let mut tangent = model.tangent(|other| f64::from(other == variable.quantity()));
+            let mut tangent = model.tangent(&|other| f64::from(other == variable.quantity()));
             let at = model
                 .get(index(&model, variable.symbol.id).expect("exists"))
                 .expect("a value");
@@ -225,7 +225,7 @@ fn results_of_the_position_are_those_of_the_static_level() {
     for known in ["theta_1", "omega_1", "Q", "X_2", "G_1", "E_x"] {
         let derivative = |model: &Model, output: &str| {
             let known = model.variables()[index(model, known)].quantity();
-            let mut tangent = model.tangent(|other| f64::from(other == known));
+            let mut tangent = model.tangent(&|other| f64::from(other == known));
             model.derivative(&mut tangent, index(model, output))
         };
         for output in ["A.x", "V_AX", "M_D", "F_B.y", "F_d", "R_max"] {

@@ -545,7 +545,7 @@ fn derivatives_are_those_of_differences() {
                 continue;
             }
             let quantity = model.variables()[known].quantity();
-            let mut tangent = model.tangent(|other| f64::from(other == quantity));
+            let mut tangent = model.tangent(&|other| f64::from(other == quantity));
             let exact: Vec<f64> = (unknowns.iter())
                 .map(|&i| model.derivative(&mut tangent, i).expect("a derivative"))
                 .collect();

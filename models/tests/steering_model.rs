@@ -129,7 +129,7 @@ fn derivatives_agree_with_differences() {
                 }
                 let middle = at.get(known).expect("a value");
                 let step = 1e-4 * middle.abs().max(0.1);
-                let mut tangent = at.tangent(|other| f64::from(other == variable.quantity()));
+                let mut tangent = at.tangent(&|other| f64::from(other == variable.quantity()));
                 let values: Option<Vec<Vec<f64>>> = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0]
                     .into_iter()
                     .map(|n| {
@@ -185,7 +185,7 @@ fn the_default_experiment() {
         let reachable = index(&model, "reachable");
         assert_eq!(model.get(reachable), Ok(1.0));
     }
-    let by_time = model.tangent(|quantity| f64::from(quantity == (&TIME, None)));
+    let by_time = model.tangent(&|quantity| f64::from(quantity == (&TIME, None)));
     drop(by_time);
     model.set(theta, 0.2).expect("allowed");
     model.set_time(20.0);

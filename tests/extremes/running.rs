@@ -140,7 +140,7 @@ pub struct Row {
 pub fn rows() -> [Row; 4] {
     let slope = |model: &Model, rate: &str, state: &str| {
         let known = model.variables()[index(model, state)].quantity();
-        let mut tangent = model.tangent(|other| f64::from(other == known));
+        let mut tangent = model.tangent(&|other| f64::from(other == known));
         -model.derivative(&mut tangent, index(model, rate)).expect("smooth")
     };
     [

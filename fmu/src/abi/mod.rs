@@ -67,24 +67,35 @@ unsafe fn guard(
         return STATUS_ERROR;
     };
     if instance.state() & allowed == 0 {
-        let reason = match allowed {
-            NEVER => "the FMU does not have this capability".to_owned(),
-            _ => format!("not allowed in the state {:?}", instance.state_name()),
-        };
-        return report(instance, log, name, STATUS_ERROR, &reason);
+        return untimely(instance, log, name, allowed);
     }
     match catch_unwind(AssertUnwindSafe(|| call(instance))) {
         Ok(Ok(())) => STATUS_OK,
-        Ok(Err(Fault { message, outside })) => {
-            let discard = outside && discards(name) & instance.state() != 0;
-            let status = if discard { STATUS_DISCARD } else { STATUS_ERROR };
-            report(instance, log, name, status, &message)
-        }
-        Err(panic) => {
-            let status = report(instance, log, name, STATUS_FATAL, &panic_message(panic.as_ref()));
-            instance.enter(FATAL).map_or(STATUS_ERROR, |()| status)
-        }
+        Ok(Err(fault)) => refused(instance, log, name, discards, &fault),
+        Err(panic) => panicked(instance, log, name, panic.as_ref()),
     }
+}
+
+#[cold]
+fn untimely(instance: &Instance, log: &Log, name: &str, allowed: States) -> Status {
+    let reason = match allowed {
+        NEVER => "the FMU does not have this capability".to_owned(),
+        _ => format!("not allowed in the state {:?}", instance.state_name()),
+    };
+    report(instance, log, name, STATUS_ERROR, &reason)
+}
+
+#[cold]
+fn refused(instance: &Instance, log: &Log, name: &str, discards: fn(&str) -> States, fault: &Fault) -> Status {
+    let discard = fault.outside && discards(name) & instance.state() != 0;
+    let status = if discard { STATUS_DISCARD } else { STATUS_ERROR };
+    report(instance, log, name, status, &fault.message)
+}
+
+#[cold]
+fn panicked(instance: &mut Instance, log: &Log, name: &str, panic: &(dyn Any + Send)) -> Status {
+    let status = report(instance, log, name, STATUS_FATAL, &panic_message(panic));
+    instance.enter(FATAL).map_or(STATUS_ERROR, |()| status)
 }
 
 /// Index of a status in [`CATEGORIES`].

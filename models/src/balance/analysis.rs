@@ -140,15 +140,15 @@ impl Analysis {
                 }
             }
         }
-        Analysis::over(range, |phi| Residual::new(boom, balance, phi))
+        Analysis::over(range, &|phi| Residual::new(boom, balance, phi))
     }
 
     /// Over any coordinate that turns the boom one way, `range` in rad.
     ///
     /// # Errors
     /// Those of `at`; a boom that turns back, a moment that is not finite.
-    pub fn over(range: [f64; 2], at: impl Fn(f64) -> Result<Residual<f64>, Fault>) -> Result<Analysis, Fault> {
-        let grid = Sampled::new(range, &at)?;
+    pub fn over(range: [f64; 2], at: &dyn Fn(f64) -> Result<Residual<f64>, Fault>) -> Result<Analysis, Fault> {
+        let grid = Sampled::new(range, at)?;
         let first = grid.samples[0].phi;
         let upward = grid.samples[GRID as usize].phi > first;
         if let Some(pair) = grid
@@ -177,10 +177,10 @@ impl Analysis {
                 at: zero(
                     [grid.angle(i), grid.angle(i + 1)],
                     ratio(&grid.samples[i]) > 0.0,
-                    |theta| at(theta).map(|r| ratio(&r)),
+                    &|theta| at(theta).map(|r| ratio(&r)),
                 )?,
             }),
-            None => grid.greatest_of(|r| r.dm_5.map(f64::abs))?,
+            None => grid.greatest_of(&|r| r.dm_5.map(f64::abs))?,
         };
         // The integral of the residual is the fall of the potential energy, and
         // its zeros split the range.
@@ -202,7 +202,7 @@ impl Analysis {
             if a.abs().max(b.abs()) <= 1e-10 * scale || (a > 0.0) == (b > 0.0) {
                 continue;
             }
-            let theta = zero([grid.angle(i), grid.angle(i + 1)], a > 0.0, dm)?;
+            let theta = zero([grid.angle(i), grid.angle(i + 1)], a > 0.0, &dm)?;
             let there = at(theta)?;
             equilibria.push(Equilibrium {
                 at: theta,
@@ -212,17 +212,17 @@ impl Analysis {
             gain(energy(&there), &mut last);
         }
         gain(energy(grid.samples.last().expect("samples")), &mut last);
-        let highest = grid.greatest_of(|r| r.action.y_5)?;
-        let lowest = grid.greatest_of(|r| r.action.y_5.map(|y| -y))?;
+        let highest = grid.greatest_of(&|r| r.action.y_5)?;
+        let lowest = grid.greatest_of(&|r| r.action.y_5.map(|y| -y))?;
         let turned = |e: Extreme| Extreme { value: -e.value, ..e };
-        let gamma = grid.greatest_of(|r| r.action.lever.map(|turn| -turn.gamma))?;
+        let gamma = grid.greatest_of(&|r| r.action.lever.map(|turn| -turn.gamma))?;
         Ok(Analysis {
             dm_max,
             dm_5_max,
             e_abs,
             e_plus,
             gamma_min: gamma.map(turned),
-            n_max: grid.greatest_of(|r| r.action.n_1.map(f64::abs))?,
+            n_max: grid.greatest_of(&|r| r.action.n_1.map(f64::abs))?,
             y_5: lowest.map(turned).zip(highest).map(|(low, high)| [low, high]),
             equilibria,
             ends: {
@@ -258,14 +258,14 @@ impl Analysis {
 }
 
 /// The range on a grid, and the function behind it.
-struct Sampled<F> {
+struct Sampled<'a> {
     range: [f64; 2],
     samples: Vec<Residual<f64>>,
-    at: F,
+    at: &'a dyn Fn(f64) -> Result<Residual<f64>, Fault>,
 }
 
-impl<F: Fn(f64) -> Result<Residual<f64>, Fault>> Sampled<F> {
-    fn new(range: [f64; 2], at: F) -> Result<Sampled<F>, Fault> {
+impl<'a> Sampled<'a> {
+    fn new(range: [f64; 2], at: &'a dyn Fn(f64) -> Result<Residual<f64>, Fault>) -> Result<Sampled<'a>, Fault> {
         let mut grid = Sampled {
             range,
             samples: Vec::new(),
@@ -297,14 +297,14 @@ impl<F: Fn(f64) -> Result<Residual<f64>, Fault>> Sampled<F> {
         }
     }
 
-    fn greatest(&self, pick: impl Fn(&Residual<f64>) -> f64) -> Result<Option<Extreme>, Fault> {
-        self.greatest_of(|r| Some(pick(r)))
+    fn greatest(&self, pick: fn(&Residual<f64>) -> f64) -> Result<Option<Extreme>, Fault> {
+        self.greatest_of(&|r| Some(pick(r)))
     }
 
     /// The greatest value: every peak of the grid is refined, for the best
     /// balances have several of nearly the same height.
-    fn greatest_of(&self, pick: impl Fn(&Residual<f64>) -> Option<f64>) -> Result<Option<Extreme>, Fault> {
-        let Some(values) = self.samples.iter().map(&pick).collect::<Option<Vec<f64>>>() else {
+    fn greatest_of(&self, pick: &dyn Fn(&Residual<f64>) -> Option<f64>) -> Result<Option<Extreme>, Fault> {
+        let Some(values) = self.samples.iter().map(pick).collect::<Option<Vec<f64>>>() else {
             return Ok(None);
         };
         let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -351,7 +351,7 @@ impl<F: Fn(f64) -> Result<Residual<f64>, Fault>> Sampled<F> {
 }
 
 /// The zero between two angles by bisection down to neighbouring numbers.
-fn zero(mut ends: [f64; 2], falling: bool, f: impl Fn(f64) -> Result<f64, Fault>) -> Result<f64, Fault> {
+fn zero(mut ends: [f64; 2], falling: bool, f: &dyn Fn(f64) -> Result<f64, Fault>) -> Result<f64, Fault> {
     loop {
         let middle = f64::midpoint(ends[0], ends[1]);
         if middle <= ends[0] || middle >= ends[1] {

@@ -73,7 +73,7 @@ impl<C: Calc> Boom<C> {
     pub fn system(p: &Parameters<C>) -> Result<Boom<C>, Fault> {
         let lengths = p.lengths;
         let fault = |misfit| {
-            let values = p.map(|_, value| value.value());
+            let values = p.values();
             let words = values.describe(misfit);
             let (symbol, value) = match misfit {
                 Misfit::Jib => (&l::X_2, lengths.x_2.value()),

@@ -22,6 +22,17 @@ pub struct CurvedRail<C> {
     u_0: C,
 }
 
+impl<C: Copy> CurvedRail<C> {
+    /// The same balance over another scalar.
+    #[must_use]
+    pub fn map<D>(&self, f: fn(C) -> D) -> CurvedRail<D> {
+        CurvedRail {
+            dimensions: self.dimensions.map(&mut |_, value| f(value)),
+            u_0: f(self.u_0),
+        }
+    }
+}
+
 impl<C: Calc> CurvedRail<C> {
     /// # Errors
     /// A weight or a length that is not positive, or a boom that does not close at the reference angle.

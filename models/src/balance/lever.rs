@@ -1,9 +1,11 @@
 //! Four-bar lever counterweight: boom O–K, coupling rod K–L, lever M–L with the
 //! counterweight on its other arm.
 
+use nalgebra::Scalar;
+
 use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, Turn, check, symbols as s};
 use crate::calc::Calc;
-use crate::four_bar::{Branch, Closure, FourBar, Names};
+use crate::four_bar::{Arc, Branch, Closure, FourBar, Names};
 use crate::plane::{self, Point};
 use crate::symbol::quantities;
 
@@ -22,6 +24,20 @@ pub struct Lever<C> {
     pub branch: Branch,
     pivot: Point<C>,
     linkage: FourBar<C>,
+}
+
+impl<C: Copy + Scalar> Lever<C> {
+    /// The same lever over another scalar.
+    #[must_use]
+    pub fn map<D: Scalar>(&self, f: fn(C) -> D) -> Lever<D> {
+        Lever {
+            dimensions: self.dimensions.map(&mut |_, value| f(value)),
+            s_5: self.s_5.map(f),
+            branch: self.branch,
+            pivot: self.pivot.map(f),
+            linkage: self.linkage.map(f),
+        }
+    }
 }
 
 impl<C: Calc> Lever<C> {
@@ -79,16 +95,15 @@ impl<C: Calc> Lever<C> {
         }
         let alpha = self.dimensions.alpha_1.value();
         // Whole turns bring an arc to where phi is.
-        let arcs = self.linkage.arcs().into_iter().map(|arc| {
+        let near = |arc: &Arc| {
             let turns = ((phi + alpha - f64::midpoint(arc.from, arc.to)) / std::f64::consts::TAU).round();
             let shift = turns * std::f64::consts::TAU - alpha;
             [arc.from + shift, arc.to + shift]
-        });
-        let arcs: Vec<[f64; 2]> = arcs.collect();
-        *arcs
-            .iter()
-            .find(|arc| (arc[0]..=arc[1]).contains(&phi))
-            .unwrap_or(&arcs[0])
+        };
+        let arcs = self.linkage.arcs();
+        let mut all = arcs.iter().map(near);
+        all.find(|arc| (arc[0]..=arc[1]).contains(&phi))
+            .unwrap_or_else(|| near(&arcs[0]))
     }
 
     fn psi(&self, follower: Point<C>) -> C {

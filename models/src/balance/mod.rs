@@ -65,6 +65,7 @@ pub struct Fault {
 }
 
 impl Fault {
+    #[cold]
     pub fn new(quantity: &'static Symbol, value: f64, allowed: [f64; 2], what: impl Into<String>) -> Fault {
         Fault {
             quantity,
@@ -161,6 +162,19 @@ pub enum Balance<C> {
 }
 
 impl<C: Calc> Balance<C> {
+    /// The same balance over another scalar.
+    #[must_use]
+    pub fn map<D: Calc>(&self, f: fn(C) -> D) -> Balance<D> {
+        let of = &mut |_, value| f(value);
+        match self {
+            Balance::Tail(it) => Balance::Tail(it.map(of)),
+            Balance::Parallelogram(it) => Balance::Parallelogram(it.map(of)),
+            Balance::Lever(it) => Balance::Lever(it.map(f)),
+            Balance::StraightRail(it) => Balance::StraightRail(it.map(of)),
+            Balance::CurvedRail(it) => Balance::CurvedRail(it.map(f)),
+        }
+    }
+
     /// At boom angle `phi` (rad), with what the boom asks for there.
     ///
     /// # Errors

@@ -118,7 +118,7 @@ impl<C: Copy> Form<C> {
     }
 
     /// The same balance over another scalar.
-    pub fn map<D>(&self, f: &mut impl FnMut(&'static Symbol, C) -> D) -> Form<D> {
+    pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> Form<D> {
         match self {
             Form::Tail(it) => Form::Tail(it.map(f)),
             Form::Parallelogram(it) => Form::Parallelogram(it.map(f)),

@@ -38,7 +38,7 @@ impl<C: Calc> Balancing<C> {
             return Ok(None);
         };
         let balance = form.balance(|| Boom::system(&by_boom(p, motion))).map_err(in_scene)?;
-        let middle = middle(&p.map(|_, value| value.value()), motion);
+        let middle = middle(&p.values(), motion);
         let phi = middle.map_or(0.0, |p| f64::direction(p.x_1.x, p.x_1.y));
         let arc = match &balance {
             Balance::Lever(lever) => Some(lever.arc(phi)),
@@ -46,6 +46,15 @@ impl<C: Calc> Balancing<C> {
             _ => None,
         };
         Ok(Some(Balancing { balance, arc }))
+    }
+
+    /// The same over another scalar.
+    #[must_use]
+    pub fn map<D: Calc>(&self, f: fn(C) -> D) -> Balancing<D> {
+        Balancing {
+            balance: self.balance.map(f),
+            arc: self.arc,
+        }
     }
 
     /// At a position with `theta` (rad) of the driven bar; `m_g` is the moment of the
@@ -180,7 +189,9 @@ pub fn analysis(p: &Parameters<f64>, motion: &Motion) -> Result<Option<Analysis>
     };
     let Ok(g) = Geometry::new(p) else { return Ok(None) };
     let at = |theta: f64| residual(&balancing, &g, w, theta);
-    Analysis::over([motion.from, motion.to], at).map(Some).map_err(in_scene)
+    Analysis::over([motion.from, motion.to], &at)
+        .map(Some)
+        .map_err(in_scene)
 }
 
 /// Results of the working range over any scalar: found with `f64`, and then computed
@@ -203,7 +214,7 @@ impl<C: Calc> Criteria<C> {
     pub fn new(
         found: &Analysis,
         motion: &Motion,
-        at: impl Fn(C) -> Result<Residual<C>, Fault>,
+        at: &dyn Fn(C) -> Result<Residual<C>, Fault>,
     ) -> Result<Criteria<C>, Fault> {
         let at = |theta: f64| at(C::constant(theta));
         let ends = [motion.from, motion.to];
@@ -247,7 +258,7 @@ impl<C: Calc> Criteria<C> {
 /// counterweight's energy, the weights' moment by virtual work against their power
 /// about the instant centres.
 pub fn agreement(p: &Parameters<f64>, motion: &Motion, places: impl Iterator<Item = f64>) -> [f64; 2] {
-    let dual = p.map(|_, value| Dual64::from_re(value));
+    let dual = p.map(&mut |_, value| Dual64::from_re(value));
     let boom = Boom::system(&by_boom(p, motion)).ok();
     let (balancing, g) = (Balancing::new(&dual, motion), Geometry::new(&dual));
     let (Ok(Some(balancing)), Ok(g), Some(w), Some(boom)) = (balancing, g, &dual.weights, boom) else {
@@ -274,7 +285,7 @@ pub fn agreement(p: &Parameters<f64>, motion: &Motion, places: impl Iterator<Ite
 fn by_boom<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Parameters<C> {
     let branch = match p.driven {
         Driven::Boom => p.branch,
-        Driven::Rocker => match middle(&p.map(|_, value| value.value()), motion) {
+        Driven::Rocker => match middle(&p.values(), motion) {
             // C on the left of the line from O3 to B.
             Some(p) if plane::cross(p.x_3 - p.x_2, p.x_3) > 0.0 => Branch::Left,
             _ => Branch::Right,

@@ -165,18 +165,14 @@ struct Counterweight<T> {
 
 impl<T: Calc + DualNum> Counterweight<T> {
     fn new(p: &Parameters<T>, range: &Range, gravity: T) -> Result<Option<Self>, Fault> {
-        let over = p.map(|_, value| Dual2::from_re(value));
-        let Some((balancing, weights)) = Balancing::new(&over, range)?.zip(over.weights) else {
+        let Some((balancing, weights)) = Balancing::new(p, range)?.zip(p.weights) else {
             return Ok(None);
         };
-        let mass = balancing
-            .balance
-            .weight()
-            .map_or(T::constant(0.0), |weight| weight.re / gravity);
+        let weight = balancing.balance.weight();
         Ok(Some(Counterweight {
-            balancing,
-            weights,
-            mass,
+            balancing: balancing.map(Dual2::from_re),
+            weights: weights.map(&mut |_, value| Dual2::from_re(value)),
+            mass: weight.map_or(T::constant(0.0), |weight| weight / gravity),
         }))
     }
 }
@@ -385,7 +381,6 @@ pub trait Coordinate<P = f64>: Over<P> {
 }
 
 impl Coordinate for f64 {
-    #[inline]
     fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
         Reduced::new(d, &d.twice, theta)
     }
@@ -399,7 +394,6 @@ impl Coordinate<Dual64> for Dual64 {
 
 /// The mechanism depends on the driven angle alone, so that one more derivative by it serves all states.
 impl<const N: usize> Coordinate for Gradient<N> {
-    #[inline]
     fn reduced(d: &Dynamics, theta: Gradient<N>) -> Option<Reduced<Gradient<N>>> {
         let r = Reduced::new(d, &d.thrice, Dual64::new(theta.re, 1.0))?;
         let of = |x: Dual64| theta.chain(x);
@@ -517,9 +511,9 @@ impl<P: Calc> Dynamics<P> {
         Dual64: Over<P>,
     {
         let gravity = self.bodies.gravity;
-        let values = p.map(|_, value| value.value());
+        let values = p.values();
         self.twice.counterweight = Counterweight::new(&values, range, gravity.value())?;
-        let dual = p.map(|_, value| Dual64::of(value));
+        let dual = p.map(&mut |_, value| Dual64::of(value));
         self.thrice.counterweight = Counterweight::new(&dual, range, Dual64::of(gravity))?;
         Ok(self)
     }

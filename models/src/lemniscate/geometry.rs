@@ -70,21 +70,29 @@ pub struct Parameters<C> {
 
 impl<C: Copy> Parameters<C> {
     /// The same parameters over another scalar.
-    pub fn map<D>(&self, mut f: impl FnMut(&'static Symbol, C) -> D) -> Parameters<D> {
+    pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> Parameters<D> {
         Parameters {
-            lengths: self.lengths.map(&mut f),
+            lengths: self.lengths.map(f),
             jib: match self.jib {
                 Jib::Sag(x) => Jib::Sag(f(&s::X_7, x)),
                 Jib::Angle(x) => Jib::Angle(f(&s::BETA_0, x)),
                 Jib::Axis(x) => Jib::Axis(f(&s::AC, x)),
             },
-            weights: self.weights.map(|part| part.map(&mut f)),
-            anchors: self.anchors.map(|part| part.map(&mut f)),
-            cylinder: self.cylinder.map(|part| part.map(&mut f)),
-            balance: self.balance.map(|part| part.map(&mut f)),
+            weights: self.weights.map(|part| part.map(f)),
+            anchors: self.anchors.map(|part| part.map(f)),
+            cylinder: self.cylinder.map(|part| part.map(f)),
+            balance: self.balance.map(|part| part.map(f)),
             driven: self.driven,
             branch: self.branch,
         }
+    }
+}
+
+impl<C: Calc> Parameters<C> {
+    /// The same parameters as plain numbers.
+    #[must_use]
+    pub fn values(&self) -> Parameters<f64> {
+        self.map(&mut |_, value| value.value())
     }
 }
 

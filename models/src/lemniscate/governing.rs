@@ -250,7 +250,7 @@ pub fn sensitivity(luffing: &Luffing, range: &Range, governing: &[Summary]) -> S
         Some(value.eps)
     };
     let mut given = Vec::new();
-    luffing.parameters.map(|symbol, value| given.push((symbol, value)));
+    luffing.parameters.map(&mut |symbol, value| given.push((symbol, value)));
     given.extend(luffing.q.map(|q| (&s::Q, q)));
     let rows = given.into_iter().filter_map(|(symbol, value)| {
         let seeded = |known, value| Dual64::new(value, if known == symbol { 1.0 } else { 0.0 });

@@ -246,7 +246,6 @@ impl Model {
     ///
     /// # Errors
     /// Where the value depends on a configuration that does not exist.
-    #[inline]
     pub fn get(&mut self, index: usize) -> Result<f64, Fault> {
         match self.slot(index)? {
             Slot::Theta => Ok(self.state.evaluation.inputs().theta),
@@ -269,7 +268,6 @@ impl Model {
     ///
     /// # Errors
     /// A value that is not finite or outside what the symbol allows, an output, an unknown index.
-    #[inline]
     pub fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
         let (slot, symbol, sign) = (self.slot(index)?, self.variables[index].symbol, self.signs[index]);
         if let Slot::Output(_) = slot {
@@ -296,7 +294,6 @@ impl Model {
     ///
     /// # Errors
     /// As [`check`](Model::check); a refused value changes nothing.
-    #[inline]
     pub fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         self.check(index, value)?;
         let evaluation = &mut self.state.evaluation;
@@ -312,8 +309,8 @@ impl Model {
             Slot::Load => evaluation.set_q(value),
             _ => {
                 let symbol = self.variables[index].symbol;
-                let change = |known: &'static Symbol, old| if known == symbol { value } else { old };
-                evaluation.set_parameters(evaluation.parameters().map(change));
+                let mut change = |known: &'static Symbol, old| if known == symbol { value } else { old };
+                evaluation.set_parameters(evaluation.parameters().map(&mut change));
             }
         }
         Ok(())
@@ -322,7 +319,6 @@ impl Model {
     /// Moves to a time in s. While the angle of the driven bar has not been
     /// set, it follows from the time: through the working range at the input's
     /// angular velocity, then at rest.
-    #[inline]
     pub fn set_time(&mut self, time: f64) {
         if time != self.state.time {
             self.state.time = time;
@@ -335,7 +331,6 @@ impl Model {
     /// # Errors
     /// Parameters with which there is no mechanism, or an angle at which it does
     /// not close, with the values and the allowed range.
-    #[inline]
     pub fn update(&mut self) -> Result<(), Fault> {
         if let Some((table, _)) = &self.table {
             return self.tabulated(table);
@@ -375,7 +370,7 @@ impl Model {
             numbers.push(q);
         }
         if self.table.is_none() {
-            state.evaluation.parameters().map(|_, value| numbers.push(value));
+            state.evaluation.parameters().map(&mut |_, value| numbers.push(value));
         }
         numbers
     }
@@ -409,11 +404,11 @@ impl Model {
     /// The model with derivatives along a direction: `seed` is the rate of change
     /// of each input and parameter, in SI, and of [`TIME`].
     #[must_use]
-    pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
+    pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
         let seed = |symbol| seed((symbol, None));
         let evaluation = &self.state.evaluation;
         let mut same_geometry = true;
-        let parameters = evaluation.parameters().map(|symbol, value| {
+        let parameters = evaluation.parameters().map(&mut |symbol, value| {
             let rate = seed(symbol);
             same_geometry &= rate == 0.0;
             Dual64::new(value, rate)
@@ -460,7 +455,7 @@ impl Model {
                 let inputs = Inputs { theta, omega, q };
                 model.state.evaluation = Evaluation::new(*self.state.evaluation.parameters(), self.motion, inputs);
                 let (trace, outputs) = record(|| {
-                    let parameters = model.state.evaluation.parameters().map(Rec::given);
+                    let parameters = model.state.evaluation.parameters().map(&mut Rec::given);
                     let inputs = model.inputs_over(Rec::given);
                     let mut evaluation = Evaluation::new(parameters, self.motion, inputs);
                     self.slots
@@ -525,7 +520,7 @@ impl Model {
 
     fn parameter(&self, symbol: &'static Symbol) -> f64 {
         let mut found = f64::NAN;
-        self.state.evaluation.parameters().map(|known, value| {
+        self.state.evaluation.parameters().map(&mut |known, value| {
             if known == symbol {
                 found = value;
             }
@@ -597,7 +592,7 @@ fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
         &b::G_C,
         &b::M_5,
     ];
-    luffing.parameters.map(|symbol, _| {
+    luffing.parameters.map(&mut |symbol, _| {
         let role = if weights.contains(&symbol) {
             Role::Tunable
         } else {

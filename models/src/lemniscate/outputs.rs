@@ -112,6 +112,8 @@ pub struct Evaluation<C> {
     balancing: Option<Option<Balancing<C>>>,
     criteria: Option<Criteria<C>>,
     forces: Option<Forces<C>>,
+    /// As old as the forces; `None` without a balance.
+    balanced: Option<Balanced<C>>,
 }
 
 /// Kinematics at the current inputs.
@@ -127,7 +129,6 @@ struct Forces<C> {
     pins: PinForces<C>,
     m_g: C,
     f_d: C,
-    balanced: Option<Balanced<C>>,
 }
 
 impl<C: Calc> Evaluation<C> {
@@ -143,6 +144,7 @@ impl<C: Calc> Evaluation<C> {
             balancing: None,
             criteria: None,
             forces: None,
+            balanced: None,
         }
     }
 
@@ -196,7 +198,6 @@ impl<C: Calc> Evaluation<C> {
     /// # Errors
     /// As [`Evaluation::update`], and for results of the range where the linkage
     /// does not close over all of it.
-    #[inline]
     pub fn output(&mut self, output: Output) -> Result<C, Fault> {
         use Output as O;
         Ok(match output {
@@ -281,7 +282,8 @@ impl<C: Calc> Evaluation<C> {
     }
 
     fn balanced(&mut self) -> Result<&Balanced<C>, Fault> {
-        self.forces()?.balanced.as_ref().ok_or_else(unbalanced)
+        self.forces()?;
+        self.balanced.as_ref().ok_or_else(unbalanced)
     }
 
     fn action(&mut self) -> Result<&Action<C>, Fault> {
@@ -301,13 +303,13 @@ impl<C: Calc> Evaluation<C> {
 
     fn criteria(&mut self) -> Result<&Criteria<C>, Fault> {
         if self.criteria.is_none() {
-            let parameters = self.parameters.map(|_, value| value.value());
+            let parameters = self.parameters.values();
             let balancing = self.balancing()?.ok_or_else(unbalanced)?;
             let weights = self.parameters.weights.ok_or_else(unbalanced)?;
             let motion = self.motion;
             let g = self.geometry()?;
             let found = analysis(&parameters, &motion)?.ok_or_else(unbalanced)?;
-            let criteria = Criteria::new(&found, &motion, |theta| residual(&balancing, g, &weights, theta))?;
+            let criteria = Criteria::new(&found, &motion, &|theta| residual(&balancing, g, &weights, theta))?;
             self.criteria = Some(criteria);
         }
         Ok(self.criteria.as_ref().expect("just made"))
@@ -359,7 +361,7 @@ impl<C: Calc> Evaluation<C> {
     fn geometry(&mut self) -> Result<&Geometry<C>, Fault> {
         if self.geometry.is_none() {
             self.geometry = Some(Geometry::new(&self.parameters).map_err(|misfit| {
-                let words = self.parameters.map(|_, value| value.value()).describe(misfit);
+                let words = self.parameters.values().describe(misfit);
                 Fault::outside(format!("{}: {}", words.what, words.help))
             })?);
         }
@@ -369,7 +371,7 @@ impl<C: Calc> Evaluation<C> {
     fn range(&mut self) -> Result<&Range, Fault> {
         if self.range.is_none() {
             let motion = self.motion;
-            let parameters = self.parameters.map(|_, value| value.value());
+            let parameters = self.parameters.values();
             self.geometry()?;
             let found = Range::new(&parameters, &motion);
             self.range = Some(match found {
@@ -383,15 +385,20 @@ impl<C: Calc> Evaluation<C> {
     #[inline]
     fn place(&mut self) -> Result<&Place<C>, Fault> {
         if self.place.is_none() {
-            let theta = self.inputs.theta;
-            let g = self.geometry()?;
-            let Some(p) = Position::new(g, theta) else {
-                return Err(unreachable_angle(g, theta.value()));
-            };
-            let v = Velocity::new(&p);
-            self.place = Some(Place { p, v });
+            self.assemble()?;
         }
         Ok(self.place.as_ref().expect("just made"))
+    }
+
+    fn assemble(&mut self) -> Result<(), Fault> {
+        let theta = self.inputs.theta;
+        let g = self.geometry()?;
+        let Some(p) = Position::new(g, theta) else {
+            return Err(unreachable_angle(g, theta.value()));
+        };
+        let v = Velocity::new(&p);
+        self.place = Some(Place { p, v });
+        Ok(())
     }
 
     fn drive(&mut self) -> Result<Drive<C>, Fault> {
@@ -399,47 +406,50 @@ impl<C: Calc> Evaluation<C> {
         drive(&self.parameters, &p).ok_or_else(absent)
     }
 
+    #[inline]
     fn forces(&mut self) -> Result<&Forces<C>, Fault> {
         if self.forces.is_none() {
-            let Place { p, v } = *self.place()?;
-            let (q, theta, lengths) = (self.inputs.q, self.inputs.theta, self.parameters.lengths);
-            let balancing = match self.parameters.balance {
-                Some(_) => self.balancing()?.zip(Some(*self.geometry()?)),
-                None => None,
-            };
-            let weights = self.parameters.weights.as_ref();
-            let centres = weights.map(|w| Centres::new(&p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
-            let both = weights.zip(centres.as_ref());
-            let m_g = both.map_or(C::constant(0.0), |(w, r)| weight_moment(w, r, &p, &v));
-            let drive = drive(&self.parameters, &p);
-            let balanced = match balancing.zip(both) {
-                Some(((balancing, geometry), both)) => {
-                    let residual = balancing.at(&geometry, both, (&p, &v), theta, m_g)?;
-                    let balanced = Balanced::new(residual, &v, p.driven, load_moment(&v, q), m_g);
-                    Some(drive.as_ref().map_or(balanced, |drive| balanced.driven_by(drive)))
-                }
-                None => None,
-            };
-            let mut f_d = C::constant(0.0);
-            let action = balanced.as_ref().map(|balanced| &balanced.residual.action);
-            let pins = PinForces::new(&p, lengths.x_3, q, both, action, |m_d| {
-                let reaction = drive.and_then(|drive| drive.reaction(m_d));
-                // A drive that points at the foot would need an infinite force.
-                f_d = match (reaction, m_d.value()) {
-                    (Some(reaction), _) => reaction.f_d,
-                    (None, 0.0) => C::constant(0.0),
-                    (None, moment) => C::constant(f64::INFINITY.copysign(moment)),
-                };
-                reaction
-            });
-            self.forces = Some(Forces {
-                pins,
-                m_g,
-                f_d,
-                balanced,
-            });
+            self.load()?;
         }
         Ok(self.forces.as_ref().expect("just made"))
+    }
+
+    fn load(&mut self) -> Result<(), Fault> {
+        self.place()?;
+        if self.parameters.balance.is_some() {
+            self.balancing()?;
+            self.geometry()?;
+        }
+        let parameters = &self.parameters;
+        let Place { p, v } = self.place.as_ref().expect("just made");
+        let (q, theta, lengths) = (self.inputs.q, self.inputs.theta, parameters.lengths);
+        let weights = parameters.weights.as_ref();
+        let centres = weights.map(|w| Centres::new(p, [lengths.x_1, lengths.x_2, lengths.x_3], w));
+        let both = weights.zip(centres.as_ref());
+        let m_g = both.map_or(C::constant(0.0), |(w, r)| weight_moment(w, r, p, v));
+        let drive = drive(parameters, p);
+        self.balanced = match (&self.balancing, &self.geometry, both) {
+            (Some(Some(balancing)), Some(geometry), Some(both)) => {
+                let residual = balancing.at(geometry, both, (p, v), theta, m_g)?;
+                let balanced = Balanced::new(residual, v, p.driven, load_moment(v, q), m_g);
+                Some(drive.as_ref().map_or(balanced, |drive| balanced.driven_by(drive)))
+            }
+            _ => None,
+        };
+        let mut f_d = C::constant(0.0);
+        let action = self.balanced.as_ref().map(|balanced| &balanced.residual.action);
+        let pins = PinForces::new(p, lengths.x_3, q, both, action, |m_d| {
+            let reaction = drive.and_then(|drive| drive.reaction(m_d));
+            // A drive that points at the foot would need an infinite force.
+            f_d = match (reaction, m_d.value()) {
+                (Some(reaction), _) => reaction.f_d,
+                (None, 0.0) => C::constant(0.0),
+                (None, moment) => C::constant(f64::INFINITY.copysign(moment)),
+            };
+            reaction
+        });
+        self.forces = Some(Forces { pins, m_g, f_d });
+        Ok(())
     }
 }
 

@@ -31,6 +31,7 @@ pub struct Position<C> {
 impl<C: Calc> Position<C> {
     /// The position at `theta` (rad), the angle of the driven bar; `None` where
     /// the linkage does not close. [Li2022, eq. 3-8]
+    // Inlined where the angle's derivatives are plain: most of what is computed of them is then known.
     #[inline]
     pub fn new(g: &Geometry<C>, theta: C) -> Option<Position<C>> {
         let Closure {

@@ -40,7 +40,7 @@ impl Range {
     /// `None` where the linkage does not close over the whole range.
     #[must_use]
     pub fn new(parameters: &Parameters<f64>, motion: &Motion) -> Option<Range> {
-        let g = Geometry::new(&parameters.map(|_, value| Dual64::from_re(value))).ok()?;
+        let g = Geometry::new(&parameters.map(&mut |_, value| Dual64::from_re(value))).ok()?;
         let at = |theta: Dual64| Position::new(&g, theta);
         let all = |pick: fn(&Position<Dual64>) -> Dual64| greatest(motion, |theta| at(theta).map(|p| pick(&p)));
         let slope = |theta: Dual64| at(theta).map(|p| Velocity::new(&p).da.y);

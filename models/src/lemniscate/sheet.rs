@@ -116,7 +116,7 @@ fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
         });
     };
     let mut place = ("geometry", "");
-    luffing.parameters.map(|symbol, value| {
+    luffing.parameters.map(&mut |symbol, value| {
         if symbol == &s::G_1 {
             place = ("weights", "weights.");
         } else if symbol == &s::E_X {
@@ -200,7 +200,7 @@ fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
 
 /// Parameters as names for the recorder.
 fn given(parameters: &Parameters<f64>) -> Parameters<Rec> {
-    parameters.map(Rec::given)
+    parameters.map(&mut Rec::given)
 }
 
 fn constants(luffing: &Luffing) -> Vec<Section> {

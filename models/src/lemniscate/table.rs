@@ -93,7 +93,7 @@ impl Table {
         let mut closed = Closed {
             real: Evaluation::new(*parameters, *motion, still),
             dual: Evaluation::new(
-                parameters.map(|_, value| constant(value)),
+                parameters.map(&mut |_, value| constant(value)),
                 *motion,
                 Inputs {
                     theta: constant(still.theta),

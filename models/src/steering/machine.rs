@@ -34,6 +34,7 @@ impl std::fmt::Display for Refusal {
 }
 
 impl Refusal {
+    #[cold]
     pub(crate) fn new(key: impl Into<String>, what: impl Into<String>, help: impl Into<String>) -> Refusal {
         Refusal {
             key: key.into(),

@@ -148,7 +148,6 @@ impl Model {
 
     /// What exists in this scene; an index into it names a variable.
     #[must_use]
-    #[inline]
     pub fn variables(&self) -> &[Variable] {
         &self.variables
     }
@@ -229,7 +228,6 @@ impl Model {
     ///
     /// # Errors
     /// Where the command is one that its mode does not take.
-    #[inline]
     pub fn get(&mut self, index: usize) -> Result<f64, Fault> {
         let slot = self.slot(index)?;
         let State {
@@ -278,7 +276,6 @@ impl Model {
     ///
     /// # Errors
     /// A value that is not finite or outside what the symbol allows, an output, an unknown index.
-    #[inline]
     pub fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
         let (slot, variable) = (self.slot(index)?, &self.variables[index]);
         if slot.follows() {
@@ -317,7 +314,6 @@ impl Model {
     ///
     /// # Errors
     /// As [`check`](Model::check); a refused value changes nothing.
-    #[inline]
     pub fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         self.check(index, value)?;
         let slot = self.slots[index];
@@ -360,7 +356,6 @@ impl Model {
 
     /// Moves to a time in s. While the commanded angle has not been set, it follows
     /// from the time: through the working range at the steering speed, then at rest.
-    #[inline]
     pub fn set_time(&mut self, time: f64) {
         if time != self.state.time {
             self.state.time = time;
@@ -391,7 +386,6 @@ impl Model {
     ///
     /// # Errors
     /// Parameters without a machine, or a command that its mode does not take.
-    #[inline]
     pub fn update(&mut self) -> Result<(), Fault> {
         self.state.evaluation.update()
     }
@@ -467,7 +461,7 @@ impl Model {
     /// The model with derivatives along a direction: `seed` is the rate of change
     /// of each input and parameter, in SI, and of [`TIME`].
     #[must_use]
-    pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
+    pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
         let evaluation = &self.state.evaluation;
         let mut dual = |quantity, value| Dual64::new(value, seed(quantity));
         let parameters = evaluation.parameters().map(&mut dual);

@@ -92,7 +92,7 @@ impl<C: Calc> Inputs<C> {
     }
 
     /// The same over another scalar.
-    pub fn map<D: Scalar>(&self, f: &mut impl FnMut(Quantity, C) -> D) -> Inputs<D> {
+    pub fn map<D: Scalar>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> Inputs<D> {
         Inputs {
             mode: self.mode,
             by: self.by,
@@ -136,7 +136,7 @@ pub struct Parameters<C> {
 
 impl<C: Calc> Parameters<C> {
     /// The same quantities over another scalar, in the order of the variables.
-    pub fn map<D: Scalar>(&self, f: &mut impl FnMut(Quantity, C) -> D) -> Parameters<D> {
+    pub fn map<D: Scalar>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> Parameters<D> {
         let mut at: Vec<D> = Vec::new();
         for (symbol, axis) in [(&s::X_I, 0), (&s::Y_I, 1)] {
             at.extend(

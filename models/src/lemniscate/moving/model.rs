@@ -384,7 +384,7 @@ impl Model {
     }
 
     /// The equations of motion over any scalar: `of` gives each input and parameter in it.
-    fn assemble_over<P: Coordinate<P>>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> Result<Level<P>, Fault>
+    fn assemble_over<P: Coordinate<P>>(&self, of: &mut dyn FnMut(&'static Symbol, f64) -> P) -> Result<Level<P>, Fault>
     where
         Dual64: Over<P>,
     {
@@ -394,7 +394,7 @@ impl Model {
         let inputs = self.inputs_over(of);
         let turning = self.state.turning.map(|turning| turning.map(of));
         let oil = self.state.oil.map(|oil| oil.map(of));
-        let over = parameters.map(&mut *of);
+        let over = parameters.map(of);
         let geometry = Geometry::new(&over).map_err(|misfit| {
             let words = parameters.describe(misfit);
             Fault::outside(format!("{}; {}", words.what, words.help))
@@ -512,7 +512,7 @@ impl Model {
     }
 
     /// The inputs over any scalar.
-    fn inputs_over<P>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> Inputs<P> {
+    fn inputs_over<P>(&self, of: &mut dyn FnMut(&'static Symbol, f64) -> P) -> Inputs<P> {
         let Inputs {
             motion,
             slewing,
@@ -893,7 +893,7 @@ impl Model {
     /// The model with derivatives along a direction: `seed` is the rate of change of each state, input
     /// and parameter, in SI.
     #[must_use]
-    pub fn tangent(&self, seed: impl Fn(Quantity) -> f64) -> Tangent {
+    pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
         let mut of = |symbol: &'static Symbol, value| Dual64::new(value, seed((symbol, None)));
         Tangent {
             level: self.assemble_over(&mut of),
@@ -1010,7 +1010,7 @@ impl Model {
                 if !matches!(known.role, Role::Input | Role::Parameter | Role::Tunable | Role::State) {
                     continue;
                 }
-                let mut tangent = lively.tangent(|quantity| f64::from(quantity == known.quantity()));
+                let mut tangent = lively.tangent(&|quantity| f64::from(quantity == known.quantity()));
                 for (index, found) in found.iter_mut().enumerate() {
                     let moves = matches!(
                         self.slots[index],

@@ -105,7 +105,7 @@ pub fn bounds(symbol: &Symbol) -> (f64, f64, bool) {
 
 impl Moving {
     /// The same with each quantity changed, by its symbol.
-    pub fn map(&self, f: &mut impl FnMut(&'static Symbol, f64) -> f64) -> Moving {
+    pub fn map(&self, f: &mut dyn FnMut(&'static Symbol, f64) -> f64) -> Moving {
         Moving {
             body: self.body.map(f),
             oil: self.oil.map(f),
