@@ -6,6 +6,7 @@ mod motion;
 mod steps;
 mod synthesis;
 mod tables;
+mod trade;
 
 use std::fmt;
 
@@ -21,6 +22,7 @@ use crate::book::motion::Motion;
 use crate::book::steps::{Notation, Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
 use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Sensitivity, Summary, Table, View};
+use crate::book::trade::Trade;
 use crate::formula::quantity;
 use crate::language::{Language, symbols};
 use crate::plot;
@@ -64,7 +66,7 @@ impl Edition<'_> {
     /// # Errors
     /// A template with a mistake, or an id without words.
     pub fn source(&self, scene: &Scene, sheet: &Sheet, format: Format) -> Result<Source, Error> {
-        let book = Book::new(scene, sheet, self, format);
+        let book = Book::new(scene, sheet, self, format)?;
         let main = self.templates.render(&book, self.language)?;
         let mut files = self.templates.files().to_vec();
         files.push((HASH.to_owned(), book.hash.into_bytes()));
@@ -125,6 +127,7 @@ pub(crate) struct Book<'a> {
     motion: Option<Motion<'a>>,
     sensitivity: Sensitivity,
     synthesis: Option<Synthesis>,
+    trade: Option<Trade>,
     published: Option<Published>,
     remarks: &'a [&'static str],
     notation: Vec<steps::Entry>,
@@ -185,6 +188,8 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "remarks" => !sheet.remarks.is_empty(),
         "balance" => sheet.balance.is_some(),
         "motion" => sheet.motion.is_some(),
+        // Many runs: only a scene that lists the chapter gets it.
+        "trade" => scene.book.chapters.is_some(),
         "synthesis" => scene.mechanism.luffing().is_some_and(|it| it.synthesis.is_some()),
         _ => true,
     };
@@ -192,7 +197,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
 }
 
 impl<'a> Book<'a> {
-    fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Book<'a> {
+    fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Result<Book<'a>, Error> {
         let language = edition.language;
         let chapters = chapters(scene, sheet, edition.level);
         let mut notation = Notation::new(sheet, &chapters);
@@ -245,13 +250,17 @@ impl<'a> Book<'a> {
         }
         let compares = chapters.contains(&"synthesis");
         let synthesis = compares.then(|| synthesis(language, scene, &mut notation)).flatten();
+        let measures = chapters.contains(&"trade");
+        let trade = measures
+            .then(|| Trade::new(language, scene, &mut notation))
+            .transpose()?;
         let drawing = plot::drawing(&sheet.drawing, plot::PAGE);
         let figure = |c: &lemnis_models::sheet::Curve| Figure::new(language, c);
         let summary = |s: &lemnis_models::sheet::Summary| tables::summary(language, s);
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
         let date = scene.project().iter().find(|(key, _)| *key == "date");
-        Book {
+        Ok(Book {
             title: scene.title(),
             name: scene.name(),
             project: scene.project(),
@@ -283,12 +292,13 @@ impl<'a> Book<'a> {
             motion,
             sensitivity: tables::sensitivity(language, &sheet.sensitivity),
             synthesis,
+            trade,
             published: tables::published(language, sheet),
             remarks: &sheet.remarks,
             references: notation.references(),
             notation: notation.entries(),
             chapters,
-        }
+        })
     }
 }
 

@@ -37,8 +37,9 @@ fn nothing_stands_over_the_margin() {
             &format!("\n{DYNAMICS}l_R = \"10 m\"\n{OIL}\n[luffing.limits]"),
             1,
         );
+    let trade = others[1].replacen("[luffing]\n", "[book]\nchapters = [\"trade\"]\n[luffing]\n", 1);
     let mut pages = 0;
-    for text in [DEFAULT, &bare, &oil].into_iter().chain(others) {
+    for text in [DEFAULT, &bare, &oil, &trade].into_iter().chain(others) {
         let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
         let sheet = sheet(&scene);
         for (language, level) in LANGUAGES
