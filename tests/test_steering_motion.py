@@ -1,9 +1,11 @@
 """Groups turned by their cylinders under the PLC, as FMUs: Model Exchange beside Co-Simulation in both standards, the
 PLC's samples as time events, roll-back, two instances in two threads, refusals."""
 
+import csv
 import ctypes
 import math
 import threading
+import zipfile
 
 import numpy as np
 import pytest
@@ -199,3 +201,62 @@ def test_what_is_not_possible_is_refused_and_the_instance_goes_on(slave):
         slave.step(0.13, 3.2e7)
     slave.step(0.13, 0.013)
     assert math.isfinite(slave.read("theta[1]"))
+
+
+# Cases of the reference with 200 digits, with states as in `models/tests/steering_derivatives.rs`.
+DERIVATIVES = {
+    "lengthening": (1, {"theta": 0.2, "omega_g": 0.03, "x_v": 0.3, "v_v": 5.0, "p_1": 120e5, "p_2": 25e5, "p_A": 90e5, "p_B": 60e5}),
+    "shortening": (6, {"theta": -0.4, "omega_g": -0.02, "x_v": -0.6, "v_v": -20.0, "p_1": 340e5, "p_2": 350e5, "p_A": 290e5, "p_B": 190e5}),
+}
+
+
+@pytest.mark.parametrize("case", DERIVATIVES)
+def test_derivatives_are_those_of_the_reference(path, case, tmp_path):
+    """In Model Exchange, rates, results and event indicators of a group by its states, its load and the pump's pressure;
+    nothing by another group's; adjoint derivatives are the transpose; what is searched for has none."""
+    fmi3 = path.endswith("Hydraulic.fmu")
+    with zipfile.ZipFile(path) as archive:
+        text = archive.read("modelDescription.xml").decode("utf-8")
+    for attribute in ("providesDirectionalDerivatives", "providesAdjointDerivatives") if fmi3 else ("providesDirectionalDerivative",):
+        assert text.count(f'{attribute}="true"') == 2
+    group, states = DERIVATIVES[case]
+    description = read_model_description(path)
+    reference = {v.name: v.valueReference for v in description.modelVariables}
+    folder = str(tmp_path / "fmu")
+    extract(path, unzipdir=folder)
+    fmu = (FMU3Model if fmi3 else FMU2Model)(
+        guid=description.instantiationToken if fmi3 else description.guid, unzipDirectory=folder,
+        modelIdentifier=description.modelExchange.modelIdentifier, instanceName="test")
+    fmu.instantiate()
+    if not fmi3:
+        fmu.setupExperiment(startTime=0.0)
+    fmu.enterInitializationMode()
+    of = lambda name: reference[name if name == "p_P" else f"der({name[4:-1]}[{group}])" if name.startswith("der(") else f"{name}[{group}]"]
+    (fmu.setFloat64 if fmi3 else fmu.setReal)([of(n) for n in states], list(states.values()))
+    fmu.exitInitializationMode()
+    with open(ROOT / "tests/oracles/steering_derivatives.csv") as file:
+        rows = {(row["unknown"], row["known"]): row for row in csv.DictReader(file) if row["case"] == case}
+    unknowns = sorted({unknown for unknown, _ in rows if not unknown.startswith("z.") and unknown != "der(v_v)"})
+    assert len(unknowns) == 16
+    references = [of(n) for n in unknowns]
+    values = dict(zip(unknowns, (fmu.getFloat64 if fmi3 else fmu.getReal)(references)))
+    knowns = [*states, "G", "p_P"]
+    columns = []
+    for known in knowns:
+        found = fmu.getDirectionalDerivative(references, [of(known)], [1.0])
+        columns.append(found)
+        size = max(abs(states.get(known, 1e6)), 0.1)
+        for unknown, derivative in zip(unknowns, found, strict=True):
+            expected = float(rows[unknown, known]["derivative"]) if (unknown, known) in rows else 0.0
+            assert abs(derivative - expected) <= 1e-12 * max(abs(expected), abs(values[unknown]) / size), (unknown, known)
+    assert fmu.getDirectionalDerivative(references, [reference["p_A[2]"]], [1.0]) == [0.0] * len(unknowns)
+    with pytest.raises(FMICallException):
+        fmu.getDirectionalDerivative([of("theta_w")], [reference["theta_b"]], [1.0])
+    if fmi3:
+        seed = [1.0 / (1.0 + i) for i in range(len(unknowns))]
+        adjoint = fmu.getAdjointDerivative(references, [of(n) for n in knowns], seed, len(knowns))
+        for found, column in zip(adjoint, columns, strict=True):
+            parts = [w * d for w, d in zip(seed, column, strict=True)]
+            assert abs(found - sum(parts)) <= 1e-15 * sum(abs(p) for p in parts)
+    fmu.terminate()
+    fmu.freeInstance()

@@ -187,7 +187,7 @@ pub enum Tangent {
     Luffing(lemniscate::model::Tangent),
     Moving(lemniscate::moving::model::Tangent),
     Steering(steering::model::Tangent),
-    Turning,
+    Turning(steering::moving::model::Tangent),
 }
 
 /// A mistake of the program: states and tangents stay with their model.
@@ -360,26 +360,41 @@ impl Model {
     /// Rates of the continuous states, as many as there are.
     ///
     /// # Errors
-    /// A configuration that does not exist.
+    /// A configuration that does not exist, or states so great or small that a rate is no number.
     pub fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
         match self {
-            Model::Luffing(_) | Model::Steering(_) => Ok(()),
-            Model::Moving(model) => model.rates(rates),
-            Model::Turning(model) => model.rates(rates),
+            Model::Luffing(_) | Model::Steering(_) => {}
+            Model::Moving(model) => model.rates(rates)?,
+            Model::Turning(model) => model.rates(rates)?,
         }
+        self.finite(Role::Rate, rates)
+    }
+
+    /// Numbers of a role, in the order of the variables, as an importer may have them.
+    fn finite(&self, role: Role, numbers: &[f64]) -> Result<(), Fault> {
+        let Some(at) = numbers.iter().position(|number| !number.is_finite()) else {
+            return Ok(());
+        };
+        let mut of_role = self.variables().iter().filter(|variable| variable.role == role);
+        let name = of_role.nth(at).map(Variable::name).unwrap_or_default();
+        Err(Fault::outside(format!(
+            "{name} = {} is no finite number: the states that were set are too great or too small for this mechanism",
+            numbers[at]
+        )))
     }
 
     /// Event indicators, as many as there are.
     ///
     /// # Errors
-    /// A configuration that does not exist.
+    /// As [`rates`](Model::rates).
     pub fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
         match self {
-            Model::Luffing(_) => Ok(()),
-            Model::Moving(model) => model.event_indicators(indicators),
-            Model::Steering(model) => model.event_indicators(indicators),
-            Model::Turning(model) => model.event_indicators(indicators),
+            Model::Luffing(_) => {}
+            Model::Moving(model) => model.event_indicators(indicators)?,
+            Model::Steering(model) => model.event_indicators(indicators)?,
+            Model::Turning(model) => model.event_indicators(indicators)?,
         }
+        self.finite(Role::Indicator, indicators)
     }
 
     /// Orders of magnitude of the continuous states, as many as there are.
@@ -514,14 +529,14 @@ impl Model {
             Model::Luffing(model) => Tangent::Luffing(model.tangent(seed)),
             Model::Moving(model) => Tangent::Moving(model.tangent(seed)),
             Model::Steering(model) => Tangent::Steering(model.tangent(seed)),
-            Model::Turning(_) => Tangent::Turning,
+            Model::Turning(model) => Tangent::Turning(model.tangent(seed)),
         }
     }
 
     /// Whether directional derivatives exist.
     #[must_use]
     pub fn has_derivatives(&self) -> bool {
-        matches!(self, Model::Luffing(_) | Model::Moving(_))
+        matches!(self, Model::Luffing(_) | Model::Moving(_) | Model::Turning(_))
     }
 
     /// Derivative of an output or a rate along the direction of a tangent, in SI.
@@ -535,9 +550,7 @@ impl Model {
         match (self, tangent) {
             (Model::Luffing(model), Tangent::Luffing(tangent)) => model.derivative(tangent, index),
             (Model::Moving(model), Tangent::Moving(tangent)) => model.derivative(tangent, index),
-            (Model::Turning(_), Tangent::Turning) => Err(Fault::new(
-                "there are no directional derivatives of groups turned by their cylinders",
-            )),
+            (Model::Turning(model), Tangent::Turning(tangent)) => model.derivative(tangent, index),
             (Model::Steering(model), Tangent::Steering(tangent)) => model.derivative(tangent, index),
             _ => unreachable!("{OF_ANOTHER}"),
         }

@@ -49,7 +49,12 @@ pub enum Sign {
     Positive,
     NotNegative,
     Any,
+    /// Positive, and up to [`COARSEST`].
+    Tolerance,
 }
+
+/// Greatest relative tolerance of a solver or an interpolation: what is only a tenth right is bounded, and means little.
+pub const COARSEST: f64 = 0.1;
 
 impl Key {
     #[must_use]
@@ -105,6 +110,7 @@ impl Sign {
                 Sign::Positive => value > 0.0,
                 Sign::NotNegative => value >= 0.0,
                 Sign::Any => true,
+                Sign::Tolerance => value > 0.0 && value <= COARSEST,
             }
     }
 
@@ -115,6 +121,7 @@ impl Sign {
             Sign::Positive => "a finite number greater than zero",
             Sign::NotNegative => "a finite number, zero or greater",
             Sign::Any => "a finite number",
+            Sign::Tolerance => "greater than zero and at most 0.1",
         }
     }
 }

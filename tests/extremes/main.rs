@@ -7,7 +7,9 @@ mod positions;
 mod regions;
 mod rope;
 mod running;
+mod scenes;
 mod slewing;
+mod steering;
 
 #[path = "../../models/tests/common/crane.rs"]
 mod crane;

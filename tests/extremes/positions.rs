@@ -14,14 +14,18 @@ pub fn scaled(length: f64, mass: f64, pendulum: Option<Pendulum>) -> Dynamics {
 }
 
 /// A double as C and Python write it in hexadecimal.
-fn hex(text: &str) -> f64 {
+pub fn hex(text: &str) -> f64 {
+    let (sign, text) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
+    if text.starts_with("0x0.") {
+        return 0.0;
+    }
     let (digits, exponent) = text
         .strip_prefix("0x1.")
         .and_then(|rest| rest.split_once('p'))
         .expect("a normal hexadecimal number");
     let mantissa = u64::from_str_radix(digits, 16).expect("hexadecimal");
     let exponent: i64 = exponent.parse().expect("an exponent");
-    f64::from_bits(((exponent + 1023) as u64) << 52 | mantissa << (52 - 4 * digits.len()))
+    sign * f64::from_bits(((exponent + 1023) as u64) << 52 | mantissa << (52 - 4 * digits.len()))
 }
 
 /// Dead points to 1e-15, theta_1 = theta_3, and lengths from 1e-3 to 1e6 of the crane's: inertia, its

@@ -101,10 +101,12 @@ const DECADES: [i32; 2] = [-2, 7];
 /// What each level makes of a longest step, over |λ| h: every step is taken within a twentieth of the known
 /// motion, or refused.
 fn levels() -> String {
-    let (left, width, top) = (220.0, 620.0, 455.0);
+    let (left, width, top) = (250.0, 590.0, 455.0);
     let cell = width / f64::from(CELLS * (DECADES[1] - DECADES[0]));
     let mut svg = String::from("<text x=\"20\" y=\"446\">Levels with their solvers: |λ|h of the longest step</text>\n");
-    for (row, y) in running::rows().into_iter().zip([0.0, 26.0, 52.0, 78.0]) {
+    let rows = running::rows();
+    let bottom = 26.0 * rows.len() as f64;
+    for (row, y) in rows.into_iter().zip((0..).map(|i| 26.0 * f64::from(i))) {
         let _ = writeln!(
             svg,
             "<text x=\"20\" y=\"{}\" font-size=\"11\">{}</text>",
@@ -145,20 +147,25 @@ fn levels() -> String {
         let x = left + cell * f64::from(CELLS * (decade - DECADES[0]));
         let _ = writeln!(
             svg,
-            "<path d=\"M{x:.2} {top}v104\" stroke=\"white\" stroke-width=\"0.7\"/><text x=\"{x:.2}\" y=\"{}\" font-size=\"11\" \
+            "<path d=\"M{x:.2} {top}v{bottom}\" stroke=\"white\" stroke-width=\"0.7\"/><text x=\"{x:.2}\" y=\"{}\" font-size=\"11\" \
              text-anchor=\"middle\">1e{decade}</text>",
-            top + 118.0
+            top + bottom + 14.0
         );
     }
-    svg.push_str("<rect x=\"25\" y=\"575\" width=\"10\" height=\"10\" fill=\"#d8d8d8\"/><text x=\"40\" y=\"584\" font-size=\"11\">refused</text>\n");
+    let _ = writeln!(
+        svg,
+        "<rect x=\"25\" y=\"{}\" width=\"10\" height=\"10\" fill=\"#d8d8d8\"/><text x=\"40\" y=\"{}\" font-size=\"11\">refused</text>",
+        top + bottom + 16.0,
+        top + bottom + 25.0
+    );
     svg
 }
 
 #[test]
 fn the_regions_are_drawn() {
     let mut svg = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 590\" font-family=\"sans-serif\" font-size=\"13\">\n\
-         <rect width=\"860\" height=\"590\" fill=\"white\"/>\n",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 668\" font-family=\"sans-serif\" font-size=\"13\">\n\
+         <rect width=\"860\" height=\"668\" fill=\"white\"/>\n",
     );
     for (panel, (name, method)) in [
         ("RK4, explicit", explicit as Method),

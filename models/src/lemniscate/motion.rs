@@ -12,7 +12,7 @@ use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
 use crate::lemniscate::moving::symbols::S_R;
 use crate::plane::{Point, dot};
 use crate::solver::pieces::{self, Pieces};
-use crate::solver::{Count, Halt};
+use crate::solver::{Count, Halt, finite};
 
 /// Friction at the driven bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -246,7 +246,7 @@ impl Motion {
     /// anything changed.
     ///
     /// # Errors
-    /// The linkage does not close.
+    /// The linkage does not close, or a number overflows.
     pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
         let first = *state;
         if state.y[1] == 0.0 {
@@ -270,7 +270,8 @@ impl Motion {
                 break;
             }
         }
-        Ok(*state != first)
+        // A rope without length has no direction.
+        finite(&state.y).then_some(*state != first).ok_or(Halt::Outside)
     }
 
     /// A bar that has reached a stop, or turned round, is at rest.

@@ -142,7 +142,7 @@ static DRIVE: &[Key] = &[
 static TABLE: &[Key] = &[Key::named(
     "tol",
     &moving::symbols::TOL,
-    Sign::Positive,
+    Sign::Tolerance,
     "How far each result may be off the closed form, as a part of its range.",
 )];
 

@@ -12,7 +12,7 @@ use crate::lemniscate::hanging::{Accelerations, Free, Load, Rope, squared, turne
 use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, above_zero, capped};
 use crate::lemniscate::moving::symbols as s;
 use crate::solver::pieces::{self, Pieces};
-use crate::solver::{Count, Halt};
+use crate::solver::{Count, Halt, finite};
 
 /// Number of states: angle and rate of the driven bar, of slewing, the load from the head and its rate in
 /// the frame that slews, the rope's length; rad, m, s.
@@ -255,7 +255,7 @@ impl Slewing {
     /// Decides what follows at an instant, as often as one event causes another. Returns whether anything changed.
     ///
     /// # Errors
-    /// The linkage does not close.
+    /// The linkage does not close, or a number overflows.
     pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
         let first = *state;
         for i in 0..2 {
@@ -285,7 +285,8 @@ impl Slewing {
                 break;
             }
         }
-        Ok(*state != first)
+        // A rope without length has no direction.
+        finite(&state.y).then_some(*state != first).ok_or(Halt::Outside)
     }
 
     /// A joint that has reached a stop, or turned round, is at rest.

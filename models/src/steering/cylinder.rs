@@ -100,46 +100,57 @@ impl Cylinder<f64> {
     /// shorter stroke or a stop of its own.
     #[must_use]
     pub fn range(&self, mirrored: bool) -> Limits {
-        let linkage = self.linkage(mirrored);
-        let [low, high] = linkage.dead_points();
-        let (back, out) = (self.l_x + self.l_a, 2.0 * self.l_x + self.l_a);
-        let (short, long) = (linkage.angle(back), linkage.angle(out));
-        let (min, max) = if mirrored { (long, short) } else { (short, long) };
+        let [min, max] = self.ends(mirrored);
         Limits {
-            min: min.unwrap_or(low),
-            max: max.unwrap_or(high),
+            min,
+            max,
             forbidden: Vec::new(),
         }
     }
 }
 
-impl Linkage<f64> {
+impl<C: Calc> Cylinder<C> {
+    /// The ends of [`range`](Cylinder::range), over any scalar.
+    #[must_use]
+    pub fn ends(&self, mirrored: bool) -> [C; 2] {
+        let linkage = self.linkage(mirrored);
+        let [low, high] = linkage.dead_points();
+        let (back, out) = (self.l_x + self.l_a, C::constant(2.0) * self.l_x + self.l_a);
+        let (short, long) = (linkage.angle(back), linkage.angle(out));
+        let (min, max) = if mirrored { (long, short) } else { (short, long) };
+        [min.unwrap_or(low), max.unwrap_or(high)]
+    }
+}
+
+impl<C: Calc> Linkage<C> {
     /// The heading, in rad, at a length (m), between the dead points; `None` where
     /// the cylinder is too long or too short for any.
     #[must_use]
-    pub fn angle(&self, l: f64) -> Option<f64> {
+    pub fn angle(&self, l: C) -> Option<C> {
         let (r, ob) = (plane::length(self.c), plane::length(self.b));
         // Half the angle at o of the triangle o, b, c, well conditioned throughout.
         let (above, below) = ((l - (ob - r)) * (l + (ob - r)), ((ob + r) - l) * ((ob + r) + l));
-        if above < 0.0 || below < 0.0 {
+        if above.value() < 0.0 || below.value() < 0.0 {
             return None;
         }
-        let theta = 2.0 * f64::direction(below.sqrt(), above.sqrt()) - f64::direction(r, self.l_0);
+        let theta = C::constant(2.0) * C::direction(below.sqrt(), above.sqrt()) - C::direction(r, self.l_0);
         Some(if self.mirrored { -theta } else { theta })
     }
 
     /// The headings between which the lever arm does not vanish, in rad.
     #[must_use]
-    pub fn dead_points(&self) -> [f64; 2] {
-        let beta = f64::direction(plane::length(self.c), self.l_0);
-        let half = std::f64::consts::PI;
+    pub fn dead_points(&self) -> [C; 2] {
+        let beta = C::direction(plane::length(self.c), self.l_0);
+        let half = C::constant(std::f64::consts::PI);
         if self.mirrored {
             [beta - half, beta]
         } else {
             [-beta, half - beta]
         }
     }
+}
 
+impl Linkage<f64> {
     /// Longest and shortest length and smallest lever arm (by amount) over a
     /// group's range. Between dead points the length is monotone and the arm falls
     /// to both sides of straight ahead, so that all three are found at the ends.

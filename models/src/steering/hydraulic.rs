@@ -4,7 +4,7 @@
 //! The pump holds its pressure (load sensing), so that the groups do not act on
 //! each other: each is a system of its own with 8 states.
 
-use crate::calc::Calc;
+use crate::calc::{Calc, Over};
 use crate::hydraulics::cylinder::{Cylinder, Oil};
 use crate::plane::Point;
 use crate::solver::{Gradient, System};
@@ -21,20 +21,20 @@ pub const INDICATORS: usize = 6;
 
 /// One group at work: angle, rate, pressures of ports and chambers, spool and its speed.
 #[derive(Clone, Copy, Debug)]
-pub struct Group {
-    pub linkage: Linkage<f64>,
-    pub cylinder: Cylinder,
+pub struct Group<P = f64> {
+    pub linkage: Linkage<P>,
+    pub cylinder: Cylinder<P>,
     /// About the group's axis, in kg·m².
-    pub inertia: f64,
+    pub inertia: P,
     /// Resistance to steering, in N·m: tyres and slewing ring.
-    pub resistance: f64,
+    pub resistance: P,
     /// Least and greatest angle, in rad, and the end stops' stiffness (N·m/rad) and damping (N·m·s/rad) beyond them.
-    pub stops: [f64; 2],
-    pub buffer: [f64; 2],
+    pub stops: [P; 2],
+    pub buffer: [P; 2],
     /// Pressure of the pump, in Pa.
-    pub supply: f64,
+    pub supply: P,
     /// Command of the valve in [−1, 1]; positive lengthens the cylinder.
-    pub command: f64,
+    pub command: P,
 }
 
 impl Group {
@@ -57,14 +57,16 @@ impl Group {
             spool_speed,
         }
     }
+}
 
+impl<P: Calc> Group<P> {
     /// Length and lever arm of the cylinder at an angle (rad).
     #[inline]
-    pub fn pose<C: Calc>(&self, theta: C) -> Pose<C> {
+    pub fn pose<C: Over<P>>(&self, theta: C) -> Pose<C> {
         let linkage = Linkage {
-            c: self.linkage.c.map(C::constant),
-            b: self.linkage.b.map(C::constant),
-            l_0: C::constant(self.linkage.l_0),
+            c: self.linkage.c.map(C::of),
+            b: self.linkage.b.map(C::of),
+            l_0: C::of(self.linkage.l_0),
             mirrored: self.linkage.mirrored,
         };
         let (sin, cos) = theta.sin_cos();
@@ -73,16 +75,19 @@ impl Group {
 
     /// Moment of tyres, slewing ring and end stop on the group, in N·m; positive turns it counter-clockwise.
     #[inline]
-    pub fn reaction<C: Calc>(&self, theta: C, omega: C) -> C {
+    pub fn reaction<C: Over<P>>(&self, theta: C, omega: C) -> C {
         let smooth = (omega.square() + C::constant(CREEP * CREEP)).sqrt();
-        let tyres = C::constant(-self.resistance) * omega / smooth;
-        let nearest = theta.value().clamp(self.stops[0], self.stops[1]);
-        let depth = theta - C::constant(nearest);
-        if depth.value() == 0.0 {
+        let tyres = C::of(-self.resistance) * omega / smooth;
+        let [low, high] = self.stops;
+        let depth = if theta.value() < low.value() {
+            theta - C::of(low)
+        } else if theta.value() > high.value() {
+            theta - C::of(high)
+        } else {
             return tyres;
-        }
+        };
         let [stiffness, damping] = self.buffer;
-        let push = C::constant(-stiffness) * depth - C::constant(damping) * omega;
+        let push = C::of(-stiffness) * depth - C::of(damping) * omega;
         // A stop pushes, and never pulls.
         if push.value() * depth.value() < 0.0 {
             tyres + push
@@ -93,7 +98,7 @@ impl Group {
 
     /// Equations over any scalar.
     #[inline]
-    pub fn equations<C: Calc>(&self, y: &[C; STATES]) -> [C; STATES] {
+    pub fn equations<C: Over<P>>(&self, y: &[C; STATES]) -> [C; STATES] {
         let [theta, omega, ..] = *y;
         let oil = Group::oil(y);
         let pose = self.pose(theta);
@@ -103,7 +108,7 @@ impl Group {
         let moment = self.cylinder.force(&oil) * pose.od + self.reaction(theta, omega);
         [
             omega,
-            moment / C::constant(self.inertia),
+            moment / C::of(self.inertia),
             rates.ports[0],
             rates.ports[1],
             rates.chambers[0],
@@ -116,25 +121,25 @@ impl Group {
     /// Where one falls below zero there is a kink in the rates: both pairs of edges close, both relief
     /// valves open, both end stops are met.
     #[must_use]
-    pub fn indicators(&self, y: &[f64; STATES]) -> [f64; INDICATORS] {
+    pub fn indicators<C: Over<P>>(&self, y: &[C; STATES]) -> [C; INDICATORS] {
         let &[theta, _, p_1, p_2, _, _, spool, _] = y;
-        let (overlap, opening) = (self.cylinder.valve.overlap, self.cylinder.relief[0]);
+        let (overlap, opening) = (C::of(self.cylinder.valve.overlap), C::of(self.cylinder.relief[0]));
         [
             spool - overlap,
             -spool - overlap,
             opening - p_1,
             opening - p_2,
-            theta - self.stops[0],
-            self.stops[1] - theta,
+            theta - C::of(self.stops[0]),
+            C::of(self.stops[1]) - theta,
         ]
     }
 
     /// Flow from the pump through the valve, in m³/s.
     #[must_use]
-    pub fn demand(&self, y: &[f64; STATES]) -> f64 {
+    pub fn demand<C: Over<P>>(&self, y: &[C; STATES]) -> C {
         let oil = Group::oil(y);
         let [a, b] = self.cylinder.valve.flows(oil.spool, self.supply, oil.ports);
-        if oil.spool >= 0.0 { a } else { b }
+        if oil.spool.value() >= 0.0 { a } else { b }
     }
 }
 

@@ -254,13 +254,13 @@ impl Limits {
     }
 
     /// Smallest angle, in rad, that is left at a heading to an end of the range or to a forbidden one; negative
-    /// beyond it.
-    pub fn margin<C: Calc>(&self, theta: C) -> C {
+    /// beyond it. The ends are those of the range, over the same scalar.
+    pub fn margin<C: Calc>(&self, [min, max]: [C; 2], theta: C) -> C {
         let (smaller, greater) = (
             |a: C, b: C| if b.value() < a.value() { b } else { a },
             |a: C, b: C| if b.value() > a.value() { b } else { a },
         );
-        let outer = smaller(theta - C::constant(self.min), C::constant(self.max) - theta);
+        let outer = smaller(theta - min, max - theta);
         let inner = self
             .forbidden
             .iter()

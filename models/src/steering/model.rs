@@ -478,6 +478,21 @@ impl Model {
     /// # Errors
     /// Not an output, or a place where there is no derivative.
     pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+        let derivative = self.with_derivative(tangent, index)?.eps;
+        if derivative.is_nan() {
+            return Err(Fault::outside(format!(
+                "{} has no derivative in this configuration",
+                self.variables[index]
+            )));
+        }
+        Ok(derivative)
+    }
+
+    /// An output with its derivative, in SI.
+    ///
+    /// # Errors
+    /// Not an output, or a configuration that does not exist.
+    pub(crate) fn with_derivative(&self, tangent: &mut Tangent, index: usize) -> Result<Dual64, Fault> {
         let variable = || &self.variables[index];
         let output = match self.slot(index)? {
             Slot::Output(output) => output,
@@ -489,14 +504,7 @@ impl Model {
             }
             _ => return Err(Fault::new(format!("{} is no result: it has no derivative", variable()))),
         };
-        let derivative = tangent.0.output(output)?.eps;
-        if derivative.is_nan() {
-            return Err(Fault::outside(format!(
-                "{} has no derivative in this configuration",
-                variable()
-            )));
-        }
-        Ok(derivative)
+        tangent.0.output(output)
     }
 
     /// What each variable follows from: inputs, parameters and [`TIME`].

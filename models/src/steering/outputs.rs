@@ -187,7 +187,7 @@ impl<C: Calc> Parameters<C> {
         if let Some(pace) = &self.pace {
             pace.check()?;
         }
-        let mut limits = Vec::new();
+        let (mut limits, mut ends) = (Vec::new(), Vec::new());
         let mut linkages = Vec::new();
         if let Some(bearing) = &self.bearing {
             bearing.check()?;
@@ -207,6 +207,10 @@ impl<C: Calc> Parameters<C> {
                 (None, Some(cylinder)) => cylinder.range(group.mirrored),
                 (None, None) => Limits::new(-std::f64::consts::PI, std::f64::consts::PI, Vec::new())?,
             };
+            ends.push(match (group.range, &self.cylinder) {
+                (None, Some(cylinder)) => cylinder.ends(group.mirrored),
+                _ => [whole.min, whole.max].map(C::constant),
+            });
             limits.push(whole.forbid(group.forbidden.clone()).map_err(|found| Refusal {
                 key: format!("forbidden[{number}]"),
                 what: format!("group {number}: {}", found.what),
@@ -216,6 +220,7 @@ impl<C: Calc> Parameters<C> {
         Ok(Built {
             machine,
             limits,
+            ends,
             linkages,
         })
     }
@@ -234,6 +239,8 @@ fn rear_base<C: Calc>(groups: &[Group<C>]) -> usize {
 pub struct Built<C> {
     pub machine: Machine<C>,
     pub limits: Vec<Limits>,
+    /// The ends of each range again, in rad, with the derivatives of what they follow from.
+    pub ends: Vec<[C; 2]>,
     pub linkages: Vec<Linkage<C>>,
 }
 
@@ -436,11 +443,9 @@ impl<C: Calc> Evaluation<C> {
             O::ROut => swept()?.outer,
             O::Width => swept()?.width,
             O::Margin => {
-                let left = self
-                    .wheels
-                    .iter()
-                    .zip(&built.limits)
-                    .map(|(wheel, limits)| limits.margin(wheel.theta));
+                let ranges = built.limits.iter().zip(&built.ends);
+                let left =
+                    (self.wheels.iter().zip(ranges)).map(|(wheel, (limits, ends))| limits.margin(*ends, wheel.theta));
                 let least = |a: C, b: C| if b.value() < a.value() { b } else { a };
                 left.reduce(least).ok_or_else(absent)?
             }

@@ -139,7 +139,7 @@ fn two_codes_that_part_are_named() {
     let scene = scene("hydraulic", "");
     let setting = Setting::fine("hydraulic");
     let mut coarse = Setting {
-        method: Method::Implicit(0.5),
+        method: Method::Implicit(0.1),
         ..setting
     }
     .model(&scene, 0.1)

@@ -26,7 +26,7 @@ use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion as Range;
 use crate::plane::Point;
 use crate::record::{self, Rec};
-use crate::schema::{Kind, Sign, short};
+use crate::schema::{COARSEST, Kind, Sign, short};
 use crate::solver::{Count, Halt, MOST_STEPS};
 use crate::symbol::Symbol;
 use crate::unit;
@@ -197,7 +197,8 @@ impl Model {
             kind: Type::Real,
             bounds: match allowed(symbol) {
                 Sign::Any => [f64::NEG_INFINITY, f64::INFINITY],
-                _ => [0.0, f64::INFINITY],
+                Sign::Tolerance => [0.0, COARSEST],
+                Sign::Positive | Sign::NotNegative => [0.0, f64::INFINITY],
             },
         };
         let boom = self.driven == Driven::Boom;

@@ -66,7 +66,7 @@ pub static OIL_KEYS: &[Key] = &[
     Key::quantity(&s::K_L, Sign::NotNegative),
     Key::quantity(&s::OMEGA_V, Sign::Positive),
     Key::quantity(&s::ZETA_V, Sign::NotNegative),
-    Key::quantity(&s::TOL, Sign::Positive).optional(),
+    Key::quantity(&s::TOL, Sign::Tolerance).optional(),
     Key::quantity(&s::P_P, Sign::NotNegative),
     Key::quantity(&s::U_V, Sign::Any).optional(),
     Key::text(

@@ -4,18 +4,22 @@
 
 use std::collections::BTreeSet;
 
-use crate::calc::Calc;
+use num_dual::Dual64;
+
+use crate::calc::{Calc, Over};
 use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::valve::Valve;
-use crate::model::{Fault, Name, Role, Terminal, Type, Variable};
+use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::schema::short;
 use crate::solver::{Count, Halt, MOST_STEPS};
 use crate::steering::hydraulic::{Control, Group, INDICATORS, STATES};
+use crate::steering::load::{Resistance, resistance};
 use crate::steering::machine::within;
-use crate::steering::model::{Model as Algebraic, State as AlgebraicState};
+use crate::steering::model::{Model as Algebraic, State as AlgebraicState, Tangent as AlgebraicTangent};
 use crate::steering::moving::level::{Clock, Level, Present};
 use crate::steering::moving::scene::{Moving, bounds};
 use crate::steering::moving::symbols as m;
+use crate::steering::ring::friction;
 use crate::steering::scene::Steering;
 use crate::steering::sizing::{flow, force};
 use crate::steering::symbols as s;
@@ -57,11 +61,10 @@ pub struct Model {
     slots: Vec<Slot>,
     /// Where the algebraic model has what the groups need: of the first group the angle that the PLC is to
     /// reach, which is the set point on its way through a change of mode or that of the nearest command, angle and
-    /// rolling speed as commanded, and T_r, T_rx and T_g where there are loads; the margin to the ranges.
+    /// rolling speed as commanded; the margin to the ranges.
     wanted: usize,
     heading: usize,
     rolling: usize,
-    resistance: Option<[usize; 3]>,
     margin: usize,
     /// Follows from parameters and inputs; `None` where there is no machine.
     level: Option<Level>,
@@ -80,6 +83,30 @@ pub struct State {
     given: Moving,
     /// Of the algebraic model; while the model runs, it has a newer one.
     algebraic: AlgebraicState,
+}
+
+/// Directions in so many quantities need no allocation.
+const FEW: usize = 12;
+
+/// A direction of states, inputs and parameters: what changes along it, and how fast.
+#[derive(Clone, Debug)]
+pub struct Tangent {
+    few: [(Quantity, f64); FEW],
+    count: usize,
+    more: Vec<(Quantity, f64)>,
+    /// Made when a result of the command is first asked for.
+    algebraic: Option<AlgebraicTangent>,
+}
+
+impl Tangent {
+    fn rate(&self, quantity: Quantity) -> f64 {
+        let mut all = self.few[..self.count].iter().chain(&self.more);
+        all.find(|(known, _)| *known == quantity).map_or(0.0, |(_, rate)| *rate)
+    }
+
+    fn dual(&self, quantity: Quantity, value: f64) -> Dual64 {
+        Dual64::new(value, self.rate(quantity))
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -154,10 +181,6 @@ impl Model {
             heading: of(&s::THETA).ok_or_else(absent)?,
             wanted: of(&s::THETA_S).or(of(&s::THETA_N)).ok_or_else(absent)?,
             rolling: of(&s::V).ok_or_else(absent)?,
-            resistance: of(&s::T_R)
-                .zip(of(&s::T_RX))
-                .zip(of(&s::T_G))
-                .map(|((t_r, t_rx), t_g)| [t_r, t_rx, t_g]),
             margin: of(&s::MARGIN).ok_or_else(absent)?,
             level: None,
             before: groups.clone(),
@@ -297,16 +320,37 @@ impl Model {
 
     /// The equations of motion with the present parameters and inputs.
     fn assemble(&mut self) -> Result<Level, Fault> {
-        let Moving { body, oil, plc } = self.state.given;
+        let Moving { plc, .. } = self.state.given;
         let parameters = self.algebraic.parameters();
-        let built = parameters
-            .build()
-            .map_err(|refusal| Fault::outside(refusal.to_string()))?;
-        let (linkage, piston) = parameters.cylinder.zip(parameters.piston).ok_or_else(absent)?;
+        let built = parameters.build();
+        built.map_err(|refusal| Fault::outside(refusal.to_string()))?;
         let accuracy = parameters.accuracy.ok_or_else(absent)?;
+        let mut groups = Vec::with_capacity(self.state.groups.len());
+        for i in 0..self.state.groups.len() {
+            groups.push(self.group(i, &mut |_, value| value)?);
+        }
+        let control = Control {
+            period: plc.t_c,
+            resolution: accuracy.step,
+            gains: [plc.k_p, plc.k_i],
+            limit: plc.u_max,
+        };
+        Ok(Level { groups, control })
+    }
+
+    /// The equations of one group over any scalar: `of` gives each input and parameter in it. The parameters have a machine.
+    fn group<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> Result<Group<P>, Fault> {
+        let parameters = self.algebraic.parameters();
+        let steered = parameters.groups.get(i).ok_or_else(absent)?;
+        let resistance = self.resistance(i, of);
+        let mut alone = |symbol, value| of((symbol, None), value);
+        let linkage = parameters.cylinder.ok_or_else(absent)?.map(&mut alone);
+        let piston = parameters.piston.ok_or_else(absent)?.map(&mut alone);
+        let body = self.state.given.body.map(&mut alone);
+        let oil = self.state.given.oil.map(&mut alone);
         let cylinder = Cylinder {
             areas: Cylinder::areas(piston.d_g, piston.d),
-            lengths: [linkage.l_x + linkage.l_a, 2.0 * linkage.l_x + linkage.l_a],
+            lengths: [linkage.l_x + linkage.l_a, P::constant(2.0) * linkage.l_x + linkage.l_a],
             dead_volume: oil.v_0,
             port_volume: oil.v_1,
             line: Valve::rated(oil.q_n, oil.dp_l),
@@ -320,26 +364,45 @@ impl Model {
                 damping: oil.zeta_v,
             },
         };
-        let mut groups = Vec::with_capacity(built.linkages.len());
-        for (i, (linkage, limits)) in built.linkages.iter().zip(&built.limits).enumerate() {
-            groups.push(Group {
-                linkage: *linkage,
-                cylinder,
-                inertia: body.j,
-                resistance: drag(&mut self.algebraic, self.resistance, i)?,
-                stops: [limits.min, limits.max],
-                buffer: [body.j * STOP * STOP, 2.0 * body.j * STOP],
-                supply: oil.p_p,
-                command: self.state.groups[i].held.command,
-            });
+        Ok(Group {
+            linkage: linkage.linkage(steered.mirrored),
+            cylinder,
+            inertia: body.j,
+            resistance,
+            stops: match steered.range {
+                Some(range) => range.map(P::constant),
+                None => linkage.ends(steered.mirrored),
+            },
+            buffer: [STOP * STOP, 2.0 * STOP].map(|factor| body.j * P::constant(factor)),
+            supply: oil.p_p,
+            command: P::constant(self.state.groups[i].held.command),
+        })
+    }
+
+    /// What a group resists now: at standstill, or while travelling; nothing without loads.
+    fn resistance<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> P {
+        match self.drag(i, of) {
+            None => P::constant(0.0),
+            Some(drag) if self.algebraic.inputs().v_t == 0.0 => drag.standing,
+            Some(drag) => drag.travelling,
         }
-        let control = Control {
-            period: plc.t_c,
-            resolution: accuracy.step,
-            gains: [plc.k_p, plc.k_i],
-            limit: plc.u_max,
-        };
-        Ok(Level { groups, control })
+    }
+
+    /// Resistance of a group to steering over any scalar, in N·m, with the slewing ring's friction, which stays while
+    /// travelling; none without loads.
+    fn drag<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> Option<Resistance<P>> {
+        let (parameters, inputs) = (self.algebraic.parameters(), self.algebraic.inputs());
+        let load = of((&s::G, Some(i as u16 + 1)), *inputs.loads.get(i)?);
+        let mut alone = |symbol, value| of((symbol, None), value);
+        let tyres = resistance(&parameters.tyre?.map(&mut alone), load);
+        let ring = parameters
+            .bearing
+            .map(|bearing| friction(&bearing.map(&mut alone), load));
+        let standing = tyres.standing + ring.unwrap_or(P::constant(0.0));
+        Some(Resistance {
+            standing,
+            travelling: standing - tyres.standing + tyres.travelling,
+        })
     }
 
     /// A parameter has changed.
@@ -352,18 +415,18 @@ impl Model {
     }
 
     /// A load, the travel speed or the pump's pressure may have changed.
-    fn loaded(&mut self) -> Result<(), Fault> {
-        let Some(level) = &mut self.level else { return Ok(()) };
+    fn loaded(&mut self) {
         let supply = self.state.given.oil.p_p;
-        for (i, (group, present)) in level.groups.iter_mut().zip(&mut self.state.groups).enumerate() {
-            let resistance = drag(&mut self.algebraic, self.resistance, i)?;
+        for i in 0..self.state.groups.len() {
+            let resistance = self.resistance(i, &mut |_, value| value);
+            let Some(level) = &mut self.level else { return };
+            let group = &mut level.groups[i];
             // An importer that repeats itself does not interrupt the solver.
             if group.resistance != resistance || group.supply != supply {
                 (group.resistance, group.supply) = (resistance, supply);
-                present.interrupt();
+                self.state.groups[i].interrupt();
             }
         }
-        Ok(())
     }
 
     fn level(&mut self) -> Result<&Level, Fault> {
@@ -438,36 +501,51 @@ impl Model {
     fn of_group(&mut self, of: OfGroup, i: usize) -> Result<f64, Fault> {
         let present = self.state.groups[i];
         let y = present.run.states();
-        let (theta, omega) = (y[0], y[1]);
         let group = self.level()?.groups[i];
-        let pose = || group.pose(theta);
-        let mut load = |which: usize| match self.resistance {
-            Some(first) => self.algebraic.get(first[which] + i),
-            None => Err(absent()),
-        };
         Ok(match of {
             OfGroup::Wanted => self.wanted(i)?,
-            OfGroup::Error => self.wanted(i)? - theta,
+            OfGroup::Error => self.wanted(i)? - y[0],
             OfGroup::Command => present.held.command,
-            OfGroup::Force => group.cylinder.force(&Group::oil(&y)),
-            OfGroup::Reaction => group.reaction(theta, omega),
-            OfGroup::Demand => group.demand(&y),
-            // The ground passes under the wheels as commanded; they roll along where they point.
             OfGroup::Rolling => {
-                let off = self.algebraic.get(self.heading + i)? - theta;
-                self.algebraic.get(self.rolling + i)? * Calc::sin_cos(off).1
+                let [heading, rolling] = [self.heading, self.rolling].map(|first| self.algebraic.get(first + i));
+                rolled(heading?, rolling?, y[0])
             }
-            OfGroup::Length => pose().l,
-            OfGroup::Arm => pose().od,
-            OfGroup::Speed => pose().od * omega,
-            OfGroup::Flow => {
-                let piston = self.algebraic.parameters().piston.ok_or_else(absent)?;
-                flow(&piston, pose().od * omega)
-            }
-            OfGroup::ForceStanding => force(load(2)?, pose().od),
-            OfGroup::ForceTravelling => force(load(2)? - load(0)? + load(1)?, pose().od),
+            _ => self.of_states(of, i, &group, &y, &mut |_, value| value)?,
         })
     }
+
+    /// A result of a group that follows from its states and loads, over any scalar.
+    fn of_states<P: Calc + Over<P>>(
+        &self,
+        of: OfGroup,
+        i: usize,
+        group: &Group<P>,
+        y: &[P; STATES],
+        scalar: &mut dyn FnMut(Quantity, f64) -> P,
+    ) -> Result<P, Fault> {
+        let (theta, omega) = (y[0], y[1]);
+        let pose = group.pose(theta);
+        let drag = |found: Option<Resistance<P>>| found.ok_or_else(absent);
+        Ok(match of {
+            OfGroup::Force => group.cylinder.force(&Group::oil(y)),
+            OfGroup::Reaction => group.reaction(theta, omega),
+            OfGroup::Demand => group.demand(y),
+            OfGroup::Length => pose.l,
+            OfGroup::Arm => pose.od,
+            OfGroup::Speed => pose.od * omega,
+            OfGroup::Flow => {
+                let piston = self.algebraic.parameters().piston.ok_or_else(absent)?;
+                flow(
+                    &piston.map(&mut |symbol, value| scalar((symbol, None), value)),
+                    pose.od * omega,
+                )
+            }
+            OfGroup::ForceStanding => force(drag(self.drag(i, scalar))?.standing, pose.od),
+            OfGroup::ForceTravelling => force(drag(self.drag(i, scalar))?.travelling, pose.od),
+            OfGroup::Wanted | OfGroup::Error | OfGroup::Command | OfGroup::Rolling => return Err(absent()),
+        })
+    }
+
     /// # Errors
     /// A value that is not finite or outside what the symbol allows, a result, an unknown index.
     pub fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
@@ -508,7 +586,7 @@ impl Model {
                     }
                 });
                 match variable.role {
-                    Role::Input => self.loaded()?,
+                    Role::Input => self.loaded(),
                     _ if !same => self.changed(),
                     _ => {}
                 }
@@ -519,7 +597,7 @@ impl Model {
                 self.algebraic.set(inner, value)?;
                 match variable.role {
                     // A command waits for the next sample.
-                    Role::Input if [&s::G, &s::V_T].contains(&variable.symbol) => self.loaded()?,
+                    Role::Input if [&s::G, &s::V_T].contains(&variable.symbol) => self.loaded(),
                     Role::Parameter | Role::Tunable if before != value => self.changed(),
                     _ => {}
                 }
@@ -798,6 +876,99 @@ impl Model {
         })
     }
 
+    /// The model with derivatives along a direction: `seed` is the rate of change of each state, input and parameter, in SI,
+    /// and of [`TIME`](crate::model::TIME).
+    #[must_use]
+    pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
+        let mut tangent = Tangent {
+            few: [((&s::THETA, None), 0.0); FEW],
+            count: 0,
+            more: Vec::new(),
+            algebraic: None,
+        };
+        let known = self.variables.iter().map(Variable::quantity);
+        for quantity in known.chain([(&TIME, None)]) {
+            let rate = seed(quantity);
+            if rate == 0.0 {
+                continue;
+            }
+            match tangent.few.get_mut(tangent.count) {
+                Some(slot) => (*slot, tangent.count) = ((quantity, rate), tangent.count + 1),
+                None => tangent.more.push((quantity, rate)),
+            }
+        }
+        tangent
+    }
+
+    /// Derivative of a state, a rate, an event indicator or an output along the direction of a tangent, in SI. The command
+    /// of a valve is held from sample to sample: nothing changes it.
+    ///
+    /// # Errors
+    /// None of these, what is searched for, or a place where there is no derivative.
+    pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+        let variable = &self.variables[index];
+        let of_states = |tangent: &Tangent, i: usize| -> Result<(Group<Dual64>, [Dual64; STATES]), Fault> {
+            let y = self.state.groups[i].run.states();
+            let number = Some(i as u16 + 1);
+            let y = std::array::from_fn(|k| tangent.dual((OF_GROUP[k].0, number), y[k]));
+            Ok((self.group(i, &mut |quantity, value| tangent.dual(quantity, value))?, y))
+        };
+        let of_group = |tangent: &Tangent, of: OfGroup, i: usize| {
+            let (group, y) = of_states(tangent, i)?;
+            self.of_states(of, i, &group, &y, &mut |quantity, value| tangent.dual(quantity, value))
+        };
+        let found = match self.slot(index)? {
+            Slot::State(..) => tangent.dual(variable.quantity(), 0.0),
+            Slot::Rate(k, i) => {
+                let (group, y) = of_states(tangent, i)?;
+                group.equations(&y)[k]
+            }
+            Slot::Indicator(k, i) => {
+                let (group, y) = of_states(tangent, i)?;
+                group.indicators(&y)[k]
+            }
+            Slot::Demand => {
+                let mut sum = Dual64::from_re(0.0);
+                for i in 0..self.state.groups.len() {
+                    sum += of_group(tangent, OfGroup::Demand, i)?;
+                }
+                sum
+            }
+            Slot::Of(OfGroup::Command, _) => Dual64::from_re(0.0),
+            Slot::Of(OfGroup::Wanted | OfGroup::Error, _) => {
+                return Err(Fault::new(format!(
+                    "{variable} follows from what is searched for: it has no derivative"
+                )));
+            }
+            Slot::Of(OfGroup::Rolling, i) => {
+                let heading = self.of_command(tangent, self.heading + i)?;
+                let rolling = self.of_command(tangent, self.rolling + i)?;
+                let theta = self.state.groups[i].run.states()[0];
+                rolled(heading, rolling, tangent.dual((&s::THETA, Some(i as u16 + 1)), theta))
+            }
+            Slot::Of(of, i) => of_group(tangent, of, i)?,
+            Slot::Algebraic(inner) => self.of_command(tangent, inner)?,
+            Slot::Given => return Err(Fault::new(format!("{variable} is no result: it has no derivative"))),
+        };
+        if found.eps.is_nan() {
+            return Err(Fault::outside(format!(
+                "{variable} has no derivative in this configuration"
+            )));
+        }
+        Ok(found.eps)
+    }
+
+    /// A result of the algebraic model with its derivative.
+    fn of_command(&self, tangent: &mut Tangent, inner: usize) -> Result<Dual64, Fault> {
+        let mut algebraic = match tangent.algebraic.take() {
+            Some(algebraic) => algebraic,
+            None => self.algebraic.tangent(&|quantity| tangent.rate(quantity)),
+        };
+        let found = self.algebraic.with_derivative(&mut algebraic, inner);
+        tangent.algebraic = Some(algebraic);
+        found
+    }
+
     /// What each variable depends on: of a group its own states and what acts on it, and for what the
     /// command wants what it does in the algebraic model. The PLC's command is held between samples.
     #[must_use]
@@ -810,7 +981,7 @@ impl Model {
             .filter(|variable| matches!(variable.role, Role::Parameter | Role::Tunable) && variable.number.is_none())
             .map(|variable| (variable.symbol.id, None))
             .collect();
-        let loaded = self.resistance.is_some();
+        let loaded = !self.algebraic.inputs().loads.is_empty();
         let acting = |i: usize| {
             let mut all = constants.clone();
             all.extend([(m::P_P.id, None), (s::V_T.id, None)]);
@@ -845,18 +1016,9 @@ impl Model {
     }
 }
 
-/// Resistance of a group to steering, in N·m: at standstill, or while travelling; none without loads.
-/// `first` is where the algebraic model has T_r, T_rx and T_g of the first group.
-fn drag(algebraic: &mut Algebraic, first: Option<[usize; 3]>, group: usize) -> Result<f64, Fault> {
-    let Some([t_r, t_rx, t_g]) = first.map(|first| first.map(|at| at + group)) else {
-        return Ok(0.0);
-    };
-    let standing = algebraic.get(t_g)?;
-    if algebraic.inputs().v_t == 0.0 {
-        return Ok(standing);
-    }
-    // The ring's friction stays.
-    Ok(standing - algebraic.get(t_r)? + algebraic.get(t_rx)?)
+/// The ground passes under the wheels of a group as commanded; they roll along where they point.
+fn rolled<P: Calc>(heading: P, rolling: P, theta: P) -> P {
+    rolling * (heading - theta).sin_cos().1
 }
 
 /// For what the scene of a steering in motion always has.

@@ -1,7 +1,7 @@
 //! What a scene says about the groups in motion.
 
 use crate::diagnostic::Diagnostic;
-use crate::schema::{Key, Sign, Values};
+use crate::schema::{COARSEST, Key, Sign, Values};
 use crate::steering::machine::{Refusal, within};
 use crate::steering::moving::symbols as s;
 use crate::symbol::{Symbol, quantities};
@@ -47,7 +47,7 @@ const OIL_KEYS: &[Key] = &[
     Key::quantity(&s::OMEGA_V, Sign::Positive),
     Key::quantity(&s::ZETA_V, Sign::NotNegative),
     Key::quantity(&s::P_P, Sign::NotNegative),
-    Key::quantity(&s::TOL, Sign::Positive).optional(),
+    Key::quantity(&s::TOL, Sign::Tolerance).optional(),
     SOURCE,
 ];
 
@@ -94,7 +94,7 @@ pub fn bounds(symbol: &Symbol) -> (f64, f64, bool) {
         (&s::T_C, (1e-4, 10.0, false)),
         (&s::U_MAX, (0.0, 1.0, true)),
         (&s::X_0, (0.0, 0.9, false)),
-        (&s::TOL, (1e-12, 1.0, false)),
+        (&s::TOL, (1e-12, COARSEST, false)),
     ];
     if let Some((_, bounds)) = known.into_iter().find(|(known, _)| *known == symbol) {
         return bounds;
