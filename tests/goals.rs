@@ -1,5 +1,5 @@
-//! Benchmarks beside their goals: `cargo bench -p lemnis-tests`. Figures are
-//! the best of several rounds on this machine; nothing here fails.
+//! Benchmarks beside their goals: `cargo bench --workspace --bench goals`, with `-- motion` those of mechanisms in
+//! motion alone. Figures are the best of several rounds on this machine; nothing here fails.
 
 use std::ffi::{CString, c_char, c_void};
 use std::hint::black_box;
@@ -23,6 +23,9 @@ use lemnis_synthesis::optimum::Watch;
 use lemnis_synthesis::run::run;
 use libloading::{Library as Shared, Symbol};
 
+#[path = "goals/motion.rs"]
+mod motion;
+
 /// Nanoseconds of one call: the best of twenty rounds of a hundred thousand.
 fn nanoseconds(mut call: impl FnMut(f64)) -> f64 {
     const CALLS: u32 = 100_000;
@@ -43,10 +46,14 @@ fn row(what: &str, value: f64, unit: &str, goal: f64) {
 }
 
 fn main() {
+    if std::env::args().any(|argument| argument == "motion") {
+        motion::rows();
+        return;
+    }
     let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
     models(&scene);
     steering();
-    steering_in_motion();
+    motion::rows();
     abi(
         "C ABI: set theta_1, doStep, get 12 outputs, forces",
         DEFAULT,
@@ -90,52 +97,6 @@ fn steering() {
         time,
         "ns",
         500.0,
-    );
-}
-
-/// The boat hoist's eight cylinders with oil, valves and control loop through the running model, 15 s in
-/// communication steps of 10 ms, against a reference.
-fn steering_in_motion() {
-    let text = include_str!("../models/scenes/boat_hoist_003_hydraulic.toml");
-    let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
-    let mut model = Model::new(&scene).expect("a machine");
-    let angles: Vec<usize> = (0..model.variables().len())
-        .filter(|&i| model.variables()[i].symbol.id == "theta")
-        .collect();
-    let rows: Vec<Vec<f64>> = include_str!("oracles/steering_hydraulics.csv")
-        .lines()
-        .skip(1)
-        .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
-        .collect();
-    let saved = model.state();
-    let (mut least, mut worst) = (f64::INFINITY, 0.0_f64);
-    for _ in 0..5 {
-        model.set_state(&saved);
-        let start = Instant::now();
-        for step in 1..=1500 {
-            let t = f64::from(step) / 100.0;
-            model.advance(t - 0.01, t).expect("moves");
-            if step % 20 == 0 {
-                let row = &rows[step as usize / 20 - 1];
-                for (&index, wanted) in angles.iter().zip(&row[1..]) {
-                    worst = worst.max((model.get(index).expect("a state") - wanted).abs());
-                }
-            }
-        }
-        least = least.min(start.elapsed().as_secs_f64());
-    }
-    let what = "model: 8 steering cylinders with control loop";
-    row(
-        &format!("{what}, for each simulated second"),
-        1e3 * least / 15.0,
-        "ms",
-        20.0,
-    );
-    row(
-        &format!("{what}, error of an angle"),
-        1e6 * worst.to_degrees(),
-        "udeg",
-        1e5,
     );
 }
 

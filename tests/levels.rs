@@ -1,89 +1,159 @@
-//! What the levels of modelling cost and how far off they are: `cargo bench --workspace --bench levels`.
-//! With the argument `pendulum` only the rows that `tests/peers.py` reads:
-//! what; error in rad; seconds for each simulated second. Nothing here fails.
+//! Only what the scene requires: the same crane with its parts switched off one by one, and what it is asked for:
+//! `cargo bench --workspace --bench levels`. Work is counted in instructions of one step of 1 ms, by valgrind where
+//! it is installed; `tests/test_parts.py` checks that everything that can be counted falls. Nothing here fails.
 
 use std::hint::black_box;
+use std::process::Command;
 use std::time::Instant;
 
 use lemnis_fmu::description::{Standard, model_description};
-use lemnis_models::lemniscate::dynamics::{Dynamics, Phase};
+use lemnis_models::model::{Model, Role};
+use lemnis_models::scene::{DEFAULT, Scene};
 
-#[path = "../models/tests/common/crane.rs"]
-mod crane;
 #[path = "../models/tests/common/levels.rs"]
 mod levels;
 
-/// Reference at t = 5 s under 1.8 MN·m, in rad.
-const THETA: f64 = 1.959_365_828_718_83;
-const SWING: f64 = 0.510_282_010_345_209_9;
+/// Cranes, each with fewer parts than the one before it; and the same with a cylinder.
+const PARTS: [&[&str]; 2] = [
+    &[
+        "swing with slewing, balance",
+        "swing with slewing",
+        "swing",
+        "rigid",
+        "static",
+        "static without drive",
+        "kinematic",
+    ],
+    &["hydraulic with swing", "hydraulic", "static"],
+];
 
-fn run(crane: &Dynamics, h: f64) -> Phase {
-    let mut m = Phase {
-        theta: 65_f64.to_radians(),
-        omega: 0.0,
-        swing: 0.1,
-        swing_rate: 0.0,
+/// Cranes with what they are asked for, each less than the one before it; the last two have no forces to ask for.
+const ASKED: [&[(&str, &str)]; 3] = [
+    &[
+        ("swing with slewing, balance", "everything"),
+        ("swing with slewing, balance", "forces"),
+        ("swing with slewing, balance", "reach"),
+        ("swing with slewing, balance", "nothing"),
+    ],
+    &[
+        ("static", "everything"),
+        ("static", "forces"),
+        ("static", "reach"),
+        ("static", "nothing"),
+    ],
+    &[("kinematic", "reach"), ("kinematic", "nothing")],
+];
+
+/// A communication step, in s.
+const STEP: f64 = 1e-3;
+
+fn scene(level: &str) -> Scene {
+    // Of the default scene's tables, in their order.
+    let until = |name: &str| &DEFAULT[..DEFAULT.find(name).expect("a table of the default scene")];
+    let text = match level {
+        "static without drive" => until("[luffing.drive]").to_owned(),
+        "kinematic" => until("[luffing.weights]").replace("Q = \"160 kN\"", ""),
+        _ => return levels::scene(level),
     };
-    for _ in 0..(5.0 / h).round() as u32 {
-        m = crane.step(&m, black_box(1.8e6), h).expect("closes on the way");
-    }
-    m
+    Scene::parse(&text).unwrap_or_else(|mistakes| panic!("{level}: {mistakes:?}"))
 }
 
-/// The best of many rounds, in s.
-fn best(mut call: impl FnMut()) -> f64 {
+/// Variables that are read after every step.
+fn asked(model: &Model, what: &str) -> Vec<usize> {
+    let wanted = |i: &usize| {
+        let variable = &model.variables()[*i];
+        match what {
+            "everything" => variable.role == Role::Output,
+            "forces" => matches!(variable.symbol.id, "R" | "M_Q" | "M_D" | "F_d"),
+            "reach" => variable.symbol.id == "R",
+            _ => false,
+        }
+    };
+    (0..model.variables().len()).filter(wanted).collect()
+}
+
+/// Steps of a model that luffs; what is asked for is read after each.
+fn run(model: &mut Model, wanted: &[usize], steps: u32) {
+    for step in 0..steps {
+        let t = f64::from(step) * STEP;
+        model.advance(t, t + STEP).expect("moves");
+        for &index in wanted {
+            black_box(model.get(index).expect("exists"));
+        }
+    }
+}
+
+/// Time of a step, in ns: the best of many runs of a second.
+fn time(level: &str, what: &str) -> f64 {
+    let mut model = Model::new(&scene(level)).expect("built");
+    let (wanted, saved) = (asked(&model, what), model.state());
     let mut best = f64::INFINITY;
-    for _ in 0..300 {
+    for _ in 0..100 {
+        model.set_state(&saved);
         let clock = Instant::now();
-        call();
+        run(&mut model, &wanted, 1000);
         best = best.min(clock.elapsed().as_secs_f64());
     }
-    best
+    1e9 * best / 1000.0
 }
 
-/// What each level costs: parts of the same crane switched off one by one.
-fn table() {
+/// Instructions of a step, in the mean of half a second; `None` without valgrind.
+fn work(level: &str, what: &str) -> Option<u64> {
+    let count = |steps: u32| -> Option<u64> {
+        let program = std::env::current_exe().expect("this one");
+        let done = Command::new("valgrind")
+            .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+            .arg(program)
+            .args(["count", level, what, &steps.to_string()])
+            .output()
+            .ok()
+            .filter(|done| done.status.success())?;
+        let told = String::from_utf8_lossy(&done.stderr).into_owned();
+        told.lines()
+            .find_map(|line| line.split("Collected :").nth(1)?.trim().parse().ok())
+    };
+    // What comes before the first step is in both.
+    Some((count(1000)? - count(500)?) / 500)
+}
+
+fn row(level: &str, what: &str) {
+    let scene = scene(level);
+    let xml = model_description(&scene, Standard::Fmi3).expect("described").len();
+    let model = Model::new(&scene).expect("built");
+    let saved = 8 * model.numbers(&model.state()).len();
+    let work = work(level, what).map_or("-".to_owned(), |work| work.to_string());
     println!(
-        "{:24} {:>8} {:>10} {:>12} {:>14} {:>16}",
-        "level", "states", "variables", "bytes saved", "XML of FMI 3", "us/s at 1 ms"
+        "{level:28} {what:10} {:>6} {:>9} {saved:>11} {xml:>12} {work:>12} {:>7.0}",
+        model.states(),
+        model.variables().len(),
+        time(level, what)
     );
-    for level in levels::LEVELS.into_iter().rev() {
-        let scene = levels::scene(level);
-        let xml = model_description(&scene, Standard::Fmi3).expect("described").len();
-        let mut model = levels::model(level);
-        let saved = model.state();
-        let reach = model
-            .variables()
-            .iter()
-            .position(|v| v.symbol.id == "R")
-            .expect("exists");
-        let seconds = best(|| {
-            model.set_state(&saved);
-            for step in 0..1000 {
-                let t = f64::from(step) * 1e-3;
-                model.advance(t, t + 1e-3).expect("moves");
-                black_box(model.get(reach).expect("exists"));
-            }
-        });
-        let (states, variables, bytes) = (model.states(), model.variables().len(), 8 * model.numbers(&saved).len());
-        println!(
-            "{level:24} {states:>8} {variables:>10} {bytes:>12} {xml:>14} {:>16.0}",
-            seconds * 1e6
-        );
-    }
 }
 
 fn main() {
-    if std::env::args().all(|argument| argument != "pendulum") {
-        table();
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if let [command, level, what, steps] = arguments.as_slice()
+        && command == "count"
+    {
+        let mut model = Model::new(&scene(level)).expect("built");
+        let wanted = asked(&model, what);
+        run(&mut model, &wanted, steps.parse().expect("a number of steps"));
+        return;
     }
-    let crane = crane::dynamics(Some(crane::PENDULUM));
-    for h in [0.1, 0.05, 0.02, 0.01] {
-        let end = run(&crane, h);
-        let error = (end.theta - THETA).abs().max((end.swing.abs() - SWING).abs());
-        let seconds = best(|| {
-            black_box(run(&crane, h));
-        });
-        println!("Lemnis swing, RK4, h = {h} s;{error:e};{:e}", seconds / 5.0);
+    println!(
+        "{:28} {:10} {:>6} {:>9} {:>11} {:>12} {:>12} {:>7}",
+        "crane", "asked for", "states", "variables", "saved/bytes", "XML/bytes", "instructions", "time/ns"
+    );
+    for chain in PARTS {
+        for level in chain {
+            row(level, "everything");
+        }
+        println!();
+    }
+    for asked in ASKED {
+        for (level, what) in asked {
+            row(level, what);
+        }
+        println!();
     }
 }

@@ -1,17 +1,16 @@
-"""Lemnis beside MuJoCo and Exudyn on one mechanism: error and time, against one reference.
+"""MuJoCo and Exudyn on one mechanism: one line for each setting, `what; error in rad; seconds per simulated second`.
 
     python tests/peers.py
 
-Installs both from PyPI into an environment of its own (target/peers), builds the benchmark `levels`
-and prints one table. The mechanism: lemniscate crane with boom 20 t, jib 6 t, rocker 4 t and a load
+`cargo bench --workspace --bench goals -- motion` puts them beside Lemnis. Both come from PyPI, into an environment of
+their own (target/peers). The mechanism: lemniscate crane with boom 20 t, jib 6 t, rocker 4 t and a load
 of 16 t on a rope of 10 m, under 1.8 MN·m for 5 s from rest at 65 deg, rope at 0.1 rad. Reference
 theta_1(5 s) = 1.95936582871882998 rad, phi(5 s) = 0.510282010345209914 rad.
 
-Each peer runs its most favourable settings out of those listed; time is that of its compiled loop,
+Each runs its most favourable settings out of those listed; time is that of its compiled loop,
 the best of several rounds, without start-up and without Python between steps.
 """
 
-import json
 import math
 import subprocess
 import sys
@@ -116,7 +115,8 @@ def exudyn_rows():
     o, b, c, a, load = start()
     o3 = (-X5, X6)
     rows = []
-    for steps in (250, 500, 1000, 1250, 2000, 5000):
+
+    def solve(steps):
         container = exu.SystemContainer()
         mbs = container.AddSystem()
         ground = mbs.AddObject(ObjectGround())
@@ -165,46 +165,43 @@ def exudyn_rows():
         turned = [mbs.GetObjectOutputBody(n, exu.OutputVariableType.Rotation, [0, 0, 0]) for n in (boom[0], rope[0])]
         turned = [float(np.asarray(x).reshape(-1)[-1]) for x in turned]
         at = error(math.radians(65) + turned[0], 0.1 + turned[1])
+        return seconds, at
+
+    for steps in (250, 500, 1000, 1250, 2000, 5000):
+        seconds, at = min(solve(steps) for _ in range(3))
         rows.append((f"Exudyn {exu.__version__} trapezoidal index 2, h = {END / steps:g} s", at, seconds / END))
     return rows
 
 
-def lemnis_rows():
-    built = subprocess.run(["cargo", "bench", "--workspace", "--bench", "levels", "--", "pendulum"], cwd=ROOT, capture_output=True, text=True)
-    if built.returncode:
-        sys.exit(built.stderr)
-    rows = [line.split(";") for line in built.stdout.splitlines() if line.startswith("Lemnis")]
-    return [(what, float(at), float(seconds)) for what, at, seconds in rows]
+def prepare():
+    """The environment's Python, with both installed; else leaves with what is to be done."""
+    if sys.version_info < (3, 10):
+        sys.exit(f"Python 3.10 or later is needed, this is {sys.version.split()[0]}")
+    python = ENVIRONMENT / ("Scripts/python.exe" if sys.platform == "win32" else "bin/python")
+    if not python.exists():
+        try:
+            venv.create(ENVIRONMENT, with_pip=True)
+        except (subprocess.CalledProcessError, ImportError):
+            sys.exit("Python cannot make a virtual environment: install python3-venv")
+    install = [str(python), "-m", "pip", "install", "-q", "--disable-pip-version-check", *PINNED]
+    done = subprocess.run(install, capture_output=True, text=True)
+    if done.returncode:
+        sys.exit(f"{done.stderr}PyPI is needed once, for {', '.join(PINNED)}: {' '.join(install)}")
+    return python
 
 
 def main():
-    python = ENVIRONMENT / ("Scripts/python.exe" if sys.platform == "win32" else "bin/python")
-    if not python.exists():
-        venv.create(ENVIRONMENT, with_pip=True)
-    subprocess.run([python, "-m", "pip", "install", "-q", "--disable-pip-version-check", *PINNED], check=True)
-    peers = []
+    python = prepare()
     for name in ("mujoco", "exudyn"):
         found = subprocess.run([python, __file__, name], capture_output=True, text=True)
         if found.returncode:
             sys.exit(found.stderr)
-        peers += json.loads(found.stdout.splitlines()[-1])
-    ours = lemnis_rows()
-    print(f"{'':48} {'error/rad':>10} {'us per s':>10} {'times ours':>10}")
-    for what, at, seconds in ours:
-        print(f"{what:48} {at:10.1e} {seconds * 1e6:10.2f}")
-    # Ours with an error of at most 1e-6, at its cheapest.
-    base = min(seconds for _, at, seconds in ours if at <= 1e-6)
-    for what, at, seconds in peers:
-        print(f"{what:48} {at:10.1e} {seconds * 1e6:10.1f} {seconds / base:10.0f}")
-    for name in ("MuJoCo", "Exudyn"):
-        good = [seconds for what, at, seconds in peers if what.startswith(name) and at <= 1e-6]
-        verdict = f"{min(good) / base:.0f} times" if good else "not reached"
-        print(f"{name} at an error of 1e-6: {verdict} (goal 300)")
+        print("".join(line + "\n" for line in found.stdout.splitlines() if line.count(";") == 2), end="")
 
 
 if __name__ == "__main__":
     if len(sys.argv) == 1:
         main()
     else:
-        rows = mujoco_rows() if sys.argv[1] == "mujoco" else exudyn_rows()
-        print(json.dumps(rows))
+        for what, at, seconds in mujoco_rows() if sys.argv[1] == "mujoco" else exudyn_rows():
+            print(f"{what};{float(at)!r};{float(seconds)!r}")

@@ -3,7 +3,7 @@
 
 use crate::layout::{self, Place, Vector};
 use crate::refuse;
-use lemnis_models::model::{Fault, Model, Quantity, Role, State, TIME, Type};
+use lemnis_models::model::{Fault, Model, Quantity, Role, State, TIME, Type, Variable};
 use lemnis_models::scene::{LONGEST, Scene};
 use sha2::{Digest, Sha256};
 use std::ffi::{CStr, CString, c_char};
@@ -653,7 +653,7 @@ impl Instance {
     fn place(&self, reference: u32) -> Result<Place, Fault> {
         match layout::place(reference, self.model.variables().len(), self.vectors.len()) {
             Some(place) => Ok(place),
-            None => refuse(format!("no variable has the value reference {reference}")),
+            None => no_reference(reference),
         }
     }
 
@@ -663,7 +663,7 @@ impl Instance {
         let variable = &self.model.variables()[index];
         match variable.kind {
             Type::Real => Ok(index),
-            _ => refuse(format!("{variable} is not a real variable")),
+            _ => not_real(variable),
         }
     }
 
@@ -867,10 +867,21 @@ impl Instance {
     }
 }
 
+#[cold]
+fn no_reference(reference: u32) -> Result<Place, Fault> {
+    refuse(format!("no variable has the value reference {reference}"))
+}
+
+#[cold]
+fn not_real(variable: &Variable) -> Result<usize, Fault> {
+    refuse(format!("{variable} is not a real variable"))
+}
+
 /// For quantities that a model has none of.
 ///
 /// # Errors
 /// Some were asked for.
+#[inline(never)]
 pub fn expect_none(count: usize) -> Result<(), Fault> {
     if count == 0 {
         Ok(())
@@ -887,6 +898,11 @@ fn expect_length(given: usize, expected: usize) -> Result<(), Fault> {
     if given == expected {
         Ok(())
     } else {
-        refuse(format!("{given} values were given, {expected} were expected"))
+        wrong_length(given, expected)
     }
+}
+
+#[cold]
+fn wrong_length(given: usize, expected: usize) -> Result<(), Fault> {
+    refuse(format!("{given} values were given, {expected} were expected"))
 }

@@ -135,6 +135,12 @@ impl Fault {
         }
     }
 
+    /// An index beyond those of a model's variables.
+    #[cold]
+    pub(crate) fn no_variable(index: usize, count: usize) -> Fault {
+        Fault::new(format!("there is no variable {index}; this model has {count}"))
+    }
+
     /// A value or a configuration that does not exist.
     #[cold]
     pub fn outside(message: impl Into<String>) -> Fault {

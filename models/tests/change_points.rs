@@ -3,103 +3,19 @@
 //!
 //! References: `tests/oracles/four_bars.py`, Legendre's integral with 50 digits.
 
-use lemnis_models::calc::Calc;
-use lemnis_models::four_bar::{Branch, Closure, FourBar, Names};
-use lemnis_models::plane::Point;
-use lemnis_models::solver::runge_kutta;
-use lemnis_models::symbol::Symbol;
-use lemnis_models::unit;
+use lemnis_models::four_bar::Branch;
 use num_dual::Dual2_64;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::PI;
 
-static ANY: Symbol = Symbol {
-    id: "x",
-    print: "x",
-    unit: &unit::M,
-    display: &unit::M,
-    text: "A length.",
-    source: "given",
-};
+use four_bars::{NAMES, REFERENCE, Row, linkage};
 
-static NAMES: Names = Names {
-    frame: &ANY,
-    frame_angle: &ANY,
-    stretched: [&ANY; 2],
-    folded: [&ANY; 2],
-    crank: [&ANY; 2],
-    diagonal: [&ANY; 2],
-    diagonal_length: &ANY,
-    stretched_margin: &ANY,
-    folded_margin: &ANY,
-    area: &ANY,
-    follower: [&ANY; 2],
-    coupler: [&ANY; 2],
-};
-
-fn linkage<C: Calc>([crank, coupler, follower, frame]: [f64; 4], branch: Branch) -> FourBar<C> {
-    let bars = [crank, coupler, follower].map(C::constant);
-    let frame = Point::new(C::constant(frame), C::constant(0.0));
-    FourBar::new(bars, frame, branch, &NAMES).expect("closes")
-}
-
-/// Windows in a row: every window's follower is the next one's crank.
-struct Row {
-    windows: usize,
-    linkage: FourBar<Dual2_64>,
-}
-
-impl Row {
-    /// Acceleration of the first bar (rad/s²), at its angle from the horizontal (rad) and rate (rad/s).
-    fn acceleration(&self, theta: f64, omega: f64) -> Option<f64> {
-        let mut angle = Dual2_64::new(theta, 1.0, 0.0);
-        let (mut inertia, mut slope, mut moment) = (0.0, 0.0, 0.0);
-        let mut bar = |centre: Point<Dual2_64>, along: Point<Dual2_64>| {
-            let (d, dd) = (centre.map(|x| x.v1), centre.map(|x| x.v2));
-            let (turn, turned) = (along.map(|x| x.v1), along.map(|x| x.v2));
-            inertia += d.norm_squared() + turn.norm_squared() / 12.0;
-            slope += 2.0 * (d.dot(&dd) + turn.dot(&turned) / 12.0);
-            moment += 9.81 * d.y;
-        };
-        for _ in 0..self.windows {
-            let Closure {
-                crank,
-                coupler,
-                follower,
-                ..
-            } = self.linkage.close(angle, &NAMES)?;
-            let half = Dual2_64::from_re(0.5);
-            bar(crank * half, crank);
-            bar(crank + coupler * half, coupler);
-            let next = Dual2_64::direction(follower.x, follower.y);
-            angle = next + Dual2_64::from_re(TAU * ((angle.re - next.re) / TAU).round());
-        }
-        let (sin, cos) = Calc::sin_cos(angle);
-        let last = Point::new(cos, sin);
-        bar(last * Dual2_64::from_re(0.5), last);
-        Some((-moment - 0.5 * slope * omega * omega) / inertia)
-    }
-
-    fn run(&self, steps: u32) -> (f64, u32) {
-        let h = 20.0 / f64::from(steps);
-        // Rising to the rear: the first metre per second goes to the left.
-        let (mut y, mut passages) = ([FRAC_PI_2, 1.0], 0);
-        for _ in 0..steps {
-            let before = y[0];
-            y = runge_kutta::step(&y, h, |y| Some([y[1], self.acceleration(y[0], y[1])?])).expect("closes");
-            passages += u32::from((before / PI).floor() != (y[0] / PI).floor());
-        }
-        (y[0] - FRAC_PI_2, passages)
-    }
-}
+#[path = "common/four_bars.rs"]
+mod four_bars;
 
 #[test]
 fn benchmark_a02_agrees_with_its_closed_form() {
     for (windows, reference, steps) in [(2, REFERENCE[0], 20_000), (40, REFERENCE[1], 20_000)] {
-        let row = Row {
-            windows,
-            linkage: linkage([1.0; 4], Branch::Left),
-        };
-        let (angle, passages) = row.run(steps);
+        let (angle, passages) = Row::new(windows).run(steps);
         // The free end of the first bar, in m: its error is that of the angle times 1 m.
         let error = (angle - reference).abs();
         println!("N = {windows}: phi(20 s) = {angle}, {passages} passages, error {error:.1e}");
@@ -107,9 +23,6 @@ fn benchmark_a02_agrees_with_its_closed_form() {
         assert!(error <= 1e-6, "N = {windows}: {angle} {reference}");
     }
 }
-
-/// phi(20 s) in rad for N = 2 and N = 40.
-const REFERENCE: [f64; 2] = [63.828_669_393_146_12, 63.255_295_368_190_93];
 
 /// In a change point itself, and on both sides of it, the bars and their derivatives are those of the
 /// branch: with parallel bars follower and crank move alike; the crossed linkage mirrors there.

@@ -1,7 +1,6 @@
 //! The mechanism in motion, against references that two independent codes agreed on, and by its energy.
 
-use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase};
-use lemnis_models::plane::Point;
+use lemnis_models::lemniscate::dynamics::{Dynamics, Phase};
 
 #[path = "common/crane.rs"]
 mod common;
@@ -9,17 +8,6 @@ mod common;
 /// The crane with a load on a rope.
 fn crane() -> Dynamics {
     common::dynamics(Some(common::PENDULUM))
-}
-
-/// The crane with a boom of a mass (kg) from one place to another on its line (m).
-fn with_boom(mass: f64, from: f64, to: f64, pendulum: Option<Pendulum>) -> Dynamics {
-    let g = common::geometry();
-    let bodies = Bodies {
-        boom: Body::uniform(mass, Point::new(from, 0.0), Point::new(to, 0.0)),
-        pendulum,
-        ..common::bodies(&g, 1.0, Some(common::PENDULUM))
-    };
-    Dynamics::new(&g, bodies)
 }
 
 const START: Phase = Phase {
@@ -52,33 +40,16 @@ fn luffing_with_a_pendulum_meets_the_reference() {
 /// upright for a million steps.
 #[test]
 fn a_million_steps_conserve_energy() {
-    let crane = with_boom(120e3, -12.0, 2.0, None);
-    let mut m = Phase {
-        theta: 1.2,
-        omega: 0.05,
-        ..START
-    };
-    let (first, mut extremes) = (crane.energy(&m).expect("closes"), [f64::INFINITY, f64::NEG_INFINITY]);
-    // The energy of rocking alone: above that of rest at the lowest point of the path.
-    let mut lowest = f64::INFINITY;
-    for _ in 0..1_000_000 {
-        m = crane.step(&m, 0.0, 1e-3).expect("stays within the range");
-        extremes = [extremes[0].min(m.theta), extremes[1].max(m.theta)];
-        lowest = lowest.min(crane.energy(&Phase { omega: 0.0, ..m }).expect("closes"));
-    }
-    let (last, rocking) = (crane.energy(&m).expect("closes"), first - lowest);
-    println!(
-        "theta {extremes:?}, energy {first} J, rocking {rocking} J, drift {:.1e}",
-        (last - first) / rocking
-    );
+    let (extremes, drift) = common::rock(1_000_000);
+    println!("theta {extremes:?}, drift {drift:.1e}");
     assert!(extremes[1] - extremes[0] > 0.1, "it moves: {extremes:?}");
-    assert!(((last - first) / rocking).abs() < 1e-9);
+    assert!(drift.abs() < 1e-9);
 }
 
 /// The work of the drive is what the energy grows by, with a swinging load and large angles of the rope.
 #[test]
 fn work_is_energy() {
-    let crane = with_boom(200e3, -16.0, 2.0, Some(common::PENDULUM));
+    let crane = common::with_boom(200e3, -16.0, 2.0, Some(common::PENDULUM));
     let mut m = Phase {
         theta: 1.2,
         swing: 3.0,

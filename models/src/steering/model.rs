@@ -567,13 +567,8 @@ impl Model {
 
     #[inline]
     fn slot(&self, index: usize) -> Result<Slot, Fault> {
-        match self.slots.get(index) {
-            Some(&slot) => Ok(slot),
-            None => Err(Fault::new(format!(
-                "there is no variable {index}; this model has {}",
-                self.slots.len()
-            ))),
-        }
+        let found = self.slots.get(index).copied();
+        found.ok_or_else(|| Fault::no_variable(index, self.slots.len()))
     }
 
     /// Follows the time, unless the commanded angle has been set.

@@ -5,7 +5,7 @@
 use lemnis_models::four_bar::Branch;
 use lemnis_models::hydraulics::cylinder::Cylinder;
 use lemnis_models::hydraulics::valve::Valve;
-use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Pendulum, Turntable};
+use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase, Turntable};
 use lemnis_models::lemniscate::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters};
 use lemnis_models::lemniscate::hydraulic::Hydraulic;
 use lemnis_models::lemniscate::motion::Friction;
@@ -68,6 +68,39 @@ pub fn scaled(length: f64) -> Geometry<f64> {
 pub fn dynamics(pendulum: Option<Pendulum>) -> Dynamics {
     let g = geometry();
     Dynamics::new(&g, bodies(&g, 1.0, pendulum))
+}
+
+/// The crane with a boom of a mass (kg) from one place to another on its line (m).
+pub fn with_boom(mass: f64, from: f64, to: f64, pendulum: Option<Pendulum>) -> Dynamics {
+    let g = geometry();
+    let bodies = Bodies {
+        boom: Body::uniform(mass, Point::new(from, 0.0), Point::new(to, 0.0)),
+        pendulum,
+        ..bodies(&g, 1.0, Some(PENDULUM))
+    };
+    Dynamics::new(&g, bodies)
+}
+
+/// A crane with a heavy tail that rocks freely about the upright, in steps of 1 ms: least and greatest angle (rad),
+/// and by how much its energy has changed, relative to that of rocking alone.
+pub fn rock(steps: u32) -> ([f64; 2], f64) {
+    let crane = with_boom(120e3, -12.0, 2.0, None);
+    let mut m = Phase {
+        theta: 1.2,
+        omega: 0.05,
+        swing: 0.0,
+        swing_rate: 0.0,
+    };
+    let energy = |m: &Phase| crane.energy(m).expect("closes");
+    let (first, mut extremes) = (energy(&m), [f64::INFINITY, f64::NEG_INFINITY]);
+    // The energy of rocking is that above rest at the lowest point of the path.
+    let mut lowest = f64::INFINITY;
+    for _ in 0..steps {
+        m = crane.step(&m, 0.0, 1e-3).expect("stays within the range");
+        extremes = [extremes[0].min(m.theta), extremes[1].max(m.theta)];
+        lowest = lowest.min(energy(&Phase { omega: 0.0, ..m }));
+    }
+    (extremes, (energy(&m) - first) / (first - lowest))
 }
 
 /// The crane on a turntable whose axis lies X_8 behind O1.

@@ -1027,12 +1027,8 @@ impl Model {
     }
 
     fn slot(&self, index: usize) -> Result<Slot, Fault> {
-        self.slots.get(index).copied().ok_or_else(|| {
-            Fault::new(format!(
-                "there is no variable {index}; this model has {}",
-                self.slots.len()
-            ))
-        })
+        let found = self.slots.get(index).copied();
+        found.ok_or_else(|| Fault::no_variable(index, self.slots.len()))
     }
 }
 

@@ -877,7 +877,7 @@ impl Model {
     }
 
     /// The model with derivatives along a direction: `seed` is the rate of change of each state, input and parameter, in SI,
-    /// and of [`TIME`](crate::model::TIME).
+    /// and of [`TIME`].
     #[must_use]
     pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
         let mut tangent = Tangent {
@@ -1007,12 +1007,8 @@ impl Model {
     }
 
     fn slot(&self, index: usize) -> Result<Slot, Fault> {
-        self.slots.get(index).copied().ok_or_else(|| {
-            Fault::new(format!(
-                "there is no variable {index}; this model has {}",
-                self.slots.len()
-            ))
-        })
+        let found = self.slots.get(index).copied();
+        found.ok_or_else(|| Fault::no_variable(index, self.slots.len()))
     }
 }
 
