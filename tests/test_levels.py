@@ -29,12 +29,21 @@ LEVELS = {
                      + SLEWING + 'chi_R = "-0.1 rad"\n',
     "swing_balance": DYNAMICS + 'M_A = "900 kN.m"\nl_R = "10 m"\nphi_R = "0.1 rad"\n' + BALANCE,
     "hydraulic": DYNAMICS + OIL,
-    "hydraulic_swing": DYNAMICS + 'l_R = "10 m"\nphi_R = "0.05 rad"\n' + OIL,
+    "hydraulic_swing": DYNAMICS + 'l_R = "10 m"\nphi_R = "0.05 rad"\nv_h = "0.05 m/s"\n' + OIL,
+    "hydraulic_slewing": DYNAMICS + OIL + SLEWING,
+    "hydraulic_swing_slewing": DYNAMICS + 'l_R = "10 m"\nphi_R = "0.05 rad"\nv_h = "0.05 m/s"\n' + OIL
+                               + SLEWING + 'chi_R = "-0.1 rad"\n',
 }
 # States that are compared, with what two solvers may differ by: ten times CVode's own relative
 # tolerance of 1e-8 over a few hundred steps, of the state's greatest amount.
 SIZES = {"theta_1": 2.0, "omega_1": 0.5, "phi_R": 0.5, "omega_R": 0.5, "p_A": 1e7, "p_B": 1e7, "l_R": 10.0,
          "psi_sl": 1.0, "omega_sl": 0.2, "x_Q": 10.0, "y_Q": 10.0, "z_Q": 10.0}
+
+
+# CVode in FMPy gives up after 500 steps from one output to the next. At 1e-8 the spool's transient after a jump of
+# the valve's command takes it 350 to 500 steps in the first 50 ms, by luck of the roundings, and no more than 250
+# in the first 5 ms.
+INTERVAL = 0.005
 
 
 def scene(level, **replaced):
@@ -57,7 +66,8 @@ def level(request, tmp_path_factory):
 
 def test_fmpy_finds_nothing_wrong(level):
     name, paths = level
-    states, indicators = {"rigid": (2, 4), "swing": (7, 5), "hydraulic": (8, 5), "hydraulic_swing": (10, 5),
+    states, indicators = {"rigid": (2, 4), "swing": (7, 5), "hydraulic": (8, 5), "hydraulic_swing": (13, 6),
+                          "hydraulic_slewing": (10, 9), "hydraulic_swing_slewing": (17, 10),
                           "rigid_slewing": (4, 8), "swing_slewing": (11, 9), "swing_balance": (7, 5)}[name]
     for path in paths:
         assert validate_fmu(path) == []
@@ -72,9 +82,10 @@ def test_model_exchange_agrees_with_co_simulation(level, standard):
     description = read_model_description(paths[standard])
     names = [v.name for v in description.modelVariables if v.name in SIZES]
     assert len(names) >= 2
-    arguments = {"stop_time": 8.0, "output_interval": 0.05, "output": names}
-    inside = simulate_fmu(paths[standard], fmi_type="CoSimulation", **arguments)
-    outside = simulate_fmu(paths[standard], fmi_type="ModelExchange", relative_tolerance=1e-8, **arguments)
+    arguments = {"stop_time": 8.0, "output": names}
+    inside = simulate_fmu(paths[standard], fmi_type="CoSimulation", output_interval=0.05, **arguments)
+    outside = simulate_fmu(paths[standard], fmi_type="ModelExchange", output_interval=INTERVAL, relative_tolerance=1e-8,
+                           **arguments)
     rows = {round(t, 6): i for i, t in enumerate(outside["time"])}
     common = [(i, rows[round(t, 6)]) for i, t in enumerate(inside["time"]) if round(t, 6) in rows]
     assert len(common) > 150
@@ -94,6 +105,11 @@ EVENTS = {
     "swing_slewing": ({'chi_R = "-0.1 rad"': 'chi_R = "125 deg"\npsi_max = "20 deg"', 'M_sl  = "400 kN.m"': ""},
                       "M_sl", [(0.0, 0.0), (0.5, 1.2e6), (4.0, -6e5), (6.0, 0.0)]),
     "hydraulic": ({'tol   = "1e-6"': 'tol   = "1e-8"'}, "u_v", [(0.0, 0.0), (0.5, 0.6), (2.5, -0.4), (4.0, 0.0), (5.0, 1.0)]),
+    "hydraulic_swing": ({'tol   = "1e-6"': 'tol   = "1e-8"', 'phi_R = "0.05 rad"': 'phi_R = "125 deg"'},
+                        "u_v", [(0.0, 0.0), (0.5, 0.6), (2.5, -0.4), (4.0, 0.0)]),
+    "hydraulic_swing_slewing": ({'tol   = "1e-6"': 'tol   = "1e-8"',
+                                 'chi_R = "-0.1 rad"': 'chi_R = "125 deg"\npsi_max = "20 deg"', 'M_sl  = "400 kN.m"': ""},
+                                "M_sl", [(0.0, 0.0), (0.5, 1.2e6), (4.0, -6e5), (6.0, 0.0)]),
 }
 
 
@@ -114,7 +130,7 @@ def test_events_are_the_same_inside_and_outside(name, end, tmp_path):
         rows += [(time, before), (time, after)]
     signals = np.array(rows + [(8.0, changes[-1][1])], dtype=[("time", float), (command, float)])
     names = [n for n in SIZES if n in {v.name for v in read_model_description(path).modelVariables}]
-    names += ["s_Q", "S_R"] if name.startswith("swing") else []
+    names += ["s_Q", "S_R"] if "swing" in name else []
     # FMPy's own loop sets a jump one step late in Co-Simulation.
     slave = Slave(path, str(tmp_path / "fmu"))
     references, inside = [slave.references[n] for n in names], []
@@ -124,14 +140,14 @@ def test_events_are_the_same_inside_and_outside(name, end, tmp_path):
         slave.fmu.doStep(currentCommunicationPoint=time, communicationStepSize=0.05)
         inside.append([time + 0.05, *slave.get(references)])
     inside = np.array([tuple(row) for row in inside], dtype=[(n, float) for n in ["time", *names]])
-    outside = simulate_fmu(path, fmi_type="ModelExchange", stop_time=8.0, output_interval=0.05, output=names, input=signals,
+    outside = simulate_fmu(path, fmi_type="ModelExchange", stop_time=8.0, output_interval=INTERVAL, output=names, input=signals,
                            relative_tolerance=1e-8, record_events=False)
     found = {round(t, 6): i for i, t in enumerate(outside["time"])}
     common = [(i, found[round(t, 6)]) for i, t in enumerate(inside["time"]) if round(t, 6) in found]
     assert len(common) > 150
-    if name.startswith("swing"):
+    if "swing" in name:
         assert (inside["S_R"] == 0).any() and inside["s_Q"].min() < inside["l_R"].min() - 0.1, "the rope was slack"
-    if name == "swing_slewing":
+    if name.endswith("swing_slewing"):
         assert (inside["omega_sl"] == 0).sum() >= 10, "slewing was held"
         assert inside["psi_sl"].max() == pytest.approx(math.radians(20), abs=1e-12), "it met its stop"
     if name == "rigid":
@@ -235,8 +251,8 @@ DERIVATIVES = {
     "swing": ("taut", {**SWINGING, "l_R": 9.5, "s_Q": 9.5, "v_Q": 0.05}, {"M_A": 2.1e6, "M_S": 3e4, "v_h": 0.05}),
     "hydraulic": ("relief", {"theta_1": 1.9, "omega_1": -0.03, "x_v": -0.6, "v_v": -20.0, "p_1": 320e5, "p_2": 300e5,
                              "p_A": 250e5, "p_B": 190e5}, {"u_v": 0.4, "p_P": 250e5}),
-    "hydraulic_swing": ("raising", {**SWINGING, "x_v": 0.3, "v_v": 5.0, "p_1": 120e5, "p_2": 25e5, "p_A": 90e5,
-                                    "p_B": 60e5}, {"u_v": 0.4, "p_P": 250e5}),
+    "hydraulic_swing": ("raising", {**SWINGING, "l_R": 9.5, "s_Q": 9.5, "v_Q": 0.05, "x_v": 0.3, "v_v": 5.0, "p_1": 120e5, "p_2": 25e5, "p_A": 90e5,
+                                    "p_B": 60e5}, {"u_v": 0.4, "p_P": 250e5, "v_h": 0.05}),
 }
 
 
@@ -313,6 +329,9 @@ def test_a_step_beyond_the_bound_is_refused_and_the_instance_goes_on(level, tmp_
     name, paths = level
     slave = Slave(paths[0], str(tmp_path / "fmu"))
     if name.startswith("hydraulic"):
+        if "M_sl" in slave.references:
+            # A load that is carried round for so long would pull the boom down.
+            slave.set([slave.references["M_sl"]], [0.0])
         slave.fmu.doStep(currentCommunicationPoint=0.0, communicationStepSize=1e3)
         # At the upper end stop, which gives way by the cylinder's force over its stiffness.
         assert slave.get([slave.references["theta_1"]])[0] == pytest.approx(math.radians(120), abs=1e-3)
@@ -376,7 +395,6 @@ def test_the_swing_level_meets_the_reference(tmp_path):
     ("rigid_slewing", 'M_sl  =', 'chi_R = "5 deg"\nM_sl  =', "chi_R without a swinging load"),
     ("rigid_slewing", 'M_sl  =', 'psi_min = "10 deg"\nM_sl  =', "slewing starts at 0 deg, beyond its stop psi_min = 10 deg"),
     ("rigid_slewing", 'M_sl  =', 'psi_min = "10 deg"\npsi_max = "5 deg"\nM_sl  =', "the slewing stops are at 10 deg and 5 deg"),
-    ("hydraulic_swing", 'u_v   = "0.4"', 'u_v   = "0.4"\n[luffing.slewing]\nJ_sl = "1e6 kg.m2"', "slewing at the hydraulic level"),
     ("rigid_slewing", 'fidelity = "rigid"', 'fidelity = "static"', "does not move by itself"),
     ("rigid", 'J_2   = "248645 kg.m2"', 'J_2   = "-1 kg.m2"', "J_2"),
 ])

@@ -3,6 +3,7 @@
 
 mod inputs;
 mod oil;
+mod oil_rope;
 mod positions;
 mod regions;
 mod rope;

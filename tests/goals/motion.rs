@@ -7,6 +7,7 @@ use std::process::Command;
 use std::time::Instant;
 
 use lemnis_models::lemniscate::dynamics::{Dynamics, Phase};
+use lemnis_models::lemniscate::hydraulic::Modes;
 use lemnis_models::model::Model;
 use lemnis_models::scene::Scene;
 use lemnis_models::solver::rodas::{Run, Tolerance};
@@ -196,7 +197,7 @@ fn cylinder() {
                 system.command = command;
                 run.interrupt(FIRST);
             }
-            run.advance(&system, &tolerance, 1e-3, 1.0)
+            run.advance(&system.between(Modes::AT_REST), &tolerance, 1e-3, 1.0)
                 .expect("stays within the range");
             seen(step + 1, &run.states());
         }

@@ -41,7 +41,9 @@ CASES = {
     "hydraulic/raising": ({"theta_1": "1.2", "omega_1": "0.05", **PORTS}, VALVE, 1),
     "hydraulic/relief": ({"theta_1": "1.9", "omega_1": "-0.03", **OPEN}, VALVE, -1),
     "hydraulic/stop": ({"theta_1": "2.0955", "omega_1": "0.05", **PORTS}, VALVE, 1),
-    "hydraulic with swing/raising": ({**SWING, "l_R": "10", **PORTS}, VALVE, 1),
+    "hydraulic with swing/raising": ({**SWING, **PORTS}, {**VALVE, "v_h": "0.05"}, 1),
+    "hydraulic with swing/slack": ({**SWING, "phi_R": "2.2", "s_Q": "9.1", "v_Q": "0.4", **PORTS},
+                                   {**VALVE, "v_h": "0.05"}, -1),
 }
 
 
@@ -131,11 +133,16 @@ def free(p, case, way):
     found["M_R"] = -p["c_v"] * p["omega_1"] - way * dry if way else hold - p["M_A"]
     if level == "rigid":
         return found
-    found |= {"der(phi_R)": p["omega_R"], "der(l_R)": p["v_h"], "der(s_Q)": p["v_h"], "der(v_Q)": mpf(0), "der(omega_R)": phi}
-    if mode != "slack":
-        return found | {"S_R": rope(p, bodies[3], alpha)}
+    return found | swinging(p, bodies[3], alpha, phi, load)
+
+
+def swinging(p, head, alpha, phi, load):
+    """Rates of rope and load, and the rope's pull."""
+    found = {"der(phi_R)": p["omega_R"], "der(l_R)": p["v_h"], "der(s_Q)": p["v_h"], "der(v_Q)": mpf(0), "der(omega_R)": phi}
+    if load == "taut":
+        return found | {"S_R": rope(p, head, alpha)}
     # In free fall: the second derivative of A + s (sin, -cos) is (0, -g).
-    _, _, x, y, _ = bodies[3]
+    _, _, x, y, _ = head
     fall = [-((x, y)[i][1] * alpha + (x, y)[i][2] * p["omega_1"] ** 2) for i in (0, 1)]
     fall[1] -= p["g"]
     out, across = (sin(p["phi_R"]), -cos(p["phi_R"])), (cos(p["phi_R"]), sin(p["phi_R"]))
@@ -156,7 +163,8 @@ def hydraulic(p, case, way):
     if p["theta_1"] > HIGH:
         spring = inertia(p, LOW, not swings)
         moment -= spring * STOP**2 * (p["theta_1"] - HIGH) + 2 * spring * STOP * w
-    alpha, phi, _ = accelerations(p, bodies, moment, "taut" if swings else "fixed", True)
+    load = "slack" if case.endswith("slack") else "taut" if swings else "fixed"
+    alpha, phi, _ = accelerations(p, bodies, moment, load, True)
     valve, line = p["Q_N"] / sqrt(p["dp_N"]) * x, p["Q_N"] / sqrt(p["dp_L"])
     to_1 = valve * root(p["p_P"] - p["p_1"]) if x >= 0 else valve * root(p["p_1"])
     to_2 = -valve * root(p["p_2"]) if x >= 0 else -valve * root(p["p_P"] - p["p_2"])
@@ -174,7 +182,7 @@ def hydraulic(p, case, way):
         "der(v_v)": p["omega_v"] ** 2 * (p["u_v"] - x) - 2 * p["zeta_v"] * p["omega_v"] * p["v_v"],
         "F_c": push,
     }
-    return found | ({"der(phi_R)": p["omega_R"], "der(omega_R)": phi} if swings else {})
+    return found | (swinging(p, bodies[3], alpha, phi, load) if swings else {})
 
 
 def main():
@@ -184,9 +192,6 @@ def main():
         of = free
         if case.startswith("hydraulic"):
             scene, of = {**scene, **OIL}, hydraulic
-            if "l_R" in states:
-                # The rope keeps its length.
-                scene["v_h"] = mpf(0)
         values = of(scene, case, way)
         for known in scene:
             above, below = [of({**scene, known: scene[known] + step}, case, way) for step in (OUTER, -OUTER)]

@@ -520,25 +520,20 @@ impl<P: Calc> Dynamics<P> {
 
     /// With a drive that pushes along a line from the frame to the driven bar.
     #[must_use]
-    pub fn with_drive(self, anchors: &Anchors<P>) -> Dynamics<P> {
+    pub fn with_drive(mut self, anchors: &Anchors<P>) -> Dynamics<P> {
         let (sin, cos) = anchors.chi_d.sin_cos();
-        let push = Push {
+        self.push = Some(Push {
             from: Point::new(anchors.e_x, anchors.e_y),
             to: Point::new(anchors.s_d * cos, anchors.s_d * sin),
-        };
-        Dynamics {
-            push: Some(push),
-            ..self
-        }
+        });
+        self
     }
 
     /// On a turntable.
     #[must_use]
-    pub fn with_slewing(self, turntable: Turntable<P>) -> Dynamics<P> {
-        Dynamics {
-            turntable: Some(turntable),
-            ..self
-        }
+    pub fn with_slewing(mut self, turntable: Turntable<P>) -> Dynamics<P> {
+        self.turntable = Some(turntable);
+        self
     }
 
     /// Where it slews.

@@ -40,6 +40,8 @@ pub enum Bar {
     Held,
     Forward,
     Backward,
+    /// Moved by a cylinder: friction and stops are a part of its moment, and it never comes to rest for good.
+    Loose,
 }
 
 /// Number of states: angle and rate of the driven bar, of the rope, the rope's length, the distance
@@ -95,12 +97,14 @@ pub struct Motion<P = f64> {
 /// How far beyond the greatest hold the moment must be before the bar breaks loose, and how far beyond the rope's
 /// end a slack load before it is caught: rounding alone must do neither.
 pub(crate) const LOOSE: f64 = 1.0 + 1e-12;
+/// Length of a rope, in m, of which nothing is left.
+pub(crate) const REELED_IN: f64 = 1e-4;
 /// Changes at one instant.
 pub(crate) const MOST_CHANGES: u32 = 16;
 
-impl<C: Coordinate<C>> Motion<C> {
+impl<P: Calc> Motion<P> {
     /// The load on its rope as it is now.
-    fn reel(&self, state: &State, y: &[C; STATES], commands: &Commands<C>) -> Reel<C> {
+    fn reel<C: Coordinate<P>>(state: &State, y: &[C; STATES], commands: &Commands<C>) -> Reel<C> {
         if state.taut {
             Reel {
                 length: y[4],
@@ -115,20 +119,26 @@ impl<C: Coordinate<C>> Motion<C> {
     }
 
     /// Greatest moment of dry friction and brake, in N·m.
-    fn dry(&self, commands: &Commands<C>) -> C {
-        self.friction.coulomb + commands.brake
+    fn dry<C: Coordinate<P>>(&self, commands: &Commands<C>) -> C {
+        C::of(self.friction.coulomb) + commands.brake
     }
 
     /// Accelerations of bar and rope (rad/s²), and of the load away from the head (m/s²).
-    fn accelerations(&self, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> [C; 3] {
+    fn accelerations<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; 3] {
         let (m, still) = (phase(y), C::constant(0.0));
-        let dry = match state.bar {
-            Bar::Held => still,
-            Bar::Forward => self.dry(commands),
-            Bar::Backward => -self.dry(commands),
+        let viscous = || commands.moment - C::of(self.friction.viscous) * m.omega;
+        let moment = match state.bar {
+            Bar::Held | Bar::Loose => commands.moment,
+            Bar::Forward => viscous() - self.dry(commands),
+            Bar::Backward => viscous() + self.dry(commands),
         };
-        let moment = commands.moment - self.friction.viscous * m.omega - dry;
-        let reel = self.reel(state, y, commands);
+        let reel = Self::reel(state, y, commands);
         if state.taut {
             let [alpha, swing] = match state.bar {
                 Bar::Held => [still, self.dynamics.hold(r, &m, reel)[1]],
@@ -142,7 +152,7 @@ impl<C: Coordinate<C>> Motion<C> {
         };
         // The load falls freely; seen from the head, which moves.
         let [_, d, dd] = r.head;
-        let fall = -Point::new(still, self.dynamics.bodies().gravity) - d * alpha - dd * (m.omega * m.omega);
+        let fall = -Point::new(still, C::of(self.dynamics.bodies().gravity)) - d * alpha - dd * (m.omega * m.omega);
         let (out, along) = directions(m.swing);
         [
             alpha,
@@ -151,29 +161,54 @@ impl<C: Coordinate<C>> Motion<C> {
         ]
     }
 
-    /// Rates of all states between events; `None` where the linkage does not close.
+    /// Rates of all states between events; `None` where the linkage does not close or nothing is left of the rope.
     #[must_use]
     #[inline]
-    pub fn rates(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; STATES]> {
+    pub fn rates<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<[C; STATES]> {
+        if self.is_reeled_in(y[4]) {
+            return None;
+        }
         let r = C::reduced(&self.dynamics, y[0])?;
-        let [alpha, swing, out] = self.accelerations(state, &r, y, commands);
+        Some(self.rates_at(state, &r, y, commands))
+    }
+
+    /// Whether nothing is left of a rope of a length (m).
+    pub(crate) fn is_reeled_in<C: Calc>(&self, length: C) -> bool {
+        self.dynamics.bodies().pendulum.is_some() && length.value() <= REELED_IN
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    #[inline]
+    pub(crate) fn rates_at<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; STATES] {
+        let [alpha, swing, out] = self.accelerations(state, r, y, commands);
         if self.dynamics.bodies().pendulum.is_none() {
             let none = C::constant(0.0);
-            return Some([y[1], alpha, none, none, none, none, none]);
+            return [y[1], alpha, none, none, none, none, none];
         }
         let distance = if state.taut { commands.hoist } else { y[6] };
-        Some([y[1], alpha, y[3], swing, commands.hoist, distance, out])
+        [y[1], alpha, y[3], swing, commands.hoist, distance, out]
     }
 
     /// Moment that friction, brake and stops must give to hold the bar at rest, in N·m, with the
     /// least and greatest that they can.
-    fn held(&self, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> [C; 3] {
+    fn held<C: Coordinate<P>>(&self, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> [C; 3] {
         let hold = if state.taut {
             let still = Phase {
                 omega: C::constant(0.0),
                 ..phase(y)
             };
-            self.dynamics.hold(r, &still, self.reel(state, y, commands))[0]
+            self.dynamics.hold(r, &still, Self::reel(state, y, commands))[0]
         } else {
             r.moment
         };
@@ -187,40 +222,57 @@ impl<C: Coordinate<C>> Motion<C> {
     }
 
     /// Force of the rope on the load towards the head, in N; zero where it is slack or there is none.
-    fn tension(&self, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> C {
+    pub(crate) fn tension<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> C {
         let Some(pendulum) = self.dynamics.bodies().pendulum.filter(|_| state.taut) else {
             return C::constant(0.0);
         };
         let [alpha, _, _] = self.accelerations(state, r, y, commands);
         let [_, d, dd] = r.head;
         let (out, _) = directions(y[2]);
-        let head = d * alpha + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), self.dynamics.bodies().gravity);
-        (pendulum.mass * (y[4] * y[3] * y[3] - dot(head, out))).def(&S_R)
+        let head = d * alpha + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.bodies().gravity));
+        (C::of(pendulum.mass) * (y[4] * y[3] * y[3] - dot(head, out))).def(&S_R)
     }
 
     /// Force of the rope, in N; zero where it is slack or there is none.
     #[must_use]
-    pub fn rope_force(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+    pub fn rope_force<C: Coordinate<P>>(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
         let r = C::reduced(&self.dynamics, y[0])?;
         Some(self.tension(state, &r, y, commands))
     }
 
     /// Moment of friction, brake and end stop on the driven bar, in N·m; positive raises it.
     #[must_use]
-    pub fn friction_moment(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+    pub fn friction_moment<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<C> {
         let r = C::reduced(&self.dynamics, y[0])?;
-        let viscous = -self.friction.viscous * y[1];
+        let viscous = -C::of(self.friction.viscous) * y[1];
         Some(match state.bar {
             Bar::Held => self.held(state, &r, y, commands)[0],
             Bar::Forward => viscous - self.dry(commands),
             Bar::Backward => viscous + self.dry(commands),
+            Bar::Loose => C::constant(0.0),
         })
     }
 
     /// Numbers whose fall below zero ends a smooth piece: the bar comes to rest or (two) breaks
     /// loose; it meets its lower or upper stop; the rope becomes slack or taut. After an event all are above zero.
     #[must_use]
-    pub fn indicators(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; INDICATORS]> {
+    pub fn indicators<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<[C; INDICATORS]> {
         let r = C::reduced(&self.dynamics, y[0])?;
         let (none, [low, high]) = (C::constant(1.0), self.stops.map(C::constant));
         let [rest, loose, low, high] = match state.bar {
@@ -231,13 +283,24 @@ impl<C: Coordinate<C>> Motion<C> {
             }
             Bar::Forward => [y[1], none, y[0] - low, high - y[0]],
             Bar::Backward => [-y[1], none, y[0] - low, high - y[0]],
+            Bar::Loose => [none; 4],
         };
-        let rope = match self.dynamics.bodies().pendulum {
-            None => none,
-            Some(_) if state.taut => self.tension(state, &r, y, commands),
+        Some([rest, loose, low, high, self.slackening(state, &r, y, commands)].map(above_zero))
+    }
+
+    /// Falls below zero where the rope becomes slack or taut.
+    pub(crate) fn slackening<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> C {
+        match self.dynamics.bodies().pendulum {
+            None => C::constant(1.0),
+            Some(_) if state.taut => self.tension(state, r, y, commands),
             Some(_) => y[4] * C::constant(LOOSE) - y[5],
-        };
-        Some([rest, loose, low, high, rope].map(above_zero))
+        }
     }
 }
 
@@ -249,7 +312,7 @@ impl Motion {
     /// The linkage does not close, or a number overflows.
     pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
         let first = *state;
-        if state.y[1] == 0.0 {
+        if state.y[1] == 0.0 && state.bar != Bar::Loose {
             // At rest it is decided again which way it goes, as the commands may have changed.
             state.bar = Bar::Held;
         }
@@ -284,6 +347,7 @@ impl Motion {
             // A bar that breaks loose is at rest: whether the rope lets go is decided as it moves.
             Bar::Forward => omega < 0.0,
             Bar::Backward => omega > 0.0,
+            Bar::Loose => return,
         };
         if at_stop {
             let (out, along) = directions(state.y[2]);
@@ -292,7 +356,7 @@ impl Motion {
             if hangs && omega * r.head[1].dot(&out) < 0.0 {
                 (state.y[5], state.y[6], state.taut) = (state.y[4], commands.hoist, false);
             }
-            let reel = self.reel(state, &state.y, commands);
+            let reel = Self::reel(state, &state.y, commands);
             if state.taut {
                 state.y[3] -= omega * self.dynamics.blow(r, &state.phase(), reel);
             } else {
@@ -355,7 +419,7 @@ impl Motion {
         let Some(pendulum) = bodies.pendulum else {
             return Some(bars);
         };
-        let reel = self.reel(state, &state.y, commands);
+        let reel = Self::reel(state, &state.y, commands);
         let [a, d, _] = r.head;
         let (out, along) = directions(m.swing);
         let velocity = d * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;

@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Reduced};
 use crate::lemniscate::hanging::{Accelerations, Free, Load, Rope, squared, turned};
-use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, above_zero, capped};
+use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, REELED_IN, above_zero, capped};
 use crate::lemniscate::moving::symbols as s;
 use crate::solver::pieces::{self, Pieces};
 use crate::solver::{Count, Halt, finite};
@@ -82,6 +82,31 @@ impl State {
         self.y[4..7].copy_from_slice(place.as_slice());
         self.y[7..10].fill(0.0);
     }
+
+    /// Puts the load of a taut rope at its end, moving with it, where roundings have moved it by more than a few bits.
+    pub(crate) fn straighten(&mut self, hoist: f64) {
+        let load = load_of(&self.y);
+        let length = load.place.norm();
+        let direction = load.place / length;
+        let excess = direction.dot(&load.rate) - hoist;
+        let few = 16.0 * f64::EPSILON;
+        if (length - self.y[10]).abs() > few * length {
+            let place = direction * self.y[10];
+            self.y[4..7].copy_from_slice(place.as_slice());
+        }
+        if excess.abs() > few * (load.rate.norm() + hoist.abs()) {
+            self.y[7..10].copy_from_slice((load.rate - direction * excess).as_slice());
+        }
+    }
+
+    /// Puts a load that is farther than its rope is long to the rope's end.
+    pub(crate) fn shorten(&mut self) {
+        let (place, rope) = (load_of(&self.y).place, self.y[10]);
+        let distance = place.norm();
+        if distance > rope {
+            self.y[4..7].copy_from_slice((place * (rope / distance)).as_slice());
+        }
+    }
 }
 
 /// Angles of the rope in rad: in the plane of the mechanism from the vertical, in (−π, π], forward positive;
@@ -118,7 +143,7 @@ fn load_of<C: Calc>(y: &[C; STATES]) -> Load<C> {
     }
 }
 
-impl<C: Coordinate<C>> Slewing<C> {
+impl<P: Calc> Slewing<P> {
     fn free(state: &State) -> Free {
         Free {
             joints: state.joints.map(|joint| joint != Bar::Held),
@@ -127,22 +152,22 @@ impl<C: Coordinate<C>> Slewing<C> {
     }
 
     /// Greatest moment of dry friction and brake of a joint, in N·m.
-    fn dry(&self, i: usize, commands: &Commands<C>) -> C {
-        self.joints[i].friction.coulomb + commands.drives[i].brake
+    fn dry<C: Coordinate<P>>(&self, i: usize, commands: &Commands<C>) -> C {
+        C::of(self.joints[i].friction.coulomb) + commands.drives[i].brake
     }
 
     /// Moment of friction and brake on a joint that moves, in N·m.
-    fn resistance(&self, i: usize, state: &State, y: &[C; STATES], commands: &Commands<C>) -> C {
-        let viscous = -self.joints[i].friction.viscous * y[2 * i + 1];
+    fn resistance<C: Coordinate<P>>(&self, i: usize, state: &State, y: &[C; STATES], commands: &Commands<C>) -> C {
+        let viscous = -C::of(self.joints[i].friction.viscous) * y[2 * i + 1];
         let resistance = match state.joints[i] {
-            Bar::Held => C::constant(0.0),
+            Bar::Held | Bar::Loose => C::constant(0.0),
             Bar::Forward => viscous - self.dry(i, commands),
             Bar::Backward => viscous + self.dry(i, commands),
         };
         resistance.def([&s::M_R, &s::M_R_SL][i])
     }
 
-    fn accelerations(
+    pub(crate) fn accelerations<C: Coordinate<P>>(
         &self,
         state: &State,
         r: &Reduced<C>,
@@ -155,28 +180,59 @@ impl<C: Coordinate<C>> Slewing<C> {
             .slewed(r, rates, load_of(y), moments, commands.hoist, free)
     }
 
-    /// Rates of all states between events; `None` where the linkage does not close.
+    /// Rates of all states between events; `None` where the linkage does not close or nothing is left of the rope.
     #[must_use]
-    pub fn rates(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; STATES]> {
+    pub fn rates<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<[C; STATES]> {
+        if self.is_reeled_in(y[10]) {
+            return None;
+        }
         let r = C::reduced(&self.dynamics, y[0])?;
-        let a = self.accelerations(state, &r, y, commands);
+        Some(self.rates_at(state, &r, y, commands))
+    }
+
+    /// Whether nothing is left of a rope of a length (m).
+    pub(crate) fn is_reeled_in<C: Calc>(&self, length: C) -> bool {
+        self.dynamics.bodies().pendulum.is_some() && length.value() <= REELED_IN
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    pub(crate) fn rates_at<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; STATES] {
+        let a = self.accelerations(state, r, y, commands);
         let mut out = [C::constant(0.0); STATES];
         out[..RIGID].copy_from_slice(&[y[1], a.joints[0], y[3], a.joints[1]]);
         if self.dynamics.bodies().pendulum.is_some() {
             let mut load = load_of(y);
             if state.taut {
-                load = load.on_rope(&Rope::new(load.place, &self.dynamics.head(&r)), commands.hoist);
+                load = load.on_rope(&Rope::new(load.place, &self.dynamics.head(r)), commands.hoist);
             }
             out[4..7].copy_from_slice(load.rate.as_slice());
             out[7..10].copy_from_slice(a.load.as_slice());
             out[10] = commands.hoist;
         }
-        Some(out)
+        out
     }
 
     /// Moment that friction, brake and stops must give to hold a joint at rest, in N·m, with the least and
     /// greatest that they can.
-    fn held(&self, i: usize, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> [C; 3] {
+    fn held<C: Coordinate<P>>(
+        &self,
+        i: usize,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; 3] {
         let [_, slope] = r.turn;
         let (omega, turning) = (y[1], y[3]);
         // What drives the joint besides the rope, as in the equations of motion at rest of this joint.
@@ -199,32 +255,66 @@ impl<C: Coordinate<C>> Slewing<C> {
 
     /// Force of the rope, in N; zero where it is slack or there is none.
     #[must_use]
-    pub fn rope_force(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+    pub fn rope_force<C: Coordinate<P>>(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
         let r = C::reduced(&self.dynamics, y[0])?;
         Some(self.accelerations(state, &r, y, commands).rope)
     }
 
     /// Moment of friction, brake and end stop on luffing (0) or slewing (1), in N·m, in the direction of the angle.
     #[must_use]
-    pub fn friction_moment(&self, i: usize, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+    pub fn friction_moment<C: Coordinate<P>>(
+        &self,
+        i: usize,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<C> {
         let r = C::reduced(&self.dynamics, y[0])?;
-        Some(match state.joints[i] {
-            Bar::Held => self.held(i, state, &r, y, commands)[0],
+        Some(self.friction_at(i, state, &r, y, commands))
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    pub(crate) fn friction_at<C: Coordinate<P>>(
+        &self,
+        i: usize,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> C {
+        match state.joints[i] {
+            Bar::Held => self.held(i, state, r, y, commands)[0],
             _ => self.resistance(i, state, y, commands),
-        })
+        }
     }
 
     /// Numbers whose fall below zero ends a smooth piece: luffing comes to rest or (two) breaks loose, meets
     /// its lower or upper stop; the same for slewing; the rope becomes slack or taut. After an event all are above zero.
     #[must_use]
-    pub fn indicators(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<[C; INDICATORS]> {
+    pub fn indicators<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<[C; INDICATORS]> {
         let r = C::reduced(&self.dynamics, y[0])?;
+        Some(self.indicators_at(state, &r, y, commands))
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    pub(crate) fn indicators_at<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; INDICATORS] {
         let mut out = [C::constant(1.0); INDICATORS];
         for i in 0..2 {
             let (at, rate, first) = (y[2 * i], y[2 * i + 1], 4 * i);
             out[first] = match state.joints[i] {
                 Bar::Held => {
-                    let [hold, least, most] = self.held(i, state, &r, y, commands);
+                    let [hold, least, most] = self.held(i, state, r, y, commands);
                     // Where a stop gives any moment there is nothing to break.
                     out[first + 1] = capped(hold - least);
                     out[first] = capped(most - hold);
@@ -232,6 +322,7 @@ impl<C: Coordinate<C>> Slewing<C> {
                 }
                 Bar::Forward => rate,
                 Bar::Backward => -rate,
+                Bar::Loose => continue,
             };
             let [low, high] = self.joints[i].stops;
             for (place, end, room) in [(2, low, at - C::constant(low)), (3, high, C::constant(high) - at)] {
@@ -242,12 +333,12 @@ impl<C: Coordinate<C>> Slewing<C> {
         }
         if self.dynamics.bodies().pendulum.is_some() {
             out[8] = if state.taut {
-                self.accelerations(state, &r, y, commands).rope
+                self.accelerations(state, r, y, commands).rope
             } else {
                 y[10] * C::constant(LOOSE) - distance(y)
             };
         }
-        Some(out.map(above_zero))
+        out.map(above_zero)
     }
 }
 
@@ -259,7 +350,7 @@ impl Slewing {
     pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
         let first = *state;
         for i in 0..2 {
-            if state.y[2 * i + 1] == 0.0 {
+            if state.y[2 * i + 1] == 0.0 && state.joints[i] != Bar::Loose {
                 // At rest it is decided again which way it goes, as the commands may have changed.
                 state.joints[i] = Bar::Held;
             }
@@ -299,6 +390,7 @@ impl Slewing {
             // A joint that breaks loose is at rest: whether the rope lets go is decided as it moves.
             Bar::Forward => rate < 0.0,
             Bar::Backward => rate > 0.0,
+            Bar::Loose => return,
         };
         if state.joints[i] == Bar::Held && turned && !at_stop {
             // Set in motion from outside.
@@ -391,24 +483,8 @@ impl Slewing {
             self.jerk(state, &head, &rope, ease, excess / give, pendulum.mass, [0.0; 2]);
             state.taut = true;
         }
-        Self::straighten(state, commands.hoist);
+        state.straighten(commands.hoist);
         state.taut = self.accelerations(state, r, &state.y, commands).rope >= 0.0;
-    }
-
-    /// Puts the load of a taut rope at its end, moving with it, where roundings have moved it by more than a few bits.
-    fn straighten(state: &mut State, hoist: f64) {
-        let load = load_of(&state.y);
-        let length = load.place.norm();
-        let direction = load.place / length;
-        let excess = direction.dot(&load.rate) - hoist;
-        let few = 16.0 * f64::EPSILON;
-        if (length - state.y[10]).abs() > few * length {
-            let place = direction * state.y[10];
-            state.y[4..7].copy_from_slice(place.as_slice());
-        }
-        if excess.abs() > few * (load.rate.norm() + hoist.abs()) {
-            state.y[7..10].copy_from_slice((load.rate - direction * excess).as_slice());
-        }
     }
 
     /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way. Returns

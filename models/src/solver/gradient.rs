@@ -9,6 +9,10 @@ use num_dual::Dual64;
 
 use crate::calc::{Calc, Function};
 
+/// Most derivatives that operations are written out for; of more, each is a call: the equations of a crane that
+/// slews on its oil would take a quarter of a megabyte otherwise.
+const WRITTEN_OUT: usize = 8;
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gradient<const N: usize> {
     pub re: f64,
@@ -29,19 +33,43 @@ impl<const N: usize> Gradient<N> {
     #[inline]
     #[must_use]
     pub fn chain(self, f: Dual64) -> Gradient<N> {
-        Gradient {
-            re: f.re,
-            by: self.by.map(|x| f.eps * x),
-        }
+        let by = if N > WRITTEN_OUT {
+            multiple_called(&self.by, f.eps)
+        } else {
+            multiple(&self.by, f.eps)
+        };
+        Gradient { re: f.re, by }
     }
 
     #[inline]
     fn combine(self, other: Gradient<N>, re: f64, own: f64, others: f64) -> Gradient<N> {
-        Gradient {
-            re,
-            by: std::array::from_fn(|i| own * self.by[i] + others * other.by[i]),
-        }
+        let by = if N > WRITTEN_OUT {
+            sum_called(&self.by, own, &other.by, others)
+        } else {
+            sum(&self.by, own, &other.by, others)
+        };
+        Gradient { re, by }
     }
+}
+
+#[inline]
+fn multiple<const N: usize>(by: &[f64; N], factor: f64) -> [f64; N] {
+    by.map(|x| factor * x)
+}
+
+#[inline]
+fn sum<const N: usize>(a: &[f64; N], own: f64, b: &[f64; N], others: f64) -> [f64; N] {
+    std::array::from_fn(|i| own * a[i] + others * b[i])
+}
+
+#[inline(never)]
+fn multiple_called<const N: usize>(by: &[f64; N], factor: f64) -> [f64; N] {
+    multiple(by, factor)
+}
+
+#[inline(never)]
+fn sum_called<const N: usize>(a: &[f64; N], own: f64, b: &[f64; N], others: f64) -> [f64; N] {
+    sum(a, own, b, others)
 }
 
 impl<const N: usize> Add for Gradient<N> {
@@ -81,10 +109,7 @@ impl<const N: usize> Neg for Gradient<N> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Gradient {
-            re: -self.re,
-            by: self.by.map(|x| -x),
-        }
+        self.chain(Dual64::new(-self.re, -1.0))
     }
 }
 

@@ -33,6 +33,16 @@ pub trait System<const N: usize> {
     fn kinks(&self, _: &[f64; N]) -> [f64; MOST_KINKS] {
         [1.0; MOST_KINKS]
     }
+
+    /// Whether states lie beyond the end of the smooth piece: a step ends just there.
+    #[inline]
+    fn ended(&self, _: &[f64; N]) -> bool {
+        false
+    }
+
+    /// Puts the states at the end of a step where their constraints want them, against the solver's error.
+    #[inline]
+    fn settle(&self, _: &mut [f64; N]) {}
 }
 
 /// Most kinks that a system has.

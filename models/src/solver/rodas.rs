@@ -148,6 +148,20 @@ impl<const N: usize> Step<N> {
         (first < 1.0 && first > LEAST_PART).then_some(first)
     }
 
+    /// The part of the step up to just beyond where the smooth piece ends, by the continuous extension.
+    fn end(&self, system: &impl System<N>) -> f64 {
+        let (mut before, mut beyond) = (0.0, 1.0);
+        for _ in 0..MOST_HALVINGS {
+            let middle = f64::midpoint(before, beyond);
+            if system.ended(&self.at(middle)) {
+                beyond = middle;
+            } else {
+                before = middle;
+            }
+        }
+        beyond
+    }
+
     /// The states a part of the step after its start, from 0 to 1.
     #[must_use]
     pub fn at(&self, part: f64) -> [f64; N] {
@@ -233,7 +247,7 @@ impl<const N: usize> Factors<N> {
     }
 }
 
-/// What the estimated error of a step may be, in each state's own unit.
+/// What the estimated error of a step may be, in each state's own unit; infinite for places of no state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance<const N: usize> {
     pub relative: f64,
@@ -241,13 +255,14 @@ pub struct Tolerance<const N: usize> {
 }
 
 impl<const N: usize> Tolerance<N> {
-    /// Error of a step over what is allowed, in the mean of all states.
+    /// Error of a step over what is allowed, in the mean of all states that have a tolerance.
     fn measure(&self, step: &Step<N>) -> f64 {
+        let states = self.absolute.iter().filter(|x| x.is_finite()).count();
         let part = |i: usize| {
             let size = step.from[i].abs().max(step.to[i].abs());
             step.error[i] / (self.absolute[i] + self.relative * size)
         };
-        ((0..N).map(|i| part(i) * part(i)).sum::<f64>() / N as f64).sqrt()
+        ((0..N).map(|i| part(i) * part(i)).sum::<f64>() / states as f64).sqrt()
     }
 }
 
@@ -255,6 +270,10 @@ impl<const N: usize> Tolerance<N> {
 const MOST_CUTS: u32 = 3;
 const MOST_HALVINGS: u32 = 50;
 const LEAST_PART: f64 = 1e-2;
+
+/// How often a step may be solved again to end at an event, and how near to its end the event must be.
+const MOST_ENDS: u32 = 10;
+const LAST_PART: f64 = 1.0 - 1e-9;
 
 /// Smallest part of the time asked for that a step may be.
 const RESOLUTION: f64 = 1e-13;
@@ -267,6 +286,8 @@ pub struct Run<const N: usize> {
     behind: f64,
     /// Length of the next step, in s.
     next: f64,
+    /// At the step's end something is to be decided.
+    ended: bool,
     pub count: Count,
 }
 
@@ -278,6 +299,7 @@ impl<const N: usize> Run<N> {
             step: Step::resting(y),
             behind: 0.0,
             next: first,
+            ended: false,
             count: Count::default(),
         }
     }
@@ -294,10 +316,27 @@ impl<const N: usize> Run<N> {
 
     /// To be called when the system changes, an input say: what was solved ahead is dropped.
     pub fn interrupt(&mut self, first: f64) {
+        self.restart(self.states(), first);
+    }
+
+    /// The same from other states, where something was decided.
+    pub fn restart(&mut self, y: [f64; N], first: f64) {
         *self = Run {
             count: self.count,
-            ..Run::new(self.states(), first)
+            ..Run::new(y, first)
         };
+    }
+
+    /// Nothing is solved ahead: all that may change at once has been decided, or must be.
+    #[must_use]
+    pub fn is_fresh(&self) -> bool {
+        self.step.h == 0.0
+    }
+
+    /// The present time is where a smooth piece ends.
+    #[must_use]
+    pub fn at_event(&self) -> bool {
+        self.ended && self.behind >= self.step.h
     }
 
     /// Moves on by a duration (s), in steps of at most `longest` (s).
@@ -311,17 +350,34 @@ impl<const N: usize> Run<N> {
         duration: f64,
         longest: f64,
     ) -> Result<(), Halt> {
+        self.piece(system, tolerance, duration, longest).map(|_| ())
+    }
+
+    /// The same, at most up to the end of the smooth piece. Returns what is left of the duration.
+    ///
+    /// # Errors
+    /// As [`advance`](Run::advance).
+    pub fn piece(
+        &mut self,
+        system: &impl System<N>,
+        tolerance: &Tolerance<N>,
+        duration: f64,
+        longest: f64,
+    ) -> Result<f64, Halt> {
         let mut left = duration;
         let mut tried = 0_u32;
         while left > self.step.h - self.behind {
             left -= self.step.h - self.behind;
             self.behind = self.step.h;
+            if self.ended {
+                return Ok(left);
+            }
             let y = self.step.to;
             let (rate, jacobian) = system.jacobian(&y).ok_or(Halt::Outside)?;
             self.count.jacobians += 1;
             // A step that was refused is not followed by a longer one at once.
             let mut growth = 5.0;
-            let mut cuts = 0;
+            let (mut cuts, mut ends, mut exists) = (0, 0, true);
             loop {
                 tried += 1;
                 if tried > MOST_STEPS {
@@ -329,14 +385,16 @@ impl<const N: usize> Run<N> {
                 }
                 let h = self.next.min(longest);
                 if h < RESOLUTION * duration {
-                    return Err(Halt::TooSmall);
+                    return Err(if exists { Halt::TooSmall } else { Halt::Outside });
                 }
                 self.count.rates += 6;
-                let Some(step) = Step::with(system, &y, h, &rate, &jacobian) else {
+                let Some(mut step) = Step::with(system, &y, h, &rate, &jacobian) else {
                     self.count.rejected += 1;
                     self.next = h / 4.0;
+                    exists = false;
                     continue;
                 };
+                exists = true;
                 if cuts < MOST_CUTS
                     && let Some(part) = step.kink(system, tolerance.relative)
                 {
@@ -350,6 +408,19 @@ impl<const N: usize> Run<N> {
                 let fourth = measure.sqrt().sqrt();
                 let factor = (0.9 / fourth).clamp(0.2, growth);
                 if measure <= 1.0 {
+                    let ended = system.ended(&step.to);
+                    let least = 4.0 * RESOLUTION * duration;
+                    if ended && ends < MOST_ENDS && h > least {
+                        let part = step.end(system);
+                        if part < LAST_PART {
+                            ends += 1;
+                            self.count.kinks += 1;
+                            self.next = (h * part).max(least);
+                            continue;
+                        }
+                    }
+                    system.settle(&mut step.to);
+                    self.ended = ended;
                     self.next = h * factor;
                     self.step = step;
                     self.behind = 0.0;
@@ -362,13 +433,13 @@ impl<const N: usize> Run<N> {
             }
         }
         self.behind += left;
-        Ok(())
+        Ok(0.0)
     }
 
     /// The run as numbers, for a state that is written out; the counts are not part of it.
     pub fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
         let Step { h, from, to, bend, .. } = &self.step;
-        let scalars = [*h, self.behind, self.next];
+        let scalars = [*h, self.behind, self.next, f64::from(self.ended)];
         let arrays = [from, to, &bend[0], &bend[1]];
         scalars.into_iter().chain(arrays.into_iter().flatten().copied())
     }
@@ -376,7 +447,7 @@ impl<const N: usize> Run<N> {
     /// What [`numbers`](Run::numbers) gave; `None` where the length is another.
     #[must_use]
     pub fn of(numbers: &[f64]) -> Option<Run<N>> {
-        let (&[h, behind, next], rest) = numbers.split_first_chunk::<3>()?;
+        let (&[h, behind, next, ended], rest) = numbers.split_first_chunk::<4>()?;
         let (arrays, over) = rest.as_chunks::<N>();
         let &[from, to, bend_1, bend_2] = arrays else {
             return None;
@@ -391,6 +462,7 @@ impl<const N: usize> Run<N> {
             },
             behind,
             next,
+            ended: ended != 0.0,
             count: Count::default(),
         })
     }

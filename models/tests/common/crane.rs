@@ -7,9 +7,9 @@ use lemnis_models::hydraulics::cylinder::Cylinder;
 use lemnis_models::hydraulics::valve::Valve;
 use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase, Turntable};
 use lemnis_models::lemniscate::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters};
-use lemnis_models::lemniscate::hydraulic::Hydraulic;
-use lemnis_models::lemniscate::motion::Friction;
-use lemnis_models::lemniscate::slewing::{Joint, Slewing};
+use lemnis_models::lemniscate::hydraulic::{Crane, Hydraulic};
+use lemnis_models::lemniscate::motion::{Friction, Motion};
+use lemnis_models::lemniscate::slewing::{Drive, Joint, Slewing};
 use lemnis_models::plane::Point;
 
 pub const PENDULUM: Pendulum = Pendulum {
@@ -143,21 +143,44 @@ pub fn cylinder() -> Cylinder {
     }
 }
 
+/// The anchors of the luffing cylinder.
+pub const ANCHORS: Anchors<f64> = Anchors {
+    e_x: 3.0,
+    e_y: -1.5,
+    s_d: 7.0,
+    chi_d: -5.0 * std::f64::consts::PI / 180.0,
+};
+
 pub fn hydraulic<const N: usize>(pendulum: Option<Pendulum>) -> Hydraulic<N> {
-    let anchors = Anchors {
-        e_x: 3.0,
-        e_y: -1.5,
-        s_d: 7.0,
-        chi_d: -5_f64.to_radians(),
-    };
-    Hydraulic {
-        dynamics: dynamics(pendulum).with_drive(&anchors),
-        cylinder: cylinder(),
-        viscous: 2e4,
-        coulomb: 0.0,
+    oiled(Crane::Plane(Motion {
+        dynamics: dynamics(pendulum).with_drive(&ANCHORS),
+        friction: Friction {
+            viscous: 2e4,
+            coulomb: 0.0,
+        },
         stops: [0.5, 2.5],
+    }))
+}
+
+/// The same on a turntable without friction.
+pub fn hydraulic_slewing<const N: usize>(pendulum: Option<Pendulum>, inertia: f64) -> Hydraulic<N> {
+    let mut crane = slewing(pendulum, inertia, [[2e4, 0.0], [0.0; 2]]);
+    crane.dynamics = crane.dynamics.with_drive(&ANCHORS);
+    crane.joints[0].stops = [0.5, 2.5];
+    oiled(Crane::Slewing(crane))
+}
+
+fn oiled<const N: usize>(crane: Crane) -> Hydraulic<N> {
+    Hydraulic {
+        crane,
+        cylinder: cylinder(),
         buffer: [0.0; 2],
         command: 0.0,
         supply: 250e5,
+        hoist: 0.0,
+        slewing: Drive {
+            moment: 0.0,
+            brake: 0.0,
+        },
     }
 }

@@ -11,7 +11,7 @@ const OIL: &str = include_str!("../../../tests/levels/hydraulics.toml");
 const SLEWING: &str = include_str!("../../../tests/levels/slewing.toml");
 const BALANCE: &str = include_str!("../../../tests/levels/balance.toml");
 
-pub const LEVELS: [&str; 9] = [
+pub const LEVELS: [&str; 11] = [
     "static",
     "rigid",
     "rigid with balance",
@@ -20,7 +20,9 @@ pub const LEVELS: [&str; 9] = [
     "swing with slewing",
     "swing with slewing, balance",
     "hydraulic",
+    "hydraulic with slewing",
     "hydraulic with swing",
+    "hydraulic with swing, slewing",
 ];
 
 pub fn scene(level: &str) -> Scene {

@@ -4,21 +4,18 @@
 
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics};
-use crate::lemniscate::hydraulic::Hydraulic;
+use crate::lemniscate::hydraulic::{self, FIXED, Hydraulic, Modes};
 use crate::lemniscate::motion::{self, Bar, Commands, Motion};
 use crate::lemniscate::slewing::{self, Drive, Slewing};
 use crate::solver::rodas::{Run, Tolerance};
-use crate::solver::{Count, Halt, System};
+use crate::solver::{Count, Halt};
 
 /// Most continuous states of any level.
-pub const MOST_STATES: usize = 11;
+pub const MOST_STATES: usize = hydraulic::MOST;
 /// Most event indicators of any level.
-pub const MOST_INDICATORS: usize = 9;
-/// Event indicators of the hydraulic level.
+pub const MOST_INDICATORS: usize = 10;
+/// Event indicators of the oil.
 pub const OIL_INDICATORS: usize = 5;
-
-/// First step of the implicit solver after a change from outside, in s.
-const FIRST: f64 = 1e-3;
 
 /// Inputs, constant over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,19 +45,23 @@ impl<P: Copy> Inputs<P> {
 pub enum Level<P = f64> {
     Free(Motion<P>),
     Slewing(Slewing<P>),
-    /// A cylinder, the load fixed to the head.
-    Fixed(Hydraulic<8, P>),
-    /// A cylinder, the load on its rope.
-    Hanging(Hydraulic<10, P>),
+    /// A cylinder, and nothing else that moves.
+    Fixed(Hydraulic<FIXED, P>),
+    /// A cylinder, the load on its rope, a crane that slews, or both.
+    Hanging(Hydraulic<{ hydraulic::MOST }, P>),
 }
 
 /// Where a level is: its states, and its solver's.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a state is copied, and nothing is allocated while a model runs"
+)]
 #[derive(Clone, Copy, Debug)]
 pub enum Present {
     Free(motion::State),
     Slewing(slewing::State),
-    Fixed(Run<8>),
-    Hanging(Run<10>),
+    Fixed(hydraulic::Present<FIXED>),
+    Hanging(hydraulic::Present<{ hydraulic::MOST }>),
 }
 
 /// A result that only motion has.
@@ -82,43 +83,76 @@ pub enum Reaction {
 /// Level and state come from one model, which keeps them together.
 const OTHER: &str = "the state of another level";
 
-fn tolerance<const N: usize>(relative: f64) -> Tolerance<N> {
-    // Angles and rates, pressures, spool and its speed. A spool that is known better than its edges need
-    // would cost a quarter of all steps.
-    let mut absolute = [1e-3; N];
-    absolute[N - 6..N - 2].fill(1e6);
-    absolute[N - 2] = 0.1;
-    absolute[N - 1] = 30.0;
-    Tolerance {
-        relative,
-        absolute: absolute.map(|x| relative * x),
+fn tell<const N: usize, P: Copy>(system: &mut Hydraulic<N, P>, inputs: &Inputs<P>) {
+    (system.command, system.supply) = (inputs.valve, inputs.supply);
+    (system.hoist, system.slewing) = (inputs.motion.hoist, inputs.slewing);
+}
+
+/// Angles and rates, pressures, spool and its speed, load and rope; no more than there are. A spool that is
+/// known better than its edges need would cost a quarter of all steps.
+fn tolerance<const N: usize>(relative: f64, states: usize) -> Tolerance<N> {
+    let mut absolute = [f64::INFINITY; N];
+    absolute[..states].fill(relative * 1e-3);
+    absolute[2..6].fill(relative * 1e6);
+    absolute[6..FIXED].copy_from_slice(&[relative * 0.1, relative * 30.0]);
+    Tolerance { relative, absolute }
+}
+
+/// Spool, relief valves and stops of luffing, then slewing and the rope as far as there are any.
+fn oil_indicators<const N: usize, P: Coordinate<P>>(
+    system: &Hydraulic<N, P>,
+    modes: Modes,
+    y: &[P; N],
+    indicators: &mut [P; MOST_INDICATORS],
+) -> Option<()> {
+    let (opening, [low, high]) = (system.cylinder.relief[0], system.stops().map(P::constant));
+    put(
+        indicators,
+        &[y[6], opening - y[2], opening - y[3], y[0] - low, high - y[0]],
+    );
+    let more = system.indicators(modes, y)?;
+    let first = if system.dynamics().turntable().is_some() { 0 } else { 4 };
+    put(&mut indicators[OIL_INDICATORS..], &more[first..]);
+    Some(())
+}
+
+fn oil_reaction<const N: usize, P: Coordinate<P>>(
+    system: &Hydraulic<N, P>,
+    modes: Modes,
+    y: &[P; N],
+    reaction: Reaction,
+) -> Option<P> {
+    match reaction {
+        Reaction::Rope => system.rope_force(modes, y),
+        Reaction::SlewingFriction => system.slewing_friction(modes, y),
+        Reaction::Swing | Reaction::Side | Reaction::Distance => Some(seen(&hydraulic::part(y), reaction)),
+        _ => Some(system.cylinder.force(&Hydraulic::<N, P>::oil(y))),
     }
 }
 
-fn oil_indicators<const N: usize, C: Calc>(system: &Hydraulic<N, C>, y: &[C; N]) -> [C; OIL_INDICATORS] {
-    let (opening, [low, high]) = (system.cylinder.relief[0], system.stops.map(C::constant));
-    [
-        y[N - 2],
-        opening - y[N - 6],
-        opening - y[N - 5],
-        y[0] - low,
-        high - y[0],
-    ]
+/// Where the load of a crane that slews is seen from its head.
+fn seen<C: Calc>(y: &[C; slewing::STATES], reaction: Reaction) -> C {
+    match reaction {
+        Reaction::Swing => slewing::angles(y)[0],
+        Reaction::Side => slewing::angles(y)[1],
+        _ => slewing::distance(y),
+    }
 }
 
 /// Whether a state of the oil or of the mechanism is none of theirs any more.
-fn possible<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> bool {
-    y[N - 6..N - 2].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.rates(y).is_some()
+fn possible<const N: usize>(system: &Hydraulic<N>, present: &hydraulic::Present<N>) -> bool {
+    let y = present.run.states();
+    y[2..6].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.equations(present.modes, &y).is_some()
 }
 
-impl<P> Level<P> {
+impl<P: Calc> Level<P> {
     #[must_use]
     pub fn dynamics(&self) -> &Dynamics<P> {
         match self {
             Level::Free(motion) => &motion.dynamics,
             Level::Slewing(crane) => &crane.dynamics,
-            Level::Fixed(system) => &system.dynamics,
-            Level::Hanging(system) => &system.dynamics,
+            Level::Fixed(system) => system.dynamics(),
+            Level::Hanging(system) => system.dynamics(),
         }
     }
 }
@@ -127,8 +161,8 @@ impl<P: Coordinate<P>> Level<P> {
     pub fn set_inputs(&mut self, inputs: &Inputs<P>) {
         match self {
             Level::Free(_) | Level::Slewing(_) => {}
-            Level::Fixed(system) => (system.command, system.supply) = (inputs.valve, inputs.supply),
-            Level::Hanging(system) => (system.command, system.supply) = (inputs.valve, inputs.supply),
+            Level::Fixed(system) => tell(system, inputs),
+            Level::Hanging(system) => tell(system, inputs),
         }
     }
 
@@ -147,8 +181,8 @@ impl<P: Coordinate<P>> Level<P> {
             (Level::Slewing(crane), Present::Slewing(state)) => {
                 put(rates, &crane.rates(state, &inputs.of_both(), first(y))?);
             }
-            (Level::Fixed(system), Present::Fixed(_)) => put(rates, &system.equations(first(y))?),
-            (Level::Hanging(system), Present::Hanging(_)) => put(rates, &system.equations(first(y))?),
+            (Level::Fixed(system), Present::Fixed(at)) => put(rates, &system.equations(at.modes, first(y))?),
+            (Level::Hanging(system), Present::Hanging(at)) => put(rates, &system.equations(at.modes, first(y))?),
             _ => unreachable!("{OTHER}"),
         }
         Some(())
@@ -170,8 +204,8 @@ impl<P: Coordinate<P>> Level<P> {
                 let found = crane.indicators(state, &inputs.of_both(), first(y))?;
                 put(indicators, &found);
             }
-            (Level::Fixed(system), Present::Fixed(_)) => put(indicators, &oil_indicators(system, first(y))),
-            (Level::Hanging(system), Present::Hanging(_)) => put(indicators, &oil_indicators(system, first(y))),
+            (Level::Fixed(system), Present::Fixed(at)) => oil_indicators(system, at.modes, first(y), indicators)?,
+            (Level::Hanging(system), Present::Hanging(at)) => oil_indicators(system, at.modes, first(y), indicators)?,
             _ => unreachable!("{OTHER}"),
         }
         Some(())
@@ -195,25 +229,20 @@ impl<P: Coordinate<P>> Level<P> {
                 match reaction {
                     Reaction::Rope => crane.rope_force(state, &commands, y),
                     Reaction::SlewingFriction => crane.friction_moment(1, state, &commands, y),
-                    Reaction::Swing => Some(slewing::angles(y)[0]),
-                    Reaction::Side => Some(slewing::angles(y)[1]),
-                    Reaction::Distance => Some(slewing::distance(y)),
+                    Reaction::Swing | Reaction::Side | Reaction::Distance => Some(seen(y, reaction)),
                     _ => crane.friction_moment(0, state, &commands, y),
                 }
             }
-            (Level::Fixed(system), Present::Fixed(_), _) => {
-                Some(system.cylinder.force(&Hydraulic::<8, P>::oil(first(y))))
-            }
-            (Level::Hanging(system), Present::Hanging(_), _) => {
-                Some(system.cylinder.force(&Hydraulic::<10, P>::oil(first(y))))
-            }
+            (Level::Fixed(system), Present::Fixed(at), _) => oil_reaction(system, at.modes, first(y), reaction),
+            (Level::Hanging(system), Present::Hanging(at), _) => oil_reaction(system, at.modes, first(y), reaction),
             _ => unreachable!("{OTHER}"),
         }
     }
 }
 
 impl Level {
-    /// Decides what follows at an instant. The events of oil are kinks: nothing is to be decided.
+    /// Decides what follows at an instant. The events of oil are kinks, where nothing is to be decided, and what
+    /// the implicit solver has solved ahead ends before the next event.
     ///
     /// # Errors
     /// The linkage does not close.
@@ -221,10 +250,8 @@ impl Level {
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => motion.event(state, &inputs.motion).map(|_| ()),
             (Level::Slewing(crane), Present::Slewing(state)) => crane.event(state, &inputs.of_both()).map(|_| ()),
-            (Level::Fixed(system), Present::Fixed(run)) => system.rates(&run.states()).map(|_| ()).ok_or(Halt::Outside),
-            (Level::Hanging(system), Present::Hanging(run)) => {
-                system.rates(&run.states()).map(|_| ()).ok_or(Halt::Outside)
-            }
+            (Level::Fixed(system), Present::Fixed(present)) => oil_event(system, present),
+            (Level::Hanging(system), Present::Hanging(present)) => oil_event(system, present),
             _ => unreachable!("{OTHER}"),
         }
     }
@@ -245,8 +272,10 @@ impl Level {
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => motion.advance(state, &inputs.motion, duration, step),
             (Level::Slewing(crane), Present::Slewing(state)) => crane.advance(state, &inputs.of_both(), duration, step),
-            (Level::Fixed(system), Present::Fixed(run)) => oil_advance(system, run, duration, step, relative),
-            (Level::Hanging(system), Present::Hanging(run)) => oil_advance(system, run, duration, step, relative),
+            (Level::Fixed(system), Present::Fixed(present)) => oil_advance(system, present, duration, step, relative),
+            (Level::Hanging(system), Present::Hanging(present)) => {
+                oil_advance(system, present, duration, step, relative)
+            }
             _ => unreachable!("{OTHER}"),
         }
     }
@@ -295,44 +324,60 @@ impl Level {
                 };
                 Some((powers, crane.energy(state, &commands)?))
             }
-            (Level::Fixed(system), Present::Fixed(run)) => oil_powers(system, &run.states()),
-            (Level::Hanging(system), Present::Hanging(run)) => oil_powers(system, &run.states()),
+            (Level::Fixed(system), Present::Fixed(at)) => oil_powers(system, at),
+            (Level::Hanging(system), Present::Hanging(at)) => oil_powers(system, at),
             _ => unreachable!("{OTHER}"),
         }
     }
 }
 
-fn oil_powers<const N: usize>(system: &Hydraulic<N>, y: &[f64; N]) -> Option<(Powers, f64)> {
-    let (m, oil) = (Hydraulic::<N>::phase(y), Hydraulic::<N>::oil(y));
-    let [_, arm] = f64::reduced(&system.dynamics, m.theta)?.drive;
-    let [pump, throttles, compression] = system.cylinder.powers(&oil, arm * m.omega, system.supply);
+fn oil_powers<const N: usize>(system: &Hydraulic<N>, at: &hydraulic::Present<N>) -> Option<(Powers, f64)> {
+    let (y, modes) = (at.run.states(), at.modes);
+    let [_, arm] = f64::reduced(system.dynamics(), y[0])?.drive;
+    let oil = Hydraulic::<N>::oil(&y);
+    let [pump, throttles, compression] = system.cylinder.powers(&oil, arm * y[1], system.supply);
+    // A crane that slews does so by the state behind its angle.
+    let turning = match system.dynamics().turntable() {
+        Some(_) => y[FIXED + 1],
+        None => 0.0,
+    };
     let powers = Powers {
+        slewing: system.slewing.moment * turning,
+        hoist: -system.rope_force(modes, &y)? * system.hoist,
         pump,
         throttles,
         compression,
-        friction: -system.reaction(&m) * m.omega,
+        friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, &y)? * turning,
         ..Powers::default()
     };
-    Some((powers, system.dynamics.energy(&m)?))
+    Some((powers, system.energy(modes, &y)?))
+}
+
+fn oil_event<const N: usize>(system: &Hydraulic<N>, present: &mut hydraulic::Present<N>) -> Result<(), Halt> {
+    if present.run.is_fresh() {
+        return system.event(present);
+    }
+    let closes = f64::reduced(system.dynamics(), present.run.states()[0]);
+    closes.map(|_| ()).ok_or(Halt::Outside)
 }
 
 fn oil_advance<const N: usize>(
     system: &Hydraulic<N>,
-    run: &mut Run<N>,
+    present: &mut hydraulic::Present<N>,
     duration: f64,
     longest: f64,
     relative: f64,
 ) -> Result<Count, Halt> {
-    let before = run.count;
-    run.advance(system, &tolerance(relative), duration, longest)?;
-    let work = run.count.since(before);
-    possible(system, &run.states()).then_some(work).ok_or(Halt::Outside)
+    let before = present.run.count;
+    system.advance(present, &tolerance(relative, system.states()), duration, longest)?;
+    let work = present.run.count.since(before);
+    possible(system, present).then_some(work).ok_or(Halt::Outside)
 }
 
-/// Which way a bar moves, as a number, and back.
+/// Which way a bar moves, as a number, and back; one that is loose always is.
 fn way(bar: Bar) -> f64 {
     match bar {
-        Bar::Held => 0.0,
+        Bar::Held | Bar::Loose => 0.0,
         Bar::Forward => 1.0,
         Bar::Backward => -1.0,
     }
@@ -356,14 +401,6 @@ fn put<P: Copy>(to: &mut [P], from: &[P]) {
 }
 
 impl Present {
-    pub fn of_oil_8(y: [f64; 8]) -> Present {
-        Present::Fixed(Run::new(y, FIRST))
-    }
-
-    pub fn of_oil_10(y: [f64; 10]) -> Present {
-        Present::Hanging(Run::new(y, FIRST))
-    }
-
     /// The states, the rest being zero.
     #[must_use]
     pub fn states(&self) -> [f64; MOST_STATES] {
@@ -371,8 +408,8 @@ impl Present {
         match self {
             Present::Free(state) => put(&mut y, &state.y),
             Present::Slewing(state) => put(&mut y, &state.y),
-            Present::Fixed(run) => put(&mut y, &run.states()),
-            Present::Hanging(run) => put(&mut y, &run.states()),
+            Present::Fixed(present) => put(&mut y, &present.run.states()),
+            Present::Hanging(present) => put(&mut y, &present.run.states()),
         }
         y
     }
@@ -382,28 +419,32 @@ impl Present {
         match self {
             Present::Free(state) => put(&mut state.y, values),
             Present::Slewing(state) => put(&mut state.y, values),
-            Present::Fixed(run) => {
-                let mut y = run.states();
-                put(&mut y, values);
-                *run = Run::new(y, FIRST);
-            }
-            Present::Hanging(run) => {
-                let mut y = run.states();
-                put(&mut y, values);
-                *run = Run::new(y, FIRST);
-            }
+            Present::Fixed(present) => present.set_states(values),
+            Present::Hanging(present) => present.set_states(values),
+        }
+    }
+
+    /// The load hangs on the rope, if there is one.
+    #[must_use]
+    pub fn is_taut(&self) -> bool {
+        match self {
+            Present::Free(state) => state.taut,
+            Present::Slewing(state) => state.taut,
+            Present::Fixed(present) => present.modes.taut,
+            Present::Hanging(present) => present.modes.taut,
         }
     }
 
     /// States of this level in every one of its ways of moving, with no number that is special: over a
     /// range of the angle and beyond its ends (rad), relief valves that open at `opening` (Pa) open and closed.
     #[must_use]
-    pub fn lively(&self, [from, to]: [f64; 2], opening: f64) -> Vec<Present> {
+    pub fn lively(&self, [from, to]: [f64; 2], opening: f64, slews: bool) -> Vec<Present> {
         let mut found = Vec::new();
         for part in [-1e-3, 0.217, 0.613, 0.871, 1.001] {
             let theta = from + part * (to - from);
             for sign in [1.0, -1.0] {
                 let swinging = [theta, 0.113 * sign, 0.231, -0.119 * sign];
+                let aside = [0.31, -0.83, 0.27, 0.17, 0.071, -0.053];
                 let oil = |p: f64| [1.07 * p, 0.93 * p, 0.71 * p, 0.41 * p, 0.31 * sign, 1.7];
                 match self {
                     Present::Free(state) => {
@@ -419,10 +460,7 @@ impl Present {
                     Present::Slewing(state) => {
                         let mut y = state.y;
                         put(&mut y, &[theta, 0.231, 0.113 * sign, -0.119 * sign]);
-                        put(
-                            &mut y[4..10],
-                            &[0.31, -0.83, 0.27, 0.17, 0.071, -0.053].map(|x| x * state.y[10]),
-                        );
+                        put(&mut y[4..], &aside.map(|x| x * state.y[10]));
                         for luffing in [Bar::Held, Bar::Forward, Bar::Backward] {
                             for turning in [Bar::Held, Bar::Forward, Bar::Backward] {
                                 for taut in [true, false] {
@@ -432,20 +470,34 @@ impl Present {
                             }
                         }
                     }
-                    Present::Fixed(run) => {
-                        let mut y = run.states();
+                    Present::Fixed(present) => {
+                        let mut y = present.run.states();
                         put(&mut y, &swinging[..2]);
                         for p in [0.3, 2.0] {
-                            y[2..].copy_from_slice(&oil(p * opening));
-                            found.push(Present::of_oil_8(y));
+                            put(&mut y[2..], &oil(p * opening));
+                            found.push(Present::Fixed(hydraulic::Present::new(y)));
                         }
                     }
-                    Present::Hanging(run) => {
-                        let mut y = run.states();
-                        put(&mut y, &swinging);
+                    Present::Hanging(present) => {
+                        let mut y = present.run.states();
+                        put(&mut y, &swinging[..2]);
+                        if slews {
+                            put(&mut y[8..], &[0.113 * sign, -0.119 * sign]);
+                            let length = y[16];
+                            put(&mut y[10..], &aside.map(|x| x * length));
+                        } else {
+                            let length = y[10];
+                            put(&mut y[8..], &[swinging[2], swinging[3], length, 0.93 * length, 0.57]);
+                        }
                         for p in [0.3, 2.0] {
-                            y[4..].copy_from_slice(&oil(p * opening));
-                            found.push(Present::of_oil_10(y));
+                            put(&mut y[2..], &oil(p * opening));
+                            for slewing in [Bar::Held, Bar::Forward, Bar::Backward] {
+                                for taut in [true, false] {
+                                    let mut present = hydraulic::Present::new(y);
+                                    present.modes = Modes { slewing, taut };
+                                    found.push(Present::Hanging(present));
+                                }
+                            }
                         }
                     }
                 }
@@ -458,8 +510,8 @@ impl Present {
     pub fn interrupt(&mut self) {
         match self {
             Present::Free(_) | Present::Slewing(_) => {}
-            Present::Fixed(run) => run.interrupt(FIRST),
-            Present::Hanging(run) => run.interrupt(FIRST),
+            Present::Fixed(present) => present.interrupt(),
+            Present::Hanging(present) => present.interrupt(),
         }
     }
 
@@ -475,8 +527,11 @@ impl Present {
                 numbers.extend(state.joints.map(way));
                 numbers.push(f64::from(state.taut));
             }
-            Present::Fixed(run) => numbers.extend(run.numbers()),
-            Present::Hanging(run) => numbers.extend(run.numbers()),
+            Present::Fixed(present) => numbers.extend(present.run.numbers()),
+            Present::Hanging(present) => {
+                numbers.extend(present.run.numbers());
+                numbers.extend([way(present.modes.slewing), f64::from(present.modes.taut)]);
+            }
         }
     }
 
@@ -511,8 +566,20 @@ impl Present {
                     taut: taut != 0.0,
                 })
             }
-            Present::Fixed(_) => Present::Fixed(Run::of(own)?),
-            Present::Hanging(_) => Present::Hanging(Run::of(own)?),
+            Present::Fixed(_) => Present::Fixed(hydraulic::Present {
+                run: Run::of(own)?,
+                modes: Modes::AT_REST,
+            }),
+            Present::Hanging(_) => {
+                let (run, &[slewing, taut]) = own.split_last_chunk()?;
+                Present::Hanging(hydraulic::Present {
+                    run: Run::of(run)?,
+                    modes: Modes {
+                        slewing: bar_of(slewing)?,
+                        taut: taut != 0.0,
+                    },
+                })
+            }
         };
         Some((found, rest))
     }

@@ -11,7 +11,7 @@ use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::valve::Valve;
 use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::lemniscate::geometry::{Driven, Geometry};
-use crate::lemniscate::hydraulic::Hydraulic;
+use crate::lemniscate::hydraulic::{self, Crane, Hydraulic};
 use crate::lemniscate::model::{Model as Algebraic, State as AlgebraicState, Tangent as AlgebraicTangent};
 use crate::lemniscate::motion::{self, Bar, Commands, Friction, Motion};
 use crate::lemniscate::moving::level::{
@@ -124,8 +124,10 @@ impl Model {
             (None, Some(_), None) => (motion::STATES, motion::INDICATORS),
             (None, None, Some(_)) => (slewing::RIGID, slewing::INDICATORS - 1),
             (None, Some(_), Some(_)) => (slewing::STATES, slewing::INDICATORS),
-            (Some(_), None, _) => (8, OIL_INDICATORS),
-            (Some(_), Some(_), _) => (10, OIL_INDICATORS),
+            (Some(_), None, None) => (hydraulic::FIXED, OIL_INDICATORS),
+            (Some(_), Some(_), None) => (hydraulic::FIXED + motion::STATES - 2, OIL_INDICATORS + 1),
+            (Some(_), None, Some(_)) => (hydraulic::FIXED + slewing::RIGID - 2, OIL_INDICATORS + 4),
+            (Some(_), Some(_), Some(_)) => (hydraulic::MOST, OIL_INDICATORS + 5),
         };
         let present = match slewing {
             None => Present::Free(start),
@@ -160,7 +162,7 @@ impl Model {
             algebraic,
         };
         if oil.is_some() {
-            model.state.present = model.held_by_oil(start.y[0], start.y[2])?;
+            model.state.present = model.held_by_oil(&model.state.present)?;
         }
         for (variable, slot) in model.list() {
             model.variables.push(variable);
@@ -171,13 +173,20 @@ impl Model {
         Ok(model)
     }
 
-    /// A cylinder's start: the valve closed, the oil carrying the crane.
-    fn held_by_oil(&self, theta: f64, swing: f64) -> Result<Present, Fault> {
+    /// A cylinder's start: the valve closed, the oil carrying the crane, which else stands and hangs as without oil.
+    fn held_by_oil(&self, crane: &Present) -> Result<Present, Fault> {
+        let theta = self.range.from;
         let present = match self.assemble()? {
-            Level::Fixed(system) => system.resting(theta, LEAST_PRESSURE).map(Present::of_oil_8),
+            Level::Fixed(system) => {
+                (system.resting(theta, LEAST_PRESSURE)).map(|y| Present::Fixed(hydraulic::Present::new(y)))
+            }
             Level::Hanging(system) => system.resting(theta, LEAST_PRESSURE).map(|mut y| {
-                y[2] = swing;
-                Present::of_oil_10(y)
+                match crane {
+                    Present::Slewing(state) => hydraulic::put(&mut y, &state.y),
+                    Present::Free(state) => hydraulic::put(&mut y, &state.y),
+                    Present::Fixed(_) | Present::Hanging(_) => {}
+                }
+                Present::Hanging(hydraulic::Present::new(y))
             }),
             Level::Free(_) | Level::Slewing(_) => None,
         };
@@ -203,7 +212,7 @@ impl Model {
         };
         let boom = self.driven == Driven::Boom;
         let hydraulic = self.state.oil.is_some();
-        let (reeled, slews) = (self.rope.is_some() && !hydraulic, self.slewing_stops.is_some());
+        let (reeled, slews) = (self.rope.is_some(), self.slewing_stops.is_some());
         let coordinate = if boom {
             [&s::THETA_1, &s::OMEGA_1]
         } else {
@@ -220,12 +229,15 @@ impl Model {
         for (i, symbol) in states.into_iter().enumerate() {
             list.push((of(symbol, Role::State), Slot::State(i)));
         }
-        let inputs: &[(&'static Symbol, Slot)] = match (hydraulic, reeled) {
-            (true, _) => &[(&m::U_V, Slot::Valve), (&m::P_P, Slot::Supply)],
-            (_, false) => &[(&m::M_A, Slot::Moment), (&m::M_S, Slot::Brake)],
-            (_, true) => &[(&m::M_A, Slot::Moment), (&m::M_S, Slot::Brake), (&m::V_H, Slot::Hoist)],
+        let inputs = if hydraulic {
+            [(&m::U_V, Slot::Valve), (&m::P_P, Slot::Supply)]
+        } else {
+            [(&m::M_A, Slot::Moment), (&m::M_S, Slot::Brake)]
         };
-        list.extend(inputs.iter().map(|&(symbol, slot)| (of(symbol, Role::Input), slot)));
+        list.extend(inputs.map(|(symbol, slot)| (of(symbol, Role::Input), slot)));
+        if reeled {
+            list.push((of(&m::V_H, Role::Input), Slot::Hoist));
+        }
         if slews {
             list.push((of(&m::M_SL, Role::Input), Slot::SlewingMoment));
             list.push((of(&m::M_B_SL, Role::Input), Slot::SlewingBrake));
@@ -234,15 +246,15 @@ impl Model {
         self.state.constants.map(&mut constant);
         self.state.turning.map(|turning| turning.map(&mut constant));
         self.state.oil.map(|oil| oil.map(&mut constant));
-        let results: &[(&'static Symbol, Slot)] = match (hydraulic, reeled) {
-            (true, _) => &[(&m::F_C, Slot::Reaction(Reaction::Cylinder))],
-            (_, false) => &[(&m::M_R, Slot::Reaction(Reaction::Friction))],
-            (_, true) => &[
-                (&m::M_R, Slot::Reaction(Reaction::Friction)),
-                (&m::S_R, Slot::Reaction(Reaction::Rope)),
-            ],
+        let (drive, reaction) = if hydraulic {
+            (&m::F_C, Reaction::Cylinder)
+        } else {
+            (&m::M_R, Reaction::Friction)
         };
-        list.extend(results.iter().map(|&(symbol, slot)| (of(symbol, Role::Output), slot)));
+        list.push((of(drive, Role::Output), Slot::Reaction(reaction)));
+        if reeled {
+            list.push((of(&m::S_R, Role::Output), Slot::Reaction(Reaction::Rope)));
+        }
         if slews {
             list.push((of(&m::M_R_SL, Role::Output), Slot::Reaction(Reaction::SlewingFriction)));
             if reeled {
@@ -299,21 +311,23 @@ impl Model {
         oil: [&'static Symbol; 6],
     ) -> Vec<&'static Symbol> {
         let mut symbols = coordinate.to_vec();
-        if self.slewing_stops.is_some() {
+        if self.state.oil.is_some() {
+            symbols.extend(oil);
+        }
+        let (slews, reeled) = (self.slewing_stops.is_some(), self.rope.is_some());
+        if slews {
             symbols.extend(slewing);
-            if self.rope.is_some() {
+        }
+        match (slews, reeled) {
+            (true, true) => {
                 symbols.extend(load);
                 symbols.push(reel[0]);
             }
-            return symbols;
-        }
-        if self.rope.is_some() {
-            symbols.extend(swing);
-        }
-        match self.state.oil {
-            Some(_) => symbols.extend(oil),
-            None if self.rope.is_some() => symbols.extend(reel),
-            None => {}
+            (false, true) => {
+                symbols.extend(swing);
+                symbols.extend(reel);
+            }
+            (_, false) => {}
         }
         symbols
     }
@@ -430,35 +444,26 @@ impl Model {
             pendulum,
             gravity: constants.g,
         };
-        let dynamics = Dynamics::new(&geometry, bodies)
+        let mut dynamics = Dynamics::new(&geometry, bodies)
             .with_balance(&over, &self.range)
             .map_err(|fault| Fault::outside(fault.to_string()))?;
-        if let Some((turning, stops)) = turning.zip(self.slewing_stops) {
-            let turntable = Turntable {
+        let joint = |viscous, coulomb, stops| Joint {
+            friction: Friction { viscous, coulomb },
+            stops,
+        };
+        let luffing = joint(constants.c_v, constants.m_f, self.stops());
+        let slewing = (turning.zip(self.slewing_stops)).map(|(t, stops)| joint(t.c_sl, t.m_f_sl, stops));
+        if let Some(turning) = turning {
+            dynamics = dynamics.with_slewing(Turntable {
                 axis: -geometry.lengths.x_8,
                 inertia: turning.j_sl,
-            };
-            let joint = |viscous, coulomb, stops| Joint {
-                friction: Friction { viscous, coulomb },
-                stops,
-            };
-            return Ok(Level::Slewing(Slewing {
-                dynamics: dynamics.with_slewing(turntable),
-                joints: [
-                    joint(constants.c_v, constants.m_f, self.stops()),
-                    joint(turning.c_sl, turning.m_f_sl, stops),
-                ],
-            }));
+            });
         }
         let Some(oil) = oil else {
-            return Ok(Level::Free(Motion {
-                dynamics,
-                friction: Friction {
-                    viscous: constants.c_v,
-                    coulomb: constants.m_f,
-                },
-                stops: self.stops(),
-            }));
+            return Ok(match crane(&dynamics, luffing, slewing) {
+                Crane::Plane(motion) => Level::Free(motion),
+                Crane::Slewing(slewing) => Level::Slewing(slewing),
+            });
         };
         let (anchors, bore) = over
             .anchors
@@ -481,34 +486,16 @@ impl Model {
                 damping: oil.zeta_v,
             },
         };
-        let friction = [constants.c_v, constants.m_f];
-        if self.rope.is_some() {
-            Ok(Level::Hanging(self.hydraulic(dynamics, cylinder, friction, &inputs)))
-        } else {
-            Ok(Level::Fixed(self.hydraulic(dynamics, cylinder, friction, &inputs)))
-        }
-    }
-
-    fn hydraulic<const N: usize, P: Coordinate<P>>(
-        &self,
-        dynamics: Dynamics<P>,
-        cylinder: Cylinder<P>,
-        [viscous, coulomb]: [P; 2],
-        inputs: &Inputs<P>,
-    ) -> Hydraulic<N, P> {
-        let none = P::constant(0.0);
-        let inertia = P::reduced(&dynamics, P::constant(self.range.from)).map_or(none, |r| r.inertia);
+        let start = P::reduced(&dynamics, P::constant(self.range.from));
+        let inertia = start.map_or(P::constant(0.0), |r| r.inertia);
         let stop = P::known(&m::OMEGA_S, STOP);
         let (stiffness, damping) = (inertia * stop.square(), inertia * P::constant(2.0) * stop);
-        Hydraulic {
-            dynamics,
-            cylinder,
-            viscous,
-            coulomb,
-            stops: self.stops(),
-            buffer: [stiffness.def(&m::K_S), damping.def(&m::D_S)],
-            command: inputs.valve,
-            supply: inputs.supply,
+        let buffer = [stiffness.def(&m::K_S), damping.def(&m::D_S)];
+        let crane = crane(&dynamics, luffing, slewing);
+        if self.rope.is_some() || self.slewing_stops.is_some() {
+            Ok(Level::Hanging(hydraulic(crane, cylinder, buffer, &inputs)))
+        } else {
+            Ok(Level::Fixed(hydraulic(crane, cylinder, buffer, &inputs)))
         }
     }
 
@@ -626,23 +613,36 @@ impl Model {
                 let mut y = self.state.present.states();
                 y[i] = value;
                 // A taut rope is as long as the load is far.
-                if matches!(&self.state.present, Present::Free(state) if i == 4 && state.taut) {
-                    y[5] = value;
+                let length = self.variables[i].symbol == &m::L_R;
+                if length && self.slewing_stops.is_none() && self.state.present.is_taut() {
+                    y[i + 1] = value;
                 }
                 self.state.present.set_states(&y[..self.states]);
                 // Which way a bar goes is decided again: it did not turn round, it was set.
                 match (&mut self.state.present, i) {
                     (Present::Free(state), 1) => state.bar = Bar::Held,
                     (Present::Slewing(state), 1 | 3) => state.joints[i / 2] = Bar::Held,
+                    (Present::Hanging(present), _) if self.variables[i].symbol == &m::OMEGA_SL => {
+                        present.modes.slewing = Bar::Held;
+                    }
                     _ => {}
                 }
                 self.follow()?;
             }
             Slot::Moment => inputs.motion.moment = value,
             Slot::Brake => inputs.motion.brake = value,
-            Slot::Hoist => inputs.motion.hoist = value,
-            Slot::SlewingMoment => inputs.slewing.moment = value,
-            Slot::SlewingBrake => inputs.slewing.brake = value,
+            Slot::Hoist if inputs.motion.hoist != value => {
+                inputs.motion.hoist = value;
+                self.commanded();
+            }
+            Slot::SlewingMoment if inputs.slewing.moment != value => {
+                inputs.slewing.moment = value;
+                self.commanded();
+            }
+            Slot::SlewingBrake if inputs.slewing.brake != value => {
+                inputs.slewing.brake = value;
+                self.commanded();
+            }
             Slot::Valve if inputs.valve != value => {
                 inputs.valve = value;
                 self.commanded();
@@ -669,7 +669,7 @@ impl Model {
         Ok(())
     }
 
-    /// The cylinder's inputs have changed.
+    /// Inputs of the hydraulic level have changed.
     fn commanded(&mut self) {
         self.state.present.interrupt();
         if let Some(level) = &mut self.level {
@@ -734,8 +734,9 @@ impl Model {
         let step = self.state.constants.step;
         Fault::outside(match halt {
             Halt::Outside => format!(
-                "the motion from {angle} ends within {size} s where the linkage does not close, or beyond all \
-                 reasonable numbers: keep the working range away from dead points, or command less"
+                "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
+                 the rope, or beyond all reasonable numbers: keep the working range away from dead points, reel in \
+                 less, or command less"
             ),
             Halt::TooFast => format!(
                 "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
@@ -937,7 +938,7 @@ impl Model {
         if let Ok(level) = level {
             let (present, mut rates) = (&self.state.present, y);
             let _ = level.rates(present, &inputs, &y, &mut rates);
-            if let Present::Free(motion::State { taut: true, .. }) = present {
+            if self.rope.is_some() {
                 let _ = level.reaction(present, &inputs, &y, Reaction::Rope);
             }
         }
@@ -1005,7 +1006,8 @@ impl Model {
             }
         }
         let opening = self.state.oil.map_or(0.0, |oil| oil.p_r);
-        for present in self.state.present.lively(self.stops(), opening) {
+        let slews = self.slewing_stops.is_some();
+        for present in self.state.present.lively(self.stops(), opening, slews) {
             lively.state.present = present;
             for known in &self.variables {
                 if !matches!(known.role, Role::Input | Role::Parameter | Role::Tunable | Role::State) {
@@ -1029,6 +1031,43 @@ impl Model {
     fn slot(&self, index: usize) -> Result<Slot, Fault> {
         let found = self.slots.get(index).copied();
         found.ok_or_else(|| Fault::no_variable(index, self.slots.len()))
+    }
+}
+
+/// A crane with its joints of luffing and, where it slews, slewing. A call, as its many numbers would be moved one
+/// by one.
+#[inline(never)]
+fn crane<P: Copy>(dynamics: &Dynamics<P>, luffing: Joint<P>, slewing: Option<Joint<P>>) -> Crane<P> {
+    let dynamics = *dynamics;
+    match slewing {
+        None => Crane::Plane(Motion {
+            dynamics,
+            friction: luffing.friction,
+            stops: luffing.stops,
+        }),
+        Some(slewing) => Crane::Slewing(Slewing {
+            dynamics,
+            joints: [luffing, slewing],
+        }),
+    }
+}
+
+/// The same with its cylinder under inputs.
+#[inline(never)]
+fn hydraulic<const N: usize, P: Copy>(
+    crane: Crane<P>,
+    cylinder: Cylinder<P>,
+    buffer: [P; 2],
+    inputs: &Inputs<P>,
+) -> Hydraulic<N, P> {
+    Hydraulic {
+        crane,
+        cylinder,
+        buffer,
+        command: inputs.valve,
+        supply: inputs.supply,
+        hoist: inputs.motion.hoist,
+        slewing: inputs.slewing,
     }
 }
 

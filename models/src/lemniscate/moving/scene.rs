@@ -251,15 +251,8 @@ impl Moving {
             }
             _ => (None, 0.0, 0.0),
         };
-        if oil.is_some() && n(&s::V_H).is_some() {
-            found.push(
-                Diagnostic::new(table.place(s::V_H.id), "v_h at the hydraulic level", "not used")
-                    .help("remove it: the rope keeps its length there"),
-            );
-            return None;
-        }
         let slewing = match v.table("slewing") {
-            Some(table) => Some(slewing(v, table, [rope.is_some(), oil.is_some()], found)?),
+            Some(table) => Some(slewing(v, table, rope.is_some(), found)?),
             None => None,
         };
         let turn = |symbol: &Symbol| v.table("slewing").and_then(|table| table.number(symbol.id));
@@ -293,21 +286,12 @@ impl Moving {
     }
 }
 
-/// What slews; whether the load swings on a rope, and whether a cylinder with oil luffs.
-fn slewing(v: &Values, table: &Values, [swings, oil]: [bool; 2], found: &mut Vec<Diagnostic>) -> Option<Slewing> {
+/// What slews; whether the load swings on a rope.
+fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>) -> Option<Slewing> {
     let n = |symbol: &Symbol| table.number(symbol.id);
     let mut mistake = |place, what: String, label: &str, help: &str| {
         found.push(Diagnostic::new(place, what, label).help(help));
     };
-    if oil {
-        mistake(
-            table.span.clone(),
-            "slewing at the hydraulic level".to_owned(),
-            "not modelled together",
-            "remove [luffing.slewing], or set fidelity = \"swing\"",
-        );
-        return None;
-    }
     if let Some(balance) = v.table("balance").filter(|b| b.text("kind") == Some("straight_rail")) {
         mistake(
             balance.span.clone(),

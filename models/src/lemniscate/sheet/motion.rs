@@ -3,13 +3,13 @@
 
 use crate::calc::Calc;
 use crate::hydraulics::symbols as h;
+use crate::lemniscate::hydraulic::FIXED;
 use crate::lemniscate::motion::Bar;
 use crate::lemniscate::moving::level::{Powers, Present};
 use crate::lemniscate::moving::model::Model;
 use crate::lemniscate::moving::scene::Moving;
 use crate::lemniscate::moving::symbols as m;
 use crate::lemniscate::scene::Luffing;
-use crate::lemniscate::slewing;
 use crate::lemniscate::symbols as s;
 use crate::model::Role;
 use crate::record::record;
@@ -22,9 +22,10 @@ const CURVE: usize = 300;
 /// Samples of a run, at least and at most.
 const SAMPLES: [f64; 2] = [2000.0, 20_000.0];
 
-/// How often a sample is halved where oil moves too fast for it, and what may be left over of what it turns over.
-const HALVINGS: u32 = 8;
-const LEFT: f64 = 1e-4;
+/// How often a sample is halved where oil moves too fast for it, and what may be left over, as a part of the energy
+/// that was turned over before and in it.
+const HALVINGS: u32 = 6;
+const LEFT: f64 = 1e-6;
 
 /// Events that are listed.
 const EVENTS: usize = 20;
@@ -175,7 +176,7 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
         (None, Some(_)) => ("greatest_rope_force", &m::S_R),
         (None, None) => ("greatest_speed", drawn[1].1),
     };
-    let run = Run::new(luffing, moving, &mut model, &drawn, instant.1)?;
+    let mut run = Run::new(luffing, moving, &mut model, &drawn, instant.1)?;
     model.set_state(&run.state);
     let indices = |role: Role| {
         let all = model.variables().iter().enumerate();
@@ -190,6 +191,11 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
             !s::ALL.contains(symbol) || [&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3].contains(symbol)
         })
         .collect();
+    // The last one may be the end of the run.
+    let more_events = run.events.len().saturating_sub(EVENTS);
+    if more_events > 0 {
+        run.events.drain(EVENTS - 1..run.events.len() - 1);
+    }
     let checks = run.checks(luffing, moving);
     let motion = InMotion {
         assumptions: assumptions(luffing, moving),
@@ -200,9 +206,9 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
         run: [run.duration(), run.sample],
         curves: run.curves(&drawn),
         extremes: run.extremes(&drawn),
-        more_events: run.events.len().saturating_sub(EVENTS),
+        more_events,
         energy: run.energy.list(moving),
-        events: run.events.into_iter().take(EVENTS).collect(),
+        events: run.events,
     };
     Some((motion, checks))
 }
@@ -220,7 +226,7 @@ fn assumptions(luffing: &Luffing, moving: &Moving) -> Vec<&'static str> {
         Some("bodies"),
         given(luffing.parameters.balance.is_some(), "counterweight"),
         Some(if rope { "rope" } else { "fixed_load" }),
-        given(rope && !oil, "slack"),
+        given(rope, "slack"),
         given(slews, "slewing"),
         given(oil, "oil"),
         Some(if oil { "creep" } else { "sticking" }),
@@ -300,7 +306,14 @@ impl Watch {
                 );
             }
             Present::Fixed(_) => watch.relief = [y[2] > opening, y[3] > opening],
-            Present::Hanging(_) => watch.relief = [y[4] > opening, y[5] > opening],
+            Present::Hanging(now) => {
+                watch.relief = [y[2] > opening, y[3] > opening];
+                watch.taut = now.modes.taut;
+                if let Some(turn) = moving.slewing {
+                    watch.joints[1] = Some(now.modes.slewing);
+                    watch.stops[1] = at(y[FIXED], turn.stops);
+                }
+            }
         }
         watch
     }
@@ -339,11 +352,11 @@ impl Watch {
         found
     }
 
-    /// Whether something came to rest at once, or the rope caught the load.
-    fn blow(events: &[&str]) -> bool {
-        events
-            .iter()
-            .any(|id| id.ends_with("_low") || id.ends_with("_high") || *id == "rope_taut")
+    /// Whether something came to rest at once, or the rope caught the load. With oil the stops of luffing give way.
+    fn blow(events: &[&str], oil: bool) -> bool {
+        let stops = |id: &str| id.ends_with("_low") || id.ends_with("_high");
+        let mut events = events.iter();
+        events.any(|id| *id == "rope_taut" || stops(id) && !(oil && id.starts_with("luffing")))
     }
 }
 
@@ -368,7 +381,7 @@ impl Energy {
 
     fn list(&self, moving: &Moving) -> sheet::Energy {
         let (oil, work) = (moving.oil.is_some(), &self.work);
-        let (slews, reeled) = (moving.slewing.is_some(), moving.rope.is_some() && !oil);
+        let (slews, hangs) = (moving.slewing.is_some(), moving.rope.is_some());
         let there = |lines: &[(bool, &'static Symbol, f64)]| {
             let lines = lines.iter().filter(|(there, _, _)| *there);
             lines.map(|&(_, symbol, value)| (symbol, value)).collect()
@@ -377,7 +390,7 @@ impl Energy {
             given: there(&[
                 (!oil, &m::W_A, work.drive),
                 (slews, &m::W_SL, work.slewing),
-                (reeled && moving.inputs.motion.hoist != 0.0, &m::W_H, work.hoist),
+                (hangs && moving.inputs.motion.hoist != 0.0, &m::W_H, work.hoist),
                 (oil, &m::W_P, work.pump),
             ]),
             stored: there(&[
@@ -387,7 +400,7 @@ impl Energy {
             taken: there(&[
                 (true, &m::W_R, work.friction),
                 (oil, &m::W_T, work.throttles),
-                (!oil, &m::W_B, self.blows),
+                (!oil || slews || hangs, &m::W_B, self.blows),
                 (true, &m::W_E, self.rest),
             ]),
         }
@@ -397,6 +410,12 @@ impl Energy {
 /// What is left of the powers for the bodies.
 fn net(p: &Powers) -> f64 {
     p.drive + p.slewing + p.hoist + p.pump - p.friction - p.throttles - p.compression
+}
+
+/// What was given and taken.
+fn turnover(work: &Powers) -> f64 {
+    let given = work.pump.abs() + work.slewing.abs() + work.hoist.abs();
+    given + work.throttles + work.friction + work.compression.abs()
 }
 
 /// Powers, each times a number.
@@ -418,6 +437,7 @@ fn advance(
     model: &mut Model,
     [from, to]: [f64; 2],
     before: &(Powers, f64),
+    turned_over: f64,
     halvings: u32,
 ) -> Option<(Powers, (Powers, f64))> {
     let (start, time) = (model.state(), to - from);
@@ -433,13 +453,12 @@ fn advance(
     let after = model.powers().ok()?;
     let weights = [(&before.0, time / 6.0), (&half.0, time / 1.5), (&after.0, time / 6.0)];
     let (work, gain) = (sum(&weights), after.1 - before.1);
-    let turned_over = work.pump.abs() + work.throttles + work.friction + work.compression.abs() + gain.abs();
-    if (net(&work) - gain).abs() <= LEFT * turned_over {
+    if (net(&work) - gain).abs() <= LEFT * (turned_over + turnover(&work)) {
         return Some((work, after));
     }
     model.set_state(&start);
-    let (first, half) = advance(model, [from, middle], before, halvings - 1)?;
-    let (second, after) = advance(model, [middle, to], &half, halvings - 1)?;
+    let (first, half) = advance(model, [from, middle], before, turned_over, halvings - 1)?;
+    let (second, after) = advance(model, [middle, to], &half, turned_over, halvings - 1)?;
     Some((sum(&[(&first, 1.0), (&second, 1.0)]), after))
 }
 
@@ -489,7 +508,7 @@ impl Run {
             instant: 0.0,
             state: model.state(),
             greatest_pressure: pressure(model.present()),
-            greatest_swing: swing(model.present()),
+            greatest_swing: swing(moving, model.present()),
         };
         let mut most = None;
         let mut watch = Watch::new(luffing, moving, model.present());
@@ -501,15 +520,15 @@ impl Run {
         run.events.extend(watch.since(&rest).into_iter().map(|id| (0.0, id)));
         for i in 0..samples {
             let (from, to) = (f64::from(i) * sample, f64::from(i + 1) * sample);
-            // What cannot go on ends here.
-            let Some((work, now)) = advance(model, [from, to], &powers, halvings) else {
+            let turned_over = turnover(&run.energy.work);
+            let step = advance(model, [from, to], &powers, turned_over, halvings);
+            let Some(((work, now), values)) = step.zip(look(model)) else {
+                run.events.push((from, "run_ends"));
                 break;
             };
-            let Some(values) = look(model) else { break };
             let next = Watch::new(luffing, moving, model.present());
             let events = next.since(&watch);
-            // The stops of the hydraulic level give way.
-            let blow = moving.oil.is_none() && Watch::blow(&events);
+            let blow = Watch::blow(&events, moving.oil.is_some());
             run.energy.add(&work, now.1, blow);
             run.events.extend(events.into_iter().map(|id| (to, id)));
             (watch, powers) = (next, now);
@@ -519,7 +538,7 @@ impl Run {
                 (most, run.instant, run.state) = (Some(values[lead].abs()), to, model.state());
             }
             run.greatest_pressure = run.greatest_pressure.max(pressure(model.present()));
-            run.greatest_swing = run.greatest_swing.max(swing(model.present()));
+            run.greatest_swing = run.greatest_swing.max(swing(moving, model.present()));
             for (series, value) in run.series.iter_mut().zip(values) {
                 series.push(value);
             }
@@ -622,23 +641,25 @@ fn changes(series: &[f64]) -> bool {
 fn pressure(present: &Present) -> f64 {
     let y = present.states();
     let pressures = match present {
-        Present::Fixed(_) => &y[2..6],
-        Present::Hanging(_) => &y[4..8],
+        Present::Fixed(_) | Present::Hanging(_) => &y[2..FIXED - 2],
         Present::Free(_) | Present::Slewing(_) => &[],
     };
     pressures.iter().copied().fold(0.0, f64::max)
 }
 
 /// Angle of the rope from the vertical, in rad; zero without a rope.
-fn swing(present: &Present) -> f64 {
-    match present {
-        Present::Free(state) => state.y[2].abs(),
-        Present::Hanging(run) => run.states()[2].abs(),
-        Present::Fixed(_) => 0.0,
-        Present::Slewing(state) if slewing::distance(&state.y) > 0.0 => {
-            let [x, y, z] = [state.y[4], state.y[5], state.y[6]];
-            f64::direction(-y, (x * x + z * z).sqrt())
-        }
-        Present::Slewing(_) => 0.0,
+fn swing(moving: &Moving, present: &Present) -> f64 {
+    if moving.rope.is_none() {
+        return 0.0;
+    }
+    let y = present.states();
+    // The crane's own states but for its first two.
+    let own = match present {
+        Present::Fixed(_) | Present::Hanging(_) => &y[FIXED..],
+        Present::Free(_) | Present::Slewing(_) => &y[2..],
+    };
+    match moving.slewing {
+        None => own[0].abs(),
+        Some(_) => f64::direction(-own[3], (own[2] * own[2] + own[4] * own[4]).sqrt()),
     }
 }
