@@ -545,8 +545,8 @@ fn many(program: &Path) {
             .expect("built");
         let mut memory = 0.0_f64;
         while child.try_wait().expect("ours").is_none() {
-            memory = memory.max(peak_memory(child.id()));
-            std::thread::sleep(Duration::from_millis(20));
+            memory = memory.max(shared_memory(child.id()));
+            std::thread::sleep(Duration::from_millis(50));
         }
         let each = start.elapsed().as_secs_f64() * 10.0;
         row(&format!("lemnis book, {level}, 100 scenes, each"), each, "ms", 100.0);
@@ -565,6 +565,18 @@ fn peak_memory(process: u32) -> f64 {
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     let kilobytes = line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok());
     kilobytes.unwrap_or(0.0) / 1024.0
+}
+
+/// Memory of a process and of those that it started, in MB, what they share counted once; zero where the system does
+/// not say.
+fn shared_memory(process: u32) -> f64 {
+    let read = |file: String| std::fs::read_to_string(format!("/proc/{process}/{file}")).unwrap_or_default();
+    let roll = read("smaps_rollup".to_owned());
+    let line = roll.lines().find_map(|line| line.strip_prefix("Pss:"));
+    let kilobytes = line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok());
+    let children = read(format!("task/{process}/children"));
+    let children = children.split_whitespace().filter_map(|child| child.parse().ok());
+    kilobytes.unwrap_or(0.0) / 1024.0 + children.map(shared_memory).sum::<f64>()
 }
 
 /// From the saving of a changed number to the new book on disk.

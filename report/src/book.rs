@@ -21,7 +21,7 @@ use crate::book::balance::Balance;
 use crate::book::motion::Motion;
 use crate::book::steps::{Notation, Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
-use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Sensitivity, Summary, Table, View};
+use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Range, Sensitivity, Summary, View};
 use crate::book::trade::Trade;
 use crate::formula::quantity;
 use crate::language::{Language, symbols};
@@ -121,7 +121,7 @@ pub(crate) struct Book<'a> {
     demands: Vec<Demand>,
     changes: Option<Changes>,
     sizing: Vec<Section>,
-    range: Table,
+    range: Range,
     curves: Vec<Figure>,
     balance: Option<Balance>,
     motion: Option<Motion<'a>>,
@@ -286,14 +286,14 @@ impl<'a> Book<'a> {
             demands: tables::demands(language, sheet),
             changes: sheet.changes.as_ref().map(|changes| tables::changes(language, changes)),
             sizing,
-            range: tables::table(language, &sheet.range),
+            range: tables::range(language, &sheet.range, full),
             curves: sheet.curves.iter().map(figure).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(language, b)),
             motion,
             sensitivity: tables::sensitivity(language, &sheet.sensitivity),
             synthesis,
             trade,
-            published: tables::published(language, sheet),
+            published: tables::published(language, sheet, full),
             remarks: &sheet.remarks,
             references: notation.references(),
             notation: notation.entries(),

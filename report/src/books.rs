@@ -1,7 +1,9 @@
 //! Making books: of one scene or of many, once or whenever something changes.
 
+use std::ffi::OsString;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::process::{Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
@@ -53,6 +55,9 @@ pub struct Books {
     /// Make the book once more from the scene inside a book; with the options it was made with, to the same bytes
     #[arg(long, value_name = "BOOK.pdf", conflicts_with = "scenes")]
     from: Option<PathBuf>,
+    /// How many processes share the books of several scenes [default: one for each core]
+    #[arg(short, long, value_name = "N")]
+    jobs: Option<NonZeroUsize>,
     /// Stay, and make the books again whenever a scene or a template changes
     #[arg(long, requires = "scenes")]
     watch: bool,
@@ -83,6 +88,20 @@ impl Making {
                 Err(error) => Err(Failure::Program(error.to_string())),
             },
         }
+    }
+
+    /// These options for another process.
+    fn arguments(&self) -> Vec<OsString> {
+        let options: [(&str, Option<OsString>); 4] = [
+            ("--language", self.language.as_ref().map(Into::into)),
+            ("--level", self.level.as_ref().map(Into::into)),
+            ("--templates", self.templates.as_ref().map(Into::into)),
+            ("--typst", self.typst.as_ref().map(Into::into)),
+        ];
+        let given = options
+            .into_iter()
+            .filter_map(|(name, value)| Some([name.into(), value?]));
+        given.flatten().collect()
     }
 
     fn edition<'a>(
@@ -150,7 +169,12 @@ impl Books {
             return self.watch();
         }
         let spinner = busy("typesetting".to_owned());
-        let made = self.make();
+        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+        let cores = self.jobs.map_or_else(cores, usize::from);
+        let made = match cores.min(self.scenes.len()) {
+            0 | 1 => self.make(),
+            processes => self.share(processes, cores / processes),
+        };
         spinner.finish_and_clear();
         output::place(made?)
     }
@@ -180,7 +204,6 @@ impl Books {
 
     /// All books, or the first failure; none has taken its place yet.
     fn make(&self) -> Result<Vec<Complete>, Failure> {
-        let scenes = self.scenes()?;
         let (templates, typesetter) = (self.making.templates()?, self.making.typesetter()?);
         let make = |scene: &Scene| {
             let edition = self.making.edition(scene, &templates, &*typesetter);
@@ -189,26 +212,50 @@ impl Books {
                 &book(&edition, scene, &Results::new(scene)?, self.format)?,
             )
         };
-        // Each core takes the next scene that is left.
-        let next = AtomicUsize::new(0);
-        let work = || {
-            let mut made = Vec::new();
-            loop {
-                let i = next.fetch_add(1, Ordering::Relaxed);
-                let Some(scene) = scenes.get(i) else { return made };
-                made.push((i, make(scene)));
-            }
+        self.scenes()?.iter().map(make).collect()
+    }
+
+    /// All books, by as many processes as there are cores: Typst's cache and the memory of threads are shared, and two
+    /// threads take half as long again as two processes.
+    fn share(&self, processes: usize, threads: usize) -> Result<Vec<Complete>, Failure> {
+        // What is wrong with any of them is told before the first book is made.
+        self.scenes()?;
+        self.making.templates()?;
+        self.making.typesetter()?;
+        let folder = output::workshop(&self.output)?;
+        let failed = |error: std::io::Error| Failure::Program(format!("cannot start another process: {error}"));
+        let program = std::env::current_exe().map_err(failed)?;
+        let format = self.format.to_possible_value().expect("none is hidden");
+        let start = |paths: &[PathBuf]| {
+            Command::new(&program)
+                .args(["book", "--jobs", "1", "--format", format.get_name(), "--output"])
+                .arg(folder.path())
+                .args(self.making.arguments())
+                .arg("--")
+                .args(paths)
+                .env("RAYON_NUM_THREADS", threads.to_string())
+                .stdin(Stdio::null())
+                .stdout(Stdio::null())
+                .stderr(Stdio::piped())
+                .spawn()
         };
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let mut made: Vec<_> = std::thread::scope(|scope| {
-            let workers: Vec<_> = (0..cores.min(scenes.len())).map(|_| scope.spawn(work)).collect();
-            let done = workers
-                .into_iter()
-                .map(|worker| worker.join().expect("typesetting does not panic"));
-            done.flatten().collect()
-        });
-        made.sort_by_key(|(i, _)| *i);
-        made.into_iter().map(|(_, complete)| complete).collect()
+        let parts = self.scenes.chunks(self.scenes.len().div_ceil(processes));
+        let children: Vec<_> = parts.map(start).collect();
+        let ended: Vec<_> = children.into_iter().map(|child| child?.wait_with_output()).collect();
+        for done in ended {
+            let done = done.map_err(failed)?;
+            let told = String::from_utf8_lossy(&done.stderr);
+            match done.status.code() {
+                Some(0) => eprint!("{told}"),
+                code => {
+                    return Err(Failure::Process(
+                        code.and_then(|code| code.try_into().ok()),
+                        told.trim_end().into(),
+                    ));
+                }
+            }
+        }
+        Ok(vec![output::gather(folder, &self.output)?])
     }
 
     /// Makes the books now and after every change, until the program is ended.

@@ -11,6 +11,8 @@ pub enum Failure {
     Limit(String),
     /// A template is wrong, or the FMU's library is missing.
     Program(String),
+    /// Another process that did part of the work ended with this code, where it has one, and these words.
+    Process(Option<u8>, String),
 }
 
 impl Failure {
@@ -21,6 +23,7 @@ impl Failure {
             Failure::File(_) => 3,
             Failure::Limit(_) => 4,
             Failure::Program(_) => 5,
+            Failure::Process(code, _) => code.unwrap_or(5),
         }
     }
 }
@@ -28,7 +31,10 @@ impl Failure {
 impl std::fmt::Display for Failure {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Failure::Scene(text) => f.write_str(text),
+            Failure::Scene(text) | Failure::Process(Some(_), text) => f.write_str(text),
+            Failure::Process(None, text) => {
+                write!(f, "error: a process that made books was ended from outside; {text}")
+            }
             Failure::File(text) | Failure::Limit(text) | Failure::Program(text) => write!(f, "error: {text}"),
         }
     }

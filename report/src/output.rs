@@ -1,10 +1,11 @@
 //! Writing files whole or not at all, and to the terminal.
 
+use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::{NamedTempFile, TempPath};
+use tempfile::{NamedTempFile, TempDir, TempPath};
 
 use crate::failure::Failure;
 
@@ -15,17 +16,22 @@ pub struct Output {
     pub bytes: Vec<u8>,
 }
 
-/// Files that are complete under temporary names, each with its place. Dropped, they are gone.
-pub struct Complete(Vec<(TempPath, PathBuf)>);
+/// Files that are complete under temporary names, each with its place. Dropped, they are gone, and so is a folder that
+/// they are in.
+pub struct Complete {
+    files: Vec<(TempPath, PathBuf)>,
+    _folder: Option<TempDir>,
+}
+
+fn cannot(what: &Path, error: &dyn Display) -> Failure {
+    Failure::File(format!(
+        "cannot write {}: {error}; nothing was changed, choose another folder with --output",
+        what.display()
+    ))
+}
 
 /// Writes files into a folder, made where it is missing, under temporary names.
 pub fn complete(folder: &Path, outputs: &[Output]) -> Result<Complete, Failure> {
-    let cannot = |what: &Path, error: &dyn Display| {
-        Failure::File(format!(
-            "cannot write {}: {error}; nothing was changed, choose another folder with --output",
-            what.display()
-        ))
-    };
     std::fs::create_dir_all(folder).map_err(|error| cannot(folder, &error))?;
     let one = |output: &Output| {
         let path = folder.join(&output.name);
@@ -37,18 +43,46 @@ pub fn complete(folder: &Path, outputs: &[Output]) -> Result<Complete, Failure> 
         });
         Ok((written.map_err(|error| cannot(&path, &error))?, path))
     };
-    outputs.iter().map(one).collect::<Result<_, _>>().map(Complete)
+    let files = outputs.iter().map(one).collect::<Result<_, _>>()?;
+    Ok(Complete { files, _folder: None })
 }
 
 /// Lets complete files take their places. All are complete before the first
 /// does, so that a failure leaves what was there.
 pub fn place(files: impl IntoIterator<Item = Complete>) -> Result<(), Failure> {
-    for (file, path) in files.into_iter().flat_map(|complete| complete.0) {
-        file.persist(&path)
-            .map_err(|error| Failure::File(format!("cannot replace {}: {}", path.display(), error.error)))?;
-        say(format_args!("  wrote {}", path.display()))?;
+    for complete in files {
+        for (file, path) in complete.files {
+            file.persist(&path)
+                .map_err(|error| Failure::File(format!("cannot replace {}: {}", path.display(), error.error)))?;
+            say(format_args!("  wrote {}", path.display()))?;
+        }
     }
     Ok(())
+}
+
+/// A folder of its own within the one for results, where another process writes; dropped, it is gone.
+pub fn workshop(folder: &Path) -> Result<TempDir, Failure> {
+    let made = std::fs::create_dir_all(folder).and_then(|()| TempDir::new_in(folder));
+    made.map_err(|error| cannot(folder, &error))
+}
+
+/// Everything that others wrote into a folder of their own.
+pub fn gather(from: TempDir, folder: &Path) -> Result<Complete, Failure> {
+    let unreadable = |error| cannot(from.path(), &error);
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(from.path()).map_err(unreadable)? {
+        names.push(entry.map_err(unreadable)?.file_name());
+    }
+    names.sort_unstable();
+    let one = |name: OsString| {
+        let written = TempPath::try_from_path(from.path().join(&name)).map_err(unreadable)?;
+        Ok((written, folder.join(name)))
+    };
+    let files = names.into_iter().map(one).collect::<Result<_, _>>()?;
+    Ok(Complete {
+        files,
+        _folder: Some(from),
+    })
 }
 
 /// Writes all files into a folder, or changes nothing.

@@ -27,8 +27,9 @@ pub struct Picture {
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 enum Item {
+    /// One path, or several open ones of the same style.
     Line {
-        points: Vec<Point>,
+        paths: Vec<Vec<Point>>,
         closed: bool,
         style: &'static str,
     },
@@ -43,6 +44,12 @@ enum Item {
         anchor: &'static str,
         text: String,
     },
+    /// As it is: what needs no mathematics takes a third of the time.
+    Number {
+        at: Point,
+        anchor: &'static str,
+        text: String,
+    },
 }
 
 impl Picture {
@@ -51,8 +58,19 @@ impl Picture {
     }
 
     fn shape(&mut self, style: &'static str, points: &[Point], closed: bool) {
-        let points = points.iter().map(|point| point.map(hundredths)).collect();
-        self.items.push(Item::Line { points, closed, style });
+        let path = points.iter().map(|point| point.map(hundredths)).collect();
+        match self.items.last_mut() {
+            Some(Item::Line {
+                paths,
+                closed: false,
+                style: last,
+            }) if !closed && *last == style => paths.push(path),
+            _ => self.items.push(Item::Line {
+                paths: vec![path],
+                closed,
+                style,
+            }),
+        }
     }
 
     fn circle(&mut self, style: &'static str, at: Point, radius: f64) {
@@ -69,6 +87,11 @@ impl Picture {
             anchor,
             text: text.into(),
         });
+    }
+
+    fn number(&mut self, at: Point, anchor: &'static str, text: String) {
+        let at = at.map(hundredths);
+        self.items.push(Item::Number { at, anchor, text });
     }
 
     /// A slender arrow head with its tip at `tip`, pointing away from `from`.
@@ -386,12 +409,20 @@ impl Field {
         }
     }
 
-    /// Number at a tick of an axis.
-    fn number(&self, language: &Language, axis: &Axis, tick: f64) -> String {
+    /// The number of a tick of an axis.
+    fn label(
+        &self,
+        picture: &mut Picture,
+        language: &Language,
+        axis: &Axis,
+        tick: f64,
+        at: Point,
+        anchor: &'static str,
+    ) {
         let number = fixed(tick, axis.decimals());
         match self.powers {
-            false => language.math(&number),
-            true => format!("10^({number})"),
+            false => picture.number(at, anchor, language.text(&number)),
+            true => picture.text(at, anchor, format!("10^({number})")),
         }
     }
 
@@ -409,18 +440,30 @@ impl Field {
             height: CHART[1],
             ..Picture::default()
         };
+        let left = |tick: f64| self.place([tick, self.y.from])[0];
+        let top = |tick: f64| self.place([self.x.from, tick])[1];
         for tick in self.x.ticks() {
-            let left = self.place([tick, self.y.from])[0];
-            picture.line("grid", &[[left, TOP], [left, bottom]]);
-            let number = self.number(language, &self.x, tick);
-            picture.text([left, bottom + 1.2], "above", number);
+            picture.line("grid", &[[left(tick), TOP], [left(tick), bottom]]);
         }
         for tick in self.y.ticks() {
-            let top = self.place([self.x.from, tick])[1];
             let zero = tick == 0.0 && !self.powers;
-            picture.line(if zero { "thin" } else { "grid" }, &[[LEFT, top], [right, top]]);
-            let number = self.number(language, &self.y, tick);
-            picture.text([LEFT - 1.2, top], "right", number);
+            picture.line(
+                if zero { "thin" } else { "grid" },
+                &[[LEFT, top(tick)], [right, top(tick)]],
+            );
+        }
+        for tick in self.x.ticks() {
+            self.label(
+                &mut picture,
+                language,
+                &self.x,
+                tick,
+                [left(tick), bottom + 1.2],
+                "above",
+            );
+        }
+        for tick in self.y.ticks() {
+            self.label(&mut picture, language, &self.y, tick, [LEFT - 1.2, top(tick)], "right");
         }
         picture.shape(
             "thin",
@@ -627,11 +670,8 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
             let Some(point) = point else { continue };
             picture.circle("solid", place(point), 0.7);
             let text = four_digits(point[1]);
-            picture.text(
-                beside(place(point), outside, &text, &curve),
-                "centre",
-                language.math(&text),
-            );
+            let at = beside(place(point), outside, &text, &curve);
+            picture.number(at, "centre", language.text(&text));
         }
     }
     name_axes(&mut picture, [curve.x, curve.y]);

@@ -105,6 +105,37 @@ pub(super) struct Table {
     rows: Vec<Vec<String>>,
 }
 
+/// The working range, with all rows or some.
+#[derive(Serialize)]
+pub(super) struct Range {
+    #[serde(flatten)]
+    table: Table,
+    one_in: Option<usize>,
+}
+
+/// The longest table over the working range that is printed with all its rows where the book is not a full one.
+const MANY: usize = 50;
+/// Of a longer one, one row in so many.
+const ONE_IN: usize = 5;
+
+/// The rows to print, with the first and the last, and one in how many they are where some are left out.
+fn sparse<T>(rows: Vec<T>, full: bool) -> (Vec<T>, Option<usize>) {
+    if full || rows.len() <= MANY {
+        return (rows, None);
+    }
+    let last = rows.len() - 1;
+    let printed = |i: usize| i.is_multiple_of(ONE_IN) || i == last;
+    let rows = rows.into_iter().enumerate().filter(|(i, _)| printed(*i));
+    (rows.map(|(_, row)| row).collect(), Some(ONE_IN))
+}
+
+pub(super) fn range(language: &Language, table: &sheet::Table, full: bool) -> Range {
+    let mut table = self::table(language, table);
+    let one_in;
+    (table.rows, one_in) = sparse(table.rows, full);
+    Range { table, one_in }
+}
+
 /// Change of the results with each given quantity.
 #[derive(Serialize)]
 pub(super) struct Sensitivity {
@@ -138,6 +169,8 @@ pub(super) struct Published {
     coordinate: Quantity,
     columns: Vec<Quantity>,
     rows: Vec<ComparedRow>,
+    one_in: Option<usize>,
+    /// Of all values that are compared, printed or not.
     count: usize,
     /// Largest deviation of each column, in units of the last printed digit.
     deviations: Vec<String>,
@@ -326,7 +359,7 @@ pub(super) fn view(language: &Language, view: &sheet::View) -> View {
     }
 }
 
-pub(super) fn published(language: &Language, sheet: &Sheet) -> Option<Published> {
+pub(super) fn published(language: &Language, sheet: &Sheet, full: bool) -> Option<Published> {
     let coordinate = sheet.positions.first()?.coordinate;
     let source = sheet.published_source.clone()?;
     let rows: Vec<&[Comparison]> = sheet.published.chunk_by(|a, b| a.coordinate == b.coordinate).collect();
@@ -350,10 +383,12 @@ pub(super) fn published(language: &Language, sheet: &Sheet) -> Option<Published>
         coordinate: fixed(coordinate.shown(row[0].coordinate), 0),
         values: row.iter().map(compared).collect(),
     };
+    let (rows, one_in) = sparse(rows, full);
     Some(Published {
         source,
         coordinate: coordinate.into(),
         rows: rows.iter().map(row).collect(),
+        one_in,
         count: sheet.published.len(),
         deviations: deviations.collect(),
         columns: columns.into_iter().map(Quantity::from).collect(),

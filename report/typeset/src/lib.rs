@@ -112,14 +112,13 @@ pub struct Embedded;
 
 impl Typesetter for Embedded {
     fn typeset(&self, main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Typeset, Error> {
-        let _in_work = InWork::begin();
         let (files, warnings) = make(main, files, format, standard)?;
         Ok(Typeset { files, warnings })
     }
 }
 
-/// A document in work. At its end Typst forgets what as many documents as are in work did not use: each of them
-/// finds what its predecessor left.
+/// A document in layout. At its end, before it is exported, Typst forgets what as many documents as are in layout did
+/// not use: each of them finds what its predecessor left.
 struct InWork;
 
 static IN_WORK: AtomicUsize = AtomicUsize::new(0);
@@ -141,6 +140,7 @@ type Made = (Vec<Vec<u8>>, Vec<String>);
 
 fn make(main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Made, Error> {
     if format == Format::Html {
+        let _in_work = InWork::begin();
         let world = Memory::new(main, files, Fonts::embedded().clone())?;
         return Ok((vec![html(&world)?], Vec::new()));
     }
@@ -156,6 +156,7 @@ fn make(main: &str, files: &Files, format: Format, standard: Option<&str>) -> Re
 
 /// The pages, with the world that they are from, and the warnings.
 fn pages(main: &str, files: &Files) -> Result<(Memory, PagedDocument, Vec<String>), Error> {
+    let _in_work = InWork::begin();
     let mut world = Memory::new(main, files, Fonts::embedded().clone())?;
     let document = world.typeset()?;
     let missing: Vec<char> = world.fonts.unprintable(&document).into_keys().collect();

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use typst::World;
-use typst::comemo::{Constraint, Track};
+use typst::comemo::{self, Constraint, Track};
 use typst::diag::{SourceResult, Warned, bail};
 use typst::engine::{Engine, Route, Sink};
 use typst::foundations::{Content, Output, StyleChain, Target};
@@ -79,7 +79,11 @@ impl Output for Settled {
                 }
                 return Ok(Settled(document));
             }
-            made = Settled::pass(engine, content, styles, &**document.introspector())?;
+            // A first document takes several passes; what none but the last but one needed would be its greatest memory.
+            let known = document.introspector().clone();
+            drop(document);
+            comemo::evict(1);
+            made = Settled::pass(engine, content, styles, &*known)?;
         }
         bail!(
             Span::detached(),
