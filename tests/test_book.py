@@ -6,6 +6,7 @@ small pictures of the pages.
 """
 
 import hashlib
+import json
 import os
 import re
 import subprocess
@@ -119,6 +120,59 @@ def test_the_steering_book_is_the_golden_one(language, tmp_path):
     pages = text_of(tmp_path / "BoatHoist.pdf")
     assert len(pages) in PAGES["standard"]
     golden(f"steering_{language}_standard.txt", "\n".join(pages) + "\n")
+
+
+MOTION = (ROOT / "models/scenes/portal_004_motion.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_chapter_of_motion_is_the_golden_one(language, tmp_path):
+    own = '[book]\nchapters = ["results", "motion", "notation"]\n\n'
+    path = scene(tmp_path, "motion.toml", ("[luffing]\n", own + "[luffing]\n"), text=MOTION)
+    lemnis("book", path, "--language", language, "--format", "typ", "--output", tmp_path)
+    golden(f"motion_{language}.typ", (tmp_path / "PortalCraneMotion.typ").read_text(encoding="utf-8"))
+    lemnis("book", path, "--language", language, "--output", tmp_path)
+    golden(f"motion_{language}.txt", "\n".join(text_of(tmp_path / "PortalCraneMotion.pdf")) + "\n")
+
+
+TRADE = [
+    ('driven = "boom" ', 'fidelity = "swing"\ndriven = "boom" '),
+    ("\n[luffing.limits]", (ROOT / "tests/levels/dynamics.toml").read_text(encoding="utf-8") + 'l_R = "10 m"\n\n[luffing.limits]'),
+    ('to    = "120 deg"', 'to    = "80 deg"'),
+    ('speed = "1 deg/s"', 'speed = "4 deg/s"'),
+    ("[project]", 'accuracy = { "A.x" = "1 mm", "M_Q" = "0.5 kN.m" }\n[book]\nchapters = ["results", "trade"]\n[project]'),
+]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_chapter_of_trade_is_the_golden_one(language, tmp_path):
+    path = scene(tmp_path, "trade.toml", *TRADE, text=DEFAULT.split("[luffing.published]")[0])
+    lemnis("book", path, "--language", language, "--format", "typ", "--output", tmp_path)
+    golden(f"trade_{language}.typ", (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8"))
+    pages = text_of(book(tmp_path, path, "--language", language))
+    golden(f"trade_{language}.txt", "\n".join(pages) + "\n")
+
+
+def test_the_chapter_of_trade_tells_what_the_command_chooses(tmp_path):
+    path = scene(tmp_path, "trade.toml", *TRADE, text=DEFAULT.split("[luffing.published]")[0])
+    text = " ".join(text_of(book(tmp_path, path)))
+    lemnis("trade", path, "--rounds", 1, "--output", tmp_path)
+    choice = json.loads((tmp_path / "LemniscateCrane_trade.json").read_text(encoding="utf-8"))["choice"]
+    level, solver, step = re.fullmatch(r"(\w+), (RK4), step = (\d+) ms", choice).groups()
+    assert re.search(rf"so the choice: {level}, Runge–Kutta, .{{1,4}} ?= ?{step} ?ms", text), text
+
+
+def test_a_swing_beyond_its_limit_fails_the_verdict(tmp_path):
+    path = scene(tmp_path, "motion.toml", ("[luffing.limits]", '[luffing.limits]\nphi_max = "6 deg"'), text=MOTION)
+    lemnis("book", path, "--level", "summary", "--output", tmp_path)
+    page = text_of(tmp_path / "PortalCraneMotion.pdf")[0]
+    swing = re.search(r"Greatest angle of the rope from the vertical during the run .{0,20}= ([\d.]+)° ≤ 6° ([\d.]+) % FAILED", page)
+    assert swing and float(swing[1]) > 6
+
+
+def test_a_crane_that_stands_as_commanded_has_no_chapter_of_motion(standard):
+    text = " ".join(text_of(standard))
+    assert "The mechanism in motion" not in text and "equations of motion" not in text.lower()
 
 
 @pytest.fixture(scope="module")

@@ -19,6 +19,12 @@ pub trait Calc:
     /// A plain number without dimension.
     fn constant(value: f64) -> Self;
 
+    /// A plain number with a unit, in SI: in the book it has a name.
+    #[must_use]
+    fn known(_: &'static Symbol, value: f64) -> Self {
+        Self::constant(value)
+    }
+
     /// The value alone, for a decision that the book names in words.
     fn value(self) -> f64;
 

@@ -19,9 +19,15 @@ pub fn dot<C: Calc>(a: Point<C>, b: Point<C>) -> C {
     a.x * b.x + a.y * b.y
 }
 
+/// Square of the length.
+#[inline]
+pub fn squared<C: Calc>(a: Point<C>) -> C {
+    a.x.square() + a.y.square()
+}
+
 #[inline]
 pub fn length<C: Calc>(a: Point<C>) -> C {
-    (a.x.square() + a.y.square()).sqrt()
+    squared(a).sqrt()
 }
 
 /// The vector turned by an angle given as cosine and sine, and stretched by the same.

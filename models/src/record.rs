@@ -5,7 +5,9 @@
 use std::cell::RefCell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::calc::Calc;
+use num_dual::Dual64;
+
+use crate::calc::{Calc, Over};
 use crate::symbol::Symbol;
 use crate::unit::Dimension;
 
@@ -51,7 +53,36 @@ pub struct Step {
 struct Entry {
     node: Node,
     value: f64,
-    dimension: Dimension,
+    dimension: Powers,
+}
+
+/// A dimension squared: the flow through an edge goes with the root of a pressure, whose exponents are halves.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Powers(Dimension);
+
+impl Powers {
+    const ONE: Powers = Powers(Dimension::ONE);
+
+    fn of(dimension: Dimension) -> Powers {
+        Powers(dimension.times(dimension))
+    }
+
+    fn times(self, other: Powers) -> Powers {
+        Powers(self.0.times(other.0))
+    }
+
+    fn over(self, other: Powers) -> Powers {
+        Powers(self.0.over(other.0))
+    }
+}
+
+impl std::fmt::Display for Powers {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.0.root() {
+            Some(dimension) => write!(f, "{dimension}"),
+            None => write!(f, "the root of {}", self.0),
+        }
+    }
 }
 
 /// What a run of equations left behind.
@@ -75,6 +106,12 @@ pub fn record<T>(equations: impl FnOnce() -> T) -> (Trace, T) {
     TRACE.take();
     let result = equations();
     (TRACE.take(), result)
+}
+
+/// How many steps the running recording has so far.
+#[must_use]
+pub fn steps() -> usize {
+    TRACE.with_borrow(|trace| trace.steps.len())
 }
 
 impl Trace {
@@ -112,7 +149,11 @@ impl Trace {
         found
     }
 
-    fn push(&mut self, node: Node, value: f64, dimension: Dimension) -> Rec {
+    fn is(&self, rec: Rec, number: f64) -> bool {
+        self.node(rec) == Node::Constant(number)
+    }
+
+    fn push(&mut self, node: Node, value: f64, dimension: Powers) -> Rec {
         self.entries.push(Entry { node, value, dimension });
         Rec(u32::try_from(self.entries.len() - 1).expect("a book has far fewer than 2^32 terms"))
     }
@@ -131,32 +172,50 @@ impl Rec {
     /// A given quantity, in SI.
     #[must_use]
     pub fn given(symbol: &'static Symbol, value: f64) -> Rec {
-        TRACE.with_borrow_mut(|trace| trace.push(Node::Name(symbol), value, symbol.unit.dimension))
+        let dimension = Powers::of(symbol.unit.dimension);
+        TRACE.with_borrow_mut(|trace| trace.push(Node::Name(symbol), value, dimension))
     }
 
     fn unary(self, op: Op, value: f64) -> Rec {
         TRACE.with_borrow_mut(|trace| {
+            if trace.is(self, 0.0) && matches!(op, Op::Neg | Op::Abs | Op::Square | Op::Sqrt) {
+                return self;
+            }
             let given = trace.entries[self.0 as usize].dimension;
             let dimension = match op {
                 Op::Neg | Op::Abs => given,
                 Op::Square => given.times(given),
-                Op::Sqrt => given.root().unwrap_or_else(|| {
+                Op::Sqrt => Powers(given.0.root().unwrap_or_else(|| {
                     trace.fault(format!("square root of {given}"));
-                    given
-                }),
+                    given.0
+                })),
                 _ => {
-                    if given != Dimension::ONE {
+                    if given != Powers::ONE {
                         trace.fault(format!("{op:?} of {given}"));
                     }
-                    Dimension::ONE
+                    Powers::ONE
                 }
             };
             trace.push(Node::Unary(op, self), value, dimension)
         })
     }
 
+    /// A plain nought, which has every dimension, is not written down, nor is a factor of one: what a case
+    /// distinction leaves out leaves no trace in the formula.
     fn binary(self, op: Op, other: Rec, value: f64) -> Rec {
         TRACE.with_borrow_mut(|trace| {
+            match op {
+                Op::Add if trace.is(self, 0.0) => return other,
+                Op::Add | Op::Sub if trace.is(other, 0.0) => return self,
+                Op::Sub if trace.is(self, 0.0) => {
+                    let dimension = trace.entries[other.0 as usize].dimension;
+                    return trace.push(Node::Unary(Op::Neg, other), value, dimension);
+                }
+                Op::Mul | Op::Div if trace.is(self, 0.0) => return self,
+                Op::Mul if trace.is(other, 0.0) || trace.is(self, 1.0) => return other,
+                Op::Mul | Op::Div if trace.is(other, 1.0) => return self,
+                _ => {}
+            }
             let (left, right) = (
                 trace.entries[self.0 as usize].dimension,
                 trace.entries[other.0 as usize].dimension,
@@ -168,7 +227,7 @@ impl Rec {
                     if left != right {
                         trace.fault(format!("{op:?} of {left} and {right}"));
                     }
-                    if op == Op::Direction { Dimension::ONE } else { left }
+                    if op == Op::Direction { Powers::ONE } else { left }
                 }
             };
             trace.push(Node::Binary(op, self, other), value, dimension)
@@ -206,9 +265,31 @@ impl Neg for Rec {
     }
 }
 
+impl Over<Rec> for Rec {
+    fn of(parameter: Rec) -> Rec {
+        parameter
+    }
+}
+
+/// What no formula is written of: the values alone.
+impl Over<Rec> for f64 {
+    fn of(parameter: Rec) -> f64 {
+        parameter.value()
+    }
+}
+
+impl Over<Rec> for Dual64 {
+    fn of(parameter: Rec) -> Dual64 {
+        Dual64::constant(parameter.value())
+    }
+}
+
 impl Calc for Rec {
     fn constant(value: f64) -> Rec {
-        TRACE.with_borrow_mut(|trace| trace.push(Node::Constant(value), value, Dimension::ONE))
+        TRACE.with_borrow_mut(|trace| trace.push(Node::Constant(value), value, Powers::ONE))
+    }
+    fn known(symbol: &'static Symbol, value: f64) -> Rec {
+        Rec::given(symbol, value)
     }
     fn value(self) -> f64 {
         TRACE.with_borrow(|trace| trace.value(self))
@@ -243,14 +324,15 @@ impl Calc for Rec {
     }
     fn def(self, symbol: &'static Symbol) -> Rec {
         TRACE.with_borrow_mut(|trace| {
-            let Entry { value, dimension, .. } = trace.entries[self.0 as usize];
-            if dimension != symbol.unit.dimension {
-                trace.fault(format!(
-                    "{} is in {}, its formula in {dimension}",
-                    symbol.id, symbol.unit.dimension
-                ));
+            if trace.is(self, 0.0) {
+                return self;
             }
-            let name = trace.push(Node::Name(symbol), value, symbol.unit.dimension);
+            let Entry { value, dimension, .. } = trace.entries[self.0 as usize];
+            let own = Powers::of(symbol.unit.dimension);
+            if dimension != own {
+                trace.fault(format!("{} is in {own}, its formula in {dimension}", symbol.id));
+            }
+            let name = trace.push(Node::Name(symbol), value, own);
             trace.steps.push(Step {
                 symbol,
                 formula: self,
@@ -285,15 +367,16 @@ mod tests {
         assert_eq!(ALL.len(), 3);
     }
 
-    /// The planted mistakes: metre plus radian, sine of a length, root of a
+    /// The planted mistakes: metre plus radian, sine of a length, roots of a
     /// length, and an area that is called a length.
     #[test]
     fn planted_mistakes_are_caught() {
         type Mistake = fn(Rec, Rec) -> Rec;
-        let mistakes: [(&str, Mistake); 4] = [
+        let mistakes: [(&str, Mistake); 5] = [
             ("Add of m and 1", |l, a| l + a),
             ("Sin of m", |l, _| l.sin()),
-            ("square root of m", |l, _| l.sqrt()),
+            ("l is in m, its formula in the root of m", |l, _| l.sqrt().def(&LENGTH)),
+            ("square root of the root of m", |l, _| l.sqrt().sqrt()),
             ("l is in m, its formula in m^2", |l, _| (l * l).def(&LENGTH)),
         ];
         for (text, mistake) in mistakes {

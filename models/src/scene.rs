@@ -87,7 +87,7 @@ static BOOK: &[Key] = &[
         name: "chapters",
         kind: Kind::Choices(CHAPTERS),
         required: false,
-        text: "The chapters in their order; without it those of the level.",
+        text: "The chapters in their order; without it those of the level, and no trade, which needs many runs.",
     },
     Key {
         name: "positions",
@@ -119,7 +119,9 @@ pub const CHAPTERS: &[&str] = &[
     "range",
     "sizing",
     "balance",
+    "motion",
     "synthesis",
+    "trade",
     "published",
     "remarks",
     "notation",

@@ -44,6 +44,39 @@ pub struct Sheet {
     /// Ids of remarks on the publications, worded in the templates.
     pub remarks: Vec<&'static str>,
     pub balance: Option<Balance>,
+    /// The mechanism in motion; `None` where it stands as commanded.
+    pub motion: Option<InMotion>,
+}
+
+/// The mechanism in motion: its equations at one instant of a run, and the run.
+pub struct InMotion {
+    /// Ids of the sentences that say what is modelled, and how.
+    pub assumptions: Vec<&'static str>,
+    /// At which instant the formulas are worked out: id of what makes it one, and when it is, in s.
+    pub instant: (&'static str, f64),
+    /// Which of several bodies the formulas speak of, numbered from 1.
+    pub of: Option<usize>,
+    /// States and commands at that instant.
+    pub state: Vec<(&'static Symbol, f64)>,
+    pub sections: Vec<Section>,
+    /// Duration of the run, and the time between its samples, in s.
+    pub run: [f64; 2],
+    pub curves: Vec<Curve>,
+    /// Of each drawn quantity the least and the greatest value with their times, in s.
+    pub extremes: Vec<(&'static Symbol, [[f64; 2]; 2])>,
+    /// What happened: when (s), and its id.
+    pub events: Vec<(f64, &'static str)>,
+    /// How many more events there were.
+    pub more_events: usize,
+    pub energy: Energy,
+}
+
+/// Where energy came from, what stores it and what took it, in J: what was given is what is stored and taken.
+pub struct Energy {
+    pub given: Vec<(&'static Symbol, f64)>,
+    pub stored: Vec<(&'static Symbol, f64)>,
+    /// With what is left over, last.
+    pub taken: Vec<(&'static Symbol, f64)>,
 }
 
 /// The balance of the boom system over the working range.

@@ -4,16 +4,17 @@
 use std::fmt::Write as _;
 
 use lemnis_models::symbol::Symbol;
-use lemnis_models::{balance, lemniscate, steering};
+use lemnis_models::{balance, hydraulics, lemniscate, steering};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 5] = [
+const TABLES: [(&str, &[&Symbol]); 6] = [
     ("The double-link luffing mechanism", lemniscate::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
         lemniscate::moving::symbols::ALL,
     ),
     ("The balance of the boom system", balance::symbols::ALL),
+    ("A cylinder with oil and valve", hydraulics::symbols::ALL),
     (
         "Steering, seen from above: x forward, y to the left, angles counter-clockwise from straight ahead",
         steering::symbols::ALL,

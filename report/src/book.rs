@@ -2,9 +2,11 @@
 //! id that the templates turn into the words of a language.
 
 mod balance;
+mod motion;
 mod steps;
 mod synthesis;
 mod tables;
+mod trade;
 
 use std::fmt;
 
@@ -16,9 +18,11 @@ use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 
 use crate::book::balance::Balance;
+use crate::book::motion::Motion;
 use crate::book::steps::{Notation, Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
 use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Range, Sensitivity, Summary, View};
+use crate::book::trade::Trade;
 use crate::formula::quantity;
 use crate::language::{Language, symbols};
 use crate::plot;
@@ -62,7 +66,7 @@ impl Edition<'_> {
     /// # Errors
     /// A template with a mistake, or an id without words.
     pub fn source(&self, scene: &Scene, sheet: &Sheet, format: Format) -> Result<Source, Error> {
-        let book = Book::new(scene, sheet, self, format);
+        let book = Book::new(scene, sheet, self, format)?;
         let main = self.templates.render(&book, self.language)?;
         let mut files = self.templates.files().to_vec();
         files.push((HASH.to_owned(), book.hash.into_bytes()));
@@ -120,8 +124,10 @@ pub(crate) struct Book<'a> {
     range: Range,
     curves: Vec<Figure>,
     balance: Option<Balance>,
+    motion: Option<Motion<'a>>,
     sensitivity: Sensitivity,
     synthesis: Option<Synthesis>,
+    trade: Option<Trade>,
     published: Option<Published>,
     remarks: &'a [&'static str],
     notation: Vec<steps::Entry>,
@@ -181,6 +187,9 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "sizing" => !sheet.sizing.is_empty(),
         "remarks" => !sheet.remarks.is_empty(),
         "balance" => sheet.balance.is_some(),
+        "motion" => sheet.motion.is_some(),
+        // Many runs: only a scene that lists the chapter gets it.
+        "trade" => scene.book.chapters.is_some(),
         "synthesis" => scene.mechanism.luffing().is_some_and(|it| it.synthesis.is_some()),
         _ => true,
     };
@@ -188,13 +197,13 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
 }
 
 impl<'a> Book<'a> {
-    fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Book<'a> {
+    fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Result<Book<'a>, Error> {
         let language = edition.language;
         let chapters = chapters(scene, sheet, edition.level);
         let mut notation = Notation::new(sheet, &chapters);
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
-        let mut sizing = Vec::new();
+        let (mut sizing, mut motion) = (Vec::new(), None);
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
             match *chapter {
@@ -211,6 +220,10 @@ impl<'a> Book<'a> {
                         sections: steps::sections(language, &position.sections, outputs, &mut notation),
                     };
                     positions = sheet.positions.iter().map(position).collect();
+                }
+                "motion" => {
+                    let of = |motion| Motion::new(language, motion, &mut notation);
+                    motion = sheet.motion.as_ref().map(of);
                 }
                 _ => {}
             }
@@ -237,13 +250,17 @@ impl<'a> Book<'a> {
         }
         let compares = chapters.contains(&"synthesis");
         let synthesis = compares.then(|| synthesis(language, scene, &mut notation)).flatten();
+        let measures = chapters.contains(&"trade");
+        let trade = measures
+            .then(|| Trade::new(language, scene, &mut notation))
+            .transpose()?;
         let drawing = plot::drawing(&sheet.drawing, plot::PAGE);
         let figure = |c: &lemnis_models::sheet::Curve| Figure::new(language, c);
         let summary = |s: &lemnis_models::sheet::Summary| tables::summary(language, s);
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
         let date = scene.project().iter().find(|(key, _)| *key == "date");
-        Book {
+        Ok(Book {
             title: scene.title(),
             name: scene.name(),
             project: scene.project(),
@@ -272,14 +289,16 @@ impl<'a> Book<'a> {
             range: tables::range(language, &sheet.range, full),
             curves: sheet.curves.iter().map(figure).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(language, b)),
+            motion,
             sensitivity: tables::sensitivity(language, &sheet.sensitivity),
             synthesis,
+            trade,
             published: tables::published(language, sheet, full),
             remarks: &sheet.remarks,
             references: notation.references(),
             notation: notation.entries(),
             chapters,
-        }
+        })
     }
 }
 

@@ -17,6 +17,7 @@ use serde::Serialize;
 
 use crate::language::Language;
 use crate::number::number;
+use crate::speech;
 
 /// How tightly an expression holds together, loosest first.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
@@ -224,7 +225,7 @@ fn term(print: Print, nested: bool, rec: Rec) -> Term {
         Node::Constant(value) => constant(print.language, value),
         Node::Name(symbol) => match print.form {
             Form::Symbols if print.defined.contains(symbol.print) => {
-                let link = format!("go(\"{0}\", {0})", symbol.print);
+                let link = format!("go({}, {})", speech::string(symbol.print), symbol.print);
                 Term::atom(link, name_width(symbol.print))
             }
             Form::Symbols => Term::atom(symbol.print.to_owned(), name_width(symbol.print)),

@@ -7,7 +7,7 @@
 
 use lemnis_models::steering::moving::scene::{Body, Oil, Plc};
 use lemnis_models::symbol::Symbol;
-use lemnis_models::{balance, lemniscate, steering};
+use lemnis_models::{balance, hydraulics, lemniscate, steering};
 
 use crate::template::escape;
 
@@ -79,7 +79,15 @@ impl Language {
 
 /// The symbols of each mechanism, by the scene's name for it.
 const SYMBOLS: [(&str, &[&[&Symbol]]); 2] = [
-    ("luffing", &[lemniscate::symbols::ALL, balance::symbols::ALL]),
+    (
+        "luffing",
+        &[
+            lemniscate::symbols::ALL,
+            balance::symbols::ALL,
+            lemniscate::moving::symbols::ALL,
+            hydraulics::symbols::ALL,
+        ],
+    ),
     (
         "steering",
         &[
@@ -115,6 +123,7 @@ impl Words {
                 let meanings = tables
                     .iter()
                     .flat_map(|table| *table)
+                    .filter(|symbol| !matches!(symbol.source, "event" | "state"))
                     .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
                 words.insert(symbols(mechanism).to_owned(), toml::Value::Table(meanings.collect()));
             }

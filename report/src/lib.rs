@@ -5,6 +5,7 @@
 //!                         formula.rs   formulas in symbols and in numbers
 //!                         number.rs    digits
 //!                         plot.rs      drawings and curves as display lists
+//!                         diagram.rs   cost over accuracy
 //!                         language.rs  words and number formats of a language
 //!                       → template.rs  templates/ and the words of a language → Typst source
 //!                         speech.rs    every equation in words, for screen readers
@@ -12,6 +13,7 @@
 //! ```
 
 pub mod book;
+pub mod diagram;
 pub mod documentation;
 pub mod formula;
 pub mod language;

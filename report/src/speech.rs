@@ -164,7 +164,11 @@ fn attached(node: &SyntaxNode, words: &Words) -> Result<String, String> {
                 mark = child.kind();
                 continue;
             }
-            (SyntaxKind::MathPrimes, _) => spoken = format!("{spoken} {}", words.get("speech", "prime")?),
+            (SyntaxKind::MathPrimes, _) => {
+                for _ in child.full_text().chars() {
+                    spoken = format!("{spoken} {}", words.get("speech", "prime")?);
+                }
+            }
             (_, SyntaxKind::Hat) if child.full_text() == "2" => {
                 spoken = fill(words.get("speech", "squared")?, &[spoken])
             }
@@ -186,6 +190,7 @@ fn index(node: &SyntaxNode, words: &Words) -> Result<String, String> {
             },
             SyntaxKind::MathText if node.full_text() == "," => Ok(String::new()),
             SyntaxKind::MathText | SyntaxKind::MathIdent => Ok(node.full_text().to_string()),
+            SyntaxKind::Str => Ok(node.full_text().trim_matches('"').to_owned()),
             _ => Ok(String::new()),
         };
     }
@@ -295,6 +300,7 @@ mod tests {
             ("2 pi overline(O_1 P)", "2 times pi times distance O 1 P"),
             ("1.5 times 10^(-5)", "1.5 times 10 to the power of minus 5"),
             ("M_(Q,max) <= infinity", "M Q max at most infinity"),
+            (r#"dot(omega)_"sl" = x''_1"#, "omega dot sl equals x prime prime 1"),
             (r"Q thin dif Y_A \/ dif theta_1", "Q times d Y A over d theta 1"),
         ] {
             let source = accessible(&format!("${equation}$"), &words).expect("words");

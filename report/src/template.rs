@@ -44,7 +44,9 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "range.typ",
     "sizing.typ",
     "balance.typ",
+    "motion.typ",
     "synthesis.typ",
+    "trade.typ",
     "published.typ",
     "remarks.typ",
     "notation.typ",
@@ -144,19 +146,21 @@ impl Templates {
         speech::accessible(&source, words).map_err(Error)
     }
 
-    /// The Typst source of a page with a picture and nothing else.
+    /// The Typst source of a page with a picture and nothing else; the title also says what it shows.
     ///
     /// # Errors
     /// As [`Edition::source`](crate::book::Edition::source).
-    pub fn picture(&self, picture: &Picture, language: &Language) -> Result<String, Error> {
+    pub fn picture(&self, picture: &Picture, title: &str, language: &Language) -> Result<String, Error> {
         let Ready { environment, .. } = &self.prepare(language).map_err(Error)?;
         let page = environment
             .get_template("picture.typ")
             .and_then(|template| template.render(context! { book => context! { html => false } }));
         let page = page.map_err(|error| Error(describe(self.folder.as_deref(), &error)))?;
         let data = serde_json::to_string(picture).expect("a picture is plain data");
+        let title = escape(title);
         Ok(format!(
-            "{page}\n#set page(width: auto, height: auto, margin: 3mm)\n#picture(\"{}\")\n",
+            "#set document(title: \"{title}\")\n{page}\n#set page(width: auto, height: auto, margin: 3mm)\n\
+             #figure(picture(\"{}\"), alt: \"{title}\")\n",
             escape(&data)
         ))
     }

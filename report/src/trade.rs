@@ -6,13 +6,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use lemnis::diagram;
 use lemnis::language::Language;
-use lemnis::plot::{self, Series};
 use lemnis::template::Templates;
 use lemnis_models::scene::{Mechanism, Scene};
 use lemnis_models::schema::short;
 use lemnis_trade::setting::Method;
-use lemnis_trade::trade::{self, AGREEMENT, Row, SAMPLE, Size, Trade as Traded};
+use lemnis_trade::trade::{self, AGREEMENT, SAMPLE, Size, Trade as Traded};
 use lemnis_typeset::{Embedded, Format, Typesetter};
 use serde_json::{Map, Value, json};
 use toml_edit::{DocumentMut, value};
@@ -25,7 +25,7 @@ use crate::scene_file;
 pub struct Trade {
     /// Scene file [default: the embedded scene]
     scene: Option<PathBuf>,
-    /// Folder for the results: NAME_trade.json, NAME_trade.csv and the diagram NAME_trade.svg
+    /// Folder for the results: NAME_trade.json, NAME_trade.csv and the diagram as NAME_trade.svg and .pdf
     #[arg(short, long, default_value = "out")]
     output: PathBuf,
     /// Communication step, in s
@@ -51,13 +51,14 @@ impl Trade {
         say(format_args!("{}\n{}", scene.title(), table(&traded).trim_end()))?;
         let name = |suffix: &str| format!("{}_trade.{suffix}", scene.name());
         let outputs = [
-            ("json", json(&scene, &traded)),
-            ("csv", csv(&traded)),
-            ("svg", diagram(&traded)?),
+            ("json", json(&scene, &traded).into_bytes()),
+            ("csv", csv(&traded).into_bytes()),
+            ("svg", diagram(&scene, &traded, Format::Svg)?),
+            ("pdf", diagram(&scene, &traded, Format::Pdf)?),
         ];
         let outputs = outputs.map(|(suffix, bytes)| Output {
             name: name(suffix),
-            bytes: bytes.into_bytes(),
+            bytes,
         });
         write(&self.output, &outputs)
     }
@@ -286,47 +287,26 @@ fn table(traded: &Traded) -> String {
     text
 }
 
-/// The work-precision diagram by the clock, as SVG.
-fn diagram(traded: &Traded) -> Result<String, Failure> {
+/// The work-precision diagram by the clock.
+fn diagram(scene: &Scene, traded: &Traded, format: Format) -> Result<Vec<u8>, Failure> {
     let wrong = |error: &dyn std::fmt::Display| Failure::Program(format!("the diagram cannot be drawn: {error}"));
     let language = Language::find("en").expect("known");
     let asks = traded.asked.iter().any(|asked| asked.allowed.is_some());
-    let picture = plot::work_precision(
-        language,
-        [
-            if asks {
-                "\"error over what is allowed\""
-            } else {
-                "\"error over range\""
-            },
-            "\"computing, µs per s\"",
-        ],
-        &series(traded, |row| row.seconds.unwrap_or(row.cost)),
-        asks.then_some(1.0),
-    );
+    let error = if asks {
+        "\"error over what is allowed\""
+    } else {
+        "\"error over range\""
+    };
+    let names = [error, "\"computing, µs per s\""];
+    let picture = diagram::diagram(language, names, traded, |row| row.seconds.unwrap_or(row.cost));
+    let title = format!("{}: cost over error", scene.title());
     let source = Templates::embedded()
-        .picture(&picture, language)
+        .picture(&picture, &title, language)
         .map_err(|error| wrong(&error))?;
     let made = Embedded
-        .typeset(&source, &[], Format::Svg, None)
+        .typeset(&source, &[], format, None)
         .map_err(|error| wrong(&error))?;
-    let page = made.files.into_iter().next().unwrap_or_default();
-    String::from_utf8(page).map_err(|error| wrong(&error))
-}
-
-fn series(traded: &Traded, cost: impl Fn(&Row) -> f64) -> Vec<Series> {
-    let levels = traded.references.iter().map(|reference| {
-        let rows = traded
-            .rows
-            .iter()
-            .filter(|row| row.setting.level == reference.level && !row.follows);
-        let points = rows.map(|row| ([trade::relative(row, &traded.asked), 1e6 * cost(row)], row.front));
-        Series {
-            label: format!("\"{}\"", reference.level),
-            points: points.filter(|(p, _)| p[0].is_finite()).collect(),
-        }
-    });
-    levels.filter(|level| !level.points.is_empty()).collect()
+    Ok(made.files.into_iter().next().unwrap_or_default())
 }
 
 fn number(value: f64) -> Value {

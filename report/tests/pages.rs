@@ -15,6 +15,10 @@ const HAIR: f64 = 1.0;
 /// How far header and footer reach into their margins.
 const HEADER: f64 = 11.0;
 
+/// What moves the crane by a cylinder with oil.
+const DYNAMICS: &str = include_str!("../../tests/levels/dynamics.toml");
+const OIL: &str = include_str!("../../tests/levels/hydraulics.toml");
+
 #[test]
 fn nothing_stands_over_the_margin() {
     let templates = Templates::embedded();
@@ -26,8 +30,16 @@ fn nothing_stands_over_the_margin() {
         include_str!("../../models/scenes/boat_hoist_003_hydraulic.toml"),
         include_str!("../../models/scenes/car_4x2.toml"),
     ];
+    let oil = DEFAULT
+        .replacen("driven = \"boom\" ", "fidelity = \"hydraulic\"\ndriven = \"boom\" ", 1)
+        .replacen(
+            "\n[luffing.limits]",
+            &format!("\n{DYNAMICS}l_R = \"10 m\"\n{OIL}\n[luffing.limits]"),
+            1,
+        );
+    let trade = others[1].replacen("[luffing]\n", "[book]\nchapters = [\"trade\"]\n[luffing]\n", 1);
     let mut pages = 0;
-    for text in [DEFAULT, &bare].into_iter().chain(others) {
+    for text in [DEFAULT, &bare, &oil, &trade].into_iter().chain(others) {
         let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
         let sheet = sheet(&scene);
         for (language, level) in LANGUAGES

@@ -4,6 +4,7 @@
 
 use crate::calc::{Calc, Over};
 use crate::hydraulics::oil::pressure_rate;
+use crate::hydraulics::symbols as s;
 use crate::hydraulics::throttle::{relief, root};
 use crate::hydraulics::valve::Valve;
 
@@ -56,7 +57,10 @@ impl<P: Calc> Cylinder<P> {
     #[must_use]
     pub fn areas(bore: P, rod: P) -> [P; 2] {
         let quarter = P::constant(std::f64::consts::FRAC_PI_4);
-        [quarter * bore * bore, quarter * (bore * bore - rod * rod)]
+        [
+            (quarter * bore * bore).def(&s::A_A),
+            (quarter * (bore * bore - rod * rod)).def(&s::A_B),
+        ]
     }
 
     /// Push on the rod, in N.
@@ -68,11 +72,13 @@ impl<P: Calc> Cylinder<P> {
     #[inline]
     pub fn flows<C: Over<P>>(&self, oil: &Oil<C>, supply: P) -> Flows<C> {
         let line = |i: usize| root(oil.ports[i] - oil.chambers[i]).times(self.line);
+        let relief = |i: usize| relief(oil.ports[i], self.relief[0], self.relief[1]);
+        let [a, b] = self.valve.flows(oil.spool, supply, oil.ports);
         Flows {
-            valve: self.valve.flows(oil.spool, supply, oil.ports),
-            line: [line(0), line(1)],
-            relief: oil.ports.map(|p| relief(p, self.relief[0], self.relief[1])),
-            leakage: (oil.chambers[0] - oil.chambers[1]).times(self.leakage),
+            valve: [a.def(&s::Q_1), b.def(&s::Q_2)],
+            line: [line(0).def(&s::Q_LA), line(1).def(&s::Q_LB)],
+            relief: [relief(0).def(&s::Q_R1), relief(1).def(&s::Q_R2)],
+            leakage: (oil.chambers[0] - oil.chambers[1]).times(self.leakage).def(&s::Q_LEAK),
         }
     }
 
@@ -81,10 +87,9 @@ impl<P: Calc> Cylinder<P> {
     pub fn volumes<C: Over<P>>(&self, length: C) -> [C; 2] {
         let of = C::of;
         let [short, long] = self.lengths;
-        [
-            of(self.dead_volume) + (length - of(short)).times(self.areas[0]),
-            of(self.dead_volume) + (of(long) - length).times(self.areas[1]),
-        ]
+        let bore = of(self.dead_volume) + (length - of(short)).times(self.areas[0]);
+        let annulus = of(self.dead_volume) + (of(long) - length).times(self.areas[1]);
+        [bore.def(&s::V_A), annulus.def(&s::V_B)]
     }
 
     /// Rates of all of the oil's states at a length (m) and speed (m/s, lengthening positive);
@@ -105,5 +110,27 @@ impl<P: Calc> Cylinder<P> {
             spool: oil.spool_speed,
             spool_speed: self.valve.acceleration(oil.spool, oil.spool_speed, command),
         }
+    }
+}
+
+impl Cylinder {
+    /// Power of the pump, what edges, lines, relief valves and leakage take of it, and what compresses the oil,
+    /// all in W, at a speed (m/s, lengthening positive); the rest is the rod's.
+    #[must_use]
+    pub fn powers(&self, oil: &Oil<f64>, speed: f64, supply: f64) -> [f64; 3] {
+        let f = self.flows(oil, supply);
+        let (fed, other) = if oil.spool >= 0.0 { (0, 1) } else { (1, 0) };
+        let growth = [speed * self.areas[0], -speed * self.areas[1]];
+        let gain = [-f.leakage, f.leakage];
+        let mut throttles = (supply - oil.ports[fed]) * f.valve[fed] - oil.ports[other] * f.valve[other];
+        throttles += (oil.chambers[0] - oil.chambers[1]) * f.leakage;
+        let mut compression = 0.0;
+        for i in 0..2 {
+            let (port, chamber) = (oil.ports[i], oil.chambers[i]);
+            throttles += (port - chamber) * f.line[i] + port * f.relief[i];
+            compression += port * (f.valve[i] - f.line[i] - f.relief[i]);
+            compression += chamber * (f.line[i] + gain[i] - growth[i]);
+        }
+        [supply * f.valve[fed], throttles, compression]
     }
 }

@@ -1,6 +1,7 @@
 //! Flow through sharp edges and gaps.
 
 use crate::calc::{Calc, Function, Over};
+use crate::hydraulics::symbols::DP_LAM;
 
 /// Pressure difference, in Pa, below which a sharp edge passes oil in
 /// proportion to it: 0.2 bar, where the flow turns laminar. It also keeps the
@@ -19,7 +20,8 @@ struct Root;
 impl Function for Root {
     #[inline]
     fn at<C: Calc>(&self, difference: C) -> C {
-        difference / (difference.square() + C::constant(LAMINAR * LAMINAR)).sqrt().sqrt()
+        let laminar = C::known(&DP_LAM, LAMINAR);
+        difference / (difference.square() + laminar.square()).sqrt().sqrt()
     }
 }
 

@@ -1,6 +1,7 @@
 //! Proportional valve with four edges.
 
 use crate::calc::{Calc, Over};
+use crate::hydraulics::symbols::Y_V;
 use crate::hydraulics::throttle::root;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +26,7 @@ impl<P: Calc> Valve<P> {
     /// stroke: positive connects A with the pump and B with the tank.
     #[inline]
     pub fn flows<C: Over<P>>(&self, x: C, supply: P, ports: [C; 2]) -> [C; 2] {
-        let opening = self.opening(x).times(self.conductance);
+        let opening = self.opening(x).def(&Y_V).times(self.conductance);
         let pump = |p: C| opening * root(C::of(supply) - p);
         let tank = |p: C| opening * root(p);
         if x.value() >= 0.0 {

@@ -11,10 +11,14 @@ use crate::balance::Fault;
 use crate::calc::{Calc, Over};
 use crate::lemniscate::balancing::Balancing;
 use crate::lemniscate::geometry::{Anchors, Driven, Geometry, Parameters, Weights};
+use crate::lemniscate::moving::symbols as s;
 use crate::lemniscate::position::Position;
+use crate::lemniscate::symbols as g;
 use crate::motion::Motion as Range;
-use crate::plane::{self, Point, dot};
+use crate::plane::{self, Point, dot, squared};
+use crate::record::Rec;
 use crate::solver::{Gradient, runge_kutta};
+use crate::symbol::Symbol;
 
 /// A body that moves with one of the bars.
 #[derive(Clone, Copy, Debug)]
@@ -173,7 +177,27 @@ impl<T: Calc + DualNum> Counterweight<T> {
     }
 }
 
-impl<T: Calc + DualNum> Reduced<T> {
+/// How bodies, head and drive move with the driven bar, by derivatives of the positions.
+#[derive(Clone, Copy)]
+struct Moves<C> {
+    /// Boom, jib and rocker.
+    bodies: [Moved<C>; 3],
+    /// Mass (kg) and place of the counterweight.
+    counterweight: Option<(C, [Point<C>; 3])>,
+    head: [Point<C>; 3],
+    drive: [C; 2],
+    turn: [C; 2],
+}
+
+/// A body's centre of gravity: place, first and second derivative by the driven angle, in m; square of the body's
+/// turning by it, and half of how that changes.
+#[derive(Clone, Copy)]
+struct Moved<C> {
+    centre: [Point<C>; 3],
+    turn: [C; 2],
+}
+
+impl<T: Calc + DualNum> Moves<T> {
     #[inline]
     fn new<P: Calc>(d: &Dynamics<P>, positions: &Positions<T>, theta: T) -> Option<Self>
     where
@@ -189,16 +213,10 @@ impl<T: Calc + DualNum> Reduced<T> {
             Bar::new(p.b, p.x_2),
             Bar::new(g.lengths.o3(), p.x_3),
         ];
-        let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
-        for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(&bars) {
-            let (mass, spin) = (T::of(body.mass), T::of(body.inertia));
-            let weight = T::of(body.mass * bodies.gravity);
-            let [r, v, a] = bar.point(body.centre.map(T::of));
-            inertia += mass * dot(v, v) + spin * bar.turn;
-            slope += T::constant(2.0) * (mass * dot(v, a) + spin * bar.turn_change);
-            moment += weight * v.y;
-            energy += weight * r.y;
-        }
+        let moved = |body: &Body<P>, bar: &Bar<T>| Moved {
+            centre: bar.point(body.centre.map(T::of)),
+            turn: [bar.turn, bar.turn_change],
+        };
         let mut counterweight = None;
         if let Some(Counterweight {
             balancing,
@@ -206,14 +224,7 @@ impl<T: Calc + DualNum> Reduced<T> {
             mass,
         }) = &positions.counterweight
         {
-            let place = balancing.place(g, weights, &p, theta)?;
-            let [r, v, a] = parts(place);
-            let weight = *mass * T::of(bodies.gravity);
-            inertia += *mass * dot(v, v);
-            slope += T::constant(2.0) * *mass * dot(v, a);
-            moment += weight * v.y;
-            energy += weight * r.y;
-            counterweight = Some((*mass, place));
+            counterweight = Some((*mass, balancing.place(g, weights, &p, theta)?));
         }
         let turn = d
             .turntable
@@ -229,15 +240,68 @@ impl<T: Calc + DualNum> Reduced<T> {
             let length = plane::length(line);
             [length, dot(line, d) / length]
         });
-        Some(Reduced {
-            inertia,
-            slope,
-            moment,
-            energy,
+        Some(Moves {
+            bodies: [
+                moved(&bodies.boom, &bars[0]),
+                moved(&bodies.jib, &bars[1]),
+                moved(&bodies.rocker, &bars[2]),
+            ],
+            counterweight: counterweight.map(|(mass, place)| (mass, parts(place))),
             head: parts(p.a),
             drive,
             turn,
         })
+    }
+}
+
+impl<C: Calc> Reduced<C> {
+    /// The sum over all bodies.
+    #[inline]
+    fn of<P: Calc>(bodies: &Bodies<P>, moves: Moves<C>) -> Self
+    where
+        C: Over<P>,
+    {
+        let zero = C::constant(0.0);
+        let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
+        let parts = [&bodies.boom, &bodies.jib, &bodies.rocker]
+            .into_iter()
+            .zip(&moves.bodies);
+        for ((body, moved), names) in parts.zip(&s::OF_BODY) {
+            let own = body.mass.def(names.mass);
+            let (mass, spin) = (C::of(own), C::of(body.inertia));
+            let weight = C::of(own * bodies.gravity);
+            let ([r, v, a], [turn, turn_change]) = (moved.centre, moved.turn);
+            inertia += (mass * squared(v) + spin * turn).def(names.inertia);
+            slope += (C::constant(2.0) * (mass * dot(v, a) + spin * turn_change)).def(names.slope);
+            moment += weight * v.y;
+            energy += weight * r.y;
+        }
+        if let Some((mass, [r, v, a])) = moves.counterweight {
+            let weight = mass * C::of(bodies.gravity);
+            inertia += (mass * squared(v)).def(&s::I_R5);
+            slope += (C::constant(2.0) * mass * dot(v, a)).def(&s::DI_R5);
+            moment += weight * v.y;
+            energy += weight * r.y;
+        }
+        Reduced {
+            inertia: inertia.def(&s::I_R),
+            slope: slope.def(&s::DI_R),
+            moment: moment.def(&s::M_W),
+            energy,
+            head: moves.head,
+            drive: moves.drive,
+            turn: moves.turn,
+        }
+    }
+}
+
+impl<T: Calc + DualNum> Reduced<T> {
+    #[inline]
+    fn new<P: Calc>(d: &Dynamics<P>, positions: &Positions<T>, theta: T) -> Option<Self>
+    where
+        T: Over<P>,
+    {
+        Some(Reduced::of(&d.bodies, Moves::new(d, positions, theta)?))
     }
 }
 
@@ -345,6 +409,60 @@ impl<const N: usize> Coordinate for Gradient<N> {
     }
 }
 
+/// For the book: the derivatives by their names, and what follows from them as formulas.
+impl Coordinate<Rec> for Rec {
+    fn reduced(d: &Dynamics<Rec>, theta: Rec) -> Option<Reduced<Rec>> {
+        let moves = Moves::new(d, &d.twice, theta.value())?;
+        let point = |p: Point<f64>, [x, y]: [&'static Symbol; 2]| Point::new(Rec::given(x, p.x), Rec::given(y, p.y));
+        // Heights are those of the energy, which no formula of the book has.
+        let nowhere = Point::new(Rec::constant(0.0), Rec::constant(0.0));
+        let centre =
+            |[_, v, a]: [Point<f64>; 3], [first, second]: &s::OfCentre| [nowhere, point(v, *first), point(a, *second)];
+        let driven = match d.driven() {
+            Driven::Boom => 0,
+            Driven::Rocker => 2,
+        };
+        let body = |i: usize| {
+            let (moved, names) = (moves.bodies[i], &s::OF_BODY[i]);
+            let [turn, change] = moved.turn;
+            Moved {
+                centre: centre(moved.centre, &names.centre),
+                // The driven bar turns with itself.
+                turn: match i == driven {
+                    true => [Rec::constant(1.0), Rec::constant(0.0)],
+                    false => [Rec::given(names.turn, turn), Rec::given(names.turn_change, change)],
+                },
+            }
+        };
+        let turn = match d.turntable {
+            Some(_) => [
+                Rec::given(&s::I_SL, moves.turn[0]),
+                Rec::given(&s::DI_SL, moves.turn[1]),
+            ],
+            None => [Rec::constant(0.0); 2],
+        };
+        let [a, da, dda] = moves.head;
+        let moves = Moves {
+            bodies: [body(0), body(1), body(2)],
+            counterweight: moves.counterweight.map(|(mass, place)| {
+                let mass = Rec::given(&s::MASS_5, mass);
+                (mass, centre(place, &s::OF_COUNTERWEIGHT))
+            }),
+            head: [
+                point(a, [&g::A_X, &g::A_Y]),
+                point(da, [&g::DA_X, &g::DA_Y]),
+                point(dda, [&s::DDA_X, &s::DDA_Y]),
+            ],
+            drive: match d.push {
+                Some(_) => [Rec::given(&g::L_D, moves.drive[0]), Rec::given(&g::H_D, moves.drive[1])],
+                None => [Rec::constant(0.0); 2],
+            },
+            turn,
+        };
+        Some(Reduced::of(&d.bodies, moves))
+    }
+}
+
 /// The mechanism with its bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct Dynamics<P = f64> {
@@ -429,6 +547,14 @@ impl<P: Calc> Dynamics<P> {
         self.twice.geometry.driven
     }
 
+    /// What the acceleration of the driven bar is called.
+    pub(crate) fn acceleration(&self) -> &'static Symbol {
+        match self.driven() {
+            Driven::Boom => &s::D_OMEGA_1,
+            Driven::Rocker => &s::D_OMEGA_3,
+        }
+    }
+
     #[must_use]
     pub fn bodies(&self) -> &Bodies<P> {
         &self.bodies
@@ -445,12 +571,15 @@ impl<P: Calc> Dynamics<P> {
         let pull = l * m.swing_rate.square();
         let coriolis = C::constant(2.0) * reel.rate * m.swing_rate;
         let square = m.omega.square();
+        let forward = dot(d, swing).def(&s::D_SWING);
+        let along = dot(d, inward).def(&s::D_INWARD);
+        let (bend, change) = (dot(d, dd).def(&s::BEND), dot(dd, swing).def(&s::D_SWING_CHANGE));
         [
-            mass * dot(d, d),
-            mass * l * dot(d, swing),
-            mass * l.square(),
-            -mass * (dot(d, dd) * square + dot(d, inward) * pull + dot(d, swing) * coriolis + gravity * d.y),
-            -mass * l * (dot(dd, swing) * square + coriolis + gravity * sin),
+            (mass * squared(d)).def(&s::M_11),
+            (mass * l * forward).def(&s::M_12),
+            (mass * l.square()).def(&s::M_22),
+            (-mass * (bend * square + along * pull + forward * coriolis + gravity * d.y)).def(&s::F_1),
+            (-mass * l * (change * square + coriolis + gravity * sin)).def(&s::F_2),
         ]
     }
 
@@ -458,17 +587,17 @@ impl<P: Calc> Dynamics<P> {
     /// (N·m, positive raises it), with what the mechanism is at this angle.
     #[inline]
     pub fn motion<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, moment: C, reel: Reel<C>) -> [C; 2] {
-        let driven = moment - r.moment - C::constant(0.5) * r.slope * m.omega.square();
+        let driven = (moment - r.moment - C::constant(0.5) * r.slope * m.omega.square()).def(&s::M_NET);
         let Some(Pendulum { mass, .. }) = self.bodies.pendulum else {
-            return [driven / r.inertia, C::constant(0.0)];
+            return [(driven / r.inertia).def(self.acceleration()), C::constant(0.0)];
         };
         let [own, coupled, m_22, f_1, f_2] = self.pendulum(r, m, mass, reel);
         // M q″ = f.
         let (m_11, f_1) = (r.inertia + own, driven + f_1);
         let determinant = m_11 * m_22 - coupled * coupled;
         [
-            (f_1 * m_22 - coupled * f_2) / determinant,
-            (m_11 * f_2 - coupled * f_1) / determinant,
+            ((f_1 * m_22 - coupled * f_2) / determinant).def(self.acceleration()),
+            ((m_11 * f_2 - coupled * f_1) / determinant).def(&s::D_OMEGA_PHI),
         ]
     }
 
@@ -479,7 +608,7 @@ impl<P: Calc> Dynamics<P> {
             return [r.moment, C::constant(0.0)];
         };
         let [_, coupled, m_22, f_1, f_2] = self.pendulum(r, m, mass, reel);
-        [r.moment - f_1 + coupled * f_2 / m_22, f_2 / m_22]
+        [r.moment - f_1 + coupled * f_2 / m_22, (f_2 / m_22).def(&s::D_OMEGA_PHI)]
     }
 }
 

@@ -16,6 +16,8 @@ use nalgebra::Vector3;
 
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Reduced};
+use crate::lemniscate::moving::symbols as s;
+use crate::symbol::Symbol;
 
 /// What may move.
 #[derive(Clone, Copy, Debug)]
@@ -49,6 +51,15 @@ pub(crate) fn dot<C: Calc>(a: Vector3<C>, b: Vector3<C>) -> C {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
+pub(crate) fn squared<C: Calc>(v: Vector3<C>) -> C {
+    v.x.square() + v.y.square() + v.z.square()
+}
+
+/// Names the components.
+fn named<C: Calc>(v: Vector3<C>, [x, y, z]: [&'static Symbol; 3]) -> Vector3<C> {
+    Vector3::new(v.x.def(x), v.y.def(y), v.z.def(z))
+}
+
 fn scaled<C: Calc>(v: Vector3<C>, by: C) -> Vector3<C> {
     v.map(|x| x * by)
 }
@@ -63,12 +74,13 @@ pub(crate) struct Rope<C> {
 
 impl<C: Calc> Rope<C> {
     pub fn new(place: Vector3<C>, head: &[Vector3<C>; 2]) -> Rope<C> {
-        let length = dot(place, place).sqrt();
-        let direction = place.map(|x| x / length);
+        let length = squared(place).sqrt().def(&s::S_Q);
+        let direction = named(place.map(|x| x / length), [&s::N_X, &s::N_Y, &s::N_Z]);
+        let [luffing, slewing] = head.map(|by| dot(direction, by));
         Rope {
             length,
             direction,
-            arms: head.map(|by| dot(direction, by)),
+            arms: [luffing.def(&s::H_1), slewing.def(&s::H_2)],
         }
     }
 }
@@ -77,9 +89,10 @@ impl<C: Calc> Load<C> {
     /// On a taut rope: away from the head exactly as fast as the rope is paid out. The rate along the rope
     /// that numbers carry besides is left alone by the equations, so that it cannot grow.
     pub(crate) fn on_rope(self, rope: &Rope<C>, hoist: C) -> Load<C> {
-        let excess = dot(rope.direction, self.rate) - hoist;
+        let excess = (dot(rope.direction, self.rate) - hoist).def(&s::V_EXCESS);
+        let rate = self.rate - scaled(rope.direction, excess);
         Load {
-            rate: self.rate - scaled(rope.direction, excess),
+            rate: named(rate, [&s::W_X, &s::W_Y, &s::W_Z]),
             ..self
         }
     }
@@ -108,8 +121,8 @@ impl<P: Calc> Dynamics<P> {
         let (zero, half, two) = (C::constant(0.0), C::constant(0.5), C::constant(2.0));
         let [inertia, slope] = r.turn;
         let forces = [
-            moments[0] - r.moment - half * r.slope * omega.square() + half * slope * turning.square(),
-            moments[1] - slope * omega * turning,
+            (moments[0] - r.moment - half * r.slope * omega.square() + half * slope * turning.square()).def(&s::M_NET),
+            (moments[1] - slope * omega * turning).def(&s::M_NET_SL),
         ];
         let ease = |i: usize, inertia: C| {
             if free.joints[i] {
@@ -119,7 +132,10 @@ impl<P: Calc> Dynamics<P> {
             }
         };
         let ease = [ease(0, r.inertia), ease(1, inertia)];
-        let alone = [forces[0] * ease[0], forces[1] * ease[1]];
+        let alone = [
+            (forces[0] * ease[0]).def(&s::ALONE),
+            (forces[1] * ease[1]).def(&s::ALONE_SL),
+        ];
         let Some(pendulum) = self.bodies().pendulum else {
             return Accelerations {
                 joints: alone,
@@ -132,7 +148,9 @@ impl<P: Calc> Dynamics<P> {
         let load = rope.as_ref().map_or(load, |rope| load.on_rope(rope, hoist));
         // From the slewing axis; how high does not matter to what slewing does.
         let from_axis = load.place + Vector3::new(head[1].z, zero, zero);
+        let from_axis = Vector3::new(from_axis.x.def(&s::R_QX), from_axis.y, from_axis.z);
         let rate = load.rate + scaled(head[0], omega);
+        let rate = Vector3::new(rate.x.def(&s::U_X), rate.y.def(&s::U_Y), rate.z);
         let [_, _, dd] = r.head;
         let bend = Vector3::new(dd.x, dd.y, zero);
         let coriolis = scaled(turned(rate), two * turning);
@@ -140,21 +158,22 @@ impl<P: Calc> Dynamics<P> {
         let gravity = Vector3::new(zero, -C::of(self.bodies().gravity), zero);
         // Of the free load, seen from a head whose joints keep their rates.
         let fall = gravity - scaled(bend, omega.square()) - coriolis - centripetal;
+        let fall = named(fall, [&s::B_X, &s::B_Y, &s::B_Z]);
         let mass = C::of(pendulum.mass);
         let (joints, pull) = match &rope {
             None => (alone, zero),
             Some(rope) => {
                 // Away from the head by the speed across the rope; the joints give way to the rope's force.
-                let speed = dot(load.rate, load.rate) - hoist.square();
+                let speed = squared(load.rate) - hoist.square();
                 let mut need = dot(rope.direction, fall) + speed / rope.length;
                 let mut give = C::constant(1.0);
                 for i in 0..2 {
                     need -= rope.arms[i] * alone[i];
                     give += mass * rope.arms[i].square() * ease[i];
                 }
-                let pull = need / give;
-                let joint = |i: usize| alone[i] + mass * pull * rope.arms[i] * ease[i];
-                ([joint(0), joint(1)], pull)
+                let pull = (need.def(&s::NEED) / give.def(&s::GIVE)).def(&s::PULL);
+                let joint = |i: usize, symbol| (alone[i] + mass * pull * rope.arms[i] * ease[i]).def(symbol);
+                ([joint(0, self.acceleration()), joint(1, &s::D_OMEGA_SL)], pull)
             }
         };
         let mut relative = fall - scaled(head[0], joints[0]) - scaled(turned(from_axis), joints[1]);
@@ -163,8 +182,8 @@ impl<P: Calc> Dynamics<P> {
         }
         Accelerations {
             joints,
-            load: relative,
-            rope: mass * pull,
+            load: named(relative, [&s::D_V_QX, &s::D_V_QY, &s::D_V_QZ]),
+            rope: (mass * pull).def(&s::S_R),
         }
     }
 }

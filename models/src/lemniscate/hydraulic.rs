@@ -4,11 +4,13 @@
 //! truly sticks. [`Motion`] and [`Slewing`] have their equations and decide their
 //! events; to them the cylinder is a moment on a bar that is [`Bar::Loose`].
 
-use crate::calc::Calc;
+use crate::calc::{Calc, Over};
 use crate::hydraulics::cylinder::{Cylinder, Oil};
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
 use crate::lemniscate::motion::{self, Bar, Friction, MOST_CHANGES, Motion, above_zero};
+use crate::lemniscate::moving::symbols as s;
 use crate::lemniscate::slewing::{self, Drive, Slewing};
+use crate::lemniscate::symbols as g;
 use crate::solver::rodas::{Run, Tolerance};
 use crate::solver::{Gradient, Halt, MOST_KINKS, MOST_STEPS, System};
 
@@ -179,16 +181,23 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
     /// Moment on the driven bar of cylinder, friction and stops, in N·m.
     #[inline]
     fn moment<C: Coordinate<P>>(&self, r: &Reduced<C>, y: &[C; N]) -> C {
-        let (theta, omega, [_, arm]) = (y[0], y[1], r.drive);
+        let [_, arm] = r.drive;
+        self.cylinder.force(&Self::oil(y)).def(&s::F_C) * arm + self.reaction(y[0], y[1])
+    }
+
+    /// Moment of friction and end stop on the driven bar, in N·m; positive turns it counter-clockwise.
+    #[inline]
+    pub fn reaction<C: Over<P>>(&self, theta: C, omega: C) -> C {
         let (friction, stops) = self.joint();
-        let mut moment = self.cylinder.force(&Self::oil(y)) * arm - omega.times(friction.viscous);
+        let mut moment = -omega.times(friction.viscous);
         if friction.coulomb.value() > 0.0 {
-            let smooth = (omega.square() + C::constant(CREEP * CREEP)).sqrt();
+            let smooth = (omega.square() + C::known(&s::OMEGA_C, CREEP).square()).sqrt();
             moment -= omega.times(friction.coulomb) / smooth;
         }
         let nearest = theta.value().clamp(stops[0], stops[1]);
         if theta.value() != nearest {
-            let depth = theta - C::constant(nearest);
+            let end = if nearest == stops[0] { &g::FROM } else { &g::TO };
+            let depth = theta - C::known(end, nearest);
             let [stiffness, damping] = self.buffer;
             let push = -C::of(stiffness) * depth - C::of(damping) * omega;
             // A stop pushes, and never pulls.
@@ -196,7 +205,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
                 moment += push;
             }
         }
-        moment
+        moment.def(&s::M_R)
     }
 
     fn in_plane<C: Coordinate<P>>(&self, moment: C) -> motion::Commands<C> {
@@ -233,7 +242,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         let [length, arm] = r.drive;
         let rates = self
             .cylinder
-            .rates(&oil, length, arm * omega, self.command, self.supply);
+            .rates(&oil, length, (arm * omega).def(&g::V_D), self.command, self.supply);
         let moment = self.moment(&r, y);
         let mut out = [C::constant(0.0); N];
         if N > FIXED {
@@ -265,12 +274,12 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
             out[1] = self.dynamics().motion(&r, &m, moment, reel)[0];
         }
         out[2..FIXED].copy_from_slice(&[
-            rates.ports[0],
-            rates.ports[1],
-            rates.chambers[0],
-            rates.chambers[1],
+            rates.ports[0].def(&s::D_P_1),
+            rates.ports[1].def(&s::D_P_2),
+            rates.chambers[0].def(&s::D_P_A),
+            rates.chambers[1].def(&s::D_P_B),
             rates.spool,
-            rates.spool_speed,
+            rates.spool_speed.def(&s::D_V_V),
         ]);
         Some(out)
     }
@@ -327,6 +336,21 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
 }
 
 impl<const N: usize> Hydraulic<N> {
+    /// Kinetic and potential energy of all bodies, in J; `None` where the linkage does not close.
+    #[must_use]
+    pub fn energy(&self, modes: Modes, y: &[f64; N]) -> Option<f64> {
+        match &self.crane {
+            Crane::Plane(motion) if N > FIXED => motion.energy(&modes.plane(y), &self.in_plane(0.0)),
+            Crane::Slewing(slewing) if N > FIXED => slewing.energy(&modes.space(y), &self.in_space(0.0)),
+            _ => self.dynamics().energy(&Phase {
+                theta: y[0],
+                omega: y[1],
+                swing: 0.0,
+                swing_rate: 0.0,
+            }),
+        }
+    }
+
     /// The crane at rest at an angle (rad), its load hanging, the valve closed and the oil carrying it, both
     /// chambers at `least` (Pa) or more. `None` where the linkage does not close or the cylinder cannot hold it.
     #[must_use]

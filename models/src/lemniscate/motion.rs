@@ -9,6 +9,7 @@
 
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
+use crate::lemniscate::moving::symbols::S_R;
 use crate::plane::{Point, dot};
 use crate::solver::pieces::{self, Pieces};
 use crate::solver::{Count, Halt, finite};
@@ -235,7 +236,7 @@ impl<P: Calc> Motion<P> {
         let [_, d, dd] = r.head;
         let (out, _) = directions(y[2]);
         let head = d * alpha + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.bodies().gravity));
-        C::of(pendulum.mass) * (y[4] * y[3] * y[3] - dot(head, out))
+        (C::of(pendulum.mass) * (y[4] * y[3] * y[3] - dot(head, out))).def(&S_R)
     }
 
     /// Force of the rope, in N; zero where it is slack or there is none.

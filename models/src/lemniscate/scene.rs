@@ -152,6 +152,7 @@ static LIMITS: &[Key] = &[
     Key::quantity(&b::DM_MAX, Sign::Positive).optional(),
     Key::quantity(&b::GAMMA_MIN, Sign::NotNegative).optional(),
     Key::quantity(&b::N_MAX, Sign::Positive).optional(),
+    Key::quantity(&moving::symbols::PHI_MAX, Sign::Positive).optional(),
     SOURCE,
 ];
 
@@ -200,6 +201,8 @@ pub struct Limits {
     pub dm_max: Option<f64>,
     pub gamma_min: Option<f64>,
     pub n_max: Option<f64>,
+    /// Of the rope, in motion.
+    pub phi_max: Option<f64>,
 }
 
 /// Published values, as printed.
@@ -364,6 +367,7 @@ impl Luffing {
             dm_max: limit(&b::DM_MAX),
             gamma_min: limit(&b::GAMMA_MIN),
             n_max: limit(&b::N_MAX),
+            phi_max: limit(&moving::symbols::PHI_MAX),
         };
         if let Some(table) = v.table("limits") {
             for symbol in [&b::DM_MAX, &b::GAMMA_MIN, &b::N_MAX] {
@@ -378,6 +382,12 @@ impl Luffing {
                     );
                 }
             }
+        }
+        let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());
+        if let (Some(_), Some(table), false) = (limits.phi_max, v.table("limits"), swings) {
+            let id = moving::symbols::PHI_MAX.id;
+            let what = format!("a limit {id} without a swinging load");
+            found.push(Diagnostic::new(table.place(id), what, "nothing to check").help("remove the limit"));
         }
         let published = v.table("published").and_then(|table| published(table, found));
         let motion = motion?;

@@ -1,6 +1,7 @@
 //! Everything a book says about a luffing mechanism.
 
 mod balance;
+mod motion;
 
 use crate::balance::analysis::Analysis;
 use crate::balance::symbols as b;
@@ -10,6 +11,7 @@ use crate::lemniscate::drive::{Drive, oil_flow};
 use crate::lemniscate::geometry::{Driven, Geometry, Jib, Parameters};
 use crate::lemniscate::governing::{coordinate, governing, rate, sensitivity};
 use crate::lemniscate::model::Model;
+use crate::lemniscate::moving::symbols as m;
 use crate::lemniscate::position::Position;
 use crate::lemniscate::published::Published;
 use crate::lemniscate::range::{Range, rise_by_integration};
@@ -39,7 +41,16 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
     let balance = analysis(&luffing.parameters, &motion).expect("checked when the scene was read");
     let governing = governing(luffing, &range, balance.as_ref());
     let positions = positions(scene, &luffing.motion, &governing);
+    let mut checks = checks(&mut model, luffing, &geometry, &range, balance.as_ref());
+    let moving = luffing.moving.as_ref();
+    let motion_in_time = moving
+        .and_then(|moving| motion::motion(luffing, moving))
+        .map(|(motion, found)| {
+            checks.extend(found);
+            motion
+        });
     Sheet {
+        motion: motion_in_time,
         inputs: inputs(scene, luffing),
         constants: constants(luffing),
         views: Vec::new(),
@@ -53,7 +64,7 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         range: table(&mut model, coordinate, &motion),
         curves: curves(&mut model, luffing, coordinate),
         drawing: drawing(&geometry, luffing, middle),
-        checks: checks(&mut model, luffing, &geometry, &range, balance.as_ref()),
+        checks,
         published: published(&mut model, luffing, coordinate),
         published_source: luffing.published.as_ref().map(|p| p.source.clone()),
         summary: summary(luffing, &geometry, &range),
@@ -128,12 +139,56 @@ fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
         rate(luffing.parameters.driven),
         motion.speed,
     );
+    if let Some(moving) = &luffing.moving {
+        // What the scene leaves to itself is no input of the book.
+        let mut table = |chapter: &'static str, table: &'static str, symbol: &'static Symbol, value: f64| {
+            if scene.given(&format!("luffing.{table}{}", symbol.id)).is_some() {
+                add(chapter, table, symbol.id, symbol, value);
+            }
+        };
+        let inputs = &moving.inputs;
+        moving
+            .constants
+            .map(&mut |symbol, value| table("moving", "dynamics.", symbol, value));
+        let commands = [
+            (&m::M_A, inputs.motion.moment),
+            (&m::M_S, inputs.motion.brake),
+            (&m::V_H, inputs.motion.hoist),
+        ];
+        let rope = moving.rope.map(|rope| [(&m::L_R, rope.length), (&m::PHI, rope.swing)]);
+        for (symbol, value) in commands.into_iter().chain(rope.into_iter().flatten()) {
+            table("moving", "dynamics.", symbol, value);
+        }
+        if let Some(turn) = &moving.slewing {
+            turn.constants
+                .map(&mut |symbol, value| table("slewing", "slewing.", symbol, value));
+            let others = [
+                (&m::M_SL, inputs.slewing.moment),
+                (&m::M_B_SL, inputs.slewing.brake),
+                (&m::PSI_SL, turn.start[0]),
+                (&m::OMEGA_SL, turn.start[1]),
+                (&m::PSI_MIN, turn.stops[0]),
+                (&m::PSI_MAX, turn.stops[1]),
+                (&m::CHI_R, turn.side),
+            ];
+            for (symbol, value) in others {
+                table("slewing", "slewing.", symbol, value);
+            }
+        }
+        if let Some(oil) = &moving.oil {
+            oil.map(&mut |symbol, value| table("oil", "hydraulics.", symbol, value));
+            for (symbol, value) in [(&m::P_P, inputs.supply), (&m::U_V, inputs.valve)] {
+                table("oil", "hydraulics.", symbol, value);
+            }
+        }
+    }
     let limits = [
         (&s::MU_MIN, luffing.limits.mu_min),
         (&s::EPSILON_Y, luffing.limits.epsilon_y),
         (&b::DM_MAX, luffing.limits.dm_max),
         (&b::GAMMA_MIN, luffing.limits.gamma_min),
         (&b::N_MAX, luffing.limits.n_max),
+        (&m::PHI_MAX, luffing.limits.phi_max),
     ];
     for (symbol, limit) in limits {
         if let Some(value) = limit {

@@ -8,8 +8,9 @@ use nalgebra::Vector3;
 
 use crate::calc::Calc;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics, Reduced};
-use crate::lemniscate::hanging::{Accelerations, Free, Load, Rope, dot, turned};
+use crate::lemniscate::hanging::{Accelerations, Free, Load, Rope, squared, turned};
 use crate::lemniscate::motion::{Bar, Friction, LOOSE, MOST_CHANGES, REELED_IN, above_zero, capped};
+use crate::lemniscate::moving::symbols as s;
 use crate::solver::pieces::{self, Pieces};
 use crate::solver::{Count, Halt, finite};
 
@@ -124,8 +125,7 @@ pub fn angles<C: Calc>(y: &[C; STATES]) -> [C; 2] {
 /// Distance of the load from the head, in m.
 #[must_use]
 pub fn distance<C: Calc>(y: &[C; STATES]) -> C {
-    let place = load_of(y).place;
-    dot(place, place).sqrt()
+    squared(load_of(y).place).sqrt()
 }
 
 /// A crane that luffs and slews.
@@ -159,11 +159,12 @@ impl<P: Calc> Slewing<P> {
     /// Moment of friction and brake on a joint that moves, in N·m.
     fn resistance<C: Coordinate<P>>(&self, i: usize, state: &State, y: &[C; STATES], commands: &Commands<C>) -> C {
         let viscous = -C::of(self.joints[i].friction.viscous) * y[2 * i + 1];
-        match state.joints[i] {
+        let resistance = match state.joints[i] {
             Bar::Held | Bar::Loose => C::constant(0.0),
             Bar::Forward => viscous - self.dry(i, commands),
             Bar::Backward => viscous + self.dry(i, commands),
-        }
+        };
+        resistance.def([&s::M_R, &s::M_R_SL][i])
     }
 
     pub(crate) fn accelerations<C: Coordinate<P>>(

@@ -74,6 +74,7 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
         checks: checks(steering, &built, pumped),
         published: Vec::<Comparison>::new(),
         balance: None,
+        motion: None,
         published_source: None,
         summary: summary(steering, &built, pumped),
         sensitivity: Sensitivity {

@@ -150,6 +150,10 @@ impl Notation {
                     let sections = sheet.positions.iter().flat_map(|position| &position.sections);
                     defined.extend(sections.flat_map(steps));
                 }
+                "motion" => {
+                    let sections = sheet.motion.iter().flat_map(|motion| &motion.sections);
+                    defined.extend(sections.flat_map(steps));
+                }
                 _ => {}
             }
         }

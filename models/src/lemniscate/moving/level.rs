@@ -281,6 +281,78 @@ impl Level {
     }
 }
 
+/// Powers at one instant, in W; losses are positive.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Powers {
+    /// Of the drives of luffing and slewing, of the hoist, and of the pump.
+    pub drive: f64,
+    pub slewing: f64,
+    pub hoist: f64,
+    pub pump: f64,
+    /// What friction, brakes and end stops take.
+    pub friction: f64,
+    /// What edges, lines, relief valves and leakage take.
+    pub throttles: f64,
+    /// What compresses the oil.
+    pub compression: f64,
+}
+
+impl Level {
+    /// Powers, and the energy of all bodies (J); `None` where the linkage does not close.
+    pub(crate) fn powers(&self, present: &Present, inputs: &Inputs) -> Option<(Powers, f64)> {
+        let hoist = inputs.motion.hoist;
+        match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => {
+                let (commands, y) = (&inputs.motion, &state.y);
+                let powers = Powers {
+                    drive: commands.moment * y[1],
+                    hoist: -motion.rope_force(state, commands, y)? * hoist,
+                    friction: -motion.friction_moment(state, commands, y)? * y[1],
+                    ..Powers::default()
+                };
+                Some((powers, motion.energy(state, commands)?))
+            }
+            (Level::Slewing(crane), Present::Slewing(state)) => {
+                let (commands, y) = (inputs.of_both(), &state.y);
+                let friction = |i: usize| Some(-crane.friction_moment(i, state, &commands, y)? * y[2 * i + 1]);
+                let powers = Powers {
+                    drive: commands.drives[0].moment * y[1],
+                    slewing: commands.drives[1].moment * y[3],
+                    hoist: -crane.rope_force(state, &commands, y)? * hoist,
+                    friction: friction(0)? + friction(1)?,
+                    ..Powers::default()
+                };
+                Some((powers, crane.energy(state, &commands)?))
+            }
+            (Level::Fixed(system), Present::Fixed(at)) => oil_powers(system, at),
+            (Level::Hanging(system), Present::Hanging(at)) => oil_powers(system, at),
+            _ => unreachable!("{OTHER}"),
+        }
+    }
+}
+
+fn oil_powers<const N: usize>(system: &Hydraulic<N>, at: &hydraulic::Present<N>) -> Option<(Powers, f64)> {
+    let (y, modes) = (at.run.states(), at.modes);
+    let [_, arm] = f64::reduced(system.dynamics(), y[0])?.drive;
+    let oil = Hydraulic::<N>::oil(&y);
+    let [pump, throttles, compression] = system.cylinder.powers(&oil, arm * y[1], system.supply);
+    // A crane that slews does so by the state behind its angle.
+    let turning = match system.dynamics().turntable() {
+        Some(_) => y[FIXED + 1],
+        None => 0.0,
+    };
+    let powers = Powers {
+        slewing: system.slewing.moment * turning,
+        hoist: -system.rope_force(modes, &y)? * system.hoist,
+        pump,
+        throttles,
+        compression,
+        friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, &y)? * turning,
+        ..Powers::default()
+    };
+    Some((powers, system.energy(modes, &y)?))
+}
+
 fn oil_event<const N: usize>(system: &Hydraulic<N>, present: &mut hydraulic::Present<N>) -> Result<(), Halt> {
     if present.run.is_fresh() {
         return system.event(present);

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use num_dual::Dual64;
 
-use crate::calc::Over;
+use crate::calc::{Calc, Over};
 use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::valve::Valve;
 use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
@@ -15,7 +15,7 @@ use crate::lemniscate::hydraulic::{self, Crane, Hydraulic};
 use crate::lemniscate::model::{Model as Algebraic, State as AlgebraicState, Tangent as AlgebraicTangent};
 use crate::lemniscate::motion::{self, Bar, Commands, Friction, Motion};
 use crate::lemniscate::moving::level::{
-    Inputs, Level, MOST_INDICATORS, MOST_STATES, OIL_INDICATORS, Present, Reaction,
+    Inputs, Level, MOST_INDICATORS, MOST_STATES, OIL_INDICATORS, Powers, Present, Reaction,
 };
 use crate::lemniscate::moving::scene::{Constants, KEYS, Moving, OIL_KEYS, Oil, Rope, SLEWING_KEYS, Turning};
 use crate::lemniscate::moving::symbols as m;
@@ -25,6 +25,7 @@ use crate::lemniscate::symbols as s;
 use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion as Range;
 use crate::plane::Point;
+use crate::record::{self, Rec};
 use crate::schema::{COARSEST, Kind, Sign, short};
 use crate::solver::{Count, Halt, MOST_STEPS};
 use crate::symbol::Symbol;
@@ -404,7 +405,7 @@ impl Model {
     {
         let constants = self.state.constants.map(of);
         let parameters = *self.algebraic.parameters();
-        let load = of(&s::Q, self.algebraic.load()) / constants.g;
+        let load = (of(&s::Q, self.algebraic.load()) / constants.g).def(&m::MASS_Q);
         let inputs = self.inputs_over(of);
         let turning = self.state.turning.map(|turning| turning.map(of));
         let oil = self.state.oil.map(|oil| oil.map(of));
@@ -426,14 +427,18 @@ impl Model {
         let jib = body(weights.g_2, constants.j_2, weights.s_2, weights.chi_2, axis);
         let pendulum = self.rope.map(|rope| Pendulum {
             mass: load,
-            length: P::constant(rope.length),
+            length: P::known(&m::L_R, rope.length),
         });
         let bodies = Bodies {
             boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1, bar),
             jib: if pendulum.is_some() {
                 jib
             } else {
-                jib.with_mass(load, head)
+                let loaded = jib.with_mass(load, head);
+                Body {
+                    inertia: loaded.inertia.def(&m::J_2Q),
+                    ..loaded
+                }
             },
             rocker: body(weights.g_3, constants.j_3, weights.s_3, weights.chi_3, bar),
             pendulum,
@@ -483,7 +488,9 @@ impl Model {
         };
         let start = P::reduced(&dynamics, P::constant(self.range.from));
         let inertia = start.map_or(P::constant(0.0), |r| r.inertia);
-        let buffer = [STOP * STOP, 2.0 * STOP].map(|factor| inertia * P::constant(factor));
+        let stop = P::known(&m::OMEGA_S, STOP);
+        let (stiffness, damping) = (inertia * stop.square(), inertia * P::constant(2.0) * stop);
+        let buffer = [stiffness.def(&m::K_S), damping.def(&m::D_S)];
         let crane = crane(&dynamics, luffing, slewing);
         if self.rope.is_some() || self.slewing_stops.is_some() {
             Ok(Level::Hanging(hydraulic(crane, cylinder, buffer, &inputs)))
@@ -890,17 +897,52 @@ impl Model {
     #[must_use]
     pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
         let mut of = |symbol: &'static Symbol, value| Dual64::new(value, seed((symbol, None)));
-        let states = self.state.present.states();
         Tangent {
             level: self.assemble_over(&mut of),
             inputs: self.inputs_over(&mut of),
-            y: std::array::from_fn(|i| match self.variables.get(i).filter(|_| i < self.states) {
-                Some(variable) => of(variable.symbol, states[i]),
-                None => Dual64::from_re(states[i]),
-            }),
+            y: self.states_over(&mut of),
             algebraic: self.algebraic.tangent(seed),
             rates: None,
         }
+    }
+
+    /// The states over any scalar.
+    fn states_over<P: Calc>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> [P; MOST_STATES] {
+        let states = self.state.present.states();
+        std::array::from_fn(|i| match self.variables.get(i).filter(|_| i < self.states) {
+            Some(variable) => of(variable.symbol, states[i]),
+            None => P::constant(states[i]),
+        })
+    }
+
+    /// Powers as it is now, and the energy of all bodies (J).
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub(crate) fn powers(&mut self) -> Result<(Powers, f64), Fault> {
+        let (present, inputs) = (self.state.present, self.state.inputs);
+        let found = self.level()?.powers(&present, &inputs);
+        found.ok_or_else(|| self.open())
+    }
+
+    pub(crate) fn present(&self) -> &Present {
+        &self.state.present
+    }
+
+    /// Runs the equations of motion as they are now under the recorder. Returns how many steps were recorded while
+    /// they were assembled.
+    pub(crate) fn recorded(&self) -> usize {
+        let level = self.assemble_over(&mut Rec::given);
+        let (inputs, y) = (self.inputs_over(&mut Rec::given), self.states_over(&mut Rec::given));
+        let assembled = record::steps();
+        if let Ok(level) = level {
+            let (present, mut rates) = (&self.state.present, y);
+            let _ = level.rates(present, &inputs, &y, &mut rates);
+            if self.rope.is_some() {
+                let _ = level.reaction(present, &inputs, &y, Reaction::Rope);
+            }
+        }
+        assembled
     }
 
     /// Derivative of a state, a rate, an event indicator or an output along the direction of a tangent, in SI.

@@ -1,6 +1,6 @@
 //! Quantities of the mechanism in motion.
 
-use crate::symbol::symbols;
+use crate::symbol::{Symbol, symbols};
 
 symbols! {
     // Given.
@@ -74,21 +74,119 @@ symbols! {
     CHI_R: "chi_R" "chi_R" RAD / DEG, "Angle of the rope from the mechanism's plane; positive swings the load to the left.", "equations of motion";
     S_R: "S_R" "S_R" N / KN, "Force in the rope; zero where it is slack.", "equations of motion";
 
+    // The equations of motion, from derivatives of the positions by the driven angle.
+    MASS_1: "mass_1" "m_1" KG / T, "Mass of the boom: weight over g.", "derived";
+    MASS_2: "mass_2" "m_2" KG / T, "Mass of the jib, with the load where it hangs on no rope: weight over g.", "derived";
+    MASS_3: "mass_3" "m_3" KG / T, "Mass of the rocker: weight over g.", "derived";
+    MASS_5: "mass_5" "m_5" KG / T, "Mass of the counterweight: weight over g.", "derived";
+    J_2Q: "J_2Q" "J_(2 Q)" KG_M2 / KG_M2, "Inertia of the jib with the load about their common centre of gravity.", "derived";
+    DX_1: "dx_1" "x'_1" M / M, "Forward travel of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DY_1: "dy_1" "y'_1" M / M, "Rise of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDX_1: "ddx_1" "x''_1" M / M, "Change of the forward travel of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDY_1: "ddy_1" "y''_1" M / M, "Change of the rise of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DX_2: "dx_2" "x'_2" M / M, "Forward travel of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DY_2: "dy_2" "y'_2" M / M, "Rise of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDX_2: "ddx_2" "x''_2" M / M, "Change of the forward travel of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDY_2: "ddy_2" "y''_2" M / M, "Change of the rise of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DX_3: "dx_3" "x'_3" M / M, "Forward travel of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DY_3: "dy_3" "y'_3" M / M, "Rise of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDX_3: "ddx_3" "x''_3" M / M, "Change of the forward travel of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDY_3: "ddy_3" "y''_3" M / M, "Change of the rise of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DX_5: "dx_5" "x'_5" M / M, "Forward travel of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DY_5: "dy_5" "y'_5" M / M, "Rise of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDX_5: "ddx_5" "x''_5" M / M, "Change of the forward travel of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDY_5: "ddy_5" "y''_5" M / M, "Change of the rise of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
+    TURN_1: "turn_1" "i_1^2" ONE / ONE, "Square of the ratio of the boom's angular velocity to the driven bar's.", "dual numbers";
+    TURN_CHANGE_1: "turn_change_1" "i_1 i'_1" ONE / ONE, "Half the change of the square of the boom's ratio for one radian of the driven bar.", "dual numbers";
+    TURN_2: "turn_2" "i_2^2" ONE / ONE, "Square of the ratio of the jib's angular velocity to the driven bar's.", "dual numbers";
+    TURN_CHANGE_2: "turn_change_2" "i_2 i'_2" ONE / ONE, "Half the change of the square of the jib's ratio for one radian of the driven bar.", "dual numbers";
+    TURN_3: "turn_3" "i_3^2" ONE / ONE, "Square of the ratio of the rocker's angular velocity to the driven bar's.", "dual numbers";
+    TURN_CHANGE_3: "turn_change_3" "i_3 i'_3" ONE / ONE, "Half the change of the square of the rocker's ratio for one radian of the driven bar.", "dual numbers";
+    I_R1: "I_r1" "I_1" KG_M2 / KG_M2, "Inertia of the boom, reduced to the driven bar.", "Lagrange";
+    DI_R1: "dI_r1" "I'_1" KG_M2 / KG_M2, "Change of the boom's reduced inertia for one radian of the driven bar.", "Lagrange";
+    I_R2: "I_r2" "I_2" KG_M2 / KG_M2, "Inertia of the jib, reduced to the driven bar.", "Lagrange";
+    DI_R2: "dI_r2" "I'_2" KG_M2 / KG_M2, "Change of the jib's reduced inertia for one radian of the driven bar.", "Lagrange";
+    I_R3: "I_r3" "I_3" KG_M2 / KG_M2, "Inertia of the rocker, reduced to the driven bar.", "Lagrange";
+    DI_R3: "dI_r3" "I'_3" KG_M2 / KG_M2, "Change of the rocker's reduced inertia for one radian of the driven bar.", "Lagrange";
+    I_R5: "I_r5" "I_5" KG_M2 / KG_M2, "Inertia of the counterweight, reduced to the driven bar.", "Lagrange";
+    DI_R5: "dI_r5" "I'_5" KG_M2 / KG_M2, "Change of the counterweight's reduced inertia for one radian of the driven bar.", "Lagrange";
+    I_R: "I_r" "I" KG_M2 / KG_M2, "Inertia of all bars and the counterweight, reduced to the driven bar.", "Lagrange";
+    DI_R: "dI_r" "I'" KG_M2 / KG_M2, "Change of the reduced inertia for one radian of the driven bar.", "Lagrange";
+    M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driven bar; positive lowers it.", "virtual work";
+    M_NET: "M_net" "M" N_M / KN_M, "Moment that accelerates the driven bar, the load on its rope left aside.", "Lagrange";
+    MASS_Q: "mass_Q" "m_Q" KG / T, "Mass of the load: weight over g.", "derived";
+    DDA_X: "ddA.x" "x''_A" M / M, "Change of the forward travel of A for one radian of the driven bar.", "dual numbers";
+    DDA_Y: "ddA.y" "Y''_A" M / M, "Change of the rise of A for one radian of the driven bar.", "dual numbers";
+    D_SWING: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driven bar.", "derived";
+    D_INWARD: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driven bar.", "derived";
+    BEND: "q_A" "q_A" M2 / M2, "Half the change of the square of A's travel for one radian of the driven bar.", "derived";
+    D_SWING_CHANGE: "dd_phi" "d'_phi" M / M, "Change of A's travel, across the rope, for one radian of the driven bar.", "derived";
+    M_11: "m_11" "m_11" KG_M2 / KG_M2, "Inertia of the load at the driven bar.", "Lagrange";
+    M_12: "m_12" "m_12" KG_M2 / KG_M2, "Inertia that couples driven bar and rope.", "Lagrange";
+    M_22: "m_22" "m_22" KG_M2 / KG_M2, "Inertia of the load about the head.", "Lagrange";
+    F_1: "tau_1" "tau_1" N_M / KN_M, "Moment of the load's weight and inertia on the driven bar.", "Lagrange";
+    F_2: "tau_2" "tau_2" N_M / KN_M, "Moment of the load's weight and inertia on the rope.", "Lagrange";
+
+    OMEGA_C: "omega_c" "omega_c" RAD_PER_S / RAD_PER_S, "Angular velocity below which dry friction is in proportion to it.", "assumption";
+    OMEGA_S: "omega_s" "omega_s" RAD_PER_S / RAD_PER_S, "Natural frequency of the mechanism alone against an end stop.", "assumption";
+    K_S: "k_s" "k_s" N_M / KN_M, "Stiffness of the end stops, in a moment for one radian.", "derived";
+    D_S: "d_s" "d_s" N_M_S / KN_M_S, "Damping of the end stops.", "derived";
+
+    // The same of a crane that slews.
+    I_SL: "I_sl" "I_\"sl\"" KG_M2 / KG_M2, "Inertia of the whole crane about the slewing axis, without the load.", "dual numbers";
+    DI_SL: "dI_sl" "I'_\"sl\"" KG_M2 / KG_M2, "Change of the inertia about the slewing axis for one radian of the driven bar.", "dual numbers";
+    M_NET_SL: "M_netsl" "M_\"N sl\"" N_M / KN_M, "Moment that accelerates slewing, the load on its rope left aside.", "Lagrange";
+    ALONE: "alpha_0" "dot(omega)_(0)" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the driven bar without the rope's force.", "Lagrange";
+    ALONE_SL: "alpha_0sl" "dot(omega)_(0 \"sl\")" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing without the rope's force.", "Lagrange";
+    N_X: "n_x" "n_x" ONE / ONE, "Direction of the rope from the head, forward component.", "derived";
+    N_Y: "n_y" "n_y" ONE / ONE, "Direction of the rope from the head, upward component.", "derived";
+    N_Z: "n_z" "n_z" ONE / ONE, "Direction of the rope from the head, component to the left.", "derived";
+    H_1: "h_1R" "h_(1 R)" M / M, "Travel of the head along the rope for one radian of the driven bar.", "derived";
+    H_2: "h_2R" "h_(2 R)" M / M, "Travel of the head along the rope for one radian of slewing.", "derived";
+    V_EXCESS: "v_e" "v_e" M_PER_S / M_PER_S, "Speed along the rope beyond that of the hoist: rounding alone.", "derived";
+    W_X: "w_x" "w_x" M_PER_S / M_PER_S, "Speed of the load across its rope, forward.", "derived";
+    W_Y: "w_y" "w_y" M_PER_S / M_PER_S, "Speed of the load across its rope, up.", "derived";
+    W_Z: "w_z" "w_z" M_PER_S / M_PER_S, "Speed of the load across its rope, to the left.", "derived";
+    R_QX: "r_Qx" "r_x" M / M, "Load, forward of the slewing axis.", "derived";
+    U_X: "u_x" "u_x" M_PER_S / M_PER_S, "Speed of the load in the frame that slews, forward.", "derived";
+    U_Y: "u_y" "u_y" M_PER_S / M_PER_S, "Speed of the load in the frame that slews, up.", "derived";
+    B_X: "b_x" "b_x" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, forward.", "Lagrange";
+    B_Y: "b_y" "b_y" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, up.", "Lagrange";
+    B_Z: "b_z" "b_z" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, to the left.", "Lagrange";
+    NEED: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange";
+    GIVE: "kappa_R" "kappa_R" ONE / ONE, "How much easier the load gives way along the rope as the head gives way too.", "Lagrange";
+    PULL: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange";
+
+    // A run.
+    T: "t" "t" S / S, "Time from the start of the run.", "derived";
+    P_MAX: "p_max" "p_\"max\"" PA / BAR, "Greatest pressure in ports and chambers during the run.", "equations of motion";
+    PHI_MAX: "phi_max" "phi_\"max\"" RAD / DEG, "Greatest angle of the rope from the vertical during the run.", "equations of motion";
+    D_E: "Delta_E" "Delta E" J / KJ, "Change of the kinetic and potential energy of all bodies.", "derived";
+    E_OIL: "E_oil" "Delta E_\"oil\"" J / KJ, "Change of the energy in the compressed oil.", "derived";
+    W_A: "W_A" "W_A" J / KJ, "Work of the drive.", "derived";
+    W_SL: "W_sl" "W_\"sl\"" J / KJ, "Work of the slewing drive.", "derived";
+    W_H: "W_h" "W_h" J / KJ, "Work of the hoist on the rope.", "derived";
+    W_P: "W_P" "W_P" J / KJ, "Work of the pump.", "derived";
+    W_R: "W_R" "W_R" J / KJ, "Energy that friction and brakes have taken.", "derived";
+    W_T: "W_T" "W_T" J / KJ, "Energy that edges, lines, relief valves and leakage have taken.", "derived";
+    W_B: "W_B" "W_B" J / KJ, "Energy that blows at end stops and of the rope have taken.", "derived";
+    W_E: "W_e" "W_e" J / KJ, "What is left over: error of the sums over the samples.", "derived";
+
     // Rates of the states.
-    D_THETA_1: "der(theta_1)" "dot(theta)_1" RAD_PER_S / DEG_PER_S, "Rate of the boom's angle.", "equations of motion";
+    D_THETA_1: "der(theta_1)" "dot(theta)_1" RAD_PER_S / DEG_PER_S, "Rate of the boom's angle.", "state";
     D_OMEGA_1: "der(omega_1)" "dot(omega)_1" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the boom.", "equations of motion";
-    D_THETA_3: "der(theta_3)" "dot(theta)_3" RAD_PER_S / DEG_PER_S, "Rate of the rocker's angle.", "equations of motion";
+    D_THETA_3: "der(theta_3)" "dot(theta)_3" RAD_PER_S / DEG_PER_S, "Rate of the rocker's angle.", "state";
     D_OMEGA_3: "der(omega_3)" "dot(omega)_3" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the rocker.", "equations of motion";
-    D_PHI: "der(phi_R)" "dot(phi)_R" RAD_PER_S / DEG_PER_S, "Rate of the rope's angle.", "equations of motion";
+    D_PHI: "der(phi_R)" "dot(phi)_R" RAD_PER_S / DEG_PER_S, "Rate of the rope's angle.", "state";
     D_OMEGA_PHI: "der(omega_R)" "dot(omega)_R" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the rope.", "equations of motion";
-    D_L_R: "der(l_R)" "dot(l)_R" M_PER_S / M_PER_S, "Rate of the rope's length.", "equations of motion";
-    D_S_Q: "der(s_Q)" "dot(s)_Q" M_PER_S / M_PER_S, "Rate of the load's distance from the head.", "equations of motion";
+    D_L_R: "der(l_R)" "dot(l)_R" M_PER_S / M_PER_S, "Rate of the rope's length.", "state";
+    D_S_Q: "der(s_Q)" "dot(s)_Q" M_PER_S / M_PER_S, "Rate of the load's distance from the head.", "state";
     D_V_Q: "der(v_Q)" "dot(v)_Q" M_PER_S2 / M_PER_S2, "Acceleration of the load away from the head.", "equations of motion";
-    D_PSI_SL: "der(psi_sl)" "dot(psi)_\"sl\"" RAD_PER_S / DEG_PER_S, "Rate of the slewing angle.", "equations of motion";
+    D_PSI_SL: "der(psi_sl)" "dot(psi)_\"sl\"" RAD_PER_S / DEG_PER_S, "Rate of the slewing angle.", "state";
     D_OMEGA_SL: "der(omega_sl)" "dot(omega)_\"sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing.", "equations of motion";
-    D_X_Q: "der(x_Q)" "dot(x)_Q" M_PER_S / M_PER_S, "Rate of the load's place forward of the head.", "equations of motion";
-    D_Y_Q: "der(y_Q)" "dot(y)_Q" M_PER_S / M_PER_S, "Rate of the load's place above the head.", "equations of motion";
-    D_Z_Q: "der(z_Q)" "dot(z)_Q" M_PER_S / M_PER_S, "Rate of the load's place to the left of the head.", "equations of motion";
+    D_X_Q: "der(x_Q)" "dot(x)_Q" M_PER_S / M_PER_S, "Rate of the load's place forward of the head.", "state";
+    D_Y_Q: "der(y_Q)" "dot(y)_Q" M_PER_S / M_PER_S, "Rate of the load's place above the head.", "state";
+    D_Z_Q: "der(z_Q)" "dot(z)_Q" M_PER_S / M_PER_S, "Rate of the load's place to the left of the head.", "state";
     D_V_QX: "der(v_Qx)" "dot(v)_(Q x)" M_PER_S2 / M_PER_S2, "Acceleration of the load forward, from the head.", "equations of motion";
     D_V_QY: "der(v_Qy)" "dot(v)_(Q y)" M_PER_S2 / M_PER_S2, "Acceleration of the load up, from the head.", "equations of motion";
     D_V_QZ: "der(v_Qz)" "dot(v)_(Q z)" M_PER_S2 / M_PER_S2, "Acceleration of the load to the left, from the head.", "equations of motion";
@@ -96,7 +194,7 @@ symbols! {
     D_P_2: "der(p_2)" "dot(p)_2" PA_PER_S / BAR_PER_S, "Rate of the pressure in the port of the annulus.", "equations of motion";
     D_P_A: "der(p_A)" "dot(p)_A" PA_PER_S / BAR_PER_S, "Rate of the pressure in the chamber of the bore.", "equations of motion";
     D_P_B: "der(p_B)" "dot(p)_B" PA_PER_S / BAR_PER_S, "Rate of the pressure in the chamber of the annulus.", "equations of motion";
-    D_X_V: "der(x_v)" "dot(x)_v" PER_S / PER_S, "Rate of the valve's spool.", "equations of motion";
+    D_X_V: "der(x_v)" "dot(x)_v" PER_S / PER_S, "Rate of the valve's spool.", "state";
     D_V_V: "der(v_v)" "dot(v)_v" PER_S2 / PER_S2, "Acceleration of the valve's spool.", "equations of motion";
 
     // Event indicators: an event is where one falls below zero.
@@ -113,3 +211,47 @@ symbols! {
     Z_SL_HIGH: "z.sl_high" "z_12" ONE / ONE, "Falls below zero where slewing meets its left end stop.", "event";
     Z_ROPE: "z.rope" "z_5" ONE / ONE, "Falls below zero where the rope becomes slack or taut.", "event";
 }
+
+/// Travel forward and up by the driven angle, first and second derivative.
+pub(crate) type OfCentre = [[&'static Symbol; 2]; 2];
+
+/// What the equations of motion have for each body.
+pub(crate) struct OfBody {
+    pub mass: &'static Symbol,
+    pub centre: OfCentre,
+    /// Square of the turning, and half of how that changes.
+    pub turn: &'static Symbol,
+    pub turn_change: &'static Symbol,
+    pub inertia: &'static Symbol,
+    pub slope: &'static Symbol,
+}
+
+/// Boom, jib and rocker.
+pub(crate) static OF_BODY: [OfBody; 3] = [
+    OfBody {
+        mass: &MASS_1,
+        centre: [[&DX_1, &DY_1], [&DDX_1, &DDY_1]],
+        turn: &TURN_1,
+        turn_change: &TURN_CHANGE_1,
+        inertia: &I_R1,
+        slope: &DI_R1,
+    },
+    OfBody {
+        mass: &MASS_2,
+        centre: [[&DX_2, &DY_2], [&DDX_2, &DDY_2]],
+        turn: &TURN_2,
+        turn_change: &TURN_CHANGE_2,
+        inertia: &I_R2,
+        slope: &DI_R2,
+    },
+    OfBody {
+        mass: &MASS_3,
+        centre: [[&DX_3, &DY_3], [&DDX_3, &DDY_3]],
+        turn: &TURN_3,
+        turn_change: &TURN_CHANGE_3,
+        inertia: &I_R3,
+        slope: &DI_R3,
+    },
+];
+
+pub(crate) static OF_COUNTERWEIGHT: OfCentre = [[&DX_5, &DY_5], [&DDX_5, &DDY_5]];

@@ -1,0 +1,228 @@
+//! Speed against accuracy: what every level, solver and step costs by counted work, and how far it is off.
+
+use lemnis_models::model::Variable;
+use lemnis_models::scene::{Mechanism, Scene};
+use lemnis_models::symbol::Symbol;
+use lemnis_models::{lemniscate, steering};
+use lemnis_trade::setting::{Method, Setting};
+use lemnis_trade::trade::{Asked, Errors, Failure, SAMPLE, Trade as Traded};
+use serde::Serialize;
+
+use crate::book::steps::Notation;
+use crate::book::{Error, Quantity, json};
+use crate::diagram::diagram;
+use crate::formula::quantity;
+use crate::language::Language;
+use crate::number::significant;
+
+#[derive(Serialize)]
+pub(super) struct Trade {
+    /// The command of the scene's own that moves it; none for the cycle through the working range.
+    command: Option<&'static str>,
+    duration: String,
+    sample: String,
+    deepest: &'static str,
+    references: Vec<Reference>,
+    /// Whether errors are over what is allowed, and not over ranges.
+    asks: bool,
+    picture: String,
+    results: Vec<Compared>,
+    rows: Vec<Row>,
+    /// Place of the cheapest that keeps to the accuracy among the rows.
+    choice: Option<usize>,
+}
+
+/// How far apart two codes are on a level, as a part of a result's range.
+#[derive(Serialize)]
+struct Reference {
+    level: &'static str,
+    apart: Option<[String; 2]>,
+}
+
+#[derive(Serialize)]
+struct Compared {
+    #[serde(flatten)]
+    quantity: Quantity,
+    /// The symbol, with the number of the one among several.
+    shown: String,
+    allowed: Option<String>,
+    range: String,
+    /// How far off the choice is.
+    off: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    level: &'static str,
+    solver: &'static str,
+    /// Step or tolerance, in Typst's mathematics.
+    setting: Option<String>,
+    /// By counted work: microseconds, evaluations of the rates and steps for each simulated second.
+    cost: String,
+    rates: String,
+    steps: String,
+    bytes: usize,
+    /// The worst of all results, as parts of their ranges or of what is allowed.
+    numerical: String,
+    modelling: String,
+    total: String,
+    front: bool,
+    follows: bool,
+    holds: Option<bool>,
+    /// Of each result: numerical, modelling and total; none where the level has none.
+    errors: Vec<Option<[String; 3]>>,
+}
+
+/// Communication steps that are tried until two codes agree, in s.
+const SAMPLES: [f64; 4] = [SAMPLE, 0.05, 0.02, 0.01];
+
+impl Trade {
+    /// # Errors
+    /// A scene of which there is no reference, or that the solvers refuse.
+    pub(super) fn new(language: &Language, scene: &Scene, notation: &mut Notation) -> Result<Trade, Error> {
+        let traded = traded(scene).map_err(|failure| Error(format!("the chapter of trade: {failure}")))?;
+        let names = match scene.mechanism {
+            Mechanism::Luffing(_) => [&lemniscate::moving::symbols::STEP, &lemniscate::moving::symbols::TOL],
+            Mechanism::Steering(_) => [&steering::moving::symbols::STEP, &steering::moving::symbols::TOL],
+        };
+        for symbol in traded.asked.iter().map(|asked| asked.variable.symbol).chain(names) {
+            notation.meet(symbol);
+        }
+        let second = |value: f64| format!("{} thin \"s\"", language.math(&crate::number::number(value)));
+        let digits = |value: f64| language.math(&few(value));
+        let asks = traded.asked.iter().any(|asked| asked.allowed.is_some());
+        let over = |asked: &Asked| asked.allowed.unwrap_or(asked.range);
+        let references = traded.references.iter().map(|reference| Reference {
+            level: reference.level,
+            apart: reference.apart.as_ref().map(|apart| {
+                let asked = traded.asked.iter().find(|asked| asked.name == apart.result);
+                let shown = asked.map_or_else(|| apart.result.clone(), |asked| shown(&asked.variable));
+                [digits(apart.part), shown]
+            }),
+        });
+        let rows = traded.rows.iter().map(|row| {
+            let worst = |of: fn(&Errors) -> f64| {
+                let parts = traded.asked.iter().zip(&row.errors);
+                let parts = parts.map(|(asked, errors)| match errors {
+                    None => f64::INFINITY,
+                    Some(errors) if of(errors) == 0.0 => 0.0,
+                    Some(errors) => of(errors) / over(asked),
+                });
+                digits(parts.fold(0.0, f64::max))
+            };
+            let per_second = |count: u32| format!("{:.0}", f64::from(count) / traded.duration);
+            Row {
+                level: row.setting.level,
+                solver: solver(&row.setting),
+                setting: setting(language, names, &row.setting),
+                cost: digits(1e6 * row.cost),
+                rates: per_second(row.work.rates),
+                steps: per_second(row.work.steps),
+                bytes: row.bytes,
+                numerical: worst(|e| e.numerical.max),
+                modelling: worst(|e| e.modelling.max),
+                total: worst(|e| e.total.max),
+                front: row.front,
+                follows: row.follows,
+                holds: row.holds,
+                errors: traded
+                    .asked
+                    .iter()
+                    .zip(&row.errors)
+                    .map(|(asked, errors)| {
+                        let symbol = asked.variable.symbol;
+                        let size = |value: f64| digits(symbol.shown(value));
+                        errors.map(|e| [e.numerical.max, e.modelling.max, e.total.max].map(size))
+                    })
+                    .collect(),
+            }
+        });
+        let axes = ["e", "c thin \"/\" thin \"µs/s\""];
+        Ok(Trade {
+            command: traded.command.and_then(|id| {
+                let mut inputs = traded_inputs(scene).into_iter();
+                inputs.find(|symbol| symbol.id == id).map(|symbol| symbol.print)
+            }),
+            duration: second(traded.duration),
+            sample: second(traded.sample),
+            deepest: traded.references.last().map_or("static", |reference| reference.level),
+            references: references.collect(),
+            asks,
+            picture: json(&diagram(language, axes, &traded, |row| row.cost)),
+            results: traded
+                .asked
+                .iter()
+                .enumerate()
+                .map(|(i, asked)| Compared {
+                    quantity: asked.variable.symbol.into(),
+                    shown: shown(&asked.variable),
+                    allowed: asked
+                        .allowed
+                        .map(|allowed| quantity(language, asked.variable.symbol, allowed)),
+                    range: quantity(language, asked.variable.symbol, asked.range),
+                    off: traded.choice().and_then(|row| {
+                        let symbol = asked.variable.symbol;
+                        let off = digits(symbol.shown(row.errors[i]?.total.max));
+                        Some(format!("{off} thin \"{}\"", symbol.display.print))
+                    }),
+                })
+                .collect(),
+            choice: traded.rows.iter().position(|row| row.holds == Some(true)),
+            rows: rows.collect(),
+        })
+    }
+}
+
+/// Without a clock, at the longest communication step at which two codes agree.
+fn traded(scene: &Scene) -> Result<Traded, Failure> {
+    let mut found = None;
+    for sample in SAMPLES {
+        match Traded::new(scene, sample, 0, &|| ()) {
+            Err(failure @ Failure::Apart(..)) => found = Some(Err(failure)),
+            other => return other,
+        }
+    }
+    found.expect("several steps were tried")
+}
+
+fn traded_inputs(scene: &Scene) -> Vec<&'static Symbol> {
+    let model = lemnis_models::model::Model::new(scene);
+    let variables = model.as_ref().map_or(&[][..], |model| model.variables());
+    variables.iter().map(|variable| variable.symbol).collect()
+}
+
+fn shown(variable: &Variable) -> String {
+    match variable.number {
+        Some(number) => variable.symbol.numbered(number),
+        None => variable.symbol.print.to_owned(),
+    }
+}
+
+/// Id of the solver's words.
+fn solver(setting: &Setting) -> &'static str {
+    match setting.method {
+        Method::Closed => "closed",
+        Method::Explicit(_) => "explicit",
+        Method::Implicit(_) => "implicit",
+        Method::Interpolated(_) => "interpolated",
+    }
+}
+
+fn setting(language: &Language, [step, tolerance]: [&'static Symbol; 2], setting: &Setting) -> Option<String> {
+    let (symbol, value) = match setting.method {
+        Method::Closed => return None,
+        Method::Explicit(value) => (step, value),
+        Method::Implicit(value) | Method::Interpolated(value) => (tolerance, value),
+    };
+    Some(format!("{} = {}", symbol.print, quantity(language, symbol, value)))
+}
+
+/// Three significant digits, or two with a power of ten, in Typst's mathematics; a dash for what is not modelled.
+fn few(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() || (1e-3..1e6).contains(&value.abs()) {
+        return significant(value);
+    }
+    let text = format!("{value:.1e}");
+    let (digits, exponent) = text.split_once('e').expect("scientific notation has an exponent");
+    format!("{digits} times 10^({exponent})")
+}
