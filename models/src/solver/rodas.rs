@@ -378,6 +378,8 @@ impl<const N: usize> Run<N> {
             // A step that was refused is not followed by a longer one at once.
             let mut growth = 5.0;
             let (mut cuts, mut ends, mut exists) = (0, 0, true);
+            // A length at whose end the event lies behind, and how often a shorter one did not reach it.
+            let (mut over, mut misses) = (0.0, 0);
             loop {
                 tried += 1;
                 if tried > MOST_STEPS {
@@ -410,14 +412,21 @@ impl<const N: usize> Run<N> {
                 if measure <= 1.0 {
                     let ended = system.ended(&step.to);
                     let least = 4.0 * RESOLUTION * duration;
-                    if ended && ends < MOST_ENDS && h > least {
+                    if ended && misses == 0 && ends < MOST_ENDS && h > least {
                         let part = step.end(system);
                         if part < LAST_PART {
                             ends += 1;
+                            over = h;
                             self.count.kinks += 1;
                             self.next = (h * part).max(least);
                             continue;
                         }
+                    }
+                    // By rounding, or where the rates jump, the event lies further on: a little, then ever more.
+                    if !ended && over > h {
+                        misses += 1;
+                        self.next = (h + over * (1.0 - LAST_PART) * 10.0_f64.powi(misses)).min(over);
+                        continue;
                     }
                     system.settle(&mut step.to);
                     self.ended = ended;
