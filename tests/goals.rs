@@ -16,7 +16,7 @@ use lemnis_models::lemniscate::geometry::Geometry;
 use lemnis_models::lemniscate::position::Position;
 use lemnis_models::lemniscate::statics::{Centres, PinForces, load_moment};
 use lemnis_models::lemniscate::velocity::{Pole, Velocity};
-use lemnis_models::model::Model;
+use lemnis_models::model::{Model, Role};
 use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
 use lemnis_synthesis::candidate::Positions;
 use lemnis_synthesis::optimum::Watch;
@@ -219,6 +219,37 @@ fn models(scene: &Scene) {
         1000.0,
     );
     println!("model: generic over Calc {generic:.1} ns, written by hand for f64 {by_hand:.1} ns");
+    finite();
+}
+
+/// What an instance's test of every value costs, with it and without it in turn.
+fn finite() {
+    let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
+    let mut model = Model::new(&scene).expect("a mechanism");
+    let outputs: Vec<usize> = (0..model.variables().len())
+        .filter(|&i| model.variables()[i].role == Role::Output)
+        .collect();
+    let mut best = [f64::INFINITY; 2];
+    for _ in 0..5 {
+        for (tested, best) in [false, true].into_iter().zip(&mut best) {
+            *best = best.min(nanoseconds(|angle| {
+                model.set(0, angle).expect("an angle");
+                for &index in &outputs {
+                    let value = model.get(index).expect("closes");
+                    assert!(!tested || value.is_finite());
+                    black_box(value);
+                }
+            }));
+        }
+    }
+    let [without, with] = best;
+    println!("model: all {} outputs {without:.1} ns", outputs.len());
+    row(
+        "  of which testing that every one is finite",
+        with - without,
+        "ns",
+        0.05 * without,
+    );
 }
 
 /// The head of the crane and its travel, written out for `f64` alone, with the

@@ -151,7 +151,7 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
         };
         entries.push(Entry {
             name: variable.name(),
-            text: variable.symbol.text.to_owned(),
+            text: variable.symbol.description(),
             reference: reference(Place::Variable(index)),
             kind: match variable.kind {
                 Type::Real => Kind::Real(variable.symbol.unit, variable.symbol.display),
@@ -187,7 +187,7 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
             let of = vector.components.clone();
             let first = &variables[of.start];
             let text = match first.number {
-                Some(_) => first.symbol.text.to_owned(),
+                Some(_) => first.symbol.description(),
                 None => format!("The vector [{first}, {}].", variables[of.start + 1]),
             };
             entries.push(Entry {

@@ -452,7 +452,7 @@ impl Instance {
                 Place::String(_) => return refuse(format!("value reference {reference} is not a real variable")),
             };
             for index in indices {
-                *rest.next().ok_or_else(|| too_few(given))? = self.model.get(index)?;
+                *rest.next().ok_or_else(|| too_few(given))? = self.value(index)?;
             }
         }
         expect_length(given, given - rest.len())
@@ -469,7 +469,7 @@ impl Instance {
             let held = self.held.iter().find(|(held, _)| *held == index);
             *value = match held {
                 Some((_, held)) if self.now.state == CONTINUOUS => *held,
-                _ => self.model.get(index)? != 0.0,
+                _ => self.value(index)? != 0.0,
             }
             .into();
         }
@@ -522,7 +522,7 @@ impl Instance {
         expect_length(values.len(), references.len())?;
         for (&reference, value) in references.iter().zip(values) {
             let index = self.enumeration(reference)?;
-            *value = (self.model.get(index)? as i32).into();
+            *value = (self.value(index)? as i32).into();
         }
         Ok(())
     }
@@ -646,6 +646,15 @@ impl Instance {
             Place::Variable(index) => Ok(self.real(index)?..index + 1),
             Place::Vector(index) => Ok(self.vectors[index].components.clone()),
             _ => refuse(format!("derivatives of value reference {reference} do not exist")),
+        }
+    }
+
+    /// A value as importers may have it: finite, or infinite where its description says so.
+    #[inline]
+    fn value(&mut self, index: usize) -> Result<f64, Fault> {
+        match self.model.get(index)? {
+            value if value.is_finite() => Ok(value),
+            value => not_finite(&self.model.variables()[index], value),
         }
     }
 
@@ -870,6 +879,18 @@ impl Instance {
 #[cold]
 fn no_reference(reference: u32) -> Result<Place, Fault> {
     refuse(format!("no variable has the value reference {reference}"))
+}
+
+#[cold]
+fn not_finite(variable: &Variable, value: f64) -> Result<f64, Fault> {
+    if value.is_infinite() && variable.symbol.infinite.is_some() {
+        return Ok(value);
+    }
+    Err(Fault::outside(format!(
+        "{variable} = {value} {} is no finite number: it does not exist in this configuration, or inputs and parameters \
+         are too great or too small for it",
+        variable.symbol.unit.name
+    )))
 }
 
 #[cold]

@@ -127,6 +127,56 @@ fn an_unreachable_configuration_is_discarded_and_the_instance_survives() {
     }
 }
 
+/// No number that overflows or does not exist reaches a simulator, where only what says so may be infinite. The refusal
+/// names the variable, and the instance is as it was.
+#[test]
+fn no_value_is_infinite_that_does_not_say_so() {
+    let fmu = Unpacked::new();
+    // Boom and rocker are parallel there: `boom_parallel` of lemniscate_extremes.csv.
+    let parallel = f64::from_bits(0x3ff8_eaa3_34fd_b5bb);
+    let (angle, load) = (fmu.reference("theta_1"), fmu.reference("Q"));
+    let moment = ["M_D", "A.x"].map(|id| fmu.reference(id));
+    let centre = ["O1P", "P.x", "P.y"].map(|id| fmu.reference(id));
+    let (mut values, mut before) = ([0.0; 3], [0.0; 2]);
+    let (mut of_2, mut of_3) = (Messages::new(), Messages::new());
+    // SAFETY: see above.
+    unsafe {
+        let (c, i) = (instantiate2(&fmu, 1, &mut of_2), instantiate3(&fmu, false, &mut of_3));
+        let started = fmi2EnterInitializationMode(c) + fmi3EnterInitializationMode(i, 0, 0.0, 0.0, 0, 0.0);
+        assert_eq!(started, STATUS_OK);
+        assert_eq!(fmi2SetReal(c, &angle, 1, &parallel), STATUS_OK);
+        assert_eq!(fmi3SetFloat64(i, &angle, 1, &parallel, 1), STATUS_OK);
+        assert_eq!(fmi2ExitInitializationMode(c) + fmi3ExitInitializationMode(i), STATUS_OK);
+        assert_eq!(fmi2GetReal(c, centre.as_ptr(), 3, values.as_mut_ptr()), STATUS_OK);
+        assert_eq!(values, [f64::INFINITY; 3]);
+        assert_eq!(fmi3GetFloat64(i, centre.as_ptr(), 3, values.as_mut_ptr(), 3), STATUS_OK);
+        assert_eq!(values, [f64::INFINITY; 3]);
+
+        assert_eq!(fmi2GetReal(c, moment.as_ptr(), 2, before.as_mut_ptr()), STATUS_OK);
+        assert_eq!(fmi2SetReal(c, &load, 1, &f64::MAX), STATUS_OK);
+        assert_eq!(fmi3SetFloat64(i, &load, 1, &f64::MAX, 1), STATUS_OK);
+        assert_eq!(fmi2GetReal(c, moment.as_ptr(), 2, values.as_mut_ptr()), STATUS_ERROR);
+        assert_eq!(
+            fmi3GetFloat64(i, moment.as_ptr(), 2, values.as_mut_ptr(), 2),
+            STATUS_DISCARD
+        );
+        for (messages, function) in [(&of_2, "fmi2GetReal"), (&of_3, "fmi3GetFloat64")] {
+            assert_eq!(messages.len(), 1, "{messages:?}");
+            let text = &messages[0].1;
+            assert!(text.starts_with(&format!("{function}: M_D = ")), "{text}");
+            assert!(text.contains(" N.m is no finite number"), "{text}");
+        }
+        assert_eq!(fmi2SetReal(c, &load, 1, &160e3), STATUS_OK);
+        assert_eq!(fmi3SetFloat64(i, &load, 1, &160e3, 1), STATUS_OK);
+        assert_eq!(fmi2GetReal(c, moment.as_ptr(), 2, values.as_mut_ptr()), STATUS_OK);
+        assert_eq!(values[..2], before);
+        assert_eq!(fmi3GetFloat64(i, moment.as_ptr(), 2, values.as_mut_ptr(), 2), STATUS_OK);
+        assert_eq!(values[..2], before);
+        fmi2FreeInstance(c);
+        fmi3FreeInstance(i);
+    }
+}
+
 #[test]
 fn event_mode_of_co_simulation() {
     let fmu = Unpacked::new();

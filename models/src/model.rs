@@ -19,6 +19,7 @@ pub static TIME: Symbol = Symbol {
     display: &unit::S,
     text: "Simulation time.",
     source: "given",
+    infinite: None,
 };
 
 /// What a variable is to a simulator.
@@ -553,13 +554,20 @@ impl Model {
     /// # Panics
     /// With the tangent of another mechanism.
     pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
-        match (self, tangent) {
+        let derivative = match (self, tangent) {
             (Model::Luffing(model), Tangent::Luffing(tangent)) => model.derivative(tangent, index),
             (Model::Moving(model), Tangent::Moving(tangent)) => model.derivative(tangent, index),
             (Model::Turning(model), Tangent::Turning(tangent)) => model.derivative(tangent, index),
             (Model::Steering(model), Tangent::Steering(tangent)) => model.derivative(tangent, index),
             _ => unreachable!("{OF_ANOTHER}"),
+        }?;
+        if derivative.is_finite() {
+            return Ok(derivative);
         }
+        let variable = self.variables()[index];
+        Err(Fault::outside(format!(
+            "{variable} has no derivative in this configuration"
+        )))
     }
 
     /// What each variable's expression contains: inputs, parameters and [`TIME`].

@@ -18,6 +18,8 @@ pub struct Symbol {
     pub text: &'static str,
     /// Where its definition or equation comes from, as `[key, place]`.
     pub source: &'static str,
+    /// Where it is infinite, in words; every other value that is not finite is none.
+    pub infinite: Option<&'static str>,
 }
 
 impl PartialEq for Symbol {
@@ -39,6 +41,15 @@ impl Symbol {
         self.print.to_owned()
     }
 
+    /// What it is, which way is positive, and where it is infinite.
+    #[must_use]
+    pub fn description(&self) -> String {
+        match self.infinite {
+            None => self.text.to_owned(),
+            Some(place) => format!("{} Infinite {place}.", self.text),
+        }
+    }
+
     /// A value in SI, converted to the display unit.
     #[must_use]
     pub fn shown(&self, value: f64) -> f64 {
@@ -48,7 +59,8 @@ impl Symbol {
 
 /// Declares the symbol table of a mechanism.
 macro_rules! symbols {
-    ($($(#[$doc:meta])* $name:ident: $id:literal $print:literal $unit:ident / $display:ident, $text:literal, $source:literal;)*) => {
+    ($($(#[$doc:meta])* $name:ident: $id:literal $print:literal $unit:ident / $display:ident, $text:literal, $source:literal
+        $(, infinite $infinite:literal)?;)*) => {
         $(
             #[doc = concat!("`", $id, "`: ", $text, " Source: ", $source, ".")]
             pub static $name: $crate::symbol::Symbol = $crate::symbol::Symbol {
@@ -58,6 +70,10 @@ macro_rules! symbols {
                 display: &$crate::unit::$display,
                 text: $text,
                 source: $source,
+                infinite: {
+                    let place: &[&str] = &[$($infinite)?];
+                    place.first().copied()
+                },
             };
         )*
         /// Every symbol of this table, in the order of the text.

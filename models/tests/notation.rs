@@ -37,7 +37,9 @@ fn page() -> String {
             let _ = writeln!(
                 page,
                 "| `{}` | {unit} | {display} | {} | {} |",
-                symbol.id, symbol.text, symbol.source
+                symbol.id,
+                symbol.description(),
+                symbol.source
             );
         }
     }

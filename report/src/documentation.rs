@@ -19,7 +19,7 @@ struct Row {
     role: &'static str,
     unit: String,
     display: &'static str,
-    text: &'static str,
+    text: String,
     source: &'static str,
     reference: u32,
 }
@@ -65,7 +65,7 @@ pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
             Type::Enumeration(of) => numbered(of),
         },
         display: variable.symbol.display.name,
-        text: variable.symbol.text,
+        text: variable.symbol.description(),
         source: variable.symbol.source,
         reference: layout::reference(variables.len(), Place::Variable(index)),
     };

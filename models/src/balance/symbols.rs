@@ -69,8 +69,8 @@ symbols! {
     DM: "dM" "Delta M" N_M / KN_M, "Residual moment about the boom foot; positive raises the boom.", "[Balance004, eq. 3]";
     M_SUM: "M_sum" "M_Sigma" N_M / KN_M, "Total moment of load, weights and balance about the boom foot; positive raises the boom.", "equilibrium";
     M_D_0: "M_D_0" "M_(D 0)" N_M / KN_M, "Moment that the drive would have to give to the driven bar without the balance.", "virtual work";
-    F_D_0: "F_d_0" "F_(d 0)" N / KN, "Force that the drive would need without the balance, push positive.", "equilibrium";
-    DM_5: "dM_5" "Delta M_5" N_M / KN_M, "Residual moment about the lever's pivot, of the same power as the one about the boom foot.", "[Ports001, eq. 5.2.6]";
+    F_D_0: "F_d_0" "F_(d 0)" N / KN, "Force that the drive would need without the balance, push positive.", "equilibrium", infinite "where the drive points at the foot of its bar";
+    DM_5: "dM_5" "Delta M_5" N_M / KN_M, "Residual moment about the lever's pivot, of the same power as the one about the boom foot.", "[Ports001, eq. 5.2.6]", infinite "where the lever comes to rest";
     F_KX: "F_K.x" "F_(K x)" N / KN, "Force of the balance on the boom, forward component.", "equilibrium";
     F_KY: "F_K.y" "F_(K y)" N / KN, "Force of the balance on the boom, upward component.", "equilibrium";
     F_PX: "F_M.x" "F_(M x)" N / KN, "Force of the frame on the lever's pivot, guide pulley or rail, forward component.", "equilibrium";
@@ -81,7 +81,7 @@ symbols! {
 
     // Results of the working range.
     DM_MAX: "dM_max" "abs(Delta M)_max" N_M / KN_M, "Greatest residual moment about the boom foot, by amount.", "[Balance004, F1]";
-    DM_5_MAX: "dM_5_max" "abs(Delta M_5)_max" N_M / KN_M, "Greatest residual moment about the lever's pivot, by amount.", "[Ports001, eq. 5.2.6]";
+    DM_5_MAX: "dM_5_max" "abs(Delta M_5)_max" N_M / KN_M, "Greatest residual moment about the lever's pivot, by amount.", "[Ports001, eq. 5.2.6]", infinite "where the lever comes to rest";
     E_ABS: "E" "E" J / KJ, "Integral of the amount of the residual moment over the working range.", "[Balance004, F2]";
     E_PLUS: "E_plus" "E_(+)" J / KJ, "Integral of the residual moment where it raises the boom, over the working range.", "[Balance004, F2]";
     GAMMA_MIN: "gamma_min" "gamma_min" RAD / DEG, "Smallest transmission angle of the working range.", "[Balance004, F3]";

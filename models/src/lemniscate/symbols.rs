@@ -69,9 +69,9 @@ symbols! {
     V_AX: "V_AX" "V_(A X)" M_PER_S / M_PER_S, "Horizontal velocity of A, forward positive.", "[Li2022, eq. 10]";
     V_AY: "V_AY" "V_(A Y)" M_PER_S / M_PER_S, "Vertical velocity of A, upward positive.", "[Li2022, eq. 10]";
     BETA: "beta" "beta" RAD / DEG, "Direction of A's velocity above the horizontal when the driven bar turns positively.", "[Li2022, eq. 10]";
-    O1P: "O1P" "overline(O_1 P)" M / M, "Distance of the instantaneous centre from O1 along the boom, towards B positive.", "[Li2022, eq. 1]";
-    P_X: "P.x" "x_P" M / M, "Instantaneous centre of the jib, forward of O1.", "[Li2022, eq. 1]";
-    P_Y: "P.y" "y_P" M / M, "Instantaneous centre of the jib, above O1.", "[Li2022, eq. 1]";
+    O1P: "O1P" "overline(O_1 P)" M / M, "Distance of the instantaneous centre from O1 along the boom, towards B positive.", "[Li2022, eq. 1]", infinite "where boom and rocker are parallel";
+    P_X: "P.x" "x_P" M / M, "Instantaneous centre of the jib, forward of O1.", "[Li2022, eq. 1]", infinite "where boom and rocker are parallel";
+    P_Y: "P.y" "y_P" M / M, "Instantaneous centre of the jib, above O1.", "[Li2022, eq. 1]", infinite "where boom and rocker are parallel";
     P_FAR: "P.at_infinity" "\"P at infinity\"" ONE / ONE, "True where boom and rocker are parallel: the jib moves without turning.", "[Li2022, 2.1]";
 
     // Loads.
@@ -121,7 +121,7 @@ symbols! {
     L_DY: "L_d.y" "L_(d y)" M / M, "Drive from frame to driven bar, upward component.", "derived";
     L_D: "L_d" "L_d" M / M, "Length of the drive between its anchors.", "derived";
     H_D: "h_d" "h_d" M / M, "Lever arm of the drive; positive where a push turns the driven bar counter-clockwise.", "derived";
-    F_D: "F_d" "F_d" N / KN, "Force of the drive, push positive.", "equilibrium";
+    F_D: "F_d" "F_d" N / KN, "Force of the drive, push positive.", "equilibrium", infinite "where the drive points at the foot of its bar";
     V_D: "v_d" "v_d" M_PER_S / MM_PER_S, "Speed of the drive, lengthening positive.", "derived";
     A_D: "A_d" "A_d" M2 / M2, "Working area of the cylinder: bore when it lengthens, annulus when it shortens.", "derived";
     Q_D: "q_d" "q_d" M3_PER_S / L_PER_MIN, "Oil flow to the cylinder; negative where it shortens.", "derived";
@@ -136,7 +136,7 @@ symbols! {
     V_AX_MAX: "V_AX_max" "V_(A X,max)" M_PER_S / M_PER_S, "Greatest horizontal velocity of A in the working range, by amount.", "[Li2022, 5]";
     M_D_MAX: "M_D_max" "M_(D,max)" N_M / KN_M, "Greatest moment of the drive in the working range, by amount.", "equilibrium";
     N_3_MAX: "N_3_max" "N_(3,max)" N / KN, "Greatest axial force in the rocker in the working range, by amount; tension positive.", "equilibrium";
-    F_D_MAX: "F_d_max" "F_(d,max)" N / KN, "Greatest force of the drive in the working range, by amount; push positive.", "equilibrium";
+    F_D_MAX: "F_d_max" "F_(d,max)" N / KN, "Greatest force of the drive in the working range, by amount; push positive.", "equilibrium", infinite "where the drive points at the foot of its bar";
     FROM: "from" "theta_a" RAD / DEG, "Angle of the driven bar at the start of the working range.", "input";
     TO: "to" "theta_e" RAD / DEG, "Angle of the driven bar at the end of the working range.", "input";
     W_Q: "W_Q" "W_Q" J / KJ, "Work of the luffing moment over the working range.", "virtual work";

@@ -47,12 +47,12 @@ symbols! {
     V_MY: "v_M.y" "v_(M y)" M_PER_S / M_PER_MIN, "Velocity of the machine's middle, to the left.", "rigid body";
     X_M: "M.x" "x_M" M / M, "Middle between foremost and rearmost axle line.", "derived";
     Y_M: "M.y" "y_M" M / M, "Middle between the outermost groups to the left and to the right.", "derived";
-    O_X: "O.x" "x_O" M / M, "Turning centre, forward.", "[Zhang2016, Fig. 3]";
-    O_Y: "O.y" "y_O" M / M, "Turning centre, to the left.", "[Zhang2016, Fig. 3]";
+    O_X: "O.x" "x_O" M / M, "Turning centre, forward.", "[Zhang2016, Fig. 3]", infinite "where the machine does not turn";
+    O_Y: "O.y" "y_O" M / M, "Turning centre, to the left.", "[Zhang2016, Fig. 3]", infinite "where the machine does not turn";
     O_FAR: "O.at_infinity" "O_infinity" ONE / ONE, "Whether the turning centre lies at infinity.", "derived";
-    R_O: "R_O" "R_O" M / M, "Turning radius: distance of the turning centre from the machine's middle.", "derived";
-    R_IN: "R_in" "R_1" M / M, "Inner radius of the lane that the outline sweeps.", "rigid body";
-    R_OUT: "R_out" "R_2" M / M, "Outer radius of the lane that the outline sweeps.", "rigid body";
+    R_O: "R_O" "R_O" M / M, "Turning radius: distance of the turning centre from the machine's middle.", "derived", infinite "where the machine does not turn";
+    R_IN: "R_in" "R_1" M / M, "Inner radius of the lane that the outline sweeps.", "rigid body", infinite "where the machine does not turn";
+    R_OUT: "R_out" "R_2" M / M, "Outer radius of the lane that the outline sweeps.", "rigid body", infinite "where the machine does not turn";
     B_S: "b_s" "b_s" M / M, "Width of the lane that the outline sweeps.", "rigid body";
     E_O: "e_O" "e_O" M / M, "Greatest distance at which an axle line passes the turning centre.", "derived";
     FROM: "from" "theta_a" RAD / DEG, "Commanded angle at the start of the working range.", "input";
@@ -76,8 +76,8 @@ symbols! {
     V_C_WORK: "v_c_work" "v_(c,w)" M_PER_S / MM_PER_S, "Greatest speed of a cylinder in the working range at the steering speed.", "derived";
     THETA_S: "theta_s" "theta_(s i)" RAD / DEG, "Set point of a group's heading: after a change of mode it moves to the new one within the cylinders' speed limit.", "derived";
     V_S: "v_s" "v_(s i)" M_PER_S / M_PER_MIN, "Set point of a group's rolling speed along its set point of heading; zero while the machine must stand.", "derived";
-    T_X: "t_x" "t_x" S / S, "Duration of the last change of mode; infinite where it is not possible.", "derived";
-    T_LEFT: "t_left" "t_r" S / S, "What is left of the duration of the change of mode.", "derived";
+    T_X: "t_x" "t_x" S / S, "Duration of the last change of mode.", "derived", infinite "where it is not possible";
+    T_LEFT: "t_left" "t_r" S / S, "What is left of the duration of the change of mode.", "derived", infinite "where it is not possible";
     T_C: "t_c" "t" S / S, "Time since the change of mode.", "derived";
     STAND: "stand" "k_s" ONE / ONE, "Whether the machine must stand during the last change of mode.", "derived";
     Q_X_MAX: "q_x_max" "q_(x,max)" M3_PER_S / L_PER_MIN, "Greatest oil flow of all cylinders together in a change of mode.", "derived";

@@ -18,6 +18,7 @@ static ANY: Symbol = Symbol {
     display: &unit::M,
     text: "A length.",
     source: "given",
+    infinite: None,
 };
 
 pub static NAMES: Names = Names {
