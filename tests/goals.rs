@@ -1,7 +1,6 @@
 //! Benchmarks beside their goals: `cargo bench --workspace --bench goals`, with `-- motion` those of mechanisms in
 //! motion alone. Figures are the best of several rounds on this machine; nothing here fails.
 
-use std::ffi::{CString, c_char, c_void};
 use std::hint::black_box;
 use std::io::BufRead;
 use std::path::Path;
@@ -9,7 +8,6 @@ use std::process::Command;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use lemnis_fmu::instance::token;
 use lemnis_fmu::package::{self, Library};
 use lemnis_models::calc::Calc;
 use lemnis_models::lemniscate::geometry::Geometry;
@@ -21,7 +19,7 @@ use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
 use lemnis_synthesis::candidate::Positions;
 use lemnis_synthesis::optimum::Watch;
 use lemnis_synthesis::run::run;
-use libloading::{Library as Shared, Symbol};
+use lemnis_tests::unpacked::{DoStep, GetState, Real, SetReal, SetState, Unpacked};
 
 #[path = "goals/motion.rs"]
 mod motion;
@@ -313,94 +311,6 @@ impl HandWritten {
     }
 }
 
-type Instantiate = unsafe extern "C" fn(
-    *const c_char,
-    *const c_char,
-    *const c_char,
-    u8,
-    u8,
-    u8,
-    u8,
-    *const u32,
-    usize,
-    *mut c_void,
-    *const c_void,
-    *const c_void,
-) -> *mut c_void;
-type Enter = unsafe extern "C" fn(*mut c_void, u8, f64, f64, u8, f64) -> i32;
-type Exit = unsafe extern "C" fn(*mut c_void) -> i32;
-type Set = unsafe extern "C" fn(*mut c_void, *const u32, usize, *const f64, usize) -> i32;
-type Get = unsafe extern "C" fn(*mut c_void, *const u32, usize, *mut f64, usize) -> i32;
-type DoStep = unsafe extern "C" fn(*mut c_void, f64, f64, u8, *mut u8, *mut u8, *mut u8, *mut f64) -> i32;
-type GetState = unsafe extern "C" fn(*mut c_void, *mut *mut c_void) -> i32;
-type SetState = unsafe extern "C" fn(*mut c_void, *mut c_void) -> i32;
-type Free = unsafe extern "C" fn(*mut c_void);
-
-/// The shared library beside the scene that it reads, as an importer has them.
-struct Unpacked {
-    _folder: tempfile::TempDir,
-    resources: CString,
-    token: CString,
-    library: Shared,
-    scene: Scene,
-}
-
-impl Unpacked {
-    fn new(text: &str) -> Unpacked {
-        let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
-        let folder = tempfile::tempdir().expect("a folder");
-        std::fs::write(folder.path().join("scene.toml"), text).expect("writable");
-        let path = package::find_library().expect("built");
-        Unpacked {
-            resources: CString::new(format!("{}/", folder.path().display())).expect("a path"),
-            token: CString::new(token(&scene)).expect("a token"),
-            // SAFETY: the library is our own, and loading it runs nothing.
-            library: unsafe { Shared::new(path) }.expect("loads"),
-            scene,
-            _folder: folder,
-        }
-    }
-
-    /// # Safety
-    /// `T` is the type that the standard gives the function.
-    unsafe fn function<T>(&self, name: &str) -> Symbol<'_, T> {
-        // SAFETY: the caller's promise.
-        unsafe { self.library.get(name) }.expect("exported")
-    }
-
-    /// A new instance, initialized.
-    fn start(&self) -> *mut c_void {
-        let null = std::ptr::null();
-        // SAFETY: the types are those of the standard, the strings end with a zero.
-        unsafe {
-            let instance = self.function::<Instantiate>("fmi3InstantiateCoSimulation")(
-                c"bench".as_ptr(),
-                self.token.as_ptr(),
-                self.resources.as_ptr(),
-                0,
-                0,
-                0,
-                0,
-                std::ptr::null(),
-                0,
-                std::ptr::null_mut(),
-                null,
-                null,
-            );
-            assert!(!instance.is_null());
-            let entered = self.function::<Enter>("fmi3EnterInitializationMode")(instance, 0, 0.0, 0.0, 0, 0.0);
-            let left = self.function::<Exit>("fmi3ExitInitializationMode")(instance);
-            assert_eq!((entered, left), (0, 0));
-            instance
-        }
-    }
-
-    fn free(&self, instance: *mut c_void) {
-        // SAFETY: the type is that of the standard; every caller frees what it started, once.
-        unsafe { self.function::<Free>("fmi3FreeInstance")(instance) }
-    }
-}
-
 /// A step through the shared library, as an importer makes it.
 fn abi(what: &str, text: &str, forces: bool, goal: f64) {
     let fmu = Unpacked::new(text);
@@ -420,8 +330,8 @@ fn abi(what: &str, text: &str, forces: bool, goal: f64) {
     let instance = fmu.start();
     // SAFETY: the types are those of the standard, the arrays have the lengths given.
     unsafe {
-        let set = fmu.function::<Set>("fmi3SetFloat64");
-        let get = fmu.function::<Get>("fmi3GetFloat64");
+        let set = fmu.function::<SetReal>("fmi3SetFloat64");
+        let get = fmu.function::<Real>("fmi3GetFloat64");
         let do_step = fmu.function::<DoStep>("fmi3DoStep");
         let mut values = [0.0; 12];
         let (mut event, mut terminate, mut early, mut last) = (0, 0, 0, 0.0);

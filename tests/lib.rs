@@ -1,2 +1,4 @@
 //! End-to-end tests: through fmi-rs in `fmi_rs.rs`, through FMPy in `test_*.py`;
-//! benchmarks in `goals.rs`. `run.py` sets up and runs everything.
+//! random scenes in `random/`; benchmarks in `goals.rs`. `run.py` sets up and runs everything.
+
+pub mod unpacked;

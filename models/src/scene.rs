@@ -20,7 +20,8 @@ pub const LONGEST_NAME: usize = 60;
 /// The languages that a book can be in, by ISO 639-1; the first is the default.
 pub const LANGUAGES: [&str; 3] = ["en", "zh", "bg"];
 
-static KEYS: &[Key] = &[
+/// Keys of a scene.
+pub static KEYS: &[Key] = &[
     Key {
         name: "name",
         kind: Kind::Text,
@@ -46,7 +47,7 @@ static KEYS: &[Key] = &[
 ];
 
 /// The tables that describe a mechanism, of which a scene has one.
-const MECHANISMS: [&str; 2] = ["luffing", "steering"];
+pub const MECHANISMS: [&str; 2] = ["luffing", "steering"];
 
 static PROJECT: &[Key] = &[
     Key::text("crane", "The crane."),

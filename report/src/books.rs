@@ -11,6 +11,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use lemnis::book::Edition;
 use lemnis::language::Language;
+use lemnis::results::Results;
 use lemnis::template::{Templates, originals};
 use lemnis_models::scene::{LANGUAGES, LEVELS, Scene};
 use lemnis_typeset::{Embedded, External, Typesetter};
@@ -18,7 +19,6 @@ use notify::{Event, RecursiveMode, Watcher};
 
 use crate::failure::Failure;
 use crate::output::{self, Complete, Output, say, write};
-use crate::results::Results;
 use crate::trade::decided;
 use crate::{busy, scene_file};
 

@@ -1,5 +1,7 @@
 //! Why the program ends early, and with which exit code.
 
+use lemnis_models::model::Fault;
+
 /// A failure in words for the user.
 #[derive(Debug)]
 pub enum Failure {
@@ -25,6 +27,13 @@ impl Failure {
             Failure::Program(_) => 5,
             Failure::Process(code, _) => code.unwrap_or(5),
         }
+    }
+}
+
+impl From<Fault> for Failure {
+    /// A model that cannot be built is the scene's mistake.
+    fn from(fault: Fault) -> Failure {
+        Failure::Scene(fault.message)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The calculation book of a scene, and the first page of an FMU's documentation.
+//! The calculation book of a scene, its results as text, and the first page of an FMU's documentation.
 //!
 //! ```text
 //! sheet (lemnis_models) → book.rs      plain data, ready to print
@@ -19,5 +19,6 @@ pub mod formula;
 pub mod language;
 pub mod number;
 pub mod plot;
+pub mod results;
 mod speech;
 pub mod template;

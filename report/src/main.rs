@@ -3,7 +3,6 @@
 mod books;
 mod failure;
 mod output;
-mod results;
 mod scene_file;
 mod synth;
 mod trade;
@@ -14,6 +13,7 @@ use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
 use indicatif::ProgressBar;
+use lemnis::results::Results;
 use lemnis_fmu::description::Standard;
 use lemnis_fmu::package::{self, Library};
 use lemnis_models::scene::{self, DEFAULT, Scene};
@@ -21,7 +21,6 @@ use lemnis_models::scene::{self, DEFAULT, Scene};
 use crate::books::{Books, Making};
 use crate::failure::Failure;
 use crate::output::{Output, say, write};
-use crate::results::Results;
 use crate::synth::Synth;
 use crate::trade::{Trade, decided};
 

@@ -2,13 +2,11 @@
 
 use std::fmt::Write as _;
 
-use lemnis_models::model::{Model, Role, Variable};
+use lemnis_models::model::{Fault, Model, Role, Variable};
 use lemnis_models::scene::Scene;
 use lemnis_models::schema::short;
 use lemnis_models::sheet::{Sheet, Summary, sheet};
 use serde_json::{Map, Value, json};
-
-use crate::failure::Failure;
 
 /// Every result of a scene: the values that hold for the whole range, and one
 /// row of all variables for each position of the working range.
@@ -20,14 +18,16 @@ pub struct Results {
 }
 
 impl Results {
-    pub fn new(scene: &Scene) -> Result<Results, Failure> {
-        let mut model = Model::new(scene).map_err(|fault| Failure::Scene(fault.message))?;
+    /// # Errors
+    /// The scene's model cannot be built, or a position of its range does not exist.
+    pub fn new(scene: &Scene) -> Result<Results, Fault> {
+        let mut model = Model::new(scene)?;
         let varies = |role: Role| matches!(role, Role::Input | Role::State | Role::Output);
         let indices: Vec<usize> = (0..model.variables().len())
             .filter(|&i| varies(model.variables()[i].role))
             .collect();
         let columns = indices.iter().map(|&i| model.variables()[i]).collect();
-        let rows: Result<Vec<Vec<f64>>, _> = model
+        let rows: Result<Vec<Vec<f64>>, Fault> = model
             .positions()
             .into_iter()
             .map(|value| {
@@ -35,12 +35,11 @@ impl Results {
                 indices.iter().map(|&i| model.get(i)).collect()
             })
             .collect();
-        let rows = rows.map_err(|fault| Failure::Scene(fault.message))?;
         Ok(Results {
+            rows: rows?,
             scene: scene.clone(),
             sheet: sheet(scene),
             columns,
-            rows,
         })
     }
 
@@ -50,6 +49,7 @@ impl Results {
     }
 
     /// The limits of the scene that are not kept, one line each.
+    #[must_use]
     pub fn broken_limits(&self) -> Vec<String> {
         let failed = self.sheet.checks.iter().filter(|check| !check.passed());
         failed
@@ -66,6 +66,7 @@ impl Results {
     }
 
     /// A few lines: what the crane does.
+    #[must_use]
     pub fn summary(&self) -> String {
         let mut text = String::new();
         let mut rows: Vec<[String; 3]> = Vec::new();
@@ -96,6 +97,7 @@ impl Results {
     }
 
     /// Everything, for reading: summary and a row per position.
+    #[must_use]
     pub fn table(&self) -> String {
         let heads: Vec<String> = self
             .columns
@@ -131,6 +133,10 @@ impl Results {
     }
 
     /// One line of names with units, then one line per position.
+    ///
+    /// # Panics
+    /// Never: memory takes every record.
+    #[must_use]
     pub fn csv(&self) -> String {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let heads = self
@@ -151,6 +157,10 @@ impl Results {
     }
 
     /// Everything in SI, with units; an infinite value is null.
+    ///
+    /// # Panics
+    /// Never: it is plain data.
+    #[must_use]
     pub fn json(&self) -> String {
         let number = |value: f64| serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number);
         let summary: Map<String, Value> = self

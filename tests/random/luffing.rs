@@ -1,0 +1,665 @@
+//! What makes a luffing scene legal: a linkage built at a random pose, and a working range over which it, its drive and
+//! its balance go on from there without a dead point.
+
+use std::f64::consts::{FRAC_PI_4, PI, TAU};
+
+use lemnis_models::calc::Calc;
+use lemnis_models::lemniscate::symbols as s;
+use lemnis_models::plane::{Point, cross, length, turned};
+use lemnis_models::schema::Key;
+use lemnis_models::symbol::Symbol;
+use toml::Table;
+
+use crate::scene::{Draw, Node};
+
+/// A result that every level has.
+pub const RESULT: (&str, &Symbol) = ("A.x", &s::A_X);
+
+/// Smallest sine of the angles that vanish in dead points.
+const CLEAR: f64 = 0.05;
+/// Between the angles at which a range is looked at, in rad.
+const STEP: f64 = PI / 360.0;
+
+fn polar(length: f64, angle: f64) -> Point<f64> {
+    let (sin, cos) = Calc::sin_cos(angle);
+    Point::new(length * cos, length * sin)
+}
+
+/// Sine of the angle from one vector to another.
+fn sine(a: Point<f64>, b: Point<f64>) -> f64 {
+    cross(a, b) / (length(a) * length(b))
+}
+
+/// Where two bars from `near` and `far` meet, on the left of the line from `near` to `far` or on its right.
+fn meet([near, far]: [Point<f64>; 2], [a, b]: [f64; 2], left: bool) -> Option<Point<f64>> {
+    let line = far - near;
+    let d = length(line);
+    let cos = (d * d + a * a - b * b) / (2.0 * d * a);
+    let sin = (1.0 - cos * cos).sqrt() * if left { 1.0 } else { -1.0 };
+    let part = a / d;
+    sin.is_finite().then(|| near + turned(line, cos * part, sin * part))
+}
+
+/// The four bars of a scene.
+#[derive(Clone, Copy)]
+struct Linkage {
+    boom_drives: bool,
+    left: bool,
+    /// Boom, rear arm of the jib and rocker, in m.
+    bars: [f64; 3],
+    /// Foot of the rocker from that of the boom, in m.
+    o3: Point<f64>,
+}
+
+/// Head of the boom and of the rocker at one angle of the driven bar, in m.
+struct Pose {
+    theta: f64,
+    b: Point<f64>,
+    c: Point<f64>,
+}
+
+impl Linkage {
+    fn of(n: &Node) -> Linkage {
+        Linkage {
+            boom_drives: n.text("driven") == Some("boom"),
+            left: n.text("branch") == Some("left"),
+            bars: ["X_1", "X_2", "X_3"].map(|name| n.get(name)),
+            o3: Point::new(-n.get("X_5"), n.get("X_6")),
+        }
+    }
+
+    fn at(&self, theta: f64) -> Option<Pose> {
+        let ([x_1, x_2, x_3], o1) = (self.bars, Point::new(0.0, 0.0));
+        if self.boom_drives {
+            let b = polar(x_1, theta);
+            let c = meet([self.o3, b], [x_3, x_2], self.left)?;
+            Some(Pose { theta, b, c })
+        } else {
+            let c = self.o3 + polar(x_3, theta);
+            let b = meet([o1, c], [x_1, x_2], self.left)?;
+            Some(Pose { theta, b, c })
+        }
+    }
+
+    /// The driven bar and the other one.
+    fn driven(&self, pose: &Pose) -> [Point<f64>; 2] {
+        let bars = [pose.b, pose.c - self.o3];
+        if self.boom_drives { bars } else { [bars[1], bars[0]] }
+    }
+
+    /// Angle of the boom, in rad.
+    fn boom(&self, pose: &Pose) -> f64 {
+        if self.boom_drives {
+            pose.theta
+        } else {
+            f64::direction(pose.b.x, pose.b.y)
+        }
+    }
+}
+
+/// What must keep its sign, and stay clear of zero, over the range.
+type Margin = Box<dyn Fn(&Pose) -> f64>;
+
+/// The angles (rad) around a pose at which every margin is as there, up to a turn to each side.
+fn reach(linkage: &Linkage, from: f64, margins: &[Margin]) -> Option<[f64; 2]> {
+    let signs: Vec<f64> = {
+        let pose = linkage.at(from)?;
+        margins.iter().map(|margin| margin(&pose).signum()).collect()
+    };
+    let fine = |theta: f64| {
+        let clear = |pose: Pose| {
+            margins
+                .iter()
+                .zip(&signs)
+                .all(|(margin, sign)| sign * margin(&pose) > CLEAR)
+        };
+        linkage.at(theta).is_some_and(clear)
+    };
+    let end = |way: f64| {
+        let steps = (0..720).map(|i| from + way * STEP * f64::from(i));
+        steps.take_while(|&theta| fine(theta)).last()
+    };
+    Some([end(-1.0)?, end(1.0)?])
+}
+
+pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
+    let level = draw.pick(&[
+        "static",
+        "static",
+        "table",
+        "rigid",
+        "swing",
+        "swing",
+        "hydraulic",
+        "auto",
+    ]);
+    let moves = match level {
+        "static" | "table" => false,
+        "auto" => draw.coin(0.5),
+        _ => true,
+    };
+    let oil = moves && (level == "hydraulic" || level == "auto" && draw.coin(0.5));
+    let rope = moves && (level == "swing" || level != "rigid" && draw.coin(0.5));
+    // A machine that its oil carries weighs what its cylinder bears.
+    let [length, ..] = draw.scale;
+    let bore = length * draw.between(0.01, 0.03);
+    let pressure = draw.between(1e6, 1e7);
+    if oil {
+        draw.size(length, 0.2 * pressure * FRAC_PI_4 * bore * bore / 9.81);
+    }
+    let mut table = draw.table(keys);
+    let mut n = Node::new(draw, keys, &mut table);
+    n.put("fidelity", level);
+    n.keep("dynamics", moves);
+    n.keep("hydraulics", oil);
+    let turns = n.draw.coin(0.5);
+    n.keep("slewing", moves && turns);
+    let tabulated = n.draw.coin(0.5);
+    n.keep("table", matches!(level, "table" | "auto") && tabulated);
+    if moves {
+        n.keep("weights", true);
+    }
+    if n.has("weights") {
+        n.keep("Q", true);
+    } else {
+        n.remove(&["balance", "synthesis"]);
+    }
+    if oil {
+        n.keep("drive", true);
+    }
+    if let Some(mut drive) = n.child("drive") {
+        let cylinder = oil || drive.draw.coin(0.5);
+        drive.put("kind", if cylinder { "cylinder" } else { "rack" });
+        drive.remove(&["D_c", "d_r"]);
+        if cylinder {
+            let thick = drive.draw.between(0.0, 0.8) * f64::from(drive.draw.coin(0.9));
+            let bore = drive.set("D_c", bore);
+            drive.set("d_r", bore * thick);
+        }
+    }
+    let (linkage, range) = built(&mut n);
+    working_range(&mut n, range);
+    if let Some(mut balance) = n.child("balance") {
+        balance.keep(
+            "s_5",
+            balance.text("kind") == Some("lever") && (moves || balance.has("s_5")),
+        );
+    }
+    if n.child("balance")
+        .is_some_and(|balance| balance.text("kind") == Some("straight_rail"))
+    {
+        n.remove(&["slewing"]);
+    }
+    if moves {
+        dynamics(&mut n, rope);
+    }
+    if oil {
+        hydraulics(&mut n, &linkage, bore, pressure);
+    }
+    limits(&mut n, rope);
+    published(&mut n);
+    synthesis(&mut n);
+    table
+}
+
+/// The linkage with what hangs on it, and the angles (rad) over which it works.
+fn built(n: &mut Node) -> (Linkage, [f64; 2]) {
+    for tries in 0.. {
+        let linkage = pose(n);
+        let start = n.draw.between(-PI, TAU);
+        if length(linkage.o3) < 0.01 * n.draw.scale[0] {
+            continue;
+        }
+        let mut margins: Vec<Margin> = vec![Box::new(move |p| sine(p.c - p.b, linkage.driven(p)[1]))];
+        if n.has("drive") {
+            margins.push(drive(n, &linkage));
+        }
+        if n.has("balance") {
+            // The boom must not turn back.
+            if !linkage.boom_drives {
+                margins.push(Box::new(move |p| sine(p.c - p.b, p.c - linkage.o3)));
+            }
+            let Some(pose) = linkage.at(start) else { continue };
+            margins.extend(balance(n, linkage, &pose, tries > 50));
+        }
+        if let Some(range) = reach(&linkage, start, &margins).filter(|[from, to]| to - from > 0.05) {
+            return (linkage, range);
+        }
+    }
+    unreachable!("one of many fits")
+}
+
+/// A frame and bars of any size.
+fn pose(n: &mut Node) -> Linkage {
+    let size = n.draw.scale[0];
+    let side = |n: &mut Node| size * n.draw.between(0.2, 2.0);
+    for name in ["X_1", "X_2", "X_3", "X_4"] {
+        let value = side(n);
+        n.set(name, value);
+    }
+    for name in ["X_5", "X_6", "X_8"] {
+        let value = size * n.draw.between(-1.0, 1.0) * f64::from(n.draw.coin(0.85));
+        n.set(name, value);
+    }
+    let [rear, front] = [n.get("X_2"), n.get("X_4")];
+    n.remove(&["X_7", "beta_0", "AC"]);
+    let way = n.draw.between(-0.95, 0.95);
+    match n.draw.rng.u8(0..3) {
+        0 => n.set("X_7", way * rear.min(front)),
+        1 => n.set("beta_0", PI * (1.0 + way)),
+        _ => n.set("AC", rear.max(front) + way * rear.min(front)),
+    };
+    Linkage::of(n)
+}
+
+fn drive(n: &mut Node, linkage: &Linkage) -> Margin {
+    let (size, linkage) = (n.draw.scale[0], *linkage);
+    let mut d = n.child("drive").expect("there");
+    let anchor = Point::new(size, size).map(|size| size * d.draw.between(-1.0, 1.0));
+    let anchor = Point::new(d.set("E_x", anchor.x), d.set("E_y", anchor.y));
+    let arm = size * d.draw.between(0.1, 1.0);
+    let arm = d.set("s_d", arm);
+    let turn = d.draw.angle();
+    let turn = d.set("chi_d", turn);
+    Box::new(move |pose| {
+        let [_, line, arm] = driving(&linkage, pose, anchor, arm, turn);
+        sine(arm, line)
+    })
+}
+
+/// Anchor on the driven bar, the line to it from the one on the frame, and from the bar's foot, in m.
+fn driving(linkage: &Linkage, pose: &Pose, anchor: Point<f64>, arm: f64, turn: f64) -> [Point<f64>; 3] {
+    let foot = if linkage.boom_drives {
+        Point::new(0.0, 0.0)
+    } else {
+        linkage.o3
+    };
+    let arm = polar(arm, pose.theta + turn);
+    [foot + arm, foot + arm - anchor, arm]
+}
+
+/// A balance of any kind that works at a pose, and what it needs to go on.
+fn balance(n: &mut Node, linkage: Linkage, pose: &Pose, simple: bool) -> Vec<Margin> {
+    let (size, phi) = (n.draw.scale[0], linkage.boom(pose));
+    let weights = n.child("weights").map_or([0.0; 9], |w| {
+        ["G_1", "s_1", "chi_1", "G_2", "s_2", "chi_2", "G_3", "s_3", "chi_3"].map(|name| w.get(name))
+    });
+    let mut b = n.child("balance").expect("there");
+    let kind = match simple {
+        true => "tail",
+        false => b
+            .draw
+            .pick(&["tail", "parallelogram", "lever", "straight_rail", "curved_rail"]),
+    };
+    b.put("kind", kind);
+    let needed: &[&str] = match kind {
+        "tail" => &["G_c", "r_c", "chi_c"],
+        "parallelogram" => &["G_c", "r_c", "chi_c", "r_1", "alpha_K", "d_1", "delta_1"],
+        "lever" => &[
+            "branch", "d_1", "delta_1", "r_1", "alpha_K", "l_1", "R_1", "chi_5", "M_5",
+        ],
+        "straight_rail" => &["G_c", "r_1", "alpha_K", "H_x", "H_y", "lambda"],
+        _ => &["G_c", "r_1", "alpha_K", "L_r", "y_0", "phi_0"],
+    };
+    for name in [
+        "branch", "G_c", "r_c", "chi_c", "d_1", "delta_1", "r_1", "alpha_K", "l_1", "R_1", "chi_5", "M_5", "H_x",
+        "H_y", "lambda", "L_r", "y_0", "phi_0",
+    ] {
+        b.keep(name, needed.contains(&name));
+    }
+    let (r_1, alpha) = (b.get("r_1"), b.get("alpha_K"));
+    let joint = move |pose: &Pose| polar(r_1, linkage.boom(pose) + alpha);
+    let k = polar(r_1, phi + alpha);
+    match kind {
+        "tail" => Vec::new(),
+        "parallelogram" => {
+            let rod = polar(1.0, b.get("delta_1"));
+            vec![Box::new(move |p| sine(joint(p), rod))]
+        }
+        "lever" => {
+            let pivot = polar(b.get("d_1"), b.get("delta_1"));
+            let place = Point::new(0.5, 0.5).map(|part| size * part * b.draw.between(-1.0, 1.0));
+            let left = cross(k - pivot, place - pivot) > 0.0;
+            b.put("branch", if left { "left" } else { "right" });
+            let bars = [length(place - pivot), length(place - k)];
+            let bars = [b.set("R_1", bars[0]), b.set("l_1", bars[1])];
+            vec![Box::new(move |p| {
+                let joint = joint(p);
+                meet([pivot, joint], bars, left).map_or(f64::NAN, |end| sine(end - joint, end - pivot))
+            })]
+        }
+        "straight_rail" => {
+            let slope = b.draw.between(0.0, PI / 2.0);
+            b.set("lambda", slope);
+            let pulley = Point::new(b.get("H_x"), b.get("H_y"));
+            vec![Box::new(move |p| length(pulley - joint(p)) / r_1)]
+        }
+        _ => {
+            let weigh = weights[0] + weights[3] + weights[6];
+            let weight = weigh * b.draw.between(0.5, 3.0);
+            let weight = b.set("G_c", weight);
+            let rope = size * b.draw.between(0.5, 3.0);
+            let rope = b.set("L_r", rope);
+            let height = k.y - rope * b.draw.between(-0.8, 0.8);
+            let height = b.set("y_0", height);
+            b.set("phi_0", phi);
+            let energy = move |pose: &Pose| {
+                let [g_1, s_1, chi_1, g_2, s_2, chi_2, g_3, s_3, chi_3] = weights;
+                let on = |bar: Point<f64>, s: f64, chi: f64| polar(s, f64::direction(bar.x, bar.y) + chi);
+                let jib = pose.b + on(pose.c - pose.b, s_2, chi_2);
+                let rocker = linkage.o3 + on(pose.c - linkage.o3, s_3, chi_3);
+                g_1 * on(pose.b, s_1, chi_1).y + g_2 * jib.y + g_3 * rocker.y
+            };
+            let start = energy(pose);
+            let line = move |p: &Pose| {
+                let up = joint(p).y - (height - (energy(p) - start) / weight);
+                Point::new((rope * rope - up * up).sqrt(), up)
+            };
+            let pulls = move |p: &Pose| {
+                // The boom's weights and the rope turn it to opposite sides.
+                let ends = [-1e-4, 1e-4].map(|step| linkage.at(p.theta + step));
+                let [Some(before), Some(after)] = ends else {
+                    return f64::NAN;
+                };
+                let turned = (linkage.boom(&after) - linkage.boom(&before) + PI).rem_euclid(TAU) - PI;
+                let moment = (energy(&before) - energy(&after)) / turned;
+                moment * cross(joint(p), line(p)) / (weigh * size * size)
+            };
+            vec![
+                Box::new(move |p| line(p).x / rope),
+                Box::new(move |p| sine(joint(p), line(p))),
+                Box::new(move |p| if pulls(p) > 1e-6 { 1.0 } else { f64::NAN }),
+            ]
+        }
+    }
+}
+
+/// A part of the angles (rad) over which the linkage works, or several turns.
+fn working_range(n: &mut Node, [from, to]: [f64; 2]) {
+    let (size, time) = (to - from, n.draw.scale[2]);
+    let (part, rest) = (n.draw.between(0.02, 1.0), n.draw.rng.f64());
+    let whole = size >= 2.0 * (TAU - STEP);
+    let part = if whole && n.draw.coin(0.3) { part * 3.0 } else { part };
+    let from = from + rest * (1.0 - part).max(0.0) * size;
+    let rows = if n.draw.coin(0.95) {
+        n.draw.rng.u32(1..30)
+    } else {
+        n.draw.rng.u32(30..2000)
+    };
+    let lasts = time * n.draw.decades(0, 2);
+    let mut motion = n.child("motion").expect("required");
+    let from = motion.set("from", from);
+    let to = motion.set("to", from + part * size);
+    motion.set("step", (to - from) / f64::from(rows));
+    motion.set("speed", (to - from) / lasts);
+}
+
+fn dynamics(n: &mut Node, rope: bool) {
+    let boom = n.text("driven") == Some("boom");
+    let [length, mass, time] = n.draw.scale;
+    let inertia = mass * length * length;
+    let lasts = n
+        .child("motion")
+        .map_or(0.0, |m| (m.get("to") - m.get("from")) / m.get("speed"));
+    let mut d = n.child("dynamics").expect("there");
+    // Something that turns has inertia, whatever else has none.
+    let own = inertia * d.draw.between(0.3, 3.0);
+    d.set(if boom { "J_1" } else { "J_3" }, own);
+    d.keep("step", true);
+    let step = time * d.draw.between(0.004, 0.02);
+    d.set("step", step);
+    for (name, size) in [
+        ("c_v", own / time),
+        ("M_F", own / time.powi(2)),
+        ("M_A", own / time.powi(2)),
+    ] {
+        if d.has(name) {
+            let value = size * d.draw.between(0.0, 0.5) * f64::from(d.draw.coin(0.8));
+            d.set(name, value);
+        }
+    }
+    d.keep("l_R", rope);
+    let reel = d.draw.coin(0.5);
+    d.keep("v_h", rope && reel);
+    let aside = d.draw.coin(0.7);
+    d.keep("phi_R", rope && aside);
+    if rope {
+        let long = length * d.draw.between(0.3, 3.0);
+        let long = d.set("l_R", long);
+        if reel {
+            let speed = long / lasts * d.draw.between(-0.5, 0.3);
+            d.set("v_h", speed);
+        }
+    }
+    if let Some(mut turning) = n.child("slewing") {
+        let inertia = inertia * turning.draw.between(0.3, 30.0);
+        turning.set("J_sl", inertia);
+        let viscous = inertia / time * turning.draw.between(0.1, 1.0);
+        let viscous = turning.set("c_sl", viscous);
+        turning.keep("chi_R", rope);
+        let speed = turning.draw.between(-0.5, 0.5) / time;
+        for (name, value) in [("omega_sl", speed), ("M_sl", viscous * speed)] {
+            if turning.has(name) {
+                turning.set(name, value);
+            }
+        }
+        let start = turning.get("psi_sl");
+        for (name, sign) in [("psi_min", -1.0), ("psi_max", 1.0)] {
+            if turning.has(name) {
+                let stop = start + sign * turning.draw.between(0.01, 3.0);
+                turning.set(name, stop);
+            }
+        }
+    }
+}
+
+fn hydraulics(n: &mut Node, linkage: &Linkage, bore: f64, pressure: f64) {
+    let time = n.draw.scale[2];
+    let [from, to] = n
+        .child("motion")
+        .map_or([0.0; 2], |m| ["from", "to"].map(|name| m.get(name)));
+    let d = n.child("drive").expect("there");
+    let [x, y, arm, turn] = ["E_x", "E_y", "s_d", "chi_d"].map(|name| d.get(name));
+    let at = |i: i32| {
+        let pose = linkage.at(from + (to - from) * f64::from(i) / 100.0)?;
+        Some(length(driving(linkage, &pose, Point::new(x, y), arm, turn)[1]))
+    };
+    let lengths = || (0..=100).filter_map(at);
+    let (shortest, longest) = (lengths().fold(f64::INFINITY, f64::min), lengths().fold(0.0, f64::max));
+    let area = FRAC_PI_4 * bore * bore;
+    let mut o = n.child("hydraulics").expect("there");
+    let (slack, supply) = (o.draw.between(0.8, 0.99), pressure * o.draw.between(1.5, 4.0));
+    let [l_min, l_max] = [shortest * slack, longest / slack];
+    let flow = area * (l_max - l_min) / time * o.draw.between(0.05, 1.0);
+    let oil = area * arm;
+    let mut part = |low: f64, high: f64| o.draw.between(low, high);
+    let values = [
+        ("l_min", l_min),
+        ("l_max", l_max),
+        ("V_0", oil * part(0.001, 0.1)),
+        ("V_1", oil * part(0.0003, 0.01)),
+        ("Q_N", flow),
+        ("dp_N", supply * part(0.05, 0.3)),
+        ("dp_L", supply * part(0.002, 0.03)),
+        ("beta_E", supply * part(20.0, 300.0)),
+        ("p_R", supply * part(1.05, 1.5)),
+        ("k_R", flow / supply * part(1.0, 20.0)),
+        ("omega_v", part(10.0, 200.0) / time),
+        ("zeta_v", part(0.3, 1.5)),
+        ("p_P", supply),
+    ];
+    for (name, value) in values {
+        o.set(name, value);
+    }
+    let leak = flow / supply * o.draw.decades(-6, -3) * f64::from(o.draw.coin(0.7));
+    o.set("k_L", leak);
+    if o.has("u_v") {
+        let opening = o.draw.between(-1.0, 1.0);
+        o.set("u_v", opening);
+    }
+    if o.has("tol") {
+        let tolerance = o.draw.decades(-7, -3);
+        o.set("tol", tolerance);
+    }
+}
+
+/// Only limits of what there is.
+fn limits(n: &mut Node, rope: bool) {
+    let kind = n
+        .child("balance")
+        .and_then(|balance| balance.text("kind").map(str::to_owned));
+    let level = n.text("fidelity").map(str::to_owned);
+    let Some(mut limits) = n.child("limits") else { return };
+    let none: &[&str] = match kind.as_deref() {
+        None => &["dM_max", "gamma_min", "N_max"],
+        Some("tail") => &["gamma_min", "N_max"],
+        Some("straight_rail" | "curved_rail") => &["gamma_min"],
+        _ => &[],
+    };
+    limits.remove(none);
+    if !rope || level.is_none() {
+        limits.remove(&["phi_max"]);
+    }
+}
+
+fn published(n: &mut Node) {
+    let [from, to] = n
+        .child("motion")
+        .map_or([0.0; 2], |m| ["from", "to"].map(|name| m.get(name)));
+    let angle = if n.text("driven") == Some("boom") {
+        "theta_1"
+    } else {
+        "theta_3"
+    };
+    let Some(mut published) = n.child("published") else {
+        return;
+    };
+    let mut text = format!("{angle} R A.y\n");
+    for _ in 0..published.draw.rng.u32(0..4) {
+        let theta = published.draw.between(from, to).to_degrees();
+        text += &format!("{theta:.3} {:.2} -0.00\n", published.draw.between(-9.0, 9.0));
+    }
+    published.put("values", text);
+}
+
+/// Of a lever, and quickly read: the search itself has tests of its own.
+fn synthesis(n: &mut Node) {
+    if n.child("balance")
+        .is_none_or(|balance| balance.text("kind") != Some("lever"))
+    {
+        n.remove(&["synthesis"]);
+    }
+    let Some(mut task) = n.child("synthesis") else { return };
+    task.remove(&["positions", "candidates", "bounds", "found", "objective"]);
+    task.put("method", "optimum");
+    if let Some(mut keeps) = task.child("constraints") {
+        let least = keeps.draw.between(0.0, 1.0);
+        keeps.set("gamma_min", least);
+        keeps.remove(&["M_plus"]);
+    }
+    if let Some(mut tolerances) = task.child("tolerances") {
+        let part = tolerances.draw.between(0.0, 0.5);
+        tolerances.set("weight", part);
+    }
+}
+
+/// Ends at dead points, change points within the range, drives that point at the foot, full turns, nothing that weighs.
+pub fn edge(n: &mut Node) {
+    let linkage = Linkage::of(n);
+    let size = n.draw.scale[0];
+    match n.draw.rng.u8(0..9) {
+        // Up to a dead point, or a little beside it.
+        0 | 1 => {
+            let ends = n
+                .child("motion")
+                .map_or([0.0; 2], |m| ["from", "to"].map(|name| m.get(name)));
+            let (way, [mut inside, mut outside]) = if n.draw.coin(0.5) {
+                ("from", [ends[0], ends[0] - PI])
+            } else {
+                ("to", [ends[1], ends[1] + PI])
+            };
+            while (outside - inside).abs() > 1e-15 * size.max(1.0) {
+                let middle = f64::midpoint(inside, outside);
+                if middle == inside || middle == outside {
+                    break;
+                }
+                if linkage.at(middle).is_some() {
+                    inside = middle
+                } else {
+                    outside = middle
+                }
+            }
+            let beside = n.draw.pick(&[0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3]) * n.draw.pick(&[1.0, -1.0]);
+            let text = format!("{:?} rad", inside + beside);
+            let mut motion = n.child("motion").expect("required");
+            motion.put(way, text);
+        }
+        // Change points: a parallelogram, a kite, a rhombus.
+        2 | 3 => {
+            let (a, f) = (n.set("X_1", size), size * n.draw.between(0.2, 2.0));
+            let f = n.set("X_5", f);
+            n.set("X_6", 0.0);
+            let (coupler, follower) = n.draw.pick(&[(f, a), (a, f), (a, a)]);
+            n.set("X_2", coupler);
+            n.set("X_3", follower);
+            n.remove(&["X_7", "AC"]);
+            n.set("beta_0", PI);
+            let (from, turn) = (
+                n.draw.pick(&[0.0, -PI, -0.1, 0.5]),
+                n.draw.pick(&[PI, TAU, 2.0, 3.0 * TAU]),
+            );
+            let mut motion = n.child("motion").expect("required");
+            motion.set("from", from);
+            motion.set("to", from + turn);
+            motion.set("step", turn / 12.0);
+        }
+        // A drive that points at the foot somewhere, or everywhere.
+        4 => {
+            n.keep("drive", true);
+            let nowhere = n.draw.coin(0.3);
+            let mut d = n.child("drive").expect("kept");
+            if nowhere {
+                d.set("E_x", 0.0);
+                d.set("E_y", 0.0);
+            } else {
+                let turn = d.draw.angle();
+                d.set("chi_d", turn);
+            }
+        }
+        // A crank, for several turns.
+        5 => {
+            for (name, part) in [("X_1", 0.2), ("X_2", 0.9), ("X_3", 0.8), ("X_5", 0.7), ("X_6", 0.0)] {
+                n.set(name, part * size);
+            }
+            let turns = n.draw.between(0.5, 5.0);
+            let mut motion = n.child("motion").expect("required");
+            let from = motion.get("from");
+            let to = motion.set("to", from + turns * TAU);
+            motion.set("step", (to - from) / 20.0);
+        }
+        // Feet in one place.
+        6 => {
+            n.set("X_5", 0.0);
+            n.set("X_6", 0.0);
+        }
+        // Nothing that weighs, or turns.
+        7 => {
+            n.set("Q", 0.0);
+            for (table, names) in [("weights", ["G_1", "G_2", "G_3"]), ("dynamics", ["J_1", "J_2", "J_3"])] {
+                let some = n.draw.coin(0.7);
+                if let Some(mut inner) = n.child(table).filter(|_| some) {
+                    for name in names {
+                        inner.set(name, 0.0);
+                    }
+                }
+            }
+        }
+        // A jib folded or stretched.
+        _ => {
+            let [rear, front] = [n.get("X_2"), n.get("X_4")];
+            n.remove(&["X_7", "beta_0", "AC"]);
+            let axis = n.draw.pick(&[rear + front, (rear - front).abs()]);
+            n.set("AC", axis);
+        }
+    }
+}
