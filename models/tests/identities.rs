@@ -158,9 +158,8 @@ proptest! {
         let with_drive = with_drive && drive.h_d.abs() > 0.1;
         let mut push: Option<Point<f64>> = None;
         let f = PinForces::new(&p, l.x_3, q, Some((&w, &r)), None, |m_d| {
-            let reaction = drive.reaction(m_d).filter(|_| with_drive);
-            push = reaction.map(|reaction| reaction.force);
-            reaction
+            push = drive.reaction(m_d).force.filter(|_| with_drive);
+            push
         });
         let down = |g: f64| Point::new(0.0, -g);
         let driven_foot = if boom { f.o1 } else { f.o3 };
