@@ -384,7 +384,7 @@ def test_a_step_beyond_the_bound_is_refused_and_the_instance_goes_on(level, tmp_
     with pytest.raises(FMICallException):
         slave.fmu.doStep(currentCommunicationPoint=0.0, communicationStepSize=2e4)
     assert any("inner steps" in message for message in slave.messages), slave.messages
-    slave.fmu.doStep(currentCommunicationPoint=0.0, communicationStepSize=0.01)
+    slave.fmu.doStep(currentCommunicationPoint=0.0, communicationStepSize=1e4 if name == "rigid" else 0.01)
 
 
 @pytest.mark.parametrize(("end", "status"), [(".fmu", 2), (".fmi2.fmu", 3)], ids=["FMI 3.0", "FMI 2.0"])
