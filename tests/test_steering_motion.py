@@ -250,6 +250,9 @@ def test_derivatives_are_those_of_the_reference(path, case, tmp_path):
             expected = float(rows[unknown, known]["derivative"]) if (unknown, known) in rows else 0.0
             assert abs(derivative - expected) <= 1e-12 * max(abs(expected), abs(values[unknown]) / size), (unknown, known)
     assert fmu.getDirectionalDerivative(references, [reference["p_A[2]"]], [1.0]) == [0.0] * len(unknowns)
+    # What is searched for does not change with a group's own states.
+    searched = [of("theta_w"), reference["theta_b_n"], of("e")]
+    assert fmu.getDirectionalDerivative(searched, [of("theta")], [1.0]) == [0.0, 0.0, -1.0]
     with pytest.raises(FMICallException):
         fmu.getDirectionalDerivative([of("theta_w")], [reference["theta_b"]], [1.0])
     if fmi3:

@@ -135,3 +135,26 @@ fn a_drive_through_the_foot_has_no_greatest_force() {
     let line = f64::to_degrees(line);
     assert!((theta.to_degrees() - 5.0 - line).abs() < 1e-9, "{}", theta.to_degrees());
 }
+
+/// The same drive, of which no force is asked: neither load nor weights.
+#[test]
+fn a_drive_through_the_foot_that_moves_nothing_needs_no_force() {
+    let weights = DEFAULT.find("[luffing.weights]").expect("a table of the default scene");
+    let drive = DEFAULT.find("[luffing.drive]").expect("a table of the default scene");
+    let text = [&DEFAULT[..weights], &DEFAULT[drive..]].concat();
+    let text = text.replace("E_x   = \"3 m\"", "E_x   = \"0 m\"");
+    let text = text.replace("E_y   = \"-1.5 m\"", "E_y   = \"2 m\"");
+    for (load, greatest) in [("0 kN", 0.0), ("160 kN", f64::INFINITY)] {
+        let text = text.replace("Q = \"160 kN\"", &format!("Q = \"{load}\""));
+        let mechanism = luffing(&text);
+        assert_eq!(result(&mechanism, &s::F_D_MAX).abs(), greatest, "{load}");
+        let mut model = Model::new(&Scene::parse(&text).expect("valid")).expect("a mechanism");
+        let index = model.variables().iter().position(|v| v.symbol == &s::F_D);
+        for degrees in [94.0_f64, 95.0, 96.0] {
+            model.set(0, degrees.to_radians()).expect("an angle");
+            let force = model.get(index.expect("a drive")).expect("closes");
+            assert_eq!(force == 0.0, greatest == 0.0, "{load} at {degrees} deg: {force}");
+            assert_eq!(force.is_infinite(), greatest > 0.0 && degrees == 95.0);
+        }
+    }
+}

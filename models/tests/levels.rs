@@ -1,6 +1,7 @@
 //! Every level as a running model: no allocation, the work it does, states that go on with the same bits.
 
 use lemnis_models::model::{Fault, Model, Role};
+use lemnis_models::scene::Scene;
 
 #[path = "common/levels.rs"]
 mod levels;
@@ -224,4 +225,91 @@ fn a_repeated_input_costs_nothing() {
         states.map(f64::to_bits)
     };
     assert_eq!(run(false), run(true));
+}
+
+/// Moment of cylinder, friction and end stop together are what moves the bar, as a moment does at the level rigid: so at
+/// every instant of a way into the stop, and so does their work become energy of motion and height.
+#[test]
+fn friction_and_stop_of_a_cylinder_are_told() {
+    let index = |model: &Model, id: &str| {
+        let found = model.variables().iter().position(|v| v.symbol.id == id);
+        found.unwrap_or_else(|| panic!("{id}"))
+    };
+    for level in [
+        "hydraulic",
+        "hydraulic with slewing",
+        "hydraulic with swing",
+        "hydraulic with swing, slewing",
+    ] {
+        let mut model = levels::model(level);
+        let friction = index(&model, "M_R");
+        assert_eq!(model.variables()[friction].role, Role::Output, "{level}");
+        assert!(model.get(friction).is_ok_and(f64::is_finite), "{level}");
+    }
+    let text = levels::text("rigid")
+        .replace("M_F   = \"20 kN.m\"", "")
+        .replace("c_v   = \"200 kN.m.s\"", "");
+    let mut rigid = Model::new(&Scene::parse(&text).expect("a scene")).expect("built");
+    let mut model = levels::model("hydraulic");
+    let theta = index(&model, "theta_1");
+    let command = index(&model, "u_v");
+    model.set(theta, 117_f64.to_radians()).expect("a state");
+    model.set(command, 1.0).expect("an input");
+    let get = |model: &mut Model, id: &str| {
+        let at = index(model, id);
+        model.get(at).expect("closes")
+    };
+    // What the bar's acceleration is under a moment, without friction.
+    let mut accelerated = |theta: f64, omega: f64, moment: f64| {
+        for (id, value) in [("theta_1", theta), ("omega_1", omega), ("M_A", moment)] {
+            let at = index(&rigid, id);
+            rigid.set(at, value).expect("allowed");
+        }
+        rigid.event().expect("closes");
+        let rate = index(&rigid, "der(omega_1)");
+        rigid.get(rate).expect("closes")
+    };
+    // Moments on the bar, energy of motion, angle; the bar's acceleration beside that at the level rigid.
+    let mut seen = |model: &mut Model| {
+        let [theta, omega, force, arm] = ["theta_1", "omega_1", "F_c", "h_d"].map(|id| get(model, id));
+        let [friction, load, weights, found] = ["M_R", "M_Q", "M_G", "der(omega_1)"].map(|id| get(model, id));
+        let moment = force * arm + friction;
+        // At a stop the level rigid holds its bar; a hair beside it the bar is free.
+        let beside = theta.min(119.999_f64.to_radians());
+        if beside == theta && omega != 0.0 {
+            let expected = accelerated(theta, omega, moment);
+            assert!(
+                (found - expected).abs() < 1e-9 * (1.0 + found.abs()),
+                "{found} {expected}"
+            );
+        }
+        let inertia = 1e9 / (accelerated(beside, omega, 1e9) - accelerated(beside, omega, 0.0));
+        (
+            (moment - load - weights) * omega,
+            0.5 * inertia * omega * omega,
+            theta,
+            -friction,
+        )
+    };
+    let (mut before, mut time, mut work, mut stopped) = (seen(&mut model), 0.0, 0.0, 0.0_f64);
+    let (high, started) = (120_f64.to_radians(), before.1);
+    for _ in 0..30_000 {
+        let saved = model.state();
+        model.advance(time, time + 5e-5).expect("moves");
+        // The stop pushes at once: the step in which it is met is cut finely.
+        let met = (before.2 < high) != (seen(&mut model).2 < high);
+        let parts = if met { 2000 } else { 1 };
+        model.set_state(&saved);
+        for _ in 0..parts {
+            let step = 5e-5 / f64::from(parts);
+            model.advance(time, time + step).expect("moves");
+            let now = seen(&mut model);
+            (work, time) = (work + 0.5 * step * (before.0 + now.0), time + step);
+            (before, stopped) = (now, stopped.max(now.3));
+        }
+    }
+    let gained = before.1 - started;
+    println!("work {work:.1} J, gained {gained:.1} J, the stop gives up to {stopped:.3e} N.m");
+    assert!(stopped > 1e6, "the stop caught it");
+    assert!((work - gained).abs() < 3.0, "{work} {gained}");
 }

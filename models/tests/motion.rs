@@ -339,6 +339,29 @@ fn restored_and_irregular_steps_agree() {
     assert!(error < 1e-11, "{error:e}");
 }
 
+/// A million inner steps are allowed in one call, whatever their size, and not one more.
+#[test]
+fn a_million_steps_are_allowed() {
+    let m = motion(None, 0.0, 0.0);
+    let held = Commands {
+        brake: f64::INFINITY,
+        ..STILL
+    };
+    for (duration, longest) in [(1e4, 0.01), (777.7, 7.777e-4)] {
+        let mut state = at(90.0, 10.0);
+        let count = m.advance(&mut state, &held, duration, longest);
+        assert_eq!(count.map(|count| count.steps), Ok(1_000_000), "{duration} {longest}");
+        let more = m.advance(&mut state, &held, duration * 1.000_001, longest);
+        assert_eq!(more, Err(Halt::TooMany), "{duration} {longest}");
+    }
+    // Where an event cuts a step in two, that is still one.
+    let mut state = at(90.0, 10.0);
+    state.y[1] = 0.1;
+    let count = m.advance(&mut state, &Commands { brake: 1e7, ..STILL }, 1e4, 0.01);
+    assert_eq!(count.map(|count| count.steps), Ok(1_000_001));
+    assert_eq!(state.bar, Bar::Held);
+}
+
 /// Numbers that are none are refused, and nothing hangs: every loop is counted.
 #[test]
 fn hopeless_steps_are_refused() {

@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use lemnis_models::model::{Model, Role};
+use lemnis_models::model::{Model, Role, Type};
 use lemnis_models::scene::Scene;
 
 #[path = "common/counting.rs"]
@@ -88,7 +88,7 @@ fn derivatives_are_exact() {
         assert!(unknowns.len() >= 20, "{name}: {unknowns:?}");
         let of_group = Some(*group);
         for (at, variable) in model.variables().to_vec().into_iter().enumerate() {
-            if !known(variable.role) || variable.kind != lemnis_models::model::Type::Real {
+            if !known(variable.role) || variable.kind != Type::Real {
                 continue;
             }
             let mut tangent = model.tangent(&|other| f64::from(other == variable.quantity()));
@@ -215,6 +215,49 @@ fn results_of_the_command_are_those_of_the_kinematic_level() {
         let fault = by(&moving, "theta_b", None, searched, Some(1)).expect_err("searched for");
         assert!(fault.message.contains("searched for"), "{}", fault.message);
     }
+}
+
+/// What is searched for has no derivative, but it does not change with what it does not follow from: an importer may
+/// ask for all results by all states. Where it does, the refusal names both.
+#[test]
+fn what_is_searched_for_does_not_change_with_the_rest() {
+    let (mut model, mut zero, mut refused) = (model(1), 0, 0);
+    let dependencies = model.dependencies();
+    let variables = model.variables().to_vec();
+    for variable in variables.iter().filter(|variable| known(variable.role)) {
+        if variable.kind != Type::Real {
+            continue;
+        }
+        let mut tangent = model.tangent(&|other| f64::from(other == variable.quantity()));
+        for (i, of) in variables.iter().enumerate() {
+            if of.role != Role::Output || of.kind != Type::Real {
+                continue;
+            }
+            let depends = dependencies[i].contains(&(variable.symbol.id, variable.number));
+            match model.derivative(&mut tangent, i) {
+                Ok(derivative) => {
+                    assert!(depends || derivative == 0.0, "{of} by {variable}: {derivative}");
+                    zero += u32::from(derivative == 0.0);
+                }
+                Err(fault) => {
+                    assert!(depends, "{of} by {variable}: {}", fault.message);
+                    let words = format!("{of} is searched for: it has no derivative by {variable}");
+                    assert_eq!(fault.message, words);
+                    refused += 1;
+                }
+            }
+        }
+    }
+    assert!(zero > 10_000 && refused > 100, "{zero} {refused}");
+    // Off from what is wanted by as much as the group turns itself.
+    let turned = model.variables()[index(&model, "theta", Some(1))].quantity();
+    let mut tangent = model.tangent(&|other| f64::from(other == turned));
+    let off = index(&model, "e", Some(1));
+    assert_eq!(
+        model.derivative(&mut tangent, off).expect("follows from the state"),
+        -1.0
+    );
+    let _ = model.update();
 }
 
 /// Rates by one state after the other, as an importer's Jacobian asks for them, with results of the groups: no allocation.

@@ -145,16 +145,10 @@ impl<C: Calc> Balanced<C> {
         }
     }
 
-    /// With the force of a drive; infinite where it points at the foot.
+    /// With the force of a drive.
     #[must_use]
     pub fn driven_by(mut self, drive: &Drive<C>) -> Balanced<C> {
-        let m_d = self.without.0;
-        let force = match (drive.force(m_d), m_d.value()) {
-            (Some(force), _) => force.def(&b::F_D_0),
-            (None, 0.0) => C::constant(0.0),
-            (None, moment) => C::constant(f64::INFINITY.copysign(moment)),
-        };
-        self.without.1 = Some(force);
+        self.without.1 = Some(drive.force(self.without.0, &b::F_D_0));
         self
     }
 }

@@ -6,6 +6,7 @@ use crate::lemniscate::geometry::{Anchors, Cylinder, Driven};
 use crate::lemniscate::position::Position;
 use crate::lemniscate::symbols as s;
 use crate::plane::{self, Point};
+use crate::symbol::Symbol;
 
 /// The drive at one position.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +25,8 @@ pub struct Drive<C> {
 pub struct Reaction<C> {
     /// Push positive, in N.
     pub f_d: C,
-    pub force: Point<C>,
+    /// `None` where no force gives the moment.
+    pub force: Option<Point<C>>,
 }
 
 impl<C: Calc> Drive<C> {
@@ -50,20 +52,26 @@ impl<C: Calc> Drive<C> {
         Drive { line, l_d, h_d }
     }
 
-    /// The force that gives the moment `m_d` (N·m) about the foot; `None` where
-    /// the drive points at the foot and no force can.
-    pub fn force(&self, m_d: C) -> Option<C> {
-        let usable = self.h_d.value().abs() > 4.0 * f64::EPSILON * self.l_d.value();
-        usable.then(|| m_d / self.h_d)
+    /// The force, in N and named `symbol`, that gives the moment `m_d` (N·m) about the foot. Where the drive points
+    /// at the foot no force does: it is infinite there, but nothing where no moment is asked for.
+    pub fn force(&self, m_d: C, symbol: &'static Symbol) -> C {
+        if self.h_d.value().abs() > 4.0 * f64::EPSILON * self.l_d.value() {
+            return (m_d / self.h_d).def(symbol);
+        }
+        C::constant(match m_d.value() {
+            0.0 => 0.0,
+            moment => f64::INFINITY.copysign(moment),
+        })
     }
 
     /// The force that gives the moment `m_d` (N·m), as the driven bar feels it.
-    pub fn reaction(&self, m_d: C) -> Option<Reaction<C>> {
-        let f_d = self.force(m_d)?.def(&s::F_D);
-        Some(Reaction {
+    pub fn reaction(&self, m_d: C) -> Reaction<C> {
+        let f_d = self.force(m_d, &s::F_D);
+        let along = |line: C| f_d * line / self.l_d;
+        Reaction {
             f_d,
-            force: Point::new(f_d * self.line.x / self.l_d, f_d * self.line.y / self.l_d),
-        })
+            force: (f_d.value().is_finite()).then(|| Point::new(along(self.line.x), along(self.line.y))),
+        }
     }
 
     /// Speed, in m/s, lengthening positive, at the driven bar's angular velocity (rad/s).

@@ -100,6 +100,21 @@ pub struct Pendulum<P = f64> {
     pub length: P,
 }
 
+/// Least mass of a load, in kg, by which an equation can be multiplied.
+const LIGHTEST: f64 = 1e-99;
+
+impl<P: Calc> Pendulum<P> {
+    /// Mass (kg) by which equations are multiplied that hold for any load, so that it cancels: where the rope swings
+    /// to, and what keeps it taut. The rope of an empty hook moves as that of the lightest load.
+    pub(crate) fn cancelling(&self) -> P {
+        if self.mass.value() > LIGHTEST {
+            self.mass
+        } else {
+            P::known(&s::MASS_E, 1.0)
+        }
+    }
+}
+
 /// Bodies that the mechanism moves.
 #[derive(Clone, Copy, Debug)]
 pub struct Bodies<P = f64> {
@@ -127,6 +142,17 @@ pub struct Phase<C = f64> {
 pub struct Reel<C> {
     pub length: C,
     pub rate: C,
+}
+
+/// The pendulum's part of the equations of motion: the terms that it adds to the inertia of the driven bar (kg·m²) and
+/// couples it with, how the bar couples back, its own inertia, and the moments on both (N·m). The rope's equation, with
+/// `back`, `inertia` and the second moment, is multiplied by the mass that [cancels](Pendulum::cancelling).
+struct Swing<C> {
+    own: C,
+    coupled: C,
+    back: C,
+    inertia: C,
+    forces: [C; 2],
 }
 
 /// What the equations of motion need at one angle, all by derivatives of the positions.
@@ -560,27 +586,36 @@ impl<P: Calc> Dynamics<P> {
         &self.bodies
     }
 
-    /// The pendulum's part of the equations of motion, for the coordinates (theta, swing):
-    /// the two terms that it adds to the inertia of the first and couples it with, its own, and the forces.
-    fn pendulum<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, mass: P, reel: Reel<C>) -> [C; 5] {
+    /// The pendulum's part of the equations of motion, for the coordinates (theta, swing).
+    fn pendulum<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, load: &Pendulum<P>, reel: Reel<C>) -> Swing<C> {
         let [_, d, dd] = r.head;
         let (sin, cos) = m.swing.sin_cos();
         // Directions of the load's motion when the rope swings, and of its centripetal acceleration.
         let (swing, inward) = (Point::new(cos, sin), Point::new(-sin, cos));
-        let (mass, gravity, l) = (C::of(mass), C::of(self.bodies.gravity), reel.length);
+        let (mass, gravity, l) = (C::of(load.mass), C::of(self.bodies.gravity), reel.length);
+        let any = C::of(load.cancelling());
         let pull = l * m.swing_rate.square();
         let coriolis = C::constant(2.0) * reel.rate * m.swing_rate;
         let square = m.omega.square();
         let forward = dot(d, swing).def(&s::D_SWING);
         let along = dot(d, inward).def(&s::D_INWARD);
         let (bend, change) = (dot(d, dd).def(&s::BEND), dot(dd, swing).def(&s::D_SWING_CHANGE));
-        [
-            (mass * squared(d)).def(&s::M_11),
-            (mass * l * forward).def(&s::M_12),
-            (mass * l.square()).def(&s::M_22),
-            (-mass * (bend * square + along * pull + forward * coriolis + gravity * d.y)).def(&s::F_1),
-            (-mass * l * (change * square + coriolis + gravity * sin)).def(&s::F_2),
-        ]
+        let own = (mass * squared(d)).def(&s::M_11);
+        let coupled = (mass * l * forward).def(&s::M_12);
+        Swing {
+            own,
+            coupled,
+            back: if any == mass {
+                coupled
+            } else {
+                (any * l * forward).def(&s::M_21)
+            },
+            inertia: (any * l.square()).def(&s::M_22),
+            forces: [
+                (-mass * (bend * square + along * pull + forward * coriolis + gravity * d.y)).def(&s::F_1),
+                (-any * l * (change * square + coriolis + gravity * sin)).def(&s::F_2),
+            ],
+        }
     }
 
     /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar
@@ -588,27 +623,32 @@ impl<P: Calc> Dynamics<P> {
     #[inline]
     pub fn motion<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, moment: C, reel: Reel<C>) -> [C; 2] {
         let driven = (moment - r.moment - C::constant(0.5) * r.slope * m.omega.square()).def(&s::M_NET);
-        let Some(Pendulum { mass, .. }) = self.bodies.pendulum else {
+        let Some(load) = &self.bodies.pendulum else {
             return [(driven / r.inertia).def(self.acceleration()), C::constant(0.0)];
         };
-        let [own, coupled, m_22, f_1, f_2] = self.pendulum(r, m, mass, reel);
+        let swing = self.pendulum(r, m, load, reel);
+        let (m_12, m_21, m_22, [f_1, f_2]) = (swing.coupled, swing.back, swing.inertia, swing.forces);
         // M q″ = f.
-        let (m_11, f_1) = (r.inertia + own, driven + f_1);
-        let determinant = m_11 * m_22 - coupled * coupled;
+        let (m_11, f_1) = (r.inertia + swing.own, driven + f_1);
+        let determinant = m_11 * m_22 - m_12 * m_21;
         [
-            ((f_1 * m_22 - coupled * f_2) / determinant).def(self.acceleration()),
-            ((m_11 * f_2 - coupled * f_1) / determinant).def(&s::D_OMEGA_PHI),
+            ((f_1 * m_22 - m_12 * f_2) / determinant).def(self.acceleration()),
+            ((m_11 * f_2 - m_21 * f_1) / determinant).def(&s::D_OMEGA_PHI),
         ]
     }
 
     /// Moment on the driven bar (N·m) that keeps it at rest, and the acceleration of the rope (rad/s²) with it.
     #[must_use]
     pub fn hold<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: Reel<C>) -> [C; 2] {
-        let Some(Pendulum { mass, .. }) = self.bodies.pendulum else {
+        let Some(load) = &self.bodies.pendulum else {
             return [r.moment, C::constant(0.0)];
         };
-        let [_, coupled, m_22, f_1, f_2] = self.pendulum(r, m, mass, reel);
-        [r.moment - f_1 + coupled * f_2 / m_22, (f_2 / m_22).def(&s::D_OMEGA_PHI)]
+        let swing = self.pendulum(r, m, load, reel);
+        let (m_22, [f_1, f_2]) = (swing.inertia, swing.forces);
+        [
+            r.moment - f_1 + swing.coupled * f_2 / m_22,
+            (f_2 / m_22).def(&s::D_OMEGA_PHI),
+        ]
     }
 }
 
@@ -616,9 +656,9 @@ impl Dynamics {
     /// How much the rope's rate changes, over how much the driven bar's does, in a blow on the driven bar.
     #[must_use]
     pub fn blow(&self, r: &Reduced<f64>, m: &Phase, reel: Reel<f64>) -> f64 {
-        self.bodies.pendulum.map_or(0.0, |Pendulum { mass, .. }| {
-            let [_, coupled, m_22, _, _] = self.pendulum(r, m, mass, reel);
-            -coupled / m_22
+        self.bodies.pendulum.as_ref().map_or(0.0, |load| {
+            let swing = self.pendulum(r, m, load, reel);
+            -swing.back / swing.inertia
         })
     }
 

@@ -88,11 +88,8 @@ impl<C: Calc> Crane<C> {
         Some(Drive::new(&self.position(theta)?, bar, l.o3(), anchors))
     }
 
-    /// Infinite where the drive points at the foot of its bar.
     fn drive_force(&self, theta: C) -> Option<C> {
-        let (drive, m_d) = (self.drive(theta)?, self.forces(theta)?.m_d);
-        let reaction = drive.reaction(m_d);
-        Some(reaction.map_or_else(|| C::constant(f64::INFINITY.copysign(m_d.value())), |r| r.f_d))
+        Some(self.drive(theta)?.force(self.forces(theta)?.m_d, &s::F_D))
     }
 }
 
@@ -198,7 +195,8 @@ pub fn governed(luffing: &Luffing) -> impl Iterator<Item = &'static str> {
 }
 
 /// Where the lever arm of the drive changes its sign no force of it gives a
-/// moment: the force grows beyond all bounds there, between the points of any grid.
+/// moment: the force grows beyond all bounds there, between the points of any grid,
+/// if one is asked for.
 fn dead_drive(crane: &Crane<Dual64>, motion: &Motion) -> Option<Extreme> {
     let arm = |theta: f64| Some(crane.drive(Dual64::from_re(theta))?.h_d.re);
     let points = 96;
@@ -210,8 +208,6 @@ fn dead_drive(crane: &Crane<Dual64>, motion: &Motion) -> Option<Extreme> {
     })?;
     let (mut low, mut high) = (angle(crossed), angle(crossed + 1));
     let before = arm(low)? > 0.0;
-    // A crane without moments needs no force.
-    crane.forces(Dual64::from_re(low))?;
     for _ in 0..64 {
         let middle = f64::midpoint(low, high);
         if (arm(middle)? > 0.0) == before {
@@ -220,7 +216,8 @@ fn dead_drive(crane: &Crane<Dual64>, motion: &Motion) -> Option<Extreme> {
             high = middle;
         }
     }
-    Some(Extreme {
+    let asked = crane.drive_force(Dual64::from_re(low))?.re != 0.0;
+    asked.then_some(Extreme {
         value: f64::INFINITY,
         at: low,
     })

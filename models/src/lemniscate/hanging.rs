@@ -27,12 +27,13 @@ pub struct Free {
 }
 
 /// Accelerations of the joints (rad/s²) and of the load from the head in the frame that slews (m/s²), and the
-/// force of the rope (N).
+/// force of the rope (N); `slackening` has its sign, that of an empty hook too.
 #[derive(Clone, Copy, Debug)]
 pub struct Accelerations<C> {
     pub joints: [C; 2],
     pub load: Vector3<C>,
     pub rope: C,
+    pub slackening: C,
 }
 
 /// The load at one instant: place and rate from the head, in the frame that slews.
@@ -141,6 +142,7 @@ impl<P: Calc> Dynamics<P> {
                 joints: alone,
                 load: Vector3::new(zero, zero, zero),
                 rope: zero,
+                slackening: zero,
             };
         };
         let head = self.head(r);
@@ -184,6 +186,7 @@ impl<P: Calc> Dynamics<P> {
             joints,
             load: named(relative, [&s::D_V_QX, &s::D_V_QY, &s::D_V_QZ]),
             rope: (mass * pull).def(&s::S_R),
+            slackening: C::of(pendulum.cancelling()) * pull,
         }
     }
 }

@@ -229,14 +229,26 @@ impl<P: Calc> Motion<P> {
         y: &[C; STATES],
         commands: &Commands<C>,
     ) -> C {
-        let Some(pendulum) = self.dynamics.bodies().pendulum.filter(|_| state.taut) else {
-            return C::constant(0.0);
-        };
+        match self.dynamics.bodies().pendulum.filter(|_| state.taut) {
+            Some(load) => self.pull(load.mass, state, r, y, commands).def(&S_R),
+            None => C::constant(0.0),
+        }
+    }
+
+    /// Force of a taut rope, in N, on a mass (kg) in the place of the load's.
+    fn pull<C: Coordinate<P>>(
+        &self,
+        mass: P,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> C {
         let [alpha, _, _] = self.accelerations(state, r, y, commands);
         let [_, d, dd] = r.head;
         let (out, _) = directions(y[2]);
         let head = d * alpha + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.bodies().gravity));
-        (C::of(pendulum.mass) * (y[4] * y[3] * y[3] - dot(head, out))).def(&S_R)
+        C::of(mass) * (y[4] * y[3] * y[3] - dot(head, out))
     }
 
     /// Force of the rope, in N; zero where it is slack or there is none.
@@ -298,7 +310,7 @@ impl<P: Calc> Motion<P> {
     ) -> C {
         match self.dynamics.bodies().pendulum {
             None => C::constant(1.0),
-            Some(_) if state.taut => self.tension(state, r, y, commands),
+            Some(load) if state.taut => self.pull(load.cancelling(), state, r, y, commands),
             Some(_) => y[4] * C::constant(LOOSE) - y[5],
         }
     }
@@ -382,7 +394,7 @@ impl Motion {
         if state.taut {
             state.y[5] = state.y[4];
             state.y[6] = commands.hoist;
-            state.taut = self.tension(state, r, &state.y, commands) >= 0.0;
+            state.taut = self.slackening(state, r, &state.y, commands) >= 0.0;
         } else if state.y[5] >= state.y[4] && state.y[6] > commands.hoist {
             let (out, along) = directions(state.y[2]);
             let arm = r.head[1].dot(&out);

@@ -439,14 +439,9 @@ impl<C: Calc> Evaluation<C> {
         let mut f_d = C::constant(0.0);
         let action = self.balanced.as_ref().map(|balanced| &balanced.residual.action);
         let pins = PinForces::new(p, lengths.x_3, q, both, action, |m_d| {
-            let reaction = drive.and_then(|drive| drive.reaction(m_d));
-            // A drive that points at the foot would need an infinite force.
-            f_d = match (reaction, m_d.value()) {
-                (Some(reaction), _) => reaction.f_d,
-                (None, 0.0) => C::constant(0.0),
-                (None, moment) => C::constant(f64::INFINITY.copysign(moment)),
-            };
-            reaction
+            let reaction = drive?.reaction(m_d);
+            f_d = reaction.f_d;
+            reaction.force
         });
         self.forces = Some(Forces { pins, m_g, f_d });
         Ok(())

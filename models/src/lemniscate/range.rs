@@ -1,5 +1,6 @@
 //! Results of the whole working range: extremes, level error, work.
 
+use std::f64::consts::TAU;
 use std::num::NonZeroUsize;
 
 use gauss_quad::GaussLegendre;
@@ -79,14 +80,15 @@ impl Extreme {
     }
 }
 
-/// The greatest value of `f` in the working range. Every peak of a grid is
-/// refined to where the derivative, exact from dual numbers, changes its sign:
-/// to the last bit, which values alone do not give where a peak is flat. A peak
-/// narrower than a hundredth of the range can be missed.
+/// The greatest value of `f` in the working range, of which all turns are like the
+/// first. Every peak of a grid is refined to where the derivative, exact from dual
+/// numbers, changes its sign: to the last bit, which values alone do not give where
+/// a peak is flat. A peak narrower than a hundredth of the range can be missed.
 pub fn greatest(motion: &Motion, f: impl Fn(Dual64) -> Option<Dual64>) -> Option<Extreme> {
+    let end = motion.to.min(motion.from + TAU);
     let angle = |i: u32| match i {
-        GRID => motion.to,
-        _ => motion.from + f64::from(i) * ((motion.to - motion.from) / f64::from(GRID)),
+        GRID => end,
+        _ => motion.from + f64::from(i) * ((end - motion.from) / f64::from(GRID)),
     };
     let at = |theta: f64| f(Dual64::new(theta, 1.0));
     let mut values = [0.0; GRID as usize + 1];
@@ -136,11 +138,42 @@ pub fn greatest_amount(motion: &Motion, f: impl Fn(Dual64) -> Option<Dual64>) ->
 }
 
 /// Rise of A over the range as the integral of its slope, in m: the work of the
-/// luffing moment for a load of 1 N. By Gauss and Legendre's rule.
+/// luffing moment for a load of 1 N. By Gauss and Legendre's rule, on halves where
+/// they do not agree with the whole; every whole turn is like the first.
 #[must_use]
 pub fn rise_by_integration(g: &Geometry<f64>, motion: &Motion) -> f64 {
+    let Motion { from, to, .. } = *motion;
+    let over = |from: f64, to: f64| {
+        let size = g.lengths.x_1 + g.lengths.x_3 + g.lengths.x_4;
+        integral(g, [from, to], CONVERGED * size * (to - from), &mut { HALVINGS })
+    };
+    let turns = ((to - from) / TAU).floor();
+    if turns == 0.0 {
+        return over(from, to);
+    }
+    turns * over(from, from + TAU) + over((from + turns * TAU).min(to), to)
+}
+
+/// How often intervals are halved at most, and what two halves may differ from the whole by, as a part of the way
+/// of the longest bars.
+const HALVINGS: u32 = 1000;
+const CONVERGED: f64 = 1e-13;
+
+fn integral(g: &Geometry<f64>, [from, to]: [f64; 2], tolerance: f64, halvings: &mut u32) -> f64 {
     const POINTS: NonZeroUsize = NonZeroUsize::new(64).expect("not zero");
-    GaussLegendre::new(POINTS).integrate(motion.from, motion.to, |theta| {
-        Position::new(g, theta).map_or(f64::NAN, |p| Velocity::new(&p).da.y)
-    })
+    let over = |from: f64, to: f64| {
+        GaussLegendre::new(POINTS).integrate(from, to, |theta| {
+            Position::new(g, theta).map_or(f64::NAN, |p| Velocity::new(&p).da.y)
+        })
+    };
+    let middle = f64::midpoint(from, to);
+    let whole = over(from, to);
+    let apart = (over(from, middle) + over(middle, to) - whole).abs();
+    // Where the linkage does not close there is nothing to converge.
+    if apart <= tolerance || apart.is_nan() || *halvings == 0 {
+        return whole;
+    }
+    *halvings -= 1;
+    let [low, high] = [[from, middle], [middle, to]].map(|half| integral(g, half, tolerance, halvings));
+    low + high
 }

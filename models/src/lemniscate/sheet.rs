@@ -350,7 +350,7 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
         return true;
     }
     let _ = PinForces::new(&p, lengths.x_3, q, both, action.as_ref(), |m_d| {
-        drive.and_then(|drive| drive.reaction(m_d))
+        drive.and_then(|drive| drive.reaction(m_d).force)
     });
     if stage == 9 {
         return true;

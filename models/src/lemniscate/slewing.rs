@@ -333,7 +333,7 @@ impl<P: Calc> Slewing<P> {
         }
         if self.dynamics.bodies().pendulum.is_some() {
             out[8] = if state.taut {
-                self.accelerations(state, r, y, commands).rope
+                self.accelerations(state, r, y, commands).slackening
             } else {
                 y[10] * C::constant(LOOSE) - distance(y)
             };
@@ -484,7 +484,7 @@ impl Slewing {
             state.taut = true;
         }
         state.straighten(commands.hoist);
-        state.taut = self.accelerations(state, r, &state.y, commands).rope >= 0.0;
+        state.taut = self.accelerations(state, r, &state.y, commands).slackening >= 0.0;
     }
 
     /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way. Returns

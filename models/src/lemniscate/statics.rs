@@ -2,7 +2,6 @@
 
 use crate::balance::Action;
 use crate::calc::Calc;
-use crate::lemniscate::drive::Reaction;
 use crate::lemniscate::geometry::{Driven, Weights};
 use crate::lemniscate::position::Position;
 use crate::lemniscate::symbols as s;
@@ -75,7 +74,7 @@ impl<C: Calc> PinForces<C> {
     /// Equilibrium of jib, driven-along bar and driven bar, in this order.
     /// `weights` come with their centres; without them the bars are weightless.
     /// `balance` acts on the boom.
-    /// `drive` turns the driven bar's moment into a force at its anchor, or
+    /// `drive` turns the driven bar's moment into a force (N) at its anchor, or
     /// into none where the drive is a moment.
     pub fn new(
         p: &Position<C>,
@@ -83,7 +82,7 @@ impl<C: Calc> PinForces<C> {
         q: C,
         weights: Option<(&Weights<C>, &Centres<C>)>,
         balance: Option<&Action<C>>,
-        drive: impl FnOnce(C) -> Option<Reaction<C>>,
+        drive: impl FnOnce(C) -> Option<Point<C>>,
     ) -> PinForces<C> {
         let half = p.k / C::constant(2.0);
         // Load on the jib, its moment about B, and the moments of boom and
@@ -123,7 +122,7 @@ impl<C: Calc> PinForces<C> {
                 let m_d = boom.map_or(lift, |boom| lift + boom).def(&s::M_D);
                 let push = drive(m_d);
                 let o1 = plane::def(
-                    push.map_or(foot(up(b, g_1)), |push| foot(up(b, g_1)) - push.force),
+                    push.map_or(foot(up(b, g_1)), |push| foot(up(b, g_1)) - push),
                     [&s::F_O1X, &s::F_O1Y],
                 );
                 let o3 = plane::def(up(c, g_3), [&s::F_O3X, &s::F_O3Y]);
@@ -146,7 +145,7 @@ impl<C: Calc> PinForces<C> {
                 let m_d = rocker.map_or(lift, |rocker| lift + rocker).def(&s::M_D);
                 let push = drive(m_d);
                 let o3 = plane::def(
-                    push.map_or(up(c, g_3), |push| up(c, g_3) - push.force),
+                    push.map_or(up(c, g_3), |push| up(c, g_3) - push),
                     [&s::F_O3X, &s::F_O3Y],
                 );
                 let o1 = plane::def(foot(up(b, g_1)), [&s::F_O1X, &s::F_O1Y]);

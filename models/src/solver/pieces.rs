@@ -39,26 +39,30 @@ pub fn advance<const N: usize, S: Copy, P: Pieces<N, S>>(
     longest: f64,
 ) -> Result<Count, Halt> {
     system.event(state)?;
-    let mut left = duration;
+    let steps = |left: f64| (left / longest * ROUNDING).ceil();
+    let (mut left, mut equal) = (duration, steps(duration));
     let (mut count, mut events) = (Count::default(), 0);
     while left > 0.0 {
-        count.steps += 1;
-        if count.steps > MOST_STEPS || left / longest > f64::from(MOST_STEPS) {
+        // A step that an event cuts in two is still one.
+        if f64::from(count.steps - events) + equal > f64::from(MOST_STEPS) {
             return Err(Halt::TooMany);
         }
-        let h = left / (left / longest * ROUNDING).ceil();
+        count.steps += 1;
+        let h = left / equal;
         let (end, part, tried) = piece(system, state, h)?;
         count.rejected += tried - 1;
         count.rates += 4 * tried;
         *P::states(state) = end;
         // The last of equal steps ends exactly.
         left = if part == 1.0 && h >= left { 0.0 } else { left - part * h };
+        equal -= 1.0;
         if part < 1.0 || system.crossed(state, &end) {
             events += 1;
             if events > MOST_EVENTS {
                 return Err(Halt::TooMany);
             }
             system.event(state)?;
+            equal = steps(left);
         }
     }
     Ok(count)

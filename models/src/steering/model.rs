@@ -99,7 +99,60 @@ impl Slot {
     fn follows(self) -> bool {
         matches!(self, Slot::Output(_) | Slot::Searched(_) | Slot::OfChange(_))
     }
+
+    /// Whether it follows from an input, a parameter or [`TIME`].
+    fn depends_on(self, (known, number): Quantity) -> bool {
+        let any = |lists: &[&[&'static Symbol]]| lists.iter().any(|list| list.contains(&known));
+        let load = |group: usize| known == &s::G && number == Some(group as u16 + 1);
+        match self {
+            Slot::Output(output) => match output {
+                Output::Theta(_) | Output::OmegaI(_) => any(&[STANCE]),
+                Output::V(_) | Output::Omega | Output::VMx | Output::VMy => any(&[STANCE, SPEED]),
+                Output::Ox | Output::Oy | Output::AtInfinity | Output::RO => any(&[STANCE]),
+                Output::RIn | Output::ROut | Output::Width => any(&[STANCE]),
+                // The range may be that of the cylinder.
+                Output::R(_) | Output::Od(_) | Output::Vc(_) | Output::Margin | Output::Reachable => {
+                    any(&[STANCE, LINKAGE])
+                }
+                Output::Delta(_) => any(&[STANCE, LINKAGE, ENCODER]),
+                Output::Qg(_) | Output::QSum => any(&[STANCE, LINKAGE, PISTON]),
+                Output::Tr(i) => load(i) || any(&[TYRES]),
+                Output::Trx(i) => load(i) || any(&[TYRES, TRAVELLING]),
+                Output::Tg(i) => load(i) || any(&[TYRES, RING]),
+                Output::Fg(i) => load(i) || any(&[TYRES, RING, STANCE, LINKAGE]),
+                Output::Fgx(i) => load(i) || any(&[TYRES, TRAVELLING, RING, STANCE, LINKAGE]),
+            },
+            Slot::Searched(Searched::Slip(_) | Searched::SlipMax) => any(&[STANCE, LINKAGE, ENCODER]),
+            Slot::Searched(_) => any(&[STANCE, LINKAGE]),
+            Slot::OfChange(OfChange::Speed(_)) => any(&[STANCE, LINKAGE, PACE, SPEED]),
+            Slot::OfChange(_) => any(&[STANCE, LINKAGE, PACE]),
+            _ => false,
+        }
+    }
 }
+
+/// What results follow from, by what they have in common.
+const STANCE: &[&Symbol] = &[
+    &s::THETA_B,
+    &s::OMEGA_S,
+    &s::R_T,
+    &s::O_CX,
+    &s::O_CY,
+    &s::MODE,
+    &s::COMMAND,
+    &s::CORNER,
+    &TIME,
+    &s::X_I,
+    &s::Y_I,
+];
+const SPEED: &[&Symbol] = &[&s::V_T];
+const LINKAGE: &[&Symbol] = &[&s::R_C, &s::ALPHA, &s::L_X, &s::L_A];
+const PISTON: &[&Symbol] = &[&s::D_G, &s::D];
+const ENCODER: &[&Symbol] = &[&s::Q_E, &s::B_V];
+const PACE: &[&Symbol] = &[&s::V_CX];
+const TYRES: &[&Symbol] = &[&s::F_T, &s::P_T];
+const TRAVELLING: &[&Symbol] = &[&s::K_V];
+const RING: &[&Symbol] = &[&s::L_MAX, &s::MU_R, &s::D_L];
 
 impl Model {
     /// # Errors
@@ -503,59 +556,23 @@ impl Model {
     /// What each variable follows from: inputs, parameters and [`TIME`].
     #[must_use]
     pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
-        let of = |wanted: &dyn Fn(&Variable, Slot) -> bool| -> BTreeSet<Name> {
-            let all = self.variables.iter().zip(&self.slots);
-            all.filter(|(variable, slot)| wanted(variable, **slot))
-                .map(|(variable, _)| (variable.symbol.id, variable.number))
-                .collect()
+        let settable = self.settable().map(|index| self.variables[index].quantity());
+        let known: Vec<Quantity> = settable.chain([(&TIME, None)]).collect();
+        let of = |slot: &Slot| {
+            let all = known.iter().filter(|known| slot.depends_on(**known));
+            all.map(|(symbol, number)| (symbol.id, *number)).collect()
         };
-        let named = |symbols: &[&'static Symbol]| of(&|variable, _| symbols.contains(&variable.symbol));
-        let mut command = of(&|_, slot| {
-            matches!(
-                slot,
-                Slot::ThetaB
-                    | Slot::OmegaS
-                    | Slot::Radius
-                    | Slot::Centre(_)
-                    | Slot::Mode
-                    | Slot::Command
-                    | Slot::Corner
-            )
-        });
-        command.insert((TIME.id, None));
-        let stance = &command | &named(&[&s::X_I, &s::Y_I]);
-        let speeds = &stance | &named(&[&s::V_T]);
-        let linkage = &stance | &named(&[&s::R_C, &s::ALPHA, &s::L_X, &s::L_A]);
-        let flows = &linkage | &named(&[&s::D_G, &s::D]);
-        let load = |group: usize| of(&|_, slot| matches!(slot, Slot::Load(of) if of == group));
-        let standing = named(&[&s::F_T, &s::P_T]);
-        let travelling = &standing | &named(&[&s::K_V]);
-        let errors = &linkage | &named(&[&s::Q_E, &s::B_V]);
-        let changes = &linkage | &named(&[&s::V_CX]);
-        let drag = named(&[&s::L_MAX, &s::MU_R, &s::D_L]);
-        let each = self.slots.iter().map(|slot| match *slot {
-            Slot::Output(output) => match output {
-                Output::Theta(_) | Output::OmegaI(_) => stance.clone(),
-                Output::V(_) | Output::Omega | Output::VMx | Output::VMy => speeds.clone(),
-                Output::Ox | Output::Oy | Output::AtInfinity | Output::RO => stance.clone(),
-                Output::RIn | Output::ROut | Output::Width => stance.clone(),
-                // The range may be that of the cylinder.
-                Output::R(_) | Output::Od(_) | Output::Vc(_) | Output::Margin | Output::Reachable => linkage.clone(),
-                Output::Delta(_) => errors.clone(),
-                Output::Qg(_) | Output::QSum => flows.clone(),
-                Output::Tr(i) => &load(i) | &standing,
-                Output::Trx(i) => &load(i) | &travelling,
-                Output::Tg(i) => &(&load(i) | &standing) | &drag,
-                Output::Fg(i) => &(&(&load(i) | &standing) | &drag) | &linkage,
-                Output::Fgx(i) => &(&(&load(i) | &travelling) | &drag) | &linkage,
-            },
-            Slot::Searched(Searched::Slip(_) | Searched::SlipMax) => errors.clone(),
-            Slot::Searched(_) => linkage.clone(),
-            Slot::OfChange(OfChange::Speed(_)) => &changes | &speeds,
-            Slot::OfChange(_) => changes.clone(),
-            _ => BTreeSet::new(),
-        });
-        each.collect()
+        self.slots.iter().map(of).collect()
+    }
+
+    /// Whether a variable is searched for, and so has no derivative by what it follows from.
+    pub(crate) fn is_searched(&self, index: usize) -> bool {
+        matches!(self.slots[index], Slot::Searched(_) | Slot::OfChange(_))
+    }
+
+    /// Whether a variable follows from an input, a parameter or [`TIME`].
+    pub(crate) fn depends_on(&self, index: usize, known: Quantity) -> bool {
+        self.slots[index].depends_on(known)
     }
 
     #[inline]

@@ -26,10 +26,15 @@ pub const LEVELS: [&str; 11] = [
 ];
 
 pub fn scene(level: &str) -> Scene {
+    let text = text(level);
+    Scene::parse(&text).unwrap_or_else(|mistakes| panic!("{level}: {mistakes:?}"))
+}
+
+pub fn text(level: &str) -> String {
     let fidelity = level.split(' ').next().unwrap_or_default();
     let has = |part: &str| level.contains(part);
     let mut extra = String::new();
-    if fidelity != "static" {
+    if !matches!(fidelity, "static" | "table") {
         extra.push_str(DYNAMICS);
     }
     if matches!(fidelity, "rigid" | "swing") {
@@ -43,14 +48,13 @@ pub fn scene(level: &str) -> Scene {
             extra.push_str(table);
         }
     }
-    let text = DEFAULT
+    DEFAULT
         .replacen(
             "driven = \"boom\" ",
             &format!("fidelity = \"{fidelity}\"\ndriven = \"boom\" "),
             1,
         )
-        .replacen("\n[luffing.limits]", &format!("\n{extra}\n[luffing.limits]"), 1);
-    Scene::parse(&text).unwrap_or_else(|mistakes| panic!("{level}: {mistakes:?}"))
+        .replacen("\n[luffing.limits]", &format!("\n{extra}\n[luffing.limits]"), 1)
 }
 
 pub fn model(level: &str) -> Model {

@@ -123,10 +123,11 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
     reaction: Reaction,
 ) -> Option<P> {
     match reaction {
-        Reaction::Rope => system.rope_force(modes, y),
+        Reaction::Cylinder => Some(system.cylinder.force(&Hydraulic::<N, P>::oil(y))),
+        Reaction::Friction => Some(system.reaction(y[0], y[1])),
         Reaction::SlewingFriction => system.slewing_friction(modes, y),
+        Reaction::Rope => system.rope_force(modes, y),
         Reaction::Swing | Reaction::Side | Reaction::Distance => Some(seen(&hydraulic::part(y), reaction)),
-        _ => Some(system.cylinder.force(&Hydraulic::<N, P>::oil(y))),
     }
 }
 

@@ -246,12 +246,10 @@ impl Model {
         self.state.constants.map(&mut constant);
         self.state.turning.map(|turning| turning.map(&mut constant));
         self.state.oil.map(|oil| oil.map(&mut constant));
-        let (drive, reaction) = if hydraulic {
-            (&m::F_C, Reaction::Cylinder)
-        } else {
-            (&m::M_R, Reaction::Friction)
-        };
-        list.push((of(drive, Role::Output), Slot::Reaction(reaction)));
+        if hydraulic {
+            list.push((of(&m::F_C, Role::Output), Slot::Reaction(Reaction::Cylinder)));
+        }
+        list.push((of(&m::M_R, Role::Output), Slot::Reaction(Reaction::Friction)));
         if reeled {
             list.push((of(&m::S_R, Role::Output), Slot::Reaction(Reaction::Rope)));
         }

@@ -115,6 +115,7 @@ symbols! {
     M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driven bar; positive lowers it.", "virtual work";
     M_NET: "M_net" "M" N_M / KN_M, "Moment that accelerates the driven bar, the load on its rope left aside.", "Lagrange";
     MASS_Q: "mass_Q" "m_Q" KG / T, "Mass of the load: weight over g.", "derived";
+    MASS_E: "mass_e" "m_e" KG / T, "Mass in the place of an empty hook's load: it cancels from the rope's equation.", "Lagrange";
     DDA_X: "ddA.x" "x''_A" M / M, "Change of the forward travel of A for one radian of the driven bar.", "dual numbers";
     DDA_Y: "ddA.y" "Y''_A" M / M, "Change of the rise of A for one radian of the driven bar.", "dual numbers";
     D_SWING: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driven bar.", "derived";
@@ -123,6 +124,7 @@ symbols! {
     D_SWING_CHANGE: "dd_phi" "d'_phi" M / M, "Change of A's travel, across the rope, for one radian of the driven bar.", "derived";
     M_11: "m_11" "m_11" KG_M2 / KG_M2, "Inertia of the load at the driven bar.", "Lagrange";
     M_12: "m_12" "m_12" KG_M2 / KG_M2, "Inertia that couples driven bar and rope.", "Lagrange";
+    M_21: "m_21" "m_21" KG_M2 / KG_M2, "Inertia that couples the rope of an empty hook and driven bar.", "Lagrange";
     M_22: "m_22" "m_22" KG_M2 / KG_M2, "Inertia of the load about the head.", "Lagrange";
     F_1: "tau_1" "tau_1" N_M / KN_M, "Moment of the load's weight and inertia on the driven bar.", "Lagrange";
     F_2: "tau_2" "tau_2" N_M / KN_M, "Moment of the load's weight and inertia on the rope.", "Lagrange";

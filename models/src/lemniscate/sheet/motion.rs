@@ -82,6 +82,7 @@ const SECTIONS: [(&str, &[&Symbol]); 6] = [
             &m::D_SWING_CHANGE,
             &m::M_11,
             &m::M_12,
+            &m::M_21,
             &m::M_22,
             &m::F_1,
             &m::F_2,

@@ -107,6 +107,12 @@ impl Tangent {
     fn dual(&self, quantity: Quantity, value: f64) -> Dual64 {
         Dual64::new(value, self.rate(quantity))
     }
+
+    /// What changes along the direction.
+    fn changing(&self) -> impl Iterator<Item = Quantity> {
+        let all = self.few[..self.count].iter().chain(&self.more);
+        all.map(|(quantity, _)| *quantity)
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -935,10 +941,10 @@ impl Model {
                 sum
             }
             Slot::Of(OfGroup::Command, _) => Dual64::from_re(0.0),
-            Slot::Of(OfGroup::Wanted | OfGroup::Error, _) => {
-                return Err(Fault::new(format!(
-                    "{variable} follows from what is searched for: it has no derivative"
-                )));
+            Slot::Of(OfGroup::Wanted, i) => self.searched(tangent, variable, self.wanted + i)?,
+            Slot::Of(OfGroup::Error, i) => {
+                let wanted = self.searched(tangent, variable, self.wanted + i)?;
+                wanted - tangent.dual((&s::THETA, Some(i as u16 + 1)), 0.0)
             }
             Slot::Of(OfGroup::Rolling, i) => {
                 let heading = self.of_command(tangent, self.heading + i)?;
@@ -947,10 +953,27 @@ impl Model {
                 rolled(heading, rolling, tangent.dual((&s::THETA, Some(i as u16 + 1)), theta))
             }
             Slot::Of(of, i) => of_group(tangent, of, i)?,
+            Slot::Algebraic(inner) if self.algebraic.is_searched(inner) => self.searched(tangent, variable, inner)?,
             Slot::Algebraic(inner) => self.of_command(tangent, inner)?,
             Slot::Given => return Err(Fault::new(format!("{variable} is no result: it has no derivative"))),
         };
         Ok(found.eps)
+    }
+
+    /// The derivative of a variable that follows from a result of the algebraic model which is searched for: zero
+    /// where nothing changes that this follows from.
+    fn searched(&self, tangent: &Tangent, variable: &Variable, inner: usize) -> Result<Dual64, Fault> {
+        let Some(known) = tangent
+            .changing()
+            .find(|known| self.algebraic.depends_on(inner, *known))
+        else {
+            return Ok(Dual64::from_re(0.0));
+        };
+        let by = self.variables.iter().find(|variable| variable.quantity() == known);
+        let by = by.map_or(TIME.id.to_owned(), Variable::name);
+        Err(Fault::new(format!(
+            "{variable} is searched for: it has no derivative by {by}"
+        )))
     }
 
     /// A result of the algebraic model with its derivative.
