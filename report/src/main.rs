@@ -2,6 +2,7 @@
 
 mod books;
 mod failure;
+mod machine;
 mod output;
 mod results;
 mod scene_file;
