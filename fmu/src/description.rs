@@ -539,7 +539,8 @@ fn attributes<'a, const N: usize>(pairs: [(&'a str, &str); N]) -> Attributes<'a>
 
 /// The shortest decimal that reads back as the same number.
 fn number(value: f64) -> String {
-    format!("{value:?}")
+    // Zero has no sign.
+    format!("{:?}", value + 0.0)
 }
 
 fn element(

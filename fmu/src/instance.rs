@@ -4,6 +4,7 @@
 use crate::layout::{self, Place, Vector};
 use crate::refuse;
 use lemnis_models::model::{Fault, Model, Quantity, Role, State, TIME, Type, Variable};
+use lemnis_models::number::{exact, short};
 use lemnis_models::scene::{LONGEST, Scene};
 use sha2::{Digest, Sha256};
 use std::ffi::{CStr, CString, c_char};
@@ -254,7 +255,9 @@ impl Instance {
         let stop = stop.unwrap_or(f64::INFINITY);
         if stop.is_nan() || stop < start {
             return refuse(format!(
-                "the stop time, {stop} s, is not after the start time, {start} s"
+                "the stop time, {} s, is not after the start time, {} s",
+                exact(stop),
+                exact(start)
             ));
         }
         self.set_time(start)?;
@@ -319,7 +322,7 @@ impl Instance {
     /// The time is not finite.
     pub fn set_time(&mut self, time: f64) -> Result<(), Fault> {
         if !time.is_finite() {
-            return refuse(format!("the time {time} is not finite"));
+            return refuse(format!("the time {} is not finite", exact(time)));
         }
         (self.now.time, self.now.tried) = (time, time);
         self.model.set_time(time);
@@ -334,21 +337,23 @@ impl Instance {
     /// after setting other inputs, stepping can go on from here or from the end of the failed step.
     pub fn step(&mut self, point: f64, size: f64) -> Result<(), Fault> {
         if !(size.is_finite() && size > 0.0) {
-            return refuse(format!("the step size {size} s is not positive"));
+            return refuse(format!("the step size {} s is not positive", exact(size)));
         }
         let tolerance = POINT_TOLERANCE * size + 4.0 * f64::EPSILON * point.abs();
         let is_near = |time: f64| (point - time).abs() <= tolerance;
         if !is_near(self.now.time) && !is_near(self.now.tried) {
             return refuse(format!(
-                "the step starts at {point} s, but the last one ended at {} s",
-                self.now.time
+                "the step starts at {} s, but the last one ended at {} s",
+                exact(point),
+                exact(self.now.time)
             ));
         }
         let end = point + size;
         if end > self.now.stop + tolerance {
             return refuse(format!(
-                "the step ends at {end} s, beyond the stop time {} s",
-                self.now.stop
+                "the step ends at {} s, beyond the stop time {} s",
+                exact(end),
+                exact(self.now.stop)
             ));
         }
         self.now.tried = end;
@@ -887,9 +892,9 @@ fn not_finite(variable: &Variable, value: f64) -> Result<f64, Fault> {
         return Ok(value);
     }
     Err(Fault::outside(format!(
-        "{variable} = {value} {} is no finite number: it does not exist in this configuration, or inputs and parameters \
-         are too great or too small for it",
-        variable.symbol.unit.name
+        "{variable} is {}: it does not exist in this configuration, or inputs and parameters are too great or too small \
+         for it",
+        short(value)
     )))
 }
 

@@ -163,8 +163,7 @@ fn no_value_is_infinite_that_does_not_say_so() {
         for (messages, function) in [(&of_2, "fmi2GetReal"), (&of_3, "fmi3GetFloat64")] {
             assert_eq!(messages.len(), 1, "{messages:?}");
             let text = &messages[0].1;
-            assert!(text.starts_with(&format!("{function}: M_D = ")), "{text}");
-            assert!(text.contains(" N.m is no finite number"), "{text}");
+            assert!(text.starts_with(&format!("{function}: M_D is undefined: ")), "{text}");
         }
         assert_eq!(fmi2SetReal(c, &load, 1, &160e3), STATUS_OK);
         assert_eq!(fmi3SetFloat64(i, &load, 1, &160e3, 1), STATUS_OK);

@@ -18,6 +18,7 @@ pub mod hydraulics;
 pub mod lemniscate;
 pub mod model;
 pub mod motion;
+pub mod number;
 pub mod plane;
 pub mod record;
 pub mod scene;

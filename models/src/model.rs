@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
+use crate::number::short;
 use crate::scene::{Mechanism, Scene};
 use crate::solver::Count;
 use crate::steering;
@@ -386,7 +387,7 @@ impl Model {
         let name = of_role.nth(at).map(Variable::name).unwrap_or_default();
         Err(Fault::outside(format!(
             "{name} = {} is no finite number: the states that were set are too great or too small for this mechanism",
-            numbers[at]
+            short(numbers[at])
         )))
     }
 

@@ -3,6 +3,7 @@
 
 use crate::calc::Calc;
 use crate::diagnostic::Diagnostic;
+use crate::number::short;
 use crate::scene::Place;
 use crate::schema::{self, Sign, Values};
 use crate::symbol::Symbol;
@@ -123,7 +124,7 @@ impl Motion {
 
 /// An angle (rad) for messages.
 pub(crate) fn degrees(angle: f64) -> String {
-    format!("{} deg", schema::short(angle.to_degrees()))
+    format!("{} deg", short(angle.to_degrees()))
 }
 
 /// A time without the rounding of angles: 60 s, not 59.999999999999993 s.

@@ -635,18 +635,3 @@ fn property(key: &Key) -> Json {
     schema["description"] = json!(key.text);
     schema
 }
-
-/// A number in a message: six significant digits, no trailing zeros.
-#[must_use]
-pub fn short(value: f64) -> String {
-    if value == 0.0 || !(1e-3..1e9).contains(&value.abs()) {
-        return format!("{value}");
-    }
-    let digits = (5 - value.abs().log10().floor() as i32).max(0) as usize;
-    let text = format!("{value:.digits$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
-}

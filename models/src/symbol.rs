@@ -1,7 +1,8 @@
 //! Symbols as data: one entry feeds the FMU's description, the book, CSV
 //! headers, the scene's schema and the notation page.
 
-use crate::unit::Unit;
+use crate::number::short;
+use crate::unit::{self, Unit};
 
 /// A quantity with its name in every place where it appears.
 #[derive(Debug)]
@@ -54,6 +55,16 @@ impl Symbol {
     #[must_use]
     pub fn shown(&self, value: f64) -> f64 {
         value / self.display.factor
+    }
+
+    /// A value in SI as people write it, for messages: `19.3 m`.
+    #[must_use]
+    pub fn written(&self, value: f64) -> String {
+        let number = short(self.shown(value));
+        if self.display == &unit::ONE || !value.is_finite() {
+            return number.to_string();
+        }
+        format!("{number} {}", self.display.name)
     }
 }
 

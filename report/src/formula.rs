@@ -11,12 +11,13 @@
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
+use lemnis_models::number::short;
 use lemnis_models::record::{Node, Op, Rec, Step, Trace};
 use lemnis_models::symbol::Symbol;
+use lemnis_models::unit::Unit;
 use serde::Serialize;
 
 use crate::language::Language;
-use crate::number::number;
 use crate::speech;
 
 /// How tightly an expression holds together, loosest first.
@@ -57,10 +58,12 @@ impl Term {
         }
     }
 
-    /// With its sign in the text.
+    /// With its sign in the text; zero has none.
     fn whole(self) -> Term {
-        if !self.minus {
-            return self;
+        let after_zero = self.text.strip_prefix('0').map(|rest| rest.chars().next());
+        let zero = after_zero.is_some_and(|next| next.is_none_or(|c| matches!(c, ' ' | '"')));
+        if !self.minus || zero {
+            return Term { minus: false, ..self };
         }
         Term {
             minus: false,
@@ -173,12 +176,18 @@ pub fn step(
 /// A value (in SI) in the symbol's display unit.
 #[must_use]
 pub fn quantity(language: &Language, symbol: &Symbol, value: f64) -> String {
-    let unit = match symbol.display.print {
+    measured(language, symbol.shown(value), symbol.display)
+}
+
+/// A number of units.
+#[must_use]
+pub fn measured(language: &Language, number: f64, unit: &Unit) -> String {
+    let unit = match unit.print {
         "" => String::new(),
         unit if unit.starts_with('°') => format!("\"{unit}\""),
         unit => format!(" thin\"{unit}\""),
     };
-    language.math(&number(symbol.shown(value))) + &unit
+    language.math(&short(number)) + &unit
 }
 
 /// The expression, broken before `+` and `-` of its outermost sum where it is
@@ -244,7 +253,7 @@ fn constant(language: &Language, value: f64) -> Term {
     let named = [(PI, "pi"), (TAU, "2 pi"), (FRAC_PI_4, "frac(pi, 4)")];
     match named.into_iter().find(|&(named, _)| named == value) {
         Some((_, text)) => Term::product(false, text.to_owned(), 2.0),
-        None => numeric(language.math(&number(value))),
+        None => numeric(language.math(&short(value))),
     }
 }
 
@@ -468,6 +477,16 @@ mod tests {
         for (formula, in_symbols, in_numbers) in cases {
             assert_eq!(printed(formula), (in_symbols.to_owned(), in_numbers.to_owned()));
         }
+    }
+
+    #[test]
+    fn zero_has_no_sign() {
+        let numbers = |formula: fn([Rec; 4]) -> Rec| printed(formula).1;
+        assert_eq!(numbers(|[a, ..]| -(a - a)), r#"-(3 thin"m" - 3 thin"m")"#);
+        let zero = |formula: fn(Rec, Rec) -> Rec| printed(move |[a, ..]| formula(Rec::given(&s::X_7, -0.0), a)).1;
+        assert_eq!(zero(|zero, _| -zero), r#"0 thin"m""#);
+        assert_eq!(zero(|zero, a| -(zero * a)), r#"0 thin"m" dot 3 thin"m""#);
+        assert_eq!(printed(|[_, _, c, _]| -c).1, r#"-0.5 thin"m""#);
     }
 
     #[test]

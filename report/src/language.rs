@@ -5,6 +5,7 @@
 //! have their international symbols, as standards and publications in all
 //! three languages write them.
 
+use lemnis_models::number::Number;
 use lemnis_models::steering::moving::scene::{Body, Oil, Plc};
 use lemnis_models::symbol::Symbol;
 use lemnis_models::{balance, hydraulics, lemniscate, steering};
@@ -41,6 +42,13 @@ pub static LANGUAGES: [Language; 3] = [
     },
 ];
 
+/// An exponent in raised digits.
+fn superscript(power: i32) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]);
+    power.to_string().chars().map(raised).collect()
+}
+
 impl Language {
     /// By its code.
     #[must_use]
@@ -53,27 +61,64 @@ impl Language {
         format!("words/{}.toml", self.code)
     }
 
-    /// A number with a decimal point, as text of this language.
+    /// A number as text of this language: `−4,234 · 10⁻⁷`.
     #[must_use]
-    pub fn text(&self, number: &str) -> String {
-        number.replace('.', self.decimal.encode_utf8(&mut [0; 4]))
+    pub fn text(&self, number: &Number) -> String {
+        let sign = |negative: bool| if negative { "−" } else { "" };
+        match number {
+            Number::Finite {
+                negative,
+                digits,
+                power,
+            } => {
+                let power = match power {
+                    0 => String::new(),
+                    power => format!(" · 10{}", superscript(*power)),
+                };
+                format!("{}{}{power}", sign(*negative), self.digits(digits))
+            }
+            Number::Infinite { negative } => format!("{}∞", sign(*negative)),
+            Number::Undefined => self.undefined(),
+        }
     }
 
-    /// A number with a decimal point, in Typst's mathematics, which takes a
-    /// comma outside quotes for a separator.
+    /// A number in Typst's mathematics, which takes a comma outside quotes for a separator.
     #[must_use]
-    pub fn math(&self, number: &str) -> String {
-        let (digits, power) = number
-            .split_once(' ')
-            .map_or((number, ""), |(digits, _)| (digits, &number[digits.len()..]));
-        let text = self.text(digits);
-        if text == digits {
-            return number.to_owned();
+    pub fn math(&self, number: &Number) -> String {
+        let sign = |negative: bool| if negative { "-" } else { "" };
+        match number {
+            Number::Finite {
+                negative,
+                digits,
+                power,
+            } => {
+                let local = self.digits(digits);
+                let local = if local == *digits {
+                    local
+                } else {
+                    format!("\"{local}\"")
+                };
+                let power = match power {
+                    0 => String::new(),
+                    power => format!(" times 10^({power})"),
+                };
+                format!("{}{local}{power}", sign(*negative))
+            }
+            Number::Infinite { negative } => format!("{}infinity", sign(*negative)),
+            Number::Undefined => format!("\"{}\"", self.undefined()),
         }
-        match text.strip_prefix(['-', '−']) {
-            Some(amount) => format!("-\"{amount}\"{power}"),
-            None => format!("\"{text}\"{power}"),
-        }
+    }
+
+    /// Digits with this language's decimal sign.
+    fn digits(&self, digits: &str) -> String {
+        digits.replace('.', self.decimal.encode_utf8(&mut [0; 4]))
+    }
+
+    /// What stands where there is no number.
+    fn undefined(&self) -> String {
+        let words = Words::new(self, None, None);
+        let word = words.and_then(|words| words.get("text", "undefined").map(str::to_owned));
+        word.expect("every language has the words of English")
     }
 }
 
@@ -169,6 +214,8 @@ fn parse(name: &str, text: &str) -> Result<toml::Table, String> {
 mod tests {
     use std::collections::BTreeSet;
 
+    use lemnis_models::number::short;
+
     use super::*;
 
     #[test]
@@ -212,17 +259,18 @@ mod tests {
     #[test]
     fn a_decimal_comma_is_quoted_in_mathematics() {
         let [english, _, bulgarian] = &LANGUAGES;
-        for (number, comma) in [
-            ("160", "160"),
-            ("19.3", "\"19,3\""),
-            ("-0.25", "-\"0,25\""),
-            ("−0.25", "-\"0,25\""),
-            ("-1.5 times 10^(-7)", "-\"1,5\" times 10^(-7)"),
-            ("infinity", "infinity"),
+        for (value, point, comma, text) in [
+            (160.0, "160", "160", "160"),
+            (19.3, "19.3", "\"19,3\"", "19,3"),
+            (-0.25, "-0.25", "-\"0,25\"", "−0,25"),
+            (-1.5e-7, "-1.5 times 10^(-7)", "-\"1,5\" times 10^(-7)", "−1,5 · 10⁻⁷"),
+            (f64::NEG_INFINITY, "-infinity", "-infinity", "−∞"),
+            (f64::NAN, "\"undefined\"", "\"неопределено\"", "неопределено"),
         ] {
-            assert_eq!(bulgarian.math(number), comma);
-            assert_eq!(english.math(number), number);
+            let number = short(value);
+            assert_eq!(english.math(&number), point);
+            assert_eq!(bulgarian.math(&number), comma);
+            assert_eq!(bulgarian.text(&number), text);
         }
-        assert_eq!(bulgarian.text("−4.234"), "−4,234");
     }
 }

@@ -3,7 +3,6 @@
 //! ```text
 //! sheet (lemnis_models) → book.rs      plain data, ready to print
 //!                         formula.rs   formulas in symbols and in numbers
-//!                         number.rs    digits
 //!                         plot.rs      drawings and curves as display lists
 //!                         diagram.rs   cost over accuracy
 //!                         language.rs  words and number formats of a language
@@ -17,7 +16,7 @@ pub mod diagram;
 pub mod documentation;
 pub mod formula;
 pub mod language;
-pub mod number;
+pub mod machine;
 pub mod plot;
 pub mod results;
 mod speech;

@@ -4,12 +4,12 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use lemnis_models::calc::Calc;
+use lemnis_models::number::{Digits, Number, exponent};
 use lemnis_models::sheet::{Curve, Drawing, Shape};
 use lemnis_models::symbol::Symbol;
 use serde::Serialize;
 
 use crate::language::Language;
-use crate::number::{fixed, significant};
 
 type Point = [f64; 2];
 
@@ -419,7 +419,7 @@ impl Field {
         at: Point,
         anchor: &'static str,
     ) {
-        let number = fixed(tick, axis.decimals());
+        let number = Number::new(tick, Digits::Decimals(axis.decimals()));
         match self.powers {
             false => picture.number(at, anchor, language.text(&number)),
             true => picture.text(at, anchor, format!("10^({number})")),
@@ -669,9 +669,9 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
         for (point, outside) in [(extreme(1.0), -1.0), (extreme(-1.0), 1.0)] {
             let Some(point) = point else { continue };
             picture.circle("solid", place(point), 0.7);
-            let text = four_digits(point[1]);
+            let text = language.text(&four_digits(point[1]));
             let at = beside(place(point), outside, &text, &curve);
-            picture.number(at, "centre", language.text(&text));
+            picture.number(at, "centre", text);
         }
     }
     name_axes(&mut picture, [curve.x, curve.y]);
@@ -703,11 +703,7 @@ pub fn bars(language: &Language, mut effects: Vec<(&str, f64)>) -> Picture {
         let style = if *effect > 0.0 { "more" } else { "less" };
         picture.shape(style, &[[LEFT, top], [end, top], [end, bottom], [LEFT, bottom]], true);
         picture.text([LEFT - 1.5, middle - 0.6], "right", *name);
-        picture.text(
-            [end + 1.5, middle - 0.6],
-            "left",
-            language.math(&significant(*effect).replace('−', "-")),
-        );
+        picture.text([end + 1.5, middle - 0.6], "left", language.math(&change(*effect)));
     }
     picture.line("thin", &[[LEFT, 0.0], [LEFT, picture.height]]);
     picture
@@ -738,14 +734,6 @@ fn beside([x, y]: Point, outside: f64, text: &str, curve: &[Point]) -> Point {
     best.map_or([x, y], |(_, p)| p)
 }
 
-/// Exponent of the greatest power of ten that is not above a positive value;
-/// by its digits, so that it is the same everywhere.
-fn exponent(value: f64) -> i32 {
-    let text = format!("{value:.9e}");
-    let (_, exponent) = text.split_once('e').expect("scientific notation has an exponent");
-    exponent.parse().expect("an integer")
-}
-
 fn power_of_ten(value: f64) -> f64 {
     format!("1e{}", exponent(value)).parse().expect("a number")
 }
@@ -758,11 +746,19 @@ fn axis_name(symbol: &Symbol) -> String {
     }
 }
 
-fn four_digits(value: f64) -> String {
-    let before = format!("{:.0}", value.abs().floor()).len();
-    fixed(
+fn four_digits(value: f64) -> Number {
+    let before = if value.abs() < 1.0 { 0 } else { exponent(value) + 1 };
+    Number::new(value, Digits::Decimals(usize::try_from(4 - before).unwrap_or(0)))
+}
+
+/// A small change with three significant digits; zero where it is nothing but rounding.
+pub(crate) fn change(value: f64) -> Number {
+    if value.abs() < 5e-8 {
+        return Number::new(0.0, Digits::Few);
+    }
+    Number::new(
         value,
-        4_usize.saturating_sub(if value.abs() < 1.0 { 0 } else { before }),
+        Digits::Decimals(usize::try_from(2 - exponent(value)).unwrap_or(0)),
     )
 }
 

@@ -3,10 +3,12 @@
 use std::fmt::Write as _;
 
 use lemnis_models::model::{Fault, Model, Role, Variable};
+use lemnis_models::number::{Number, column};
 use lemnis_models::scene::Scene;
-use lemnis_models::schema::short;
 use lemnis_models::sheet::{Sheet, Summary, sheet};
 use serde_json::{Map, Value, json};
+
+use crate::machine;
 
 /// Every result of a scene: the values that hold for the whole range, and one
 /// row of all variables for each position of the working range.
@@ -54,13 +56,14 @@ impl Results {
         let failed = self.sheet.checks.iter().filter(|check| !check.passed());
         failed
             .map(|check| {
-                let (symbol, unit) = (check.symbol, check.symbol.display.name);
+                let symbol = check.symbol;
                 let relation = if check.at_most { "at most" } else { "at least" };
-                let (value, limit) = (short(symbol.shown(check.value)), short(symbol.shown(check.limit)));
-                format!(
-                    "{}: {} = {value} {unit}, {relation} {limit} {unit} is allowed",
-                    check.id, symbol.id
-                )
+                let (value, limit) = (symbol.written(check.value), symbol.written(check.limit));
+                let found = format!("{}: {} = {value}, {relation} {limit} is allowed", check.id, symbol.id);
+                match check.value.is_finite() {
+                    true => found,
+                    false => format!("{found} ({})", symbol.text.trim_end_matches('.')),
+                }
             })
             .collect()
     }
@@ -71,16 +74,11 @@ impl Results {
         let mut text = String::new();
         let mut rows: Vec<[String; 3]> = Vec::new();
         for result in self.results() {
-            let (symbol, unit) = (result.symbol, result.symbol.display.name);
+            let symbol = result.symbol;
             let at = result.at.map_or_else(String::new, |(coordinate, at)| {
-                format!(
-                    " at {} = {} {}",
-                    coordinate.id,
-                    short(coordinate.shown(at)),
-                    coordinate.display.name
-                )
+                format!(" at {} = {}", coordinate.id, coordinate.written(at))
             });
-            let value = format!("{} {unit}{at}", short(symbol.shown(result.value)));
+            let value = symbol.written(result.value) + &at;
             rows.push([symbol.id.to_owned(), value, symbol.text.to_owned()]);
         }
         let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
@@ -105,8 +103,14 @@ impl Results {
             .map(|column| format!("{column} [{}]", column.symbol.display.name))
             .collect();
         let mut text = format!("{}\n\n{}\n", self.scene.title(), self.summary());
+        let cells = |(i, variable): (usize, &Variable)| -> Vec<String> {
+            let values: Vec<f64> = self.rows.iter().map(|row| variable.symbol.shown(row[i])).collect();
+            column(&values).iter().map(Number::to_string).collect()
+        };
+        let cells: Vec<Vec<String>> = self.columns.iter().enumerate().map(cells).collect();
+        let widest = |cells: &Vec<String>| cells.iter().map(String::len).max().unwrap_or(0);
         // As many columns side by side as a line of 120 holds, the coordinate first.
-        let width = |i: usize| heads[i].len().max(11);
+        let width = |i: usize| heads[i].len().max(11).max(widest(&cells[i]));
         let mut start = 1;
         while start < heads.len() {
             let mut columns = vec![0];
@@ -124,8 +128,8 @@ impl Results {
                     .join("  ")
             };
             let _ = writeln!(text, "{}", line(&|i| heads[i].clone()));
-            for row in &self.rows {
-                let _ = writeln!(text, "{}", line(&|i| short(self.columns[i].symbol.shown(row[i]))));
+            for row in 0..self.rows.len() {
+                let _ = writeln!(text, "{}", line(&|i| cells[i][row].clone()));
             }
             text.push('\n');
         }
@@ -146,7 +150,7 @@ impl Results {
         let rows = self.rows.iter().map(|row| {
             row.iter()
                 .zip(&self.columns)
-                .map(|(value, column)| fifteen_digits(column.symbol.shown(*value)))
+                .map(|(value, column)| machine::csv(column.symbol.shown(*value)))
                 .collect::<Vec<_>>()
         });
         let written = std::iter::once(heads.collect())
@@ -162,7 +166,7 @@ impl Results {
     /// Never: it is plain data.
     #[must_use]
     pub fn json(&self) -> String {
-        let number = |value: f64| serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number);
+        let number = machine::json;
         let summary: Map<String, Value> = self
             .results()
             .map(|result| {
@@ -199,10 +203,4 @@ impl Results {
         });
         serde_json::to_string_pretty(&whole).expect("plain data")
     }
-}
-
-/// A number as it was before its unit was converted to SI and back: 60, not 59.99999999999999.
-fn fifteen_digits(value: f64) -> String {
-    let rounded = format!("{value:.14e}").parse().unwrap_or(value);
-    f64::to_string(&rounded)
 }

@@ -11,8 +11,8 @@ use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Role, Task};
 use lemnis_models::diagnostic::Diagnostic;
 use lemnis_models::four_bar::Branch;
+use lemnis_models::number::{Digits, Number, short};
 use lemnis_models::scene::{LONGEST_NAME, Scene};
-use lemnis_models::schema::short;
 use lemnis_synthesis::comparison::{Compared, Comparison};
 use lemnis_synthesis::optimum::Watch;
 use lemnis_synthesis::run::{Outcome, decimals, run, steps};
@@ -165,8 +165,11 @@ fn fill(table: &mut Table, d: &Dimensions<f64>, branch: Branch) {
         if branch == Branch::Left { "left" } else { "right" }.into(),
     );
     d.map(&mut |symbol, number| {
-        let shown = format!("{:.*}", decimals(symbol), symbol.shown(number));
-        let shown = shown.trim_end_matches('0').trim_end_matches('.');
+        let shown = Number::new(symbol.shown(number), Digits::Decimals(decimals(symbol))).to_string();
+        let shown = match shown.contains('.') {
+            true => shown.trim_end_matches('0').trim_end_matches('.'),
+            false => &shown,
+        };
         set(table, symbol.id, format!("{shown} {}", symbol.display.name));
     });
 }
@@ -194,7 +197,7 @@ fn table(comparison: &Comparison) -> String {
     for (i, (symbol, _)) in columns.first().into_iter().flatten().enumerate() {
         let mut row = vec![format!("{} [{}]", symbol.id, symbol.display.name)];
         row.extend(columns.iter().map(|column| match column[i].1 {
-            Some(value) => short(symbol.shown(value)),
+            Some(value) => short(symbol.shown(value)).to_string(),
             None => "does not close".to_owned(),
         }));
         rows.push(row);

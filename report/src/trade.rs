@@ -8,9 +8,10 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use lemnis::diagram;
 use lemnis::language::Language;
+use lemnis::machine::{self, json as number};
 use lemnis::template::Templates;
+use lemnis_models::number::{rough, short};
 use lemnis_models::scene::{Mechanism, Scene};
-use lemnis_models::schema::short;
 use lemnis_trade::setting::Method;
 use lemnis_trade::trade::{self, AGREEMENT, SAMPLE, Size, Trade as Traded};
 use lemnis_typeset::{Embedded, Format, Typesetter};
@@ -171,16 +172,11 @@ fn verdict(traded: &Traded) -> String {
     )
 }
 
-/// Three significant digits, as text.
+/// How great something is; a dash for what is not modelled.
 fn digits(value: f64) -> String {
-    if value == 0.0 {
-        "0".to_owned()
-    } else if value.is_infinite() {
-        "-".to_owned()
-    } else if (1e-3..1e5).contains(&value.abs()) {
-        short(format!("{value:.2e}").parse().unwrap_or(value))
-    } else {
-        format!("{value:.1e}")
+    match value.is_finite() {
+        true => rough(value).to_string(),
+        false => "-".to_owned(),
     }
 }
 
@@ -199,12 +195,15 @@ fn table(traded: &Traded) -> String {
         if let Some(apart) = &reference.apart {
             let _ = writeln!(
                 text,
-                "  reference of level {}: two codes agree to {:.0e} of the range, in {} ({AGREEMENT:e} asked for)",
-                reference.level, apart.part, apart.result
+                "  reference of level {}: two codes agree to {} of the range, in {} ({} asked for)",
+                reference.level,
+                rough(apart.part),
+                apart.result,
+                short(AGREEMENT)
             );
         }
     }
-    let per_second = |count: u32| short((f64::from(count) / traded.duration).round());
+    let per_second = |count: u32| short((f64::from(count) / traded.duration).round()).to_string();
     let mut rows = vec![
         ["", "level", "solver", "", "us/s", "rates/s", "steps/s", "bytes"]
             .map(str::to_owned)
@@ -309,10 +308,6 @@ fn diagram(scene: &Scene, traded: &Traded, format: Format) -> Result<Vec<u8>, Fa
     Ok(made.files.into_iter().next().unwrap_or_default())
 }
 
-fn number(value: f64) -> Value {
-    serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number)
-}
-
 /// Everything, in SI.
 fn json(scene: &Scene, traded: &Traded) -> String {
     let asked = traded.asked.iter().map(|asked| {
@@ -377,8 +372,8 @@ fn csv(traded: &Traded) -> String {
                 row.setting.solver().to_owned(),
                 setting,
                 row.seconds
-                    .map_or_else(String::new, |seconds| (seconds * 1e6).to_string()),
-                (row.cost * 1e6).to_string(),
+                    .map_or_else(String::new, |seconds| machine::csv(seconds * 1e6)),
+                machine::csv(row.cost * 1e6),
             ];
             let work = [row.work.rates, row.work.jacobians, row.work.steps, row.work.rejected];
             record.extend(work.map(|count| count.to_string()));
@@ -392,9 +387,9 @@ fn csv(traded: &Traded) -> String {
                 None => record.extend(std::iter::repeat_n(String::new(), 7)),
                 Some(e) => {
                     for size in [e.numerical, e.modelling, e.total] {
-                        record.extend([size.max, size.rms].map(|error| symbol.shown(error).to_string()));
+                        record.extend([size.max, size.rms].map(|error| machine::csv(symbol.shown(error))));
                     }
-                    record.push((e.total.max / asked.range).to_string());
+                    record.push(machine::csv(e.total.max / asked.range));
                 }
             }
             writer.write_record(record).expect("memory takes every record");

@@ -4,6 +4,7 @@ use std::ffi::{CStr, c_char, c_int, c_void};
 use std::ptr::null;
 
 use lemnis_models::model::{Model, Role, Type, Variable};
+use lemnis_models::number::short;
 use lemnis_tests::unpacked::{Call, DoStep, Enter, Real, SetReal, Unpacked};
 
 use crate::scene::Draw;
@@ -43,7 +44,7 @@ impl Run for Model {
         let documented = value.is_finite() || value.is_infinite() && variable.symbol.infinite.is_some();
         documented
             .then_some(value)
-            .ok_or_else(|| format!("{variable} is {value}"))
+            .ok_or_else(|| format!("{variable} is {}", short(value)))
     }
 
     fn step(&mut self, at: f64, size: f64) -> Said<()> {

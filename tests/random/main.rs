@@ -212,7 +212,7 @@ fn read(text: &str, what: &str, wrong: &mut Vec<String>) {
             digits > 0 && rest.starts_with(|c: char| c.is_ascii_digit()) && rest.chars().all(|c| matches!(c, '0' | '.'))
         });
         let plain = !word.is_empty() && word.chars().all(|c| c.is_ascii_digit() || "+-.eE".contains(c));
-        if word == "NaN" || zero || plain && digits > 17 {
+        if matches!(word, "NaN" | "undefined") || zero || plain && digits > 17 {
             let kind = if plain && digits > 17 { "a long number" } else { word };
             wrong.push(format!("{kind} in {what}"));
             return;

@@ -4,6 +4,7 @@ use crate::balance::boom::{Boom, Load};
 use crate::balance::{Action, Balance, FINITE, Fault, Turn, symbols as s};
 use crate::calc::Calc;
 use crate::lemniscate::range::Extreme;
+use crate::motion::degrees;
 use crate::plane::Point;
 use crate::symbol::Symbol;
 
@@ -280,7 +281,7 @@ impl<'a> Sampled<'a> {
                     &s::DM,
                     value,
                     FINITE,
-                    format!("no finite moment at {} deg", theta.to_degrees()),
+                    format!("no finite moment at {}", degrees(theta)),
                 ));
             }
             grid.samples.push(sample);

@@ -81,7 +81,7 @@ impl Fault {
     #[must_use]
     pub fn range(&self) -> String {
         let unit = self.quantity.display.name;
-        let shown = |value: f64| crate::schema::short(self.quantity.shown(value));
+        let shown = |value: f64| crate::number::short(self.quantity.shown(value));
         let value = format!("{} = {} {unit}", self.quantity.id, shown(self.value));
         match self.allowed {
             FINITE if self.value.is_finite() => value,

@@ -9,7 +9,7 @@ use crate::balance::lever::{Dimensions, Lever};
 use crate::balance::symbols as s;
 use crate::diagnostic::Diagnostic;
 use crate::four_bar::Branch;
-use crate::schema::{Key, Kind, Sign, Values, short};
+use crate::schema::{Key, Kind, Sign, Values};
 use crate::symbol::Symbol;
 
 const SOURCE: Key = Key::text("source", "Where the quantities of this table come from.");
@@ -359,14 +359,14 @@ impl Task {
                         format!(
                             "the start lies outside the bounds: {} = {}",
                             symbol.id,
-                            shown(symbol, value)
+                            symbol.written(value)
                         ),
                         "outside",
                     )
                     .help(format!(
                         "it may be {} to {}: move the start or widen [luffing.synthesis.bounds]",
-                        shown(symbol, low),
-                        shown(symbol, high)
+                        symbol.written(low),
+                        symbol.written(high)
                     )),
                 );
             });
@@ -392,11 +392,6 @@ impl Task {
             }
         });
     }
-}
-
-/// A value with its display unit, for messages.
-fn shown(symbol: &Symbol, value: f64) -> String {
-    format!("{} {}", short(symbol.shown(value)), symbol.display.name)
 }
 
 fn branch(text: &str) -> Branch {
@@ -553,7 +548,7 @@ fn constraints(v: &Values, found: &mut Vec<Diagnostic>) -> Constraints {
     };
     let Some(table) = table else { return constraints };
     if constraints.gamma_min >= FRAC_PI_2 {
-        let message = format!("gamma_min = {}", shown(&s::GAMMA_MIN, constraints.gamma_min));
+        let message = format!("gamma_min = {}", s::GAMMA_MIN.written(constraints.gamma_min));
         found.push(
             Diagnostic::new(table.place("gamma_min"), message, "no linkage keeps it")
                 .help("a transmission angle lies between 0 and 90 deg; 30 deg is usual"),
@@ -577,8 +572,8 @@ fn constraints(v: &Values, found: &mut Vec<Diagnostic>) -> Constraints {
                 table.place("M_plus"),
                 format!(
                     "the ends shall have at least {} and no position more than {}",
-                    shown(&s::M_PLUS, least),
-                    shown(&s::DM_MAX, most)
+                    s::M_PLUS.written(least),
+                    s::DM_MAX.written(most)
                 ),
                 "more than dM_max allows",
             )
@@ -597,7 +592,7 @@ fn tolerances(v: &Values, found: &mut Vec<Diagnostic>) -> Tolerances {
         weight: number("weight").unwrap_or(0.01),
     };
     if let Some(table) = table.filter(|_| tolerances.weight > 0.5) {
-        let message = format!("weights that may be off by {}", shown(&s::T_W, tolerances.weight));
+        let message = format!("weights that may be off by {}", s::T_W.written(tolerances.weight));
         found.push(Diagnostic::new(table.place("weight"), message, "too much").help("at most 50 %"));
     }
     tolerances

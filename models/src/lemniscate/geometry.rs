@@ -4,8 +4,8 @@ use crate::balance::scene::Form;
 use crate::calc::Calc;
 use crate::four_bar::{Branch, FourBar, Names};
 use crate::lemniscate::symbols as s;
+use crate::number::short;
 use crate::plane::{self, Point};
-use crate::schema::short;
 use crate::symbol::{Symbol, quantities};
 
 /// Which bar the drive turns; its angle is the coordinate of the mechanism.
@@ -116,28 +116,28 @@ impl Parameters<f64> {
                 let (key, value, limit) = match self.jib {
                     Jib::Sag(x) => (
                         "X_7",
-                        format!("{x} m"),
-                        format!("between -{0} m and {0} m, the shorter arm", l.x_2.min(l.x_4)),
+                        s::X_7.written(x),
+                        format!("between -{0} m and {0} m, the shorter arm", short(l.x_2.min(l.x_4))),
                     ),
                     Jib::Axis(x) => (
                         "AC",
-                        format!("{x} m"),
+                        s::X_7.written(x),
                         format!(
                             "between {} m and {} m, difference and sum of the arms",
-                            (l.x_2 - l.x_4).abs(),
-                            l.x_2 + l.x_4
+                            short((l.x_2 - l.x_4).abs()),
+                            short(l.x_2 + l.x_4)
                         ),
                     ),
-                    Jib::Angle(x) => (
-                        "beta_0",
-                        format!("{} deg", short(x.to_degrees())),
-                        "between 0 and 360 deg".to_owned(),
-                    ),
+                    Jib::Angle(x) => ("beta_0", s::BETA_0.written(x), "between 0 and 360 deg".to_owned()),
                 };
                 Words {
                     key,
                     what: format!("the jib's triangle does not close: {key} = {value}"),
-                    help: format!("with X_2 = {} m and X_4 = {} m it must lie {limit}", l.x_2, l.x_4),
+                    help: format!(
+                        "with X_2 = {} m and X_4 = {} m it must lie {limit}",
+                        short(l.x_2),
+                        short(l.x_4)
+                    ),
                 }
             }
             Misfit::Linkage => {
@@ -155,7 +155,7 @@ impl Parameters<f64> {
                         short((bar.1 - frame).abs()),
                         short(bar.1 + frame),
                         bar.0,
-                        bar.1,
+                        short(bar.1),
                         short(frame),
                         other.0,
                         short((l.x_2 - other.1).abs()),

@@ -16,8 +16,9 @@ use crate::lemniscate::scene::{KEYS, Luffing, Motion};
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::table::Table;
 use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
+use crate::number::short;
 use crate::record::{Rec, record};
-use crate::schema::{Key, Kind, Sign, short};
+use crate::schema::{Key, Kind, Sign};
 use crate::symbol::Symbol;
 
 /// A scene's mechanism with its inputs, stepped by the FMU and by tables.
@@ -280,10 +281,10 @@ impl Model {
             )));
         }
         if !sign.allows(value) {
-            let (value, unit) = (symbol.shown(value), symbol.display.name);
             return Err(Fault::outside(format!(
-                "{} = {value} {unit} is not allowed: it must be {}",
+                "{} = {} is not allowed: it must be {}",
                 symbol.id,
+                symbol.written(value),
                 sign.words()
             )));
         }

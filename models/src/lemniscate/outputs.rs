@@ -15,6 +15,7 @@ use crate::lemniscate::symbols as s;
 use crate::lemniscate::velocity::{Pole, Velocity};
 use crate::model::Fault;
 use crate::motion::degrees;
+use crate::number::exact;
 
 /// A result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -513,7 +514,7 @@ fn unreachable_angle<C: Calc>(g: &Geometry<C>, theta: f64) -> Fault {
         symbol.id,
         degrees(theta),
         closes(g),
-        format_args!("{} deg", nearest.1)
+        format_args!("{} deg", exact(nearest.1))
     ))
 }
 

@@ -473,11 +473,11 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Cylinder<f64>> {
         ("cylinder", Some(d_c), Some(d_r)) if d_r < d_c => Some(Cylinder { d_c, d_r }),
         ("rack", None, None) => None,
         ("cylinder", Some(d_c), Some(d_r)) => {
-            let (d_c, d_r) = (d_c * 1e3, d_r * 1e3);
+            let (d_c, d_r) = (s::D_C.written(d_c), s::D_R.written(d_r));
             found.push(
                 Diagnostic::new(
                     d.place("d_r"),
-                    format!("the rod d_r = {d_r} mm does not fit the bore D_c = {d_c} mm"),
+                    format!("the rod d_r = {d_r} does not fit the bore D_c = {d_c}"),
                     "too thick",
                 )
                 .help("the rod must be thinner than the bore"),

@@ -4,8 +4,8 @@
 //! extended by half its stroke.
 
 use crate::calc::Calc;
+use crate::number::short;
 use crate::plane::{self, Point};
-use crate::schema::short;
 use crate::steering::machine::{Limits, Refusal, within};
 use crate::steering::symbols as s;
 use crate::symbol::quantities;

@@ -1,8 +1,8 @@
 //! Vertical load of the groups and their resistance to steering. [Zhang2016, 3]
 
 use crate::calc::Calc;
+use crate::number::short;
 use crate::plane::{self, Point};
-use crate::schema::short;
 use crate::steering::machine::{Machine, Refusal, within};
 use crate::steering::symbols as s;
 use crate::symbol::quantities;

@@ -1,8 +1,8 @@
 //! Where the steered groups stand, how far each can turn, and what is refused.
 
 use crate::calc::Calc;
+use crate::number::short;
 use crate::plane::Point;
-use crate::schema::short;
 use crate::steering::symbols as s;
 use crate::symbol::Symbol;
 
@@ -44,13 +44,6 @@ impl Refusal {
     }
 }
 
-/// A value of a quantity in its display unit.
-pub(crate) fn shown(symbol: &Symbol, value: f64) -> String {
-    format!("{} {}", short(symbol.shown(value)), symbol.display.name)
-        .trim_end_matches(" 1")
-        .to_owned()
-}
-
 /// The value itself where it lies within `low` to `high` (SI); `open` excludes the lower end.
 pub fn within<C: Calc>(symbol: &'static Symbol, value: C, low: f64, high: f64, open: bool) -> Result<C, Refusal> {
     let x = value.value();
@@ -60,14 +53,14 @@ pub fn within<C: Calc>(symbol: &'static Symbol, value: C, low: f64, high: f64, o
     }
     let least = if open { "above" } else { "at least" };
     let most = if high.is_finite() {
-        format!(" and at most {}", shown(symbol, high))
+        format!(" and at most {}", symbol.written(high))
     } else {
         String::new()
     };
     Err(Refusal::new(
         symbol.id,
-        format!("{} = {}", symbol.id, shown(symbol, x)),
-        format!("it must be {least} {}{most}", shown(symbol, low)),
+        format!("{} = {}", symbol.id, symbol.written(x)),
+        format!("it must be {least} {}{most}", symbol.written(low)),
     ))
 }
 
@@ -114,7 +107,7 @@ impl<C: Calc> Machine<C> {
                     if x.is_nan() || x.abs() > 1e4 {
                         return Err(Refusal::new(
                             format!("{name}[{}].{axis}", i + 1),
-                            format!("{name}[{}].{axis} = {x} m", i + 1),
+                            format!("{name}[{}].{axis} = {} m", i + 1, short(x)),
                             "it must lie between -10000 m and 10000 m",
                         ));
                     }

@@ -1,8 +1,8 @@
 //! Travel modes and commands, and the turning centre that they mean.
 
 use crate::calc::Calc;
+use crate::number::short;
 use crate::plane::Point;
-use crate::schema::short;
 use crate::steering::machine::{Machine, Refusal};
 use crate::steering::symbols as s;
 
@@ -268,7 +268,7 @@ fn finite_centre<C: Calc>(at: Point<C>) -> Result<Point<C>, Refusal> {
         if !x.is_finite() {
             return Err(Refusal::new(
                 symbol.id,
-                format!("{} = {x} m", symbol.id),
+                format!("{} = {}", symbol.id, symbol.written(x)),
                 "a turning centre is given by finite numbers; for one at infinity choose the mode straight or crab",
             ));
         }

@@ -7,6 +7,7 @@ use num_dual::Dual64;
 
 use crate::model::{Enumeration, Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion;
+use crate::number::short;
 use crate::steering::mode::Mode;
 use crate::steering::outputs::{By, Evaluation, Inputs, Output, Parameters};
 use crate::steering::scene::{CORNERS, Steering};
@@ -343,15 +344,17 @@ impl Model {
             };
             return known.then_some(()).ok_or_else(|| {
                 let items = items().collect::<Vec<_>>().join(", ");
-                Fault::outside(format!("{variable} = {value} is unknown: it must be one of {items}"))
+                Fault::outside(format!(
+                    "{variable} = {} is unknown: it must be one of {items}",
+                    short(value)
+                ))
             });
         }
         let [least, most] = variable.bounds;
         if value.is_finite() && value >= least && value <= most {
             return Ok(());
         }
-        let (symbol, unit) = (variable.symbol, variable.symbol.display.name);
-        let shown = |value: f64| format!("{} {unit}", symbol.shown(value));
+        let shown = |value: f64| variable.symbol.written(value);
         let range = match (least.is_finite(), most.is_finite()) {
             (true, true) => format!(" from {} to {}", shown(least), shown(most)),
             (true, false) => format!(" not below {}", shown(least)),

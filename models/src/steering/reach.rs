@@ -1,8 +1,8 @@
 //! Whether the groups can follow a command, and the nearest one that they can. No allocation.
 
 use crate::calc::Calc;
+use crate::number::short;
 use crate::plane::{self, Point};
-use crate::schema::short;
 use crate::steering::machine::{Limits, Machine, Refusal, SAME};
 use crate::steering::mode::{Centre, Command, Mode};
 

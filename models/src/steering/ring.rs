@@ -1,7 +1,7 @@
 //! The slewing ring of a group, chosen from a maker's load curves. [Zhang2016, 4]
 
 use crate::calc::Calc;
-use crate::schema::short;
+use crate::number::short;
 use crate::steering::machine::{Refusal, within};
 use crate::steering::symbols as s;
 use crate::symbol::quantities;

@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::motion::{Motion, degrees};
 use crate::plane::Point;
 use crate::scene::Place;
-use crate::schema::{Key, Kind, Sign, Values, quantity, short};
+use crate::schema::{Key, Kind, Sign, Values, quantity};
 use crate::steering::cylinder::Cylinder;
 use crate::steering::load::{Tyre, share};
 use crate::steering::machine::Refusal;
@@ -361,12 +361,8 @@ impl Steering {
                     d: n(c, &s::D)?,
                 };
                 if piston.d >= piston.d_g {
-                    let (d, d_g) = (piston.d * 1e3, piston.d_g * 1e3);
-                    let message = format!(
-                        "the rod d = {} mm does not fit the bore D_g = {} mm",
-                        short(d),
-                        short(d_g)
-                    );
+                    let (d, d_g) = (s::D.written(piston.d), s::D_G.written(piston.d_g));
+                    let message = format!("the rod d = {d} does not fit the bore D_g = {d_g}");
                     found.push(
                         Diagnostic::new(c.place("d"), message, "too thick")
                             .help("the rod must be thinner than the bore"),

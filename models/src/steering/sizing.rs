@@ -1,7 +1,7 @@
 //! Force, bore, oil flow, pump and buckling of the steering cylinders. [Zhang2016, 5.2-6]
 
 use crate::calc::Calc;
-use crate::schema::short;
+use crate::number::short;
 use crate::steering::cylinder::Linkage;
 use crate::steering::machine::{Limits, Machine, Refusal, within};
 use crate::steering::mode::{Command, Mode};

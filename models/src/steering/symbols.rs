@@ -156,8 +156,8 @@ symbols! {
     MARGIN_MIN: "margin_min" "Delta theta_min" RAD / DEG, "Smallest angle that is left to an end of a group's range in the working range.", "derived";
     B_S_MAX: "b_s_max" "b_(s,max)" M / M, "Greatest width of the swept lane in the working range.", "rigid body";
     R_O_MIN: "R_O_min" "R_(O,min)" M / M, "Smallest turning radius in the working range.", "derived";
-    RING_USE: "ring_use" "k_1" ONE / PERCENT, "Moment on the ring over what its load curve bears.", "[Zhang2016, 4]";
-    BOLT_USE: "bolt_use" "k_2" ONE / PERCENT, "Moment on the bolts over what their load curve bears.", "[Zhang2016, 4]";
+    RING_USE: "ring_use" "k_1" ONE / PERCENT, "Moment on the ring over what its load curve bears; infinite where the force alone is too great.", "[Zhang2016, 4]";
+    BOLT_USE: "bolt_use" "k_2" ONE / PERCENT, "Moment on the bolts over what their load curve bears; infinite where the force alone is too great.", "[Zhang2016, 4]";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
     D_G_MIN: "D_g_min" "D_(g,min)" M / MM, "Smallest bore that pulls with the force.", "[Zhang2016, 5.3]";
     D_G_NEXT: "D_g_next" "D_(g,n)" M / MM, "Next bore of the series of ISO 3320.", "[ISO 3320]";

@@ -8,8 +8,8 @@
 //! to its new length, all arriving together.
 
 use crate::calc::Calc;
+use crate::number::short;
 use crate::plane::{self, Point};
-use crate::schema::short;
 use crate::steering::cylinder::Linkage;
 use crate::steering::machine::{GROUPS, Limits, Machine, Refusal, within};
 use crate::steering::mode::Centre;

@@ -351,10 +351,10 @@ impl Problem {
 
     /// Where the nearest miss lies, and what may help.
     fn advice(&self, d: &Dimensions<f64>) -> String {
-        let at = self.at_bounds(d).into_iter().map(|(symbol, value)| {
-            let value = lemnis_models::schema::short(symbol.shown(value));
-            format!("{} = {value} {}", symbol.id, symbol.display.name)
-        });
+        let at = self
+            .at_bounds(d)
+            .into_iter()
+            .map(|(symbol, value)| format!("{} = {}", symbol.id, symbol.written(value)));
         match at.collect::<Vec<String>>() {
             none if none.is_empty() => "lies at no bound: ease the constraint".to_owned(),
             at => format!(

@@ -8,6 +8,7 @@
 //! what checks these is the oracles and the balance of energy in the tests.
 
 use lemnis_models::model::{Fault, Model};
+use lemnis_models::number::short;
 use numeris::Vector;
 use numeris::ode::{AdaptiveSettings, RKAdaptive, RKV98NoInterp, RODAS4, Rosenbrock};
 
@@ -86,7 +87,7 @@ pub fn advance(model: &mut Model, method: Method, from: f64, to: f64) -> Result<
     }
     Err(Fault::outside(format!(
         "more than {MOST} events within {} s",
-        to - from
+        short(to - from)
     )))
 }
 

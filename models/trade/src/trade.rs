@@ -5,6 +5,7 @@ use std::fmt;
 use std::time::Instant;
 
 use lemnis_models::model::{Fault, Model, Role, Type, Variable};
+use lemnis_models::number::{Digits, Number, exact, short};
 use lemnis_models::scene::Scene;
 use lemnis_models::solver::Count;
 
@@ -140,11 +141,14 @@ impl fmt::Display for Failure {
                 } = apart;
                 write!(
                     f,
-                    "no reference at level {level}: {result} at {time} s is {} {unit} by our solver and {} {unit} by the \
-                     library's, {part:.1e} of its range apart and {AGREEMENT:e} is allowed; a motion without blows and \
-                     resonance, or a smaller --step, may do",
-                    symbol.shown(*ours),
-                    symbol.shown(*theirs),
+                    "no reference at level {level}: {result} at {} s is {} {unit} by our solver and {} {unit} by the \
+                     library's, {} of its range apart and {} is allowed; a motion without blows and resonance, or a \
+                     smaller --step, may do",
+                    short(*time),
+                    exact(symbol.shown(*ours)),
+                    exact(symbol.shown(*theirs)),
+                    Number::new(*part, Digits::Significant(2)),
+                    short(AGREEMENT),
                     unit = symbol.display.name
                 )
             }

@@ -1,6 +1,7 @@
 //! The balance of the boom system: criteria, equilibria, curves, table, drawing.
 
 use lemnis_models::balance::symbols::DM_5;
+use lemnis_models::number::{Digits, Number};
 use lemnis_models::sheet;
 use serde::Serialize;
 
@@ -8,7 +9,6 @@ use crate::book::tables::{self, Summary, Table};
 use crate::book::{Figure, json};
 use crate::formula::quantity;
 use crate::language::Language;
-use crate::number::fixed;
 use crate::plot;
 
 #[derive(Serialize)]
@@ -95,10 +95,10 @@ impl Balance {
 
 impl Row {
     fn new(language: &Language, row: &sheet::PublishedRow) -> Row {
-        let text = |number: &str| language.text(&number.replace('-', "−"));
+        let text = |printed: &str| language.text(&tables::printed(printed));
         let cell = |cell: &sheet::PublishedCell| Cell {
             printed: text(cell.printed),
-            computed: text(&fixed(cell.computed, 3)),
+            computed: language.text(&Number::new(cell.computed, Digits::Decimals(3))),
             misprint: cell.misprint,
         };
         Row {

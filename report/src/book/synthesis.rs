@@ -83,7 +83,7 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
     let task = scene.mechanism.luffing()?.synthesis.as_ref()?;
     let comparison = Comparison::new(scene)?;
     let levers = &comparison.levers;
-    let number = |i: usize| language.math(&(i + 1).to_string());
+    let number = |i: usize| (i + 1).to_string();
     let columns: Vec<_> = levers.iter().map(Compared::criteria).collect();
     let row = |(i, symbol): (usize, &'static Symbol)| Row {
         quantity: symbol.into(),

@@ -1,16 +1,16 @@
 //! Tables: checks, results, given quantities, the working range, sensitivities,
 //! published values.
 
+use lemnis_models::number::{Digits, Number, column, short};
 use lemnis_models::sheet::{self, Comparison, Sheet};
 use lemnis_models::symbol::Symbol;
-use lemnis_models::unit;
+use lemnis_models::unit::{self, Unit};
 use serde::Serialize;
 
 use crate::book::steps::{Drawn, Notation};
 use crate::book::{Figure, Quantity, json};
-use crate::formula::quantity;
+use crate::formula::{measured, quantity};
 use crate::language::Language;
-use crate::number::{decimals, fixed, significant};
 use crate::plot;
 
 #[derive(Serialize)]
@@ -23,6 +23,8 @@ pub(super) struct Check {
     passed: bool,
     /// Part of what is allowed that is used, in percent; none of a limit of zero.
     utilisation: Option<String>,
+    /// Names the words that say when the value is infinite, where it is.
+    infinite: Option<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -220,29 +222,26 @@ fn input(language: &Language, input: &sheet::Input, notation: &mut Notation) -> 
     }
 }
 
-/// A small change of a quantity in SI, and as it is printed.
-fn step(symbol: &Symbol) -> (f64, &'static str) {
+/// A small change of a quantity: how many of which unit.
+fn step(symbol: &Symbol) -> (f64, &'static Unit) {
     match symbol.unit {
-        unit if unit == &unit::M => (1e-3, "1 thin\"mm\""),
-        unit if unit == &unit::N_M => (1e3, "1 thin\"kN·m\""),
-        unit if unit == &unit::RAD => (0.1 * unit::DEG.factor, "0.1\"°\""),
-        _ => (1e3, "1 thin\"kN\""),
+        unit if unit == &unit::M => (1.0, &unit::MM),
+        unit if unit == &unit::N_M => (1.0, &unit::KN_M),
+        unit if unit == &unit::RAD => (0.1, &unit::DEG),
+        _ => (1.0, &unit::KN),
     }
 }
 
 pub(super) fn sensitivity(language: &Language, table: &sheet::Sensitivity) -> Sensitivity {
     let change = |row: &sheet::Slope| {
-        let (size, print) = step(row.symbol);
+        let (count, unit) = step(row.symbol);
         let cell = |(i, slope): (usize, &f64)| {
-            let shown = |by: f64| language.text(&significant(table.results[i].0.shown(slope * by)));
-            [shown(size), shown(0.01 * row.value)]
+            let shown = |by: f64| language.text(&plot::change(table.results[i].0.shown(slope * by)));
+            [shown(count * unit.factor), shown(0.01 * row.value)]
         };
         Change {
             symbol: row.symbol.print,
-            step: match print.split_once([' ', '"']) {
-                Some((number, _)) => language.math(number) + &print[number.len()..],
-                None => print.to_owned(),
-            },
+            step: measured(language, count, unit),
             cells: row.by.iter().enumerate().map(cell).collect(),
         }
     };
@@ -281,6 +280,7 @@ pub(super) fn check(language: &Language, check: &sheet::Check) -> Check {
         at_most: check.at_most,
         passed: check.passed(),
         utilisation: (check.limit != 0.0).then(|| language.text(&fixed(100.0 * check.utilisation(), 1))),
+        infinite: (!check.value.is_finite()).then_some(check.symbol.id),
     }
 }
 
@@ -295,17 +295,15 @@ pub(super) fn summary(language: &Language, summary: &sheet::Summary) -> Summary 
 }
 
 pub(super) fn table(language: &Language, table: &sheet::Table) -> Table {
-    let shown = |i: usize, row: &[f64]| table.columns[i].shown(row[i]);
-    let column = |i| table.rows.iter().map(|row| shown(i, row)).collect::<Vec<f64>>();
-    let decimals: Vec<usize> = (0..table.columns.len()).map(|i| decimals(&column(i))).collect();
-    let row = |row: &Vec<f64>| {
-        (0..row.len())
-            .map(|i| language.text(&fixed(shown(i, row), decimals[i])))
-            .collect()
+    let of = |(i, symbol): (usize, &&'static Symbol)| {
+        let values: Vec<f64> = table.rows.iter().map(|row| symbol.shown(row[i])).collect();
+        column(&values)
     };
+    let columns: Vec<Vec<Number>> = table.columns.iter().enumerate().map(of).collect();
+    let row = |i: usize| columns.iter().map(|column| language.text(&column[i])).collect();
     Table {
         columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
-        rows: table.rows.iter().map(row).collect(),
+        rows: (0..table.rows.len()).map(row).collect(),
     }
 }
 
@@ -359,20 +357,33 @@ pub(super) fn view(language: &Language, view: &sheet::View) -> View {
     }
 }
 
+fn fixed(value: f64, decimals: usize) -> Number {
+    Number::new(value, Digits::Decimals(decimals))
+}
+
+/// Digits after the decimal point of a printed number.
+fn after_point(printed: &str) -> usize {
+    printed.split_once('.').map_or(0, |(_, digits)| digits.len())
+}
+
+/// A number with the digits that a publication has.
+pub(super) fn printed(text: &str) -> Number {
+    fixed(text.parse().unwrap_or(f64::NAN), after_point(text))
+}
+
 pub(super) fn published(language: &Language, sheet: &Sheet, full: bool) -> Option<Published> {
     let coordinate = sheet.positions.first()?.coordinate;
     let source = sheet.published_source.clone()?;
     let rows: Vec<&[Comparison]> = sheet.published.chunk_by(|a, b| a.coordinate == b.coordinate).collect();
     let columns: Vec<&'static Symbol> = rows.first()?.iter().map(|value| value.symbol).collect();
-    let after_point = |value: &Comparison| value.printed.split_once('.').map_or(0, |(_, digits)| digits.len());
     let compared = |value: &Comparison| {
-        let computed = fixed(value.symbol.shown(value.value), after_point(value) + 1);
-        [value.printed.replace('-', "−"), computed].map(|number| language.text(&number))
+        let computed = fixed(value.symbol.shown(value.value), after_point(&value.printed) + 1);
+        [printed(&value.printed), computed].map(|number| language.text(&number))
     };
     // In units of the last printed digit.
     let deviation = |value: &Comparison| {
         let printed: f64 = value.printed.parse().expect("checked when the scene was read");
-        let unit = (0..after_point(value)).fold(1.0, |unit, _| unit / 10.0);
+        let unit = (0..after_point(&value.printed)).fold(1.0, |unit, _| unit / 10.0);
         (value.symbol.shown(value.value) - printed).abs() / unit
     };
     let deviations = columns.iter().map(|&symbol| {
@@ -380,7 +391,7 @@ pub(super) fn published(language: &Language, sheet: &Sheet, full: bool) -> Optio
         language.text(&fixed(column.map(deviation).fold(0.0, f64::max), 2))
     });
     let row = |row: &&[Comparison]| ComparedRow {
-        coordinate: fixed(coordinate.shown(row[0].coordinate), 0),
+        coordinate: language.text(&short(coordinate.shown(row[0].coordinate))),
         values: row.iter().map(compared).collect(),
     };
     let (rows, one_in) = sparse(rows, full);

@@ -1,6 +1,7 @@
 //! Speed against accuracy: what every level, solver and step costs by counted work, and how far it is off.
 
 use lemnis_models::model::Variable;
+use lemnis_models::number::{rough, short};
 use lemnis_models::scene::{Mechanism, Scene};
 use lemnis_models::symbol::Symbol;
 use lemnis_models::{lemniscate, steering};
@@ -13,7 +14,6 @@ use crate::book::{Error, Quantity, json};
 use crate::diagram::diagram;
 use crate::formula::quantity;
 use crate::language::Language;
-use crate::number::significant;
 
 #[derive(Serialize)]
 pub(super) struct Trade {
@@ -88,8 +88,12 @@ impl Trade {
         for symbol in traded.asked.iter().map(|asked| asked.variable.symbol).chain(names) {
             notation.meet(symbol);
         }
-        let second = |value: f64| format!("{} thin \"s\"", language.math(&crate::number::number(value)));
-        let digits = |value: f64| language.math(&few(value));
+        let second = |value: f64| format!("{} thin \"s\"", language.math(&short(value)));
+        // A dash for what is not modelled.
+        let digits = |value: f64| match value.is_finite() {
+            true => language.math(&rough(value)),
+            false => "–".to_owned(),
+        };
         let asks = traded.asked.iter().any(|asked| asked.allowed.is_some());
         let over = |asked: &Asked| asked.allowed.unwrap_or(asked.range);
         let references = traded.references.iter().map(|reference| Reference {
@@ -110,7 +114,7 @@ impl Trade {
                 });
                 digits(parts.fold(0.0, f64::max))
             };
-            let per_second = |count: u32| format!("{:.0}", f64::from(count) / traded.duration);
+            let per_second = |count: u32| language.text(&short((f64::from(count) / traded.duration).round()));
             Row {
                 level: row.setting.level,
                 solver: solver(&row.setting),
@@ -215,14 +219,4 @@ fn setting(language: &Language, [step, tolerance]: [&'static Symbol; 2], setting
         Method::Implicit(value) | Method::Interpolated(value) => (tolerance, value),
     };
     Some(format!("{} = {}", symbol.print, quantity(language, symbol, value)))
-}
-
-/// Three significant digits, or two with a power of ten, in Typst's mathematics; a dash for what is not modelled.
-fn few(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() || (1e-3..1e6).contains(&value.abs()) {
-        return significant(value);
-    }
-    let text = format!("{value:.1e}");
-    let (digits, exponent) = text.split_once('e').expect("scientific notation has an exponent");
-    format!("{digits} times 10^({exponent})")
 }

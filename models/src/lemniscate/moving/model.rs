@@ -24,9 +24,10 @@ use crate::lemniscate::slewing::{self, Drive, Joint, Slewing};
 use crate::lemniscate::symbols as s;
 use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion as Range;
+use crate::number::short;
 use crate::plane::Point;
 use crate::record::{self, Rec};
-use crate::schema::{COARSEST, Kind, Sign, short};
+use crate::schema::{COARSEST, Kind, Sign};
 use crate::solver::{Count, Halt, MOST_STEPS};
 use crate::symbol::Symbol;
 use crate::unit;
@@ -592,10 +593,9 @@ impl Model {
             }
             _ if sign.allows(value) => Ok(()),
             _ => Err(Fault::outside(format!(
-                "{} = {} {} is not allowed: it must be {}",
+                "{} = {} is not allowed: it must be {}",
                 symbol.id,
-                symbol.shown(value),
-                symbol.display.name,
+                symbol.written(value),
                 sign.words()
             ))),
         }
@@ -728,8 +728,8 @@ impl Model {
 
     fn refusal(&self, halt: Halt, size: f64) -> Fault {
         let (symbol, at) = (self.variables[0].symbol, self.state.present.states()[0]);
-        let angle = format!("{} = {} {}", symbol.id, short(symbol.shown(at)), symbol.display.name);
-        let step = self.state.constants.step;
+        let angle = format!("{} = {}", symbol.id, symbol.written(at));
+        let (size, step) = (short(size), short(self.state.constants.step));
         Fault::outside(match halt {
             Halt::Outside => format!(
                 "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
@@ -739,7 +739,7 @@ impl Model {
             Halt::TooFast => format!(
                 "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
                  within one: set step below {} s, or make the rope longer or the friction less",
-                short(step / 2.0)
+                short(self.state.constants.step / 2.0)
             ),
             Halt::TooSmall | Halt::TooMany => format!(
                 "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
@@ -758,7 +758,7 @@ impl Model {
     pub fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
         for (variable, value) in self.variables.iter().zip(states) {
             if !value.is_finite() {
-                return Err(Fault::outside(format!("{variable} = {value} is not finite")));
+                return Err(Fault::outside(format!("{variable} = {} is not finite", short(*value))));
             }
         }
         self.state.present.set_states(states);
@@ -807,10 +807,9 @@ impl Model {
     fn open(&self) -> Fault {
         let (symbol, at) = (self.variables[0].symbol, self.state.present.states()[0]);
         Fault::outside(format!(
-            "the linkage does not close at {} = {} {}",
+            "the linkage does not close at {} = {}",
             symbol.id,
-            short(symbol.shown(at)),
-            symbol.display.name
+            symbol.written(at)
         ))
     }
 

@@ -371,7 +371,11 @@ fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<Oil<f6
         found.push(
             Diagnostic::new(
                 table.place(s::L_MAX.id),
-                format!("the cylinder is {l_max} m extended and {l_min} m retracted"),
+                format!(
+                    "the cylinder is {} extended and {} retracted",
+                    s::L_MAX.written(l_max),
+                    s::L_MIN.written(l_min)
+                ),
                 "not above l_min",
             )
             .help("l_max must be greater than l_min"),

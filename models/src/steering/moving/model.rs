@@ -10,7 +10,7 @@ use crate::calc::{Calc, Over};
 use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::valve::Valve;
 use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
-use crate::schema::short;
+use crate::number::short;
 use crate::solver::{Count, Halt, MOST_STEPS};
 use crate::steering::hydraulic::{Control, Group, INDICATORS, STATES};
 use crate::steering::load::{Resistance, resistance};
@@ -723,12 +723,8 @@ impl Model {
 
     fn refusal(&self, halt: Halt, group: usize, size: f64) -> Fault {
         let at = self.state.groups[group].run.states()[0];
-        let angle = format!(
-            "theta[{}] = {} {}",
-            group + 1,
-            short(s::THETA.shown(at)),
-            s::THETA.display.name
-        );
+        let angle = format!("theta[{}] = {}", group + 1, s::THETA.written(at));
+        let size = short(size);
         Fault::outside(match halt {
             Halt::Outside => format!(
                 "the motion from {angle} ends within {size} s beyond its cylinder or beyond all reasonable numbers: \
@@ -738,7 +734,7 @@ impl Model {
             Halt::TooSmall | Halt::TooMany | Halt::TooFast => format!(
                 "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
                  at T_c = {} s: take smaller communication steps, a longer cycle or a coarser tolerance",
-                self.state.given.plc.t_c
+                short(self.state.given.plc.t_c)
             ),
         })
     }
@@ -762,7 +758,8 @@ impl Model {
             let number = at % groups + 1;
             return Err(Fault::outside(format!(
                 "{}[{number}] = {} is not finite",
-                symbol.id, states[at]
+                symbol.id,
+                short(states[at])
             )));
         }
         for (i, present) in self.state.groups.iter_mut().enumerate() {

@@ -1,0 +1,259 @@
+//! How numbers are printed for people: the one place behind messages, tables,
+//! drawings and books. It never fails; what is no number is said in words.
+
+use std::fmt;
+
+/// How many digits a number is printed with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Digits {
+    /// As many as make it exact where nine are enough, otherwise six significant ones.
+    Few,
+    /// Significant ones.
+    Significant(usize),
+    /// So many after the decimal point.
+    Decimals(usize),
+    /// As many as tell it from every other number, seventeen at most.
+    All,
+}
+
+/// A number in decimal digits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Number {
+    Finite {
+        negative: bool,
+        /// With a decimal point where it needs one; zero has no sign.
+        digits: String,
+        /// Of ten; zero where the digits alone are the number.
+        power: i32,
+    },
+    Infinite {
+        negative: bool,
+    },
+    Undefined,
+}
+
+/// Significant digits of a number that is not short by itself.
+const SIGNIFICANT: usize = 6;
+
+/// Most digits of a number that is printed exactly.
+const EXACT: usize = 9;
+
+/// Most digits altogether: more than these a number in double precision does not have.
+const MOST: usize = 15;
+
+/// Powers of ten that are written out.
+const PLAIN: std::ops::Range<i32> = -3..7;
+
+impl Number {
+    #[must_use]
+    pub fn new(value: f64, digits: Digits) -> Number {
+        if value.is_nan() {
+            return Number::Undefined;
+        }
+        let (negative, amount) = (value < 0.0, value.abs());
+        if amount.is_infinite() {
+            return Number::Infinite { negative };
+        }
+        let whole = usize::try_from(exponent(amount)).unwrap_or(0) + 1;
+        let (digits, power) = match digits {
+            Digits::Few | Digits::Significant(_) if amount == 0.0 => ("0".to_owned(), 0),
+            Digits::Decimals(decimals) if whole <= MOST => (format!("{amount:.*}", decimals.min(MOST - whole)), 0),
+            Digits::Few | Digits::Decimals(_) => {
+                let found = (0..EXACT)
+                    .map(|decimals| format!("{amount:.decimals$e}"))
+                    .find(|text| is_exact(text, amount));
+                placed(
+                    &found.unwrap_or_else(|| format!("{amount:.*e}", SIGNIFICANT - 1)),
+                    amount,
+                )
+            }
+            Digits::Significant(count) => placed(&format!("{amount:.*e}", count.clamp(1, MOST) - 1), amount),
+            Digits::All => placed(&format!("{amount:e}"), amount),
+        };
+        let negative = negative && digits.bytes().any(|digit| matches!(digit, b'1'..=b'9'));
+        Number::Finite {
+            negative,
+            digits,
+            power,
+        }
+    }
+}
+
+/// Digits and power of ten of a number in scientific notation.
+fn placed(text: &str, amount: f64) -> (String, i32) {
+    let (mantissa, power) = parts(text);
+    if !PLAIN.contains(&power) {
+        return (mantissa.to_owned(), power);
+    }
+    let decimals = mantissa.len().saturating_sub(2);
+    let decimals = i32::try_from(decimals).unwrap_or(0) - power;
+    (format!("{amount:.*}", usize::try_from(decimals).unwrap_or(0)), 0)
+}
+
+/// Mantissa and exponent of scientific notation.
+fn parts(text: &str) -> (&str, i32) {
+    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
+    (mantissa, power.parse().unwrap_or(0))
+}
+
+/// Exponent of the greatest power of ten that is not above the amount of a value, by its digits, so that it is the same
+/// everywhere; zero where there is none.
+#[must_use]
+pub fn exponent(value: f64) -> i32 {
+    parts(&format!("{:.9e}", value.abs())).1
+}
+
+/// Whether digits give the value back, but for the rounding of a conversion of units.
+fn is_exact(digits: &str, value: f64) -> bool {
+    digits
+        .parse()
+        .is_ok_and(|back: f64| back == value || (back - value).abs() <= 4.0 * f64::EPSILON * value.abs())
+}
+
+impl fmt::Display for Number {
+    /// For messages and the terminal: `-1.5e-7`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = match self {
+            Number::Finite {
+                negative,
+                digits,
+                power,
+            } => {
+                let sign = if *negative { "-" } else { "" };
+                match power {
+                    0 => format!("{sign}{digits}"),
+                    power => format!("{sign}{digits}e{power}"),
+                }
+            }
+            Number::Infinite { negative: false } => "infinite".to_owned(),
+            Number::Infinite { negative: true } => "-infinite".to_owned(),
+            Number::Undefined => "undefined".to_owned(),
+        };
+        f.pad(&text)
+    }
+}
+
+/// A number for messages and the terminal.
+#[must_use]
+pub fn short(value: f64) -> Number {
+    Number::new(value, Digits::Few)
+}
+
+/// A number with all its digits.
+#[must_use]
+pub fn exact(value: f64) -> Number {
+    Number::new(value, Digits::All)
+}
+
+/// A number that tells how great something is, as an error or a cost: three significant digits, or two with a power of
+/// ten.
+#[must_use]
+pub fn rough(value: f64) -> Number {
+    let plain = value == 0.0 || PLAIN.contains(&exponent(value));
+    Number::new(value, Digits::Significant(if plain { 3 } else { 2 }))
+}
+
+/// The numbers of a column, all with the same decimals: six significant digits for the largest, but not more than four
+/// decimals unless they are all small, and no more than make all of them exact.
+#[must_use]
+pub fn column(values: &[f64]) -> Vec<Number> {
+    let finite = values.iter().copied().filter(|value| value.is_finite());
+    let largest = finite.clone().map(f64::abs).fold(0.0, f64::max);
+    let digits = match exponent(largest) {
+        power if PLAIN.contains(&power) || largest == 0.0 => {
+            let least = if power < 0 { 3 - power } else { 4 };
+            let most = (SIGNIFICANT as i32 - 1 - power).clamp(0, least) as usize;
+            let enough = |decimals: &usize| {
+                finite
+                    .clone()
+                    .all(|value| is_exact(&format!("{value:.decimals$}"), value))
+            };
+            Digits::Decimals((0..most).find(enough).unwrap_or(most))
+        }
+        _ => Digits::Significant(SIGNIFICANT),
+    };
+    values.iter().map(|&value| Number::new(value, digits)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_numbers_are_short_and_others_have_six_digits() {
+        for (value, text) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (160.0, "160"),
+            (19.3, "19.3"),
+            (1.354_123_4, "1.3541234"),
+            (60.0_f64.to_radians() / (std::f64::consts::PI / 180.0), "60"),
+            (std::f64::consts::PI, "3.14159"),
+            (-17.300_000_04, "-17.3000"),
+            (999_999.712_345_6, "1000000"),
+            (6.123e-17, "6.123e-17"),
+            (2.0 / 3.0 * 1e-4, "6.66667e-5"),
+            (0.001_234_567_89, "0.00123456789"),
+            (-1e7, "-1e7"),
+            (5e-324, "5e-324"),
+            (f64::MAX, "1.79769e308"),
+            (f64::NEG_INFINITY, "-infinite"),
+            (f64::NAN, "undefined"),
+        ] {
+            assert_eq!(short(value).to_string(), text);
+        }
+    }
+
+    #[test]
+    fn digits_are_as_many_as_asked_for() {
+        for (value, digits, text) in [
+            (-0.000_04, Digits::Decimals(4), "0.0000"),
+            (-4.2338, Digits::Decimals(3), "-4.234"),
+            (1e300, Digits::Decimals(3), "1e300"),
+            (1e14, Digits::Decimals(9), "100000000000000"),
+            (0.001_234_5, Digits::Significant(3), "0.00123"),
+            (9.996, Digits::Significant(3), "10.0"),
+            (-98_765.4, Digits::Significant(3), "-98765"),
+            (1.0 / 3.0, Digits::All, "0.3333333333333333"),
+            (-0.0, Digits::All, "0"),
+            (f64::MIN_POSITIVE, Digits::All, "2.2250738585072014e-308"),
+        ] {
+            assert_eq!(Number::new(value, digits).to_string(), text);
+        }
+    }
+
+    #[test]
+    fn a_column_has_one_number_of_decimals() {
+        let texts = |values: &[f64]| -> Vec<String> { column(values).iter().map(Number::to_string).collect() };
+        assert_eq!(texts(&[254.346_5, -3.0, 1.18e-15]), ["254.346", "-3.000", "0.000"]);
+        assert_eq!(texts(&[1.0 / 3.0, f64::INFINITY]), ["0.3333", "infinite"]);
+        assert_eq!(texts(&[60.0, 60.5]), ["60.0", "60.5"]);
+        assert_eq!(texts(&[0.0, -0.0]), ["0", "0"]);
+        assert_eq!(texts(&[0.012_345_6, 0.0]), ["0.01235", "0.00000"]);
+        assert_eq!(texts(&[1e-9, 2.5e-10]), ["1.00000e-9", "2.50000e-10"]);
+    }
+
+    proptest::proptest! {
+        /// Whatever the number: no sign of zero, few digits, no failure.
+        #[test]
+        fn every_number_can_be_read(bits: u64, count in 0_usize..400, others: Vec<u64>) {
+            let value = f64::from_bits(bits);
+            let mut all: Vec<Number> = [Digits::Few, Digits::Significant(count), Digits::Decimals(count), Digits::All]
+                .map(|digits| Number::new(value, digits))
+                .into();
+            let others: Vec<f64> = others.into_iter().chain([bits]).map(f64::from_bits).collect();
+            all.extend(column(&others));
+            for number in all {
+                let text = number.to_string();
+                let mantissa = text.split('e').next().unwrap_or_default().trim_start_matches(['-', '0', '.']);
+                let digits = mantissa.bytes().filter(u8::is_ascii_digit).count();
+                proptest::prop_assert!(digits <= 17 && text.len() <= 25, "{text}");
+                let zero = text.parse::<f64>().is_ok_and(|value| value == 0.0);
+                proptest::prop_assert!(!(zero && text.starts_with('-')), "{text}");
+            }
+            if let Ok(back) = Number::new(value, Digits::All).to_string().parse::<f64>() {
+                proptest::prop_assert_eq!(back, value);
+            }
+        }
+    }
+}
