@@ -207,10 +207,8 @@ impl Books {
         let (templates, typesetter) = (self.making.templates()?, self.making.typesetter()?);
         let make = |scene: &Scene| {
             let edition = self.making.edition(scene, &templates, &*typesetter);
-            output::complete(
-                &self.output,
-                &book(&edition, scene, &Results::new(scene)?, self.format)?,
-            )
+            let results = Results::new(scene).map_err(Failure::of_scene)?;
+            output::complete(&self.output, &book(&edition, scene, &results, self.format)?)
         };
         self.scenes()?.iter().map(make).collect()
     }

@@ -18,6 +18,11 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// A model that cannot be built is the scene's mistake.
+    pub fn of_scene(fault: Fault) -> Failure {
+        Failure::Scene(fault.message)
+    }
+
     /// Exit code; 2 is clap's, for a wrong command line.
     pub fn code(&self) -> u8 {
         match self {
@@ -27,13 +32,6 @@ impl Failure {
             Failure::Program(_) => 5,
             Failure::Process(code, _) => code.unwrap_or(5),
         }
-    }
-}
-
-impl From<Fault> for Failure {
-    /// A model that cannot be built is the scene's mistake.
-    fn from(fault: Fault) -> Failure {
-        Failure::Scene(fault.message)
     }
 }
 

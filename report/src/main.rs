@@ -136,7 +136,7 @@ fn run(command: Command) -> Result<(), Failure> {
             making,
         } => {
             let scene = decided(scene_file::read(make.scene.as_deref())?)?;
-            let results = Results::new(&scene)?;
+            let results = Results::new(&scene).map_err(Failure::of_scene)?;
             let pdf = making.pdf(&scene, &results)?;
             let documentation = documentation(&scene, Some(&pdf))?;
             let mut outputs = fmus(&scene, platforms.as_deref(), &documentation)?;
@@ -200,7 +200,7 @@ fn fmus(scene: &Scene, platforms: Option<&Path>, documentation: &[(String, Vec<u
 
 fn check(path: Option<&Path>, json: bool, csv: bool) -> Result<(), Failure> {
     let scene = scene_file::read(path)?;
-    let results = Results::new(&scene)?;
+    let results = Results::new(&scene).map_err(Failure::of_scene)?;
     if json {
         say(results.json())?;
     } else if csv {

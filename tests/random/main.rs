@@ -53,7 +53,7 @@ struct Outcome {
     refused: Vec<(&'static str, String)>,
     /// What must not be.
     wrong: Vec<String>,
-    /// Evaluations of the right-hand side for each natural time of the machine.
+    /// Evaluations of the right-hand side of each body for a natural time of the machine.
     work: Option<f64>,
 }
 
@@ -146,6 +146,12 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) {
     };
     let before = model.clone();
     let own = tell(&mut model, &before, &mut draw());
+    let bodies = before
+        .variables()
+        .iter()
+        .filter_map(|variable| variable.number)
+        .max()
+        .unwrap_or(1);
     for message in own.refused.iter().flatten() {
         read(message, "message", &mut outcome.wrong);
     }
@@ -156,7 +162,7 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) {
             .extend(own.refused[part].iter().take(3).map(|message| (what, message.clone())));
     }
     if own.reached > 0.0 {
-        outcome.work = Some(f64::from(own.rates) * case.scale[2] / own.reached);
+        outcome.work = Some(f64::from(own.rates) / f64::from(bodies) * case.scale[2] / own.reached);
     }
     let fmu = Unpacked::new(scene.text());
     for second in [false, true] {
@@ -207,7 +213,8 @@ fn book(scene: &Scene, results: &Results, number: u64, outcome: &mut Outcome) {
 fn read(text: &str, what: &str, wrong: &mut Vec<String>) {
     let number = |c: char| c.is_ascii_alphanumeric() || "+-.".contains(c);
     for word in text.split(|c| !number(c)) {
-        let digits = word.chars().filter(char::is_ascii_digit).count();
+        let mantissa = word.split(['e', 'E']).next().unwrap_or("");
+        let digits = mantissa.chars().filter(char::is_ascii_digit).count();
         let zero = word.strip_prefix('-').is_some_and(|rest| {
             digits > 0 && rest.starts_with(|c: char| c.is_ascii_digit()) && rest.chars().all(|c| matches!(c, '0' | '.'))
         });

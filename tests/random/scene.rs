@@ -193,7 +193,8 @@ impl Draw {
             return (1 + self.rng.usize(0..of.items.len())) as f64;
         }
         let [least, most] = variable.bounds;
-        let any = self.natural(variable.symbol) * self.decades(-2, 2) * self.pick(&[1.0, -1.0]);
+        let beyond = if self.coin(0.02) { 1e3 } else { 1.0 };
+        let any = self.natural(variable.symbol) * self.decades(-3, 0) * self.pick(&[beyond, -beyond]);
         let inner = if least.is_finite() && most.is_finite() {
             self.between(least, most)
         } else {

@@ -63,7 +63,8 @@ struct Command {
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let size = draw.decades(-1, 2) * draw.between(0.5, 3.0);
     let mass = draw.decades(1, 7);
-    draw.size(size, mass);
+    // A machine that does not swing has no time of its own.
+    draw.scale = [size, mass, 1.0];
     let moves = draw.coin(0.35);
     let level = if draw.coin(0.2) {
         "auto"

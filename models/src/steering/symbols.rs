@@ -155,7 +155,7 @@ symbols! {
     Q_MAX: "q_max" "q_max" M3_PER_S / L_PER_MIN, "Greatest oil flow of all cylinders together, of all modes at the steering speed.", "derived";
     MARGIN_MIN: "margin_min" "Delta theta_min" RAD / DEG, "Smallest angle that is left to an end of a group's range in the working range.", "derived";
     B_S_MAX: "b_s_max" "b_(s,max)" M / M, "Greatest width of the swept lane in the working range.", "rigid body";
-    R_O_MIN: "R_O_min" "R_(O,min)" M / M, "Smallest turning radius in the working range.", "derived";
+    R_O_MIN: "R_O_min" "R_(O,min)" M / M, "Smallest turning radius in the working range.", "derived", infinite "where the machine does not turn";
     RING_USE: "ring_use" "k_1" ONE / PERCENT, "Moment on the ring over what its load curve bears; infinite where the force alone is too great.", "[Zhang2016, 4]";
     BOLT_USE: "bolt_use" "k_2" ONE / PERCENT, "Moment on the bolts over what their load curve bears; infinite where the force alone is too great.", "[Zhang2016, 4]";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
