@@ -43,8 +43,12 @@ const STATE_NAMES: [&str; 8] = [
     "fatal error",
 ];
 
-/// Log categories with their descriptions, in the order of the statuses discard, error, fatal.
-pub const CATEGORIES: [(&CStr, &str); 3] = [
+/// Log categories with their descriptions, in the order of the statuses warning, discard, error, fatal.
+pub const CATEGORIES: [(&CStr, &str); 4] = [
+    (
+        c"logStatusWarning",
+        "Results that the model has and a machine has not, told once in a run",
+    ),
     (
         c"logStatusDiscard",
         "Values and configurations that do not exist: another value or a smaller step may do",
@@ -111,6 +115,8 @@ pub struct Instance {
     /// Which of [`CATEGORIES`] are reported.
     logged: [bool; CATEGORIES.len()],
     now: Now,
+    /// The model's warning of this run, and whether the importer has still to be told.
+    warning: Option<(&'static str, bool)>,
     /// The instance as it was instantiated, for reset.
     initial: Saved,
     /// FMU states by handle, in ascending order of handles.
@@ -199,6 +205,7 @@ impl Instance {
             vectors,
             logged: [true; CATEGORIES.len()],
             now,
+            warning: None,
             initial,
             saved: Vec::new(),
             last_handle: 0,
@@ -286,6 +293,7 @@ impl Instance {
     /// The initial configuration cannot be reached; the instance stays in initialization mode.
     pub fn start(&mut self) -> Result<(), Fault> {
         self.model.start()?;
+        self.watch();
         self.enter(match self.interface {
             Interface::ModelExchange => EVENT,
             Interface::CoSimulation => STEP,
@@ -311,6 +319,7 @@ impl Instance {
     /// None; a result like those of the other functions.
     pub fn reset(&mut self) -> Result<(), Fault> {
         self.now = self.initial.now;
+        self.warning = None;
         self.held.clone_from(&self.initial.held);
         self.model.set_state(&self.initial.model);
         Ok(())
@@ -359,7 +368,22 @@ impl Instance {
         self.now.tried = end;
         self.model.advance(self.now.time, end)?;
         self.now.time = end;
+        self.watch();
         Ok(())
+    }
+
+    /// Looks whether there is something to warn of, as far as it is not known in this run.
+    fn watch(&mut self) {
+        if self.warning.is_none() {
+            self.warning = self.model.warning().map(|words| (words, true));
+        }
+    }
+
+    /// What the importer is to be warned of, once in a run.
+    #[inline]
+    pub fn take_warning(&mut self) -> Option<&'static str> {
+        let (words, new) = self.warning.as_mut()?;
+        std::mem::take(new).then_some(*words)
     }
 
     /// Number of continuous states.
@@ -426,7 +450,9 @@ impl Instance {
     /// # Errors
     /// A configuration that does not exist.
     pub fn update_discrete(&mut self) -> Result<bool, Fault> {
-        self.model.event()
+        let jumped = self.model.event()?;
+        self.watch();
+        Ok(jumped)
     }
 
     /// Time of the next event that is known beforehand, in s. In Co-Simulation steps handle theirs inside.

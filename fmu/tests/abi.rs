@@ -2,8 +2,11 @@
 
 mod common;
 
+#[path = "../../models/tests/common/levels.rs"]
+mod levels;
+
 use common::{Messages, REACHABLE, UNREACHABLE, Unpacked, instantiate2, instantiate3, log3, step3};
-use lemnis_fmu::abi::{Component, STATUS_DISCARD, STATUS_ERROR, STATUS_OK, Status, fmi2::*, fmi3::*};
+use lemnis_fmu::abi::{Component, STATUS_DISCARD, STATUS_ERROR, STATUS_OK, STATUS_WARNING, Status, fmi2::*, fmi3::*};
 use lemnis_fmu::description::Standard;
 use lemnis_fmu::package;
 use lemnis_models::scene::{self, Scene};
@@ -460,5 +463,97 @@ fn the_same_scene_gives_the_same_bytes() {
             package::fmu(&scene, standard, std::slice::from_ref(&library), &documentation).unwrap()
         };
         assert_eq!(make(), make());
+    }
+}
+
+/// Oil below vacuum is a warning of the call that meets it, once in a run, and a truth value as long as it lasts; a new
+/// run warns anew, and a category that is switched off is not logged.
+#[test]
+fn oil_below_vacuum_is_warned_of_once_in_a_run() {
+    let fmu = Unpacked::of(&levels::scene("hydraulic"));
+    let (command, flag) = (fmu.reference("u_v"), fmu.reference("cavitates"));
+    let mut messages = Vec::new();
+    let i = instantiate3(&fmu, false, &mut messages);
+    let mut second = Vec::new();
+    let c = instantiate2(&fmu, 1, &mut second);
+    // SAFETY: see above.
+    unsafe {
+        for run in 1..=2 {
+            assert_eq!(
+                fmi3EnterInitializationMode(i, 0, 0.0, 0.0, 0, 0.0) + fmi3ExitInitializationMode(i),
+                STATUS_OK
+            );
+            assert_eq!(fmi2SetupExperiment(c, 0, 0.0, 0.0, 0, 0.0), STATUS_OK);
+            assert_eq!(
+                fmi2EnterInitializationMode(c) + fmi2ExitInitializationMode(c),
+                STATUS_OK
+            );
+            let (mut warnings, mut torn) = (0, 0);
+            for step in 0..60 {
+                let time = 0.05 * f64::from(step);
+                let value = if step < 20 { 1.0 } else { -1.0 };
+                assert_eq!(fmi3SetFloat64(i, &command, 1, &value, 1), STATUS_OK);
+                assert_eq!(fmi2SetReal(c, &command, 1, &value), STATUS_OK);
+                let statuses = [step3(i, time, 0.05).0, fmi2DoStep(c, time, 0.05, 1)];
+                assert_eq!(statuses[0], statuses[1], "both standards at {time} s");
+                assert!([STATUS_OK, STATUS_WARNING].contains(&statuses[0]));
+                warnings += statuses[0];
+                let (mut now, mut same) = (9, 9);
+                assert_eq!(fmi3GetBoolean(i, &flag, 1, &mut now, 1), STATUS_OK);
+                assert_eq!(fmi2GetBoolean(c, &flag, 1, &mut same), STATUS_OK);
+                assert_eq!(i32::from(now), same, "{time} s");
+                torn += same;
+            }
+            assert_eq!(warnings, 1, "run {run}");
+            assert!(torn > 0 && torn < 40, "{torn}");
+            assert_eq!((messages.len(), second.len()), (run, run));
+            for (status, words) in messages.iter().chain(&second) {
+                assert_eq!(*status, STATUS_WARNING);
+                assert!(words.contains("DoStep: the oil has fallen below -1 bar"), "{words}");
+            }
+            assert_eq!(fmi3Reset(i) + fmi2Reset(c), STATUS_OK);
+        }
+        fmi3FreeInstance(i);
+        fmi2FreeInstance(c);
+
+        // In Model Exchange the event at which the oil falls below, told by its indicator.
+        let mut messages = Vec::new();
+        let c = instantiate2(&fmu, 0, &mut messages);
+        let off = [c"logStatusWarning".as_ptr()];
+        let mut info = fmi2EventInfo::default();
+        assert_eq!(
+            fmi2EnterInitializationMode(c) + fmi2ExitInitializationMode(c),
+            STATUS_OK
+        );
+        assert_eq!(fmi2NewDiscreteStates(c, &mut info), STATUS_OK);
+        let mut states = [0.0; 8];
+        let mut indicators = [0.0; 6];
+        let mut now = 9;
+        for (run, pressure) in [(1, -1.5e5), (2, 20e5), (3, -1.5e5)] {
+            assert_eq!(fmi2EnterContinuousTimeMode(c), STATUS_OK);
+            assert_eq!(fmi2GetContinuousStates(c, states.as_mut_ptr(), 8), STATUS_OK);
+            assert_eq!(fmi2GetEventIndicators(c, indicators.as_mut_ptr(), 6), STATUS_OK);
+            let before = indicators[5];
+            states[5] = pressure;
+            assert_eq!(fmi2SetContinuousStates(c, states.as_ptr(), 8), STATUS_OK);
+            assert_eq!(fmi2GetEventIndicators(c, indicators.as_mut_ptr(), 6), STATUS_OK);
+            assert!(before * indicators[5] < 0.0, "an event: {before} {}", indicators[5]);
+            assert_eq!(fmi2GetBoolean(c, &flag, 1, &mut now), STATUS_OK);
+            assert_eq!(now != 0, run == 2, "held until the event");
+            assert_eq!(fmi2EnterEventMode(c), STATUS_OK);
+            let status = fmi2NewDiscreteStates(c, &mut info);
+            assert_eq!(status, if run == 1 { STATUS_WARNING } else { STATUS_OK });
+            assert_eq!(fmi2GetBoolean(c, &flag, 1, &mut now), STATUS_OK);
+            assert_eq!(now != 0, run != 2);
+        }
+        assert_eq!(messages.len(), 1, "{messages:?}");
+        assert_eq!(fmi2SetDebugLogging(c, 0, 1, off.as_ptr()), STATUS_OK);
+        assert_eq!(fmi2Reset(c), STATUS_OK);
+        assert_eq!(fmi2EnterInitializationMode(c), STATUS_OK);
+        let pressure = fmu.reference("p_B");
+        assert_eq!(fmi2SetReal(c, &pressure, 1, &-1.5e5), STATUS_OK);
+        assert_eq!(fmi2ExitInitializationMode(c), STATUS_WARNING, "from the start");
+        assert_eq!(messages.len(), 1, "switched off");
+        fmi2FreeInstance(c);
     }
 }

@@ -426,6 +426,16 @@ impl Model {
         }
     }
 
+    /// What the importer should know of the motion so far, besides its results, in words.
+    #[must_use]
+    pub fn warning(&self) -> Option<&'static str> {
+        match self {
+            Model::Luffing(_) | Model::Steering(_) => None,
+            Model::Moving(model) => model.warning(),
+            Model::Turning(model) => model.warning(),
+        }
+    }
+
     /// Time of the next event that is known beforehand, in s: a sample of the PLC.
     #[must_use]
     pub fn next_event(&self) -> Option<f64> {

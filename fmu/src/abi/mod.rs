@@ -15,6 +15,7 @@ use std::path::PathBuf;
 /// `fmi2Status` and `fmi3Status`, which agree in the values used here.
 pub type Status = c_int;
 pub const STATUS_OK: Status = 0;
+pub const STATUS_WARNING: Status = 1;
 pub const STATUS_DISCARD: Status = 2;
 pub const STATUS_ERROR: Status = 3;
 pub const STATUS_FATAL: Status = 4;
@@ -70,7 +71,10 @@ unsafe fn guard(
         return untimely(instance, log, name, allowed);
     }
     match catch_unwind(AssertUnwindSafe(|| call(instance))) {
-        Ok(Ok(())) => STATUS_OK,
+        Ok(Ok(())) => match instance.take_warning() {
+            None => STATUS_OK,
+            Some(words) => report(instance, log, name, STATUS_WARNING, words),
+        },
         Ok(Err(fault)) => refused(instance, log, name, discards, &fault),
         Err(panic) => panicked(instance, log, name, panic.as_ref()),
     }
@@ -100,7 +104,7 @@ fn panicked(instance: &mut Instance, log: &Log, name: &str, panic: &(dyn Any + S
 
 /// Index of a status in [`CATEGORIES`].
 fn category(status: Status) -> usize {
-    (status - STATUS_DISCARD) as usize
+    (status - STATUS_WARNING) as usize
 }
 
 #[cold]

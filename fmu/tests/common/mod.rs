@@ -1,7 +1,9 @@
 //! The default scene as an importer finds it: a resources folder, a token, value references.
 #![allow(dead_code, reason = "each test uses its own part")]
 
-use lemnis_fmu::abi::{Component, STATUS_DISCARD, STATUS_ERROR, STATUS_FATAL, Status, fmi2::*, fmi3::*};
+use lemnis_fmu::abi::{
+    Component, STATUS_DISCARD, STATUS_ERROR, STATUS_FATAL, STATUS_WARNING, Status, fmi2::*, fmi3::*,
+};
 use lemnis_fmu::layout::{self, Place};
 use lemnis_models::model::Model;
 use lemnis_models::scene::{self, Scene};
@@ -26,12 +28,16 @@ pub struct Unpacked {
 impl Unpacked {
     pub fn new() -> Unpacked {
         let scene = Scene::parse(scene::DEFAULT).unwrap_or_else(|_| panic!("the default scene is valid"));
+        Unpacked::of(&scene)
+    }
+
+    pub fn of(scene: &Scene) -> Unpacked {
         let folder = tempfile::tempdir().unwrap();
         std::fs::create_dir(folder.path().join("resources")).unwrap();
         std::fs::write(folder.path().join("resources/scene.toml"), scene.text()).unwrap();
         Unpacked {
-            model: Model::new(&scene).unwrap(),
-            token: CString::new(lemnis_fmu::instance::token(&scene)).unwrap(),
+            model: Model::new(scene).unwrap(),
+            token: CString::new(lemnis_fmu::instance::token(scene)).unwrap(),
             folder,
         }
     }
@@ -91,6 +97,7 @@ pub unsafe extern "C" fn log3(
     // SAFETY: see above.
     unsafe {
         let expected = match status {
+            STATUS_WARNING => c"logStatusWarning",
             STATUS_DISCARD => c"logStatusDiscard",
             STATUS_ERROR => c"logStatusError",
             STATUS_FATAL => c"logStatusFatal",

@@ -40,6 +40,15 @@ pub struct Oil<C> {
     pub spool_speed: C,
 }
 
+impl<C: Calc> Oil<C> {
+    /// The least of all pressures, in Pa.
+    #[inline]
+    pub fn least(&self) -> C {
+        let [a, b] = [self.ports, self.chambers].map(|[a, b]| if a.value() < b.value() { a } else { b });
+        if a.value() < b.value() { a } else { b }
+    }
+}
+
 /// Flows of one cylinder, in m³/s.
 #[derive(Clone, Copy, Debug)]
 pub struct Flows<C> {

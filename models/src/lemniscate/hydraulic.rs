@@ -503,6 +503,11 @@ impl<const N: usize> System<N> for Piece<'_, N> {
     }
 
     #[inline]
+    fn least(&self, y: &[f64; N]) -> f64 {
+        Hydraulic::<N>::oil(y).least()
+    }
+
+    #[inline]
     fn settle(&self, y: &mut [f64; N]) {
         if N > FIXED && self.modes.taut && self.crane.dynamics().bodies().pendulum.is_some() {
             match &self.crane.crane {

@@ -40,6 +40,12 @@ pub trait System<const N: usize> {
         false
     }
 
+    /// What must not fall too low, such as a pressure: a run keeps the least with which a step has ended.
+    #[inline]
+    fn least(&self, _: &[f64; N]) -> f64 {
+        f64::INFINITY
+    }
+
     /// Puts the states at the end of a step where their constraints want them, against the solver's error.
     #[inline]
     fn settle(&self, _: &mut [f64; N]) {}

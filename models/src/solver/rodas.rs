@@ -288,6 +288,8 @@ pub struct Run<const N: usize> {
     next: f64,
     /// At the step's end something is to be decided.
     ended: bool,
+    /// Least [of the system](System::least) at the ends of the steps that lie behind.
+    pub least: f64,
     pub count: Count,
 }
 
@@ -300,6 +302,7 @@ impl<const N: usize> Run<N> {
             behind: 0.0,
             next: first,
             ended: false,
+            least: f64::INFINITY,
             count: Count::default(),
         }
     }
@@ -322,6 +325,7 @@ impl<const N: usize> Run<N> {
     /// The same from other states, where something was decided.
     pub fn restart(&mut self, y: [f64; N], first: f64) {
         *self = Run {
+            least: self.least,
             count: self.count,
             ..Run::new(y, first)
         };
@@ -369,6 +373,7 @@ impl<const N: usize> Run<N> {
         while left > self.step.h - self.behind {
             left -= self.step.h - self.behind;
             self.behind = self.step.h;
+            self.least = self.least.min(system.least(&self.step.to));
             if self.ended {
                 return Ok(left);
             }
@@ -445,7 +450,7 @@ impl<const N: usize> Run<N> {
         Ok(0.0)
     }
 
-    /// The run as numbers, for a state that is written out; the counts are not part of it.
+    /// The run as numbers, for a state that is written out; what it has met and counted is not part of it.
     pub fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
         let Step { h, from, to, bend, .. } = &self.step;
         let scalars = [*h, self.behind, self.next, f64::from(self.ended)];
@@ -472,6 +477,7 @@ impl<const N: usize> Run<N> {
             behind,
             next,
             ended: ended != 0.0,
+            least: f64::INFINITY,
             count: Count::default(),
         })
     }

@@ -154,6 +154,11 @@ impl System<STATES> for Group {
         let out = self.equations(&Gradient::states(y));
         Some((out.map(|x| x.re), out.map(|x| x.by)))
     }
+
+    #[inline]
+    fn least(&self, y: &[f64; STATES]) -> f64 {
+        Group::oil(y).least()
+    }
 }
 
 /// The PLC's control loop of one group: proportional and integral, sampled.

@@ -3,6 +3,8 @@
 //! beside it.
 
 use crate::calc::Calc;
+use crate::hydraulics::cylinder::Oil;
+use crate::hydraulics::oil::VACUUM;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics};
 use crate::lemniscate::hydraulic::{self, FIXED, Hydraulic, Modes};
 use crate::lemniscate::motion::{self, Bar, Commands, Motion};
@@ -13,9 +15,9 @@ use crate::solver::{Count, Halt};
 /// Most continuous states of any level.
 pub const MOST_STATES: usize = hydraulic::MOST;
 /// Most event indicators of any level.
-pub const MOST_INDICATORS: usize = 10;
+pub const MOST_INDICATORS: usize = 11;
 /// Event indicators of the oil.
-pub const OIL_INDICATORS: usize = 5;
+pub const OIL_INDICATORS: usize = 6;
 
 /// Inputs, constant over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,7 +100,7 @@ fn tolerance<const N: usize>(relative: f64, states: usize) -> Tolerance<N> {
     Tolerance { relative, absolute }
 }
 
-/// Spool, relief valves and stops of luffing, then slewing and the rope as far as there are any.
+/// Spool, relief valves, stops of luffing and vacuum, then slewing and the rope as far as there are any.
 fn oil_indicators<const N: usize, P: Coordinate<P>>(
     system: &Hydraulic<N, P>,
     modes: Modes,
@@ -106,9 +108,10 @@ fn oil_indicators<const N: usize, P: Coordinate<P>>(
     indicators: &mut [P; MOST_INDICATORS],
 ) -> Option<()> {
     let (opening, [low, high]) = (system.cylinder.relief[0], system.stops().map(P::constant));
+    let margin = Hydraulic::<N, P>::oil(y).least() - P::constant(VACUUM);
     put(
         indicators,
-        &[y[6], opening - y[2], opening - y[3], y[0] - low, high - y[0]],
+        &[y[6], opening - y[2], opening - y[3], y[0] - low, high - y[0], margin],
     );
     let more = system.indicators(modes, y)?;
     let first = if system.dynamics().turntable().is_some() { 0 } else { 4 };
@@ -375,6 +378,10 @@ fn oil_advance<const N: usize>(
     possible(system, present).then_some(work).ok_or(Halt::Outside)
 }
 
+fn oil<const N: usize>(run: &Run<N>) -> Oil<f64> {
+    Hydraulic::<N>::oil(&run.states())
+}
+
 /// Which way a bar moves, as a number, and back; one that is loose always is.
 fn way(bar: Bar) -> f64 {
     match bar {
@@ -422,6 +429,17 @@ impl Present {
             Present::Slewing(state) => put(&mut state.y, values),
             Present::Fixed(present) => present.set_states(values),
             Present::Hanging(present) => present.set_states(values),
+        }
+    }
+
+    /// Least pressure of the oil now and so far, in Pa; infinite without oil.
+    #[must_use]
+    pub fn least_pressures(&self) -> [f64; 2] {
+        let of = |now: f64, run: f64| [now, now.min(run)];
+        match self {
+            Present::Free(_) | Present::Slewing(_) => [f64::INFINITY; 2],
+            Present::Fixed(present) => of(oil(&present.run).least(), present.run.least),
+            Present::Hanging(present) => of(oil(&present.run).least(), present.run.least),
         }
     }
 

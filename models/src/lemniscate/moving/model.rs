@@ -8,6 +8,8 @@ use num_dual::Dual64;
 
 use crate::calc::{Calc, Over};
 use crate::hydraulics::cylinder::Cylinder;
+use crate::hydraulics::oil::{VACUUM, warning};
+use crate::hydraulics::symbols as h;
 use crate::hydraulics::valve::Valve;
 use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::lemniscate::geometry::{Driven, Geometry};
@@ -102,6 +104,7 @@ enum Slot {
     SlewingMoment,
     SlewingBrake,
     Reaction(Reaction),
+    Cavitates,
     /// Index of a variable of the algebraic model.
     Algebraic(usize),
 }
@@ -262,6 +265,13 @@ impl Model {
                 list.push((of(&m::S_Q, Role::Output), Slot::Reaction(Reaction::Distance)));
             }
         }
+        if hydraulic {
+            let flag = Variable {
+                kind: Type::Boolean,
+                ..of(&h::CAVITATES, Role::Output)
+            };
+            list.push((flag, Slot::Cavitates));
+        }
         for (index, variable) in self.algebraic.variables().iter().enumerate() {
             if !coordinate.contains(&variable.symbol) {
                 list.push((*variable, Slot::Algebraic(index)));
@@ -283,7 +293,14 @@ impl Model {
             list.push((of(symbol, Role::Rate), Slot::Rate(i)));
         }
         let mut indicators = if hydraulic {
-            vec![&m::Z_SPOOL, &m::Z_RELIEF_1, &m::Z_RELIEF_2, &m::Z_LOW, &m::Z_HIGH]
+            vec![
+                &m::Z_SPOOL,
+                &m::Z_RELIEF_1,
+                &m::Z_RELIEF_2,
+                &m::Z_LOW,
+                &m::Z_HIGH,
+                &h::Z_VACUUM,
+            ]
         } else {
             vec![&m::Z_REST, &m::Z_LOOSE, &m::Z_LOW, &m::Z_HIGH]
         };
@@ -578,8 +595,15 @@ impl Model {
                 let found = self.level()?.reaction(&present, &inputs, &y, reaction);
                 found.ok_or_else(|| self.open())
             }
+            Slot::Cavitates => Ok(f64::from(self.state.present.least_pressures()[0] < VACUUM)),
             Slot::Algebraic(inner) => self.algebraic.get(inner),
         }
+    }
+
+    /// What the importer should know of the motion so far, besides its results.
+    #[must_use]
+    pub fn warning(&self) -> Option<&'static str> {
+        warning(self.state.present.least_pressures()[1])
     }
 
     /// # Errors
@@ -588,7 +612,7 @@ impl Model {
         let (slot, symbol, sign) = (self.slot(index)?, self.variables[index].symbol, self.signs[index]);
         match slot {
             Slot::Algebraic(inner) => self.algebraic.check(inner, value),
-            Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_) => {
+            Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_) | Slot::Cavitates => {
                 Err(Fault::new(format!("{} is a result and cannot be set", symbol.id)))
             }
             _ if sign.allows(value) => Ok(()),
@@ -981,12 +1005,20 @@ impl Model {
     pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
         let name = |variable: &Variable| -> Name { (variable.symbol.id, variable.number) };
         let algebraic = self.algebraic.dependencies();
+        let pressures = || {
+            [&m::P_1, &m::P_2, &m::P_A, &m::P_B]
+                .map(|symbol| (symbol.id, None))
+                .into()
+        };
         let of = |slot: &Slot| match *slot {
             Slot::State(i) => BTreeSet::from([name(&self.variables[i])]),
             Slot::Algebraic(inner) => {
                 let found = algebraic[inner].iter().copied();
                 found.filter(|name| *name != (TIME.id, None)).collect()
             }
+            // Any of them may be the least.
+            Slot::Cavitates => pressures(),
+            Slot::Indicator(i) if i + 1 == OIL_INDICATORS && self.state.oil.is_some() => pressures(),
             _ => BTreeSet::new(),
         };
         let mut found: Vec<BTreeSet<Name>> = self.slots.iter().map(of).collect();

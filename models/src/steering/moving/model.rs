@@ -8,6 +8,8 @@ use num_dual::Dual64;
 
 use crate::calc::{Calc, Over};
 use crate::hydraulics::cylinder::Cylinder;
+use crate::hydraulics::oil::{VACUUM, warning};
+use crate::hydraulics::symbols as h;
 use crate::hydraulics::valve::Valve;
 use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::number::short;
@@ -124,6 +126,9 @@ enum Slot {
     /// A quantity of [`Moving`].
     Given,
     Demand,
+    /// Whether any group's oil is below vacuum, and how far above it the least pressure of all is.
+    Cavitates,
+    Vacuum,
     /// A result of a group.
     Of(OfGroup, usize),
     /// Index of a variable of the algebraic model.
@@ -265,6 +270,12 @@ impl Model {
         }
         let margin = self.algebraic.variables()[self.margin];
         list.push((margin, Slot::Algebraic(self.margin)));
+        list.push((real(&h::Z_VACUUM, None, Role::Indicator, ANY), Slot::Vacuum));
+        let flag = Variable {
+            kind: Type::Boolean,
+            ..real(&h::CAVITATES, None, Role::Output, ANY)
+        };
+        list.push((flag, Slot::Cavitates));
         list.push((real(&m::Q_P, None, Role::Output, ANY), Slot::Demand));
         list.extend(results);
         list
@@ -318,10 +329,10 @@ impl Model {
         STATES * self.state.groups.len()
     }
 
-    /// Number of event indicators: those of the groups, and the margin to the ranges.
+    /// Number of event indicators: those of the groups, and the margins to the ranges and to vacuum.
     #[must_use]
     pub fn indicators(&self) -> usize {
-        INDICATORS * self.state.groups.len() + 1
+        INDICATORS * self.state.groups.len() + 2
     }
 
     /// The equations of motion with the present parameters and inputs.
@@ -499,9 +510,25 @@ impl Model {
                 }
                 Ok(sum)
             }
+            Slot::Cavitates => Ok(f64::from(self.lowest().1 < VACUUM)),
+            Slot::Vacuum => Ok(self.lowest().1 - VACUUM),
             Slot::Of(of, i) => self.of_group(of, i),
             Slot::Algebraic(inner) => self.algebraic.get(inner),
         }
+    }
+
+    /// The group with the least pressure of its oil, and that pressure, in Pa.
+    fn lowest(&self) -> (usize, f64) {
+        let groups = self.state.groups.iter().enumerate();
+        let all = groups.map(|(i, present)| (i, Group::oil(&present.run.states()).least()));
+        all.fold((0, f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a })
+    }
+
+    /// What the importer should know of the motion so far, besides its results.
+    #[must_use]
+    pub fn warning(&self) -> Option<&'static str> {
+        let groups = self.state.groups.iter();
+        warning(groups.fold(self.lowest().1, |least, present| least.min(present.run.least)))
     }
 
     fn of_group(&mut self, of: OfGroup, i: usize) -> Result<f64, Fault> {
@@ -805,6 +832,7 @@ impl Model {
             }
         }
         indicators[INDICATORS * groups] = self.algebraic.get(self.margin)?;
+        indicators[INDICATORS * groups + 1] = self.lowest().1 - VACUUM;
         Ok(())
     }
 
@@ -937,6 +965,10 @@ impl Model {
                 }
                 sum
             }
+            Slot::Vacuum => {
+                let (_, y) = of_states(tangent, self.lowest().0)?;
+                Group::oil(&y).least()
+            }
             Slot::Of(OfGroup::Command, _) => Dual64::from_re(0.0),
             Slot::Of(OfGroup::Wanted, i) => self.searched(tangent, variable, self.wanted + i)?,
             Slot::Of(OfGroup::Error, i) => {
@@ -952,7 +984,9 @@ impl Model {
             Slot::Of(of, i) => of_group(tangent, of, i)?,
             Slot::Algebraic(inner) if self.algebraic.is_searched(inner) => self.searched(tangent, variable, inner)?,
             Slot::Algebraic(inner) => self.of_command(tangent, inner)?,
-            Slot::Given => return Err(Fault::new(format!("{variable} is no result: it has no derivative"))),
+            Slot::Given | Slot::Cavitates => {
+                return Err(Fault::new(format!("{variable} is no result: it has no derivative")));
+            }
         };
         Ok(found.eps)
     }
@@ -1010,6 +1044,12 @@ impl Model {
             Slot::Rate(0, i) => BTreeSet::from([name(&m::OMEGA_G, i)]),
             Slot::Rate(_, i) | Slot::Indicator(_, i) => acting(i),
             Slot::Given => BTreeSet::new(),
+            // Any of them may be the least.
+            Slot::Cavitates | Slot::Vacuum => {
+                let pressures = [&m::P_1, &m::P_2, &m::P_A, &m::P_B];
+                let of = |i: usize| pressures.map(|symbol| name(symbol, i));
+                (0..self.state.groups.len()).flat_map(of).collect()
+            }
             Slot::Demand => (0..self.state.groups.len()).flat_map(acting).collect(),
             Slot::Of(OfGroup::Command, _) => BTreeSet::new(),
             Slot::Of(OfGroup::Wanted, i) => &algebraic[self.wanted + i] | &constants,
