@@ -105,18 +105,14 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
         }
     }
     let _ = (results.json(), results.broken_limits());
-    for standard in [Standard::Fmi2, Standard::Fmi3] {
-        let description = model_description(&scene, standard).map(String::from_utf8);
-        let Ok(Ok(description)) = description else {
-            outcome.wrong.push(format!("no description: {description:?}"));
-            continue;
-        };
-        if ["=\"NaN\"", "=\"inf\"", "=\"-inf\""]
-            .iter()
-            .any(|none| description.contains(none))
-        {
+    // What depends on what takes as long as all the rest, and is the same in both.
+    let standard = [Standard::Fmi2, Standard::Fmi3][number as usize % 2];
+    match model_description(&scene, standard).map(String::from_utf8) {
+        Ok(Ok(description)) if ["=\"NaN\"", "inf\""].iter().any(|none| description.contains(none)) => {
             outcome.wrong.push("a description with no number".to_owned());
         }
+        Ok(Ok(_)) => {}
+        other => outcome.wrong.push(format!("no description: {other:?}")),
     }
     documentation::page(&scene, None).unwrap_or_else(|error| panic!("{error}"));
     run(case, &scene, number, outcome);
@@ -124,7 +120,9 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
         book(&scene, &results, number, outcome);
     }
     if number.is_multiple_of(TRADE) {
-        if let Err(failure) = Trade::new(&scene, SAMPLE, 0, &|| ()) {
+        // As long as it takes with a hundred samples.
+        let sample = Model::new(&scene).map_or(SAMPLE, |model| (model.stop_time() / 100.0).max(SAMPLE));
+        if let Err(failure) = Trade::new(&scene, sample, 0, &|| ()) {
             let message = failure.to_string();
             read(&message, "message", &mut outcome.wrong);
             outcome.refused.push(("trade", message));
@@ -209,17 +207,21 @@ fn book(scene: &Scene, results: &Results, number: u64, outcome: &mut Outcome) {
     }
 }
 
-/// Numbers as people read them: none that is no number, none with a sign of zero, none longer than 17 digits.
+/// Numbers as people read them: none that is no number, none with a sign of zero, none with more than 17 digits.
 fn read(text: &str, what: &str, wrong: &mut Vec<String>) {
     let number = |c: char| c.is_ascii_alphanumeric() || "+-.".contains(c);
     for word in text.split(|c| !number(c)) {
         let mantissa = word.split(['e', 'E']).next().unwrap_or("");
-        let digits = mantissa.chars().filter(char::is_ascii_digit).count();
+        let digits = mantissa
+            .trim_start_matches(['-', '+', '0', '.'])
+            .chars()
+            .filter(char::is_ascii_digit)
+            .count();
         let zero = word.strip_prefix('-').is_some_and(|rest| {
-            digits > 0 && rest.starts_with(|c: char| c.is_ascii_digit()) && rest.chars().all(|c| matches!(c, '0' | '.'))
+            rest.starts_with(|c: char| c.is_ascii_digit()) && rest.chars().all(|c| matches!(c, '0' | '.'))
         });
         let plain = !word.is_empty() && word.chars().all(|c| c.is_ascii_digit() || "+-.eE".contains(c));
-        if matches!(word, "NaN" | "undefined") || zero || plain && digits > 17 {
+        if word == "NaN" || word == "undefined" && what != "message" || zero || plain && digits > 17 {
             let kind = if plain && digits > 17 { "a long number" } else { word };
             wrong.push(format!("{kind} in {what}"));
             return;
