@@ -397,3 +397,38 @@ fn zero_weights() {
     let finite = |check: &Check| check.value.is_finite();
     assert!(sheet.checks.iter().all(finite));
 }
+
+/// A boom that hangs straight down on the way, where its angle goes from 270 to -90 deg: driven by its rocker or by itself,
+/// over the same positions, it leaves the same residual.
+#[test]
+fn a_boom_that_passes_straight_down_does_not_turn_back() {
+    let scene = |driven: &str, branch: &str, from: f64, to: f64| {
+        let text = format!(
+            "name = \"Down\"\ntitle = \"Down\"\n[luffing]\ndriven = \"{driven}\"\nbranch = \"{branch}\"\nX_1 = \"80 m\"\n\
+             X_2 = \"20 m\"\nX_3 = \"70 m\"\nX_4 = \"1 m\"\nX_5 = \"0 m\"\nX_6 = \"1 m\"\nX_7 = \"0 m\"\nX_8 = \"0 m\"\n\
+             Q = \"0 kN\"\n[luffing.balance]\nkind = \"tail\"\nG_c = \"30 kN\"\nr_c = \"20 m\"\nchi_c = \"4 deg\"\n\
+             [luffing.motion]\nfrom = \"{from:?} deg\"\nto = \"{to:?} deg\"\nstep = \"5 deg\"\nspeed = \"1 deg/s\"\n\
+             [luffing.weights]\nG_1 = \"10 kN\"\ns_1 = \"40 m\"\nchi_1 = \"0 deg\"\nG_2 = \"5 kN\"\ns_2 = \"10 m\"\n\
+             chi_2 = \"0 deg\"\nG_3 = \"7 kN\"\ns_3 = \"35 m\"\nchi_3 = \"0 deg\"\n"
+        );
+        scene(&text)
+    };
+    let by_rocker = scene("rocker", "left", -105.0, -70.0);
+    let mut model = Model::new(&by_rocker).expect("a mechanism");
+    let mut ends = [-105.0, -70.0].map(|angle| {
+        at(&mut model, angle);
+        shown(&mut model, "theta_1")
+    });
+    assert!(ends[0] > 180.0 && ends[1] < 0.0, "{ends:?}");
+    ends[1] += 360.0;
+    let by_boom = scene("boom", "right", ends[0], ends[1]);
+    let [one, other] = [&by_rocker, &by_boom].map(|scene| {
+        let luffing = luffing(scene);
+        let found = analysis(&luffing.parameters, &luffing.motion).expect("no dead point");
+        let found = found.expect("a balance");
+        [found.dm_max.value, found.e_abs, found.ends[0], found.ends[1]]
+    });
+    for (one, other) in one.into_iter().zip(other) {
+        assert!((one - other).abs() < 1e-9 * other.abs(), "{one} {other}");
+    }
+}

@@ -1,5 +1,7 @@
 //! What is left of the moment: at one position, and over the working range.
 
+use std::f64::consts::TAU;
+
 use crate::balance::boom::{Boom, Load};
 use crate::balance::{Action, Balance, FINITE, Fault, Turn, symbols as s};
 use crate::calc::Calc;
@@ -151,12 +153,13 @@ impl Analysis {
     pub fn over(range: [f64; 2], at: &dyn Fn(f64) -> Result<Residual<f64>, Fault>) -> Result<Analysis, Fault> {
         let grid = Sampled::new(range, at)?;
         let first = grid.samples[0].phi;
-        let upward = grid.samples[GRID as usize].phi > first;
-        if let Some(pair) = grid
-            .samples
-            .windows(2)
-            .find(|pair| (pair[1].phi > pair[0].phi) != upward)
-        {
+        // Where it hangs straight down the boom's angle jumps by a turn.
+        let turned = |pair: &[Residual<f64>]| {
+            let angle = pair[1].phi - pair[0].phi;
+            angle - TAU * (angle / TAU).round()
+        };
+        let upward = grid.samples.windows(2).map(turned).sum::<f64>() > 0.0;
+        if let Some(pair) = grid.samples.windows(2).find(|pair| (turned(pair) > 0.0) != upward) {
             let allowed = if upward {
                 [first, pair[0].phi]
             } else {

@@ -77,6 +77,7 @@ impl<C: Calc> Boom<C> {
             let words = values.describe(misfit);
             let (symbol, value) = match misfit {
                 Misfit::Jib => (&l::X_2, lengths.x_2.value()),
+                Misfit::Frame => (&l::X_5, lengths.x_5.value()),
                 Misfit::Linkage => (&l::X_3, lengths.x_3.value()),
             };
             Fault::new(symbol, value, FINITE, format!("{}; {}", words.what, words.help))

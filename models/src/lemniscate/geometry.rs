@@ -140,6 +140,11 @@ impl Parameters<f64> {
                     ),
                 }
             }
+            Misfit::Frame => Words {
+                key: "X_5",
+                what: "the feet O1 and O3 are one point: boom, jib and rocker turn about it as one body".to_owned(),
+                help: "X_5 and X_6 must not both be zero".to_owned(),
+            },
             Misfit::Linkage => {
                 let frame = plane::length(l.o3());
                 let (bar, other) = match self.driven {
@@ -186,6 +191,8 @@ pub struct Geometry<C> {
 pub enum Misfit {
     /// The jib's triangle does not close.
     Jib,
+    /// Both feet are one point.
+    Frame,
     /// The linkage closes at no angle.
     Linkage,
 }
@@ -201,6 +208,9 @@ impl<C: Calc> Geometry<C> {
         // A seen from C, in the frame of the front arm.
         let epsilon_a = C::direction(x_4 - x_2 * cos, x_2 * sin).def(&s::EPSILON_A);
         let o3 = p.lengths.o3();
+        if o3.x.value() == 0.0 && o3.y.value() == 0.0 {
+            return Err(Misfit::Frame);
+        }
         let (bars, frame) = match p.driven {
             Driven::Boom => ([x_1, x_2, x_3], o3),
             Driven::Rocker => ([x_3, x_2, x_1], -o3),

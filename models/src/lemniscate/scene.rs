@@ -513,6 +513,7 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
             let words = parameters.describe(misfit);
             let label = match misfit {
                 Misfit::Jib => "does not close",
+                Misfit::Frame => "no frame",
                 Misfit::Linkage => "cannot reach",
             };
             found.push(Diagnostic::new(v.place(words.key), words.what, label).help(words.help));
