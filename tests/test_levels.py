@@ -66,8 +66,8 @@ def level(request, tmp_path_factory):
 
 def test_fmpy_finds_nothing_wrong(level):
     name, paths = level
-    states, indicators = {"rigid": (2, 4), "swing": (7, 5), "hydraulic": (8, 5), "hydraulic_swing": (13, 6),
-                          "hydraulic_slewing": (10, 9), "hydraulic_swing_slewing": (17, 10),
+    states, indicators = {"rigid": (2, 4), "swing": (7, 5), "hydraulic": (8, 6), "hydraulic_swing": (13, 7),
+                          "hydraulic_slewing": (10, 10), "hydraulic_swing_slewing": (17, 11),
                           "rigid_slewing": (4, 8), "swing_slewing": (11, 9), "swing_balance": (7, 5)}[name]
     for path in paths:
         assert validate_fmu(path) == []
@@ -204,6 +204,35 @@ def test_a_load_is_put_down_and_picked_up(name, end, tmp_path):
         for column in names[:-1]:
             off = abs(row[column] - outside[column][10 * i]) / SIZES[column]
             assert off <= 1e-4, (column, i, off)
+
+
+def test_oil_below_vacuum_is_told_everywhere(tmp_path):
+    """By the FMU's logger once in a run, by its truth value while it lasts, on its first page, and on the book's."""
+    text = scene("hydraulic").replace('u_v   = "0.4"', 'u_v   = "1"')
+    (tmp_path / "crane.toml").write_text(text, encoding="utf-8")
+    lemnis("build", tmp_path / "crane.toml", "--output", tmp_path)
+    for end, kinds in ((".fmu", "fmi3"), (".fmi2.fmu", "fmi2")):
+        path = str(tmp_path / f"Crane_hydraulic{end}")
+        for kind in ("CoSimulation", "ModelExchange"):
+            told = []
+            # FMPy's two loggers end with category (FMI 3: environment, status first) and message.
+            log = lambda *arguments: told.append(arguments[-2:])
+            run = simulate_fmu(path, fmi_type=kind, stop_time=10.0, output=["cavitates", "p_1", "p_2", "p_A", "p_B"],
+                               logger=log, relative_tolerance=1e-8, record_events=False)
+            least = np.min([run[p] for p in ("p_1", "p_2", "p_A", "p_B")], axis=0)
+            # The last bits of a crossing belong to either side.
+            sure = abs(least + 1e5) > 1.0
+            assert ((least < -1e5) == (run["cavitates"] != 0))[sure].all(), kinds
+            assert 0 < run["cavitates"].sum() < len(run)
+            assert [category for category, _ in told] == [b"logStatusWarning"], told
+            assert b"below -1 bar" in told[0][1]
+        with zipfile.ZipFile(path) as archive:
+            assert "absolute vacuum, cavitates" in archive.read("documentation/index.html").decode("utf-8")
+    lemnis("book", "--format", "typ", tmp_path / "crane.toml", "--output", tmp_path)
+    book = (tmp_path / "Crane_hydraulic.typ").read_text(encoding="utf-8")
+    assert "*Warning:* In the run of the mechanism in motion the pressure of the oil falls to" in book
+    lemnis("book", "--format", "typ", "--output", tmp_path)
+    assert "*Warning:*" not in (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8")
 
 
 def test_the_default_experiment_and_the_book(level, tmp_path):

@@ -44,7 +44,7 @@ def slave(path, tmp_path):
 def test_fmpy_finds_nothing_wrong(path):
     assert validate_fmu(path) == []
     description = read_model_description(path)
-    assert (description.numberOfContinuousStates, description.numberOfEventIndicators) == (64, 49)
+    assert (description.numberOfContinuousStates, description.numberOfEventIndicators) == (64, 50)
     # The rate of one of several is written as the standard has it.
     rates = {v.name: v.derivative.name for v in description.modelVariables if v.derivative is not None}
     assert rates["der(theta[3])"] == "theta[3]" and len(rates) == 64

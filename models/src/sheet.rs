@@ -30,6 +30,8 @@ pub struct Sheet {
     pub curves: Vec<Curve>,
     pub drawing: Drawing,
     pub checks: Vec<Check>,
+    /// What must be known before any result is believed: id of the words, with a quantity and when it was so.
+    pub warnings: Vec<(&'static str, Summary)>,
     /// Published values beside the computed ones; empty where the scene gives none.
     pub published: Vec<Comparison>,
     /// Where they are printed.

@@ -69,6 +69,8 @@ fn oil_below_vacuum_is_told() {
             jerk(&mut model, time);
             model.advance(time, time + 2e-3).expect("moves");
             let least = least(&mut model);
+            // No step ends just there.
+            assert!((least + 1e5).abs() > 1.0, "{least}");
             let torn = least < -1e5;
             assert_eq!(model.get(flag), Ok(f64::from(torn)), "{name} at {time} s: {least} Pa");
             assert_eq!(model.get(margin), Ok(least + 1e5), "{name} at {time} s");
@@ -83,6 +85,26 @@ fn oil_below_vacuum_is_told() {
             below <= 1 && words.contains("-1 bar") && words.contains("cavitates"),
             "{words}"
         );
+    }
+}
+
+/// At vacuum itself, where an importer finds the event, the truth value is what it will be: by the rate.
+#[test]
+fn at_vacuum_the_rate_decides() {
+    for (name, mut model) in cranes() {
+        let [flag, pressure, rate] = ["cavitates", "p_B", "der(p_B)"].map(|id| index(&model, id));
+        // The piston draws at the chamber, or presses it.
+        let moved = if name == "steering" { "omega_g" } else { "omega_1" };
+        let moved = index(&model, moved);
+        model.set(pressure, -1e5).expect("a state");
+        let mut seen = [0, 0];
+        for speed in [-0.5, 0.5] {
+            model.set(moved, speed).expect("a state");
+            let falls = model.get(rate).expect("closes") < 0.0;
+            assert_eq!(model.get(flag), Ok(f64::from(falls)), "{name}");
+            seen[usize::from(falls)] += 1;
+        }
+        assert_eq!(seen, [1, 1], "{name}");
     }
 }
 

@@ -21,7 +21,7 @@ use crate::book::balance::Balance;
 use crate::book::motion::Motion;
 use crate::book::steps::{Notation, Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
-use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Range, Sensitivity, Summary, View};
+use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Range, Sensitivity, Summary, View, Warning};
 use crate::book::trade::Trade;
 use crate::formula::quantity;
 use crate::language::{Language, symbols};
@@ -110,6 +110,7 @@ pub(crate) struct Book<'a> {
     chapters: Vec<&'static str>,
     passed: bool,
     checks: Vec<Check>,
+    warnings: Vec<Warning>,
     summary: Vec<Summary>,
     governing: Vec<Summary>,
     inputs: Vec<Chapter>,
@@ -229,6 +230,8 @@ impl<'a> Book<'a> {
             }
         }
         let results = sheet.checks.iter().map(|check| check.symbol);
+        let warnings = sheet.warnings.iter().map(|(_, summary)| summary.symbol);
+        let results = results.chain(warnings);
         let results = results.chain(sheet.governing.iter().chain(&sheet.summary).map(|s| s.symbol));
         let balance = sheet.balance.iter().filter(|_| chapters.contains(&"balance"));
         let balance = balance.flat_map(|b| {
@@ -275,6 +278,7 @@ impl<'a> Book<'a> {
             html: format == Format::Html,
             passed: sheet.checks.iter().all(lemnis_models::sheet::Check::passed),
             checks: sheet.checks.iter().map(|c| tables::check(language, c)).collect(),
+            warnings: tables::warnings(language, sheet),
             summary: sheet.summary.iter().map(summary).collect(),
             governing: sheet.governing.iter().map(summary).collect(),
             inputs,

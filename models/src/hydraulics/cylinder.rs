@@ -3,7 +3,7 @@
 //! leakage past the piston.
 
 use crate::calc::{Calc, Over};
-use crate::hydraulics::oil::pressure_rate;
+use crate::hydraulics::oil::{VACUUM, pressure_rate};
 use crate::hydraulics::symbols as s;
 use crate::hydraulics::throttle::{relief, root};
 use crate::hydraulics::valve::Valve;
@@ -41,11 +41,29 @@ pub struct Oil<C> {
 }
 
 impl<C: Calc> Oil<C> {
-    /// The least of all pressures, in Pa.
+    /// Place of the least of all pressures among those of the ports and chambers, and that pressure, in Pa.
     #[inline]
-    pub fn least(&self) -> C {
-        let [a, b] = [self.ports, self.chambers].map(|[a, b]| if a.value() < b.value() { a } else { b });
-        if a.value() < b.value() { a } else { b }
+    pub fn least(&self) -> (usize, C) {
+        let ([p_1, p_2], [p_a, p_b]) = (self.ports, self.chambers);
+        let all = [(0, p_1), (1, p_2), (2, p_a), (3, p_b)];
+        let less = |a: (usize, C), b: (usize, C)| if b.1.value() < a.1.value() { b } else { a };
+        less(less(all[0], all[1]), less(all[2], all[3]))
+    }
+}
+
+impl Oil<f64> {
+    /// Whether oil is below vacuum. `rates` are those of the pressures of ports and chambers, in Pa/s: an importer meets
+    /// the event with a pressure that is at vacuum but for rounding, and what it is then to be is told by its rate.
+    pub fn cavitates(&self, rates: impl FnOnce() -> [f64; 4]) -> bool {
+        /// In Pa.
+        const ROUNDING: f64 = 1.0;
+        let (at, least) = self.least();
+        let margin = least - VACUUM;
+        if margin.abs() > ROUNDING {
+            margin < 0.0
+        } else {
+            rates()[at] < 0.0
+        }
     }
 }
 

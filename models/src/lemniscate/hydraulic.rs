@@ -504,7 +504,7 @@ impl<const N: usize> System<N> for Piece<'_, N> {
 
     #[inline]
     fn least(&self, y: &[f64; N]) -> f64 {
-        Hydraulic::<N>::oil(y).least()
+        Hydraulic::<N>::oil(y).least().1
     }
 
     #[inline]

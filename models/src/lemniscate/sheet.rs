@@ -43,10 +43,12 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
     let positions = positions(scene, &luffing.motion, &governing);
     let mut checks = checks(&mut model, luffing, &geometry, &range, balance.as_ref());
     let moving = luffing.moving.as_ref();
+    let mut warnings = Vec::new();
     let motion_in_time = moving
         .and_then(|moving| motion::motion(luffing, moving))
-        .map(|(motion, found)| {
+        .map(|(motion, found, warned)| {
             checks.extend(found);
+            warnings.extend(warned);
             motion
         });
     Sheet {
@@ -65,6 +67,7 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         curves: curves(&mut model, luffing, coordinate),
         drawing: drawing(&geometry, luffing, middle),
         checks,
+        warnings,
         published: published(&mut model, luffing, coordinate),
         published_source: luffing.published.as_ref().map(|p| p.source.clone()),
         summary: summary(luffing, &geometry, &range),

@@ -157,7 +157,7 @@ impl System<STATES> for Group {
 
     #[inline]
     fn least(&self, y: &[f64; STATES]) -> f64 {
-        Group::oil(y).least()
+        Group::oil(y).least().1
     }
 }
 

@@ -72,6 +72,7 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
         curves: curves(steering, &built),
         drawing: swept(&built, &standing(steering, &built, steering.inputs.clone())),
         checks: checks(steering, &built, pumped),
+        warnings: Vec::new(),
         published: Vec::<Comparison>::new(),
         balance: None,
         motion: None,

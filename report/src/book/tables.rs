@@ -84,6 +84,14 @@ pub(super) struct Demand {
     summary: Summary,
 }
 
+/// What must be known before any result is believed.
+#[derive(Serialize)]
+pub(super) struct Warning {
+    warning: &'static str,
+    #[serde(flatten)]
+    summary: Summary,
+}
+
 /// Changes between the ways in which the mechanism works.
 #[derive(Serialize)]
 pub(super) struct Changes {
@@ -313,6 +321,14 @@ pub(super) fn demands(language: &Language, sheet: &Sheet) -> Vec<Demand> {
         summary: summary(language, demand),
     };
     sheet.demands.iter().map(demand).collect()
+}
+
+pub(super) fn warnings(language: &Language, sheet: &Sheet) -> Vec<Warning> {
+    let warning = |(id, quantity): &(&'static str, sheet::Summary)| Warning {
+        warning: id,
+        summary: summary(language, quantity),
+    };
+    sheet.warnings.iter().map(warning).collect()
 }
 
 pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes {

@@ -108,7 +108,7 @@ fn oil_indicators<const N: usize, P: Coordinate<P>>(
     indicators: &mut [P; MOST_INDICATORS],
 ) -> Option<()> {
     let (opening, [low, high]) = (system.cylinder.relief[0], system.stops().map(P::constant));
-    let margin = Hydraulic::<N, P>::oil(y).least() - P::constant(VACUUM);
+    let margin = Hydraulic::<N, P>::oil(y).least().1 - P::constant(VACUUM);
     put(
         indicators,
         &[y[6], opening - y[2], opening - y[3], y[0] - low, high - y[0], margin],
@@ -378,10 +378,6 @@ fn oil_advance<const N: usize>(
     possible(system, present).then_some(work).ok_or(Halt::Outside)
 }
 
-fn oil<const N: usize>(run: &Run<N>) -> Oil<f64> {
-    Hydraulic::<N>::oil(&run.states())
-}
-
 /// Which way a bar moves, as a number, and back; one that is loose always is.
 fn way(bar: Bar) -> f64 {
     match bar {
@@ -432,15 +428,25 @@ impl Present {
         }
     }
 
-    /// Least pressure of the oil now and so far, in Pa; infinite without oil.
+    /// The oil, if there is any.
     #[must_use]
-    pub fn least_pressures(&self) -> [f64; 2] {
-        let of = |now: f64, run: f64| [now, now.min(run)];
+    pub fn oil(&self) -> Option<Oil<f64>> {
         match self {
-            Present::Free(_) | Present::Slewing(_) => [f64::INFINITY; 2],
-            Present::Fixed(present) => of(oil(&present.run).least(), present.run.least),
-            Present::Hanging(present) => of(oil(&present.run).least(), present.run.least),
+            Present::Free(_) | Present::Slewing(_) => None,
+            Present::Fixed(present) => Some(Hydraulic::<FIXED>::oil(&present.run.states())),
+            Present::Hanging(present) => Some(Hydraulic::<{ hydraulic::MOST }>::oil(&present.run.states())),
         }
+    }
+
+    /// Least pressure of the oil so far, in Pa; infinite without oil.
+    #[must_use]
+    pub fn least_pressure(&self) -> f64 {
+        let so_far = match self {
+            Present::Free(_) | Present::Slewing(_) => f64::INFINITY,
+            Present::Fixed(present) => present.run.least,
+            Present::Hanging(present) => present.run.least,
+        };
+        self.oil().map_or(so_far, |oil| so_far.min(oil.least().1))
     }
 
     /// The load hangs on the rope, if there is one.

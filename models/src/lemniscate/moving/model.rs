@@ -8,7 +8,7 @@ use num_dual::Dual64;
 
 use crate::calc::{Calc, Over};
 use crate::hydraulics::cylinder::Cylinder;
-use crate::hydraulics::oil::{VACUUM, warning};
+use crate::hydraulics::oil::warning;
 use crate::hydraulics::symbols as h;
 use crate::hydraulics::valve::Valve;
 use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
@@ -595,7 +595,14 @@ impl Model {
                 let found = self.level()?.reaction(&present, &inputs, &y, reaction);
                 found.ok_or_else(|| self.open())
             }
-            Slot::Cavitates => Ok(f64::from(self.state.present.least_pressures()[0] < VACUUM)),
+            Slot::Cavitates => {
+                let mut rates = [0.0; MOST_STATES];
+                self.all_rates(&mut rates)?;
+                let oil = self.state.present.oil();
+                Ok(f64::from(
+                    oil.is_some_and(|oil| oil.cavitates(|| [2, 3, 4, 5].map(|i| rates[i]))),
+                ))
+            }
             Slot::Algebraic(inner) => self.algebraic.get(inner),
         }
     }
@@ -603,7 +610,7 @@ impl Model {
     /// What the importer should know of the motion so far, besides its results.
     #[must_use]
     pub fn warning(&self) -> Option<&'static str> {
-        warning(self.state.present.least_pressures()[1])
+        warning(self.state.present.least_pressure())
     }
 
     /// # Errors

@@ -162,6 +162,7 @@ symbols! {
     // A run.
     T: "t" "t" S / S, "Time from the start of the run.", "derived";
     P_MAX: "p_max" "p_\"max\"" PA / BAR, "Greatest pressure in ports and chambers during the run.", "equations of motion";
+    P_MIN: "p_min" "p_\"min\"" PA / BAR, "Least pressure in ports and chambers during the run.", "equations of motion";
     PHI_MAX: "phi_max" "phi_\"max\"" RAD / DEG, "Greatest angle of the rope from the vertical during the run.", "equations of motion";
     D_E: "Delta_E" "Delta E" J / KJ, "Change of the kinetic and potential energy of all bodies.", "derived";
     E_OIL: "E_oil" "Delta E_\"oil\"" J / KJ, "Change of the energy in the compressed oil.", "derived";

@@ -2,6 +2,7 @@
 //! a run of that model on the scene's own motion.
 
 use crate::calc::Calc;
+use crate::hydraulics::oil::VACUUM;
 use crate::hydraulics::symbols as h;
 use crate::lemniscate::hydraulic::FIXED;
 use crate::lemniscate::motion::Bar;
@@ -13,7 +14,7 @@ use crate::lemniscate::scene::Luffing;
 use crate::lemniscate::symbols as s;
 use crate::model::Role;
 use crate::record::record;
-use crate::sheet::{self, Check, Curve, InMotion, Section};
+use crate::sheet::{self, Check, Curve, InMotion, Section, Summary};
 use crate::symbol::Symbol;
 
 /// Points of a drawn curve, besides its extremes.
@@ -158,8 +159,12 @@ const CURVES: [(&str, &Symbol); 17] = [
     ("motion_friction", &m::M_R),
 ];
 
-/// The chapter of a scene whose mechanism moves, with what is checked in it; `None` where the model cannot start.
-pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Vec<Check>)> {
+/// What is warned of, with a quantity of the run and when it was so.
+type Warned = Option<(&'static str, Summary)>;
+
+/// The chapter of a scene whose mechanism moves, with what is checked in it and warned of; `None` where the model cannot
+/// start.
+pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Vec<Check>, Warned)> {
     let mut model = Model::new(luffing, moving).ok()?;
     let drawn: Vec<(&'static str, &'static Symbol, usize)> = CURVES
         .into_iter()
@@ -204,7 +209,7 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
     if more_events > 0 {
         run.events.drain(EVENTS - 1..run.events.len() - 1);
     }
-    let checks = run.checks(luffing, moving);
+    let (checks, warned) = (run.checks(luffing, moving), run.warned());
     let motion = InMotion {
         assumptions: assumptions(luffing, moving),
         instant: (instant.0, run.instant),
@@ -218,7 +223,7 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
         energy: run.energy.list(moving),
         events: run.events,
     };
-    Some((motion, checks))
+    Some((motion, checks, warned))
 }
 
 /// What the model of this scene takes for granted.
@@ -481,6 +486,8 @@ struct Run {
     instant: f64,
     state: crate::lemniscate::moving::model::State,
     greatest_pressure: f64,
+    /// With its time, in s.
+    least_pressure: [f64; 2],
     greatest_swing: f64,
 }
 
@@ -516,6 +523,7 @@ impl Run {
             instant: 0.0,
             state: model.state(),
             greatest_pressure: pressure(model.present()),
+            least_pressure: [model.present().least_pressure(), 0.0],
             greatest_swing: swing(moving, model.present()),
         };
         let mut most = None;
@@ -546,6 +554,10 @@ impl Run {
                 (most, run.instant, run.state) = (Some(values[lead].abs()), to, model.state());
             }
             run.greatest_pressure = run.greatest_pressure.max(pressure(model.present()));
+            let least = model.present().least_pressure();
+            if least < run.least_pressure[0] {
+                run.least_pressure = [least, to];
+            }
             run.greatest_swing = run.greatest_swing.max(swing(moving, model.present()));
             for (series, value) in run.series.iter_mut().zip(values) {
                 series.push(value);
@@ -596,6 +608,16 @@ impl Run {
                 }
             })
             .collect()
+    }
+
+    fn warned(&self) -> Warned {
+        let [value, at] = self.least_pressure;
+        let summary = Summary {
+            symbol: &m::P_MIN,
+            value,
+            at: Some((&m::T, at)),
+        };
+        (value < VACUUM).then_some(("cavitation", summary))
     }
 
     fn checks(&self, luffing: &Luffing, moving: &Moving) -> Vec<Check> {

@@ -510,7 +510,12 @@ impl Model {
                 }
                 Ok(sum)
             }
-            Slot::Cavitates => Ok(f64::from(self.lowest().1 < VACUUM)),
+            Slot::Cavitates => {
+                let (i, _) = self.lowest();
+                let (group, y) = (self.level()?.groups[i], self.state.groups[i].run.states());
+                let rates = group.equations(&y);
+                Ok(f64::from(Group::oil(&y).cavitates(|| [2, 3, 4, 5].map(|k| rates[k]))))
+            }
             Slot::Vacuum => Ok(self.lowest().1 - VACUUM),
             Slot::Of(of, i) => self.of_group(of, i),
             Slot::Algebraic(inner) => self.algebraic.get(inner),
@@ -520,7 +525,7 @@ impl Model {
     /// The group with the least pressure of its oil, and that pressure, in Pa.
     fn lowest(&self) -> (usize, f64) {
         let groups = self.state.groups.iter().enumerate();
-        let all = groups.map(|(i, present)| (i, Group::oil(&present.run.states()).least()));
+        let all = groups.map(|(i, present)| (i, Group::oil(&present.run.states()).least().1));
         all.fold((0, f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a })
     }
 
@@ -967,7 +972,7 @@ impl Model {
             }
             Slot::Vacuum => {
                 let (_, y) = of_states(tangent, self.lowest().0)?;
-                Group::oil(&y).least()
+                Group::oil(&y).least().1 - Dual64::from_re(VACUUM)
             }
             Slot::Of(OfGroup::Command, _) => Dual64::from_re(0.0),
             Slot::Of(OfGroup::Wanted, i) => self.searched(tangent, variable, self.wanted + i)?,
