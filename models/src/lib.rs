@@ -14,6 +14,7 @@ pub mod balance;
 pub mod calc;
 pub mod diagnostic;
 pub mod four_bar;
+pub mod gravity;
 pub mod hydraulics;
 pub mod lemniscate;
 pub mod model;

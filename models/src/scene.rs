@@ -1,8 +1,11 @@
 //! A scene: the text file that describes a crane.
 
+use std::ops::Range;
+
 use toml::de::DeTable;
 
 use crate::diagnostic::Diagnostic;
+use crate::gravity;
 use crate::lemniscate::scene::{KEYS as LUFFING, Luffing};
 use crate::model::{Model, Role, Type, Variable};
 use crate::schema::{self, Key, Kind, Sign, Values};
@@ -30,9 +33,13 @@ pub static KEYS: &[Key] = &[
     },
     Key {
         name: "title",
-        kind: Kind::Text,
+        kind: Kind::Line,
         required: true,
         text: "Title of the book, one line.",
+    },
+    Key {
+        text: "Acceleration of gravity, by which masses weigh what they do; without it 9.81 m/s2.",
+        ..Key::quantity(&gravity::G, Sign::Positive).optional()
     },
     Key::table("project", PROJECT, "Title block of the book.").optional(),
     Key::table("book", BOOK, "What the book says, and in how much detail.").optional(),
@@ -54,7 +61,10 @@ static PROJECT: &[Key] = &[
     Key::text("client", "For whom the book is made."),
     Key::text("author", "Who made the calculation."),
     Key::text("checker", "Who checked it."),
-    Key::text("date", "Date of the book; for PDF/A as YYYY-MM-DD."),
+    Key {
+        kind: Kind::Date,
+        ..Key::text("date", "Date of the book; for PDF/A as YYYY-MM-DD.")
+    },
     Key::text("revision", "Revision of the book."),
     Key {
         name: "revisions",
@@ -66,7 +76,10 @@ static PROJECT: &[Key] = &[
 
 static REVISION: &[Key] = &[
     Key::text("mark", "Letter or number of the revision."),
-    Key::text("date", "Its date."),
+    Key {
+        kind: Kind::Date,
+        ..Key::text("date", "Its date.")
+    },
     Key::text("author", "Who made it."),
     Key::text("text", "What was changed."),
 ];
@@ -139,6 +152,8 @@ pub struct Scene {
     revisions: Vec<Vec<String>>,
     pub book: Book,
     given: Vec<Given>,
+    /// Acceleration of gravity, in m/s².
+    pub gravity: f64,
     /// How far results may be off, in SI.
     pub accuracy: Vec<(Variable, f64)>,
     pub mechanism: Mechanism,
@@ -177,12 +192,14 @@ pub struct Book {
 }
 
 /// Where the scene gives a quantity.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Given {
     /// Key, such as `luffing.X_1`.
     pub key: String,
     /// Line of the scene, counted from 1.
     pub line: usize,
+    /// In kg, where it is a weight given as a mass.
+    pub mass: Option<f64>,
     /// Where the scene says that it comes from.
     pub source: Option<String>,
 }
@@ -204,7 +221,8 @@ impl Scene {
             vec![Diagnostic::new(span, format!("not TOML: {}", error.message()), "here")]
         })?;
         let mut found = Vec::new();
-        let values = schema::check(
+        let mut values = schema::check(
+            text,
             table.get_ref(),
             0..text.find('\n').unwrap_or(text.len()),
             "",
@@ -222,7 +240,9 @@ impl Scene {
                 .help("up to 60 letters, digits and _, beginning with a letter"),
             );
         }
-        let mechanism = Mechanism::new(&values, &mut found);
+        let gravity = gravity(text, &values, &mut found);
+        values.weigh(gravity);
+        let mechanism = Mechanism::new(&values, gravity, &mut found);
         let project = values.table("project");
         let book = mechanism
             .as_ref()
@@ -239,6 +259,7 @@ impl Scene {
                 revisions: project.map_or_else(Vec::new, revisions),
                 book,
                 given: given(text, &values),
+                gravity,
                 accuracy: Vec::new(),
                 mechanism,
             }
@@ -277,7 +298,7 @@ impl Scene {
                 found.push(Diagnostic::new(place.clone(), message, "not known").help(help));
                 continue;
             };
-            match schema::quantity(text, variable.symbol, Sign::Positive) {
+            match schema::quantity(text, variable.symbol, Sign::Deviation) {
                 Ok(allowed) => self.accuracy.push((*variable, allowed)),
                 Err((message, label, help)) => {
                     let message = format!("`accuracy.{name}`: {message}");
@@ -351,6 +372,12 @@ impl Scene {
         self.given.iter().find(|given| given.key == key)
     }
 
+    /// Whether a weight is given as a mass.
+    #[must_use]
+    pub fn has_masses(&self) -> bool {
+        self.given.iter().any(|given| given.mass.is_some())
+    }
+
     /// Title block: what is given of crane, client, author, checker, date, revision.
     #[must_use]
     pub fn project(&self) -> &[(&'static str, String)] {
@@ -367,33 +394,51 @@ fn revisions(project: &Values) -> Vec<Vec<String>> {
 fn given(text: &str, values: &Values) -> Vec<Given> {
     let mut found = Vec::new();
     values.quantities("", &mut found);
-    let line = |place: usize| 1 + text[..place].matches('\n').count();
-    let given = found.into_iter().map(|(key, place, source)| Given {
+    let given = found.into_iter().map(|(key, place, number)| Given {
         key,
-        line: line(place.start),
-        source,
+        line: line(text, &place),
+        mass: number.mass,
+        source: number.source,
     });
     given.collect()
 }
 
-/// A number of an ISO date: year, month, day.
-#[must_use]
-pub fn iso_date(text: &str) -> Option<(i32, u8, u8)> {
-    let [year, month, day] = text.split('-').collect::<Vec<_>>()[..] else {
-        return None;
-    };
-    let (year, month, day) = (year.parse().ok()?, month.parse().ok()?, day.parse().ok()?);
-    (text.len() == 10 && (1..=12).contains(&month) && (1..=31).contains(&day)).then_some((year, month, day))
+/// Line of a place in the scene, counted from 1.
+fn line(text: &str, place: &Range<usize>) -> usize {
+    1 + text[..place.start].matches('\n').count()
+}
+
+/// Acceleration of gravity: that of the top of the scene or of its mechanism's dynamics, which must agree.
+fn gravity(text: &str, values: &Values, found: &mut Vec<Diagnostic>) -> f64 {
+    let id = gravity::G.id;
+    let dynamics = MECHANISMS
+        .into_iter()
+        .find_map(|name| values.table(name)?.table("dynamics"));
+    let own = dynamics.and_then(|table| Some((table.number(id)?, table.place(id))));
+    match (values.number(id), own) {
+        (Some(top), Some((own, place))) if top != own => {
+            let [top, own] = [top, own].map(|value| gravity::G.written(value));
+            let line = line(text, &values.place(id));
+            let message = format!("g = {own} here and g = {top} in line {line}");
+            found.push(
+                Diagnostic::new(place, message, "another value")
+                    .help("there is one acceleration of gravity: remove one"),
+            );
+            gravity::STANDARD
+        }
+        (Some(g), _) | (None, Some((g, _))) => g,
+        (None, None) => gravity::STANDARD,
+    }
 }
 
 impl Mechanism {
-    fn new(values: &Values, found: &mut Vec<Diagnostic>) -> Option<Mechanism> {
+    fn new(values: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Mechanism> {
         let given: Vec<(&str, &Values)> = MECHANISMS
             .into_iter()
             .filter_map(|name| Some((name, values.table(name)?)))
             .collect();
         match given.as_slice() {
-            [(name, table)] if *name == MECHANISMS[0] => Luffing::new(table, found).map(Mechanism::Luffing),
+            [(name, table)] if *name == MECHANISMS[0] => Luffing::new(table, gravity, found).map(Mechanism::Luffing),
             [(_, table)] => Steering::new(table, found).map(Mechanism::Steering),
             [] => {
                 let tables = MECHANISMS.map(|name| format!("[{name}]")).join(" or ");
@@ -463,7 +508,7 @@ impl Book {
         }
         let chapters = table.texts("chapters").iter();
         let chapters: Vec<&'static str> = chapters.filter_map(|(text, _)| known(CHAPTERS, text)).collect();
-        let date = project.and_then(|project| project.text("date")).and_then(iso_date);
+        let date = project.and_then(|project| project.text("date")).and_then(schema::date);
         if table.text("pdf_standard").is_some() && date.is_none() {
             let message = "`book.pdf_standard` needs the date of the book";
             found.push(

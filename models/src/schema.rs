@@ -6,8 +6,10 @@ use std::ops::Range;
 use serde_json::{Map, Value as Json, json};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+use toml::value::Datetime;
 
 use crate::diagnostic::Diagnostic;
+use crate::number::short;
 use crate::symbol::Symbol;
 use crate::unit::{self, Unit};
 
@@ -24,10 +26,18 @@ pub struct Key {
 #[derive(Debug)]
 pub enum Kind {
     Text,
+    /// A text of one line, not empty.
+    Line,
+    /// A date in any form; one that looks like `YYYY-MM-DD` exists.
+    Date,
+    /// A text of several lines, each with its place.
+    Lines,
     Choice(&'static [&'static str]),
     /// A number with a unit, as text: `"19.3 m"`; or with a note where it comes
     /// from: `{ value = "19.3 m", source = "drawing 12-345" }`.
     Quantity(&'static Symbol, Sign),
+    /// A weight, zero or greater, or the mass that weighs it: `"160 kN"`, `"16 t"`.
+    Weight(&'static Symbol),
     Table(&'static [Key]),
     /// A list of texts.
     Texts,
@@ -51,6 +61,8 @@ pub enum Sign {
     Any,
     /// Positive, and up to [`COARSEST`].
     Tolerance,
+    /// Positive, however small.
+    Deviation,
 }
 
 /// Greatest relative tolerance of a solver or an interpolation: what is only a tenth right is bounded, and means little.
@@ -70,6 +82,27 @@ impl Key {
             kind: Kind::Quantity(symbol, sign),
             required: true,
             text,
+        }
+    }
+
+    /// A weight that may be given as a mass.
+    #[must_use]
+    pub const fn weight(symbol: &'static Symbol) -> Key {
+        Key {
+            name: symbol.id,
+            kind: Kind::Weight(symbol),
+            required: true,
+            text: symbol.text,
+        }
+    }
+
+    /// The quantity that stands behind the key, and which numbers it may have; `None` where it is something else.
+    #[must_use]
+    pub fn number(&self) -> Option<(&'static Symbol, Sign)> {
+        match self.kind {
+            Kind::Quantity(symbol, sign) => Some((symbol, sign)),
+            Kind::Weight(symbol) => Some((symbol, Sign::NotNegative)),
+            _ => None,
         }
     }
 
@@ -107,7 +140,7 @@ impl Sign {
     pub fn allows(self, value: f64) -> bool {
         value.is_finite()
             && match self {
-                Sign::Positive => value > 0.0,
+                Sign::Positive | Sign::Deviation => value > 0.0,
                 Sign::NotNegative => value >= 0.0,
                 Sign::Any => true,
                 Sign::Tolerance => value > 0.0 && value <= COARSEST,
@@ -118,10 +151,21 @@ impl Sign {
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
-            Sign::Positive => "a finite number greater than zero",
+            Sign::Positive | Sign::Deviation => "a finite number greater than zero",
             Sign::NotNegative => "a finite number, zero or greater",
             Sign::Any => "a finite number",
             Sign::Tolerance => "greater than zero and at most 0.1",
+        }
+    }
+
+    /// What a scene may give of a quantity, in SI: beyond that a number is a slip of its unit.
+    fn limits(self, unit: &Unit) -> [f64; 2] {
+        let [least, most] = unit.limits();
+        match self {
+            Sign::Positive => [least, most],
+            Sign::NotNegative | Sign::Deviation => [0.0, most],
+            Sign::Any => [-most, most],
+            Sign::Tolerance => [0.0, COARSEST],
         }
     }
 }
@@ -130,8 +174,7 @@ impl Sign {
 #[derive(Clone, Debug)]
 pub enum Value {
     Text(String),
-    /// In SI, with the note where it comes from.
-    Number(f64, Option<String>),
+    Number(Number),
     Table(Values),
     /// With their places.
     Texts(Vec<(String, Range<usize>)>),
@@ -141,6 +184,17 @@ pub enum Value {
     Count(u64),
     /// Names and texts, each with the place of its text.
     Named(Vec<(String, String, Range<usize>)>),
+}
+
+/// A quantity of a scene.
+#[derive(Clone, Debug)]
+pub struct Number {
+    /// In SI.
+    pub value: f64,
+    /// In kg, where it is a weight given as a mass.
+    pub mass: Option<f64>,
+    /// Where the scene says that it comes from.
+    pub source: Option<String>,
 }
 
 /// A checked table: every value with its place.
@@ -164,7 +218,7 @@ impl Values {
     #[must_use]
     pub fn number(&self, name: &str) -> Option<f64> {
         match self.entry(name) {
-            Some((Value::Number(number, _), _)) => Some(*number),
+            Some((Value::Number(number), _)) => Some(number.value),
             _ => None,
         }
     }
@@ -229,10 +283,26 @@ impl Values {
         }
     }
 
+    /// Gives every mass of this table and of the tables in it its weight, by the acceleration of gravity (m/s²).
+    pub fn weigh(&mut self, g: f64) {
+        for (_, value, _) in &mut self.entries {
+            match value {
+                Value::Number(number) => {
+                    if let Some(mass) = number.mass {
+                        number.value = mass * g;
+                    }
+                }
+                Value::Table(table) => table.weigh(g),
+                Value::Tables(tables) => tables.iter_mut().for_each(|table| table.weigh(g)),
+                _ => {}
+            }
+        }
+    }
+
     /// Every quantity of this table and of the tables in it: its key from the
-    /// top of the scene, its place, and where it comes from by its own note or
-    /// by the `source` of its table.
-    pub fn quantities(&self, path: &str, found: &mut Vec<(String, Range<usize>, Option<String>)>) {
+    /// top of the scene and its place; it comes from what its own note says, or
+    /// the `source` of its table.
+    pub fn quantities(&self, path: &str, found: &mut Vec<(String, Range<usize>, Number)>) {
         for (name, value, place) in &self.entries {
             let key = if path.is_empty() {
                 (*name).to_owned()
@@ -240,9 +310,10 @@ impl Values {
                 format!("{path}.{name}")
             };
             match value {
-                Value::Number(_, source) => {
-                    let source = source.as_deref().or_else(|| self.text("source"));
-                    found.push((key, place.clone(), source.map(str::to_owned)));
+                Value::Number(number) => {
+                    let mut number = number.clone();
+                    number.source = number.source.or_else(|| self.text("source").map(str::to_owned));
+                    found.push((key, place.clone(), number));
                 }
                 Value::Table(table) => table.quantities(&key, found),
                 Value::Tables(tables) => {
@@ -270,8 +341,9 @@ impl Values {
     }
 }
 
-/// Checks a table against its keys. All mistakes are collected, not only the first.
+/// Checks a table of a scene with the text `source` against its keys. All mistakes are collected, not only the first.
 pub fn check(
+    source: &str,
     table: &DeTable<'_>,
     span: Range<usize>,
     path: &str,
@@ -294,7 +366,7 @@ pub fn check(
         } else {
             format!("{path}.{}", key.name)
         };
-        if let Some(checked) = check_value(value, &full, key, found) {
+        if let Some(checked) = check_value(source, value, &full, key, found) {
             let at = entries.partition_point(|(before, ..)| *before < key.name);
             entries.insert(at, (key.name, checked, value.span()));
         }
@@ -333,6 +405,7 @@ fn unknown(name: &Spanned<std::borrow::Cow<'_, str>>, place: &str, keys: &'stati
 }
 
 fn check_value(
+    source: &str,
     value: &Spanned<DeValue<'_>>,
     path: &str,
     key: &'static Key,
@@ -343,7 +416,16 @@ fn check_value(
         None
     };
     match (&key.kind, value.get_ref()) {
-        (Kind::Text, DeValue::String(text)) => Some(Value::Text(text.to_string())),
+        (Kind::Text | Kind::Line | Kind::Date | Kind::Lines, DeValue::String(text)) => {
+            if let Some((message, help)) = unprintable(text, &key.kind) {
+                found.push(Diagnostic::new(value.span(), format!("`{path}` {message}"), "not this").help(help));
+                return None;
+            }
+            Some(match key.kind {
+                Kind::Lines => Value::Texts(lines(source, text, value.span())),
+                _ => Value::Text(text.to_string()),
+            })
+        }
         (Kind::Choice(choices), DeValue::String(text)) => {
             if choices.contains(&text.as_ref()) {
                 Some(Value::Text(text.to_string()))
@@ -351,15 +433,19 @@ fn check_value(
                 wrong(format!("`{text}` is none of them"))
             }
         }
-        (Kind::Table(keys), DeValue::Table(table)) => Some(Value::Table(check(table, value.span(), path, keys, found))),
-        (Kind::Quantity(symbol, sign), DeValue::String(text)) => match quantity(text, symbol, *sign) {
-            Ok(number) => Some(Value::Number(number, None)),
+        (Kind::Table(keys), DeValue::Table(table)) => {
+            Some(Value::Table(check(source, table, value.span(), path, keys, found)))
+        }
+        (Kind::Quantity(..) | Kind::Weight(_), DeValue::String(text)) => match number(text, key) {
+            Ok(number) => Some(Value::Number(number)),
             Err((message, label, help)) => {
                 found.push(Diagnostic::new(value.span(), format!("`{path}`: {message}"), label).help(help));
                 None
             }
         },
-        (Kind::Quantity(..), DeValue::Table(table)) => noted(table, value.span(), path, key, found),
+        (Kind::Quantity(..) | Kind::Weight(_), DeValue::Table(table)) => {
+            noted(source, table, value.span(), path, key, found)
+        }
         (Kind::Texts | Kind::Choices(_), DeValue::Array(items)) => {
             let mut texts: Vec<(String, Range<usize>)> = Vec::new();
             for item in items {
@@ -381,7 +467,7 @@ fn check_value(
             let mut tables = Vec::new();
             for item in items {
                 if let DeValue::Table(table) = item.get_ref() {
-                    tables.push(check(table, item.span(), path, keys, found));
+                    tables.push(check(source, table, item.span(), path, keys, found));
                 } else {
                     let message = format!("`{path}` is not {}", wanted(key));
                     found.push(Diagnostic::new(item.span(), message, "not a table").help(example(key)));
@@ -430,7 +516,7 @@ fn check_value(
             }
             Some(Value::Named(named))
         }
-        (Kind::Quantity(symbol, _), DeValue::Integer(_) | DeValue::Float(_)) => {
+        (Kind::Quantity(symbol, _) | Kind::Weight(symbol), DeValue::Integer(_) | DeValue::Float(_)) => {
             let text = match value.get_ref() {
                 DeValue::Integer(number) => number.as_str().to_owned(),
                 other => other
@@ -449,8 +535,81 @@ fn check_value(
     }
 }
 
+/// Most characters of a line.
+const LONGEST_LINE: usize = 500;
+
+/// Why a text cannot be printed, and what to do.
+fn unprintable(text: &str, kind: &Kind) -> Option<(String, String)> {
+    // Those beyond the control characters are no characters, or mark the order of bytes: PDF/A allows none of them.
+    let broken = |c: &char| matches!(c, '\n' | '\r' | '\u{85}' | '\u{2028}' | '\u{2029}');
+    let hidden = |c: &char| c.is_control() || matches!(c, '\u{feff}' | '\u{fffe}' | '\u{ffff}');
+    let allowed = |c: &char| matches!(c, '\t' | '\n' | '\r');
+    if let Some(c) = text.chars().find(|c| hidden(c) && !allowed(c) && !broken(c)) {
+        let message = format!("has a character that cannot be printed, U+{:04X}", u32::from(c));
+        return Some((message, "remove it".to_owned()));
+    }
+    match kind {
+        Kind::Line if text.trim().is_empty() => Some(("is empty".to_owned(), "write something".to_owned())),
+        Kind::Line if text.contains(|c| broken(&c)) => Some((
+            "has more than one line".to_owned(),
+            "write it in one line; what is too long for a line of the book is broken there".to_owned(),
+        )),
+        Kind::Line if text.chars().count() > LONGEST_LINE => Some((
+            format!("has {} characters", text.chars().count()),
+            format!("at most {LONGEST_LINE} are printed"),
+        )),
+        Kind::Date if looks_iso(text) && date(text).is_none() => Some((
+            format!("is no date: {text} does not exist"),
+            "write the year, the month and the day as YYYY-MM-DD".to_owned(),
+        )),
+        _ => None,
+    }
+}
+
+/// Four, two and two digits with strokes between them.
+fn looks_iso(text: &str) -> bool {
+    let parts: Vec<usize> = text.split('-').map(str::len).collect();
+    parts == [4, 2, 2] && text.bytes().all(|c| c.is_ascii_digit() || c == b'-')
+}
+
+/// Year, month and day of a date as `YYYY-MM-DD`; `None` of any other text, and of a day that does not exist.
+#[must_use]
+pub fn date(text: &str) -> Option<(u16, u8, u8)> {
+    let date = text.parse::<Datetime>().ok().filter(|_| looks_iso(text))?.date?;
+    Some((date.year, date.month, date.day))
+}
+
+/// The lines of a text that are not empty, each with its place in the scene; with that of the whole text where escapes
+/// stand in it.
+fn lines(scene: &str, text: &str, span: Range<usize>) -> Vec<(String, Range<usize>)> {
+    let filled = |line: &str| !line.trim().is_empty();
+    let mut places = Vec::new();
+    let mut start = span.start;
+    for line in scene.get(span.clone()).unwrap_or_default().split_inclusive('\n') {
+        let content = line.trim().trim_matches(['"', '\'']).trim();
+        if let Some(at) = line.find(content).filter(|_| filled(content)) {
+            places.push((content, start + at..start + at + content.len()));
+        }
+        start += line.len();
+    }
+    let lines: Vec<&str> = text.lines().filter(|line| filled(line)).map(str::trim).collect();
+    let plain = lines.len() == places.len() && lines.iter().zip(&places).all(|(line, (raw, _))| line == raw);
+    let placed = lines.iter().enumerate().map(|(i, line)| {
+        let place = if plain { places[i].1.clone() } else { span.clone() };
+        ((*line).to_owned(), place)
+    });
+    placed.collect()
+}
+
+/// Where one quantity comes from.
+static NOTE: Key = Key::text(
+    "source",
+    "Where the quantity comes from: a drawing, a publication, an assumption.",
+);
+
 /// A quantity with a note where it comes from.
 fn noted(
+    scene: &str,
     table: &DeTable<'_>,
     span: Range<usize>,
     path: &str,
@@ -458,14 +617,19 @@ fn noted(
     found: &mut Vec<Diagnostic>,
 ) -> Option<Value> {
     let before = found.len();
-    let (mut number, mut source) = (None, None);
+    let (mut number, mut source): (Option<Number>, _) = (None, None);
     for (name, value) in table {
         match (name.get_ref().as_ref(), value.get_ref()) {
-            ("value", DeValue::String(_)) => match check_value(value, path, key, found) {
-                Some(Value::Number(value, _)) => number = Some(value),
+            ("value", DeValue::String(_)) => match check_value(scene, value, path, key, found) {
+                Some(Value::Number(value)) => number = Some(value),
                 _ => return None,
             },
-            ("source", DeValue::String(text)) => source = Some(text.to_string()),
+            ("source", DeValue::String(_)) => {
+                match check_value(scene, value, &format!("{path}.source"), &NOTE, found) {
+                    Some(Value::Text(text)) => source = Some(text),
+                    _ => return None,
+                }
+            }
             _ => {
                 let message = format!("`{path}` has `value` and `source`, both texts, and nothing else");
                 found.push(Diagnostic::new(name.span(), message, "not this").help(example(key)));
@@ -475,11 +639,65 @@ fn noted(
     if number.is_none() && found.len() == before {
         found.push(Diagnostic::new(span, format!("`{path}` has no `value`"), "needed here").help(example(key)));
     }
-    Some(Value::Number(number?, source))
+    number.map(|number| Value::Number(Number { source, ..number }))
 }
 
-/// Reads `"19.3 m"` for `symbol`; on failure message, label and help.
-pub(crate) fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, (String, String, String)> {
+/// Message, label and help.
+type Problem = (String, String, String);
+
+/// Reads what stands behind a key that has a [`Key::number`].
+fn number(text: &str, key: &Key) -> Result<Number, Problem> {
+    let given = |value, mass| Number {
+        value,
+        mass,
+        source: None,
+    };
+    match key.kind {
+        Kind::Weight(symbol) => {
+            let (number, unit) = measured(text, symbol, &[symbol.unit, &unit::KG])?;
+            if unit.dimension != unit::KG.dimension {
+                return allowed(number * unit.factor, text, symbol, symbol.unit, Sign::NotNegative)
+                    .map(|weight| given(weight, None));
+            }
+            let mass = allowed(number * unit.factor, text, symbol, &unit::KG, Sign::NotNegative)?;
+            // What it weighs is known when the whole scene has been read.
+            Ok(given(f64::NAN, Some(mass)))
+        }
+        Kind::Quantity(symbol, sign) => quantity(text, symbol, sign).map(|value| given(value, None)),
+        _ => unreachable!("a key of quantities"),
+    }
+}
+
+/// Reads `"19.3 m"` for `symbol`, in SI.
+pub(crate) fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, Problem> {
+    let (number, unit) = measured(text, symbol, &[symbol.unit])?;
+    allowed(number * unit.factor, text, symbol, symbol.unit, sign)
+}
+
+/// A value in SI that a scene may give of `symbol`, here measured in units like `unit`.
+fn allowed(value: f64, text: &str, symbol: &'static Symbol, unit: &Unit, sign: Sign) -> Result<f64, Problem> {
+    let text = text.trim();
+    let help = format!("{}: {}", symbol.id, symbol.text);
+    if !sign.allows(value) {
+        let message = format!("{text} is not allowed, it must be {}", sign.words());
+        return Err((message, "out of range".to_owned(), help));
+    }
+    let [least, most] = sign.limits(unit);
+    if !(least..=most).contains(&value) {
+        let shown = if unit == symbol.unit { symbol.display } else { unit };
+        let written = |value: f64| format!("{} {}", short(value / shown.factor), shown.name);
+        let message = format!(
+            "{text} is not allowed, it must be from {} to {}",
+            written(least),
+            written(most)
+        );
+        return Err((message, "a slip of the unit?".to_owned(), help));
+    }
+    Ok(value)
+}
+
+/// Reads a number with a unit like one of `units`.
+fn measured(text: &str, symbol: &'static Symbol, units: &[&'static Unit]) -> Result<(f64, &'static Unit), Problem> {
     let text = text.trim();
     let display = symbol.display.name;
     let end = text
@@ -509,10 +727,10 @@ pub(crate) fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Resul
         return Err((
             format!("the unit \"{unit_text}\" is not known"),
             "unknown unit".to_owned(),
-            format!("units for it: {}", units_of(symbol)),
+            format!("units for it: {}", like(units)),
         ));
     };
-    if unit.dimension != symbol.unit.dimension || unit.rad != symbol.unit.rad {
+    if !units.iter().any(|wanted| unit.is_like(wanted)) {
         let given = if unit_text.is_empty() {
             "no unit".to_owned()
         } else {
@@ -521,35 +739,26 @@ pub(crate) fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Resul
         return Err((
             format!("{given} does not fit, it is measured in {display}"),
             "wrong unit".to_owned(),
-            format!("units for it: {}", units_of(symbol)),
+            format!("units for it: {}", like(units)),
         ));
     }
-    let value = number * unit.factor;
-    if !sign.allows(value) {
-        return Err((
-            format!("{text} is not allowed, it must be {}", sign.words()),
-            "out of range".to_owned(),
-            format!("{}: {}", symbol.id, symbol.text),
-        ));
-    }
-    Ok(value)
+    Ok((number, unit))
 }
 
-fn units_of(symbol: &Symbol) -> String {
-    let fits = |unit: &&&Unit| unit.dimension == symbol.unit.dimension && unit.rad == symbol.unit.rad;
-    unit::ALL
-        .iter()
-        .filter(fits)
-        .map(|unit| unit.name)
-        .collect::<Vec<_>>()
-        .join(", ")
+/// The names of all units that measure the same as one of these.
+fn like(units: &[&'static Unit]) -> String {
+    let fits = |unit: &&Unit| units.iter().any(|wanted| unit.is_like(wanted));
+    let names: Vec<&str> = unit::ALL.iter().copied().filter(fits).map(|unit| unit.name).collect();
+    names.join(", ")
 }
 
 fn wanted(key: &Key) -> String {
     match key.kind {
-        Kind::Text => "a text".to_owned(),
+        Kind::Text | Kind::Line | Kind::Date | Kind::Lines => "a text".to_owned(),
         Kind::Choice(choices) => format!("one of {}", choices.join(", ")),
-        Kind::Quantity(symbol, _) => format!("a number with a unit such as \"1 {}\"", symbol.display.name),
+        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
+            format!("a number with a unit such as \"1 {}\"", symbol.display.name)
+        }
         Kind::Table(_) => "a table".to_owned(),
         Kind::Texts => "a list of texts".to_owned(),
         Kind::Choices(choices) => format!("a list of {}, none twice", choices.join(", ")),
@@ -570,9 +779,11 @@ fn wanted(key: &Key) -> String {
 
 fn example(key: &Key) -> String {
     match key.kind {
-        Kind::Text => format!("{} = \"...\"", key.name),
+        Kind::Text | Kind::Line | Kind::Date | Kind::Lines => format!("{} = \"...\"", key.name),
         Kind::Choice(choices) => format!("{} = \"{}\"", key.name, choices[0]),
-        Kind::Quantity(symbol, _) => format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text),
+        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
+            format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text)
+        }
         Kind::Table(_) => format!("a table [{}]  ({})", key.name, key.text),
         Kind::Texts => format!("{} = [\"...\"]  ({})", key.name, key.text),
         Kind::Choices(choices) => format!("{} = [\"{}\"]", key.name, choices[0]),
@@ -603,7 +814,8 @@ fn property(key: &Key) -> Json {
         })
     };
     let mut schema = match key.kind {
-        Kind::Text => json!({ "type": "string" }),
+        Kind::Text | Kind::Date | Kind::Lines => json!({ "type": "string" }),
+        Kind::Line => json!({ "type": "string", "pattern": r"^.*\S.*$" }),
         Kind::Count => json!({ "type": "integer", "minimum": 0 }),
         Kind::Named => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
         Kind::Quantities(symbol, _, [least, most]) => {
@@ -615,7 +827,7 @@ fn property(key: &Key) -> Json {
             }
         }
         Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
-        Kind::Quantity(symbol, _) => {
+        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
             let value = text(symbol);
             let noted = json!({
                 "type": "object",
@@ -632,6 +844,18 @@ fn property(key: &Key) -> Json {
         Kind::Tables(keys) => json!({ "type": "array", "items": json_schema(keys) }),
         Kind::Table(keys) => json_schema(keys),
     };
-    schema["description"] = json!(key.text);
+    let limits = key.number().map_or_else(String::new, |(symbol, sign)| {
+        let [least, most] = sign.limits(symbol.unit);
+        let mass = match key.kind {
+            Kind::Weight(_) => "; or a mass, in kg or t",
+            _ => "",
+        };
+        format!(
+            " From {} to {}{mass}.",
+            short(symbol.shown(least)),
+            symbol.written(most)
+        )
+    });
+    schema["description"] = json!(format!("{}{limits}", key.text));
     schema
 }

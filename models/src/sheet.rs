@@ -2,6 +2,7 @@
 //! in SI. It is made from the same functions that the FMU runs; words, units
 //! of print and layout are added later, elsewhere.
 
+use crate::gravity;
 use crate::lemniscate;
 use crate::record::Trace;
 use crate::scene::{Given, Mechanism, Scene};
@@ -129,10 +130,33 @@ pub struct Equilibrium {
 /// The sheet of a scene.
 #[must_use]
 pub fn sheet(scene: &Scene) -> Sheet {
-    match &scene.mechanism {
+    let mut sheet = match &scene.mechanism {
         Mechanism::Luffing(luffing) => lemniscate::sheet::sheet(scene, luffing),
         Mechanism::Steering(steering) => steering::sheet::sheet(scene, steering),
+    };
+    let loads = sheet.inputs.iter().rposition(|input| input.chapter == LOAD);
+    if let Some((last, gravity)) = loads.zip(gravity(scene)) {
+        sheet.inputs.insert(last + 1, gravity);
     }
+    sheet
+}
+
+/// The chapter of inputs with the loads.
+const LOAD: &str = "load";
+
+/// The acceleration of gravity, where the top of a scene gives it, or where masses weigh by it that no other table gives.
+fn gravity(scene: &Scene) -> Option<Input> {
+    let id = gravity::G.id;
+    let given = scene.given(id);
+    let elsewhere = scene.given(&format!("luffing.dynamics.{id}")).is_some();
+    let shown = given.is_some() || scene.has_masses() && !elsewhere;
+    shown.then(|| Input {
+        symbol: &gravity::G,
+        value: scene.gravity,
+        number: None,
+        chapter: LOAD,
+        given: given.cloned(),
+    })
 }
 
 /// A given quantity.

@@ -154,31 +154,51 @@ impl Unit {
     /// What is measured in this unit, in the words of ISO 80000.
     #[must_use]
     pub fn quantity(&self) -> &'static str {
-        match (self.dimension, self.rad) {
-            (d, 0) if d == M.dimension => "Length",
-            (d, _) if d == M2.dimension => "Area",
-            (d, 1) if d == RAD.dimension => "Angle",
-            (d, _) if d == M3.dimension => "Volume",
-            (d, _) if d == S.dimension => "Time",
-            (d, 0) if d == PER_S.dimension => "Frequency",
-            (_, -1) => "ControlGain",
-            (d, 1) if d == RAD_PER_S.dimension => "AngularVelocity",
-            (d, _) if d == M_PER_S.dimension => "Velocity",
-            (d, _) if d == KG.dimension => "Mass",
-            (d, _) if d == N.dimension => "Force",
-            (d, _) if d == N_M.dimension && self.name.ends_with('J') => "Energy",
-            (d, _) if d == N_M.dimension => "Torque",
-            (d, _) if d == PA.dimension => "Pressure",
-            (d, _) if d == M3_PER_SPA.dimension => "HydraulicConductance",
-            (d, 0) if d == PER_S2.dimension => "SpoolAcceleration",
-            (d, _) if d == PA_PER_S.dimension => "PressureRate",
-            (d, _) if d == KG_M2.dimension => "MomentOfInertia",
-            (d, _) if d == N_M_S.dimension => "RotationalDampingConstant",
-            (d, _) if d == M_PER_S2.dimension => "Acceleration",
-            (d, _) if d == RAD_PER_S2.dimension => "AngularAcceleration",
-            (d, _) if d == M3_PER_S.dimension => "VolumeFlowRate",
-            _ => "Ratio",
+        match self.measured().0 {
+            "Torque" if self.name.ends_with('J') => "Energy",
+            name => name,
         }
+    }
+
+    /// The least positive amount and the greatest one (SI) that a scene may give of what is measured in this unit.
+    #[must_use]
+    pub fn limits(&self) -> [f64; 2] {
+        self.measured().1
+    }
+
+    /// What is measured in this unit, and the limits of its amount in a scene: wider than any machine, and narrow
+    /// enough for a slip of the unit, and for every number that follows to stay finite.
+    fn measured(&self) -> (&'static str, [f64; 2]) {
+        match (self.dimension, self.rad) {
+            (d, 0) if d == M.dimension => ("Length", [1e-4, 1e6]),
+            (d, _) if d == M2.dimension => ("Area", [1e-8, 1e12]),
+            (d, 1) if d == RAD.dimension => ("Angle", [1e-9 * DEGREE, 1e6 * DEGREE]),
+            (d, _) if d == M3.dimension => ("Volume", [1e-12, 1e9]),
+            (d, _) if d == S.dimension => ("Time", [1e-9, 1e9]),
+            (d, 0) if d == PER_S.dimension => ("Frequency", [1e-6, 1e6]),
+            (_, -1) => ("ControlGain", [1e-9, 1e9]),
+            (d, 1) if d == RAD_PER_S.dimension => ("AngularVelocity", [1e-9 * DEGREE, 1e6 * DEGREE]),
+            (d, _) if d == M_PER_S.dimension => ("Velocity", [1e-9, 1e6]),
+            (d, _) if d == KG.dimension => ("Mass", [1e-6, 1e11]),
+            (d, _) if d == N.dimension => ("Force", [1e-6, 1e12]),
+            (d, _) if d == N_M.dimension => ("Torque", [1e-6, 1e18]),
+            (d, _) if d == PA.dimension => ("Pressure", [1.0, 1e12]),
+            (d, _) if d == M3_PER_SPA.dimension => ("HydraulicConductance", [1e-20, 1.0]),
+            (d, 0) if d == PER_S2.dimension => ("SpoolAcceleration", [1e-6, 1e12]),
+            (d, _) if d == PA_PER_S.dimension => ("PressureRate", [1.0, 1e18]),
+            (d, _) if d == KG_M2.dimension => ("MomentOfInertia", [1e-9, 1e18]),
+            (d, _) if d == N_M_S.dimension => ("RotationalDampingConstant", [1e-6, 1e18]),
+            (d, _) if d == M_PER_S2.dimension => ("Acceleration", [1e-3, 1e3]),
+            (d, _) if d == RAD_PER_S2.dimension => ("AngularAcceleration", [1e-9, 1e9]),
+            (d, _) if d == M3_PER_S.dimension => ("VolumeFlowRate", [1e-12, 1e6]),
+            _ => ("Ratio", [1e-9, 1e6]),
+        }
+    }
+
+    /// Whether it measures the same as another one.
+    #[must_use]
+    pub fn is_like(&self, other: &Unit) -> bool {
+        self.dimension == other.dimension && self.rad == other.rad
     }
 }
 

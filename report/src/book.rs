@@ -11,7 +11,8 @@ mod trade;
 use std::fmt;
 
 use lemnis_fmu::instance::strings;
-use lemnis_models::scene::{CHAPTERS, Scene, iso_date};
+use lemnis_models::scene::{CHAPTERS, Scene};
+use lemnis_models::schema;
 use lemnis_models::sheet::Sheet;
 use lemnis_models::symbol::Symbol;
 use lemnis_typeset::{Format, Typeset, Typesetter};
@@ -96,7 +97,7 @@ pub(crate) struct Book<'a> {
     project: &'a [(&'static str, String)],
     revisions: &'a [Vec<String>],
     /// Year, month and day, where the date of the book is written so.
-    date: Option<(i32, u8, u8)>,
+    date: Option<(u16, u8, u8)>,
     hash: String,
     /// Name of the scene inside the PDF.
     attachment: String,
@@ -268,7 +269,7 @@ impl<'a> Book<'a> {
             name: scene.name(),
             project: scene.project(),
             revisions: scene.revisions(),
-            date: date.and_then(|(_, date)| iso_date(date)),
+            date: date.and_then(|(_, date)| schema::date(date)),
             hash,
             attachment: format!("{}.toml", scene.name()),
             version,

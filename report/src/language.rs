@@ -8,7 +8,7 @@
 use lemnis_models::number::Number;
 use lemnis_models::steering::moving::scene::{Body, Oil, Plc};
 use lemnis_models::symbol::Symbol;
-use lemnis_models::{balance, hydraulics, lemniscate, steering};
+use lemnis_models::{balance, gravity, hydraulics, lemniscate, steering};
 
 use crate::template::escape;
 
@@ -130,6 +130,7 @@ const SYMBOLS: [(&str, &[&[&Symbol]]); 2] = [
             lemniscate::symbols::ALL,
             balance::symbols::ALL,
             lemniscate::moving::symbols::ALL,
+            gravity::ALL,
             hydraulics::symbols::ALL,
         ],
     ),
@@ -137,6 +138,7 @@ const SYMBOLS: [(&str, &[&[&Symbol]]); 2] = [
         "steering",
         &[
             steering::symbols::ALL,
+            gravity::ALL,
             Body::<f64>::SYMBOLS,
             Oil::<f64>::SYMBOLS,
             Plc::<f64>::SYMBOLS,

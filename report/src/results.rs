@@ -97,39 +97,33 @@ impl Results {
     /// Everything, for reading: summary and a row per position.
     #[must_use]
     pub fn table(&self) -> String {
-        let heads: Vec<String> = self
-            .columns
-            .iter()
-            .map(|column| format!("{column} [{}]", column.symbol.display.name))
-            .collect();
         let mut text = format!("{}\n\n{}\n", self.scene.title(), self.summary());
+        // Each column with its head.
         let cells = |(i, variable): (usize, &Variable)| -> Vec<String> {
             let values: Vec<f64> = self.rows.iter().map(|row| variable.symbol.shown(row[i])).collect();
-            column(&values).iter().map(Number::to_string).collect()
+            let head = format!("{variable} [{}]", variable.symbol.display.name);
+            std::iter::once(head)
+                .chain(column(&values).iter().map(Number::to_string))
+                .collect()
         };
         let cells: Vec<Vec<String>> = self.columns.iter().enumerate().map(cells).collect();
-        let widest = |cells: &Vec<String>| cells.iter().map(String::len).max().unwrap_or(0);
+        let width = |i: usize| cells[i].iter().map(String::len).max().unwrap_or(0).max(11);
         // As many columns side by side as a line of 120 holds, the coordinate first.
-        let width = |i: usize| heads[i].len().max(11).max(widest(&cells[i]));
         let mut start = 1;
-        while start < heads.len() {
+        while start < cells.len() {
             let mut columns = vec![0];
             let mut used = width(0);
-            while start < heads.len() && used + width(start) + 2 <= 120 {
+            while start < cells.len() && (columns.len() == 1 || used + width(start) + 2 <= 120) {
                 used += width(start) + 2;
                 columns.push(start);
                 start += 1;
             }
-            let line = |cell: &dyn Fn(usize) -> String| {
-                columns
-                    .iter()
-                    .map(|&i| format!("{:>1$}", cell(i), width(i)))
-                    .collect::<Vec<_>>()
-                    .join("  ")
+            let line = |row: usize| {
+                let cells = columns.iter().map(|&i| format!("{:>1$}", cells[i][row], width(i)));
+                cells.collect::<Vec<_>>().join("  ")
             };
-            let _ = writeln!(text, "{}", line(&|i| heads[i].clone()));
-            for row in 0..self.rows.len() {
-                let _ = writeln!(text, "{}", line(&|i| cells[i][row].clone()));
+            for line in (0..=self.rows.len()).map(line) {
+                let _ = writeln!(text, "{line}");
             }
             text.push('\n');
         }

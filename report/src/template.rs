@@ -220,6 +220,8 @@ fn environment(words: Words) -> Environment<'static> {
         }
     });
     environment.add_filter("string", |text: &str| Value::from_safe_string(speech::string(text)));
+    environment.add_filter("breakable", breakable);
+    environment.add_filter("brief", brief);
     // "2.1" and so on. Typst's own numbers would come from counters, which cost a further pass over the document.
     environment.add_function("number", |state: &mut State, level: usize| {
         let counts = &mut state.get_or_insert_extension(Headings::default()).0;
@@ -304,6 +306,34 @@ pub(crate) fn escape(text: &str) -> String {
     escaped
 }
 
+/// Text whose words a line can always hold: one that is too long may be broken after every so many letters. Chinese is
+/// broken anywhere already.
+fn breakable(text: &str) -> String {
+    const LONGEST: usize = 22;
+    const PIECE: usize = 4;
+    let chinese = |c: char| c >= '\u{2e80}';
+    let mut broken = String::with_capacity(text.len());
+    for word in text.split_inclusive(|c: char| c.is_whitespace() || chinese(c)) {
+        let long = word.chars().count() > LONGEST;
+        for (i, c) in word.chars().enumerate() {
+            if long && i > 0 && i % PIECE == 0 {
+                broken.push('\u{200b}');
+            }
+            broken.push(c);
+        }
+    }
+    broken
+}
+
+/// The beginning of a text that is too long to stand in every header.
+fn brief(text: &str) -> String {
+    const LONGEST: usize = 80;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use lemnis_typeset::{Embedded, Format, Typesetter};
@@ -334,6 +364,23 @@ mod tests {
         assert_eq!(escape("3.5 m/s, 0,25; Fig. 3"), "3.5 m/s, 0,25\\u{3b} Fig. 3");
         assert_eq!(escape("1. a..."), "1\\u{2e} a\\u{2e}\\u{2e}\\u{2e}");
         assert_eq!(escape("http://a /*"), "http\\u{3a}\\u{2f}\\u{2f}a \\u{2f}\\u{2a}");
+    }
+
+    #[test]
+    fn only_words_that_no_line_holds_may_be_broken() {
+        for plain in [
+            "Portal crane 100 kN × 32 m",
+            "四连杆门座起重机变幅机构计算书以及平衡系统的优化设计",
+            "Donaukranschiff",
+        ] {
+            assert_eq!(breakable(plain), plain);
+        }
+        let broken = breakable(&"W".repeat(30));
+        assert_eq!(
+            broken.split('\u{200b}').map(str::len).collect::<Vec<_>>(),
+            [4, 4, 4, 4, 4, 4, 4, 2]
+        );
+        assert_eq!(brief(&"W".repeat(81)).chars().count(), 81);
     }
 
     #[test]

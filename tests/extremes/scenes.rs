@@ -48,7 +48,7 @@ fn factor(dimension: unit::Dimension, k: i32) -> f64 {
     2_f64.powi(k * (2 * i32::from(dimension.m) + i32::from(dimension.s)))
 }
 
-/// Cranes of a millimetre and of a thousand kilometres, from a scene: every state, rate, result and parameter of every
+/// Cranes of two centimetres and of three hundred kilometres, near the ends of what a scene may say: every state, rate, result and parameter of every
 /// explicit level is that of the crane as it is, to the last bit, at the start and after the same part of the motion.
 #[test]
 fn lengths_scale_to_the_last_bit() {
@@ -61,8 +61,8 @@ fn lengths_scale_to_the_last_bit() {
             .to_owned();
         let text = text.replacen("\nJ_1 ", "\nstep  = \"10 ms\"\nJ_1 ", 1);
         let mut reference = parsed(&text);
-        // 19.3 m times 6e-5, and times 65536.
-        let mut models = [-7, -3, 4, 8].map(|k| (k, parsed(&scaled(&text, k))));
+        // 19.3 m times 1e-3, and times 16384.
+        let mut models = [-5, -3, 4, 7].map(|k| (k, parsed(&scaled(&text, k))));
         for (from, to) in [(0.0, 0.0), (0.0, 0.5), (0.5, 2.25)] {
             reference.advance(from, to).expect("moves");
             for (k, model) in &mut models {

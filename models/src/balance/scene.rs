@@ -28,7 +28,7 @@ pub static KEYS: &[Key] = &[
         required: false,
         text: "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever.",
     },
-    Key::quantity(&s::G_C, Sign::NotNegative).optional(),
+    Key::weight(&s::G_C).optional(),
     Key::quantity(&s::R_C, Sign::NotNegative).optional(),
     Key::quantity(&s::CHI_C, Sign::Any).optional(),
     Key::quantity(&s::D_1, Sign::Positive).optional(),
@@ -159,13 +159,13 @@ impl Form<f64> {
         };
         let lever = kind == "lever";
         for key in KEYS {
-            let (needs, takes) = match key.kind {
-                Kind::Quantity(symbol, _) => {
+            let (needs, takes) = match key.number() {
+                Some((symbol, _)) => {
                     let needs = needed.contains(&symbol);
                     (needs, needs || (lever && symbol == &s::S_5))
                 }
-                _ if key.name == "branch" => (lever, lever),
-                _ => continue,
+                None if key.name == "branch" => (lever, lever),
+                None => continue,
             };
             let given = v.has(key.name);
             if needs && !given {
@@ -214,9 +214,9 @@ impl Published {
     #[must_use]
     pub fn read(v: &Values) -> Option<Published> {
         let table = v.table("published")?;
-        let value = |key: &Key| match key.kind {
-            Kind::Quantity(symbol, _) => table.number(key.name).map(|value| (symbol, value)),
-            _ => None,
+        let value = |key: &Key| {
+            let (symbol, _) = key.number()?;
+            Some((symbol, table.number(key.name)?))
         };
         Some(Published {
             source: table.text("source")?.to_owned(),

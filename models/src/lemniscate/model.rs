@@ -546,9 +546,9 @@ fn bounds(luffing: &Luffing, symbol: &'static Symbol, slot: Slot, sign: Sign) ->
 
 /// Which numbers the scene's keys allow for a quantity.
 fn allowed(keys: &'static [Key], symbol: &'static Symbol) -> Option<Sign> {
-    keys.iter().find_map(|key| match key.kind {
-        Kind::Quantity(known, sign) if known == symbol && key.name == symbol.id => Some(sign),
-        Kind::Table(keys) => allowed(keys, symbol),
+    keys.iter().find_map(|key| match (key.number(), &key.kind) {
+        (Some((known, sign)), _) if known == symbol && key.name == symbol.id => Some(sign),
+        (_, Kind::Table(keys)) => allowed(keys, symbol),
         _ => None,
     })
 }

@@ -10,16 +10,20 @@ use crate::four_bar::{Arc, Branch};
 use crate::lemniscate::balancing::{analysis, boom};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
 use crate::lemniscate::governing::{coordinate, governed};
+use crate::lemniscate::model::Model;
 use crate::lemniscate::moving;
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::table::TOLERANCE;
+use crate::model;
 pub use crate::motion::Motion;
 use crate::motion::degrees;
 use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values};
+use crate::sheet::Comparison;
 use crate::symbol::Symbol;
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// Keys of `[luffing]`.
 pub static KEYS: &[Key] = &[
@@ -45,7 +49,7 @@ pub static KEYS: &[Key] = &[
     Key::quantity(&s::BETA_0, Sign::Positive).optional(),
     Key::quantity(&s::AC, Sign::Positive).optional(),
     Key::quantity(&s::X_8, Sign::Any),
-    Key::quantity(&s::Q, Sign::NotNegative).optional(),
+    Key::weight(&s::Q).optional(),
     Key {
         name: "fidelity",
         kind: Kind::Choice(moving::scene::FIDELITIES),
@@ -111,13 +115,13 @@ static MOTION: &[Key] = &[
 ];
 
 static WEIGHTS: &[Key] = &[
-    Key::quantity(&s::G_1, Sign::NotNegative),
+    Key::weight(&s::G_1),
     Key::quantity(&s::S_1, Sign::NotNegative),
     Key::quantity(&s::CHI_1, Sign::Any),
-    Key::quantity(&s::G_2, Sign::NotNegative),
+    Key::weight(&s::G_2),
     Key::quantity(&s::S_2, Sign::NotNegative),
     Key::quantity(&s::CHI_2, Sign::Any),
-    Key::quantity(&s::G_3, Sign::NotNegative),
+    Key::weight(&s::G_3),
     Key::quantity(&s::S_3, Sign::NotNegative),
     Key::quantity(&s::CHI_3, Sign::Any),
     SOURCE,
@@ -165,7 +169,7 @@ static PUBLISHED: &[Key] = &[
     },
     Key {
         name: "values",
-        kind: Kind::Text,
+        kind: Kind::Lines,
         required: true,
         text: "A line of names, then lines of values in display units; the first column is the angle of the driven bar.",
     },
@@ -273,8 +277,8 @@ impl Luffing {
         self.motion.place(text, theta, "an angle of the working range", &named)
     }
 
-    /// Builds the mechanism of a checked table; mistakes go to `found`.
-    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Luffing> {
+    /// Builds the mechanism of a checked table under the acceleration of gravity (m/s²); mistakes go to `found`.
+    pub fn new(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Luffing> {
         let before = found.len();
         let driven = if v.text("driven")? == "boom" {
             Driven::Boom
@@ -330,7 +334,9 @@ impl Luffing {
             None => (None, None),
         };
         let q = n(&s::Q);
-        if weights.is_some() && q.is_none() {
+        // A load that cannot be read is not one that is missing.
+        let loaded = q.is_some() || !found.is_empty();
+        if weights.is_some() && !loaded {
             found.push(
                 Diagnostic::new(
                     v.place("weights"),
@@ -355,7 +361,7 @@ impl Luffing {
             branch,
         };
         let motion = motion(v, &parameters, found);
-        let moving = moving::scene::Moving::new(v, q.is_some(), found);
+        let moving = moving::scene::Moving::new(v, gravity, loaded, found);
         let table = interpolation(v, found);
         if let Some(table) = v.table("balance") {
             balanced(v, table, &parameters, motion.as_ref(), found);
@@ -389,12 +395,13 @@ impl Luffing {
             let what = format!("a limit {id} without a swinging load");
             found.push(Diagnostic::new(table.place(id), what, "nothing to check").help("remove the limit"));
         }
-        let published = v.table("published").and_then(|table| published(table, found));
+        let theta = coordinate(parameters.driven);
+        let published = v.table("published").and_then(|table| published(table, theta, found));
         let motion = motion?;
         let synthesis = v
             .table("synthesis")
             .and_then(|table| synthesis(table, &parameters, &motion, found));
-        (found.len() == before).then_some(Luffing {
+        let luffing = Luffing {
             parameters,
             q,
             motion,
@@ -405,7 +412,55 @@ impl Luffing {
             published,
             synthesis,
             published_balance: v.table("balance").and_then(balance::scene::Published::read),
-        })
+        };
+        if found.len() == before
+            && let Some((published, table)) = luffing.published.as_ref().zip(v.table("published"))
+        {
+            // The first line has the names.
+            let places = table.texts("values").iter().skip(1);
+            for (row, (_, place)) in published.compared(&luffing).into_iter().zip(places) {
+                if let Err(fault) = row {
+                    let message = format!("a published row of which there is none: {}", fault.message);
+                    found.push(
+                        Diagnostic::new(place.clone(), message, "not possible").help("correct the row, or remove it"),
+                    );
+                }
+            }
+        }
+        (found.len() == before).then_some(luffing)
+    }
+}
+
+impl Published {
+    /// Each row's values beside the computed ones, of the closed form; what the scene does not model is left out.
+    pub fn compared(&self, luffing: &Luffing) -> Vec<Result<Vec<Comparison>, model::Fault>> {
+        let closed = Luffing {
+            table: None,
+            ..luffing.clone()
+        };
+        let mut model = match Model::new(&closed) {
+            Ok(model) => model,
+            Err(fault) => return vec![Err(fault)],
+        };
+        let place = |symbol: &&'static Symbol| model.variables().iter().position(|variable| variable.symbol == *symbol);
+        let places: Vec<Option<usize>> = self.columns.iter().map(place).collect();
+        let row = |row: &Vec<String>| {
+            let angle = row[0].parse::<f64>().unwrap_or(f64::NAN) * self.columns[0].display.factor;
+            model.set(0, angle)?;
+            let cells = self.columns.iter().zip(&places).zip(row).skip(1);
+            let known = cells.filter_map(|((symbol, index), printed)| Some((symbol, (*index)?, printed)));
+            known
+                .map(|(symbol, index, printed)| {
+                    Ok(Comparison {
+                        coordinate: angle,
+                        symbol,
+                        printed: printed.clone(),
+                        value: model.get(index)?,
+                    })
+                })
+                .collect()
+        };
+        self.rows.iter().map(row).collect()
     }
 }
 
@@ -576,37 +631,50 @@ fn missing(arcs: &[Arc], motion: &Motion) -> String {
     )
 }
 
-fn published(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Published> {
-    let (source, text) = (v.text("source")?, v.text("values")?);
-    let mut lines = text.lines().filter(|line| !line.trim().is_empty());
-    let mut wrong = |message: String, help: &str| {
-        found.push(Diagnostic::new(v.place("values"), message, "in this table").help(help));
-        None
+/// Reads a published table over the coordinate; mistakes go to `found`.
+fn published(v: &Values, coordinate: &'static Symbol, found: &mut Vec<Diagnostic>) -> Option<Published> {
+    let before = found.len();
+    let source = v.text("source")?;
+    let wrong = |place: &Range<usize>, message: String, label: &str, help: &str| {
+        Diagnostic::new(place.clone(), message, label).help(help)
+    };
+    let Some(((names, place), lines)) = v.texts("values").split_first() else {
+        let help = "begin with a line of names: the angle of the driven bar, then results";
+        wrong(
+            &v.place("values"),
+            "published values without a line".to_owned(),
+            "empty",
+            help,
+        );
+        return None;
     };
     let mut columns = Vec::new();
-    for name in lines.next().unwrap_or("").split_whitespace() {
+    for name in names.split_whitespace() {
         match s::ALL.iter().copied().find(|symbol| symbol.id == name) {
             Some(symbol) => columns.push(symbol),
             None => {
-                return wrong(
-                    format!("published values of `{name}`, which is not a result"),
-                    "use the names of `lemnis check`",
-                );
+                let message = format!("published values of `{name}`, which is not a result");
+                found.push(wrong(place, message, "not known", "use the names of `lemnis check`"));
             }
         }
     }
+    if found.len() == before && columns.first() != Some(&coordinate) {
+        let message = format!("published values begin with {names}");
+        let help = format!("the first column is {}, the angle of the driven bar", coordinate.id);
+        found.push(wrong(place, message, "not the angle", &help));
+    }
     let mut rows = Vec::new();
-    for line in lines {
+    for (line, place) in lines {
         let row: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
-        if row.len() != columns.len() || row.iter().any(|cell| !cell.parse().is_ok_and(f64::is_finite)) {
-            return wrong(
-                format!("published values: cannot read the line \"{}\"", line.trim()),
-                "give one number for each name",
-            );
+        if row.len() != names.split_whitespace().count()
+            || row.iter().any(|cell| !cell.parse().is_ok_and(f64::is_finite))
+        {
+            let message = format!("published values: cannot read the line \"{line}\"");
+            found.push(wrong(place, message, "not this", "give one number for each name"));
         }
         rows.push(row);
     }
-    Some(Published {
+    (found.len() == before).then(|| Published {
         source: source.to_owned(),
         columns,
         rows,

@@ -68,7 +68,7 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         drawing: drawing(&geometry, luffing, middle),
         checks,
         warnings,
-        published: published(&mut model, luffing, coordinate),
+        published: published(luffing),
         published_source: luffing.published.as_ref().map(|p| p.source.clone()),
         summary: summary(luffing, &geometry, &range),
         sensitivity: sensitivity(luffing, &range, &governing),
@@ -595,28 +595,14 @@ fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
     worst / scale
 }
 
-fn published(model: &mut Model, luffing: &Luffing, coordinate: &'static Symbol) -> Vec<Comparison> {
-    let Some(published) = &luffing.published else {
-        return Vec::new();
-    };
-    let mut list = Vec::new();
-    for row in &published.rows {
-        let angle: f64 = row[0].parse().expect("checked when the scene was read");
-        let angle = angle * coordinate.display.factor;
-        for (symbol, printed) in published.columns.iter().zip(row).skip(1) {
-            let known = model.variables().iter().any(|variable| variable.symbol == *symbol);
-            if known {
-                let value = sample(model, &[symbol], std::iter::once(angle))[0][0];
-                list.push(Comparison {
-                    coordinate: angle,
-                    symbol,
-                    printed: printed.clone(),
-                    value,
-                });
-            }
-        }
-    }
-    list
+fn published(luffing: &Luffing) -> Vec<Comparison> {
+    let compared = luffing
+        .published
+        .iter()
+        .flat_map(|published| published.compared(luffing));
+    compared
+        .flat_map(|row| row.expect("checked when the scene was read"))
+        .collect()
 }
 
 fn summary(luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Summary> {

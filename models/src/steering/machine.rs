@@ -107,7 +107,7 @@ impl<C: Calc> Machine<C> {
                     if x.is_nan() || x.abs() > 1e4 {
                         return Err(Refusal::new(
                             format!("{name}[{}].{axis}", i + 1),
-                            format!("{name}[{}].{axis} = {} m", i + 1, short(x)),
+                            format!("{name}[{}].{axis} = {}", i + 1, s::X_I.written(x)),
                             "it must lie between -10000 m and 10000 m",
                         ));
                     }

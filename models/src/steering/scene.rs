@@ -134,7 +134,7 @@ const SOURCE: Key = Key::text(
 static GROUP: &[Key] = &[
     Key::quantity(&s::X_I, Sign::Any),
     Key::quantity(&s::Y_I, Sign::Any),
-    Key::quantity(&s::G, Sign::NotNegative).optional(),
+    Key::weight(&s::G).optional(),
     angle("min", &s::THETA_MIN).optional(),
     angle("max", &s::THETA_MAX).optional(),
     FORBIDDEN,
@@ -156,7 +156,7 @@ static OUTLINE: &[Key] = &[
 ];
 
 static LOAD: &[Key] = &[
-    Key::quantity(&s::W, Sign::NotNegative),
+    Key::weight(&s::W),
     Key::quantity(&s::X_G, Sign::Any),
     Key::quantity(&s::Y_G, Sign::Any),
     SOURCE,

@@ -1,6 +1,7 @@
 //! Tables: checks, results, given quantities, the working range, sensitivities,
 //! published values.
 
+use lemnis_models::gravity;
 use lemnis_models::number::{Digits, Number, column, short};
 use lemnis_models::sheet::{self, Comparison, Sheet};
 use lemnis_models::symbol::Symbol;
@@ -223,7 +224,17 @@ fn input(language: &Language, input: &sheet::Input, notation: &mut Notation) -> 
             Some(number) => input.symbol.numbered(number),
             None => input.symbol.print.to_owned(),
         },
-        value: quantity(language, input.symbol, input.value),
+        value: match given.and_then(|given| given.mass) {
+            Some(mass) => {
+                let mass = measured(language, mass / unit::T.factor, &unit::T);
+                format!(
+                    "{mass} dot {} = {}",
+                    gravity::G.print,
+                    quantity(language, input.symbol, input.value)
+                )
+            }
+            None => quantity(language, input.symbol, input.value),
+        },
         key: given.map(|given| given.key.clone()),
         line: given.map_or(0, |given| given.line),
         note: given.and_then(|given| given.source.clone()),

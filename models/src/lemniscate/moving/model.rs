@@ -29,7 +29,7 @@ use crate::motion::Motion as Range;
 use crate::number::short;
 use crate::plane::Point;
 use crate::record::{self, Rec};
-use crate::schema::{COARSEST, Kind, Sign};
+use crate::schema::{COARSEST, Key, Sign};
 use crate::solver::{Count, Halt, MOST_STEPS};
 use crate::symbol::Symbol;
 use crate::unit;
@@ -211,7 +211,7 @@ impl Model {
             bounds: match allowed(symbol) {
                 Sign::Any => [f64::NEG_INFINITY, f64::INFINITY],
                 Sign::Tolerance => [0.0, COARSEST],
-                Sign::Positive | Sign::NotNegative => [0.0, f64::INFINITY],
+                Sign::Positive | Sign::NotNegative | Sign::Deviation => [0.0, f64::INFINITY],
             },
         };
         let boom = self.driven == Driven::Boom;
@@ -1104,10 +1104,7 @@ fn hydraulic<const N: usize, P: Copy>(
 
 /// Which numbers a quantity of motion may have.
 fn allowed(symbol: &'static Symbol) -> Sign {
-    let of = |key: &crate::schema::Key| match key.kind {
-        Kind::Quantity(known, sign) if known == symbol => Some(sign),
-        _ => None,
-    };
+    let of = |key: &Key| key.number().filter(|(known, _)| *known == symbol).map(|(_, sign)| sign);
     let keys = KEYS.iter().chain(SLEWING_KEYS).chain(OIL_KEYS);
     keys.into_iter().find_map(of).unwrap_or(Sign::Any)
 }

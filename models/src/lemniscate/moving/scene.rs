@@ -130,7 +130,7 @@ pub struct Moving {
 
 impl Moving {
     /// The checked table `[luffing]`; `None` at the static level, and where there are mistakes, which go to `found`.
-    pub fn new(v: &Values, loaded: bool, found: &mut Vec<Diagnostic>) -> Option<Moving> {
+    pub fn new(v: &Values, gravity: f64, loaded: bool, found: &mut Vec<Diagnostic>) -> Option<Moving> {
         let fidelity = v.text("fidelity").unwrap_or("static");
         let mut mistake = |key: &str, what: String, label: &str, help: &str| {
             found.push(Diagnostic::new(v.place(key), what, label).help(help));
@@ -265,7 +265,7 @@ impl Moving {
                 j_3: n(&s::J_3)?,
                 c_v: n(&s::C_V).unwrap_or(0.0),
                 m_f: n(&s::M_F).unwrap_or(0.0),
-                g: n(&s::G).unwrap_or(9.81),
+                g: gravity,
                 step: n(&s::STEP).unwrap_or(0.01),
             },
             inputs: Inputs {

@@ -1,5 +1,6 @@
 //! Quantities of the mechanism in motion.
 
+pub use crate::gravity::G;
 use crate::symbol::{Symbol, symbols};
 
 symbols! {
@@ -9,7 +10,6 @@ symbols! {
     J_3: "J_3" "J_3" KG_M2 / KG_M2, "Inertia of the rocker about its centre of gravity.", "input";
     C_V: "c_v" "c_v" N_M_S / KN_M_S, "Viscous friction at the driven bar: moment over angular velocity.", "input";
     M_F: "M_F" "M_F" N_M / KN_M, "Dry friction at the driven bar: the moment that it holds, and that it sets against motion.", "input";
-    G: "g" "g" M_PER_S2 / M_PER_S2, "Acceleration of gravity.", "input";
     STEP: "step" "h" S / MS, "Longest step of the solver. An explicit one is refused where the motion changes by more than itself within it.", "input";
 
     L_MIN: "l_min" "l_min" M / M, "Length of the cylinder retracted, between its anchors.", "input";
