@@ -141,11 +141,15 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let oil = moves && (level == "hydraulic" || level == "auto" && draw.coin(0.5));
     let rope = moves && (level == "swing" || level != "rigid" && draw.coin(0.5));
     // A machine that its oil carries weighs what its cylinder bears.
-    let [length, ..] = draw.scale;
+    let length = if oil {
+        draw.scale[0].clamp(0.1, 1e3)
+    } else {
+        draw.scale[0]
+    };
     let bore = length * draw.between(0.01, 0.03);
     let pressure = draw.between(1e6, 1e7);
     if oil {
-        draw.size(length, 0.2 * pressure * FRAC_PI_4 * bore * bore / 9.81);
+        draw.size(length, 0.2 * pressure * FRAC_PI_4 * bore * bore / draw.g);
     }
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
@@ -405,6 +409,8 @@ fn dynamics(n: &mut Node, rope: bool) {
     // Something that turns has inertia, whatever else has none.
     let own = inertia * d.draw.between(0.3, 3.0);
     d.set(if boom { "J_1" } else { "J_3" }, own);
+    // Once is enough.
+    d.remove(&["g"]);
     d.keep("step", true);
     let step = time * d.draw.between(0.004, 0.02);
     d.set("step", step);

@@ -92,6 +92,8 @@ pub struct Draw {
     pub rng: Rng,
     /// Length (m), mass (kg) and time (s): together the size of a quantity of any dimension.
     pub scale: [f64; 3],
+    /// Acceleration of gravity, in m/s².
+    pub g: f64,
 }
 
 impl Draw {
@@ -100,20 +102,25 @@ impl Draw {
         Draw {
             rng: Rng::with_seed(seed),
             scale,
+            g: 9.81,
         }
     }
 
     fn new(seed: u64) -> Draw {
         let mut draw = Draw::of(seed, [1.0; 3]);
-        let length = draw.decades(-2, 4);
-        let mass = draw.decades(-1, 7);
+        if draw.coin(0.2) {
+            draw.g = (draw.between(1.0, 30.0) * 100.0).round() / 100.0;
+        }
+        let length = draw.decades(-2, 5);
+        // Inertias within their limit, and much greater ones than single parts have.
+        let mass = draw.decades(-1, 8).min(1e15 / (length * length));
         draw.size(length, mass);
         draw
     }
 
     /// Sets the machine's length (m) and mass (kg); its time is that of a pendulum so long.
     pub fn size(&mut self, length: f64, mass: f64) {
-        self.scale = [length, mass, (length / 9.81).sqrt()];
+        self.scale = [length, mass, (length / self.g).sqrt()];
     }
 
     pub fn coin(&mut self, chance: f64) -> bool {
@@ -154,13 +161,15 @@ impl Draw {
         if sign == Sign::Tolerance {
             return self.decades(-8, -1);
         }
+        let [least, most] = symbol.unit.limits();
         if sign.allows(0.0) && self.coin(0.15) {
             return 0.0;
         }
         let amount = match symbol.unit {
             unit if *unit == RAD => self.between(0.0, PI),
             _ => self.natural(symbol) * self.decades(-1, 1),
-        };
+        }
+        .clamp(least, most);
         if sign.allows(-1.0) && self.coin(0.5) {
             -amount
         } else {
@@ -170,7 +179,7 @@ impl Draw {
 
     /// A value (SI) as a scene has it, and the value that is read from there.
     pub fn written(&mut self, symbol: &Symbol, value: f64) -> (String, f64) {
-        let fits = |unit: &&&unit::Unit| unit.dimension == symbol.unit.dimension && unit.rad == symbol.unit.rad;
+        let fits = |unit: &&&unit::Unit| unit.is_like(symbol.unit);
         let units: Vec<&unit::Unit> = unit::ALL.iter().filter(fits).copied().collect();
         let unit = if self.coin(0.8) {
             symbol.display
@@ -222,22 +231,21 @@ impl Draw {
             let value = draw.value(symbol, sign);
             draw.written(symbol, value)
         };
-        match key.kind {
-            Kind::Text => self.words().into(),
-            Kind::Choice(choices) => self.pick(choices).into(),
-            Kind::Quantity(symbol, sign) => {
-                let text = one(self, symbol, sign).0;
-                if self.coin(0.9) {
-                    return text.into();
-                }
-                let noted = [("value", text), ("source", self.words().to_owned())];
-                Value::Table(
-                    noted
-                        .map(|(name, text)| (name.to_owned(), text.into()))
-                        .into_iter()
-                        .collect(),
-                )
+        if let Some((symbol, sign)) = key.number() {
+            let mut text = one(self, symbol, sign).0;
+            if matches!(key.kind, Kind::Weight(_)) && self.coin(0.3) {
+                text = format!("{:.3e} kg", self.natural(symbol) / self.g);
             }
+            if self.coin(0.9) {
+                return text.into();
+            }
+            let noted = [("value", text), ("source", self.words().to_owned())];
+            return Table::from_iter(noted.map(|(name, text)| (name.to_owned(), text.into()))).into();
+        }
+        match key.kind {
+            Kind::Text | Kind::Line | Kind::Lines => self.words().into(),
+            Kind::Date => "2026-02-28".into(),
+            Kind::Choice(choices) => self.pick(choices).into(),
             Kind::Table(keys) => self.table(keys).into(),
             Kind::Texts => Value::Array(Vec::new()),
             Kind::Choices(choices) => {
@@ -255,7 +263,7 @@ impl Draw {
                 Value::Array(list.into_iter().map(|(text, _)| text.into()).collect())
             }
             Kind::Count => i64::from(self.rng.u16(..)).into(),
-            Kind::Named => Value::Table(Table::new()),
+            Kind::Quantity(..) | Kind::Weight(_) | Kind::Named => Value::Table(Table::new()),
         }
     }
 
@@ -282,10 +290,9 @@ impl Draw {
         table.insert("name".to_owned(), "Random".into());
         table.insert(mechanism.to_owned(), made.into());
         let mut top = Node::new(self, KEYS, &mut table);
-        if let Some(mut project) = top.child("project")
-            && project.has("date")
-        {
-            project.put("date", "2026-02-28");
+        top.keep("g", false);
+        if top.draw.g != 9.81 {
+            top.set("g", top.draw.g);
         }
         let dated = top.child("project").is_some_and(|project| project.has("date"));
         if let Some(mut book) = top.child("book") {
@@ -341,8 +348,8 @@ impl Draw {
                     None => None,
                 }
             }
-            (Kind::Quantity(symbol, _), Some(Value::String(text))) => {
-                let value = read(text).unwrap_or(1.0);
+            (Kind::Quantity(symbol, _) | Kind::Weight(symbol), Some(Value::String(text))) => {
+                let value = read(text, self.g).unwrap_or(1.0);
                 let other = match self.rng.u8(0..10) {
                     0 => None,
                     1 | 2 => Some(0.0),
@@ -376,10 +383,12 @@ fn tables(key: &'static Key) -> &'static [Key] {
     }
 }
 
-/// A quantity of a scene, in SI.
-pub fn read(text: &str) -> Option<f64> {
+/// A quantity of a scene, in SI; a mass as its weight.
+fn read(text: &str, g: f64) -> Option<f64> {
     let (number, name) = text.split_once(' ').unwrap_or((text, "1"));
-    Some(number.parse::<f64>().ok()? * unit::find(name)?.factor)
+    let unit = unit::find(name)?;
+    let weight = if unit.is_like(&unit::KG) { g } else { 1.0 };
+    Some(number.parse::<f64>().ok()? * unit.factor * weight)
 }
 
 /// A table with its keys.
@@ -406,14 +415,13 @@ impl Node<'_> {
     pub fn get(&self, name: &str) -> f64 {
         let value = self.table.get(name);
         let noted = value.and_then(Value::as_table).and_then(|table| table.get("value"));
-        noted.or(value).and_then(Value::as_str).and_then(read).unwrap_or(0.0)
+        let text = noted.or(value).and_then(Value::as_str);
+        text.and_then(|text| read(text, self.draw.g)).unwrap_or(0.0)
     }
 
     /// Sets a quantity (SI), and returns it as a scene has it.
     pub fn set(&mut self, name: &str, value: f64) -> f64 {
-        let Kind::Quantity(symbol, _) = key(self.keys, name).kind else {
-            panic!("{name} is no quantity");
-        };
+        let (symbol, _) = key(self.keys, name).number().expect("a quantity");
         let (text, value) = self.draw.written(symbol, value);
         self.table.insert(name.to_owned(), text.into());
         value

@@ -1,5 +1,6 @@
 //! What a scene says about the steering of a machine.
 
+use std::f64::consts::PI;
 use std::ops::Range;
 
 use crate::diagnostic::Diagnostic;
@@ -9,7 +10,7 @@ use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values, quantity};
 use crate::steering::cylinder::Cylinder;
 use crate::steering::load::{Tyre, share};
-use crate::steering::machine::Refusal;
+use crate::steering::machine::{Refusal, within};
 use crate::steering::mode::{Command, Mode};
 use crate::steering::moving::scene::{FIDELITIES, Moving, TABLES};
 use crate::steering::outputs::{Built, By, Group, Inputs, Parameters};
@@ -503,6 +504,12 @@ impl Steering {
         let radius = n(v, &s::R_T).unwrap_or(3.0 * size);
         let m = v.table("motion")?;
         let motion = Motion::read(m, found)?;
+        for (name, angle) in [("from", motion.from), ("to", motion.to)] {
+            if let Err(refusal) = within(&s::THETA_B, angle, -PI, PI, false) {
+                found.push(Diagnostic::new(m.place(name), refusal.what, "beyond half a turn").help(refusal.help));
+                return None;
+            }
+        }
         let number =
             |name: &str, names: &[&str]| names.iter().position(|known| v.text(name) == Some(known)).unwrap_or(0);
         let inputs = Inputs {

@@ -7,7 +7,7 @@ use crate::hydraulics::cylinder::Oil;
 use crate::hydraulics::oil::VACUUM;
 use crate::lemniscate::dynamics::{Coordinate, Dynamics};
 use crate::lemniscate::hydraulic::{self, FIXED, Hydraulic, Modes};
-use crate::lemniscate::motion::{self, Bar, Commands, Motion};
+use crate::lemniscate::motion::{self, Bar, Commands, Motion, REELED_IN};
 use crate::lemniscate::slewing::{self, Drive, Slewing};
 use crate::solver::rodas::{Run, Tolerance};
 use crate::solver::{Count, Halt};
@@ -260,6 +260,16 @@ impl Level {
         }
     }
 
+    /// Length of the rope, in m.
+    fn rope(&self, present: &Present) -> Option<f64> {
+        self.dynamics().bodies().pendulum?;
+        let oil = matches!(present, Present::Fixed(_) | Present::Hanging(_));
+        // Behind the states of angle, oil and slewing, and the load's own.
+        let before = if oil { FIXED } else { 2 };
+        let own = if self.dynamics().turntable().is_some() { 8 } else { 2 };
+        Some(present.states()[before + own])
+    }
+
     /// Moves on by a duration, in s; `step` is the longest explicit step (s), `relative` the
     /// tolerance of the implicit solver. Returns the work done.
     ///
@@ -273,6 +283,13 @@ impl Level {
         step: f64,
         relative: f64,
     ) -> Result<Count, Halt> {
+        // The hoist alone decides. A load that is drawn to the head turns about it ever faster, for more steps than there are.
+        if self
+            .rope(present)
+            .is_some_and(|length| length + inputs.motion.hoist * duration <= REELED_IN)
+        {
+            return Err(Halt::Outside);
+        }
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => motion.advance(state, &inputs.motion, duration, step),
             (Level::Slewing(crane), Present::Slewing(state)) => crane.advance(state, &inputs.of_both(), duration, step),
