@@ -24,6 +24,10 @@ use crate::calc::Calc;
 use crate::plane::{self, Point};
 use crate::symbol::Symbol;
 
+/// How near to a change point a linkage counts as having it: its margin there over four times crank and frame.
+/// Within the root of it, in rad, it would turn from one way of moving to another.
+const NEAR: f64 = 1e-9;
+
 /// Names under which a mechanism's book prints the steps of the closure.
 #[derive(Debug)]
 pub struct Names {
@@ -39,6 +43,16 @@ pub struct Names {
     pub area: &'static Symbol,
     pub follower: [&'static Symbol; 2],
     pub coupler: [&'static Symbol; 2],
+    /// With change points: change of the area for one radian of the crank, and angular velocity of the coupler seen from
+    /// the follower over the crank's. `None` where no book prints them.
+    pub turning: Option<[&'static Symbol; 2]>,
+}
+
+impl Names {
+    /// Names one of [`turning`](Names::turning).
+    fn named<C: Calc>(&self, i: usize, value: C) -> C {
+        self.turning.map_or(value, |names| value.def(names[i]))
+    }
 }
 
 /// On which side of the line from the follower's pivot N to the crank's joint J
@@ -95,6 +109,9 @@ pub struct Closure<C> {
     /// ±4 × the area of the triangle N–J–K; twice the cross product of follower
     /// and coupler, without its cancellation.
     pub area: C,
+    /// Angular velocities of coupler and follower over the crank's where the linkage has change points: the loop of
+    /// the bars, which gives them elsewhere, says nothing there.
+    pub ratios: Option<[C; 2]>,
 }
 
 /// An interval of crank angles in which the linkage can be assembled, in rad;
@@ -237,6 +254,23 @@ impl<C: Calc> FourBar<C> {
         }
     }
 
+    /// Crank angles (rad), at most one turn apart, at which all bars lie in one line, but for [`NEAR`]: change points.
+    #[must_use]
+    pub fn change_points(&self) -> impl Iterator<Item = f64> {
+        let scale = 4.0 * self.crank.value() * self.frame_length.value();
+        let near = move |limit: &Limit<C>| matches!(limit, Limit::Free(margin) if margin.value() < NEAR * scale);
+        let limits = [(self.folded, 0.0), (self.stretched, PI)].into_iter();
+        let frame = self.frame_direction.map(C::value);
+        let points = limits.filter(move |(limit, _)| near(limit));
+        points.map(move |(_, beyond)| f64::direction(frame.x, frame.y) + beyond)
+    }
+
+    /// Whether the linkage keeps its branch through its change points: they are exact, and two in a turn.
+    #[must_use]
+    pub fn keeps_branch(&self) -> bool {
+        self.changes
+    }
+
     /// Whether the crank can turn without end.
     #[must_use]
     pub fn turns_fully(&self) -> bool {
@@ -304,7 +338,7 @@ impl<C: Calc> FourBar<C> {
         let balance = (self.follower - self.coupler) * (self.follower + self.coupler);
         let double = two * length.square();
         let (along_follower, along_coupler) = (length.square() + balance, balance - length.square());
-        let follower = plane::def(
+        let follower: Point<C> = plane::def(
             Point::new(
                 (along_follower * diagonal.x - area * diagonal.y) / double,
                 (along_follower * diagonal.y + area * diagonal.x) / double,
@@ -318,12 +352,29 @@ impl<C: Calc> FourBar<C> {
             ),
             names.coupler,
         );
+        // Cross and dot product of follower and coupler both tell how fast the coupler turns from the follower: the first
+        // one nothing where the bars lie in one line, the second nothing where they stand upright on each other.
+        let ratios = self.changes.then(|| {
+            let slope = two * plane::dot(crank, self.frame);
+            let slope = match self.branch {
+                Branch::Left => -slope,
+                Branch::Right => slope,
+            };
+            let slope = names.named(0, slope);
+            let lengths = (self.coupler * self.follower).square();
+            let turned = plane::dot(follower, coupler) * slope + area * plane::cross(crank, diagonal);
+            let relative = names.named(1, turned / (two * lengths));
+            let along = plane::dot(crank, diagonal) + relative * plane::dot(coupler, diagonal);
+            let of_follower = along / length.square();
+            [of_follower + relative, of_follower]
+        });
         Some(Closure {
             crank,
             coupler,
             follower,
             diagonal: length,
             area,
+            ratios,
         })
     }
 
@@ -331,10 +382,10 @@ impl<C: Calc> FourBar<C> {
     /// itself. Exact in the change points too, where the diagonal may vanish.
     fn parallel(&self, crank: Point<C>, diagonal: Point<C>, square: C) -> Option<Closure<C>> {
         let same = |a: C, b: C| self.changes && a.value() == b.value();
-        let (coupler, follower) = match self.branch {
-            Branch::Left if same(self.follower, self.crank) => (self.frame, crank),
+        let (coupler, follower, ratios) = match self.branch {
+            Branch::Left if same(self.follower, self.crank) => (self.frame, crank, [0.0, 1.0]),
             Branch::Right if same(self.follower, self.frame_length) && same(self.crank, self.frame_length) => {
-                (-crank, -self.frame)
+                (-crank, -self.frame, [1.0, 0.0])
             }
             _ => return None,
         };
@@ -351,6 +402,7 @@ impl<C: Calc> FourBar<C> {
             follower,
             diagonal,
             area: two * plane::cross(follower, coupler),
+            ratios: Some(ratios.map(C::constant)),
         })
     }
 }

@@ -234,7 +234,8 @@ pub struct Summary {
     pub at: Option<(&'static Symbol, f64)>,
 }
 
-/// How results change with the given quantities.
+/// How results change with the given quantities; empty where they do not do so smoothly.
+#[derive(Default)]
 pub struct Sensitivity {
     /// Each with its value.
     pub results: Vec<(&'static Symbol, f64)>,

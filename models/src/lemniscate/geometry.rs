@@ -1,9 +1,12 @@
 //! Dimensions of the crane, and what follows from them alone.
 
+use std::f64::consts::TAU;
+
 use crate::balance::scene::Form;
 use crate::calc::Calc;
 use crate::four_bar::{Branch, FourBar, Names};
 use crate::lemniscate::symbols as s;
+use crate::motion::Motion;
 use crate::number::short;
 use crate::plane::{self, Point};
 use crate::symbol::{Symbol, quantities};
@@ -227,6 +230,18 @@ impl<C: Calc> Geometry<C> {
     }
 }
 
+impl<C: Calc> Geometry<C> {
+    /// The first angle of the driven bar (rad) within a range, ends included, at which the linkage has a change point.
+    #[must_use]
+    pub fn change_point(&self, range: &Motion) -> Option<f64> {
+        // A rounding of degrees is not an angle outside.
+        const ROUNDING: f64 = 1e-9;
+        let first = |point: f64| point + ((range.from - ROUNDING - point) / TAU).ceil() * TAU;
+        let points = self.linkage.change_points().map(first);
+        points.filter(|at| *at <= range.to + ROUNDING).reduce(f64::min)
+    }
+}
+
 impl<C: Copy + nalgebra::Scalar> Geometry<C> {
     /// The same geometry over another scalar.
     #[must_use]
@@ -281,6 +296,7 @@ static BOOM: Names = Names {
     area: &s::K,
     follower: [&s::X_3X, &s::X_3Y],
     coupler: [&s::X_2X, &s::X_2Y],
+    turning: Some([&s::DK, &s::I_23]),
 };
 
 static ROCKER: Names = Names {
@@ -289,5 +305,6 @@ static ROCKER: Names = Names {
     diagonal_length: &s::Y,
     follower: [&s::B_X, &s::B_Y],
     coupler: [&s::X_2RX, &s::X_2RY],
+    turning: Some([&s::DK, &s::I_21]),
     ..BOOM
 };

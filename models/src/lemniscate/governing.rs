@@ -18,7 +18,7 @@ use crate::lemniscate::geometry::{Driven, Geometry, Parameters};
 use crate::lemniscate::position::Position;
 use crate::lemniscate::range::{Extreme, Range, greatest_amount};
 use crate::lemniscate::scene::{Luffing, Motion};
-use crate::lemniscate::statics::{Centres, PinForces, load_moment};
+use crate::lemniscate::statics::{Centres, PinForces, drive_moment, load_moment, weight_moment};
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::velocity::Velocity;
 use crate::sheet::{Sensitivity, Slope, Summary};
@@ -30,7 +30,15 @@ struct Crane<C> {
     geometry: Geometry<C>,
     balancing: Option<Balancing<C>>,
     q: Option<C>,
+    /// Whether forces in the pins are modelled.
+    pins: bool,
     speed: C,
+}
+
+/// What governs of the forces at one position: moment of the drive (N·m), axial force in the rocker (N).
+struct Forces<C> {
+    m_d: C,
+    n_3: Option<C>,
 }
 
 /// A quantity of one position.
@@ -44,6 +52,7 @@ impl<C: Calc> Crane<C> {
             geometry: Geometry::new(&parameters).ok()?,
             balancing: Balancing::new(&parameters, &luffing.motion).ok()?,
             q: luffing.q.map(|q| given(&s::Q, q)),
+            pins: luffing.has_pins(),
             speed: given(rate(luffing.parameters.driven), luffing.motion.speed),
             parameters,
         })
@@ -61,15 +70,27 @@ impl<C: Calc> Crane<C> {
         Some(load_moment(&Velocity::new(&self.position(theta)?), self.q?))
     }
 
-    fn forces(&self, theta: C) -> Option<PinForces<C>> {
-        let p = self.position(theta)?;
+    fn forces(&self, theta: C) -> Option<Forces<C>> {
+        let (p, q) = (self.position(theta)?, self.q?);
         let l = &self.parameters.lengths;
         let weights = self.parameters.weights.as_ref();
         let centres = weights.map(|w| Centres::new(&p, [l.x_1, l.x_2, l.x_3], w));
         let both = weights.zip(centres.as_ref());
         let residual = self.residual(theta);
         let action = residual.as_ref().map(|residual| &residual.action);
-        Some(PinForces::new(&p, l.x_3, self.q?, both, action, |_| None))
+        let pins = self.pins.then(|| PinForces::new(&p, l.x_3, q, both, action, |_| None));
+        let m_d = match &pins {
+            Some(pins) => pins.m_d,
+            None => {
+                let v = Velocity::new(&p);
+                let m_g = both.map_or(C::constant(0.0), |(w, r)| weight_moment(w, r, &p, &v));
+                drive_moment(load_moment(&v, q), m_g)
+            }
+        };
+        Some(Forces {
+            m_d,
+            n_3: pins.map(|pins| pins.n_3),
+        })
     }
 
     /// What the balance leaves.
@@ -116,7 +137,7 @@ static AMOUNTS: [(&Symbol, Quantity); 5] = [
     (&s::V_AX_MAX, |crane, theta| crane.speed(theta)),
     (&s::M_Q_MAX, |crane, theta| crane.load_moment(theta)),
     (&s::M_D_MAX, |crane, theta| Some(crane.forces(theta)?.m_d)),
-    (&s::N_3_MAX, |crane, theta| Some(crane.forces(theta)?.n_3)),
+    (&s::N_3_MAX, |crane, theta| crane.forces(theta)?.n_3),
     (&s::F_D_MAX, |crane, theta| crane.drive_force(theta)),
 ];
 
@@ -181,7 +202,7 @@ pub fn governing(luffing: &Luffing, range: &Range, balance: Option<&Analysis>) -
 /// Names of the results that [`governing`] finds in a scene.
 pub fn governed(luffing: &Luffing) -> impl Iterator<Item = &'static str> {
     let (load, drive) = (luffing.q.is_some(), luffing.parameters.anchors.is_some());
-    let modelled = [true, true, true, true, load, load, load, load && drive];
+    let modelled = [true, true, true, true, load, load, luffing.has_pins(), load && drive];
     let symbols = [&s::R_MAX, &s::R_MIN, &s::MU_MIN].into_iter();
     let symbols = symbols.chain(AMOUNTS.iter().map(|(symbol, _)| *symbol));
     let balance = analysis(&luffing.parameters, &luffing.motion).ok().flatten();

@@ -628,15 +628,17 @@ fn list(luffing: &Luffing) -> Vec<(&'static Symbol, Role, Slot)> {
             output(&s::M_G, Output::MG);
         }
         output(&s::M_D, Output::MD);
-        output(&s::F_BX, Output::FBX);
-        output(&s::F_BY, Output::FBY);
-        output(&s::F_CX, Output::FCX);
-        output(&s::F_CY, Output::FCY);
-        output(&s::F_O1X, Output::FO1X);
-        output(&s::F_O1Y, Output::FO1Y);
-        output(&s::F_O3X, Output::FO3X);
-        output(&s::F_O3Y, Output::FO3Y);
-        output(&s::N_3, Output::N3);
+        if luffing.has_pins() {
+            output(&s::F_BX, Output::FBX);
+            output(&s::F_BY, Output::FBY);
+            output(&s::F_CX, Output::FCX);
+            output(&s::F_CY, Output::FCY);
+            output(&s::F_O1X, Output::FO1X);
+            output(&s::F_O1Y, Output::FO1Y);
+            output(&s::F_O3X, Output::FO3X);
+            output(&s::F_O3Y, Output::FO3Y);
+            output(&s::N_3, Output::N3);
+        }
         if luffing.parameters.anchors.is_some() {
             output(&s::F_D, Output::FD);
         }

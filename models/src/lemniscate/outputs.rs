@@ -7,10 +7,11 @@ use crate::calc::Calc;
 use crate::lemniscate::balancing::{Balanced, Balancing, Criteria, analysis, residual};
 use crate::lemniscate::drive::{Drive, oil_flow};
 use crate::lemniscate::geometry::{Driven, Geometry, Parameters};
+use crate::lemniscate::governing::coordinate;
 use crate::lemniscate::position::Position;
 use crate::lemniscate::range::Range;
 use crate::lemniscate::scene::Motion;
-use crate::lemniscate::statics::{Centres, PinForces, load_moment, weight_moment};
+use crate::lemniscate::statics::{Centres, PinForces, drive_moment, load_moment, weight_moment};
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::velocity::{Pole, Velocity};
 use crate::model::Fault;
@@ -127,8 +128,10 @@ struct Place<C> {
 /// Forces at the current inputs.
 #[derive(Clone, Copy, Debug)]
 struct Forces<C> {
-    pins: PinForces<C>,
+    /// `None` where bars lie in one line, and where they do so somewhere in the working range.
+    pins: Option<PinForces<C>>,
     m_g: C,
+    m_d: C,
     f_d: C,
 }
 
@@ -244,16 +247,16 @@ impl<C: Calc> Evaluation<C> {
                 Pole::new(g, &place.p).moment(g, &place.p, &place.v, q)
             }
             O::MG => self.forces()?.m_g,
-            O::MD => self.forces()?.pins.m_d,
-            O::FBX => self.forces()?.pins.b.x,
-            O::FBY => self.forces()?.pins.b.y,
-            O::FCX => self.forces()?.pins.c.x,
-            O::FCY => self.forces()?.pins.c.y,
-            O::FO1X => self.forces()?.pins.o1.x,
-            O::FO1Y => self.forces()?.pins.o1.y,
-            O::FO3X => self.forces()?.pins.o3.x,
-            O::FO3Y => self.forces()?.pins.o3.y,
-            O::N3 => self.forces()?.pins.n_3,
+            O::MD => self.forces()?.m_d,
+            O::FBX => self.pins()?.b.x,
+            O::FBY => self.pins()?.b.y,
+            O::FCX => self.pins()?.c.x,
+            O::FCY => self.pins()?.c.y,
+            O::FO1X => self.pins()?.o1.x,
+            O::FO1Y => self.pins()?.o1.y,
+            O::FO3X => self.pins()?.o3.x,
+            O::FO3Y => self.pins()?.o3.y,
+            O::N3 => self.pins()?.n_3,
             O::FD => self.forces()?.f_d,
             O::M0 => self.balanced()?.residual.boom.m_0,
             O::MUr => self.action()?.m_b,
@@ -415,12 +418,20 @@ impl<C: Calc> Evaluation<C> {
         Ok(self.forces.as_ref().expect("just made"))
     }
 
+    fn pins(&mut self) -> Result<&PinForces<C>, Fault> {
+        let theta = self.inputs.theta.value();
+        let driven = self.parameters.driven;
+        let pins = self.forces()?.pins.as_ref();
+        pins.ok_or_else(|| in_one_line(driven, theta))
+    }
+
     fn load(&mut self) -> Result<(), Fault> {
         self.place()?;
         if self.parameters.balance.is_some() {
             self.balancing()?;
-            self.geometry()?;
         }
+        let motion = self.motion;
+        let passes = self.geometry()?.change_point(&motion).is_some();
         let parameters = &self.parameters;
         let Place { p, v } = self.place.as_ref().expect("just made");
         let (q, theta, lengths) = (self.inputs.q, self.inputs.theta, parameters.lengths);
@@ -437,14 +448,33 @@ impl<C: Calc> Evaluation<C> {
             }
             _ => None,
         };
-        let mut f_d = C::constant(0.0);
         let action = self.balanced.as_ref().map(|balanced| &balanced.residual.action);
+        let mut f_d = C::constant(0.0);
+        if passes || p.is_in_line() {
+            let turn = match p.driven {
+                Driven::Boom => C::constant(1.0),
+                Driven::Rocker => v.i_follower,
+            };
+            let left = action.map_or(m_g, |action| m_g - action.m_b * turn);
+            let m_d = drive_moment(load_moment(v, q), left);
+            if let Some(drive) = drive {
+                f_d = drive.force(m_d, &s::F_D);
+            }
+            let pins = None;
+            self.forces = Some(Forces { pins, m_g, m_d, f_d });
+            return Ok(());
+        }
         let pins = PinForces::new(p, lengths.x_3, q, both, action, |m_d| {
             let reaction = drive?.reaction(m_d);
             f_d = reaction.f_d;
             reaction.force
         });
-        self.forces = Some(Forces { pins, m_g, f_d });
+        self.forces = Some(Forces {
+            m_g,
+            m_d: pins.m_d,
+            f_d,
+            pins: Some(pins),
+        });
         Ok(())
     }
 }
@@ -490,11 +520,16 @@ fn closes<C: Calc>(g: &Geometry<C>) -> String {
     words.join(" and for ")
 }
 
+fn in_one_line(driven: Driven, theta: f64) -> Fault {
+    Fault::outside(format!(
+        "{} = {}: bars lie in one line there, and no finite forces in the pins carry load and weights",
+        coordinate(driven).id,
+        degrees(theta)
+    ))
+}
+
 fn unreachable_angle<C: Calc>(g: &Geometry<C>, theta: f64) -> Fault {
-    let symbol = match g.driven {
-        Driven::Boom => &s::THETA_1,
-        Driven::Rocker => &s::THETA_3,
-    };
+    let symbol = coordinate(g.driven);
     let turn = std::f64::consts::TAU;
     // The nearest end, rounded to a side where the linkage closes.
     const DIGITS: f64 = 1e6;

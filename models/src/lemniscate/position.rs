@@ -23,6 +23,8 @@ pub struct Position<C> {
     pub r: C,
     /// ±4 × area of the triangle between diagonal, rear arm and driven-along bar.
     pub k: C,
+    /// Angular velocities of jib and driven-along bar over the driven bar's where the linkage has change points.
+    pub ratios: Option<[C; 2]>,
     /// Diagonal that the closure went through: O3B or O1C.
     diagonal: C,
     epsilon_a: C,
@@ -40,6 +42,7 @@ impl<C: Calc> Position<C> {
             follower,
             diagonal,
             area: k,
+            ratios,
         } = g.linkage.close(theta, names(g.driven))?;
         let (x_1, x_2, x_3) = match g.driven {
             Driven::Boom => (crank, coupler, follower),
@@ -61,9 +64,16 @@ impl<C: Calc> Position<C> {
             c,
             r,
             k,
+            ratios,
             diagonal,
             epsilon_a: g.epsilon_a,
         })
+    }
+
+    /// Whether rear arm and driven-along bar lie in one line within rounding.
+    #[must_use]
+    pub fn is_in_line(&self) -> bool {
+        self.k.value().abs() <= 4.0 * f64::EPSILON * plane::dot(self.x_2, self.follower()).value().abs()
     }
 
     /// Angle of the bar that is not driven: theta_3 or theta_1, in rad. [Li2022, eq. 5]
@@ -102,10 +112,18 @@ impl<C: Calc> Position<C> {
 
     /// Transmission angle between rear arm and driven-along bar, 0 to π/2 rad.
     pub fn mu(&self) -> C {
-        let follower = match self.driven {
+        C::direction(
+            plane::dot(self.x_2, self.follower()).abs(),
+            (self.k / C::constant(2.0)).abs(),
+        )
+        .def(&s::MU)
+    }
+
+    /// The driven-along bar.
+    fn follower(&self) -> Point<C> {
+        match self.driven {
             Driven::Boom => self.x_3,
             Driven::Rocker => self.x_1,
-        };
-        C::direction(plane::dot(self.x_2, follower).abs(), (self.k / C::constant(2.0)).abs()).def(&s::MU)
+        }
     }
 }

@@ -91,6 +91,8 @@ pub fn greatest(motion: &Motion, f: impl Fn(Dual64) -> Option<Dual64>) -> Option
         _ => motion.from + f64::from(i) * ((end - motion.from) / f64::from(GRID)),
     };
     let at = |theta: f64| f(Dual64::new(theta, 1.0));
+    // Beside the range's other angles; a zero has no last bit to be found to.
+    let nothing = |theta: f64| theta.abs() < f64::EPSILON * (end - motion.from);
     let mut values = [0.0; GRID as usize + 1];
     for (i, value) in (0..=GRID).zip(&mut values) {
         *value = at(angle(i))?.re;
@@ -109,7 +111,7 @@ pub fn greatest(motion: &Motion, f: impl Fn(Dual64) -> Option<Dual64>) -> Option
         let (mut low, mut high) = (from, to);
         loop {
             let middle = f64::midpoint(low, high);
-            if middle <= low || middle >= high {
+            if middle <= low || middle >= high || nothing(low) && nothing(high) {
                 break;
             }
             let rises = at(middle)?.eps > 0.0;
@@ -118,6 +120,7 @@ pub fn greatest(motion: &Motion, f: impl Fn(Dual64) -> Option<Dual64>) -> Option
         // Without a change of sign the end itself is greatest.
         let refined = if high == to { high } else { low };
         let refined = if low == from { from } else { refined };
+        let refined = if nothing(refined) { 0.0 } else { refined };
         for at_this in [angle(i), refined] {
             let value = at(at_this)?.re;
             if value > best.value {

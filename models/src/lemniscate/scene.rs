@@ -182,6 +182,8 @@ pub struct Luffing {
     /// Weight of the load; `None` models no forces.
     pub q: Option<f64>,
     pub motion: Motion,
+    /// First angle of the range, in rad, at which all bars lie in one line: no finite forces in the pins carry a load there.
+    pub change_point: Option<f64>,
     /// With `fidelity` beyond `static`; with `auto` as deep as the scene's tables allow.
     pub moving: Option<moving::scene::Moving>,
     /// Tolerance of the level `table`, as part of each result's range.
@@ -218,6 +220,12 @@ pub struct Published {
 }
 
 impl Luffing {
+    /// Whether forces in the pins are modelled.
+    #[must_use]
+    pub fn has_pins(&self) -> bool {
+        self.q.is_some() && self.change_point.is_none()
+    }
+
     /// Levels that the scene's tables allow, from cheap to deep.
     #[must_use]
     pub fn levels(&self) -> Vec<&'static str> {
@@ -398,6 +406,7 @@ impl Luffing {
         let theta = coordinate(parameters.driven);
         let published = v.table("published").and_then(|table| published(table, theta, found));
         let motion = motion?;
+        let change_point = change_point(v, &parameters, &motion, moving.is_some(), found);
         let synthesis = v
             .table("synthesis")
             .and_then(|table| synthesis(table, &parameters, &motion, found));
@@ -405,6 +414,7 @@ impl Luffing {
             parameters,
             q,
             motion,
+            change_point,
             moving,
             table,
             auto: v.text("fidelity") == Some("auto"),
@@ -596,6 +606,56 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
         .help(format!("it closes for {} of the driven bar", parts.join(" and for "))),
     );
     None
+}
+
+/// First change point within the working range, in rad; what is not defined there goes to `found`.
+fn change_point(
+    v: &Values,
+    parameters: &Parameters<f64>,
+    motion: &Motion,
+    moves: bool,
+    found: &mut Vec<Diagnostic>,
+) -> Option<f64> {
+    let geometry = Geometry::new(parameters).ok()?;
+    let at = geometry.change_point(motion)?;
+    let angle = format!("{} = {}", coordinate(parameters.driven).id, degrees(at));
+    let points = geometry.linkage.change_points();
+    let mut points: Vec<f64> = points.map(|at| at.rem_euclid(TAU)).collect();
+    points.sort_by(f64::total_cmp);
+    let points: Vec<String> = points.into_iter().map(degrees).collect();
+    let away = format!("keep the working range away from {}", points.join(" and "));
+    let mut refuse = |key, what, label, help| found.push(Diagnostic::new(v.place(key), what, label).help(help));
+    if !geometry.linkage.keeps_branch() {
+        refuse(
+            "motion",
+            format!("all bars lie in one line at {angle} of the working range, but for rounding"),
+            "which way they go on is undefined",
+            format!(
+                "{away}, or change a length: either the linkage passes clearly, or opposite bars are exactly equal"
+            ),
+        );
+        return None;
+    }
+    for key in ["balance", "synthesis"].into_iter().filter(|key| v.has(key)) {
+        refuse(
+            key,
+            format!("a balance, and a change point at {angle} of the working range"),
+            "no finite force in its rod holds there",
+            format!("leave out [luffing.{key}], or {away}"),
+        );
+    }
+    if !moves && v.has("Q") {
+        refuse(
+            "Q",
+            format!("a load, and a change point at {angle} of the working range"),
+            "no finite forces in the pins carry it there",
+            format!(
+                "leave out Q and [luffing.weights], which kinematics does not need, or {away}; fidelity = \"rigid\" passes \
+                 with the moment of its drive"
+            ),
+        );
+    }
+    Some(at)
 }
 
 /// Whether an arc, shifted by whole turns, covers an interval.

@@ -16,14 +16,16 @@ use crate::lemniscate::position::Position;
 use crate::lemniscate::published::Published;
 use crate::lemniscate::range::{Range, rise_by_integration};
 use crate::lemniscate::scene::{Luffing, Motion};
-use crate::lemniscate::statics::{Centres, PinForces, load_moment, weight_moment};
+use crate::lemniscate::statics::{Centres, PinForces, drive_moment, load_moment, weight_moment};
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::velocity::{Pole, Velocity};
 use crate::model::Role;
 use crate::plane::{self, Point};
 use crate::record::{Rec, record};
 use crate::scene::{Place, Scene};
-use crate::sheet::{Check, Comparison, Curve, Drawing, Input, Section, Shape, Sheet, Summary, Table, Worked};
+use crate::sheet::{
+    Check, Comparison, Curve, Drawing, Input, Section, Sensitivity, Shape, Sheet, Summary, Table, Worked,
+};
 use crate::symbol::Symbol;
 
 /// Points of a drawn curve.
@@ -71,7 +73,11 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         published: published(luffing),
         published_source: luffing.published.as_ref().map(|p| p.source.clone()),
         summary: summary(luffing, &geometry, &range),
-        sensitivity: sensitivity(luffing, &range, &governing),
+        sensitivity: match luffing.change_point {
+            None => sensitivity(luffing, &range, &governing),
+            // With the least change of a length the linkage would not pass its change point any more.
+            Some(_) => Sensitivity::default(),
+        },
         governing,
         outputs: outputs(&model),
         remarks: remarks(luffing),
@@ -264,7 +270,7 @@ fn worked(luffing: &Luffing, id: &'static str, coordinate: &'static Symbol, thet
     }
 }
 
-const STAGES: [&str; 11] = [
+const STAGES: [&str; 12] = [
     "given",
     "position",
     "angles",
@@ -274,6 +280,7 @@ const STAGES: [&str; 11] = [
     "weight_moment",
     "drive",
     "balance",
+    "drive_moment",
     "pin_forces",
     "published_forms",
 ];
@@ -352,10 +359,18 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     if stage == 8 {
         return true;
     }
+    if !luffing.has_pins() {
+        let m_d = drive_moment(m_q, m_g.unwrap_or(Rec::constant(0.0)));
+        let _ = drive.map(|drive| drive.force(m_d, &s::F_D));
+        return stage == 9;
+    }
+    if stage == 9 {
+        return false;
+    }
     let _ = PinForces::new(&p, lengths.x_3, q, both, action.as_ref(), |m_d| {
         drive.and_then(|drive| drive.reaction(m_d).force)
     });
-    if stage == 9 {
+    if stage == 10 {
         return true;
     }
     match (parameters.jib, luffing.parameters.driven) {
@@ -556,6 +571,8 @@ fn checks(
             limit: 1e-12,
             at_most: true,
         });
+    }
+    if luffing.has_pins() {
         checks.push(Check {
             id: "equilibrium",
             symbol: &s::AGREEMENT,

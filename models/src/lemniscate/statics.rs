@@ -53,6 +53,13 @@ pub fn weight_moment<C: Calc>(w: &Weights<C>, r: &Centres<C>, p: &Position<C>, v
     .def(&s::M_G)
 }
 
+/// Moment that the drive must give to the driven bar (N·m) by virtual work of load and weights: with change points too,
+/// where no finite forces in the pins carry them.
+#[inline]
+pub fn drive_moment<C: Calc>(m_q: C, m_g: C) -> C {
+    (m_q + m_g).def(&s::M_D)
+}
+
 /// Forces in the pins, in N.
 #[derive(Clone, Copy, Debug)]
 pub struct PinForces<C> {

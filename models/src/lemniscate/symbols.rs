@@ -61,6 +61,9 @@ symbols! {
     MU: "mu" "mu" RAD / DEG, "Transmission angle between coupler and driven-along bar, 0 to 90 degrees.", "derived";
 
     // Velocity.
+    DK: "dK" "K'" M2 / M2, "Change of K for one radian of the driven bar.", "derived";
+    I_21: "i_21" "i_(2 1)" ONE / ONE, "Angular velocity of the jib, seen from the boom, over the driven rocker's.", "derived";
+    I_23: "i_23" "i_(2 3)" ONE / ONE, "Angular velocity of the jib, seen from the rocker, over the driven boom's.", "derived";
     I_1: "i_1" "i_1" ONE / ONE, "Ratio of the boom's angular velocity to the driven rocker's.", "[Li2022, eq. 9]";
     I_2: "i_2" "i_2" ONE / ONE, "Ratio of the jib's angular velocity to the driven bar's.", "[Li2022, eq. 9]";
     I_3: "i_3" "i_3" ONE / ONE, "Ratio of the rocker's angular velocity to the driven boom's.", "[Li2022, eq. 9]";

@@ -1,9 +1,10 @@
 //! Velocities: ratios of angular velocities, travel of the head, instantaneous centre.
 //!
 //! The ratios come from the loop O1–B–C–O3, x_1 ω_1 + x_2 ω_2 = x_3 ω_3 turned
-//! by 90°, whose only singularity is the dead point. The instantaneous centre
-//! plays no part in them: it lies at infinity where boom and rocker are
-//! parallel, while all velocities stay finite.
+//! by 90°, whose only singularity is the dead point; of a linkage with change points
+//! they come from its branch, which has none. The instantaneous centre plays no part
+//! in them: it lies at infinity where boom and rocker are parallel, while all
+//! velocities stay finite.
 
 use crate::calc::Calc;
 use crate::lemniscate::geometry::{Driven, Geometry};
@@ -28,19 +29,18 @@ impl<C: Calc> Velocity<C> {
     #[inline]
     pub fn new(p: &Position<C>) -> Velocity<C> {
         let half = p.k / C::constant(2.0);
+        let ratio = |i: usize, a: Point<C>, b: Point<C>| match p.ratios {
+            Some(ratios) => ratios[i],
+            None => plane::cross(a, b) / half,
+        };
         let (i_2, i_follower, bar, beyond) = match p.driven {
             Driven::Boom => {
-                let i_2 = (plane::cross(p.x_1, p.x_3) / half).def(&s::I_2);
-                (i_2, (plane::cross(p.x_1, p.x_2) / half).def(&s::I_3), p.x_1, p.x_4)
+                let i_2 = ratio(0, p.x_1, p.x_3).def(&s::I_2);
+                (i_2, ratio(1, p.x_1, p.x_2).def(&s::I_3), p.x_1, p.x_4)
             }
             Driven::Rocker => {
-                let i_2 = (plane::cross(p.x_3, p.x_1) / half).def(&s::I_2);
-                (
-                    i_2,
-                    (plane::cross(p.x_2, p.x_3) / half).def(&s::I_1),
-                    p.x_3,
-                    p.x_4 - p.x_2,
-                )
+                let i_2 = ratio(0, p.x_3, p.x_1).def(&s::I_2);
+                (i_2, ratio(1, p.x_2, p.x_3).def(&s::I_1), p.x_3, p.x_4 - p.x_2)
             }
         };
         let da = plane::def(
@@ -82,8 +82,24 @@ pub enum Pole<C> {
 }
 
 impl<C: Calc> Pole<C> {
-    /// The lines of boom and rocker intersected. [Li2022, eq. 1]
+    /// The lines of boom and rocker intersected, or, as these may be one, the driven bar's point that the jib turns
+    /// about where the linkage has change points. [Li2022, eq. 1]
     pub fn new(g: &Geometry<C>, p: &Position<C>) -> Pole<C> {
+        if let Some([i_2, _]) = p.ratios {
+            let (head, bar) = match p.driven {
+                Driven::Boom => (p.b, p.x_1),
+                Driven::Rocker => (p.c, p.x_3),
+            };
+            if i_2.value().abs() <= 4.0 * f64::EPSILON {
+                return Pole::AtInfinity;
+            }
+            let at = plane::def(head - bar / i_2, [&s::P_X, &s::P_Y]);
+            return Pole::Finite {
+                o1p: (plane::dot(at, p.x_1) / g.lengths.x_1).def(&s::O1P),
+                o3p: plane::dot(at - g.lengths.o3(), p.x_3) / g.lengths.x_3,
+                at,
+            };
+        }
         let sine = plane::cross(p.x_1, p.x_3);
         let scale = (g.lengths.x_1 * g.lengths.x_3).value();
         if sine.value().abs() <= 4.0 * f64::EPSILON * scale {
