@@ -445,13 +445,15 @@ impl Model {
         }
     }
 
-    /// Brings the mechanism to a value of its coordinate, in SI: a row of a table, at rest.
+    /// Brings the mechanism to a value of its coordinate, in SI: a row of a table, at the speed of the working range and
+    /// otherwise as at the start.
     ///
     /// # Errors
     /// As [`set`](Model::set).
     pub fn place(&mut self, value: f64) -> Result<(), Fault> {
         match self {
-            Model::Luffing(_) | Model::Moving(_) | Model::Steering(_) => self.set(0, value),
+            Model::Luffing(_) | Model::Steering(_) => self.set(0, value),
+            Model::Moving(model) => model.place(value),
             Model::Turning(model) => model.place(value),
         }
     }

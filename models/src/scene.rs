@@ -7,6 +7,7 @@ use toml::de::DeTable;
 use crate::diagnostic::Diagnostic;
 use crate::gravity;
 use crate::lemniscate::scene::{KEYS as LUFFING, Luffing};
+use crate::lemniscate::sheet::remarks;
 use crate::model::{Model, Role, Type, Variable};
 use crate::schema::{self, Key, Kind, Sign, Values};
 use crate::steering::scene::{KEYS as STEERING, Steering};
@@ -198,6 +199,8 @@ pub struct Given {
     pub key: String,
     /// Line of the scene, counted from 1.
     pub line: usize,
+    /// Bytes of the scene's text.
+    pub place: Range<usize>,
     /// In kg, where it is a weight given as a mass.
     pub mass: Option<f64>,
     /// Where the scene says that it comes from.
@@ -279,7 +282,8 @@ impl Scene {
                 let place = values
                     .table(self.mechanism.id())
                     .map_or(0..0, |table| table.place("fidelity"));
-                let help = "add accuracy = { \"A.x\" = \"1 mm\" } at the top of the scene, or name a fidelity";
+                let example = self.example_of_accuracy();
+                let help = format!("add {example} at the top of the scene, or name a fidelity");
                 let message = "fidelity = \"auto\" without an accuracy to keep to";
                 return Err(vec![Diagnostic::new(place, message, "needs `accuracy`").help(help)]);
             }
@@ -307,6 +311,40 @@ impl Scene {
             }
         }
         if found.is_empty() { Ok(self) } else { Err(found) }
+    }
+
+    /// A line that asks for some accuracy of a result of this scene.
+    #[must_use]
+    pub fn example_of_accuracy(&self) -> String {
+        let model = Model::new(self);
+        let variables = model.as_ref().map_or(&[][..], Model::variables);
+        let terminals = model.as_ref().map_or_else(|_| Vec::new(), Model::terminals);
+        let named = |name: &String| variables.iter().find(|variable| variable.name() == *name);
+        let told = terminals.iter().flat_map(|terminal| &terminal.members);
+        let result = |variable: &&Variable| variable.role == Role::Output && variable.kind == Type::Real;
+        // What another model is told first; a millimetre is a usual accuracy of lengths.
+        let example = told.filter_map(|(name, _)| named(name)).find(result);
+        let example = example.or_else(|| variables.iter().find(result));
+        let (name, unit) = example.map_or_else(
+            || ("...".to_owned(), "..."),
+            |variable| match variable.symbol.display.name {
+                "m" => (variable.name(), "mm"),
+                unit => (variable.name(), unit),
+            },
+        );
+        format!("accuracy = {{ \"{name}\" = \"1 {unit}\" }}")
+    }
+
+    /// The level at which the scene is modelled; of one that leaves it open, the deepest.
+    #[must_use]
+    pub fn level(&self) -> &'static str {
+        match &self.mechanism {
+            Mechanism::Luffing(luffing) => match luffing.moving {
+                None if luffing.table.is_some() => "table",
+                _ => self.levels().last().copied().unwrap_or("static"),
+            },
+            Mechanism::Steering(_) => self.levels().last().copied().unwrap_or("kinematic"),
+        }
     }
 
     /// Levels at which the scene's tables allow this mechanism, from cheap to deep.
@@ -397,6 +435,7 @@ fn given(text: &str, values: &Values) -> Vec<Given> {
     let given = found.into_iter().map(|(key, place, number)| Given {
         key,
         line: line(text, &place),
+        place,
         mass: number.mass,
         source: number.source,
     });
@@ -477,6 +516,23 @@ impl Mechanism {
         }
     }
 
+    /// Whether a chapter of the book has something to say.
+    fn has_chapter(&self, chapter: &str) -> bool {
+        match (self, chapter) {
+            (Mechanism::Luffing(luffing), "motion") => luffing.moving.is_some(),
+            (Mechanism::Luffing(luffing), "balance") => luffing.parameters.balance.is_some(),
+            (Mechanism::Luffing(luffing), "published") => luffing.published.is_some(),
+            (Mechanism::Luffing(luffing), "synthesis") => luffing.synthesis.is_some(),
+            (Mechanism::Luffing(luffing), "remarks") => !remarks(luffing).is_empty(),
+            (Mechanism::Luffing(_), "views" | "sizing") => false,
+            (Mechanism::Steering(_), "motion" | "balance" | "published" | "synthesis" | "sensitivity") => false,
+            (Mechanism::Steering(steering), "sizing") => {
+                steering.parameters.bearing.is_some() || steering.parameters.cylinder.is_some()
+            }
+            _ => true,
+        }
+    }
+
     /// A position as a scene writes it, for the book; on failure a message and help.
     fn place(&self, text: &str) -> Result<Place, (String, String)> {
         match self {
@@ -508,6 +564,18 @@ impl Book {
         }
         let chapters = table.texts("chapters").iter();
         let chapters: Vec<&'static str> = chapters.filter_map(|(text, _)| known(CHAPTERS, text)).collect();
+        if table.has("chapters") && !chapters.iter().any(|chapter| mechanism.has_chapter(chapter)) {
+            let all = CHAPTERS
+                .iter()
+                .copied()
+                .filter(|chapter| mechanism.has_chapter(chapter));
+            let help = format!("chapters of this scene: {}", all.collect::<Vec<_>>().join(", "));
+            let message = match chapters.as_slice() {
+                [] => "a book without chapters".to_owned(),
+                _ => "none of these chapters has anything to say of this scene".to_owned(),
+            };
+            found.push(Diagnostic::new(table.place("chapters"), message, "an empty book").help(help));
+        }
         let date = project.and_then(|project| project.text("date")).and_then(schema::date);
         if table.text("pdf_standard").is_some() && date.is_none() {
             let message = "`book.pdf_standard` needs the date of the book";

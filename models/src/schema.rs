@@ -793,7 +793,7 @@ fn example(key: &Key) -> String {
             format!("{} = [{}]  ({})", key.name, each.join(", "), key.text)
         }
         Kind::Count => format!("{} = 1  ({})", key.name, key.text),
-        Kind::Named => format!("{} = {{ \"A.x\" = \"1 mm\" }}  ({})", key.name, key.text),
+        Kind::Named => format!("{} = {{ \"...\" = \"...\" }}  ({})", key.name, key.text),
     }
 }
 

@@ -17,9 +17,9 @@ use lemnis_models::scene::{LANGUAGES, LEVELS, Scene};
 use lemnis_typeset::{Embedded, External, Typesetter};
 use notify::{Event, RecursiveMode, Watcher};
 
+use crate::decision::decided;
 use crate::failure::Failure;
 use crate::output::{self, Complete, Output, say, write};
-use crate::trade::decided;
 use crate::{busy, scene_file};
 
 /// How books are made.
@@ -41,7 +41,7 @@ pub struct Making {
 
 #[derive(Args)]
 pub struct Books {
-    /// Scene files [default: the embedded scene]
+    /// Scene files, - for the standard input [default: the embedded scene]
     scenes: Vec<PathBuf>,
     /// Folder for the results
     #[arg(short, long, default_value = "out")]
@@ -121,11 +121,11 @@ impl Making {
 
     /// The PDF of one scene.
     pub fn pdf(&self, scene: &Scene, results: &Results) -> Result<Output, Failure> {
-        let spinner = busy(format!("typesetting {}", scene.name()));
         let (templates, typesetter) = (self.templates()?, self.typesetter()?);
         let edition = self.edition(scene, &templates, &*typesetter);
-        let made = book(&edition, scene, results, Format::Pdf);
-        spinner.finish_and_clear();
+        let made = busy(format!("typesetting {}", scene.name()), || {
+            book(&edition, scene, results, Format::Pdf)
+        });
         Ok(made?.remove(0))
     }
 }
@@ -168,27 +168,37 @@ impl Books {
         if self.watch {
             return self.watch();
         }
-        let spinner = busy("typesetting".to_owned());
+        // What is wrong with any of them is told before the first book is made.
+        let scenes = self.scenes()?;
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         let cores = self.jobs.map_or_else(cores, usize::from);
-        let made = match cores.min(self.scenes.len()) {
-            0 | 1 => self.make(),
+        // Another process cannot read the standard input again.
+        let most = if self.reads_input() { 1 } else { cores };
+        let made = busy("typesetting".to_owned(), || match most.min(self.scenes.len()) {
+            0 | 1 => self.make(&scenes),
             processes => self.share(processes, cores / processes),
-        };
-        spinner.finish_and_clear();
+        });
         output::place(made?)
     }
 
+    fn reads_input(&self) -> bool {
+        self.scenes.iter().any(|path| path == Path::new(scene_file::INPUT))
+    }
+
     fn scenes(&self) -> Result<Vec<Scene>, Failure> {
-        let scenes: Vec<Scene> = match (&self.from, self.scenes.as_slice()) {
+        let read = |path: Option<&Path>| Ok((scene_file::read(path)?, scene_file::name(path)));
+        let scenes: Vec<(Scene, String)> = match (&self.from, self.scenes.as_slice()) {
             (Some(book), _) => vec![scene_file::from_book(book)?],
-            (None, []) => vec![scene_file::read(None)?],
+            (None, []) => vec![read(None)?],
             (None, paths) => paths
                 .iter()
-                .map(|path| scene_file::read(Some(path)))
-                .collect::<Result<_, _>>()?,
+                .map(|path| read(Some(path)))
+                .collect::<Result<_, Failure>>()?,
         };
-        let scenes: Vec<Scene> = scenes.into_iter().map(decided).collect::<Result<_, _>>()?;
+        let scenes: Vec<Scene> = scenes
+            .into_iter()
+            .map(|(scene, name)| decided(scene, &name)?.announced())
+            .collect::<Result<_, _>>()?;
         for (i, scene) in scenes.iter().enumerate() {
             if let Some(other) = scenes[..i].iter().position(|other| other.name() == scene.name()) {
                 return Err(Failure::Scene(format!(
@@ -203,21 +213,19 @@ impl Books {
     }
 
     /// All books, or the first failure; none has taken its place yet.
-    fn make(&self) -> Result<Vec<Complete>, Failure> {
+    fn make(&self, scenes: &[Scene]) -> Result<Vec<Complete>, Failure> {
         let (templates, typesetter) = (self.making.templates()?, self.making.typesetter()?);
         let make = |scene: &Scene| {
             let edition = self.making.edition(scene, &templates, &*typesetter);
             let results = Results::new(scene).map_err(Failure::of_scene)?;
             output::complete(&self.output, &book(&edition, scene, &results, self.format)?)
         };
-        self.scenes()?.iter().map(make).collect()
+        scenes.iter().map(make).collect()
     }
 
     /// All books, by as many processes as there are cores: Typst's cache and the memory of threads are shared, and two
     /// threads take half as long again as two processes.
     fn share(&self, processes: usize, threads: usize) -> Result<Vec<Complete>, Failure> {
-        // What is wrong with any of them is told before the first book is made.
-        self.scenes()?;
         self.making.templates()?;
         self.making.typesetter()?;
         let folder = output::workshop(&self.output)?;
@@ -258,6 +266,11 @@ impl Books {
 
     /// Makes the books now and after every change, until the program is ended.
     fn watch(&self) -> Result<(), Failure> {
+        if self.reads_input() {
+            return Err(Failure::File(
+                "the standard input cannot be watched: name files".to_owned(),
+            ));
+        }
         let (sender, changes) = channel();
         let unwatchable = |error: notify::Error| Failure::File(format!("cannot watch for changes: {error}"));
         let mut watcher = notify::recommended_watcher(sender).map_err(unwatchable)?;
@@ -274,7 +287,11 @@ impl Books {
         }
         loop {
             let started = Instant::now();
-            match self.make().and_then(output::place) {
+            match self
+                .scenes()
+                .and_then(|scenes| self.make(&scenes))
+                .and_then(output::place)
+            {
                 Ok(()) => say(format_args!(
                     "  in {} ms; waiting for changes",
                     started.elapsed().as_millis()

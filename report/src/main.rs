@@ -1,6 +1,7 @@
 //! `lemnis`: from one scene file to an FMU and a calculation book.
 
 mod books;
+mod decision;
 mod failure;
 mod output;
 mod scene_file;
@@ -19,10 +20,11 @@ use lemnis_fmu::package::{self, Library};
 use lemnis_models::scene::{self, DEFAULT, Scene};
 
 use crate::books::{Books, Making};
+use crate::decision::{Decision, decided};
 use crate::failure::Failure;
 use crate::output::{Output, say, write};
 use crate::synth::Synth;
-use crate::trade::{Trade, decided};
+use crate::trade::Trade;
 
 /// Typesetting makes millions of small pieces: with the system's allocator it takes a tenth more time.
 #[global_allocator]
@@ -73,7 +75,7 @@ enum Command {
     },
     /// Check a scene, say what would be built, print all results
     Check {
-        /// Scene file [default: the embedded scene]
+        /// Scene file, - for the standard input [default: the embedded scene]
         scene: Option<PathBuf>,
         /// Print the results as JSON, in SI units
         #[arg(long, conflicts_with = "csv")]
@@ -103,7 +105,7 @@ enum TemplatesCommand {
 
 #[derive(Args)]
 struct Make {
-    /// Scene file [default: the embedded scene]
+    /// Scene file, - for the standard input [default: the embedded scene]
     scene: Option<PathBuf>,
     /// Folder for the results
     #[arg(short, long, default_value = "out")]
@@ -135,7 +137,7 @@ fn run(command: Command) -> Result<(), Failure> {
             pack: Pack { make, platforms },
             making,
         } => {
-            let scene = decided(scene_file::read(make.scene.as_deref())?)?;
+            let scene = to_build(make.scene.as_deref())?.announced()?;
             let results = Results::new(&scene).map_err(Failure::of_scene)?;
             let pdf = making.pdf(&scene, &results)?;
             let documentation = documentation(&scene, Some(&pdf))?;
@@ -145,7 +147,7 @@ fn run(command: Command) -> Result<(), Failure> {
             write(&make.output, &outputs)
         }
         Command::Fmu(Pack { make, platforms }) => {
-            let scene = decided(scene_file::read(make.scene.as_deref())?)?;
+            let scene = to_build(make.scene.as_deref())?.announced()?;
             let documentation = documentation(&scene, None)?;
             write(&make.output, &fmus(&scene, platforms.as_deref(), &documentation)?)
         }
@@ -161,11 +163,21 @@ fn run(command: Command) -> Result<(), Failure> {
     }
 }
 
-/// A spinner for what may take longer than a second; silent where nobody watches.
-fn busy(message: String) -> ProgressBar {
+/// How often a spinner turns.
+const TICK: Duration = Duration::from_millis(100);
+
+/// Turns a spinner while something runs that may take longer than a second; silent where nobody watches.
+fn busy<T>(message: String, work: impl FnOnce() -> T) -> T {
     let spinner = ProgressBar::new_spinner().with_message(message);
-    spinner.enable_steady_tick(Duration::from_millis(100));
-    spinner
+    spinner.enable_steady_tick(TICK);
+    let done = work();
+    spinner.finish_and_clear();
+    done
+}
+
+/// The scene of a file, without a path the embedded one, with all decided that it leaves open.
+fn to_build(path: Option<&Path>) -> Result<Decision, Failure> {
+    decided(scene_file::read(path)?, &scene_file::name(path))
 }
 
 /// What lies in an FMU's `documentation/`: its first page and, if there is one, the book.
@@ -199,17 +211,19 @@ fn fmus(scene: &Scene, platforms: Option<&Path>, documentation: &[(String, Vec<u
 }
 
 fn check(path: Option<&Path>, json: bool, csv: bool) -> Result<(), Failure> {
-    let scene = scene_file::read(path)?;
-    let results = Results::new(&scene).map_err(Failure::of_scene)?;
+    let decision = to_build(path)?;
+    let scene = &decision.scene;
+    let results = Results::new(scene).map_err(Failure::of_scene)?;
     if json {
         say(results.json())?;
     } else if csv {
         say(results.csv().trim_end())?;
     } else {
-        let name = scene.name();
+        say(results.table())?;
+        let (name, level) = (scene.name(), scene.level());
+        decision.notes.iter().try_for_each(say)?;
         say(format_args!(
-            "{}would build {name}.fmu, {name}.fmi2.fmu and {name}.pdf",
-            results.table()
+            "would build {name}.fmu, {name}.fmi2.fmu and {name}.pdf at level \"{level}\""
         ))?;
     }
     match results.broken_limits().as_slice() {

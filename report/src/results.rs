@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use lemnis_models::model::{Fault, Model, Role, Variable};
 use lemnis_models::number::{Number, column};
-use lemnis_models::scene::Scene;
+use lemnis_models::scene::{Mechanism, Scene};
 use lemnis_models::sheet::{Sheet, Summary, sheet};
 use serde_json::{Map, Value, json};
 
@@ -97,7 +97,10 @@ impl Results {
     /// Everything, for reading: summary and a row per position.
     #[must_use]
     pub fn table(&self) -> String {
-        let mut text = format!("{}\n\n{}\n", self.scene.title(), self.summary());
+        let mut text = format!("{}\n\n{}", self.scene.title(), self.summary());
+        if let Some(rows) = self.rows_of() {
+            let _ = writeln!(text, "\n{rows}");
+        }
         // Each column with its head.
         let cells = |(i, variable): (usize, &Variable)| -> Vec<String> {
             let values: Vec<f64> = self.rows.iter().map(|row| variable.symbol.shown(row[i])).collect();
@@ -122,12 +125,29 @@ impl Results {
                 let cells = columns.iter().map(|&i| format!("{:>1$}", cells[i][row], width(i)));
                 cells.collect::<Vec<_>>().join("  ")
             };
+            text.push('\n');
             for line in (0..=self.rows.len()).map(line) {
                 let _ = writeln!(text, "{line}");
             }
-            text.push('\n');
         }
         text
+    }
+
+    /// In which state each row of the table has a mechanism that moves by itself.
+    fn rows_of(&self) -> Option<String> {
+        let [coordinate, rate, ..] = self.columns.as_slice() else {
+            return None;
+        };
+        match (&self.scene.mechanism, coordinate.role) {
+            (Mechanism::Luffing(luffing), Role::State) => Some(format!(
+                "Each row: {coordinate} passed at {rate} = {}, all other states as at the start.",
+                rate.symbol.written(luffing.motion.speed)
+            )),
+            (Mechanism::Steering(steering), _) if steering.moving.is_some() => {
+                Some(format!("Each row: every group stands where {coordinate} commands it."))
+            }
+            _ => None,
+        }
     }
 
     /// One line of names with units, then one line per position.
@@ -193,7 +213,7 @@ impl Results {
             })
             .collect();
         let whole = json!({
-            "name": self.scene.name(), "title": self.scene.title(), "summary": summary, "checks": checks, "variables": variables,
+            "name": self.scene.name(), "title": self.scene.title(), "level": self.scene.level(), "summary": summary, "checks": checks, "variables": variables,
         });
         serde_json::to_string_pretty(&whole).expect("plain data")
     }

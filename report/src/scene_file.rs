@@ -7,20 +7,37 @@ use std::path::Path;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use lemnis_models::diagnostic::Diagnostic;
 use lemnis_models::scene::{DEFAULT, LONGEST, Scene};
+use toml_edit::DocumentMut;
 
 use crate::failure::Failure;
 
+/// What a scene is called in messages.
+pub fn name(path: Option<&Path>) -> String {
+    match path {
+        None => "default scene".to_owned(),
+        Some(path) if path == Path::new(INPUT) => "standard input".to_owned(),
+        Some(path) => path.display().to_string(),
+    }
+}
+
+/// In the place of a path: the standard input.
+pub const INPUT: &str = "-";
+
 /// Reads and checks a scene; without a path the embedded default scene.
 pub fn read(path: Option<&Path>) -> Result<Scene, Failure> {
+    let name = name(path);
     let Some(path) = path else {
-        return Scene::parse(DEFAULT).map_err(|found| Failure::Scene(render("default scene", DEFAULT, &found)));
+        return parse(&name, DEFAULT.into());
     };
-    let name = path.display().to_string();
     let unreadable = |error: std::io::Error| Failure::File(format!("cannot read the scene {name}: {error}"));
+    let source: Box<dyn Read> = if path == Path::new(INPUT) {
+        Box::new(std::io::stdin().lock())
+    } else {
+        Box::new(File::open(path).map_err(unreadable)?)
+    };
     let mut bytes = Vec::new();
     // One byte more than allowed tells a long file from a fitting one without reading it all.
-    File::open(path)
-        .map_err(unreadable)?
+    source
         .take(LONGEST as u64 + 1)
         .read_to_end(&mut bytes)
         .map_err(unreadable)?;
@@ -32,8 +49,8 @@ pub fn read(path: Option<&Path>) -> Result<Scene, Failure> {
     parse(&name, bytes)
 }
 
-/// The scene inside a book.
-pub fn from_book(path: &Path) -> Result<Scene, Failure> {
+/// The scene inside a book, and what it is called in messages.
+pub fn from_book(path: &Path) -> Result<(Scene, String), Failure> {
     let name = path.display().to_string();
     let bytes = std::fs::read(path).map_err(|error| Failure::File(format!("cannot read the book {name}: {error}")))?;
     let scene = lemnis_typeset::attached(bytes, ".toml").ok_or_else(|| {
@@ -41,7 +58,8 @@ pub fn from_book(path: &Path) -> Result<Scene, Failure> {
             "{name} has no scene inside: only PDFs that `lemnis book` made have one"
         ))
     })?;
-    parse(&format!("scene inside {name}"), scene)
+    let name = format!("scene inside {name}");
+    Ok((parse(&name, scene)?, name))
 }
 
 fn parse(name: &str, bytes: Vec<u8>) -> Result<Scene, Failure> {
@@ -52,6 +70,19 @@ fn parse(name: &str, bytes: Vec<u8>) -> Result<Scene, Failure> {
         ))
     })?;
     Scene::parse(&text).map_err(|found| failure(name, &text, &found))
+}
+
+/// A scene with its text changed: `what` it becomes.
+///
+/// # Errors
+/// The text is no scene any more, which is a defect of the program.
+pub fn changed(scene: &Scene, what: &str, change: impl FnOnce(&mut DocumentMut)) -> Result<Scene, Failure> {
+    let mut document: DocumentMut = scene.text().parse().expect("a scene that was read is TOML");
+    change(&mut document);
+    Scene::parse(&document.to_string()).map_err(|found| {
+        let whole: Vec<String> = found.iter().map(ToString::to_string).collect();
+        Failure::Program(format!("{what} cannot be read: {}", whole.join("; ")))
+    })
 }
 
 /// All mistakes with their lines, as a compiler shows them.

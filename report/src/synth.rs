@@ -16,7 +16,7 @@ use lemnis_models::scene::{LONGEST_NAME, Scene};
 use lemnis_synthesis::comparison::{Compared, Comparison};
 use lemnis_synthesis::optimum::Watch;
 use lemnis_synthesis::run::{Outcome, decimals, run, steps};
-use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, value};
+use toml_edit::{ArrayOfTables, Item, Table, value};
 
 use crate::failure::Failure;
 use crate::output::{Output, say, write};
@@ -24,7 +24,7 @@ use crate::scene_file;
 
 #[derive(Args)]
 pub struct Synth {
-    /// Scene file with a table [luffing.synthesis]
+    /// Scene file with a table [luffing.synthesis], - for the standard input
     scene: PathBuf,
     /// Folder for the result
     #[arg(short, long, default_value = "out")]
@@ -48,7 +48,7 @@ impl Synth {
             return Err(Failure::Scene(format!(
                 "{} asks for no synthesis: add a table [luffing.synthesis], an empty one will do where [luffing.balance] \
                  is a lever",
-                self.scene.display()
+                scene_file::name(Some(&self.scene))
             )));
         };
         let mut task = task.clone();
@@ -75,53 +75,46 @@ impl Synth {
     fn explain(&self, scene: &Scene, task: &Task, fault: &Fault) -> Failure {
         let label = format!("{} is not possible", fault.quantity.id);
         let diagnostic = Diagnostic::new(task.place(fault.quantity), fault.what.clone(), label).help(fault.range());
-        scene_file::failure(&self.scene.display().to_string(), scene.text(), &[diagnostic])
+        scene_file::failure(&scene_file::name(Some(&self.scene)), scene.text(), &[diagnostic])
     }
 }
 
 /// The user's scene with the lever found, and with what the book compares.
 fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outcome) -> Result<Scene, Failure> {
-    let mut document: DocumentMut = scene.text().parse().expect("a scene that was read is TOML");
-    let name = scene.name().strip_suffix(SUFFIX).unwrap_or(scene.name());
-    let name = &name[..name.len().min(LONGEST_NAME - SUFFIX.len())];
-    document["name"] = value(format!("{name}{SUFFIX}"));
-    let luffing = &mut document["luffing"];
-    let mut balance = taken(&mut luffing["balance"]);
-    if own.is_none() {
-        balance.clear();
-    }
-    // What was published was so of another lever.
-    balance.remove("published");
-    set(&mut balance, "kind", "lever".into());
-    fill(&mut balance, &outcome.dimensions, outcome.branch);
-    let source = format!("lemnis synth {}, seed {}", env!("CARGO_PKG_VERSION"), task.seed);
-    set(&mut balance, "source", source);
-    luffing["balance"] = Item::Table(balance);
+    scene_file::changed(scene, "the scene with the lever found", |document| {
+        let name = scene.name().strip_suffix(SUFFIX).unwrap_or(scene.name());
+        let name = &name[..name.len().min(LONGEST_NAME - SUFFIX.len())];
+        document["name"] = value(format!("{name}{SUFFIX}"));
+        let luffing = &mut document["luffing"];
+        let mut balance = taken(&mut luffing["balance"]);
+        if own.is_none() {
+            balance.clear();
+        }
+        // What was published was so of another lever.
+        balance.remove("published");
+        set(&mut balance, "kind", "lever".into());
+        fill(&mut balance, &outcome.dimensions, outcome.branch);
+        let source = format!("lemnis synth {}, seed {}", env!("CARGO_PKG_VERSION"), task.seed);
+        set(&mut balance, "source", source);
+        luffing["balance"] = Item::Table(balance);
 
-    let mut synthesis = taken(&mut luffing["synthesis"]);
-    let found = if outcome.complete { "complete" } else { "broken off" };
-    set(&mut synthesis, "found", found.into());
-    synthesis["seed"] = value(i64::try_from(task.seed).expect("TOML has no greater integers"));
-    let listed = synthesis.remove("candidates");
-    let listed = listed.and_then(|listed| listed.into_array_of_tables().ok());
-    let mut candidates: ArrayOfTables = listed.unwrap_or_default();
-    let fronts = [Role::RodForce, Role::Counterweight].map(Role::name);
-    candidates.retain(|table| !table["role"].as_str().is_some_and(|role| fronts.contains(&role)));
-    if let Some(own) = own.filter(|_| task.found.is_none()) {
-        candidates.push(lever(Role::Existing, &own.dimensions, own.branch));
-    }
-    for (role, dimensions) in &outcome.fronts {
-        candidates.push(lever(*role, dimensions, outcome.branch));
-    }
-    synthesis["candidates"] = Item::ArrayOfTables(candidates);
-    luffing["synthesis"] = Item::Table(synthesis);
-    let text = document.to_string();
-    Scene::parse(&text).map_err(|found| {
-        let whole: Vec<String> = found.iter().map(ToString::to_string).collect();
-        Failure::Program(format!(
-            "the scene with the lever found cannot be read: {}",
-            whole.join("; ")
-        ))
+        let mut synthesis = taken(&mut luffing["synthesis"]);
+        let found = if outcome.complete { "complete" } else { "broken off" };
+        set(&mut synthesis, "found", found.into());
+        synthesis["seed"] = value(i64::try_from(task.seed).expect("TOML has no greater integers"));
+        let listed = synthesis.remove("candidates");
+        let listed = listed.and_then(|listed| listed.into_array_of_tables().ok());
+        let mut candidates: ArrayOfTables = listed.unwrap_or_default();
+        let fronts = [Role::RodForce, Role::Counterweight].map(Role::name);
+        candidates.retain(|table| !table["role"].as_str().is_some_and(|role| fronts.contains(&role)));
+        if let Some(own) = own.filter(|_| task.found.is_none()) {
+            candidates.push(lever(Role::Existing, &own.dimensions, own.branch));
+        }
+        for (role, dimensions) in &outcome.fronts {
+            candidates.push(lever(*role, dimensions, outcome.branch));
+        }
+        synthesis["candidates"] = Item::ArrayOfTables(candidates);
+        luffing["synthesis"] = Item::Table(synthesis);
     })
 }
 

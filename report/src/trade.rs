@@ -1,5 +1,5 @@
 //! `lemnis trade`: what accuracy costs, and the cheapest that keeps to what a
-//! scene asks; and the scene that `fidelity = "auto"` stands for.
+//! scene asks.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -11,20 +11,18 @@ use lemnis::language::Language;
 use lemnis::machine::{self, json as number};
 use lemnis::template::Templates;
 use lemnis_models::number::{rough, short};
-use lemnis_models::scene::{Mechanism, Scene};
-use lemnis_trade::setting::Method;
+use lemnis_models::scene::Scene;
 use lemnis_trade::trade::{self, AGREEMENT, SAMPLE, Size, Trade as Traded};
 use lemnis_typeset::{Embedded, Format, Typesetter};
 use serde_json::{Map, Value, json};
-use toml_edit::{DocumentMut, value};
 
 use crate::failure::Failure;
 use crate::output::{Output, say, write};
-use crate::scene_file;
+use crate::{TICK, scene_file};
 
 #[derive(Args)]
 pub struct Trade {
-    /// Scene file [default: the embedded scene]
+    /// Scene file, - for the standard input [default: the embedded scene]
     scene: Option<PathBuf>,
     /// Folder for the results: NAME_trade.json, NAME_trade.csv and the diagram as NAME_trade.svg and .pdf
     #[arg(short, long, default_value = "out")]
@@ -49,7 +47,7 @@ impl Trade {
     pub fn run(&self) -> Result<(), Failure> {
         let scene = scene_file::read(self.scene.as_deref())?;
         let traded = measured(&scene, self.step, self.rounds.into())?;
-        say(format_args!("{}\n{}", scene.title(), table(&traded).trim_end()))?;
+        say(format_args!("{}\n{}", scene.title(), table(&scene, &traded).trim_end()))?;
         let name = |suffix: &str| format!("{}_trade.{suffix}", scene.name());
         let outputs = [
             ("json", json(&scene, &traded).into_bytes()),
@@ -65,86 +63,24 @@ impl Trade {
     }
 }
 
-fn measured(scene: &Scene, step: f64, rounds: usize) -> Result<Traded, Failure> {
-    let style = ProgressStyle::with_template("measuring {wide_bar} {percent} %").expect("a template");
-    let bar = ProgressBar::new(Traded::steps(scene, step) as u64).with_style(style);
+/// All settings of a scene, with a bar that moves from the start: a reference takes longer than all that follows.
+pub fn measured(scene: &Scene, step: f64, rounds: usize) -> Result<Traded, Failure> {
+    let style = ProgressStyle::with_template("{spinner} measuring {wide_bar} {percent} %, {elapsed}");
+    let bar = ProgressBar::new(Traded::steps(scene, step) as u64).with_style(style.expect("a template"));
+    bar.enable_steady_tick(TICK);
     let traded = Traded::new(scene, step, rounds, &|| bar.inc(1));
     bar.finish_and_clear();
     traded.map_err(|failure| Failure::Scene(format!("error: {failure}")))
 }
 
-/// The scene that is built: where the level is left open, the same with the cheapest level, step and tolerance that keep
-/// to its accuracy. They are chosen by counted work, so that the same scene always gives the same FMU.
-pub fn decided(scene: Scene) -> Result<Scene, Failure> {
-    if !scene.is_auto() {
-        return Ok(scene);
-    }
-    let traded = measured(&scene, SAMPLE, 0)?;
-    let Some(row) = traded.choice() else {
-        return Err(Failure::Scene(format!("error: {}", verdict(&traded))));
-    };
-    say(verdict(&traded))?;
-    let mut document: DocumentMut = scene.text().parse().expect("a scene that was read is TOML");
-    let level = row.setting.level;
-    let (oil, left_out): (&str, &[&str]) = match (&scene.mechanism, level) {
-        (Mechanism::Steering(_), "kinematic") => ("oil", &["dynamics", "oil", "plc"]),
-        (Mechanism::Steering(_), _) => ("oil", &[]),
-        (Mechanism::Luffing(_), "static" | "table") => ("hydraulics", &["dynamics", "slewing", "hydraulics"]),
-        (Mechanism::Luffing(_), "rigid" | "swing") => ("hydraulics", &["hydraulics"]),
-        (Mechanism::Luffing(_), _) => ("hydraulics", &[]),
-    };
-    let mechanism = document[scene.mechanism.id()].as_table_like_mut().expect("a table");
-    mechanism.insert("fidelity", value(level));
-    for table in left_out {
-        mechanism.remove(table);
-    }
-    if level == "rigid" {
-        let slewing = mechanism.get_mut("slewing").and_then(|item| item.as_table_like_mut());
-        slewing.map(|slewing| slewing.remove("chi_R"));
-    }
-    if let Some(dynamics) = mechanism.get_mut("dynamics").and_then(|item| item.as_table_like_mut()) {
-        if level == "rigid" {
-            for key in ["l_R", "phi_R", "v_h"] {
-                dynamics.remove(key);
-            }
-        }
-        let step = match row.setting.method {
-            Method::Explicit(step) => step,
-            Method::Closed | Method::Implicit(_) | Method::Interpolated(_) => traded.sample,
-        };
-        dynamics.insert("step", value(format!("{} ms", step * 1e3)));
-    }
-    if let (Some(oil), Method::Implicit(tolerance)) = (
-        mechanism.get_mut(oil).and_then(|item| item.as_table_like_mut()),
-        row.setting.method,
-    ) {
-        oil.insert("tol", value(format!("{tolerance:e}")));
-    }
-    if let Method::Interpolated(tolerance) = row.setting.method {
-        let mut table = toml_edit::Table::new();
-        table.insert("tol", value(format!("{tolerance:e}")));
-        mechanism.insert("table", toml_edit::Item::Table(table));
-    } else {
-        mechanism.remove("table");
-    }
-    let text = document.to_string();
-    Scene::parse(&text).map_err(|found| {
-        let whole: Vec<String> = found.iter().map(ToString::to_string).collect();
-        Failure::Program(format!(
-            "the scene at level {level} cannot be read: {}",
-            whole.join("; ")
-        ))
-    })
-}
-
 /// What was chosen and why, or what is missed.
-fn verdict(traded: &Traded) -> String {
+pub fn verdict(scene: &Scene, traded: &Traded) -> String {
     let of = |i: usize, off: f64| {
         let asked = &traded.asked[i];
         let (symbol, unit) = (asked.variable.symbol, asked.variable.symbol.display.name);
         let allowed = asked
             .allowed
-            .map_or_else(String::new, |a| format!(", {} {unit} allowed", digits(symbol.shown(a))));
+            .map_or_else(String::new, |a| format!(", {} allowed", symbol.written(a)));
         format!("{} off by {} {unit}{allowed}", asked.name, digits(symbol.shown(off)))
     };
     if let Some(row) = traded.choice() {
@@ -160,9 +96,10 @@ fn verdict(traded: &Traded) -> String {
         return "nothing was measured".to_owned();
     };
     if missed.is_empty() {
-        return "the scene asks for no accuracy: add accuracy = { \"A.x\" = \"1 mm\" } and the cheapest that keeps to it is \
-                named here"
-            .to_owned();
+        return format!(
+            "the scene asks for no accuracy: add {} and the cheapest that keeps to it is named here",
+            scene.example_of_accuracy()
+        );
     }
     let missed = missed.iter().map(|missed| of(missed.result, missed.off));
     format!(
@@ -181,7 +118,7 @@ fn digits(value: f64) -> String {
 }
 
 /// For reading: from cheap to dear, a star at what is on the front.
-fn table(traded: &Traded) -> String {
+fn table(scene: &Scene, traded: &Traded) -> String {
     let motion = match traded.command {
         Some(id) => format!("moved by the scene's {id}"),
         None => "a cycle through the working range".to_owned(),
@@ -282,7 +219,7 @@ fn table(traded: &Traded) -> String {
             "  follows: cannot take the command and is led along the deepest level's motion, so it is no substitute\n",
         );
     }
-    let _ = writeln!(text, "  {}", verdict(traded));
+    let _ = writeln!(text, "  {}", verdict(scene, traded));
     text
 }
 
@@ -347,7 +284,7 @@ fn json(scene: &Scene, traded: &Traded) -> String {
         "name": scene.name(), "motion": traded.command.unwrap_or("cycle"), "duration": number(traded.duration),
         "communication_step": number(traded.sample), "agreement_asked": number(AGREEMENT),
         "results": asked.collect::<Map<_, _>>(), "references": references.collect::<Vec<_>>(),
-        "settings": rows.collect::<Vec<_>>(), "choice": choice, "verdict": verdict(traded),
+        "settings": rows.collect::<Vec<_>>(), "choice": choice, "verdict": verdict(scene, traded),
     });
     serde_json::to_string_pretty(&whole).expect("plain data")
 }

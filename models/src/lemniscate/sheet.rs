@@ -639,7 +639,8 @@ fn summary(luffing: &Luffing, g: &Geometry<f64>, range: &Range) -> Vec<Summary> 
     list
 }
 
-fn remarks(luffing: &Luffing) -> Vec<&'static str> {
+/// Ids of the remarks on the publications of this mechanism.
+pub(crate) fn remarks(luffing: &Luffing) -> Vec<&'static str> {
     let from = |source: Option<&String>, key: &str| source.is_some_and(|source| source.starts_with(key));
     let mechanism = luffing.published.as_ref().map(|published| &published.source);
     let balance = luffing.published_balance.as_ref().map(|published| &published.source);

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use lemnis_models::model::{Fault, Model};
+use lemnis_models::number::short;
 use lemnis_models::scene::{Mechanism, Scene};
 use lemnis_models::solver::Count;
 
@@ -129,7 +130,7 @@ impl Setting {
     pub fn key(&self) -> Option<(&'static str, String)> {
         match self.method {
             Method::Closed => None,
-            Method::Explicit(step) => Some(("step", format!("{} ms", step * 1e3))),
+            Method::Explicit(step) => Some(("step", format!("{} ms", short(step * 1e3)))),
             Method::Implicit(tolerance) | Method::Interpolated(tolerance) => Some(("tol", format!("{tolerance:e}"))),
         }
     }

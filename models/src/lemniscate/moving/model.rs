@@ -363,14 +363,32 @@ impl Model {
         self.algebraic.positions()
     }
 
+    /// Brings the driven bar to an angle (rad) at the speed of the working range; other states stay as they are.
+    ///
+    /// # Errors
+    /// As [`set`](Model::set).
+    pub fn place(&mut self, theta: f64) -> Result<(), Fault> {
+        self.set(0, theta)?;
+        self.set(1, self.range.speed)?;
+        match &mut self.state.present {
+            Present::Free(state) => state.bar = Bar::Forward,
+            Present::Slewing(state) => state.joints[0] = Bar::Forward,
+            Present::Fixed(_) | Present::Hanging(_) => {}
+        }
+        Ok(())
+    }
+
     #[must_use]
     pub fn stop_time(&self) -> f64 {
         self.algebraic.stop_time()
     }
 
+    /// Time for one step of tables, in s, but no more than a communication step may take.
     #[must_use]
     pub fn step_size(&self) -> f64 {
-        self.algebraic.step_size()
+        self.algebraic
+            .step_size()
+            .min(0.1 * f64::from(MOST_STEPS) * self.state.constants.step)
     }
 
     /// Work of the solver since the model was made.

@@ -1,0 +1,218 @@
+//! The scene that is built: what a scene leaves open is decided, and its default experiment runs.
+
+use lemnis_models::diagnostic::Diagnostic;
+use lemnis_models::gravity;
+use lemnis_models::model::{Fault, Model};
+use lemnis_models::number::short;
+use lemnis_models::scene::{Mechanism, Scene};
+use lemnis_trade::setting::Method;
+use lemnis_trade::trade::SAMPLE;
+use toml_edit::value;
+
+use crate::failure::Failure;
+use crate::output::say;
+use crate::trade::{measured, verdict};
+use crate::{busy, scene_file};
+
+/// A scene of which nothing is open any more.
+pub struct Decision {
+    pub scene: Scene,
+    /// What was decided, a line each.
+    pub notes: Vec<String>,
+}
+
+impl Decision {
+    /// The scene, after telling what was decided.
+    pub fn announced(self) -> Result<Scene, Failure> {
+        self.notes.iter().try_for_each(say)?;
+        Ok(self.scene)
+    }
+}
+
+/// Decides what a scene from a file of this name leaves open. The same scene always gives the same FMU: nothing is
+/// chosen by the clock.
+pub fn decided(scene: Scene, name: &str) -> Result<Decision, Failure> {
+    let mut notes = Vec::new();
+    let scene = match scene.is_auto() {
+        true => chosen(&scene, &mut notes)?,
+        false => scene,
+    };
+    let scene = busy(format!("running the default experiment of {}", scene.name()), || {
+        running(scene, name, &mut notes)
+    })?;
+    Ok(Decision { scene, notes })
+}
+
+/// The same scene with the cheapest level, step and tolerance that keep to its accuracy, by counted work.
+fn chosen(scene: &Scene, notes: &mut Vec<String>) -> Result<Scene, Failure> {
+    let traded = measured(scene, SAMPLE, 0)?;
+    let told = verdict(scene, &traded);
+    let Some(row) = traded.choice() else {
+        return Err(Failure::Scene(format!("error: {told}")));
+    };
+    notes.push(told);
+    let level = row.setting.level;
+    let (oil, left_out): (&str, &[&str]) = match (&scene.mechanism, level) {
+        (Mechanism::Steering(_), "kinematic") => ("oil", &["dynamics", "oil", "plc"]),
+        (Mechanism::Steering(_), _) => ("oil", &[]),
+        (Mechanism::Luffing(_), "static" | "table") => ("hydraulics", &["dynamics", "slewing", "hydraulics"]),
+        (Mechanism::Luffing(_), "rigid" | "swing") => ("hydraulics", &["hydraulics"]),
+        (Mechanism::Luffing(_), _) => ("hydraulics", &[]),
+    };
+    let swings = scene.at(level).mechanism.luffing().is_some_and(|luffing| {
+        let moving = luffing.moving.as_ref();
+        moving.is_some_and(|moving| moving.rope.is_some())
+    });
+    scene_file::changed(scene, &format!("the scene at level {level}"), |document| {
+        if left_out.contains(&"dynamics") && scene.given("luffing.dynamics.g").is_some() {
+            // What weighs by it stays.
+            document.insert(gravity::G.id, value(gravity::G.written(scene.gravity)));
+        }
+        let Some(mechanism) = document[scene.mechanism.id()].as_table_like_mut() else {
+            return;
+        };
+        mechanism.insert("fidelity", value(level));
+        for table in left_out {
+            mechanism.remove(table);
+        }
+        let unswung: &[(&str, &[&str])] = &[
+            ("slewing", &["chi_R"]),
+            ("dynamics", &["l_R", "phi_R", "v_h"]),
+            ("limits", &["phi_max"]),
+        ];
+        for (table, keys) in unswung.iter().filter(|_| !swings) {
+            if let Some(table) = mechanism.get_mut(table).and_then(|item| item.as_table_like_mut()) {
+                keys.iter().for_each(|key| drop(table.remove(key)));
+            }
+        }
+        if let Some(dynamics) = mechanism.get_mut("dynamics").and_then(|item| item.as_table_like_mut()) {
+            let step = match row.setting.method {
+                Method::Explicit(step) => step,
+                Method::Closed | Method::Implicit(_) | Method::Interpolated(_) => traded.sample,
+            };
+            dynamics.insert("step", value(milliseconds(step)));
+        }
+        if let (Some(oil), Method::Implicit(tolerance)) = (
+            mechanism.get_mut(oil).and_then(|item| item.as_table_like_mut()),
+            row.setting.method,
+        ) {
+            oil.insert("tol", value(format!("{tolerance:e}")));
+        }
+        if let Method::Interpolated(tolerance) = row.setting.method {
+            let mut table = toml_edit::Table::new();
+            table.insert("tol", value(format!("{tolerance:e}")));
+            mechanism.insert("table", toml_edit::Item::Table(table));
+        } else {
+            mechanism.remove("table");
+        }
+    })
+}
+
+/// Key of the inner step of a luffing mechanism in motion.
+const STEP: &str = "luffing.dynamics.step";
+
+/// Inner steps (s) that are tried where that of a scene is too long.
+const STEPS: [f64; 9] = [5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4];
+
+/// The most inner steps of a default experiment: more take minutes.
+const MOST_STEPS: f64 = 1e7;
+
+/// The same scene with an inner step at which the default experiment of its FMU runs.
+fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, Failure> {
+    let refused = |given: &str, message: String, label: String, help: Option<String>| {
+        let place = scene.given(given).map_or(0..0, |given| given.place.clone());
+        let mut diagnostic = Diagnostic::new(place, message, label);
+        diagnostic.help = help;
+        Err(scene_file::failure(name, scene.text(), &[diagnostic]))
+    };
+    let cannot = |found: &Stopped| {
+        let at = short(found.time);
+        format!(
+            "the FMU cannot run its default experiment: at {at} s, {}",
+            found.fault.message
+        )
+    };
+    let speed = format!("{}.motion.speed", scene.mechanism.id());
+    let (lasts, steps) = work(&scene)?;
+    if steps > MOST_STEPS {
+        let message = format!(
+            "the default experiment lasts {} s, which takes {} inner steps",
+            short(lasts),
+            short(steps.round())
+        );
+        let help = format!("at most {} are run: raise the speed", short(MOST_STEPS));
+        return refused(&speed, message, "too slow".to_owned(), Some(help));
+    }
+    let Err(stopped) = run(&scene) else {
+        return Ok(scene);
+    };
+    let own = explicit(&scene);
+    for step in STEPS.into_iter().filter(|step| own.is_some_and(|own| *step < own)) {
+        let milliseconds = milliseconds(step);
+        let shorter = scene_file::changed(&scene, &format!("the scene at step = {milliseconds}"), |document| {
+            document["luffing"]["dynamics"]["step"] = value(milliseconds.as_str());
+        })?;
+        if work(&shorter)?.1 > MOST_STEPS || run(&shorter).is_err() {
+            continue;
+        }
+        if scene.given(STEP).is_some() {
+            let help = format!("step = \"{milliseconds}\" runs; without the key one is chosen");
+            return refused(STEP, cannot(&stopped), "too long".to_owned(), Some(help));
+        }
+        notes.push(format!(
+            "the default experiment needs shorter inner steps than 10 ms: {STEP} = \"{milliseconds}\" is chosen"
+        ));
+        return Ok(shorter);
+    }
+    refused(&speed, cannot(&stopped), format!("it lasts {} s", short(lasts)), None)
+}
+
+/// Why a default experiment ended, and when, in s.
+struct Stopped {
+    time: f64,
+    fault: Fault,
+}
+
+/// Runs the default experiment as an importer does, where something is solved; what is in closed form was checked over
+/// the whole working range.
+fn run(scene: &Scene) -> Result<(), Stopped> {
+    let at = |time: f64| move |fault: Fault| Stopped { time, fault };
+    let mut model = Model::new(scene).map_err(at(0.0))?;
+    if model.states() == 0 {
+        return Ok(());
+    }
+    model.start().map_err(at(0.0))?;
+    let (stop, step) = (model.stop_time(), model.step_size());
+    let mut time = 0.0;
+    for i in 1_u32.. {
+        let next = stop.min(f64::from(i) * step);
+        model.advance(time, next).map_err(at(time))?;
+        time = next;
+        if time >= stop {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// How long the default experiment lasts, in s, and how many inner or communication steps it takes at least.
+fn work(scene: &Scene) -> Result<(f64, f64), Failure> {
+    let model = Model::new(scene).map_err(|fault| Failure::Scene(format!("error: {}", fault.message)))?;
+    let step = explicit(scene).map_or(model.step_size(), |step| step.min(model.step_size()));
+    let steps = if model.states() == 0 {
+        0.0
+    } else {
+        model.stop_time() / step
+    };
+    Ok((model.stop_time(), steps))
+}
+
+/// The inner step (s) of a luffing mechanism whose motion is solved with explicit steps.
+fn explicit(scene: &Scene) -> Option<f64> {
+    let moving = scene.mechanism.luffing()?.moving.as_ref()?;
+    moving.oil.is_none().then_some(moving.constants.step)
+}
+
+fn milliseconds(step: f64) -> String {
+    format!("{} ms", short(step * 1e3))
+}
