@@ -455,9 +455,12 @@ fn random_scenes() {
     wrong.sort_by_key(|(_, all)| std::cmp::Reverse(all.len()));
     for (kind, all) in &wrong {
         let (number, case, verdict) = &all[0];
+        let numbers: Vec<String> = all.iter().map(|(number, ..)| number.to_string()).collect();
+        let legal = all.iter().filter(|(_, case, _)| case.legal).count();
+        println!("\n{} times, {legal} legal: {verdict}", all.len());
         println!(
-            "\n{} times, first LEMNIS_SEED={seed} LEMNIS_SCENE={number}: {verdict}",
-            all.len()
+            "LEMNIS_SEED={seed} LEMNIS_SCENE={}",
+            numbers[..numbers.len().min(8)].join(" ")
         );
         println!("{}", shrunk(case, *number, kind).text());
     }

@@ -305,14 +305,11 @@ impl Draw {
                 .collect();
             book.put("positions", chosen);
             // Many runs each.
-            let chapters = book
-                .table
-                .get("chapters")
-                .and_then(Value::as_array)
-                .cloned()
-                .unwrap_or_default();
-            let quick = |chapter: &Value| !matches!(chapter.as_str(), Some("trade" | "synthesis"));
-            book.put("chapters", chapters.into_iter().filter(quick).collect::<Vec<_>>());
+            let chapters = book.table.get("chapters").and_then(Value::as_array);
+            let quick = |chapter: &&Value| !matches!(chapter.as_str(), Some("trade" | "synthesis" | "results"));
+            let others = chapters.into_iter().flatten().filter(quick).cloned();
+            let chapters: Vec<Value> = std::iter::once("results".into()).chain(others).collect();
+            book.put("chapters", chapters);
         }
         let auto = top
             .child(mechanism)
