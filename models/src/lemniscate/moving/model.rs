@@ -998,6 +998,7 @@ impl Model {
                 level?.indicators(present, &inputs, &y, &mut all).map(|()| all[i])
             }
             Slot::Reaction(reaction) => level?.reaction(present, &inputs, &y, reaction),
+            Slot::Cavitates => Some(Dual64::from_re(0.0)),
             _ => {
                 return Err(Fault::new(format!("{variable} is no result: it has no derivative")));
             }
