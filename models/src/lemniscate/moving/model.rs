@@ -983,7 +983,11 @@ impl Model {
         let Tangent { inputs, y, .. } = *tangent;
         let present = &self.state.present;
         let level = tangent.level.as_ref().map_err(Clone::clone);
-        let found = match self.slot(index)? {
+        let slot = self.slot(index)?;
+        if !matches!(slot, Slot::State(_)) {
+            tangent.algebraic.check()?;
+        }
+        let found = match slot {
             Slot::Algebraic(inner) => return self.algebraic.derivative(&mut tangent.algebraic, inner),
             Slot::State(i) => Some(y[i]),
             Slot::Rate(i) => {
