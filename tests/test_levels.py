@@ -235,6 +235,76 @@ def test_oil_below_vacuum_is_told_everywhere(tmp_path):
     assert "*Warning:*" not in (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8")
 
 
+PARALLELOGRAM = """
+name = "Parallelogram"
+title = "A parallelogram through its change points"
+[luffing]
+fidelity = "static"
+driven = "boom"
+branch = "left"
+X_1 = "20 m"
+X_2 = "5 m"
+X_3 = "20 m"
+X_4 = "10 m"
+X_5 = "5 m"
+X_6 = "0 m"
+beta_0 = "180 deg"
+X_8 = "0 m"
+[luffing.motion]
+from = "-60 deg"
+to = "240 deg"
+step = "5 deg"
+speed = "1 deg/s"
+"""
+BODIES = """
+[luffing.weights]
+G_1 = "100 kN"
+s_1 = "1 m"
+chi_1 = "0 deg"
+G_2 = "50 kN"
+s_2 = "2 m"
+chi_2 = "180 deg"
+G_3 = "40 kN"
+s_3 = "1 m"
+chi_3 = "0 deg"
+[luffing.dynamics]
+J_1 = "1000 kg.m2"
+J_2 = "50000 kg.m2"
+J_3 = "10000 kg.m2"
+c_v = "1000 kN.m.s"
+M_A = "9000 kN.m"
+"""
+
+
+@pytest.mark.parametrize("name", ["static", "crossed", "table", "rigid", "swing"])
+def test_change_points_are_passed(name, tmp_path):
+    """Checked, printed, and run by the FMU's default experiment: every number is one."""
+    text = PARALLELOGRAM
+    if name == "crossed":
+        text = text.replace('"left"', '"right"')
+    if name in ("rigid", "swing"):
+        text = text.replace('X_8 = "0 m"', 'X_8 = "0 m"\nQ = "100 kN"') + BODIES
+    if name == "swing":
+        text += 'l_R = "9 m"\n'
+    text = text.replace('"static"', f'"{name if name != "crossed" else "static"}"')
+    (tmp_path / "crane.toml").write_text(text, encoding="utf-8")
+    rows = list(csv.reader(lemnis("check", "--csv", tmp_path / "crane.toml").splitlines()))
+    # The centre of bars that stay parallel lies at infinity.
+    centre = [i for i, head in enumerate(rows[0]) if head.split()[0] in ("O1P", "P.x", "P.y")]
+    assert len(rows) == 62
+    assert all(abs(float(cell)) < 1e12 for row in rows[1:] for i, cell in enumerate(row) if i not in centre)
+    lemnis("build", tmp_path / "crane.toml", "--output", tmp_path)
+    assert (tmp_path / "Parallelogram.pdf").read_bytes().startswith(b"%PDF")
+    for end in (".fmu", ".fmi2.fmu"):
+        path = str(tmp_path / f"Parallelogram{end}")
+        description = read_model_description(path)
+        names = [v.name for v in description.modelVariables if v.causality == "output" and v.name not in ("P", "O1P", "P.x", "P.y")]
+        for kind in ("CoSimulation", "ModelExchange"):
+            run = simulate_fmu(path, fmi_type=kind, output=names, output_interval=0.1)
+            assert all((abs(run[column]) < 1e12).all() for column in run.dtype.names)
+            assert run["A.x"].max() > 29.5 and run["A.x"].min() < -9.5, "through both change points"
+
+
 def test_the_default_experiment_and_the_book(level, tmp_path):
     """`lemnis build` makes everything, and FMPy's defaults run it in both interfaces."""
     name, paths = level

@@ -254,8 +254,7 @@ impl<C: Calc> FourBar<C> {
         }
     }
 
-    /// Crank angles (rad), at most one turn apart, at which all bars lie in one line, but for [`NEAR`]: change points.
-    #[must_use]
+    /// Crank angles (rad), at most one turn apart, at which all bars lie in one line, within 1e-9 of it: change points.
     pub fn change_points(&self) -> impl Iterator<Item = f64> {
         let scale = 4.0 * self.crank.value() * self.frame_length.value();
         let near = move |limit: &Limit<C>| matches!(limit, Limit::Free(margin) if margin.value() < NEAR * scale);

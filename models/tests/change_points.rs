@@ -314,6 +314,33 @@ fn motion_passes() {
     }
 }
 
+/// With the least change of one length a linkage loses its change points: by these there is no derivative, but by all else.
+#[test]
+fn lengths_that_undo_the_change_points_have_no_derivative() {
+    let text = PARALLEL.replace("X_8 = \"0 m\"", "X_8 = \"0 m\"\nQ = \"100 kN\"") + MOVING;
+    let moving = text.replace("driven =", "fidelity = \"rigid\"\ndriven =");
+    for (text, unknowns) in [
+        (PARALLEL, &["A.y", "V_AY"][..]),
+        (&moving, &["A.y", "der(omega_1)", "M_R"]),
+    ] {
+        let model = built(text);
+        for unknown in unknowns {
+            let at = index(&model, unknown);
+            let by = |id: &str| {
+                let known = model.variables()[index(&model, id)].quantity();
+                model.derivative(&mut model.tangent(&|quantity| f64::from(quantity == known)), at)
+            };
+            for id in ["X_1", "X_2", "X_3", "X_5", "X_6"] {
+                let fault = by(id).expect_err("none");
+                assert!(fault.outside && fault.message.contains(id), "{}", fault.message);
+            }
+            for id in ["theta_1", "omega_1", "X_4", "beta_0", "X_8"] {
+                assert!(by(id).is_ok_and(f64::is_finite), "{unknown} by {id}");
+            }
+        }
+    }
+}
+
 /// A range that keeps clear of the change points has forces in the pins; set to one from outside, the model refuses these
 /// alone, with the angle, and goes on.
 #[test]

@@ -57,7 +57,8 @@ fn sound(model: &mut Model, case: &str) {
 /// The states of both models, beside each other.
 fn assert_alike(a: &Model, b: &Model, case: &str) {
     let (mut x, mut y) = (vec![0.0; a.states()], vec![0.0; b.states()]);
-    (a.get_states(&mut x), b.get_states(&mut y));
+    a.get_states(&mut x);
+    b.get_states(&mut y);
     for (variable, (x, y)) in a.variables().iter().zip(x.iter().zip(&y)) {
         let size = size(variable.symbol.id);
         assert!(

@@ -47,7 +47,26 @@ pub struct State {
 
 /// A model's outputs with their derivatives in one direction.
 #[derive(Clone, Copy, Debug)]
-pub struct Tangent(Evaluation<Dual64>);
+pub struct Tangent {
+    evaluation: Evaluation<Dual64>,
+    /// A length that changes alone, of a linkage that would lose its change points with it.
+    undoes: Option<&'static Symbol>,
+}
+
+impl Tangent {
+    /// # Errors
+    /// A change of lengths by which the linkage does not stay on its branch.
+    pub(crate) fn check(&self) -> Result<(), Fault> {
+        let refuse = |symbol: &Symbol| {
+            Err(Fault::outside(format!(
+                "there is no derivative by {}: with the least change of it the linkage loses its change points, and the \
+                 branch on which it passes them",
+                symbol.id
+            )))
+        };
+        self.undoes.map_or(Ok(()), refuse)
+    }
+}
 
 #[derive(Clone, Copy, Debug)]
 enum Slot {
@@ -408,14 +427,21 @@ impl Model {
     pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
         let seed = |symbol| seed((symbol, None));
         let evaluation = &self.state.evaluation;
-        let mut same_geometry = true;
+        let (mut same_geometry, mut undoes) = (true, None);
+        let keeps_branch = evaluation.keeps_branch();
         let parameters = evaluation.parameters().map(&mut |symbol, value| {
             let rate = seed(symbol);
             same_geometry &= rate == 0.0;
+            if rate != 0.0 && keeps_branch && [&s::X_1, &s::X_2, &s::X_3, &s::X_5, &s::X_6].contains(&symbol) {
+                undoes = Some(symbol);
+            }
             Dual64::new(value, rate)
         });
         let inputs = self.inputs_over(|symbol, value| Dual64::new(value, seed(symbol)));
-        Tangent(evaluation.over(parameters, inputs, same_geometry))
+        Tangent {
+            evaluation: evaluation.over(parameters, inputs, same_geometry),
+            undoes,
+        }
     }
 
     /// Derivative of an output along the direction of a tangent, in SI; not finite where there is none.
@@ -429,7 +455,8 @@ impl Model {
                 self.variables[index].symbol.id
             )));
         };
-        Ok(tangent.0.output(output)?.eps)
+        tangent.check()?;
+        Ok(tangent.evaluation.output(output)?.eps)
     }
 
     /// What each variable's expression contains: inputs, parameters and [`TIME`],

@@ -162,6 +162,12 @@ impl<C: Calc> Evaluation<C> {
         &self.inputs
     }
 
+    /// Whether the linkage passes change points on its branch, as far as it was assembled.
+    #[must_use]
+    pub fn keeps_branch(&self) -> bool {
+        self.geometry.as_ref().is_some_and(|g| g.linkage.keeps_branch())
+    }
+
     /// Changes parameters: everything has to be computed anew.
     pub fn set_parameters(&mut self, parameters: Parameters<C>) {
         *self = Evaluation::new(parameters, self.motion, self.inputs);

@@ -73,10 +73,11 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         published: published(luffing),
         published_source: luffing.published.as_ref().map(|p| p.source.clone()),
         summary: summary(luffing, &geometry, &range),
-        sensitivity: match luffing.change_point {
-            None => sensitivity(luffing, &range, &governing),
-            // With the least change of a length the linkage would not pass its change point any more.
-            Some(_) => Sensitivity::default(),
+        sensitivity: if geometry.linkage.keeps_branch() {
+            // With the least change of a length it would not pass its change points any more.
+            Sensitivity::default()
+        } else {
+            sensitivity(luffing, &range, &governing)
         },
         governing,
         outputs: outputs(&model),

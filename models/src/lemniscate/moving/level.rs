@@ -260,14 +260,32 @@ impl Level {
         }
     }
 
+    /// Which of the states are rates of the bodies, and which one is the length of the rope: behind the angle and the oil come
+    /// the states of slewing and of the load in space, or of the load in the plane.
+    fn places(&self, present: &Present) -> (&'static [usize], usize) {
+        let oil = matches!(present, Present::Fixed(_) | Present::Hanging(_));
+        match (oil, self.dynamics().turntable().is_some()) {
+            (false, false) => (&[1, 3, 6], 4),
+            (false, true) => (&[1, 3, 7, 8, 9], 10),
+            (true, false) => (&[1, 9, 12], 10),
+            (true, true) => (&[1, 9, 13, 14, 15], 16),
+        }
+    }
+
     /// Length of the rope, in m.
     fn rope(&self, present: &Present) -> Option<f64> {
-        self.dynamics().bodies().pendulum?;
-        let oil = matches!(present, Present::Fixed(_) | Present::Hanging(_));
-        // Behind the states of angle, oil and slewing, and the load's own.
-        let before = if oil { FIXED } else { 2 };
-        let own = if self.dynamics().turntable().is_some() { 8 } else { 2 };
-        Some(present.states()[before + own])
+        let (_, length) = self.places(present);
+        self.dynamics().bodies().pendulum.map(|_| present.states()[length])
+    }
+
+    /// The bodies where they are, at rest.
+    pub(crate) fn still(&self, present: &Present) -> Present {
+        let (mut still, mut states) = (*present, present.states());
+        for &rate in self.places(present).0 {
+            states[rate] = 0.0;
+        }
+        still.set_states(&states);
+        still
     }
 
     /// Moves on by a duration, in s; `step` is the longest explicit step (s), `relative` the

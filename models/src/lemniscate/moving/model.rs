@@ -971,6 +971,20 @@ impl Model {
         found.ok_or_else(|| self.open())
     }
 
+    /// Energy of the bodies' motion as it is now, in J.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub(crate) fn kinetic(&mut self) -> Result<f64, Fault> {
+        let (present, inputs) = (self.state.present, self.state.inputs);
+        let level = self.level()?;
+        let energies = [present, level.still(&present)].map(|present| Some(level.powers(&present, &inputs)?.1));
+        match energies {
+            [Some(moving), Some(still)] => Ok(moving - still),
+            _ => Err(self.open()),
+        }
+    }
+
     pub(crate) fn present(&self) -> &Present {
         &self.state.present
     }
@@ -1001,7 +1015,11 @@ impl Model {
         let Tangent { inputs, y, .. } = *tangent;
         let present = &self.state.present;
         let level = tangent.level.as_ref().map_err(Clone::clone);
-        let found = match self.slot(index)? {
+        let slot = self.slot(index)?;
+        if !matches!(slot, Slot::State(_)) {
+            tangent.algebraic.check()?;
+        }
+        let found = match slot {
             Slot::Algebraic(inner) => return self.algebraic.derivative(&mut tangent.algebraic, inner),
             Slot::State(i) => Some(y[i]),
             Slot::Rate(i) => {
@@ -1016,6 +1034,7 @@ impl Model {
                 level?.indicators(present, &inputs, &y, &mut all).map(|()| all[i])
             }
             Slot::Reaction(reaction) => level?.reaction(present, &inputs, &y, reaction),
+            Slot::Cavitates => Some(Dual64::from_re(0.0)),
             _ => {
                 return Err(Fault::new(format!("{variable} is no result: it has no derivative")));
             }

@@ -28,6 +28,9 @@ const SAMPLES: [f64; 2] = [2000.0, 20_000.0];
 const HALVINGS: u32 = 6;
 const LEFT: f64 = 1e-6;
 
+/// How many samples there are for each look at the energy of motion, which is but a size.
+const KINETIC: u32 = 16;
+
 /// Events that are listed.
 const EVENTS: usize = 20;
 
@@ -383,6 +386,8 @@ struct Energy {
     rest: f64,
     /// How much of the rest rounding may be: all of it where nothing moves.
     rounding: f64,
+    /// Of the bodies' motion, at most: a load that swings by itself turns over nothing else.
+    kinetic: f64,
 }
 
 impl Energy {
@@ -554,6 +559,9 @@ impl Run {
             let events = next.since(&watch);
             let blow = Watch::blow(&events, moving.oil.is_some());
             run.energy.add(&work, now.1, blow);
+            if i % KINETIC == 0 {
+                run.energy.kinetic = run.energy.kinetic.max(model.kinetic().ok()?);
+            }
             run.events.extend(events.into_iter().map(|id| (to, id)));
             (watch, powers) = (next, now);
             // Where luffing is held it has no equation, and at a stop it tells little.
@@ -659,6 +667,7 @@ impl Run {
             friction,
             throttles,
             self.energy.end - self.energy.start,
+            self.energy.kinetic,
         ];
         let scale = amounts.into_iter().map(f64::abs).fold(f64::MIN_POSITIVE, f64::max);
         at_most(

@@ -974,7 +974,7 @@ impl Model {
                 let (_, y) = of_states(tangent, self.lowest().0)?;
                 Group::oil(&y).least().1 - Dual64::from_re(VACUUM)
             }
-            Slot::Of(OfGroup::Command, _) => Dual64::from_re(0.0),
+            Slot::Cavitates | Slot::Of(OfGroup::Command, _) => Dual64::from_re(0.0),
             Slot::Of(OfGroup::Wanted, i) => self.searched(tangent, variable, self.wanted + i)?,
             Slot::Of(OfGroup::Error, i) => {
                 let wanted = self.searched(tangent, variable, self.wanted + i)?;
@@ -989,9 +989,7 @@ impl Model {
             Slot::Of(of, i) => of_group(tangent, of, i)?,
             Slot::Algebraic(inner) if self.algebraic.is_searched(inner) => self.searched(tangent, variable, inner)?,
             Slot::Algebraic(inner) => self.of_command(tangent, inner)?,
-            Slot::Given | Slot::Cavitates => {
-                return Err(Fault::new(format!("{variable} is no result: it has no derivative")));
-            }
+            Slot::Given => return Err(Fault::new(format!("{variable} is no result: it has no derivative"))),
         };
         Ok(found.eps)
     }
