@@ -289,20 +289,27 @@ fn sections(model: &Model) -> Vec<Section> {
 struct Watch {
     /// Luffing and slewing; `None` where there is no such joint, or none that sticks.
     joints: [Option<Bar>; 2],
-    /// At the lower and the upper stop.
+    /// At the lower and the upper stop, and beyond it after the next sample if it went on like this.
     stops: [[bool; 2]; 2],
+    ahead: [[bool; 2]; 2],
     taut: bool,
     relief: [bool; 2],
 }
 
 impl Watch {
-    fn new(luffing: &Luffing, moving: &Moving, present: &Present) -> Watch {
+    /// With the time between two samples, in s.
+    fn new(luffing: &Luffing, moving: &Moving, present: &Present, sample: f64) -> Watch {
         let y = present.states();
         let opening = moving.oil.map_or(f64::INFINITY, |oil| oil.p_r);
         let at = |x: f64, [low, high]: [f64; 2]| [x <= low, x >= high];
+        let ends = [luffing.motion.from, luffing.motion.to];
+        let turns = moving
+            .slewing
+            .map_or([f64::NEG_INFINITY, f64::INFINITY], |turn| turn.stops);
         let mut watch = Watch {
             joints: [None; 2],
-            stops: [at(y[0], [luffing.motion.from, luffing.motion.to]), [false; 2]],
+            stops: [at(y[0], ends), [false; 2]],
+            ahead: [at(y[0] + y[1] * sample, ends), [false; 2]],
             taut: true,
             relief: [false; 2],
         };
@@ -314,20 +321,17 @@ impl Watch {
             Present::Slewing(state) => {
                 watch.joints = state.joints.map(Some);
                 watch.taut = state.taut;
-                watch.stops[1] = at(
-                    y[2],
-                    moving
-                        .slewing
-                        .map_or([f64::NEG_INFINITY, f64::INFINITY], |turn| turn.stops),
-                );
+                watch.stops[1] = at(y[2], turns);
+                watch.ahead[1] = at(y[2] + y[3] * sample, turns);
             }
             Present::Fixed(_) => watch.relief = [y[2] > opening, y[3] > opening],
             Present::Hanging(now) => {
                 watch.relief = [y[2] > opening, y[3] > opening];
                 watch.taut = now.modes.taut;
-                if let Some(turn) = moving.slewing {
+                if moving.slewing.is_some() {
                     watch.joints[1] = Some(now.modes.slewing);
-                    watch.stops[1] = at(y[FIXED], turn.stops);
+                    watch.stops[1] = at(y[FIXED], turns);
+                    watch.ahead[1] = at(y[FIXED] + y[FIXED + 1] * sample, turns);
                 }
             }
         }
@@ -342,7 +346,15 @@ impl Watch {
             ["slewing_starts", "slewing_rests", "slewing_low", "slewing_high"],
         ];
         for (i, [starts, rests, low, high]) in names.into_iter().enumerate() {
-            let met = [0, 1].map(|end| self.stops[i][end] && !before.stops[i][end]);
+            // What turns round on the way to a stop has met it.
+            let turned = matches!(
+                (before.joints[i], self.joints[i]),
+                (Some(Bar::Forward), Some(Bar::Backward)) | (Some(Bar::Backward), Some(Bar::Forward))
+            );
+            let met = [0, 1].map(|end| {
+                let there = self.stops[i][end] || turned && before.ahead[i][end];
+                there && !before.stops[i][end]
+            });
             let stopped = match met {
                 [true, _] => Some(low),
                 [_, true] => Some(high),
@@ -352,6 +364,7 @@ impl Watch {
                 (Some(Bar::Held), Some(Bar::Forward | Bar::Backward)) => found.push(starts),
                 (Some(Bar::Forward | Bar::Backward), Some(Bar::Held)) => found.push(stopped.unwrap_or(rests)),
                 (None, None) => found.extend(stopped),
+                _ if turned => found.extend(stopped),
                 _ => {}
             }
         }
@@ -540,7 +553,7 @@ impl Run {
             greatest_swing: swing(moving, model.present()),
         };
         let mut most = None;
-        let mut watch = Watch::new(luffing, moving, model.present());
+        let mut watch = Watch::new(luffing, moving, model.present(), sample);
         // The crane was at rest before.
         let rest = Watch {
             joints: watch.joints.map(|joint| joint.map(|_| Bar::Held)),
@@ -555,7 +568,7 @@ impl Run {
                 run.events.push((from, "run_ends"));
                 break;
             };
-            let next = Watch::new(luffing, moving, model.present());
+            let next = Watch::new(luffing, moving, model.present(), sample);
             let events = next.since(&watch);
             let blow = Watch::blow(&events, moving.oil.is_some());
             run.energy.add(&work, now.1, blow);
