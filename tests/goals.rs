@@ -171,7 +171,10 @@ fn models(scene: &Scene) {
         ));
         let r = Centres::new(&p, [l.x_1, l.x_2, l.x_3], &weights);
         black_box(PinForces::new(&p, l.x_3, 160e3, Some((&weights, &r)), None, |_| None));
-        black_box((load_moment(&v, 160e3), Pole::new(&g, &p).moment(&g, &p, &v, 160e3)));
+        black_box((
+            load_moment(&v, 160e3),
+            Pole::new(&g, &p, v.i_2).moment(&g, &p, &v, 160e3),
+        ));
     });
     row(
         "model: the same, transmission, weights, pin forces, moments",

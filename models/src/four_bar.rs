@@ -43,16 +43,6 @@ pub struct Names {
     pub area: &'static Symbol,
     pub follower: [&'static Symbol; 2],
     pub coupler: [&'static Symbol; 2],
-    /// With change points: change of the area for one radian of the crank, and angular velocity of the coupler seen from
-    /// the follower over the crank's. `None` where no book prints them.
-    pub turning: Option<[&'static Symbol; 2]>,
-}
-
-impl Names {
-    /// Names one of [`turning`](Names::turning).
-    fn named<C: Calc>(&self, i: usize, value: C) -> C {
-        self.turning.map_or(value, |names| value.def(names[i]))
-    }
 }
 
 /// On which side of the line from the follower's pivot N to the crank's joint J
@@ -109,9 +99,19 @@ pub struct Closure<C> {
     /// ±4 × the area of the triangle N–J–K; twice the cross product of follower
     /// and coupler, without its cancellation.
     pub area: C,
-    /// Angular velocities of coupler and follower over the crank's where the linkage has change points: the loop of
-    /// the bars, which gives them elsewhere, says nothing there.
-    pub ratios: Option<[C; 2]>,
+    /// How the linkage passes its change points, if it has any.
+    pub passing: Option<Passing>,
+}
+
+/// How a linkage keeps its branch through its change points, in which the loop of the bars says nothing of their velocities.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Passing {
+    /// The follower turns like the crank, and the coupler not at all.
+    Parallel,
+    /// The coupler turns like the crank, and the follower not at all.
+    Folded,
+    /// The area changes its sign there: it falls with the cosine from crank to frame, or grows.
+    Swept(Branch),
 }
 
 /// An interval of crank angles in which the linkage can be assembled, in rad;
@@ -255,13 +255,17 @@ impl<C: Calc> FourBar<C> {
     }
 
     /// Crank angles (rad), at most one turn apart, at which all bars lie in one line, within 1e-9 of it: change points.
-    pub fn change_points(&self) -> impl Iterator<Item = f64> {
-        let scale = 4.0 * self.crank.value() * self.frame_length.value();
-        let near = move |limit: &Limit<C>| matches!(limit, Limit::Free(margin) if margin.value() < NEAR * scale);
-        let limits = [(self.folded, 0.0), (self.stretched, PI)].into_iter();
-        let frame = self.frame_direction.map(C::value);
-        let points = limits.filter(move |(limit, _)| near(limit));
-        points.map(move |(_, beyond)| f64::direction(frame.x, frame.y) + beyond)
+    pub fn change_points(&self) -> impl Iterator<Item = f64> + use<C> {
+        let near = |limit: &Limit<C>, beyond: f64| match limit {
+            Limit::Free(margin) if margin.value() < NEAR * 4.0 * (self.crank * self.frame_length).value() => {
+                let frame = self.frame_direction.map(C::value);
+                Some(f64::direction(frame.x, frame.y) + beyond)
+            }
+            _ => None,
+        };
+        [near(&self.folded, 0.0), near(&self.stretched, PI)]
+            .into_iter()
+            .flatten()
     }
 
     /// Whether the linkage keeps its branch through its change points: they are exact, and two in a turn.
@@ -351,29 +355,13 @@ impl<C: Calc> FourBar<C> {
             ),
             names.coupler,
         );
-        // Cross and dot product of follower and coupler both tell how fast the coupler turns from the follower: the first
-        // one nothing where the bars lie in one line, the second nothing where they stand upright on each other.
-        let ratios = self.changes.then(|| {
-            let slope = two * plane::dot(crank, self.frame);
-            let slope = match self.branch {
-                Branch::Left => -slope,
-                Branch::Right => slope,
-            };
-            let slope = names.named(0, slope);
-            let lengths = (self.coupler * self.follower).square();
-            let turned = plane::dot(follower, coupler) * slope + area * plane::cross(crank, diagonal);
-            let relative = names.named(1, turned / (two * lengths));
-            let along = plane::dot(crank, diagonal) + relative * plane::dot(coupler, diagonal);
-            let of_follower = along / length.square();
-            [of_follower + relative, of_follower]
-        });
         Some(Closure {
             crank,
             coupler,
             follower,
             diagonal: length,
             area,
-            ratios,
+            passing: self.changes.then_some(Passing::Swept(self.branch)),
         })
     }
 
@@ -381,10 +369,10 @@ impl<C: Calc> FourBar<C> {
     /// itself. Exact in the change points too, where the diagonal may vanish.
     fn parallel(&self, crank: Point<C>, diagonal: Point<C>, square: C) -> Option<Closure<C>> {
         let same = |a: C, b: C| self.changes && a.value() == b.value();
-        let (coupler, follower, ratios) = match self.branch {
-            Branch::Left if same(self.follower, self.crank) => (self.frame, crank, [0.0, 1.0]),
+        let (coupler, follower, passing) = match self.branch {
+            Branch::Left if same(self.follower, self.crank) => (self.frame, crank, Passing::Parallel),
             Branch::Right if same(self.follower, self.frame_length) && same(self.crank, self.frame_length) => {
-                (-crank, -self.frame, [1.0, 0.0])
+                (-crank, -self.frame, Passing::Folded)
             }
             _ => return None,
         };
@@ -401,7 +389,7 @@ impl<C: Calc> FourBar<C> {
             follower,
             diagonal,
             area: two * plane::cross(follower, coupler),
-            ratios: Some(ratios.map(C::constant)),
+            passing: Some(passing),
         })
     }
 }

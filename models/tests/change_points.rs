@@ -133,7 +133,7 @@ fn velocities_are_those_of_the_branch() {
                     let turned = |bar: lemnis_models::plane::Point<Dual64>| {
                         (bar.x.re * bar.y.eps - bar.y.re * bar.x.eps) / (bar.x.re * bar.x.re + bar.y.re * bar.y.re)
                     };
-                    if let Some((o1p, at)) = Pole::new(&g, &p).finite() {
+                    if let Some((o1p, at)) = Pole::new(&g, &p, v.i_2).finite() {
                         // The jib turns about it, and it lies on the boom's line.
                         let from = p.a - at;
                         let moved = [-from.y * v.i_2 - v.da.x, from.x * v.i_2 - v.da.y];

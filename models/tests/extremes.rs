@@ -126,7 +126,7 @@ fn the_pole_goes_to_infinity_and_the_moment_stays() {
     for bits in -50_i64..=50 {
         let p = Position::new(&g, f64::from_bits(parallel.to_bits().wrapping_add_signed(bits))).expect("closes");
         let v = Velocity::new(&p);
-        let pole = Pole::new(&g, &p);
+        let pole = Pole::new(&g, &p, v.i_2);
         infinite += i32::from(matches!(pole, Pole::AtInfinity));
         let (by_pole, by_work) = (pole.moment(&g, &p, &v, 160e3), load_moment(&v, 160e3));
         assert!((by_pole - by_work).abs() <= 1e-12 * 254e3, "{by_pole} {by_work}");

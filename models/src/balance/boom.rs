@@ -196,7 +196,7 @@ impl<C: Calc> Boom<C> {
         let (p, r) = self.place(g, w, phi)?;
         let one = C::constant(1.0);
         // Jib about its centre, and the rocker's ratio.
-        let (jib, i_3) = match Pole::new(g, &p) {
+        let (jib, i_3) = match Pole::new(g, &p, Velocity::new(&p).i_2) {
             Pole::Finite { o1p, o3p, at } => {
                 let i_2 = (one / (one - o1p / g.lengths.x_1)).def(&l::I_2);
                 let i_3 = (i_2 * (one - o3p / g.lengths.x_3)).def(&l::I_3);

@@ -193,5 +193,4 @@ static NAMES: Names = Names {
     area: &s::K_1,
     follower: [&s::R_LX, &s::R_LY],
     coupler: [&s::L_KX, &s::L_KY],
-    turning: None,
 };

@@ -296,7 +296,6 @@ static BOOM: Names = Names {
     area: &s::K,
     follower: [&s::X_3X, &s::X_3Y],
     coupler: [&s::X_2X, &s::X_2Y],
-    turning: Some([&s::DK, &s::I_23]),
 };
 
 static ROCKER: Names = Names {
@@ -305,6 +304,5 @@ static ROCKER: Names = Names {
     diagonal_length: &s::Y,
     follower: [&s::B_X, &s::B_Y],
     coupler: [&s::X_2RX, &s::X_2RY],
-    turning: Some([&s::DK, &s::I_21]),
     ..BOOM
 };

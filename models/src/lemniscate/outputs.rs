@@ -250,7 +250,7 @@ impl<C: Calc> Evaluation<C> {
             O::MQP => {
                 let (place, q) = (*self.place()?, self.inputs.q);
                 let g = self.geometry()?;
-                Pole::new(g, &place.p).moment(g, &place.p, &place.v, q)
+                Pole::new(g, &place.p, place.v.i_2).moment(g, &place.p, &place.v, q)
             }
             O::MG => self.forces()?.m_g,
             O::MD => self.forces()?.m_d,
@@ -333,8 +333,8 @@ impl<C: Calc> Evaluation<C> {
 
     /// Where the instantaneous centre lies. At infinity it is on the line of the boom.
     fn pole(&mut self, output: Output) -> Result<C, Fault> {
-        let p = self.place()?.p;
-        let pole = Pole::new(self.geometry()?, &p).finite();
+        let Place { p, v } = *self.place()?;
+        let pole = Pole::new(self.geometry()?, &p, v.i_2).finite();
         let far = |direction: C| match direction.value() {
             0.0 => C::constant(0.0),
             value => C::constant(f64::INFINITY.copysign(value)),

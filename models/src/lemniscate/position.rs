@@ -1,7 +1,7 @@
 //! Positions: from the angle of the driven bar to every joint, angle and the reach.
 
 use crate::calc::Calc;
-use crate::four_bar::Closure;
+use crate::four_bar::{Closure, Passing};
 use crate::lemniscate::geometry::{Driven, Geometry, names};
 use crate::lemniscate::symbols as s;
 use crate::plane::{self, Point};
@@ -23,8 +23,8 @@ pub struct Position<C> {
     pub r: C,
     /// ±4 × area of the triangle between diagonal, rear arm and driven-along bar.
     pub k: C,
-    /// Angular velocities of jib and driven-along bar over the driven bar's where the linkage has change points.
-    pub ratios: Option<[C; 2]>,
+    /// How the linkage passes its change points, if it has any.
+    pub passing: Option<Passing>,
     /// Diagonal that the closure went through: O3B or O1C.
     diagonal: C,
     epsilon_a: C,
@@ -42,7 +42,7 @@ impl<C: Calc> Position<C> {
             follower,
             diagonal,
             area: k,
-            ratios,
+            passing,
         } = g.linkage.close(theta, names(g.driven))?;
         let (x_1, x_2, x_3) = match g.driven {
             Driven::Boom => (crank, coupler, follower),
@@ -64,7 +64,7 @@ impl<C: Calc> Position<C> {
             c,
             r,
             k,
-            ratios,
+            passing,
             diagonal,
             epsilon_a: g.epsilon_a,
         })

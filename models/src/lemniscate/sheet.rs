@@ -323,7 +323,7 @@ fn chain(luffing: &Luffing, theta: f64, stage: usize) -> bool {
     if stage == 3 {
         return true;
     }
-    let pole = Pole::new(&g, &p);
+    let pole = Pole::new(&g, &p, v.i_2);
     if stage == 4 {
         return true;
     }

@@ -7,6 +7,7 @@
 //! velocities stay finite.
 
 use crate::calc::Calc;
+use crate::four_bar::{Branch, Passing};
 use crate::lemniscate::geometry::{Driven, Geometry};
 use crate::lemniscate::position::Position;
 use crate::lemniscate::symbols as s;
@@ -29,7 +30,8 @@ impl<C: Calc> Velocity<C> {
     #[inline]
     pub fn new(p: &Position<C>) -> Velocity<C> {
         let half = p.k / C::constant(2.0);
-        let ratio = |i: usize, a: Point<C>, b: Point<C>| match p.ratios {
+        let passed = p.passing.map(|passing| passed(p, passing));
+        let ratio = |i: usize, a: Point<C>, b: Point<C>| match passed {
             Some(ratios) => ratios[i],
             None => plane::cross(a, b) / half,
         };
@@ -67,6 +69,39 @@ impl<C: Calc> Velocity<C> {
     }
 }
 
+/// Angular velocities of jib and driven-along bar over the driven bar's on the branch of a linkage with change points.
+///
+/// Cross and dot product of the two bars both tell how fast one turns from the other: the first one nothing where they
+/// lie in one line, the second nothing where they stand at a right angle.
+#[cold]
+fn passed<C: Calc>(p: &Position<C>, passing: Passing) -> [C; 2] {
+    let two = C::constant(2.0);
+    let branch = match passing {
+        Passing::Parallel => return [0.0, 1.0].map(C::constant),
+        Passing::Folded => return [1.0, 0.0].map(C::constant),
+        Passing::Swept(branch) => branch,
+    };
+    // Crank, coupler and follower of the linkage; its frame and its diagonal.
+    let o3 = p.c - p.x_3;
+    let (crank, coupler, follower, frame, relative) = match p.driven {
+        Driven::Boom => (p.x_1, p.x_2, p.x_3, o3, &s::I_23),
+        Driven::Rocker => (p.x_3, -p.x_2, p.x_1, -o3, &s::I_21),
+    };
+    let diagonal = crank - frame;
+    let slope = two * plane::dot(crank, frame);
+    let slope = match branch {
+        Branch::Left => -slope,
+        Branch::Right => slope,
+    }
+    .def(&s::DK);
+    let squares = plane::squared(coupler) * plane::squared(follower);
+    let turned = plane::dot(follower, coupler) * slope + p.k * plane::cross(crank, diagonal);
+    let relative = (turned / (two * squares)).def(relative);
+    let along = plane::dot(crank, diagonal) + relative * plane::dot(coupler, diagonal);
+    let follower = along / plane::squared(diagonal);
+    [follower + relative, follower]
+}
+
 /// Instantaneous centre of the jib.
 #[derive(Clone, Copy, Debug)]
 pub enum Pole<C> {
@@ -82,10 +117,10 @@ pub enum Pole<C> {
 }
 
 impl<C: Calc> Pole<C> {
-    /// The lines of boom and rocker intersected, or, as these may be one, the driven bar's point that the jib turns
-    /// about where the linkage has change points. [Li2022, eq. 1]
-    pub fn new(g: &Geometry<C>, p: &Position<C>) -> Pole<C> {
-        if let Some([i_2, _]) = p.ratios {
+    /// The lines of boom and rocker intersected. With change points these may be one line: there the centre is the
+    /// driven bar's point about which the jib turns by its ratio `i_2`. [Li2022, eq. 1]
+    pub fn new(g: &Geometry<C>, p: &Position<C>, i_2: C) -> Pole<C> {
+        if p.passing.is_some() {
             let (head, bar) = match p.driven {
                 Driven::Boom => (p.b, p.x_1),
                 Driven::Rocker => (p.c, p.x_3),

@@ -34,7 +34,6 @@ pub static NAMES: Names = Names {
     area: &ANY,
     follower: [&ANY; 2],
     coupler: [&ANY; 2],
-    turning: None,
 };
 
 /// Of bars and frame with these lengths, in m.
