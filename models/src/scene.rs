@@ -9,6 +9,7 @@ use crate::gravity;
 use crate::lemniscate::scene::{KEYS as LUFFING, Luffing};
 use crate::lemniscate::sheet::remarks;
 use crate::model::{Model, Role, Type, Variable};
+use crate::motion::Motion;
 use crate::schema::{self, Key, Kind, Sign, Values};
 use crate::steering::scene::{KEYS as STEERING, Steering};
 
@@ -503,6 +504,15 @@ impl Mechanism {
         match self {
             Mechanism::Luffing(_) => MECHANISMS[0],
             Mechanism::Steering(_) => MECHANISMS[1],
+        }
+    }
+
+    /// The working range of its coordinate.
+    #[must_use]
+    pub fn motion(&self) -> &Motion {
+        match self {
+            Mechanism::Luffing(luffing) => &luffing.motion,
+            Mechanism::Steering(steering) => &steering.motion,
         }
     }
 
