@@ -69,7 +69,7 @@ static PROJECT: &[Key] = &[
     Key::text("revision", "Revision of the book."),
     Key {
         name: "revisions",
-        kind: Kind::Tables(REVISION),
+        kind: Kind::Tables(REVISION, 100),
         required: false,
         text: "What was changed in each revision, the oldest first.",
     },
@@ -106,7 +106,7 @@ static BOOK: &[Key] = &[
     },
     Key {
         name: "positions",
-        kind: Kind::Texts,
+        kind: Kind::Texts(10),
         required: false,
         text: "Positions at which the formulas are worked out: angles of the driven bar such as \"75 deg\", from, middle, to, \
                or governing results such as M_Q_max; without it the governing one.",
