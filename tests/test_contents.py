@@ -3,6 +3,7 @@
 import csv
 import math
 import re
+import tomllib
 import zipfile
 from html.parser import HTMLParser
 from importlib.resources import files
@@ -15,6 +16,7 @@ from lxml import etree
 
 from conftest import ROOT, lemnis
 from test_fmpy import Slave
+from test_levels import LEVELS, scene
 
 DISCARD, ERROR = 2, 3
 DERIVATIVES = ROOT / "tests/oracles/lemniscate_derivatives.csv"
@@ -75,6 +77,55 @@ def test_the_documentation(fmu):
         assert f"documentation/{link}" in names, link
     for name in variables:
         assert name == "time" or name in page.words, name
+
+
+WORDS = tomllib.loads((ROOT / "templates/words/en.toml").read_text(encoding="utf-8"))["assumption"]
+# What must be said of each level, and what would be wrong.
+SAID = {
+    "table": ({"level_table", "forces"}, {"level_static", "sticking", "oil"}),
+    "lemniscate": ({"level_static", "forces"}, {"level_rigid", "rope", "sticking"}),
+    "portal_004_motion": ({"level_swing", "slack", "hoist", "slewing", "counterweight", "stops", "forces"}, {"oil", "creep"}),
+    "rigid": ({"level_rigid", "fixed_load", "sticking", "solver_runge_kutta"}, {"rope", "hoist", "slewing"}),
+    "hydraulic": ({"level_hydraulic", "oil", "creep", "buffer", "solver_rodas"}, {"rope", "sticking", "stops"}),
+    "hydraulic_swing_slewing": ({"level_hydraulic", "rope", "hoist", "slewing"}, {"fixed_load", "stops"}),
+    "boat_hoist_003": ({"level_kinematic", "resistance"}, {"level_turning", "forces"}),
+    "boat_hoist_003_hydraulic": ({"level_turning", "resistance"}, {"level_kinematic"}),
+    "car_4x2": ({"level_kinematic"}, {"level_turning"}),
+}
+
+
+@pytest.mark.parametrize("name", SAID)
+def test_the_first_page_says_what_this_fmu_is(name, tmp_path):
+    """Its level and assumptions in the words of the books, its default experiment, and its inputs with their starts."""
+    path = ROOT / f"models/scenes/{name}.toml"
+    if not path.exists():
+        text = scene(name) if name in LEVELS else path.with_stem("lemniscate").read_text(encoding="utf-8").replace(
+            "driven =", 'fidelity = "table"\ndriven =', 1)
+        path = tmp_path / "scene.toml"
+        path.write_text(text, encoding="utf-8")
+    lemnis("fmu", path, "--output", tmp_path)
+    model = tomllib.loads(path.read_text(encoding="utf-8"))["name"]
+    for standard in ("", ".fmi2"):
+        fmu = str(tmp_path / f"{model}{standard}.fmu")
+        with zipfile.ZipFile(fmu) as archive:
+            page = Page()
+            page.feed(archive.read("documentation/index.html").decode("utf-8"))
+        whole = " ".join("".join(page.words).split())
+        names = {"$h$": "step", "$g$": "g", "$omega_c$": "omega_c"}
+        plain = {id: re.sub(r"\$.*?\$", lambda found: names[found.group()], words) for id, words in WORDS.items()}
+        said, wrong = SAID[name]
+        assert [id for id in said if plain[id] not in whole] == [] and [id for id in wrong if plain[id] in whole] == []
+        description = read_model_description(fmu)
+        inputs = [v for v in description.modelVariables if v.causality == "input" and not v.dimensions]
+        section = whole.split("NameMeaningStart")[1].split("Use")[0]
+        assert inputs and all(v.name + v.description in section for v in inputs)
+        experiment = description.defaultExperiment
+        assert f"{float(experiment.stopTime):g} s" in whole
+        assert f"The communication step is {float(experiment.stepSize):g} s." in whole
+        # The coordinate runs by itself where it is an input, and nowhere else.
+        coordinate = next(v for v in description.modelVariables if v.name.startswith("theta"))
+        assert ("has not been set, it runs by itself" in whole) == (coordinate.causality == "input")
+        assert ("moves by its equations alone" in whole) == (coordinate.causality != "input")
 
 
 def test_a_hostile_title_stays_text(tmp_path):

@@ -154,7 +154,7 @@ pub fn rough(value: f64) -> Number {
 }
 
 /// The numbers of a column, all with the same decimals: six significant digits for the largest, but not more than four
-/// decimals unless they are all small, and no more than make all of them exact.
+/// decimals unless all of them are below a tenth, and no more than make all of them exact.
 #[must_use]
 pub fn column(values: &[f64]) -> Vec<Number> {
     let finite = values.iter().copied().filter(|value| value.is_finite());

@@ -9,6 +9,7 @@ use crate::gravity;
 use crate::lemniscate::scene::{KEYS as LUFFING, Luffing};
 use crate::lemniscate::sheet::remarks;
 use crate::model::{Model, Role, Type, Variable};
+use crate::motion::Motion;
 use crate::schema::{self, Key, Kind, Sign, Values};
 use crate::steering::scene::{KEYS as STEERING, Steering};
 
@@ -69,7 +70,7 @@ static PROJECT: &[Key] = &[
     Key::text("revision", "Revision of the book."),
     Key {
         name: "revisions",
-        kind: Kind::Tables(REVISION),
+        kind: Kind::Tables(REVISION, 100),
         required: false,
         text: "What was changed in each revision, the oldest first.",
     },
@@ -106,7 +107,7 @@ static BOOK: &[Key] = &[
     },
     Key {
         name: "positions",
-        kind: Kind::Texts,
+        kind: Kind::Texts(10),
         required: false,
         text: "Positions at which the formulas are worked out: angles of the driven bar such as \"75 deg\", from, middle, to, \
                or governing results such as M_Q_max; without it the governing one.",
@@ -504,6 +505,15 @@ impl Mechanism {
         match self {
             Mechanism::Luffing(_) => MECHANISMS[0],
             Mechanism::Steering(_) => MECHANISMS[1],
+        }
+    }
+
+    /// The working range of its coordinate.
+    #[must_use]
+    pub fn motion(&self) -> &Motion {
+        match self {
+            Mechanism::Luffing(luffing) => &luffing.motion,
+            Mechanism::Steering(steering) => &steering.motion,
         }
     }
 

@@ -39,12 +39,12 @@ pub enum Kind {
     /// A weight, zero or greater, or the mass that weighs it: `"160 kN"`, `"16 t"`.
     Weight(&'static Symbol),
     Table(&'static [Key]),
-    /// A list of texts.
-    Texts,
+    /// A list of so many texts at most.
+    Texts(usize),
     /// A list of some of these, none twice.
     Choices(&'static [&'static str]),
-    /// A list of tables: `[[...]]`.
-    Tables(&'static [Key]),
+    /// A list of so many tables at most: `[[...]]`.
+    Tables(&'static [Key], usize),
     /// A list of at least and at most so many quantities; one may stand without brackets.
     Quantities(&'static Symbol, Sign, [usize; 2]),
     /// A whole number, zero or greater.
@@ -446,7 +446,14 @@ fn check_value(
         (Kind::Quantity(..) | Kind::Weight(_), DeValue::Table(table)) => {
             noted(source, table, value.span(), path, key, found)
         }
-        (Kind::Texts | Kind::Choices(_), DeValue::Array(items)) => {
+        (Kind::Texts(most) | Kind::Tables(_, most), DeValue::Array(items)) if items.len() > *most => {
+            let message = format!("`{path}` has {} entries", items.len());
+            // A list of tables has no place of its own.
+            let place = items.get(*most).map_or_else(|| value.span(), Spanned::span);
+            found.push(Diagnostic::new(place, message, "too many").help(format!("at most {most} are taken")));
+            None
+        }
+        (Kind::Texts(_) | Kind::Choices(_), DeValue::Array(items)) => {
             let mut texts: Vec<(String, Range<usize>)> = Vec::new();
             for item in items {
                 let allowed = |text: &str| match key.kind {
@@ -463,7 +470,7 @@ fn check_value(
             }
             Some(Value::Texts(texts))
         }
-        (Kind::Tables(keys), DeValue::Array(items)) => {
+        (Kind::Tables(keys, _), DeValue::Array(items)) => {
             let mut tables = Vec::new();
             for item in items {
                 if let DeValue::Table(table) = item.get_ref() {
@@ -760,9 +767,9 @@ fn wanted(key: &Key) -> String {
             format!("a number with a unit such as \"1 {}\"", symbol.display.name)
         }
         Kind::Table(_) => "a table".to_owned(),
-        Kind::Texts => "a list of texts".to_owned(),
+        Kind::Texts(_) => "a list of texts".to_owned(),
         Kind::Choices(choices) => format!("a list of {}, none twice", choices.join(", ")),
-        Kind::Tables(_) => "a list of tables".to_owned(),
+        Kind::Tables(..) => "a list of tables".to_owned(),
         Kind::Quantities(symbol, _, [least, most]) => {
             let unit = symbol.display.name;
             let count = if least == most {
@@ -785,9 +792,9 @@ fn example(key: &Key) -> String {
             format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text)
         }
         Kind::Table(_) => format!("a table [{}]  ({})", key.name, key.text),
-        Kind::Texts => format!("{} = [\"...\"]  ({})", key.name, key.text),
+        Kind::Texts(_) => format!("{} = [\"...\"]  ({})", key.name, key.text),
         Kind::Choices(choices) => format!("{} = [\"{}\"]", key.name, choices[0]),
-        Kind::Tables(_) => format!("tables [[{}]]  ({})", key.name, key.text),
+        Kind::Tables(..) => format!("tables [[{}]]  ({})", key.name, key.text),
         Kind::Quantities(symbol, _, [_, most]) => {
             let each = vec![format!("\"... {}\"", symbol.display.name); most];
             format!("{} = [{}]  ({})", key.name, each.join(", "), key.text)
@@ -837,11 +844,11 @@ fn property(key: &Key) -> Json {
             });
             json!({ "anyOf": [value, noted] })
         }
-        Kind::Texts => json!({ "type": "array", "items": { "type": "string" } }),
+        Kind::Texts(most) => json!({ "type": "array", "items": { "type": "string" }, "maxItems": most }),
         Kind::Choices(choices) => {
             json!({ "type": "array", "items": { "type": "string", "enum": choices }, "uniqueItems": true })
         }
-        Kind::Tables(keys) => json!({ "type": "array", "items": json_schema(keys) }),
+        Kind::Tables(keys, most) => json!({ "type": "array", "items": json_schema(keys), "maxItems": most }),
         Kind::Table(keys) => json_schema(keys),
     };
     let limits = key.number().map_or_else(String::new, |(symbol, sign)| {

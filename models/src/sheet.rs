@@ -49,12 +49,12 @@ pub struct Sheet {
     pub balance: Option<Balance>,
     /// The mechanism in motion; `None` where it stands as commanded.
     pub motion: Option<InMotion>,
+    /// See [`assumptions`].
+    pub assumptions: Vec<&'static str>,
 }
 
 /// The mechanism in motion: its equations at one instant of a run, and the run.
 pub struct InMotion {
-    /// Ids of the sentences that say what is modelled, and how.
-    pub assumptions: Vec<&'static str>,
     /// At which instant the formulas are worked out: id of what makes it one, and when it is, in s.
     pub instant: (&'static str, f64),
     /// Which of several bodies the formulas speak of, numbered from 1.
@@ -139,6 +139,15 @@ pub fn sheet(scene: &Scene) -> Sheet {
         sheet.inputs.insert(last + 1, gravity);
     }
     sheet
+}
+
+/// Ids of the sentences that say at which level a scene is modelled, and what its model takes for granted.
+#[must_use]
+pub fn assumptions(scene: &Scene) -> Vec<&'static str> {
+    match &scene.mechanism {
+        Mechanism::Luffing(luffing) => lemniscate::sheet::assumptions(luffing),
+        Mechanism::Steering(steering) => steering::sheet::assumptions(steering),
+    }
 }
 
 /// The chapter of inputs with the loads.

@@ -2,15 +2,49 @@
 
 use lemnis_fmu::instance::strings;
 use lemnis_fmu::layout::{self, Place};
-use lemnis_models::model::{Enumeration, Model, Role, Type, Variable};
+use lemnis_models::model::{Enumeration, Model, Role, TIME, Type, Variable};
 use lemnis_models::scene::Scene;
+use lemnis_models::sheet::assumptions;
+use lemnis_models::symbol::Symbol;
 use minijinja::value::Serde;
-use minijinja::{Environment, UndefinedBehavior, context};
+use minijinja::{Environment, HtmlEscape, UndefinedBehavior, context};
 use serde::Serialize;
 
 use crate::book::Error;
+use crate::language::{Language, Words, symbol_tables};
 
 const TEMPLATE: &str = include_str!("../../templates/index.html");
+
+/// The default experiment.
+#[derive(Serialize)]
+struct Experiment {
+    coordinate: String,
+    /// Where the coordinate starts, and where the working range ends.
+    from: String,
+    to: String,
+    /// In s.
+    lasts: String,
+    step: String,
+    /// Whether the coordinate is an input, and so runs by itself until it is set.
+    swept: bool,
+    /// Whether something moves by equations of motion.
+    solved: bool,
+}
+
+fn experiment(scene: &Scene, model: &Model) -> Experiment {
+    let coordinate = model.variables()[0];
+    let range = scene.mechanism.motion();
+    let second = |time: f64| TIME.written(time);
+    Experiment {
+        coordinate: coordinate.name(),
+        from: coordinate.symbol.written(range.from),
+        to: coordinate.symbol.written(range.to),
+        lasts: second(model.stop_time()),
+        step: second(model.step_size()),
+        swept: coordinate.role == Role::Input,
+        solved: model.states() > 0,
+    }
+}
 
 #[derive(Serialize)]
 struct Row {
@@ -22,6 +56,15 @@ struct Row {
     text: String,
     source: &'static str,
     reference: u32,
+}
+
+/// What an importer may set while the model runs.
+#[derive(Serialize)]
+struct Input {
+    name: String,
+    text: &'static str,
+    /// As it is until it is set.
+    start: String,
 }
 
 #[derive(Serialize)]
@@ -38,6 +81,22 @@ fn numbered(of: &Enumeration) -> String {
         .zip(of.items)
         .map(|(number, (item, _))| format!("{number} {item}"));
     items.collect::<Vec<_>>().join(", ")
+}
+
+/// A sentence of the books as HTML: what stands there in Typst's mathematics is a variable of the FMU, by its name.
+fn html(sentence: &str, symbols: &[&[&'static Symbol]]) -> String {
+    let name = |print: &str| {
+        let known = symbols
+            .iter()
+            .flat_map(|table| *table)
+            .find(|symbol| symbol.print == print);
+        known.map_or_else(|| print.to_owned(), |symbol| symbol.id.to_owned())
+    };
+    let part = |(i, part): (usize, &str)| match i % 2 {
+        0 => HtmlEscape(part).to_string(),
+        _ => format!("<code>{}</code>", HtmlEscape(&name(part))),
+    };
+    sentence.split('$').enumerate().map(part).collect()
 }
 
 /// The page as HTML. `book` is the name of the book's file beside it.
@@ -81,13 +140,38 @@ pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
     });
     let terminals: Vec<Terminal> = terminals.collect();
     let [version, hash] = strings(scene);
+    let english = Words::new(Language::find("en").expect("known"), None, None).map_err(Error)?;
+    let sentence = |id| {
+        let words = english.get("assumption", id).map_err(Error)?;
+        Ok(html(words, symbol_tables(scene.mechanism.id())))
+    };
+    let assumptions = assumptions(scene).into_iter().map(sentence);
+    let assumptions: Vec<String> = assumptions.collect::<Result<_, Error>>()?;
+    let mut now = model.clone();
+    let input = |(index, variable): (usize, &Variable)| {
+        let value = now.get(index).map_err(|fault| Error(fault.message))?;
+        Ok(Input {
+            name: variable.name(),
+            text: variable.symbol.text,
+            start: match variable.kind {
+                Type::Enumeration(of) => of.items.get(value as usize - 1).map_or("", |(item, _)| item).to_owned(),
+                _ => variable.symbol.written(value),
+            },
+        })
+    };
+    let inputs = variables
+        .iter()
+        .enumerate()
+        .filter(|(_, variable)| variable.role == Role::Input);
+    let inputs: Vec<Input> = inputs.map(input).collect::<Result<_, Error>>()?;
+    let experiment = experiment(scene, &model);
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
     // The name's ending turns on escaping for HTML.
     let made = environment.add_template("index.html", TEMPLATE).and_then(|()| {
         environment.get_template("index.html")?.render(context! {
-            title => scene.title(), name => scene.name(), version, hash, book, stop => model.stop_time(),
-            coordinate => variables[0].name(),
+            title => scene.title(), name => scene.name(), version, hash, book, level => scene.level(), assumptions,
+            experiment => Serde(experiment), inputs => Serde(inputs),
             variables => Serde(rows), terminals => Serde(terminals),
         })
     });

@@ -123,7 +123,7 @@ impl Language {
 }
 
 /// The symbols of each mechanism, by the scene's name for it.
-const SYMBOLS: [(&str, &[&[&Symbol]]); 2] = [
+static SYMBOLS: [(&str, &[&[&Symbol]]); 2] = [
     (
         "luffing",
         &[
@@ -145,6 +145,12 @@ const SYMBOLS: [(&str, &[&[&Symbol]]); 2] = [
         ],
     ),
 ];
+
+/// The tables of symbols of a mechanism, by the scene's name for it.
+pub(crate) fn symbol_tables(mechanism: &str) -> &'static [&'static [&'static Symbol]] {
+    let known = SYMBOLS.iter().find(|(name, _)| *name == mechanism);
+    known.map_or(&[], |(_, tables)| tables)
+}
 
 /// The group of words for a mechanism's symbols.
 pub(crate) fn symbols(mechanism: &str) -> &'static str {

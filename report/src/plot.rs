@@ -121,6 +121,16 @@ fn unit(from: Point, to: Point) -> Point {
 
 /// Usual scales of drawings, 1 : n.
 const SCALES: [u32; 15] = [10, 15, 20, 25, 50, 75, 100, 150, 200, 250, 300, 400, 500, 750, 1000];
+
+/// All scales, so that anything that a scene may describe fits on its page: a drawing that is larger makes Typst cut the
+/// dashes of a line that is kilometres long.
+fn scales() -> impl Iterator<Item = u32> {
+    let next = (1..=6).flat_map(|power| SCALES[7..].iter().map(move |scale| scale * 10_u32.pow(power)));
+    SCALES.into_iter().chain(next)
+}
+
+/// The smallest scale, 1 : n.
+const SMALLEST: u32 = 1_000_000_000;
 /// Largest size of a drawing on a page of its own.
 pub const PAGE: Point = [166.0, 190.0];
 /// Room around a drawing for labels and supports.
@@ -140,7 +150,7 @@ pub fn drawing(drawing: &Drawing, largest: Point) -> Picture {
     let size =
         |scale: u32| [0, 1].map(|axis| (high[axis] - low[axis]) * 1000.0 / f64::from(scale) + 2.0 * MARGIN[axis]);
     let fits = |scale: &u32| size(*scale)[0] <= largest[0] && size(*scale)[1] <= largest[1];
-    let scale = SCALES.into_iter().find(fits).unwrap_or(SCALES[SCALES.len() - 1]);
+    let scale = scales().find(fits).unwrap_or(SMALLEST);
     let millimetres = 1000.0 / f64::from(scale);
     let place = |p: Point| {
         [

@@ -247,12 +247,12 @@ impl Draw {
             Kind::Date => "2026-02-28".into(),
             Kind::Choice(choices) => self.pick(choices).into(),
             Kind::Table(keys) => self.table(keys).into(),
-            Kind::Texts => Value::Array(Vec::new()),
+            Kind::Texts(_) => Value::Array(Vec::new()),
             Kind::Choices(choices) => {
                 let chosen: Vec<&str> = choices.iter().copied().filter(|_| self.coin(0.3)).collect();
                 chosen.into()
             }
-            Kind::Tables(keys) => {
+            Kind::Tables(keys, _) => {
                 let tables = (0..self.rng.u32(0..3)).map(|_| self.table(keys).into());
                 Value::Array(tables.collect())
             }
@@ -338,7 +338,7 @@ impl Draw {
         let deeper = self.coin(0.95);
         let value = match (&key.kind, table.get_mut(key.name)) {
             (Kind::Table(keys), Some(Value::Table(inner))) if deeper => return self.spoil(keys, inner),
-            (Kind::Tables(keys), Some(Value::Array(list))) if deeper && !list.is_empty() => {
+            (Kind::Tables(keys, _), Some(Value::Array(list))) if deeper && !list.is_empty() => {
                 let at = self.rng.usize(0..list.len());
                 match list[at].as_table_mut() {
                     Some(inner) => return self.spoil(keys, inner),

@@ -57,7 +57,7 @@ pub static KEYS: &[Key] = &[
     .optional(),
     Key {
         name: "candidates",
-        kind: Kind::Tables(CANDIDATE),
+        kind: Kind::Tables(CANDIDATE, 100),
         required: false,
         text: "Levers that the book compares.",
     },

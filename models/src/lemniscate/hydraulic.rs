@@ -94,7 +94,9 @@ impl<const N: usize> Present<N> {
     /// Takes over the first states from outside; what the solver knew ahead is dropped.
     pub fn set_states(&mut self, values: &[f64]) {
         let mut y = self.run.states();
-        y[..values.len()].copy_from_slice(values);
+        for (state, value) in y.iter_mut().zip(values) {
+            *state = *value;
+        }
         self.run.restart(y, FIRST);
     }
 }

@@ -55,6 +55,7 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         });
     Sheet {
         motion: motion_in_time,
+        assumptions: assumptions(luffing),
         inputs: inputs(scene, luffing),
         constants: constants(luffing),
         views: Vec::new(),
@@ -84,6 +85,42 @@ pub fn sheet(scene: &Scene, luffing: &Luffing) -> Sheet {
         remarks: remarks(luffing),
         balance: balance::balance(&mut model, luffing, &geometry, balance.as_ref(), coordinate),
     }
+}
+
+/// Level and assumptions of the model of this mechanism.
+pub(crate) fn assumptions(luffing: &Luffing) -> Vec<&'static str> {
+    let given = |known: bool, id: &'static str| known.then_some(id);
+    let forces = given(luffing.q.is_some(), "forces");
+    let Some(moving) = &luffing.moving else {
+        let level = if luffing.table.is_some() {
+            "level_table"
+        } else {
+            "level_static"
+        };
+        return [Some(level), forces].into_iter().flatten().collect();
+    };
+    let (oil, rope, slews) = (moving.oil.is_some(), moving.rope.is_some(), moving.slewing.is_some());
+    [
+        Some(match (oil, rope) {
+            (true, _) => "level_hydraulic",
+            (false, true) => "level_swing",
+            (false, false) => "level_rigid",
+        }),
+        Some("bodies"),
+        given(luffing.parameters.balance.is_some(), "counterweight"),
+        Some(if rope { "rope" } else { "fixed_load" }),
+        given(rope, "slack"),
+        given(rope, "hoist"),
+        given(slews, "slewing"),
+        given(oil, "oil"),
+        Some(if oil { "creep" } else { "sticking" }),
+        Some(if oil { "buffer" } else { "stops" }),
+        forces,
+        Some(if oil { "solver_rodas" } else { "solver_runge_kutta" }),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// Positions at which the formulas are worked out, with their names: what the

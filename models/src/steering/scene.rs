@@ -10,7 +10,7 @@ use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values, quantity};
 use crate::steering::cylinder::Cylinder;
 use crate::steering::load::{Tyre, share};
-use crate::steering::machine::{Refusal, within};
+use crate::steering::machine::{GROUPS, Refusal, within};
 use crate::steering::mode::{Command, Mode};
 use crate::steering::moving::scene::{FIDELITIES, Moving, TABLES};
 use crate::steering::outputs::{Built, By, Group, Inputs, Parameters};
@@ -60,7 +60,7 @@ pub static KEYS: &[Key] = &[
     Key::quantity(&s::O_CY, Sign::Any).optional(),
     Key {
         name: "groups",
-        kind: Kind::Tables(GROUP),
+        kind: Kind::Tables(GROUP, GROUPS[1]),
         required: true,
         text: "The steered groups; the first one is the base group, whose angle commands.",
     },
@@ -173,7 +173,7 @@ static RANGE: &[Key] = &[
 /// Where a group must not turn.
 const FORBIDDEN: Key = Key {
     name: "forbidden",
-    kind: Kind::Texts,
+    kind: Kind::Texts(20),
     required: false,
     text: "Ranges through which a group must not turn, each by its two ends: \"20 deg, 25 deg\"; a group's own ones take the place of those of all.",
 };
@@ -207,7 +207,7 @@ static RING: &[Key] = &[
     Key::quantity(&s::D_L, Sign::Positive),
     Key {
         name: "catalogue",
-        kind: Kind::Tables(CATALOGUE),
+        kind: Kind::Tables(CATALOGUE, 100),
         required: false,
         text: "Rings with their load curves, from the smallest to the greatest.",
     },
@@ -224,13 +224,13 @@ static CATALOGUE: &[Key] = &[
     Key::quantity(&s::D_L, Sign::Positive),
     Key {
         name: "ring",
-        kind: Kind::Texts,
+        kind: Kind::Texts(100),
         required: true,
         text: "Load curve of the ring, points of force and moment with rising force: \"400 kN, 280 kN.m\".",
     },
     Key {
         name: "bolts",
-        kind: Kind::Texts,
+        kind: Kind::Texts(100),
         required: true,
         text: "Load curve of its bolts, likewise.",
     },

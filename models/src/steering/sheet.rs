@@ -76,6 +76,7 @@ pub fn sheet(scene: &Scene, steering: &Steering) -> Sheet {
         published: Vec::<Comparison>::new(),
         balance: None,
         motion: None,
+        assumptions: assumptions(steering),
         published_source: None,
         summary: summary(steering, &built, pumped),
         sensitivity: Sensitivity {
@@ -974,6 +975,17 @@ fn printed(built: &Built<f64>) -> Option<(Layout<f64>, f64)> {
         }
     }
     Some((layout, worst))
+}
+
+/// Level and assumptions of the model of this machine.
+pub(crate) fn assumptions(steering: &Steering) -> Vec<&'static str> {
+    let level = if steering.moving.is_some() {
+        "level_turning"
+    } else {
+        "level_kinematic"
+    };
+    let resistance = steering.parameters.tyre.map(|_| "resistance");
+    std::iter::once(level).chain(resistance).collect()
 }
 
 fn remarks(steering: &Steering, built: &Built<f64>) -> Vec<&'static str> {

@@ -5,7 +5,7 @@ use lemnis_models::number::{Digits, Number};
 use lemnis_models::sheet;
 use serde::Serialize;
 
-use crate::book::tables::{self, Summary, Table};
+use crate::book::tables::{self, Range, Summary};
 use crate::book::{Figure, json};
 use crate::formula::quantity;
 use crate::language::Language;
@@ -22,7 +22,7 @@ pub(super) struct Balance {
     published_source: Option<String>,
     equilibria: Vec<Equilibrium>,
     curves: Vec<Figure>,
-    range: Table,
+    range: Range,
     table: Vec<Row>,
 }
 
@@ -87,7 +87,7 @@ impl Balance {
                 .iter()
                 .map(|curve| Figure::new(language, curve))
                 .collect(),
-            range: tables::table(language, &balance.range),
+            range: tables::range(language, &balance.range, true),
             table: balance.table.iter().map(|row| Row::new(language, row)).collect(),
         }
     }

@@ -11,8 +11,7 @@ use crate::formula::quantity;
 use crate::language::Language;
 
 #[derive(Serialize)]
-pub(super) struct Motion<'a> {
-    assumptions: &'a [&'static str],
+pub(super) struct Motion {
     /// What makes the instant one, and when it is.
     instant: &'static str,
     at: String,
@@ -59,8 +58,8 @@ struct Energy {
     used: [String; 2],
 }
 
-impl<'a> Motion<'a> {
-    pub(super) fn new(language: &Language, motion: &'a InMotion, notation: &mut Notation) -> Motion<'a> {
+impl Motion {
+    pub(super) fn new(language: &Language, motion: &InMotion, notation: &mut Notation) -> Motion {
         let value = |&(symbol, value): &(&'static Symbol, f64)| Value {
             quantity: symbol.into(),
             value: quantity(language, symbol, value),
@@ -78,7 +77,6 @@ impl<'a> Motion<'a> {
             notation.meet(symbol);
         }
         Motion {
-            assumptions: &motion.assumptions,
             instant: motion.instant.0,
             at: time(motion.instant.1),
             of: motion.of,

@@ -128,16 +128,20 @@ pub(super) struct Range {
 const MANY: usize = 50;
 /// Of a longer one, one row in so many.
 const ONE_IN: usize = 5;
+/// The most rows that are printed of any table: nobody reads more, and each takes a tenth of a megabyte of memory.
+const MOST: usize = 1000;
 
 /// The rows to print, with the first and the last, and one in how many they are where some are left out.
 fn sparse<T>(rows: Vec<T>, full: bool) -> (Vec<T>, Option<usize>) {
-    if full || rows.len() <= MANY {
+    let usual = if full || rows.len() <= MANY { 1 } else { ONE_IN };
+    let one_in = usual.max(rows.len().div_ceil(MOST));
+    if one_in == 1 {
         return (rows, None);
     }
     let last = rows.len() - 1;
-    let printed = |i: usize| i.is_multiple_of(ONE_IN) || i == last;
+    let printed = |i: usize| i.is_multiple_of(one_in) || i == last;
     let rows = rows.into_iter().enumerate().filter(|(i, _)| printed(*i));
-    (rows.map(|(_, row)| row).collect(), Some(ONE_IN))
+    (rows.map(|(_, row)| row).collect(), Some(one_in))
 }
 
 pub(super) fn range(language: &Language, table: &sheet::Table, full: bool) -> Range {

@@ -214,7 +214,6 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
     }
     let (checks, warned) = (run.checks(luffing, moving), run.warned());
     let motion = InMotion {
-        assumptions: assumptions(luffing, moving),
         instant: (instant.0, run.instant),
         of: None,
         state,
@@ -227,31 +226,6 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
         events: run.events,
     };
     Some((motion, checks, warned))
-}
-
-/// What the model of this scene takes for granted.
-fn assumptions(luffing: &Luffing, moving: &Moving) -> Vec<&'static str> {
-    let given = |known: bool, id: &'static str| known.then_some(id);
-    let (oil, rope, slews) = (moving.oil.is_some(), moving.rope.is_some(), moving.slewing.is_some());
-    [
-        Some(match (oil, rope) {
-            (true, _) => "level_hydraulic",
-            (false, true) => "level_swing",
-            (false, false) => "level_rigid",
-        }),
-        Some("bodies"),
-        given(luffing.parameters.balance.is_some(), "counterweight"),
-        Some(if rope { "rope" } else { "fixed_load" }),
-        given(rope, "slack"),
-        given(slews, "slewing"),
-        given(oil, "oil"),
-        Some(if oil { "creep" } else { "sticking" }),
-        Some(if oil { "buffer" } else { "stops" }),
-        Some(if oil { "solver_rodas" } else { "solver_runge_kutta" }),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
 }
 
 /// The equations at the model's instant. Each section is recorded from the start and shows its own steps.
