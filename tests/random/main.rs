@@ -105,10 +105,16 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
             outcome.wrong.push(format!("{} = {value} in the summary", symbol.id));
         }
     }
-    // Two independent ways to one result.
+    // Two independent ways to one result. What is only nearly legal may stand at a dead point, where they lose digits;
+    // the energy of a run is found from samples, and the book tells what they leave over: counted.
     for check in &results.sheet.checks {
         if check.symbol.id == "agreement" && !check.passed() {
-            outcome.wrong.push(format!("{} by {:e}", check.id, check.value));
+            let told = format!("{} by {:e}", check.id, check.value);
+            if case.legal && check.id != "motion_energy" {
+                outcome.wrong.push(told);
+            } else {
+                outcome.refused.push(("agreement", told));
+            }
         }
     }
     let _ = (results.json(), results.broken_limits());

@@ -6,6 +6,7 @@ use crate::lemniscate::motion::Commands;
 use crate::lemniscate::moving::level::Inputs;
 use crate::lemniscate::moving::symbols as s;
 use crate::lemniscate::slewing::Drive;
+use crate::lemniscate::symbols as l;
 use crate::motion::degrees;
 use crate::schema::{Key, Sign, Values};
 use crate::symbol::{Symbol, quantities};
@@ -177,6 +178,15 @@ impl Moving {
             return None;
         }
         let balance = v.table("balance");
+        if balance.is_none() && !inert(v, table) {
+            mistake(
+                "dynamics",
+                "neither boom, jib and rocker nor the load have any inertia".to_owned(),
+                "nothing to be accelerated",
+                "give Q, a weight in [luffing.weights] or one of J_1, J_2 and J_3 greater than zero",
+            );
+            return None;
+        }
         if balance.is_some_and(|b| b.text("kind") == Some("lever") && !b.has(balance::symbols::S_5.id)) {
             mistake(
                 "balance",
@@ -284,6 +294,17 @@ impl Moving {
             rope,
         })
     }
+}
+
+/// Whether anything that the linkage moves has inertia; a weight in its bar's foot has none.
+fn inert(v: &Values, dynamics: &Values) -> bool {
+    let positive = |table: &Values, symbol: &Symbol| table.number(symbol.id).is_some_and(|value| value > 0.0);
+    let weighs = |weights: &Values| {
+        let turns = |weight: &Symbol, at: &Symbol| positive(weights, weight) && weights.number(at.id) != Some(0.0);
+        positive(weights, &l::G_2) || turns(&l::G_1, &l::S_1) || turns(&l::G_3, &l::S_3)
+    };
+    let bars = [&s::J_1, &s::J_2, &s::J_3];
+    positive(v, &l::Q) || bars.iter().any(|bar| positive(dynamics, bar)) || v.table("weights").is_some_and(weighs)
 }
 
 /// What slews; whether the load swings on a rope.
