@@ -206,8 +206,10 @@ def test_a_load_is_put_down_and_picked_up(name, end, tmp_path):
             assert off <= 1e-4, (column, i, off)
 
 
-def test_oil_below_vacuum_is_told_everywhere(tmp_path):
+def test_oil_below_vacuum_is_told_everywhere(tmp_path, monkeypatch):
     """By the FMU's logger once in a run, by its truth value while it lasts, on its first page, and on the book's."""
+    # FMPy's proxy for messages with conversions, which these have not, is one for all FMUs and would outlive this logger.
+    monkeypatch.setattr("fmpy.logging.addLoggerProxy", lambda callbacks: None)
     text = scene("hydraulic").replace('u_v   = "0.4"', 'u_v   = "1"')
     (tmp_path / "crane.toml").write_text(text, encoding="utf-8")
     lemnis("build", tmp_path / "crane.toml", "--output", tmp_path)
@@ -489,10 +491,13 @@ def test_a_step_beyond_the_bound_is_refused_and_the_instance_goes_on(level, tmp_
 @pytest.mark.parametrize(("end", "status"), [(".fmu", 2), (".fmi2.fmu", 3)], ids=["FMI 3.0", "FMI 2.0"])
 def test_an_explicit_step_too_long_for_the_motion_is_refused(end, status, tmp_path):
     """A rope of 0.1 m swings with 9.9 rad/s: steps of 0.2 s would give bounded numbers that mean nothing."""
-    text = scene("swing").replace('l_R = "10 m"', 'l_R = "0.1 m"\nstep = "0.2 s"').replace('v_h = "0.05 m/s"\n', "")
+    text = scene("swing").replace('l_R = "10 m"', 'l_R = "10 m"\nstep = "0.2 s"').replace('v_h = "0.05 m/s"\n', "")
     (tmp_path / "crane.toml").write_text(text, encoding="utf-8")
     lemnis("fmu", tmp_path / "crane.toml", "--output", tmp_path)
     slave = Slave(str(tmp_path / f"Crane_swing{end}"), str(tmp_path / "fmu"))
+    slave.fmu.reset()
+    slave.write("l_R", 0.1)
+    slave.initialize()
     states = [slave.references[n] for n in ("theta_1", "omega_1", "phi_R", "omega_R")]
     before = list(slave.get(states))
     with pytest.raises(FMICallException) as refused:
