@@ -177,10 +177,10 @@ impl Drop for Instance<'_> {
     }
 }
 
-// SAFETY: in all calls the types are those of the standard, and the arrays have the lengths given.
 impl Run for Instance<'_> {
     fn start(&mut self) -> Said<()> {
         let (fmu, c) = (self.fmu, self.component);
+        // SAFETY: the types are those of the standard, and the arrays have the lengths given.
         let entered = unsafe {
             if self.second {
                 fmu.function::<Setup2>("fmi2SetupExperiment")(c, 0, 0.0, 0.0, 0, 0.0)
@@ -195,6 +195,7 @@ impl Run for Instance<'_> {
         } else {
             "fmi3ExitInitializationMode"
         };
+        // SAFETY: the types are those of the standard, and the arrays have the lengths given.
         let left = unsafe { fmu.function::<Call>(name)(c) };
         self.said(left)
     }
@@ -202,6 +203,7 @@ impl Run for Instance<'_> {
     fn set(&mut self, index: usize, value: f64) -> Said<()> {
         let (fmu, c, reference) = (self.fmu, self.component, Self::reference(index));
         let real = self.variables[index].kind == Type::Real;
+        // SAFETY: the types are those of the standard, and the arrays have the lengths given.
         let status = unsafe {
             match (self.second, real) {
                 (true, true) => fmu.function::<Set2<f64>>("fmi2SetReal")(c, &reference, 1, &value),
@@ -217,6 +219,7 @@ impl Run for Instance<'_> {
         let (fmu, c, reference) = (self.fmu, self.component, Self::reference(index));
         let (mut real, mut truth) = (f64::NAN, [0_u8; 4]);
         let (mut count_2, mut count_3) = (0_i32, 0_i64);
+        // SAFETY: the types are those of the standard, and the arrays have the lengths given.
         let (status, value) = unsafe {
             match (self.second, self.variables[index].kind) {
                 (true, Type::Real) => {
@@ -257,6 +260,7 @@ impl Run for Instance<'_> {
         let (fmu, c) = (self.fmu, self.component);
         let (mut flags, mut last) = ([0_u8; 3], f64::NAN);
         let [event, terminate, early] = &mut flags;
+        // SAFETY: the types are those of the standard, and the arrays have the lengths given.
         let status = unsafe {
             if self.second {
                 fmu.function::<DoStep2>("fmi2DoStep")(c, at, size, 1)

@@ -132,12 +132,13 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
     if number.is_multiple_of(BOOK) {
         book(&scene, &results, number, outcome);
     }
-    if number.is_multiple_of(TRADE) && length < QUICK {
-        if let Err(failure) = Trade::new(&scene, SAMPLE, 0, &|| ()) {
-            let message = failure.to_string();
-            read(&message, "message", &mut outcome.wrong);
-            outcome.refused.push(("trade", message));
-        }
+    if number.is_multiple_of(TRADE)
+        && length < QUICK
+        && let Err(failure) = Trade::new(&scene, SAMPLE, 0, &|| ())
+    {
+        let message = failure.to_string();
+        read(&message, "message", &mut outcome.wrong);
+        outcome.refused.push(("trade", message));
     }
 }
 

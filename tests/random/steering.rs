@@ -14,8 +14,11 @@ use crate::scene::{Draw, Node};
 /// A result that every level has.
 pub const RESULT: (&str, &Symbol) = ("theta[1]", &s::THETA);
 
+/// A key with the least and the greatest value that makes sense.
+type Limits = (&'static str, f64, f64);
+
 /// Quantities (SI) of no machine's size, with the least and the greatest that make sense.
-const RANGES: &[(&str, &[(&str, f64, f64)])] = &[
+const RANGES: &[(&str, &[Limits])] = &[
     ("tyre", &[("f_t", 0.0, 2.0), ("p_t", 1e5, 9e6), ("k_v", 1.0, 10.0)]),
     (
         "ring",
