@@ -28,6 +28,10 @@ const SAMPLES: [f64; 2] = [2000.0, 20_000.0];
 const HALVINGS: u32 = 6;
 const LEFT: f64 = 1e-6;
 
+/// Right-hand sides that a run may cost: for each of its samples, and for each of the longest steps of its solver. A
+/// load that a hoist draws to the head turns about it ever faster.
+const RATES: [f64; 2] = [200.0, 20.0];
+
 /// How many samples there are for each look at the energy of motion, which is but a size.
 const KINETIC: u32 = 16;
 
@@ -445,6 +449,13 @@ fn sum(parts: &[(&Powers, f64)]) -> Powers {
     }
 }
 
+/// What a run may cost: halvings from now on, without which what is left over goes to the energy's rest, which is
+/// checked; and right-hand sides since the model is there, without which the run ends.
+struct Budget {
+    halvings: u32,
+    rates: f64,
+}
+
 /// Moves the model on and returns the works on the way, with powers and energy (J) at its end.
 fn advance(
     model: &mut Model,
@@ -452,7 +463,11 @@ fn advance(
     before: &(Powers, f64),
     turned_over: f64,
     halvings: u32,
+    budget: &mut Budget,
 ) -> Option<(Powers, (Powers, f64))> {
+    if f64::from(model.count().rates) > budget.rates {
+        return None;
+    }
     let (start, time) = (model.state(), to - from);
     let middle = f64::midpoint(from, to);
     if halvings == 0 {
@@ -466,12 +481,15 @@ fn advance(
     let after = model.powers().ok()?;
     let weights = [(&before.0, time / 6.0), (&half.0, time / 1.5), (&after.0, time / 6.0)];
     let (work, gain) = (sum(&weights), after.1 - before.1);
-    if (net(&work) - gain).abs() <= LEFT * (turned_over + turnover(&work)) + rounding(before.1, after.1) {
+    let left = (net(&work) - gain).abs();
+    let found = left <= LEFT * (turned_over + turnover(&work)) + rounding(before.1, after.1);
+    if found || budget.halvings == 0 {
         return Some((work, after));
     }
+    budget.halvings -= 1;
     model.set_state(&start);
-    let (first, half) = advance(model, [from, middle], before, turned_over, halvings - 1)?;
-    let (second, after) = advance(model, [middle, to], &half, turned_over, halvings - 1)?;
+    let (first, half) = advance(model, [from, middle], before, turned_over, halvings - 1, budget)?;
+    let (second, after) = advance(model, [middle, to], &half, turned_over, halvings - 1, budget)?;
     Some((sum(&[(&first, 1.0), (&second, 1.0)]), after))
 }
 
@@ -511,6 +529,10 @@ impl Run {
         let (first, mut powers) = (look(model)?, model.powers().ok()?);
         // Steps of the explicit solver are those of the samples.
         let halvings = if moving.oil.is_some() { HALVINGS } else { 0 };
+        let mut budget = Budget {
+            halvings: samples,
+            rates: RATES[0] * f64::from(samples) + RATES[1] * wanted,
+        };
         let mut run = Run {
             sample,
             series: first.iter().map(|&value| vec![value]).collect(),
@@ -537,7 +559,7 @@ impl Run {
         for i in 0..samples {
             let (from, to) = (f64::from(i) * sample, f64::from(i + 1) * sample);
             let turned_over = turnover(&run.energy.work);
-            let step = advance(model, [from, to], &powers, turned_over, halvings);
+            let step = advance(model, [from, to], &powers, turned_over, halvings, &mut budget);
             let Some(((work, now), values)) = step.zip(look(model)) else {
                 run.events.push((from, "run_ends"));
                 break;
