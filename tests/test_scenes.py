@@ -3,6 +3,9 @@
 import csv
 import json
 import math
+import os
+import re
+import subprocess
 import tomllib
 
 import numpy as np
@@ -10,7 +13,7 @@ import pytest
 from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 
-from conftest import ROOT, lemnis
+from conftest import LEMNIS, ROOT, lemnis
 
 DEFAULT = (ROOT / "models/scenes/lemniscate.toml").read_text(encoding="utf-8")
 BARE = DEFAULT[: DEFAULT.index("[luffing.weights]")]
@@ -77,6 +80,32 @@ def test_scene_builds_and_runs(name, tmp_path):
             assert np.isfinite(result[variable]).all(), variable
         for variable in variables:
             assert not np.isnan(result[variable]).any(), variable
+
+
+@pytest.mark.parametrize("number", range(20))
+def test_random_scene_runs_in_fmpy(number, tmp_path):
+    """All random scenes run as models and through the C ABI (tests/random); these here too, for twenty steps."""
+    command = ["cargo", "test", "-q", "--release", "--workspace", "--test", "random_scenes", "--", "--nocapture"]
+    told = subprocess.run(command, cwd=ROOT, env=dict(os.environ, LEMNIS_SCENE=str(number)), check=True,
+                          capture_output=True, encoding="utf-8").stdout
+    text = re.search(r"running 1 test\n(.*?)^(?: +\d+ |seed )", told, re.DOTALL | re.MULTILINE)[1]
+    scene = tmp_path / "scene.toml"
+    scene.write_text(text, encoding="utf-8")
+    done = subprocess.run([LEMNIS, "fmu", scene, "--output", tmp_path], capture_output=True, encoding="utf-8")
+    if done.returncode != 0:
+        assert "; 0 legal" in told and re.search(r"^ +--> ", done.stderr, re.MULTILINE) and "panic" not in done.stderr, done.stderr
+        return
+    for path in map(str, tmp_path.glob("*.fmu")):
+        assert validate_fmu(path) == []
+        description = read_model_description(path)
+        outputs = [v.name for v in description.modelVariables if v.causality == "output"]
+        step = float(description.defaultExperiment.stepSize)
+        for interface in ("CoSimulation", "ModelExchange"):
+            result = simulate_fmu(path, fmi_type=interface, stop_time=20 * step, step_size=step,
+                                  output_interval=step, output=outputs)
+            assert len(result) > 20
+            for output in outputs:
+                assert not np.isnan(result[output]).any(), (interface, output)
 
 
 def test_csv_has_the_numbers_of_json_in_the_units_of_the_trade():
