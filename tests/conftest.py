@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,15 @@ def lemnis(*arguments, expect=0):
     done = subprocess.run([str(LEMNIS), *map(str, arguments)], capture_output=True, text=True, encoding="utf-8")
     assert done.returncode == expect, done.stderr
     return done.stdout if expect == 0 else done.stderr
+
+
+def words(language):
+    """The words of a language, in groups, from the files of all components."""
+    groups = {}
+    for path in (ROOT / "templates/words" / language).glob("*.toml"):
+        for group, some in tomllib.loads(path.read_text(encoding="utf-8")).items():
+            groups.setdefault(group, {}).update(some)
+    return groups
 
 
 @pytest.fixture(scope="session")

@@ -295,7 +295,10 @@ def test_pdf_a_on_request(tmp_path):
 
 def test_exported_templates_make_the_same_book_and_are_never_overwritten(standard, tmp_path):
     lemnis("templates", "export", tmp_path / "own")
-    assert (tmp_path / "own/words/en.toml").read_bytes() == (ROOT / "templates/words/en.toml").read_bytes()
+    words = sorted(path.relative_to(ROOT / "templates") for path in ROOT.glob("templates/words/*/*.toml"))
+    assert len(words) >= 3 and words == sorted(path.relative_to(tmp_path / "own") for path in tmp_path.glob("own/words/*/*"))
+    for path in words:
+        assert (tmp_path / "own" / path).read_bytes() == (ROOT / "templates" / path).read_bytes()
     again = book(tmp_path, scene(tmp_path), "--templates", tmp_path / "own")
     assert again.read_bytes() == standard.read_bytes()
     assert "exists already" in lemnis("templates", "export", tmp_path / "own", expect=3)
@@ -303,14 +306,15 @@ def test_exported_templates_make_the_same_book_and_are_never_overwritten(standar
 
 def test_a_part_is_overridden_and_the_original_within_reach(tmp_path):
     own = tmp_path / "own"
-    (own / "words").mkdir(parents=True)
+    (own / "words/en").mkdir(parents=True)
     (own / "logo.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"><rect width="40" height="20"/></svg>')
     (own / "title.typ").write_text('#image("logo.svg", width: 30mm, alt: "logo")\nCranes & Sons\n<% include "lemnis/title.typ" %>\n'.replace("&", "and"))
     (own / "style.typ").write_text('<% include "lemnis/style.typ" %>\n#set page(paper: "us-letter")\n')
-    (own / "words/en.toml").write_text('[chapter]\nresults = "Verdict"\n')
+    (own / "words/en/common.toml").write_text('[chapter]\nresults = "Verdict"\n')
+    (own / "words/en/house.toml").write_text('[luffing]\nsubtitle = "Sums of the level-luffing mechanism"\n')
     made = book(tmp_path, "--templates", own, "--level", "summary")
     text = text_of(made)[0]
-    assert "Cranes and Sons" in text and "Calculation of the level-luffing mechanism" in text and "1 Verdict" in text
+    assert "Cranes and Sons" in text and "Sums of the level-luffing mechanism" in text and "1 Verdict" in text
     assert pypdf.PdfReader(made).pages[0].mediabox.width == 612
 
 
@@ -319,7 +323,7 @@ def test_a_part_is_overridden_and_the_original_within_reach(tmp_path):
     ("results.typ", '\n\n{{ word("chapter", "gone") }}', "results.typ:3: no words for chapter.gone"),
     ("range.typ", "\n<% for %>", "range.typ:2: "),
     ("results.typ", "#unknown", "unknown variable: unknown"),
-    ("words/en.toml", "[text\n", "words/en.toml: TOML parse error at line 1"),
+    ("words/en/common.toml", "[text\n", "words/en/common.toml: TOML parse error at line 1"),
 ])
 def test_a_mistake_in_a_template_is_named_with_its_place(name, content, message, tmp_path):
     path = tmp_path / "own" / name
@@ -329,6 +333,16 @@ def test_a_mistake_in_a_template_is_named_with_its_place(name, content, message,
     assert message in error
     if not message.startswith("unknown"):
         assert str(path) in error
+    assert not list(tmp_path.glob("*.pdf"))
+
+
+@pytest.mark.parametrize("name", ["words/en.toml", "words/fr/common.toml"])
+def test_words_that_no_language_reads_are_refused(name, tmp_path):
+    path = tmp_path / "own" / name
+    path.parent.mkdir(parents=True)
+    path.write_text('[chapter]\nresults = "Verdict"\n')
+    error = lemnis("book", "--templates", tmp_path / "own", "--output", tmp_path, expect=3)
+    assert error == f"error: {path} is read by no language: words stand in the folders words/en/, words/zh/, words/bg/\n"
     assert not list(tmp_path.glob("*.pdf"))
 
 

@@ -14,7 +14,7 @@ from fmpy import read_model_description, simulate_fmu
 from fmpy.fmi1 import FMICallException
 from lxml import etree
 
-from conftest import ROOT, lemnis
+from conftest import ROOT, lemnis, words
 from test_fmpy import Slave
 from test_levels import LEVELS, scene
 
@@ -79,7 +79,7 @@ def test_the_documentation(fmu):
         assert name == "time" or name in page.words, name
 
 
-WORDS = tomllib.loads((ROOT / "templates/words/en.toml").read_text(encoding="utf-8"))["assumption"]
+WORDS = words("en")["assumption"]
 # What must be said of each level, and what would be wrong.
 SAID = {
     "table": ({"level_table", "forces"}, {"level_static", "sticking", "oil"}),

@@ -2,12 +2,11 @@
 
 import re
 import subprocess
-import tomllib
 
 import pypdf
 import pytest
 
-from conftest import LEMNIS, ROOT
+from conftest import LEMNIS, ROOT, words
 
 # As the publications write them: Chinese in [Li2022], Bulgarian in [Balance004] and the trade.
 TERMS = {
@@ -100,8 +99,7 @@ def test_every_ready_made_scene_has_a_book_in_every_language(path, language, tmp
     text = text_of(pypdf.PdfReader(book(tmp_path, path, "--language", language)))
     if language != "en":
         # English are only what the scene says, names, publications, functions and, in quotation marks, levels.
-        words = tomllib.loads((ROOT / f"templates/words/{language}.toml").read_text(encoding="utf-8"))
-        known = path.read_text(encoding="utf-8") + " ".join(words["reference"].values()) + "Lemnis arccos arcsin arctan toml"
+        known = path.read_text(encoding="utf-8") + " ".join(words(language)["reference"].values()) + "Lemnis arccos arcsin arctan toml"
         text = re.sub("[“„][a-z]+[”“]", "", text)
         english = set(re.findall(r"\b[A-Za-z]{4,}\b", text)) - set(re.findall(r"[A-Za-z]+", known))
         assert not english

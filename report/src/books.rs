@@ -341,7 +341,7 @@ pub fn export(folder: &Path) -> Result<(), Failure> {
         }
     }
     for (name, text) in originals() {
-        let path = folder.join(&name);
+        let path = folder.join(name);
         let name = path.file_name().expect("a file").to_string_lossy().into_owned();
         let bytes = text.as_bytes().to_vec();
         write(path.parent().unwrap_or(folder), &[Output { name, bytes }])?;

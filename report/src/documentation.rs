@@ -140,7 +140,7 @@ pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
     });
     let terminals: Vec<Terminal> = terminals.collect();
     let [version, hash] = strings(scene);
-    let english = Words::new(Language::find("en").expect("known"), None, None).map_err(Error)?;
+    let english = Words::new(Language::find("en").expect("known"), [], None).map_err(Error)?;
     let sentence = |id| {
         let words = english.get("assumption", id).map_err(Error)?;
         Ok(html(words, symbol_tables(scene.mechanism.id())))

@@ -5,6 +5,8 @@
 //! have their international symbols, as standards and publications in all
 //! three languages write them.
 
+use std::collections::BTreeMap;
+
 use lemnis_models::number::Number;
 use lemnis_models::steering::moving::scene::{Body, Oil, Plc};
 use lemnis_models::symbol::Symbol;
@@ -14,13 +16,38 @@ use crate::template::escape;
 
 pub(crate) const REFERENCES: &str = include_str!("../../templates/references.toml");
 
+/// The files of words of a language: what every book says, and what only one component does. A new component is one line
+/// here, the same for every language.
+macro_rules! words {
+    ($language:literal) => {
+        words![
+            $language:
+            "common",
+            "luffing",
+            "double_link",
+            "motion",
+            "balance",
+            "synthesis",
+            "steering",
+            "trade",
+        ]
+    };
+    ($language:literal: $($component:literal),* $(,)?) => {
+        &[$((
+            concat!("words/", $language, "/", $component, ".toml"),
+            include_str!(concat!("../../templates/words/", $language, "/", $component, ".toml")),
+        )),*]
+    };
+}
+
 /// A language that books can be written in.
 #[derive(Debug)]
 pub struct Language {
     /// ISO 639-1, as in scenes and on the command line.
     pub code: &'static str,
     decimal: char,
-    pub(crate) words: &'static str,
+    /// Its files of words: paths among the templates, and texts.
+    pub(crate) words: &'static [(&'static str, &'static str)],
 }
 
 /// Every language, the default first.
@@ -28,17 +55,17 @@ pub static LANGUAGES: [Language; 3] = [
     Language {
         code: "en",
         decimal: '.',
-        words: include_str!("../../templates/words/en.toml"),
+        words: words!("en"),
     },
     Language {
         code: "zh",
         decimal: '.',
-        words: include_str!("../../templates/words/zh.toml"),
+        words: words!("zh"),
     },
     Language {
         code: "bg",
         decimal: ',',
-        words: include_str!("../../templates/words/bg.toml"),
+        words: words!("bg"),
     },
 ];
 
@@ -56,9 +83,9 @@ impl Language {
         LANGUAGES.iter().find(|language| language.code == code)
     }
 
-    /// Its words, by their path among the templates.
-    pub(crate) fn file(&self) -> String {
-        format!("words/{}.toml", self.code)
+    /// Whether a path among the templates is that of words of this language.
+    pub(crate) fn owns(&self, path: &str) -> bool {
+        path.starts_with(&format!("words/{}/", self.code))
     }
 
     /// A number as text of this language: `−4,234 · 10⁻⁷`.
@@ -116,7 +143,7 @@ impl Language {
 
     /// What stands where there is no number.
     fn undefined(&self) -> String {
-        let words = Words::new(self, None, None);
+        let words = Words::new(self, [], None);
         let word = words.and_then(|words| words.get("text", "undefined").map(str::to_owned));
         word.expect("every language has the words of English")
     }
@@ -162,15 +189,21 @@ pub(crate) fn symbols(mechanism: &str) -> &'static str {
 
 /// The words of a language, in groups; Typst markup.
 #[derive(Clone, Debug)]
-pub(crate) struct Words(toml::Table);
+pub(crate) struct Words(Groups);
+
+type Groups = BTreeMap<String, toml::Table>;
 
 impl Words {
     /// The words of a language. English has the meanings of symbols from the
     /// tables of the models, and the publications from their list; the other
     /// languages translate both in groups of their own.
-    /// Single words of the user's own take the place of these.
-    pub(crate) fn new(language: &Language, own: Option<&str>, own_references: Option<&str>) -> Result<Words, String> {
-        let mut words = parse(&language.file(), language.words)?;
+    /// Single words of the user's own files take the place of these.
+    pub(crate) fn new<'a>(
+        language: &Language,
+        own: impl IntoIterator<Item = (&'a str, &'a str)>,
+        own_references: Option<&str>,
+    ) -> Result<Words, String> {
+        let mut words = merged(language.words.iter().copied())?;
         if language.code == LANGUAGES[0].code {
             for (mechanism, tables) in SYMBOLS {
                 let meanings = tables
@@ -178,26 +211,20 @@ impl Words {
                     .flat_map(|table| *table)
                     .filter(|symbol| !matches!(symbol.source, "event" | "state"))
                     .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
-                words.insert(symbols(mechanism).to_owned(), toml::Value::Table(meanings.collect()));
+                words.insert(symbols(mechanism).to_owned(), meanings.collect());
             }
-            words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?.into());
+            words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?);
         }
-        let mut replace = |group: String, own: toml::Table| {
-            if let Some(toml::Value::Table(group)) = words.get_mut(&group) {
+        let mut replace = |group: &str, own: toml::Table| {
+            if let Some(group) = words.get_mut(group) {
                 group.extend(own);
             }
         };
         if let Some(own) = own_references {
-            replace("reference".to_owned(), parse("references.toml", own)?);
+            replace("reference", parse("references.toml", own)?);
         }
-        for (group, own) in parse(&language.file(), own.unwrap_or_default())? {
-            let toml::Value::Table(own) = own else {
-                return Err(format!(
-                    "templates/{}: {group} is not a group of words",
-                    language.file()
-                ));
-            };
-            replace(group, own);
+        for (group, own) in merged(own)? {
+            replace(&group, own);
         }
         Ok(Words(words))
     }
@@ -210,8 +237,26 @@ impl Words {
 
     #[cfg(test)]
     pub(crate) fn of(text: &str) -> Words {
-        Words(text.parse().expect("TOML"))
+        Words(merged([("words.toml", text)]).expect("groups of words"))
     }
+}
+
+/// The groups of several files, each of which may add to any of them; no word stands twice.
+fn merged<'a>(files: impl IntoIterator<Item = (&'a str, &'a str)>) -> Result<Groups, String> {
+    let mut groups = Groups::new();
+    for (name, text) in files {
+        for (id, group) in parse(name, text)? {
+            let toml::Value::Table(group) = group else {
+                return Err(format!("templates/{name}: {id} is not a group of words"));
+            };
+            let words = groups.entry(id.clone()).or_default();
+            if let Some(word) = group.keys().find(|&word| words.contains_key(word)) {
+                return Err(format!("templates/{name}: {id}.{word} stands in another file already"));
+            }
+            words.extend(group);
+        }
+    }
+    Ok(groups)
 }
 
 fn parse(name: &str, text: &str) -> Result<toml::Table, String> {
@@ -229,11 +274,9 @@ mod tests {
     #[test]
     fn every_language_has_the_words_of_english_and_no_others() {
         let keys = |language| -> BTreeSet<String> {
-            let words = Words::new(language, None, None).expect("TOML");
-            let group = |(group, table): (&String, &toml::Value)| {
-                let table = table.as_table().expect("groups only").clone();
-                let group = group.clone();
-                table.into_iter().map(move |(id, word)| {
+            let words = Words::new(language, [], None).expect("TOML");
+            let group = |(group, words): (String, toml::Table)| {
+                words.into_iter().map(move |(id, word)| {
                     assert!(
                         word.as_str().is_some_and(|word| !word.trim().is_empty()),
                         "{group}.{id}"
@@ -241,7 +284,7 @@ mod tests {
                     format!("{group}.{id}")
                 })
             };
-            words.0.iter().flat_map(group).collect()
+            words.0.into_iter().flat_map(group).collect()
         };
         let english = keys(&LANGUAGES[0]);
         assert!(english.len() > 200);
@@ -256,6 +299,50 @@ mod tests {
                 language.code
             );
         }
+    }
+
+    #[test]
+    fn every_language_has_every_word_in_the_same_file() {
+        let names = |(name, text): &(&'static str, &str)| -> (&'static str, BTreeSet<String>) {
+            let groups = merged([(*name, *text)]).expect("TOML");
+            // English has the meanings of symbols and the publications elsewhere.
+            let translated = |group: &str| group.ends_with("symbol") || group == "reference";
+            let words = groups.iter().filter(|(group, _)| !translated(group));
+            let words = words.flat_map(|(group, words)| words.keys().map(move |id| format!("{group}.{id}")));
+            (name.rsplit('/').next().expect("a file"), words.collect())
+        };
+        let [english, others @ ..] = LANGUAGES.each_ref().map(|language| language.words.iter().map(names));
+        let english: BTreeMap<_, _> = english.collect();
+        for other in others {
+            assert_eq!(english, other.collect());
+        }
+    }
+
+    #[test]
+    fn every_file_of_words_is_read() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../templates/");
+        for language in &LANGUAGES {
+            let known: BTreeSet<_> = language.words.iter().map(|(name, _)| (*name).to_owned()).collect();
+            let path = format!("words/{}/", language.code);
+            let files = std::fs::read_dir(format!("{folder}{path}")).expect("a folder for each language");
+            let files = files.map(|file| format!("{path}{}", file.expect("a file").file_name().display()));
+            assert_eq!(files.collect::<BTreeSet<_>>(), known);
+        }
+    }
+
+    #[test]
+    fn a_word_stands_once() {
+        let [first, second] = ["[head]\nat = \"At\"\n[text]\nlang = \"en\"", "[head]\nunit = \"Unit\""];
+        let both = merged([("a.toml", first), ("b.toml", second)]).expect("two words of one group");
+        assert_eq!(both["head"].len(), 2);
+        assert_eq!(
+            merged([("a.toml", first), ("b.toml", second), ("c.toml", first)]),
+            Err("templates/c.toml: head.at stands in another file already".to_owned())
+        );
+        assert_eq!(
+            merged([("a.toml", "head = 1")]),
+            Err("templates/a.toml: head is not a group of words".to_owned())
+        );
     }
 
     #[test]

@@ -276,7 +276,7 @@ mod tests {
 
     #[test]
     fn equations_are_spoken_as_one_reads_them() {
-        let words = Words::new(&LANGUAGES[0], None, None).expect("TOML");
+        let words = Words::new(&LANGUAGES[0], [], None).expect("TOML");
         for (equation, spoken) in [
             ("M_Q &= Q Y'_A", "M Q equals Q times Y prime A"),
             (r#"160 thin"kN" dot 0.5 thin"m""#, "160 kN times 0.5 m"),
@@ -310,7 +310,7 @@ mod tests {
 
     #[test]
     fn the_rest_of_the_source_stays_as_it_is() {
-        let words = Words::new(&LANGUAGES[0], None, None).expect("TOML");
+        let words = Words::new(&LANGUAGES[0], [], None).expect("TOML");
         let source = "= A $a$.\n#f(x: $b$, [c $d$]) // $e$\n`$f$`";
         let expected = "= A #say(\"a\")[$a$];.\n#f(x: say(\"b\")[$b$], [c #say(\"d\")[$d$];]) // $e$\n`$f$`";
         assert_eq!(accessible(source, &words).as_deref(), Ok(expected));

@@ -2,7 +2,7 @@
 //! prints it and never runs it; what is Typst already is marked `safe`.
 //!
 //! A user's folder overrides any part: templates by their names, single words
-//! by `words/en.toml` and so on. A template that was overridden can still be
+//! by any file in `words/en/` and so on. A template that was overridden can still be
 //! included or extended as `lemnis/NAME`. All other files of the folder, such as
 //! a logo, can be read by the templates.
 
@@ -57,11 +57,10 @@ const REFERENCES: &str = "references.toml";
 
 /// Everything that a user's folder can override, by its path in it.
 #[must_use]
-pub fn originals() -> Vec<(String, &'static str)> {
-    let templates = TEMPLATES.iter().map(|&(name, text)| (name.to_owned(), text));
-    let words = LANGUAGES.iter().map(|language| (language.file(), language.words));
-    let references = std::iter::once((REFERENCES.to_owned(), crate::language::REFERENCES));
-    templates.chain(words).chain(references).collect()
+pub fn originals() -> Vec<(&'static str, &'static str)> {
+    let words = LANGUAGES.iter().flat_map(|language| language.words);
+    let references = &(REFERENCES, crate::language::REFERENCES);
+    TEMPLATES.iter().chain(words).chain([references]).copied().collect()
 }
 
 /// The templates of books, ready to be filled in.
@@ -95,13 +94,22 @@ impl Templates {
     /// Those of a user's folder over the embedded ones.
     ///
     /// # Errors
-    /// A folder or a file that cannot be read, in words.
+    /// A folder or a file that cannot be read, or words of no language.
     pub fn with_folder(folder: &Path) -> Result<Templates, String> {
         let mut templates = Templates {
             folder: Some(folder.to_owned()),
             ..Templates::embedded()
         };
         templates.read(folder, "")?;
+        let nobodys = |name: &String| name.starts_with("words/") && !LANGUAGES.iter().any(|known| known.owns(name));
+        if let Some(name) = templates.own.keys().find(|name| nobodys(name)) {
+            let languages = LANGUAGES.each_ref().map(|language| format!("words/{}/", language.code));
+            return Err(format!(
+                "{} is read by no language: words stand in the folders {}",
+                folder.join(name).display(),
+                languages.join(", ")
+            ));
+        }
         Ok(templates)
     }
 
@@ -167,7 +175,9 @@ impl Templates {
 
     fn prepare(&self, language: &Language) -> Result<Ready, String> {
         let own = |name: &str| self.own.get(name).map(String::as_str);
-        let words = Words::new(language, own(&language.file()), own(REFERENCES)).map_err(|error| self.place(&error))?;
+        let own_words = self.own.iter().filter(|(name, _)| language.owns(name));
+        let own_words = own_words.map(|(name, text)| (name.as_str(), text.as_str()));
+        let words = Words::new(language, own_words, own(REFERENCES)).map_err(|error| self.place(&error))?;
         let mut environment = environment(words.clone());
         let folder = self.folder.as_deref();
         for (name, source) in TEMPLATES {

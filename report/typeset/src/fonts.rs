@@ -101,18 +101,23 @@ fn each_text(frame: &Frame, visit: &mut impl FnMut(&TextItem)) {
 
 #[cfg(test)]
 mod tests {
+    use std::path::{Path, PathBuf};
+
     use super::*;
 
     /// Of every language, with the meanings of symbols and the publications.
     #[test]
     fn every_character_of_the_words_is_embedded() {
-        for words in [
-            include_str!("../../../templates/words/en.toml"),
-            include_str!("../../../templates/words/zh.toml"),
-            include_str!("../../../templates/words/bg.toml"),
-        ] {
+        let entries = |folder: &Path| -> Vec<PathBuf> {
+            let entries = std::fs::read_dir(folder).expect("a folder of words");
+            entries.map(|entry| entry.expect("an entry").path()).collect()
+        };
+        let languages = entries(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../templates/words")));
+        assert_eq!(languages.len(), 3);
+        for file in languages.iter().flat_map(|language| entries(language)) {
+            let words = std::fs::read_to_string(&file).expect("words");
             for character in words.chars().filter(|c| !c.is_control()) {
-                assert!(Fonts::embedded().have(character), "{character}");
+                assert!(Fonts::embedded().have(character), "{}: {character}", file.display());
             }
         }
     }
