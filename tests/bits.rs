@@ -11,7 +11,8 @@ mod balances;
 mod levels;
 
 use lemnis_fmu::description::{Standard, model_description};
-use lemnis_models::model::{Model, Name, Role, Variable};
+use lemnis_models::model::{Name, Role, Variable};
+use lemnis_models::registry::dependencies;
 use lemnis_models::scene::{DEFAULT, Scene};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -103,7 +104,7 @@ fn name((id, number): Name) -> String {
 
 /// All that is pinned of a scene, a line for each variable.
 fn pinned(scene: &Scene) -> String {
-    let mut model = Model::new(scene).expect("a ready scene runs");
+    let mut model = scene.model().expect("a ready scene runs");
     let variables: Vec<Variable> = model.variables().to_vec();
     let mut lines: Vec<Vec<String>> = variables
         .iter()
@@ -144,7 +145,7 @@ fn pinned(scene: &Scene) -> String {
             }
         }
     }
-    for (line, found) in lines.iter_mut().zip(model.dependencies()) {
+    for (line, found) in lines.iter_mut().zip(dependencies(&model)) {
         let names: Vec<String> = found.into_iter().map(name).collect();
         line.push(names.join(" "));
     }
@@ -153,7 +154,7 @@ fn pinned(scene: &Scene) -> String {
     for line in lines {
         writeln!(text, "{}", line.join("\t")).expect("a string");
     }
-    let mut model = Model::new(scene).expect("a ready scene runs");
+    let mut model = scene.model().expect("a ready scene runs");
     model.start().expect("at the start");
     let mut saved: Vec<String> = model
         .numbers(&model.state())

@@ -8,7 +8,8 @@ use fmi_rs::fmi3::builder::FMU3Builder;
 use fmi_rs::fmi3::types::fmi3Status;
 use lemnis_fmu::description::Standard;
 use lemnis_fmu::package::{self, Library};
-use lemnis_models::model::{Model, Role, Type};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::{Role, Type};
 use lemnis_models::scene::{self, Scene};
 use std::path::PathBuf;
 use tempfile::TempDir;
@@ -25,7 +26,7 @@ fn fmu(standard: Standard) -> (TempDir, PathBuf, Model) {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("LemniscateCrane.fmu");
     std::fs::write(&file, bytes).unwrap();
-    (folder, file, Model::new(&scene).unwrap())
+    (folder, file, scene.model().unwrap())
 }
 
 /// The model's outputs: their value references, in the order real, then boolean, and their values as the model steps.

@@ -10,11 +10,13 @@ use std::time::{Duration, Instant};
 
 use lemnis_fmu::package::{self, Library};
 use lemnis_models::calc::Calc;
+use lemnis_models::component::running::Model;
+use lemnis_models::lemniscate::feet::Feet;
 use lemnis_models::lemniscate::geometry::Geometry;
 use lemnis_models::lemniscate::position::Position;
-use lemnis_models::lemniscate::statics::{Centres, PinForces, load_moment};
+use lemnis_models::lemniscate::statics::{Held, LoadMoment, Own, PinForces};
 use lemnis_models::lemniscate::velocity::{Pole, Velocity};
-use lemnis_models::model::{Model, Role};
+use lemnis_models::model::Role;
 use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
 use lemnis_synthesis::candidate::Positions;
 use lemnis_synthesis::optimum::Watch;
@@ -78,7 +80,7 @@ fn main() {
 fn steering() {
     let text = include_str!("../models/scenes/boat_hoist_003.toml");
     let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
-    let mut model = Model::new(&scene).expect("a machine");
+    let mut model = scene.model().expect("a machine");
     let wanted = ["theta", "v", "R", "od", "f_g"];
     let indices: Vec<usize> = (0..model.variables().len())
         .filter(|&i| model.variables()[i].number.is_some() && wanted.contains(&model.variables()[i].symbol.id))
@@ -169,11 +171,16 @@ fn models(scene: &Scene) {
             v.da,
             v.beta(),
         ));
-        let r = Centres::new(&p, [l.x_1, l.x_2, l.x_3], &weights);
-        black_box(PinForces::new(&p, l.x_3, 160e3, Some((&weights, &r)), None, |_| None));
+        let own = Own::new(&p, &v, &l, &weights);
+        let pins = PinForces::new(&p, &160e3, &Some(weights), Some(&own), None);
+        let held = Held {
+            m_d: pins.m_d,
+            pins: Ok(pins),
+        };
+        black_box(Feet::new(&p, &l, &Some(weights), None, &held, None)).ok();
         black_box((
-            load_moment(&v, 160e3),
-            Pole::new(&g, &p, v.i_2).moment(&g, &p, &v, 160e3),
+            LoadMoment::new(&v, &160e3),
+            Pole::new(&g, &p, &v).moment(&g, &p, &v, 160e3),
         ));
     });
     row(
@@ -205,7 +212,7 @@ fn models(scene: &Scene) {
     }
     let text = include_str!("../models/scenes/portal_004_new.toml");
     let scene = Scene::parse(text).expect("a ready-made scene is valid");
-    let mut model = Model::new(&scene).expect("a mechanism");
+    let mut model = scene.model().expect("a mechanism");
     let index = |model: &Model, id: &str| model.variables().iter().position(|v| v.symbol.id == id).expect("there");
     let residual = ["M_D", "dM", "N_1", "gamma"].map(|id| index(&model, id));
     let balanced = nanoseconds(|angle| {
@@ -226,7 +233,7 @@ fn models(scene: &Scene) {
 /// What an instance's test of every value costs, with it and without it in turn.
 fn finite() {
     let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
-    let mut model = Model::new(&scene).expect("a mechanism");
+    let mut model = scene.model().expect("a mechanism");
     let outputs: Vec<usize> = (0..model.variables().len())
         .filter(|&i| model.variables()[i].role == Role::Output)
         .collect();
@@ -317,7 +324,7 @@ impl HandWritten {
 /// A step through the shared library, as an importer makes it.
 fn abi(what: &str, text: &str, forces: bool, goal: f64) {
     let fmu = Unpacked::new(text);
-    let model = Model::new(&fmu.scene).expect("a mechanism");
+    let model = fmu.scene.model().expect("a mechanism");
     let reference = |id: &str| {
         let index = model.variables().iter().position(|variable| variable.symbol.id == id);
         u32::try_from(index.unwrap_or_else(|| panic!("{id}")) + 1).expect("few variables")

@@ -7,7 +7,8 @@ use std::process::Command;
 use std::time::Instant;
 
 use lemnis_fmu::description::{Standard, model_description};
-use lemnis_models::model::{Model, Role};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::Role;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 #[path = "../models/tests/common/levels.rs"]
@@ -85,7 +86,7 @@ fn run(model: &mut Model, wanted: &[usize], steps: u32) {
 
 /// Time of a step, in ns: the best of many runs of a second.
 fn time(level: &str, what: &str) -> f64 {
-    let mut model = Model::new(&scene(level)).expect("built");
+    let mut model = scene(level).model().expect("built");
     let (wanted, saved) = (asked(&model, what), model.state());
     let mut best = f64::INFINITY;
     for _ in 0..100 {
@@ -119,7 +120,7 @@ fn work(level: &str, what: &str) -> Option<u64> {
 fn row(level: &str, what: &str) {
     let scene = scene(level);
     let xml = model_description(&scene, Standard::Fmi3).expect("described").len();
-    let model = Model::new(&scene).expect("built");
+    let model = scene.model().expect("built");
     let saved = 8 * model.numbers(&model.state()).len();
     let work = work(level, what).map_or("-".to_owned(), |work| work.to_string());
     println!(
@@ -135,7 +136,7 @@ fn main() {
     if let [command, level, what, steps] = arguments.as_slice()
         && command == "count"
     {
-        let mut model = Model::new(&scene(level)).expect("built");
+        let mut model = scene(level).model().expect("built");
         let wanted = asked(&model, what);
         run(&mut model, &wanted, steps.parse().expect("a number of steps"));
         return;

@@ -3,7 +3,9 @@
 
 use crate::instance::{CATEGORIES, strings, token};
 use crate::layout::{self, Place};
-use lemnis_models::model::{Enumeration, Fault, Model, Name, Role, TIME, Type};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::{Enumeration, Fault, Name, Role, TIME, Type};
+use lemnis_models::registry;
 use lemnis_models::scene::Scene;
 use lemnis_models::unit::{self, Unit};
 use quick_xml::Writer;
@@ -38,7 +40,7 @@ pub fn model_description(scene: &Scene, standard: Standard) -> Result<Vec<u8>, F
 /// # Errors
 /// The model cannot be built.
 pub fn terminals_and_icons(scene: &Scene) -> Result<Vec<u8>, Fault> {
-    let model = Model::new(scene)?;
+    let model = scene.model()?;
     document(|xml| {
         element(
             xml,
@@ -104,7 +106,7 @@ enum Kind {
 
 /// Time, the model's variables, the FMU's own constants and, in FMI 3, the vectors.
 fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
-    let mut model = Model::new(scene)?;
+    let mut model = scene.model()?;
     let variables = model.variables().to_vec();
     let reference = |place| layout::reference(variables.len(), place);
     let references: BTreeMap<Name, u32> = variables
@@ -113,8 +115,7 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
         .map(|(index, v)| ((v.symbol.id, v.number), reference(Place::Variable(index))))
         .chain([((TIME.id, None), reference(Place::Time))])
         .collect();
-    let dependencies: Vec<BTreeSet<u32>> = model
-        .dependencies()
+    let dependencies: Vec<BTreeSet<u32>> = registry::dependencies(&model)
         .into_iter()
         .map(|names| names.into_iter().map(|name| references[&name]).collect())
         .collect();
@@ -235,7 +236,7 @@ fn document(content: impl FnOnce(&mut Xml) -> io::Result<()>) -> Result<Vec<u8>,
 }
 
 fn write(xml: &mut Xml, scene: &Scene, entries: &[Entry], standard: Standard) -> io::Result<()> {
-    let model = Model::new(scene).map_err(|fault| io::Error::other(fault.message))?;
+    let model = scene.model().map_err(|fault| io::Error::other(fault.message))?;
     let (version, token_name) = match standard {
         Standard::Fmi2 => ("2.0", "guid"),
         Standard::Fmi3 => ("3.0", "instantiationToken"),

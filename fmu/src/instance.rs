@@ -3,10 +3,12 @@
 
 use crate::layout::{self, Place, Vector};
 use crate::refuse;
-use lemnis_models::model::{Fault, Model, Quantity, Role, State, TIME, Type, Variable};
+use lemnis_models::component::running::{Model, State, Tangent};
+use lemnis_models::model::{Fault, Quantity, Role, TIME, Type, Variable};
 use lemnis_models::number::{exact, short};
 use lemnis_models::scene::{LONGEST, Scene};
 use sha2::{Digest, Sha256};
+use std::cell::RefCell;
 use std::ffi::{CStr, CString, c_char};
 use std::fs::File;
 use std::io::Read;
@@ -107,6 +109,8 @@ pub fn strings(scene: &Scene) -> [String; 2] {
 /// A model under a simulator's control.
 pub struct Instance {
     model: Model,
+    /// For derivatives, made once.
+    tangent: RefCell<Tangent>,
     interface: Interface,
     token: String,
     /// Truth values by index, as they were at the last event: they may change at events only.
@@ -139,7 +143,7 @@ struct Now {
 }
 
 /// An FMU state.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Saved {
     now: Now,
     model: State,
@@ -179,7 +183,7 @@ impl Instance {
                 "the token {token:?} does not belong to this scene and version: {expected} was expected"
             ));
         }
-        let model = Model::new(scene)?;
+        let model = scene.model()?;
         let variables = model.variables().iter().enumerate();
         let held: Vec<(usize, bool)> = variables
             .filter(|(_, v)| v.kind == Type::Boolean)
@@ -198,6 +202,7 @@ impl Instance {
             held: held.clone(),
         };
         Ok(Instance {
+            tangent: RefCell::new(model.tangent(&|_| 0.0)),
             model,
             interface,
             token: expected,
@@ -615,7 +620,8 @@ impl Instance {
             let of = |&(&known, _): &(&u32, &f64)| self.known(known).is_ok_and(|known| known == quantity);
             knowns.iter().zip(seed).filter(of).map(|(_, rate)| rate).sum()
         };
-        let mut tangent = self.model.tangent(&rate);
+        let mut tangent = self.tangent.borrow_mut();
+        self.model.tangent_into(&rate, &mut tangent);
         let given = sensitivity.len();
         let mut rest = sensitivity.iter_mut();
         for &unknown in unknowns {
@@ -638,9 +644,11 @@ impl Instance {
         sensitivity: &mut [f64],
     ) -> Result<(), Fault> {
         expect_length(sensitivity.len(), knowns.len())?;
+        let mut tangent = self.tangent.borrow_mut();
         for (&known, sensitivity) in knowns.iter().zip(sensitivity) {
             let known = self.known(known)?;
-            let mut tangent = self.model.tangent(&|quantity| f64::from(quantity == known));
+            let one = |quantity| f64::from(quantity == known);
+            self.model.tangent_into(&one, &mut tangent);
             let mut weights = seed.iter();
             *sensitivity = 0.0;
             for &unknown in unknowns {

@@ -14,7 +14,7 @@ use crate::symbol::Symbol;
 
 /// A number that mechanism equations can be evaluated with.
 pub trait Calc:
-    Scalar + Copy + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>
+    Scalar + Copy + Send + Sync + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>
 {
     /// A plain number without dimension.
     fn constant(value: f64) -> Self;
@@ -67,6 +67,47 @@ pub trait Calc:
     #[must_use]
     fn def(self, _: &'static Symbol) -> Self {
         self
+    }
+
+    /// Names a value whose formula the book does not tell.
+    #[must_use]
+    fn named(self, _: &'static Symbol) -> Self {
+        self
+    }
+
+    /// This number, where another one has decided that it is this one: it follows from both.
+    #[must_use]
+    fn over(self, _: Self) -> Self {
+        self
+    }
+
+    /// The greater of two, the first of equals.
+    #[inline]
+    #[must_use]
+    fn greater(self, other: Self) -> Self {
+        if other.value() > self.value() {
+            other.over(self)
+        } else {
+            self.over(other)
+        }
+    }
+
+    /// The smaller of two, the first of equals.
+    #[inline]
+    #[must_use]
+    fn smaller(self, other: Self) -> Self {
+        if other.value() < self.value() {
+            other.over(self)
+        } else {
+            self.over(other)
+        }
+    }
+
+    /// Runs the equations of one of several bodies, numbered from 0. The recorder writes down those of the body that it
+    /// was asked for.
+    #[inline]
+    fn body<T>(_: usize, equations: impl FnOnce() -> T) -> T {
+        equations()
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::symbol::symbols;
 
 symbols! {
-    G: "g" "g" M_PER_S2 / M_PER_S2, "Acceleration of gravity.", "input";
+    G: "g" "g" M_PER_S2 / M_PER_S2 [positive], "Acceleration of gravity.", "input";
 }
 
 /// Where a scene gives none, in m/s².

@@ -12,16 +12,21 @@
 
 pub mod balance;
 pub mod calc;
+pub mod component;
 pub mod diagnostic;
 pub mod four_bar;
 pub mod gravity;
+pub mod group;
 pub mod hydraulics;
 pub mod lemniscate;
+pub mod luffing;
+pub mod mechanism;
 pub mod model;
 pub mod motion;
 pub mod number;
 pub mod plane;
 pub mod record;
+pub mod registry;
 pub mod scene;
 pub mod schema;
 pub mod sheet;

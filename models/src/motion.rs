@@ -4,12 +4,20 @@
 use crate::calc::Calc;
 use crate::diagnostic::Diagnostic;
 use crate::number::short;
-use crate::scene::Place;
 use crate::schema::{self, Sign, Values};
 use crate::symbol::Symbol;
 
 /// More rows in a table than anyone reads, and than a step of `1e-9 deg` would make.
 const MOST_ROWS: f64 = 10_000.0;
+
+/// A position at which formulas are worked out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// By a name that the mechanism knows.
+    Named(&'static str),
+    /// A value of the coordinate, in SI.
+    At(f64),
+}
 
 /// Working range of the coordinate, in rad and rad/s.
 #[derive(Clone, Copy, Debug)]

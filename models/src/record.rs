@@ -50,6 +50,7 @@ pub struct Step {
     pub name: Rec,
 }
 
+#[derive(Clone, Copy)]
 struct Entry {
     node: Node,
     value: f64,
@@ -86,12 +87,17 @@ impl std::fmt::Display for Powers {
 }
 
 /// What a run of equations left behind.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Trace {
     entries: Vec<Entry>,
     pub steps: Vec<Step>,
     /// Every dimensional inconsistency met, in words.
     pub faults: Vec<String>,
+    /// What a value follows from that its own node does not show, in the order of the values.
+    behind: Vec<(Rec, Rec)>,
+    /// The body whose equations are written down, where they are not those of all; whether another one's run.
+    only: Option<usize>,
+    silent: bool,
 }
 
 thread_local! {
@@ -106,6 +112,11 @@ pub fn record<T>(equations: impl FnOnce() -> T) -> (Trace, T) {
     TRACE.take();
     let result = equations();
     (TRACE.take(), result)
+}
+
+/// Of several bodies the running recording writes down the equations of one, numbered from 0; without one of all.
+pub fn only(body: Option<usize>) {
+    TRACE.with_borrow_mut(|trace| trace.only = body);
 }
 
 /// How many steps the running recording has so far.
@@ -128,7 +139,7 @@ impl Trace {
 
     /// The given quantities that a formula contains, named steps followed to their own formulas.
     #[must_use]
-    pub fn givens(&self, rec: Rec) -> Vec<&'static Symbol> {
+    pub fn givens(&self, rec: Rec) -> Vec<Rec> {
         // Steps are in the order of their names.
         let step = |rec: Rec| self.steps.binary_search_by_key(&rec.0, |step| step.name.0).ok();
         let (mut found, mut met, mut rest) = (Vec::new(), vec![false; self.entries.len()], vec![rec]);
@@ -136,17 +147,30 @@ impl Trace {
             if std::mem::replace(&mut met[rec.0 as usize], true) {
                 continue;
             }
+            let from = self.behind.partition_point(|(known, _)| known.0 < rec.0);
+            let behind = self.behind[from..].iter().take_while(|(known, _)| *known == rec);
+            rest.extend(behind.clone().map(|(_, other)| *other));
             match self.node(rec) {
                 Node::Constant(_) => {}
-                Node::Name(symbol) => match step(rec) {
+                Node::Name(_) => match step(rec) {
                     Some(step) => rest.push(self.steps[step].formula),
-                    None => found.push(symbol),
+                    None if behind.count() == 0 => found.push(rec),
+                    None => {}
                 },
                 Node::Unary(_, a) => rest.push(a),
                 Node::Binary(_, a, b) => rest.extend([a, b]),
             }
         }
         found
+    }
+
+    /// The same with these steps alone: names of others stand for values found before.
+    #[must_use]
+    pub fn part(&self, steps: std::ops::Range<usize>) -> Trace {
+        Trace {
+            steps: self.steps[steps].to_vec(),
+            ..self.clone()
+        }
     }
 
     fn is(&self, rec: Rec, number: f64) -> bool {
@@ -156,6 +180,16 @@ impl Trace {
     fn push(&mut self, node: Node, value: f64, dimension: Powers) -> Rec {
         self.entries.push(Entry { node, value, dimension });
         Rec(u32::try_from(self.entries.len() - 1).expect("a book has far fewer than 2^32 terms"))
+    }
+
+    /// A name for a value.
+    fn name(&mut self, rec: Rec, symbol: &'static Symbol) -> Rec {
+        let Entry { value, dimension, .. } = self.entries[rec.0 as usize];
+        let own = Powers::of(symbol.unit.dimension);
+        if dimension != own {
+            self.fault(format!("{} is in {own}, its formula in {dimension}", symbol.id));
+        }
+        self.push(Node::Name(symbol), value, own)
     }
 
     fn fault(&mut self, text: String) {
@@ -324,23 +358,44 @@ impl Calc for Rec {
     }
     fn def(self, symbol: &'static Symbol) -> Rec {
         TRACE.with_borrow_mut(|trace| {
-            if trace.is(self, 0.0) {
+            if trace.is(self, 0.0) || trace.silent {
                 return self;
             }
-            let Entry { value, dimension, .. } = trace.entries[self.0 as usize];
-            let own = Powers::of(symbol.unit.dimension);
-            if dimension != own {
-                trace.fault(format!("{} is in {own}, its formula in {dimension}", symbol.id));
-            }
-            let name = trace.push(Node::Name(symbol), value, own);
+            let name = trace.name(self, symbol);
             trace.steps.push(Step {
                 symbol,
                 formula: self,
-                value,
+                value: trace.value(name),
                 name,
             });
             name
         })
+    }
+    fn named(self, symbol: &'static Symbol) -> Rec {
+        TRACE.with_borrow_mut(|trace| {
+            if trace.is(self, 0.0) {
+                return self;
+            }
+            let name = trace.name(self, symbol);
+            trace.behind.push((name, self));
+            name
+        })
+    }
+    fn over(self, other: Rec) -> Rec {
+        TRACE.with_borrow_mut(|trace| {
+            let Entry { node, value, dimension } = trace.entries[self.0 as usize];
+            let same = trace.push(node, value, dimension);
+            trace.behind.extend([(same, self), (same, other)]);
+            same
+        })
+    }
+    fn body<T>(number: usize, equations: impl FnOnce() -> T) -> T {
+        let hold = |silent| TRACE.with_borrow_mut(|trace| std::mem::replace(&mut trace.silent, silent));
+        let other = TRACE.with_borrow(|trace| trace.only.is_some_and(|only| only != number));
+        let before = hold(other);
+        let found = equations();
+        hold(before);
+        found
     }
 }
 

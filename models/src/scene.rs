@@ -4,14 +4,14 @@ use std::ops::Range;
 
 use toml::de::DeTable;
 
+use crate::component::running::Model;
 use crate::diagnostic::Diagnostic;
 use crate::gravity;
-use crate::lemniscate::scene::{KEYS as LUFFING, Luffing};
-use crate::lemniscate::sheet::remarks;
-use crate::model::{Model, Role, Type, Variable};
-use crate::motion::Motion;
-use crate::schema::{self, Key, Kind, Sign, Values};
-use crate::steering::scene::{KEYS as STEERING, Steering};
+use crate::mechanism::Mechanism;
+use crate::model::{Fault, Role, Type, Variable};
+use crate::motion::Place;
+use crate::registry;
+use crate::schema::{self, KIND, Key, Kind, Sign, Values};
 
 /// The lemniscate crane. [Li2022, Table 1]
 pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");
@@ -51,12 +51,9 @@ pub static KEYS: &[Key] = &[
         required: false,
         text: "How far each result may be off: `lemnis trade` names the cheapest level and solver that keep to it.",
     },
-    Key::table(MECHANISMS[0], LUFFING, "A luffing mechanism.").optional(),
-    Key::table(MECHANISMS[1], STEERING, "The steering of a machine on wheels.").optional(),
+    registry::LUFFING,
+    registry::STEERING,
 ];
-
-/// The tables that describe a mechanism, of which a scene has one.
-pub const MECHANISMS: [&str; 2] = ["luffing", "steering"];
 
 static PROJECT: &[Key] = &[
     Key::text("crane", "The crane."),
@@ -158,24 +155,9 @@ pub struct Scene {
     pub gravity: f64,
     /// How far results may be off, in SI.
     pub accuracy: Vec<(Variable, f64)>,
-    pub mechanism: Mechanism,
-}
-
-/// What a scene describes.
-#[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "a scene holds one")]
-pub enum Mechanism {
-    Luffing(Luffing),
-    Steering(Steering),
-}
-
-/// A position at which formulas are worked out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Place {
-    /// By a name that the mechanism knows.
-    Named(&'static str),
-    /// A value of the coordinate, in SI.
-    At(f64),
+    /// The table that describes its mechanism.
+    pub table: &'static str,
+    pub mechanism: Box<dyn Mechanism>,
 }
 
 /// What the scene asks of its book.
@@ -246,13 +228,13 @@ impl Scene {
         }
         let gravity = gravity(text, &values, &mut found);
         values.weigh(gravity);
-        let mechanism = Mechanism::new(&values, gravity, &mut found);
+        let mechanism = mechanism(&values, gravity, &mut found);
         let project = values.table("project");
         let book = mechanism
             .as_ref()
-            .map(|mechanism| Book::new(values.table("book"), project, mechanism, &mut found));
+            .map(|(_, mechanism)| Book::new(values.table("book"), project, &**mechanism, &mut found));
         match mechanism.zip(book) {
-            Some((mechanism, book)) if found.is_empty() => Scene {
+            Some(((table, mechanism), book)) if found.is_empty() => Scene {
                 text: text.to_owned(),
                 name,
                 title: values.text("title").unwrap_or_default().to_owned(),
@@ -265,6 +247,7 @@ impl Scene {
                 given: given(text, &values),
                 gravity,
                 accuracy: Vec::new(),
+                table,
                 mechanism,
             }
             .with_accuracy(&values),
@@ -280,9 +263,7 @@ impl Scene {
         let named = values.named("accuracy");
         if named.is_empty() {
             if self.is_auto() {
-                let place = values
-                    .table(self.mechanism.id())
-                    .map_or(0..0, |table| table.place("fidelity"));
+                let place = values.table(self.table).map_or(0..0, |table| table.place("fidelity"));
                 let example = self.example_of_accuracy();
                 let help = format!("add {example} at the top of the scene, or name a fidelity");
                 let message = "fidelity = \"auto\" without an accuracy to keep to";
@@ -290,7 +271,8 @@ impl Scene {
             }
             return Ok(self);
         }
-        let model = Model::new(&self)
+        let model = self
+            .model()
             .map_err(|fault| vec![Diagnostic::new(values.place("accuracy"), fault.message, "here")])?;
         let result = |v: &&Variable| matches!(v.role, Role::Output | Role::State) && v.kind == Type::Real;
         let mut found = Vec::new();
@@ -314,12 +296,20 @@ impl Scene {
         if found.is_empty() { Ok(self) } else { Err(found) }
     }
 
+    /// The running model.
+    ///
+    /// # Errors
+    /// Never for a scene that was read by [`Scene::parse`], which checks that the mechanism exists.
+    pub fn model(&self) -> Result<Model, Fault> {
+        self.mechanism.model()
+    }
+
     /// A line that asks for some accuracy of a result of this scene.
     #[must_use]
     pub fn example_of_accuracy(&self) -> String {
-        let model = Model::new(self);
-        let variables = model.as_ref().map_or(&[][..], Model::variables);
-        let terminals = model.as_ref().map_or_else(|_| Vec::new(), Model::terminals);
+        let model = self.model();
+        let variables = model.as_ref().map_or(&[][..], |model| model.variables());
+        let terminals = model.as_ref().map_or_else(|_| Vec::new(), |model| model.terminals());
         let named = |name: &String| variables.iter().find(|variable| variable.name() == *name);
         let told = terminals.iter().flat_map(|terminal| &terminal.members);
         let result = |variable: &&Variable| variable.role == Role::Output && variable.kind == Type::Real;
@@ -339,45 +329,26 @@ impl Scene {
     /// The level at which the scene is modelled; of one that leaves it open, the deepest.
     #[must_use]
     pub fn level(&self) -> &'static str {
-        match &self.mechanism {
-            Mechanism::Luffing(luffing) => match luffing.moving {
-                None if luffing.table.is_some() => "table",
-                _ => self.levels().last().copied().unwrap_or("static"),
-            },
-            Mechanism::Steering(_) => self.levels().last().copied().unwrap_or("kinematic"),
-        }
+        self.mechanism.level()
     }
 
     /// Levels at which the scene's tables allow this mechanism, from cheap to deep.
     #[must_use]
     pub fn levels(&self) -> Vec<&'static str> {
-        match &self.mechanism {
-            Mechanism::Luffing(luffing) => luffing.levels(),
-            Mechanism::Steering(steering) => {
-                let moving = steering.moving.iter().map(|_| "hydraulic");
-                std::iter::once("kinematic").chain(moving).collect()
-            }
-        }
+        self.mechanism.levels()
     }
 
     /// Whether the scene leaves its level to `lemnis trade`.
     #[must_use]
     pub fn is_auto(&self) -> bool {
-        match &self.mechanism {
-            Mechanism::Luffing(luffing) => luffing.auto,
-            Mechanism::Steering(steering) => steering.auto,
-        }
+        self.mechanism.is_auto()
     }
 
     /// The scene with its mechanism at one of its [`levels`](Scene::levels); its text stays.
     #[must_use]
     pub fn at(&self, level: &str) -> Scene {
         let mut scene = self.clone();
-        match &mut scene.mechanism {
-            Mechanism::Luffing(luffing) => luffing.set_level(level),
-            Mechanism::Steering(_) if level == "hydraulic" => {}
-            Mechanism::Steering(steering) => steering.moving = None,
-        }
+        scene.mechanism.set_level(level);
         scene
     }
 
@@ -451,9 +422,7 @@ fn line(text: &str, place: &Range<usize>) -> usize {
 /// Acceleration of gravity: that of the top of the scene or of its mechanism's dynamics, which must agree.
 fn gravity(text: &str, values: &Values, found: &mut Vec<Diagnostic>) -> f64 {
     let id = gravity::G.id;
-    let dynamics = MECHANISMS
-        .into_iter()
-        .find_map(|name| values.table(name)?.table("dynamics"));
+    let dynamics = registry::tables().find_map(|name| values.table(name)?.table("dynamics"));
     let own = dynamics.and_then(|table| Some((table.number(id)?, table.place(id))));
     match (values.number(id), own) {
         (Some(top), Some((own, place))) if top != own => {
@@ -471,83 +440,32 @@ fn gravity(text: &str, values: &Values, found: &mut Vec<Diagnostic>) -> f64 {
     }
 }
 
-impl Mechanism {
-    fn new(values: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Mechanism> {
-        let given: Vec<(&str, &Values)> = MECHANISMS
-            .into_iter()
-            .filter_map(|name| Some((name, values.table(name)?)))
-            .collect();
-        match given.as_slice() {
-            [(name, table)] if *name == MECHANISMS[0] => Luffing::new(table, gravity, found).map(Mechanism::Luffing),
-            [(_, table)] => Steering::new(table, found).map(Mechanism::Steering),
-            [] => {
-                let tables = MECHANISMS.map(|name| format!("[{name}]")).join(" or ");
-                found.push(
-                    Diagnostic::new(values.span.clone(), "the scene has no mechanism", "needed here")
-                        .help(format!("add a table {tables}")),
-                );
-                None
-            }
-            [(first, _), (second, table), ..] => {
-                let message = format!("the scene has two mechanisms, [{first}] and [{second}]");
-                found.push(
-                    Diagnostic::new(table.span.clone(), message, "the second one")
-                        .help("make a scene of its own for each"),
-                );
-                None
-            }
+/// The scene's one mechanism, with the table that describes it.
+fn mechanism(values: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(&'static str, Box<dyn Mechanism>)> {
+    let given: Vec<(&'static str, &Values)> = registry::tables()
+        .filter_map(|name| Some((name, values.table(name)?)))
+        .collect();
+    match given.as_slice() {
+        [(name, table)] => {
+            let mut kinds = registry::MECHANISMS.iter().filter(|entry| entry.table == *name);
+            let kind = table.text(KIND);
+            let entry = kinds.find(|entry| kind.is_none_or(|kind| entry.kind == kind))?;
+            Some((*name, (entry.read)(table, gravity, found)?))
         }
-    }
-
-    /// The table of the scene that describes it.
-    #[must_use]
-    pub fn id(&self) -> &'static str {
-        match self {
-            Mechanism::Luffing(_) => MECHANISMS[0],
-            Mechanism::Steering(_) => MECHANISMS[1],
+        [] => {
+            let tables: Vec<String> = registry::tables().map(|name| format!("[{name}]")).collect();
+            found.push(
+                Diagnostic::new(values.span.clone(), "the scene has no mechanism", "needed here")
+                    .help(format!("add a table {}", tables.join(" or "))),
+            );
+            None
         }
-    }
-
-    /// The working range of its coordinate.
-    #[must_use]
-    pub fn motion(&self) -> &Motion {
-        match self {
-            Mechanism::Luffing(luffing) => &luffing.motion,
-            Mechanism::Steering(steering) => &steering.motion,
-        }
-    }
-
-    /// The luffing mechanism, if it is one.
-    #[must_use]
-    pub fn luffing(&self) -> Option<&Luffing> {
-        match self {
-            Mechanism::Luffing(luffing) => Some(luffing),
-            Mechanism::Steering(_) => None,
-        }
-    }
-
-    /// Whether a chapter of the book has something to say.
-    fn has_chapter(&self, chapter: &str) -> bool {
-        match (self, chapter) {
-            (Mechanism::Luffing(luffing), "motion") => luffing.moving.is_some(),
-            (Mechanism::Luffing(luffing), "balance") => luffing.parameters.balance.is_some(),
-            (Mechanism::Luffing(luffing), "published") => luffing.published.is_some(),
-            (Mechanism::Luffing(luffing), "synthesis") => luffing.synthesis.is_some(),
-            (Mechanism::Luffing(luffing), "remarks") => !remarks(luffing).is_empty(),
-            (Mechanism::Luffing(_), "views" | "sizing") => false,
-            (Mechanism::Steering(_), "motion" | "balance" | "published" | "synthesis" | "sensitivity") => false,
-            (Mechanism::Steering(steering), "sizing") => {
-                steering.parameters.bearing.is_some() || steering.parameters.cylinder.is_some()
-            }
-            _ => true,
-        }
-    }
-
-    /// A position as a scene writes it, for the book; on failure a message and help.
-    fn place(&self, text: &str) -> Result<Place, (String, String)> {
-        match self {
-            Mechanism::Luffing(luffing) => luffing.place(text),
-            Mechanism::Steering(steering) => steering.place(text),
+        [(first, _), (second, table), ..] => {
+            let message = format!("the scene has two mechanisms, [{first}] and [{second}]");
+            found.push(
+                Diagnostic::new(table.span.clone(), message, "the second one").help("make a scene of its own for each"),
+            );
+            None
         }
     }
 }
@@ -556,7 +474,7 @@ impl Book {
     fn new(
         table: Option<&Values>,
         project: Option<&Values>,
-        mechanism: &Mechanism,
+        mechanism: &dyn Mechanism,
         found: &mut Vec<Diagnostic>,
     ) -> Book {
         let Some(table) = table else {

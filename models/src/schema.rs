@@ -10,7 +10,7 @@ use toml::value::Datetime;
 
 use crate::diagnostic::Diagnostic;
 use crate::number::short;
-use crate::symbol::Symbol;
+use crate::symbol::{COARSEST, Symbol};
 use crate::unit::{self, Unit};
 
 /// A key of a scene.
@@ -21,6 +21,9 @@ pub struct Key {
     pub required: bool,
     pub text: &'static str,
 }
+
+/// Key that says of which kind a table is.
+pub const KIND: &str = "kind";
 
 /// What stands behind a key.
 #[derive(Debug)]
@@ -39,6 +42,8 @@ pub enum Kind {
     /// A weight, zero or greater, or the mass that weighs it: `"160 kN"`, `"16 t"`.
     Weight(&'static Symbol),
     Table(&'static [Key]),
+    /// A table whose keys hang on the value of its key [`KIND`]: each value with its keys, the first one without that key.
+    Kinds(&'static [(&'static str, &'static [Key])]),
     /// A list of so many texts at most.
     Texts(usize),
     /// A list of some of these, none twice.
@@ -64,9 +69,6 @@ pub enum Sign {
     /// Positive, however small.
     Deviation,
 }
-
-/// Greatest relative tolerance of a solver or an interpolation: what is only a tenth right is bounded, and means little.
-pub const COARSEST: f64 = 0.1;
 
 impl Key {
     #[must_use]
@@ -112,6 +114,21 @@ impl Key {
             name,
             kind: Kind::Table(keys),
             required: true,
+            text,
+        }
+    }
+
+    /// A table of several kinds, each with its keys.
+    #[must_use]
+    pub const fn kinds(
+        name: &'static str,
+        kinds: &'static [(&'static str, &'static [Key])],
+        text: &'static str,
+    ) -> Key {
+        Key {
+            name,
+            kind: Kind::Kinds(kinds),
+            required: false,
             text,
         }
     }
@@ -327,6 +344,16 @@ impl Values {
         }
     }
 
+    /// The quantities of a table that has these keys, in their order.
+    #[must_use]
+    pub fn quantities_of(&self, keys: &'static [Key]) -> Vec<(&'static Symbol, f64)> {
+        let number = |key: &Key| match key.kind {
+            Kind::Quantity(symbol, _) => Some((symbol, self.number(key.name)?)),
+            _ => None,
+        };
+        keys.iter().filter_map(number).collect()
+    }
+
     /// Whether the scene gives a sound value for a key.
     #[must_use]
     pub fn has(&self, name: &str) -> bool {
@@ -434,6 +461,12 @@ fn check_value(
             }
         }
         (Kind::Table(keys), DeValue::Table(table)) => {
+            Some(Value::Table(check(source, table, value.span(), path, keys, found)))
+        }
+        (Kind::Kinds(kinds), DeValue::Table(table)) => {
+            let named = table.iter().find(|(name, _)| name.get_ref() == KIND);
+            let named = named.and_then(|(_, value)| value.get_ref().as_str());
+            let (_, keys) = kinds.iter().find(|(kind, _)| Some(*kind) == named).unwrap_or(&kinds[0]);
             Some(Value::Table(check(source, table, value.span(), path, keys, found)))
         }
         (Kind::Quantity(..) | Kind::Weight(_), DeValue::String(text)) => match number(text, key) {
@@ -766,7 +799,7 @@ fn wanted(key: &Key) -> String {
         Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
             format!("a number with a unit such as \"1 {}\"", symbol.display.name)
         }
-        Kind::Table(_) => "a table".to_owned(),
+        Kind::Table(_) | Kind::Kinds(_) => "a table".to_owned(),
         Kind::Texts(_) => "a list of texts".to_owned(),
         Kind::Choices(choices) => format!("a list of {}, none twice", choices.join(", ")),
         Kind::Tables(..) => "a list of tables".to_owned(),
@@ -791,7 +824,7 @@ fn example(key: &Key) -> String {
         Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
             format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text)
         }
-        Kind::Table(_) => format!("a table [{}]  ({})", key.name, key.text),
+        Kind::Table(_) | Kind::Kinds(_) => format!("a table [{}]  ({})", key.name, key.text),
         Kind::Texts(_) => format!("{} = [\"...\"]  ({})", key.name, key.text),
         Kind::Choices(choices) => format!("{} = [\"{}\"]", key.name, choices[0]),
         Kind::Tables(..) => format!("tables [[{}]]  ({})", key.name, key.text),
@@ -814,9 +847,14 @@ pub fn json_schema(keys: &'static [Key]) -> Json {
 
 fn property(key: &Key) -> Json {
     let text = |symbol: &Symbol| {
+        // What has no dimension needs no unit.
+        let pattern = match symbol.display.name {
+            "1" => r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S*$",
+            _ => r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S.*$",
+        };
         json!({
             "type": "string",
-            "pattern": r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S.*$",
+            "pattern": pattern,
             "examples": [format!("1 {}", symbol.display.name)],
         })
     };
@@ -850,6 +888,14 @@ fn property(key: &Key) -> Json {
         }
         Kind::Tables(keys, most) => json!({ "type": "array", "items": json_schema(keys), "maxItems": most }),
         Kind::Table(keys) => json_schema(keys),
+        Kind::Kinds(kinds) => {
+            let named = |kind: &str| json!({ "properties": { KIND: { "const": kind } }, "required": [KIND] });
+            let first = json_schema(kinds[0].1);
+            kinds[1..].iter().rev().fold(
+                first,
+                |other, (kind, keys)| json!({ "if": named(kind), "then": json_schema(keys), "else": other }),
+            )
+        }
     };
     let limits = key.number().map_or_else(String::new, |(symbol, sign)| {
         let [least, most] = sign.limits(symbol.unit);

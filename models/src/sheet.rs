@@ -2,14 +2,15 @@
 //! in SI. It is made from the same functions that the FMU runs; words, units
 //! of print and layout are added later, elsewhere.
 
+use crate::component::telling;
 use crate::gravity;
-use crate::lemniscate;
 use crate::record::Trace;
-use crate::scene::{Given, Mechanism, Scene};
-use crate::steering;
+use crate::registry;
+use crate::scene::{Given, Scene};
 use crate::symbol::Symbol;
 
 /// All that is known about a scene.
+#[derive(Default)]
 pub struct Sheet {
     /// Inputs in the order of the scene's chapters.
     pub inputs: Vec<Input>,
@@ -130,10 +131,7 @@ pub struct Equilibrium {
 /// The sheet of a scene.
 #[must_use]
 pub fn sheet(scene: &Scene) -> Sheet {
-    let mut sheet = match &scene.mechanism {
-        Mechanism::Luffing(luffing) => lemniscate::sheet::sheet(scene, luffing),
-        Mechanism::Steering(steering) => steering::sheet::sheet(scene, steering),
-    };
+    let mut sheet = telling::sheet(scene, registry::told(&*scene.mechanism));
     let loads = sheet.inputs.iter().rposition(|input| input.chapter == LOAD);
     if let Some((last, gravity)) = loads.zip(gravity(scene)) {
         sheet.inputs.insert(last + 1, gravity);
@@ -144,10 +142,7 @@ pub fn sheet(scene: &Scene) -> Sheet {
 /// Ids of the sentences that say at which level a scene is modelled, and what its model takes for granted.
 #[must_use]
 pub fn assumptions(scene: &Scene) -> Vec<&'static str> {
-    match &scene.mechanism {
-        Mechanism::Luffing(luffing) => lemniscate::sheet::assumptions(luffing),
-        Mechanism::Steering(steering) => steering::sheet::assumptions(steering),
-    }
+    registry::told(&*scene.mechanism).assumptions()
 }
 
 /// The chapter of inputs with the loads.
@@ -157,7 +152,7 @@ const LOAD: &str = "load";
 fn gravity(scene: &Scene) -> Option<Input> {
     let id = gravity::G.id;
     let given = scene.given(id);
-    let elsewhere = scene.given(&format!("luffing.dynamics.{id}")).is_some();
+    let elsewhere = scene.given(&format!("{}.dynamics.{id}", scene.table)).is_some();
     let shown = given.is_some() || scene.has_masses() && !elsewhere;
     shown.then(|| Input {
         symbol: &gravity::G,
@@ -259,6 +254,7 @@ pub struct Slope {
     pub by: Vec<f64>,
 }
 
+#[derive(Default)]
 pub struct Table {
     pub columns: Vec<&'static Symbol>,
     pub rows: Vec<Vec<f64>>,

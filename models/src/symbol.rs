@@ -19,8 +19,78 @@ pub struct Symbol {
     pub text: &'static str,
     /// Where its definition or equation comes from, as `[key, place]`.
     pub source: &'static str,
-    /// Where it is infinite, in words; every other value that is not finite is none.
+    pub kind: Type,
+    /// Values that it may have.
+    pub range: Range,
+    /// A parameter that may change while a simulation runs: ballast and ground do, steel does not.
+    pub tunable: bool,
+    /// Where it is infinite; `None` where it never is.
     pub infinite: Option<&'static str>,
+}
+
+/// What values a quantity has; every one is kept as a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Type {
+    Real,
+    /// Truth value, kept as 0 and 1.
+    Boolean,
+    /// One of several, kept as its number from 1.
+    Enumeration(&'static Enumeration),
+}
+
+/// What an enumeration counts, in the order of the numbers.
+#[derive(Debug, PartialEq)]
+pub struct Enumeration {
+    /// Name of the type: `Mode`.
+    pub name: &'static str,
+    /// Each with what it means.
+    pub items: &'static [(&'static str, &'static str)],
+}
+
+/// Greatest relative tolerance of a solver or an interpolation.
+pub const COARSEST: f64 = 0.1;
+
+/// Least and greatest value, in SI; infinite where there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    pub least: f64,
+    pub most: f64,
+    /// Whether the least value itself is left out.
+    pub open: bool,
+}
+
+impl Range {
+    pub const ANY: Range = Range::new(f64::NEG_INFINITY, f64::INFINITY);
+    pub const NOT_NEGATIVE: Range = Range::new(0.0, f64::INFINITY);
+    pub const POSITIVE: Range = Range::new(0.0, f64::INFINITY).above();
+
+    #[must_use]
+    pub const fn new(least: f64, most: f64) -> Range {
+        Range {
+            least,
+            most,
+            open: false,
+        }
+    }
+
+    /// The same without its least value.
+    #[must_use]
+    pub const fn above(mut self) -> Range {
+        self.open = true;
+        self
+    }
+
+    /// Whether a finite value is one of these.
+    #[must_use]
+    #[inline]
+    pub fn allows(&self, value: f64) -> bool {
+        let enough = if self.open {
+            value > self.least
+        } else {
+            value >= self.least
+        };
+        enough && value <= self.most && value.is_finite()
+    }
 }
 
 impl PartialEq for Symbol {
@@ -31,6 +101,29 @@ impl PartialEq for Symbol {
 }
 
 impl Symbol {
+    /// A real quantity that may have any value; with the unit inside, and the one in which people read it.
+    #[must_use]
+    pub const fn new(
+        id: &'static str,
+        print: &'static str,
+        [unit, display]: [&'static Unit; 2],
+        text: &'static str,
+        source: &'static str,
+    ) -> Symbol {
+        Symbol {
+            id,
+            print,
+            unit,
+            display,
+            text,
+            source,
+            kind: Type::Real,
+            range: Range::ANY,
+            tunable: false,
+            infinite: None,
+        }
+    }
+
     /// Typeset form for one of several: the index i gives way to its number.
     #[must_use]
     pub fn numbered(&self, number: u16) -> String {
@@ -68,55 +161,84 @@ impl Symbol {
     }
 }
 
+/// What follows a symbol's units in its table, in brackets: `M / M [positive, tunable]`.
+impl Symbol {
+    #[must_use]
+    pub const fn positive(self) -> Symbol {
+        self.within(Range::POSITIVE)
+    }
+
+    #[must_use]
+    pub const fn not_negative(self) -> Symbol {
+        self.within(Range::NOT_NEGATIVE)
+    }
+
+    /// In SI.
+    #[must_use]
+    pub const fn from_to(self, least: f64, most: f64) -> Symbol {
+        self.within(Range::new(least, most))
+    }
+
+    /// In SI, the least value itself left out.
+    #[must_use]
+    pub const fn above_to(self, least: f64, most: f64) -> Symbol {
+        self.within(Range::new(least, most).above())
+    }
+
+    #[must_use]
+    pub const fn within(mut self, range: Range) -> Symbol {
+        self.range = range;
+        self
+    }
+
+    /// A relative tolerance: what is only a tenth right is bounded, and means little.
+    #[must_use]
+    pub const fn tolerance(self) -> Symbol {
+        self.above_to(0.0, COARSEST)
+    }
+
+    #[must_use]
+    pub const fn tunable(mut self) -> Symbol {
+        self.tunable = true;
+        self
+    }
+
+    /// In words.
+    #[must_use]
+    pub const fn infinite(mut self, place: &'static str) -> Symbol {
+        self.infinite = Some(place);
+        self
+    }
+
+    #[must_use]
+    pub const fn boolean(mut self) -> Symbol {
+        self.kind = Type::Boolean;
+        self
+    }
+
+    #[must_use]
+    pub const fn one_of(mut self, of: &'static Enumeration) -> Symbol {
+        self.kind = Type::Enumeration(of);
+        self
+    }
+}
+
 /// Declares the symbol table of a mechanism.
 macro_rules! symbols {
-    ($($(#[$doc:meta])* $name:ident: $id:literal $print:literal $unit:ident / $display:ident, $text:literal, $source:literal
-        $(, infinite $infinite:literal)?;)*) => {
+    ($($(#[$doc:meta])* $name:ident: $id:literal $print:literal $unit:ident / $display:ident
+       $([$($mark:ident $(($($argument:expr),*))?),*])?, $text:literal, $source:literal;)*) => {
         $(
             #[doc = concat!("`", $id, "`: ", $text, " Source: ", $source, ".")]
-            pub static $name: $crate::symbol::Symbol = $crate::symbol::Symbol {
-                id: $id,
-                print: $print,
-                unit: &$crate::unit::$unit,
-                display: &$crate::unit::$display,
-                text: $text,
-                source: $source,
-                infinite: {
-                    let place: &[&str] = &[$($infinite)?];
-                    place.first().copied()
-                },
-            };
+            pub static $name: $crate::symbol::Symbol = $crate::symbol::Symbol::new(
+                $id,
+                $print,
+                [&$crate::unit::$unit, &$crate::unit::$display],
+                $text,
+                $source,
+            )$($(.$mark($($($argument),*)?))*)?;
         )*
         /// Every symbol of this table, in the order of the text.
         pub static ALL: &[&$crate::symbol::Symbol] = &[$(&$name),*];
     };
 }
 pub(crate) use symbols;
-
-/// Declares a group of given quantities: a struct over any scalar that knows
-/// the symbol of each field.
-macro_rules! quantities {
-    ($(#[$doc:meta])* $name:ident { $($field:ident: $symbol:ident),* }) => {
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug)]
-        pub struct $name<C> {
-            $(pub $field: C),*
-        }
-
-        impl<C: Copy> $name<C> {
-            /// The symbols of the fields, in their order.
-            pub const SYMBOLS: &'static [&'static $crate::symbol::Symbol] = &[$(&s::$symbol),*];
-
-            /// Each quantity by its symbol; `None` where one is not given.
-            pub fn of(given: impl Fn(&'static $crate::symbol::Symbol) -> Option<C>) -> Option<$name<C>> {
-                Some($name { $($field: given(&s::$symbol)?),* })
-            }
-
-            /// The same quantities over another scalar.
-            pub fn map<D>(&self, f: &mut dyn FnMut(&'static $crate::symbol::Symbol, C) -> D) -> $name<D> {
-                $name { $($field: f(&s::$symbol, self.$field)),* }
-            }
-        }
-    };
-}
-pub(crate) use quantities;

@@ -16,19 +16,20 @@ use lemnis_models::balance::{Balance, curved_rail, symbols};
 use lemnis_models::calc::Calc;
 use lemnis_models::four_bar::Branch;
 use lemnis_models::lemniscate::geometry::{Driven, Lengths, Parameters, Weights};
+use lemnis_models::lemniscate::system::System;
 use lemnis_models::plane;
 use lemnis_models::record::{Rec, record};
 use num_dual::Dual64;
 use portal::{boom, lever, oracle, published, rad, range};
 use proptest::prelude::*;
 
-fn plain() -> Boom<f64> {
+fn plain() -> Plain<f64> {
     let plain = Plain {
         g_b: 120e3,
         r_b: 14.14,
         chi_b: 0.0,
     };
-    plain.boom().expect("a boom")
+    plain.check().expect("a boom")
 }
 
 /// [Balance004]: transmission angles to the printed digit; residual and energy
@@ -84,7 +85,7 @@ fn published_levers_of_004() {
                         _ => 0.0,
                     }
             });
-            let boom = Boom::system(&boom).expect("exists");
+            let boom = System::new(&boom).expect("exists");
             let other = Dimensions {
                 d_1: d.d_1 + off(5e-4),
                 delta_1: d.delta_1 + rad(off(5e-3)),
@@ -275,7 +276,7 @@ fn residuals_about_foot_and_pivot_are_two() {
         r_b: 14.14,
         chi_b: 0.0,
     };
-    let boom = boom.boom().expect("a boom");
+    let boom = boom.check().expect("a boom");
     for line in table() {
         let phi = rad(line[0].1);
         let left = Residual::new(&boom, &Balance::Lever(lever), phi).expect("closes");
@@ -353,7 +354,8 @@ fn straight_rail_by_its_closed_form() {
 /// potential energy stays, and the travel is along the rail.
 #[test]
 fn curved_rail_keeps_the_energy() {
-    for boom in [boom(), plain()] {
+    let booms: [&dyn Boom<f64>; 2] = [&boom(), &plain()];
+    for boom in booms {
         let dimensions = curved_rail::Dimensions {
             g_c: 300e3,
             r_1: 9.0,
@@ -362,11 +364,11 @@ fn curved_rail_keeps_the_energy() {
             y_0: 10.0,
             phi_0: rad(60.0),
         };
-        let rail = curved_rail::CurvedRail::new(dimensions, &boom).expect("sound");
+        let rail = curved_rail::CurvedRail::new(dimensions, |phi| Ok(boom.at(phi)?.u_0)).expect("sound");
         let mut whole: Option<f64> = None;
         for i in 0..=380 {
             let phi = rad(44.0 + 0.1 * f64::from(i));
-            let left = Residual::new(&boom, &Balance::CurvedRail(rail), phi).expect("reaches");
+            let left = Residual::new(boom, &Balance::CurvedRail(rail), phi).expect("reaches");
             assert!(
                 left.dm.abs() <= 1e-12 * left.boom.m_0.abs().max(1e6),
                 "{} {}",
@@ -386,8 +388,8 @@ fn curved_rail_keeps_the_energy() {
             assert!((rope - 14.0).abs() < 1e-12 * 14.0);
         }
         let short = curved_rail::Dimensions { l_r: 0.5, ..dimensions };
-        let rail = curved_rail::CurvedRail::new(short, &boom).expect("sound");
-        let fault = Analysis::new(&boom, &Balance::CurvedRail(rail), range()).expect_err("too short");
+        let rail = curved_rail::CurvedRail::new(short, |phi| Ok(boom.at(phi)?.u_0)).expect("sound");
+        let fault = Analysis::new(boom, &Balance::CurvedRail(rail), range()).expect_err("too short");
         assert_eq!(fault.quantity.id, "L_r");
     }
 }
@@ -420,7 +422,7 @@ fn dead_points_and_slack_ropes() {
         y_0: -25.0,
         phi_0: rad(60.0),
     };
-    let rail = curved_rail::CurvedRail::new(low, &plain()).expect("sound");
+    let rail = curved_rail::CurvedRail::new(low, |phi| Ok(plain().at(phi)?.u_0)).expect("sound");
     let fault = Analysis::new(&plain(), &Balance::CurvedRail(rail), range()).expect_err("the rope pulls down");
     assert_eq!(fault.quantity.id, "N_1", "{fault}");
 }
@@ -439,14 +441,14 @@ fn zero_weights() {
         chi_c: 0.0,
     };
     let balance = Balance::Tail(tail.new().expect("sound"));
-    let found = Analysis::new(&weightless.boom().expect("sound"), &balance, range()).expect("exists");
+    let found = Analysis::new(&weightless.check().expect("sound"), &balance, range()).expect("exists");
     assert_eq!((found.dm_max.value, found.e_abs), (0.0, 0.0));
     assert!(found.equilibria.is_empty());
     let p = portal::parameters();
-    let fault = Boom::system(&Parameters { weights: None, ..p }).expect_err("no weights");
+    let fault = System::new(&Parameters { weights: None, ..p }).expect_err("no weights");
     assert!(fault.to_string().contains("no weights"), "{fault}");
     assert!(
-        Boom::system(&Parameters {
+        System::new(&Parameters {
             driven: Driven::Rocker,
             ..p
         })
@@ -455,7 +457,7 @@ fn zero_weights() {
     let none = p
         .weights
         .map(|w| w.map(&mut |symbol, x| if symbol.id.starts_with('G') { 0.0 } else { x }));
-    let boom = Boom::system(&Parameters { weights: none, ..p }).expect("sound");
+    let boom = System::new(&Parameters { weights: none, ..p }).expect("sound");
     assert_eq!(boom.at(rad(60.0)).expect("closes").m_0, 0.0);
 }
 
@@ -495,7 +497,7 @@ fn bad_dimensions_are_refused_by_name() {
     assert_eq!(fault.quantity.id, "phi", "{fault}");
 }
 
-fn system(x: [f64; 6], w: [f64; 9]) -> Option<Boom<f64>> {
+fn system(x: [f64; 6], w: [f64; 9]) -> Option<System<f64>> {
     let p = portal::parameters();
     let l = p.lengths;
     let lengths = Lengths {
@@ -518,7 +520,7 @@ fn system(x: [f64; 6], w: [f64; 9]) -> Option<Boom<f64>> {
         s_3: w[7] * 15.0,
         chi_3: w[8] - 0.5,
     };
-    Boom::system(&Parameters {
+    System::new(&Parameters {
         lengths,
         weights: Some(weights),
         ..p
@@ -542,13 +544,13 @@ fn dimensions_are_consistent() {
     let (trace, values) = record(|| {
         let given = &mut Rec::given;
         let phi = Rec::given(&symbols::PHI, rad(60.0));
-        let system = Boom::system(&p.map(&mut Rec::given)).expect("exists");
+        let system = System::new(&p.map(&mut Rec::given)).expect("exists");
         let plain = Plain {
             g_b: 12e4,
             r_b: 14.0,
             chi_b: 0.1,
         };
-        let plain = plain.map(given).boom().expect("sound");
+        let plain = plain.map(given).check().expect("sound");
         system.moment_by_power(phi).expect("closes");
         plain.moment_by_power(phi).expect("closes");
         let lever = Lever::new(d.map(given), Some(Rec::given(&symbols::S_5, 3.0)), Branch::Left);
@@ -579,7 +581,9 @@ fn dimensions_are_consistent() {
             Balance::Tail(tail.map(given).new().expect("sound")),
             Balance::Parallelogram(parallelogram.map(given).new().expect("sound")),
             Balance::StraightRail(straight.map(given).new().expect("sound")),
-            Balance::CurvedRail(curved_rail::CurvedRail::new(rail.map(given), &system).expect("sound")),
+            Balance::CurvedRail(
+                curved_rail::CurvedRail::new(rail.map(given), |phi| Ok(system.at(phi)?.u_0)).expect("sound"),
+            ),
         ];
         balances.map(|balance| Residual::new(&system, &balance, phi).expect("closes").dm.value())
     });
@@ -642,17 +646,17 @@ proptest! {
         part in 0.05..0.95_f64,
     ) {
         if let Some(boom) = system(x, w) {
-            let Boom::System(g, weights) = boom else { unreachable!() };
+            let System { g, w: weights } = boom;
             let arc = g.linkage.arcs()[0];
             let phi = arc.from + part * (arc.to - arc.from);
             let m_0 = boom.at(phi).expect("inside the arc").m_0;
             let scale: f64 = boom.parts(phi).expect("closes").iter().map(|part| part.abs()).sum::<f64>().max(1e5);
             let power = boom.moment_by_power(phi).expect("inside the arc");
             prop_assert!((m_0 - power).abs() <= 1e-12 * scale, "{m_0} {power}");
-            let dual = Boom::System(
-                g.map(Dual64::from_re),
-                weights.map(&mut |_, value| Dual64::from_re(value)),
-            );
+            let dual = System {
+                g: g.map(Dual64::from_re),
+                w: weights.map(&mut |_, value| Dual64::from_re(value)),
+            };
             let slope = dual.at(Dual64::new(phi, 1.0)).expect("inside the arc").u_0.eps;
             prop_assert!((m_0 + slope).abs() <= 1e-11 * scale, "{m_0} {slope}");
             let parts: f64 = boom.parts(phi).expect("closes").iter().sum();

@@ -1,14 +1,15 @@
 //! A balance in motion: the inertia and the moment of its counterweight against what statics and levers give.
 
 use lemnis_models::balance::Balance;
+use lemnis_models::balance::boom::Boom;
 use lemnis_models::calc::Calc;
-use lemnis_models::lemniscate::balancing::{Balancing, residual};
+use lemnis_models::component::running::Model;
+use lemnis_models::lemniscate::balancing::{self, residual};
 use lemnis_models::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Phase};
 use lemnis_models::lemniscate::geometry::{Driven, Geometry};
 use lemnis_models::lemniscate::position::Position;
 use lemnis_models::lemniscate::scene::Luffing;
 use lemnis_models::lemniscate::velocity::Velocity;
-use lemnis_models::model::Model;
 use lemnis_models::plane::Point;
 use lemnis_models::scene::Scene;
 
@@ -68,7 +69,7 @@ fn moment_and_inertia_are_those_of_statics() {
         let luffing = luffing(&text);
         let (p, name) = (luffing.parameters, kind(&luffing));
         let (g, w) = (Geometry::new(&p).expect("exists"), p.weights.expect("weights"));
-        let balancing = Balancing::new(&p, &luffing.motion).expect("sound").expect("a balance");
+        let balancing = balancing::new(&p, &luffing.motion).expect("sound").expect("a balance");
         let dynamics = alone(&luffing);
         for theta in luffing.motion.angles() {
             let r = f64::reduced(&dynamics, theta).expect("closes");
@@ -196,7 +197,7 @@ fn in_motion(text: &str) -> Model {
         .replace("driven = ", "fidelity = \"rigid\"\ndriven = ")
         .replace("\n[luffing.drive]", dynamics);
     let scene = Scene::parse(&text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
-    Model::new(&scene).expect("built")
+    scene.model().expect("built")
 }
 
 /// What the brake holds at rest is what the book's drive would: the moment of load and weights less the balance's.
@@ -227,7 +228,7 @@ fn an_unloaded_crane_rests_where_it_is_balanced() {
     for text in scenes() {
         let luffing = luffing(&text.replace("Q = \"100 kN\"", "Q = \"0 kN\""));
         let p = luffing.parameters;
-        let found = lemnis_models::lemniscate::balancing::analysis(&p, &luffing.motion)
+        let found = balancing::analysis(&p, &luffing.motion)
             .expect("sound")
             .expect("a balance");
         let mut model = in_motion(&text.replace("Q = \"100 kN\"", "Q = \"0 kN\""));
@@ -243,7 +244,7 @@ fn an_unloaded_crane_rests_where_it_is_balanced() {
                 "der(omega_3)"
             }),
         );
-        for equilibrium in &found.equilibria {
+        for equilibrium in &*found.equilibria {
             model.set(0, equilibrium.at).expect("in the range");
             model.set(brake, 0.0).expect("allowed");
             model.update().expect("closes");

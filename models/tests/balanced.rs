@@ -6,11 +6,12 @@ mod balances;
 use std::f64::consts::TAU;
 
 use balances::{EXISTING, KINDS, NEW, driven_by_rocker, every_kind, with};
+use lemnis_models::component::running::Model;
 use lemnis_models::lemniscate::balancing::{agreement, analysis};
 use lemnis_models::lemniscate::geometry::Driven;
-use lemnis_models::lemniscate::model::State;
 use lemnis_models::lemniscate::scene::Luffing;
-use lemnis_models::model::{Model, Role};
+use lemnis_models::model::Role;
+use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
 use lemnis_models::sheet::{Check, sheet};
 
@@ -23,7 +24,7 @@ fn luffing(scene: &Scene) -> &Luffing {
 }
 
 fn model(text: &str) -> Model {
-    Model::new(&scene(text)).expect("a mechanism")
+    scene(text).model().expect("a mechanism")
 }
 
 fn index(model: &Model, id: &str) -> Option<usize> {
@@ -203,7 +204,7 @@ fn derivatives_of_every_result() {
         let [from, to] = model.variables()[0].bounds;
         model.set(0, from + 0.45 * (to - from)).expect("an angle");
         let variables = model.variables().to_vec();
-        let dependencies = model.dependencies();
+        let dependencies = dependencies(&model);
         let settable = |role| matches!(role, Role::Input | Role::Parameter | Role::Tunable);
         for (known, variable) in variables.iter().enumerate().filter(|(_, v)| settable(v.role)) {
             let middle = model.get(known).expect("a value");
@@ -366,11 +367,9 @@ fn never_not_a_number() {
     assert!(numbers > 10_000 && refusals > 1000);
 }
 
-/// A state stays plain data, and a scene without a balance has none of it in its book.
+/// A scene without a balance has none of it in its book.
 #[test]
 fn nothing_extra_without_a_balance() {
-    fn plain<T: Copy>() {}
-    plain::<State>();
     let bare = scene(include_str!("../scenes/portal_004.toml"));
     let sheet = sheet(&bare);
     assert!(sheet.balance.is_none());
@@ -414,7 +413,7 @@ fn a_boom_that_passes_straight_down_does_not_turn_back() {
         scene(&text)
     };
     let by_rocker = scene("rocker", "left", -105.0, -70.0);
-    let mut model = Model::new(&by_rocker).expect("a mechanism");
+    let mut model = by_rocker.model().expect("a mechanism");
     let mut ends = [-105.0, -70.0].map(|angle| {
         at(&mut model, angle);
         shown(&mut model, "theta_1")

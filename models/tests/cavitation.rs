@@ -1,7 +1,8 @@
 //! Oil below absolute vacuum, which the model has and a machine has not: it is told by a truth value with its event
 //! indicator and once in words, alike for luffing and for steering.
 
-use lemnis_models::model::{Model, Role, Type};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::{Role, Type};
 use lemnis_models::scene::Scene;
 
 #[path = "common/levels.rs"]
@@ -44,7 +45,7 @@ fn cranes() -> Vec<(&'static str, Model)> {
         .filter(|level| level.starts_with("hydraulic"));
     // Wheels that turn on by themselves when their valves close.
     let heavy = HOIST.replace("J     = \"12000 kg.m2\"", "J     = \"3000000 kg.m2\"");
-    let hoist = Model::new(&Scene::parse(&heavy).expect("a scene")).expect("built");
+    let hoist = Scene::parse(&heavy).expect("a scene").model().expect("built");
     cranes
         .map(|level| (level, levels::model(level)))
         .chain([("steering", hoist)])

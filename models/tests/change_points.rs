@@ -3,11 +3,12 @@
 //!
 //! References: `tests/oracles/four_bars.py`, Legendre's integral with 50 digits.
 
+use lemnis_models::component::running::Model;
 use lemnis_models::four_bar::Branch;
 use lemnis_models::lemniscate::geometry::{Driven, Geometry, Jib, Lengths, Parameters};
 use lemnis_models::lemniscate::position::Position;
 use lemnis_models::lemniscate::velocity::{Pole, Velocity};
-use lemnis_models::model::{Model, Role, Type};
+use lemnis_models::model::{Role, Type};
 use lemnis_models::scene::Scene;
 use num_dual::{Dual2_64, Dual64};
 use std::f64::consts::PI;
@@ -133,7 +134,7 @@ fn velocities_are_those_of_the_branch() {
                     let turned = |bar: lemnis_models::plane::Point<Dual64>| {
                         (bar.x.re * bar.y.eps - bar.y.re * bar.x.eps) / (bar.x.re * bar.x.re + bar.y.re * bar.y.re)
                     };
-                    if let Some((o1p, at)) = Pole::new(&g, &p, v.i_2).finite() {
+                    if let Some((o1p, at)) = Pole::new(&g, &p, &v).finite() {
                         // The jib turns about it, and it lies on the boom's line.
                         let from = p.a - at;
                         let moved = [-from.y * v.i_2 - v.da.x, from.x * v.i_2 - v.da.y];
@@ -209,7 +210,7 @@ M_A = "0 kN.m"
 
 fn built(text: &str) -> Model {
     let scene = Scene::parse(text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
-    Model::new(&scene).expect("built")
+    scene.model().expect("built")
 }
 
 fn index(model: &Model, id: &str) -> usize {

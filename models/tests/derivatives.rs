@@ -3,7 +3,9 @@
 
 use std::collections::BTreeMap;
 
-use lemnis_models::model::{Model, Role, TIME};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::{Role, TIME};
+use lemnis_models::registry::dependencies;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 const ORACLE: &str = include_str!("../../tests/oracles/lemniscate_derivatives.csv");
@@ -31,7 +33,7 @@ fn oracle() -> impl Iterator<Item = Row> {
 }
 
 fn model() -> Model {
-    Model::new(&Scene::parse(DEFAULT).expect("valid")).expect("a mechanism")
+    Scene::parse(DEFAULT).expect("valid").model().expect("a mechanism")
 }
 
 fn index(model: &Model, id: &str) -> usize {
@@ -80,7 +82,7 @@ fn derivatives_are_exact() {
 #[test]
 fn dependencies_are_exact() {
     let model = model();
-    let dependencies = model.dependencies();
+    let dependencies = dependencies(&model);
     let mut changed: BTreeMap<(&str, &str), bool> = BTreeMap::new();
     for row in oracle() {
         *changed.entry((row.output, row.known)).or_default() |= row.derivative != 0.0;

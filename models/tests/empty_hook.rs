@@ -1,7 +1,8 @@
 //! An empty hook: a load of nothing, from the start or put down and picked up again during a run, at every level.
 //! It is the limit of ever lighter loads, of which one of a millionth of a newton stands for all.
 
-use lemnis_models::model::{Model, Role};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::Role;
 use lemnis_models::scene::Scene;
 
 #[path = "common/levels.rs"]
@@ -22,7 +23,7 @@ fn loaded(level: &str, load: &str, replaced: &[(&str, &str)]) -> Model {
         assert!(text.contains(old), "{level}: {old}");
         text = text.replace(old, new);
     }
-    Model::new(&Scene::parse(&text).expect("a scene")).expect("built")
+    Scene::parse(&text).expect("a scene").model().expect("built")
 }
 
 fn index(model: &Model, id: &str) -> Option<usize> {

@@ -1,10 +1,11 @@
 //! Governing positions and sensitivities, against searches and differences that know nothing of derivatives.
 
-use lemnis_models::lemniscate::governing::{governing, sensitivity};
-use lemnis_models::lemniscate::range::Range;
+use lemnis_models::component::governing::{governing, sensitivity};
+use lemnis_models::component::outline::Told;
+use lemnis_models::component::running::Running;
 use lemnis_models::lemniscate::scene::Luffing;
 use lemnis_models::lemniscate::symbols as s;
-use lemnis_models::model::Model;
+
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_models::symbol::Symbol;
 
@@ -16,11 +17,12 @@ fn luffing(text: &str) -> Luffing {
 
 /// Value of a checked or governing result, searched anew.
 fn result(luffing: &Luffing, symbol: &'static Symbol) -> f64 {
-    let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
+    let mut model = luffing.standing();
     if symbol == &s::EPSILON_Y {
-        return range.epsilon_y();
+        let index = model.variables().iter().position(|variable| variable.symbol == symbol);
+        return model.get(index.expect("a variable")).expect("closes");
     }
-    let found = governing(luffing, &range, None)
+    let found = governing(&model, luffing.outline())
         .into_iter()
         .find(|g| g.symbol == symbol);
     found.expect("a governing result").value
@@ -48,8 +50,9 @@ fn sensitivities_agree_with_differences() {
     let (mut compared, mut worst) = (0, 0.0_f64);
     for text in [DEFAULT, portal, &axis] {
         let luffing = luffing(text);
-        let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
-        let table = sensitivity(&luffing, &range, &governing(&luffing, &range, None));
+        let (mut model, outline) = (luffing.standing(), luffing.outline());
+        let found = governing(&model, outline);
+        let table = sensitivity(&mut model, outline, &found);
         for row in &table.rows {
             for (&(symbol, value), exact) in table.results.iter().zip(&row.by) {
                 let step = 1e-4 * row.value.abs().max(0.1);
@@ -80,9 +83,8 @@ fn governing_positions_are_the_extremes() {
     let scene = Scene::parse(DEFAULT).expect("valid");
     let luffing = scene.mechanism.luffing().expect("a luffing mechanism");
     let motion = luffing.motion;
-    let range = Range::new(&luffing.parameters, &motion).expect("closes");
-    let mut model = Model::new(&scene).expect("a mechanism");
-    let list = governing(luffing, &range, None);
+    let mut model = scene.model().expect("a mechanism");
+    let list = governing(&luffing.standing(), luffing.outline());
     assert_eq!(list.len(), 8);
     let mut inside = 0;
     for found in list {
@@ -125,8 +127,7 @@ fn governing_positions_are_the_extremes() {
 fn a_drive_through_the_foot_has_no_greatest_force() {
     let text = DEFAULT.replace("E_x   = \"3 m\"", "E_x   = \"0.1 m\"");
     let luffing = luffing(&text);
-    let range = Range::new(&luffing.parameters, &luffing.motion).expect("closes");
-    let list = governing(&luffing, &range, None);
+    let list = governing(&luffing.standing(), luffing.outline());
     let force = list.iter().find(|g| g.symbol == &s::F_D_MAX).expect("a drive");
     assert!(force.value.is_infinite());
     // The anchor on the boom, 5° below it, stands on the far side of O1 from E.
@@ -148,7 +149,7 @@ fn a_drive_through_the_foot_that_moves_nothing_needs_no_force() {
         let text = text.replace("Q = \"160 kN\"", &format!("Q = \"{load}\""));
         let mechanism = luffing(&text);
         assert_eq!(result(&mechanism, &s::F_D_MAX).abs(), greatest, "{load}");
-        let mut model = Model::new(&Scene::parse(&text).expect("valid")).expect("a mechanism");
+        let mut model = Scene::parse(&text).expect("valid").model().expect("a mechanism");
         let index = model.variables().iter().position(|v| v.symbol == &s::F_D);
         for degrees in [94.0_f64, 95.0, 96.0] {
             model.set(0, degrees.to_radians()).expect("an angle");

@@ -1,6 +1,7 @@
 //! Every level as a running model: no allocation, the work it does, states that go on with the same bits.
 
-use lemnis_models::model::{Fault, Model, Role};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::{Fault, Quantity, Role};
 use lemnis_models::scene::Scene;
 
 #[path = "common/levels.rs"]
@@ -22,8 +23,10 @@ fn no_level_allocates_while_it_runs() {
         for index in 0..model.variables().len() {
             let _ = model.get(index);
         }
+        // What an importer keeps is made once, too.
+        let (mut saved, mut tangent) = (model.state(), model.tangent(&|_| 0.0));
         let before = counting::count();
-        let saved = model.state();
+        model.state_into(&mut saved);
         for step in 0..1000 {
             let t = f64::from(step) * 1e-3;
             for &input in &inputs {
@@ -34,7 +37,8 @@ fn no_level_allocates_while_it_runs() {
             model.get_states(&mut states);
             model.event_indicators(&mut indicators).expect("closes");
             model.rates(&mut states).expect("closes");
-            let mut tangent = model.tangent(&|quantity| f64::from(quantity.0.id == "theta_1"));
+            let by_angle = |quantity: Quantity| f64::from(quantity.0.id == "theta_1");
+            model.tangent_into(&by_angle, &mut tangent);
             for index in 0..model.variables().len() {
                 let _ = model.get(index);
                 if matches!(model.variables()[index].role, Role::Rate | Role::Output) {
@@ -249,7 +253,7 @@ fn friction_and_stop_of_a_cylinder_are_told() {
     let text = levels::text("rigid")
         .replace("M_F   = \"20 kN.m\"", "")
         .replace("c_v   = \"200 kN.m.s\"", "");
-    let mut rigid = Model::new(&Scene::parse(&text).expect("a scene")).expect("built");
+    let mut rigid = Scene::parse(&text).expect("a scene").model().expect("built");
     let mut model = levels::model("hydraulic");
     let theta = index(&model, "theta_1");
     let command = index(&model, "u_v");

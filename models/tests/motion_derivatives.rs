@@ -3,7 +3,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use lemnis_models::model::{Model, Role};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::Role;
+use lemnis_models::registry::dependencies;
 
 #[path = "common/levels.rs"]
 mod levels;
@@ -180,7 +182,7 @@ fn dependencies_are_exact() {
     }
     for (level, changes) in levels {
         let model = levels::model(level);
-        let dependencies = model.dependencies();
+        let dependencies = dependencies(&model);
         for (variable, found) in model.variables().iter().zip(&dependencies) {
             let unknown = variable.symbol.id;
             if !changes.iter().any(|(changed, _)| *changed == unknown) {

@@ -4,15 +4,16 @@
 use std::fmt::Write as _;
 
 use lemnis_models::symbol::Symbol;
-use lemnis_models::{balance, gravity, hydraulics, lemniscate, steering};
+use lemnis_models::{balance, gravity, hydraulics, lemniscate, luffing, steering};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 7] = [
+const TABLES: [(&str, &[&Symbol]); 8] = [
     ("The double-link luffing mechanism", lemniscate::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
         lemniscate::moving::symbols::ALL,
     ),
+    ("The boom on a luffing rope", luffing::rope::symbols::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
     ("A cylinder with oil and valve", hydraulics::symbols::ALL),

@@ -1,7 +1,7 @@
 //! The boom four-bar of the portal crane is the same mechanism. [Balance004]
 
 use lemnis_models::lemniscate::geometry::Geometry;
-use lemnis_models::model::Model;
+
 use lemnis_models::scene::Scene;
 
 const SCENE: &str = include_str!("../scenes/portal_004.toml");
@@ -10,7 +10,7 @@ const SCENE: &str = include_str!("../scenes/portal_004.toml");
 /// jib is known to 0.01 deg, which is 2 mm.
 #[test]
 fn reach_at_the_printed_nodes() {
-    let mut model = Model::new(&Scene::parse(SCENE).expect("valid")).expect("a mechanism");
+    let mut model = Scene::parse(SCENE).expect("valid").model().expect("a mechanism");
     let reach = model
         .variables()
         .iter()

@@ -5,7 +5,6 @@ mod balances;
 #[path = "common/levels.rs"]
 mod levels;
 
-use lemnis_models::model::Model;
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_models::sheet::{Energy, Section, sheet};
 use lemnis_models::symbol::Symbol;
@@ -50,7 +49,7 @@ fn every_formula_is_dimensionally_consistent() {
 #[test]
 fn the_recorder_has_the_bits_of_the_model() {
     for scene in scenes() {
-        let mut model = Model::new(&scene).expect("a mechanism");
+        let mut model = scene.model().expect("a mechanism");
         let mut compared = 0;
         for position in sheet(&scene).positions {
             model.set(0, position.value).expect("an angle");
@@ -82,7 +81,7 @@ fn equations_of_motion_are_consistent_and_have_the_bits_of_the_model() {
     for level in levels::LEVELS.into_iter().filter(|level| *level != "static") {
         let scene = levels::scene(level);
         let motion = sheet(&scene).motion.expect("a chapter of motion");
-        let mut model = Model::new(&scene).expect("built");
+        let mut model = scene.model().expect("built");
         let [_, sample] = motion.run;
         for i in 0..(motion.instant.1 / sample).round() as u32 {
             model

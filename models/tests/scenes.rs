@@ -2,7 +2,6 @@
 //! the line of every mistake.
 
 use lemnis_models::diagnostic::Diagnostic;
-use lemnis_models::model::Model;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 fn changed(changes: &[(&str, &str)]) -> String {
@@ -13,7 +12,7 @@ fn changed(changes: &[(&str, &str)]) -> String {
 }
 
 fn value(scene: &Scene, name: &str) -> f64 {
-    let mut model = Model::new(scene).expect("a mechanism");
+    let mut model = scene.model().expect("a mechanism");
     let index = model.variables().iter().position(|variable| variable.name() == name);
     model.get(index.expect("known")).expect("a value")
 }

@@ -2,11 +2,12 @@
 //! plane, and by what theory conserves.
 
 use lemnis_models::calc::Calc;
+use lemnis_models::component::running::Model;
 use lemnis_models::lemniscate::dynamics::{Coordinate, Pendulum};
 use lemnis_models::lemniscate::hanging::{Free, Load};
 use lemnis_models::lemniscate::motion::{self, Bar, Friction, Motion};
 use lemnis_models::lemniscate::slewing::{Commands, Drive, Slewing, State, angles};
-use lemnis_models::model::{Model, Role};
+use lemnis_models::model::Role;
 use nalgebra::Vector3;
 
 #[path = "common/crane.rs"]

@@ -2,16 +2,15 @@
 
 use std::hint::black_box;
 
-use lemnis_models::model::{Model, Role};
-use lemnis_models::plane::Point;
+use lemnis_models::model::Role;
 use lemnis_models::scene::Scene;
 use lemnis_models::steering::cylinder::{Cylinder, Linkage};
-use lemnis_models::steering::load::{Tyre, resistance};
-use lemnis_models::steering::machine::{Limits, Machine};
+use lemnis_models::steering::limits::Limits;
+use lemnis_models::steering::load::{Tyre, force, resistance};
+use lemnis_models::steering::machine::{Axis, Machine, Outline};
 use lemnis_models::steering::mode::{Command, Mode};
 use lemnis_models::steering::published::Layout;
-use lemnis_models::steering::sizing::force;
-use lemnis_models::steering::wheels::{Wheel, place, roll};
+use lemnis_models::steering::wheels::{Rolling, Scale, Speed, Wheel};
 
 #[path = "common/counting.rs"]
 mod counting;
@@ -25,7 +24,8 @@ fn eight_groups_without_allocation() {
         l_1: 4.0,
         l_2: 9.0,
     };
-    let machine = Machine::new(layout.groups().to_vec(), Vec::new(), 0, 3).expect("apart");
+    let axes = layout.groups().map(|p| Axis { x: p.x, y: p.y });
+    let machine = Machine::new(&axes, &Outline(None)).expect("apart");
     let limits = vec![Limits::new(-1.2, 1.2, Vec::new()).expect("contains straight ahead"); 8];
     let cylinder = Cylinder {
         r: 0.5,
@@ -40,23 +40,20 @@ fn eight_groups_without_allocation() {
         k_v: 2.5,
     };
     let loads = [900e3; 8];
-    let (mut hold, mut lengths, mut arms, mut forces) = ([0.0; 8], [0.0; 8], [0.0; 8], [0.0; 8]);
-    let mut wheels = [Wheel {
-        theta: 0.0,
-        turn: Point::zeros(),
-        v: 0.0,
-    }; 8];
+    let (mut lengths, mut arms, mut forces) = ([0.0; 8], [0.0; 8], [0.0; 8]);
     let mut evaluate = |theta: f64| {
         let centre = Mode::AllWheel.centre(&machine, Command::Angle(theta)).expect("allowed");
-        roll(&machine.groups, machine.middle, &centre, 0.5, &hold, &mut wheels);
-        place(&limits, &mut wheels).expect("within reach");
+        let rollings: [_; 8] = std::array::from_fn(|i| Rolling::new(&centre, &axes[i]));
+        let wheels: [_; 8] = std::array::from_fn(|i| Wheel::new(&rollings[i], &limits[i]));
+        assert!(wheels.iter().all(|wheel| wheel.placed), "within reach");
+        let scale = Scale::new(&centre, &rollings, &0.5);
+        let speeds: [_; 8] = std::array::from_fn(|i| Speed::new(&rollings[i], &wheels[i], &scale));
         for i in 0..8 {
             let pose = linkages[i].at(wheels[i].turn);
             (lengths[i], arms[i]) = (pose.l, pose.od);
             forces[i] = force(resistance(&tyre, loads[i]).standing, pose.od);
-            hold[i] = wheels[i].theta;
         }
-        black_box((&wheels, &lengths, &arms, &forces));
+        black_box((&wheels, &speeds, &lengths, &arms, &forces));
     };
     evaluate(0.3);
     let before = counting::count();
@@ -70,7 +67,7 @@ fn eight_groups_without_allocation() {
 #[test]
 fn the_model_without_allocation() {
     let scene = Scene::parse(include_str!("../scenes/boat_hoist_003.toml")).unwrap_or_else(|found| panic!("{found:?}"));
-    let mut model = Model::new(&scene).expect("a machine");
+    let mut model = scene.model().expect("a machine");
     let mode = model
         .variables()
         .iter()

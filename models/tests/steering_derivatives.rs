@@ -3,7 +3,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use lemnis_models::model::{Model, Role, Type};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::{Role, Type};
+use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
 
 #[path = "common/counting.rs"]
@@ -43,7 +45,10 @@ const CASES: [(&str, u16, [f64; 2], Numbers, f64); 6] = [
 ];
 
 fn built() -> Model {
-    Model::new(&Scene::parse(SCENE).unwrap_or_else(|found| panic!("{found:?}"))).expect("built")
+    Scene::parse(SCENE)
+        .unwrap_or_else(|found| panic!("{found:?}"))
+        .model()
+        .expect("built")
 }
 
 fn index(model: &Model, id: &str, number: Option<u16>) -> usize {
@@ -123,7 +128,7 @@ fn derivatives_are_exact() {
 #[test]
 fn what_has_a_derivative_is_a_dependency() {
     let mut model = model(1);
-    let dependencies = model.dependencies();
+    let dependencies = dependencies(&model);
     for variable in model.variables().to_vec() {
         if !known(variable.role) {
             continue;
@@ -160,8 +165,8 @@ fn results_of_the_command_are_those_of_the_kinematic_level() {
     );
     let text = text.replacen("l_x   = \"1250 mm\"", "l_x   = \"900 mm\"", 1);
     let scene = Scene::parse(&text).unwrap_or_else(|found| panic!("{found:?}"));
-    let mut moving = Model::new(&scene).expect("built");
-    let mut still = Model::new(&scene.at("kinematic")).expect("built");
+    let mut moving = scene.model().expect("built");
+    let mut still = scene.at("kinematic").model().expect("built");
     for model in [&mut moving, &mut still] {
         let command = index(model, "theta_b", None);
         model.set(command, 0.3).expect("allowed");
@@ -222,7 +227,7 @@ fn results_of_the_command_are_those_of_the_kinematic_level() {
 #[test]
 fn what_is_searched_for_does_not_change_with_the_rest() {
     let (mut model, mut zero, mut refused) = (model(1), 0, 0);
-    let dependencies = model.dependencies();
+    let dependencies = dependencies(&model);
     let variables = model.variables().to_vec();
     for variable in variables.iter().filter(|variable| known(variable.role)) {
         if variable.kind != Type::Real {
@@ -273,11 +278,12 @@ fn a_jacobian_without_allocation() {
             v.role == Role::Rate || ["f_c", "q_v", "od", "f_g", "Q_P"].contains(&v.symbol.id)
         })
         .collect();
+    let mut tangent = model.tangent(&|_| 0.0);
     let before = counting::count();
     let mut sum = 0.0;
     for &state in &states {
         let known = model.variables()[state].quantity();
-        let mut tangent = model.tangent(&|other| f64::from(other == known));
+        model.tangent_into(&|other| f64::from(other == known), &mut tangent);
         for &unknown in &unknowns {
             sum += model.derivative(&mut tangent, unknown).expect("smooth");
         }

@@ -3,9 +3,11 @@
 
 use std::time::Instant;
 
+use lemnis_models::component::running::Model;
 use lemnis_models::hydraulics::cylinder::Cylinder;
 use lemnis_models::hydraulics::valve::Valve;
-use lemnis_models::model::{Model, Role};
+use lemnis_models::model::Role;
+use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
 use lemnis_models::solver::System as _;
 use lemnis_models::solver::rodas::Step;
@@ -20,7 +22,7 @@ mod counting;
 
 fn model(text: &str) -> Model {
     let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
-    Model::new(&scene).expect("built")
+    scene.model().expect("built")
 }
 
 fn with_tolerance(tolerance: &str) -> Model {
@@ -446,7 +448,7 @@ fn dependencies_are_complete() {
             .map(|i| model.get(i).unwrap_or(f64::NAN))
             .collect()
     };
-    let dependencies = at.dependencies();
+    let dependencies = dependencies(&at);
     let before = values(&mut at);
     let mut seen = 0;
     for known in 0..before.len() {

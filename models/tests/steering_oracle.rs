@@ -2,9 +2,14 @@
 //! language: `tests/oracles/steering_rigid_body.py` made the references.
 
 use lemnis_models::plane::{self, Point};
+use lemnis_models::steering::centre::residual;
 use lemnis_models::steering::machine::Machine;
 use lemnis_models::steering::mode::{Command, Mode};
-use lemnis_models::steering::wheels::{Wheel, residual, roll};
+
+#[path = "common/rolled.rs"]
+mod common;
+
+use common::{free, plain, rolled};
 
 const ORACLE: &str = include_str!("../../tests/oracles/steering_rigid_body.csv");
 
@@ -44,7 +49,10 @@ fn ten_thousand_machines() {
         let first = random.uniform(-1.5, 1.5);
         let second = random.uniform(-60.0, 60.0);
         let group = random.uniform(0.0, n as f64) as usize;
-        let machine = Machine::new(points, Vec::new(), 0, 1).expect("groups apart");
+        let machine = Machine {
+            rear_base: 1,
+            ..plain(&points)
+        };
         let (mut mode, mut command) = match kind {
             0 => (Mode::Free, Command::Centre(Point::new(40.0 * first, second))),
             1 => (Mode::AllWheel, Command::Angle(first)),
@@ -61,14 +69,9 @@ fn ten_thousand_machines() {
             on_the_line += 1;
         }
         let centre = mode.centre(&machine, command).expect("allowed");
-        let blank = Wheel {
-            theta: 0.0,
-            turn: Point::zeros(),
-            v: 0.0,
-        };
-        let (mut wheels, hold) = (vec![blank; n], vec![0.0; n]);
-        let travel = roll(&machine.groups, machine.middle, &centre, v, &hold, &mut wheels);
-        let omega = travel.omega.expect("turns");
+        assert!(centre.turning().is_some(), "turns");
+        let (wheels, travel) = rolled(&machine, &free(n), &centre, v);
+        let omega = travel.omega;
         assert_eq!(group, number(2) as usize);
         let turned = (wheels[group].theta - number(3)).abs();
         // Half a turn over is the same axle line, with the opposite speed.
@@ -90,6 +93,7 @@ fn ten_thousand_machines() {
             // The rigid body from the middle's velocity and omega, not from the centre.
             let arm = p - machine.middle;
             let velocity = travel.middle + Point::new(-omega * arm.y, omega * arm.x);
+            assert!(wheel.placed, "every heading is allowed");
             let astray = plane::cross(wheel.turn, velocity).abs() / v.abs();
             let along = (plane::dot(wheel.turn, velocity) - wheel.v).abs() / v.abs();
             assert!(

@@ -1,7 +1,8 @@
 //! Level `table`: the certified error holds, dimensions are fixed, and what cannot be tabulated is exact.
 
-use lemnis_models::model::{Model, Role};
-use lemnis_models::scene::{Mechanism, Scene};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::Role;
+use lemnis_models::scene::Scene;
 
 /// The luffing scenes, with their files' names.
 fn scenes() -> Vec<(String, Scene)> {
@@ -11,7 +12,7 @@ fn scenes() -> Vec<(String, Scene)> {
         let path = entry.expect("readable").path();
         let text = std::fs::read_to_string(&path).expect("text");
         let scene = Scene::parse(&text).unwrap_or_else(|found| panic!("{}: {found:?}", path.display()));
-        if matches!(scene.mechanism, Mechanism::Luffing(_)) {
+        if scene.mechanism.levels().contains(&"table") {
             found.push((path.file_name().expect("a file").to_string_lossy().into_owned(), scene));
         }
     }
@@ -22,11 +23,8 @@ fn scenes() -> Vec<(String, Scene)> {
 
 fn tabulated(scene: &Scene, tolerance: f64) -> Model {
     let mut scene = scene.at("table");
-    let Mechanism::Luffing(luffing) = &mut scene.mechanism else {
-        unreachable!("only luffing scenes");
-    };
-    luffing.table = Some(tolerance);
-    Model::new(&scene).expect("built")
+    scene.mechanism.interpolate(tolerance);
+    scene.model().expect("built")
 }
 
 /// A million points of every scene, in angle, velocity and load: no result is farther from the closed form than the
@@ -35,8 +33,8 @@ fn tabulated(scene: &Scene, tolerance: f64) -> Model {
 fn the_certified_error_holds() {
     const POINTS: usize = 1_000_000;
     for (name, scene) in scenes() {
-        let (mut closed, mut table) = (Model::new(&scene.at("static")).expect("built"), tabulated(&scene, 1e-6));
-        let Model::Luffing(inner) = &table else {
+        let (mut closed, mut table) = (scene.at("static").model().expect("built"), tabulated(&scene, 1e-6));
+        let Model::Standing(inner) = &table else {
             unreachable!("a luffing mechanism")
         };
         let positions = closed.positions();
@@ -66,7 +64,7 @@ fn the_certified_error_holds() {
             }
             for i in [point % kept.len(), (point / 7) % kept.len()].map(|i| kept[i]) {
                 let off = (closed.get(i).expect("closes") - table.get(i).expect("inside")).abs();
-                let Model::Luffing(inner) = &table else {
+                let Model::Standing(inner) = &table else {
                     unreachable!("a luffing mechanism")
                 };
                 let part = off / inner.bound(i);
@@ -90,7 +88,7 @@ fn pieces_grow_with_the_fourth_root() {
         .find(|(name, _)| name == "lemniscate.toml")
         .expect("there");
     let bytes = |tolerance| match tabulated(&scene, tolerance) {
-        Model::Luffing(model) => model.table().expect("tabulated").bytes(),
+        Model::Standing(model) => model.table().expect("tabulated").bytes(),
         _ => unreachable!("a luffing mechanism"),
     };
     let (coarse, fine) = (bytes(1e-5) as f64, bytes(1e-9) as f64);

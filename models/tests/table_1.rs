@@ -1,6 +1,6 @@
 //! The published table, value by value, from the default scene.
 
-use lemnis_models::model::Model;
+use lemnis_models::component::running::Model;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 /// All 366 computed values of [Li2022, Table 1] to the printed digit: within
@@ -15,7 +15,7 @@ fn every_value_of_table_1() {
         .published
         .as_ref()
         .expect("with the table");
-    let mut model = Model::new(&scene).expect("and a mechanism");
+    let mut model = scene.model().expect("and a mechanism");
     let index = |model: &Model, id: &str| {
         model
             .variables()

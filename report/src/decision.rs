@@ -2,9 +2,9 @@
 
 use lemnis_models::diagnostic::Diagnostic;
 use lemnis_models::gravity;
-use lemnis_models::model::{Fault, Model};
+use lemnis_models::model::Fault;
 use lemnis_models::number::short;
-use lemnis_models::scene::{Mechanism, Scene};
+use lemnis_models::scene::Scene;
 use lemnis_trade::setting::Method;
 use lemnis_trade::trade::SAMPLE;
 use toml_edit::value;
@@ -52,36 +52,21 @@ fn chosen(scene: &Scene, notes: &mut Vec<String>) -> Result<Scene, Failure> {
     };
     notes.push(told);
     let level = row.setting.level;
-    let (oil, left_out): (&str, &[&str]) = match (&scene.mechanism, level) {
-        (Mechanism::Steering(_), "kinematic") => ("oil", &["dynamics", "oil", "plc"]),
-        (Mechanism::Steering(_), _) => ("oil", &[]),
-        (Mechanism::Luffing(_), "static" | "table") => ("hydraulics", &["dynamics", "slewing", "hydraulics"]),
-        (Mechanism::Luffing(_), "rigid" | "swing") => ("hydraulics", &["hydraulics"]),
-        (Mechanism::Luffing(_), _) => ("hydraulics", &[]),
-    };
-    let swings = scene.at(level).mechanism.luffing().is_some_and(|luffing| {
-        let moving = luffing.moving.as_ref();
-        moving.is_some_and(|moving| moving.rope.is_some())
-    });
+    let unused = scene.mechanism.unused(level);
+    let own_gravity = format!("{}.dynamics.{}", scene.table, gravity::G.id);
     scene_file::changed(scene, &format!("the scene at level {level}"), |document| {
-        if left_out.contains(&"dynamics") && scene.given("luffing.dynamics.g").is_some() {
+        if unused.contains(&("dynamics", &[])) && scene.given(&own_gravity).is_some() {
             // What weighs by it stays.
             document.insert(gravity::G.id, value(gravity::G.written(scene.gravity)));
         }
-        let Some(mechanism) = document[scene.mechanism.id()].as_table_like_mut() else {
+        let Some(mechanism) = document[scene.table].as_table_like_mut() else {
             return;
         };
         mechanism.insert("fidelity", value(level));
-        for table in left_out {
-            mechanism.remove(table);
-        }
-        let unswung: &[(&str, &[&str])] = &[
-            ("slewing", &["chi_R"]),
-            ("dynamics", &["l_R", "phi_R", "v_h"]),
-            ("limits", &["phi_max"]),
-        ];
-        for (table, keys) in unswung.iter().filter(|_| !swings) {
-            if let Some(table) = mechanism.get_mut(table).and_then(|item| item.as_table_like_mut()) {
+        for (table, keys) in unused {
+            if keys.is_empty() {
+                mechanism.remove(table);
+            } else if let Some(table) = mechanism.get_mut(table).and_then(|item| item.as_table_like_mut()) {
                 keys.iter().for_each(|key| drop(table.remove(key)));
             }
         }
@@ -92,11 +77,12 @@ fn chosen(scene: &Scene, notes: &mut Vec<String>) -> Result<Scene, Failure> {
             };
             dynamics.insert("step", value(milliseconds(step)));
         }
-        if let (Some(oil), Method::Implicit(tolerance)) = (
-            mechanism.get_mut(oil).and_then(|item| item.as_table_like_mut()),
-            row.setting.method,
-        ) {
-            oil.insert("tol", value(format!("{tolerance:e}")));
+        if let (Some(solver), Method::Implicit(tolerance)) = (scene.mechanism.solver(), row.setting.method)
+            && let Some(table) = mechanism
+                .get_mut(solver.table)
+                .and_then(|item| item.as_table_like_mut())
+        {
+            table.insert(solver.tolerance.id, value(format!("{tolerance:e}")));
         }
         if let Method::Interpolated(tolerance) = row.setting.method {
             let mut table = toml_edit::Table::new();
@@ -177,7 +163,7 @@ struct Stopped {
 /// the whole working range.
 fn run(scene: &Scene) -> Result<(), Stopped> {
     let at = |time: f64| move |fault: Fault| Stopped { time, fault };
-    let mut model = Model::new(scene).map_err(at(0.0))?;
+    let mut model = scene.model().map_err(at(0.0))?;
     if model.states() == 0 {
         return Ok(());
     }
@@ -197,7 +183,9 @@ fn run(scene: &Scene) -> Result<(), Stopped> {
 
 /// How long the default experiment lasts, in s, and how many inner or communication steps it takes at least.
 fn work(scene: &Scene) -> Result<(f64, f64), Failure> {
-    let model = Model::new(scene).map_err(|fault| Failure::Scene(format!("error: {}", fault.message)))?;
+    let model = scene
+        .model()
+        .map_err(|fault| Failure::Scene(format!("error: {}", fault.message)))?;
     let step = explicit(scene).map_or(model.step_size(), |step| step.min(model.step_size()));
     let steps = if model.states() == 0 {
         0.0
@@ -207,10 +195,9 @@ fn work(scene: &Scene) -> Result<(f64, f64), Failure> {
     Ok((model.stop_time(), steps))
 }
 
-/// The inner step (s) of a luffing mechanism whose motion is solved with explicit steps.
+/// The inner step (s) of a motion that is solved with explicit steps.
 fn explicit(scene: &Scene) -> Option<f64> {
-    let moving = scene.mechanism.luffing()?.moving.as_ref()?;
-    moving.oil.is_none().then_some(moving.constants.step)
+    scene.mechanism.solver()?.explicit
 }
 
 fn milliseconds(step: f64) -> String {

@@ -2,10 +2,10 @@
 
 use lemnis_fmu::instance::strings;
 use lemnis_fmu::layout::{self, Place};
-use lemnis_models::model::{Enumeration, Model, Role, TIME, Type, Variable};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::{Enumeration, Role, TIME, Type, Variable};
 use lemnis_models::scene::Scene;
 use lemnis_models::sheet::assumptions;
-use lemnis_models::symbol::Symbol;
 use minijinja::value::Serde;
 use minijinja::{Environment, HtmlEscape, UndefinedBehavior, context};
 use serde::Serialize;
@@ -84,12 +84,9 @@ fn numbered(of: &Enumeration) -> String {
 }
 
 /// A sentence of the books as HTML: what stands there in Typst's mathematics is a variable of the FMU, by its name.
-fn html(sentence: &str, symbols: &[&[&'static Symbol]]) -> String {
+fn html(sentence: &str, mechanism: &str) -> String {
     let name = |print: &str| {
-        let known = symbols
-            .iter()
-            .flat_map(|table| *table)
-            .find(|symbol| symbol.print == print);
+        let known = symbol_tables(mechanism).flatten().find(|symbol| symbol.print == print);
         known.map_or_else(|| print.to_owned(), |symbol| symbol.id.to_owned())
     };
     let part = |(i, part): (usize, &str)| match i % 2 {
@@ -104,7 +101,7 @@ fn html(sentence: &str, symbols: &[&[&'static Symbol]]) -> String {
 /// # Errors
 /// The scene's model cannot be built, or the template is wrong.
 pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
-    let model = Model::new(scene).map_err(|fault| Error(fault.message))?;
+    let model = scene.model().map_err(|fault| Error(fault.message))?;
     let variables = model.variables();
     let row = |(index, variable): (usize, &Variable)| Row {
         name: variable.name(),
@@ -143,7 +140,7 @@ pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
     let english = Words::new(Language::find("en").expect("known"), [], None).map_err(Error)?;
     let sentence = |id| {
         let words = english.get("assumption", id).map_err(Error)?;
-        Ok(html(words, symbol_tables(scene.mechanism.id())))
+        Ok(html(words, scene.mechanism.id()))
     };
     let assumptions = assumptions(scene).into_iter().map(sentence);
     let assumptions: Vec<String> = assumptions.collect::<Result<_, Error>>()?;

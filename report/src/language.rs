@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use lemnis_models::number::Number;
 use lemnis_models::steering::moving::scene::{Body, Oil, Plc};
 use lemnis_models::symbol::Symbol;
-use lemnis_models::{balance, gravity, hydraulics, lemniscate, steering};
+use lemnis_models::{balance, gravity, hydraulics, lemniscate, luffing, steering};
 
 use crate::template::escape;
 
@@ -25,6 +25,7 @@ macro_rules! words {
             "common",
             "luffing",
             "double_link",
+            "rope",
             "motion",
             "balance",
             "synthesis",
@@ -149,42 +150,67 @@ impl Language {
     }
 }
 
-/// The symbols of each mechanism, by the scene's name for it.
-static SYMBOLS: [(&str, &[&[&Symbol]]); 2] = [
-    (
-        "luffing",
-        &[
+/// The symbols of a mechanism.
+struct Symbols {
+    mechanism: &'static str,
+    /// Group of words for those of its own.
+    words: &'static str,
+    own: &'static [&'static [&'static Symbol]],
+    /// Those that it shares with the first mechanism, with their words.
+    shared: &'static [&'static [&'static Symbol]],
+}
+
+static SYMBOLS: [Symbols; 3] = [
+    Symbols {
+        mechanism: "luffing",
+        words: SHARED,
+        own: &[
             lemniscate::symbols::ALL,
             balance::symbols::ALL,
             lemniscate::moving::symbols::ALL,
             gravity::ALL,
             hydraulics::symbols::ALL,
         ],
-    ),
-    (
-        "steering",
-        &[
+        shared: &[],
+    },
+    Symbols {
+        mechanism: "rope",
+        words: "rope_symbol",
+        own: &[luffing::rope::symbols::ALL],
+        shared: &[balance::symbols::ALL, gravity::ALL],
+    },
+    Symbols {
+        mechanism: "steering",
+        words: "steering_symbol",
+        own: &[
             steering::symbols::ALL,
             gravity::ALL,
             Body::<f64>::SYMBOLS,
             Oil::<f64>::SYMBOLS,
             Plc::<f64>::SYMBOLS,
         ],
-    ),
+        shared: &[],
+    },
 ];
 
-/// The tables of symbols of a mechanism, by the scene's name for it.
-pub(crate) fn symbol_tables(mechanism: &str) -> &'static [&'static [&'static Symbol]] {
-    let known = SYMBOLS.iter().find(|(name, _)| *name == mechanism);
-    known.map_or(&[], |(_, tables)| tables)
+/// Group of the words of symbols that mechanisms share.
+const SHARED: &str = "symbol";
+
+fn known(mechanism: &str) -> &'static Symbols {
+    let mut all = SYMBOLS.iter();
+    all.find(|symbols| symbols.mechanism == mechanism)
+        .expect("every mechanism has its symbols")
+}
+
+/// The tables of symbols of a mechanism, by its id.
+pub(crate) fn symbol_tables(mechanism: &str) -> impl Iterator<Item = &'static [&'static Symbol]> {
+    let Symbols { own, shared, .. } = known(mechanism);
+    own.iter().chain(*shared).copied()
 }
 
 /// The group of words for a mechanism's symbols.
 pub(crate) fn symbols(mechanism: &str) -> &'static str {
-    match mechanism {
-        "steering" => "steering_symbol",
-        _ => "symbol",
-    }
+    known(mechanism).words
 }
 
 /// The words of a language, in groups; Typst markup.
@@ -205,13 +231,14 @@ impl Words {
     ) -> Result<Words, String> {
         let mut words = merged(language.words.iter().copied())?;
         if language.code == LANGUAGES[0].code {
-            for (mechanism, tables) in SYMBOLS {
-                let meanings = tables
+            for symbols in &SYMBOLS {
+                let meanings = symbols
+                    .own
                     .iter()
                     .flat_map(|table| *table)
                     .filter(|symbol| !matches!(symbol.source, "event" | "state"))
                     .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
-                words.insert(symbols(mechanism).to_owned(), meanings.collect());
+                words.insert(symbols.words.to_owned(), meanings.collect());
             }
             words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?);
         }
@@ -230,7 +257,9 @@ impl Words {
     }
 
     pub(crate) fn get(&self, group: &str, id: &str) -> Result<&str, String> {
-        let word = self.0.get(group).and_then(|group| group.get(id));
+        let word = |group: &str| self.0.get(group)?.get(id);
+        let shared = || word(SHARED).filter(|_| SYMBOLS.iter().any(|symbols| symbols.words == group));
+        let word = word(group).or_else(shared);
         word.and_then(toml::Value::as_str)
             .ok_or_else(|| format!("no words for {group}.{id}"))
     }

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use lemnis_models::model::{Fault, Model, Role, Variable};
+use lemnis_models::model::{Fault, Role, Variable};
 use lemnis_models::number::{Number, column};
-use lemnis_models::scene::{Mechanism, Scene};
+use lemnis_models::scene::Scene;
 use lemnis_models::sheet::{Sheet, Summary, sheet};
 use serde_json::{Map, Value, json};
 
@@ -23,7 +23,7 @@ impl Results {
     /// # Errors
     /// The scene's model cannot be built, or a position of its range does not exist.
     pub fn new(scene: &Scene) -> Result<Results, Fault> {
-        let mut model = Model::new(scene)?;
+        let mut model = scene.model()?;
         let varies = |role: Role| matches!(role, Role::Input | Role::State | Role::Output);
         let indices: Vec<usize> = (0..model.variables().len())
             .filter(|&i| varies(model.variables()[i].role))
@@ -138,15 +138,13 @@ impl Results {
         let [coordinate, rate, ..] = self.columns.as_slice() else {
             return None;
         };
-        match (&self.scene.mechanism, coordinate.role) {
-            (Mechanism::Luffing(luffing), Role::State) => Some(format!(
+        match (self.scene.mechanism.solver(), coordinate.role) {
+            (Some(_), Role::State) => Some(format!(
                 "Each row: {coordinate} passed at {rate} = {}, all other states as at the start.",
-                rate.symbol.written(luffing.motion.speed)
+                rate.symbol.written(self.scene.mechanism.motion().speed)
             )),
-            (Mechanism::Steering(steering), _) if steering.moving.is_some() => {
-                Some(format!("Each row: every group stands where {coordinate} commands it."))
-            }
-            _ => None,
+            (Some(_), _) => Some(format!("Each row: everything stands where {coordinate} commands it.")),
+            (None, _) => None,
         }
     }
 

@@ -3,8 +3,9 @@
 
 use lemnis_fmu::instance::{Instance, Interface, token};
 use lemnis_models::calc::Calc;
+use lemnis_models::component::running::Model;
 use lemnis_models::lemniscate::dynamics::Body;
-use lemnis_models::model::{Model, Role, Type};
+use lemnis_models::model::{Role, Type};
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_models::unit;
 
@@ -18,7 +19,7 @@ const STEERING: &str = include_str!("../../models/scenes/boat_hoist_003_hydrauli
 
 fn parsed(text: &str) -> Model {
     let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}\n{text}"));
-    Model::new(&scene).expect("built")
+    scene.model().expect("built")
 }
 
 /// The scene with every length 4^k times as long, forces as they are and time 2^k times as long: numbers change by powers

@@ -1,6 +1,7 @@
 //! Extremes of the groups that are turned by their cylinders under the PLC: oil, steps, inputs, tolerances, loads.
 
-use lemnis_models::model::{Fault, Model};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::Fault;
 use lemnis_models::scene::Scene;
 
 use super::running::{bits, run, states};
@@ -9,7 +10,7 @@ const SCENE: &str = include_str!("../../models/scenes/boat_hoist_003_hydraulic.t
 
 pub fn model() -> Model {
     let scene = Scene::parse(SCENE).unwrap_or_else(|found| panic!("{found:?}"));
-    Model::new(&scene).expect("built")
+    scene.model().expect("built")
 }
 
 pub fn index(model: &Model, name: &str) -> usize {

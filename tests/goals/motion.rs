@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use lemnis_models::lemniscate::dynamics::{Dynamics, Phase};
 use lemnis_models::lemniscate::hydraulic::Modes;
-use lemnis_models::model::Model;
+
 use lemnis_models::scene::Scene;
 use lemnis_models::solver::rodas::{Run, Tolerance};
 
@@ -227,7 +227,7 @@ fn cylinder() {
 fn steering() {
     let text = include_str!("../../models/scenes/boat_hoist_003_hydraulic.toml");
     let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
-    let mut model = Model::new(&scene).expect("a machine");
+    let mut model = scene.model().expect("a machine");
     let angles: Vec<usize> = (0..model.variables().len())
         .filter(|&i| model.variables()[i].symbol.id == "theta")
         .collect();

@@ -3,7 +3,8 @@
 use std::ffi::{CStr, c_char, c_int, c_void};
 use std::ptr::null;
 
-use lemnis_models::model::{Model, Role, Type, Variable};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::{Role, Type, Variable};
 use lemnis_models::number::short;
 use lemnis_tests::unpacked::{Call, DoStep, Enter, Real, SetReal, Unpacked};
 
@@ -31,7 +32,7 @@ impl Run for Model {
     }
 
     fn start(&mut self) -> Said<()> {
-        Model::start(self).map_err(|fault| fault.message)
+        (**self).start().map_err(|fault| fault.message)
     }
 
     fn set(&mut self, index: usize, value: f64) -> Said<()> {

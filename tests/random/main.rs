@@ -23,7 +23,7 @@ use lemnis::language::Language;
 use lemnis::results::Results;
 use lemnis::template::Templates;
 use lemnis_fmu::description::{Standard, model_description};
-use lemnis_models::model::Model;
+use lemnis_models::component::running::Model;
 use lemnis_models::scene::{LANGUAGES, Scene};
 use lemnis_tests::unpacked::Unpacked;
 use lemnis_trade::trade::{SAMPLE, Trade};
@@ -40,7 +40,7 @@ const BOOK: u64 = 20;
 const TRADE: u64 = 8;
 const QUICK: f64 = 20.0;
 /// Longest time for one scene.
-const LONGEST: Duration = Duration::from_secs(60);
+const LONGEST: Duration = Duration::from_secs(120);
 /// Most work for each simulated second over the median of the level.
 const MOST_WORK: f64 = 20.0;
 
@@ -151,7 +151,7 @@ fn level(scene: &Scene) -> String {
 /// experiment's time, in s, times the states.
 fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
     let draw = || Draw::of(number, case.scale);
-    let mut model = match Model::new(scene) {
+    let mut model = match scene.model() {
         Ok(model) => model,
         Err(fault) => {
             outcome.wrong.push(format!("no model: {}", fault.message));

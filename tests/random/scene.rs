@@ -5,8 +5,9 @@ use std::f64::consts::PI;
 
 use fastrand::Rng;
 use lemnis_models::model::{Type, Variable};
-use lemnis_models::scene::{KEYS, MECHANISMS};
-use lemnis_models::schema::{Key, Kind, Sign};
+use lemnis_models::registry::{self, MECHANISMS};
+use lemnis_models::scene::KEYS;
+use lemnis_models::schema::{KIND, Key, Kind, Sign};
 use lemnis_models::symbol::Symbol;
 use lemnis_models::unit::{self, RAD};
 use toml::{Table, Value};
@@ -23,12 +24,12 @@ struct Maker {
 /// Of a mechanism that has none yet, scenes are nearly legal.
 fn maker(mechanism: &str) -> Option<Maker> {
     match mechanism {
-        "luffing" => Some(Maker {
+        "double_link" => Some(Maker {
             legal: luffing::legal,
             edge: luffing::edge,
             result: luffing::RESULT,
         }),
-        "steering" => Some(Maker {
+        "groups" => Some(Maker {
             legal: steering::legal,
             edge: steering::edge,
             result: steering::RESULT,
@@ -51,14 +52,18 @@ impl Case {
     /// The scene with this number of the series of a seed.
     pub fn new(seed: u64, number: u64) -> Case {
         let mut draw = Draw::new(seed ^ number.wrapping_mul(0x9E37_79B9_7F4A_7C15));
-        let mechanism = draw.pick(&MECHANISMS);
-        let keys = tables(key(KEYS, mechanism));
-        let maker = maker(mechanism);
+        let entry = &MECHANISMS[draw.rng.usize(..MECHANISMS.len())];
+        let (mechanism, keys) = (entry.table, entry.keys);
+        let maker = maker(entry.kind);
         let legal = draw.coin(0.5) && maker.is_some();
         let made = match &maker {
             Some(maker) => (maker.legal)(&mut draw, keys),
             None => draw.table(keys),
         };
+        let mut made = made;
+        if MECHANISMS.iter().filter(|other| other.table == mechanism).count() > 1 {
+            made.insert(KIND.to_owned(), entry.kind.into());
+        }
         let mut table = draw.around(mechanism, made);
         if !legal {
             let edge = draw.coin(0.5);
@@ -247,6 +252,7 @@ impl Draw {
             Kind::Date => "2026-02-28".into(),
             Kind::Choice(choices) => self.pick(choices).into(),
             Kind::Table(keys) => self.table(keys).into(),
+            Kind::Kinds(kinds) => self.table(kinds[0].1).into(),
             Kind::Texts(_) => Value::Array(Vec::new()),
             Kind::Choices(choices) => {
                 let chosen: Vec<&str> = choices.iter().copied().filter(|_| self.coin(0.3)).collect();
@@ -271,7 +277,8 @@ impl Draw {
     pub fn table(&mut self, keys: &'static [Key]) -> Table {
         let mut table = Table::new();
         for key in keys {
-            if key.required || self.coin(0.5) {
+            // An optional kind says which mechanism it is.
+            if key.required || key.name != KIND && self.coin(0.5) {
                 table.insert(key.name.to_owned(), self.fresh(key));
             }
         }
@@ -280,7 +287,10 @@ impl Draw {
 
     /// The scene around a mechanism's table.
     fn around(&mut self, mechanism: &str, made: Table) -> Table {
-        let others: Vec<&Key> = KEYS.iter().filter(|key| !MECHANISMS.contains(&key.name)).collect();
+        let others: Vec<&Key> = KEYS
+            .iter()
+            .filter(|key| registry::tables().all(|table| table != key.name))
+            .collect();
         let mut table = Table::new();
         for key in others {
             if key.required || self.coin(0.3) {
@@ -376,6 +386,7 @@ fn key(keys: &'static [Key], name: &str) -> &'static Key {
 fn tables(key: &'static Key) -> &'static [Key] {
     match key.kind {
         Kind::Table(keys) => keys,
+        Kind::Kinds(kinds) => kinds[0].1,
         _ => panic!("{} is no table", key.name),
     }
 }

@@ -5,7 +5,7 @@ use lemnis_fmu::abi::{
     Component, STATUS_DISCARD, STATUS_ERROR, STATUS_FATAL, STATUS_WARNING, Status, fmi2::*, fmi3::*,
 };
 use lemnis_fmu::layout::{self, Place};
-use lemnis_models::model::Model;
+use lemnis_models::component::running::Model;
 use lemnis_models::scene::{self, Scene};
 use std::ffi::{CStr, CString, c_char, c_void};
 use std::path::Path;
@@ -36,7 +36,7 @@ impl Unpacked {
         std::fs::create_dir(folder.path().join("resources")).unwrap();
         std::fs::write(folder.path().join("resources/scene.toml"), scene.text()).unwrap();
         Unpacked {
-            model: Model::new(scene).unwrap(),
+            model: scene.model().unwrap(),
             token: CString::new(lemnis_fmu::instance::token(scene)).unwrap(),
             folder,
         }

@@ -1,11 +1,14 @@
 //! What is left of the moment: at one position, and over the working range.
 
+use std::sync::Arc;
+
 use std::f64::consts::TAU;
 
 use crate::balance::boom::{Boom, Load};
 use crate::balance::{Action, Balance, FINITE, Fault, Turn, symbols as s};
 use crate::calc::Calc;
-use crate::lemniscate::range::Extreme;
+use crate::component::extreme::Extreme;
+use crate::component::stages::{absent, results};
 use crate::motion::degrees;
 use crate::plane::Point;
 use crate::symbol::Symbol;
@@ -24,12 +27,28 @@ pub struct Residual<C> {
     pub dm_5: Option<C>,
 }
 
+results! { Residual as r => {
+    M_0: r.boom.m_0;
+    M_B: r.action.m_b;
+    DM: r.dm;
+    DM_5: r.dm_5.ok_or_else(absent)?;
+    PSI: r.action.lever.ok_or_else(absent)?.psi;
+    I_5: r.action.lever.ok_or_else(absent)?.i_5;
+    GAMMA: r.action.lever.ok_or_else(absent)?.gamma;
+    N_1: r.action.n_1.ok_or_else(absent)?;
+    C_Y: r.action.y_5.ok_or_else(absent)?;
+    F_KX: r.action.on_boom.x;
+    F_KY: r.action.on_boom.y;
+    F_PX: r.action.on_pivot.ok_or_else(absent)?.x;
+    F_PY: r.action.on_pivot.ok_or_else(absent)?.y;
+} }
+
 impl<C: Calc> Residual<C> {
     /// At boom angle `phi` (rad). [Balance004, eq. 3]
     ///
     /// # Errors
     /// An angle at which boom or balance cannot be.
-    pub fn new(boom: &Boom<C>, balance: &Balance<C>, phi: C) -> Result<Residual<C>, Fault> {
+    pub fn new(boom: &dyn Boom<C>, balance: &Balance<C>, phi: C) -> Result<Residual<C>, Fault> {
         let load = boom.at(phi)?;
         let action = balance.at(phi, &load)?;
         Ok(Residual::of(phi, load, action))
@@ -101,10 +120,12 @@ pub struct Analysis {
     pub n_max: Option<Extreme>,
     /// Smallest and greatest height of the counterweight, in m.
     pub y_5: Option<[Extreme; 2]>,
-    pub equilibria: Vec<Equilibrium>,
+    pub equilibria: Arc<[Equilibrium]>,
     /// Residual at the lowest and the highest boom angle, in N·m: stable ends have it positive, then negative. [Balance004, eq. 6-7]
     pub ends: [f64; 2],
 }
+
+results! { plain Analysis; }
 
 /// Points at which a quantity is looked at before extremes and zeros are refined.
 const GRID: u32 = 380;
@@ -115,7 +136,7 @@ impl Analysis {
     /// # Errors
     /// A range that is empty, or where boom or balance do not close or would
     /// have to pass a dead point, with the angles where they do not.
-    pub fn new(boom: &Boom<f64>, balance: &Balance<f64>, range: [f64; 2]) -> Result<Analysis, Fault> {
+    pub fn new(boom: &dyn Boom<f64>, balance: &Balance<f64>, range: [f64; 2]) -> Result<Analysis, Fault> {
         let [from, to] = range;
         if !(from < to && from.is_finite() && to.is_finite()) {
             return Err(Fault::new(
@@ -228,7 +249,7 @@ impl Analysis {
             gamma_min: gamma.map(turned),
             n_max: grid.greatest_of(&|r| r.action.n_1.map(f64::abs))?,
             y_5: lowest.map(turned).zip(highest).map(|(low, high)| [low, high]),
-            equilibria,
+            equilibria: equilibria.into(),
             ends: {
                 let [from, to] = [grid.samples[0].dm, grid.samples.last().expect("samples").dm];
                 if upward { [from, to] } else { [to, from] }
@@ -258,6 +279,19 @@ impl Analysis {
                 .filter_map(|(symbol, value)| Some((symbol, value?))),
         );
         list
+    }
+}
+
+impl Analysis {
+    /// Results with the place where each is greatest or least, under their symbols.
+    #[must_use]
+    pub fn extremes(&self) -> [(&'static Symbol, Option<Extreme>); 4] {
+        [
+            (&s::DM_MAX, Some(self.dm_max)),
+            (&s::DM_5_MAX, self.dm_5_max),
+            (&s::N_MAX, self.n_max),
+            (&s::GAMMA_MIN, self.gamma_min),
+        ]
     }
 }
 

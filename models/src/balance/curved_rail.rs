@@ -2,11 +2,11 @@
 //! the potential energy of boom and trolley stays what it is: the balance is
 //! exact, for any boom.
 
-use crate::balance::boom::{Boom, Load, joint};
+use crate::balance::boom::{Load, joint};
 use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, check, symbols as s};
 use crate::calc::Calc;
+use crate::group::quantities;
 use crate::plane::{self, Point};
-use crate::symbol::quantities;
 
 quantities! {
     /// Trolley (N), rope's joint on the boom (m, rad), length of the rope (m),
@@ -34,9 +34,11 @@ impl<C: Copy> CurvedRail<C> {
 }
 
 impl<C: Calc> CurvedRail<C> {
+    /// `u_0` is the boom's potential energy (J) at a boom angle (rad).
+    ///
     /// # Errors
     /// A weight or a length that is not positive, or a boom that does not close at the reference angle.
-    pub fn new(dimensions: Dimensions<C>, boom: &Boom<C>) -> Result<CurvedRail<C>, Fault> {
+    pub fn new(dimensions: Dimensions<C>, u_0: impl FnOnce(C) -> Result<C, Fault>) -> Result<CurvedRail<C>, Fault> {
         let d = &dimensions;
         check(&s::G_C, d.g_c.value(), POSITIVE)?;
         check(&s::R_K, d.r_1.value(), NOT_NEGATIVE)?;
@@ -44,7 +46,7 @@ impl<C: Calc> CurvedRail<C> {
         check(&s::L_R, d.l_r.value(), POSITIVE)?;
         check(&s::Y_0, d.y_0.value(), FINITE)?;
         check(&s::PHI_0, d.phi_0.value(), FINITE)?;
-        let u_0 = boom.at(d.phi_0)?.u_0;
+        let u_0 = u_0(d.phi_0)?;
         Ok(CurvedRail { dimensions, u_0 })
     }
 

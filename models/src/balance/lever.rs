@@ -6,8 +6,8 @@ use nalgebra::Scalar;
 use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, Turn, check, symbols as s};
 use crate::calc::Calc;
 use crate::four_bar::{Arc, Branch, Closure, FourBar, Names};
+use crate::group::quantities;
 use crate::plane::{self, Point};
-use crate::symbol::quantities;
 
 quantities! {
     /// Lengths (m), angles (rad) and the counterweight's moment (N·m).

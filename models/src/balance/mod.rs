@@ -27,7 +27,7 @@
 //! | `balance.straight_rail.moment` | [`straight_rail::StraightRail::at`] | Ports001, 2.1.4 |
 //! | `balance.curved_rail.moment` | [`curved_rail::CurvedRail::at`] | Ports001, 2.1.5 |
 //! | `balance.residual` | [`analysis::Residual::new`] | Balance004, eq. 3; Ports001, eq. 5.2.6 |
-//! | `balance.drive` | [`crate::lemniscate::balancing::Balanced`] | equilibrium, with and without the balance |
+//! | `balance.drive` | [`crate::luffing::balancing::Balanced`] | equilibrium, with and without the balance |
 //! | `balance.table_5_2_1` | [`published::table_5_2_1`] | Ports001, table 5.2.1 |
 //! | `balance.range` | [`analysis::Analysis::new`] | Balance004, criteria F1-F3 |
 //! | `balance.synthesis.three` | `lemnis_synthesis::three::lever` | Ports001, 2.2.1 |

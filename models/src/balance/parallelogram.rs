@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 use crate::balance::boom::joint;
 use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, Turn, check, symbols as s};
 use crate::calc::Calc;
+use crate::group::quantities;
 use crate::plane::{self, Point};
-use crate::symbol::quantities;
 
 quantities! {
     /// Counterweight (N) with its arm (m) and its angle (rad) from the rearward

@@ -4,10 +4,12 @@ use crate::balance::lever::{Dimensions, Lever};
 use crate::balance::parallelogram::Parallelogram;
 use crate::balance::straight_rail::StraightRail;
 use crate::balance::tail::Tail;
-use crate::balance::{Balance, Fault, boom::Boom, curved_rail, symbols as s};
+use crate::balance::{Balance, Fault, curved_rail, symbols as s};
 use crate::calc::Calc;
 use crate::diagnostic::Diagnostic;
 use crate::four_bar::Branch;
+use crate::group::Group;
+use crate::model::Quantity;
 use crate::schema::{Key, Kind, Sign, Values, missing};
 use crate::symbol::Symbol;
 
@@ -129,19 +131,41 @@ impl<C: Copy> Form<C> {
     }
 }
 
+impl<C: Calc> Group<C> for Form<C> {
+    type Over<D: Calc> = Form<D>;
+    /// Of the kind with the most.
+    const SIZE: usize = 9;
+    fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> Form<D> {
+        self.map(&mut |symbol, value| f((symbol, None), value))
+    }
+    fn take(&self, place: usize) -> C {
+        let (mut at, mut found) = (0.., None);
+        self.map(&mut |_, value| {
+            if at.next() == Some(place) {
+                found = Some(value);
+            }
+        });
+        found.expect("a place of this kind")
+    }
+    fn put(&mut self, place: usize, value: C) {
+        let mut at = 0..;
+        *self = self.map(&mut |_, old| if at.next() == Some(place) { value } else { old });
+    }
+}
+
 impl<C: Calc> Form<C> {
     /// The balance of a boom.
     ///
     /// # Errors
-    /// Quantities with which there is no such balance; whatever `boom` objects to,
-    /// which only the curved rail asks for.
-    pub fn balance(&self, boom: impl FnOnce() -> Result<Boom<C>, Fault>) -> Result<Balance<C>, Fault> {
+    /// Quantities with which there is no such balance; whatever `u_0`, the boom's potential energy (J) at a boom angle
+    /// (rad), objects to, which only the curved rail asks for.
+    pub fn balance(&self, u_0: impl FnOnce(C) -> Result<C, Fault>) -> Result<Balance<C>, Fault> {
         Ok(match *self {
             Form::Tail(it) => Balance::Tail(it.new()?),
             Form::Parallelogram(it) => Balance::Parallelogram(it.new()?),
             Form::Lever(it, s_5, branch) => Balance::Lever(Lever::new(it, s_5, branch)?),
             Form::StraightRail(it) => Balance::StraightRail(it.new()?),
-            Form::CurvedRail(it) => Balance::CurvedRail(curved_rail::CurvedRail::new(it, &boom()?)?),
+            Form::CurvedRail(it) => Balance::CurvedRail(curved_rail::CurvedRail::new(it, u_0)?),
         })
     }
 }

@@ -6,8 +6,8 @@ use std::f64::consts::FRAC_PI_2;
 use crate::balance::boom::joint;
 use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, check, symbols as s};
 use crate::calc::Calc;
+use crate::group::quantities;
 use crate::plane::{self, Point};
-use crate::symbol::quantities;
 
 quantities! {
     /// Counterweight (N), rope's joint on the boom (m, rad), guide pulley (m),

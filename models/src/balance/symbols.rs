@@ -1,5 +1,7 @@
 //! Every quantity of the balance of the boom system.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::symbol::symbols;
 
 symbols! {
@@ -13,22 +15,22 @@ symbols! {
     U_0: "U_0" "U_0" J / KJ, "Potential energy of the boom system, from the height of the boom foot.", "derived";
 
     // Dimensions of the balances.
-    G_C: "G_c" "G_c" N / KN, "Weight of the counterweight.", "[Ports001, 2.1]";
-    R_C: "r_c" "r_c" M / M, "Distance of the counterweight from the axis it turns about.", "[Ports001, 2.1]";
+    G_C: "G_c" "G_c" N / KN [not_negative, tunable], "Weight of the counterweight.", "[Ports001, 2.1]";
+    R_C: "r_c" "r_c" M / M [not_negative], "Distance of the counterweight from the axis it turns about.", "[Ports001, 2.1]";
     CHI_C: "chi_c" "chi_c" RAD / DEG, "Angle from the boom's rearward extension to the counterweight's arm, counter-clockwise positive.", "[Ports001, 2.1.1]";
-    D_1: "d_1" "d_1" M / M, "Distance of the lever's pivot from the boom foot.", "[Balance004, Fig. 2]";
+    D_1: "d_1" "d_1" M / M [positive], "Distance of the lever's pivot from the boom foot.", "[Balance004, Fig. 2]";
     DELTA_1: "delta_1" "delta_1" RAD / DEG, "Direction from the boom foot to the lever's pivot.", "[Balance004, Fig. 2]";
-    R_K: "r_1" "r_1" M / M, "Distance of the rod's or rope's joint on the boom from the boom foot.", "[Balance004, Fig. 2]";
+    R_K: "r_1" "r_1" M / M [positive], "Distance of the rod's or rope's joint on the boom from the boom foot.", "[Balance004, Fig. 2]";
     ALPHA_K: "alpha_K" "alpha_K" RAD / DEG, "Angle from the boom's axis to the joint on the boom, counter-clockwise positive; alpha_1 in the publication.", "[Balance004, Fig. 2]";
-    L_K: "l_1" "l_1" M / M, "Length of the coupling rod.", "[Balance004, Fig. 2]";
-    R_L: "R_1" "R_1" M / M, "Distance of the rod's joint on the lever from the lever's pivot.", "[Balance004, Fig. 2]";
+    L_K: "l_1" "l_1" M / M [positive], "Length of the coupling rod.", "[Balance004, Fig. 2]";
+    R_L: "R_1" "R_1" M / M [positive], "Distance of the rod's joint on the lever from the lever's pivot.", "[Balance004, Fig. 2]";
     CHI_5: "chi_5" "chi_5" RAD / DEG, "Angle from the lever's rod arm to its counterweight arm, counter-clockwise positive.", "[Balance004, Fig. 2]";
-    M_5: "M_5" "M_5" N_M / KN_M, "Weight of the counterweight times its arm.", "[Balance004, eq. 2]";
-    S_5: "s_5" "s_5" M / M, "Arm of the counterweight on the lever.", "[Balance004, Fig. 2]";
+    M_5: "M_5" "M_5" N_M / KN_M [not_negative, tunable], "Weight of the counterweight times its arm.", "[Balance004, eq. 2]";
+    S_5: "s_5" "s_5" M / M [positive], "Arm of the counterweight on the lever.", "[Balance004, Fig. 2]";
     H_X: "H_x" "x_H" M / M, "Guide pulley, forward of the boom foot.", "[Ports001, 2.1.4]";
     H_Y: "H_y" "y_H" M / M, "Guide pulley, above the boom foot.", "[Ports001, 2.1.4]";
-    LAMBDA: "lambda" "lambda" RAD / DEG, "Slope of the straight rail below the horizontal, rearward; 90 deg is a vertical one.", "[Ports001, 2.1.4]";
-    L_R: "L_r" "L_r" M / M, "Length of the rope between boom and trolley.", "[Ports001, 2.1.5]";
+    LAMBDA: "lambda" "lambda" RAD / DEG [not_negative], "Slope of the straight rail below the horizontal, rearward; 90 deg is a vertical one.", "[Ports001, 2.1.4]";
+    L_R: "L_r" "L_r" M / M [positive], "Length of the rope between boom and trolley.", "[Ports001, 2.1.5]";
     Y_0: "y_0" "y_0" M / M, "Height of the trolley at the reference angle.", "[Ports001, 2.1.5]";
     PHI_0: "phi_0" "phi_0" RAD / DEG, "Boom angle at which the trolley has its reference height.", "[Ports001, 2.1.5]";
 
@@ -58,7 +60,7 @@ symbols! {
     // Results at one position.
     PSI: "psi" "psi" RAD / DEG, "Angle of the counterweight's arm above the horizontal.", "[Balance004, Fig. 2]";
     I_5: "i_5" "i_5" ONE / ONE, "Lever's angular velocity over the boom's.", "[Ports001, 4.1]";
-    GAMMA: "gamma" "gamma" RAD / DEG, "Transmission angle between rod and lever, 0 to 90 deg.", "[Balance004, Fig. 2]";
+    GAMMA: "gamma" "gamma" RAD / DEG [from_to(0.0, FRAC_PI_2)], "Transmission angle between rod and lever, 0 to 90 deg.", "[Balance004, Fig. 2]";
     H_1: "h_1" "h_1" M / M, "Distance of the boom foot from the line of the rod; positive where a pull raises the boom.", "[Ports001, eq. 5.2.3]";
     H_5: "h_5" "h_5" M / M, "Distance of the lever's pivot from the line of the rod; where it has the sign of the boom's, lever and boom turn alike.", "[Ports001, eq. 5.2.4]";
     N_1: "N_1" "N_1" N / KN, "Force in the coupling rod or rope, tension positive.", "equilibrium";
@@ -69,8 +71,8 @@ symbols! {
     DM: "dM" "Delta M" N_M / KN_M, "Residual moment about the boom foot; positive raises the boom.", "[Balance004, eq. 3]";
     M_SUM: "M_sum" "M_Sigma" N_M / KN_M, "Total moment of load, weights and balance about the boom foot; positive raises the boom.", "equilibrium";
     M_D_0: "M_D_0" "M_(D 0)" N_M / KN_M, "Moment that the drive would have to give to the driven bar without the balance.", "virtual work";
-    F_D_0: "F_d_0" "F_(d 0)" N / KN, "Force that the drive would need without the balance, push positive.", "equilibrium", infinite "where the drive points at the foot of its bar";
-    DM_5: "dM_5" "Delta M_5" N_M / KN_M, "Residual moment about the lever's pivot, of the same power as the one about the boom foot.", "[Ports001, eq. 5.2.6]", infinite "where the lever comes to rest";
+    F_D_0: "F_d_0" "F_(d 0)" N / KN [infinite("where the drive points at the foot of its bar")], "Force that the drive would need without the balance, push positive.", "equilibrium";
+    DM_5: "dM_5" "Delta M_5" N_M / KN_M [infinite("where the lever comes to rest")], "Residual moment about the lever's pivot, of the same power as the one about the boom foot.", "[Ports001, eq. 5.2.6]";
     F_KX: "F_K.x" "F_(K x)" N / KN, "Force of the balance on the boom, forward component.", "equilibrium";
     F_KY: "F_K.y" "F_(K y)" N / KN, "Force of the balance on the boom, upward component.", "equilibrium";
     F_PX: "F_M.x" "F_(M x)" N / KN, "Force of the frame on the lever's pivot, guide pulley or rail, forward component.", "equilibrium";
@@ -80,13 +82,13 @@ symbols! {
     T_Y: "t.y" "t_y" M / M, "Rise of the trolley for one radian of the boom.", "derived";
 
     // Results of the working range.
-    DM_MAX: "dM_max" "abs(Delta M)_max" N_M / KN_M, "Greatest residual moment about the boom foot, by amount.", "[Balance004, F1]";
-    DM_5_MAX: "dM_5_max" "abs(Delta M_5)_max" N_M / KN_M, "Greatest residual moment about the lever's pivot, by amount.", "[Ports001, eq. 5.2.6]", infinite "where the lever comes to rest";
-    E_ABS: "E" "E" J / KJ, "Integral of the amount of the residual moment over the working range.", "[Balance004, F2]";
-    E_PLUS: "E_plus" "E_(+)" J / KJ, "Integral of the residual moment where it raises the boom, over the working range.", "[Balance004, F2]";
-    GAMMA_MIN: "gamma_min" "gamma_min" RAD / DEG, "Smallest transmission angle of the working range.", "[Balance004, F3]";
-    N_MAX: "N_max" "abs(N_1)_max" N / KN, "Greatest force in the rod or rope, by amount.", "derived";
-    TRAVEL: "Delta_y_5" "Delta y_5" M / M, "Difference of the counterweight's greatest and smallest height.", "[Ports001, eq. 5.2.1]";
+    DM_MAX: "dM_max" "abs(Delta M)_max" N_M / KN_M [not_negative], "Greatest residual moment about the boom foot, by amount.", "[Balance004, F1]";
+    DM_5_MAX: "dM_5_max" "abs(Delta M_5)_max" N_M / KN_M [not_negative, infinite("where the lever comes to rest")], "Greatest residual moment about the lever's pivot, by amount.", "[Ports001, eq. 5.2.6]";
+    E_ABS: "E" "E" J / KJ [not_negative], "Integral of the amount of the residual moment over the working range.", "[Balance004, F2]";
+    E_PLUS: "E_plus" "E_(+)" J / KJ [not_negative], "Integral of the residual moment where it raises the boom, over the working range.", "[Balance004, F2]";
+    GAMMA_MIN: "gamma_min" "gamma_min" RAD / DEG [from_to(0.0, FRAC_PI_2)], "Smallest transmission angle of the working range.", "[Balance004, F3]";
+    N_MAX: "N_max" "abs(N_1)_max" N / KN [not_negative], "Greatest force in the rod or rope, by amount.", "derived";
+    TRAVEL: "Delta_y_5" "Delta y_5" M / M [not_negative], "Difference of the counterweight's greatest and smallest height.", "[Ports001, eq. 5.2.1]";
     M_PLUS: "M_plus" "M^+" N_M / KN_M, "Least residual moment that turns the boom inwards at both ends.", "[Balance004, eq. 6-7]";
     DM_50: "dM_50" "abs(Delta M)_50" N_M / KN_M, "Residual that half of all builds stay below.", "derived";
     DM_95: "dM_95" "abs(Delta M)_95" N_M / KN_M, "Residual that 95 % of all builds stay below.", "derived";

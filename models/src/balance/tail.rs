@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, check, symbols as s};
 use crate::calc::Calc;
+use crate::group::quantities;
 use crate::plane::{self, Point};
-use crate::symbol::quantities;
 
 quantities! {
     /// Weight (N), distance from the boom foot (m), angle from the rearward extension (rad).

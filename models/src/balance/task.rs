@@ -307,7 +307,7 @@ impl Task {
     /// boom angles `range` (rad) is to be balanced, `own` is the scene's lever.
     pub fn new(
         v: &Values,
-        boom: &Boom<f64>,
+        boom: &(dyn Boom<f64> + Sync),
         range: [f64; 2],
         own: Option<&Lever<f64>>,
         found: &mut Vec<Diagnostic>,
@@ -454,7 +454,7 @@ fn method(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Method> {
 
 fn dimension_bounds(
     v: &Values,
-    boom: &Boom<f64>,
+    boom: &(dyn Boom<f64> + Sync),
     range: [f64; 2],
     own: Option<&Lever<f64>>,
     found: &mut Vec<Diagnostic>,

@@ -2,8 +2,10 @@
 //! the frame to an anchor on the driven bar.
 
 use crate::calc::Calc;
-use crate::lemniscate::geometry::{Anchors, Cylinder, Driven};
+use crate::component::stages::results;
+use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Lengths};
 use crate::lemniscate::position::Position;
+use crate::lemniscate::statics::Held;
 use crate::lemniscate::symbols as s;
 use crate::plane::{self, Point};
 use crate::symbol::Symbol;
@@ -19,6 +21,7 @@ pub struct Drive<C> {
     /// turns it counter-clockwise. The derivative of the length by the angle.
     pub h_d: C,
 }
+results! { Drive as d => { L_D: d.l_d; H_D: d.h_d; } }
 
 /// Force of the drive on the driven bar.
 #[derive(Clone, Copy, Debug)]
@@ -28,14 +31,24 @@ pub struct Reaction<C> {
     /// `None` where no force gives the moment.
     pub force: Option<Point<C>>,
 }
+results! { Reaction as f => { F_D: f.f_d; } }
+
+/// Speed of the drive, in m/s, lengthening positive.
+#[derive(Clone, Copy, Debug)]
+pub struct Stroke<C>(pub C);
+results! { Stroke as v => { V_D: v.0; } }
+
+/// Oil flow to the cylinder, in m³/s; negative where it shortens.
+#[derive(Clone, Copy, Debug)]
+pub struct Flow<C>(pub C);
+results! { Flow as q => { Q_D: q.0; } }
 
 impl<C: Calc> Drive<C> {
-    /// `bar` is the length of the driven bar; `o3` the foot of the rocker.
-    pub fn new(p: &Position<C>, bar: C, o3: Point<C>, a: &Anchors<C>) -> Drive<C> {
+    pub fn new(p: &Position<C>, l: &Lengths<C>, a: &Anchors<C>) -> Drive<C> {
         let (sin, cos) = a.chi_d.sin_cos();
-        let direction = match p.driven {
-            Driven::Boom => p.x_1,
-            Driven::Rocker => p.x_3,
+        let (direction, bar) = match p.driven {
+            Driven::Boom => (p.x_1, l.x_1),
+            Driven::Rocker => (p.x_3, l.x_3),
         };
         let arm = plane::def(
             plane::turned(direction, a.s_d * cos / bar, a.s_d * sin / bar),
@@ -44,7 +57,7 @@ impl<C: Calc> Drive<C> {
         let frame = Point::new(a.e_x, a.e_y);
         let line = match p.driven {
             Driven::Boom => arm - frame,
-            Driven::Rocker => o3 + arm - frame,
+            Driven::Rocker => l.o3() + arm - frame,
         };
         let line = plane::def(line, [&s::L_DX, &s::L_DY]);
         let l_d = plane::length(line).def(&s::L_D);
@@ -63,30 +76,35 @@ impl<C: Calc> Drive<C> {
             moment => f64::INFINITY.copysign(moment),
         })
     }
+}
 
-    /// The force that gives the moment `m_d` (N·m), as the driven bar feels it.
-    pub fn reaction(&self, m_d: C) -> Reaction<C> {
-        let f_d = self.force(m_d, &s::F_D);
-        let along = |line: C| f_d * line / self.l_d;
+impl<C: Calc> Reaction<C> {
+    /// The force that gives the moment that the driven bar needs.
+    pub fn new(drive: &Drive<C>, held: &Held<C>) -> Reaction<C> {
+        let f_d = drive.force(held.m_d, &s::F_D);
+        let along = |line: C| f_d * line / drive.l_d;
         Reaction {
             f_d,
-            force: (f_d.value().is_finite()).then(|| Point::new(along(self.line.x), along(self.line.y))),
+            force: (f_d.value().is_finite()).then(|| Point::new(along(drive.line.x), along(drive.line.y))),
         }
-    }
-
-    /// Speed, in m/s, lengthening positive, at the driven bar's angular velocity (rad/s).
-    pub fn speed(&self, omega: C) -> C {
-        (self.h_d * omega).def(&s::V_D)
     }
 }
 
-/// Oil flow to the cylinder, in m³/s, at its speed (m/s); negative where it shortens.
-pub fn oil_flow<C: Calc>(c: &Cylinder<C>, speed: C) -> C {
-    let quarter = C::constant(std::f64::consts::FRAC_PI_4);
-    let area = if speed.value() < 0.0 {
-        quarter * (c.d_c.square() - c.d_r.square())
-    } else {
-        quarter * c.d_c.square()
-    };
-    (area.def(&s::A_D) * speed).def(&s::Q_D)
+impl<C: Calc> Stroke<C> {
+    /// At the driven bar's angular velocity (rad/s).
+    pub fn new(drive: &Drive<C>, omega: &C) -> Stroke<C> {
+        Stroke((drive.h_d * *omega).def(&s::V_D))
+    }
+}
+
+impl<C: Calc> Flow<C> {
+    pub fn new(c: &Cylinder<C>, stroke: &Stroke<C>) -> Flow<C> {
+        let quarter = C::constant(std::f64::consts::FRAC_PI_4);
+        let area = if stroke.0.value() < 0.0 {
+            quarter * (c.d_c.square() - c.d_r.square())
+        } else {
+            quarter * c.d_c.square()
+        };
+        Flow((area.def(&s::A_D) * stroke.0).def(&s::Q_D))
+    }
 }

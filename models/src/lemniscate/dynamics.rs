@@ -9,11 +9,12 @@ use num_dual::{Dual2, Dual64, DualNum};
 
 use crate::balance::Fault;
 use crate::calc::{Calc, Over};
-use crate::lemniscate::balancing::Balancing;
+use crate::lemniscate::balancing;
 use crate::lemniscate::geometry::{Anchors, Driven, Geometry, Parameters, Weights};
 use crate::lemniscate::moving::symbols as s;
 use crate::lemniscate::position::Position;
 use crate::lemniscate::symbols as g;
+use crate::luffing::balancing::Balancing;
 use crate::motion::Motion as Range;
 use crate::plane::{self, Point, dot, squared};
 use crate::record::Rec;
@@ -191,7 +192,7 @@ struct Counterweight<T> {
 
 impl<T: Calc + DualNum> Counterweight<T> {
     fn new(p: &Parameters<T>, range: &Range, gravity: T) -> Result<Option<Self>, Fault> {
-        let Some((balancing, weights)) = Balancing::new(p, range)?.zip(p.weights) else {
+        let Some((balancing, weights)) = balancing::new(p, range)?.zip(p.weights) else {
             return Ok(None);
         };
         let weight = balancing.balance.weight();
@@ -250,7 +251,7 @@ impl<T: Calc + DualNum> Moves<T> {
             mass,
         }) = &positions.counterweight
         {
-            counterweight = Some((*mass, balancing.place(g, weights, &p, theta)?));
+            counterweight = Some((*mass, balancing::place(balancing, g, weights, &p, theta)?));
         }
         let turn = d
             .turntable

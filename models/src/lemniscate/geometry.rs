@@ -4,12 +4,14 @@ use std::f64::consts::TAU;
 
 use crate::balance::scene::Form;
 use crate::calc::Calc;
+use crate::component::stages::results;
 use crate::four_bar::{Branch, FourBar, Names};
+use crate::group::quantities;
 use crate::lemniscate::symbols as s;
 use crate::motion::Motion;
 use crate::number::short;
 use crate::plane::{self, Point};
-use crate::symbol::{Symbol, quantities};
+use crate::symbol::Symbol;
 
 /// Which bar the drive turns; its angle is the coordinate of the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -188,6 +190,7 @@ pub struct Geometry<C> {
     /// Angle from the jib's axis CA to its front arm, in rad. [Li2022, eq. 7]
     pub epsilon_a: C,
 }
+results! { Geometry; }
 
 /// Why there is no such mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

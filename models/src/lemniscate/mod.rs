@@ -21,34 +21,35 @@
 //! | `lemniscate.position` | [`position::Position::new`] | Li2022, eq. 3-8 |
 //! | `lemniscate.velocity` | [`velocity::Velocity::new`] | Li2022, eq. 9-10, by the loop |
 //! | `lemniscate.pole` | [`velocity::Pole::new`] | Li2022, eq. 1-2 |
-//! | `lemniscate.luffing_moment` | [`statics::load_moment`], [`velocity::Pole::moment`] | Li2022, eq. 11 |
-//! | `lemniscate.weight_moment` | [`statics::weight_moment`] | Balance004, eq. 1 |
+//! | `lemniscate.luffing_moment` | [`statics::LoadMoment::new`], [`velocity::Pole::moment`] | Li2022, eq. 11 |
+//! | `lemniscate.weight_moment` | [`statics::Own::new`] | Balance004, eq. 1 |
 //! | `lemniscate.pin_forces` | [`statics::PinForces::new`] | equilibrium |
-//! | `lemniscate.balance` | [`balancing::Balancing::at`] | [`crate::balance`] |
+//! | `lemniscate.balance` | [`balancing::at`] | [`crate::balance`] |
 //! | `lemniscate.drive` | [`drive::Drive::new`] | derived |
 //! | `lemniscate.dynamics` | [`dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
-//! | `lemniscate.governing` | [`range::greatest`], [`governing::governing`] | derived |
-//! | `lemniscate.sensitivity` | [`governing::sensitivity`] | derived |
+//! | `lemniscate.governing` | [`crate::component::governing::governing`] | derived |
+//! | `lemniscate.sensitivity` | [`crate::component::governing::sensitivity`] | derived |
 //! | `lemniscate.published` | [`published::Published::new`] | Li2022, eq. 1, 4-7 |
 
 pub mod balancing;
+pub mod drawing;
 pub mod drive;
 pub mod dynamics;
+pub mod feet;
 pub mod geometry;
-pub mod governing;
 pub mod hanging;
 pub mod hydraulic;
 pub mod model;
 pub mod motion;
 pub mod moving;
-pub mod outputs;
 pub mod position;
 pub mod published;
 pub mod range;
 pub mod scene;
 pub mod sheet;
 pub mod slewing;
+pub mod stages;
 pub mod statics;
 pub mod symbols;
-pub mod table;
+pub mod system;
 pub mod velocity;

@@ -1,6 +1,7 @@
 //! Positions: from the angle of the driven bar to every joint, angle and the reach.
 
 use crate::calc::Calc;
+use crate::component::stages::results;
 use crate::four_bar::{Closure, Passing};
 use crate::lemniscate::geometry::{Driven, Geometry, names};
 use crate::lemniscate::symbols as s;
@@ -29,6 +30,23 @@ pub struct Position<C> {
     diagonal: C,
     epsilon_a: C,
 }
+
+results! { Position as p => {
+    THETA_3: p.follower_angle();
+    THETA_1: p.follower_angle();
+    ALPHA: p.alpha();
+    ALPHA_1: p.alpha_1(p.alpha());
+    R: p.r;
+    A_X: p.a.x;
+    A_Y: p.a.y;
+    B_X: p.b.x;
+    B_Y: p.b.y;
+    C_X: p.c.x;
+    C_Y: p.c.y;
+    L: p.l();
+    Y: p.y();
+    MU: p.mu();
+} }
 
 impl<C: Calc> Position<C> {
     /// The position at `theta` (rad), the angle of the driven bar; `None` where

@@ -4,6 +4,7 @@
 //! them beside the forms that do not.
 
 use crate::calc::Calc;
+use crate::component::stages::results;
 use crate::lemniscate::geometry::Geometry;
 use crate::lemniscate::symbols as s;
 
@@ -15,6 +16,7 @@ pub struct Published<C> {
     pub alpha_1: C,
     pub o1p: C,
 }
+results! { Published; }
 
 impl<C: Calc> Published<C> {
     /// At boom angle `theta_1` (rad). [Li2022, eq. 1, 4-7]

@@ -1,4 +1,4 @@
-//! Results of the whole working range: extremes, level error, work.
+//! The head's rise over the whole working range.
 
 use std::f64::consts::TAU;
 use std::num::NonZeroUsize;
@@ -6,138 +6,34 @@ use std::num::NonZeroUsize;
 use gauss_quad::GaussLegendre;
 use num_dual::Dual64;
 
-use crate::calc::Calc;
+use crate::component::extreme::greatest_amount;
 use crate::lemniscate::geometry::{Geometry, Parameters};
 use crate::lemniscate::position::Position;
-use crate::lemniscate::scene::Motion;
 use crate::lemniscate::velocity::Velocity;
+use crate::motion::Motion;
 
-/// A value and the angle of the driven bar (rad) where it occurs.
+/// Rise of A, in m.
 #[derive(Clone, Copy, Debug)]
-pub struct Extreme {
-    pub value: f64,
-    pub at: f64,
+pub struct Rise {
+    /// From the start to the end of the working range.
+    pub whole: f64,
+    /// For a radian where it is steepest, with its sign: where the luffing moment is greatest.
+    pub steepest: f64,
 }
 
-/// Results of the working range.
-#[derive(Clone, Copy, Debug)]
-pub struct Range {
-    pub r_max: Extreme,
-    pub r_min: Extreme,
-    /// Heights of A, in m.
-    pub y_max: Extreme,
-    pub y_min: Extreme,
-    pub mu_min: Extreme,
-    /// Greatest rise of A per radian by amount, in m: where the luffing moment is greatest.
-    pub dy_max: Extreme,
-    /// Rise of A from the start to the end of the range, in m.
-    pub rise: f64,
-}
-
-/// Points at which a quantity is looked at before its extremes are refined.
-const GRID: u32 = 96;
-
-impl Range {
+impl Rise {
     /// `None` where the linkage does not close over the whole range.
     #[must_use]
-    pub fn new(parameters: &Parameters<f64>, motion: &Motion) -> Option<Range> {
+    pub fn new(parameters: &Parameters<f64>, motion: &Motion) -> Option<Rise> {
         let g = Geometry::new(&parameters.map(&mut |_, value| Dual64::from_re(value))).ok()?;
         let at = |theta: Dual64| Position::new(&g, theta);
-        let all = |pick: fn(&Position<Dual64>) -> Dual64| greatest(motion, |theta| at(theta).map(|p| pick(&p)));
-        let slope = |theta: Dual64| at(theta).map(|p| Velocity::new(&p).da.y);
         let height = |theta: f64| at(Dual64::from_re(theta)).map(|p| p.a.y.re);
-        Some(Range {
-            r_max: all(|p| p.r)?,
-            r_min: all(|p| -p.r)?.turned(),
-            y_max: all(|p| p.a.y)?,
-            y_min: all(|p| -p.a.y)?.turned(),
-            mu_min: all(|p| -p.mu())?.turned(),
-            dy_max: greatest_amount(motion, slope)?,
-            rise: height(motion.to)? - height(motion.from)?,
+        let mut slope = |theta: Dual64| at(theta).map(|p| Velocity::new(&p).da.y);
+        Some(Rise {
+            whole: height(motion.to)? - height(motion.from)?,
+            steepest: greatest_amount(motion, &mut slope)?.value,
         })
     }
-
-    /// Level error, in m. [Li2022, 6]
-    #[must_use]
-    pub fn delta_y(&self) -> f64 {
-        self.y_max.value - self.y_min.value
-    }
-
-    /// Level error over the reach covered. [Li2022, 6]
-    #[must_use]
-    pub fn epsilon_y(&self) -> f64 {
-        self.delta_y() / (self.r_max.value - self.r_min.value)
-    }
-}
-
-impl Extreme {
-    /// The least value, found as the greatest of its negative.
-    fn turned(self) -> Extreme {
-        Extreme {
-            value: -self.value,
-            ..self
-        }
-    }
-}
-
-/// The greatest value of `f` in the working range, of which all turns are like the
-/// first. Every peak of a grid is refined to where the derivative, exact from dual
-/// numbers, changes its sign: to the last bit, which values alone do not give where
-/// a peak is flat. A peak narrower than a hundredth of the range can be missed.
-pub fn greatest(motion: &Motion, f: impl Fn(Dual64) -> Option<Dual64>) -> Option<Extreme> {
-    let end = motion.to.min(motion.from + TAU);
-    let angle = |i: u32| match i {
-        GRID => end,
-        _ => motion.from + f64::from(i) * ((end - motion.from) / f64::from(GRID)),
-    };
-    let at = |theta: f64| f(Dual64::new(theta, 1.0));
-    // Beside the range's other angles; a zero has no last bit to be found to.
-    let nothing = |theta: f64| theta.abs() < f64::EPSILON * (end - motion.from);
-    let mut values = [0.0; GRID as usize + 1];
-    for (i, value) in (0..=GRID).zip(&mut values) {
-        *value = at(angle(i))?.re;
-    }
-    let value = |i: u32| values[i as usize];
-    let mut best = Extreme {
-        value: value(0),
-        at: motion.from,
-    };
-    for i in 0..=GRID {
-        let (before, after) = (i.saturating_sub(1), (i + 1).min(GRID));
-        if value(i) < value(before) || value(i) < value(after) {
-            continue;
-        }
-        let (from, to) = (angle(before), angle(after));
-        let (mut low, mut high) = (from, to);
-        loop {
-            let middle = f64::midpoint(low, high);
-            if middle <= low || middle >= high || nothing(low) && nothing(high) {
-                break;
-            }
-            let rises = at(middle)?.eps > 0.0;
-            if rises { low = middle } else { high = middle }
-        }
-        // Without a change of sign the end itself is greatest.
-        let refined = if high == to { high } else { low };
-        let refined = if low == from { from } else { refined };
-        let refined = if nothing(refined) { 0.0 } else { refined };
-        for at_this in [angle(i), refined] {
-            let value = at(at_this)?.re;
-            if value > best.value {
-                best = Extreme { value, at: at_this };
-            }
-        }
-    }
-    Some(best)
-}
-
-/// The value of `f` that is greatest by amount, with its sign.
-pub fn greatest_amount(motion: &Motion, f: impl Fn(Dual64) -> Option<Dual64>) -> Option<Extreme> {
-    let extreme = greatest(motion, |theta| f(theta).map(Calc::abs))?;
-    Some(Extreme {
-        value: f(Dual64::from_re(extreme.at))?.re,
-        ..extreme
-    })
 }
 
 /// Rise of A over the range as the integral of its slope, in m: the work of the

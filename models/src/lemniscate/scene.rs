@@ -1,32 +1,37 @@
 //! What a scene says about a luffing mechanism.
 
-use crate::balance::boom::Boom;
 use crate::balance::lever::Lever;
 use crate::balance::scene::{Form, KEYS as BALANCE};
 use crate::balance::task::{KEYS as SYNTHESIS, Task};
 use crate::balance::{self, Fault, symbols as b};
+use crate::component::outline::{Published, Told};
+use crate::component::running::Model;
+use crate::component::table::TOLERANCE;
+use crate::component::telling;
 use crate::diagnostic::Diagnostic;
 use crate::four_bar::{Arc, Branch};
 use crate::lemniscate::balancing::{analysis, boom};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
-use crate::lemniscate::governing::{coordinate, governed};
-use crate::lemniscate::model::Model;
+use crate::lemniscate::model::{coordinate, standing};
 use crate::lemniscate::moving;
+use crate::lemniscate::sheet::remarks;
 use crate::lemniscate::symbols as s;
-use crate::lemniscate::table::TOLERANCE;
+use crate::lemniscate::system::System;
+use crate::luffing::scene::{KIND, SOURCE, TABLE, interpolation};
+use crate::mechanism::{Entry, Mechanism, Solver};
 use crate::model;
 pub use crate::motion::Motion;
+use crate::motion::Place;
 use crate::motion::degrees;
-use crate::scene::Place;
 use crate::schema::{Key, Kind, Sign, Values};
-use crate::sheet::Comparison;
 use crate::symbol::Symbol;
 
 use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// Keys of `[luffing]`.
-pub static KEYS: &[Key] = &[
+pub const KEYS: &[Key] = &[
+    KIND,
     Key {
         name: "driven",
         kind: Kind::Choice(&["boom", "rocker"]),
@@ -95,12 +100,6 @@ pub static KEYS: &[Key] = &[
     SOURCE,
 ];
 
-/// Where the quantities of a table come from that do not say it themselves.
-const SOURCE: Key = Key::text(
-    "source",
-    "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-);
-
 static MOTION: &[Key] = &[
     Key::named("from", &s::THETA_1, Sign::Any, "Angle of the driven bar at the start."),
     Key::named("to", &s::THETA_1, Sign::Any, "Angle of the driven bar at the end."),
@@ -143,13 +142,6 @@ static DRIVE: &[Key] = &[
     SOURCE,
 ];
 
-static TABLE: &[Key] = &[Key::named(
-    "tol",
-    &moving::symbols::TOL,
-    Sign::Tolerance,
-    "How far each result may be off the closed form, as a part of its range.",
-)];
-
 static LIMITS: &[Key] = &[
     Key::quantity(&s::MU_MIN, Sign::NotNegative).optional(),
     Key::quantity(&s::EPSILON_Y, Sign::Positive).optional(),
@@ -190,33 +182,13 @@ pub struct Luffing {
     pub table: Option<f64>,
     /// Whether the level is left to `lemnis trade`.
     pub auto: bool,
-    pub limits: Limits,
+    /// What the book checks, in SI.
+    pub limits: Vec<(&'static Symbol, f64)>,
     pub published: Option<Published>,
     /// What is asked of the synthesis of its balance.
     pub synthesis: Option<Task>,
     /// Published results of the balance.
     pub published_balance: Option<balance::scene::Published>,
-}
-
-/// Limits that the book checks.
-#[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    pub mu_min: Option<f64>,
-    pub epsilon_y: Option<f64>,
-    /// Of the balance.
-    pub dm_max: Option<f64>,
-    pub gamma_min: Option<f64>,
-    pub n_max: Option<f64>,
-    /// Of the rope, in motion.
-    pub phi_max: Option<f64>,
-}
-
-/// Published values, as printed.
-#[derive(Clone, Debug)]
-pub struct Published {
-    pub source: String,
-    pub columns: Vec<&'static Symbol>,
-    pub rows: Vec<Vec<String>>,
 }
 
 impl Luffing {
@@ -226,9 +198,46 @@ impl Luffing {
         self.q.is_some() && self.change_point.is_none()
     }
 
-    /// Levels that the scene's tables allow, from cheap to deep.
+    /// The scene's own lever counterweight.
     #[must_use]
-    pub fn levels(&self) -> Vec<&'static str> {
+    pub fn own_lever(&self) -> Option<Lever<f64>> {
+        own_lever(&self.parameters)
+    }
+
+    /// The boom system as its boom moves it, and its boom angles (rad) over the working range.
+    ///
+    /// # Errors
+    /// A mechanism without weights.
+    pub fn boom(&self) -> Result<(System<f64>, [f64; 2]), Fault> {
+        boom(&self.parameters, &self.motion)
+    }
+}
+
+/// As scenes describe it.
+pub const ENTRY: Entry = Entry {
+    table: "luffing",
+    kind: "double_link",
+    keys: KEYS,
+    read: |values, gravity, found| Some(Box::new(Luffing::new(values, gravity, found)?)),
+};
+
+impl Mechanism for Luffing {
+    fn id(&self) -> &'static str {
+        "luffing"
+    }
+
+    fn model(&self) -> Result<Model, model::Fault> {
+        match &self.moving {
+            None => standing(self).map(Model::Standing),
+            Some(moving) => moving::model::Model::new(self, moving).map(|model| Model::Moving(Box::new(model))),
+        }
+    }
+
+    fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
         let mut levels = vec!["table", "static"];
         if let Some(moving) = &self.moving {
             levels.push("rigid");
@@ -238,8 +247,18 @@ impl Luffing {
         levels
     }
 
-    /// Leaves out what a level does not have.
-    pub fn set_level(&mut self, level: &str) {
+    fn level(&self) -> &'static str {
+        match self.moving {
+            None if self.table.is_some() => "table",
+            _ => self.levels().last().copied().unwrap_or("static"),
+        }
+    }
+
+    fn is_auto(&self) -> bool {
+        self.auto
+    }
+
+    fn set_level(&mut self, level: &str) {
         self.auto = false;
         match level {
             "rigid" => {
@@ -260,31 +279,68 @@ impl Luffing {
         }
     }
 
-    /// The scene's own lever counterweight.
-    #[must_use]
-    pub fn own_lever(&self) -> Option<Lever<f64>> {
-        own_lever(&self.parameters)
+    fn interpolate(&mut self, tolerance: f64) {
+        self.table = Some(tolerance);
     }
 
-    /// The boom system as its boom moves it, and its boom angles (rad) over the working range.
-    ///
-    /// # Errors
-    /// A mechanism without weights.
-    pub fn boom(&self) -> Result<(Boom<f64>, [f64; 2]), Fault> {
-        boom(&self.parameters, &self.motion)
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        let mut unused: Vec<(&'static str, &'static [&'static str])> = match level {
+            "static" | "table" => vec![("dynamics", &[]), ("slewing", &[]), ("hydraulics", &[])],
+            "rigid" | "swing" => vec![("hydraulics", &[])],
+            _ => Vec::new(),
+        };
+        let rope = self.moving.as_ref().is_some_and(|moving| moving.rope.is_some());
+        if !(rope && matches!(level, "swing" | "hydraulic")) {
+            unused.extend([
+                ("slewing", &["chi_R"][..]),
+                ("dynamics", &["l_R", "phi_R", "v_h"][..]),
+                ("limits", &["phi_max"][..]),
+            ]);
+        }
+        unused
     }
-}
 
-impl Luffing {
-    /// A position as a scene writes it, for the book: an angle of the driven bar, `from`, `middle`,
-    /// `to`, `governing` or the id of a governing result; on failure a message and help.
-    pub fn place(&self, text: &str) -> Result<Place, (String, String)> {
-        let named = ["governing", "from", "middle", "to"].into_iter();
-        let named: Vec<&'static str> = named.chain(governed(self)).collect();
+    fn solver(&self) -> Option<Solver> {
+        self.moving.as_ref().map(|moving| Solver {
+            step: &moving::symbols::STEP,
+            tolerance: &moving::symbols::TOL,
+            table: "hydraulics",
+            explicit: moving.oil.is_none().then_some(moving.constants.step),
+        })
+    }
+
+    fn place(&self, text: &str) -> Result<Place, (String, String)> {
+        let named = standing(self).map_or(Vec::new(), |model| telling::places(self, &model));
         let theta = coordinate(self.parameters.driven);
         self.motion.place(text, theta, "an angle of the working range", &named)
     }
 
+    fn has_chapter(&self, chapter: &str) -> bool {
+        match chapter {
+            "motion" => self.moving.is_some(),
+            "balance" => self.parameters.balance.is_some(),
+            "published" => self.published.is_some(),
+            "synthesis" => self.synthesis.is_some(),
+            "remarks" => !remarks(self).is_empty(),
+            "views" | "sizing" => false,
+            _ => true,
+        }
+    }
+
+    fn duplicate(&self) -> Box<dyn Mechanism> {
+        Box::new(self.clone())
+    }
+}
+
+impl dyn Mechanism {
+    /// The double-link mechanism, if it is one.
+    #[must_use]
+    pub fn luffing(&self) -> Option<&Luffing> {
+        self.of()
+    }
+}
+
+impl Luffing {
     /// Builds the mechanism of a checked table under the acceleration of gravity (m/s²); mistakes go to `found`.
     pub fn new(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Luffing> {
         let before = found.len();
@@ -374,15 +430,9 @@ impl Luffing {
         if let Some(table) = v.table("balance") {
             balanced(v, table, &parameters, motion.as_ref(), found);
         }
-        let limit = |symbol: &Symbol| v.table("limits")?.number(symbol.id);
-        let limits = Limits {
-            mu_min: limit(&s::MU_MIN),
-            epsilon_y: limit(&s::EPSILON_Y),
-            dm_max: limit(&b::DM_MAX),
-            gamma_min: limit(&b::GAMMA_MIN),
-            n_max: limit(&b::N_MAX),
-            phi_max: limit(&moving::symbols::PHI_MAX),
-        };
+        let limits = v
+            .table("limits")
+            .map_or(Vec::new(), |table| table.quantities_of(LIMITS));
         if let Some(table) = v.table("limits") {
             for symbol in [&b::DM_MAX, &b::GAMMA_MIN, &b::N_MAX] {
                 let checked = balance.is_some_and(|balance| balance.has(symbol));
@@ -398,8 +448,8 @@ impl Luffing {
             }
         }
         let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());
-        if let (Some(_), Some(table), false) = (limits.phi_max, v.table("limits"), swings) {
-            let id = moving::symbols::PHI_MAX.id;
+        let id = moving::symbols::PHI_MAX.id;
+        if let Some(table) = v.table("limits").filter(|table| table.has(id) && !swings) {
             let what = format!("a limit {id} without a swinging load");
             found.push(Diagnostic::new(table.place(id), what, "nothing to check").help("remove the limit"));
         }
@@ -428,7 +478,8 @@ impl Luffing {
         {
             // The first line has the names.
             let places = table.texts("values").iter().skip(1);
-            for (row, (_, place)) in published.compared(&luffing).into_iter().zip(places) {
+            let compared = telling::compared(published, &mut luffing.standing());
+            for (row, (_, place)) in compared.into_iter().zip(places) {
                 if let Err(fault) = row {
                     let message = format!("a published row of which there is none: {}", fault.message);
                     found.push(
@@ -439,54 +490,6 @@ impl Luffing {
         }
         (found.len() == before).then_some(luffing)
     }
-}
-
-impl Published {
-    /// Each row's values beside the computed ones, of the closed form; what the scene does not model is left out.
-    pub fn compared(&self, luffing: &Luffing) -> Vec<Result<Vec<Comparison>, model::Fault>> {
-        let closed = Luffing {
-            table: None,
-            ..luffing.clone()
-        };
-        let mut model = match Model::new(&closed) {
-            Ok(model) => model,
-            Err(fault) => return vec![Err(fault)],
-        };
-        let place = |symbol: &&'static Symbol| model.variables().iter().position(|variable| variable.symbol == *symbol);
-        let places: Vec<Option<usize>> = self.columns.iter().map(place).collect();
-        let row = |row: &Vec<String>| {
-            let angle = row[0].parse::<f64>().unwrap_or(f64::NAN) * self.columns[0].display.factor;
-            model.set(0, angle)?;
-            let cells = self.columns.iter().zip(&places).zip(row).skip(1);
-            let known = cells.filter_map(|((symbol, index), printed)| Some((symbol, (*index)?, printed)));
-            known
-                .map(|(symbol, index, printed)| {
-                    Ok(Comparison {
-                        coordinate: angle,
-                        symbol,
-                        printed: printed.clone(),
-                        value: model.get(index)?,
-                    })
-                })
-                .collect()
-        };
-        self.rows.iter().map(row).collect()
-    }
-}
-
-/// Tolerance of the level `table`; `None` at other levels.
-fn interpolation(v: &Values, found: &mut Vec<Diagnostic>) -> Option<f64> {
-    let given = v.table("table");
-    if v.text("fidelity") != Some("table") {
-        if let Some(table) = given.filter(|_| v.text("fidelity") != Some("auto")) {
-            found.push(
-                Diagnostic::new(table.span.clone(), "an interpolation at another level", "not used")
-                    .help("set fidelity = \"table\", or remove this table"),
-            );
-        }
-        return None;
-    }
-    Some(given.and_then(|table| table.number("tol")).unwrap_or(TOLERANCE))
 }
 
 /// What is asked of the synthesis; mistakes go to `found`.

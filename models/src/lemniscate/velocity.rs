@@ -7,6 +7,7 @@
 //! velocities stay finite.
 
 use crate::calc::Calc;
+use crate::component::stages::results;
 use crate::four_bar::{Branch, Passing};
 use crate::lemniscate::geometry::{Driven, Geometry};
 use crate::lemniscate::position::Position;
@@ -20,11 +21,20 @@ pub struct Velocity<C> {
     pub i_2: C,
     /// Angular velocity of the bar that is not driven over the driven bar's.
     pub i_follower: C,
+    /// Boom's angular velocity over the driven bar's.
+    pub of_boom: C,
     /// Travel of A for one radian of the driven bar, in m. [Li2022, eq. 10]
     pub da: Point<C>,
     /// Travel of the driven bar's head, B or C, for one radian, in m.
     pub head: Point<C>,
 }
+
+results! { Velocity as v => {
+    I_2: v.i_2;
+    I_1: v.i_follower;
+    I_3: v.i_follower;
+    BETA: v.beta();
+} }
 
 impl<C: Calc> Velocity<C> {
     #[inline]
@@ -52,6 +62,10 @@ impl<C: Calc> Velocity<C> {
         Velocity {
             i_2,
             i_follower,
+            of_boom: match p.driven {
+                Driven::Boom => C::constant(1.0),
+                Driven::Rocker => i_follower,
+            },
             da,
             head: Point::new(-bar.y, bar.x),
         }
@@ -66,6 +80,19 @@ impl<C: Calc> Velocity<C> {
     /// Direction of A's velocity when the driven bar turns positively, in rad. [Li2022, eq. 10]
     pub fn beta(&self) -> C {
         C::direction(self.da.x, self.da.y).def(&s::BETA)
+    }
+}
+
+/// Velocity of the head A, in m/s.
+#[derive(Clone, Copy, Debug)]
+pub struct Head<C>(pub Point<C>);
+results! { Head as v => { V_AX: v.0.x; V_AY: v.0.y; } }
+
+impl<C: Calc> Head<C> {
+    /// At the driven bar's angular velocity (rad/s). [Li2022, eq. 10]
+    #[inline]
+    pub fn new(v: &Velocity<C>, omega: &C) -> Head<C> {
+        Head(v.v_a(*omega))
     }
 }
 
@@ -112,21 +139,29 @@ pub enum Pole<C> {
         o3p: C,
         at: Point<C>,
     },
-    /// Boom and rocker are parallel within rounding.
-    AtInfinity,
+    /// Boom and rocker, this vector, are parallel within rounding.
+    AtInfinity(Point<C>),
 }
+
+results! { Pole as c => {
+    O1P: c.seen().0;
+    P_X: c.seen().1.x;
+    P_Y: c.seen().1.y;
+    P_FAR: C::constant(f64::from(c.finite().is_none()));
+} }
 
 impl<C: Calc> Pole<C> {
     /// The lines of boom and rocker intersected. With change points these may be one line: there the centre is the
-    /// driven bar's point about which the jib turns by its ratio `i_2`. [Li2022, eq. 1]
-    pub fn new(g: &Geometry<C>, p: &Position<C>, i_2: C) -> Pole<C> {
+    /// driven bar's point about which the jib turns by its ratio. [Li2022, eq. 1]
+    pub fn new(g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>) -> Pole<C> {
         if p.passing.is_some() {
             let (head, bar) = match p.driven {
                 Driven::Boom => (p.b, p.x_1),
                 Driven::Rocker => (p.c, p.x_3),
             };
+            let i_2 = v.i_2;
             if i_2.value().abs() <= 4.0 * f64::EPSILON {
-                return Pole::AtInfinity;
+                return Pole::AtInfinity(p.x_1);
             }
             let at = plane::def(head - bar / i_2, [&s::P_X, &s::P_Y]);
             return Pole::Finite {
@@ -138,7 +173,7 @@ impl<C: Calc> Pole<C> {
         let sine = plane::cross(p.x_1, p.x_3);
         let scale = (g.lengths.x_1 * g.lengths.x_3).value();
         if sine.value().abs() <= 4.0 * f64::EPSILON * scale {
-            return Pole::AtInfinity;
+            return Pole::AtInfinity(p.x_1);
         }
         let along_boom = plane::cross(g.lengths.o3(), p.x_3) / sine;
         let along_rocker = plane::cross(g.lengths.o3(), p.x_1) / sine;
@@ -158,7 +193,19 @@ impl<C: Calc> Pole<C> {
     pub fn finite(&self) -> Option<(C, Point<C>)> {
         match *self {
             Pole::Finite { o1p, at, .. } => Some((o1p, at)),
-            Pole::AtInfinity => None,
+            Pole::AtInfinity(_) => None,
+        }
+    }
+
+    /// The same at infinity too, on the line of the boom.
+    fn seen(&self) -> (C, Point<C>) {
+        let far = |direction: C| match direction.value() {
+            0.0 => C::constant(0.0),
+            value => C::constant(f64::INFINITY.copysign(value)),
+        };
+        match *self {
+            Pole::Finite { o1p, at, .. } => (o1p, at),
+            Pole::AtInfinity(boom) => (C::constant(f64::INFINITY), boom.map(far)),
         }
     }
 
@@ -170,7 +217,7 @@ impl<C: Calc> Pole<C> {
     /// centre along the driven bar; eq. (11) with them has the opposite sign.
     pub fn moment(&self, g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>, q: C) -> C {
         match *self {
-            Pole::AtInfinity => q * v.head.y,
+            Pole::AtInfinity(_) => q * v.head.y,
             Pole::Finite { o1p, o3p, at } => {
                 let (bar, beyond) = match p.driven {
                     Driven::Boom => (g.lengths.x_1, o1p - g.lengths.x_1),

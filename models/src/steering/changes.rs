@@ -1,16 +1,17 @@
 //! Changes from each travel mode to each other one, for the book.
 
+use crate::component::telling::between;
 use crate::sheet::{Change, Changes, Curve};
-use crate::steering::mode::{Centre, Mode};
-use crate::steering::outputs::{Built, Inputs, Output};
-use crate::steering::reach::stand;
+use crate::steering::built::Built;
+use crate::steering::centre::Centre;
+use crate::steering::flow::{Piston, flow};
+use crate::steering::mode::Mode;
+use crate::steering::plan::{Crew, Plan};
 use crate::steering::scene::Steering;
-use crate::steering::sheet::{evaluation, example};
+use crate::steering::stages::Given;
+use crate::steering::stand::stand;
 use crate::steering::symbols as s;
-use crate::steering::transition::{Crew, Plan};
-
-/// Points of a drawn curve.
-const CURVE: u32 = 240;
+use crate::steering::views::example;
 
 /// A mode with the command of the chapter of travel modes.
 struct Stance {
@@ -20,24 +21,24 @@ struct Stance {
 }
 
 /// The changes between all modes that all groups can follow; `None` where the scene gives no speed of the cylinders.
-pub(super) fn changes(steering: &Steering, built: &Built<f64>) -> Option<Changes> {
+pub fn changes(steering: &Steering, built: &Built) -> Option<Changes> {
     let crew = Crew {
         machine: &built.machine,
         limits: &built.limits,
         linkages: &built.linkages,
-        speed: steering.parameters.pace?.speed,
+        speed: steering.given.pace?.speed,
     };
     let stances: Vec<Stance> = Mode::ALL
         .into_iter()
-        .filter_map(|mode| stance(steering, built, example(steering, built, mode)?))
+        .filter_map(|mode| stance(built, &example(steering, built, mode)?))
         .collect();
     let plan = |a: &Stance, b: &Stance| crew.transition(&a.centre, &a.angles, &b.centre).ok();
     let row = |a: &Stance, b: &Stance, plan: Option<&Plan>| Change {
         between: [a.mode.id(), b.mode.id()],
         plan: plan.map(|plan| (plan.time, plan.standing, plan.governing + 1)),
         flow: plan
-            .zip(steering.parameters.piston)
-            .map(|(plan, piston)| plan.greatest_flow(&crew, &piston)),
+            .zip(steering.given.piston)
+            .map(|(plan, piston)| greatest_flow(plan, &crew, &piston)),
     };
     let mut rows = Vec::new();
     for (i, a) in stances.iter().enumerate() {
@@ -55,7 +56,7 @@ pub(super) fn changes(steering: &Steering, built: &Built<f64>) -> Option<Changes
     }
     let of = |mode: Mode| stances.iter().find(|stance| stance.mode == mode);
     let [from, to] = steering.drawn;
-    let drawn = of(from.unwrap_or(steering.inputs.mode)).and_then(|from| {
+    let drawn = of(from.unwrap_or(steering.given.mode)).and_then(|from| {
         let others = stances.iter().filter(|to| to.mode != from.mode);
         let timed = others.filter_map(|to| Some((to, plan(from, to)?)));
         let (to, plan) = match to {
@@ -71,32 +72,59 @@ pub(super) fn changes(steering: &Steering, built: &Built<f64>) -> Option<Changes
     })
 }
 
-fn stance(steering: &Steering, built: &Built<f64>, inputs: Inputs<f64>) -> Option<Stance> {
-    let (mode, command) = (inputs.mode, inputs.command());
-    let reachable = evaluation(steering, inputs).output(Output::Reachable).ok()? != 0.0;
-    let centre = mode.centre(&built.machine, command).ok()?;
-    let mut angles = vec![0.0; built.limits.len()];
-    stand(&built.machine, &built.limits, &centre, &mut angles);
-    reachable.then_some(Stance { mode, centre, angles })
+fn stance(built: &Built, given: &Given<f64>) -> Option<Stance> {
+    let (mode, limits) = (given.mode, &built.limits);
+    let centre = mode.centre(&built.machine, given.command()).ok()?;
+    let angles = stand(&built.machine, limits, &centre);
+    let allowed = limits.iter().zip(&angles).all(|(limits, theta)| limits.allows(*theta));
+    allowed.then_some(Stance { mode, centre, angles })
+}
+
+/// Lengths of all cylinders at a time (s) of a change, in m.
+fn lengths(plan: &Plan, crew: &Crew<'_>, time: f64) -> Vec<f64> {
+    let angles = angles(plan, crew, time);
+    let each = crew.linkages.iter().zip(angles);
+    each.map(|(linkage, theta)| linkage.at_angle(theta).l).collect()
+}
+
+fn angles(plan: &Plan, crew: &Crew<'_>, time: f64) -> Vec<f64> {
+    let moment = plan.at(crew.machine, time);
+    let each = crew.linkages.iter().enumerate();
+    each.map(|(i, linkage)| plan.angle(&moment, i, crew.machine, linkage))
+        .collect()
+}
+
+/// Greatest oil flow of all cylinders together in a change, in m³/s.
+#[must_use]
+pub fn greatest_flow(plan: &Plan, crew: &Crew<'_>, piston: &Piston<f64>) -> f64 {
+    let ends = plan.pieces();
+    let (mut before, mut greatest) = (lengths(plan, crew, 0.0), 0.0_f64);
+    for pair in ends.windows(2) {
+        let after = lengths(plan, crew, pair[1]);
+        let slice = pair[1] - pair[0];
+        if slice > 0.0 {
+            let flows = before
+                .iter()
+                .zip(&after)
+                .map(|(from, to)| flow(piston, (to - from) / slice).abs());
+            greatest = flows.sum::<f64>().max(greatest);
+        }
+        before = after;
+    }
+    greatest
 }
 
 /// Angles of the groups and speeds of their cylinders over the time of a change.
 fn curves(crew: &Crew<'_>, plan: &Plan) -> Vec<Curve> {
     let n = crew.limits.len();
-    let at = |part: f64| {
-        let mut angles = vec![0.0; n];
-        plan.angles(crew, plan.time * part, &mut angles);
-        angles
-    };
     let mut pieces = [vec![Vec::new(); n], vec![Vec::new(); n]];
-    for step in 0..=CURVE {
-        let part = f64::from(step) / f64::from(CURVE);
+    for part in between(0.0, 1.0) {
         // The speed by differences, to the inside of the change at its ends.
         let beside = [(part - 1e-4).max(0.0), (part + 1e-4).min(1.0)];
-        let (angles, [before, after]) = (at(part), beside.map(at));
+        let angles = angles(plan, crew, plan.time * part);
+        let [before, after] = beside.map(|part| lengths(plan, crew, plan.time * part));
         for i in 0..n {
-            let length = |angle: f64| crew.linkages[i].at_angle(angle).l;
-            let speed = (length(after[i]) - length(before[i])) / (plan.time * (beside[1] - beside[0]));
+            let speed = (after[i] - before[i]) / (plan.time * (beside[1] - beside[0]));
             pieces[0][i].push([plan.time * part, angles[i]]);
             pieces[1][i].push([plan.time * part, if plan.time > 0.0 { speed } else { 0.0 }]);
         }

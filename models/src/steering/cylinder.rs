@@ -4,11 +4,13 @@
 //! extended by half its stroke.
 
 use crate::calc::Calc;
+use crate::component::stages::results;
+use crate::group::quantities;
 use crate::number::short;
 use crate::plane::{self, Point};
-use crate::steering::machine::{Limits, Refusal, within};
+use crate::steering::limits::Limits;
+use crate::steering::refusal::Refusal;
 use crate::steering::symbols as s;
-use crate::symbol::quantities;
 
 quantities! {
     /// A group's cylinder: arm o–c and its angle from straight ahead, stroke, and
@@ -28,6 +30,7 @@ pub struct Linkage<C> {
     /// Whether the cylinder shortens, where it else lengthens, when the group turns counter-clockwise.
     pub mirrored: bool,
 }
+results! { each Linkage; }
 
 /// Length and lever arm at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,23 +40,12 @@ pub struct Pose<C> {
     /// Lever arm, in m: dR/dtheta, positive where a push turns counter-clockwise.
     pub od: C,
 }
+results! { each Pose as p => {
+    L_C: p.l;
+    OD: p.od;
+} }
 
 impl<C: Calc> Cylinder<C> {
-    /// All four lengths possible. `alpha` may be any angle.
-    pub fn check(&self) -> Result<(), Refusal> {
-        within(&s::R_C, self.r, 0.0, 10.0, true)?;
-        within(&s::L_X, self.l_x, 0.0, 10.0, true)?;
-        within(&s::L_A, self.l_a, 0.0, 10.0, false)?;
-        within(
-            &s::ALPHA,
-            self.alpha,
-            -std::f64::consts::TAU,
-            std::f64::consts::TAU,
-            false,
-        )?;
-        Ok(())
-    }
-
     /// Where the cylinder's foot is: straight ahead b–c stands at a right angle to
     /// o–c and is half extended. [Zhang2016, Fig. 5]
     pub fn linkage(&self, mirrored: bool) -> Linkage<C> {
@@ -194,38 +186,3 @@ pub struct Extremes {
     pub od_min: f64,
     pub od_min_at: f64,
 }
-
-/// The shortest of the `strokes` (m, rising) with which the cylinder covers the range. [Zhang2016, 5.1]
-pub fn choose_stroke(cylinder: &Cylinder<f64>, limits: &Limits, strokes: &[f64]) -> Result<f64, Refusal> {
-    cylinder.check()?;
-    let fits = |&l_x: &f64| {
-        let cylinder = Cylinder { l_x, ..*cylinder };
-        let covered = cylinder.linkage(false).over(limits);
-        covered.is_ok_and(|e| {
-            cylinder
-                .stroke_margins(e.longest, e.shortest)
-                .iter()
-                .all(|margin| *margin >= 0.0)
-        })
-    };
-    strokes.iter().copied().find(|l_x| fits(l_x)).ok_or_else(|| {
-        Refusal::new(
-            "l_x",
-            format!(
-                "no stroke up to {} m turns the group from {} to {} deg",
-                short(strokes.last().copied().unwrap_or(0.0)),
-                short(limits.min.to_degrees()),
-                short(limits.max.to_degrees())
-            ),
-            format!(
-                "with R_c = {} m: a shorter arm needs less stroke and more force",
-                short(cylinder.r)
-            ),
-        )
-    })
-}
-
-/// An example of a list of strokes, in m, of no standard and of no maker, to be replaced by the maker's own.
-pub const EXAMPLE_STROKES: [f64; 17] = [
-    0.1, 0.125, 0.16, 0.2, 0.25, 0.32, 0.4, 0.5, 0.63, 0.7, 0.8, 0.9, 1.0, 1.25, 1.6, 2.0, 2.5,
-];

@@ -1,11 +1,20 @@
 //! Vertical load of the groups and their resistance to steering. [Zhang2016, 3]
 
 use crate::calc::Calc;
+use crate::component::stages::results;
+use crate::group::quantities;
 use crate::number::short;
 use crate::plane::{self, Point};
-use crate::steering::machine::{Machine, Refusal, within};
+use crate::steering::cylinder::Pose;
+use crate::steering::machine::Machine;
+use crate::steering::refusal::Refusal;
+use crate::steering::ring::{Bearing, friction};
 use crate::steering::symbols as s;
-use crate::symbol::quantities;
+
+quantities! {
+    /// Vertical load of a group, in N.
+    Load { g: G }
+}
 
 quantities! {
     /// Sliding friction between tyre and ground, tyre pressure (Pa), and how many
@@ -14,32 +23,14 @@ quantities! {
     Tyre { f_t: F_T, p_t: P_T, k_v: K_V }
 }
 
-impl<C: Calc> Tyre<C> {
-    pub fn check(&self) -> Result<(), Refusal> {
-        within(&s::F_T, self.f_t, 0.0, 2.0, false)?;
-        within(&s::P_T, self.p_t, 0.0, 1e7, true)?;
-        within(&s::K_V, self.k_v, 1.0, 10.0, false)?;
-        Ok(())
-    }
-}
-
-/// A group's vertical load, in N: not negative.
-pub fn check_load<C: Calc>(group: usize, g: C) -> Result<C, Refusal> {
-    within(&s::G, g, 0.0, f64::INFINITY, false).map_err(|found| Refusal {
-        key: format!("G[{}]", group + 1),
-        what: format!("load of group {}: {}", group + 1, found.what),
-        help: format!("{}: no group can pull the ground", found.help),
-    })
-}
-
-/// Moment, in N·m, that a group at load `g` (N) sets against steering, at standstill and while travelling.
+/// Moment, in N·m, that the tyres of a group set against steering, at standstill and while travelling.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resistance<C> {
     pub standing: C,
     pub travelling: C,
 }
 
-/// T_r = f/3 · √(G³/p), and T_r/2.5 while travelling. [Zhang2016, 3]
+/// T_r = f/3 · √(G³/p) at a load (N), and T_r/2.5 while travelling. [Zhang2016, 3]
 #[inline]
 pub fn resistance<C: Calc>(tyre: &Tyre<C>, g: C) -> Resistance<C> {
     let standing = (tyre.f_t / C::constant(3.0) * (g * g.square() / tyre.p_t).sqrt()).def(&s::T_R);
@@ -49,10 +40,72 @@ pub fn resistance<C: Calc>(tyre: &Tyre<C>, g: C) -> Resistance<C> {
     }
 }
 
+/// What a group's cylinder works against, in N·m.
+#[derive(Clone, Copy, Debug)]
+pub struct Drag<C> {
+    tyres: Resistance<C>,
+    /// Of the slewing ring, where there is one; it stays while travelling.
+    friction: Option<C>,
+    /// At standstill.
+    moment: C,
+}
+results! { each Drag as d => {
+    T_R: d.tyres.standing;
+    T_RX: d.tyres.travelling;
+    T_G: d.moment;
+} }
+
+impl<C: Calc> Drag<C> {
+    #[inline]
+    pub fn new(tyre: &Tyre<C>, bearing: &Option<Bearing<C>>, load: &Load<C>) -> Drag<C> {
+        let tyres = resistance(tyre, load.g);
+        let friction = bearing.as_ref().map(|bearing| friction(bearing, load.g));
+        Drag {
+            tyres,
+            friction,
+            moment: with(tyres.standing, friction).def(&s::T_G),
+        }
+    }
+}
+
+fn with<C: Calc>(tyres: C, friction: Option<C>) -> C {
+    friction.map_or(tyres, |friction| tyres + friction)
+}
+
+/// Force of a cylinder, in N, against a moment (N·m) at a lever arm (m): f_g = T_g/od. [Zhang2016, 5.2]
+/// The arm is not zero within a range that [`Linkage::over`](crate::steering::cylinder::Linkage::over) accepts.
+#[inline]
+pub fn force<C: Calc>(t_g: C, od: C) -> C {
+    t_g / od.abs()
+}
+
+/// Force of a group's cylinder at standstill, in N.
+#[derive(Clone, Copy, Debug)]
+pub struct Force<C>(C);
+results! { each Force as f => { F_G: f.0; } }
+
+impl<C: Calc> Force<C> {
+    #[inline]
+    pub fn new(drag: &Drag<C>, pose: &Pose<C>) -> Force<C> {
+        Force(force(drag.moment, pose.od).def(&s::F_G))
+    }
+}
+
+/// The same while travelling.
+#[derive(Clone, Copy, Debug)]
+pub struct Travelling<C>(C);
+results! { each Travelling as f => { F_GX: f.0; } }
+
+impl<C: Calc> Travelling<C> {
+    pub fn new(drag: &Drag<C>, pose: &Pose<C>) -> Travelling<C> {
+        let moment = with(drag.tyres.travelling, drag.friction).def(&s::T_GX);
+        Travelling(force(moment, pose.od).def(&s::F_GX))
+    }
+}
+
 /// Load of each group, in N, for a weight (N) whose centre of gravity is at
 /// `centre` (m), on a rigid frame over equal springs.
 pub fn share(machine: &Machine<f64>, weight: f64, centre: Point<f64>, loads: &mut [f64]) -> Result<(), Refusal> {
-    within(&s::W, weight, 0.0, f64::INFINITY, false)?;
     let n = machine.groups.len() as f64;
     let mean = machine.groups.iter().sum::<Point<f64>>() / n;
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);

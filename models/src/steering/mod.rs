@@ -20,45 +20,65 @@
 //! |---|---|---|
 //! | `steering.machine` | [`machine::Machine::new`] | derived |
 //! | `steering.mode.centre` | [`mode::Mode::centre`] | Zhang2016, 2; five of the nine modes derived |
-//! | `steering.centre.rolling` | [`mode::Centre::rolling`] | rigid body |
-//! | `steering.ackermann.angle` | [`wheels::roll`] | Zhang2016, eq. 1-9, generalised |
-//! | `steering.ackermann.residual` | [`wheels::residual`] | derived |
+//! | `steering.centre.rolling` | [`centre::Centre::rolling`] | rigid body |
+//! | `steering.ackermann.angle` | [`wheels::Rolling::new`], [`wheels::Wheel::new`], [`wheels::Speed::new`] | Zhang2016, eq. 1-9, generalised |
+//! | `steering.ackermann.residual` | [`centre::residual`] | derived |
 //! | `steering.swept` | [`swept::moved`], [`swept::Swept::new`] | rigid body |
-//! | `steering.reach` | [`reach::reach`], [`reach::nearest`] | derived |
-//! | `steering.slip` | [`slip::Slip::new`], [`slip::worst`], [`slip::Accuracy::angle_error`] | least squares |
-//! | `steering.transition` | [`transition::Crew::transition`], [`transition::Plan`] | derived |
+//! | `steering.reach` | [`reach::reach`], [`nearest::nearest`] | derived |
+//! | `steering.slip` | [`slip::Slip::new`], [`slip::worst`], [`accuracy::Accuracy::angle_error`] | least squares |
+//! | `steering.transition` | [`plan::Crew::transition`], [`plan::Plan`], [`transition::Arc`] | derived |
 //! | `steering.resistance` | [`load::resistance`] | Zhang2016, 3 |
 //! | `steering.load_share` | [`load::share`] | equal springs |
 //! | `steering.ring` | [`ring::Duty::new`], [`ring::Catalogue::choose`] | Zhang2016, 4 |
 //! | `steering.cylinder.length` | [`cylinder::Linkage::at`] | Zhang2016, 5.1 |
-//! | `steering.cylinder.stroke` | [`cylinder::Cylinder::stroke_margins`], [`cylinder::choose_stroke`] | Zhang2016, 5.1 |
+//! | `steering.cylinder.stroke` | [`cylinder::Cylinder::stroke_margins`], [`sizing::choose_stroke`] | Zhang2016, 5.1 |
 //! | `steering.cylinder.range` | [`cylinder::Cylinder::range`], [`cylinder::Linkage::over`] | derived |
-//! | `steering.cylinder.force` | [`sizing::force`] | Zhang2016, 5.2 |
+//! | `steering.cylinder.force` | [`load::force`] | Zhang2016, 5.2 |
 //! | `steering.cylinder.bore` | [`sizing::bore`], [`sizing::next`] | Zhang2016, 5.3; ISO 3320 |
-//! | `steering.flow` | [`sizing::rates`], [`sizing::flow`], [`sizing::greatest_demand`] | derived |
+//! | `steering.flow` | [`travel::rate`], [`flow::flow`], [`demand::greatest_demand`] | derived |
 //! | `steering.pump` | [`sizing::pump`] | derived |
 //! | `steering.buckling` | [`sizing::buckling`] | Euler |
 //! | `steering.published` | [`published::Layout::angles`] | Zhang2016, eq. 1-9, misprints mended |
 
-pub(crate) mod changes;
+pub mod accuracy;
+pub mod built;
+pub mod centre;
+pub mod change;
+pub mod changes;
+pub(crate) mod checks;
+pub mod commanding;
 pub mod cylinder;
+pub mod demand;
+pub(crate) mod drawing;
+pub mod flow;
+pub mod frame;
 pub mod hydraulic;
+pub(crate) mod inputs;
+pub(crate) mod keys;
+pub mod limits;
 pub mod load;
 pub mod machine;
+pub mod margin;
 pub mod mode;
 pub mod model;
 pub mod moving;
-pub mod outputs;
+pub mod nearest;
+pub(crate) mod parts;
+pub mod plan;
 pub mod published;
 pub mod reach;
+pub mod refusal;
 pub mod ring;
 pub mod scene;
-pub mod searched;
 pub mod set_points;
 pub mod sheet;
 pub mod sizing;
 pub mod slip;
+pub mod stages;
+pub mod stand;
 pub mod swept;
 pub mod symbols;
 pub mod transition;
+pub mod travel;
+pub(crate) mod views;
 pub mod wheels;

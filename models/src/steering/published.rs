@@ -8,9 +8,11 @@
 //! cot θ5 = (R+S)/L2, cot θ6 = (R+S)/L1.
 
 use crate::calc::Calc;
+use crate::group::quantities;
 use crate::plane::Point;
+use crate::steering::machine::Machine;
+use crate::steering::mode::{Command, Mode};
 use crate::steering::symbols as s;
-use crate::symbol::quantities;
 
 quantities! {
     /// The paper's layout: track, half the distance between the inner and between the outer axles, in m.
@@ -50,4 +52,33 @@ impl<C: Calc> Layout<C> {
     pub fn pivot(&self) -> C {
         C::direction(self.s_t, C::constant(2.0) * self.l_2).def(&s::THETA_P)
     }
+}
+
+/// Where the machine has the paper's layout, the greatest difference between its
+/// mended equations and the general geometry, in rad.
+#[must_use]
+pub fn printed(machine: &Machine<f64>) -> Option<f64> {
+    let groups = &machine.groups;
+    let [one, two, ..] = groups.as_slice() else { return None };
+    let layout = Layout {
+        s_t: 2.0 * one.y,
+        l_1: two.x,
+        l_2: one.x,
+    };
+    if groups.as_slice() != layout.groups() {
+        return None;
+    }
+    let mut worst = 0.0_f64;
+    for radius in [1.0, 3.0, 10.0, 30.0, 100.0] {
+        let command = Command::Radius(radius + layout.s_t / 2.0);
+        let centre = Mode::AllWheel.centre(machine, command).ok()?;
+        let general = [0, 1, 4, 5].map(|i| {
+            let along = centre.rolling(groups[i]);
+            f64::direction(along.x, along.y)
+        });
+        for (a, b) in layout.angles(radius).into_iter().zip(general) {
+            worst = worst.max((a - b).abs());
+        }
+    }
+    Some(worst)
 }

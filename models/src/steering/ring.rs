@@ -1,16 +1,19 @@
 //! The slewing ring of a group, chosen from a maker's load curves. [Zhang2016, 4]
 
 use crate::calc::Calc;
+use crate::group::quantities;
 use crate::number::short;
-use crate::steering::machine::{Refusal, within};
+use crate::steering::refusal::Refusal;
 use crate::steering::symbols as s;
-use crate::symbol::quantities;
 
 quantities! {
-    /// A group's slewing ring: greatest arm of the vertical force (m), safety factor
-    /// of the use, factor of the test load, friction, diameter of the raceway (m).
-    /// The paper takes 1.25 for both factors.
-    Bearing { l_max: L_MAX, f_s: F_S, k_test: K_TEST, mu_r: MU_R, d_l: D_L }
+    /// A group's slewing ring: greatest arm of the vertical force (m), friction, diameter of the raceway (m).
+    Bearing { l_max: L_MAX, mu_r: MU_R, d_l: D_L }
+}
+
+quantities! {
+    /// Safety factor of the use, and factor of the test load. The paper takes 1.25 for both.
+    Safety { f_s: F_S, k_test: K_TEST }
 }
 
 /// What the curves must bear: force (N) and overturning moment (N·m).
@@ -26,25 +29,13 @@ pub struct Duty<C> {
 
 impl<C: Calc> Duty<C> {
     /// F_a′ = 1.25 F_s F_a, M′ = F_a′ L_max; for the bolts without F_s. [Zhang2016, 4]
-    pub fn new(ring: &Bearing<C>, f_a: C) -> Result<Duty<C>, Refusal> {
-        within(&s::F_A, f_a, 0.0, f64::INFINITY, false)?;
-        ring.check()?;
-        let f = (ring.k_test * ring.f_s * f_a).def(&s::F_A_REF);
-        let m = (ring.k_test * ring.f_s * f_a * ring.l_max).def(&s::M_REF);
-        let f_bolt = (ring.k_test * f_a).def(&s::F_BOLT);
-        let m_bolt = (ring.k_test * f_a * ring.l_max).def(&s::M_BOLT);
-        Ok(Duty { f, m, f_bolt, m_bolt })
-    }
-}
-
-impl<C: Calc> Bearing<C> {
-    pub fn check(&self) -> Result<(), Refusal> {
-        within(&s::L_MAX, self.l_max, 0.0, 100.0, false)?;
-        within(&s::F_S, self.f_s, 1.0, 10.0, false)?;
-        within(&s::K_TEST, self.k_test, 1.0, 10.0, false)?;
-        within(&s::MU_R, self.mu_r, 0.0, 1.0, false)?;
-        within(&s::D_L, self.d_l, 0.0, 100.0, true)?;
-        Ok(())
+    pub fn new(ring: &Bearing<C>, safety: &Safety<C>, f_a: C) -> Duty<C> {
+        Duty {
+            f: (safety.k_test * safety.f_s * f_a).def(&s::F_A_REF),
+            m: (safety.k_test * safety.f_s * f_a * ring.l_max).def(&s::M_REF),
+            f_bolt: (safety.k_test * f_a).def(&s::F_BOLT),
+            m_bolt: (safety.k_test * f_a * ring.l_max).def(&s::M_BOLT),
+        }
     }
 }
 

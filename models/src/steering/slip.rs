@@ -1,33 +1,11 @@
-//! Tyre slip from angles that are not quite right: encoder resolution and dead band
-//! of the valve.
+//! Tyre slip from angles that are not quite right.
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::calc::Calc;
 use crate::plane::{self, Point};
-use crate::steering::machine::{GROUPS, Machine, Refusal, within};
-use crate::steering::mode::Centre;
-use crate::steering::symbols as s;
-use crate::symbol::quantities;
-
-quantities! {
-    /// Step of the encoder (rad), and stroke of a cylinder that the valve's dead band leaves (m).
-    Accuracy { step: Q_E, dead_band: B_V }
-}
-
-impl<C: Calc> Accuracy<C> {
-    pub fn check(&self) -> Result<(), Refusal> {
-        within(&s::Q_E, self.step, 0.0, 0.2, false)?;
-        within(&s::B_V, self.dead_band, 0.0, 1.0, false)?;
-        Ok(())
-    }
-
-    /// Angle error of a group at the lever arm `od` (m), in rad: half a step of the encoder, and the dead band.
-    #[inline]
-    pub fn angle_error(&self, od: C) -> C {
-        (self.step / C::constant(2.0) + self.dead_band / od.abs()).def(&s::DELTA)
-    }
-}
+use crate::steering::centre::Centre;
+use crate::steering::machine::{GROUPS, Machine};
 
 /// How the machine moves when its groups err, and what the tyres make of it.
 #[derive(Clone, Copy, Debug)]

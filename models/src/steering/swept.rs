@@ -1,8 +1,11 @@
 //! The path of the machine's points, and the lane that its outline sweeps.
 
 use crate::calc::Calc;
+use crate::component::stages::results;
 use crate::plane::{self, Point};
-use crate::steering::mode::Centre;
+use crate::steering::centre::Centre;
+use crate::steering::machine::Machine;
+use crate::steering::symbols as s;
 
 /// Where the point `p` of the machine comes to when the machine travels with its
 /// centre fixed and its fastest group rolls `distance` (m). `fastest` is the
@@ -34,28 +37,34 @@ pub struct Swept<C> {
     /// Width of the lane, in m: what `outer` − `inner` is, without cancellation.
     pub width: C,
 }
+results! { Swept as lane => {
+    R_IN: lane.inner;
+    R_OUT: lane.outer;
+    B_S: lane.width;
+} }
 
 impl<C: Calc> Swept<C> {
-    /// For the convex outline with these corners, in order around it; `None` for fewer than three.
+    /// Of the machine's outline.
     #[must_use]
-    pub fn new(corners: &[Point<C>], centre: &Centre<C>) -> Option<Swept<C>> {
-        if corners.len() < 3 {
-            return None;
-        }
+    pub fn new(machine: &Machine<C>, centre: &Centre<C>) -> Swept<C> {
+        let corners = &machine.corners;
         let w = centre.turning().unwrap_or(C::constant(0.0));
         let sign = C::constant(w.value().signum());
         let reach = |p: Point<C>| plane::length(centre.rolling(p));
         let edges = || corners.iter().zip(corners.iter().cycle().skip(1));
         let (mut far, mut near) = (corners[0], corners[0]);
+        let (mut most, mut least) = (reach(far), reach(near));
         let mut turns = [false; 2];
         for (&p, &q) in edges() {
-            if reach(p).value() > reach(far).value() {
+            let nearest = nearest(centre, w, p, q);
+            let (of_corner, of_edge) = (reach(p), reach(nearest));
+            if of_corner.value() > most.value() {
                 far = p;
             }
-            let nearest = nearest(centre, w, p, q);
-            if reach(nearest).value() < reach(near).value() {
+            if of_edge.value() < least.value() {
                 near = nearest;
             }
+            (most, least) = (most.greater(of_corner), least.smaller(of_edge));
             // The centre lies on one side of every edge where it lies inside.
             let side = (plane::dot(q - p, centre.rolling(p)) * w).value();
             turns[0] |= side >= 0.0;
@@ -64,36 +73,31 @@ impl<C: Calc> Swept<C> {
         if w.value() == 0.0 {
             let along = centre.rolling(corners[0]);
             let across = |p: &Point<C>| plane::cross(along, *p) / plane::length(along);
-            let first = across(&corners[0]);
-            let (low, high) = corners.iter().map(across).fold((first, first), |(low, high), x| {
-                (
-                    if x.value() < low.value() { x } else { low },
-                    if x.value() > high.value() { x } else { high },
-                )
-            });
-            return Some(Swept {
+            let sides = corners.map(|p| across(&p));
+            let outermost = |of_two: fn(C, C) -> C| sides.into_iter().reduce(of_two).expect("four corners");
+            return Swept {
                 inner: C::constant(f64::INFINITY),
                 outer: C::constant(f64::INFINITY),
-                width: high - low,
-            });
+                width: outermost(C::greater) - outermost(C::smaller),
+            };
         }
-        let outer = reach(far) / w.abs();
+        let outer = most / w.abs();
         if turns[0] != turns[1] {
-            return Some(Swept {
+            return Swept {
                 inner: C::constant(0.0),
                 outer,
                 width: outer,
-            });
+            };
         }
         // |f|² − |n|² = (f − n)·(f + n) over the rolling vectors, whose difference is w times the distance.
         let apart = far - near;
         let sum = centre.rolling(far) + centre.rolling(near);
-        let width = plane::cross(apart, sum) * sign / (reach(far) + reach(near));
-        Some(Swept {
-            inner: reach(near) / w.abs(),
+        let width = plane::cross(apart, sum) * sign / (most + least);
+        Swept {
+            inner: least / w.abs(),
             outer,
             width,
-        })
+        }
     }
 }
 

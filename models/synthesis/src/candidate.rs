@@ -62,7 +62,7 @@ impl Positions {
     /// # Errors
     /// A range that is empty or where the boom does not close; a boom without
     /// moment, which needs no balance.
-    pub fn new(boom: &Boom<f64>, range: [f64; 2], count: usize) -> Result<Positions, Fault> {
+    pub fn new(boom: &(dyn Boom<f64> + Sync), range: [f64; 2], count: usize) -> Result<Positions, Fault> {
         let [from, to] = range;
         if !(from < to && from.is_finite() && to.is_finite() && count >= 2) {
             return Err(Fault::new(

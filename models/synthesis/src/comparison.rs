@@ -167,7 +167,7 @@ impl Compared {
 }
 
 fn worth(
-    boom: &Boom<f64>,
+    boom: &(dyn Boom<f64> + Sync),
     range: [f64; 2],
     positions: &Positions,
     builds: &Builds,
@@ -258,7 +258,7 @@ fn limits(task: &Task, last: Option<&Compared>) -> Vec<Bound> {
     found
 }
 
-fn fronts(task: &Task, boom: &Boom<f64>, range: [f64; 2], last: Option<&Compared>) -> Vec<Front> {
+fn fronts(task: &Task, boom: &(dyn Boom<f64> + Sync), range: [f64; 2], last: Option<&Compared>) -> Vec<Front> {
     let sides = [(Role::RodForce, &s::N_MAX), (Role::Counterweight, &s::M_5)];
     let mut fronts = Vec::new();
     for (role, symbol) in sides {
@@ -286,7 +286,7 @@ fn fronts(task: &Task, boom: &Boom<f64>, range: [f64; 2], last: Option<&Compared
     fronts
 }
 
-fn nodes(task: &Task, boom: &Boom<f64>, own: &Lever<f64>) -> Option<Nodes> {
+fn nodes(task: &Task, boom: &(dyn Boom<f64> + Sync), own: &Lever<f64>) -> Option<Nodes> {
     let (p, four) = match task.method {
         Method::Optimum => return None,
         Method::Three { positions, .. } => (positions, false),

@@ -38,7 +38,7 @@ impl Nodes {
     ///
     /// # Errors
     /// Nodes that coincide, a boom that does not close there, a counterweight too light.
-    pub fn new(boom: &Boom<f64>, phi: [f64; 3], psi_1: f64, m_5: f64) -> Result<Nodes, Fault> {
+    pub fn new(boom: &(dyn Boom<f64> + Sync), phi: [f64; 3], psi_1: f64, m_5: f64) -> Result<Nodes, Fault> {
         check(&s::M_5, m_5, POSITIVE)?;
         check(&s::PSI, psi_1, FINITE)?;
         for (i, j) in [(0, 1), (0, 2), (1, 2)] {

@@ -78,7 +78,7 @@ impl Problem {
     ///
     /// # Errors
     /// As [`Positions::new`].
-    pub fn new(boom: &Boom<f64>, range: [f64; 2], task: &Task, branch: Branch) -> Result<Problem, Fault> {
+    pub fn new(boom: &(dyn Boom<f64> + Sync), range: [f64; 2], task: &Task, branch: Branch) -> Result<Problem, Fault> {
         Ok(Problem {
             positions: Positions::new(boom, range, POSITIONS)?,
             branch,

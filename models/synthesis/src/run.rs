@@ -58,7 +58,13 @@ fn effort(task: &Task, runs: usize, threads: usize) -> Effort {
 ///
 /// # Errors
 /// Constructions that have no lever, searches that find none.
-pub fn run(boom: &Boom<f64>, range: [f64; 2], task: &Task, threads: usize, watch: Watch<'_>) -> Result<Outcome, Fault> {
+pub fn run(
+    boom: &(dyn Boom<f64> + Sync),
+    range: [f64; 2],
+    task: &Task,
+    threads: usize,
+    watch: Watch<'_>,
+) -> Result<Outcome, Fault> {
     let (d_1, delta_1) = (task.bounds.d_1[0], task.bounds.delta_1[0]);
     let lever = match task.method {
         Method::Optimum => return best(boom, range, task, threads, watch),
@@ -102,7 +108,13 @@ pub fn run(boom: &Boom<f64>, range: [f64; 2], task: &Task, threads: usize, watch
     })
 }
 
-fn best(boom: &Boom<f64>, range: [f64; 2], task: &Task, threads: usize, watch: Watch<'_>) -> Result<Outcome, Fault> {
+fn best(
+    boom: &(dyn Boom<f64> + Sync),
+    range: [f64; 2],
+    task: &Task,
+    threads: usize,
+    watch: Watch<'_>,
+) -> Result<Outcome, Fault> {
     let branches = match task.branch {
         Some(branch) => vec![branch],
         None => vec![Branch::Left, Branch::Right],
@@ -153,7 +165,7 @@ fn best(boom: &Boom<f64>, range: [f64; 2], task: &Task, threads: usize, watch: W
 
 /// The best lever of one branch, with the problem that it solves.
 fn in_branch(
-    boom: &Boom<f64>,
+    boom: &(dyn Boom<f64> + Sync),
     range: [f64; 2],
     task: &Task,
     branch: Branch,
@@ -187,7 +199,7 @@ const SETTLING: usize = 3;
 const ROUNDING: f64 = 1e-6;
 
 /// Asks for as much more as the lever misses over the whole range; false where it misses nothing.
-fn tighten(boom: &Boom<f64>, range: [f64; 2], task: &Task, problem: &mut Problem, found: &Found) -> bool {
+fn tighten(boom: &(dyn Boom<f64> + Sync), range: [f64; 2], task: &Task, problem: &mut Problem, found: &Found) -> bool {
     let balance = Lever::new(rounded(&found.dimensions), None, problem.branch).map(Balance::Lever);
     let Ok(whole) = balance.and_then(|balance| Analysis::new(boom, &balance, range)) else {
         return false;

@@ -64,7 +64,7 @@ const COLLINEAR: f64 = 1e-3;
 /// # Errors
 /// Angles that do not rise, a counterweight too light, positions that need an
 /// infinite rod, or that a linkage reaches only in two branches.
-pub fn lever(boom: &Boom<f64>, given: &Given) -> Result<Lever<f64>, Fault> {
+pub fn lever(boom: &(dyn Boom<f64> + Sync), given: &Given) -> Result<Lever<f64>, Fault> {
     let g = given;
     check(&s::D_1, g.d_1, POSITIVE)?;
     check(&s::R_K, g.r_1, POSITIVE)?;

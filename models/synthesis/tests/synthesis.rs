@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use lemnis_models::balance::Balance;
 use lemnis_models::balance::analysis::Analysis;
-use lemnis_models::balance::boom::Plain;
+use lemnis_models::balance::boom::{Boom, Plain};
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Bounds, Constraints, Criterion, Tolerances};
 use lemnis_models::four_bar::Branch;
@@ -280,7 +280,7 @@ fn collinear_positions_have_no_rod() {
         r_b: 1e-9,
         chi_b: 0.0,
     };
-    let boom = weightless.boom().expect("sound");
+    let boom = weightless.check().expect("sound");
     let given = three::Given {
         // Almost the same angle three times: the arc is a line.
         phi: [60.0, 60.001, 60.002].map(rad),

@@ -11,15 +11,7 @@ use lemnis_models::unit;
 use num_dual::Dual2_64;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-static ANY: Symbol = Symbol {
-    id: "x",
-    print: "x",
-    unit: &unit::M,
-    display: &unit::M,
-    text: "A length.",
-    source: "given",
-    infinite: None,
-};
+static ANY: Symbol = Symbol::new("x", "x", [&unit::M, &unit::M], "A length.", "given");
 
 pub static NAMES: Names = Names {
     frame: &ANY,

@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "not every test uses all of it")]
 
-use lemnis_models::model::Model;
+use lemnis_models::component::running::Model;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 const DYNAMICS: &str = include_str!("../../../tests/levels/dynamics.toml");
@@ -58,5 +58,5 @@ pub fn text(level: &str) -> String {
 }
 
 pub fn model(level: &str) -> Model {
-    Model::new(&scene(level)).expect("built")
+    scene(level).model().expect("built")
 }

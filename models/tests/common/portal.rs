@@ -1,9 +1,9 @@
 //! The portal crane of [Balance004]: its boom, its two published levers.
 
-use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::four_bar::Branch;
 use lemnis_models::lemniscate::geometry::Parameters;
+use lemnis_models::lemniscate::system::System;
 use lemnis_models::scene::Scene;
 
 pub fn parameters() -> Parameters<f64> {
@@ -11,8 +11,8 @@ pub fn parameters() -> Parameters<f64> {
     scene.mechanism.luffing().expect("a luffing mechanism").parameters
 }
 
-pub fn boom() -> Boom<f64> {
-    Boom::system(&parameters()).expect("a boom system")
+pub fn boom() -> System<f64> {
+    System::new(&parameters()).expect("a boom system")
 }
 
 pub fn rad(degrees: f64) -> f64 {

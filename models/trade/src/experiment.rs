@@ -7,9 +7,10 @@
 //! all settings of a level: a moment that would move the crane so, or a valve
 //! that would let as much oil through, each with what corrects the angle.
 
-use lemnis_models::model::{Fault, Model, Role, Variable};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::{Fault, Role, Variable};
 use lemnis_models::motion::Motion;
-use lemnis_models::scene::{Mechanism, Scene};
+use lemnis_models::scene::Scene;
 
 use crate::setting::index;
 
@@ -62,20 +63,16 @@ impl Experiment {
     /// The scene's motion with communication steps of `sample` s.
     ///
     /// # Errors
-    /// As [`Model::new`].
+    /// As [`Scene::model`].
     pub fn new(scene: &Scene, sample: f64) -> Result<Experiment, Fault> {
-        let mut model = Model::new(scene)?;
+        let mut model = scene.model()?;
         let mut own = None;
         for id in COMMANDS {
             if let Some(index) = index(&model, id) {
                 own = own.or((model.get(index)? != 0.0).then_some(id));
             }
         }
-        let motion = match &scene.mechanism {
-            Mechanism::Luffing(luffing) => luffing.motion,
-            Mechanism::Steering(steering) => steering.motion,
-        };
-        let cycle = Cycle::new(&motion);
+        let cycle = Cycle::new(scene.mechanism.motion());
         let duration = if own.is_some() {
             model.stop_time()
         } else {
@@ -309,7 +306,7 @@ impl Controller {
             })
         };
         // A steering is commanded alike at every level.
-        let coordinate = Model::new(&scene.at("static"))?.variables()[..2].to_vec();
+        let coordinate = scene.at("static").model()?.variables()[..2].to_vec();
         let inputs = coordinate.iter().filter_map(|wanted| {
             let same = |v: &Variable| v.symbol == wanted.symbol && v.number == wanted.number && v.role == Role::Input;
             model.variables().iter().position(same)
@@ -344,7 +341,7 @@ impl Controller {
             value(model, "p_P")?,
         );
         let area = std::f64::consts::FRAC_PI_4 * bore * bore;
-        let shadow = Model::new(&scene.at("static"))?;
+        let shadow = scene.at("static").model()?;
         Ok(Controller::Valve {
             input,
             length: known(model, "L_d")?,
@@ -367,10 +364,7 @@ impl Controller {
                 dry,
             } => {
                 let (angle, rate) = (model.get(0)?, model.get(1)?);
-                let inertia = match model {
-                    Model::Moving(moving) => moving.inertia()?,
-                    Model::Luffing(_) | Model::Steering(_) | Model::Turning(_) => 0.0,
-                };
+                let inertia = model.inertia()?;
                 let correction =
                     2.0 * MOMENT_LOOP * (wanted.rate - rate) + MOMENT_LOOP * MOMENT_LOOP * (wanted.angle - angle);
                 // Friction is overcome where the bar is to move.

@@ -7,7 +7,8 @@
 //! finite differences, where ours are exact. The equations are the model's own:
 //! what checks these is the oracles and the balance of energy in the tests.
 
-use lemnis_models::model::{Fault, Model};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::Fault;
 use lemnis_models::number::short;
 use numeris::Vector;
 use numeris::ode::{AdaptiveSettings, RKAdaptive, RKV98NoInterp, RODAS4, Rosenbrock};

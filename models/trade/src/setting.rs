@@ -2,9 +2,10 @@
 
 use std::fmt;
 
-use lemnis_models::model::{Fault, Model};
+use lemnis_models::component::running::Model;
+use lemnis_models::model::Fault;
 use lemnis_models::number::short;
-use lemnis_models::scene::{Mechanism, Scene};
+use lemnis_models::scene::Scene;
 use lemnis_models::solver::Count;
 
 /// How a level is solved.
@@ -93,13 +94,13 @@ impl Setting {
     /// The running model of a scene with this setting.
     ///
     /// # Errors
-    /// As [`Model::new`].
+    /// As [`Scene::model`].
     pub fn model(&self, scene: &Scene, sample: f64) -> Result<Model, Fault> {
         let mut scene = scene.at(self.level);
-        if let (Method::Interpolated(tolerance), Mechanism::Luffing(luffing)) = (self.method, &mut scene.mechanism) {
-            luffing.table = Some(tolerance);
+        if let Method::Interpolated(tolerance) = self.method {
+            scene.mechanism.interpolate(tolerance);
         }
-        let mut model = Model::new(&scene)?;
+        let mut model = scene.model()?;
         let set = |model: &mut Model, id: &str, value| match index(model, id) {
             Some(index) => model.set(index, value),
             None => Ok(()),

@@ -4,7 +4,7 @@
 use std::fmt;
 use std::time::Instant;
 
-use lemnis_models::model::{Fault, Model, Role, Type, Variable};
+use lemnis_models::model::{Fault, Role, Type, Variable};
 use lemnis_models::number::{Digits, Number, exact, short};
 use lemnis_models::scene::Scene;
 use lemnis_models::solver::Count;
@@ -169,7 +169,7 @@ impl Trade {
         let mut asked = asked(scene, deepest)?;
         let mut names: Vec<String> = asked.iter().map(|asked| asked.name.clone()).collect();
         // What moves is followed by the levels where it is an input.
-        let model = Model::new(&scene.at(deepest))?;
+        let model = scene.at(deepest).model()?;
         names.extend(model.variables()[..2].iter().map(Variable::name));
         let mut references = Vec::new();
         for level in levels.iter().rev().copied() {
@@ -271,7 +271,7 @@ impl Trade {
 /// What is compared: what the scene's accuracy names, otherwise the coordinate and what the first connection of the
 /// mechanism tells, and what moves by itself where a cheaper level computes it.
 fn asked(scene: &Scene, deepest: &str) -> Result<Vec<Asked>, Fault> {
-    let model = Model::new(&scene.at(deepest))?;
+    let model = scene.at(deepest).model()?;
     let of = |variable: Variable, allowed| Asked {
         name: variable.name(),
         variable,
@@ -289,7 +289,7 @@ fn asked(scene: &Scene, deepest: &str) -> Result<Vec<Asked>, Fault> {
         .flat_map(|terminal| terminal.members)
         .map(|(name, _)| name)
         .collect();
-    let closed = Model::new(&scene.at("static"))?;
+    let closed = scene.at("static").model()?;
     let given = |variable: &Variable| {
         let same = |v: &Variable| v.role == Role::Output && v.symbol == variable.symbol && v.number == variable.number;
         variable.role == Role::State && closed.variables().iter().any(same)

@@ -2,9 +2,8 @@
 
 use lemnis_models::model::Variable;
 use lemnis_models::number::{rough, short};
-use lemnis_models::scene::{Mechanism, Scene};
+use lemnis_models::scene::Scene;
 use lemnis_models::symbol::Symbol;
-use lemnis_models::{lemniscate, steering};
 use lemnis_trade::setting::{Method, Setting};
 use lemnis_trade::trade::{Asked, Errors, Failure, SAMPLE, Trade as Traded};
 use serde::Serialize;
@@ -81,11 +80,13 @@ impl Trade {
     /// A scene of which there is no reference, or that the solvers refuse.
     pub(super) fn new(language: &Language, scene: &Scene, notation: &mut Notation) -> Result<Trade, Error> {
         let traded = traded(scene).map_err(|failure| Error(format!("the chapter of trade: {failure}")))?;
-        let names = match scene.mechanism {
-            Mechanism::Luffing(_) => [&lemniscate::moving::symbols::STEP, &lemniscate::moving::symbols::TOL],
-            Mechanism::Steering(_) => [&steering::moving::symbols::STEP, &steering::moving::symbols::TOL],
-        };
-        for symbol in traded.asked.iter().map(|asked| asked.variable.symbol).chain(names) {
+        let names = scene.mechanism.solver().map(|solver| [solver.step, solver.tolerance]);
+        for symbol in traded
+            .asked
+            .iter()
+            .map(|asked| asked.variable.symbol)
+            .chain(names.into_iter().flatten())
+        {
             notation.meet(symbol);
         }
         let second = |value: f64| format!("{} thin \"s\"", language.math(&short(value)));
@@ -190,7 +191,7 @@ fn traded(scene: &Scene) -> Result<Traded, Failure> {
 }
 
 fn traded_inputs(scene: &Scene) -> Vec<&'static Symbol> {
-    let model = lemnis_models::model::Model::new(scene);
+    let model = scene.model();
     let variables = model.as_ref().map_or(&[][..], |model| model.variables());
     variables.iter().map(|variable| variable.symbol).collect()
 }
@@ -212,7 +213,8 @@ fn solver(setting: &Setting) -> &'static str {
     }
 }
 
-fn setting(language: &Language, [step, tolerance]: [&'static Symbol; 2], setting: &Setting) -> Option<String> {
+fn setting(language: &Language, names: Option<[&'static Symbol; 2]>, setting: &Setting) -> Option<String> {
+    let [step, tolerance] = names?;
     let (symbol, value) = match setting.method {
         Method::Closed => return None,
         Method::Explicit(value) => (step, value),

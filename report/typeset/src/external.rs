@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{Error, Files, Format, Typeset, Typesetter, fonts};
+use crate::fonts;
+use crate::typesetter::{Error, Files, Format, Typeset, Typesetter};
 
 /// The oldest version that knows everything that books are made of.
 const OLDEST: [u32; 2] = [0, 15];

@@ -2,7 +2,8 @@
 
 use typst::layout::{Abs, Frame, FrameItem, Point, Transform};
 
-use crate::{Error, Files, pages};
+use crate::embedded::pages;
+use crate::typesetter::{Error, Files};
 
 /// Where a page is printed on, in mm from its left and upper edge.
 #[derive(Clone, Copy, Debug)]
@@ -15,7 +16,7 @@ pub struct Ink {
 /// What is printed on of each page.
 ///
 /// # Errors
-/// As [`Typesetter::typeset`](crate::Typesetter::typeset).
+/// As [`Typesetter::typeset`](crate::typesetter::Typesetter::typeset).
 pub fn ink(source: &str, files: &Files) -> Result<Vec<Ink>, Error> {
     let (_, document, _) = pages(source, files)?;
     let ink = document.pages().iter().map(|page| {

@@ -7,6 +7,9 @@ use std::collections::BTreeSet;
 use num_dual::Dual64;
 
 use crate::calc::{Calc, Over};
+use crate::component::dependencies::{dependencies, recorded};
+use crate::component::running::{Running, State, Tangent};
+use crate::component::standing::Standing;
 use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::oil::warning;
 use crate::hydraulics::symbols as h;
@@ -14,22 +17,22 @@ use crate::hydraulics::valve::Valve;
 use crate::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::lemniscate::geometry::{Driven, Geometry};
 use crate::lemniscate::hydraulic::{self, Crane, Hydraulic};
-use crate::lemniscate::model::{Model as Algebraic, State as AlgebraicState, Tangent as AlgebraicTangent};
+use crate::lemniscate::model::{present, standing};
 use crate::lemniscate::motion::{self, Bar, Commands, Friction, Motion};
 use crate::lemniscate::moving::level::{
     Inputs, Level, MOST_INDICATORS, MOST_STATES, OIL_INDICATORS, Powers, Present, Reaction,
 };
-use crate::lemniscate::moving::scene::{Constants, KEYS, Moving, OIL_KEYS, Oil, Rope, SLEWING_KEYS, Turning};
+use crate::lemniscate::moving::scene::{Constants, Moving, Oil, Rope, Turning};
 use crate::lemniscate::moving::symbols as m;
 use crate::lemniscate::scene::Luffing;
 use crate::lemniscate::slewing::{self, Drive, Joint, Slewing};
+use crate::lemniscate::stages::{DoubleLink, parameters};
 use crate::lemniscate::symbols as s;
 use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion as Range;
 use crate::number::short;
 use crate::plane::Point;
 use crate::record::{self, Rec};
-use crate::schema::{COARSEST, Key, Sign};
 use crate::solver::{Count, Halt, MOST_STEPS};
 use crate::symbol::Symbol;
 use crate::unit;
@@ -47,7 +50,7 @@ const TRACE: f64 = 1e-6;
 /// A scene's mechanism in motion.
 #[derive(Clone, Debug)]
 pub struct Model {
-    algebraic: Algebraic,
+    algebraic: Standing,
     driven: Driven,
     range: Range,
     rope: Option<Rope>,
@@ -55,20 +58,19 @@ pub struct Model {
     slewing_stops: Option<[f64; 2]>,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
-    signs: Vec<Sign>,
     /// Numbers of continuous states and of event indicators.
     states: usize,
     indicators: usize,
     /// Follows from the parameters; `None` after one has changed.
     level: Option<Level>,
-    state: State,
+    now: Now,
     /// Work of the solver so far; no part of the state.
     count: Count,
 }
 
-/// All that changes in a model while it runs.
+/// All that changes while it runs, besides the algebraic model.
 #[derive(Clone, Copy, Debug)]
-pub struct State {
+struct Now {
     /// In s.
     time: f64,
     present: Present,
@@ -76,13 +78,19 @@ pub struct State {
     constants: Constants<f64>,
     turning: Option<Turning<f64>>,
     oil: Option<Oil<f64>>,
-    algebraic: AlgebraicState,
+}
+
+/// All that changes while it runs.
+#[derive(Debug)]
+struct Saved {
+    now: Now,
+    algebraic: State,
 }
 
 /// Results with their derivatives in one direction of states, inputs and parameters.
-#[derive(Clone, Debug)]
-pub struct Tangent {
-    algebraic: AlgebraicTangent,
+#[derive(Debug)]
+struct Direction {
+    algebraic: Tangent,
     level: Result<Level<Dual64>, Fault>,
     inputs: Inputs<Dual64>,
     y: [Dual64; MOST_STATES],
@@ -113,7 +121,7 @@ impl Model {
     /// # Errors
     /// The cylinder cannot hold the crane at the start. A scene that was read has a mechanism.
     pub fn new(luffing: &Luffing, moving: &Moving) -> Result<Model, Fault> {
-        let algebraic = Algebraic::new(luffing)?;
+        let algebraic = standing(luffing)?;
         let Moving {
             rope,
             oil,
@@ -149,29 +157,26 @@ impl Model {
             slewing_stops: slewing.map(|turn| turn.stops),
             variables: Vec::new(),
             slots: Vec::new(),
-            signs: Vec::new(),
             states,
             indicators,
             count: Count::default(),
             level: None,
-            state: State {
+            now: Now {
                 time: 0.0,
                 present,
                 inputs,
                 constants,
                 turning: slewing.map(|turn| turn.constants),
                 oil,
-                algebraic: *algebraic.state(),
             },
             algebraic,
         };
         if oil.is_some() {
-            model.state.present = model.held_by_oil(&model.state.present)?;
+            model.now.present = model.held_by_oil(&model.now.present)?;
         }
         for (variable, slot) in model.list() {
             model.variables.push(variable);
             model.slots.push(slot);
-            model.signs.push(allowed(variable.symbol));
         }
         model.update()?;
         Ok(model)
@@ -203,19 +208,9 @@ impl Model {
     /// motion, then those of the algebraic model, then rates and event indicators.
     fn list(&self) -> Vec<(Variable, Slot)> {
         let mut list = Vec::new();
-        let of = |symbol: &'static Symbol, role| Variable {
-            symbol,
-            number: None,
-            role,
-            kind: Type::Real,
-            bounds: match allowed(symbol) {
-                Sign::Any => [f64::NEG_INFINITY, f64::INFINITY],
-                Sign::Tolerance => [0.0, COARSEST],
-                Sign::Positive | Sign::NotNegative | Sign::Deviation => [0.0, f64::INFINITY],
-            },
-        };
+        let of = |symbol: &'static Symbol, role| Variable::new((symbol, None), role);
         let boom = self.driven == Driven::Boom;
-        let hydraulic = self.state.oil.is_some();
+        let hydraulic = self.now.oil.is_some();
         let (reeled, slews) = (self.rope.is_some(), self.slewing_stops.is_some());
         let coordinate = if boom {
             [&s::THETA_1, &s::OMEGA_1]
@@ -247,9 +242,9 @@ impl Model {
             list.push((of(&m::M_B_SL, Role::Input), Slot::SlewingBrake));
         }
         let mut constant = |symbol, _| list.push((of(symbol, Role::Parameter), Slot::Constant));
-        self.state.constants.map(&mut constant);
-        self.state.turning.map(|turning| turning.map(&mut constant));
-        self.state.oil.map(|oil| oil.map(&mut constant));
+        self.now.constants.map(&mut constant);
+        self.now.turning.map(|turning| turning.map(&mut constant));
+        self.now.oil.map(|oil| oil.map(&mut constant));
         if hydraulic {
             list.push((of(&m::F_C, Role::Output), Slot::Reaction(Reaction::Cylinder)));
         }
@@ -327,7 +322,7 @@ impl Model {
         oil: [&'static Symbol; 6],
     ) -> Vec<&'static Symbol> {
         let mut symbols = coordinate.to_vec();
-        if self.state.oil.is_some() {
+        if self.now.oil.is_some() {
             symbols.extend(oil);
         }
         let (slews, reeled) = (self.slewing_stops.is_some(), self.rope.is_some());
@@ -348,78 +343,6 @@ impl Model {
         symbols
     }
 
-    #[must_use]
-    pub fn variables(&self) -> &[Variable] {
-        &self.variables
-    }
-
-    #[must_use]
-    pub fn terminals(&self) -> Vec<Terminal> {
-        self.algebraic.terminals()
-    }
-
-    #[must_use]
-    pub fn positions(&self) -> Vec<f64> {
-        self.algebraic.positions()
-    }
-
-    /// Brings the driven bar to an angle (rad) at the speed of the working range; other states stay as they are.
-    ///
-    /// # Errors
-    /// As [`set`](Model::set).
-    pub fn place(&mut self, theta: f64) -> Result<(), Fault> {
-        self.set(0, theta)?;
-        self.set(1, self.range.speed)?;
-        match &mut self.state.present {
-            Present::Free(state) => state.bar = Bar::Forward,
-            Present::Slewing(state) => state.joints[0] = Bar::Forward,
-            Present::Fixed(_) | Present::Hanging(_) => {}
-        }
-        Ok(())
-    }
-
-    #[must_use]
-    pub fn stop_time(&self) -> f64 {
-        self.algebraic.stop_time()
-    }
-
-    /// Time for one step of tables, in s, but no more than a communication step may take.
-    #[must_use]
-    pub fn step_size(&self) -> f64 {
-        self.algebraic
-            .step_size()
-            .min(0.1 * f64::from(MOST_STEPS) * self.state.constants.step)
-    }
-
-    /// Work of the solver since the model was made.
-    #[must_use]
-    pub fn count(&self) -> Count {
-        self.count
-    }
-
-    /// Inertia of all that moves with the driven bar as it is now, in kg·m²; the load as if it were fixed to the head.
-    ///
-    /// # Errors
-    /// The linkage does not close.
-    pub fn inertia(&mut self) -> Result<f64, Fault> {
-        let theta = self.state.present.states()[0];
-        let dynamics = self.level()?.dynamics();
-        let inertia = dynamics.inertia(theta);
-        inertia.ok_or_else(|| self.open())
-    }
-
-    /// Number of continuous states.
-    #[must_use]
-    pub fn states(&self) -> usize {
-        self.states
-    }
-
-    /// Number of event indicators.
-    #[must_use]
-    pub fn indicators(&self) -> usize {
-        self.indicators
-    }
-
     /// The equations of motion with the present parameters and inputs.
     fn level(&mut self) -> Result<&Level, Fault> {
         if self.level.is_none() {
@@ -437,12 +360,13 @@ impl Model {
     where
         Dual64: Over<P>,
     {
-        let constants = self.state.constants.map(of);
-        let parameters = *self.algebraic.parameters();
-        let load = (of(&s::Q, self.algebraic.load()) / constants.g).def(&m::MASS_Q);
+        let constants = self.now.constants.map(of);
+        let given = present(&self.algebraic);
+        let parameters = parameters(given);
+        let load = (of(&s::Q, given.load.map_or(0.0, |load| load.1)) / constants.g).def(&m::MASS_Q);
         let inputs = self.inputs_over(of);
-        let turning = self.state.turning.map(|turning| turning.map(of));
-        let oil = self.state.oil.map(|oil| oil.map(of));
+        let turning = self.now.turning.map(|turning| turning.map(of));
+        let oil = self.now.oil.map(|oil| oil.map(of));
         let over = parameters.map(of);
         let geometry = Geometry::new(&over).map_err(|misfit| {
             let words = parameters.describe(misfit);
@@ -540,7 +464,7 @@ impl Model {
             slewing,
             valve,
             supply,
-        } = self.state.inputs;
+        } = self.now.inputs;
         Inputs {
             slewing: Drive {
                 moment: of(&m::M_SL, slewing.moment),
@@ -562,7 +486,7 @@ impl Model {
 
     /// Brings the algebraic model to the present angle and angular velocity.
     fn follow(&mut self) -> Result<(), Fault> {
-        let y = self.state.present.states();
+        let y = self.now.present.states();
         self.algebraic.set(0, y[0])?;
         self.algebraic.set(1, y[1])
     }
@@ -570,15 +494,206 @@ impl Model {
     /// A parameter has changed.
     fn changed(&mut self) {
         self.level = None;
-        self.state.present.interrupt();
+        self.now.present.interrupt();
     }
 
+    /// Inputs of the hydraulic level have changed.
+    fn commanded(&mut self) {
+        self.now.present.interrupt();
+        if let Some(level) = &mut self.level {
+            level.set_inputs(&self.now.inputs);
+        }
+    }
+
+    fn refusal(&self, halt: Halt, size: f64) -> Fault {
+        let (symbol, at) = (self.variables[0].symbol, self.now.present.states()[0]);
+        let angle = format!("{} = {}", symbol.id, symbol.written(at));
+        let (size, step) = (short(size), short(self.now.constants.step));
+        Fault::outside(match halt {
+            Halt::Outside => format!(
+                "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
+                 the rope, or beyond all reasonable numbers: keep the working range away from dead points, reel in \
+                 less, or command less"
+            ),
+            Halt::TooFast => format!(
+                "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
+                 within one: set step below {} s, or make the rope longer or the friction less",
+                short(self.now.constants.step / 2.0)
+            ),
+            Halt::TooSmall | Halt::TooMany => format!(
+                "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
+                 at step = {step} s: take smaller communication steps, a longer step or a coarser tolerance"
+            ),
+        })
+    }
+
+    fn all_rates(&mut self, rates: &mut [f64; MOST_STATES]) -> Result<(), Fault> {
+        let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
+        let found = self.level()?.rates(&present, &inputs, &y, rates);
+        found.ok_or_else(|| self.open())
+    }
+
+    fn open(&self) -> Fault {
+        let (symbol, at) = (self.variables[0].symbol, self.now.present.states()[0]);
+        Fault::outside(format!(
+            "the linkage does not close at {} = {}",
+            symbol.id,
+            symbol.written(at)
+        ))
+    }
+
+    /// The states over any scalar.
+    fn states_over<P: Calc>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> [P; MOST_STATES] {
+        let states = self.now.present.states();
+        std::array::from_fn(|i| match self.variables.get(i).filter(|_| i < self.states) {
+            Some(variable) => of(variable.symbol, states[i]),
+            None => P::constant(states[i]),
+        })
+    }
+
+    /// Powers as it is now, and the energy of all bodies (J).
+    ///
     /// # Errors
-    /// Where the value depends on a configuration that does not exist.
-    pub fn get(&mut self, index: usize) -> Result<f64, Fault> {
-        let (slot, inputs) = (self.slot(index)?, self.state.inputs);
+    /// The linkage does not close.
+    pub(crate) fn powers(&mut self) -> Result<(Powers, f64), Fault> {
+        let (present, inputs) = (self.now.present, self.now.inputs);
+        let found = self.level()?.powers(&present, &inputs);
+        found.ok_or_else(|| self.open())
+    }
+
+    /// Energy of the bodies' motion as it is now, in J.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub(crate) fn kinetic(&mut self) -> Result<f64, Fault> {
+        let (present, inputs) = (self.now.present, self.now.inputs);
+        let level = self.level()?;
+        let energies = [present, level.still(&present)].map(|present| Some(level.powers(&present, &inputs)?.1));
+        match energies {
+            [Some(moving), Some(still)] => Ok(moving - still),
+            _ => Err(self.open()),
+        }
+    }
+
+    pub(crate) fn present(&self) -> &Present {
+        &self.now.present
+    }
+
+    /// Runs the equations of motion as they are now under the recorder. Returns how many steps were recorded while
+    /// they were assembled.
+    pub(crate) fn recorded(&self) -> usize {
+        let level = self.assemble_over(&mut Rec::given);
+        let (inputs, y) = (self.inputs_over(&mut Rec::given), self.states_over(&mut Rec::given));
+        let assembled = record::steps();
+        if let Ok(level) = level {
+            let (present, mut rates) = (&self.now.present, y);
+            let _ = level.rates(present, &inputs, &y, &mut rates);
+            if self.rope.is_some() {
+                let _ = level.reaction(present, &inputs, &y, Reaction::Rope);
+            }
+        }
+        assembled
+    }
+
+    /// What each variable depends on: results of the position on angle and angular velocity in the place
+    /// of the time; rates, event indicators and reactions on whatever has a derivative in any of many
+    /// lively states, in every one of the level's ways of moving.
+    #[must_use]
+    pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
+        let name = |variable: &Variable| -> Name { (variable.symbol.id, variable.number) };
+        let algebraic = dependencies(&self.algebraic, recorded::<DoubleLink>);
+        let pressures = || {
+            [&m::P_1, &m::P_2, &m::P_A, &m::P_B]
+                .map(|symbol| (symbol.id, None))
+                .into()
+        };
+        let of = |slot: &Slot| match *slot {
+            Slot::State(i) => BTreeSet::from([name(&self.variables[i])]),
+            Slot::Algebraic(inner) => {
+                let found = algebraic[inner].iter().copied();
+                found.filter(|name| *name != (TIME.id, None)).collect()
+            }
+            // Any of them may be the least.
+            Slot::Cavitates => pressures(),
+            Slot::Indicator(i) if i + 1 == OIL_INDICATORS && self.now.oil.is_some() => pressures(),
+            _ => BTreeSet::new(),
+        };
+        let mut found: Vec<BTreeSet<Name>> = self.slots.iter().map(of).collect();
+        let mut lively = self.clone();
+        for index in 0..lively.slots.len() {
+            // What is zero now may hide what else acts: an arm that weighs nothing, a gap that lets nothing pass.
+            if lively.check(index, TRACE).is_ok() && lively.get(index) == Ok(0.0) {
+                let _ = lively.set(index, TRACE);
+            }
+        }
+        let opening = self.now.oil.map_or(0.0, |oil| oil.p_r);
+        let slews = self.slewing_stops.is_some();
+        for present in self.now.present.lively(self.stops(), opening, slews) {
+            lively.now.present = present;
+            for known in &self.variables {
+                if !matches!(known.role, Role::Input | Role::Parameter | Role::Tunable | Role::State) {
+                    continue;
+                }
+                let mut tangent = lively.tangent(&|quantity| f64::from(quantity == known.quantity()));
+                for (index, found) in found.iter_mut().enumerate() {
+                    let moves = matches!(
+                        self.slots[index],
+                        Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_)
+                    );
+                    if moves && lively.derivative(&mut tangent, index) != Ok(0.0) {
+                        found.insert(name(known));
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    fn slot(&self, index: usize) -> Result<Slot, Fault> {
+        let found = self.slots.get(index).copied();
+        found.ok_or_else(|| Fault::no_variable(index, self.slots.len()))
+    }
+}
+
+impl Running for Model {
+    fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    fn terminals(&self) -> Vec<Terminal> {
+        self.algebraic.terminals()
+    }
+
+    fn positions(&self) -> Vec<f64> {
+        self.algebraic.positions()
+    }
+
+    fn stop_time(&self) -> f64 {
+        self.algebraic.stop_time()
+    }
+
+    fn step_size(&self) -> f64 {
+        // No more than a communication step may take.
+        self.algebraic
+            .step_size()
+            .min(0.1 * f64::from(MOST_STEPS) * self.now.constants.step)
+    }
+
+    fn place(&mut self, theta: f64) -> Result<(), Fault> {
+        self.set(0, theta)?;
+        self.set(1, self.range.speed)?;
+        match &mut self.now.present {
+            Present::Free(state) => state.bar = Bar::Forward,
+            Present::Slewing(state) => state.joints[0] = Bar::Forward,
+            Present::Fixed(_) | Present::Hanging(_) => {}
+        }
+        Ok(())
+    }
+
+    fn get(&mut self, index: usize) -> Result<f64, Fault> {
+        let (slot, inputs) = (self.slot(index)?, self.now.inputs);
         match slot {
-            Slot::State(i) => Ok(self.state.present.states()[i]),
+            Slot::State(i) => Ok(self.now.present.states()[i]),
             Slot::Rate(i) => {
                 let mut rates = [0.0; MOST_STATES];
                 self.all_rates(&mut rates)?;
@@ -603,20 +718,20 @@ impl Model {
                         found = value;
                     }
                 };
-                self.state.constants.map(&mut look);
-                self.state.turning.map(|turning| turning.map(&mut look));
-                self.state.oil.map(|oil| oil.map(&mut look));
+                self.now.constants.map(&mut look);
+                self.now.turning.map(|turning| turning.map(&mut look));
+                self.now.oil.map(|oil| oil.map(&mut look));
                 Ok(found)
             }
             Slot::Reaction(reaction) => {
-                let (present, y) = (self.state.present, self.state.present.states());
+                let (present, y) = (self.now.present, self.now.present.states());
                 let found = self.level()?.reaction(&present, &inputs, &y, reaction);
                 found.ok_or_else(|| self.open())
             }
             Slot::Cavitates => {
                 let mut rates = [0.0; MOST_STATES];
                 self.all_rates(&mut rates)?;
-                let oil = self.state.present.oil();
+                let oil = self.now.present.oil();
                 Ok(f64::from(
                     oil.is_some_and(|oil| oil.cavitates(|| [2, 3, 4, 5].map(|i| rates[i]))),
                 ))
@@ -625,48 +740,32 @@ impl Model {
         }
     }
 
-    /// What the importer should know of the motion so far, besides its results.
-    #[must_use]
-    pub fn warning(&self) -> Option<&'static str> {
-        warning(self.state.present.least_pressure())
-    }
-
-    /// # Errors
-    /// A value that is not finite or outside what the symbol allows, a result, an unknown index.
-    pub fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
-        let (slot, symbol, sign) = (self.slot(index)?, self.variables[index].symbol, self.signs[index]);
+    fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
+        let (slot, variable) = (self.slot(index)?, &self.variables[index]);
         match slot {
             Slot::Algebraic(inner) => self.algebraic.check(inner, value),
             Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_) | Slot::Cavitates => {
-                Err(Fault::new(format!("{} is a result and cannot be set", symbol.id)))
+                Err(Fault::new(format!("{variable} is a result and cannot be set")))
             }
-            _ if sign.allows(value) => Ok(()),
-            _ => Err(Fault::outside(format!(
-                "{} = {} is not allowed: it must be {}",
-                symbol.id,
-                symbol.written(value),
-                sign.words()
-            ))),
+            _ => variable.check(value),
         }
     }
 
-    /// # Errors
-    /// As [`check`](Model::check); a refused value changes nothing.
-    pub fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
+    fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         self.check(index, value)?;
-        let inputs = &mut self.state.inputs;
+        let inputs = &mut self.now.inputs;
         match self.slots[index] {
             Slot::State(i) => {
-                let mut y = self.state.present.states();
+                let mut y = self.now.present.states();
                 y[i] = value;
                 // A taut rope is as long as the load is far.
                 let length = self.variables[i].symbol == &m::L_R;
-                if length && self.slewing_stops.is_none() && self.state.present.is_taut() {
+                if length && self.slewing_stops.is_none() && self.now.present.is_taut() {
                     y[i + 1] = value;
                 }
-                self.state.present.set_states(&y[..self.states]);
+                self.now.present.set_states(&y[..self.states]);
                 // Which way a bar goes is decided again: it did not turn round, it was set.
-                match (&mut self.state.present, i) {
+                match (&mut self.now.present, i) {
                     (Present::Free(state), 1) => state.bar = Bar::Held,
                     (Present::Slewing(state), 1 | 3) => state.joints[i / 2] = Bar::Held,
                     (Present::Hanging(present), _) if self.variables[i].symbol == &m::OMEGA_SL => {
@@ -701,9 +800,9 @@ impl Model {
             Slot::Constant => {
                 let wanted = self.variables[index].symbol;
                 let mut change = |symbol, old| if symbol == wanted { value } else { old };
-                self.state.constants = self.state.constants.map(&mut change);
-                self.state.turning = self.state.turning.map(|turning| turning.map(&mut change));
-                self.state.oil = self.state.oil.map(|oil| oil.map(&mut change));
+                self.now.constants = self.now.constants.map(&mut change);
+                self.now.turning = self.now.turning.map(|turning| turning.map(&mut change));
+                self.now.oil = self.now.oil.map(|oil| oil.map(&mut change));
                 self.changed();
             }
             Slot::Algebraic(inner) if self.algebraic.get(inner) != Ok(value) => {
@@ -716,106 +815,71 @@ impl Model {
         Ok(())
     }
 
-    /// Inputs of the hydraulic level have changed.
-    fn commanded(&mut self) {
-        self.state.present.interrupt();
-        if let Some(level) = &mut self.level {
-            level.set_inputs(&self.state.inputs);
-        }
+    fn set_time(&mut self, time: f64) {
+        self.now.time = time;
     }
 
-    /// The time alone: states move by [`advance`](Model::advance), or are set from outside.
-    pub fn set_time(&mut self, time: f64) {
-        self.state.time = time;
-    }
-
-    /// Brings everything to the present parameters, states and inputs, and decides what follows.
-    ///
-    /// # Errors
-    /// Parameters with which there is no mechanism, or states in which it does not close.
-    pub fn update(&mut self) -> Result<(), Fault> {
-        self.event()?;
-        self.algebraic.update()
-    }
-
-    /// Decides what follows at an instant; returns whether a state changed.
-    ///
-    /// # Errors
-    /// As [`update`](Model::update).
-    pub fn event(&mut self) -> Result<bool, Fault> {
-        let (before, inputs) = (self.state.present, self.state.inputs);
-        let mut present = before;
-        let decided = self.level()?.event(&mut present, &inputs);
-        decided.map_err(|_| self.open())?;
-        self.state.present = present;
-        self.follow()?;
-        Ok(present.states() != before.states())
-    }
-
-    /// Solves from one time to another, both in s; a step that fails changes nothing.
-    ///
-    /// # Errors
-    /// The linkage does not close on the way, or the step needs more inner steps than are allowed.
-    pub fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
-        let (before, inputs, step) = (self.state.present, self.state.inputs, self.state.constants.step);
-        let relative = self.state.oil.map_or(0.0, |oil| oil.tol);
+    fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
+        let (before, inputs, step) = (self.now.present, self.now.inputs, self.now.constants.step);
+        let relative = self.now.oil.map_or(0.0, |oil| oil.tol);
         let mut present = before;
         let solved = self.level()?.advance(&mut present, &inputs, to - from, step, relative);
         let work = solved.map_err(|halt| self.refusal(halt, to - from))?;
         self.count = self.count.and(work);
-        self.state.present = present;
+        self.now.present = present;
         let reached = self.follow().and_then(|()| self.algebraic.update());
         match reached {
-            Ok(()) => self.state.time = to,
+            Ok(()) => self.now.time = to,
             Err(_) => {
-                self.state.present = before;
+                self.now.present = before;
                 self.follow()?;
             }
         }
         reached
     }
 
-    fn refusal(&self, halt: Halt, size: f64) -> Fault {
-        let (symbol, at) = (self.variables[0].symbol, self.state.present.states()[0]);
-        let angle = format!("{} = {}", symbol.id, symbol.written(at));
-        let (size, step) = (short(size), short(self.state.constants.step));
-        Fault::outside(match halt {
-            Halt::Outside => format!(
-                "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
-                 the rope, or beyond all reasonable numbers: keep the working range away from dead points, reel in \
-                 less, or command less"
-            ),
-            Halt::TooFast => format!(
-                "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
-                 within one: set step below {} s, or make the rope longer or the friction less",
-                short(self.state.constants.step / 2.0)
-            ),
-            Halt::TooSmall | Halt::TooMany => format!(
-                "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
-                 at step = {step} s: take smaller communication steps, a longer step or a coarser tolerance"
-            ),
-        })
+    fn update(&mut self) -> Result<(), Fault> {
+        self.event()?;
+        self.algebraic.update()
     }
 
-    /// The continuous states.
-    pub fn get_states(&self, states: &mut [f64]) {
-        states.copy_from_slice(&self.state.present.states()[..self.states]);
+    fn event(&mut self) -> Result<bool, Fault> {
+        let (before, inputs) = (self.now.present, self.now.inputs);
+        let mut present = before;
+        let decided = self.level()?.event(&mut present, &inputs);
+        decided.map_err(|_| self.open())?;
+        self.now.present = present;
+        self.follow()?;
+        Ok(present.states() != before.states())
     }
 
-    /// # Errors
-    /// A state is not finite; none changes.
-    pub fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
+    fn warning(&self) -> Option<&'static str> {
+        warning(self.now.present.least_pressure())
+    }
+
+    fn states(&self) -> usize {
+        self.states
+    }
+
+    fn count(&self) -> Count {
+        self.count
+    }
+
+    fn get_states(&self, states: &mut [f64]) {
+        states.copy_from_slice(&self.now.present.states()[..self.states]);
+    }
+
+    fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
         for (variable, value) in self.variables.iter().zip(states) {
             if !value.is_finite() {
                 return Err(Fault::outside(format!("{variable} = {} is not finite", short(*value))));
             }
         }
-        self.state.present.set_states(states);
+        self.now.present.set_states(states);
         self.follow()
     }
 
-    /// Orders of magnitude of the continuous states.
-    pub fn nominals(&self, nominals: &mut [f64]) {
+    fn nominals(&self, nominals: &mut [f64]) {
         for (nominal, variable) in nominals.iter_mut().zip(&self.variables) {
             *nominal = match variable.symbol {
                 symbol if symbol.unit.dimension == unit::PA.dimension => 1e5,
@@ -825,27 +889,19 @@ impl Model {
         }
     }
 
-    /// Rates of the continuous states.
-    ///
-    /// # Errors
-    /// The linkage does not close.
-    pub fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
+    fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
         let mut all = [0.0; MOST_STATES];
         self.all_rates(&mut all)?;
         rates.copy_from_slice(&all[..self.states]);
         Ok(())
     }
 
-    fn all_rates(&mut self, rates: &mut [f64; MOST_STATES]) -> Result<(), Fault> {
-        let (present, inputs, y) = (self.state.present, self.state.inputs, self.state.present.states());
-        let found = self.level()?.rates(&present, &inputs, &y, rates);
-        found.ok_or_else(|| self.open())
+    fn indicators(&self) -> usize {
+        self.indicators
     }
 
-    /// # Errors
-    /// The linkage does not close.
-    pub fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
-        let (present, inputs, y) = (self.state.present, self.state.inputs, self.state.present.states());
+    fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
+        let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
         let mut all = [0.0; MOST_INDICATORS];
         let found = self.level()?.indicators(&present, &inputs, &y, &mut all);
         found.ok_or_else(|| self.open())?;
@@ -853,58 +909,59 @@ impl Model {
         Ok(())
     }
 
-    fn open(&self) -> Fault {
-        let (symbol, at) = (self.variables[0].symbol, self.state.present.states()[0]);
-        Fault::outside(format!(
-            "the linkage does not close at {} = {}",
-            symbol.id,
-            symbol.written(at)
-        ))
+    fn inertia(&mut self) -> Result<f64, Fault> {
+        let theta = self.now.present.states()[0];
+        let dynamics = self.level()?.dynamics();
+        let inertia = dynamics.inertia(theta);
+        inertia.ok_or_else(|| self.open())
     }
 
-    #[must_use]
-    pub fn state(&self) -> State {
-        State {
-            algebraic: *self.algebraic.state(),
-            ..self.state
-        }
+    fn state(&self) -> State {
+        State::new(Saved {
+            now: self.now,
+            algebraic: self.algebraic.state(),
+        })
     }
 
-    pub fn set_state(&mut self, state: &State) {
-        self.state = *state;
-        self.algebraic.set_state(&state.algebraic);
+    fn state_into(&self, state: &mut State) {
+        let saved: &mut Saved = state.own_mut();
+        saved.now = self.now;
+        self.algebraic.state_into(&mut saved.algebraic);
+    }
+
+    fn set_state(&mut self, state: &State) {
+        let Saved { now, algebraic } = state.own();
+        self.now = *now;
+        self.algebraic.set_state(algebraic);
         self.level = None;
     }
 
-    /// A state as numbers.
-    #[must_use]
-    pub fn numbers(&self, state: &State) -> Vec<f64> {
+    fn numbers(&self, state: &State) -> Vec<f64> {
+        let Saved { now, algebraic } = state.own();
         let Inputs {
             motion,
             slewing,
             valve,
             supply,
-        } = state.inputs;
+        } = now.inputs;
         let Commands { moment, brake, hoist } = motion;
-        let mut numbers = vec![state.time, moment, brake, hoist, valve, supply];
-        state.present.numbers(&mut numbers);
-        state.constants.map(&mut |_, value| numbers.push(value));
-        if let Some(turning) = state.turning {
+        let mut numbers = vec![now.time, moment, brake, hoist, valve, supply];
+        now.present.numbers(&mut numbers);
+        now.constants.map(&mut |_, value| numbers.push(value));
+        if let Some(turning) = now.turning {
             numbers.extend([slewing.moment, slewing.brake]);
             turning.map(&mut |_, value| numbers.push(value));
         }
-        state.oil.map(|oil| oil.map(&mut |_, value| numbers.push(value)));
-        numbers.extend(self.algebraic.numbers(&state.algebraic));
+        now.oil.map(|oil| oil.map(&mut |_, value| numbers.push(value)));
+        numbers.extend(self.algebraic.numbers(algebraic));
         numbers
     }
 
-    /// # Errors
-    /// Numbers that are not those of a state of this model.
-    pub fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
+    fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
         let wrong = || Fault::new("a saved state does not belong to this model");
         let (&[time, moment, brake, hoist, valve, supply], rest) =
             numbers.split_first_chunk::<6>().ok_or_else(wrong)?;
-        let (present, rest) = self.state.present.of(rest).ok_or_else(wrong)?;
+        let (present, rest) = self.now.present.of(rest).ok_or_else(wrong)?;
         let mut complete = numbers[..6].iter().all(|x| x.is_finite());
         let mut values = rest.iter();
         let mut next = |_: &'static Symbol, _: f64| {
@@ -912,17 +969,18 @@ impl Model {
             complete &= value.is_finite();
             value
         };
-        let constants = self.state.constants.map(&mut next);
-        let mut slewing = self.state.inputs.slewing;
-        let turning = self.state.turning.map(|turning| {
+        let constants = self.now.constants.map(&mut next);
+        let mut slewing = self.now.inputs.slewing;
+        let turning = self.now.turning.map(|turning| {
             (slewing.moment, slewing.brake) = (next(&m::M_SL, 0.0), next(&m::M_B_SL, 0.0));
             turning.map(&mut next)
         });
-        let oil = self.state.oil.map(|oil| oil.map(&mut next));
+        let oil = self.now.oil.map(|oil| oil.map(&mut next));
         if !complete {
             return Err(wrong());
         }
-        Ok(State {
+        let algebraic = self.algebraic.state_of(values.as_slice())?;
+        let now = Now {
             time,
             present,
             inputs: Inputs {
@@ -934,100 +992,51 @@ impl Model {
             constants,
             turning,
             oil,
-            algebraic: self.algebraic.state_of(values.as_slice())?,
-        })
+        };
+        Ok(State::new(Saved { now, algebraic }))
     }
 
-    /// The model with derivatives along a direction: `seed` is the rate of change of each state, input
-    /// and parameter, in SI.
-    #[must_use]
-    pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
+    fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
+        let algebraic = self.algebraic.tangent(seed);
         let mut of = |symbol: &'static Symbol, value| Dual64::new(value, seed((symbol, None)));
-        Tangent {
+        Tangent::new(Direction {
+            algebraic,
             level: self.assemble_over(&mut of),
             inputs: self.inputs_over(&mut of),
             y: self.states_over(&mut of),
-            algebraic: self.algebraic.tangent(seed),
             rates: None,
-        }
-    }
-
-    /// The states over any scalar.
-    fn states_over<P: Calc>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> [P; MOST_STATES] {
-        let states = self.state.present.states();
-        std::array::from_fn(|i| match self.variables.get(i).filter(|_| i < self.states) {
-            Some(variable) => of(variable.symbol, states[i]),
-            None => P::constant(states[i]),
         })
     }
 
-    /// Powers as it is now, and the energy of all bodies (J).
-    ///
-    /// # Errors
-    /// The linkage does not close.
-    pub(crate) fn powers(&mut self) -> Result<(Powers, f64), Fault> {
-        let (present, inputs) = (self.state.present, self.state.inputs);
-        let found = self.level()?.powers(&present, &inputs);
-        found.ok_or_else(|| self.open())
+    fn tangent_into(&self, seed: &dyn Fn(Quantity) -> f64, tangent: &mut Tangent) {
+        let direction: &mut Direction = tangent.own_mut();
+        self.algebraic.tangent_into(seed, &mut direction.algebraic);
+        let mut of = |symbol: &'static Symbol, value| Dual64::new(value, seed((symbol, None)));
+        direction.level = self.assemble_over(&mut of);
+        direction.inputs = self.inputs_over(&mut of);
+        direction.y = self.states_over(&mut of);
+        direction.rates = None;
     }
 
-    /// Energy of the bodies' motion as it is now, in J.
-    ///
-    /// # Errors
-    /// The linkage does not close.
-    pub(crate) fn kinetic(&mut self) -> Result<f64, Fault> {
-        let (present, inputs) = (self.state.present, self.state.inputs);
-        let level = self.level()?;
-        let energies = [present, level.still(&present)].map(|present| Some(level.powers(&present, &inputs)?.1));
-        match energies {
-            [Some(moving), Some(still)] => Ok(moving - still),
-            _ => Err(self.open()),
-        }
-    }
-
-    pub(crate) fn present(&self) -> &Present {
-        &self.state.present
-    }
-
-    /// Runs the equations of motion as they are now under the recorder. Returns how many steps were recorded while
-    /// they were assembled.
-    pub(crate) fn recorded(&self) -> usize {
-        let level = self.assemble_over(&mut Rec::given);
-        let (inputs, y) = (self.inputs_over(&mut Rec::given), self.states_over(&mut Rec::given));
-        let assembled = record::steps();
-        if let Ok(level) = level {
-            let (present, mut rates) = (&self.state.present, y);
-            let _ = level.rates(present, &inputs, &y, &mut rates);
-            if self.rope.is_some() {
-                let _ = level.reaction(present, &inputs, &y, Reaction::Rope);
-            }
-        }
-        assembled
-    }
-
-    /// Derivative of a state, a rate, an event indicator or an output along the direction of a tangent, in SI; not finite where
-    /// there is none.
-    ///
-    /// # Errors
-    /// None of these, or a configuration that does not exist.
-    pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+    fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
         let variable = &self.variables[index];
-        let Tangent { inputs, y, .. } = *tangent;
-        let present = &self.state.present;
-        let level = tangent.level.as_ref().map_err(Clone::clone);
+        let direction: &mut Direction = tangent.own_mut();
+        let Direction { inputs, y, .. } = *direction;
+        let present = &self.now.present;
+        let level = direction.level.as_ref().map_err(Clone::clone);
         let slot = self.slot(index)?;
         if !matches!(slot, Slot::State(_)) {
-            tangent.algebraic.check()?;
+            self.algebraic.smooth(&direction.algebraic)?;
         }
         let found = match slot {
-            Slot::Algebraic(inner) => return self.algebraic.derivative(&mut tangent.algebraic, inner),
+            Slot::Algebraic(inner) => return self.algebraic.derivative(&mut direction.algebraic, inner),
             Slot::State(i) => Some(y[i]),
             Slot::Rate(i) => {
-                if tangent.rates.is_none() {
+                if direction.rates.is_none() {
                     let mut rates = y;
-                    tangent.rates = level?.rates(present, &inputs, &y, &mut rates).map(|()| rates);
+                    direction.rates = level?.rates(present, &inputs, &y, &mut rates).map(|()| rates);
                 }
-                tangent.rates.map(|rates| rates[i])
+                direction.rates.map(|rates| rates[i])
             }
             Slot::Indicator(i) => {
                 let mut all = [Dual64::from_re(0.0); MOST_INDICATORS];
@@ -1042,63 +1051,8 @@ impl Model {
         Ok(found.ok_or_else(|| self.open())?.eps)
     }
 
-    /// What each variable depends on: results of the position on angle and angular velocity in the place
-    /// of the time; rates, event indicators and reactions on whatever has a derivative in any of many
-    /// lively states, in every one of the level's ways of moving.
-    #[must_use]
-    pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
-        let name = |variable: &Variable| -> Name { (variable.symbol.id, variable.number) };
-        let algebraic = self.algebraic.dependencies();
-        let pressures = || {
-            [&m::P_1, &m::P_2, &m::P_A, &m::P_B]
-                .map(|symbol| (symbol.id, None))
-                .into()
-        };
-        let of = |slot: &Slot| match *slot {
-            Slot::State(i) => BTreeSet::from([name(&self.variables[i])]),
-            Slot::Algebraic(inner) => {
-                let found = algebraic[inner].iter().copied();
-                found.filter(|name| *name != (TIME.id, None)).collect()
-            }
-            // Any of them may be the least.
-            Slot::Cavitates => pressures(),
-            Slot::Indicator(i) if i + 1 == OIL_INDICATORS && self.state.oil.is_some() => pressures(),
-            _ => BTreeSet::new(),
-        };
-        let mut found: Vec<BTreeSet<Name>> = self.slots.iter().map(of).collect();
-        let mut lively = self.clone();
-        for index in 0..lively.slots.len() {
-            // What is zero now may hide what else acts: an arm that weighs nothing, a gap that lets nothing pass.
-            if lively.check(index, TRACE).is_ok() && lively.get(index) == Ok(0.0) {
-                let _ = lively.set(index, TRACE);
-            }
-        }
-        let opening = self.state.oil.map_or(0.0, |oil| oil.p_r);
-        let slews = self.slewing_stops.is_some();
-        for present in self.state.present.lively(self.stops(), opening, slews) {
-            lively.state.present = present;
-            for known in &self.variables {
-                if !matches!(known.role, Role::Input | Role::Parameter | Role::Tunable | Role::State) {
-                    continue;
-                }
-                let mut tangent = lively.tangent(&|quantity| f64::from(quantity == known.quantity()));
-                for (index, found) in found.iter_mut().enumerate() {
-                    let moves = matches!(
-                        self.slots[index],
-                        Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_)
-                    );
-                    if moves && lively.derivative(&mut tangent, index) != Ok(0.0) {
-                        found.insert(name(known));
-                    }
-                }
-            }
-        }
-        found
-    }
-
-    fn slot(&self, index: usize) -> Result<Slot, Fault> {
-        let found = self.slots.get(index).copied();
-        found.ok_or_else(|| Fault::no_variable(index, self.slots.len()))
+    fn duplicate(&self) -> Box<dyn Running> {
+        Box::new(self.clone())
     }
 }
 
@@ -1137,11 +1091,4 @@ fn hydraulic<const N: usize, P: Copy>(
         hoist: inputs.motion.hoist,
         slewing: inputs.slewing,
     }
-}
-
-/// Which numbers a quantity of motion may have.
-fn allowed(symbol: &'static Symbol) -> Sign {
-    let of = |key: &Key| key.number().filter(|(known, _)| *known == symbol).map(|(_, sign)| sign);
-    let keys = KEYS.iter().chain(SLEWING_KEYS).chain(OIL_KEYS);
-    keys.into_iter().find_map(of).unwrap_or(Sign::Any)
 }

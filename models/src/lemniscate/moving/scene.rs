@@ -2,6 +2,7 @@
 
 use crate::balance;
 use crate::diagnostic::Diagnostic;
+use crate::group::quantities;
 use crate::lemniscate::motion::Commands;
 use crate::lemniscate::moving::level::Inputs;
 use crate::lemniscate::moving::symbols as s;
@@ -9,7 +10,7 @@ use crate::lemniscate::slewing::Drive;
 use crate::lemniscate::symbols as l;
 use crate::motion::degrees;
 use crate::schema::{Key, Sign, Values};
-use crate::symbol::{Symbol, quantities};
+use crate::symbol::Symbol;
 
 /// How deep the mechanism is modelled.
 pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydraulic", "auto"];

@@ -5,48 +5,48 @@ use crate::symbol::{Symbol, symbols};
 
 symbols! {
     // Given.
-    J_1: "J_1" "J_1" KG_M2 / KG_M2, "Inertia of the boom about its centre of gravity.", "input";
-    J_2: "J_2" "J_2" KG_M2 / KG_M2, "Inertia of the jib about its centre of gravity.", "input";
-    J_3: "J_3" "J_3" KG_M2 / KG_M2, "Inertia of the rocker about its centre of gravity.", "input";
-    C_V: "c_v" "c_v" N_M_S / KN_M_S, "Viscous friction at the driven bar: moment over angular velocity.", "input";
-    M_F: "M_F" "M_F" N_M / KN_M, "Dry friction at the driven bar: the moment that it holds, and that it sets against motion.", "input";
-    STEP: "step" "h" S / MS, "Longest step of the solver. An explicit one is refused where the motion changes by more than itself within it.", "input";
+    J_1: "J_1" "J_1" KG_M2 / KG_M2 [not_negative], "Inertia of the boom about its centre of gravity.", "input";
+    J_2: "J_2" "J_2" KG_M2 / KG_M2 [not_negative], "Inertia of the jib about its centre of gravity.", "input";
+    J_3: "J_3" "J_3" KG_M2 / KG_M2 [not_negative], "Inertia of the rocker about its centre of gravity.", "input";
+    C_V: "c_v" "c_v" N_M_S / KN_M_S [not_negative], "Viscous friction at the driven bar: moment over angular velocity.", "input";
+    M_F: "M_F" "M_F" N_M / KN_M [not_negative], "Dry friction at the driven bar: the moment that it holds, and that it sets against motion.", "input";
+    STEP: "step" "h" S / MS [positive], "Longest step of the solver. An explicit one is refused where the motion changes by more than itself within it.", "input";
 
-    L_MIN: "l_min" "l_min" M / M, "Length of the cylinder retracted, between its anchors.", "input";
-    L_MAX: "l_max" "l_max" M / M, "Length of the cylinder extended, between its anchors.", "input";
-    V_0: "V_0" "V_0" M3 / L, "Oil left in a chamber at the piston's end.", "input";
-    V_1: "V_1" "V_1" M3 / L, "Oil in each port of the valve.", "input";
-    Q_N: "Q_N" "Q_N" M3_PER_S / L_PER_MIN, "Rated flow of the valve, fully open.", "input";
-    DP_N: "dp_N" "Delta p_N" PA / BAR, "Pressure difference over one edge of the valve at the rated flow.", "input";
-    DP_L: "dp_L" "Delta p_L" PA / BAR, "Pressure difference over each line from valve to cylinder at the rated flow.", "input";
-    BETA_E: "beta_E" "beta_E" PA / MPA, "Bulk modulus of the oil with its walls.", "input";
-    P_R: "p_R" "p_R" PA / BAR, "Opening pressure of the relief valves.", "input";
-    K_R: "k_R" "k_R" M3_PER_SPA / M3_PER_SPA, "Flow of a relief valve over the excess of pressure.", "input";
-    K_L: "k_L" "k_L" M3_PER_SPA / M3_PER_SPA, "Leakage past the piston over the difference of pressure.", "input";
-    OMEGA_V: "omega_v" "omega_v" RAD_PER_S / RAD_PER_S, "Natural frequency of the valve's spool.", "input";
-    ZETA_V: "zeta_v" "zeta_v" ONE / ONE, "Damping ratio of the valve's spool.", "input";
-    TOL: "tol" "epsilon" ONE / ONE, "Relative tolerance of the implicit solver.", "input";
+    L_MIN: "l_min" "l_min" M / M [positive], "Length of the cylinder retracted, between its anchors.", "input";
+    L_MAX: "l_max" "l_max" M / M [positive], "Length of the cylinder extended, between its anchors.", "input";
+    V_0: "V_0" "V_0" M3 / L [positive], "Oil left in a chamber at the piston's end.", "input";
+    V_1: "V_1" "V_1" M3 / L [positive], "Oil in each port of the valve.", "input";
+    Q_N: "Q_N" "Q_N" M3_PER_S / L_PER_MIN [positive], "Rated flow of the valve, fully open.", "input";
+    DP_N: "dp_N" "Delta p_N" PA / BAR [positive], "Pressure difference over one edge of the valve at the rated flow.", "input";
+    DP_L: "dp_L" "Delta p_L" PA / BAR [positive], "Pressure difference over each line from valve to cylinder at the rated flow.", "input";
+    BETA_E: "beta_E" "beta_E" PA / MPA [positive], "Bulk modulus of the oil with its walls.", "input";
+    P_R: "p_R" "p_R" PA / BAR [positive], "Opening pressure of the relief valves.", "input";
+    K_R: "k_R" "k_R" M3_PER_SPA / M3_PER_SPA [not_negative], "Flow of a relief valve over the excess of pressure.", "input";
+    K_L: "k_L" "k_L" M3_PER_SPA / M3_PER_SPA [not_negative], "Leakage past the piston over the difference of pressure.", "input";
+    OMEGA_V: "omega_v" "omega_v" RAD_PER_S / RAD_PER_S [positive], "Natural frequency of the valve's spool.", "input";
+    ZETA_V: "zeta_v" "zeta_v" ONE / ONE [not_negative], "Damping ratio of the valve's spool.", "input";
+    TOL: "tol" "epsilon" ONE / ONE [tolerance], "Relative tolerance of the implicit solver.", "input";
 
     // Slewing, given.
-    J_SL: "J_sl" "J_\"sl\"" KG_M2 / KG_M2, "Inertia about the slewing axis of all that slews besides boom, jib, rocker, counterweight and load.", "input";
-    C_SL: "c_sl" "c_\"sl\"" N_M_S / KN_M_S, "Viscous friction of slewing: moment over angular velocity.", "input";
-    M_F_SL: "M_Fsl" "M_\"F sl\"" N_M / KN_M, "Dry friction of slewing: the moment that it holds, and that it sets against motion.", "input";
+    J_SL: "J_sl" "J_\"sl\"" KG_M2 / KG_M2 [not_negative], "Inertia about the slewing axis of all that slews besides boom, jib, rocker, counterweight and load.", "input";
+    C_SL: "c_sl" "c_\"sl\"" N_M_S / KN_M_S [not_negative], "Viscous friction of slewing: moment over angular velocity.", "input";
+    M_F_SL: "M_Fsl" "M_\"F sl\"" N_M / KN_M [not_negative], "Dry friction of slewing: the moment that it holds, and that it sets against motion.", "input";
     PSI_MIN: "psi_min" "psi_\"min\"" RAD / DEG, "Slewing angle of the right end stop.", "input";
     PSI_MAX: "psi_max" "psi_\"max\"" RAD / DEG, "Slewing angle of the left end stop.", "input";
 
     // Commands.
     U_V: "u_v" "u_v" ONE / ONE, "Command of the valve from -1 to 1; positive lengthens the cylinder.", "input";
-    P_P: "p_P" "p_P" PA / BAR, "Pressure of the pump above the tank's.", "input";
+    P_P: "p_P" "p_P" PA / BAR [not_negative], "Pressure of the pump above the tank's.", "input";
     M_A: "M_A" "M_A" N_M / KN_M, "Moment of the drive on the driven bar; positive turns it counter-clockwise.", "input";
-    M_S: "M_S" "M_S" N_M / KN_M, "Moment of the brake, added to the dry friction.", "input";
+    M_S: "M_S" "M_S" N_M / KN_M [not_negative], "Moment of the brake, added to the dry friction.", "input";
     M_SL: "M_sl" "M_\"sl\"" N_M / KN_M, "Moment of the slewing drive; positive turns the crane counter-clockwise, seen from above.", "input";
-    M_B_SL: "M_Bsl" "M_\"B sl\"" N_M / KN_M, "Moment of the slewing brake, added to its dry friction.", "input";
+    M_B_SL: "M_Bsl" "M_\"B sl\"" N_M / KN_M [not_negative], "Moment of the slewing brake, added to its dry friction.", "input";
     V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head; positive lowers the load.", "input";
 
     // States.
     PHI: "phi_R" "phi_R" RAD / DEG, "Angle of the rope from the vertical; positive swings the load forward.", "equations of motion";
     OMEGA_PHI: "omega_R" "omega_R" RAD_PER_S / DEG_PER_S, "Angular velocity of the rope.", "equations of motion";
-    L_R: "l_R" "l_R" M / M, "Length of the rope from the head to the load.", "equations of motion";
+    L_R: "l_R" "l_R" M / M [positive], "Length of the rope from the head to the load.", "equations of motion";
     S_Q: "s_Q" "s_Q" M / M, "Distance of the load from the head: the rope's length, or less where it is slack.", "equations of motion";
     V_Q: "v_Q" "v_Q" M_PER_S / M_PER_S, "Speed of the load away from the head.", "equations of motion";
 

@@ -2,6 +2,8 @@
 //! a run of that model on the scene's own motion.
 
 use crate::calc::Calc;
+use crate::component::outline::Told;
+use crate::component::running::{Running, State};
 use crate::hydraulics::oil::VACUUM;
 use crate::hydraulics::symbols as h;
 use crate::lemniscate::hydraulic::FIXED;
@@ -502,7 +504,7 @@ struct Run {
     energy: Energy,
     /// When the formulas are worked out, and the model then.
     instant: f64,
-    state: crate::lemniscate::moving::model::State,
+    state: State,
     greatest_pressure: f64,
     /// With its time, in s.
     least_pressure: [f64; 2],
@@ -656,7 +658,12 @@ impl Run {
                 at_most: true,
             }));
         };
-        at_most("motion_swing", &m::PHI_MAX, self.greatest_swing, luffing.limits.phi_max);
+        at_most(
+            "motion_swing",
+            &m::PHI_MAX,
+            self.greatest_swing,
+            luffing.limit(&m::PHI_MAX),
+        );
         let opening = moving.oil.map(|oil| oil.p_r);
         at_most("motion_pressure", &m::P_MAX, self.greatest_pressure, opening);
         let Powers {

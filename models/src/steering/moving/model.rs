@@ -7,6 +7,9 @@ use std::collections::BTreeSet;
 use num_dual::Dual64;
 
 use crate::calc::{Calc, Over};
+use crate::component::dependencies::{dependencies, recorded};
+use crate::component::running::{Running, State, Tangent};
+use crate::component::standing::Standing;
 use crate::hydraulics::cylinder::Cylinder;
 use crate::hydraulics::oil::{VACUUM, warning};
 use crate::hydraulics::symbols as h;
@@ -14,16 +17,18 @@ use crate::hydraulics::valve::Valve;
 use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::number::short;
 use crate::solver::{Count, Halt, MOST_STEPS};
+use crate::steering::built::Built;
+use crate::steering::flow::flow;
 use crate::steering::hydraulic::{Control, Group, INDICATORS, STATES};
-use crate::steering::load::{Resistance, resistance};
-use crate::steering::machine::within;
-use crate::steering::model::{Model as Algebraic, State as AlgebraicState, Tangent as AlgebraicTangent};
+use crate::steering::load::{Resistance, force, resistance};
+use crate::steering::model::{present, standing};
 use crate::steering::moving::level::{Clock, Level, Present};
-use crate::steering::moving::scene::{Moving, bounds};
+use crate::steering::moving::scene::Moving;
 use crate::steering::moving::symbols as m;
+use crate::steering::refusal::within;
 use crate::steering::ring::friction;
 use crate::steering::scene::Steering;
-use crate::steering::sizing::{flow, force};
+use crate::steering::stages::SteeredGroups;
 use crate::steering::symbols as s;
 use crate::symbol::Symbol;
 use crate::unit;
@@ -58,7 +63,7 @@ const OF_EVENTS: [&Symbol; INDICATORS] = [
 /// A scene's steering in motion.
 #[derive(Clone, Debug)]
 pub struct Model {
-    algebraic: Algebraic,
+    algebraic: Standing,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
     /// Where the algebraic model has what the groups need: of the first group the angle that the PLC is to
@@ -72,35 +77,49 @@ pub struct Model {
     level: Option<Level>,
     /// How the groups were before a step that may fail.
     before: Vec<Present>,
-    state: State,
+    now: Now,
 }
 
-/// All that changes in a model while it runs.
+/// All that changes in the model while it runs, but for the algebraic one's.
 #[derive(Clone, Debug)]
-pub struct State {
+struct Now {
     /// In s.
     time: f64,
     clock: Clock,
     groups: Vec<Present>,
     given: Moving,
-    /// Of the algebraic model; while the model runs, it has a newer one.
-    algebraic: AlgebraicState,
+}
+
+impl Now {
+    /// Takes over another one's, in its own place.
+    fn follow(&mut self, other: &Now) {
+        (self.time, self.clock, self.given) = (other.time, other.clock, other.given);
+        self.groups.clone_from(&other.groups);
+    }
+}
+
+/// A state of the model.
+#[derive(Debug)]
+struct Saved {
+    now: Now,
+    algebraic: State,
 }
 
 /// Directions in so many quantities need no allocation.
 const FEW: usize = 12;
 
 /// A direction of states, inputs and parameters: what changes along it, and how fast.
-#[derive(Clone, Debug)]
-pub struct Tangent {
+#[derive(Debug)]
+struct Direction {
     few: [(Quantity, f64); FEW],
     count: usize,
     more: Vec<(Quantity, f64)>,
-    /// Made when a result of the command is first asked for.
-    algebraic: Option<AlgebraicTangent>,
+    /// Made when a result of the command is first asked for; whether it is along this direction.
+    algebraic: Option<Tangent>,
+    along: bool,
 }
 
-impl Tangent {
+impl Direction {
     fn rate(&self, quantity: Quantity) -> f64 {
         let mut all = self.few[..self.count].iter().chain(&self.more);
         all.find(|(known, _)| *known == quantity).map_or(0.0, |(_, rate)| *rate)
@@ -180,12 +199,12 @@ impl Model {
     /// # Errors
     /// Never for a scene that was read: it has a machine, and a command that its mode takes.
     pub fn new(steering: &Steering, moving: &Moving) -> Result<Model, Fault> {
-        let algebraic = Algebraic::new(steering)?;
+        let algebraic = standing(steering)?;
         let of = |symbol: &Symbol| {
             let mut all = algebraic.variables().iter();
             all.position(|variable| variable.symbol == symbol)
         };
-        let groups = vec![Present::new([0.0; STATES]); algebraic.parameters().groups.len()];
+        let groups = vec![Present::new([0.0; STATES]); present(&algebraic).axes.len()];
         let mut model = Model {
             variables: Vec::new(),
             slots: Vec::new(),
@@ -195,12 +214,11 @@ impl Model {
             margin: of(&s::MARGIN).ok_or_else(absent)?,
             level: None,
             before: groups.clone(),
-            state: State {
+            now: Now {
                 time: 0.0,
                 clock: Clock::STOPPED,
                 groups,
                 given: *moving,
-                algebraic: algebraic.state().clone(),
             },
             algebraic,
         };
@@ -216,7 +234,7 @@ impl Model {
     /// Variables of a scene: inputs and parameters of the algebraic model, what is given besides, states,
     /// results, rates and event indicators; those of groups group by group in each quantity.
     fn list(&self) -> Vec<(Variable, Slot)> {
-        let groups = self.state.groups.len();
+        let groups = self.now.groups.len();
         let mut list = Vec::new();
         let mut results = Vec::new();
         for (index, variable) in self.algebraic.variables().iter().enumerate() {
@@ -231,29 +249,20 @@ impl Model {
                 _ => list.push((*variable, slot)),
             }
         }
-        let real = |symbol: &'static Symbol, number, role, bounds| Variable {
-            symbol,
-            number,
-            role,
-            kind: Type::Real,
-            bounds,
-        };
-        const ANY: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
-        self.state.given.map(&mut |symbol, value| {
+        self.now.given.map(&mut |symbol, value| {
             let role = if *symbol == m::P_P {
                 Role::Input
             } else {
                 Role::Parameter
             };
-            let (least, most, _) = bounds(symbol);
-            list.push((real(symbol, None, role, [least, most]), Slot::Given));
+            list.push((Variable::new((symbol, None), role), Slot::Given));
             value
         });
         let mut each = |symbol, role, of: &dyn Fn(usize) -> Slot| {
             list.extend(
                 (0..groups)
                     .zip(1..)
-                    .map(|(i, number)| (real(symbol, Some(number), role, ANY), of(i))),
+                    .map(|(i, number)| (Variable::new((symbol, Some(number)), role), of(i))),
             );
         };
         for (k, (symbol, _)) in OF_GROUP.into_iter().enumerate() {
@@ -270,80 +279,25 @@ impl Model {
         }
         let margin = self.algebraic.variables()[self.margin];
         list.push((margin, Slot::Algebraic(self.margin)));
-        list.push((real(&h::Z_VACUUM, None, Role::Indicator, ANY), Slot::Vacuum));
+        list.push((Variable::new((&h::Z_VACUUM, None), Role::Indicator), Slot::Vacuum));
         let flag = Variable {
             kind: Type::Boolean,
-            ..real(&h::CAVITATES, None, Role::Output, ANY)
+            ..Variable::new((&h::CAVITATES, None), Role::Output)
         };
         list.push((flag, Slot::Cavitates));
-        list.push((real(&m::Q_P, None, Role::Output, ANY), Slot::Demand));
+        list.push((Variable::new((&m::Q_P, None), Role::Output), Slot::Demand));
         list.extend(results);
         list
     }
 
-    #[must_use]
-    pub fn variables(&self) -> &[Variable] {
-        &self.variables
-    }
-
-    #[must_use]
-    pub fn terminals(&self) -> Vec<Terminal> {
-        let mut terminals = self.algebraic.terminals();
-        for (number, terminal) in (0..).zip(&mut terminals) {
-            let exists = |name: &String| self.variables.iter().any(|variable| variable.name() == *name);
-            terminal.members.retain(|(name, _)| exists(name));
-            // The first one is the machine's; the rate of a group's angle is a state here.
-            if number > 0 {
-                terminal.members.push((format!("{}[{number}]", m::OMEGA_G.id), "w"));
-            }
-        }
-        terminals
-    }
-
-    #[must_use]
-    pub fn positions(&self) -> Vec<f64> {
-        self.algebraic.positions()
-    }
-
-    #[must_use]
-    pub fn stop_time(&self) -> f64 {
-        self.algebraic.stop_time()
-    }
-
-    /// The PLC's cycle, in s.
-    #[must_use]
-    pub fn step_size(&self) -> f64 {
-        self.state.given.plc.t_c
-    }
-
-    /// Work of the solver, of all groups together, since their states were last set.
-    #[must_use]
-    pub fn count(&self) -> Count {
-        let groups = self.state.groups.iter();
-        groups.fold(Count::default(), |sum, present| sum.and(present.run.count))
-    }
-
-    /// Number of continuous states.
-    #[must_use]
-    pub fn states(&self) -> usize {
-        STATES * self.state.groups.len()
-    }
-
-    /// Number of event indicators: those of the groups, and the margins to the ranges and to vacuum.
-    #[must_use]
-    pub fn indicators(&self) -> usize {
-        INDICATORS * self.state.groups.len() + 2
-    }
-
     /// The equations of motion with the present parameters and inputs.
     fn assemble(&mut self) -> Result<Level, Fault> {
-        let Moving { plc, .. } = self.state.given;
-        let parameters = self.algebraic.parameters();
-        let built = parameters.build();
-        built.map_err(|refusal| Fault::outside(refusal.to_string()))?;
-        let accuracy = parameters.accuracy.ok_or_else(absent)?;
-        let mut groups = Vec::with_capacity(self.state.groups.len());
-        for i in 0..self.state.groups.len() {
+        let Moving { plc, .. } = self.now.given;
+        let given = present(&self.algebraic);
+        Built::new(given).map_err(|refusal| Fault::outside(refusal.to_string()))?;
+        let accuracy = given.accuracy.ok_or_else(absent)?;
+        let mut groups = Vec::with_capacity(self.now.groups.len());
+        for i in 0..self.now.groups.len() {
             groups.push(self.group(i, &mut |_, value| value)?);
         }
         let control = Control {
@@ -357,14 +311,14 @@ impl Model {
 
     /// The equations of one group over any scalar: `of` gives each input and parameter in it. The parameters have a machine.
     fn group<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> Result<Group<P>, Fault> {
-        let parameters = self.algebraic.parameters();
-        let steered = parameters.groups.get(i).ok_or_else(absent)?;
+        let given = present(&self.algebraic);
+        let mount = given.mounts.get(i).ok_or_else(absent)?;
         let resistance = self.resistance(i, of);
         let mut alone = |symbol, value| of((symbol, None), value);
-        let linkage = parameters.cylinder.ok_or_else(absent)?.map(&mut alone);
-        let piston = parameters.piston.ok_or_else(absent)?.map(&mut alone);
-        let body = self.state.given.body.map(&mut alone);
-        let oil = self.state.given.oil.map(&mut alone);
+        let linkage = given.cylinder.ok_or_else(absent)?.map(&mut alone);
+        let piston = given.piston.ok_or_else(absent)?.map(&mut alone);
+        let body = self.now.given.body.map(&mut alone);
+        let oil = self.now.given.oil.map(&mut alone);
         let cylinder = Cylinder {
             areas: Cylinder::areas(piston.d_g, piston.d),
             lengths: [linkage.l_x + linkage.l_a, P::constant(2.0) * linkage.l_x + linkage.l_a],
@@ -382,17 +336,17 @@ impl Model {
             },
         };
         Ok(Group {
-            linkage: linkage.linkage(steered.mirrored),
+            linkage: linkage.linkage(mount.mirrored),
             cylinder,
             inertia: body.j,
             resistance,
-            stops: match steered.range {
+            stops: match mount.range {
                 Some(range) => range.map(P::constant),
-                None => linkage.ends(steered.mirrored),
+                None => linkage.ends(mount.mirrored),
             },
             buffer: [STOP * STOP, 2.0 * STOP].map(|factor| body.j * P::constant(factor)),
             supply: oil.p_p,
-            command: P::constant(self.state.groups[i].held.command),
+            command: P::constant(self.now.groups[i].held.command),
         })
     }
 
@@ -400,7 +354,7 @@ impl Model {
     fn resistance<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> P {
         match self.drag(i, of) {
             None => P::constant(0.0),
-            Some(drag) if self.algebraic.inputs().v_t == 0.0 => drag.standing,
+            Some(drag) if *present(&self.algebraic).v_t == 0.0 => drag.standing,
             Some(drag) => drag.travelling,
         }
     }
@@ -408,13 +362,11 @@ impl Model {
     /// Resistance of a group to steering over any scalar, in N·m, with the slewing ring's friction, which stays while
     /// travelling; none without loads.
     fn drag<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> Option<Resistance<P>> {
-        let (parameters, inputs) = (self.algebraic.parameters(), self.algebraic.inputs());
-        let load = of((&s::G, Some(i as u16 + 1)), *inputs.loads.get(i)?);
+        let given = present(&self.algebraic);
+        let load = of((&s::G, Some(i as u16 + 1)), given.loads.get(i)?.g);
         let mut alone = |symbol, value| of((symbol, None), value);
-        let tyres = resistance(&parameters.tyre?.map(&mut alone), load);
-        let ring = parameters
-            .bearing
-            .map(|bearing| friction(&bearing.map(&mut alone), load));
+        let tyres = resistance(&given.tyre?.map(&mut alone), load);
+        let ring = given.bearing.map(|bearing| friction(&bearing.map(&mut alone), load));
         let standing = tyres.standing + ring.unwrap_or(P::constant(0.0));
         Some(Resistance {
             standing,
@@ -426,22 +378,22 @@ impl Model {
     fn changed(&mut self) {
         // Where there is no machine, the next call that needs one says why.
         self.level = self.assemble().ok();
-        for present in &mut self.state.groups {
+        for present in &mut self.now.groups {
             present.interrupt();
         }
     }
 
     /// A load, the travel speed or the pump's pressure may have changed.
     fn loaded(&mut self) {
-        let supply = self.state.given.oil.p_p;
-        for i in 0..self.state.groups.len() {
+        let supply = self.now.given.oil.p_p;
+        for i in 0..self.now.groups.len() {
             let resistance = self.resistance(i, &mut |_, value| value);
             let Some(level) = &mut self.level else { return };
             let group = &mut level.groups[i];
             // An importer that repeats itself does not interrupt the solver.
             if group.resistance != resistance || group.supply != supply {
                 (group.resistance, group.supply) = (resistance, supply);
-                self.state.groups[i].interrupt();
+                self.now.groups[i].interrupt();
             }
         }
     }
@@ -461,83 +413,24 @@ impl Model {
 
     /// Puts every group at rest where the command wants it.
     fn stand(&mut self) -> Result<(), Fault> {
-        for i in 0..self.state.groups.len() {
+        for i in 0..self.now.groups.len() {
             let wanted = self.wanted(i)?;
             let y = self.level()?.groups[i].resting(wanted, RESTING_PRESSURE);
-            self.state.groups[i] = Present::new(y);
+            self.now.groups[i] = Present::new(y);
         }
-        self.state.clock = Clock::STOPPED;
+        self.now.clock = Clock::STOPPED;
         Ok(())
-    }
-
-    /// The groups at rest where a commanded angle (rad) wants them: a row of a table.
-    ///
-    /// # Errors
-    /// As [`set`](Model::set) and [`update`](Model::update).
-    pub fn place(&mut self, theta_b: f64) -> Result<(), Fault> {
-        self.set(0, theta_b)?;
-        self.stand()
-    }
-
-    /// # Errors
-    /// Where the command is one that its mode does not take.
-    pub fn get(&mut self, index: usize) -> Result<f64, Fault> {
-        let slot = self.slot(index)?;
-        match slot {
-            Slot::State(k, i) => Ok(self.state.groups[i].run.states()[k]),
-            Slot::Rate(k, i) => {
-                let present = self.state.groups[i];
-                Ok(self.level()?.rates(i, &present)[k])
-            }
-            Slot::Indicator(k, i) => {
-                let y = self.state.groups[i].run.states();
-                Ok(self.level()?.groups[i].indicators(&y)[k])
-            }
-            Slot::Given => {
-                let (wanted, mut found) = (self.variables[index].symbol, f64::NAN);
-                self.state.given.map(&mut |symbol, value| {
-                    if symbol == wanted {
-                        found = value;
-                    }
-                    value
-                });
-                Ok(found)
-            }
-            Slot::Demand => {
-                let mut sum = 0.0;
-                for i in 0..self.state.groups.len() {
-                    sum += self.of_group(OfGroup::Demand, i)?;
-                }
-                Ok(sum)
-            }
-            Slot::Cavitates => {
-                let (i, _) = self.lowest();
-                let (group, y) = (self.level()?.groups[i], self.state.groups[i].run.states());
-                let rates = group.equations(&y);
-                Ok(f64::from(Group::oil(&y).cavitates(|| [2, 3, 4, 5].map(|k| rates[k]))))
-            }
-            Slot::Vacuum => Ok(self.lowest().1 - VACUUM),
-            Slot::Of(of, i) => self.of_group(of, i),
-            Slot::Algebraic(inner) => self.algebraic.get(inner),
-        }
     }
 
     /// The group with the least pressure of its oil, and that pressure, in Pa.
     fn lowest(&self) -> (usize, f64) {
-        let groups = self.state.groups.iter().enumerate();
+        let groups = self.now.groups.iter().enumerate();
         let all = groups.map(|(i, present)| (i, Group::oil(&present.run.states()).least().1));
         all.fold((0, f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a })
     }
 
-    /// What the importer should know of the motion so far, besides its results.
-    #[must_use]
-    pub fn warning(&self) -> Option<&'static str> {
-        let groups = self.state.groups.iter();
-        warning(groups.fold(self.lowest().1, |least, present| least.min(present.run.least)))
-    }
-
     fn of_group(&mut self, of: OfGroup, i: usize) -> Result<f64, Fault> {
-        let present = self.state.groups[i];
+        let present = self.now.groups[i];
         let y = present.run.states();
         let group = self.level()?.groups[i];
         Ok(match of {
@@ -572,7 +465,7 @@ impl Model {
             OfGroup::Arm => pose.od,
             OfGroup::Speed => pose.od * omega,
             OfGroup::Flow => {
-                let piston = self.algebraic.parameters().piston.ok_or_else(absent)?;
+                let piston = present(&self.algebraic).piston.ok_or_else(absent)?;
                 flow(
                     &piston.map(&mut |symbol, value| scalar((symbol, None), value)),
                     pose.od * omega,
@@ -584,15 +477,222 @@ impl Model {
         })
     }
 
-    /// # Errors
-    /// A value that is not finite or outside what the symbol allows, a result, an unknown index.
-    pub fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
+    /// The PLC reads all encoders and sets all valves.
+    fn sample(&mut self, time: f64) -> Result<(), Fault> {
+        self.update()?;
+        for i in 0..self.now.groups.len() {
+            let wanted = self.wanted(i)?;
+            let Some(Level { groups, control }) = &mut self.level else {
+                return Err(absent());
+            };
+            self.now.groups[i].sample(&mut groups[i], control, wanted);
+        }
+        let control = self.level()?.control;
+        self.now.clock = self.now.clock.sampled(&control, time);
+        Ok(())
+    }
+
+    fn solve(&mut self, from: f64, to: f64) -> Result<(), Fault> {
+        let control = self.level()?.control;
+        let Moving { body, oil, .. } = self.now.given;
+        let samples = (to - from) / control.period * self.now.groups.len() as f64;
+        if samples > f64::from(MOST_STEPS) {
+            return Err(self.refusal(Halt::TooMany, 0, to - from));
+        }
+        let mut time = from;
+        while time < to {
+            if self.now.clock.is_due(&control, time) {
+                self.set_time(time);
+                self.sample(time)?;
+            }
+            let end = self.now.clock.next_before(&control, to).unwrap_or(to);
+            for i in 0..self.now.groups.len() {
+                let Some(level) = &self.level else { return Err(absent()) };
+                let present = &mut self.now.groups[i];
+                if let Err(halt) = present.advance(&level.groups[i], end - time, body.step, oil.tol) {
+                    return Err(self.refusal(halt, i, to - from));
+                }
+            }
+            time = end;
+        }
+        self.set_time(to);
+        self.update()
+    }
+
+    fn refusal(&self, halt: Halt, group: usize, size: f64) -> Fault {
+        let at = self.now.groups[group].run.states()[0];
+        let angle = format!("theta[{}] = {}", group + 1, s::THETA.written(at));
+        let size = short(size);
+        Fault::outside(match halt {
+            Halt::Outside => format!(
+                "the motion from {angle} ends within {size} s beyond its cylinder or beyond all reasonable numbers: \
+                 keep J above what the oil moves, and V_0 above what an end stop gives way"
+            ),
+            // Its solver is implicit, for which no step is too fast.
+            Halt::TooSmall | Halt::TooMany | Halt::TooFast => format!(
+                "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
+                 at T_c = {} s: take smaller communication steps, a longer cycle or a coarser tolerance",
+                short(self.now.given.plc.t_c)
+            ),
+        })
+    }
+
+    /// The derivative of a variable that follows from a result of the algebraic model which is searched for: zero
+    /// where nothing changes that this follows from.
+    fn searched(&self, tangent: &Direction, variable: &Variable, inner: usize) -> Result<Dual64, Fault> {
+        let Some(known) = tangent.changing().find(|known| self.algebraic.follows(inner, *known)) else {
+            return Ok(Dual64::from_re(0.0));
+        };
+        let by = self.variables.iter().find(|variable| variable.quantity() == known);
+        let by = by.map_or(TIME.id.to_owned(), Variable::name);
+        Err(Fault::new(format!(
+            "{variable} is searched for: it has no derivative by {by}"
+        )))
+    }
+
+    /// A result of the algebraic model with its derivative.
+    fn of_command(&self, tangent: &mut Direction, inner: usize) -> Result<Dual64, Fault> {
+        let mut algebraic = match tangent.algebraic.take() {
+            Some(algebraic) if tangent.along => algebraic,
+            Some(mut algebraic) => {
+                self.algebraic
+                    .tangent_into(&|quantity| tangent.rate(quantity), &mut algebraic);
+                algebraic
+            }
+            None => self.algebraic.tangent(&|quantity| tangent.rate(quantity)),
+        };
+        tangent.along = true;
+        let found = self.algebraic.with_derivative(&mut algebraic, inner);
+        tangent.algebraic = Some(algebraic);
+        found
+    }
+
+    /// What each variable depends on: of a group its own states and what acts on it, and for what the
+    /// command wants what it does in the algebraic model. The PLC's command is held between samples.
+    #[must_use]
+    pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
+        let name = |symbol: &Symbol, i: usize| -> Name { (symbol.id, Some(i as u16 + 1)) };
+        let algebraic = dependencies(&self.algebraic, recorded::<SteeredGroups>);
+        let constants: BTreeSet<Name> = self
+            .variables
+            .iter()
+            .filter(|variable| matches!(variable.role, Role::Parameter | Role::Tunable) && variable.number.is_none())
+            .map(|variable| (variable.symbol.id, None))
+            .collect();
+        let loaded = !present(&self.algebraic).loads.is_empty();
+        let acting = |i: usize| {
+            let mut all = constants.clone();
+            all.extend([(m::P_P.id, None), (s::V_T.id, None)]);
+            all.extend(loaded.then(|| name(&s::G, i)));
+            all.extend(OF_GROUP.iter().map(|(symbol, _)| name(symbol, i)));
+            all
+        };
+        let of = |slot: &Slot| match *slot {
+            Slot::State(k, i) => BTreeSet::from([name(OF_GROUP[k].0, i)]),
+            // The rate of the angle is another state.
+            Slot::Rate(0, i) => BTreeSet::from([name(&m::OMEGA_G, i)]),
+            Slot::Rate(_, i) | Slot::Indicator(_, i) => acting(i),
+            Slot::Given => BTreeSet::new(),
+            // Any of them may be the least.
+            Slot::Cavitates | Slot::Vacuum => {
+                let pressures = [&m::P_1, &m::P_2, &m::P_A, &m::P_B];
+                let of = |i: usize| pressures.map(|symbol| name(symbol, i));
+                (0..self.now.groups.len()).flat_map(of).collect()
+            }
+            Slot::Demand => (0..self.now.groups.len()).flat_map(acting).collect(),
+            Slot::Of(OfGroup::Command, _) => BTreeSet::new(),
+            Slot::Of(OfGroup::Wanted, i) => &algebraic[self.wanted + i] | &constants,
+            Slot::Of(OfGroup::Error, i) => &(&algebraic[self.wanted + i] | &constants) | &acting(i),
+            Slot::Of(OfGroup::Rolling, i) => &algebraic[self.rolling + i] | &acting(i),
+            Slot::Of(_, i) => acting(i),
+            Slot::Algebraic(inner) => algebraic[inner].clone(),
+        };
+        self.slots.iter().map(of).collect()
+    }
+
+    fn slot(&self, index: usize) -> Result<Slot, Fault> {
+        let found = self.slots.get(index).copied();
+        found.ok_or_else(|| Fault::no_variable(index, self.slots.len()))
+    }
+}
+
+impl Running for Model {
+    fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    fn terminals(&self) -> Vec<Terminal> {
+        let mut terminals = self.algebraic.terminals();
+        for (number, terminal) in (0..).zip(&mut terminals) {
+            let exists = |name: &String| self.variables.iter().any(|variable| variable.name() == *name);
+            terminal.members.retain(|(name, _)| exists(name));
+            // The first one is the machine's; the rate of a group's angle is a state here.
+            if number > 0 {
+                terminal.members.push((format!("{}[{number}]", m::OMEGA_G.id), "w"));
+            }
+        }
+        terminals
+    }
+
+    fn positions(&self) -> Vec<f64> {
+        self.algebraic.positions()
+    }
+
+    fn stop_time(&self) -> f64 {
+        self.algebraic.stop_time()
+    }
+
+    fn step_size(&self) -> f64 {
+        self.now.given.plc.t_c
+    }
+
+    fn get(&mut self, index: usize) -> Result<f64, Fault> {
+        let slot = self.slot(index)?;
+        match slot {
+            Slot::State(k, i) => Ok(self.now.groups[i].run.states()[k]),
+            Slot::Rate(k, i) => {
+                let present = self.now.groups[i];
+                Ok(self.level()?.rates(i, &present)[k])
+            }
+            Slot::Indicator(k, i) => {
+                let y = self.now.groups[i].run.states();
+                Ok(self.level()?.groups[i].indicators(&y)[k])
+            }
+            Slot::Given => {
+                let (wanted, mut found) = (self.variables[index].symbol, f64::NAN);
+                self.now.given.map(&mut |symbol, value| {
+                    if symbol == wanted {
+                        found = value;
+                    }
+                    value
+                });
+                Ok(found)
+            }
+            Slot::Demand => {
+                let mut sum = 0.0;
+                for i in 0..self.now.groups.len() {
+                    sum += self.of_group(OfGroup::Demand, i)?;
+                }
+                Ok(sum)
+            }
+            Slot::Cavitates => {
+                let (i, _) = self.lowest();
+                let (group, y) = (self.level()?.groups[i], self.now.groups[i].run.states());
+                let rates = group.equations(&y);
+                Ok(f64::from(Group::oil(&y).cavitates(|| [2, 3, 4, 5].map(|k| rates[k]))))
+            }
+            Slot::Vacuum => Ok(self.lowest().1 - VACUUM),
+            Slot::Of(of, i) => self.of_group(of, i),
+            Slot::Algebraic(inner) => self.algebraic.get(inner),
+        }
+    }
+
+    fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
         let (slot, variable) = (self.slot(index)?, &self.variables[index]);
         match slot {
             Slot::Algebraic(inner) => self.algebraic.check(inner, value),
             Slot::Given => {
-                let (least, most, open) = bounds(variable.symbol);
-                let checked = within(variable.symbol, value, least, most, open);
+                let checked = within(variable.symbol, value);
                 checked.map(drop).map_err(|refusal| Fault::outside(refusal.to_string()))
             }
             Slot::State(..) if value.is_finite() => Ok(()),
@@ -601,21 +701,19 @@ impl Model {
         }
     }
 
-    /// # Errors
-    /// As [`check`](Model::check); a refused value changes nothing.
-    pub fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
+    fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         self.check(index, value)?;
         let variable = self.variables[index];
         match self.slots[index] {
             Slot::State(k, i) => {
-                let mut y = self.state.groups[i].run.states();
+                let mut y = self.now.groups[i].run.states();
                 y[k] = value;
-                self.state.groups[i].set_states(y);
+                self.now.groups[i].set_states(y);
                 Ok(())
             }
             Slot::Given => {
                 let mut same = false;
-                self.state.given = self.state.given.map(&mut |symbol, old| {
+                self.now.given = self.now.given.map(&mut |symbol, old| {
                     if symbol == variable.symbol {
                         same = old == value;
                         value
@@ -645,80 +743,21 @@ impl Model {
         }
     }
 
-    /// The time alone: states move by [`advance`](Model::advance), or are set from outside.
-    pub fn set_time(&mut self, time: f64) {
-        self.state.time = time;
+    fn set_time(&mut self, time: f64) {
+        self.now.time = time;
         self.algebraic.set_time(time);
     }
 
-    /// Ends initialization: from now on a mode that changes has a way to go.
-    ///
-    /// # Errors
-    /// As [`update`](Model::update).
-    pub fn start(&mut self) -> Result<(), Fault> {
-        self.level()?;
-        self.algebraic.start()
-    }
-
-    /// Brings everything to the present parameters and inputs.
-    ///
-    /// # Errors
-    /// Parameters without a machine, or a command that its mode does not take.
-    pub fn update(&mut self) -> Result<(), Fault> {
-        self.level()?;
-        self.algebraic.update()
-    }
-
-    /// The PLC's sample, where one is due; no state jumps.
-    ///
-    /// # Errors
-    /// As [`update`](Model::update).
-    pub fn event(&mut self) -> Result<bool, Fault> {
-        let (time, control) = (self.state.time, self.level()?.control);
-        if self.state.clock.is_due(&control, time) {
-            self.sample(time)?;
-        }
-        Ok(false)
-    }
-
-    /// Time of the PLC's next sample, in s; none before the first one.
-    #[must_use]
-    pub fn next_event(&self) -> Option<f64> {
-        let control = &self.level.as_ref()?.control;
-        self.state.clock.next(control)
-    }
-
-    /// The PLC reads all encoders and sets all valves.
-    fn sample(&mut self, time: f64) -> Result<(), Fault> {
-        self.update()?;
-        for i in 0..self.state.groups.len() {
-            let wanted = self.wanted(i)?;
-            let Some(Level { groups, control }) = &mut self.level else {
-                return Err(absent());
-            };
-            self.state.groups[i].sample(&mut groups[i], control, wanted);
-        }
-        let control = self.level()?.control;
-        self.state.clock = self.state.clock.sampled(&control, time);
-        Ok(())
-    }
-
-    /// Solves from one time to another, both in s, with the PLC's samples on the way; one at the end
-    /// belongs to the next step, which may come with other commands. A step that fails changes nothing.
-    ///
-    /// # Errors
-    /// As [`update`](Model::update); a group's oil gets out of hand, or the step needs more inner steps than
-    /// are allowed.
-    pub fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
-        let (clock, time) = (self.state.clock, self.state.time);
-        self.before.copy_from_slice(&self.state.groups);
+    fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
+        let (clock, time) = (self.now.clock, self.now.time);
+        self.before.copy_from_slice(&self.now.groups);
         let solved = self.solve(from, to);
         if solved.is_err() {
-            self.state.groups.copy_from_slice(&self.before);
-            self.state.clock = clock;
+            self.now.groups.copy_from_slice(&self.before);
+            self.now.clock = clock;
             self.set_time(time);
             if let Some(level) = &mut self.level {
-                for (group, present) in level.groups.iter_mut().zip(&self.state.groups) {
+                for (group, present) in level.groups.iter_mut().zip(&self.now.groups) {
                     group.command = present.held.command;
                 }
             }
@@ -726,65 +765,59 @@ impl Model {
         solved
     }
 
-    fn solve(&mut self, from: f64, to: f64) -> Result<(), Fault> {
-        let control = self.level()?.control;
-        let Moving { body, oil, .. } = self.state.given;
-        let samples = (to - from) / control.period * self.state.groups.len() as f64;
-        if samples > f64::from(MOST_STEPS) {
-            return Err(self.refusal(Halt::TooMany, 0, to - from));
-        }
-        let mut time = from;
-        while time < to {
-            if self.state.clock.is_due(&control, time) {
-                self.set_time(time);
-                self.sample(time)?;
-            }
-            let end = self.state.clock.next_before(&control, to).unwrap_or(to);
-            for i in 0..self.state.groups.len() {
-                let Some(level) = &self.level else { return Err(absent()) };
-                let present = &mut self.state.groups[i];
-                if let Err(halt) = present.advance(&level.groups[i], end - time, body.step, oil.tol) {
-                    return Err(self.refusal(halt, i, to - from));
-                }
-            }
-            time = end;
-        }
-        self.set_time(to);
-        self.update()
+    fn place(&mut self, theta_b: f64) -> Result<(), Fault> {
+        self.set(0, theta_b)?;
+        self.stand()
     }
 
-    fn refusal(&self, halt: Halt, group: usize, size: f64) -> Fault {
-        let at = self.state.groups[group].run.states()[0];
-        let angle = format!("theta[{}] = {}", group + 1, s::THETA.written(at));
-        let size = short(size);
-        Fault::outside(match halt {
-            Halt::Outside => format!(
-                "the motion from {angle} ends within {size} s beyond its cylinder or beyond all reasonable numbers: \
-                 keep J above what the oil moves, and V_0 above what an end stop gives way"
-            ),
-            // Its solver is implicit, for which no step is too fast.
-            Halt::TooSmall | Halt::TooMany | Halt::TooFast => format!(
-                "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
-                 at T_c = {} s: take smaller communication steps, a longer cycle or a coarser tolerance",
-                short(self.state.given.plc.t_c)
-            ),
-        })
+    fn start(&mut self) -> Result<(), Fault> {
+        self.level()?;
+        self.algebraic.start()
     }
 
-    /// The continuous states.
-    pub fn get_states(&self, states: &mut [f64]) {
-        let groups = self.state.groups.len();
-        for (i, present) in self.state.groups.iter().enumerate() {
+    fn update(&mut self) -> Result<(), Fault> {
+        self.level()?;
+        self.algebraic.update()
+    }
+
+    fn event(&mut self) -> Result<bool, Fault> {
+        let (time, control) = (self.now.time, self.level()?.control);
+        if self.now.clock.is_due(&control, time) {
+            self.sample(time)?;
+        }
+        Ok(false)
+    }
+
+    fn next_event(&self) -> Option<f64> {
+        let control = &self.level.as_ref()?.control;
+        self.now.clock.next(control)
+    }
+
+    fn warning(&self) -> Option<&'static str> {
+        let groups = self.now.groups.iter();
+        warning(groups.fold(self.lowest().1, |least, present| least.min(present.run.least)))
+    }
+
+    fn states(&self) -> usize {
+        STATES * self.now.groups.len()
+    }
+
+    fn count(&self) -> Count {
+        let groups = self.now.groups.iter();
+        groups.fold(Count::default(), |sum, present| sum.and(present.run.count))
+    }
+
+    fn get_states(&self, states: &mut [f64]) {
+        let groups = self.now.groups.len();
+        for (i, present) in self.now.groups.iter().enumerate() {
             for (k, y) in present.run.states().into_iter().enumerate() {
                 states[k * groups + i] = y;
             }
         }
     }
 
-    /// # Errors
-    /// A state is not finite; none changes.
-    pub fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
-        let groups = self.state.groups.len();
+    fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
+        let groups = self.now.groups.len();
         if let Some(at) = states.iter().position(|value| !value.is_finite()) {
             let (symbol, _) = OF_GROUP[at / groups];
             let number = at % groups + 1;
@@ -794,15 +827,14 @@ impl Model {
                 short(states[at])
             )));
         }
-        for (i, present) in self.state.groups.iter_mut().enumerate() {
+        for (i, present) in self.now.groups.iter_mut().enumerate() {
             present.set_states(std::array::from_fn(|k| states[k * groups + i]));
         }
         Ok(())
     }
 
-    /// Orders of magnitude of the continuous states.
-    pub fn nominals(&self, nominals: &mut [f64]) {
-        for ((symbol, _), nominals) in OF_GROUP.iter().zip(nominals.chunks_exact_mut(self.state.groups.len())) {
+    fn nominals(&self, nominals: &mut [f64]) {
+        for ((symbol, _), nominals) in OF_GROUP.iter().zip(nominals.chunks_exact_mut(self.now.groups.len())) {
             nominals.fill(match symbol {
                 symbol if symbol.unit.dimension == unit::PA.dimension => 1e5,
                 symbol if *symbol == &m::V_V => 1e2,
@@ -811,14 +843,10 @@ impl Model {
         }
     }
 
-    /// Rates of the continuous states.
-    ///
-    /// # Errors
-    /// Parameters without a machine.
-    pub fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
-        let groups = self.state.groups.len();
+    fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
+        let groups = self.now.groups.len();
         for i in 0..groups {
-            let present = self.state.groups[i];
+            let present = self.now.groups[i];
             for (k, rate) in self.level()?.rates(i, &present).into_iter().enumerate() {
                 rates[k * groups + i] = rate;
             }
@@ -826,12 +854,14 @@ impl Model {
         Ok(())
     }
 
-    /// # Errors
-    /// As [`update`](Model::update).
-    pub fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
-        let groups = self.state.groups.len();
+    fn indicators(&self) -> usize {
+        INDICATORS * self.now.groups.len() + 2
+    }
+
+    fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
+        let groups = self.now.groups.len();
         for i in 0..groups {
-            let y = self.state.groups[i].run.states();
+            let y = self.now.groups[i].run.states();
             for (k, indicator) in self.level()?.groups[i].indicators(&y).into_iter().enumerate() {
                 indicators[k * groups + i] = indicator;
             }
@@ -841,54 +871,47 @@ impl Model {
         Ok(())
     }
 
-    #[must_use]
-    pub fn state(&self) -> State {
-        let State {
-            time,
-            clock,
-            ref groups,
-            given,
-            ..
-        } = self.state;
-        State {
-            time,
-            clock,
-            groups: groups.clone(),
-            given,
-            algebraic: self.algebraic.state().clone(),
-        }
+    fn state(&self) -> State {
+        State::new(Saved {
+            now: self.now.clone(),
+            algebraic: self.algebraic.state(),
+        })
     }
 
-    pub fn set_state(&mut self, state: &State) {
-        self.state.clone_from(state);
-        self.algebraic.set_state(&state.algebraic);
+    fn state_into(&self, state: &mut State) {
+        let Saved { now, algebraic } = state.own_mut();
+        now.follow(&self.now);
+        self.algebraic.state_into(algebraic);
+    }
+
+    fn set_state(&mut self, state: &State) {
+        let Saved { now, algebraic } = state.own();
+        self.now.follow(now);
+        self.algebraic.set_state(algebraic);
         self.level = self.assemble().ok();
     }
 
-    /// A state as numbers.
-    #[must_use]
-    pub fn numbers(&self, state: &State) -> Vec<f64> {
-        let mut numbers = vec![state.time, state.clock.number()];
-        state.given.map(&mut |_, value| {
+    fn numbers(&self, state: &State) -> Vec<f64> {
+        let Saved { now, algebraic } = state.own();
+        let mut numbers = vec![now.time, now.clock.number()];
+        now.given.map(&mut |_, value| {
             numbers.push(value);
             value
         });
-        for present in &state.groups {
+        for present in &now.groups {
             numbers.extend(present.numbers());
         }
-        numbers.extend(self.algebraic.numbers(&state.algebraic));
+        numbers.extend(self.algebraic.numbers(algebraic));
         numbers
     }
 
-    /// # Errors
-    /// Numbers that are not those of a state of this model.
-    pub fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
+    fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
         let wrong = || Fault::new("a saved state does not belong to this model");
         let (&[time, clock], rest) = numbers.split_first_chunk::<2>().ok_or_else(wrong)?;
         let clock = Clock::of(clock).ok_or_else(wrong)?;
         let mut values = rest.iter();
         let mut complete = time.is_finite();
-        let given = self.state.given.map(&mut |_, _| {
+        let given = self.now.given.map(&mut |_, _| {
             let value = values.next().copied().unwrap_or(f64::NAN);
             complete &= value.is_finite();
             value
@@ -897,59 +920,62 @@ impl Model {
             return Err(wrong());
         }
         let mut rest = values.as_slice();
-        let mut groups = Vec::with_capacity(self.state.groups.len());
-        for present in &self.state.groups {
+        let mut groups = Vec::with_capacity(self.now.groups.len());
+        for present in &self.now.groups {
             let (found, left) = present.of(rest).ok_or_else(wrong)?;
             groups.push(found);
             rest = left;
         }
-        Ok(State {
-            time,
-            clock,
-            groups,
-            given,
+        Ok(State::new(Saved {
+            now: Now {
+                time,
+                clock,
+                groups,
+                given,
+            },
             algebraic: self.algebraic.state_of(rest)?,
-        })
+        }))
     }
 
-    /// The model with derivatives along a direction: `seed` is the rate of change of each state, input and parameter, in SI,
-    /// and of [`TIME`].
-    #[must_use]
-    pub fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
-        let mut tangent = Tangent {
+    fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
+        let mut tangent = Tangent::new(Direction {
             few: [((&s::THETA, None), 0.0); FEW],
             count: 0,
             more: Vec::new(),
             algebraic: None,
-        };
+            along: false,
+        });
+        self.tangent_into(seed, &mut tangent);
+        tangent
+    }
+
+    fn tangent_into(&self, seed: &dyn Fn(Quantity) -> f64, tangent: &mut Tangent) {
+        let direction: &mut Direction = tangent.own_mut();
+        (direction.count, direction.along) = (0, false);
+        direction.more.clear();
         let known = self.variables.iter().map(Variable::quantity);
         for quantity in known.chain([(&TIME, None)]) {
             let rate = seed(quantity);
             if rate == 0.0 {
                 continue;
             }
-            match tangent.few.get_mut(tangent.count) {
-                Some(slot) => (*slot, tangent.count) = ((quantity, rate), tangent.count + 1),
-                None => tangent.more.push((quantity, rate)),
+            match direction.few.get_mut(direction.count) {
+                Some(slot) => (*slot, direction.count) = ((quantity, rate), direction.count + 1),
+                None => direction.more.push((quantity, rate)),
             }
         }
-        tangent
     }
 
-    /// Derivative of a state, a rate, an event indicator or an output along the direction of a tangent, in SI. The command
-    /// of a valve is held from sample to sample: nothing changes it. Not finite where there is no derivative.
-    ///
-    /// # Errors
-    /// None of these, what is searched for, or a configuration that does not exist.
-    pub fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+    fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+        let tangent: &mut Direction = tangent.own_mut();
         let variable = &self.variables[index];
-        let of_states = |tangent: &Tangent, i: usize| -> Result<(Group<Dual64>, [Dual64; STATES]), Fault> {
-            let y = self.state.groups[i].run.states();
+        let of_states = |tangent: &Direction, i: usize| -> Result<(Group<Dual64>, [Dual64; STATES]), Fault> {
+            let y = self.now.groups[i].run.states();
             let number = Some(i as u16 + 1);
             let y = std::array::from_fn(|k| tangent.dual((OF_GROUP[k].0, number), y[k]));
             Ok((self.group(i, &mut |quantity, value| tangent.dual(quantity, value))?, y))
         };
-        let of_group = |tangent: &Tangent, of: OfGroup, i: usize| {
+        let of_group = |tangent: &Direction, of: OfGroup, i: usize| {
             let (group, y) = of_states(tangent, i)?;
             self.of_states(of, i, &group, &y, &mut |quantity, value| tangent.dual(quantity, value))
         };
@@ -965,7 +991,7 @@ impl Model {
             }
             Slot::Demand => {
                 let mut sum = Dual64::from_re(0.0);
-                for i in 0..self.state.groups.len() {
+                for i in 0..self.now.groups.len() {
                     sum += of_group(tangent, OfGroup::Demand, i)?;
                 }
                 sum
@@ -983,7 +1009,7 @@ impl Model {
             Slot::Of(OfGroup::Rolling, i) => {
                 let heading = self.of_command(tangent, self.heading + i)?;
                 let rolling = self.of_command(tangent, self.rolling + i)?;
-                let theta = self.state.groups[i].run.states()[0];
+                let theta = self.now.groups[i].run.states()[0];
                 rolled(heading, rolling, tangent.dual((&s::THETA, Some(i as u16 + 1)), theta))
             }
             Slot::Of(of, i) => of_group(tangent, of, i)?,
@@ -994,79 +1020,8 @@ impl Model {
         Ok(found.eps)
     }
 
-    /// The derivative of a variable that follows from a result of the algebraic model which is searched for: zero
-    /// where nothing changes that this follows from.
-    fn searched(&self, tangent: &Tangent, variable: &Variable, inner: usize) -> Result<Dual64, Fault> {
-        let Some(known) = tangent
-            .changing()
-            .find(|known| self.algebraic.depends_on(inner, *known))
-        else {
-            return Ok(Dual64::from_re(0.0));
-        };
-        let by = self.variables.iter().find(|variable| variable.quantity() == known);
-        let by = by.map_or(TIME.id.to_owned(), Variable::name);
-        Err(Fault::new(format!(
-            "{variable} is searched for: it has no derivative by {by}"
-        )))
-    }
-
-    /// A result of the algebraic model with its derivative.
-    fn of_command(&self, tangent: &mut Tangent, inner: usize) -> Result<Dual64, Fault> {
-        let mut algebraic = match tangent.algebraic.take() {
-            Some(algebraic) => algebraic,
-            None => self.algebraic.tangent(&|quantity| tangent.rate(quantity)),
-        };
-        let found = self.algebraic.with_derivative(&mut algebraic, inner);
-        tangent.algebraic = Some(algebraic);
-        found
-    }
-
-    /// What each variable depends on: of a group its own states and what acts on it, and for what the
-    /// command wants what it does in the algebraic model. The PLC's command is held between samples.
-    #[must_use]
-    pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
-        let name = |symbol: &Symbol, i: usize| -> Name { (symbol.id, Some(i as u16 + 1)) };
-        let algebraic = self.algebraic.dependencies();
-        let constants: BTreeSet<Name> = self
-            .variables
-            .iter()
-            .filter(|variable| matches!(variable.role, Role::Parameter | Role::Tunable) && variable.number.is_none())
-            .map(|variable| (variable.symbol.id, None))
-            .collect();
-        let loaded = !self.algebraic.inputs().loads.is_empty();
-        let acting = |i: usize| {
-            let mut all = constants.clone();
-            all.extend([(m::P_P.id, None), (s::V_T.id, None)]);
-            all.extend(loaded.then(|| name(&s::G, i)));
-            all.extend(OF_GROUP.iter().map(|(symbol, _)| name(symbol, i)));
-            all
-        };
-        let of = |slot: &Slot| match *slot {
-            Slot::State(k, i) => BTreeSet::from([name(OF_GROUP[k].0, i)]),
-            // The rate of the angle is another state.
-            Slot::Rate(0, i) => BTreeSet::from([name(&m::OMEGA_G, i)]),
-            Slot::Rate(_, i) | Slot::Indicator(_, i) => acting(i),
-            Slot::Given => BTreeSet::new(),
-            // Any of them may be the least.
-            Slot::Cavitates | Slot::Vacuum => {
-                let pressures = [&m::P_1, &m::P_2, &m::P_A, &m::P_B];
-                let of = |i: usize| pressures.map(|symbol| name(symbol, i));
-                (0..self.state.groups.len()).flat_map(of).collect()
-            }
-            Slot::Demand => (0..self.state.groups.len()).flat_map(acting).collect(),
-            Slot::Of(OfGroup::Command, _) => BTreeSet::new(),
-            Slot::Of(OfGroup::Wanted, i) => &algebraic[self.wanted + i] | &constants,
-            Slot::Of(OfGroup::Error, i) => &(&algebraic[self.wanted + i] | &constants) | &acting(i),
-            Slot::Of(OfGroup::Rolling, i) => &algebraic[self.rolling + i] | &acting(i),
-            Slot::Of(_, i) => acting(i),
-            Slot::Algebraic(inner) => algebraic[inner].clone(),
-        };
-        self.slots.iter().map(of).collect()
-    }
-
-    fn slot(&self, index: usize) -> Result<Slot, Fault> {
-        let found = self.slots.get(index).copied();
-        found.ok_or_else(|| Fault::no_variable(index, self.slots.len()))
+    fn duplicate(&self) -> Box<dyn Running> {
+        Box::new(self.clone())
     }
 }
 

@@ -1,10 +1,11 @@
 //! What a scene says about the groups in motion.
 
 use crate::diagnostic::Diagnostic;
-use crate::schema::{COARSEST, Key, Sign, Values};
-use crate::steering::machine::{Refusal, within};
+use crate::group::quantities;
+use crate::schema::{Key, Sign, Values};
 use crate::steering::moving::symbols as s;
-use crate::symbol::{Symbol, quantities};
+use crate::steering::refusal::{Refusal, within};
+use crate::symbol::Symbol;
 
 /// How deep the steering is modelled.
 pub const FIDELITIES: &[&str] = &["kinematic", "hydraulic", "auto"];
@@ -86,23 +87,6 @@ pub struct Moving {
     pub plc: Plc<f64>,
 }
 
-/// Least and greatest value of a quantity in SI, with whether the least one is excluded.
-#[must_use]
-pub fn bounds(symbol: &Symbol) -> (f64, f64, bool) {
-    // Beyond these a number is a slip of the pen; a shorter cycle would be an endless run of samples.
-    let known: [(&Symbol, (f64, f64, bool)); 4] = [
-        (&s::T_C, (1e-4, 10.0, false)),
-        (&s::U_MAX, (0.0, 1.0, true)),
-        (&s::X_0, (0.0, 0.9, false)),
-        (&s::TOL, (1e-12, COARSEST, false)),
-    ];
-    if let Some((_, bounds)) = known.into_iter().find(|(known, _)| *known == symbol) {
-        return bounds;
-    }
-    let zero = [&s::K_R, &s::K_L, &s::ZETA_V, &s::P_P, &s::K_P, &s::K_I];
-    (0.0, f64::INFINITY, !zero.contains(&symbol))
-}
-
 impl Moving {
     /// The same with each quantity changed, by its symbol.
     pub fn map(&self, f: &mut dyn FnMut(&'static Symbol, f64) -> f64) -> Moving {
@@ -176,8 +160,7 @@ impl Moving {
         let moving = Moving { body, oil, plc };
         let mut outside = None;
         moving.map(&mut |symbol, value| {
-            let (least, most, open) = bounds(symbol);
-            if let Err(refusal) = within(symbol, value, least, most, open) {
+            if let Err(refusal) = within(symbol, value) {
                 outside = outside.take().or(Some(refusal));
             }
             value

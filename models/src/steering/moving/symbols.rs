@@ -1,29 +1,29 @@
 //! Quantities of the groups in motion.
 
-use crate::symbol::symbols;
+use crate::symbol::{COARSEST, symbols};
 
 symbols! {
-    // Given.
-    J: "J" "J" KG_M2 / KG_M2, "Inertia of a group about its axis.", "input";
-    STEP: "step" "h" S / MS, "Longest step of the solver.", "input";
-    V_0: "V_0" "V_0" M3 / L, "Oil left in a chamber at the piston's end.", "input";
-    V_1: "V_1" "V_1" M3 / L, "Oil in each port of the valve.", "input";
-    Q_N: "Q_N" "Q_N" M3_PER_S / L_PER_MIN, "Rated flow of the valve, fully open.", "input";
-    DP_N: "dp_N" "Delta p_N" PA / BAR, "Pressure difference over one edge of the valve at the rated flow.", "input";
-    X_0: "x_0" "x_0" ONE / PERCENT, "Overlap of the valve: part of the spool's stroke to either side of its middle in which no edge is open.", "input";
-    DP_L: "dp_L" "Delta p_L" PA / BAR, "Pressure difference over each line from valve to cylinder at the rated flow.", "input";
-    BETA_E: "beta_E" "beta_E" PA / MPA, "Bulk modulus of the oil with its walls.", "input";
-    P_R: "p_R" "p_R" PA / BAR, "Opening pressure of the relief valves at a cylinder's ports.", "input";
-    K_R: "k_R" "k_R" M3_PER_SPA / M3_PER_SPA, "Flow of a relief valve over the excess of pressure.", "input";
-    K_L: "k_L" "k_L" M3_PER_SPA / M3_PER_SPA, "Leakage past the piston over the difference of pressure.", "input";
-    OMEGA_V: "omega_v" "omega_v" RAD_PER_S / RAD_PER_S, "Natural frequency of the valve's spool.", "input";
-    ZETA_V: "zeta_v" "zeta_v" ONE / ONE, "Damping ratio of the valve's spool.", "input";
-    P_P: "p_P" "p_P" PA / BAR, "Pressure of the pump above the tank's.", "input";
-    TOL: "tol" "epsilon" ONE / ONE, "Relative tolerance of the solver.", "input";
-    T_C: "T_c" "T_c" S / MS, "Cycle of the PLC: time from one sample to the next.", "input";
-    K_P: "k_P" "k_P" PER_RAD / PER_RAD, "Proportional gain: command of the valve over the error of the angle.", "input";
-    K_I: "k_I" "k_I" PER_RAD_S / PER_RAD_S, "Integral gain: command of the valve over the integral of the error.", "input";
-    U_MAX: "u_v_max" "u_(v,max)" ONE / ONE, "Greatest command of a valve, by amount.", "input";
+    // Given. Beyond its range a number is a slip of the pen; a shorter cycle would be an endless run of samples.
+    J: "J" "J" KG_M2 / KG_M2 [positive], "Inertia of a group about its axis.", "input";
+    STEP: "step" "h" S / MS [positive], "Longest step of the solver.", "input";
+    V_0: "V_0" "V_0" M3 / L [positive], "Oil left in a chamber at the piston's end.", "input";
+    V_1: "V_1" "V_1" M3 / L [positive], "Oil in each port of the valve.", "input";
+    Q_N: "Q_N" "Q_N" M3_PER_S / L_PER_MIN [positive], "Rated flow of the valve, fully open.", "input";
+    DP_N: "dp_N" "Delta p_N" PA / BAR [positive], "Pressure difference over one edge of the valve at the rated flow.", "input";
+    X_0: "x_0" "x_0" ONE / PERCENT [from_to(0.0, 0.9)], "Overlap of the valve: part of the spool's stroke to either side of its middle in which no edge is open.", "input";
+    DP_L: "dp_L" "Delta p_L" PA / BAR [positive], "Pressure difference over each line from valve to cylinder at the rated flow.", "input";
+    BETA_E: "beta_E" "beta_E" PA / MPA [positive], "Bulk modulus of the oil with its walls.", "input";
+    P_R: "p_R" "p_R" PA / BAR [positive], "Opening pressure of the relief valves at a cylinder's ports.", "input";
+    K_R: "k_R" "k_R" M3_PER_SPA / M3_PER_SPA [not_negative], "Flow of a relief valve over the excess of pressure.", "input";
+    K_L: "k_L" "k_L" M3_PER_SPA / M3_PER_SPA [not_negative], "Leakage past the piston over the difference of pressure.", "input";
+    OMEGA_V: "omega_v" "omega_v" RAD_PER_S / RAD_PER_S [positive], "Natural frequency of the valve's spool.", "input";
+    ZETA_V: "zeta_v" "zeta_v" ONE / ONE [not_negative], "Damping ratio of the valve's spool.", "input";
+    P_P: "p_P" "p_P" PA / BAR [not_negative], "Pressure of the pump above the tank's.", "input";
+    TOL: "tol" "epsilon" ONE / ONE [from_to(1e-12, COARSEST)], "Relative tolerance of the solver.", "input";
+    T_C: "T_c" "T_c" S / MS [from_to(1e-4, 10.0)], "Cycle of the PLC: time from one sample to the next.", "input";
+    K_P: "k_P" "k_P" PER_RAD / PER_RAD [not_negative], "Proportional gain: command of the valve over the error of the angle.", "input";
+    K_I: "k_I" "k_I" PER_RAD_S / PER_RAD_S [not_negative], "Integral gain: command of the valve over the integral of the error.", "input";
+    U_MAX: "u_v_max" "u_(v,max)" ONE / ONE [above_to(0.0, 1.0)], "Greatest command of a valve, by amount.", "input";
 
     // States, each for every group.
     OMEGA_G: "omega_g" "omega_(g i)" RAD_PER_S / DEG_PER_S, "Angular velocity of a group, counter-clockwise positive.", "equations of motion";

@@ -1,6 +1,6 @@
 //! Level `table`: results over the working range as cubic pieces, for a mechanism whose dimensions stay as they are.
 //!
-//! Every result is affine in the angular velocity and in the load, `f(theta) + omega·g(theta) + Q·h(theta)`; each of
+//! Every result is affine in the rate of the coordinate and in the load, `f(theta) + omega·g(theta) + Q·h(theta)`; each of
 //! the three is a piecewise cubic with the values and derivatives (dual numbers) of the closed form at its ends. The
 //! number of pieces is doubled until the error keeps to the tolerance: the greatest distance from the closed form at
 //! five places of every piece, times [`MARGIN`]. Between them the error of a cubic Hermite piece is a bell with its top
@@ -11,8 +11,8 @@
 
 use num_dual::Dual64;
 
-use crate::lemniscate::geometry::Parameters;
-use crate::lemniscate::outputs::{Evaluation, Inputs, Output};
+use crate::component::part::{Face, Part};
+use crate::component::stages::{Slot, Source};
 use crate::motion::Motion;
 
 /// Where a piece is compared with the closed form.
@@ -28,12 +28,40 @@ const ROUNDING: f64 = 1e-9;
 /// Tolerance where the scene gives none, as part of each result's range.
 pub const TOLERANCE: f64 = 1e-6;
 
+/// What a component's tables run over: the coordinate, its rate, and the load where it has one.
+#[derive(Clone, Copy, Debug)]
+pub struct Axes {
+    pub coordinate: Source,
+    pub rate: Source,
+    pub load: Option<Source>,
+}
+
+impl Axes {
+    /// Where they are now.
+    #[inline]
+    fn of(&self, part: &dyn Part) -> [f64; 3] {
+        let load = self.load.map_or(0.0, |load| part.take(load));
+        [part.take(self.coordinate), part.take(self.rate), load]
+    }
+
+    /// Puts them elsewhere.
+    fn put<C: Copy>(&self, face: &mut (impl Face<C> + ?Sized), [coordinate, rate, load]: [C; 3]) {
+        face.put(self.coordinate, coordinate);
+        face.put(self.rate, rate);
+        if let Some(source) = self.load {
+            face.put(source, load);
+        }
+    }
+}
+
 /// Results over the working range.
 #[derive(Clone, Debug)]
 pub struct Table {
+    axes: Axes,
     from: f64,
     to: f64,
-    columns: Vec<(Output, Column)>,
+    /// Of each variable of the model, where it has one.
+    columns: Vec<Option<Column>>,
 }
 
 /// One result.
@@ -41,7 +69,7 @@ pub struct Table {
 struct Column {
     /// Pieces over the range, in 1/rad.
     scale: f64,
-    /// What stands alone, what is multiplied by the angular velocity, and what by the load; empty for nothing.
+    /// What stands alone, what is multiplied by the rate, and what by the load; empty for nothing.
     parts: [Vec<[f64; 4]>; 3],
     /// Certified errors of the parts.
     bounds: [f64; 3],
@@ -70,65 +98,48 @@ impl Column {
 }
 
 impl Table {
-    /// Tabulates those of `outputs` that can be, each to a tolerance that is a part of its range.
+    /// Tabulates those of `slots` that can be, each to a tolerance that is a part of its range.
     #[must_use]
-    pub fn new(
-        parameters: &Parameters<f64>,
-        motion: &Motion,
-        load: Option<f64>,
-        outputs: impl Iterator<Item = Output>,
-        tolerance: f64,
-    ) -> Table {
+    pub fn new(part: &dyn Part, axes: Axes, motion: &Motion, slots: &[Option<Slot>], tolerance: f64) -> Table {
         // What the parts are told apart by; a scene without load, or with none, has 1 N in its place.
-        let unit = [motion.speed, load.map_or(0.0, |q| if q == 0.0 { 1.0 } else { q })];
-        let mut pending: Vec<Output> = outputs.collect();
-        let mut columns = Vec::new();
+        let load = axes.load.map_or(0.0, |load| part.take(load));
+        let load = if axes.load.is_some() && load == 0.0 { 1.0 } else { load };
+        let mut pending: Vec<(usize, Slot)> = (0..).zip(slots).filter_map(|(i, slot)| Some((i, (*slot)?))).collect();
+        let mut columns = vec![None; slots.len()];
         let mut pieces = LEAST_PIECES;
-        let still = Inputs {
-            theta: motion.from,
-            omega: 0.0,
-            q: 0.0,
-        };
-        let constant = |x: f64| Dual64::new(x, 0.0);
         let mut closed = Closed {
-            real: Evaluation::new(*parameters, *motion, still),
-            dual: Evaluation::new(
-                parameters.map(&mut |_, value| constant(value)),
-                *motion,
-                Inputs {
-                    theta: constant(still.theta),
-                    omega: constant(0.0),
-                    q: constant(0.0),
-                },
-            ),
+            axes,
+            real: part.duplicate(),
+            dual: part.dual(false, &mut |_, _| 0.0).0,
         };
         while pieces <= MOST_PIECES && !pending.is_empty() {
             let grid = Grid {
-                unit,
+                unit: [motion.speed, load],
                 from: motion.from,
                 pieces,
                 h: (motion.to - motion.from) / pieces as f64,
             };
             let sampled = grid.sample(&mut closed, &pending);
             let mut left = Vec::new();
-            for (output, sampled) in pending.into_iter().zip(sampled) {
+            for (one, sampled) in pending.into_iter().zip(sampled) {
                 let Some(sampled) = sampled else { continue };
                 match grid.column(&sampled, tolerance) {
-                    Some(column) => columns.push((output, column)),
-                    None => left.push(output),
+                    Some(column) => columns[one.0] = Some(column),
+                    None => left.push(one),
                 }
             }
             pending = left;
             pieces *= 2;
         }
         Table {
+            axes,
             from: motion.from,
             to: motion.to,
             columns,
         }
     }
 
-    /// Least and greatest angle, in rad.
+    /// Least and greatest value of the coordinate, in SI.
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
         [self.from, self.to]
@@ -137,30 +148,32 @@ impl Table {
     /// Number of bytes of all pieces.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        let parts = self.columns.iter().flat_map(|(_, column)| &column.parts);
+        let parts = self.columns.iter().flatten().flat_map(|column| &column.parts);
         parts.map(|part| 32 * part.len()).sum()
     }
 
-    /// A column by its output, to be found once.
-    #[must_use]
-    pub fn find(&self, output: Output) -> Option<usize> {
-        self.columns.iter().position(|(known, _)| *known == output)
-    }
-
-    /// A result at an angle (rad) of the range, with the angular velocity (rad/s) and the load (N).
+    /// Whether a variable is tabulated.
     #[must_use]
     #[inline]
-    pub fn value(&self, column: usize, inputs: &Inputs<f64>) -> f64 {
-        self.columns[column]
-            .1
-            .value(inputs.theta - self.from, inputs.omega, inputs.q)
+    pub fn has(&self, index: usize) -> bool {
+        self.columns[index].is_some()
     }
 
-    /// What a result may be off by, in its SI unit.
+    /// A result where a part is, within the range.
     #[must_use]
-    pub fn bound(&self, column: usize, inputs: &Inputs<f64>) -> f64 {
-        let [alone, by_omega, by_q] = self.columns[column].1.bounds;
-        alone + inputs.omega.abs() * by_omega + inputs.q.abs() * by_q
+    #[inline]
+    pub fn value(&self, index: usize, part: &dyn Part) -> Option<f64> {
+        let [coordinate, rate, load] = self.axes.of(part);
+        let column = self.columns[index].as_ref()?;
+        Some(column.value(coordinate - self.from, rate, load))
+    }
+
+    /// What a result may be off by there, in its SI unit.
+    #[must_use]
+    pub fn bound(&self, index: usize, part: &dyn Part) -> Option<f64> {
+        let [_, rate, load] = self.axes.of(part);
+        let [alone, by_rate, by_load] = self.columns[index].as_ref()?.bounds;
+        Some(alone + rate.abs() * by_rate + load.abs() * by_load)
     }
 }
 
@@ -185,19 +198,19 @@ struct Grid {
 
 impl Grid {
     /// Evaluates results at all places; `None` for one that does not exist everywhere.
-    fn sample(&self, closed: &mut Closed, outputs: &[Output]) -> Vec<Option<Sampled>> {
+    fn sample(&self, closed: &mut Closed, outputs: &[(usize, Slot)]) -> Vec<Option<Sampled>> {
         let mut found: Vec<Option<Sampled>> = outputs.iter().map(|_| Some(Sampled::default())).collect();
         let [omega, q] = self.unit;
         for i in 0..=self.pieces {
             let theta = self.from + i as f64 * self.h;
             let mut all = vec![[[0.0; 3]; 2]; outputs.len()];
             for (k, [omega, q]) in [[0.0, 0.0], [omega, 0.0], [0.0, q]].into_iter().enumerate() {
-                closed.dual.set_theta(Dual64::new(theta, 1.0));
-                closed.dual.set_omega(Dual64::new(omega, 0.0));
-                closed.dual.set_q(Dual64::new(q, 0.0));
-                for ((output, all), found) in outputs.iter().zip(&mut all).zip(&mut found) {
-                    match closed.dual.output(*output) {
-                        Ok(x) if x.re.is_finite() && x.eps.is_finite() => {
+                let places = [Dual64::new(theta, 1.0), omega.into(), q.into()];
+                closed.axes.put(&mut *closed.dual, places);
+                for (((_, slot), all), found) in outputs.iter().zip(&mut all).zip(&mut found) {
+                    let mut x = Dual64::from_re(0.0);
+                    match closed.dual.result(slot, &mut x) {
+                        Ok(()) if x.re.is_finite() && x.eps.is_finite() => {
                             (all[0][k], all[1][k]) = (x.re, x.eps * self.h);
                         }
                         _ => *found = None,
@@ -213,13 +226,11 @@ impl Grid {
                 let mut all = vec![[0.0; 4]; outputs.len()];
                 let inputs = [[0.0, 0.0], [omega, 0.0], [0.0, q], [-omega, 2.0 * q]];
                 for (k, [omega, q]) in inputs.into_iter().enumerate() {
-                    closed.real.set_theta(self.from + (i as f64 + s) * self.h);
-                    closed.real.set_omega(omega);
-                    closed.real.set_q(q);
-                    for ((output, all), found) in outputs.iter().zip(&mut all).zip(&mut found) {
-                        match closed.real.output(*output) {
-                            Ok(x) => all[k] = x,
-                            Err(_) => *found = None,
+                    let theta = self.from + (i as f64 + s) * self.h;
+                    closed.axes.put(&mut *closed.real, [theta, omega, q]);
+                    for (((_, slot), all), found) in outputs.iter().zip(&mut all).zip(&mut found) {
+                        if closed.real.result(slot, &mut all[k]).is_err() {
+                            *found = None;
                         }
                     }
                 }
@@ -287,8 +298,9 @@ impl Grid {
     }
 }
 
-/// The closed form, with what follows from the dimensions alone computed once.
+/// The closed form.
 struct Closed {
-    real: Evaluation<f64>,
-    dual: Evaluation<Dual64>,
+    axes: Axes,
+    real: Box<dyn Part>,
+    dual: Box<dyn Face<Dual64>>,
 }

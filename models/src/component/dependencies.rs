@@ -1,0 +1,160 @@
+//! What each variable follows from, as the recorder finds it: never by hand.
+
+use std::any::Any;
+use std::collections::BTreeSet;
+
+use crate::calc::Calc;
+use crate::component::part::{Component, Face, Part, Runner};
+use crate::component::running::Running;
+use crate::component::stages::{Slot, Source, Use};
+use crate::component::standing::{Place, Standing};
+use crate::model::{Name, Quantity, TIME, Type};
+use crate::record::{Rec, record};
+
+/// Makes a number of the recorder of each source.
+pub type Sources<'a> = &'a mut dyn FnMut(Source, Quantity, f64) -> Rec;
+
+/// A component on the recorder, made from one that runs. The FMU's library has none.
+pub type Recorder = fn(&dyn Part, Sources<'_>) -> Box<dyn Face<Rec>>;
+
+/// The [`Recorder`] of a component.
+///
+/// # Panics
+/// For another component's part.
+#[must_use]
+pub fn recorded<T: Component>(part: &dyn Part, of: Sources<'_>) -> Box<dyn Face<Rec>> {
+    let part: &dyn Any = part;
+    let part: &Runner<T, f64> = part.downcast_ref().expect("the component's own part");
+    Box::new(Runner::<T, Rec>::new(T::map(part.given(), of)))
+}
+
+/// What each variable's expression contains: inputs, parameters and [`TIME`], all over the working range, in both
+/// directions of motion, in every combination of discrete inputs, with the coordinate set or following from the time.
+/// What only decides leaves no trace in a formula: a stage that is searched follows from all of its sources, and a truth
+/// value from what the other results of its stage follow from.
+#[must_use]
+pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>> {
+    let part = model.part();
+    let groups = part.groups();
+    let sources = part.sources();
+    let used = |source: Source| groups[usize::from(source.group)].1;
+    let find = |wanted| sources.iter().find(|(source, _)| used(*source) == wanted);
+    let motion = model.motion();
+    let middle = f64::midpoint(motion.from, motion.to);
+    let mut found = vec![BTreeSet::new(); model.places().len()];
+    for choice in choices(&sources) {
+        for given in [false, true] {
+            let places = [(motion.from, 1.0), (middle, 1.0), (middle, -1.0), (motion.to, 1.0)];
+            for (at, way) in places {
+                let mut part = part.duplicate();
+                for &(source, value) in &choice {
+                    part.put(source, value);
+                }
+                let rate = way * motion.speed;
+                let time = (at - motion.from) / motion.speed;
+                let (trace, (names, results)) = record(|| {
+                    let mut names: Vec<(Rec, Name)> = Vec::new();
+                    let mut named = |symbol, number, value| {
+                        let rec = Rec::given(symbol, value);
+                        names.push((rec, (symbol.id, number)));
+                        rec
+                    };
+                    let mut of = |source, (symbol, number): Quantity, value| match used(source) {
+                        Use::Coordinate if !given => Rec::constant(at),
+                        Use::Coordinate => named(symbol, number, at),
+                        Use::Rate => named(symbol, number, rate),
+                        Use::Time => named(&TIME, None, time),
+                        Use::Memory => Rec::constant(value),
+                        _ => named(symbol, number, value),
+                    };
+                    let mut face = recorder(&*part, &mut of);
+                    if let (false, Some(&(coordinate, _)), Some(&(rate, _))) =
+                        (given, find(Use::Coordinate), find(Use::Rate))
+                    {
+                        let time = named(&TIME, None, time);
+                        face.put(coordinate, motion.swept(face.take(rate), time));
+                    }
+                    let mut result = |place: &Place| match place {
+                        Place::Source(_) | Place::Whole(_) => None,
+                        Place::Result(slot) => {
+                            let mut value = Rec::constant(0.0);
+                            face.result(slot, &mut value).ok().map(|()| value)
+                        }
+                    };
+                    let results: Vec<Option<Rec>> = model.places().iter().map(&mut result).collect();
+                    (names, results)
+                });
+                for (found, result) in found.iter_mut().zip(results) {
+                    let leaves = result.into_iter().flat_map(|result| trace.givens(result));
+                    let name = |leaf: Rec| names.iter().find(|(rec, _)| *rec == leaf).map(|(_, name)| *name);
+                    found.extend(leaves.filter_map(name));
+                }
+            }
+        }
+    }
+    let slot = |index: usize| match model.places()[index] {
+        Place::Result(slot) => Some(slot),
+        Place::Source(_) | Place::Whole(_) => None,
+    };
+    let traced = found.clone();
+    let group = |name: &Name| {
+        let of = |(_, (symbol, number)): &&(Source, Quantity)| (symbol.id, *number) == *name;
+        sources.iter().find(of).map_or(63, |(source, _)| source.group)
+    };
+    for (index, found) in found.iter_mut().enumerate() {
+        if let Place::Whole(whole) = model.places()[index] {
+            // What the result at one position follows from, but for the position.
+            let spread = &model.wholes()[whole];
+            let own = |other: &usize| slot(*other).is_some_and(|slot| spread.is_of(&slot));
+            let of = (0..traced.len()).filter(own).flat_map(|other| traced[other].iter());
+            found.extend(of.filter(|name| spread.sources >> group(name) & 1 == 1).copied());
+            continue;
+        }
+        let Some(slot) = slot(index) else { continue };
+        if model.variables()[index].kind == Type::Boolean {
+            let same = |other: &usize| same(&slot, model, *other);
+            found.extend(
+                (0..traced.len())
+                    .filter(same)
+                    .flat_map(|other| traced[other].iter().copied()),
+            );
+        }
+        let searched = part.stages()[usize::from(slot.stage)].searched;
+        for &(source, (symbol, number)) in &sources {
+            let decides = symbol.kind != Type::Real;
+            if slot.sources >> source.group & 1 == 0 || !(searched || decides) {
+                continue;
+            }
+            match used(source) {
+                Use::Time => found.extend([(TIME.id, None)]),
+                Use::Memory => {}
+                Use::Coordinate => {
+                    let rate = find(Use::Rate).map(|(_, (symbol, number))| (symbol.id, *number));
+                    found.extend([(symbol.id, number), (TIME.id, None)].into_iter().chain(rate));
+                }
+                _ => found.extend([(symbol.id, number)]),
+            }
+        }
+    }
+    found
+}
+
+/// Whether a variable is a result of the same stage.
+fn same(slot: &Slot, model: &Standing, other: usize) -> bool {
+    matches!(&model.places()[other], Place::Result(known) if known.stage == slot.stage && known.of == slot.of)
+}
+
+/// Every combination of the discrete inputs' values.
+fn choices(sources: &[(Source, Quantity)]) -> Vec<Vec<(Source, f64)>> {
+    let mut all = vec![Vec::new()];
+    for &(source, (symbol, _)) in sources {
+        if let Type::Enumeration(of) = symbol.kind {
+            let each = |known: &Vec<(Source, f64)>| {
+                let with = |number: usize| known.iter().copied().chain([(source, number as f64)]).collect();
+                (1..=of.items.len()).map(with).collect::<Vec<Vec<_>>>()
+            };
+            all = all.iter().flat_map(each).collect();
+        }
+    }
+    all
+}

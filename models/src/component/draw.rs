@@ -1,0 +1,123 @@
+//! Drawings of mechanisms, to scale and in m.
+
+use crate::calc::Calc;
+use crate::plane::Point;
+use crate::sheet::{Drawing, Shape};
+use crate::symbol::Symbol;
+
+/// A drawing that grows. What is `faint` stands behind what is told.
+#[derive(Default)]
+pub struct Draw {
+    shapes: Vec<Shape>,
+}
+
+/// At a distance (m) in a direction (rad).
+#[must_use]
+pub fn polar(distance: f64, direction: f64) -> Point<f64> {
+    let (sin, cos) = Calc::sin_cos(direction);
+    Point::new(distance * cos, distance * sin)
+}
+
+fn array(point: Point<f64>) -> [f64; 2] {
+    [point.x, point.y]
+}
+
+impl Draw {
+    fn points(&mut self, points: &[Point<f64>], closed: bool, faint: bool) {
+        let points = points.iter().copied().map(array).collect();
+        self.shapes.push(Shape::Body { points, closed, faint });
+    }
+
+    pub fn bar(&mut self, points: &[Point<f64>], faint: bool) {
+        self.points(points, false, faint);
+    }
+
+    pub fn body(&mut self, points: &[Point<f64>], faint: bool) {
+        self.points(points, true, faint);
+    }
+
+    pub fn path(&mut self, points: impl Iterator<Item = Point<f64>>) {
+        let points = points.map(array).collect();
+        self.shapes.push(Shape::Path { points });
+    }
+
+    pub fn pin(&mut self, at: Point<f64>, fixed: bool, faint: bool) {
+        let at = array(at);
+        self.shapes.push(Shape::Pin { at, fixed, faint });
+    }
+
+    pub fn label(&mut self, at: Point<f64>, text: &'static str) {
+        self.shapes.push(Shape::Label { at: array(at), text });
+    }
+
+    /// A joint with its name.
+    pub fn joint(&mut self, at: Point<f64>, text: &'static str, fixed: bool, faint: bool) {
+        self.pin(at, fixed, faint);
+        if !faint {
+            self.label(at, text);
+        }
+    }
+
+    /// From a bar that goes from the origin to `head`, square to it, to a joint beside it.
+    pub fn lug(&mut self, head: Point<f64>, joint: Point<f64>, faint: bool) {
+        let foot = head * (joint.dot(&head) / head.norm_squared());
+        self.bar(&[joint, foot], faint);
+    }
+
+    /// A square around a weight, with its name.
+    pub fn weight(&mut self, at: Point<f64>, text: &'static str, faint: bool) {
+        const HALF: f64 = 0.6;
+        let corner = |x: f64, y: f64| at + Point::new(x * HALF, y * HALF);
+        let corners = [
+            corner(-1.0, -1.0),
+            corner(1.0, -1.0),
+            corner(1.0, 1.0),
+            corner(-1.0, 1.0),
+        ];
+        self.body(&corners, faint);
+        if !faint {
+            self.label(corner(-1.0, -1.0), text);
+        }
+    }
+
+    pub fn load(&mut self, at: Point<f64>, symbol: &'static Symbol) {
+        let (at, text) = (array(at), symbol.print);
+        self.shapes.push(Shape::Load { at, text });
+    }
+
+    /// An angle from the horizontal, in rad.
+    pub fn angle(&mut self, at: Point<f64>, radius: f64, to: f64, symbol: &'static Symbol) {
+        self.shapes.push(Shape::Angle {
+            at: array(at),
+            radius,
+            from: 0.0,
+            to,
+            text: symbol.print,
+        });
+    }
+
+    /// Measured `offset` metres beside the line from one point to the other.
+    pub fn distance(&mut self, from: Point<f64>, to: Point<f64>, offset: f64, symbol: &'static Symbol) {
+        self.shapes.push(Shape::Distance {
+            from: array(from),
+            to: array(to),
+            offset,
+            text: symbol.print,
+        });
+    }
+
+    /// A vertical centre line.
+    pub fn axis(&mut self, x: f64, from: f64, to: f64) {
+        self.shapes.push(Shape::CentreLine { x, from, to });
+    }
+
+    /// Of a mechanism of about this size, in m: a distance that cannot be told from nothing is left out.
+    #[must_use]
+    pub fn done(mut self, size: f64) -> Drawing {
+        self.shapes.retain(|shape| match shape {
+            Shape::Distance { from, to, .. } => (to[0] - from[0]).abs() + (to[1] - from[1]).abs() > 0.02 * size,
+            _ => true,
+        });
+        Drawing { shapes: self.shapes }
+    }
+}

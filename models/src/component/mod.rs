@@ -1,0 +1,15 @@
+//! What every mechanism gets from its equations: a component writes groups, stages and rows, and everything else is
+//! made here once.
+
+pub mod dependencies;
+pub mod draw;
+pub mod extreme;
+pub mod governing;
+pub mod outline;
+pub mod part;
+pub mod running;
+pub mod stages;
+pub mod standing;
+pub mod table;
+pub mod telling;
+pub mod whole;

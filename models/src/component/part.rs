@@ -1,0 +1,288 @@
+//! A component that runs, whatever it is made of.
+
+use std::any::Any;
+use std::fmt;
+
+use num_dual::Dual64;
+
+use crate::calc::Calc;
+use crate::component::stages::{Found, Slot, Source, Stage, Stages, Use};
+use crate::component::whole::Whole;
+use crate::model::Quantity;
+use crate::symbol::Symbol;
+
+/// What a component adds to its stages.
+pub trait Component: Stages {
+    /// Results whose change of sign is an event.
+    const INDICATORS: &'static [&'static Symbol] = &[];
+
+    /// Results of the whole working range.
+    const WHOLE: &'static [Whole] = &[];
+
+    /// Where other components meet it.
+    const PORTS: &'static [Port] = &[];
+
+    /// Whether a result of a stage that exists is one of this scene.
+    #[must_use]
+    fn has(_: &Self::Given<f64>, _: &'static Symbol) -> bool {
+        true
+    }
+
+    /// Brings the component to the present sources: what must be possible at any time.
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    fn update(known: &mut Self::Known<f64>) -> Found<()>;
+
+    /// Least and greatest value of the coordinate around the working range, in SI.
+    #[must_use]
+    fn reach(_: &mut Self::Known<f64>) -> Option<[f64; 2]> {
+        None
+    }
+
+    /// Whether the least change of a source alone makes another component of it: by such a source is no derivative.
+    fn undoes(_: &Self::Given<f64>, _: &'static Symbol) -> bool {
+        false
+    }
+
+    /// Keeps what the past leaves, before a discrete input changes.
+    fn leave(_: &mut Self::Known<f64>) {}
+
+    /// Ends initialization.
+    fn start(_: &mut Self::Known<f64>) {}
+}
+
+/// Variables that belong together where components meet.
+#[derive(Debug)]
+pub struct Port {
+    pub name: &'static str,
+    pub text: &'static str,
+    /// Each with its name at the port.
+    pub members: &'static [(&'static Symbol, &'static str)],
+    /// Members that only an input can be.
+    pub driven: &'static [&'static str],
+}
+
+/// A component over one scalar.
+pub trait Face<C>: Any + fmt::Debug + Send + Sync {
+    fn take(&self, source: Source) -> C;
+    /// Changes a source and forgets what follows from it.
+    fn put(&mut self, source: Source, value: C);
+    /// A result, computed where it is not known.
+    ///
+    /// # Errors
+    /// Those of the stages.
+    fn result(&mut self, slot: &Slot, into: &mut C) -> Found<()>;
+    /// A stage, by its place.
+    ///
+    /// # Errors
+    /// As [`result`](Face::result).
+    fn make(&mut self, stage: u8) -> Found<()>;
+}
+
+/// A component that runs, without the recorder, which the FMU's library does not carry.
+pub trait Part: Face<f64> {
+    fn groups(&self) -> &'static [(&'static str, Use)];
+    fn stages(&self) -> &'static [Stage];
+    /// Whether a stage exists in the scene, by its place.
+    fn exists(&self, stage: u8) -> bool;
+    /// Every source that the scene has.
+    fn sources(&self) -> Vec<(Source, Quantity)>;
+    /// Every result that the scene has.
+    fn results(&self) -> Vec<(Slot, Quantity)>;
+    /// Of [`Component::INDICATORS`].
+    fn indicators(&self) -> &'static [&'static Symbol];
+    /// Of [`Component::WHOLE`].
+    fn whole(&self) -> &'static [Whole];
+    /// Of [`Component::PORTS`].
+    fn ports(&self) -> &'static [Port];
+    /// The same on dual numbers, each source with the derivative that `seed` gives it, and the groups that change, a bit
+    /// for each. What does not change is taken over from the plain numbers where `lifted`.
+    fn dual(&self, lifted: bool, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> (Box<dyn Face<Dual64>>, u64);
+    /// As [`dual`](Part::dual), lifted, into one that exists.
+    fn dual_into(&self, dual: &mut dyn Face<Dual64>, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> u64;
+    /// As [`Component::update`].
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    fn update(&mut self) -> Found<()>;
+    /// As [`Component::reach`].
+    fn reach(&mut self) -> Option<[f64; 2]>;
+    /// As [`Component::undoes`].
+    fn undoes(&self, symbol: &'static Symbol) -> bool;
+    /// As [`Component::leave`].
+    fn leave(&mut self);
+    /// As [`Component::start`].
+    fn start(&mut self);
+    fn duplicate(&self) -> Box<dyn Part>;
+    /// Becomes what another one of the same component is.
+    fn follow(&mut self, other: &dyn Part);
+}
+
+impl Clone for Box<dyn Part> {
+    fn clone(&self) -> Box<dyn Part> {
+        self.duplicate()
+    }
+}
+
+/// A component on one scalar with all that is known of it.
+pub struct Runner<T: Stages, C: Calc>(pub T::Known<C>);
+
+impl<T: Component, C: Calc> Runner<T, C> {
+    #[must_use]
+    pub fn new(given: T::Given<C>) -> Runner<T, C> {
+        Runner(T::new(given))
+    }
+
+    #[must_use]
+    pub fn given(&self) -> &T::Given<C> {
+        T::given(&self.0)
+    }
+}
+
+impl<T: Stages, C: Calc> fmt::Debug for Runner<T, C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(std::any::type_name::<T>())
+    }
+}
+
+impl<T: Stages, C: Calc> Face<C> for Runner<T, C> {
+    #[inline]
+    fn take(&self, source: Source) -> C {
+        T::take(&self.0, source)
+    }
+    #[inline]
+    fn put(&mut self, source: Source, value: C) {
+        T::put(&mut self.0, source, value);
+    }
+    #[inline]
+    fn result(&mut self, slot: &Slot, into: &mut C) -> Found<()> {
+        T::result(&mut self.0, slot, into)
+    }
+    fn make(&mut self, stage: u8) -> Found<()> {
+        T::make(&mut self.0, stage)
+    }
+}
+
+impl<T: Component> Runner<T, f64> {
+    fn dual(&self, lifted: bool, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> (Runner<T, Dual64>, u64) {
+        let mut moved = 0;
+        let given = T::map(self.given(), &mut |source, quantity, value| {
+            let rate = seed(source, quantity);
+            moved |= u64::from(rate != 0.0) << source.group;
+            Dual64::new(value, rate)
+        });
+        let mut dual = Runner::<T, Dual64>::new(given);
+        // Places that were found with plain numbers hold in every direction.
+        T::lift(&self.0, &mut dual.0, if lifted { moved } else { !0 });
+        (dual, moved)
+    }
+}
+
+impl<T: Component> Part for Runner<T, f64> {
+    fn groups(&self) -> &'static [(&'static str, Use)] {
+        T::GROUPS
+    }
+
+    fn stages(&self) -> &'static [Stage] {
+        T::STAGES
+    }
+
+    fn exists(&self, stage: u8) -> bool {
+        T::count(&self.0, stage).is_some()
+    }
+
+    fn sources(&self) -> Vec<(Source, Quantity)> {
+        let mut all = Vec::new();
+        let given = self.given();
+        T::map(given, &mut |source, quantity, value| {
+            all.push((source, quantity));
+            value
+        });
+        // Quantities of a numbered group stand together, as vectors do.
+        let first = |(source, (symbol, _)): &(Source, Quantity)| {
+            let of = |(known, (other, _)): &&(Source, Quantity)| known.group == source.group && other == symbol;
+            all.iter().find(of).map(|(source, _)| (source.group, source.place))
+        };
+        let mut keyed: Vec<_> = all.iter().map(|entry| (first(entry), *entry)).collect();
+        keyed.sort_by_key(|(key, _)| *key);
+        keyed.into_iter().map(|(_, entry)| entry).collect()
+    }
+
+    fn results(&self) -> Vec<(Slot, Quantity)> {
+        let given = self.given();
+        let mut all = Vec::new();
+        for (stage, what) in (0..).zip(T::STAGES) {
+            let Some(count) = T::count(&self.0, stage) else {
+                continue;
+            };
+            for (row, &symbol) in (0..).zip(what.rows).filter(|(_, symbol)| T::has(given, symbol)) {
+                for of in 0..count.unwrap_or(1) {
+                    let slot = Slot {
+                        stage,
+                        row,
+                        of,
+                        sources: what.sources,
+                    };
+                    all.push((slot, (symbol, count.map(|_| of + 1))));
+                }
+            }
+        }
+        all
+    }
+
+    fn indicators(&self) -> &'static [&'static Symbol] {
+        T::INDICATORS
+    }
+
+    fn whole(&self) -> &'static [Whole] {
+        T::WHOLE
+    }
+
+    fn ports(&self) -> &'static [Port] {
+        T::PORTS
+    }
+
+    fn dual(&self, lifted: bool, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> (Box<dyn Face<Dual64>>, u64) {
+        let (dual, moved) = self.dual(lifted, seed);
+        (Box::new(dual), moved)
+    }
+
+    fn dual_into(&self, dual: &mut dyn Face<Dual64>, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> u64 {
+        let dual: &mut dyn Any = dual;
+        let dual: &mut Runner<T, Dual64> = dual.downcast_mut().expect("the same component");
+        let moved;
+        (*dual, moved) = self.dual(true, seed);
+        moved
+    }
+
+    fn update(&mut self) -> Found<()> {
+        T::update(&mut self.0)
+    }
+
+    fn reach(&mut self) -> Option<[f64; 2]> {
+        T::reach(&mut self.0)
+    }
+
+    fn undoes(&self, symbol: &'static Symbol) -> bool {
+        T::undoes(self.given(), symbol)
+    }
+
+    fn leave(&mut self) {
+        T::leave(&mut self.0);
+    }
+
+    fn start(&mut self) {
+        T::start(&mut self.0);
+    }
+
+    fn duplicate(&self) -> Box<dyn Part> {
+        Box::new(Runner::<T, f64>(self.0.clone()))
+    }
+
+    fn follow(&mut self, other: &dyn Part) {
+        let other: &dyn Any = other;
+        let other: &Runner<T, f64> = other.downcast_ref().expect("the same component");
+        T::follow(&mut self.0, &other.0);
+    }
+}

@@ -1,0 +1,642 @@
+//! A component that stands where its coordinate wants it, as a running model: inputs and parameters in, results out,
+//! only what is asked for computed.
+
+use std::sync::Arc;
+
+use num_dual::Dual64;
+
+use crate::component::part::{Face, Part, Port};
+use crate::component::running::{Running, State, Tangent};
+use crate::component::stages::{Slot, Source, Use};
+use crate::component::table::{Axes, Table};
+use crate::component::whole::{Spot, Spread};
+use crate::model::{Fault, Quantity, Role, TIME, Terminal, Type, Variable};
+use crate::motion::Motion;
+use crate::number::short;
+use crate::symbol::Symbol;
+
+/// Where a variable stands.
+#[derive(Clone, Copy, Debug)]
+pub enum Place {
+    Source(Source),
+    Result(Slot),
+    /// A result of the whole range, in their order.
+    Whole(usize),
+}
+
+/// A scene's component with its inputs, stepped by the FMU and by tables.
+#[derive(Clone, Debug)]
+pub struct Standing {
+    variables: Vec<Variable>,
+    places: Vec<Place>,
+    indicators: Vec<usize>,
+    motion: Motion,
+    axes: Axes,
+    wholes: Vec<Spread>,
+    /// Groups from which any of them follows.
+    follow: u64,
+    /// The time, where results follow from it, and what happened before.
+    clock: Option<Source>,
+    memory: Vec<Source>,
+    table: Option<Arc<Table>>,
+    now: Now,
+}
+
+/// All that changes while it runs.
+#[derive(Clone, Debug)]
+struct Now {
+    /// In s.
+    time: f64,
+    /// Whether the coordinate has been set. Until then it runs through its working range by itself.
+    given: bool,
+    part: Box<dyn Part>,
+    /// Results of the whole range, as far as they were asked for.
+    spots: Vec<Option<Spot>>,
+}
+
+/// The results with their derivatives in one direction.
+#[derive(Debug)]
+struct Direction {
+    face: Box<dyn Face<Dual64>>,
+    /// Groups that change in this direction.
+    moved: u64,
+    /// A source that changes in it, of which the least change makes another component.
+    undoes: Option<&'static Symbol>,
+}
+
+impl Direction {
+    /// # Errors
+    /// A direction by which there is no derivative.
+    fn smooth(&self) -> Result<(), Fault> {
+        let refuse = |symbol: &Symbol| {
+            Err(Fault::outside(format!(
+                "there is no derivative by {}: with the least change of it the linkage loses its change points, and the \
+                 branch on which it passes them",
+                symbol.id
+            )))
+        };
+        self.undoes.map_or(Ok(()), refuse)
+    }
+}
+
+impl Now {
+    fn follow(&mut self, other: &Now) {
+        (self.time, self.given) = (other.time, other.given);
+        self.part.follow(&*other.part);
+        self.spots.clone_from(&other.spots);
+    }
+
+    /// Forgets the results of the range that follow from a source.
+    fn forget(&mut self, source: Source, wholes: &[Spread]) {
+        for (spot, whole) in self.spots.iter_mut().zip(wholes) {
+            if whole.sources >> source.group & 1 == 1 {
+                *spot = None;
+            }
+        }
+    }
+}
+
+/// How fast each source changes in a direction.
+struct Seeds<'a> {
+    seed: &'a dyn Fn(Quantity) -> f64,
+    /// The coordinate's own rate, where it follows from the time.
+    swept: Option<(Source, f64)>,
+    clock: Option<Source>,
+    part: &'a dyn Part,
+    /// A source that changes and makes another component of this one.
+    undoes: Option<&'static Symbol>,
+}
+
+impl Seeds<'_> {
+    fn of(&mut self, source: Source, quantity: Quantity) -> f64 {
+        let own = match self.swept {
+            Some((coordinate, rate)) if source == coordinate => rate,
+            _ if Some(source) == self.clock => (self.seed)((&TIME, None)),
+            _ => (self.seed)(quantity),
+        };
+        if own != 0.0 && self.part.undoes(quantity.0) {
+            self.undoes = Some(quantity.0);
+        }
+        own
+    }
+}
+
+impl Standing {
+    /// With a `tolerance`, interpolated over the working range to that part of each result's range.
+    ///
+    /// # Errors
+    /// A component that does not exist at the start of its working range.
+    pub fn new(mut part: Box<dyn Part>, motion: Motion, tolerance: Option<f64>) -> Result<Standing, Fault> {
+        let groups = part.groups();
+        let used = |source: Source| groups[usize::from(source.group)].1;
+        let sources = part.sources();
+        let of = |wanted| {
+            let all = sources.iter().map(|(source, _)| *source);
+            all.filter(move |source| used(*source) == wanted)
+        };
+        let (mut variables, mut places) = (Vec::new(), Vec::new());
+        for &(source, quantity) in &sources {
+            let role = match used(source) {
+                Use::Fixed | Use::Time | Use::Memory => continue,
+                Use::Parameter if quantity.0.tunable => Role::Tunable,
+                Use::Parameter => Role::Parameter,
+                Use::Input | Use::Load | Use::Coordinate | Use::Rate => Role::Input,
+            };
+            let mut variable = Variable::new(quantity, role);
+            if used(source) == Use::Coordinate {
+                variable.bounds = part.reach().unwrap_or(variable.bounds);
+            }
+            variables.push(variable);
+            places.push(Place::Source(source));
+        }
+        let role = |sources: u64| {
+            let varies = |(group, (_, of)): (u64, &(_, Use))| sources >> group & 1 == 1 && of.varies();
+            match (0..).zip(groups).any(varies) {
+                true => Role::Output,
+                false => Role::Calculated,
+            }
+        };
+        for (slot, quantity) in part.results() {
+            let indicator = part.indicators().contains(&quantity.0);
+            let role = if indicator { Role::Indicator } else { role(slot.sources) };
+            variables.push(Variable::new(quantity, role));
+            places.push(Place::Result(slot));
+        }
+        let only = |wanted| {
+            of(wanted)
+                .next()
+                .expect("every component has a coordinate and its rate")
+        };
+        let mut wholes = Vec::new();
+        for whole in part.whole() {
+            if let Some(spread) = Spread::new(whole, &*part, only(Use::Coordinate), only(Use::Rate)) {
+                variables.push(Variable::new((whole.symbol, None), role(spread.sources)));
+                places.push(Place::Whole(wholes.len()));
+                wholes.push(spread);
+            }
+        }
+        let indicator = |&index: &usize| variables[index].role == Role::Indicator;
+        let mut model = Standing {
+            indicators: (0..variables.len()).filter(indicator).collect(),
+            axes: Axes {
+                coordinate: only(Use::Coordinate),
+                rate: only(Use::Rate),
+                load: of(Use::Load).next(),
+            },
+            clock: of(Use::Time).next(),
+            memory: of(Use::Memory).collect(),
+            variables,
+            places,
+            motion,
+            table: None,
+            now: Now {
+                time: 0.0,
+                given: false,
+                part,
+                spots: vec![None; wholes.len()],
+            },
+            follow: wholes.iter().fold(0, |mask, whole| mask | whole.sources),
+            wholes,
+        };
+        if let Some(tolerance) = tolerance {
+            model.tabulate(tolerance);
+        }
+        model.update()?;
+        Ok(model)
+    }
+
+    /// Puts a table in the place of the closed form: parameters cannot be set any more.
+    fn tabulate(&mut self, tolerance: f64) {
+        let wanted = |(variable, place): (&Variable, &Place)| match place {
+            Place::Result(slot) if variable.role == Role::Output && variable.kind == Type::Real => Some(*slot),
+            _ => None,
+        };
+        let slots: Vec<Option<Slot>> = self.variables.iter().zip(&self.places).map(wanted).collect();
+        let table = Table::new(&*self.now.part, self.axes, &self.motion, &slots, tolerance);
+        self.table = Some(Arc::new(table));
+        for variable in &mut self.variables {
+            if matches!(variable.role, Role::Parameter | Role::Tunable) {
+                variable.role = Role::Calculated;
+            }
+        }
+    }
+
+    /// What a result may be off its closed form by, in SI, with the present inputs; zero where it is the closed form.
+    #[must_use]
+    pub fn bound(&self, index: usize) -> f64 {
+        let table = self.table.as_ref();
+        let bound = table.and_then(|table| table.bound(index, &*self.now.part));
+        bound.unwrap_or(0.0)
+    }
+
+    /// The table, at its level.
+    #[must_use]
+    pub fn table(&self) -> Option<&Table> {
+        self.table.as_deref()
+    }
+
+    /// The component with its present sources.
+    #[must_use]
+    pub fn part(&self) -> &dyn Part {
+        &*self.now.part
+    }
+
+    /// Whether there are derivatives in a direction.
+    ///
+    /// # Errors
+    /// A change of a source that makes another component.
+    pub fn smooth(&self, tangent: &Tangent) -> Result<(), Fault> {
+        tangent.own::<Direction>().smooth()
+    }
+
+    /// Results of the whole range.
+    #[must_use]
+    pub fn wholes(&self) -> &[Spread] {
+        &self.wholes
+    }
+
+    /// Where each variable stands.
+    #[must_use]
+    pub fn places(&self) -> &[Place] {
+        &self.places
+    }
+
+    #[must_use]
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    #[must_use]
+    pub fn coordinate(&self) -> Source {
+        self.axes.coordinate
+    }
+
+    #[inline]
+    fn find(&self, index: usize) -> Result<Place, Fault> {
+        let found = self.places.get(index).copied();
+        found.ok_or_else(|| Fault::no_variable(index, self.places.len()))
+    }
+
+    /// Where a result of the whole range occurs.
+    ///
+    /// # Errors
+    /// A configuration that does not exist in the range.
+    pub fn spot(&self, place: usize) -> Result<Spot, Fault> {
+        match self.now.spots[place] {
+            Some(spot) => Ok(spot),
+            None => self.wholes[place]
+                .find(&*self.now.part, &self.motion)
+                .map_err(|fault| *fault),
+        }
+    }
+
+    /// A result by the table, where that has it. Out of the way of the closed form.
+    #[inline(never)]
+    fn interpolated(&self, index: usize) -> Result<Option<f64>, Fault> {
+        let table = self.table.as_ref();
+        let found = table.and_then(|table| Some((table, table.value(index, &*self.now.part)?)));
+        found
+            .map(|(table, value)| self.tabulated(table).map(|()| value))
+            .transpose()
+    }
+
+    /// A result with its derivative along the direction of a tangent, in SI. Where it is searched for, and does not
+    /// follow from what changes, its value is left out.
+    ///
+    /// # Errors
+    /// Not a result, or a configuration that does not exist.
+    pub fn with_derivative(&self, tangent: &mut Tangent, index: usize) -> Result<Dual64, Fault> {
+        let direction: &mut Direction = tangent.own_mut();
+        let variable = &self.variables[index];
+        let none = |why: &str| Err(Fault::new(format!("{variable} {why}: it has no derivative")));
+        direction.smooth()?;
+        let mut value = Dual64::from_re(0.0);
+        let slot = match self.find(index)? {
+            Place::Result(slot) => slot,
+            Place::Source(_) => return none("is no result"),
+            Place::Whole(place) if self.wholes[place].sources & direction.moved == 0 => return Ok(value),
+            Place::Whole(place) => {
+                let spot = self.spot(place)?;
+                let value = self.wholes[place].value(&mut *direction.face, &spot);
+                return value.map_err(|fault| *fault);
+            }
+        };
+        if self.is_searched(index) {
+            // What it does not follow from does not change it.
+            return match slot.sources & direction.moved {
+                0 => Ok(value),
+                _ => none("is searched for"),
+            };
+        }
+        direction.face.result(&slot, &mut value).map_err(|fault| *fault)?;
+        Ok(value)
+    }
+
+    /// Whether a variable is searched for, and so has no derivative by what it follows from.
+    #[must_use]
+    pub fn is_searched(&self, index: usize) -> bool {
+        let stages = self.now.part.stages();
+        matches!(self.places[index], Place::Result(slot) if stages[usize::from(slot.stage)].searched)
+    }
+
+    /// Whether a result's stage follows from an input, a parameter or [`TIME`].
+    #[must_use]
+    pub fn follows(&self, index: usize, known: Quantity) -> bool {
+        let Place::Result(slot) = self.places[index] else {
+            return false;
+        };
+        let from = |source: Source| slot.sources >> source.group & 1 == 1;
+        // The coordinate may follow from its rate and the time.
+        let swept = from(self.axes.coordinate);
+        let mut sources = self.variables.iter().zip(&self.places);
+        let source = sources.find_map(|(variable, place)| match place {
+            Place::Source(source) if variable.quantity() == known => Some(*source),
+            _ => None,
+        });
+        match source {
+            Some(source) => from(source) || (swept && source == self.axes.rate),
+            None => known == (&TIME, None) && (swept || self.clock.is_some_and(from)),
+        }
+    }
+
+    /// Whether the coordinate lies in the table.
+    #[inline]
+    fn tabulated(&self, table: &Table) -> Result<(), Fault> {
+        let at = self.now.part.take(self.axes.coordinate);
+        let [from, to] = table.range();
+        // A rounding of degrees is not an angle outside.
+        if (from - 1e-12..=to + 1e-12).contains(&at) {
+            return Ok(());
+        }
+        let symbol = self.variables[0].symbol;
+        let shown = |value: f64| short(symbol.shown(value));
+        Err(Fault::outside(format!(
+            "{} = {} {unit} lies outside the table from {} to {} {unit}: widen the working range, or set fidelity = \"static\"",
+            symbol.id,
+            shown(at),
+            shown(from),
+            shown(to),
+            unit = symbol.display.name
+        )))
+    }
+
+    /// Follows the time, unless the coordinate has been set.
+    #[inline]
+    fn sweep(&mut self) {
+        if !self.now.given {
+            let rate = self.now.part.take(self.axes.rate);
+            let at = self.motion.swept(rate, self.now.time);
+            self.now.part.put(self.axes.coordinate, at);
+        }
+    }
+
+    /// What is saved of the sources: what happened before, then all that can be set.
+    fn saved(&self) -> impl Iterator<Item = Source> {
+        let settable = self.variables.iter().zip(&self.places);
+        let settable = settable.filter_map(|(variable, place)| match place {
+            Place::Source(source) if variable.role != Role::Calculated => Some(*source),
+            _ => None,
+        });
+        self.memory.iter().copied().chain(settable)
+    }
+
+    /// How fast each source changes in a direction.
+    fn seeds<'a>(&'a self, seed: &'a dyn Fn(Quantity) -> f64) -> Seeds<'a> {
+        let (coordinate, rate) = (self.axes.coordinate, self.axes.rate);
+        // A coordinate that was not set follows from its rate and the time.
+        let swept = (!self.now.given).then(|| {
+            let symbol = self.variables.iter().zip(&self.places);
+            let of_rate = symbol.filter(|(_, place)| matches!(place, Place::Source(source) if *source == rate));
+            let of_rate = of_rate.map(|(variable, _)| seed(variable.quantity())).next();
+            let speed = Dual64::new(self.now.part.take(rate), of_rate.unwrap_or(0.0));
+            let time = Dual64::new(self.now.time, seed((&TIME, None)));
+            (coordinate, self.motion.swept(speed, time).eps)
+        });
+        Seeds {
+            seed,
+            swept,
+            clock: self.clock,
+            part: &*self.now.part,
+            undoes: None,
+        }
+    }
+}
+
+impl Running for Standing {
+    #[inline]
+    fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    fn terminals(&self) -> Vec<Terminal> {
+        let terminal = |port: &Port, number: Option<u16>| {
+            let find = |(symbol, member): &(&'static Symbol, &'static str)| {
+                let of = |v: &&Variable| v.symbol == *symbol && (v.number == number || v.number.is_none());
+                // A shaft is turned by an input; another bar's angle is a result.
+                let turned = |v: &&Variable| v.role == Role::Input || !port.driven.contains(member);
+                let found = self.variables.iter().filter(of).find(turned)?;
+                Some((found.name(), *member))
+            };
+            Terminal {
+                name: number.map_or_else(|| port.name.to_owned(), |number| format!("{}_{number}", port.name)),
+                text: port.text,
+                members: port.members.iter().filter_map(find).collect(),
+            }
+        };
+        let mut list = Vec::new();
+        for port in self.now.part.ports() {
+            let numbers = self
+                .variables
+                .iter()
+                .filter(|v| port.members.iter().any(|(symbol, _)| *symbol == v.symbol));
+            let most = numbers.filter_map(|v| v.number).max();
+            match most {
+                None => list.push(terminal(port, None)),
+                Some(most) => list.extend((1..=most).map(|number| terminal(port, Some(number)))),
+            }
+        }
+        list.retain(|terminal| !terminal.members.is_empty());
+        list
+    }
+
+    fn positions(&self) -> Vec<f64> {
+        self.motion.angles()
+    }
+
+    fn stop_time(&self) -> f64 {
+        self.motion.stop_time()
+    }
+
+    fn step_size(&self) -> f64 {
+        self.motion.step_size()
+    }
+
+    #[inline]
+    fn get(&mut self, index: usize) -> Result<f64, Fault> {
+        let Some(&place) = self.places.get(index) else {
+            return Err(Fault::no_variable(index, self.places.len()));
+        };
+        let mut value = 0.0;
+        match place {
+            Place::Source(source) => value = self.now.part.take(source),
+            Place::Result(slot) => {
+                if self.table.is_some()
+                    && let Some(value) = self.interpolated(index)?
+                {
+                    return Ok(value);
+                }
+                self.now.part.result(&slot, &mut value).map_err(|fault| *fault)?;
+            }
+            Place::Whole(place) => {
+                let spot = self.spot(place)?;
+                self.now.spots[place] = Some(spot);
+                return Ok(spot.value);
+            }
+        }
+        Ok(value)
+    }
+
+    fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
+        let (place, variable) = (self.find(index)?, &self.variables[index]);
+        match (place, variable.role) {
+            (Place::Result(_) | Place::Whole(_), _) => {
+                Err(Fault::new(format!("{variable} is a result and cannot be set")))
+            }
+            (_, Role::Calculated) => Err(Fault::new(format!(
+                "{variable} is fixed in the table and cannot be set: set fidelity = \"static\" to change it"
+            ))),
+            _ => variable.check(value),
+        }
+    }
+
+    fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
+        self.check(index, value)?;
+        let Place::Source(source) = self.places[index] else {
+            return Ok(());
+        };
+        let state = &mut self.now;
+        if self.variables[index].kind != Type::Real && state.part.take(source) != value {
+            state.part.leave();
+        }
+        if self.follow >> source.group & 1 == 1 {
+            state.forget(source, &self.wholes);
+        }
+        state.part.put(source, value);
+        state.given |= source == self.axes.coordinate;
+        if source == self.axes.rate {
+            self.sweep();
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn set_time(&mut self, time: f64) {
+        if time != self.now.time {
+            self.now.time = time;
+            if let Some(clock) = self.clock {
+                self.now.part.put(clock, time);
+            }
+            self.sweep();
+        }
+    }
+
+    fn start(&mut self) -> Result<(), Fault> {
+        self.now.part.start();
+        self.update()
+    }
+
+    fn update(&mut self) -> Result<(), Fault> {
+        match &self.table {
+            Some(table) => self.tabulated(table),
+            None => self.now.part.update().map_err(|fault| *fault),
+        }
+    }
+
+    fn indicators(&self) -> usize {
+        self.indicators.len()
+    }
+
+    fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
+        for (i, indicator) in indicators.iter_mut().enumerate() {
+            *indicator = self.get(self.indicators[i])?;
+        }
+        Ok(())
+    }
+
+    fn state(&self) -> State {
+        State::new(self.now.clone())
+    }
+
+    fn state_into(&self, state: &mut State) {
+        state.own_mut::<Now>().follow(&self.now);
+    }
+
+    fn set_state(&mut self, state: &State) {
+        self.now.follow(state.own());
+    }
+
+    fn numbers(&self, state: &State) -> Vec<f64> {
+        let now: &Now = state.own();
+        let head = [now.time, f64::from(now.given)];
+        head.into_iter()
+            .chain(self.saved().map(|source| now.part.take(source)))
+            .collect()
+    }
+
+    fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
+        let wrong = || Fault::new("a saved state does not belong to this model");
+        let [time, given, values @ ..] = numbers else {
+            return Err(wrong());
+        };
+        if values.len() != self.saved().count() || !time.is_finite() {
+            return Err(wrong());
+        }
+        let (remembered, values) = values.split_at(self.memory.len());
+        let mut model = self.clone();
+        let settable = (0..self.places.len()).filter(|&index| {
+            matches!(self.places[index], Place::Source(_)) && self.variables[index].role != Role::Calculated
+        });
+        for (index, &value) in settable.zip(values) {
+            model.check(index, value)?;
+        }
+        for (source, &value) in self.saved().zip(remembered.iter().chain(values)) {
+            model.now.part.put(source, value);
+            model.now.forget(source, &self.wholes);
+        }
+        if let Some(clock) = self.clock {
+            model.now.part.put(clock, *time);
+        }
+        (model.now.time, model.now.given) = (*time, *given != 0.0);
+        Ok(State::new(model.now))
+    }
+
+    fn has_derivatives(&self) -> bool {
+        let part = &self.now.part;
+        let mut stages = (0..).zip(part.stages());
+        !stages.any(|(place, stage)| stage.searched && part.exists(place))
+    }
+
+    fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
+        let mut seeds = self.seeds(seed);
+        let part = &self.now.part;
+        let (face, moved) = part.dual(true, &mut |source, quantity| seeds.of(source, quantity));
+        let undoes = seeds.undoes;
+        Tangent::new(Direction { face, moved, undoes })
+    }
+
+    fn tangent_into(&self, seed: &dyn Fn(Quantity) -> f64, tangent: &mut Tangent) {
+        let mut seeds = self.seeds(seed);
+        let Direction { face, moved, undoes } = tangent.own_mut();
+        let part = &self.now.part;
+        *moved = part.dual_into(&mut **face, &mut |source, quantity| seeds.of(source, quantity));
+        *undoes = seeds.undoes;
+    }
+
+    fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+        Ok(self.with_derivative(tangent, index)?.eps)
+    }
+
+    fn duplicate(&self) -> Box<dyn Running> {
+        Box::new(self.clone())
+    }
+}

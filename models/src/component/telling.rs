@@ -1,0 +1,359 @@
+//! A sheet from an outline: the run of the component on the recorder, and its results over the working range.
+
+use crate::calc::Calc;
+pub use crate::component::extreme::{between, fine};
+use crate::component::governing::{extremes, governing, sensitivity};
+use crate::component::outline::{Explained, Limit, Outline, Published, Section as Outlined, Told};
+use crate::component::part::{Face, Part};
+use crate::component::running::Running;
+use crate::component::stages::{Found, Stage, Use};
+use crate::component::standing::Standing;
+use crate::model::{Fault, Role, Type};
+use crate::motion::{Motion, Place};
+use crate::record::{Rec, only, record, steps};
+use crate::scene::Scene;
+use crate::sheet::{Check, Comparison, Curve, Section, Sheet, Summary, Table, Worked};
+use crate::symbol::Symbol;
+
+/// Whether the scene has a variable.
+#[must_use]
+pub fn exists(model: &Standing, symbol: &'static Symbol) -> bool {
+    model.variables().iter().any(|variable| variable.symbol == symbol)
+}
+
+/// Where the variables of a symbol stand: one, or as many as it is numbered to.
+fn indices(model: &Standing, symbol: &'static Symbol) -> Vec<usize> {
+    let variables = model.variables();
+    (0..variables.len())
+        .filter(|&index| variables[index].symbol == symbol)
+        .collect()
+}
+
+/// Variables at values of the coordinate; of a numbered one the first.
+///
+/// # Panics
+/// For variables that the scene does not have, and outside the checked range.
+pub fn sample(model: &mut Standing, symbols: &[&'static Symbol], places: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
+    let first = |symbol: &&'static Symbol| *indices(model, symbol).first().expect("a variable of this scene");
+    let indices: Vec<usize> = symbols.iter().map(first).collect();
+    values(model, &indices, places)
+}
+
+/// All variables of a symbol at a value of the coordinate.
+///
+/// # Panics
+/// As [`sample`].
+pub fn numbered(model: &mut Standing, symbol: &'static Symbol, at: f64) -> Vec<f64> {
+    let indices = indices(model, symbol);
+    values(model, &indices, std::iter::once(at)).remove(0)
+}
+
+fn values(model: &mut Standing, indices: &[usize], places: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
+    let row = |at: f64| {
+        model.set(0, at).expect("a place is finite");
+        indices
+            .iter()
+            .map(|&index| model.get(index).expect("the range was checked"))
+            .collect()
+    };
+    places.map(row).collect()
+}
+
+/// Runs formulas on the recorder, up to what each section explains: one run, in the order of the sections. Those of
+/// `before` are known and not told. Of several bodies one is told of, numbered from 1.
+fn run(
+    told: &dyn Told,
+    model: &Standing,
+    (at, of): (f64, Option<usize>),
+    before: &[Outlined],
+    sections: &[Outlined],
+) -> Vec<Section> {
+    let part = model.part();
+    let groups = part.groups();
+    let (trace, cuts) = record(|| {
+        only(of.map(|number| number - 1));
+        let mut face = told.recorder()(
+            part,
+            &mut |source, (symbol, _), value| match groups[usize::from(source.group)].1 {
+                Use::Coordinate => Rec::given(symbol, at),
+                _ => Rec::given(symbol, value),
+            },
+        );
+        let explain = |face: &mut dyn Face<Rec>, what: &Explained| match what {
+            Explained::Stage(id) => stage(part, id, face),
+            Explained::Row(symbol) => row(part, symbol, face),
+        };
+        // What a scene does not model, or where it does not exist, has no formulas.
+        let mut all = |list: &[Explained]| list.iter().for_each(|what| drop(explain(&mut *face, what)));
+        before.iter().for_each(|(_, list)| all(list));
+        let cut = |(id, list): &Outlined| {
+            let from = steps();
+            all(list);
+            (*id, from..steps())
+        };
+        sections.iter().map(cut).collect::<Vec<_>>()
+    });
+    let told = cuts.into_iter().filter(|(_, range)| !range.is_empty());
+    told.map(|(id, range)| Section {
+        id,
+        trace: trace.part(range),
+        drawing: None,
+        table: None,
+    })
+    .collect()
+}
+
+fn stage(part: &dyn Part, id: &str, face: &mut dyn Face<Rec>) -> Found<()> {
+    let exists = |place: u8| part.exists(place);
+    let named = |(place, stage): &(u8, &Stage)| stage.id == id && exists(*place);
+    match (0..).zip(part.stages()).find(named) {
+        Some((place, _)) => face.make(place),
+        None => Ok(()),
+    }
+}
+
+fn row(part: &dyn Part, symbol: &'static Symbol, face: &mut dyn Face<Rec>) -> Found<()> {
+    let mut value = Rec::constant(0.0);
+    match part.results().into_iter().find(|(_, (known, _))| *known == symbol) {
+        Some((slot, _)) => face.result(&slot, &mut value),
+        None => Ok(()),
+    }
+}
+
+/// All that a book says of a mechanism.
+#[must_use]
+pub fn sheet(scene: &Scene, told: &dyn Told) -> Sheet {
+    let (outline, mut model) = (told.outline(), told.standing());
+    let mut governing = governing(&model, outline);
+    governing.extend(told.searched());
+    let mut summary = summary(&mut model, outline.summary);
+    let mut checks = limits(told, governing.iter().chain(&summary));
+    checks.extend(told.identities(&mut model));
+    summary.extend(told.totals());
+    let positions = positions(told, model.motion(), &scene.book.positions, &governing);
+    let of = body(&mut model, outline, &governing);
+    let mut sheet = Sheet {
+        assumptions: told.assumptions(),
+        inputs: told.inputs(scene),
+        constants: constants(told, &model, of),
+        positions: positions
+            .into_iter()
+            .map(|(id, at)| worked(told, &model, id, at, of))
+            .collect(),
+        range: table(&mut model, outline.table),
+        curves: curves(told, &mut model),
+        drawing: told.drawing(),
+        checks,
+        published: published(told, &mut model),
+        published_source: told.published().map(|published| published.source.clone()),
+        summary,
+        sensitivity: sensitivity(&mut model, outline, &governing),
+        governing,
+        outputs: outputs(&model),
+        remarks: told.remarks(),
+        ..Sheet::default()
+    };
+    told.more(&mut model, &mut sheet);
+    sheet
+}
+
+/// Published values beside the computed ones.
+fn published(told: &dyn Told, model: &mut Standing) -> Vec<Comparison> {
+    let rows = told
+        .published()
+        .map_or(Vec::new(), |published| compared(published, model));
+    rows.into_iter()
+        .flat_map(|row| row.expect("checked when the scene was read"))
+        .collect()
+}
+
+/// Each row's values beside the computed ones; what the scene does not model is left out.
+pub fn compared(published: &Published, model: &mut Standing) -> Vec<Result<Vec<Comparison>, Fault>> {
+    let place = |symbol: &&'static Symbol| model.variables().iter().position(|variable| variable.symbol == *symbol);
+    let places: Vec<Option<usize>> = published.columns.iter().map(place).collect();
+    let mut row = |row: &Vec<String>| {
+        let at = row[0].parse::<f64>().unwrap_or(f64::NAN) * published.columns[0].display.factor;
+        model.set(0, at)?;
+        let cells = published.columns.iter().zip(&places).zip(row).skip(1);
+        let known = cells.filter_map(|((symbol, index), printed)| Some((symbol, (*index)?, printed)));
+        known
+            .map(|(symbol, index, printed)| {
+                Ok(Comparison {
+                    coordinate: at,
+                    symbol,
+                    printed: printed.clone(),
+                    value: model.get(index)?,
+                })
+            })
+            .collect()
+    };
+    published.rows.iter().map(&mut row).collect()
+}
+
+/// Of which of several bodies, numbered from 1, the formulas speak: of the one that governs at the worst position, else
+/// of the first. `None` where there are not several.
+fn body(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) -> Option<usize> {
+    let numbers = model
+        .variables()
+        .iter()
+        .filter(|variable| variable.role == Role::Output);
+    numbers.filter_map(|variable| variable.number).next()?;
+    let (_, symbol) = outline.worst;
+    let found = governing
+        .iter()
+        .find(|found| found.symbol == symbol)
+        .and_then(|found| found.at);
+    let extreme = outline.extremes.iter().find(|extreme| extreme.symbol == symbol);
+    let Some((extreme, (_, at))) = extreme.zip(found) else {
+        return Some(1);
+    };
+    let all = numbered(model, extreme.of, at);
+    let most = |best: usize, i: usize| {
+        if extreme.most.is_before(all[best], all[i]) {
+            i
+        } else {
+            best
+        }
+    };
+    Some(1 + (0..all.len()).fold(0, most))
+}
+
+/// Formulas that do not depend on the position.
+#[must_use]
+pub fn constants(told: &dyn Told, model: &Standing, of: Option<usize>) -> Vec<Section> {
+    run(told, model, (model.motion().from, of), &[], told.outline().constants)
+}
+
+/// The formulas at a position.
+#[must_use]
+pub fn worked(told: &dyn Told, model: &Standing, id: &'static str, at: f64, of: Option<usize>) -> Worked {
+    let Outline {
+        constants, sections, ..
+    } = told.outline();
+    Worked {
+        id,
+        coordinate: model.variables()[0].symbol,
+        value: at,
+        of,
+        sections: run(told, model, (at, of), constants, sections),
+    }
+}
+
+/// Positions at which the formulas are worked out, with their names: what the scene asks for, otherwise the worst.
+#[must_use]
+pub fn positions(told: &dyn Told, motion: &Motion, asked: &[Place], governing: &[Summary]) -> Vec<(&'static str, f64)> {
+    let middle = ("middle", f64::midpoint(motion.from, motion.to));
+    let greatest = |id: &str| governing.iter().find(|g| g.symbol.id == id)?.at;
+    let (name, symbol) = told.outline().worst;
+    let worst = greatest(symbol.id).map_or(middle, |(_, at)| (name, at));
+    let position = |place: &Place| match *place {
+        Place::At(at) => ("chosen", at),
+        Place::Named("governing") => worst,
+        Place::Named("middle") => middle,
+        Place::Named("from") => ("from", motion.from),
+        Place::Named("to") => ("to", motion.to),
+        Place::Named(id) => (id, greatest(id).expect("checked when the scene was read").1),
+    };
+    match asked {
+        [] => vec![worst],
+        places => places.iter().map(position).collect(),
+    }
+}
+
+/// Names of positions that a book may ask for. By its own type, since scenes are read without books, too.
+#[must_use]
+pub fn places(told: &impl Told, model: &Standing) -> Vec<&'static str> {
+    let extremes = extremes(model, told.outline()).map(|(extreme, _)| extreme.symbol.id);
+    let searched = told.searched().into_iter().map(|found| found.symbol.id);
+    ["governing", "from", "middle", "to"]
+        .into_iter()
+        .chain(extremes)
+        .chain(searched)
+        .collect()
+}
+
+/// Results over the working range, a row for each step of the scene.
+pub fn table(model: &mut Standing, columns: &[&'static Symbol]) -> Table {
+    let coordinate = model.variables()[0].symbol;
+    let columns: Vec<&'static Symbol> = std::iter::once(coordinate)
+        .chain(
+            columns
+                .iter()
+                .copied()
+                .filter(|symbol| *symbol != coordinate && exists(model, symbol)),
+        )
+        .collect();
+    let places = model.positions();
+    let rows = sample(model, &columns, places.into_iter());
+    Table { columns, rows }
+}
+
+/// Curves over the working range; none of a result that the scene does not have.
+pub fn curves(told: &dyn Told, model: &mut Standing) -> Vec<Curve> {
+    let coordinate = model.variables()[0].symbol;
+    let mut list = Vec::new();
+    for &(id, x, y) in told.outline().curves {
+        let x = x.unwrap_or(coordinate);
+        if y == coordinate || !exists(model, x) || !exists(model, y) {
+            continue;
+        }
+        let xs = indices(model, x);
+        let (mut pieces, mut numbers) = (Vec::new(), Vec::new());
+        for index in indices(model, y) {
+            let places = fine(model.motion());
+            let points = values(model, &[xs[0], index], places);
+            pieces.extend(told.pieces(id, points.into_iter().map(|point| [point[0], point[1]]).collect()));
+            numbers.extend(model.variables()[index].number.map(usize::from));
+        }
+        if !pieces.is_empty() {
+            list.push(Curve {
+                id,
+                x,
+                y,
+                pieces,
+                numbers,
+            });
+        }
+    }
+    list
+}
+
+/// Results against what the scene allows.
+#[must_use]
+pub fn limits<'a>(told: &dyn Told, results: impl Iterator<Item = &'a Summary> + Clone) -> Vec<Check> {
+    let check = |limit: &Limit| {
+        let value = results.clone().find(|result| result.symbol == limit.symbol)?.value;
+        Some(Check {
+            id: limit.id,
+            symbol: limit.symbol,
+            value,
+            limit: told.limit(limit.symbol)?,
+            at_most: limit.at_most,
+        })
+    };
+    told.outline().limits.iter().filter_map(check).collect()
+}
+
+/// Results of the whole range.
+pub fn summary(model: &mut Standing, symbols: &[&'static Symbol]) -> Vec<Summary> {
+    let mut list = Vec::new();
+    for &symbol in symbols {
+        let index = model.variables().iter().position(|variable| variable.symbol == symbol);
+        if let Some(value) = index.and_then(|index| model.get(index).ok()) {
+            list.push(Summary {
+                symbol,
+                value,
+                at: None,
+            });
+        }
+    }
+    list
+}
+
+/// What the running model gives, in its order.
+#[must_use]
+pub fn outputs(model: &Standing) -> Vec<&'static Symbol> {
+    let variables = model.variables().iter();
+    let told = variables.filter(|variable| variable.role == Role::Output && variable.kind == Type::Real);
+    told.map(|variable| variable.symbol).collect()
+}

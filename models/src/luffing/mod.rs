@@ -1,0 +1,6 @@
+//! What all luffing mechanisms have in common.
+
+pub mod balancing;
+pub mod counterweight;
+pub mod rope;
+pub mod scene;

@@ -1,0 +1,51 @@
+//! A balance on this boom, whose angle is the coordinate.
+
+use crate::balance::Fault;
+use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::boom::Plain;
+use crate::balance::scene::Form;
+use crate::calc::Calc;
+use crate::component::stages::Found;
+use crate::group::Group;
+use crate::luffing::balancing::{Balanced, Balancing, Criteria};
+use crate::luffing::rope::stages::Choice;
+use crate::luffing::rope::statics::{Hanging, Own};
+
+/// # Errors
+/// Quantities with which there is no such balance.
+pub fn balancing<C: Calc>(weights: &Plain<C>, form: &Form<C>, choice: &Choice) -> Result<Balancing<C>, Fault> {
+    let middle = f64::midpoint(choice.range.from, choice.range.to);
+    Balancing::new(form, middle, |phi| Ok(weights.load(phi).u_0))
+}
+
+/// # Errors
+/// A boom angle at which the balance cannot be.
+pub fn residual<C: Calc>(balancing: &Balancing<C>, own: &Own<C>, phi: &C) -> Result<Residual<C>, Fault> {
+    balancing.at(*phi, || own.load)
+}
+
+pub fn balanced<C: Calc>(residual: &Residual<C>, hanging: &Hanging<C>, own: &Own<C>) -> Balanced<C> {
+    Balanced::new(residual, hanging.m_q, [hanging.m_q, own.m_g], |_| None)
+}
+
+/// Over the working range, on plain numbers.
+///
+/// # Errors
+/// Where the balance cannot be over the whole range.
+pub fn analysed<C: Calc>(weights: &Plain<C>, form: &Form<C>, choice: &Choice) -> Found<Analysis> {
+    let weights = Group::map(weights, &mut |_, value| value.value());
+    let balancing = balancing(&weights, &Group::map(form, &mut |_, value| value.value()), choice)?;
+    let at = |phi: f64| balancing.at(phi, || weights.load(phi));
+    Ok(Analysis::over([choice.range.from, choice.range.to], &at)?)
+}
+
+/// # Errors
+/// As [`analysed`].
+pub fn criteria<C: Calc>(
+    balancing: &Balancing<C>,
+    weights: &Plain<C>,
+    found: &Analysis,
+    choice: &Choice,
+) -> Result<Criteria<C>, Fault> {
+    Criteria::new(found, &choice.range, &|phi| balancing.at(phi, || weights.load(phi)))
+}

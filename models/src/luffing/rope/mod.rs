@@ -1,0 +1,34 @@
+//! A plain boom on a luffing rope. [Ports001, 5.1, 5.2.3]
+//!
+//! ```text
+//!    E o ~ ~ ~ T, m_l falls ~ ~ o K    o A
+//!      |                      /   \  / |
+//!  B o |  ~ ~ S_h ~ ~ ~ ~ ~ / ~ ~ ~    | m_h falls
+//!      |                  /  l         Q
+//!      o O1 ── phi ───── x             axis at x = −X_8
+//! ```
+//!
+//! Angles counter-clockwise from the horizontal, x towards the load, y up. Moments of loads are positive where they lower
+//! the boom, the tackle's moment `M_D` where it raises it. The hoist drum rests while the boom luffs.
+//!
+//! | id | function | source |
+//! |---|---|---|
+//! | `rope.position` | [`position::Position::new`] | geometry |
+//! | `rope.tackle` | [`position::Falls::new`] | Ports001, 5.1 |
+//! | `rope.load_path` | [`position::Path::new`] | Ports001, 5.2.3 |
+//! | `rope.velocity` | [`velocity::Travel::new`] | Ports001, 5.2.3 |
+//! | `rope.load_moment` | [`statics::Hanging::new`] | Ports001, 5.2.3, by virtual work |
+//! | `rope.pull` | [`statics::Pull::new`] | Ports001, 5.1, by equilibrium |
+//! | `rope.losses` | [`losses::Losses::new`] | Ports001, 5.1 |
+//! | `rope.range` | [`crate::component::whole`] | Ports001, 5.2.3 |
+//! | `rope.fall_back` | [`crate::component::whole`] | Ports001, 5.1 |
+
+mod balancing;
+pub mod losses;
+pub mod position;
+pub mod scene;
+mod sheet;
+pub mod stages;
+pub mod statics;
+pub mod symbols;
+pub mod velocity;

@@ -1,0 +1,173 @@
+//! Where boom, tackle, hoist rope and load are.
+
+use crate::calc::Calc;
+use crate::component::stages::{Found, results};
+use crate::group::quantities;
+use crate::luffing::rope::stages::Choice;
+use crate::luffing::rope::symbols as s;
+use crate::model::Fault;
+use crate::motion::degrees;
+use crate::plane::{self, Point};
+use crate::symbol::Symbol;
+
+quantities! {
+    /// Boom, luffing tackle and hoist rope.
+    Rig {
+        l: L, f_a: F_A, x_8: X_8,
+        e_x: E_X, e_y: E_Y, s_k: S_K, chi_k: CHI_K, m_l: FALLS_L, eta_l: ETA_L,
+        b_x: B_X, b_y: B_Y, m_h: FALLS_H, eta_h: ETA_H, h_q: H_Q
+    }
+}
+
+/// The boom at one angle.
+#[derive(Clone, Copy, Debug)]
+pub struct Position<C> {
+    /// Unit vector along its line.
+    pub along: Point<C>,
+    /// Its head, in m from O1.
+    pub a: Point<C>,
+    /// Reach, in m.
+    pub r: C,
+}
+results! { Position as p => { A_X: p.a.x; A_Y: p.a.y; R: p.r; } }
+
+impl<C: Calc> Position<C> {
+    pub fn new(rig: &Rig<C>, phi: &C) -> Position<C> {
+        let (sin, cos) = phi.sin_cos();
+        let a = Point::new(rig.l * cos - rig.f_a * sin, rig.l * sin + rig.f_a * cos);
+        let a = plane::def(a, [&s::A_X, &s::A_Y]);
+        Position {
+            along: Point::new(cos, sin),
+            a,
+            r: (a.x + rig.x_8).def(&s::R),
+        }
+    }
+}
+
+/// A taut rope from a point of the boom to one of the frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Line<C> {
+    /// From the boom to the frame, in m.
+    pub line: Point<C>,
+    pub length: C,
+    /// Lever arm about O1, in m: what the length loses for one radian of the boom.
+    pub arm: C,
+}
+
+impl<C: Calc> Line<C> {
+    /// With the names of its components, its length and its arm.
+    ///
+    /// # Errors
+    /// Both ends in one place: no line to pull along.
+    fn new(from: Point<C>, to: Point<C>, [x, y, length, arm]: [&'static Symbol; 4]) -> Found<Line<C>> {
+        let reach = |point: Point<C>| point.x.value().abs() + point.y.value().abs();
+        let line = plane::def(to - from, [x, y]);
+        let long = plane::length(line).def(length);
+        if long.value() <= 4.0 * f64::EPSILON * (reach(from) + reach(to)) {
+            let message = format!("{} = 0 m: its ends meet, there is no line to pull along", length.id);
+            return Err(Box::new(Fault::outside(message)));
+        }
+        Ok(Line {
+            line,
+            length: long,
+            arm: (plane::cross(from, line) / long).def(arm),
+        })
+    }
+
+    /// Force on the boom, in N, of a pull along it.
+    pub fn force(&self, pull: C) -> Point<C> {
+        Point::new(pull * self.line.x / self.length, pull * self.line.y / self.length)
+    }
+}
+
+/// The luffing rig.
+#[derive(Clone, Copy, Debug)]
+pub struct Falls<C> {
+    pub line: Line<C>,
+    /// Rope in all falls, in m.
+    l_l: C,
+}
+results! { Falls as t => { L_T: t.line.length; H_T: t.line.arm; L_L: t.l_l; } }
+
+impl<C: Calc> Falls<C> {
+    /// [Ports001, 5.1]
+    ///
+    /// # Errors
+    /// A tackle of no length, one that would have to push.
+    pub fn new(rig: &Rig<C>, position: &Position<C>, phi: &C) -> Found<Falls<C>> {
+        let (sin, cos) = rig.chi_k.sin_cos();
+        let k = plane::turned(position.along, rig.s_k * cos, rig.s_k * sin);
+        let k = plane::def(k, [&s::K_X, &s::K_Y]);
+        let names = [&s::L_TX, &s::L_TY, &s::L_T, &s::H_T];
+        let line = Line::new(k, Point::new(rig.e_x, rig.e_y), names)?;
+        if line.arm.value() <= 4.0 * f64::EPSILON * line.length.value() {
+            return Err(Box::new(Fault::outside(format!(
+                "phi = {}: the luffing tackle passes below the boom's foot, it would have to push to raise the boom; \
+                 set E higher or farther back, or lower the boom less",
+                degrees(phi.value())
+            ))));
+        }
+        let l_l = (rig.m_l * line.length).def(&s::L_L);
+        Ok(Falls { line, l_l })
+    }
+}
+
+/// The hoist rope between head and sheave.
+#[derive(Clone, Copy, Debug)]
+pub struct Stretch<C>(pub Line<C>);
+results! { Stretch as r => { L_S: r.0.length; H_S: r.0.arm; } }
+
+impl<C: Calc> Stretch<C> {
+    /// # Errors
+    /// The head in the sheave.
+    pub fn new(rig: &Rig<C>, position: &Position<C>) -> Found<Stretch<C>> {
+        let names = [&s::L_SX, &s::L_SY, &s::L_S, &s::H_S];
+        Line::new(position.a, Point::new(rig.b_x, rig.b_y), names).map(Stretch)
+    }
+}
+
+/// Where the load hangs at the start of the working range.
+#[derive(Clone, Copy, Debug)]
+pub struct Level<C> {
+    /// Height of the load less that of the head, in m, were there no rope between head and sheave.
+    c_q: C,
+    /// Height of the load at the start, in m.
+    start: C,
+}
+results! { Level as l => { C_Q: l.c_q; } }
+
+impl<C: Calc> Level<C> {
+    /// h_Q below the head. [Ports001, 5.2.3]
+    ///
+    /// # Errors
+    /// As [`Stretch::new`].
+    pub fn new(rig: &Rig<C>, choice: &Choice) -> Found<Level<C>> {
+        let there = Position::new(rig, &C::constant(choice.range.from));
+        let stretch = Stretch::new(rig, &there)?;
+        Ok(Level {
+            c_q: (-rig.h_q - stretch.0.length / rig.m_h).def(&s::C_Q),
+            start: (there.a.y - rig.h_q).def(&s::Y_Q),
+        })
+    }
+}
+
+/// The load with the hoist drum at rest: what the stretch between head and sheave loses goes into the falls below the
+/// head.
+#[derive(Clone, Copy, Debug)]
+pub struct Path<C> {
+    /// Height of the load, in m.
+    pub y_q: C,
+    l_h: C,
+}
+results! { Path as p => { Y_Q: p.y_q; L_H: p.l_h; } }
+
+impl<C: Calc> Path<C> {
+    /// y_Q = y_A + |A − B| / m_h + const. [Ports001, 5.2.3]
+    pub fn new(rig: &Rig<C>, level: &Level<C>, position: &Position<C>, stretch: &Stretch<C>) -> Path<C> {
+        let y_q = (position.a.y + stretch.0.length / rig.m_h + level.c_q).def(&s::Y_Q);
+        Path {
+            y_q,
+            l_h: (rig.m_h * (level.start - y_q)).def(&s::L_H),
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! The boom as a component: what it is given, and in which stages its equations follow from each other.
+
+use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::boom::Plain;
+use crate::balance::scene::Form;
+use crate::component::part::{Component, Port};
+use crate::component::stages::{Found, stages};
+use crate::component::whole::Whole;
+use crate::group::{One, group};
+use crate::luffing::balancing::{Balanced, Balancing, Criteria};
+use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
+use crate::luffing::rope::losses::Losses;
+use crate::luffing::rope::position::{Falls, Level, Path, Position, Rig, Stretch};
+use crate::luffing::rope::statics::{Carried, Hanging, Own, Power, Pull};
+use crate::luffing::rope::symbols as s;
+use crate::luffing::rope::velocity::{Speeds, Travel};
+use crate::motion::Motion;
+use crate::symbol::Symbol;
+
+/// What the scene has chosen.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice {
+    /// Working range of the boom.
+    pub range: Motion,
+}
+group!(Choice);
+
+stages! {
+    /// A plain boom on a luffing rope.
+    RopeBoom over C from {
+        Coordinate phi: One<C>,
+        Rate omega: One<C>,
+        Load load: Option<One<C>>,
+        Parameter rig: Rig<C>,
+        Parameter weights: Option<Plain<C>>,
+        Parameter balance: Option<Form<C>>,
+        Fixed choice: Choice,
+    } find {
+        level: Level<C> = Level::new(rig, choice);
+        position: Position<C> = Position::new(rig, phi);
+        falls: Falls<C> = Falls::new(rig, position, phi);
+        stretch: Stretch<C> = Stretch::new(rig, position);
+        path: Path<C> = Path::new(rig, level, position, stretch);
+        travel: Travel<C> = Travel::new(rig, position, stretch);
+        speeds: Speeds<C> = Speeds::new(rig, travel, falls, omega);
+        hanging: Hanging<C> = Hanging::new(rig, load[!], travel);
+        own: Own<C> = Own::new(weights[!], phi);
+        balancing: Balancing<C> = balancing(weights[!], balance[!], choice);
+        residual: Residual<C> = residual(balancing, own, phi);
+        balanced: Balanced<C> = balanced(residual, hanging, own);
+        carried: Carried<C> = Carried::new(position, load[!], own[?], residual[?]);
+        pull: Pull<C> = Pull::new(carried, hanging, position, falls, stretch);
+        power: Power<C> = Power::new(rig, pull, speeds);
+        losses: Losses<C> = Losses::new(rig, load[!], carried, falls, stretch);
+        analysed: Analysis = analysed(weights[!], balance[!], choice), plain;
+        criteria: Criteria<C> = criteria(balancing, weights[!], analysed, choice);
+    }
+}
+
+impl Component for RopeBoom {
+    const WHOLE: &'static [Whole] = &[
+        Whole::greatest(&s::R_MAX, &s::R),
+        Whole::least(&s::R_MIN, &s::R),
+        Whole::swing(&s::DELTA_Y, &s::Y_Q),
+        Whole::ratio(&s::EPSILON_Y, &s::Y_Q, &s::R),
+        Whole::swing(&s::STROKE, &s::L_T),
+        Whole::swing(&s::L_LD, &s::L_L),
+        Whole::vanishes(&s::PHI_T, &s::M_D, None),
+        Whole::vanishes(&s::PHI_T0, &s::M_D, Some((&s::Q, 0.0))),
+    ];
+
+    const PORTS: &'static [Port] = &[
+        Port {
+            name: "head",
+            text: "Head A of the boom, where the load hangs.",
+            members: &[
+                (&s::A_X, "x"),
+                (&s::A_Y, "y"),
+                (&s::V_AX, "v_x"),
+                (&s::V_AY, "v_y"),
+                (&s::Q, "f"),
+            ],
+            driven: &[],
+        },
+        Port {
+            name: "drum",
+            text: "Drum of the luffing rope.",
+            members: &[(&s::V_L, "v"), (&s::S_L_UP, "f"), (&s::P_L, "p")],
+            driven: &[],
+        },
+    ];
+
+    /// A balance has what its kind has, and the tackle's force is told otherwise.
+    fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        symbol != &crate::balance::symbols::F_D_0 && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+    }
+
+    fn update(known: &mut Known<f64>) -> Found<()> {
+        known.falls().map(|_| ())
+    }
+}

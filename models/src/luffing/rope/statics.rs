@@ -1,0 +1,131 @@
+//! Moments about the boom's foot, the tackle's pull and the foot's reaction; all without losses.
+
+use crate::balance::analysis::Residual;
+use crate::balance::boom::{Load, Plain};
+use crate::calc::Calc;
+use crate::component::stages::results;
+use crate::luffing::rope::position::{Falls, Position, Rig, Stretch};
+use crate::luffing::rope::symbols as s;
+use crate::luffing::rope::velocity::{Speeds, Travel};
+use crate::plane::{self, Point};
+
+/// The load on its ropes.
+#[derive(Clone, Copy, Debug)]
+pub struct Hanging<C> {
+    /// Moment about O1 by virtual work, in N·m; positive lowers the boom.
+    pub m_q: C,
+    /// Pull of the hoist rope, in N.
+    s_h: C,
+}
+results! { Hanging as h => { M_Q: h.m_q; S_H: h.s_h; } }
+
+impl<C: Calc> Hanging<C> {
+    /// M_Q = Q dy_Q/dphi [Ports001, 5.2.3]; S_h = Q / m_h [Ports001, 5.1]
+    pub fn new(rig: &Rig<C>, q: &C, travel: &Travel<C>) -> Hanging<C> {
+        Hanging {
+            m_q: (*q * travel.y_q).def(&s::M_Q),
+            s_h: (*q / rig.m_h).def(&s::S_H),
+        }
+    }
+}
+
+/// The boom's own weight.
+#[derive(Clone, Copy, Debug)]
+pub struct Own<C> {
+    pub load: Load<C>,
+    /// Moment about O1, in N·m; positive lowers the boom.
+    pub m_g: C,
+    g_b: C,
+}
+results! { Own as w => { M_G: w.m_g; } }
+
+impl<C: Calc> Own<C> {
+    /// [Ports001, 5.1]
+    pub fn new(weights: &Plain<C>, phi: &C) -> Own<C> {
+        let load = weights.load(*phi);
+        Own {
+            load,
+            m_g: (-load.m_0).def(&s::M_G),
+            g_b: weights.g_b,
+        }
+    }
+}
+
+/// What load, own weight and balance ask of both ropes, whichever way these run.
+#[derive(Clone, Copy, Debug)]
+pub struct Carried<C> {
+    /// Moment about O1, in N·m; positive lowers the boom.
+    pub m_w: C,
+    /// Their force on the boom, in N.
+    force: Point<C>,
+}
+results! { Carried; }
+
+impl<C: Calc> Carried<C> {
+    /// G_b r_b cos phi + Q x_A [Ports001, 5.1], less what a balance carries.
+    pub fn new(position: &Position<C>, q: &C, own: Option<&Own<C>>, residual: Option<&Residual<C>>) -> Carried<C> {
+        let load = *q * position.a.x;
+        let m_w = own.map_or(load, |own| load + own.m_g);
+        let m_w = residual.map_or(m_w, |left| m_w - left.action.m_b);
+        let weight = Point::new(C::constant(0.0), -own.map_or(*q, |own| *q + own.g_b));
+        Carried {
+            m_w: m_w.def(&s::M_W),
+            force: residual.map_or(weight, |left| weight + left.action.on_boom),
+        }
+    }
+
+    /// Moment that is left for the luffing tackle, in N·m, with a pull `s_h` (N) of the hoist rope.
+    pub fn left(&self, stretch: &Stretch<C>, s_h: C) -> C {
+        self.m_w - s_h * stretch.0.arm
+    }
+}
+
+/// The luffing tackle holds the boom.
+#[derive(Clone, Copy, Debug)]
+pub struct Pull<C> {
+    /// In N·m; positive raises the boom.
+    pub m_d: C,
+    /// In N; negative where the rope is slack.
+    pub t: C,
+    /// Force of the frame on the boom, in N.
+    foot: Point<C>,
+    /// Axial force at the foot, in N, tension positive.
+    n_b: C,
+}
+results! { Pull as p => {
+    M_D: p.m_d;
+    T: p.t;
+    F_O1X: p.foot.x;
+    F_O1Y: p.foot.y;
+    N_B: p.n_b;
+} }
+
+impl<C: Calc> Pull<C> {
+    /// Equilibrium of the boom: T h_T = G_b r_b cos phi + Q x_A − S_h h_S. [Ports001, 5.1]
+    pub fn new(
+        carried: &Carried<C>,
+        hanging: &Hanging<C>,
+        position: &Position<C>,
+        falls: &Falls<C>,
+        stretch: &Stretch<C>,
+    ) -> Pull<C> {
+        let m_d = carried.left(stretch, hanging.s_h).def(&s::M_D);
+        let t = (m_d / falls.line.arm).def(&s::T);
+        let ropes = falls.line.force(t) + stretch.0.force(hanging.s_h);
+        let foot = plane::def(-(carried.force + ropes), [&s::F_O1X, &s::F_O1Y]);
+        let n_b = (-plane::dot(foot, position.along)).def(&s::N_B);
+        Pull { m_d, t, foot, n_b }
+    }
+}
+
+/// Power of the luffing rope at its drum, in W; positive where the drum gives it.
+#[derive(Clone, Copy, Debug)]
+pub struct Power<C>(C);
+results! { Power as p => { P_L: p.0; } }
+
+impl<C: Calc> Power<C> {
+    /// T / m_l in the rope, at its speed.
+    pub fn new(rig: &Rig<C>, pull: &Pull<C>, speeds: &Speeds<C>) -> Power<C> {
+        Power((pull.t / rig.m_l * speeds.v_l).def(&s::P_L))
+    }
+}

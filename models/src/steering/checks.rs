@@ -1,0 +1,115 @@
+//! What the book checks of the steering.
+
+use crate::component::governing::most;
+use crate::component::outline::{Greatest, Most};
+use crate::component::standing::Standing;
+use crate::component::telling::{between, fine};
+use crate::plane;
+use crate::sheet::{Check, Summary};
+use crate::steering::built::Built;
+use crate::steering::centre::residual;
+use crate::steering::cylinder::Linkage;
+use crate::steering::drawing::Stance;
+use crate::steering::limits::Limits;
+use crate::steering::mode::Mode;
+use crate::steering::parts::{Parts, heaviest};
+use crate::steering::published::printed;
+use crate::steering::ring::Duty;
+use crate::steering::scene::Steering;
+use crate::steering::symbols as s;
+use crate::steering::views::example;
+use crate::symbol::Symbol;
+
+/// Whether the axle lines meet, the parts suffice, the tyres roll.
+pub fn checks(
+    steering: &Steering,
+    built: &Built,
+    parts: &Parts,
+    model: &Standing,
+    governing: &[Summary],
+) -> Vec<Check> {
+    let given = &steering.given;
+    let mut checks = Vec::new();
+    let mut add = |id, symbol: &'static Symbol, value: Option<f64>, limit: f64, at_most| {
+        checks.extend(value.map(|value| Check {
+            id,
+            symbol,
+            value,
+            limit,
+            at_most,
+        }));
+    };
+    add("axle_lines", &s::E_O, Some(astray(steering, built)), 1e-12, true);
+    add("published_angles", &s::AGREEMENT, printed(&built.machine), 1e-12, true);
+    let lever = built.direct().map(|(linkage, _)| lever_arm(linkage, &built.limits[0]));
+    add("lever_arm", &s::AGREEMENT, lever, 1e-9, true);
+    add("stroke_out", &s::M_OUT, parts.found(&s::M_OUT), 0.0, false);
+    add("stroke_in", &s::M_IN, parts.found(&s::M_IN), 0.0, false);
+    if let Some((least, piston)) = parts.found(&s::D_G_MIN).zip(given.piston) {
+        add("bore", &s::D_G, Some(piston.d_g), least, false);
+    }
+    if let Some(bears) = parts.found(&s::F_K) {
+        add("buckling", &s::F_G_MAX, parts.found(&s::F_G_MAX), bears, true);
+    }
+    if let Some(pace) = given.pace {
+        let fastest = most(model, &Greatest::new(&s::V_C_WORK, Most::Amount, &s::V_C));
+        add(
+            "cylinder_speed",
+            &s::V_C_WORK,
+            fastest.map(|found| found.value.abs()),
+            pace.speed,
+            true,
+        );
+    }
+    if let Some(limit) = steering.slip_limit {
+        let slip = governing.iter().find(|found| found.symbol == &s::SLIP_WORK);
+        add("slip", &s::SLIP_WORK, slip.map(|found| found.value), limit, true);
+    }
+    if let Some([ring, bolts]) = ring(steering) {
+        add("ring", &s::RING_USE, Some(ring), 1.0, true);
+        add("bolts", &s::BOLT_USE, Some(bolts), 1.0, true);
+    }
+    checks
+}
+
+/// Greatest distance, in m, at which an axle line passes the turning centre, over the working range and in every mode.
+fn astray(steering: &Steering, built: &Built) -> f64 {
+    let at = |theta_b: f64| {
+        let mut given = steering.given.clone();
+        given.theta_b.1 = theta_b;
+        given
+    };
+    let examples = Mode::ALL.into_iter().filter_map(|mode| example(steering, built, mode));
+    let stances = fine(&steering.motion).map(at).chain(examples);
+    let farthest = |given| {
+        let stance = Stance::new(given).expect("checked when the scene was read");
+        let groups = built.machine.groups.iter().zip(&stance.wheels);
+        let each = groups.map(|(p, [theta, _])| residual(&stance.centre, *p, *theta).abs());
+        each.fold(0.0, f64::max)
+    };
+    stances.map(farthest).fold(0.0, f64::max)
+}
+
+/// Greatest difference between the lever arm and the slope of the length over the angle, over the arm.
+fn lever_arm(linkage: &Linkage<f64>, limits: &Limits) -> f64 {
+    const STEP: f64 = 1e-4;
+    let difference = |theta: f64| {
+        let l = |n: f64| linkage.at_angle(theta + n * STEP).l;
+        // A central difference of order six.
+        let slope = (45.0 * (l(1.0) - l(-1.0)) - 9.0 * (l(2.0) - l(-2.0)) + (l(3.0) - l(-3.0))) / (60.0 * STEP);
+        (slope - linkage.at_angle(theta).od).abs() / plane::length(linkage.c)
+    };
+    between(limits.min, limits.max).map(difference).fold(0.0, f64::max)
+}
+
+/// How far the ring of the scene's catalogue with the scene's raceway is used, and
+/// its bolts; the first that bears the load where none has this raceway.
+fn ring(steering: &Steering) -> Option<[f64; 2]> {
+    let (catalogue, bearing) = (steering.catalogue.as_ref()?, steering.given.bearing?);
+    let duty = Duty::new(&bearing, &steering.safety?, heaviest(steering)?);
+    let chosen = catalogue.rings.iter().find(|ring| ring.d_l == bearing.d_l);
+    let chosen = chosen
+        .or_else(|| catalogue.choose(&duty).ok())
+        .or(catalogue.rings.last())?;
+    Some(chosen.use_of(&duty).unwrap_or([f64::INFINITY; 2]))
+}

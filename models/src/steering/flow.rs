@@ -1,0 +1,58 @@
+//! Speed of the steering cylinders, and the oil that they take.
+
+use crate::calc::Calc;
+use crate::component::stages::results;
+use crate::group::quantities;
+use crate::steering::cylinder::Pose;
+use crate::steering::symbols as s;
+use crate::steering::travel::Rate;
+
+quantities! {
+    /// Bore and rod of a steering cylinder, in m.
+    Piston { d_g: D_G, d: D }
+}
+
+/// Speed of a group's cylinder, in m/s, lengthening positive.
+#[derive(Clone, Copy, Debug)]
+pub struct Stroke<C>(pub C);
+results! { each Stroke as v => { V_C: v.0; } }
+
+impl<C: Calc> Stroke<C> {
+    pub fn new(rate: &Rate<C>, pose: &Pose<C>) -> Stroke<C> {
+        Stroke((rate.0 * pose.od).def(&s::V_C))
+    }
+}
+
+/// Oil flow to a cylinder, in m³/s, at its speed (m/s): on the bore where it
+/// lengthens, on the annulus (negative) where it shortens.
+pub fn flow<C: Calc>(piston: &Piston<C>, speed: C) -> C {
+    let quarter = C::constant(std::f64::consts::FRAC_PI_4);
+    let area = if speed.value() < 0.0 {
+        quarter * (piston.d_g.square() - piston.d.square())
+    } else {
+        quarter * piston.d_g.square()
+    };
+    (area.def(&s::A_G) * speed).def(&s::Q_G)
+}
+
+/// Oil flow to a group's cylinder, in m³/s; negative where it shortens.
+#[derive(Clone, Copy, Debug)]
+pub struct Flow<C>(pub C);
+results! { each Flow as q => { Q_G: q.0; } }
+
+impl<C: Calc> Flow<C> {
+    pub fn new(piston: &Piston<C>, stroke: &Stroke<C>) -> Flow<C> {
+        Flow(flow(piston, stroke.0))
+    }
+}
+
+/// Oil flow of all cylinders together, by amount.
+#[derive(Clone, Copy, Debug)]
+pub struct Total<C>(pub C);
+results! { Total as q => { Q_SUM: q.0; } }
+
+impl<C: Calc> Total<C> {
+    pub fn new(flows: &[Flow<C>]) -> Total<C> {
+        Total(flows.iter().fold(C::constant(0.0), |sum, flow| sum + flow.0.abs()))
+    }
+}

@@ -1,0 +1,188 @@
+//! How the parts of the steering are chosen, in the book. [Zhang2016, 4-6]
+
+use crate::calc::Calc;
+use crate::record::{Rec, record};
+use crate::sheet::{Changes, Section, Summary};
+use crate::steering::built::Built;
+use crate::steering::demand::{Demand, greatest_demand};
+use crate::steering::limits::Limits;
+use crate::steering::load::resistance;
+use crate::steering::mode::Mode;
+use crate::steering::ring::{Duty, friction};
+use crate::steering::scene::Steering;
+use crate::steering::sizing::{BORES, EXAMPLE_STROKES, Rod, bore, buckling, choose_stroke, next, pump, relief};
+use crate::steering::symbols as s;
+use crate::symbol::Symbol;
+
+/// What the parts are chosen by.
+pub struct Parts {
+    /// The greatest simultaneous oil flow of each mode that an angle commands.
+    pub demands: Vec<(Mode, Demand)>,
+    /// Formulas of what is chosen.
+    pub sections: Vec<Section>,
+}
+
+impl Parts {
+    #[must_use]
+    pub fn new(steering: &Steering, built: &Built, changes: Option<&Changes>) -> Parts {
+        let mut parts = Parts {
+            demands: demands(steering, built),
+            sections: Vec::new(),
+        };
+        let pumped = parts.pumped(changes);
+        parts.choose(steering, built, pumped);
+        parts
+    }
+
+    /// The greatest of all modes.
+    #[must_use]
+    pub fn greatest(&self) -> Option<&Demand> {
+        let demands = self.demands.iter().map(|(_, demand)| demand);
+        demands.max_by(|a, b| a.flow.total_cmp(&b.flow))
+    }
+
+    /// What the pump must deliver: the greatest flow of steering or, where that is more, of a change of mode.
+    fn pumped(&self, changes: Option<&Changes>) -> Option<(&'static Symbol, f64)> {
+        let changing = changes.into_iter().flat_map(|changes| &changes.rows);
+        let changing = changing.filter_map(|change| Some((&s::Q_X_MAX, change.flow?)));
+        let steering = self.greatest().map(|demand| (&s::Q_MAX, demand.flow));
+        let all = steering.into_iter().chain(changing);
+        all.reduce(|a, b| if b.1 > a.1 { b } else { a })
+    }
+
+    fn section(&mut self, id: &'static str, equations: impl FnOnce()) {
+        let (trace, ()) = record(equations);
+        self.sections.push(Section {
+            id,
+            trace,
+            drawing: None,
+            table: None,
+        });
+    }
+
+    /// The value that the formulas find.
+    #[must_use]
+    pub fn found(&self, symbol: &'static Symbol) -> Option<f64> {
+        let mut steps = self
+            .sections
+            .iter()
+            .rev()
+            .flat_map(|section| section.trace.steps.iter().rev());
+        steps.find(|step| step.symbol == symbol).map(|step| step.value)
+    }
+
+    fn choose(&mut self, steering: &Steering, built: &Built, pumped: Option<(&'static Symbol, f64)>) {
+        let of = Rec::given;
+        let given = &steering.given;
+        let load = heaviest(steering);
+        if let Some(((load, bearing), safety)) = load.zip(given.bearing).zip(steering.safety) {
+            self.section("ring", || {
+                let _ = Duty::new(&bearing.map(&mut { of }), &safety.map(&mut { of }), of(&s::G_MAX, load));
+            });
+        }
+        let Some(([longest, shortest, od_min], cylinder)) = extremes(built).zip(given.cylinder) else {
+            return;
+        };
+        self.section("stroke", || {
+            let cylinder = cylinder.map(&mut { of });
+            let _ = cylinder.stroke_margins(of(&s::R_LONG, longest), of(&s::R_SHORT, shortest));
+        });
+        let Some((load, tyre)) = load.zip(given.tyre) else {
+            return;
+        };
+        self.section("force", || {
+            let load = of(&s::G_MAX, load);
+            let standing = resistance(&tyre.map(&mut { of }), load).standing;
+            let moment = match given.bearing {
+                Some(bearing) => standing + friction(&bearing.map(&mut { of }), load),
+                None => standing,
+            };
+            let _ = (moment.def(&s::T_G_MAX) / of(&s::OD_MIN, od_min)).def(&s::F_G_MAX);
+        });
+        let force = self.found(&s::F_G_MAX).unwrap_or(0.0);
+        let Some((h, piston)) = steering.hydraulics.zip(given.piston) else {
+            return;
+        };
+        self.section("bore", || {
+            let _ = bore(of(&s::F_G_MAX, force), of(&s::P, h.p), of(&s::D, piston.d));
+        });
+        if let Some((symbol, flow)) = pumped {
+            self.section("pump", || {
+                let _ = pump(of(symbol, flow), of(&s::N, h.n), of(&s::ETA, h.eta));
+                let _ = relief(of(&s::P, h.p), of(&s::K_R, h.k_r));
+            });
+        }
+        self.section("buckling", || {
+            let _ = buckling(&Rod {
+                e: of(&s::E, h.e),
+                d: of(&s::D, piston.d),
+                l_k: of(&s::R_LONG, longest),
+                nu: of(&s::NU, h.nu),
+            });
+        });
+    }
+
+    /// What the choice comes to.
+    #[must_use]
+    pub fn summary(&self, steering: &Steering, built: &Built) -> Vec<Summary> {
+        let bore = self.found(&s::D_G_MIN).and_then(|least| next(&BORES, least).ok());
+        let stroke = steering.given.cylinder.and_then(|cylinder| {
+            let groups = built.limits.iter().zip(&steering.given.mounts);
+            let needed = groups.map(|(limits, mount)| {
+                // A mirrored cylinder turns the other way.
+                let limits = match mount.mirrored {
+                    true => Limits::new(-limits.max, -limits.min, Vec::new()).ok()?,
+                    false => limits.clone(),
+                };
+                choose_stroke(&cylinder, &limits, &EXAMPLE_STROKES).ok()
+            });
+            needed.reduce(|a, b| Some(a?.max(b?)))?
+        });
+        let found = [&s::D_G_MIN, &s::V_P, &s::P_R, &s::F_K].map(|symbol| (symbol, self.found(symbol)));
+        let found = found.into_iter().chain([(&s::D_G_NEXT, bore), (&s::L_X_NEXT, stroke)]);
+        let summary = |(symbol, value): (&'static Symbol, Option<f64>)| {
+            value.map(|value| Summary {
+                symbol,
+                value,
+                at: None,
+            })
+        };
+        found.filter_map(summary).collect()
+    }
+}
+
+/// A flow with the commanded angle at which it is asked for.
+#[must_use]
+pub fn demanded(symbol: &'static Symbol, demand: &Demand) -> Summary {
+    Summary {
+        symbol,
+        value: demand.flow,
+        at: Some((&s::THETA_B, demand.at)),
+    }
+}
+
+fn demands(steering: &Steering, built: &Built) -> Vec<(Mode, Demand)> {
+    let Some(piston) = steering.given.piston else {
+        return Vec::new();
+    };
+    let modes = [Mode::Crab, Mode::FrontAxle, Mode::RearAxle, Mode::AllWheel];
+    let found = modes.into_iter().filter_map(|mode| {
+        let demand = greatest_demand(built, &piston, mode, steering.motion.speed);
+        Some((mode, demand.ok().filter(|demand| demand.flow > 0.0)?))
+    });
+    found.collect()
+}
+
+/// Ends and smallest lever arm of all cylinders over their groups' ranges.
+fn extremes(built: &Built) -> Option<[f64; 3]> {
+    let each = built.linkages.iter().zip(&built.limits);
+    let each = each.map(|(linkage, limits)| linkage.over(limits).expect("checked when the scene was read"));
+    each.map(|e| [e.longest, e.shortest, e.od_min])
+        .reduce(|[a, b, c], [d, e, f]| [a.max(d), b.min(e), c.min(f)])
+}
+
+/// Greatest load of a group, in N.
+#[must_use]
+pub fn heaviest(steering: &Steering) -> Option<f64> {
+    steering.given.loads.iter().map(|load| load.g).reduce(f64::max)
+}

@@ -1,0 +1,211 @@
+//! The plain boom on a luffing rope: a hand calculation, virtual work against equilibrium at random, and limits.
+
+use lemnis_models::calc::Calc;
+use lemnis_models::component::running::Model;
+use lemnis_models::scene::Scene;
+use lemnis_models::sheet::sheet;
+use proptest::prelude::*;
+
+const READY: &str = include_str!("../scenes/rope_luffing.toml");
+
+/// A boom of 30 m whose head lies on its line, over round numbers.
+fn text(change: &[(&str, &str)]) -> String {
+    let mut keys = vec![
+        ("l", "30 m"),
+        ("X_8", "2 m"),
+        ("Q", "100 kN"),
+        ("E_x", "-5 m"),
+        ("E_y", "12 m"),
+        ("s_K", "30 m"),
+        ("m_l", "6"),
+        ("eta_l", "0.9"),
+        ("B_x", "0 m"),
+        ("B_y", "10 m"),
+        ("m_h", "2"),
+        ("eta_h", "0.95"),
+        ("h_Q", "15 m"),
+        ("G_b", "60 kN"),
+        ("r_b", "14 m"),
+        ("from", "30 deg"),
+        ("to", "75 deg"),
+    ];
+    for (name, value) in change {
+        let key = keys.iter_mut().find(|(known, _)| known == name).expect("a key");
+        key.1 = value;
+    }
+    let line = |names: &[&str]| -> String {
+        let given = keys
+            .iter()
+            .filter(|(name, value)| names.contains(name) && !value.is_empty());
+        given.map(|(name, value)| format!("{name} = \"{value}\"\n")).collect()
+    };
+    format!(
+        "name = \"Rope\"\ntitle = \"Rope\"\n[luffing]\nkind = \"rope\"\n{}[luffing.tackle]\n{}[luffing.hoist_rope]\n{}\
+         [luffing.weights]\n{}[luffing.motion]\n{}step = \"1 deg\"\nspeed = \"1 deg/s\"\n",
+        line(&["l", "X_8", "Q"]),
+        line(&["E_x", "E_y", "s_K", "m_l", "eta_l"]),
+        line(&["B_x", "B_y", "m_h", "eta_h", "h_Q"]),
+        line(&["G_b", "r_b"]),
+        line(&["from", "to"])
+    )
+}
+
+fn scene(change: &[(&str, &str)]) -> Scene {
+    Scene::parse(&text(change)).unwrap_or_else(|found| panic!("{found:?}"))
+}
+
+fn index(model: &Model, name: &str) -> usize {
+    let found = model.variables().iter().position(|variable| variable.name() == name);
+    found.unwrap_or_else(|| panic!("no {name}"))
+}
+
+fn at(model: &mut Model, degrees: f64, name: &str) -> f64 {
+    model.set(0, degrees.to_radians()).expect("an angle");
+    let index = index(model, name);
+    model.get(index).expect("exists")
+}
+
+/// Straight lines and lever arms by coordinates, at 30° and 60°.
+#[test]
+fn by_hand() {
+    let mut model = scene(&[]).model().expect("exists");
+    // A = K = 30 (cos 30°, sin 30°) = (25.980762, 15). E = (−5, 12): line K–E = (−30.980762, −3),
+    // length √(959.807621 + 9) = 31.125675 m; arm (25.980762 · (−3) − 15 · (−30.980762)) / 31.125675
+    //   = (−77.942286 + 464.711432) / 31.125675 = 12.426046 m.
+    // B = (0, 10): line A–B = (−25.980762, −5), length √(675 + 25) = 26.457513 m;
+    //   arm (25.980762 · (−5) − 15 · (−25.980762)) / 26.457513 = (−129.903811 + 389.711432) / 26.457513 = 9.819805 m.
+    // Moment 60 kN · 14 m · cos 30° = 727.461339, load 100 · 25.980762 = 2598.076211 kN·m, hoist rope 50 · 9.819805.
+    // T = (727.461339 + 2598.076211 − 490.990254) / 12.426046 = 228.113402 kN.
+    // Load: y' = 25.980762 − 9.819805 / 2 = 21.070860 m, M_Q = 2107.085958 kN·m. The start: y_Q = 15 − 15 = 0.
+    let first = [
+        ("L_T", 31.125_675),
+        ("h_T", 12.426_046),
+        ("h_S", 9.819_805),
+        ("T", 228_113.40),
+        ("M_Q", 2_107_085.96),
+        ("Y_Q", 0.0),
+        ("l_l", 186.754_05),
+    ];
+    // 60°: A = (15, 25.980762). K–E = (−20, −13.980762), length √(400 + 195.461712) = 24.402084 m;
+    //   arm (15 · (−13.980762) − 25.980762 · (−20)) / 24.402084 = 309.903811 / 24.402084 = 12.699892 m.
+    // A–B = (−15, −15.980762), length √(225 + 255.384758) = 21.917681 m;
+    //   arm (−239.711432 + 389.711432) / 21.917681 = 6.843790 m.
+    // T = (60 · 14 / 2 + 1500 − 50 · 6.843790) / 12.699892 = (420 + 1500 − 342.189508) / 12.699892 = 124.238105 kN.
+    // y_Q = 25.980762 + (21.917681 − 26.457513) / 2 − 15 = 8.710846 m. Raised, the hoist rope runs out:
+    //   S_h = 100 · 0.95 / 2 = 47.5 kN, T = (1920 − 325.080032) / 12.699892 = 125.585321 kN,
+    //   S_l = 125.585321 / (6 · 0.9) = 23.256541 kN. Lowered: S_h = 100 / (2 · 0.95) = 52.631579 kN,
+    //   T = (1920 − 360.199482) / 12.699892 = 122.819982 kN, S_l = 122.819982 · 0.9 / 6 = 18.422997 kN.
+    let second = [
+        ("L_T", 24.402_084),
+        ("h_T", 12.699_892),
+        ("h_S", 6.843_790),
+        ("T", 124_238.105),
+        ("Y_Q", 8.710_846),
+        ("S_h.up", 47_500.0),
+        ("S_l.up", 23_256.541),
+        ("S_h.down", 52_631.579),
+        ("S_l.down", 18_422.997),
+    ];
+    for (degrees, list) in [(30.0, &first[..]), (60.0, &second[..])] {
+        for (name, expected) in list {
+            let found = at(&mut model, degrees, name);
+            assert!(
+                (found - expected).abs() <= 1e-6 * expected.abs().max(1.0),
+                "{name} at {degrees}: {found} {expected}"
+            );
+        }
+    }
+}
+
+/// Without own weight the empty boom needs no pull; with many falls of the hoist tackle its rope loses its say.
+#[test]
+fn limits_of_the_rope() {
+    let mut light = scene(&[("Q", "0 kN"), ("G_b", "0 kN")]).model().expect("exists");
+    let mut falls = scene(&[("m_h", "1e6"), ("B_y", "0.5 m")]).model().expect("exists");
+    for degrees in [30.0, 52.5, 75.0] {
+        assert_eq!(at(&mut light, degrees, "T"), 0.0);
+        let (rise, moment) = (at(&mut falls, degrees, "A.x"), at(&mut falls, degrees, "M_Q"));
+        assert!((moment - 100e3 * rise).abs() <= 1e-5 * moment, "{moment}");
+        let below = at(&mut falls, degrees, "A.y") - at(&mut falls, degrees, "Y_Q");
+        assert!((below - 15.0).abs() <= 1e-4, "{below}");
+    }
+}
+
+/// The rod of the tackle loses its pull where load and weight stand over the foot: with the hoist rope through the foot
+/// and the head on the boom's line, upright.
+#[test]
+fn the_boom_falls_back_beyond_upright() {
+    let scene = scene(&[("B_y", "0 m"), ("B_x", "0.0001 m"), ("to", "80 deg")]);
+    let sheet = sheet(&scene);
+    for id in ["fall_back", "fall_back_empty"] {
+        let check = sheet.checks.iter().find(|check| check.id == id).expect("checked");
+        assert!(
+            (check.value.to_degrees() - 90.0).abs() < 1e-3,
+            "{id} {}",
+            check.value.to_degrees()
+        );
+        assert!(check.passed());
+    }
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    for (change, said) in [
+        (&[("B_x", "3 m"), ("B_y", "3 m")][..], "the boom meets the sheave B"),
+        (&[("E_x", "5 m"), ("E_y", "-4 m")], "would have to push"),
+        (&[("E_x", "15 m"), ("E_y", "25.980762113533160 m")], "its ends meet"),
+    ] {
+        let found = Scene::parse(&text(change)).expect_err(said);
+        assert!(
+            found.iter().any(|f| f.message.contains(said) && f.help.is_some()),
+            "{said}: {found:?}"
+        );
+    }
+}
+
+#[test]
+fn every_check_of_the_ready_scene_passes() {
+    let sheet = sheet(&Scene::parse(READY).unwrap_or_else(|found| panic!("{found:?}")));
+    assert!(sheet.checks.len() >= 4);
+    for check in &sheet.checks {
+        assert!(check.passed(), "{} {}", check.id, check.value);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(500))]
+
+    /// The tackle's moment by equilibrium against the power of load and weight, and the rope's power against both.
+    #[test]
+    fn virtual_work_is_equilibrium(
+        l in 5.0..60.0_f64, e_x in -20.0..0.0_f64, e_y in 1.0..30.0_f64, s_k in 0.3..1.0_f64,
+        b_x in -10.0..-0.5_f64, b_y in 0.0..30.0_f64, m_h in 1.0..6.0_f64, q in 0.0..500.0_f64, g in 0.0..300.0_f64,
+        degrees in 15.0..70.0_f64,
+    ) {
+        let number = |value: f64, unit: &str| format!("{value:?} {unit}");
+        let (l, s_k) = (number(l, "m"), number(s_k * l, "m"));
+        let (e_x, e_y) = (number(e_x, "m"), number(e_y, "m"));
+        let (b_x, b_y) = (number(b_x, "m"), number(b_y, "m"));
+        let (m_h, q, g) = (format!("{m_h:?}"), number(q, "kN"), number(g, "kN"));
+        let change = [
+            ("l", &*l), ("s_K", &*s_k), ("E_x", &*e_x), ("E_y", &*e_y), ("B_x", &*b_x), ("B_y", &*b_y),
+            ("m_h", &*m_h), ("Q", &*q), ("G_b", &*g), ("r_b", "2 m"), ("from", "10 deg"), ("to", "72 deg"),
+        ];
+        // Where the tackle would have to push there is nothing to compare.
+        if let Ok(scene) = Scene::parse(&text(&change)) {
+            let mut model = scene.model().expect("exists");
+            let mut get = |name| at(&mut model, degrees, name);
+            let (m_d, m_q, m_g) = (get("M_D"), get("M_Q"), get("M_G"));
+            let scale = m_q.abs().max(m_g.abs()).max((get("S_h") * get("h_S")).abs()).max(1.0);
+            prop_assert!((m_d - m_q - m_g).abs() <= 1e-12 * scale, "{m_d} {m_q} {m_g}");
+            let power = m_d * get("omega");
+            prop_assert!((get("P_l") - power).abs() <= 1e-12 * scale, "{power}");
+            // The foot carries what hangs on the boom, less what its ropes carry.
+            let (t, s_h) = (get("T"), get("S_h"));
+            let fall = get("E_y") - get("s_K") * Calc::sin(degrees.to_radians());
+            let up = get("F_O1.y") + t * fall / get("L_T") + s_h * (get("B_y") - get("A.y")) / get("L_S");
+            let down = get("Q") + get("G_b");
+            prop_assert!((up - down).abs() <= 1e-11 * (down + t.abs() + s_h), "{up} {down}");
+        }
+    }
+}
