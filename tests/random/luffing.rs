@@ -282,6 +282,16 @@ fn driving(linkage: &Linkage, pose: &Pose, anchor: Point<f64>, arm: f64, turn: f
     [foot + arm, foot + arm - anchor, arm]
 }
 
+/// Keeps what a balance needs and takes away what others need.
+pub fn balance_keys(b: &mut Node, needed: &[&str]) {
+    for name in [
+        "branch", "G_c", "r_c", "chi_c", "d_1", "delta_1", "r_1", "alpha_K", "l_1", "R_1", "chi_5", "M_5", "H_x",
+        "H_y", "lambda", "L_r", "y_0", "phi_0",
+    ] {
+        b.keep(name, needed.contains(&name));
+    }
+}
+
 /// A balance of any kind that works at a pose, and what it needs to go on.
 fn balance(n: &mut Node, linkage: Linkage, pose: &Pose, simple: bool) -> Vec<Margin> {
     let (size, phi) = (n.draw.scale[0], linkage.boom(pose));
@@ -305,12 +315,7 @@ fn balance(n: &mut Node, linkage: Linkage, pose: &Pose, simple: bool) -> Vec<Mar
         "straight_rail" => &["G_c", "r_1", "alpha_K", "H_x", "H_y", "lambda"],
         _ => &["G_c", "r_1", "alpha_K", "L_r", "y_0", "phi_0"],
     };
-    for name in [
-        "branch", "G_c", "r_c", "chi_c", "d_1", "delta_1", "r_1", "alpha_K", "l_1", "R_1", "chi_5", "M_5", "H_x",
-        "H_y", "lambda", "L_r", "y_0", "phi_0",
-    ] {
-        b.keep(name, needed.contains(&name));
-    }
+    balance_keys(&mut b, needed);
     let (r_1, alpha) = (b.get("r_1"), b.get("alpha_K"));
     let joint = move |pose: &Pose| polar(r_1, linkage.boom(pose) + alpha);
     let k = polar(r_1, phi + alpha);
@@ -379,7 +384,7 @@ fn balance(n: &mut Node, linkage: Linkage, pose: &Pose, simple: bool) -> Vec<Mar
 }
 
 /// A part of the angles (rad) over which the linkage works, or several turns.
-fn working_range(n: &mut Node, [from, to]: [f64; 2]) {
+pub fn working_range(n: &mut Node, [from, to]: [f64; 2]) {
     let (size, time) = (to - from, n.draw.scale[2]);
     let (part, rest) = (n.draw.between(0.02, 1.0), n.draw.rng.f64());
     let whole = size >= 2.0 * (TAU - STEP);

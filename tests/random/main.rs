@@ -6,6 +6,7 @@
 
 mod fmu;
 mod luffing;
+mod rope;
 mod scene;
 mod steering;
 
@@ -40,7 +41,7 @@ const BOOK: u64 = 20;
 const TRADE: u64 = 8;
 const QUICK: f64 = 20.0;
 /// Longest time for one scene.
-const LONGEST: Duration = Duration::from_secs(120);
+const LONGEST: Duration = Duration::from_secs(60);
 /// Most work for each simulated second over the median of the level.
 const MOST_WORK: f64 = 20.0;
 

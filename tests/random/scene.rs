@@ -12,7 +12,7 @@ use lemnis_models::symbol::Symbol;
 use lemnis_models::unit::{self, RAD};
 use toml::{Table, Value};
 
-use crate::{luffing, steering};
+use crate::{luffing, rope, steering};
 
 /// What a mechanism adds: a legal table, one that lies on an edge, and a result that every level has.
 struct Maker {
@@ -28,6 +28,11 @@ fn maker(mechanism: &str) -> Option<Maker> {
             legal: luffing::legal,
             edge: luffing::edge,
             result: luffing::RESULT,
+        }),
+        "rope" => Some(Maker {
+            legal: rope::legal,
+            edge: rope::edge,
+            result: rope::RESULT,
         }),
         "groups" => Some(Maker {
             legal: steering::legal,
@@ -56,15 +61,14 @@ impl Case {
         let (mechanism, keys) = (entry.table, entry.keys);
         let maker = maker(entry.kind);
         let legal = draw.coin(0.5) && maker.is_some();
-        let made = match &maker {
+        let mut made = match &maker {
             Some(maker) => (maker.legal)(&mut draw, keys),
             None => draw.table(keys),
         };
-        let mut made = made;
         if MECHANISMS.iter().filter(|other| other.table == mechanism).count() > 1 {
             made.insert(KIND.to_owned(), entry.kind.into());
         }
-        let mut table = draw.around(mechanism, made);
+        let mut table = draw.around(mechanism, made, maker.as_ref().map(|maker| maker.result));
         if !legal {
             let edge = draw.coin(0.5);
             let mut top = Node::new(&mut draw, KEYS, &mut table);
@@ -285,8 +289,8 @@ impl Draw {
         table
     }
 
-    /// The scene around a mechanism's table.
-    fn around(&mut self, mechanism: &str, made: Table) -> Table {
+    /// The scene around a mechanism's table, with an accuracy of one of its results.
+    fn around(&mut self, mechanism: &str, made: Table, result: Option<(&str, &Symbol)>) -> Table {
         let others: Vec<&Key> = KEYS
             .iter()
             .filter(|key| registry::tables().all(|table| table != key.name))
@@ -325,10 +329,9 @@ impl Draw {
             .child(mechanism)
             .is_some_and(|inner| inner.text("fidelity") == Some("auto"));
         top.remove(&["accuracy"]);
-        if let Some(maker) = maker(mechanism)
+        if let Some((name, symbol)) = result
             && (auto || top.draw.coin(0.2))
         {
-            let (name, symbol) = maker.result;
             let value = top.draw.natural(symbol) * top.draw.decades(-6, 1);
             let text = top.draw.written(symbol, value).0;
             top.put("accuracy", Table::from_iter([(name.to_owned(), text.into())]));
@@ -382,11 +385,14 @@ fn key(keys: &'static [Key], name: &str) -> &'static Key {
     found.unwrap_or_else(|| panic!("no key {name}"))
 }
 
-/// The keys of a table.
-fn tables(key: &'static Key) -> &'static [Key] {
+/// The keys of a table, of its kind where there are several.
+fn tables(key: &'static Key, kind: Option<&str>) -> &'static [Key] {
     match key.kind {
         Kind::Table(keys) => keys,
-        Kind::Kinds(kinds) => kinds[0].1,
+        Kind::Kinds(kinds) => {
+            let named = kinds.iter().find(|(name, _)| Some(*name) == kind);
+            named.unwrap_or(&kinds[0]).1
+        }
         _ => panic!("{} is no table", key.name),
     }
 }
@@ -456,8 +462,8 @@ impl Node<'_> {
     }
 
     pub fn child(&mut self, name: &str) -> Option<Node<'_>> {
-        let keys = tables(key(self.keys, name));
         let table = self.table.get_mut(name)?.as_table_mut()?;
+        let keys = tables(key(self.keys, name), table.get(KIND).and_then(Value::as_str));
         Some(Node {
             draw: self.draw,
             keys,
