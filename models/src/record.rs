@@ -137,31 +137,41 @@ impl Trace {
         self.entries[rec.0 as usize].value
     }
 
-    /// The given quantities that a formula contains, named steps followed to their own formulas.
+    /// The given quantities that each formula contains, named steps followed to their own formulas.
     #[must_use]
-    pub fn givens(&self, rec: Rec) -> Vec<Rec> {
-        // Steps are in the order of their names.
-        let step = |rec: Rec| self.steps.binary_search_by_key(&rec.0, |step| step.name.0).ok();
-        let (mut found, mut met, mut rest) = (Vec::new(), vec![false; self.entries.len()], vec![rec]);
-        while let Some(rec) = rest.pop() {
-            if std::mem::replace(&mut met[rec.0 as usize], true) {
-                continue;
+    pub fn givens(&self) -> Givens {
+        // What an entry is made of stands before it.
+        let (mut steps, mut behind) = (self.steps.iter().peekable(), self.behind.iter().peekable());
+        let (mut parts, mut leaves) = (Vec::with_capacity(2 * self.entries.len()), Vec::new());
+        for (index, entry) in self.entries.iter().enumerate() {
+            let before = parts.len();
+            while let Some((_, other)) = behind.next_if(|(known, _)| known.0 as usize == index) {
+                parts.push((index, *other));
             }
-            let from = self.behind.partition_point(|(known, _)| known.0 < rec.0);
-            let behind = self.behind[from..].iter().take_while(|(known, _)| *known == rec);
-            rest.extend(behind.clone().map(|(_, other)| *other));
-            match self.node(rec) {
+            match entry.node {
                 Node::Constant(_) => {}
-                Node::Name(_) => match step(rec) {
-                    Some(step) => rest.push(self.steps[step].formula),
-                    None if behind.count() == 0 => found.push(rec),
+                Node::Name(_) => match steps.next_if(|step| step.name.0 as usize == index) {
+                    Some(step) => parts.push((index, step.formula)),
+                    None if parts.len() == before => leaves.push(index),
                     None => {}
                 },
-                Node::Unary(_, a) => rest.push(a),
-                Node::Binary(_, a, b) => rest.extend([a, b]),
+                Node::Unary(_, a) => parts.push((index, a)),
+                Node::Binary(_, a, b) => parts.extend([(index, a), (index, b)]),
             }
         }
-        found
+        let words = leaves.len().div_ceil(64);
+        let mut sets = vec![0; words * self.entries.len()];
+        for (place, index) in leaves.iter().enumerate() {
+            sets[index * words + place / 64] |= 1 << (place % 64);
+        }
+        for (whole, part) in parts {
+            let (before, own) = sets.split_at_mut(whole * words);
+            let part = &before[part.0 as usize * words..][..words];
+            for (own, part) in own.iter_mut().zip(part) {
+                *own |= part;
+            }
+        }
+        Givens { leaves, words, sets }
     }
 
     /// The same with these steps alone: names of others stand for values found before.
@@ -195,6 +205,29 @@ impl Trace {
     fn fault(&mut self, text: String) {
         let after = self.steps.last().map_or("the start", |step| step.symbol.id);
         self.faults.push(format!("{text} (after {after})"));
+    }
+}
+
+/// The given quantities that each formula of a trace contains.
+pub struct Givens {
+    /// Where they stand in the trace.
+    leaves: Vec<usize>,
+    /// A set for each entry: a bit for each of the leaves, in so many words.
+    words: usize,
+    sets: Vec<u64>,
+}
+
+impl Givens {
+    /// The given quantities, in the order in which they were given.
+    pub fn all(&self) -> impl Iterator<Item = Rec> + '_ {
+        let rec = |&leaf| Rec(u32::try_from(leaf).expect("a place in the trace"));
+        self.leaves.iter().map(rec)
+    }
+
+    /// Those that a formula contains, by their places among [`all`](Givens::all).
+    pub fn of(&self, rec: Rec) -> impl Iterator<Item = usize> + '_ {
+        let set = &self.sets[rec.0 as usize * self.words..][..self.words];
+        (0..self.leaves.len()).filter(|leaf| set[leaf / 64] >> (leaf % 64) & 1 == 1)
     }
 }
 

@@ -38,10 +38,16 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
     let groups = part.groups();
     let sources = part.sources();
     let used = |source: Source| groups[usize::from(source.group)].1;
-    let find = |wanted| sources.iter().find(|(source, _)| used(*source) == wanted);
+    let find = |wanted| sources.iter().position(|(source, _)| used(*source) == wanted);
     let motion = model.motion();
     let middle = f64::midpoint(motion.from, motion.to);
-    let mut found = vec![BTreeSet::new(); model.places().len()];
+    let mut names: Vec<Name> = sources
+        .iter()
+        .map(|(_, (symbol, number))| (symbol.id, *number))
+        .collect();
+    names.push((TIME.id, None));
+    // Of each variable: which of the names its formula contains.
+    let mut traced = vec![vec![false; names.len()]; model.places().len()];
     for choice in choices(&sources) {
         for given in [false, true] {
             let places = [(motion.from, 1.0), (middle, 1.0), (middle, -1.0), (motion.to, 1.0)];
@@ -52,27 +58,30 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
                 }
                 let rate = way * motion.speed;
                 let time = (at - motion.from) / motion.speed;
-                let (trace, (names, results)) = record(|| {
-                    let mut names: Vec<(Rec, Name)> = Vec::new();
-                    let mut named = |symbol, number, value| {
+                let (trace, (recs, results)) = record(|| {
+                    let mut recs: Vec<(Rec, usize)> = Vec::new();
+                    let mut named = |index: usize, symbol, value| {
                         let rec = Rec::given(symbol, value);
-                        names.push((rec, (symbol.id, number)));
+                        recs.push((rec, index));
                         rec
                     };
-                    let mut of = |source, (symbol, number): Quantity, value| match used(source) {
-                        Use::Coordinate if !given => Rec::constant(at),
-                        Use::Coordinate => named(symbol, number, at),
-                        Use::Rate => named(symbol, number, rate),
-                        Use::Time => named(&TIME, None, time),
-                        Use::Memory => Rec::constant(value),
-                        _ => named(symbol, number, value),
+                    let mut of = |source, (symbol, number): Quantity, value| {
+                        let index = sources.iter().position(|(other, _)| *other == source);
+                        let index = index.expect("one of the sources");
+                        debug_assert_eq!(names[index], (symbol.id, number));
+                        match used(source) {
+                            Use::Coordinate if !given => Rec::constant(at),
+                            Use::Coordinate => named(index, symbol, at),
+                            Use::Rate => named(index, symbol, rate),
+                            Use::Time => named(sources.len(), &TIME, time),
+                            Use::Memory => Rec::constant(value),
+                            _ => named(index, symbol, value),
+                        }
                     };
                     let mut face = recorder(&*part, &mut of);
-                    if let (false, Some(&(coordinate, _)), Some(&(rate, _))) =
-                        (given, find(Use::Coordinate), find(Use::Rate))
-                    {
-                        let time = named(&TIME, None, time);
-                        face.put(coordinate, motion.swept(face.take(rate), time));
+                    if let (false, Some(coordinate), Some(rate)) = (given, find(Use::Coordinate), find(Use::Rate)) {
+                        let time = named(sources.len(), &TIME, time);
+                        face.put(sources[coordinate].0, motion.swept(face.take(sources[rate].0), time));
                     }
                     let mut result = |place: &Place| match place {
                         Place::Source(_) | Place::Whole(_) => None,
@@ -82,21 +91,32 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
                         }
                     };
                     let results: Vec<Option<Rec>> = model.places().iter().map(&mut result).collect();
-                    (names, results)
+                    (recs, results)
                 });
-                for (found, result) in found.iter_mut().zip(results) {
-                    let leaves = result.into_iter().flat_map(|result| trace.givens(result));
-                    let name = |leaf: Rec| names.iter().find(|(rec, _)| *rec == leaf).map(|(_, name)| *name);
-                    found.extend(leaves.filter_map(name));
+                let givens = trace.givens();
+                let known = |leaf| recs.iter().find(|(rec, _)| *rec == leaf).map(|(_, index)| *index);
+                let known: Vec<Option<usize>> = givens.all().map(known).collect();
+                for (traced, result) in traced.iter_mut().zip(results) {
+                    let leaves = result.into_iter().flat_map(|result| givens.of(result));
+                    for index in leaves.filter_map(|leaf| known[leaf]) {
+                        traced[index] = true;
+                    }
                 }
             }
         }
     }
+    let traced: Vec<BTreeSet<Name>> = traced
+        .iter()
+        .map(|traced| {
+            let those = names.iter().zip(traced).filter(|(_, found)| **found);
+            those.map(|(name, _)| *name).collect()
+        })
+        .collect();
+    let mut found = traced.clone();
     let slot = |index: usize| match model.places()[index] {
         Place::Result(slot) => Some(slot),
         Place::Source(_) | Place::Whole(_) => None,
     };
-    let traced = found.clone();
     let group = |name: &Name| {
         let of = |(_, (symbol, number)): &&(Source, Quantity)| (symbol.id, *number) == *name;
         sources.iter().find(of).map_or(63, |(source, _)| source.group)
@@ -129,7 +149,7 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
                 Use::Time => found.extend([(TIME.id, None)]),
                 Use::Memory => {}
                 Use::Coordinate => {
-                    let rate = find(Use::Rate).map(|(_, (symbol, number))| (symbol.id, *number));
+                    let rate = find(Use::Rate).map(|index| names[index]);
                     found.extend([(symbol.id, number), (TIME.id, None)].into_iter().chain(rate));
                 }
                 _ => found.extend([(symbol.id, number)]),
