@@ -10,6 +10,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod allowed;
 pub mod balance;
 pub mod calc;
 pub mod component;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::balance;
+use crate::allowed::OutOfRange;
 use crate::number::short;
 use crate::symbol::Symbol;
 pub use crate::symbol::{Enumeration, Type};
@@ -173,14 +173,14 @@ impl Fault {
     }
 }
 
-impl From<balance::Fault> for Fault {
-    fn from(fault: balance::Fault) -> Fault {
+impl From<OutOfRange> for Fault {
+    fn from(fault: OutOfRange) -> Fault {
         Fault::outside(fault.to_string())
     }
 }
 
-impl From<balance::Fault> for Box<Fault> {
-    fn from(fault: balance::Fault) -> Box<Fault> {
+impl From<OutOfRange> for Box<Fault> {
+    fn from(fault: OutOfRange) -> Box<Fault> {
         Box::new(fault.into())
     }
 }

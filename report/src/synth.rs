@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use lemnis_models::balance::Fault;
+use lemnis_models::allowed::OutOfRange;
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Role, Task};
 use lemnis_models::diagnostic::Diagnostic;
@@ -72,7 +72,7 @@ impl Synth {
     }
 
     /// The fault where the scene gives what it blames.
-    fn explain(&self, scene: &Scene, task: &Task, fault: &Fault) -> Failure {
+    fn explain(&self, scene: &Scene, task: &Task, fault: &OutOfRange) -> Failure {
         let label = format!("{} is not possible", fault.quantity.id);
         let diagnostic = Diagnostic::new(task.place(fault.quantity), fault.what.clone(), label).help(fault.range());
         scene_file::failure(&scene_file::name(Some(&self.scene)), scene.text(), &[diagnostic])

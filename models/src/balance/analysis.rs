@@ -5,7 +5,9 @@ use std::sync::Arc;
 use std::f64::consts::TAU;
 
 use crate::balance::boom::{Boom, Load};
-use crate::balance::{Action, Balance, FINITE, Fault, Turn, symbols as s};
+use crate::allowed::{FINITE, OutOfRange};
+use crate::balance::action::{Action, Turn};
+use crate::balance::{Balance, symbols as s};
 use crate::calc::Calc;
 use crate::component::extreme::Extreme;
 use crate::component::stages::{absent, results};
@@ -48,7 +50,7 @@ impl<C: Calc> Residual<C> {
     ///
     /// # Errors
     /// An angle at which boom or balance cannot be.
-    pub fn new(boom: &dyn Boom<C>, balance: &Balance<C>, phi: C) -> Result<Residual<C>, Fault> {
+    pub fn new(boom: &dyn Boom<C>, balance: &Balance<C>, phi: C) -> Result<Residual<C>, OutOfRange> {
         let load = boom.at(phi)?;
         let action = balance.at(phi, &load)?;
         Ok(Residual::of(phi, load, action))
@@ -136,10 +138,10 @@ impl Analysis {
     /// # Errors
     /// A range that is empty, or where boom or balance do not close or would
     /// have to pass a dead point, with the angles where they do not.
-    pub fn new(boom: &dyn Boom<f64>, balance: &Balance<f64>, range: [f64; 2]) -> Result<Analysis, Fault> {
+    pub fn new(boom: &dyn Boom<f64>, balance: &Balance<f64>, range: [f64; 2]) -> Result<Analysis, OutOfRange> {
         let [from, to] = range;
         if !(from < to && from.is_finite() && to.is_finite()) {
-            return Err(Fault::new(
+            return Err(OutOfRange::new(
                 &s::PHI,
                 to,
                 [from, f64::INFINITY],
@@ -160,7 +162,7 @@ impl Analysis {
         for (arc, what) in arcs {
             for phi in range {
                 if !(arc[0]..=arc[1]).contains(&phi) {
-                    return Err(Fault::new(&s::PHI, phi, arc, what));
+                    return Err(OutOfRange::new(&s::PHI, phi, arc, what));
                 }
             }
         }
@@ -171,7 +173,7 @@ impl Analysis {
     ///
     /// # Errors
     /// Those of `at`; a boom that turns back, a moment that is not finite.
-    pub fn over(range: [f64; 2], at: &dyn Fn(f64) -> Result<Residual<f64>, Fault>) -> Result<Analysis, Fault> {
+    pub fn over(range: [f64; 2], at: &dyn Fn(f64) -> Result<Residual<f64>, OutOfRange>) -> Result<Analysis, OutOfRange> {
         let grid = Sampled::new(range, at)?;
         let first = grid.samples[0].phi;
         // Where it hangs straight down the boom's angle jumps by a turn.
@@ -187,7 +189,7 @@ impl Analysis {
                 [pair[0].phi, first]
             };
             let what = "the boom turns back within the working range: no moment about its foot moves it there";
-            return Err(Fault::new(&s::PHI, pair[1].phi, allowed, what));
+            return Err(OutOfRange::new(&s::PHI, pair[1].phi, allowed, what));
         }
         let dm = |theta| at(theta).map(|r| r.dm);
         let dm_max = grid.greatest(|r| r.dm.abs())?.expect("a residual exists");
@@ -299,11 +301,11 @@ impl Analysis {
 struct Sampled<'a> {
     range: [f64; 2],
     samples: Vec<Residual<f64>>,
-    at: &'a dyn Fn(f64) -> Result<Residual<f64>, Fault>,
+    at: &'a dyn Fn(f64) -> Result<Residual<f64>, OutOfRange>,
 }
 
 impl<'a> Sampled<'a> {
-    fn new(range: [f64; 2], at: &'a dyn Fn(f64) -> Result<Residual<f64>, Fault>) -> Result<Sampled<'a>, Fault> {
+    fn new(range: [f64; 2], at: &'a dyn Fn(f64) -> Result<Residual<f64>, OutOfRange>) -> Result<Sampled<'a>, OutOfRange> {
         let mut grid = Sampled {
             range,
             samples: Vec::new(),
@@ -314,7 +316,7 @@ impl<'a> Sampled<'a> {
             let sample = (grid.at)(theta)?;
             let whole = [sample.dm, sample.action.u_5, sample.action.n_1.unwrap_or(0.0)];
             if let Some(&value) = whole.iter().find(|value| !value.is_finite()) {
-                return Err(Fault::new(
+                return Err(OutOfRange::new(
                     &s::DM,
                     value,
                     FINITE,
@@ -335,13 +337,13 @@ impl<'a> Sampled<'a> {
         }
     }
 
-    fn greatest(&self, pick: fn(&Residual<f64>) -> f64) -> Result<Option<Extreme>, Fault> {
+    fn greatest(&self, pick: fn(&Residual<f64>) -> f64) -> Result<Option<Extreme>, OutOfRange> {
         self.greatest_of(&|r| Some(pick(r)))
     }
 
     /// The greatest value: every peak of the grid is refined, for the best
     /// balances have several of nearly the same height.
-    fn greatest_of(&self, pick: &dyn Fn(&Residual<f64>) -> Option<f64>) -> Result<Option<Extreme>, Fault> {
+    fn greatest_of(&self, pick: &dyn Fn(&Residual<f64>) -> Option<f64>) -> Result<Option<Extreme>, OutOfRange> {
         let Some(values) = self.samples.iter().map(pick).collect::<Option<Vec<f64>>>() else {
             return Ok(None);
         };
@@ -389,7 +391,7 @@ impl<'a> Sampled<'a> {
 }
 
 /// The zero between two angles by bisection down to neighbouring numbers.
-fn zero(mut ends: [f64; 2], falling: bool, f: &dyn Fn(f64) -> Result<f64, Fault>) -> Result<f64, Fault> {
+fn zero(mut ends: [f64; 2], falling: bool, f: &dyn Fn(f64) -> Result<f64, OutOfRange>) -> Result<f64, OutOfRange> {
     loop {
         let middle = f64::midpoint(ends[0], ends[1]);
         if middle <= ends[0] || middle >= ends[1] {

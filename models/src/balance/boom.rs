@@ -1,6 +1,7 @@
 //! The boom system as a balance sees it: the moment of its weights about the boom foot, over the boom angle.
 
-use crate::balance::{FINITE, Fault, NOT_NEGATIVE, check, symbols as s};
+use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, check};
+use crate::balance::symbols as s;
 use crate::calc::Calc;
 use crate::group::quantities;
 use crate::plane::{self, Point};
@@ -11,19 +12,19 @@ pub trait Boom<C: Calc> {
     ///
     /// # Errors
     /// An angle at which the boom system does not close, with the angles at which it does.
-    fn at(&self, phi: C) -> Result<Load<C>, Fault>;
+    fn at(&self, phi: C) -> Result<Load<C>, OutOfRange>;
 
     /// What each of at most three weights contributes to the moment, in N·m.
     ///
     /// # Errors
     /// As [`at`](Boom::at).
-    fn parts(&self, phi: C) -> Result<[C; 3], Fault>;
+    fn parts(&self, phi: C) -> Result<[C; 3], OutOfRange>;
 
     /// The same moment by the power of each weight about the instant centre of its bar. [Ports001, 9]
     ///
     /// # Errors
     /// As [`at`](Boom::at).
-    fn moment_by_power(&self, phi: C) -> Result<C, Fault>;
+    fn moment_by_power(&self, phi: C) -> Result<C, OutOfRange>;
 
     /// Angles between which the boom can be, around `phi`.
     fn arc(&self, phi: f64) -> [f64; 2];
@@ -46,7 +47,7 @@ quantities! {
 impl<C: Calc> Plain<C> {
     /// # Errors
     /// A weight or a distance that is negative or no number.
-    pub fn check(self) -> Result<Plain<C>, Fault> {
+    pub fn check(self) -> Result<Plain<C>, OutOfRange> {
         check(&s::G_B, self.g_b.value(), NOT_NEGATIVE)?;
         check(&s::R_B, self.r_b.value(), NOT_NEGATIVE)?;
         check(&s::CHI_B, self.chi_b.value(), FINITE)?;
@@ -66,16 +67,16 @@ impl<C: Calc> Plain<C> {
 }
 
 impl<C: Calc> Boom<C> for Plain<C> {
-    fn at(&self, phi: C) -> Result<Load<C>, Fault> {
+    fn at(&self, phi: C) -> Result<Load<C>, OutOfRange> {
         Ok(self.load(phi))
     }
 
-    fn parts(&self, phi: C) -> Result<[C; 3], Fault> {
+    fn parts(&self, phi: C) -> Result<[C; 3], OutOfRange> {
         let (m_0, nothing) = (self.at(phi)?.m_0, C::constant(0.0) * self.g_b * self.r_b);
         Ok([m_0, nothing, nothing])
     }
 
-    fn moment_by_power(&self, phi: C) -> Result<C, Fault> {
+    fn moment_by_power(&self, phi: C) -> Result<C, OutOfRange> {
         self.at(phi).map(|load| load.m_0.def(&s::M_0_P))
     }
 

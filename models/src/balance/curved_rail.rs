@@ -3,7 +3,9 @@
 //! exact, for any boom.
 
 use crate::balance::boom::{Load, joint};
-use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, check, symbols as s};
+use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, POSITIVE, check};
+use crate::balance::action::Action;
+use crate::balance::symbols as s;
 use crate::calc::Calc;
 use crate::group::quantities;
 use crate::plane::{self, Point};
@@ -38,7 +40,7 @@ impl<C: Calc> CurvedRail<C> {
     ///
     /// # Errors
     /// A weight or a length that is not positive, or a boom that does not close at the reference angle.
-    pub fn new(dimensions: Dimensions<C>, u_0: impl FnOnce(C) -> Result<C, Fault>) -> Result<CurvedRail<C>, Fault> {
+    pub fn new(dimensions: Dimensions<C>, u_0: impl FnOnce(C) -> Result<C, OutOfRange>) -> Result<CurvedRail<C>, OutOfRange> {
         let d = &dimensions;
         check(&s::G_C, d.g_c.value(), POSITIVE)?;
         check(&s::R_K, d.r_1.value(), NOT_NEGATIVE)?;
@@ -55,7 +57,7 @@ impl<C: Calc> CurvedRail<C> {
     ///
     /// # Errors
     /// A rope that is too short to reach the rail.
-    pub fn rail(&self, phi: C, u_0: C) -> Result<Point<C>, Fault> {
+    pub fn rail(&self, phi: C, u_0: C) -> Result<Point<C>, OutOfRange> {
         let d = &self.dimensions;
         let k = joint(phi, d.r_1, d.alpha_1);
         let y = (d.y_0 - (u_0 - self.u_0) / d.g_c).def(&s::C_Y);
@@ -64,7 +66,7 @@ impl<C: Calc> CurvedRail<C> {
         // At zero the rope hangs vertically.
         if square.value().is_nan() || square.value() <= 0.0 {
             let allowed = [height.value().abs(), f64::INFINITY];
-            return Err(Fault::new(
+            return Err(OutOfRange::new(
                 &s::L_R,
                 d.l_r.value(),
                 allowed,
@@ -80,7 +82,7 @@ impl<C: Calc> CurvedRail<C> {
     ///
     /// # Errors
     /// As [`rail`](CurvedRail::rail); a rope across the rail.
-    pub fn at(&self, phi: C, boom: &Load<C>) -> Result<Action<C>, Fault> {
+    pub fn at(&self, phi: C, boom: &Load<C>) -> Result<Action<C>, OutOfRange> {
         let d = &self.dimensions;
         let c = self.rail(phi, boom.u_0)?;
         let k = joint(phi, d.r_1, d.alpha_1);
@@ -99,7 +101,7 @@ impl<C: Calc> CurvedRail<C> {
         // Infinite where the rope points at the foot.
         if !n_1.value().is_finite() || n_1.value() < 0.0 {
             let what = "the rope cannot raise the boom: it would have to push, or points at the boom foot";
-            return Err(Fault::new(&s::N_1, n_1.value(), NOT_NEGATIVE, what));
+            return Err(OutOfRange::new(&s::N_1, n_1.value(), NOT_NEGATIVE, what));
         }
         let pull = Point::new(-(n_1 * rope.x / d.l_r), -(n_1 * rope.y / d.l_r));
         let on_boom = plane::def(pull, [&s::F_KX, &s::F_KY]);

@@ -3,7 +3,9 @@
 
 use nalgebra::Scalar;
 
-use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, Turn, check, symbols as s};
+use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, POSITIVE, check};
+use crate::balance::action::{Action, Turn};
+use crate::balance::symbols as s;
 use crate::calc::Calc;
 use crate::four_bar::{Arc, Branch, Closure, FourBar, Names};
 use crate::group::quantities;
@@ -46,7 +48,7 @@ impl<C: Calc> Lever<C> {
     ///
     /// # Errors
     /// A length that is not positive, a negative moment, or lengths that close at no angle.
-    pub fn new(dimensions: Dimensions<C>, s_5: Option<C>, branch: Branch) -> Result<Lever<C>, Fault> {
+    pub fn new(dimensions: Dimensions<C>, s_5: Option<C>, branch: Branch) -> Result<Lever<C>, OutOfRange> {
         let mut sound = Ok(());
         dimensions.map(&mut |symbol, value: C| {
             let allowed = match symbol.id {
@@ -70,7 +72,7 @@ impl<C: Calc> Lever<C> {
             let [frame, crank, arm] = [d.d_1.value(), d.r_1.value(), d.lever.value()];
             let shortest = ((frame - crank).abs() - arm).max(arm - frame - crank).max(0.0);
             let allowed = [shortest, frame + crank + arm];
-            Fault::new(
+            OutOfRange::new(
                 &s::L_K,
                 d.l_1.value(),
                 allowed,
@@ -123,9 +125,9 @@ impl<C: Calc> Lever<C> {
     ///
     /// # Errors
     /// An angle at which the linkage does not close or has a dead point.
-    pub fn at(&self, phi: C) -> Result<Action<C>, Fault> {
+    pub fn at(&self, phi: C) -> Result<Action<C>, OutOfRange> {
         let d = &self.dimensions;
-        let outside = |what| Fault::new(&s::PHI, phi.value(), self.arc(phi.value()), what);
+        let outside = |what| OutOfRange::new(&s::PHI, phi.value(), self.arc(phi.value()), what);
         let angle = (phi + d.alpha_1).def(&s::PHI_K);
         let Closure {
             crank: k,
@@ -171,7 +173,7 @@ impl<C: Calc> Lever<C> {
     ///
     /// # Errors
     /// As [`at`](Lever::at).
-    pub fn arms(&self, phi: C) -> Result<[C; 2], Fault> {
+    pub fn arms(&self, phi: C) -> Result<[C; 2], OutOfRange> {
         let action = self.at(phi)?;
         let d = &self.dimensions;
         let turn = action.lever.expect("a lever turns");

@@ -35,6 +35,7 @@
 //! | `balance.synthesis.optimum` | `lemnis_synthesis::optimum::search` | Balance004, eq. 6-7, global |
 //! | `balance.synthesis.tolerance` | `lemnis_synthesis::tolerance::Spread::new` | derived |
 
+pub mod action;
 pub mod analysis;
 pub mod boom;
 pub mod curved_rail;
@@ -47,109 +48,10 @@ pub mod symbols;
 pub mod tail;
 pub mod task;
 
+use crate::allowed::OutOfRange;
+use crate::balance::action::Action;
 use crate::calc::Calc;
 use crate::plane::Point;
-use crate::symbol::Symbol;
-
-/// What cannot be: a quantity, its value and what is allowed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Fault {
-    /// The quantity to blame.
-    pub quantity: &'static Symbol,
-    /// Its value, in SI.
-    pub value: f64,
-    /// Smallest and greatest allowed value, in SI.
-    pub allowed: [f64; 2],
-    /// What is wrong, and what to do.
-    pub what: String,
-}
-
-impl Fault {
-    #[cold]
-    pub fn new(quantity: &'static Symbol, value: f64, allowed: [f64; 2], what: impl Into<String>) -> Fault {
-        Fault {
-            quantity,
-            value,
-            allowed,
-            what: what.into(),
-        }
-    }
-}
-
-impl Fault {
-    /// The quantity with its value, and what is allowed.
-    #[must_use]
-    pub fn range(&self) -> String {
-        let unit = self.quantity.display.name;
-        let shown = |value: f64| crate::number::short(self.quantity.shown(value));
-        let value = format!("{} = {} {unit}", self.quantity.id, shown(self.value));
-        match self.allowed {
-            FINITE if self.value.is_finite() => value,
-            FINITE => format!("{value}, it must be a finite number"),
-            POSITIVE => format!("{value}, it must be greater than zero"),
-            NOT_NEGATIVE => format!("{value}, it must be zero or greater"),
-            [low, high] if high >= f64::MAX => format!("{value}, allowed from {} {unit}", shown(low)),
-            [low, high] if low <= f64::MIN => format!("{value}, allowed up to {} {unit}", shown(high)),
-            [low, high] => format!("{value}, allowed {} to {} {unit}", shown(low), shown(high)),
-        }
-    }
-}
-
-impl std::fmt::Display for Fault {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {}", self.what, self.range())
-    }
-}
-
-impl std::error::Error for Fault {}
-
-/// Refuses what is not a finite number within `allowed`, in SI.
-///
-/// # Errors
-/// The quantity, its value and the range.
-pub fn check(quantity: &'static Symbol, value: f64, allowed: [f64; 2]) -> Result<(), Fault> {
-    if value.is_finite() && (allowed[0]..=allowed[1]).contains(&value) {
-        Ok(())
-    } else {
-        Err(Fault::new(quantity, value, allowed, "a value out of its range"))
-    }
-}
-
-/// Greater than zero.
-pub const POSITIVE: [f64; 2] = [f64::MIN_POSITIVE, f64::MAX];
-/// Zero or greater.
-pub const NOT_NEGATIVE: [f64; 2] = [0.0, f64::MAX];
-/// Any finite number.
-pub const FINITE: [f64; 2] = [f64::MIN, f64::MAX];
-
-/// What a balance does at one boom angle.
-#[derive(Clone, Copy, Debug)]
-pub struct Action<C> {
-    /// Moment about the boom foot, in N·m; positive raises the boom.
-    pub m_b: C,
-    /// Potential energy of the counterweight, in J, up to a constant.
-    pub u_5: C,
-    /// Height of the counterweight, in m, up to a constant; where its arm is known.
-    pub y_5: Option<C>,
-    /// Force on the boom, in N.
-    pub on_boom: Point<C>,
-    /// Force of the frame on the lever's pivot, the guide pulley or the rail, in N.
-    pub on_pivot: Option<Point<C>>,
-    /// Force in rod or rope, in N, tension positive.
-    pub n_1: Option<C>,
-    pub lever: Option<Turn<C>>,
-}
-
-/// The lever of a balance at one boom angle.
-#[derive(Clone, Copy, Debug)]
-pub struct Turn<C> {
-    /// Angle of the counterweight's arm, in rad.
-    pub psi: C,
-    /// Angular velocity over the boom's.
-    pub i_5: C,
-    /// Transmission angle, 0 to π/2 rad.
-    pub gamma: C,
-}
 
 /// Any of the balances.
 #[derive(Clone, Copy, Debug)]
@@ -179,7 +81,7 @@ impl<C: Calc> Balance<C> {
     ///
     /// # Errors
     /// An angle at which the balance cannot be assembled or has a dead point.
-    pub fn at(&self, phi: C, boom: &boom::Load<C>) -> Result<Action<C>, Fault> {
+    pub fn at(&self, phi: C, boom: &boom::Load<C>) -> Result<Action<C>, OutOfRange> {
         match self {
             Balance::Tail(it) => Ok(it.at(phi)),
             Balance::Parallelogram(it) => it.at(phi),

@@ -4,7 +4,9 @@
 use std::f64::consts::PI;
 
 use crate::balance::boom::joint;
-use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, Turn, check, symbols as s};
+use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, POSITIVE, check};
+use crate::balance::action::{Action, Turn};
+use crate::balance::symbols as s;
 use crate::calc::Calc;
 use crate::group::quantities;
 use crate::plane::{self, Point};
@@ -20,7 +22,7 @@ quantities! {
 impl<C: Calc> Parallelogram<C> {
     /// # Errors
     /// A length of the linkage that is not positive, a negative weight or arm, or what is no number.
-    pub fn new(self) -> Result<Parallelogram<C>, Fault> {
+    pub fn new(self) -> Result<Parallelogram<C>, OutOfRange> {
         check(&s::G_C, self.g_c.value(), NOT_NEGATIVE)?;
         check(&s::R_C, self.r_c.value(), NOT_NEGATIVE)?;
         check(&s::R_K, self.r_1.value(), POSITIVE)?;
@@ -54,14 +56,14 @@ impl<C: Calc> Parallelogram<C> {
     ///
     /// # Errors
     /// The dead point, where the rod points at the boom foot.
-    pub fn at(&self, phi: C) -> Result<Action<C>, Fault> {
+    pub fn at(&self, phi: C) -> Result<Action<C>, OutOfRange> {
         let k = joint(phi, self.r_1, self.alpha_1);
         let (sin, cos) = self.delta_1.sin_cos();
         let rod = plane::def(Point::new(self.d_1 * cos, self.d_1 * sin), [&s::L_KX, &s::L_KY]);
         let h_1 = (plane::cross(k, rod) / self.d_1).def(&s::H_1);
         if h_1.value().abs() <= 4.0 * f64::EPSILON * self.r_1.value() {
             let what = "the rod points at the boom foot: a dead point";
-            return Err(Fault::new(&s::PHI, phi.value(), self.arc(phi.value()), what));
+            return Err(OutOfRange::new(&s::PHI, phi.value(), self.arc(phi.value()), what));
         }
         let psi = self.psi(phi);
         let (sin, cos) = psi.sin_cos();

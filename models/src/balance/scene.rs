@@ -4,7 +4,8 @@ use crate::balance::lever::{Dimensions, Lever};
 use crate::balance::parallelogram::Parallelogram;
 use crate::balance::straight_rail::StraightRail;
 use crate::balance::tail::Tail;
-use crate::balance::{Balance, Fault, curved_rail, symbols as s};
+use crate::allowed::OutOfRange;
+use crate::balance::{Balance, curved_rail, symbols as s};
 use crate::calc::Calc;
 use crate::diagnostic::Diagnostic;
 use crate::four_bar::Branch;
@@ -159,7 +160,7 @@ impl<C: Calc> Form<C> {
     /// # Errors
     /// Quantities with which there is no such balance; whatever `u_0`, the boom's potential energy (J) at a boom angle
     /// (rad), objects to, which only the curved rail asks for.
-    pub fn balance(&self, u_0: impl FnOnce(C) -> Result<C, Fault>) -> Result<Balance<C>, Fault> {
+    pub fn balance(&self, u_0: impl FnOnce(C) -> Result<C, OutOfRange>) -> Result<Balance<C>, OutOfRange> {
         Ok(match *self {
             Form::Tail(it) => Balance::Tail(it.new()?),
             Form::Parallelogram(it) => Balance::Parallelogram(it.new()?),

@@ -4,7 +4,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::balance::boom::joint;
-use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, POSITIVE, check, symbols as s};
+use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, POSITIVE, check};
+use crate::balance::action::Action;
+use crate::balance::symbols as s;
 use crate::calc::Calc;
 use crate::group::quantities;
 use crate::plane::{self, Point};
@@ -18,7 +20,7 @@ quantities! {
 impl<C: Calc> StraightRail<C> {
     /// # Errors
     /// A joint at the boom foot, a negative weight, a rail that does not go down, or what is no number.
-    pub fn new(self) -> Result<StraightRail<C>, Fault> {
+    pub fn new(self) -> Result<StraightRail<C>, OutOfRange> {
         check(&s::G_C, self.g_c.value(), NOT_NEGATIVE)?;
         check(&s::R_K, self.r_1.value(), POSITIVE)?;
         check(&s::ALPHA_K, self.alpha_1.value(), FINITE)?;
@@ -40,13 +42,13 @@ impl<C: Calc> StraightRail<C> {
     ///
     /// # Errors
     /// A joint that coincides with the pulley.
-    pub fn at(&self, phi: C) -> Result<Action<C>, Fault> {
+    pub fn at(&self, phi: C) -> Result<Action<C>, OutOfRange> {
         let k = joint(phi, self.r_1, self.alpha_1);
         let rope = Point::new(self.h_x, self.h_y) - k;
         let s_r = plane::length(rope).def(&s::S_R);
         if s_r.value() <= 4.0 * f64::EPSILON * self.r_1.value() {
             let what = "the rope's joint coincides with the guide pulley";
-            return Err(Fault::new(&s::S_R, s_r.value(), POSITIVE, what));
+            return Err(OutOfRange::new(&s::S_R, s_r.value(), POSITIVE, what));
         }
         let (sin, cos) = self.lambda.sin_cos();
         let n_1 = (self.g_c * sin).def(&s::N_1);

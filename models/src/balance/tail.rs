@@ -3,7 +3,9 @@
 
 use std::f64::consts::PI;
 
-use crate::balance::{Action, FINITE, Fault, NOT_NEGATIVE, check, symbols as s};
+use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, check};
+use crate::balance::action::Action;
+use crate::balance::symbols as s;
 use crate::calc::Calc;
 use crate::group::quantities;
 use crate::plane::{self, Point};
@@ -16,7 +18,7 @@ quantities! {
 impl<C: Calc> Tail<C> {
     /// # Errors
     /// A negative weight or distance, or what is no number.
-    pub fn new(self) -> Result<Tail<C>, Fault> {
+    pub fn new(self) -> Result<Tail<C>, OutOfRange> {
         check(&s::G_C, self.g_c.value(), NOT_NEGATIVE)?;
         check(&s::R_C, self.r_c.value(), NOT_NEGATIVE)?;
         check(&s::CHI_C, self.chi_c.value(), FINITE)?;

@@ -5,7 +5,7 @@ use num_dual::Dual64;
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::Boom;
 use crate::balance::symbols as s;
-use crate::balance::{FINITE, Fault};
+use crate::allowed::{FINITE, OutOfRange};
 use crate::calc::Calc;
 use crate::four_bar::Branch;
 use crate::lemniscate::drive::Drive;
@@ -24,7 +24,7 @@ use crate::symbol::Symbol;
 ///
 /// # Errors
 /// Quantities with which there is no such balance; a boom system without weights.
-pub fn new<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Result<Option<Balancing<C>>, Fault> {
+pub fn new<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Result<Option<Balancing<C>>, OutOfRange> {
     let Some(form) = &p.balance else {
         return Ok(None);
     };
@@ -46,7 +46,7 @@ pub fn at<C: Calc>(
     w: &Weights<C>,
     own: &Own<C>,
     theta: &C,
-) -> Result<Residual<C>, Fault> {
+) -> Result<Residual<C>, OutOfRange> {
     let phi = boom_angle(p, *theta);
     balancing.at(phi, || load(g, w, p, v, own)).map_err(in_scene)
 }
@@ -99,10 +99,10 @@ pub fn residual<C: Calc>(
     g: &Geometry<C>,
     w: &Weights<C>,
     theta: C,
-) -> Result<Residual<C>, Fault> {
+) -> Result<Residual<C>, OutOfRange> {
     let Some(p) = Position::new(g, theta) else {
         let what = "the linkage does not close at this angle";
-        return Err(Fault::new(&l::THETA_1, theta.value(), FINITE, what));
+        return Err(OutOfRange::new(&l::THETA_1, theta.value(), FINITE, what));
     };
     let v = Velocity::new(&p);
     let own = Own::new(&p, &v, &g.lengths, w);
@@ -113,7 +113,7 @@ pub fn residual<C: Calc>(
 ///
 /// # Errors
 /// Where boom or balance cannot be over the whole range, with where they can.
-pub fn analysis(p: &Parameters<f64>, motion: &Motion) -> Result<Option<Analysis>, Fault> {
+pub fn analysis(p: &Parameters<f64>, motion: &Motion) -> Result<Option<Analysis>, OutOfRange> {
     let (Some(balancing), Some(w)) = (new(p, motion)?, &p.weights) else {
         return Ok(None);
     };
@@ -157,7 +157,7 @@ fn by_boom<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Parameters<C> {
 ///
 /// # Errors
 /// A mechanism without weights.
-pub fn boom(p: &Parameters<f64>, motion: &Motion) -> Result<(System<f64>, [f64; 2]), Fault> {
+pub fn boom(p: &Parameters<f64>, motion: &Motion) -> Result<(System<f64>, [f64; 2]), OutOfRange> {
     let boom = System::new(&by_boom(p, motion))?;
     let ends = [motion.from, motion.to].map(|theta| match p.driven {
         Driven::Boom => Some(theta),
@@ -165,7 +165,7 @@ pub fn boom(p: &Parameters<f64>, motion: &Motion) -> Result<(System<f64>, [f64; 
     });
     let [Some(a), Some(b)] = ends else {
         let what = "the linkage does not close over the whole working range";
-        return Err(Fault::new(&l::THETA_1, motion.from, FINITE, what));
+        return Err(OutOfRange::new(&l::THETA_1, motion.from, FINITE, what));
     };
     Ok((boom, [a.min(b), a.max(b)]))
 }
@@ -176,11 +176,11 @@ fn middle(p: &Parameters<f64>, motion: &Motion) -> Option<Position<f64>> {
 }
 
 /// A fault in the names of this mechanism: its boom angle is `theta_1`.
-fn in_scene(fault: Fault) -> Fault {
+fn in_scene(fault: OutOfRange) -> OutOfRange {
     let quantity: &'static Symbol = if fault.quantity == &s::PHI {
         &l::THETA_1
     } else {
         fault.quantity
     };
-    Fault { quantity, ..fault }
+    OutOfRange { quantity, ..fault }
 }

@@ -7,7 +7,7 @@
 
 use num_dual::{Dual2, Dual64, DualNum};
 
-use crate::balance::Fault;
+use crate::allowed::OutOfRange;
 use crate::calc::{Calc, Over};
 use crate::lemniscate::balancing;
 use crate::lemniscate::geometry::{Anchors, Driven, Geometry, Parameters, Weights};
@@ -191,7 +191,7 @@ struct Counterweight<T> {
 }
 
 impl<T: Calc + DualNum> Counterweight<T> {
-    fn new(p: &Parameters<T>, range: &Range, gravity: T) -> Result<Option<Self>, Fault> {
+    fn new(p: &Parameters<T>, range: &Range, gravity: T) -> Result<Option<Self>, OutOfRange> {
         let Some((balancing, weights)) = balancing::new(p, range)?.zip(p.weights) else {
             return Ok(None);
         };
@@ -533,7 +533,7 @@ impl<P: Calc> Dynamics<P> {
     ///
     /// # Errors
     /// Quantities with which there is no such balance.
-    pub fn with_balance(mut self, p: &Parameters<P>, range: &Range) -> Result<Dynamics<P>, Fault>
+    pub fn with_balance(mut self, p: &Parameters<P>, range: &Range) -> Result<Dynamics<P>, OutOfRange>
     where
         Dual64: Over<P>,
     {

@@ -3,7 +3,8 @@
 use crate::balance::lever::Lever;
 use crate::balance::scene::{Form, KEYS as BALANCE};
 use crate::balance::task::{KEYS as SYNTHESIS, Task};
-use crate::balance::{self, Fault, symbols as b};
+use crate::allowed::OutOfRange;
+use crate::balance::{self, symbols as b};
 use crate::component::outline::{Published, Told};
 use crate::component::running::Model;
 use crate::component::table::TOLERANCE;
@@ -208,7 +209,7 @@ impl Luffing {
     ///
     /// # Errors
     /// A mechanism without weights.
-    pub fn boom(&self) -> Result<(System<f64>, [f64; 2]), Fault> {
+    pub fn boom(&self) -> Result<(System<f64>, [f64; 2]), OutOfRange> {
         boom(&self.parameters, &self.motion)
     }
 }

@@ -1,7 +1,8 @@
 //! The boom system of the mechanism, as a balance sees it: what its weights ask for over the boom angle.
 
 use crate::balance::boom::{Boom, Load};
-use crate::balance::{FINITE, Fault, NOT_NEGATIVE, check, symbols as b};
+use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, check};
+use crate::balance::symbols as b;
 use crate::calc::Calc;
 use crate::lemniscate::geometry::{Driven, Geometry, Misfit, Parameters, Weights};
 use crate::lemniscate::position::Position;
@@ -38,7 +39,7 @@ pub fn height<C: Calc>(g: &Geometry<C>, w: &Weights<C>, p: &Position<C>, r: &Cen
 impl<C: Calc> System<C> {
     /// # Errors
     /// A mechanism that does not exist, has no weights or is driven by its rocker.
-    pub fn new(p: &Parameters<C>) -> Result<System<C>, Fault> {
+    pub fn new(p: &Parameters<C>) -> Result<System<C>, OutOfRange> {
         let lengths = p.lengths;
         let fault = |misfit| {
             let values = p.values();
@@ -48,15 +49,15 @@ impl<C: Calc> System<C> {
                 Misfit::Frame => (&s::X_5, lengths.x_5.value()),
                 Misfit::Linkage => (&s::X_3, lengths.x_3.value()),
             };
-            Fault::new(symbol, value, FINITE, format!("{}; {}", words.what, words.help))
+            OutOfRange::new(symbol, value, FINITE, format!("{}; {}", words.what, words.help))
         };
         if p.driven != Driven::Boom {
             let what = "a balance needs a scene that is driven by its boom";
-            return Err(Fault::new(&s::X_3, lengths.x_3.value(), FINITE, what));
+            return Err(OutOfRange::new(&s::X_3, lengths.x_3.value(), FINITE, what));
         }
         let Some(w) = p.weights else {
             let what = "the boom system has no weights: there is nothing to balance";
-            return Err(Fault::new(&s::G_1, 0.0, NOT_NEGATIVE, what));
+            return Err(OutOfRange::new(&s::G_1, 0.0, NOT_NEGATIVE, what));
         };
         let mut sound = Ok(());
         w.map(&mut |symbol, value: C| {
@@ -76,20 +77,20 @@ impl<C: Calc> System<C> {
         })
     }
 
-    fn place(&self, phi: C) -> Result<Position<C>, Fault> {
+    fn place(&self, phi: C) -> Result<Position<C>, OutOfRange> {
         Position::new(&self.g, phi).ok_or_else(|| self.outside(phi))
     }
 
-    fn outside(&self, phi: C) -> Fault {
+    fn outside(&self, phi: C) -> OutOfRange {
         let phi = phi.value();
         let what = "the boom system does not close at this angle";
-        Fault::new(&b::PHI, phi, self.arc(phi), what)
+        OutOfRange::new(&b::PHI, phi, self.arc(phi), what)
     }
 }
 
 impl<C: Calc> Boom<C> for System<C> {
     /// [Balance004, eq. 1]
-    fn at(&self, phi: C) -> Result<Load<C>, Fault> {
+    fn at(&self, phi: C) -> Result<Load<C>, OutOfRange> {
         let p = self.place(phi)?;
         let v = Velocity::new(&p);
         let own = Own::new(&p, &v, &self.g.lengths, &self.w);
@@ -102,7 +103,7 @@ impl<C: Calc> Boom<C> for System<C> {
     }
 
     /// Of boom, jib, rocker.
-    fn parts(&self, phi: C) -> Result<[C; 3], Fault> {
+    fn parts(&self, phi: C) -> Result<[C; 3], OutOfRange> {
         let nothing = C::constant(0.0);
         let w = &self.w;
         let alone = |keep: usize| {
@@ -119,7 +120,7 @@ impl<C: Calc> Boom<C> for System<C> {
     }
 
     /// Angular velocities come from the centres too.
-    fn moment_by_power(&self, phi: C) -> Result<C, Fault> {
+    fn moment_by_power(&self, phi: C) -> Result<C, OutOfRange> {
         let System { g, w } = self;
         let p = self.place(phi)?;
         let r = Centres::new(&p, &g.lengths, w);

@@ -7,7 +7,8 @@ use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::Load;
 use crate::balance::scene::Form;
 use crate::balance::symbols as s;
-use crate::balance::{Balance, FINITE, Fault};
+use crate::allowed::{FINITE, OutOfRange};
+use crate::balance::Balance;
 use crate::calc::Calc;
 use crate::component::extreme::Extreme;
 use crate::component::stages::{absent, results};
@@ -29,7 +30,7 @@ impl<C: Calc> Balancing<C> {
     ///
     /// # Errors
     /// Quantities with which there is no such balance; what `u_0` objects to.
-    pub fn new(form: &Form<C>, phi: f64, u_0: impl FnOnce(C) -> Result<C, Fault>) -> Result<Balancing<C>, Fault> {
+    pub fn new(form: &Form<C>, phi: f64, u_0: impl FnOnce(C) -> Result<C, OutOfRange>) -> Result<Balancing<C>, OutOfRange> {
         let balance = form.balance(u_0)?;
         let arc = match &balance {
             Balance::Lever(lever) => Some(lever.arc(phi)),
@@ -52,15 +53,15 @@ impl<C: Calc> Balancing<C> {
     ///
     /// # Errors
     /// A boom angle at which the balance cannot be, with those at which it can; a boom that stands still.
-    pub fn at(&self, phi: C, load: impl FnOnce() -> Load<C>) -> Result<Residual<C>, Fault> {
+    pub fn at(&self, phi: C, load: impl FnOnce() -> Load<C>) -> Result<Residual<C>, OutOfRange> {
         self.reached(phi.value()).map_err(|(near, arc)| {
             let what = "the balance linkage cannot get to this angle without passing a dead point";
-            Fault::new(&s::PHI, near, arc, what)
+            OutOfRange::new(&s::PHI, near, arc, what)
         })?;
         let load = load();
         if !load.m_0.value().is_finite() {
             let what = "the boom stands still here: no moment about its foot balances it";
-            return Err(Fault::new(&s::M_0, load.m_0.value(), FINITE, what));
+            return Err(OutOfRange::new(&s::M_0, load.m_0.value(), FINITE, what));
         }
         let action = self.balance.at(phi, &load)?;
         Ok(Residual::of(phi, load, action))
@@ -149,8 +150,8 @@ impl<C: Calc> Criteria<C> {
     pub fn new(
         found: &Analysis,
         motion: &Motion,
-        at: &dyn Fn(C) -> Result<Residual<C>, Fault>,
-    ) -> Result<Criteria<C>, Fault> {
+        at: &dyn Fn(C) -> Result<Residual<C>, OutOfRange>,
+    ) -> Result<Criteria<C>, OutOfRange> {
         let at = |theta: f64| at(C::constant(theta));
         let ends = [motion.from, motion.to];
         let places = std::iter::once(ends[0])
@@ -193,8 +194,8 @@ impl<C: Calc> Criteria<C> {
 /// power about the instant centres at a boom angle (rad).
 pub fn agreement(
     places: impl Iterator<Item = f64>,
-    residual: impl Fn(Dual64) -> Result<Residual<Dual64>, Fault>,
-    by_power: impl Fn(f64) -> Result<f64, Fault>,
+    residual: impl Fn(Dual64) -> Result<Residual<Dual64>, OutOfRange>,
+    by_power: impl Fn(f64) -> Result<f64, OutOfRange>,
 ) -> [f64; 2] {
     let (mut worst, mut scale) = ([0.0_f64; 2], f64::MIN_POSITIVE);
     for theta in places {

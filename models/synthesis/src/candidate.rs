@@ -4,7 +4,8 @@
 
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::Dimensions;
-use lemnis_models::balance::{Fault, POSITIVE, symbols as s};
+use lemnis_models::allowed::{OutOfRange, POSITIVE};
+use lemnis_models::balance::symbols as s;
 use lemnis_models::calc::Calc;
 use lemnis_models::four_bar::Branch;
 
@@ -62,10 +63,10 @@ impl Positions {
     /// # Errors
     /// A range that is empty or where the boom does not close; a boom without
     /// moment, which needs no balance.
-    pub fn new(boom: &(dyn Boom<f64> + Sync), range: [f64; 2], count: usize) -> Result<Positions, Fault> {
+    pub fn new(boom: &(dyn Boom<f64> + Sync), range: [f64; 2], count: usize) -> Result<Positions, OutOfRange> {
         let [from, to] = range;
         if !(from < to && from.is_finite() && to.is_finite() && count >= 2) {
-            return Err(Fault::new(
+            return Err(OutOfRange::new(
                 &s::PHI,
                 to,
                 [from, f64::INFINITY],
@@ -80,11 +81,11 @@ impl Positions {
             let parts = boom.parts(phi)?;
             Ok(Place { sin, cos, m_0, parts })
         };
-        let places = (0..count).map(place).collect::<Result<Vec<Place>, Fault>>()?;
+        let places = (0..count).map(place).collect::<Result<Vec<Place>, OutOfRange>>()?;
         let scale = places.iter().map(|place| place.m_0.abs()).fold(0.0, f64::max);
         if scale == 0.0 {
             let what = "the boom has no moment: there is nothing to balance";
-            return Err(Fault::new(&s::M_0, 0.0, POSITIVE, what));
+            return Err(OutOfRange::new(&s::M_0, 0.0, POSITIVE, what));
         }
         Ok(Positions { range, places, scale })
     }

@@ -5,7 +5,8 @@ use lemnis_models::balance::analysis::{Analysis, Residual};
 use lemnis_models::balance::boom::{Boom, joint};
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Method, Role, Task};
-use lemnis_models::balance::{Balance, Fault, symbols as s};
+use lemnis_models::allowed::OutOfRange;
+use lemnis_models::balance::{Balance, symbols as s};
 use lemnis_models::calc::Calc;
 use lemnis_models::four_bar::Branch;
 use lemnis_models::plane::Point;
@@ -174,7 +175,7 @@ fn worth(
     length: f64,
     d: Dimensions<f64>,
     branch: Branch,
-) -> Result<Worth, Fault> {
+) -> Result<Worth, OutOfRange> {
     let lever = Lever::new(d, None, branch)?;
     let balance = Balance::Lever(lever);
     let analysis = Analysis::new(boom, &balance, range)?;
@@ -187,9 +188,9 @@ fn worth(
         };
         Ok([phi, Residual::new(boom, &balance, phi)?.dm])
     });
-    let closes = |_| Fault::new(&s::L_K, d.l_1, [0.0, f64::INFINITY], "does not close");
+    let closes = |_| OutOfRange::new(&s::L_K, d.l_1, [0.0, f64::INFINITY], "does not close");
     Ok(Worth {
-        residual: residual.collect::<Result<_, Fault>>()?,
+        residual: residual.collect::<Result<_, OutOfRange>>()?,
         spread: Spread::new(builds, positions, &d, branch).ok(),
         drawing: drawing(&lever, range, length)?,
         cos_psi: positions.evaluate(&d, branch).map_err(closes)?.cos_psi,
@@ -317,7 +318,7 @@ fn nodes(task: &Task, boom: &(dyn Boom<f64> + Sync), own: &Lever<f64>) -> Option
 const ARM: f64 = 0.3;
 
 /// The lever at the ends (faint) and in the middle of the range.
-fn drawing(lever: &Lever<f64>, [from, to]: [f64; 2], length: f64) -> Result<Drawing, Fault> {
+fn drawing(lever: &Lever<f64>, [from, to]: [f64; 2], length: f64) -> Result<Drawing, OutOfRange> {
     let d = &lever.dimensions;
     let (sin, cos) = Calc::sin_cos(d.delta_1);
     let pivot = [d.d_1 * cos, d.d_1 * sin];

@@ -12,7 +12,8 @@ use std::f64::consts::{PI, TAU};
 use crate::three::{near_zero, ordinate};
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::{Dimensions, Lever};
-use lemnis_models::balance::{FINITE, Fault, POSITIVE, check, symbols as s};
+use lemnis_models::allowed::{FINITE, OutOfRange, POSITIVE, check};
+use lemnis_models::balance::symbols as s;
 use lemnis_models::calc::Calc;
 use lemnis_models::four_bar::Branch;
 use lemnis_models::plane::{self, Point};
@@ -38,13 +39,13 @@ impl Nodes {
     ///
     /// # Errors
     /// Nodes that coincide, a boom that does not close there, a counterweight too light.
-    pub fn new(boom: &(dyn Boom<f64> + Sync), phi: [f64; 3], psi_1: f64, m_5: f64) -> Result<Nodes, Fault> {
+    pub fn new(boom: &(dyn Boom<f64> + Sync), phi: [f64; 3], psi_1: f64, m_5: f64) -> Result<Nodes, OutOfRange> {
         check(&s::M_5, m_5, POSITIVE)?;
         check(&s::PSI, psi_1, FINITE)?;
         for (i, j) in [(0, 1), (0, 2), (1, 2)] {
             let apart = (phi[i] - phi[j]).abs();
             if apart.is_nan() || apart <= 1e-6 {
-                return Err(Fault::new(
+                return Err(OutOfRange::new(
                     &s::PHI,
                     phi[j],
                     FINITE,
@@ -69,7 +70,7 @@ impl Nodes {
     ///
     /// # Errors
     /// A length that is not positive; no lever with this rod arm.
-    pub fn levers(&self, d_1: f64, delta_1: f64, lever: f64) -> Result<Vec<Lever<f64>>, Fault> {
+    pub fn levers(&self, d_1: f64, delta_1: f64, lever: f64) -> Result<Vec<Lever<f64>>, OutOfRange> {
         check(&s::D_1, d_1, POSITIVE)?;
         check(&s::DELTA_1, delta_1, FINITE)?;
         check(&s::R_L, lever, POSITIVE)?;
@@ -97,7 +98,7 @@ impl Nodes {
         }
         if found.is_empty() {
             let what = "no lever with this rod arm passes the nodes in one branch";
-            return Err(Fault::new(&s::R_L, lever, POSITIVE, what));
+            return Err(OutOfRange::new(&s::R_L, lever, POSITIVE, what));
         }
         Ok(found)
     }

@@ -13,7 +13,8 @@ use crate::tolerance::Builds;
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::Dimensions;
 use lemnis_models::balance::task::{Bounds, Constraints, Criterion, Task};
-use lemnis_models::balance::{Fault, POSITIVE, check, symbols as s};
+use lemnis_models::allowed::{OutOfRange, POSITIVE, check};
+use lemnis_models::balance::symbols as s;
 use lemnis_models::calc::Calc;
 use lemnis_models::four_bar::Branch;
 use lemnis_models::symbol::Symbol;
@@ -78,7 +79,7 @@ impl Problem {
     ///
     /// # Errors
     /// As [`Positions::new`].
-    pub fn new(boom: &(dyn Boom<f64> + Sync), range: [f64; 2], task: &Task, branch: Branch) -> Result<Problem, Fault> {
+    pub fn new(boom: &(dyn Boom<f64> + Sync), range: [f64; 2], task: &Task, branch: Branch) -> Result<Problem, OutOfRange> {
         Ok(Problem {
             positions: Positions::new(boom, range, POSITIONS)?,
             branch,
@@ -91,7 +92,7 @@ impl Problem {
 
     /// # Errors
     /// Bounds or constraints that contradict each other or are no numbers.
-    pub fn check(&self) -> Result<(), Fault> {
+    pub fn check(&self) -> Result<(), OutOfRange> {
         let mut sound = Ok(());
         self.bounds.map(&mut |symbol, [low, high]| {
             let least = match symbol.id {
@@ -115,13 +116,13 @@ impl Problem {
 
     /// The constraints that `found` does not keep: the quantity, its value and what is allowed.
     #[must_use]
-    pub fn violated(&self, c: &Criteria) -> Vec<Fault> {
+    pub fn violated(&self, c: &Criteria) -> Vec<OutOfRange> {
         let k = &self.constraints;
         let inf = f64::INFINITY;
         let mut faults = Vec::new();
         let mut demand = |symbol, value: f64, allowed: [f64; 2], what| {
             if !(allowed[0]..=allowed[1]).contains(&value) {
-                faults.push(Fault::new(symbol, value, allowed, what));
+                faults.push(OutOfRange::new(symbol, value, allowed, what));
             }
         };
         demand(
@@ -327,7 +328,7 @@ impl Problem {
     }
 
     /// Whether every dimension lies within its bounds.
-    fn within(&self, d: &Dimensions<f64>) -> Result<(), Fault> {
+    fn within(&self, d: &Dimensions<f64>) -> Result<(), OutOfRange> {
         let mut sound = Ok(());
         self.each(d, |symbol, value, bounds| {
             if sound.is_ok() {
@@ -365,7 +366,7 @@ impl Problem {
     }
 
     /// Why a linkage does not close over the whole range.
-    fn open(&self, d: &Dimensions<f64>) -> Fault {
+    fn open(&self, d: &Dimensions<f64>) -> OutOfRange {
         let [near, far] = self.positions.diagonals(d);
         let what = format!(
             "no linkage within the bounds closes over the whole working range; the nearest one {}",
@@ -374,13 +375,13 @@ impl Problem {
         // Rod and rod arm must span every distance from lever's pivot to joint.
         let [shortest, longest] = [(far - d.lever).max(d.lever - near), near + d.lever];
         if shortest < longest {
-            Fault::new(&s::L_K, d.l_1, [shortest, longest], what)
+            OutOfRange::new(&s::L_K, d.l_1, [shortest, longest], what)
         } else {
-            Fault::new(&s::R_L, d.lever, [0.5 * (far - near), f64::INFINITY], what)
+            OutOfRange::new(&s::R_L, d.lever, [0.5 * (far - near), f64::INFINITY], what)
         }
     }
 
-    fn found(&self, best: &Attempt, complete: bool) -> Result<Found, Fault> {
+    fn found(&self, best: &Attempt, complete: bool) -> Result<Found, OutOfRange> {
         let dimensions = best.dimensions;
         let criteria = self.positions.evaluate(&dimensions, self.branch);
         let criteria = criteria.map_err(|_| self.open(&dimensions))?;
@@ -397,7 +398,7 @@ impl Problem {
                     worst.what
                 )
             };
-            return Err(Fault { what, ..worst.clone() });
+            return Err(OutOfRange { what, ..worst.clone() });
         }
         Ok(Found {
             dimensions,
@@ -449,7 +450,7 @@ pub fn runs(effort: Effort) -> usize {
 /// # Errors
 /// Bounds or constraints that contradict each other; constraints that no
 /// lever within the bounds keeps, with the bounds that the nearest one touches.
-pub fn search(problem: &Problem, effort: Effort, watch: Watch<'_>) -> Result<Found, Fault> {
+pub fn search(problem: &Problem, effort: Effort, watch: Watch<'_>) -> Result<Found, OutOfRange> {
     seek(problem, effort, None, REFINED, watch)
 }
 
@@ -460,7 +461,7 @@ fn seek(
     known: Option<Dimensions<f64>>,
     refined: usize,
     watch: Watch<'_>,
-) -> Result<Found, Fault> {
+) -> Result<Found, OutOfRange> {
     problem.check()?;
     let count = effort.runs.max(1);
     let seed = |run: usize| fastrand::Rng::with_seed(effort.seed.wrapping_mul(SPREAD).wrapping_add(run as u64));
@@ -483,7 +484,7 @@ fn seek(
 ///
 /// # Errors
 /// As [`search`]; a start outside the bounds.
-pub fn improve(problem: &Problem, start: Dimensions<f64>, seed: u64, watch: Watch<'_>) -> Result<Found, Fault> {
+pub fn improve(problem: &Problem, start: Dimensions<f64>, seed: u64, watch: Watch<'_>) -> Result<Found, OutOfRange> {
     problem.check()?;
     problem.within(&start)?;
     let best = problem.refine(problem.attempt(start), &mut fastrand::Rng::with_seed(seed), watch);
@@ -510,7 +511,7 @@ pub fn front(
     values: &[f64],
     effort: Effort,
     watch: Watch<'_>,
-) -> Result<Vec<Result<Found, Fault>>, Fault> {
+) -> Result<Vec<Result<Found, OutOfRange>>, OutOfRange> {
     let symbol = match limit {
         Limit::RodForce => &s::N_MAX,
         Limit::Counterweight => &s::M_5,
@@ -518,7 +519,7 @@ pub fn front(
     for pair in values.windows(2) {
         check(symbol, pair[1], [pair[0], f64::MAX])?;
     }
-    let mut front: Vec<Result<Found, Fault>> = Vec::new();
+    let mut front: Vec<Result<Found, OutOfRange>> = Vec::new();
     for &value in values {
         let mut problem = problem.clone();
         match limit {

@@ -4,7 +4,8 @@ use lemnis_models::balance::analysis::Analysis;
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Criterion, Method, Role, Task};
-use lemnis_models::balance::{Balance, Fault, symbols as s};
+use lemnis_models::allowed::OutOfRange;
+use lemnis_models::balance::{Balance, symbols as s};
 use lemnis_models::four_bar::Branch;
 use lemnis_models::symbol::Symbol;
 
@@ -64,7 +65,7 @@ pub fn run(
     task: &Task,
     threads: usize,
     watch: Watch<'_>,
-) -> Result<Outcome, Fault> {
+) -> Result<Outcome, OutOfRange> {
     let (d_1, delta_1) = (task.bounds.d_1[0], task.bounds.delta_1[0]);
     let lever = match task.method {
         Method::Optimum => return best(boom, range, task, threads, watch),
@@ -95,7 +96,7 @@ pub fn run(
             let best = levers.min_by(|a, b| residual(a).total_cmp(&residual(b)));
             best.ok_or_else(|| {
                 let what = "every lever with this rod arm that passes the nodes is of the other branch";
-                Fault::new(&s::R_L, lever, lemnis_models::balance::POSITIVE, what)
+                OutOfRange::new(&s::R_L, lever, lemnis_models::allowed::POSITIVE, what)
             })?
         }
     };
@@ -114,12 +115,12 @@ fn best(
     task: &Task,
     threads: usize,
     watch: Watch<'_>,
-) -> Result<Outcome, Fault> {
+) -> Result<Outcome, OutOfRange> {
     let branches = match task.branch {
         Some(branch) => vec![branch],
         None => vec![Branch::Left, Branch::Right],
     };
-    let mut chosen: Result<(Problem, Found), Fault> = Err(Fault::new(&s::L_K, 0.0, [0.0, 0.0], ""));
+    let mut chosen: Result<(Problem, Found), OutOfRange> = Err(OutOfRange::new(&s::L_K, 0.0, [0.0, 0.0], ""));
     for branch in branches {
         let found = in_branch(boom, range, task, branch, threads, watch);
         let value = chosen.as_ref().map_or(f64::INFINITY, |(_, best)| best.value);
@@ -171,7 +172,7 @@ fn in_branch(
     branch: Branch,
     threads: usize,
     watch: Watch<'_>,
-) -> Result<(Problem, Found), Fault> {
+) -> Result<(Problem, Found), OutOfRange> {
     let mut problem = Problem::new(boom, range, task, branch)?;
     let start = task.candidates.iter().find(|candidate| candidate.role == Role::Start);
     let mut found = match start {

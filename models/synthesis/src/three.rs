@@ -6,7 +6,8 @@
 
 use lemnis_models::balance::boom::{Boom, joint};
 use lemnis_models::balance::lever::{Dimensions, Lever};
-use lemnis_models::balance::{FINITE, Fault, POSITIVE, check, symbols as s};
+use lemnis_models::allowed::{FINITE, OutOfRange, POSITIVE, check};
+use lemnis_models::balance::symbols as s;
 use lemnis_models::calc::Calc;
 use lemnis_models::four_bar::Branch;
 use lemnis_models::plane::{self, Point};
@@ -33,11 +34,11 @@ pub struct Given {
 ///
 /// # Errors
 /// A counterweight too light to take up the energy.
-pub(crate) fn ordinate(m_5: f64, psi_1: f64, u_1: f64, u_0: f64) -> Result<f64, Fault> {
+pub(crate) fn ordinate(m_5: f64, psi_1: f64, u_1: f64, u_0: f64) -> Result<f64, OutOfRange> {
     let (sin, cos) = Calc::sin_cos(psi_1);
     if cos >= 0.0 {
         let what = "the counterweight must start behind the lever's pivot";
-        return Err(Fault::new(
+        return Err(OutOfRange::new(
             &s::PSI,
             psi_1,
             [0.5 * std::f64::consts::PI, 1.5 * std::f64::consts::PI],
@@ -49,7 +50,7 @@ pub(crate) fn ordinate(m_5: f64, psi_1: f64, u_1: f64, u_0: f64) -> Result<f64, 
         let rise = (u_0 - u_1).abs();
         let room = if sine < 0.0 { 1.0 + sin } else { 1.0 - sin };
         let what = "the counterweight is too light: its lever would turn past the vertical";
-        return Err(Fault::new(&s::M_5, m_5, [rise / room, f64::INFINITY], what));
+        return Err(OutOfRange::new(&s::M_5, m_5, [rise / room, f64::INFINITY], what));
     }
     let turns = ((psi_1 - std::f64::consts::PI) / std::f64::consts::TAU).round();
     Ok(std::f64::consts::PI - Calc::asin(sine) + turns * std::f64::consts::TAU)
@@ -64,7 +65,7 @@ const COLLINEAR: f64 = 1e-3;
 /// # Errors
 /// Angles that do not rise, a counterweight too light, positions that need an
 /// infinite rod, or that a linkage reaches only in two branches.
-pub fn lever(boom: &(dyn Boom<f64> + Sync), given: &Given) -> Result<Lever<f64>, Fault> {
+pub fn lever(boom: &(dyn Boom<f64> + Sync), given: &Given) -> Result<Lever<f64>, OutOfRange> {
     let g = given;
     check(&s::D_1, g.d_1, POSITIVE)?;
     check(&s::R_K, g.r_1, POSITIVE)?;
@@ -95,7 +96,7 @@ pub fn lever(boom: &(dyn Boom<f64> + Sync), given: &Given) -> Result<Lever<f64>,
     let height = double_area.abs() / longest;
     if height.is_nan() || height <= COLLINEAR * longest {
         let what = "the three positions of the joint seen from the lever lie in one line: the rod would be infinitely long; choose other positions or another joint";
-        return Err(Fault::new(&s::R_K, g.r_1, FINITE, what));
+        return Err(OutOfRange::new(&s::R_K, g.r_1, FINITE, what));
     }
     let (aa, bb) = (plane::dot(a, a), plane::dot(b, b));
     let centre = Point::new(b.y * aa - a.y * bb, a.x * bb - b.x * aa) / (2.0 * double_area);
@@ -103,7 +104,7 @@ pub fn lever(boom: &(dyn Boom<f64> + Sync), given: &Given) -> Result<Lever<f64>,
     let sides = seen.map(|k| plane::cross(k, arm) > 0.0);
     if sides != [sides[0]; 3] {
         let what = "the linkage reaches the three positions only by passing a dead point";
-        return Err(Fault::new(&s::ALPHA_K, g.alpha_1, FINITE, what));
+        return Err(OutOfRange::new(&s::ALPHA_K, g.alpha_1, FINITE, what));
     }
     let branch = if sides[0] { Branch::Left } else { Branch::Right };
     let dimensions = Dimensions {

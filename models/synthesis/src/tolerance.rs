@@ -6,7 +6,8 @@
 use crate::candidate::Positions;
 use lemnis_models::balance::lever::Dimensions;
 use lemnis_models::balance::task::Tolerances;
-use lemnis_models::balance::{Fault, NOT_NEGATIVE, POSITIVE, check, symbols as s};
+use lemnis_models::allowed::{OutOfRange, NOT_NEGATIVE, POSITIVE, check};
+use lemnis_models::balance::symbols as s;
 use lemnis_models::four_bar::Branch;
 
 /// Deviations of many builds, drawn once: what is compared is built alike.
@@ -35,7 +36,7 @@ impl Builds {
     ///
     /// # Panics
     /// Fewer than 20 builds.
-    pub fn new(positions: &Positions, t: Tolerances, count: usize, seed: u64) -> Result<Builds, Fault> {
+    pub fn new(positions: &Positions, t: Tolerances, count: usize, seed: u64) -> Result<Builds, OutOfRange> {
         check(&s::T_L, t.length, NOT_NEGATIVE)?;
         check(&s::T_A, t.angle, NOT_NEGATIVE)?;
         check(&s::T_W, t.weight, [0.0, 0.5])?;
@@ -92,8 +93,8 @@ impl Builds {
 impl Spread {
     /// # Errors
     /// A lever that does not close as designed, or of which 95 % cannot be built.
-    pub fn new(builds: &Builds, positions: &Positions, d: &Dimensions<f64>, branch: Branch) -> Result<Spread, Fault> {
-        let fault = |what| Fault::new(&s::L_K, d.l_1, POSITIVE, what);
+    pub fn new(builds: &Builds, positions: &Positions, d: &Dimensions<f64>, branch: Branch) -> Result<Spread, OutOfRange> {
+        let fault = |what| OutOfRange::new(&s::L_K, d.l_1, POSITIVE, what);
         let what = "the balance linkage does not close over the whole working range";
         let nominal = positions.evaluate(d, branch).map_err(|_| fault(what))?.dm_max;
         let all = builds.residuals(d, branch);

@@ -1,6 +1,6 @@
 //! A balance on this boom, whose angle is the coordinate.
 
-use crate::balance::Fault;
+use crate::allowed::OutOfRange;
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::Plain;
 use crate::balance::scene::Form;
@@ -13,14 +13,14 @@ use crate::luffing::rope::statics::{Hanging, Own};
 
 /// # Errors
 /// Quantities with which there is no such balance.
-pub fn balancing<C: Calc>(weights: &Plain<C>, form: &Form<C>, choice: &Choice) -> Result<Balancing<C>, Fault> {
+pub fn balancing<C: Calc>(weights: &Plain<C>, form: &Form<C>, choice: &Choice) -> Result<Balancing<C>, OutOfRange> {
     let middle = f64::midpoint(choice.range.from, choice.range.to);
     Balancing::new(form, middle, |phi| Ok(weights.load(phi).u_0))
 }
 
 /// # Errors
 /// A boom angle at which the balance cannot be.
-pub fn residual<C: Calc>(balancing: &Balancing<C>, own: &Own<C>, phi: &C) -> Result<Residual<C>, Fault> {
+pub fn residual<C: Calc>(balancing: &Balancing<C>, own: &Own<C>, phi: &C) -> Result<Residual<C>, OutOfRange> {
     balancing.at(*phi, || own.load)
 }
 
@@ -46,6 +46,6 @@ pub fn criteria<C: Calc>(
     weights: &Plain<C>,
     found: &Analysis,
     choice: &Choice,
-) -> Result<Criteria<C>, Fault> {
+) -> Result<Criteria<C>, OutOfRange> {
     Criteria::new(found, &choice.range, &|phi| balancing.at(phi, || weights.load(phi)))
 }
