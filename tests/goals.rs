@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use lemnis_fmu::package::{self, Library};
 use lemnis_models::calc::Calc;
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::lemniscate::feet::Feet;
 use lemnis_models::lemniscate::geometry::Geometry;
 use lemnis_models::lemniscate::position::Position;

@@ -7,7 +7,7 @@ use std::process::Command;
 use std::time::Instant;
 
 use lemnis_fmu::description::{Standard, model_description};
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::Role;
 use lemnis_models::scene::{DEFAULT, Scene};
 

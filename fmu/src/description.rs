@@ -3,7 +3,7 @@
 
 use crate::instance::{CATEGORIES, strings, token};
 use crate::layout::{self, Place};
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::{Enumeration, Fault, Name, Role, TIME, Type};
 use lemnis_models::registry;
 use lemnis_models::scene::Scene;

@@ -3,7 +3,8 @@
 
 use crate::layout::{self, Place, Vector};
 use crate::refuse;
-use lemnis_models::component::running::{Model, State, Tangent};
+use lemnis_models::component::model::Model;
+use lemnis_models::component::running::{State, Tangent};
 use lemnis_models::model::{Fault, Quantity, Role, TIME, Type, Variable};
 use lemnis_models::number::{exact, short};
 use lemnis_models::scene::{LONGEST, Scene};

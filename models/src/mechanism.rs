@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::fmt;
 
-use crate::component::running::Model;
+use crate::component::model::Model;
 use crate::diagnostic::Diagnostic;
 use crate::model::Fault;
 use crate::motion::{Motion, Place};

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use crate::component::dependencies::{dependencies as traced, recorded};
 use crate::component::outline::Told;
 use crate::component::part::{Component, Runner};
-use crate::component::running::Model;
+use crate::component::model::Model;
 use crate::component::standing::Standing;
 use crate::lemniscate::scene::Luffing;
 use crate::lemniscate::stages::DoubleLink;
@@ -20,23 +20,23 @@ use crate::steering::stages::SteeredGroups;
 use crate::{lemniscate, luffing, steering};
 
 pub static MECHANISMS: &[Entry] = &[
-    lemniscate::scene::ENTRY,
+    lemniscate::mechanism::ENTRY,
     luffing::rope::scene::ENTRY,
-    steering::scene::ENTRY,
+    steering::mechanism::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
 pub const LUFFING: Key = Key::kinds(
     "luffing",
     &[
-        (lemniscate::scene::ENTRY.kind, lemniscate::scene::KEYS),
-        (luffing::rope::scene::ENTRY.kind, luffing::rope::scene::KEYS),
+        (lemniscate::mechanism::ENTRY.kind, lemniscate::mechanism::ENTRY.keys),
+        (luffing::rope::scene::ENTRY.kind, luffing::rope::scene::ENTRY.keys),
     ],
     "A luffing mechanism.",
 );
 pub const STEERING: Key = Key::table(
     "steering",
-    steering::scene::KEYS,
+    steering::mechanism::ENTRY.keys,
     "The steering of a machine on wheels.",
 )
 .optional();

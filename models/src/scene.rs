@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use toml::de::DeTable;
 
-use crate::component::running::Model;
+use crate::component::model::Model;
 use crate::diagnostic::Diagnostic;
 use crate::gravity;
 use crate::mechanism::Mechanism;

@@ -3,7 +3,7 @@
 use lemnis_models::balance::Balance;
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::calc::Calc;
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::lemniscate::balancing::{self, residual};
 use lemnis_models::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Phase};
 use lemnis_models::lemniscate::geometry::{Driven, Geometry};

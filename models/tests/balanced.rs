@@ -6,7 +6,7 @@ mod balances;
 use std::f64::consts::TAU;
 
 use balances::{EXISTING, KINDS, NEW, driven_by_rocker, every_kind, with};
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::lemniscate::balancing::{agreement, analysis};
 use lemnis_models::lemniscate::geometry::Driven;
 use lemnis_models::lemniscate::scene::Luffing;

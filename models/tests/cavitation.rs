@@ -1,7 +1,7 @@
 //! Oil below absolute vacuum, which the model has and a machine has not: it is told by a truth value with its event
 //! indicator and once in words, alike for luffing and for steering.
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::{Role, Type};
 use lemnis_models::scene::Scene;
 

@@ -3,7 +3,7 @@
 //!
 //! References: `tests/oracles/four_bars.py`, Legendre's integral with 50 digits.
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::four_bar::Branch;
 use lemnis_models::lemniscate::geometry::{Driven, Geometry, Jib, Lengths, Parameters};
 use lemnis_models::lemniscate::position::Position;

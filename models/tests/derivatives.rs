@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::{Role, TIME};
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::{DEFAULT, Scene};

@@ -1,7 +1,7 @@
 //! An empty hook: a load of nothing, from the start or put down and picked up again during a run, at every level.
 //! It is the limit of ever lighter loads, of which one of a millionth of a newton stands for all.
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::Role;
 use lemnis_models::scene::Scene;
 

@@ -11,7 +11,7 @@ use lemnis_models::lemniscate::feet::Feet;
 use lemnis_models::lemniscate::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters, Weights};
 use lemnis_models::lemniscate::position::Position;
 use lemnis_models::lemniscate::range::{Rise, rise_by_integration};
-use lemnis_models::lemniscate::scene::Motion;
+use lemnis_models::motion::Motion;
 use lemnis_models::lemniscate::statics::{Centres, Held, LoadMoment, Own, PinForces};
 use lemnis_models::lemniscate::symbols::{DELTA_Y, EPSILON_Y};
 use lemnis_models::lemniscate::velocity::{Pole, Velocity};

@@ -2,7 +2,7 @@
 //! plane, and by what theory conserves.
 
 use lemnis_models::calc::Calc;
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::lemniscate::dynamics::{Coordinate, Pendulum};
 use lemnis_models::lemniscate::hanging::{Free, Load};
 use lemnis_models::lemniscate::motion::{self, Bar, Friction, Motion};

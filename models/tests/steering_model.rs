@@ -1,6 +1,6 @@
 //! The steering's running model: scenes, dependencies, derivatives, limits.
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::{Role, TIME, Type};
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;

@@ -3,7 +3,7 @@
 
 use std::time::Instant;
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::hydraulics::cylinder::Cylinder;
 use lemnis_models::hydraulics::valve::Valve;
 use lemnis_models::model::Role;

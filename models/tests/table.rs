@@ -1,6 +1,6 @@
 //! Level `table`: the certified error holds, dimensions are fixed, and what cannot be tabulated is exact.
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::Role;
 use lemnis_models::scene::Scene;
 

@@ -1,6 +1,6 @@
 //! The published table, value by value, from the default scene.
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 /// All 366 computed values of [Li2022, Table 1] to the printed digit: within

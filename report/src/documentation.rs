@@ -2,7 +2,7 @@
 
 use lemnis_fmu::instance::strings;
 use lemnis_fmu::layout::{self, Place};
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::{Enumeration, Role, TIME, Type, Variable};
 use lemnis_models::scene::Scene;
 use lemnis_models::sheet::assumptions;

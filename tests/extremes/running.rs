@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use lemnis_models::calc::Calc;
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::Fault;
 use lemnis_models::scene::Scene;
 

@@ -3,7 +3,7 @@
 
 use lemnis_fmu::instance::{Instance, Interface, token};
 use lemnis_models::calc::Calc;
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::lemniscate::dynamics::Body;
 use lemnis_models::model::{Role, Type};
 use lemnis_models::scene::{DEFAULT, Scene};

@@ -24,7 +24,7 @@ use lemnis::language::Language;
 use lemnis::results::Results;
 use lemnis::template::Templates;
 use lemnis_fmu::description::{Standard, model_description};
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::scene::{LANGUAGES, Scene};
 use lemnis_tests::unpacked::Unpacked;
 use lemnis_trade::trade::{SAMPLE, Trade};

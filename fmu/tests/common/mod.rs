@@ -5,7 +5,7 @@ use lemnis_fmu::abi::{
     Component, STATUS_DISCARD, STATUS_ERROR, STATUS_FATAL, STATUS_WARNING, Status, fmi2::*, fmi3::*,
 };
 use lemnis_fmu::layout::{self, Place};
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::scene::{self, Scene};
 use std::ffi::{CStr, CString, c_char, c_void};
 use std::path::Path;

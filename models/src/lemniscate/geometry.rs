@@ -6,18 +6,50 @@ use crate::balance::scene::Form;
 use crate::calc::Calc;
 use crate::component::stages::results;
 use crate::four_bar::{Branch, FourBar, Names};
-use crate::group::quantities;
+use crate::group::{group, quantities};
 use crate::lemniscate::symbols as s;
 use crate::motion::Motion;
 use crate::number::short;
 use crate::plane::{self, Point};
 use crate::symbol::Symbol;
 
+/// What the scene has chosen.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice {
+    pub driven: Driven,
+    pub branch: Branch,
+    /// Working range of the driven bar.
+    pub range: Motion,
+    /// Whether finite forces in the pins carry load and weights all over it.
+    pub pins: bool,
+}
+group!(Choice);
+
 /// Which bar the drive turns; its angle is the coordinate of the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Driven {
     Boom,
     Rocker,
+}
+
+impl Driven {
+    /// Angle of the driven bar, the coordinate of the mechanism.
+    #[must_use]
+    pub fn coordinate(self) -> &'static Symbol {
+        match self {
+            Driven::Boom => &s::THETA_1,
+            Driven::Rocker => &s::THETA_3,
+        }
+    }
+
+    /// Angular velocity of the driven bar.
+    #[must_use]
+    pub fn rate(self) -> &'static Symbol {
+        match self {
+            Driven::Boom => &s::OMEGA_1,
+            Driven::Rocker => &s::OMEGA_3,
+        }
+    }
 }
 
 quantities! {

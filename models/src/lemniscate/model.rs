@@ -5,38 +5,19 @@ use std::any::Any;
 use crate::component::part::Runner;
 use crate::component::standing::Standing;
 use crate::group::One;
-use crate::lemniscate::geometry::{Driven, Jib};
+use crate::lemniscate::geometry::{Choice, Jib};
 use crate::lemniscate::scene::Luffing;
-use crate::lemniscate::stages::{Choice, DoubleLink, Given};
+use crate::lemniscate::stages::{DoubleLink, Given};
 use crate::lemniscate::symbols as s;
 use crate::model::Fault;
-use crate::symbol::Symbol;
-
-/// Angle of the driven bar, the coordinate of the mechanism.
-#[must_use]
-pub fn coordinate(driven: Driven) -> &'static Symbol {
-    match driven {
-        Driven::Boom => &s::THETA_1,
-        Driven::Rocker => &s::THETA_3,
-    }
-}
-
-/// Angular velocity of the driven bar.
-#[must_use]
-pub fn rate(driven: Driven) -> &'static Symbol {
-    match driven {
-        Driven::Boom => &s::OMEGA_1,
-        Driven::Rocker => &s::OMEGA_3,
-    }
-}
 
 /// What the scene gives.
 #[must_use]
 pub fn given(luffing: &Luffing) -> Given<f64> {
     let p = &luffing.parameters;
     Given {
-        theta: One(coordinate(p.driven), luffing.motion.from),
-        omega: One(rate(p.driven), luffing.motion.speed),
+        theta: One(p.driven.coordinate(), luffing.motion.from),
+        omega: One(p.driven.rate(), luffing.motion.speed),
         load: luffing.q.map(|q| One(&s::Q, q)),
         lengths: p.lengths,
         jib: match p.jib {

@@ -5,25 +5,16 @@ use crate::balance::scene::{Form, KEYS as BALANCE};
 use crate::balance::task::{KEYS as SYNTHESIS, Task};
 use crate::allowed::OutOfRange;
 use crate::balance::{self, symbols as b};
-use crate::component::outline::{Published, Told};
-use crate::component::running::Model;
-use crate::component::table::TOLERANCE;
-use crate::component::telling;
+use crate::component::outline::Published;
 use crate::diagnostic::Diagnostic;
 use crate::four_bar::{Arc, Branch};
 use crate::lemniscate::balancing::{analysis, boom};
 use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights};
-use crate::lemniscate::model::{coordinate, standing};
 use crate::lemniscate::moving;
-use crate::lemniscate::sheet::remarks;
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::system::System;
 use crate::luffing::scene::{KIND, SOURCE, TABLE, interpolation};
-use crate::mechanism::{Entry, Mechanism, Solver};
-use crate::model;
-pub use crate::motion::Motion;
-use crate::motion::Place;
-use crate::motion::degrees;
+use crate::motion::{Motion, degrees};
 use crate::schema::{Key, Kind, Sign, Values};
 use crate::symbol::Symbol;
 
@@ -214,133 +205,6 @@ impl Luffing {
     }
 }
 
-/// As scenes describe it.
-pub const ENTRY: Entry = Entry {
-    table: "luffing",
-    kind: "double_link",
-    keys: KEYS,
-    read: |values, gravity, found| Some(Box::new(Luffing::new(values, gravity, found)?)),
-};
-
-impl Mechanism for Luffing {
-    fn id(&self) -> &'static str {
-        "luffing"
-    }
-
-    fn model(&self) -> Result<Model, model::Fault> {
-        match &self.moving {
-            None => standing(self).map(Model::Standing),
-            Some(moving) => moving::model::Model::new(self, moving).map(|model| Model::Moving(Box::new(model))),
-        }
-    }
-
-    fn motion(&self) -> &Motion {
-        &self.motion
-    }
-
-    fn levels(&self) -> Vec<&'static str> {
-        let mut levels = vec!["table", "static"];
-        if let Some(moving) = &self.moving {
-            levels.push("rigid");
-            levels.extend(moving.rope.map(|_| "swing"));
-            levels.extend(moving.oil.map(|_| "hydraulic"));
-        }
-        levels
-    }
-
-    fn level(&self) -> &'static str {
-        match self.moving {
-            None if self.table.is_some() => "table",
-            _ => self.levels().last().copied().unwrap_or("static"),
-        }
-    }
-
-    fn is_auto(&self) -> bool {
-        self.auto
-    }
-
-    fn set_level(&mut self, level: &str) {
-        self.auto = false;
-        match level {
-            "rigid" => {
-                if let Some(moving) = &mut self.moving {
-                    (moving.rope, moving.oil) = (None, None);
-                }
-            }
-            "swing" => {
-                if let Some(moving) = &mut self.moving {
-                    moving.oil = None;
-                }
-            }
-            "hydraulic" => {}
-            _ => self.moving = None,
-        }
-        if level == "table" {
-            self.table = Some(TOLERANCE);
-        }
-    }
-
-    fn interpolate(&mut self, tolerance: f64) {
-        self.table = Some(tolerance);
-    }
-
-    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
-        let mut unused: Vec<(&'static str, &'static [&'static str])> = match level {
-            "static" | "table" => vec![("dynamics", &[]), ("slewing", &[]), ("hydraulics", &[])],
-            "rigid" | "swing" => vec![("hydraulics", &[])],
-            _ => Vec::new(),
-        };
-        let rope = self.moving.as_ref().is_some_and(|moving| moving.rope.is_some());
-        if !(rope && matches!(level, "swing" | "hydraulic")) {
-            unused.extend([
-                ("slewing", &["chi_R"][..]),
-                ("dynamics", &["l_R", "phi_R", "v_h"][..]),
-                ("limits", &["phi_max"][..]),
-            ]);
-        }
-        unused
-    }
-
-    fn solver(&self) -> Option<Solver> {
-        self.moving.as_ref().map(|moving| Solver {
-            step: &moving::symbols::STEP,
-            tolerance: &moving::symbols::TOL,
-            table: "hydraulics",
-            explicit: moving.oil.is_none().then_some(moving.constants.step),
-        })
-    }
-
-    fn place(&self, text: &str) -> Result<Place, (String, String)> {
-        let named = standing(self).map_or(Vec::new(), |model| telling::places(self, &model));
-        let theta = coordinate(self.parameters.driven);
-        self.motion.place(text, theta, "an angle of the working range", &named)
-    }
-
-    fn has_chapter(&self, chapter: &str) -> bool {
-        match chapter {
-            "motion" => self.moving.is_some(),
-            "balance" => self.parameters.balance.is_some(),
-            "published" => self.published.is_some(),
-            "synthesis" => self.synthesis.is_some(),
-            "remarks" => !remarks(self).is_empty(),
-            "views" | "sizing" => false,
-            _ => true,
-        }
-    }
-
-    fn duplicate(&self) -> Box<dyn Mechanism> {
-        Box::new(self.clone())
-    }
-}
-
-impl dyn Mechanism {
-    /// The double-link mechanism, if it is one.
-    #[must_use]
-    pub fn luffing(&self) -> Option<&Luffing> {
-        self.of()
-    }
-}
-
 impl Luffing {
     /// Builds the mechanism of a checked table under the acceleration of gravity (m/s²); mistakes go to `found`.
     pub fn new(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Luffing> {
@@ -454,14 +318,14 @@ impl Luffing {
             let what = format!("a limit {id} without a swinging load");
             found.push(Diagnostic::new(table.place(id), what, "nothing to check").help("remove the limit"));
         }
-        let theta = coordinate(parameters.driven);
+        let theta = parameters.driven.coordinate();
         let published = v.table("published").and_then(|table| published(table, theta, found));
         let motion = motion?;
         let change_point = change_point(v, &parameters, &motion, moving.is_some(), found);
         let synthesis = v
             .table("synthesis")
             .and_then(|table| synthesis(table, &parameters, &motion, found));
-        let luffing = Luffing {
+        (found.len() == before).then_some(Luffing {
             parameters,
             q,
             motion,
@@ -473,23 +337,7 @@ impl Luffing {
             published,
             synthesis,
             published_balance: v.table("balance").and_then(balance::scene::Published::read),
-        };
-        if found.len() == before
-            && let Some((published, table)) = luffing.published.as_ref().zip(v.table("published"))
-        {
-            // The first line has the names.
-            let places = table.texts("values").iter().skip(1);
-            let compared = telling::compared(published, &mut luffing.standing());
-            for (row, (_, place)) in compared.into_iter().zip(places) {
-                if let Err(fault) = row {
-                    let message = format!("a published row of which there is none: {}", fault.message);
-                    found.push(
-                        Diagnostic::new(place.clone(), message, "not possible").help("correct the row, or remove it"),
-                    );
-                }
-            }
-        }
-        (found.len() == before).then_some(luffing)
+        })
     }
 }
 
@@ -622,7 +470,7 @@ fn change_point(
 ) -> Option<f64> {
     let geometry = Geometry::new(parameters).ok()?;
     let at = geometry.change_point(motion)?;
-    let angle = format!("{} = {}", coordinate(parameters.driven).id, degrees(at));
+    let angle = format!("{} = {}", parameters.driven.coordinate().id, degrees(at));
     let points = geometry.linkage.change_points();
     let mut points: Vec<f64> = points.map(|at| at.rem_euclid(TAU)).collect();
     points.sort_by(f64::total_cmp);

@@ -11,7 +11,7 @@ use crate::component::telling::{fine, sample};
 use crate::lemniscate::balancing::{self, agreement, analysis, residual};
 use crate::lemniscate::drawing::drawing;
 use crate::lemniscate::geometry::{Driven, Geometry};
-use crate::lemniscate::model::{coordinate, rate, standing};
+use crate::lemniscate::model::standing;
 use crate::lemniscate::moving::symbols as m;
 use crate::lemniscate::position::Position;
 use crate::lemniscate::range::{Rise, rise_by_integration};
@@ -129,7 +129,7 @@ impl Told for Luffing {
     }
 
     fn searched(&self) -> Vec<Summary> {
-        let at = coordinate(self.parameters.driven);
+        let at = self.parameters.driven.coordinate();
         let found = analysis(&self.parameters, &self.motion).expect("checked when the scene was read");
         let entry = |(symbol, extreme): (&'static Symbol, Option<crate::component::extreme::Extreme>)| {
             extreme.map(|extreme| Summary {
@@ -302,7 +302,7 @@ fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
         "motion",
         "motion.",
         "speed",
-        rate(luffing.parameters.driven),
+        luffing.parameters.driven.rate(),
         motion.speed,
     );
     if let Some(moving) = &luffing.moving {
@@ -395,7 +395,7 @@ fn balance(model: &mut Standing, luffing: &Luffing) -> Option<sheet::Balance> {
         found: analysis(p, motion).ok()??,
         motion: *motion,
         published: luffing.published_balance.as_ref(),
-        coordinate: coordinate(p.driven),
+        coordinate: p.driven.coordinate(),
         angle: &s::THETA_1,
         reach: &s::R,
         moment: &s::M_D,

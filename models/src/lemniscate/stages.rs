@@ -7,12 +7,11 @@ use crate::calc::Calc;
 use crate::component::part::{Component, Port};
 use crate::component::stages::{Found, absent, stages};
 use crate::component::whole::Whole;
-use crate::four_bar::Branch;
-use crate::group::{One, group};
+use crate::group::One;
 use crate::lemniscate::balancing::{self, analysis, balanced, residual};
 use crate::lemniscate::drive::{Drive, Flow, Reaction, Stroke};
 use crate::lemniscate::feet::Feet;
-use crate::lemniscate::geometry::{Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Parameters, Weights};
+use crate::lemniscate::geometry::{Anchors, Choice, Cylinder, Driven, Geometry, Jib, Lengths, Parameters, Weights};
 use crate::lemniscate::position::Position;
 use crate::lemniscate::published::Published;
 use crate::lemniscate::statics::{ByPole, Carried, Held, LoadMoment, Own, Passes};
@@ -23,18 +22,6 @@ use crate::model::Fault;
 use crate::motion::{Motion, degrees};
 use crate::number::exact;
 use crate::symbol::Symbol;
-
-/// What the scene has chosen.
-#[derive(Clone, Copy, Debug)]
-pub struct Choice {
-    pub driven: Driven,
-    pub branch: Branch,
-    /// Working range of the driven bar.
-    pub range: Motion,
-    /// Whether finite forces in the pins carry load and weights all over it.
-    pub pins: bool,
-}
-group!(Choice);
 
 stages! {
     /// The double-link luffing mechanism.

@@ -60,6 +60,7 @@ pub mod load;
 pub mod machine;
 pub mod margin;
 pub mod mode;
+pub mod mechanism;
 pub mod model;
 pub mod moving;
 pub mod nearest;

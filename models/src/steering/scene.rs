@@ -2,13 +2,11 @@
 
 use std::ops::Range;
 
-use crate::component::running::Model;
 use crate::component::stages::{Stages, Use};
 use crate::diagnostic::Diagnostic;
 use crate::group::One;
-use crate::mechanism::{Entry, Mechanism, Solver};
-use crate::model::{Fault, TIME};
-use crate::motion::{Motion, Place, degrees};
+use crate::model::TIME;
+use crate::motion::{Motion, degrees};
 use crate::plane::Point;
 use crate::schema::{Kind, Sign, Values, quantity};
 use crate::steering::accuracy::Accuracy;
@@ -17,12 +15,10 @@ use crate::steering::change::Change;
 use crate::steering::cylinder::Cylinder;
 use crate::steering::flow::Piston;
 use crate::steering::frame::Mount;
-pub use crate::steering::keys::KEYS;
+use crate::steering::keys::KEYS;
 use crate::steering::load::{Load, Tyre, share};
 use crate::steering::machine::{Axis, Outline};
 use crate::steering::mode::{By, Command, Corner, Mode, Wanted};
-use crate::steering::model::standing;
-use crate::steering::moving;
 use crate::steering::moving::scene::Moving;
 use crate::steering::reach::reach;
 use crate::steering::refusal::{Refusal, within};
@@ -53,79 +49,6 @@ pub struct Steering {
     pub moving: Option<Moving>,
     /// Whether the level is left to the accuracy that the scene asks for.
     pub auto: bool,
-}
-
-/// As scenes describe it.
-pub const ENTRY: Entry = Entry {
-    table: "steering",
-    kind: "groups",
-    keys: KEYS,
-    read: |values, _, found| Some(Box::new(Steering::new(values, found)?)),
-};
-
-impl Mechanism for Steering {
-    fn id(&self) -> &'static str {
-        "steering"
-    }
-
-    fn model(&self) -> Result<Model, Fault> {
-        match &self.moving {
-            None => standing(self).map(Model::Standing),
-            Some(moving) => moving::model::Model::new(self, moving).map(|model| Model::Moving(Box::new(model))),
-        }
-    }
-
-    fn motion(&self) -> &Motion {
-        &self.motion
-    }
-
-    fn levels(&self) -> Vec<&'static str> {
-        let moving = self.moving.iter().map(|_| "hydraulic");
-        std::iter::once("kinematic").chain(moving).collect()
-    }
-
-    fn is_auto(&self) -> bool {
-        self.auto
-    }
-
-    fn set_level(&mut self, level: &str) {
-        if level != "hydraulic" {
-            self.moving = None;
-        }
-    }
-
-    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
-        match level {
-            "kinematic" => vec![("dynamics", &[]), ("oil", &[]), ("plc", &[])],
-            _ => Vec::new(),
-        }
-    }
-
-    fn solver(&self) -> Option<Solver> {
-        self.moving.as_ref().map(|_| Solver {
-            step: &moving::symbols::STEP,
-            tolerance: &moving::symbols::TOL,
-            table: "oil",
-            explicit: None,
-        })
-    }
-
-    fn place(&self, text: &str) -> Result<Place, (String, String)> {
-        let named = ["governing", "from", "middle", "to"];
-        self.motion.place(text, &s::THETA_B, "a commanded angle", &named)
-    }
-
-    fn has_chapter(&self, chapter: &str) -> bool {
-        match chapter {
-            "motion" | "balance" | "published" | "synthesis" | "sensitivity" => false,
-            "sizing" => self.given.bearing.is_some() || self.given.cylinder.is_some(),
-            _ => true,
-        }
-    }
-
-    fn duplicate(&self) -> Box<dyn Mechanism> {
-        Box::new(self.clone())
-    }
 }
 
 impl Steering {

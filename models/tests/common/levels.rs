@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "not every test uses all of it")]
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 const DYNAMICS: &str = include_str!("../../../tests/levels/dynamics.toml");

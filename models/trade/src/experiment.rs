@@ -7,7 +7,7 @@
 //! all settings of a level: a moment that would move the crane so, or a valve
 //! that would let as much oil through, each with what corrects the angle.
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::{Fault, Role, Variable};
 use lemnis_models::motion::Motion;
 use lemnis_models::scene::Scene;

@@ -7,7 +7,7 @@
 //! finite differences, where ours are exact. The equations are the model's own:
 //! what checks these is the oracles and the balance of energy in the tests.
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::Fault;
 use lemnis_models::number::short;
 use numeris::Vector;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use lemnis_models::component::running::Model;
+use lemnis_models::component::model::Model;
 use lemnis_models::model::Fault;
 use lemnis_models::number::short;
 use lemnis_models::scene::Scene;

@@ -8,7 +8,7 @@ use crate::calc::Calc;
 use crate::component::stages::Found;
 use crate::group::Group;
 use crate::luffing::balancing::{Balanced, Balancing, Criteria};
-use crate::luffing::rope::stages::Choice;
+use crate::luffing::rope::position::Choice;
 use crate::luffing::rope::statics::{Hanging, Own};
 
 /// # Errors

@@ -2,13 +2,20 @@
 
 use crate::calc::Calc;
 use crate::component::stages::{Found, results};
-use crate::group::quantities;
-use crate::luffing::rope::stages::Choice;
+use crate::group::{group, quantities};
 use crate::luffing::rope::symbols as s;
 use crate::model::Fault;
-use crate::motion::degrees;
+use crate::motion::{Motion, degrees};
 use crate::plane::{self, Point};
 use crate::symbol::Symbol;
+
+/// What the scene has chosen.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice {
+    /// Working range of the boom.
+    pub range: Motion,
+}
+group!(Choice);
 
 quantities! {
     /// Boom, luffing tackle and hoist rope.

@@ -6,24 +6,15 @@ use crate::balance::scene::Form;
 use crate::component::part::{Component, Port};
 use crate::component::stages::{Found, stages};
 use crate::component::whole::Whole;
-use crate::group::{One, group};
+use crate::group::One;
 use crate::luffing::balancing::{Balanced, Balancing, Criteria};
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
-use crate::luffing::rope::position::{Falls, Level, Path, Position, Rig, Stretch};
+use crate::luffing::rope::position::{Choice, Falls, Level, Path, Position, Rig, Stretch};
 use crate::luffing::rope::statics::{Carried, Hanging, Own, Power, Pull};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::rope::velocity::{Speeds, Travel};
-use crate::motion::Motion;
 use crate::symbol::Symbol;
-
-/// What the scene has chosen.
-#[derive(Clone, Copy, Debug)]
-pub struct Choice {
-    /// Working range of the boom.
-    pub range: Motion,
-}
-group!(Choice);
 
 stages! {
     /// A plain boom on a luffing rope.

@@ -1,0 +1,184 @@
+//! Results of the whole working range in a scene.
+//!
+//! Where it occurs is found with dual numbers by the coordinate. Its derivative by anything else is taken there: at an
+//! extreme inside the range the place's own change has no effect, and an end of the range stays.
+
+use num_dual::Dual64;
+
+use crate::calc::Calc;
+use crate::component::extreme::greatest;
+use crate::component::part::{Face, Part};
+use crate::component::stages::{Found, Slot, Source, absent};
+use crate::component::whole::{How, Whole};
+use crate::motion::Motion;
+
+/// A result of the range in a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Spread {
+    of: Slot,
+    per: Option<Slot>,
+    how: How,
+    with: Option<Source>,
+    coordinate: Source,
+    /// Groups from which it follows.
+    pub sources: u64,
+}
+
+/// Where it occurs, and what it comes to.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot {
+    /// Of an extreme its place, of a zero its place and the slope there.
+    at: [f64; 4],
+    pub value: f64,
+}
+
+impl Spread {
+    /// `None` where the scene does not model what it is about.
+    #[must_use]
+    pub fn new(whole: &Whole, part: &dyn Part, coordinate: Source, rate: Source) -> Option<Spread> {
+        let results = part.results();
+        let slot = |wanted| {
+            let found = results.iter().find(|(_, (symbol, _))| *symbol == wanted);
+            found.map(|(slot, _)| *slot)
+        };
+        let of = slot(whole.of)?;
+        let per = match whole.how {
+            How::Ratio(per) => Some(slot(per)?),
+            _ => None,
+        };
+        let with = match whole.how {
+            How::Vanishes(Some((wanted, _))) => {
+                let sources = part.sources();
+                let found = sources.iter().find(|(_, (symbol, _))| *symbol == wanted);
+                found.map(|(source, _)| *source)
+            }
+            _ => None,
+        };
+        let without = [Some(coordinate), Some(rate), with].into_iter().flatten();
+        let own = without.fold(0, |mask, source| mask | 1 << source.group);
+        Some(Spread {
+            of,
+            per,
+            how: whole.how,
+            with,
+            coordinate,
+            sources: (of.sources | per.map_or(0, |per| per.sources)) & !own,
+        })
+    }
+
+    /// Whether results of the same kind are found from a result's slot.
+    #[must_use]
+    pub fn is_of(&self, slot: &Slot) -> bool {
+        self.of == *slot || self.per == Some(*slot)
+    }
+
+    /// # Errors
+    /// A configuration that does not exist.
+    pub fn find(&self, part: &dyn Part, motion: &Motion) -> Found<Spot> {
+        let mut dual = part.dual(false, &mut |_, _| 0.0).0;
+        if let (Some(source), How::Vanishes(Some((_, value)))) = (self.with, self.how) {
+            dual.put(source, Dual64::from_re(value));
+        }
+        let mut fault = None;
+        let mut row = |slot: &Slot, at: Dual64| {
+            dual.put(self.coordinate, at);
+            let mut value = Dual64::from_re(0.0);
+            let found = dual.result(slot, &mut value);
+            found.map_err(|found| fault = Some(found)).ok().map(|()| value)
+        };
+        let mut at = [0.0; 4];
+        let found = (|| {
+            let mut extreme = |slot: &Slot, sign: f64| {
+                let found = greatest(motion, &mut |at| row(slot, at).map(|value| value * sign))?;
+                Some(found.at)
+            };
+            match self.how {
+                How::Greatest => at[0] = extreme(&self.of, 1.0)?,
+                How::Least => at[0] = extreme(&self.of, -1.0)?,
+                How::Swing => at[..2].copy_from_slice(&[extreme(&self.of, 1.0)?, extreme(&self.of, -1.0)?]),
+                How::Ratio(_) => {
+                    let per = self.per.as_ref()?;
+                    at = [
+                        extreme(&self.of, 1.0)?,
+                        extreme(&self.of, -1.0)?,
+                        extreme(per, 1.0)?,
+                        extreme(per, -1.0)?,
+                    ];
+                }
+                How::Vanishes(_) => at[..2].copy_from_slice(&vanishes(motion.from, |at| row(&self.of, at))),
+            }
+            Some(())
+        })();
+        match found {
+            Some(()) => {
+                let mut plain = part.duplicate();
+                let mut spot = Spot { at, value: 0.0 };
+                spot.value = self.value(&mut *plain, &spot)?;
+                Ok(spot)
+            }
+            None => Err(fault.unwrap_or_else(absent)),
+        }
+    }
+
+    /// What it comes to over any scalar, with the places as they were found.
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    pub fn value<C: Calc>(&self, face: &mut (impl Face<C> + ?Sized), spot: &Spot) -> Found<C> {
+        let before = face.take(self.coordinate);
+        let kept = self.with.map(|source| (source, face.take(source)));
+        if let (Some(source), How::Vanishes(Some((_, value)))) = (self.with, self.how) {
+            face.put(source, C::constant(value));
+        }
+        let mut row = |slot: &Slot, at: f64| {
+            let mut value = C::constant(0.0);
+            face.put(self.coordinate, C::constant(at));
+            face.result(slot, &mut value).map(|()| value)
+        };
+        let found = (|| {
+            let [a, b, c, d] = spot.at;
+            Ok(match (self.how, &self.per) {
+                (How::Swing, _) => row(&self.of, a)? - row(&self.of, b)?,
+                (How::Ratio(_), Some(per)) => (row(&self.of, a)? - row(&self.of, b)?) / (row(per, c)? - row(per, d)?),
+                // A step of Newton's method carries the derivatives.
+                (How::Vanishes(_), _) if a.is_finite() => C::constant(a) - row(&self.of, a)? / C::constant(b),
+                (How::Vanishes(_), _) => C::constant(a),
+                _ => row(&self.of, a)?,
+            })
+        })();
+        face.put(self.coordinate, before);
+        if let Some((source, value)) = kept {
+            face.put(source, value);
+        }
+        found
+    }
+}
+
+/// Where `f` falls to zero in half a turn from `from` on, and its slope there; the start itself, which no derivative
+/// moves, where it is not above zero there; infinite where it does not fall.
+fn vanishes(from: f64, mut f: impl FnMut(Dual64) -> Option<Dual64>) -> [f64; 2] {
+    const GRID: u32 = 360;
+    const STEP: f64 = std::f64::consts::PI / GRID as f64;
+    let mut at = |place: f64| f(Dual64::new(place, 1.0));
+    let mut low = from;
+    for i in 0..=GRID {
+        let place = from + f64::from(i) * STEP;
+        match at(place) {
+            None => break,
+            Some(value) if value.re > 0.0 => low = place,
+            Some(_) if i == 0 => return [from, f64::INFINITY],
+            Some(_) => {
+                let mut high = place;
+                loop {
+                    let middle = f64::midpoint(low, high);
+                    let Some(there) = at(middle) else { break };
+                    if middle <= low || middle >= high {
+                        return [middle, there.eps];
+                    }
+                    if there.re > 0.0 { low = middle } else { high = middle }
+                }
+            }
+        }
+    }
+    [f64::INFINITY; 2]
+}
