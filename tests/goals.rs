@@ -9,6 +9,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use lemnis_fmu::package::{self, Library};
+use lemnis_models::book::LEVELS;
 use lemnis_models::calc::Calc;
 use lemnis_models::component::model::Model;
 use lemnis_models::lemniscate::feet::Feet;
@@ -17,7 +18,7 @@ use lemnis_models::lemniscate::position::Position;
 use lemnis_models::lemniscate::statics::{Held, LoadMoment, Own, PinForces};
 use lemnis_models::lemniscate::velocity::{Pole, Velocity};
 use lemnis_models::model::Role;
-use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
+use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_synthesis::candidate::Positions;
 use lemnis_synthesis::optimum::Watch;
 use lemnis_synthesis::run::run;

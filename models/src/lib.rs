@@ -12,6 +12,7 @@
 
 pub mod allowed;
 pub mod balance;
+pub mod book;
 pub mod calc;
 pub mod component;
 pub mod diagnostic;
@@ -25,6 +26,7 @@ pub mod mechanism;
 pub mod model;
 pub mod motion;
 pub mod number;
+pub mod origin;
 pub mod plane;
 pub mod record;
 pub mod registry;

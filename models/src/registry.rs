@@ -4,9 +4,9 @@ use std::any::Any;
 use std::collections::BTreeSet;
 
 use crate::component::dependencies::{dependencies as traced, recorded};
+use crate::component::model::Model;
 use crate::component::outline::Told;
 use crate::component::part::{Component, Runner};
-use crate::component::model::Model;
 use crate::component::standing::Standing;
 use crate::lemniscate::scene::Luffing;
 use crate::lemniscate::stages::DoubleLink;

@@ -1,17 +1,18 @@
 //! A scene: the text file that describes a crane.
 
-use std::ops::Range;
-
 use toml::de::DeTable;
 
+use crate::book::{BOOK, Book};
 use crate::component::model::Model;
+use crate::component::telling;
 use crate::diagnostic::Diagnostic;
 use crate::gravity;
 use crate::mechanism::Mechanism;
 use crate::model::{Fault, Role, Type, Variable};
-use crate::motion::Place;
+use crate::origin::{Origins, line};
 use crate::registry;
 use crate::schema::{self, KIND, Key, Kind, Sign, Values};
+use crate::sheet::{Input, Sheet};
 
 /// The lemniscate crane. [Li2022, Table 1]
 pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");
@@ -22,8 +23,8 @@ pub const LONGEST: usize = 1 << 20;
 /// Most characters of a scene's name.
 pub const LONGEST_NAME: usize = 60;
 
-/// The languages that a book can be in, by ISO 639-1; the first is the default.
-pub const LANGUAGES: [&str; 3] = ["en", "zh", "bg"];
+/// The chapter of inputs with the loads.
+const LOAD: &str = "load";
 
 /// Keys of a scene.
 pub static KEYS: &[Key] = &[
@@ -83,64 +84,6 @@ static REVISION: &[Key] = &[
     Key::text("text", "What was changed."),
 ];
 
-static BOOK: &[Key] = &[
-    Key {
-        name: "language",
-        kind: Kind::Choice(&LANGUAGES),
-        required: false,
-        text: "Language of the book: English, Chinese or Bulgarian.",
-    },
-    Key {
-        name: "level",
-        kind: Kind::Choice(LEVELS),
-        required: false,
-        text: "Detail of the book: summary (a few pages), standard, or full (every step with its numbers).",
-    },
-    Key {
-        name: "chapters",
-        kind: Kind::Choices(CHAPTERS),
-        required: false,
-        text: "The chapters in their order; without it those of the level, and no trade, which needs many runs.",
-    },
-    Key {
-        name: "positions",
-        kind: Kind::Texts(10),
-        required: false,
-        text: "Positions at which the formulas are worked out: angles of the driven bar such as \"75 deg\", from, middle, to, \
-               or governing results such as M_Q_max; without it the governing one.",
-    },
-    Key {
-        name: "pdf_standard",
-        kind: Kind::Choice(&["a-3b", "a-3u", "a-3a"]),
-        required: false,
-        text: "PDF/A standard that the PDF keeps to; needs project.date.",
-    },
-];
-
-/// Levels of detail, the least first.
-pub const LEVELS: &[&str] = &["summary", "standard", "full"];
-
-/// Chapters of a book in their usual order.
-pub const CHAPTERS: &[&str] = &[
-    "results",
-    "inputs",
-    "conventions",
-    "views",
-    "sensitivity",
-    "constants",
-    "positions",
-    "range",
-    "sizing",
-    "balance",
-    "motion",
-    "synthesis",
-    "trade",
-    "published",
-    "remarks",
-    "notation",
-    "references",
-];
-
 /// A checked scene.
 #[derive(Clone, Debug)]
 pub struct Scene {
@@ -150,7 +93,8 @@ pub struct Scene {
     project: Vec<(&'static str, String)>,
     revisions: Vec<Vec<String>>,
     pub book: Book,
-    given: Vec<Given>,
+    /// Where its quantities stand.
+    pub given: Origins,
     /// Acceleration of gravity, in m/s².
     pub gravity: f64,
     /// How far results may be off, in SI.
@@ -158,36 +102,6 @@ pub struct Scene {
     /// The table that describes its mechanism.
     pub table: &'static str,
     pub mechanism: Box<dyn Mechanism>,
-}
-
-/// What the scene asks of its book.
-#[derive(Clone, Debug)]
-pub struct Book {
-    /// One of [`LANGUAGES`].
-    pub language: &'static str,
-    /// One of [`LEVELS`]; `standard` where the scene says nothing.
-    pub level: &'static str,
-    /// Some of [`CHAPTERS`]; `None` for those of the level.
-    pub chapters: Option<Vec<&'static str>>,
-    /// Where the formulas are worked out; empty for the governing position.
-    pub positions: Vec<Place>,
-    /// PDF/A standard, such as `a-3b`.
-    pub pdf_standard: Option<String>,
-}
-
-/// Where the scene gives a quantity.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Given {
-    /// Key, such as `luffing.X_1`.
-    pub key: String,
-    /// Line of the scene, counted from 1.
-    pub line: usize,
-    /// Bytes of the scene's text.
-    pub place: Range<usize>,
-    /// In kg, where it is a weight given as a mass.
-    pub mass: Option<f64>,
-    /// Where the scene says that it comes from.
-    pub source: Option<String>,
 }
 
 impl Scene {
@@ -244,7 +158,7 @@ impl Scene {
                     .collect(),
                 revisions: project.map_or_else(Vec::new, revisions),
                 book,
-                given: given(text, &values),
+                given: Origins::read(text, &values),
                 gravity,
                 accuracy: Vec::new(),
                 table,
@@ -302,6 +216,40 @@ impl Scene {
     /// Never for a scene that was read by [`Scene::parse`], which checks that the mechanism exists.
     pub fn model(&self) -> Result<Model, Fault> {
         self.mechanism.model()
+    }
+
+    /// Ids of the sentences that say at which level a scene is modelled, and what its model takes for granted.
+    #[must_use]
+    pub fn assumptions(&self) -> Vec<&'static str> {
+        registry::told(&*self.mechanism).assumptions()
+    }
+
+    /// All that its book says.
+    #[must_use]
+    pub fn sheet(&self) -> Sheet {
+        let told = registry::told(&*self.mechanism);
+        let mut sheet = telling::sheet(told, &self.given, &self.book.positions);
+        let loads = sheet.inputs.iter().rposition(|input| input.chapter == LOAD);
+        if let Some((last, gravity)) = loads.zip(self.weighs()) {
+            sheet.inputs.insert(last + 1, gravity);
+        }
+        sheet
+    }
+
+    /// The acceleration of gravity, where the top of a scene gives it, or where masses weigh by it that no other table
+    /// gives.
+    fn weighs(&self) -> Option<Input> {
+        let id = gravity::G.id;
+        let given = self.given.of(id);
+        let elsewhere = self.given.of(&format!("{}.dynamics.{id}", self.table)).is_some();
+        let shown = given.is_some() || self.given.has_masses() && !elsewhere;
+        shown.then(|| Input {
+            symbol: &gravity::G,
+            value: self.gravity,
+            number: None,
+            chapter: LOAD,
+            given: given.cloned(),
+        })
     }
 
     /// A line that asks for some accuracy of a result of this scene.
@@ -376,18 +324,6 @@ impl Scene {
         &self.revisions
     }
 
-    /// Where the quantity with a key such as `luffing.X_1` is given.
-    #[must_use]
-    pub fn given(&self, key: &str) -> Option<&Given> {
-        self.given.iter().find(|given| given.key == key)
-    }
-
-    /// Whether a weight is given as a mass.
-    #[must_use]
-    pub fn has_masses(&self) -> bool {
-        self.given.iter().any(|given| given.mass.is_some())
-    }
-
     /// Title block: what is given of crane, client, author, checker, date, revision.
     #[must_use]
     pub fn project(&self) -> &[(&'static str, String)] {
@@ -399,24 +335,6 @@ fn revisions(project: &Values) -> Vec<Vec<String>> {
     let cell = |table: &Values, key: &Key| table.text(key.name).unwrap_or_default().to_owned();
     let row = |table: &Values| REVISION.iter().map(|key| cell(table, key)).collect();
     project.tables("revisions").iter().map(row).collect()
-}
-
-fn given(text: &str, values: &Values) -> Vec<Given> {
-    let mut found = Vec::new();
-    values.quantities("", &mut found);
-    let given = found.into_iter().map(|(key, place, number)| Given {
-        key,
-        line: line(text, &place),
-        place,
-        mass: number.mass,
-        source: number.source,
-    });
-    given.collect()
-}
-
-/// Line of a place in the scene, counted from 1.
-fn line(text: &str, place: &Range<usize>) -> usize {
-    1 + text[..place.start].matches('\n').count()
 }
 
 /// Acceleration of gravity: that of the top of the scene or of its mechanism's dynamics, which must agree.
@@ -466,76 +384,6 @@ fn mechanism(values: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Opti
                 Diagnostic::new(table.span.clone(), message, "the second one").help("make a scene of its own for each"),
             );
             None
-        }
-    }
-}
-
-impl Book {
-    fn new(
-        table: Option<&Values>,
-        project: Option<&Values>,
-        mechanism: &dyn Mechanism,
-        found: &mut Vec<Diagnostic>,
-    ) -> Book {
-        let Some(table) = table else {
-            return Book::default();
-        };
-        let known = |list: &'static [&'static str], text: &str| list.iter().copied().find(|known| *known == text);
-        let mut positions = Vec::new();
-        for (text, span) in table.texts("positions") {
-            match mechanism.place(text) {
-                Ok(place) => positions.push(place),
-                Err((message, help)) => found.push(
-                    Diagnostic::new(span.clone(), format!("`book.positions`: {message}"), "not a position").help(help),
-                ),
-            }
-        }
-        let chapters = table.texts("chapters").iter();
-        let chapters: Vec<&'static str> = chapters.filter_map(|(text, _)| known(CHAPTERS, text)).collect();
-        if table.has("chapters") && !chapters.iter().any(|chapter| mechanism.has_chapter(chapter)) {
-            let all = CHAPTERS
-                .iter()
-                .copied()
-                .filter(|chapter| mechanism.has_chapter(chapter));
-            let help = format!("chapters of this scene: {}", all.collect::<Vec<_>>().join(", "));
-            let message = match chapters.as_slice() {
-                [] => "a book without chapters".to_owned(),
-                _ => "none of these chapters has anything to say of this scene".to_owned(),
-            };
-            found.push(Diagnostic::new(table.place("chapters"), message, "an empty book").help(help));
-        }
-        let date = project.and_then(|project| project.text("date")).and_then(schema::date);
-        if table.text("pdf_standard").is_some() && date.is_none() {
-            let message = "`book.pdf_standard` needs the date of the book";
-            found.push(
-                Diagnostic::new(table.place("pdf_standard"), message, "no date")
-                    .help("add date = \"YYYY-MM-DD\" to [project]"),
-            );
-        }
-        Book {
-            language: table
-                .text("language")
-                .and_then(|text| known(&LANGUAGES, text))
-                .unwrap_or(LANGUAGES[0]),
-            level: table
-                .text("level")
-                .and_then(|text| known(LEVELS, text))
-                .unwrap_or("standard"),
-            chapters: (!chapters.is_empty()).then_some(chapters),
-            positions,
-            pdf_standard: table.text("pdf_standard").map(str::to_owned),
-        }
-    }
-}
-
-impl Default for Book {
-    fn default() -> Book {
-        Book {
-            language: LANGUAGES[0],
-            level: "standard",
-            chapters: None,
-            positions: Vec::new(),
-            pdf_standard: None,
         }
     }
 }

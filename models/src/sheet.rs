@@ -2,11 +2,8 @@
 //! in SI. It is made from the same functions that the FMU runs; words, units
 //! of print and layout are added later, elsewhere.
 
-use crate::component::telling;
-use crate::gravity;
+use crate::origin::Origin;
 use crate::record::Trace;
-use crate::registry;
-use crate::scene::{Given, Scene};
 use crate::symbol::Symbol;
 
 /// All that is known about a scene.
@@ -128,41 +125,6 @@ pub struct Equilibrium {
     pub stable: bool,
 }
 
-/// The sheet of a scene.
-#[must_use]
-pub fn sheet(scene: &Scene) -> Sheet {
-    let mut sheet = telling::sheet(scene, registry::told(&*scene.mechanism));
-    let loads = sheet.inputs.iter().rposition(|input| input.chapter == LOAD);
-    if let Some((last, gravity)) = loads.zip(gravity(scene)) {
-        sheet.inputs.insert(last + 1, gravity);
-    }
-    sheet
-}
-
-/// Ids of the sentences that say at which level a scene is modelled, and what its model takes for granted.
-#[must_use]
-pub fn assumptions(scene: &Scene) -> Vec<&'static str> {
-    registry::told(&*scene.mechanism).assumptions()
-}
-
-/// The chapter of inputs with the loads.
-const LOAD: &str = "load";
-
-/// The acceleration of gravity, where the top of a scene gives it, or where masses weigh by it that no other table gives.
-fn gravity(scene: &Scene) -> Option<Input> {
-    let id = gravity::G.id;
-    let given = scene.given(id);
-    let elsewhere = scene.given(&format!("{}.dynamics.{id}", scene.table)).is_some();
-    let shown = given.is_some() || scene.has_masses() && !elsewhere;
-    shown.then(|| Input {
-        symbol: &gravity::G,
-        value: scene.gravity,
-        number: None,
-        chapter: LOAD,
-        given: given.cloned(),
-    })
-}
-
 /// A given quantity.
 pub struct Input {
     pub symbol: &'static Symbol,
@@ -172,7 +134,7 @@ pub struct Input {
     /// Chapter of inputs: `geometry`, `load`, `weights`, `drive`, `motion`, `limits`, ...
     pub chapter: &'static str,
     /// Where the scene gives it.
-    pub given: Option<Given>,
+    pub given: Option<Origin>,
 }
 
 /// Formulas under one heading.

@@ -13,7 +13,7 @@ use lemnis_models::lemniscate::scene::Luffing;
 use lemnis_models::model::Role;
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
-use lemnis_models::sheet::{Check, sheet};
+use lemnis_models::sheet::Check;
 
 fn scene(text: &str) -> Scene {
     Scene::parse(text).unwrap_or_else(|found| panic!("{found:#?}\n{text}"))
@@ -312,7 +312,7 @@ s_5 = "3 m"
         assert!(shown(&mut model, id).is_finite(), "{id}");
     }
     assert_eq!(shown(&mut model, "dM_5_max"), f64::INFINITY);
-    let sheet = sheet(&scene(&resting));
+    let sheet = scene(&resting).sheet();
     let found = sheet
         .governing
         .iter()
@@ -371,7 +371,7 @@ fn never_not_a_number() {
 #[test]
 fn nothing_extra_without_a_balance() {
     let bare = scene(include_str!("../scenes/portal_004.toml"));
-    let sheet = sheet(&bare);
+    let sheet = bare.sheet();
     assert!(sheet.balance.is_none());
     assert!(sheet.checks.iter().all(|check| !check.id.starts_with("balance")));
     assert_eq!(sheet.constants.len(), 1);
@@ -391,7 +391,7 @@ fn zero_weights() {
     ] {
         assert_eq!(shown(&mut model, id), 0.0, "{id}");
     }
-    let sheet = sheet(&scene(&weightless));
+    let sheet = scene(&weightless).sheet();
     assert!(sheet.balance.expect("a balance").equilibria.is_empty());
     let finite = |check: &Check| check.value.is_finite();
     assert!(sheet.checks.iter().all(finite));

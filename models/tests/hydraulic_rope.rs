@@ -8,7 +8,6 @@ use lemnis_models::lemniscate::hydraulic::{Crane, FIXED, Hydraulic, MOST, Modes,
 use lemnis_models::lemniscate::motion::{self, Bar};
 use lemnis_models::lemniscate::slewing::{self, Drive};
 use lemnis_models::scene::Scene;
-use lemnis_models::sheet::sheet;
 use lemnis_models::solver::rodas::Tolerance;
 
 #[path = "common/crane.rs"]
@@ -307,7 +306,7 @@ fn a_shorter_rope_swings_wider() {
 fn a_run_of_the_book_is_bounded() {
     let scene = Scene::parse(include_str!("../../tests/levels/drawn_in.toml"));
     let scene = scene.unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
-    let motion = sheet(&scene).motion.expect("it moves");
+    let motion = scene.sheet().motion.expect("it moves");
     let [duration, sample] = motion.run;
     let (time, last) = motion.events.last().expect("the run ends early");
     assert_eq!(*last, "run_ends");

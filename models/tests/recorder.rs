@@ -6,7 +6,7 @@ mod balances;
 mod levels;
 
 use lemnis_models::scene::{DEFAULT, Scene};
-use lemnis_models::sheet::{Energy, Section, sheet};
+use lemnis_models::sheet::{Energy, Section};
 use lemnis_models::symbol::Symbol;
 
 /// The default scene and its variations that reach every branch of the equations.
@@ -35,7 +35,7 @@ fn scenes() -> Vec<Scene> {
 fn every_formula_is_dimensionally_consistent() {
     let mut steps = 0;
     for scene in scenes() {
-        let sheet = sheet(&scene);
+        let sheet = scene.sheet();
         let worked = sheet.positions.iter().flat_map(|position| &position.sections);
         for Section { id, trace, .. } in sheet.constants.iter().chain(worked) {
             assert!(trace.faults.is_empty(), "{id}: {:?}", trace.faults);
@@ -51,7 +51,7 @@ fn the_recorder_has_the_bits_of_the_model() {
     for scene in scenes() {
         let mut model = scene.model().expect("a mechanism");
         let mut compared = 0;
-        for position in sheet(&scene).positions {
+        for position in scene.sheet().positions {
             model.set(0, position.value).expect("an angle");
             for step in position.sections.iter().flat_map(|section| &section.trace.steps) {
                 let index = model
@@ -80,7 +80,7 @@ fn the_recorder_has_the_bits_of_the_model() {
 fn equations_of_motion_are_consistent_and_have_the_bits_of_the_model() {
     for level in levels::LEVELS.into_iter().filter(|level| *level != "static") {
         let scene = levels::scene(level);
-        let motion = sheet(&scene).motion.expect("a chapter of motion");
+        let motion = scene.sheet().motion.expect("a chapter of motion");
         let mut model = scene.model().expect("built");
         let [_, sample] = motion.run;
         for i in 0..(motion.instant.1 / sample).round() as u32 {
@@ -128,7 +128,7 @@ fn equations_of_motion_are_consistent_and_have_the_bits_of_the_model() {
 #[test]
 fn the_energy_of_a_run_is_accounted_for() {
     for level in levels::LEVELS.into_iter().filter(|level| *level != "static") {
-        let sheet = sheet(&levels::scene(level));
+        let sheet = levels::scene(level).sheet();
         let Energy { given, stored, taken } = &sheet.motion.as_ref().expect("a chapter of motion").energy;
         let sum = |list: &[(&Symbol, f64)]| list.iter().map(|(_, value)| value).sum::<f64>();
         let of = |id: &str| {

@@ -3,7 +3,6 @@
 use lemnis_models::calc::Calc;
 use lemnis_models::component::model::Model;
 use lemnis_models::scene::Scene;
-use lemnis_models::sheet::sheet;
 use proptest::prelude::*;
 
 const READY: &str = include_str!("../scenes/rope_luffing.toml");
@@ -136,7 +135,7 @@ fn limits_of_the_rope() {
 #[test]
 fn the_boom_falls_back_beyond_upright() {
     let scene = scene(&[("B_y", "0 m"), ("B_x", "0.0001 m"), ("to", "80 deg")]);
-    let sheet = sheet(&scene);
+    let sheet = scene.sheet();
     for id in ["fall_back", "fall_back_empty"] {
         let check = sheet.checks.iter().find(|check| check.id == id).expect("checked");
         assert!(
@@ -165,7 +164,8 @@ fn what_cannot_be_is_refused() {
 
 #[test]
 fn every_check_of_the_ready_scene_passes() {
-    let sheet = sheet(&Scene::parse(READY).unwrap_or_else(|found| panic!("{found:?}")));
+    let scene = Scene::parse(READY).unwrap_or_else(|found| panic!("{found:?}"));
+    let sheet = scene.sheet();
     assert!(sheet.checks.len() >= 4);
     for check in &sheet.checks {
         assert!(check.passed(), "{} {}", check.id, check.value);

@@ -39,9 +39,9 @@ fn a_mass_weighs_by_the_scenes_gravity() {
     let scene = Scene::parse(&changed(&masses)).expect("masses are weights");
     assert_eq!(value(&scene, "Q"), 16_000.0 * 9.81);
     assert_eq!(value(&scene, "G_1"), 20_000.0 * 9.81);
-    let given = scene.given("luffing.weights.G_1").expect("given");
+    let given = scene.given.of("luffing.weights.G_1").expect("given");
     assert_eq!((given.mass, given.source.as_deref()), (Some(20_000.0), Some("scales")));
-    assert_eq!(scene.given("luffing.weights.G_2").expect("given").mass, None);
+    assert_eq!(scene.given.of("luffing.weights.G_2").expect("given").mass, None);
     let on_the_moon = changed(&[masses[0], ("[project]", "g = \"1.62 m/s2\"\n[project]")]);
     assert_eq!(
         value(&Scene::parse(&on_the_moon).expect("there too"), "Q"),
@@ -136,7 +136,7 @@ fn published_rows_beyond_the_working_range_are_compared_at_every_level() {
         (r#"from  = "60 deg""#, r#"from  = "70 deg""#),
     ]);
     let scene = Scene::parse(&text).expect("closes at 60 deg too");
-    assert_eq!(lemnis_models::sheet::sheet(&scene).published.len(), 61 * 6);
+    assert_eq!(scene.sheet().published.len(), 61 * 6);
 }
 
 #[test]

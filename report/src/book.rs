@@ -11,7 +11,8 @@ mod trade;
 use std::fmt;
 
 use lemnis_fmu::instance::strings;
-use lemnis_models::scene::{CHAPTERS, Scene};
+use lemnis_models::book::CHAPTERS;
+use lemnis_models::scene::Scene;
 use lemnis_models::schema;
 use lemnis_models::sheet::Sheet;
 use lemnis_models::symbol::Symbol;
@@ -49,7 +50,7 @@ const HASH: &str = "scene.sha256";
 #[derive(Clone, Copy)]
 pub struct Edition<'a> {
     pub language: &'static Language,
-    /// One of [`lemnis_models::scene::LEVELS`].
+    /// One of [`lemnis_models::book::LEVELS`].
     pub level: &'a str,
     pub templates: &'a Templates,
     pub typesetter: &'a dyn Typesetter,

@@ -13,7 +13,8 @@ use lemnis::book::Edition;
 use lemnis::language::Language;
 use lemnis::results::Results;
 use lemnis::template::{Templates, originals};
-use lemnis_models::scene::{LANGUAGES, LEVELS, Scene};
+use lemnis_models::book::{LANGUAGES, LEVELS};
+use lemnis_models::scene::Scene;
 use lemnis_typeset::{Embedded, External, Typesetter};
 use notify::{Event, RecursiveMode, Watcher};
 

@@ -55,7 +55,7 @@ fn chosen(scene: &Scene, notes: &mut Vec<String>) -> Result<Scene, Failure> {
     let unused = scene.mechanism.unused(level);
     let own_gravity = format!("{}.dynamics.{}", scene.table, gravity::G.id);
     scene_file::changed(scene, &format!("the scene at level {level}"), |document| {
-        if unused.contains(&("dynamics", &[])) && scene.given(&own_gravity).is_some() {
+        if unused.contains(&("dynamics", &[])) && scene.given.of(&own_gravity).is_some() {
             // What weighs by it stays.
             document.insert(gravity::G.id, value(gravity::G.written(scene.gravity)));
         }
@@ -106,7 +106,7 @@ const MOST_STEPS: f64 = 1e7;
 /// The same scene with an inner step at which the default experiment of its FMU runs.
 fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, Failure> {
     let refused = |given: &str, message: String, label: String, help: Option<String>| {
-        let place = scene.given(given).map_or(0..0, |given| given.place.clone());
+        let place = scene.given.of(given).map_or(0..0, |given| given.place.clone());
         let mut diagnostic = Diagnostic::new(place, message, label);
         diagnostic.help = help;
         Err(scene_file::failure(name, scene.text(), &[diagnostic]))
@@ -141,7 +141,7 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
         if work(&shorter)?.1 > MOST_STEPS || run(&shorter).is_err() {
             continue;
         }
-        if scene.given(STEP).is_some() {
+        if scene.given.of(STEP).is_some() {
             let help = format!("step = \"{milliseconds}\" runs; without the key one is chosen");
             return refused(STEP, cannot(&stopped), "too long".to_owned(), Some(help));
         }

@@ -5,7 +5,6 @@ use lemnis_fmu::layout::{self, Place};
 use lemnis_models::component::model::Model;
 use lemnis_models::model::{Enumeration, Role, TIME, Type, Variable};
 use lemnis_models::scene::Scene;
-use lemnis_models::sheet::assumptions;
 use minijinja::value::Serde;
 use minijinja::{Environment, HtmlEscape, UndefinedBehavior, context};
 use serde::Serialize;
@@ -142,7 +141,7 @@ pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
         let words = english.get("assumption", id).map_err(Error)?;
         Ok(html(words, scene.mechanism.id()))
     };
-    let assumptions = assumptions(scene).into_iter().map(sentence);
+    let assumptions = scene.assumptions().into_iter().map(sentence);
     let assumptions: Vec<String> = assumptions.collect::<Result<_, Error>>()?;
     let mut now = model.clone();
     let input = |(index, variable): (usize, &Variable)| {

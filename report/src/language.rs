@@ -388,7 +388,7 @@ mod tests {
     #[test]
     fn scenes_know_the_same_languages() {
         let codes: Vec<_> = LANGUAGES.iter().map(|language| language.code).collect();
-        assert_eq!(codes, lemnis_models::scene::LANGUAGES);
+        assert_eq!(codes, lemnis_models::book::LANGUAGES);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use lemnis_models::model::{Fault, Role, Variable};
 use lemnis_models::number::{Number, column};
 use lemnis_models::scene::Scene;
-use lemnis_models::sheet::{Sheet, Summary, sheet};
+use lemnis_models::sheet::{Sheet, Summary};
 use serde_json::{Map, Value, json};
 
 use crate::machine;
@@ -40,7 +40,7 @@ impl Results {
         Ok(Results {
             rows: rows?,
             scene: scene.clone(),
-            sheet: sheet(scene),
+            sheet: scene.sheet(),
             columns,
         })
     }

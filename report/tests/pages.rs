@@ -3,8 +3,8 @@
 use lemnis::book::Edition;
 use lemnis::language::LANGUAGES;
 use lemnis::template::Templates;
-use lemnis_models::scene::{DEFAULT, LEVELS, Scene};
-use lemnis_models::sheet::sheet;
+use lemnis_models::book::LEVELS;
+use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_typeset::{Embedded, Format, ink};
 
 /// Margins of `templates/style.typ` in mm: left, top, right, bottom. Header and
@@ -41,7 +41,7 @@ fn nothing_stands_over_the_margin() {
     let mut pages = 0;
     for text in [DEFAULT, &bare, &oil, &trade].into_iter().chain(others) {
         let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
-        let sheet = sheet(&scene);
+        let sheet = scene.sheet();
         for (language, level) in LANGUAGES
             .iter()
             .flat_map(|language| LEVELS.iter().map(move |level| (language, level)))

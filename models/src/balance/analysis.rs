@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use std::f64::consts::TAU;
 
-use crate::balance::boom::{Boom, Load};
 use crate::allowed::{FINITE, OutOfRange};
 use crate::balance::action::{Action, Turn};
+use crate::balance::boom::{Boom, Load};
 use crate::balance::{Balance, symbols as s};
 use crate::calc::Calc;
 use crate::component::extreme::Extreme;
@@ -173,7 +173,10 @@ impl Analysis {
     ///
     /// # Errors
     /// Those of `at`; a boom that turns back, a moment that is not finite.
-    pub fn over(range: [f64; 2], at: &dyn Fn(f64) -> Result<Residual<f64>, OutOfRange>) -> Result<Analysis, OutOfRange> {
+    pub fn over(
+        range: [f64; 2],
+        at: &dyn Fn(f64) -> Result<Residual<f64>, OutOfRange>,
+    ) -> Result<Analysis, OutOfRange> {
         let grid = Sampled::new(range, at)?;
         let first = grid.samples[0].phi;
         // Where it hangs straight down the boom's angle jumps by a turn.
@@ -305,7 +308,10 @@ struct Sampled<'a> {
 }
 
 impl<'a> Sampled<'a> {
-    fn new(range: [f64; 2], at: &'a dyn Fn(f64) -> Result<Residual<f64>, OutOfRange>) -> Result<Sampled<'a>, OutOfRange> {
+    fn new(
+        range: [f64; 2],
+        at: &'a dyn Fn(f64) -> Result<Residual<f64>, OutOfRange>,
+    ) -> Result<Sampled<'a>, OutOfRange> {
         let mut grid = Sampled {
             range,
             samples: Vec::new(),

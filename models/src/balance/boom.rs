@@ -1,6 +1,6 @@
 //! The boom system as a balance sees it: the moment of its weights about the boom foot, over the boom angle.
 
-use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, check};
+use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
 use crate::balance::symbols as s;
 use crate::calc::Calc;
 use crate::group::quantities;

@@ -2,9 +2,9 @@
 //! the potential energy of boom and trolley stays what it is: the balance is
 //! exact, for any boom.
 
-use crate::balance::boom::{Load, joint};
-use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, POSITIVE, check};
+use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
 use crate::balance::action::Action;
+use crate::balance::boom::{Load, joint};
 use crate::balance::symbols as s;
 use crate::calc::Calc;
 use crate::group::quantities;
@@ -40,7 +40,10 @@ impl<C: Calc> CurvedRail<C> {
     ///
     /// # Errors
     /// A weight or a length that is not positive, or a boom that does not close at the reference angle.
-    pub fn new(dimensions: Dimensions<C>, u_0: impl FnOnce(C) -> Result<C, OutOfRange>) -> Result<CurvedRail<C>, OutOfRange> {
+    pub fn new(
+        dimensions: Dimensions<C>,
+        u_0: impl FnOnce(C) -> Result<C, OutOfRange>,
+    ) -> Result<CurvedRail<C>, OutOfRange> {
         let d = &dimensions;
         check(&s::G_C, d.g_c.value(), POSITIVE)?;
         check(&s::R_K, d.r_1.value(), NOT_NEGATIVE)?;

@@ -3,7 +3,7 @@
 
 use nalgebra::Scalar;
 
-use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, POSITIVE, check};
+use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
 use crate::balance::action::{Action, Turn};
 use crate::balance::symbols as s;
 use crate::calc::Calc;

@@ -1,10 +1,10 @@
 //! What a scene says about a balance.
 
+use crate::allowed::OutOfRange;
 use crate::balance::lever::{Dimensions, Lever};
 use crate::balance::parallelogram::Parallelogram;
 use crate::balance::straight_rail::StraightRail;
 use crate::balance::tail::Tail;
-use crate::allowed::OutOfRange;
 use crate::balance::{Balance, curved_rail, symbols as s};
 use crate::calc::Calc;
 use crate::diagnostic::Diagnostic;

@@ -3,9 +3,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::balance::boom::joint;
-use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, POSITIVE, check};
+use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
 use crate::balance::action::Action;
+use crate::balance::boom::joint;
 use crate::balance::symbols as s;
 use crate::calc::Calc;
 use crate::group::quantities;

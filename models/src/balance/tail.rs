@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, check};
+use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
 use crate::balance::action::Action;
 use crate::balance::symbols as s;
 use crate::calc::Calc;

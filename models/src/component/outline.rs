@@ -2,7 +2,7 @@
 
 use crate::component::dependencies::Recorder;
 use crate::component::standing::Standing;
-use crate::scene::Scene;
+use crate::origin::Origins;
 use crate::sheet::{Check, Drawing, Input, Sheet, Summary};
 use crate::symbol::Symbol;
 
@@ -161,7 +161,7 @@ pub trait Told {
     /// Ids of remarks, worded in the templates.
     fn remarks(&self) -> Vec<&'static str>;
 
-    fn inputs(&self, scene: &Scene) -> Vec<Input>;
+    fn inputs(&self, origins: &Origins) -> Vec<Input>;
 
     /// Chapters of its own.
     fn more(&self, _: &mut Standing, _: &mut Sheet) {}

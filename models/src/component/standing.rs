@@ -7,9 +7,9 @@ use num_dual::Dual64;
 
 use crate::component::part::{Face, Part, Port};
 use crate::component::running::{Running, State, Tangent};
+use crate::component::spread::{Spot, Spread};
 use crate::component::stages::{Slot, Source, Use};
 use crate::component::table::{Axes, Table};
-use crate::component::spread::{Spot, Spread};
 use crate::model::{Fault, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::motion::Motion;
 use crate::number::short;

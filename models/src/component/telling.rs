@@ -10,8 +10,8 @@ use crate::component::stages::{Found, Stage, Use};
 use crate::component::standing::Standing;
 use crate::model::{Fault, Role, Type};
 use crate::motion::{Motion, Place};
+use crate::origin::Origins;
 use crate::record::{Rec, only, record, steps};
-use crate::scene::Scene;
 use crate::sheet::{Check, Comparison, Curve, Section, Sheet, Summary, Table, Worked};
 use crate::symbol::Symbol;
 
@@ -120,9 +120,9 @@ fn row(part: &dyn Part, symbol: &'static Symbol, face: &mut dyn Face<Rec>) -> Fo
     }
 }
 
-/// All that a book says of a mechanism.
+/// All that a book says of a mechanism, with the positions that the scene asks for.
 #[must_use]
-pub fn sheet(scene: &Scene, told: &dyn Told) -> Sheet {
+pub fn sheet(told: &dyn Told, origins: &Origins, asked: &[Place]) -> Sheet {
     let (outline, mut model) = (told.outline(), told.standing());
     let mut governing = governing(&model, outline);
     governing.extend(told.searched());
@@ -130,11 +130,11 @@ pub fn sheet(scene: &Scene, told: &dyn Told) -> Sheet {
     let mut checks = limits(told, governing.iter().chain(&summary));
     checks.extend(told.identities(&mut model));
     summary.extend(told.totals());
-    let positions = positions(told, model.motion(), &scene.book.positions, &governing);
+    let positions = positions(told, model.motion(), asked, &governing);
     let of = body(&mut model, outline, &governing);
     let mut sheet = Sheet {
         assumptions: told.assumptions(),
-        inputs: told.inputs(scene),
+        inputs: told.inputs(origins),
         constants: constants(told, &model, of),
         positions: positions
             .into_iter()

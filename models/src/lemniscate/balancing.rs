@@ -2,10 +2,10 @@
 
 use num_dual::Dual64;
 
+use crate::allowed::{FINITE, OutOfRange};
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::Boom;
 use crate::balance::symbols as s;
-use crate::allowed::{FINITE, OutOfRange};
 use crate::calc::Calc;
 use crate::four_bar::Branch;
 use crate::lemniscate::drive::Drive;

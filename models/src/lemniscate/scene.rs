@@ -1,9 +1,9 @@
 //! What a scene says about a luffing mechanism.
 
+use crate::allowed::OutOfRange;
 use crate::balance::lever::Lever;
 use crate::balance::scene::{Form, KEYS as BALANCE};
 use crate::balance::task::{KEYS as SYNTHESIS, Task};
-use crate::allowed::OutOfRange;
 use crate::balance::{self, symbols as b};
 use crate::component::outline::Published;
 use crate::diagnostic::Diagnostic;

@@ -21,7 +21,7 @@ use crate::lemniscate::statics::{LoadMoment, Own, PinForces};
 use crate::lemniscate::symbols as s;
 use crate::lemniscate::velocity::Velocity;
 use crate::luffing::counterweight::Balanced;
-use crate::scene::Scene;
+use crate::origin::Origins;
 use crate::sheet::{self, Check, Drawing, Input, Sheet, Summary};
 use crate::symbol::Symbol;
 
@@ -255,8 +255,8 @@ impl Told for Luffing {
         remarks(self)
     }
 
-    fn inputs(&self, scene: &Scene) -> Vec<Input> {
-        inputs(scene, self)
+    fn inputs(&self, origins: &Origins) -> Vec<Input> {
+        inputs(origins, self)
     }
 
     fn more(&self, model: &mut Standing, sheet: &mut Sheet) {
@@ -270,7 +270,7 @@ impl Told for Luffing {
     }
 }
 
-fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
+fn inputs(origins: &Origins, luffing: &Luffing) -> Vec<Input> {
     let mut inputs = Vec::new();
     let mut add = |chapter: &'static str, table: &str, name: &str, symbol: &'static Symbol, value: f64| {
         inputs.push(Input {
@@ -278,7 +278,7 @@ fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
             number: None,
             value,
             chapter,
-            given: scene.given(&format!("luffing.{table}{name}")).cloned(),
+            given: origins.of(&format!("luffing.{table}{name}")).cloned(),
         });
     };
     let mut place = ("geometry", "");
@@ -308,7 +308,7 @@ fn inputs(scene: &Scene, luffing: &Luffing) -> Vec<Input> {
     if let Some(moving) = &luffing.moving {
         // What the scene leaves to itself is no input of the book.
         let mut table = |chapter: &'static str, table: &'static str, symbol: &'static Symbol, value: f64| {
-            if scene.given(&format!("luffing.{table}{}", symbol.id)).is_some() {
+            if origins.of(&format!("luffing.{table}{}", symbol.id)).is_some() {
                 add(chapter, table, symbol.id, symbol, value);
             }
         };

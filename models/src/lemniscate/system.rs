@@ -1,7 +1,7 @@
 //! The boom system of the mechanism, as a balance sees it: what its weights ask for over the boom angle.
 
+use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
 use crate::balance::boom::{Boom, Load};
-use crate::allowed::{FINITE, OutOfRange, NOT_NEGATIVE, check};
 use crate::balance::symbols as b;
 use crate::calc::Calc;
 use crate::lemniscate::geometry::{Driven, Geometry, Misfit, Parameters, Weights};

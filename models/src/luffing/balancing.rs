@@ -3,12 +3,12 @@
 
 use num_dual::Dual64;
 
+use crate::allowed::{FINITE, OutOfRange};
+use crate::balance::Balance;
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::Load;
 use crate::balance::scene::Form;
 use crate::balance::symbols as s;
-use crate::allowed::{FINITE, OutOfRange};
-use crate::balance::Balance;
 use crate::calc::Calc;
 use crate::component::extreme::Extreme;
 use crate::component::stages::{absent, results};
@@ -30,7 +30,11 @@ impl<C: Calc> Balancing<C> {
     ///
     /// # Errors
     /// Quantities with which there is no such balance; what `u_0` objects to.
-    pub fn new(form: &Form<C>, phi: f64, u_0: impl FnOnce(C) -> Result<C, OutOfRange>) -> Result<Balancing<C>, OutOfRange> {
+    pub fn new(
+        form: &Form<C>,
+        phi: f64,
+        u_0: impl FnOnce(C) -> Result<C, OutOfRange>,
+    ) -> Result<Balancing<C>, OutOfRange> {
         let balance = form.balance(u_0)?;
         let arc = match &balance {
             Balance::Lever(lever) => Some(lever.arc(phi)),

@@ -1,7 +1,7 @@
 //! What the scene gives, in the order of the book.
 
 use crate::component::stages::Stages;
-use crate::scene::Scene;
+use crate::origin::Origins;
 use crate::schema::{Key, Kind};
 use crate::sheet::Input;
 use crate::steering::keys::KEYS;
@@ -27,7 +27,7 @@ const TABLES: [&str; 12] = [
 ];
 
 /// Quantities that the scene gives; what is taken by default is no input of the book.
-pub fn inputs(scene: &Scene, steering: &Steering) -> Vec<Input> {
+pub fn inputs(origins: &Origins, steering: &Steering) -> Vec<Input> {
     let given = &steering.given;
     let values = values(steering);
     let mut inputs = Vec::new();
@@ -37,7 +37,7 @@ pub fn inputs(scene: &Scene, steering: &Steering) -> Vec<Input> {
             number,
             value,
             chapter,
-            given: scene.given(key).cloned(),
+            given: origins.of(key).cloned(),
         });
     };
     for (number, axis) in (1..).zip(&given.axes) {
@@ -50,7 +50,7 @@ pub fn inputs(scene: &Scene, steering: &Steering) -> Vec<Input> {
         for (name, symbol) in quantities(table) {
             let key = format!("steering.{table}.{name}");
             let value = values.iter().find(|(known, _)| *known == symbol);
-            if let Some((_, value)) = value.filter(|_| scene.given(&key).is_some()) {
+            if let Some((_, value)) = value.filter(|_| origins.of(&key).is_some()) {
                 add(table, &key, symbol, None, *value);
             }
         }

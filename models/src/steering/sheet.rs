@@ -4,7 +4,7 @@ use crate::component::dependencies::{Recorder, recorded};
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, Published, Told};
 use crate::component::standing::Standing;
-use crate::scene::Scene;
+use crate::origin::Origins;
 use crate::sheet::{Check, Drawing, Input, Sheet};
 use crate::steering::changes::changes;
 use crate::steering::checks::checks;
@@ -109,8 +109,8 @@ impl Told for Steering {
         list
     }
 
-    fn inputs(&self, scene: &Scene) -> Vec<Input> {
-        inputs(scene, self)
+    fn inputs(&self, origins: &Origins) -> Vec<Input> {
+        inputs(origins, self)
     }
 
     /// Its modes and their changes, and how its parts are chosen.

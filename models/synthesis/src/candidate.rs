@@ -2,9 +2,9 @@
 //! side is computed once, the linkage closes by squares of lengths alone. What
 //! a search finds is computed again by [`Analysis`](lemnis_models::balance::analysis::Analysis).
 
+use lemnis_models::allowed::{OutOfRange, POSITIVE};
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::Dimensions;
-use lemnis_models::allowed::{OutOfRange, POSITIVE};
 use lemnis_models::balance::symbols as s;
 use lemnis_models::calc::Calc;
 use lemnis_models::four_bar::Branch;

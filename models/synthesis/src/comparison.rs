@@ -1,11 +1,11 @@
 //! What the book says about a synthesis: the levers that the scene lists beside
 //! its own, each worked out anew, so that nothing printed can be out of date.
 
+use lemnis_models::allowed::OutOfRange;
 use lemnis_models::balance::analysis::{Analysis, Residual};
 use lemnis_models::balance::boom::{Boom, joint};
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Method, Role, Task};
-use lemnis_models::allowed::OutOfRange;
 use lemnis_models::balance::{Balance, symbols as s};
 use lemnis_models::calc::Calc;
 use lemnis_models::four_bar::Branch;

@@ -10,9 +10,9 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::three::{near_zero, ordinate};
+use lemnis_models::allowed::{FINITE, OutOfRange, POSITIVE, check};
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::{Dimensions, Lever};
-use lemnis_models::allowed::{FINITE, OutOfRange, POSITIVE, check};
 use lemnis_models::balance::symbols as s;
 use lemnis_models::calc::Calc;
 use lemnis_models::four_bar::Branch;

@@ -10,11 +10,11 @@ use cmaes::{CMAESOptions, DVector};
 
 use crate::candidate::{Criteria, Positions};
 use crate::tolerance::Builds;
+use lemnis_models::allowed::{OutOfRange, POSITIVE, check};
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::Dimensions;
-use lemnis_models::balance::task::{Bounds, Constraints, Criterion, Task};
-use lemnis_models::allowed::{OutOfRange, POSITIVE, check};
 use lemnis_models::balance::symbols as s;
+use lemnis_models::balance::task::{Bounds, Constraints, Criterion, Task};
 use lemnis_models::calc::Calc;
 use lemnis_models::four_bar::Branch;
 use lemnis_models::symbol::Symbol;
@@ -79,7 +79,12 @@ impl Problem {
     ///
     /// # Errors
     /// As [`Positions::new`].
-    pub fn new(boom: &(dyn Boom<f64> + Sync), range: [f64; 2], task: &Task, branch: Branch) -> Result<Problem, OutOfRange> {
+    pub fn new(
+        boom: &(dyn Boom<f64> + Sync),
+        range: [f64; 2],
+        task: &Task,
+        branch: Branch,
+    ) -> Result<Problem, OutOfRange> {
         Ok(Problem {
             positions: Positions::new(boom, range, POSITIONS)?,
             branch,

@@ -1,10 +1,10 @@
 //! From a scene's task to its lever.
 
+use lemnis_models::allowed::OutOfRange;
 use lemnis_models::balance::analysis::Analysis;
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Criterion, Method, Role, Task};
-use lemnis_models::allowed::OutOfRange;
 use lemnis_models::balance::{Balance, symbols as s};
 use lemnis_models::four_bar::Branch;
 use lemnis_models::symbol::Symbol;

@@ -4,10 +4,10 @@
 //! the weights of boom, jib, rocker and counterweight. The boom's own lengths stay.
 
 use crate::candidate::Positions;
+use lemnis_models::allowed::{NOT_NEGATIVE, OutOfRange, POSITIVE, check};
 use lemnis_models::balance::lever::Dimensions;
-use lemnis_models::balance::task::Tolerances;
-use lemnis_models::allowed::{OutOfRange, NOT_NEGATIVE, POSITIVE, check};
 use lemnis_models::balance::symbols as s;
+use lemnis_models::balance::task::Tolerances;
 use lemnis_models::four_bar::Branch;
 
 /// Deviations of many builds, drawn once: what is compared is built alike.
@@ -93,7 +93,12 @@ impl Builds {
 impl Spread {
     /// # Errors
     /// A lever that does not close as designed, or of which 95 % cannot be built.
-    pub fn new(builds: &Builds, positions: &Positions, d: &Dimensions<f64>, branch: Branch) -> Result<Spread, OutOfRange> {
+    pub fn new(
+        builds: &Builds,
+        positions: &Positions,
+        d: &Dimensions<f64>,
+        branch: Branch,
+    ) -> Result<Spread, OutOfRange> {
         let fault = |what| OutOfRange::new(&s::L_K, d.l_1, POSITIVE, what);
         let what = "the balance linkage does not close over the whole working range";
         let nominal = positions.evaluate(d, branch).map_err(|_| fault(what))?.dm_max;

@@ -19,8 +19,8 @@ use crate::luffing::rope::scene::{Rope, TABLES};
 use crate::luffing::rope::stages::RopeBoom;
 use crate::luffing::rope::symbols as s;
 use crate::model::Quantity;
+use crate::origin::Origins;
 use crate::plane::{self, Point};
-use crate::scene::Scene;
 use crate::sheet::{Check, Drawing, Input, Sheet, Summary};
 use crate::symbol::Symbol;
 
@@ -210,10 +210,10 @@ impl Told for Rope {
         Vec::new()
     }
 
-    fn inputs(&self, scene: &Scene) -> Vec<Input> {
+    fn inputs(&self, origins: &Origins) -> Vec<Input> {
         let mut inputs = Vec::new();
         let mut add = |chapter, table: &str, name: &str, symbol, value| {
-            let given = scene.given(&format!("luffing.{table}{name}")).cloned();
+            let given = origins.of(&format!("luffing.{table}{name}")).cloned();
             inputs.push(Input {
                 symbol,
                 number: None,

@@ -1,0 +1,154 @@
+//! What a scene asks of its book.
+
+use crate::diagnostic::Diagnostic;
+use crate::mechanism::Mechanism;
+use crate::motion::Place;
+use crate::schema::{self, Key, Kind, Values};
+
+/// The languages that a book can be in, by ISO 639-1; the first is the default.
+pub const LANGUAGES: [&str; 3] = ["en", "zh", "bg"];
+
+/// Keys of `[book]`.
+pub static BOOK: &[Key] = &[
+    Key {
+        name: "language",
+        kind: Kind::Choice(&LANGUAGES),
+        required: false,
+        text: "Language of the book: English, Chinese or Bulgarian.",
+    },
+    Key {
+        name: "level",
+        kind: Kind::Choice(LEVELS),
+        required: false,
+        text: "Detail of the book: summary (a few pages), standard, or full (every step with its numbers).",
+    },
+    Key {
+        name: "chapters",
+        kind: Kind::Choices(CHAPTERS),
+        required: false,
+        text: "The chapters in their order; without it those of the level, and no trade, which needs many runs.",
+    },
+    Key {
+        name: "positions",
+        kind: Kind::Texts(10),
+        required: false,
+        text: "Positions at which the formulas are worked out: angles of the driven bar such as \"75 deg\", from, middle, to, \
+               or governing results such as M_Q_max; without it the governing one.",
+    },
+    Key {
+        name: "pdf_standard",
+        kind: Kind::Choice(&["a-3b", "a-3u", "a-3a"]),
+        required: false,
+        text: "PDF/A standard that the PDF keeps to; needs project.date.",
+    },
+];
+
+/// Levels of detail, the least first.
+pub const LEVELS: &[&str] = &["summary", "standard", "full"];
+
+/// Chapters of a book in their usual order.
+pub const CHAPTERS: &[&str] = &[
+    "results",
+    "inputs",
+    "conventions",
+    "views",
+    "sensitivity",
+    "constants",
+    "positions",
+    "range",
+    "sizing",
+    "balance",
+    "motion",
+    "synthesis",
+    "trade",
+    "published",
+    "remarks",
+    "notation",
+    "references",
+];
+
+/// What the scene asks of its book.
+#[derive(Clone, Debug)]
+pub struct Book {
+    /// One of [`LANGUAGES`].
+    pub language: &'static str,
+    /// One of [`LEVELS`]; `standard` where the scene says nothing.
+    pub level: &'static str,
+    /// Some of [`CHAPTERS`]; `None` for those of the level.
+    pub chapters: Option<Vec<&'static str>>,
+    /// Where the formulas are worked out; empty for the governing position.
+    pub positions: Vec<Place>,
+    /// PDF/A standard, such as `a-3b`.
+    pub pdf_standard: Option<String>,
+}
+
+impl Book {
+    /// Of a checked table and the project's; mistakes go to `found`.
+    pub fn new(
+        table: Option<&Values>,
+        project: Option<&Values>,
+        mechanism: &dyn Mechanism,
+        found: &mut Vec<Diagnostic>,
+    ) -> Book {
+        let Some(table) = table else {
+            return Book::default();
+        };
+        let known = |list: &'static [&'static str], text: &str| list.iter().copied().find(|known| *known == text);
+        let mut positions = Vec::new();
+        for (text, span) in table.texts("positions") {
+            match mechanism.place(text) {
+                Ok(place) => positions.push(place),
+                Err((message, help)) => found.push(
+                    Diagnostic::new(span.clone(), format!("`book.positions`: {message}"), "not a position").help(help),
+                ),
+            }
+        }
+        let chapters = table.texts("chapters").iter();
+        let chapters: Vec<&'static str> = chapters.filter_map(|(text, _)| known(CHAPTERS, text)).collect();
+        if table.has("chapters") && !chapters.iter().any(|chapter| mechanism.has_chapter(chapter)) {
+            let all = CHAPTERS
+                .iter()
+                .copied()
+                .filter(|chapter| mechanism.has_chapter(chapter));
+            let help = format!("chapters of this scene: {}", all.collect::<Vec<_>>().join(", "));
+            let message = match chapters.as_slice() {
+                [] => "a book without chapters".to_owned(),
+                _ => "none of these chapters has anything to say of this scene".to_owned(),
+            };
+            found.push(Diagnostic::new(table.place("chapters"), message, "an empty book").help(help));
+        }
+        let date = project.and_then(|project| project.text("date")).and_then(schema::date);
+        if table.text("pdf_standard").is_some() && date.is_none() {
+            let message = "`book.pdf_standard` needs the date of the book";
+            found.push(
+                Diagnostic::new(table.place("pdf_standard"), message, "no date")
+                    .help("add date = \"YYYY-MM-DD\" to [project]"),
+            );
+        }
+        Book {
+            language: table
+                .text("language")
+                .and_then(|text| known(&LANGUAGES, text))
+                .unwrap_or(LANGUAGES[0]),
+            level: table
+                .text("level")
+                .and_then(|text| known(LEVELS, text))
+                .unwrap_or("standard"),
+            chapters: (!chapters.is_empty()).then_some(chapters),
+            positions,
+            pdf_standard: table.text("pdf_standard").map(str::to_owned),
+        }
+    }
+}
+
+impl Default for Book {
+    fn default() -> Book {
+        Book {
+            language: LANGUAGES[0],
+            level: "standard",
+            chapters: None,
+            positions: Vec::new(),
+            pdf_standard: None,
+        }
+    }
+}
