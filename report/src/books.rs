@@ -133,7 +133,7 @@ impl Making {
 /// A book in one format: one file, or one for each page, or the source with what it reads.
 fn book(edition: &Edition<'_>, scene: &Scene, results: &Results, format: Format) -> Result<Vec<Output>, Failure> {
     let name = scene.name();
-    let wrong = |error: lemnis::book::Error| Failure::Program(error.to_string());
+    let wrong = |error: lemnis::template::Error| Failure::Program(error.to_string());
     let format = match format {
         Format::Pdf => lemnis_typeset::Format::Pdf,
         Format::Svg => lemnis_typeset::Format::Svg,

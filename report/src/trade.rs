@@ -6,9 +6,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use lemnis::diagram;
 use lemnis::language::Language;
 use lemnis::machine::{self, json as number};
+use lemnis::print::diagram;
 use lemnis::template::Templates;
 use lemnis_models::number::{rough, short};
 use lemnis_models::scene::Scene;

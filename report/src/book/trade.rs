@@ -8,11 +8,12 @@ use lemnis_trade::setting::{Method, Setting};
 use lemnis_trade::trade::{Asked, Errors, Failure, SAMPLE, Trade as Traded};
 use serde::Serialize;
 
-use crate::book::steps::Notation;
-use crate::book::{Error, Quantity, json};
-use crate::diagram::diagram;
-use crate::formula::quantity;
+use crate::book::blocks::Quantity;
+use crate::book::notation::Notation;
 use crate::language::Language;
+use crate::print::diagram::diagram;
+use crate::print::number::quantity;
+use crate::template::Error;
 
 #[derive(Serialize)]
 pub(super) struct Trade {
@@ -153,7 +154,7 @@ impl Trade {
             deepest: traded.references.last().map_or("static", |reference| reference.level),
             references: references.collect(),
             asks,
-            picture: json(&diagram(language, axes, &traded, |row| row.cost)),
+            picture: diagram(language, axes, &traded, |row| row.cost).json(),
             results: traded
                 .asked
                 .iter()

@@ -2,44 +2,33 @@
 //! id that the templates turn into the words of a language.
 
 mod balance;
+mod blocks;
 mod motion;
+mod notation;
 mod steps;
 mod synthesis;
 mod tables;
 mod trade;
 
-use std::fmt;
-
 use lemnis_fmu::instance::strings;
 use lemnis_models::scene::{CHAPTERS, Scene};
 use lemnis_models::schema;
 use lemnis_models::sheet::Sheet;
-use lemnis_models::symbol::Symbol;
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 
 use crate::book::balance::Balance;
+use crate::book::blocks::{Figure, Range, Summary};
 use crate::book::motion::Motion;
-use crate::book::steps::{Notation, Position, Section};
+use crate::book::notation::{Entry, Notation};
+use crate::book::steps::{Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
-use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Range, Sensitivity, Summary, View, Warning};
+use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Sensitivity, View, Warning};
 use crate::book::trade::Trade;
-use crate::formula::quantity;
 use crate::language::{Language, symbols};
-use crate::plot;
-use crate::template::Templates;
-
-/// Why there is no book: a template or its words are wrong.
-#[derive(Debug)]
-pub struct Error(pub String);
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for Error {}
+use crate::print::drawing::{PAGE, drawing};
+use crate::print::number::quantity;
+use crate::template::{Error, Templates};
 
 /// The file with the scene's hash. Headers read it while pages are laid out:
 /// within the source it would make every page new whenever the scene changes.
@@ -91,7 +80,7 @@ impl Edition<'_> {
 /// Everything that is printed. Fields named `symbol`, `value`, `limit` and
 /// those of a step are in Typst's mathematics, others are text or ids.
 #[derive(Serialize)]
-pub(crate) struct Book<'a> {
+struct Book<'a> {
     pub title: &'a str,
     name: &'a str,
     project: &'a [(&'static str, String)],
@@ -133,44 +122,9 @@ pub(crate) struct Book<'a> {
     trade: Option<Trade>,
     published: Option<Published>,
     remarks: &'a [&'static str],
-    notation: Vec<steps::Entry>,
+    notation: Vec<Entry>,
     /// Keys of the publications that are cited.
     references: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Quantity {
-    /// Names the words that say what it is.
-    id: &'static str,
-    symbol: &'static str,
-    unit: &'static str,
-    source: &'static str,
-}
-
-impl From<&'static Symbol> for Quantity {
-    fn from(symbol: &'static Symbol) -> Quantity {
-        Quantity {
-            id: symbol.id,
-            symbol: symbol.print,
-            unit: symbol.display.print,
-            source: symbol.source,
-        }
-    }
-}
-
-#[derive(Serialize)]
-struct Figure {
-    id: &'static str,
-    picture: String,
-}
-
-impl Figure {
-    fn new(language: &Language, curve: &lemnis_models::sheet::Curve) -> Figure {
-        Figure {
-            id: curve.id,
-            picture: json(&plot::curve(language, curve)),
-        }
-    }
 }
 
 /// The chapters of a level; a chapter that has nothing to say is left out.
@@ -259,9 +213,9 @@ impl<'a> Book<'a> {
         let trade = measures
             .then(|| Trade::new(language, scene, &mut notation))
             .transpose()?;
-        let drawing = plot::drawing(&sheet.drawing, plot::PAGE);
+        let drawing = drawing(&sheet.drawing, PAGE);
         let figure = |c: &lemnis_models::sheet::Curve| Figure::new(language, c);
-        let summary = |s: &lemnis_models::sheet::Summary| tables::summary(language, s);
+        let summary = |s: &lemnis_models::sheet::Summary| blocks::summary(language, s);
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
         let date = scene.project().iter().find(|(key, _)| *key == "date");
@@ -285,14 +239,14 @@ impl<'a> Book<'a> {
             governing: sheet.governing.iter().map(summary).collect(),
             inputs,
             scale: drawing.scale,
-            drawing: json(&drawing),
+            drawing: drawing.json(),
             constants,
             positions,
             views: sheet.views.iter().map(|view| tables::view(language, view)).collect(),
             demands: tables::demands(language, sheet),
             changes: sheet.changes.as_ref().map(|changes| tables::changes(language, changes)),
             sizing,
-            range: tables::range(language, &sheet.range, full),
+            range: blocks::range(language, &sheet.range, full),
             curves: sheet.curves.iter().map(figure).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(language, b)),
             motion,
@@ -307,8 +261,4 @@ impl<'a> Book<'a> {
             chapters,
         })
     }
-}
-
-fn json(picture: &plot::Picture) -> String {
-    serde_json::to_string(picture).expect("a picture is plain data")
 }
