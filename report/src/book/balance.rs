@@ -9,7 +9,7 @@ use crate::book::blocks::{Figure, Range, Summary, range, summary};
 use crate::book::tables::printed;
 use crate::language::Language;
 use crate::print::drawing::{PAGE, drawing};
-use crate::print::number::quantity;
+use crate::print::number::{named, quantity};
 
 #[derive(Serialize)]
 pub(super) struct Balance {
@@ -62,9 +62,6 @@ impl Balance {
                 .published
                 .map(|value| quantity(language, criterion.summary.symbol, value)),
         };
-        let named = |symbol: &'static lemnis_models::symbol::Symbol, value: f64| {
-            format!("{} = {}", symbol.print, quantity(language, symbol, value))
-        };
         let drawing = drawing(&balance.drawing, [PAGE[0], 95.0]);
         Balance {
             kind: balance.kind,
@@ -77,8 +74,8 @@ impl Balance {
                 .equilibria
                 .iter()
                 .map(|e| Equilibrium {
-                    at: named(e.coordinate, e.at),
-                    reach: named(e.reach.0, e.reach.1),
+                    at: named(language, e.coordinate, e.at),
+                    reach: named(language, e.reach.0, e.reach.1),
                     stable: e.stable,
                 })
                 .collect(),

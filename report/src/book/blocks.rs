@@ -6,7 +6,7 @@ use lemnis_models::symbol::Symbol;
 use serde::Serialize;
 
 use crate::language::Language;
-use crate::print::number::quantity;
+use crate::print::number::{named, quantity};
 use crate::print::picture::Picture;
 use crate::print::plot;
 
@@ -73,9 +73,7 @@ pub(super) fn summary(language: &Language, summary: &sheet::Summary) -> Summary 
     Summary {
         quantity: summary.symbol.into(),
         value: quantity(language, summary.symbol, summary.value),
-        at: summary
-            .at
-            .map(|(symbol, at)| format!("{} = {}", symbol.print, quantity(language, symbol, at))),
+        at: summary.at.map(|(symbol, at)| named(language, symbol, at)),
     }
 }
 

@@ -13,7 +13,7 @@ mod trade;
 use lemnis_fmu::instance::strings;
 use lemnis_models::scene::{CHAPTERS, Scene};
 use lemnis_models::schema;
-use lemnis_models::sheet::Sheet;
+use lemnis_models::sheet::{self, Sheet};
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 
@@ -27,7 +27,6 @@ use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Sensitivit
 use crate::book::trade::Trade;
 use crate::language::{Language, symbols};
 use crate::print::drawing::{PAGE, drawing};
-use crate::print::number::quantity;
 use crate::template::{Error, Templates};
 
 /// The file with the scene's hash. Headers read it while pages are laid out:
@@ -81,7 +80,7 @@ impl Edition<'_> {
 /// those of a step are in Typst's mathematics, others are text or ids.
 #[derive(Serialize)]
 struct Book<'a> {
-    pub title: &'a str,
+    title: &'a str,
     name: &'a str,
     project: &'a [(&'static str, String)],
     revisions: &'a [Vec<String>],
@@ -169,13 +168,7 @@ impl<'a> Book<'a> {
                 "sizing" => sizing = steps::sections(language, &sheet.sizing, None, &mut notation),
                 "positions" => {
                     let outputs = (!full).then_some(sheet.outputs.as_slice());
-                    let position = |position: &lemnis_models::sheet::Worked| Position {
-                        id: position.id,
-                        symbol: position.coordinate.print,
-                        value: quantity(language, position.coordinate, position.value),
-                        of: position.of,
-                        sections: steps::sections(language, &position.sections, outputs, &mut notation),
-                    };
+                    let position = |position| Position::new(language, position, outputs, &mut notation);
                     positions = sheet.positions.iter().map(position).collect();
                 }
                 "motion" => {
@@ -185,28 +178,7 @@ impl<'a> Book<'a> {
                 _ => {}
             }
         }
-        let results = sheet.checks.iter().map(|check| check.symbol);
-        let warnings = sheet.warnings.iter().map(|(_, summary)| summary.symbol);
-        let results = results.chain(warnings);
-        let results = results.chain(sheet.governing.iter().chain(&sheet.summary).map(|s| s.symbol));
-        let balance = sheet.balance.iter().filter(|_| chapters.contains(&"balance"));
-        let balance = balance.flat_map(|b| {
-            let criteria = b.criteria.iter().map(|c| c.summary.symbol);
-            criteria.chain(b.range.columns.iter().copied())
-        });
-        let tables = sheet.views.iter().flat_map(|view| &view.table.columns);
-        let tables = tables.chain(&sheet.range.columns).copied();
-        let drawn = sheet.changes.iter().filter_map(|changes| changes.drawn.as_ref());
-        let changing = drawn.flat_map(|(_, curves)| curves);
-        let curves = sheet.curves.iter().chain(changing).flat_map(|curve| [curve.x, curve.y]);
-        let nearest = sheet.views.iter().flat_map(|view| &view.nearest);
-        let nearest = nearest.flat_map(|(_, command)| command.iter().map(|(symbol, _)| *symbol));
-        let changes = sheet.changes.iter().flat_map(|changes| changes.columns);
-        let demands = sheet.demands.iter().map(|(_, demand)| demand.symbol);
-        let results = results.chain(tables).chain(nearest).chain(changes).chain(demands);
-        for symbol in results.chain(curves).chain(balance) {
-            notation.meet(symbol);
-        }
+        notation.meet_results(sheet, &chapters);
         let compares = chapters.contains(&"synthesis");
         let synthesis = compares.then(|| synthesis(language, scene, &mut notation)).flatten();
         let measures = chapters.contains(&"trade");
@@ -214,8 +186,8 @@ impl<'a> Book<'a> {
             .then(|| Trade::new(language, scene, &mut notation))
             .transpose()?;
         let drawing = drawing(&sheet.drawing, PAGE);
-        let figure = |c: &lemnis_models::sheet::Curve| Figure::new(language, c);
-        let summary = |s: &lemnis_models::sheet::Summary| blocks::summary(language, s);
+        let figure = |c: &sheet::Curve| Figure::new(language, c);
+        let summary = |s: &sheet::Summary| blocks::summary(language, s);
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
         let date = scene.project().iter().find(|(key, _)| *key == "date");
@@ -232,7 +204,7 @@ impl<'a> Book<'a> {
             mechanism: scene.mechanism.id(),
             symbols: symbols(scene.mechanism.id()),
             html: format == Format::Html,
-            passed: sheet.checks.iter().all(lemnis_models::sheet::Check::passed),
+            passed: sheet.checks.iter().all(sheet::Check::passed),
             checks: sheet.checks.iter().map(|c| tables::check(language, c)).collect(),
             warnings: tables::warnings(language, sheet),
             summary: sheet.summary.iter().map(summary).collect(),

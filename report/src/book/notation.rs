@@ -69,6 +69,32 @@ impl Notation {
         new
     }
 
+    /// The symbols of results, tables, curves and the balance.
+    pub(super) fn meet_results(&mut self, sheet: &Sheet, chapters: &[&str]) {
+        let results = sheet.checks.iter().map(|check| check.symbol);
+        let warnings = sheet.warnings.iter().map(|(_, summary)| summary.symbol);
+        let results = results.chain(warnings);
+        let results = results.chain(sheet.governing.iter().chain(&sheet.summary).map(|s| s.symbol));
+        let balance = sheet.balance.iter().filter(|_| chapters.contains(&"balance"));
+        let balance = balance.flat_map(|b| {
+            let criteria = b.criteria.iter().map(|c| c.summary.symbol);
+            criteria.chain(b.range.columns.iter().copied())
+        });
+        let tables = sheet.views.iter().flat_map(|view| &view.table.columns);
+        let tables = tables.chain(&sheet.range.columns).copied();
+        let drawn = sheet.changes.iter().filter_map(|changes| changes.drawn.as_ref());
+        let changing = drawn.flat_map(|(_, curves)| curves);
+        let curves = sheet.curves.iter().chain(changing).flat_map(|curve| [curve.x, curve.y]);
+        let nearest = sheet.views.iter().flat_map(|view| &view.nearest);
+        let nearest = nearest.flat_map(|(_, command)| command.iter().map(|(symbol, _)| *symbol));
+        let changes = sheet.changes.iter().flat_map(|changes| changes.columns);
+        let demands = sheet.demands.iter().map(|(_, demand)| demand.symbol);
+        let results = results.chain(tables).chain(nearest).chain(changes).chain(demands);
+        for symbol in results.chain(curves).chain(balance) {
+            self.meet(symbol);
+        }
+    }
+
     pub(super) fn references(&self) -> Vec<String> {
         let key = |symbol: &&Symbol| Some(symbol.source.strip_prefix('[')?.split_once(',')?.0.to_owned());
         let mut keys: Vec<String> = self.met.values().filter_map(key).collect();

@@ -10,6 +10,7 @@ use crate::book::notation::Notation;
 use crate::language::Language;
 use crate::print::drawing::{self, SMALL};
 use crate::print::formula::{self, Layout, Printed};
+use crate::print::number::quantity;
 
 #[derive(Serialize)]
 pub(super) struct Section {
@@ -34,12 +35,29 @@ struct Step {
 
 #[derive(Serialize)]
 pub(super) struct Position {
-    pub id: &'static str,
-    pub symbol: &'static str,
-    pub value: String,
+    id: &'static str,
+    symbol: &'static str,
+    value: String,
     /// Number of the body that the formulas speak of.
-    pub of: Option<usize>,
-    pub sections: Vec<Section>,
+    of: Option<usize>,
+    sections: Vec<Section>,
+}
+
+impl Position {
+    pub(super) fn new(
+        language: &Language,
+        position: &sheet::Worked,
+        outputs: Option<&[&'static Symbol]>,
+        notation: &mut Notation,
+    ) -> Position {
+        Position {
+            id: position.id,
+            symbol: position.coordinate.print,
+            value: quantity(language, position.coordinate, position.value),
+            of: position.of,
+            sections: sections(language, &position.sections, outputs, notation),
+        }
+    }
 }
 
 /// Sections of formulas. With `outputs`, only these have their numbers put in;

@@ -7,7 +7,7 @@ use lemnis_models::symbol::Symbol;
 use lemnis_synthesis::comparison::{BUILDS, Bound, Compared, Comparison, Worth};
 use serde::Serialize;
 
-use crate::book::blocks::{Figure, Quantity};
+use crate::book::blocks::{Drawn, Figure, Quantity};
 use crate::book::notation::Notation;
 use crate::language::Language;
 use crate::print::drawing::{HALF, drawing};
@@ -67,8 +67,8 @@ struct Limit {
 struct Drawing {
     number: usize,
     role: &'static str,
-    scale: u32,
-    picture: String,
+    #[serde(flatten)]
+    drawn: Drawn,
 }
 
 #[derive(Serialize)]
@@ -116,14 +116,10 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         marked: false,
     });
     let residuals: Vec<Line> = residuals.collect();
-    let drawings = worths.iter().map(|(i, lever, worth)| {
-        let picture = drawing(&worth.drawing, HALF);
-        Drawing {
-            number: i + 1,
-            role: lever.role,
-            scale: picture.scale,
-            picture: picture.json(),
-        }
+    let drawings = worths.iter().map(|(i, lever, worth)| Drawing {
+        number: i + 1,
+        role: lever.role,
+        drawn: drawing(&worth.drawing, HALF).into(),
     });
     let fronts = comparison.fronts.iter().map(|front| {
         let mut lines = vec![Line {

@@ -297,19 +297,14 @@ pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes 
 }
 
 pub(super) fn view(language: &Language, view: &sheet::View) -> View {
+    let named = |(symbol, value)| number::named(language, symbol, value);
     View {
         id: view.id,
-        command: view
-            .command
-            .map(|(symbol, value)| format!("{} = {}", symbol.print, quantity(language, symbol, value))),
+        command: view.command.map(named),
         reachable: view.reachable,
         nearest: view.nearest.as_ref().map(|(id, command)| Nearest {
             id,
-            command: command
-                .iter()
-                .map(|&(symbol, value)| format!("{} = {}", symbol.print, quantity(language, symbol, value)))
-                .collect::<Vec<_>>()
-                .join(", "),
+            command: command.iter().copied().map(named).collect::<Vec<_>>().join(", "),
         }),
         drawn: drawing(&view.drawing, SMALL).into(),
         table: table(language, &view.table),

@@ -12,7 +12,7 @@ use crate::book::blocks::Quantity;
 use crate::book::notation::Notation;
 use crate::language::Language;
 use crate::print::diagram::diagram;
-use crate::print::number::quantity;
+use crate::print::number::{named, quantity};
 use crate::template::Error;
 
 #[derive(Serialize)]
@@ -221,5 +221,5 @@ fn setting(language: &Language, names: Option<[&'static Symbol; 2]>, setting: &S
         Method::Explicit(value) => (step, value),
         Method::Implicit(value) | Method::Interpolated(value) => (tolerance, value),
     };
-    Some(format!("{} = {}", symbol.print, quantity(language, symbol, value)))
+    Some(named(language, symbol, value))
 }

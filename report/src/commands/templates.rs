@@ -1,6 +1,6 @@
 //! `lemnis templates`: what books are made with.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Subcommand;
 use lemnis::template::originals;
@@ -18,29 +18,24 @@ pub enum Templates {
 }
 
 impl Templates {
+    /// Writes out everything that `--templates` can override.
     pub fn run(&self) -> Result<(), Failure> {
-        match self {
-            Templates::Export { dir } => export(dir),
+        let Templates::Export { dir } = self;
+        for (name, _) in originals() {
+            let path = dir.join(name);
+            if path.exists() {
+                return Err(Failure::File(format!(
+                    "{} exists already and stays as it is; name another folder",
+                    path.display()
+                )));
+            }
         }
-    }
-}
-
-/// Writes out everything that `--templates` can override.
-fn export(folder: &Path) -> Result<(), Failure> {
-    for (name, _) in originals() {
-        let path = folder.join(name);
-        if path.exists() {
-            return Err(Failure::File(format!(
-                "{} exists already and stays as it is; name another folder",
-                path.display()
-            )));
+        for (name, text) in originals() {
+            let path = dir.join(name);
+            let name = path.file_name().expect("a file").to_string_lossy().into_owned();
+            let bytes = text.as_bytes().to_vec();
+            write(path.parent().unwrap_or(dir), &[Output { name, bytes }])?;
         }
+        Ok(())
     }
-    for (name, text) in originals() {
-        let path = folder.join(name);
-        let name = path.file_name().expect("a file").to_string_lossy().into_owned();
-        let bytes = text.as_bytes().to_vec();
-        write(path.parent().unwrap_or(folder), &[Output { name, bytes }])?;
-    }
-    Ok(())
 }

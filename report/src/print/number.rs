@@ -12,6 +12,12 @@ pub fn quantity(language: &Language, symbol: &Symbol, value: f64) -> String {
     measured(language, symbol.shown(value), symbol.display)
 }
 
+/// A symbol with its value (in SI).
+#[must_use]
+pub fn named(language: &Language, symbol: &Symbol, value: f64) -> String {
+    format!("{} = {}", symbol.print, quantity(language, symbol, value))
+}
+
 /// A number of units.
 #[must_use]
 pub fn measured(language: &Language, number: f64, unit: &Unit) -> String {
