@@ -1,5 +1,7 @@
 //! The scene that is built: what a scene leaves open is decided, and its default experiment runs.
 
+use std::path::Path;
+
 use lemnis_models::diagnostic::Diagnostic;
 use lemnis_models::gravity;
 use lemnis_models::model::Fault;
@@ -10,9 +12,10 @@ use lemnis_trade::trade::SAMPLE;
 use toml_edit::value;
 
 use crate::failure::Failure;
+use crate::measuring::{measured, verdict};
 use crate::output::say;
-use crate::trade::{measured, verdict};
-use crate::{busy, scene_file};
+use crate::progress::busy;
+use crate::scene_file;
 
 /// A scene of which nothing is open any more.
 pub struct Decision {
@@ -27,6 +30,11 @@ impl Decision {
         self.notes.iter().try_for_each(say)?;
         Ok(self.scene)
     }
+}
+
+/// The scene of a file, without a path the embedded one, with all decided that it leaves open.
+pub fn to_build(path: Option<&Path>) -> Result<Decision, Failure> {
+    decided(scene_file::read(path)?, &scene_file::name(path))
 }
 
 /// Decides what a scene from a file of this name leaves open. The same scene always gives the same FMU: nothing is

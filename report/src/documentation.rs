@@ -9,8 +9,8 @@ use minijinja::value::Serde;
 use minijinja::{Environment, HtmlEscape, UndefinedBehavior, context};
 use serde::Serialize;
 
-use crate::book::Error;
 use crate::language::{Language, Words, symbol_tables};
+use crate::template::Error;
 
 const TEMPLATE: &str = include_str!("../../templates/index.html");
 

@@ -12,7 +12,7 @@ use lemnis_models::steering::moving::scene::{Body, Oil, Plc};
 use lemnis_models::symbol::Symbol;
 use lemnis_models::{balance, gravity, hydraulics, lemniscate, luffing, steering};
 
-use crate::template::escape;
+use crate::print::text::escape;
 
 pub(crate) const REFERENCES: &str = include_str!("../../templates/references.toml");
 

@@ -7,18 +7,19 @@
 //! a logo, can be read by the templates.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::{Serde, Value};
 use minijinja::{Environment, ErrorKind, State, UndefinedBehavior, context};
+use serde::Serialize;
 
-use crate::book::{Book, Error};
 use crate::language::{LANGUAGES, Language, Words};
-use crate::plot::Picture;
-use crate::speech;
+use crate::print::picture::Picture;
+use crate::print::speech;
+use crate::print::text::{self, escape};
 
 macro_rules! embedded {
     ($($name:literal),* $(,)?) => {
@@ -62,6 +63,18 @@ pub fn originals() -> Vec<(&'static str, &'static str)> {
     let references = &(REFERENCES, crate::language::REFERENCES);
     TEMPLATES.iter().chain(words).chain([references]).copied().collect()
 }
+
+/// Why there is no book: a template or its words are wrong.
+#[derive(Debug)]
+pub struct Error(pub String);
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Error {}
 
 /// The templates of books, ready to be filled in.
 pub struct Templates {
@@ -144,7 +157,7 @@ impl Templates {
     }
 
     /// The book's Typst source.
-    pub(crate) fn render(&self, book: &Book, language: &Language) -> Result<String, Error> {
+    pub(crate) fn render(&self, book: &impl Serialize, language: &Language) -> Result<String, Error> {
         let place = LANGUAGES.iter().position(|known| known.code == language.code);
         let ready = self.ready[place.expect("a language of the table")].get_or_init(|| self.prepare(language));
         let Ready { environment, words } = ready.as_ref().map_err(|error| Error(error.clone()))?;
@@ -157,19 +170,18 @@ impl Templates {
     /// The Typst source of a page with a picture and nothing else; the title also says what it shows.
     ///
     /// # Errors
-    /// As [`Edition::source`](crate::book::Edition::source).
+    /// A template with a mistake, or an id without words.
     pub fn picture(&self, picture: &Picture, title: &str, language: &Language) -> Result<String, Error> {
         let Ready { environment, .. } = &self.prepare(language).map_err(Error)?;
         let page = environment
             .get_template("picture.typ")
             .and_then(|template| template.render(context! { book => context! { html => false } }));
         let page = page.map_err(|error| Error(describe(self.folder.as_deref(), &error)))?;
-        let data = serde_json::to_string(picture).expect("a picture is plain data");
         let title = escape(title);
         Ok(format!(
             "#set document(title: \"{title}\")\n{page}\n#set page(width: auto, height: auto, margin: 3mm)\n\
              #figure(picture(\"{}\"), alt: \"{title}\")\n",
-            escape(&data)
+            escape(&picture.json())
         ))
     }
 
@@ -229,7 +241,7 @@ fn environment(words: Words) -> Environment<'static> {
             None => minijinja::escape_formatter(out, state, value),
         }
     });
-    environment.add_filter("string", |text: &str| Value::from_safe_string(speech::string(text)));
+    environment.add_filter("string", |text: &str| Value::from_safe_string(text::string(text)));
     environment.add_filter("breakable", breakable);
     environment.add_filter("brief", brief);
     // "2.1" and so on. Typst's own numbers would come from counters, which cost a further pass over the document.
@@ -292,30 +304,6 @@ fn describe(folder: Option<&Path>, error: &minijinja::Error) -> String {
     format!("{place}{detail}")
 }
 
-/// Text that Typst prints as it is, in markup and between quotes: everything that could be syntax becomes
-/// `\u{hex}`. Between letters or digits a point, a comma, a colon or a stroke is none; nor is a point or a comma after
-/// a letter. Every escape is a node of its own for Typst, so numbers are left whole.
-pub(crate) fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(2 * text.len());
-    let (mut before, mut rest) = (' ', text.chars());
-    while let Some(c) = rest.next() {
-        let after = rest.clone().next().unwrap_or(' ');
-        let plain = match c {
-            ' ' => true,
-            '.' | ',' if before.is_alphabetic() => after != '.',
-            '.' | ',' | ':' | '/' => before.is_alphanumeric() && after.is_alphanumeric(),
-            _ if c.is_ascii() => c.is_alphanumeric(),
-            _ => !(c.is_control() || c.is_whitespace()),
-        };
-        match plain {
-            true => escaped.push(c),
-            false => write!(escaped, "\\u{{{:x}}}", u32::from(c)).expect("strings can be written to"),
-        }
-        before = c;
-    }
-    escaped
-}
-
 /// Text whose words a line can always hold: one that is too long may be broken after every so many letters. Chinese is
 /// broken anywhere already.
 fn breakable(text: &str) -> String {
@@ -346,35 +334,7 @@ fn brief(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use lemnis_typeset::{Embedded, Format, Typesetter};
-
     use super::*;
-
-    #[test]
-    fn hostile_text_is_only_text() {
-        let hostile = "#read(\"/etc/passwd\") $x$ *b* @ref /* // \\ ] } \" ~ <l>\n= h\u{2028}`";
-        let escaped = escape(hostile);
-        let syntax = |c: char| c.is_ascii_punctuation() && !matches!(c, '\\' | '{' | '}' | '/');
-        assert!(!escaped.contains(syntax) && !escaped.contains('\n'), "{escaped}");
-        assert!(!escaped.contains("//") && !escaped.contains("/\\"), "{escaped}");
-        for source in [
-            format!("= {escaped}"),
-            format!("#\"{escaped}\""),
-            format!("#let t = [{escaped}]\n#t"),
-        ] {
-            let source = format!("#set document(title: \"T\")\n{source}");
-            let made = Embedded.typeset(&source, &[], Format::Pdf, None).unwrap();
-            assert!(made.warnings.is_empty());
-        }
-    }
-
-    /// Numbers and units stay whole; what Typst would make a list, an ellipsis, a comment or a link of does not.
-    #[test]
-    fn points_and_strokes_within_words_are_no_syntax() {
-        assert_eq!(escape("3.5 m/s, 0,25; Fig. 3"), "3.5 m/s, 0,25\\u{3b} Fig. 3");
-        assert_eq!(escape("1. a..."), "1\\u{2e} a\\u{2e}\\u{2e}\\u{2e}");
-        assert_eq!(escape("http://a /*"), "http\\u{3a}\\u{2f}\\u{2f}a \\u{2f}\\u{2a}");
-    }
 
     #[test]
     fn only_words_that_no_line_holds_may_be_broken() {

@@ -5,11 +5,11 @@ use lemnis_models::number::{Digits, Number};
 use lemnis_models::sheet;
 use serde::Serialize;
 
-use crate::book::tables::{self, Range, Summary};
-use crate::book::{Figure, json};
-use crate::formula::quantity;
+use crate::book::blocks::{Figure, Range, Summary, range, summary};
+use crate::book::tables::printed;
 use crate::language::Language;
-use crate::plot;
+use crate::print::drawing::{PAGE, drawing};
+use crate::print::number::{named, quantity};
 
 #[derive(Serialize)]
 pub(super) struct Balance {
@@ -57,28 +57,25 @@ struct Equilibrium {
 impl Balance {
     pub(super) fn new(language: &Language, balance: &sheet::Balance) -> Balance {
         let criterion = |criterion: &sheet::Criterion| Criterion {
-            summary: tables::summary(language, &criterion.summary),
+            summary: summary(language, &criterion.summary),
             published: criterion
                 .published
                 .map(|value| quantity(language, criterion.summary.symbol, value)),
         };
-        let named = |symbol: &'static lemnis_models::symbol::Symbol, value: f64| {
-            format!("{} = {}", symbol.print, quantity(language, symbol, value))
-        };
-        let drawing = plot::drawing(&balance.drawing, [plot::PAGE[0], 95.0]);
+        let drawing = drawing(&balance.drawing, [PAGE[0], 95.0]);
         Balance {
             kind: balance.kind,
             turns: balance.range.columns.contains(&&DM_5),
             scale: drawing.scale,
-            drawing: json(&drawing),
+            drawing: drawing.json(),
             criteria: balance.criteria.iter().map(criterion).collect(),
             published_source: balance.published_source.clone(),
             equilibria: balance
                 .equilibria
                 .iter()
                 .map(|e| Equilibrium {
-                    at: named(e.coordinate, e.at),
-                    reach: named(e.reach.0, e.reach.1),
+                    at: named(language, e.coordinate, e.at),
+                    reach: named(language, e.reach.0, e.reach.1),
                     stable: e.stable,
                 })
                 .collect(),
@@ -87,7 +84,7 @@ impl Balance {
                 .iter()
                 .map(|curve| Figure::new(language, curve))
                 .collect(),
-            range: tables::range(language, &balance.range, true),
+            range: range(language, &balance.range, true),
             table: balance.table.iter().map(|row| Row::new(language, row)).collect(),
         }
     }
@@ -95,7 +92,7 @@ impl Balance {
 
 impl Row {
     fn new(language: &Language, row: &sheet::PublishedRow) -> Row {
-        let text = |printed: &str| language.text(&tables::printed(printed));
+        let text = |given: &str| language.text(&printed(given));
         let cell = |cell: &sheet::PublishedCell| Cell {
             printed: text(cell.printed),
             computed: language.text(&Number::new(cell.computed, Digits::Decimals(3))),

@@ -5,10 +5,11 @@ use lemnis_models::sheet::{self, InMotion};
 use lemnis_models::symbol::Symbol;
 use serde::Serialize;
 
-use crate::book::steps::{Notation, Section, sections};
-use crate::book::{Figure, Quantity};
-use crate::formula::quantity;
+use crate::book::blocks::{Figure, Quantity};
+use crate::book::notation::Notation;
+use crate::book::steps::{Section, sections};
 use crate::language::Language;
+use crate::print::number::quantity;
 
 #[derive(Serialize)]
 pub(super) struct Motion {

@@ -7,11 +7,12 @@ use lemnis_models::symbol::Symbol;
 use lemnis_synthesis::comparison::{BUILDS, Bound, Compared, Comparison, Worth};
 use serde::Serialize;
 
-use crate::book::steps::Notation;
-use crate::book::{Figure, Quantity, json};
-use crate::formula::quantity;
+use crate::book::blocks::{Drawn, Figure, Quantity};
+use crate::book::notation::Notation;
 use crate::language::Language;
-use crate::plot::{self, Line};
+use crate::print::drawing::{HALF, drawing};
+use crate::print::number::quantity;
+use crate::print::plot::{self, Line};
 
 #[derive(Serialize)]
 pub(super) struct Synthesis {
@@ -66,8 +67,8 @@ struct Limit {
 struct Drawing {
     number: usize,
     role: &'static str,
-    scale: u32,
-    picture: String,
+    #[serde(flatten)]
+    drawn: Drawn,
 }
 
 #[derive(Serialize)]
@@ -115,14 +116,10 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         marked: false,
     });
     let residuals: Vec<Line> = residuals.collect();
-    let drawings = worths.iter().map(|(i, lever, worth)| {
-        let picture = plot::drawing(&worth.drawing, plot::HALF);
-        Drawing {
-            number: i + 1,
-            role: lever.role,
-            scale: picture.scale,
-            picture: json(&picture),
-        }
+    let drawings = worths.iter().map(|(i, lever, worth)| Drawing {
+        number: i + 1,
+        role: lever.role,
+        drawn: drawing(&worth.drawing, HALF).into(),
     });
     let fronts = comparison.fronts.iter().map(|front| {
         let mut lines = vec![Line {
@@ -144,7 +141,7 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         }));
         Figure {
             id: front.symbol.id,
-            picture: json(&plot::lines(language, [front.symbol, &s::DM_MAX], &lines)),
+            picture: plot::lines(language, [front.symbol, &s::DM_MAX], &lines).json(),
         }
     });
     let limits = comparison.bounds.iter().filter(|bound| bound.low < bound.high);
@@ -168,7 +165,7 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         builds: BUILDS,
         tolerances: [of(&s::T_L, t.length), of(&s::T_A, t.angle), of(&s::T_W, t.weight)],
         limits: limits.collect(),
-        residual: json(&plot::lines(language, [&s::PHI, &s::DM], &residuals)),
+        residual: plot::lines(language, [&s::PHI, &s::DM], &residuals).json(),
         drawings: drawings.collect(),
         fronts: fronts.collect(),
         nodes: comparison.nodes.as_ref().map(|nodes| {

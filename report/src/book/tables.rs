@@ -1,18 +1,18 @@
-//! Tables: checks, results, given quantities, the working range, sensitivities,
-//! published values.
+//! Tables: checks, given quantities, views, changes, sensitivities, published values.
 
 use lemnis_models::gravity;
-use lemnis_models::number::{Digits, Number, column, short};
+use lemnis_models::number::{Digits, Number, short};
 use lemnis_models::sheet::{self, Comparison, Sheet};
 use lemnis_models::symbol::Symbol;
 use lemnis_models::unit::{self, Unit};
 use serde::Serialize;
 
-use crate::book::steps::{Drawn, Notation};
-use crate::book::{Figure, Quantity, json};
-use crate::formula::{measured, quantity};
+use crate::book::blocks::{Drawn, Figure, Quantity, Summary, Table, sparse, summary, table};
+use crate::book::notation::Notation;
 use crate::language::Language;
-use crate::plot;
+use crate::print::drawing::{SMALL, drawing};
+use crate::print::number::{self, measured, quantity};
+use crate::print::plot;
 
 #[derive(Serialize)]
 pub(super) struct Check {
@@ -26,14 +26,6 @@ pub(super) struct Check {
     utilisation: Option<String>,
     /// Names the words that say when the value is infinite, where it is.
     infinite: Option<&'static str>,
-}
-
-#[derive(Serialize)]
-pub(super) struct Summary {
-    #[serde(flatten)]
-    quantity: Quantity,
-    value: String,
-    at: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -108,47 +100,6 @@ struct ChangeRow {
     /// Duration, whether the machine must stand, number of the group; none of a change that is not possible.
     plan: Option<(String, bool, usize)>,
     flow: Option<String>,
-}
-
-#[derive(Serialize)]
-pub(super) struct Table {
-    columns: Vec<Quantity>,
-    rows: Vec<Vec<String>>,
-}
-
-/// The working range, with all rows or some.
-#[derive(Serialize)]
-pub(super) struct Range {
-    #[serde(flatten)]
-    table: Table,
-    one_in: Option<usize>,
-}
-
-/// The longest table over the working range that is printed with all its rows where the book is not a full one.
-const MANY: usize = 50;
-/// Of a longer one, one row in so many.
-const ONE_IN: usize = 5;
-/// The most rows that are printed of any table: nobody reads more, and each takes a tenth of a megabyte of memory.
-const MOST: usize = 1000;
-
-/// The rows to print, with the first and the last, and one in how many they are where some are left out.
-fn sparse<T>(rows: Vec<T>, full: bool) -> (Vec<T>, Option<usize>) {
-    let usual = if full || rows.len() <= MANY { 1 } else { ONE_IN };
-    let one_in = usual.max(rows.len().div_ceil(MOST));
-    if one_in == 1 {
-        return (rows, None);
-    }
-    let last = rows.len() - 1;
-    let printed = |i: usize| i.is_multiple_of(one_in) || i == last;
-    let rows = rows.into_iter().enumerate().filter(|(i, _)| printed(*i));
-    (rows.map(|(_, row)| row).collect(), Some(one_in))
-}
-
-pub(super) fn range(language: &Language, table: &sheet::Table, full: bool) -> Range {
-    let mut table = self::table(language, table);
-    let one_in;
-    (table.rows, one_in) = sparse(table.rows, full);
-    Range { table, one_in }
 }
 
 /// Change of the results with each given quantity.
@@ -259,7 +210,7 @@ pub(super) fn sensitivity(language: &Language, table: &sheet::Sensitivity) -> Se
     let change = |row: &sheet::Slope| {
         let (count, unit) = step(row.symbol);
         let cell = |(i, slope): (usize, &f64)| {
-            let shown = |by: f64| language.text(&plot::change(table.results[i].0.shown(slope * by)));
+            let shown = |by: f64| language.text(&number::change(table.results[i].0.shown(slope * by)));
             [shown(count * unit.factor), shown(0.01 * row.value)]
         };
         Change {
@@ -278,7 +229,7 @@ pub(super) fn sensitivity(language: &Language, table: &sheet::Sensitivity) -> Se
             quantity: symbol.into(),
             figure: Figure {
                 id: symbol.id,
-                picture: json(&plot::bars(language, bars.collect())),
+                picture: plot::bars(language, bars.collect()).json(),
             },
         }
     };
@@ -304,29 +255,6 @@ pub(super) fn check(language: &Language, check: &sheet::Check) -> Check {
         passed: check.passed(),
         utilisation: (check.limit != 0.0).then(|| language.text(&fixed(100.0 * check.utilisation(), 1))),
         infinite: (!check.value.is_finite()).then_some(check.symbol.id),
-    }
-}
-
-pub(super) fn summary(language: &Language, summary: &sheet::Summary) -> Summary {
-    Summary {
-        quantity: summary.symbol.into(),
-        value: quantity(language, summary.symbol, summary.value),
-        at: summary
-            .at
-            .map(|(symbol, at)| format!("{} = {}", symbol.print, quantity(language, symbol, at))),
-    }
-}
-
-pub(super) fn table(language: &Language, table: &sheet::Table) -> Table {
-    let of = |(i, symbol): (usize, &&'static Symbol)| {
-        let values: Vec<f64> = table.rows.iter().map(|row| symbol.shown(row[i])).collect();
-        column(&values)
-    };
-    let columns: Vec<Vec<Number>> = table.columns.iter().enumerate().map(of).collect();
-    let row = |i: usize| columns.iter().map(|column| language.text(&column[i])).collect();
-    Table {
-        columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
-        rows: (0..table.rows.len()).map(row).collect(),
     }
 }
 
@@ -369,21 +297,16 @@ pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes 
 }
 
 pub(super) fn view(language: &Language, view: &sheet::View) -> View {
+    let named = |(symbol, value)| number::named(language, symbol, value);
     View {
         id: view.id,
-        command: view
-            .command
-            .map(|(symbol, value)| format!("{} = {}", symbol.print, quantity(language, symbol, value))),
+        command: view.command.map(named),
         reachable: view.reachable,
         nearest: view.nearest.as_ref().map(|(id, command)| Nearest {
             id,
-            command: command
-                .iter()
-                .map(|&(symbol, value)| format!("{} = {}", symbol.print, quantity(language, symbol, value)))
-                .collect::<Vec<_>>()
-                .join(", "),
+            command: command.iter().copied().map(named).collect::<Vec<_>>().join(", "),
         }),
-        drawn: plot::drawing(&view.drawing, plot::SMALL).into(),
+        drawn: drawing(&view.drawing, SMALL).into(),
         table: table(language, &view.table),
     }
 }

@@ -8,11 +8,12 @@ use lemnis_trade::setting::{Method, Setting};
 use lemnis_trade::trade::{Asked, Errors, Failure, SAMPLE, Trade as Traded};
 use serde::Serialize;
 
-use crate::book::steps::Notation;
-use crate::book::{Error, Quantity, json};
-use crate::diagram::diagram;
-use crate::formula::quantity;
+use crate::book::blocks::Quantity;
+use crate::book::notation::Notation;
 use crate::language::Language;
+use crate::print::diagram::diagram;
+use crate::print::number::{named, quantity};
+use crate::template::Error;
 
 #[derive(Serialize)]
 pub(super) struct Trade {
@@ -153,7 +154,7 @@ impl Trade {
             deepest: traded.references.last().map_or("static", |reference| reference.level),
             references: references.collect(),
             asks,
-            picture: json(&diagram(language, axes, &traded, |row| row.cost)),
+            picture: diagram(language, axes, &traded, |row| row.cost).json(),
             results: traded
                 .asked
                 .iter()
@@ -220,5 +221,5 @@ fn setting(language: &Language, names: Option<[&'static Symbol; 2]>, setting: &S
         Method::Explicit(value) => (step, value),
         Method::Implicit(value) | Method::Interpolated(value) => (tolerance, value),
     };
-    Some(format!("{} = {}", symbol.print, quantity(language, symbol, value)))
+    Some(named(language, symbol, value))
 }

@@ -5,6 +5,7 @@
 use typst_syntax::{SyntaxKind, SyntaxNode, parse};
 
 use crate::language::Words;
+use crate::print::text::string;
 
 /// The source with words at every equation.
 ///
@@ -33,11 +34,6 @@ fn rewrite(node: &SyntaxNode, in_markup: bool, words: &Words, text: &mut String)
     }
     node.children()
         .try_for_each(|child| rewrite(child, node.kind() == SyntaxKind::Markup, words, text))
-}
-
-/// A string literal of Typst, with no more escapes than it needs.
-pub(crate) fn string(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
 /// What stands side by side, with "times" between two factors.

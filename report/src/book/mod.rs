@@ -2,45 +2,33 @@
 //! id that the templates turn into the words of a language.
 
 mod balance;
+mod blocks;
 mod motion;
+mod notation;
 mod steps;
 mod synthesis;
 mod tables;
 mod trade;
 
-use std::fmt;
-
 use lemnis_fmu::instance::strings;
 use lemnis_models::book::CHAPTERS;
 use lemnis_models::scene::Scene;
 use lemnis_models::schema;
-use lemnis_models::sheet::Sheet;
-use lemnis_models::symbol::Symbol;
+use lemnis_models::sheet::{self, Sheet};
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 
 use crate::book::balance::Balance;
+use crate::book::blocks::{Figure, Range, Summary};
 use crate::book::motion::Motion;
-use crate::book::steps::{Notation, Position, Section};
+use crate::book::notation::{Entry, Notation};
+use crate::book::steps::{Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
-use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Range, Sensitivity, Summary, View, Warning};
+use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Sensitivity, View, Warning};
 use crate::book::trade::Trade;
-use crate::formula::quantity;
 use crate::language::{Language, symbols};
-use crate::plot;
-use crate::template::Templates;
-
-/// Why there is no book: a template or its words are wrong.
-#[derive(Debug)]
-pub struct Error(pub String);
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for Error {}
+use crate::print::drawing::{PAGE, drawing};
+use crate::template::{Error, Templates};
 
 /// The file with the scene's hash. Headers read it while pages are laid out:
 /// within the source it would make every page new whenever the scene changes.
@@ -92,8 +80,8 @@ impl Edition<'_> {
 /// Everything that is printed. Fields named `symbol`, `value`, `limit` and
 /// those of a step are in Typst's mathematics, others are text or ids.
 #[derive(Serialize)]
-pub(crate) struct Book<'a> {
-    pub title: &'a str,
+struct Book<'a> {
+    title: &'a str,
     name: &'a str,
     project: &'a [(&'static str, String)],
     revisions: &'a [Vec<String>],
@@ -134,44 +122,9 @@ pub(crate) struct Book<'a> {
     trade: Option<Trade>,
     published: Option<Published>,
     remarks: &'a [&'static str],
-    notation: Vec<steps::Entry>,
+    notation: Vec<Entry>,
     /// Keys of the publications that are cited.
     references: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Quantity {
-    /// Names the words that say what it is.
-    id: &'static str,
-    symbol: &'static str,
-    unit: &'static str,
-    source: &'static str,
-}
-
-impl From<&'static Symbol> for Quantity {
-    fn from(symbol: &'static Symbol) -> Quantity {
-        Quantity {
-            id: symbol.id,
-            symbol: symbol.print,
-            unit: symbol.display.print,
-            source: symbol.source,
-        }
-    }
-}
-
-#[derive(Serialize)]
-struct Figure {
-    id: &'static str,
-    picture: String,
-}
-
-impl Figure {
-    fn new(language: &Language, curve: &lemnis_models::sheet::Curve) -> Figure {
-        Figure {
-            id: curve.id,
-            picture: json(&plot::curve(language, curve)),
-        }
-    }
 }
 
 /// The chapters of a level; a chapter that has nothing to say is left out.
@@ -216,13 +169,7 @@ impl<'a> Book<'a> {
                 "sizing" => sizing = steps::sections(language, &sheet.sizing, None, &mut notation),
                 "positions" => {
                     let outputs = (!full).then_some(sheet.outputs.as_slice());
-                    let position = |position: &lemnis_models::sheet::Worked| Position {
-                        id: position.id,
-                        symbol: position.coordinate.print,
-                        value: quantity(language, position.coordinate, position.value),
-                        of: position.of,
-                        sections: steps::sections(language, &position.sections, outputs, &mut notation),
-                    };
+                    let position = |position| Position::new(language, position, outputs, &mut notation);
                     positions = sheet.positions.iter().map(position).collect();
                 }
                 "motion" => {
@@ -232,37 +179,16 @@ impl<'a> Book<'a> {
                 _ => {}
             }
         }
-        let results = sheet.checks.iter().map(|check| check.symbol);
-        let warnings = sheet.warnings.iter().map(|(_, summary)| summary.symbol);
-        let results = results.chain(warnings);
-        let results = results.chain(sheet.governing.iter().chain(&sheet.summary).map(|s| s.symbol));
-        let balance = sheet.balance.iter().filter(|_| chapters.contains(&"balance"));
-        let balance = balance.flat_map(|b| {
-            let criteria = b.criteria.iter().map(|c| c.summary.symbol);
-            criteria.chain(b.range.columns.iter().copied())
-        });
-        let tables = sheet.views.iter().flat_map(|view| &view.table.columns);
-        let tables = tables.chain(&sheet.range.columns).copied();
-        let drawn = sheet.changes.iter().filter_map(|changes| changes.drawn.as_ref());
-        let changing = drawn.flat_map(|(_, curves)| curves);
-        let curves = sheet.curves.iter().chain(changing).flat_map(|curve| [curve.x, curve.y]);
-        let nearest = sheet.views.iter().flat_map(|view| &view.nearest);
-        let nearest = nearest.flat_map(|(_, command)| command.iter().map(|(symbol, _)| *symbol));
-        let changes = sheet.changes.iter().flat_map(|changes| changes.columns);
-        let demands = sheet.demands.iter().map(|(_, demand)| demand.symbol);
-        let results = results.chain(tables).chain(nearest).chain(changes).chain(demands);
-        for symbol in results.chain(curves).chain(balance) {
-            notation.meet(symbol);
-        }
+        notation.meet_results(sheet, &chapters);
         let compares = chapters.contains(&"synthesis");
         let synthesis = compares.then(|| synthesis(language, scene, &mut notation)).flatten();
         let measures = chapters.contains(&"trade");
         let trade = measures
             .then(|| Trade::new(language, scene, &mut notation))
             .transpose()?;
-        let drawing = plot::drawing(&sheet.drawing, plot::PAGE);
-        let figure = |c: &lemnis_models::sheet::Curve| Figure::new(language, c);
-        let summary = |s: &lemnis_models::sheet::Summary| tables::summary(language, s);
+        let drawing = drawing(&sheet.drawing, PAGE);
+        let figure = |c: &sheet::Curve| Figure::new(language, c);
+        let summary = |s: &sheet::Summary| blocks::summary(language, s);
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
         let date = scene.project().iter().find(|(key, _)| *key == "date");
@@ -279,21 +205,21 @@ impl<'a> Book<'a> {
             mechanism: scene.mechanism.id(),
             symbols: symbols(scene.mechanism.id()),
             html: format == Format::Html,
-            passed: sheet.checks.iter().all(lemnis_models::sheet::Check::passed),
+            passed: sheet.checks.iter().all(sheet::Check::passed),
             checks: sheet.checks.iter().map(|c| tables::check(language, c)).collect(),
             warnings: tables::warnings(language, sheet),
             summary: sheet.summary.iter().map(summary).collect(),
             governing: sheet.governing.iter().map(summary).collect(),
             inputs,
             scale: drawing.scale,
-            drawing: json(&drawing),
+            drawing: drawing.json(),
             constants,
             positions,
             views: sheet.views.iter().map(|view| tables::view(language, view)).collect(),
             demands: tables::demands(language, sheet),
             changes: sheet.changes.as_ref().map(|changes| tables::changes(language, changes)),
             sizing,
-            range: tables::range(language, &sheet.range, full),
+            range: blocks::range(language, &sheet.range, full),
             curves: sheet.curves.iter().map(figure).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(language, b)),
             motion,
@@ -308,8 +234,4 @@ impl<'a> Book<'a> {
             chapters,
         })
     }
-}
-
-fn json(picture: &plot::Picture) -> String {
-    serde_json::to_string(picture).expect("a picture is plain data")
 }

@@ -13,12 +13,11 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use lemnis_models::number::short;
 use lemnis_models::record::{Node, Op, Rec, Step, Trace};
-use lemnis_models::symbol::Symbol;
-use lemnis_models::unit::Unit;
 use serde::Serialize;
 
 use crate::language::Language;
-use crate::speech;
+use crate::print::number::quantity;
+use crate::print::text;
 
 /// How tightly an expression holds together, loosest first.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
@@ -173,23 +172,6 @@ pub fn step(
     }
 }
 
-/// A value (in SI) in the symbol's display unit.
-#[must_use]
-pub fn quantity(language: &Language, symbol: &Symbol, value: f64) -> String {
-    measured(language, symbol.shown(value), symbol.display)
-}
-
-/// A number of units.
-#[must_use]
-pub fn measured(language: &Language, number: f64, unit: &Unit) -> String {
-    let unit = match unit.print {
-        "" => String::new(),
-        unit if unit.starts_with('°') => format!("\"{unit}\""),
-        unit => format!(" thin\"{unit}\""),
-    };
-    language.math(&short(number)) + &unit
-}
-
 /// The expression, broken before `+` and `-` of its outermost sum where it is
 /// too long, with the width of its longest line.
 fn broken(print: Print, rec: Rec, room: f64) -> (String, f64) {
@@ -234,7 +216,7 @@ fn term(print: Print, nested: bool, rec: Rec) -> Term {
         Node::Constant(value) => constant(print.language, value),
         Node::Name(symbol) => match print.form {
             Form::Symbols if print.defined.contains(symbol.print) => {
-                let link = format!("go({}, {})", speech::string(symbol.print), symbol.print);
+                let link = format!("go({}, {})", text::string(symbol.print), symbol.print);
                 Term::atom(link, name_width(symbol.print))
             }
             Form::Symbols => Term::atom(symbol.print.to_owned(), name_width(symbol.print)),

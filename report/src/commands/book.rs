@@ -1,4 +1,4 @@
-//! Making books: of one scene or of many, once or whenever something changes.
+//! `lemnis book`: of one scene or of many, once or whenever something changes.
 
 use std::ffi::OsString;
 use std::num::NonZeroUsize;
@@ -12,7 +12,7 @@ use clap::{Args, ValueEnum};
 use lemnis::book::Edition;
 use lemnis::language::Language;
 use lemnis::results::Results;
-use lemnis::template::{Templates, originals};
+use lemnis::template::Templates;
 use lemnis_models::book::{LANGUAGES, LEVELS};
 use lemnis_models::scene::Scene;
 use lemnis_typeset::{Embedded, External, Typesetter};
@@ -20,8 +20,9 @@ use notify::{Event, RecursiveMode, Watcher};
 
 use crate::decision::decided;
 use crate::failure::Failure;
-use crate::output::{self, Complete, Output, say, write};
-use crate::{busy, scene_file};
+use crate::output::{self, Complete, Output, say};
+use crate::progress::busy;
+use crate::scene_file;
 
 /// How books are made.
 #[derive(Args)]
@@ -134,7 +135,7 @@ impl Making {
 /// A book in one format: one file, or one for each page, or the source with what it reads.
 fn book(edition: &Edition<'_>, scene: &Scene, results: &Results, format: Format) -> Result<Vec<Output>, Failure> {
     let name = scene.name();
-    let wrong = |error: lemnis::book::Error| Failure::Program(error.to_string());
+    let wrong = |error: lemnis::template::Error| Failure::Program(error.to_string());
     let format = match format {
         Format::Pdf => lemnis_typeset::Format::Pdf,
         Format::Svg => lemnis_typeset::Format::Svg,
@@ -328,24 +329,4 @@ impl Books {
         while changes.recv_timeout(Duration::from_millis(5)).is_ok() {}
         true
     }
-}
-
-/// Writes out everything that `--templates` can override.
-pub fn export(folder: &Path) -> Result<(), Failure> {
-    for (name, _) in originals() {
-        let path = folder.join(name);
-        if path.exists() {
-            return Err(Failure::File(format!(
-                "{} exists already and stays as it is; name another folder",
-                path.display()
-            )));
-        }
-    }
-    for (name, text) in originals() {
-        let path = folder.join(name);
-        let name = path.file_name().expect("a file").to_string_lossy().into_owned();
-        let bytes = text.as_bytes().to_vec();
-        write(path.parent().unwrap_or(folder), &[Output { name, bytes }])?;
-    }
-    Ok(())
 }

@@ -3,7 +3,8 @@
 use lemnis_trade::trade::{Row, Trade, relative};
 
 use crate::language::Language;
-use crate::plot::{Picture, Series, work_precision};
+use crate::print::picture::Picture;
+use crate::print::plot::{Series, work_precision};
 
 /// Cost of every setting (s of computing for each simulated s) over its error, by the axes' names in Typst's mathematics.
 #[must_use]

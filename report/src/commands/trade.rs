@@ -5,10 +5,9 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
-use lemnis::diagram;
 use lemnis::language::Language;
 use lemnis::machine::{self, json as number};
+use lemnis::print::diagram;
 use lemnis::template::Templates;
 use lemnis_models::number::{rough, short};
 use lemnis_models::scene::Scene;
@@ -17,8 +16,9 @@ use lemnis_typeset::{Embedded, Format, Typesetter};
 use serde_json::{Map, Value, json};
 
 use crate::failure::Failure;
+use crate::measuring::{digits, measured, verdict};
 use crate::output::{Output, say, write};
-use crate::{TICK, scene_file};
+use crate::scene_file;
 
 #[derive(Args)]
 pub struct Trade {
@@ -60,60 +60,6 @@ impl Trade {
             bytes,
         });
         write(&self.output, &outputs)
-    }
-}
-
-/// All settings of a scene, with a bar that moves from the start: a reference takes longer than all that follows.
-pub fn measured(scene: &Scene, step: f64, rounds: usize) -> Result<Traded, Failure> {
-    let style = ProgressStyle::with_template("{spinner} measuring {wide_bar} {percent} %, {elapsed}");
-    let bar = ProgressBar::new(Traded::steps(scene, step) as u64).with_style(style.expect("a template"));
-    bar.enable_steady_tick(TICK);
-    let traded = Traded::new(scene, step, rounds, &|| bar.inc(1));
-    bar.finish_and_clear();
-    traded.map_err(|failure| Failure::Scene(format!("error: {failure}")))
-}
-
-/// What was chosen and why, or what is missed.
-pub fn verdict(scene: &Scene, traded: &Traded) -> String {
-    let of = |i: usize, off: f64| {
-        let asked = &traded.asked[i];
-        let (symbol, unit) = (asked.variable.symbol, asked.variable.symbol.display.name);
-        let allowed = asked
-            .allowed
-            .map_or_else(String::new, |a| format!(", {} allowed", symbol.written(a)));
-        format!("{} off by {} {unit}{allowed}", asked.name, digits(symbol.shown(off)))
-    };
-    if let Some(row) = traded.choice() {
-        let errors = row.errors.iter().enumerate();
-        let errors = errors.filter_map(|(i, e)| Some(of(i, e.as_ref()?.total.max)));
-        return format!(
-            "the cheapest that keeps to the accuracy: {}; {}",
-            row.setting,
-            errors.collect::<Vec<_>>().join("; ")
-        );
-    }
-    let Some((row, missed)) = traded.missed() else {
-        return "nothing was measured".to_owned();
-    };
-    if missed.is_empty() {
-        return format!(
-            "the scene asks for no accuracy: add {} and the cheapest that keeps to it is named here",
-            scene.example_of_accuracy()
-        );
-    }
-    let missed = missed.iter().map(|missed| of(missed.result, missed.off));
-    format!(
-        "nothing keeps to the accuracy; nearest is {}: {}; allow as much, or remove these results from `accuracy`",
-        row.setting,
-        missed.collect::<Vec<_>>().join("; ")
-    )
-}
-
-/// How great something is; a dash for what is not modelled.
-fn digits(value: f64) -> String {
-    match value.is_finite() {
-        true => rough(value).to_string(),
-        false => "-".to_owned(),
     }
 }
 

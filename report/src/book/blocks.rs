@@ -1,0 +1,132 @@
+//! What chapters are made of.
+
+use lemnis_models::number::{Number, column};
+use lemnis_models::sheet;
+use lemnis_models::symbol::Symbol;
+use serde::Serialize;
+
+use crate::language::Language;
+use crate::print::number::{named, quantity};
+use crate::print::picture::Picture;
+use crate::print::plot;
+
+#[derive(Serialize)]
+pub(super) struct Quantity {
+    /// Names the words that say what it is.
+    id: &'static str,
+    symbol: &'static str,
+    unit: &'static str,
+    source: &'static str,
+}
+
+impl From<&'static Symbol> for Quantity {
+    fn from(symbol: &'static Symbol) -> Quantity {
+        Quantity {
+            id: symbol.id,
+            symbol: symbol.print,
+            unit: symbol.display.print,
+            source: symbol.source,
+        }
+    }
+}
+
+#[derive(Serialize)]
+pub(super) struct Figure {
+    pub id: &'static str,
+    pub picture: String,
+}
+
+impl Figure {
+    pub(super) fn new(language: &Language, curve: &sheet::Curve) -> Figure {
+        Figure {
+            id: curve.id,
+            picture: plot::curve(language, curve).json(),
+        }
+    }
+}
+
+/// A picture to scale.
+#[derive(Serialize)]
+pub(super) struct Drawn {
+    picture: String,
+    scale: u32,
+}
+
+impl From<Picture> for Drawn {
+    fn from(picture: Picture) -> Drawn {
+        Drawn {
+            scale: picture.scale,
+            picture: picture.json(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+pub(super) struct Summary {
+    #[serde(flatten)]
+    quantity: Quantity,
+    value: String,
+    at: Option<String>,
+}
+
+pub(super) fn summary(language: &Language, summary: &sheet::Summary) -> Summary {
+    Summary {
+        quantity: summary.symbol.into(),
+        value: quantity(language, summary.symbol, summary.value),
+        at: summary.at.map(|(symbol, at)| named(language, symbol, at)),
+    }
+}
+
+#[derive(Serialize)]
+pub(super) struct Table {
+    columns: Vec<Quantity>,
+    rows: Vec<Vec<String>>,
+}
+
+pub(super) fn table(language: &Language, table: &sheet::Table) -> Table {
+    let of = |(i, symbol): (usize, &&'static Symbol)| {
+        let values: Vec<f64> = table.rows.iter().map(|row| symbol.shown(row[i])).collect();
+        column(&values)
+    };
+    let columns: Vec<Vec<Number>> = table.columns.iter().enumerate().map(of).collect();
+    let row = |i: usize| columns.iter().map(|column| language.text(&column[i])).collect();
+    Table {
+        columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
+        rows: (0..table.rows.len()).map(row).collect(),
+    }
+}
+
+/// The working range, with all rows or some.
+#[derive(Serialize)]
+pub(super) struct Range {
+    #[serde(flatten)]
+    table: Table,
+    one_in: Option<usize>,
+}
+
+/// The longest table over the working range that is printed with all its rows where the book is not a full one.
+const MANY: usize = 50;
+/// Of a longer one, one row in so many.
+const ONE_IN: usize = 5;
+/// The most rows that are printed of any table: nobody reads more, and each takes a tenth of a megabyte of memory.
+const MOST: usize = 1000;
+
+/// The rows to print, with the first and the last, and one in how many they are where some are left out.
+pub(super) fn sparse<T>(rows: Vec<T>, full: bool) -> (Vec<T>, Option<usize>) {
+    let usual = if full || rows.len() <= MANY { 1 } else { ONE_IN };
+    let one_in = usual.max(rows.len().div_ceil(MOST));
+    if one_in == 1 {
+        return (rows, None);
+    }
+    let last = rows.len() - 1;
+    let printed = |i: usize| i.is_multiple_of(one_in) || i == last;
+    let rows = rows.into_iter().enumerate().filter(|(i, _)| printed(*i));
+    (rows.map(|(_, row)| row).collect(), Some(one_in))
+}
+
+pub(super) fn range(language: &Language, table: &sheet::Table, full: bool) -> Range {
+    let mut table = self::table(language, table);
+    let one_in;
+    (table.rows, one_in) = sparse(table.rows, full);
+    Range { table, one_in }
+}

@@ -1,0 +1,10 @@
+//! One file for each command.
+
+pub mod book;
+pub mod build;
+pub mod check;
+pub mod fmu;
+pub mod new;
+pub mod synth;
+pub mod templates;
+pub mod trade;

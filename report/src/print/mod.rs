@@ -1,0 +1,10 @@
+//! One thing each, ready to print.
+
+pub mod diagram;
+pub mod drawing;
+pub mod formula;
+pub mod number;
+pub mod picture;
+pub mod plot;
+pub(crate) mod speech;
+pub(crate) mod text;
