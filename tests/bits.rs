@@ -11,7 +11,7 @@ mod balances;
 mod levels;
 
 use lemnis_fmu::description::{Standard, model_description};
-use lemnis_models::model::{Name, Role, Variable};
+use lemnis_models::kernel::variable::{Name, Role, Variable};
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::{DEFAULT, Scene};
 use std::fmt::Write;

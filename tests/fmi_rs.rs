@@ -9,7 +9,7 @@ use fmi_rs::fmi3::types::fmi3Status;
 use lemnis_fmu::description::Standard;
 use lemnis_fmu::package::{self, Library};
 use lemnis_models::component::model::Model;
-use lemnis_models::model::{Role, Type};
+use lemnis_models::kernel::variable::{Role, Type};
 use lemnis_models::scene::{self, Scene};
 use std::path::PathBuf;
 use tempfile::TempDir;

@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use lemnis_fmu::description::{Standard, model_description};
 use lemnis_models::component::model::Model;
-use lemnis_models::model::Role;
+use lemnis_models::kernel::variable::Role;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 #[path = "../models/tests/common/levels.rs"]

@@ -4,10 +4,10 @@
 use crate::instance::{CATEGORIES, strings, token};
 use crate::layout::{self, Place};
 use lemnis_models::component::model::Model;
-use lemnis_models::model::{Enumeration, Fault, Name, Role, TIME, Type};
+use lemnis_models::kernel::unit::{self, Unit};
+use lemnis_models::kernel::variable::{Enumeration, Fault, Name, Role, TIME, Type};
 use lemnis_models::registry;
 use lemnis_models::scene::Scene;
-use lemnis_models::unit::{self, Unit};
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 use std::collections::{BTreeMap, BTreeSet};

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use lemnis_models::model::{Role, Type, Variable};
+use lemnis_models::kernel::variable::{Role, Type, Variable};
 
 /// The FMU's own constants, with what they are.
 pub const STRINGS: [(&str, &str); 2] = [

@@ -1,5 +1,5 @@
 //! The FMU: FMI 2.0 and FMI 3.0, Co-Simulation and Model Exchange, over a
-//! `lemnis_models::model::Model`.
+//! `lemnis_models::kernel::variable::Model`.
 //!
 //! ```text
 //! abi/fmi2.rs  abi/fmi3.rs   the C functions of the standards, names verbatim
@@ -23,7 +23,7 @@ pub mod instance;
 pub mod layout;
 pub mod package;
 
-use lemnis_models::model::Fault;
+use lemnis_models::kernel::variable::Fault;
 
 /// Shorthand for leaving a function with a message.
 #[cold]

@@ -4,7 +4,7 @@
 use crate::description::{Standard, model_description, terminals_and_icons};
 use crate::instance::SCENE_FILE;
 use crate::refuse;
-use lemnis_models::model::Fault;
+use lemnis_models::kernel::variable::Fault;
 use lemnis_models::scene::Scene;
 use std::collections::BTreeMap;
 use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};

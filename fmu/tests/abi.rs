@@ -271,7 +271,7 @@ fn wrong_calls_are_refused_with_a_message() {
         .model
         .variables()
         .iter()
-        .position(|v| v.role == lemnis_models::model::Role::Parameter)
+        .position(|v| v.role == lemnis_models::kernel::variable::Role::Parameter)
         .unwrap() as u32
         + 1;
     // SAFETY: see above.

@@ -3,7 +3,7 @@
 mod common;
 
 use lemnis_fmu::abi::{fmi2::*, fmi3::*};
-use lemnis_models::model::Type;
+use lemnis_models::kernel::variable::Type;
 use std::ptr::{null, null_mut};
 
 #[path = "../../models/tests/common/counting.rs"]

@@ -1,9 +1,9 @@
 //! What a scene asks of its book.
 
-use crate::diagnostic::Diagnostic;
-use crate::mechanism::Mechanism;
-use crate::motion::Place;
-use crate::schema::{self, Key, Kind, Values};
+use crate::component::mechanism::Mechanism;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::schema::{self, Key, Kind, Values};
+use crate::parts::motion::Place;
 
 /// The languages that a book can be in, by ISO 639-1; the first is the default.
 pub const LANGUAGES: [&str; 3] = ["en", "zh", "bg"];

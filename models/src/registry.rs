@@ -4,23 +4,25 @@ use std::any::Any;
 use std::collections::BTreeSet;
 
 use crate::component::dependencies::{dependencies as traced, recorded};
+use crate::component::mechanism::{Entry, Mechanism};
 use crate::component::model::Model;
 use crate::component::outline::Told;
 use crate::component::part::{Component, Runner};
 use crate::component::standing::Standing;
-use crate::lemniscate::scene::Luffing;
-use crate::lemniscate::stages::DoubleLink;
+use crate::kernel::schema::Key;
+use crate::kernel::variable::Name;
+use crate::luffing;
+use crate::luffing::double_link;
+use crate::luffing::double_link::scene::Luffing;
+use crate::luffing::double_link::stages::DoubleLink;
 use crate::luffing::rope::scene::Rope;
 use crate::luffing::rope::stages::RopeBoom;
-use crate::mechanism::{Entry, Mechanism};
-use crate::model::Name;
-use crate::schema::Key;
+use crate::steering;
 use crate::steering::scene::Steering;
 use crate::steering::stages::SteeredGroups;
-use crate::{lemniscate, luffing, steering};
 
 pub static MECHANISMS: &[Entry] = &[
-    lemniscate::mechanism::ENTRY,
+    double_link::mechanism::ENTRY,
     luffing::rope::scene::ENTRY,
     steering::mechanism::ENTRY,
 ];
@@ -29,7 +31,7 @@ pub static MECHANISMS: &[Entry] = &[
 pub const LUFFING: Key = Key::kinds(
     "luffing",
     &[
-        (lemniscate::mechanism::ENTRY.kind, lemniscate::mechanism::ENTRY.keys),
+        (double_link::mechanism::ENTRY.kind, double_link::mechanism::ENTRY.keys),
         (luffing::rope::scene::ENTRY.kind, luffing::rope::scene::ENTRY.keys),
     ],
     "A luffing mechanism.",
@@ -78,7 +80,7 @@ pub fn told(mechanism: &dyn Mechanism) -> &dyn Told {
     all.next().expect("every mechanism has its line")
 }
 
-/// What each variable's expression contains: inputs, parameters and [`TIME`](crate::model::TIME).
+/// What each variable's expression contains: inputs, parameters and [`TIME`](crate::kernel::variable::TIME).
 ///
 /// # Panics
 /// For a mechanism without a line here.
@@ -91,7 +93,7 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
         }
         Model::Moving(moving) => {
             let moving = &**moving as &dyn Any;
-            if let Some(model) = moving.downcast_ref::<lemniscate::moving::model::Model>() {
+            if let Some(model) = moving.downcast_ref::<double_link::moving::model::Model>() {
                 return model.dependencies();
             }
             let steering = moving.downcast_ref::<steering::moving::model::Model>();

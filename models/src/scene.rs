@@ -3,16 +3,16 @@
 use toml::de::DeTable;
 
 use crate::book::{BOOK, Book};
+use crate::component::mechanism::Mechanism;
 use crate::component::model::Model;
+use crate::component::sheet::{Input, Sheet};
 use crate::component::telling;
-use crate::diagnostic::Diagnostic;
-use crate::gravity;
-use crate::mechanism::Mechanism;
-use crate::model::{Fault, Role, Type, Variable};
-use crate::origin::{Origins, line};
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::gravity;
+use crate::kernel::origin::{Origins, line};
+use crate::kernel::schema::{self, KIND, Key, Kind, Sign, Values};
+use crate::kernel::variable::{Fault, Role, Type, Variable};
 use crate::registry;
-use crate::schema::{self, KIND, Key, Kind, Sign, Values};
-use crate::sheet::{Input, Sheet};
 
 /// The lemniscate crane. [Li2022, Table 1]
 pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");

@@ -2,15 +2,15 @@
 
 use lemnis_models::balance::Balance;
 use lemnis_models::balance::boom::Boom;
-use lemnis_models::calc::Calc;
 use lemnis_models::component::model::Model;
-use lemnis_models::lemniscate::balancing::{self, residual};
-use lemnis_models::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Phase};
-use lemnis_models::lemniscate::geometry::{Driven, Geometry};
-use lemnis_models::lemniscate::position::Position;
-use lemnis_models::lemniscate::scene::Luffing;
-use lemnis_models::lemniscate::velocity::Velocity;
-use lemnis_models::plane::Point;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::luffing::double_link::balancing::{self, residual};
+use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Phase};
+use lemnis_models::luffing::double_link::geometry::{Driven, Geometry};
+use lemnis_models::luffing::double_link::position::Position;
+use lemnis_models::luffing::double_link::scene::Luffing;
+use lemnis_models::luffing::double_link::velocity::Velocity;
+use lemnis_models::parts::plane::Point;
 use lemnis_models::scene::Scene;
 
 #[path = "common/balances.rs"]

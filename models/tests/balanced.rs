@@ -7,13 +7,13 @@ use std::f64::consts::TAU;
 
 use balances::{EXISTING, KINDS, NEW, driven_by_rocker, every_kind, with};
 use lemnis_models::component::model::Model;
-use lemnis_models::lemniscate::balancing::{agreement, analysis};
-use lemnis_models::lemniscate::geometry::Driven;
-use lemnis_models::lemniscate::scene::Luffing;
-use lemnis_models::model::Role;
+use lemnis_models::component::sheet::Check;
+use lemnis_models::kernel::variable::Role;
+use lemnis_models::luffing::double_link::balancing::{agreement, analysis};
+use lemnis_models::luffing::double_link::geometry::Driven;
+use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
-use lemnis_models::sheet::Check;
 
 fn scene(text: &str) -> Scene {
     Scene::parse(text).unwrap_or_else(|found| panic!("{found:#?}\n{text}"))
@@ -134,7 +134,7 @@ fn moments_and_forces_are_in_equilibrium() {
                 at(&mut bare, theta);
                 let push = get("F_d");
                 let (rise, length) = {
-                    let (sin, _) = lemnis_models::calc::Calc::sin_cos((theta + 10.0).to_radians());
+                    let (sin, _) = lemnis_models::kernel::calc::Calc::sin_cos((theta + 10.0).to_radians());
                     (8.0 * sin - 10.0, get("L_d"))
                 };
                 close(

@@ -2,7 +2,7 @@
 //! indicator and once in words, alike for luffing and for steering.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::{Role, Type};
+use lemnis_models::kernel::variable::{Role, Type};
 use lemnis_models::scene::Scene;
 
 #[path = "common/levels.rs"]

@@ -4,11 +4,11 @@
 //! References: `tests/oracles/four_bars.py`, Legendre's integral with 50 digits.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::four_bar::Branch;
-use lemnis_models::lemniscate::geometry::{Driven, Geometry, Jib, Lengths, Parameters};
-use lemnis_models::lemniscate::position::Position;
-use lemnis_models::lemniscate::velocity::{Pole, Velocity};
-use lemnis_models::model::{Role, Type};
+use lemnis_models::kernel::variable::{Role, Type};
+use lemnis_models::luffing::double_link::geometry::{Driven, Geometry, Jib, Lengths, Parameters};
+use lemnis_models::luffing::double_link::position::Position;
+use lemnis_models::luffing::double_link::velocity::{Pole, Velocity};
+use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::scene::Scene;
 use num_dual::{Dual2_64, Dual64};
 use std::f64::consts::PI;
@@ -131,7 +131,7 @@ fn velocities_are_those_of_the_branch() {
                         Driven::Boom => q.x_3,
                         Driven::Rocker => q.x_1,
                     };
-                    let turned = |bar: lemnis_models::plane::Point<Dual64>| {
+                    let turned = |bar: lemnis_models::parts::plane::Point<Dual64>| {
                         (bar.x.re * bar.y.eps - bar.y.re * bar.x.eps) / (bar.x.re * bar.x.re + bar.y.re * bar.y.re)
                     };
                     if let Some((o1p, at)) = Pole::new(&g, &p, &v).finite() {
@@ -284,7 +284,7 @@ fn motion_passes() {
         // Every point goes round a circle: boom and rocker about their feet, jib and load in one of 20 m.
         let turned = (100e3 + 40e3 + 150e3 * 400.0) / 9.81 + 1000.0 + 10_000.0;
         let energy = |[theta, omega]: [f64; 2]| {
-            let height = lemnis_models::calc::Calc::sin(theta);
+            let height = lemnis_models::kernel::calc::Calc::sin(theta);
             0.5 * turned * omega * omega + (100e3 + 40e3 + 150e3 * 20.0) * height
         };
         let state = |model: &mut Model| [theta, omega].map(|at| model.get(at).expect("a state"));

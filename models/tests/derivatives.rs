@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::{Role, TIME};
+use lemnis_models::kernel::variable::{Role, TIME};
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::{DEFAULT, Scene};
 

@@ -1,6 +1,6 @@
 //! The mechanism in motion, against references that two independent codes agreed on, and by its energy.
 
-use lemnis_models::lemniscate::dynamics::{Dynamics, Phase};
+use lemnis_models::luffing::double_link::dynamics::{Dynamics, Phase};
 
 #[path = "common/crane.rs"]
 mod common;

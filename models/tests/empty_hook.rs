@@ -2,7 +2,7 @@
 //! It is the limit of ever lighter loads, of which one of a millionth of a newton stands for all.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::Role;
+use lemnis_models::kernel::variable::Role;
 use lemnis_models::scene::Scene;
 
 #[path = "common/levels.rs"]

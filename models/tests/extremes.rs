@@ -3,10 +3,10 @@
 
 mod common;
 
-use lemnis_models::lemniscate::geometry::Driven;
-use lemnis_models::lemniscate::position::Position;
-use lemnis_models::lemniscate::statics::LoadMoment;
-use lemnis_models::lemniscate::velocity::{Pole, Velocity};
+use lemnis_models::luffing::double_link::geometry::Driven;
+use lemnis_models::luffing::double_link::position::Position;
+use lemnis_models::luffing::double_link::statics::LoadMoment;
+use lemnis_models::luffing::double_link::velocity::{Pole, Velocity};
 
 const ORACLE: &str = include_str!("../../tests/oracles/lemniscate_extremes.csv");
 

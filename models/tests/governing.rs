@@ -3,11 +3,11 @@
 use lemnis_models::component::governing::{governing, sensitivity};
 use lemnis_models::component::outline::Told;
 use lemnis_models::component::running::Running;
-use lemnis_models::lemniscate::scene::Luffing;
-use lemnis_models::lemniscate::symbols as s;
+use lemnis_models::luffing::double_link::scene::Luffing;
+use lemnis_models::luffing::double_link::symbols as s;
 
+use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::scene::{DEFAULT, Scene};
-use lemnis_models::symbol::Symbol;
 
 /// The luffing mechanism of a scene's text.
 fn luffing(text: &str) -> Luffing {
@@ -132,7 +132,7 @@ fn a_drive_through_the_foot_has_no_greatest_force() {
     assert!(force.value.is_infinite());
     // The anchor on the boom, 5° below it, stands on the far side of O1 from E.
     let (_, theta) = force.at.expect("a position");
-    let line = <f64 as lemnis_models::calc::Calc>::direction(-0.1, 1.5);
+    let line = <f64 as lemnis_models::kernel::calc::Calc>::direction(-0.1, 1.5);
     let line = f64::to_degrees(line);
     assert!((theta.to_degrees() - 5.0 - line).abs() < 1e-9, "{}", theta.to_degrees());
 }

@@ -3,12 +3,12 @@
 
 use std::time::Instant;
 
-use lemnis_models::calc::Calc;
-use lemnis_models::hydraulics::throttle::root;
-use lemnis_models::lemniscate::dynamics::Phase;
-use lemnis_models::lemniscate::hydraulic::{Hydraulic, Modes, Piece};
-use lemnis_models::solver::rodas::{Run, Step, Tolerance};
-use lemnis_models::solver::{Count, Halt, System, runge_kutta};
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::luffing::double_link::dynamics::Phase;
+use lemnis_models::luffing::double_link::hydraulic::{Hydraulic, Modes, Piece};
+use lemnis_models::parts::hydraulics::throttle::root;
+use lemnis_models::parts::solver::rodas::{Run, Step, Tolerance};
+use lemnis_models::parts::solver::{Count, Halt, System, runge_kutta};
 
 #[path = "common/crane.rs"]
 mod crane;
@@ -230,8 +230,8 @@ fn work_of_the_pump_is_stored_or_dissipated() {
         let oil = Hydraulic::<8>::oil(y);
         let flows = system.cylinder.flows(&oil, system.supply);
         let rates = way(&system).rates(y).expect("closes");
-        let r =
-            <f64 as lemnis_models::lemniscate::dynamics::Coordinate>::reduced(system.dynamics(), y[0]).expect("closes");
+        let r = <f64 as lemnis_models::luffing::double_link::dynamics::Coordinate>::reduced(system.dynamics(), y[0])
+            .expect("closes");
         let volumes = system.cylinder.volumes(r.drive[0]);
         let compression = system.cylinder.port_volume / system.cylinder.bulk_modulus
             * (y[2] * rates[2] + y[3] * rates[3])
@@ -301,7 +301,7 @@ fn the_orders_are_those_of_the_method() {
             Some(Known::equations(y))
         }
         fn jacobian(&self, y: &[f64; 3]) -> Option<([f64; 3], [[f64; 3]; 3])> {
-            let out = Known::equations(&lemnis_models::solver::Gradient::states(y));
+            let out = Known::equations(&lemnis_models::parts::solver::Gradient::states(y));
             Some((out.map(|x| x.re), out.map(|x| x.by)))
         }
     }

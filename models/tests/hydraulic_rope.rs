@@ -1,14 +1,14 @@
 //! Level `hydraulic` with a load on a rope that is reeled and goes slack, in the plane and on a crane that
 //! slews: against two independent codes (`tests/oracles/hydraulic_rope.py`), and by its energy.
 
-use lemnis_models::calc::Calc;
-use lemnis_models::hydraulics::cylinder::Oil;
-use lemnis_models::lemniscate::dynamics::{Coordinate, Pendulum};
-use lemnis_models::lemniscate::hydraulic::{Crane, FIXED, Hydraulic, MOST, Modes, Present};
-use lemnis_models::lemniscate::motion::{self, Bar};
-use lemnis_models::lemniscate::slewing::{self, Drive};
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
+use lemnis_models::luffing::double_link::hydraulic::{Crane, FIXED, Hydraulic, MOST, Modes, Present};
+use lemnis_models::luffing::double_link::motion::{self, Bar};
+use lemnis_models::luffing::double_link::slewing::{self, Drive};
+use lemnis_models::parts::hydraulics::cylinder::Oil;
+use lemnis_models::parts::solver::rodas::Tolerance;
 use lemnis_models::scene::Scene;
-use lemnis_models::solver::rodas::Tolerance;
 
 #[path = "common/crane.rs"]
 mod crane;

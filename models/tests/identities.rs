@@ -2,21 +2,21 @@
 
 mod common;
 
-use lemnis_models::calc::Calc;
 use lemnis_models::component::outline::Told;
 use lemnis_models::component::running::Running;
-use lemnis_models::four_bar::Branch;
-use lemnis_models::lemniscate::drive::{Drive, Reaction};
-use lemnis_models::lemniscate::feet::Feet;
-use lemnis_models::lemniscate::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters, Weights};
-use lemnis_models::lemniscate::position::Position;
-use lemnis_models::lemniscate::range::{Rise, rise_by_integration};
-use lemnis_models::lemniscate::statics::{Centres, Held, LoadMoment, Own, PinForces};
-use lemnis_models::lemniscate::symbols::{DELTA_Y, EPSILON_Y};
-use lemnis_models::lemniscate::velocity::{Pole, Velocity};
-use lemnis_models::motion::Motion;
-use lemnis_models::plane::{self, Point};
-use lemnis_models::symbol::Symbol;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing::double_link::drive::{Drive, Reaction};
+use lemnis_models::luffing::double_link::feet::Feet;
+use lemnis_models::luffing::double_link::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters, Weights};
+use lemnis_models::luffing::double_link::position::Position;
+use lemnis_models::luffing::double_link::range::{Rise, rise_by_integration};
+use lemnis_models::luffing::double_link::statics::{Centres, Held, LoadMoment, Own, PinForces};
+use lemnis_models::luffing::double_link::symbols::{DELTA_Y, EPSILON_Y};
+use lemnis_models::luffing::double_link::velocity::{Pole, Velocity};
+use lemnis_models::parts::four_bar::Branch;
+use lemnis_models::parts::motion::Motion;
+use lemnis_models::parts::plane::{self, Point};
 use num_dual::Dual64;
 use proptest::prelude::*;
 

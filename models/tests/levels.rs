@@ -1,7 +1,7 @@
 //! Every level as a running model: no allocation, the work it does, states that go on with the same bits.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::{Fault, Quantity, Role};
+use lemnis_models::kernel::variable::{Fault, Quantity, Role};
 use lemnis_models::scene::Scene;
 
 #[path = "common/levels.rs"]

@@ -1,9 +1,9 @@
 //! Levels `rigid` and `swing`: friction that sticks, brake, end stops, a rope that is reeled and
 //! goes slack. Expectations from theory: balances of energy and of moments, free fall, symmetry.
 
-use lemnis_models::lemniscate::dynamics::Pendulum;
-use lemnis_models::lemniscate::motion::{Bar, Commands, Friction, Motion, State};
-use lemnis_models::solver::{Halt, runge_kutta};
+use lemnis_models::luffing::double_link::dynamics::Pendulum;
+use lemnis_models::luffing::double_link::motion::{Bar, Commands, Friction, Motion, State};
+use lemnis_models::parts::solver::{Halt, runge_kutta};
 
 #[path = "common/crane.rs"]
 mod crane;
@@ -214,7 +214,7 @@ fn the_period_of_the_swing_is_that_of_theory() {
         state.y[2] = degrees.to_radians();
         let (mut a, mut b) = (
             1.0_f64,
-            lemnis_models::calc::Calc::sin_cos(degrees.to_radians() / 2.0).1,
+            lemnis_models::kernel::calc::Calc::sin_cos(degrees.to_radians() / 2.0).1,
         );
         for _ in 0..6 {
             (a, b) = (f64::midpoint(a, b), (a * b).sqrt());
@@ -245,7 +245,7 @@ fn a_slack_rope_lets_the_load_fall_freely_and_catches_it() {
     let fall = (2.0 * 10.0 * root_3 / g).sqrt();
     m.advance(&mut state, &held, fall - 1e-6, 1e-3).expect("falls");
     assert!(!state.taut);
-    let (sin, cos) = lemnis_models::calc::Calc::sin_cos(state.y[2]);
+    let (sin, cos) = lemnis_models::kernel::calc::Calc::sin_cos(state.y[2]);
     assert!(
         (state.y[5] * sin - 5.0).abs() < 1e-9,
         "beside the head: {}",

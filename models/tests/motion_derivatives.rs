@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::Role;
+use lemnis_models::kernel::variable::Role;
 use lemnis_models::registry::dependencies;
 
 #[path = "common/levels.rs"]

@@ -3,15 +3,20 @@
 
 use std::fmt::Write as _;
 
-use lemnis_models::symbol::Symbol;
-use lemnis_models::{balance, gravity, hydraulics, lemniscate, luffing, steering};
+use lemnis_models::balance;
+use lemnis_models::kernel::gravity;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing;
+use lemnis_models::luffing::double_link;
+use lemnis_models::parts::hydraulics;
+use lemnis_models::steering;
 
 /// Every mechanism with its table.
 const TABLES: [(&str, &[&Symbol]); 8] = [
-    ("The double-link luffing mechanism", lemniscate::symbols::ALL),
+    ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
-        lemniscate::moving::symbols::ALL,
+        double_link::moving::symbols::ALL,
     ),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
     ("Gravity", gravity::ALL),

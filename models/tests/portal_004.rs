@@ -1,6 +1,6 @@
 //! The boom four-bar of the portal crane is the same mechanism. [Balance004]
 
-use lemnis_models::lemniscate::geometry::Geometry;
+use lemnis_models::luffing::double_link::geometry::Geometry;
 
 use lemnis_models::scene::Scene;
 

@@ -5,9 +5,9 @@ mod balances;
 #[path = "common/levels.rs"]
 mod levels;
 
+use lemnis_models::component::sheet::{Energy, Section};
+use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::scene::{DEFAULT, Scene};
-use lemnis_models::sheet::{Energy, Section};
-use lemnis_models::symbol::Symbol;
 
 /// The default scene and its variations that reach every branch of the equations.
 fn scenes() -> Vec<Scene> {

@@ -1,7 +1,7 @@
 //! The plain boom on a luffing rope: a hand calculation, virtual work against equilibrium at random, and limits.
 
-use lemnis_models::calc::Calc;
 use lemnis_models::component::model::Model;
+use lemnis_models::kernel::calc::Calc;
 use lemnis_models::scene::Scene;
 use proptest::prelude::*;
 

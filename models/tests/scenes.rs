@@ -1,7 +1,7 @@
 //! What a scene may say: masses for weights, limits against slips of units, texts that can be printed, and
 //! the line of every mistake.
 
-use lemnis_models::diagnostic::Diagnostic;
+use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 fn changed(changes: &[(&str, &str)]) -> String {

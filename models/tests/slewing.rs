@@ -1,13 +1,13 @@
 //! Slewing: against a reference of points in space with 40 digits (`tests/oracles/slewing.py`), against the
 //! plane, and by what theory conserves.
 
-use lemnis_models::calc::Calc;
 use lemnis_models::component::model::Model;
-use lemnis_models::lemniscate::dynamics::{Coordinate, Pendulum};
-use lemnis_models::lemniscate::hanging::{Free, Load};
-use lemnis_models::lemniscate::motion::{self, Bar, Friction, Motion};
-use lemnis_models::lemniscate::slewing::{Commands, Drive, Slewing, State, angles};
-use lemnis_models::model::Role;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::variable::Role;
+use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
+use lemnis_models::luffing::double_link::hanging::{Free, Load};
+use lemnis_models::luffing::double_link::motion::{self, Bar, Friction, Motion};
+use lemnis_models::luffing::double_link::slewing::{Commands, Drive, Slewing, State, angles};
 use nalgebra::Vector3;
 
 #[path = "common/crane.rs"]

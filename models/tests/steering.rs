@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use lemnis_models::calc::Calc;
-use lemnis_models::plane::{self, Point};
-use lemnis_models::record::{Rec, record};
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::record::{Rec, record};
+use lemnis_models::parts::plane::{self, Point};
 use lemnis_models::steering::accuracy::Accuracy;
 use lemnis_models::steering::built::Built;
 use lemnis_models::steering::centre::{Centre, residual};

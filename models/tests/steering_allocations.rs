@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use lemnis_models::model::Role;
+use lemnis_models::kernel::variable::Role;
 use lemnis_models::scene::Scene;
 use lemnis_models::steering::cylinder::{Cylinder, Linkage};
 use lemnis_models::steering::limits::Limits;

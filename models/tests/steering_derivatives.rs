@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::{Role, Type};
+use lemnis_models::kernel::variable::{Role, Type};
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
 

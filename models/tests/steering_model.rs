@@ -1,7 +1,7 @@
 //! The steering's running model: scenes, dependencies, derivatives, limits.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::{Role, TIME, Type};
+use lemnis_models::kernel::variable::{Role, TIME, Type};
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
 

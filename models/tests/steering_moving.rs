@@ -4,13 +4,13 @@
 use std::time::Instant;
 
 use lemnis_models::component::model::Model;
-use lemnis_models::hydraulics::cylinder::Cylinder;
-use lemnis_models::hydraulics::valve::Valve;
-use lemnis_models::model::Role;
+use lemnis_models::kernel::variable::Role;
+use lemnis_models::parts::hydraulics::cylinder::Cylinder;
+use lemnis_models::parts::hydraulics::valve::Valve;
+use lemnis_models::parts::solver::System as _;
+use lemnis_models::parts::solver::rodas::Step;
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
-use lemnis_models::solver::System as _;
-use lemnis_models::solver::rodas::Step;
 use lemnis_models::steering::cylinder;
 use lemnis_models::steering::hydraulic::{Control, Group, Held};
 

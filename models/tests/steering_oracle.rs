@@ -1,7 +1,7 @@
 //! Steering of 10,000 random machines against a complex velocity field in another
 //! language: `tests/oracles/steering_rigid_body.py` made the references.
 
-use lemnis_models::plane::{self, Point};
+use lemnis_models::parts::plane::{self, Point};
 use lemnis_models::steering::centre::residual;
 use lemnis_models::steering::machine::Machine;
 use lemnis_models::steering::mode::{Command, Mode};

@@ -1,7 +1,7 @@
 //! Level `table`: the certified error holds, dimensions are fixed, and what cannot be tabulated is exact.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::Role;
+use lemnis_models::kernel::variable::Role;
 use lemnis_models::scene::Scene;
 
 /// The luffing scenes, with their files' names.

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use lemnis_models::diagnostic::Diagnostic;
-use lemnis_models::gravity;
-use lemnis_models::model::Fault;
-use lemnis_models::number::short;
+use lemnis_models::kernel::diagnostic::Diagnostic;
+use lemnis_models::kernel::gravity;
+use lemnis_models::kernel::number::short;
+use lemnis_models::kernel::variable::Fault;
 use lemnis_models::scene::Scene;
 use lemnis_trade::setting::Method;
 use lemnis_trade::trade::SAMPLE;

@@ -3,7 +3,7 @@
 use lemnis_fmu::instance::strings;
 use lemnis_fmu::layout::{self, Place};
 use lemnis_models::component::model::Model;
-use lemnis_models::model::{Enumeration, Role, TIME, Type, Variable};
+use lemnis_models::kernel::variable::{Enumeration, Role, TIME, Type, Variable};
 use lemnis_models::scene::Scene;
 use minijinja::value::Serde;
 use minijinja::{Environment, HtmlEscape, UndefinedBehavior, context};

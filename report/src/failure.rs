@@ -1,6 +1,6 @@
 //! Why the program ends early, and with which exit code.
 
-use lemnis_models::model::Fault;
+use lemnis_models::kernel::variable::Fault;
 
 /// A failure in words for the user.
 #[derive(Debug)]

@@ -7,10 +7,15 @@
 
 use std::collections::BTreeMap;
 
-use lemnis_models::number::Number;
+use lemnis_models::balance;
+use lemnis_models::kernel::gravity;
+use lemnis_models::kernel::number::Number;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing;
+use lemnis_models::luffing::double_link;
+use lemnis_models::parts::hydraulics;
+use lemnis_models::steering;
 use lemnis_models::steering::moving::scene::{Body, Oil, Plc};
-use lemnis_models::symbol::Symbol;
-use lemnis_models::{balance, gravity, hydraulics, lemniscate, luffing, steering};
 
 use crate::print::text::escape;
 
@@ -165,9 +170,9 @@ static SYMBOLS: [Symbols; 3] = [
         mechanism: "luffing",
         words: SHARED,
         own: &[
-            lemniscate::symbols::ALL,
+            double_link::symbols::ALL,
             balance::symbols::ALL,
-            lemniscate::moving::symbols::ALL,
+            double_link::moving::symbols::ALL,
             gravity::ALL,
             hydraulics::symbols::ALL,
         ],
@@ -296,7 +301,7 @@ fn parse(name: &str, text: &str) -> Result<toml::Table, String> {
 mod tests {
     use std::collections::BTreeSet;
 
-    use lemnis_models::number::short;
+    use lemnis_models::kernel::number::short;
 
     use super::*;
 

@@ -1,7 +1,7 @@
 //! What every setting of a scene costs, measured, and the verdict.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use lemnis_models::number::rough;
+use lemnis_models::kernel::number::rough;
 use lemnis_models::scene::Scene;
 use lemnis_trade::trade::Trade;
 

@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use lemnis_models::model::{Fault, Role, Variable};
-use lemnis_models::number::{Number, column};
+use lemnis_models::component::sheet::{Sheet, Summary};
+use lemnis_models::kernel::number::{Number, column};
+use lemnis_models::kernel::variable::{Fault, Role, Variable};
 use lemnis_models::scene::Scene;
-use lemnis_models::sheet::{Sheet, Summary};
 use serde_json::{Map, Value, json};
 
 use crate::machine;

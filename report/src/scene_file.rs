@@ -5,7 +5,7 @@ use std::io::Read;
 use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use lemnis_models::diagnostic::Diagnostic;
+use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::scene::{DEFAULT, LONGEST, Scene};
 use toml_edit::DocumentMut;
 

@@ -1,7 +1,7 @@
 //! Denormal, huge and non-finite inputs; steps from 1e-9 to 1e3 s; friction without end and without any.
 
-use lemnis_models::lemniscate::motion::{Bar, Commands, Friction, Motion, State};
-use lemnis_models::solver::{Halt, MOST_STEPS};
+use lemnis_models::luffing::double_link::motion::{Bar, Commands, Friction, Motion, State};
+use lemnis_models::parts::solver::{Halt, MOST_STEPS};
 
 use super::crane;
 
@@ -98,7 +98,7 @@ fn a_million_steps_of_the_swing() {
     for _ in 0..1000 {
         m.advance(&mut state, &held, 1.0, 1e-3).expect("swings");
     }
-    let swinging = 16e3 * 9.81 * 10.0 * (1.0 - lemnis_models::calc::Calc::sin_cos(1.0_f64).1);
+    let swinging = 16e3 * 9.81 * 10.0 * (1.0 - lemnis_models::kernel::calc::Calc::sin_cos(1.0_f64).1);
     let drift = (m.energy(&state, &held).expect("closes") - first) / swinging;
     println!("drift {drift:.1e}");
     assert!(drift.abs() < 1e-9, "{drift:e}");

@@ -1,9 +1,9 @@
 //! Bulk modulus, port volumes, tolerances: the stiff cylinder.
 
-use lemnis_models::lemniscate::dynamics::Coordinate;
-use lemnis_models::lemniscate::hydraulic::{Hydraulic, Modes, Piece};
-use lemnis_models::solver::rodas::{Run, Tolerance};
-use lemnis_models::solver::{Halt, System};
+use lemnis_models::luffing::double_link::dynamics::Coordinate;
+use lemnis_models::luffing::double_link::hydraulic::{Hydraulic, Modes, Piece};
+use lemnis_models::parts::solver::rodas::{Run, Tolerance};
+use lemnis_models::parts::solver::{Halt, System};
 
 use super::crane;
 

@@ -1,12 +1,12 @@
 //! A load on its rope on a crane that stands on its oil: ropes of 0.01 m and of 1 km, 179 degrees, a rope that is
 //! reeled in to nothing.
 
-use lemnis_models::calc::Calc;
-use lemnis_models::lemniscate::dynamics::Pendulum;
-use lemnis_models::lemniscate::hydraulic::{Crane, Hydraulic, MOST, Present};
-use lemnis_models::lemniscate::slewing::{Drive, State};
-use lemnis_models::solver::Halt;
-use lemnis_models::solver::rodas::Tolerance;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::luffing::double_link::dynamics::Pendulum;
+use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic, MOST, Present};
+use lemnis_models::luffing::double_link::slewing::{Drive, State};
+use lemnis_models::parts::solver::Halt;
+use lemnis_models::parts::solver::rodas::Tolerance;
 
 use super::crane;
 

@@ -1,7 +1,7 @@
 //! Positions, lengths and masses: `tests/oracles/dynamics_extremes.py`, 50 digits.
 
-use lemnis_models::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Phase};
-use lemnis_models::plane::Point;
+use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Phase};
+use lemnis_models::parts::plane::Point;
 
 use crate::crane;
 

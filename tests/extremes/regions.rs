@@ -4,8 +4,8 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use lemnis_models::solver::rodas::Step;
-use lemnis_models::solver::{System, runge_kutta};
+use lemnis_models::parts::solver::rodas::Step;
+use lemnis_models::parts::solver::{System, runge_kutta};
 
 use super::running;
 
@@ -42,7 +42,7 @@ fn growth(method: Method, re: f64, im: f64) -> f64 {
 /// Distance from the solution itself, e^z.
 fn error(method: Method, re: f64, im: f64) -> f64 {
     let size = libm_exp(re);
-    let (sin, cos) = lemnis_models::calc::Calc::sin_cos(im);
+    let (sin, cos) = lemnis_models::kernel::calc::Calc::sin_cos(im);
     method(re, im).map_or(f64::INFINITY, |[a, b]| {
         ((a - size * cos).powi(2) + (b - size * sin).powi(2)).sqrt()
     })
@@ -81,7 +81,7 @@ fn limits_are_those_of_theory() {
     assert!((real - 2.785_293_563_405_282).abs() < 1e-9 && (imaginary - 8_f64.sqrt()).abs() < 1e-6);
     for k in 0..=400 {
         let angle = std::f64::consts::FRAC_PI_2 * (1.0 + f64::from(k) / 400.0);
-        let (sin, cos) = lemnis_models::calc::Calc::sin_cos(angle);
+        let (sin, cos) = lemnis_models::kernel::calc::Calc::sin_cos(angle);
         for exponent in -3..=9 {
             let r = 10_f64.powi(exponent);
             let cos = cos.min(0.0);

@@ -1,8 +1,8 @@
 //! Ropes of 0.01 m and of 1 km, swing to 179 degrees.
 
-use lemnis_models::calc::Calc;
-use lemnis_models::lemniscate::dynamics::Pendulum;
-use lemnis_models::lemniscate::motion::{Commands, Friction, Motion, State};
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::luffing::double_link::dynamics::Pendulum;
+use lemnis_models::luffing::double_link::motion::{Commands, Friction, Motion, State};
 
 use super::crane;
 

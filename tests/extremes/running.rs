@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use lemnis_models::calc::Calc;
 use lemnis_models::component::model::Model;
-use lemnis_models::model::Fault;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::variable::Fault;
 use lemnis_models::scene::Scene;
 
 use super::steering;

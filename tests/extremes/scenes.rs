@@ -2,12 +2,12 @@
 //! stand in `positions`, and what an importer of Model Exchange may set.
 
 use lemnis_fmu::instance::{Instance, Interface, token};
-use lemnis_models::calc::Calc;
 use lemnis_models::component::model::Model;
-use lemnis_models::lemniscate::dynamics::Body;
-use lemnis_models::model::{Role, Type};
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::unit;
+use lemnis_models::kernel::variable::{Role, Type};
+use lemnis_models::luffing::double_link::dynamics::Body;
 use lemnis_models::scene::{DEFAULT, Scene};
-use lemnis_models::unit;
 
 use super::positions::hex;
 use super::running::{bits, get, index, levels, run, set, states};

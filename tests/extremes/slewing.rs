@@ -1,10 +1,10 @@
 //! A crane that slews: the load in every direction, no inertia and no end of it, no load, inputs that are none.
 
-use lemnis_models::calc::Calc;
-use lemnis_models::lemniscate::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
-use lemnis_models::lemniscate::slewing::{Commands, Drive, Slewing, State, distance};
-use lemnis_models::plane::Point;
-use lemnis_models::solver::Halt;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
+use lemnis_models::luffing::double_link::slewing::{Commands, Drive, Slewing, State, distance};
+use lemnis_models::parts::plane::Point;
+use lemnis_models::parts::solver::Halt;
 
 use super::crane;
 

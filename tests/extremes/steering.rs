@@ -1,7 +1,7 @@
 //! Extremes of the groups that are turned by their cylinders under the PLC: oil, steps, inputs, tolerances, loads.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::Fault;
+use lemnis_models::kernel::variable::Fault;
 use lemnis_models::scene::Scene;
 
 use super::running::{bits, run, states};

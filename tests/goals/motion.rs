@@ -6,11 +6,11 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
-use lemnis_models::lemniscate::dynamics::{Dynamics, Phase};
-use lemnis_models::lemniscate::hydraulic::Modes;
+use lemnis_models::luffing::double_link::dynamics::{Dynamics, Phase};
+use lemnis_models::luffing::double_link::hydraulic::Modes;
 
+use lemnis_models::parts::solver::rodas::{Run, Tolerance};
 use lemnis_models::scene::Scene;
-use lemnis_models::solver::rodas::{Run, Tolerance};
 
 #[path = "../../models/tests/common/crane.rs"]
 mod crane;

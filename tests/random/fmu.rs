@@ -4,8 +4,8 @@ use std::ffi::{CStr, c_char, c_int, c_void};
 use std::ptr::null;
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::{Role, Type, Variable};
-use lemnis_models::number::short;
+use lemnis_models::kernel::number::short;
+use lemnis_models::kernel::variable::{Role, Type, Variable};
 use lemnis_tests::unpacked::{Call, DoStep, Enter, Real, SetReal, Unpacked};
 
 use crate::scene::Draw;

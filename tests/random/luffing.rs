@@ -3,11 +3,11 @@
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
-use lemnis_models::calc::Calc;
-use lemnis_models::lemniscate::symbols as s;
-use lemnis_models::plane::{Point, cross, length, turned};
-use lemnis_models::schema::Key;
-use lemnis_models::symbol::Symbol;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::schema::Key;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing::double_link::symbols as s;
+use lemnis_models::parts::plane::{Point, cross, length, turned};
 use toml::Table;
 
 use crate::scene::{Draw, Node};

@@ -1,10 +1,10 @@
 //! What makes a scene of a boom on a luffing rope legal: a tackle above the boom, whose line does not meet the foot, and
 //! a sheave behind the boom.
 
-use lemnis_models::calc::Calc;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::schema::Key;
+use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing::rope::symbols as s;
-use lemnis_models::schema::Key;
-use lemnis_models::symbol::Symbol;
 use toml::Table;
 
 use crate::luffing::{balance_keys, working_range};

@@ -4,12 +4,12 @@
 use std::f64::consts::PI;
 
 use fastrand::Rng;
-use lemnis_models::model::{Type, Variable};
+use lemnis_models::kernel::schema::{KIND, Key, Kind, Sign};
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::kernel::unit::{self, RAD};
+use lemnis_models::kernel::variable::{Type, Variable};
 use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::KEYS;
-use lemnis_models::schema::{KIND, Key, Kind, Sign};
-use lemnis_models::symbol::Symbol;
-use lemnis_models::unit::{self, RAD};
 use toml::{Table, Value};
 
 use crate::{luffing, rope, steering};

@@ -2,11 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use lemnis_models::calc::Calc;
-use lemnis_models::plane::{Point, length};
-use lemnis_models::schema::Key;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::schema::Key;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::parts::plane::{Point, length};
 use lemnis_models::steering::symbols as s;
-use lemnis_models::symbol::Symbol;
 use toml::{Table, Value};
 
 use crate::scene::{Draw, Node};

@@ -8,7 +8,7 @@ use super::{place, slice, slice_mut, text, texts};
 use crate::instance::{ANY, CONTINUOUS, EVENT, INITIALIZATION, INSTANTIATED, NEVER, STEP, States, TERMINATED};
 use crate::instance::{Instance, Interface, expect_none};
 use crate::refuse;
-use lemnis_models::model::Fault;
+use lemnis_models::kernel::variable::Fault;
 use std::ffi::{c_char, c_int, c_void};
 use std::path::PathBuf;
 

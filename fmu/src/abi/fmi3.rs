@@ -108,7 +108,7 @@ unsafe fn load(
     token: *const c_char,
     resources: *const c_char,
     interface: Interface,
-) -> Result<Instance, lemnis_models::model::Fault> {
+) -> Result<Instance, lemnis_models::kernel::variable::Fault> {
     // SAFETY: the caller's promise.
     unsafe {
         text(name, "instanceName")?;

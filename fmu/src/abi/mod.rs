@@ -6,7 +6,7 @@ pub mod fmi3;
 
 use crate::instance::{CATEGORIES, FATAL, Instance, NEVER, States};
 use crate::refuse;
-use lemnis_models::model::Fault;
+use lemnis_models::kernel::variable::Fault;
 use std::any::Any;
 use std::ffi::{CStr, CString, c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -1,6 +1,6 @@
 //! What a balance does at one boom angle.
 
-use crate::plane::Point;
+use crate::parts::plane::Point;
 
 /// What a balance does at one boom angle.
 #[derive(Clone, Copy, Debug)]

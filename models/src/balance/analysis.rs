@@ -4,16 +4,16 @@ use std::sync::Arc;
 
 use std::f64::consts::TAU;
 
-use crate::allowed::{FINITE, OutOfRange};
 use crate::balance::action::{Action, Turn};
 use crate::balance::boom::{Boom, Load};
 use crate::balance::{Balance, symbols as s};
-use crate::calc::Calc;
 use crate::component::extreme::Extreme;
 use crate::component::stages::{absent, results};
-use crate::motion::degrees;
-use crate::plane::Point;
-use crate::symbol::Symbol;
+use crate::kernel::allowed::{FINITE, OutOfRange};
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
+use crate::parts::motion::degrees;
+use crate::parts::plane::Point;
 
 /// What is left at one boom angle.
 #[derive(Clone, Copy, Debug)]

@@ -1,10 +1,10 @@
 //! The boom system as a balance sees it: the moment of its weights about the boom foot, over the boom angle.
 
-use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
 use crate::balance::symbols as s;
-use crate::calc::Calc;
-use crate::group::quantities;
-use crate::plane::{self, Point};
+use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::parts::plane::{self, Point};
 
 /// What has to be balanced, at any boom angle (rad).
 pub trait Boom<C: Calc> {

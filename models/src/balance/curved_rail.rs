@@ -2,13 +2,13 @@
 //! the potential energy of boom and trolley stays what it is: the balance is
 //! exact, for any boom.
 
-use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
 use crate::balance::action::Action;
 use crate::balance::boom::{Load, joint};
 use crate::balance::symbols as s;
-use crate::calc::Calc;
-use crate::group::quantities;
-use crate::plane::{self, Point};
+use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::parts::plane::{self, Point};
 
 quantities! {
     /// Trolley (N), rope's joint on the boom (m, rad), length of the rope (m),

@@ -3,13 +3,13 @@
 
 use nalgebra::Scalar;
 
-use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
 use crate::balance::action::{Action, Turn};
 use crate::balance::symbols as s;
-use crate::calc::Calc;
-use crate::four_bar::{Arc, Branch, Closure, FourBar, Names};
-use crate::group::quantities;
-use crate::plane::{self, Point};
+use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::parts::four_bar::{Arc, Branch, Closure, FourBar, Names};
+use crate::parts::plane::{self, Point};
 
 quantities! {
     /// Lengths (m), angles (rad) and the counterweight's moment (N·m).

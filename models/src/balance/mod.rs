@@ -13,7 +13,7 @@
 //! O is the foot of the boom, x towards the load, y up, angles counter-clockwise.
 //! Moments about the boom foot are **positive where they raise the boom**, as in
 //! Balance004: `M_0` is negative, `M_ur` positive, `dM = M_0 + M_ur`. (In
-//! [`crate::lemniscate`], `M_G` has the other sign.) At a stable equilibrium `dM`
+//! [`crate::luffing::double_link`], `M_G` has the other sign.) At a stable equilibrium `dM`
 //! falls through zero. The residual about the lever's pivot, `dM_5 = dM / i_5`, has
 //! the same power; [Ports001, table 5.2.1] prints its amount with the opposite sign.
 //!
@@ -48,10 +48,10 @@ pub mod symbols;
 pub mod tail;
 pub mod task;
 
-use crate::allowed::OutOfRange;
 use crate::balance::action::Action;
-use crate::calc::Calc;
-use crate::plane::Point;
+use crate::kernel::allowed::OutOfRange;
+use crate::kernel::calc::Calc;
+use crate::parts::plane::Point;
 
 /// Any of the balances.
 #[derive(Clone, Copy, Debug)]

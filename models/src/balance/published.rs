@@ -1,6 +1,6 @@
 //! [Ports001, table 5.2.1], computed again from its own lengths.
 
-use crate::sheet::{PublishedCell, PublishedRow};
+use crate::component::sheet::{PublishedCell, PublishedRow};
 
 /// As printed: boom angle in degrees; l_c, R_1, R_2, r_c in m; moments of boom,
 /// counterweight and both about the lever's pivot in t·m.

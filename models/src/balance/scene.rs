@@ -1,18 +1,18 @@
 //! What a scene says about a balance.
 
-use crate::allowed::OutOfRange;
 use crate::balance::lever::{Dimensions, Lever};
 use crate::balance::parallelogram::Parallelogram;
 use crate::balance::straight_rail::StraightRail;
 use crate::balance::tail::Tail;
 use crate::balance::{Balance, curved_rail, symbols as s};
-use crate::calc::Calc;
-use crate::diagnostic::Diagnostic;
-use crate::four_bar::Branch;
-use crate::group::Group;
-use crate::model::Quantity;
-use crate::schema::{Key, Kind, Sign, Values, missing};
-use crate::symbol::Symbol;
+use crate::kernel::allowed::OutOfRange;
+use crate::kernel::calc::Calc;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::Group;
+use crate::kernel::schema::{Key, Kind, Sign, Values, missing};
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Quantity;
+use crate::parts::four_bar::Branch;
 
 const KINDS: &[&str] = &["tail", "parallelogram", "lever", "straight_rail", "curved_rail"];
 

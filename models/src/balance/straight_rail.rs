@@ -3,13 +3,13 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
 use crate::balance::action::Action;
 use crate::balance::boom::joint;
 use crate::balance::symbols as s;
-use crate::calc::Calc;
-use crate::group::quantities;
-use crate::plane::{self, Point};
+use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::parts::plane::{self, Point};
 
 quantities! {
     /// Counterweight (N), rope's joint on the boom (m, rad), guide pulley (m),

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::symbol::symbols;
+use crate::kernel::symbol::symbols;
 
 symbols! {
     // Coordinate and boom.

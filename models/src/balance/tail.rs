@@ -3,12 +3,12 @@
 
 use std::f64::consts::PI;
 
-use crate::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
 use crate::balance::action::Action;
 use crate::balance::symbols as s;
-use crate::calc::Calc;
-use crate::group::quantities;
-use crate::plane::{self, Point};
+use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::parts::plane::{self, Point};
 
 quantities! {
     /// Weight (N), distance from the boom foot (m), angle from the rearward extension (rad).

@@ -7,10 +7,10 @@ use std::ops::Range;
 use crate::balance::boom::Boom;
 use crate::balance::lever::{Dimensions, Lever};
 use crate::balance::symbols as s;
-use crate::diagnostic::Diagnostic;
-use crate::four_bar::Branch;
-use crate::schema::{Key, Kind, Sign, Values};
-use crate::symbol::Symbol;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::schema::{Key, Kind, Sign, Values};
+use crate::kernel::symbol::Symbol;
+use crate::parts::four_bar::Branch;
 
 const SOURCE: Key = Key::text("source", "Where the quantities of this table come from.");
 

@@ -3,13 +3,13 @@
 use std::any::Any;
 use std::collections::BTreeSet;
 
-use crate::calc::Calc;
 use crate::component::part::{Component, Face, Part, Runner};
 use crate::component::running::Running;
 use crate::component::stages::{Slot, Source, Use};
 use crate::component::standing::{Place, Standing};
-use crate::model::{Name, Quantity, TIME, Type};
-use crate::record::{Rec, record};
+use crate::kernel::calc::Calc;
+use crate::kernel::record::{Rec, record};
+use crate::kernel::variable::{Name, Quantity, TIME, Type};
 
 /// Makes a number of the recorder of each source.
 pub type Sources<'a> = &'a mut dyn FnMut(Source, Quantity, f64) -> Rec;

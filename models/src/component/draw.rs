@@ -1,9 +1,9 @@
 //! Drawings of mechanisms, to scale and in m.
 
-use crate::calc::Calc;
-use crate::plane::Point;
-use crate::sheet::{Drawing, Shape};
-use crate::symbol::Symbol;
+use crate::component::sheet::{Drawing, Shape};
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
+use crate::parts::plane::Point;
 
 /// A drawing that grows. What is `faint` stands behind what is told.
 #[derive(Default)]

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use num_dual::Dual64;
 
-use crate::calc::Calc;
-use crate::motion::Motion;
+use crate::kernel::calc::Calc;
+use crate::parts::motion::Motion;
 
 /// A value and the value of the coordinate where it occurs.
 #[derive(Clone, Copy, Debug)]

@@ -11,12 +11,12 @@ use crate::component::extreme::{Extreme, greatest, greatest_amount, greatest_val
 use crate::component::outline::{Greatest, Most, Outline};
 use crate::component::part::Face;
 use crate::component::running::Running;
+use crate::component::sheet::{Sensitivity, Slope, Summary};
 use crate::component::stages::{Slot, Source, Use};
 use crate::component::standing::{Place, Standing};
-use crate::model::Quantity;
-use crate::motion::Motion;
-use crate::sheet::{Sensitivity, Slope, Summary};
-use crate::symbol::Symbol;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Quantity;
+use crate::parts::motion::Motion;
 
 /// A component on dual numbers, at any value of its coordinate.
 struct Probe {

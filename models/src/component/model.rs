@@ -4,8 +4,8 @@ use std::ops::{Deref, DerefMut};
 
 use crate::component::running::{Running, Tangent};
 use crate::component::standing::Standing;
-use crate::model::{Fault, Role, Variable};
-use crate::number::short;
+use crate::kernel::number::short;
+use crate::kernel::variable::{Fault, Role, Variable};
 
 /// The running model of a scene, stepped by the FMU and by tables. Whatever is not said here it does as [`Running`].
 #[derive(Debug)]

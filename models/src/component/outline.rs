@@ -1,10 +1,10 @@
 //! What a book says of a component, as data: everything else is made from it.
 
 use crate::component::dependencies::Recorder;
+use crate::component::sheet::{Check, Drawing, Input, Sheet, Summary};
 use crate::component::standing::Standing;
-use crate::origin::Origins;
-use crate::sheet::{Check, Drawing, Input, Sheet, Summary};
-use crate::symbol::Symbol;
+use crate::kernel::origin::Origins;
+use crate::kernel::symbol::Symbol;
 
 /// Results and formulas of a component, in the order in which a book tells them. What a scene does not model is left out.
 #[derive(Debug)]

@@ -5,11 +5,11 @@ use std::fmt;
 
 use num_dual::Dual64;
 
-use crate::calc::Calc;
 use crate::component::stages::{Found, Slot, Source, Stage, Stages, Use};
 use crate::component::whole::Whole;
-use crate::model::Quantity;
-use crate::symbol::Symbol;
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Quantity;
 
 /// What a component adds to its stages.
 pub trait Component: Stages {

@@ -4,8 +4,8 @@
 use std::any::Any;
 use std::fmt;
 
-use crate::model::{Fault, Quantity, Terminal, Variable};
-use crate::solver::Count;
+use crate::kernel::variable::{Fault, Quantity, Terminal, Variable};
+use crate::parts::solver::Count;
 
 /// A mechanism that runs, whether it stands where it is commanded or moves by itself.
 pub trait Running: Any + fmt::Debug + Send + Sync {
@@ -173,7 +173,7 @@ pub trait Running: Any + fmt::Debug + Send + Sync {
     }
 
     /// The model with derivatives along a direction: `seed` is the rate of change of each input, parameter and
-    /// continuous state, in SI, and of [`TIME`](crate::model::TIME).
+    /// continuous state, in SI, and of [`TIME`](crate::kernel::variable::TIME).
     fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent;
 
     /// As [`tangent`](Running::tangent), into one that exists.

@@ -5,12 +5,12 @@
 
 use num_dual::Dual64;
 
-use crate::calc::Calc;
 use crate::component::extreme::greatest;
 use crate::component::part::{Face, Part};
 use crate::component::stages::{Found, Slot, Source, absent};
 use crate::component::whole::{How, Whole};
-use crate::motion::Motion;
+use crate::kernel::calc::Calc;
+use crate::parts::motion::Motion;
 
 /// A result of the range in a scene.
 #[derive(Clone, Copy, Debug)]

@@ -18,9 +18,9 @@
 //! time. For `power` the macro makes a field `Option<Power<C>>`, a bit, the mask of the groups `ropes | height | speed`,
 //! and a function that makes `pull` first where it is not known. Changing `speed` clears the bit of `power` alone.
 
-use crate::calc::Calc;
-use crate::model::{Fault, Quantity};
-use crate::symbol::Symbol;
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::{Fault, Quantity};
 
 /// What was found. A fault is boxed: what every stage and every result hands on is one word and not four.
 pub type Found<T> = Result<T, Box<Fault>>;
@@ -152,16 +152,16 @@ macro_rules! results {
     (each $kind:ident $($rows:tt)*) => { $crate::component::stages::results!(@rows [Vec<$kind<C>>] [each] $($rows)*); };
     (plain $kind:ident $($rows:tt)*) => { $crate::component::stages::results!(@rows [$kind] [one] $($rows)*); };
     (@rows [$kind:ty] [$count:ident];) => {
-        impl<C: $crate::calc::Calc> $crate::component::stages::Rows<C> for $kind {
-            const ROWS: &'static [&'static $crate::symbol::Symbol] = &[];
+        impl<C: $crate::kernel::calc::Calc> $crate::component::stages::Rows<C> for $kind {
+            const ROWS: &'static [&'static $crate::kernel::symbol::Symbol] = &[];
             fn row(&self, _: u8, _: u16) -> $crate::component::stages::Found<C> {
                 unreachable!("no rows")
             }
         }
     };
     (@rows [$kind:ty] [$count:ident] as $it:pat => { $($symbol:ident: $row:expr;)* }) => {
-        impl<C: $crate::calc::Calc> $crate::component::stages::Rows<C> for $kind {
-            const ROWS: &'static [&'static $crate::symbol::Symbol] = &[$(&s::$symbol),*];
+        impl<C: $crate::kernel::calc::Calc> $crate::component::stages::Rows<C> for $kind {
+            const ROWS: &'static [&'static $crate::kernel::symbol::Symbol] = &[$(&s::$symbol),*];
             #[inline(always)]
             #[allow(non_camel_case_types, unused_variables, clippy::upper_case_acronyms, reason = "named after symbols")]
             fn row(&self, row: u8, of: u16) -> $crate::component::stages::Found<C> {
@@ -260,8 +260,8 @@ macro_rules! stages {
     (@searched [searched]) => { true };
     (@searched [$($mark:ident)?]) => { false };
     (@count [] $given:ident) => { None };
-    (@count [each $of:ident] $given:ident) => { Some($crate::group::Group::<f64>::count(&$given.$of)) };
-    (@count [$of:ident] $given:ident) => { Some($crate::group::Group::<f64>::count(&$given.$of)) };
+    (@count [each $of:ident] $given:ident) => { Some($crate::kernel::group::Group::<f64>::count(&$given.$of)) };
+    (@count [$of:ident] $given:ident) => { Some($crate::kernel::group::Group::<f64>::count(&$given.$of)) };
     ($(#[$doc:meta])* $name:ident over $c:ident from { $($use:ident $source:ident: $group:ty),* $(,)? } find {
         $($(#[$about:meta])* $stage:ident $([$($of:ident)+])?: $kind:ty =
           $($f:ident)::+ ($($arg:ident $([$how:tt])?),* $(,)?) $(, $mark:ident)?;)*
@@ -272,11 +272,11 @@ macro_rules! stages {
 
         /// Sources by their groups.
         #[derive(Clone, Debug)]
-        pub struct Given<$c: $crate::calc::Calc> { $(pub $source: $group),* }
+        pub struct Given<$c: $crate::kernel::calc::Calc> { $(pub $source: $group),* }
 
         /// What has been found so far.
         #[derive(Clone, Debug)]
-        pub struct Known<$c: $crate::calc::Calc> {
+        pub struct Known<$c: $crate::kernel::calc::Calc> {
             given: Given<$c>,
             /// Groups that the scene has.
             there: u64,
@@ -286,10 +286,10 @@ macro_rules! stages {
 
         #[allow(non_camel_case_types, dead_code, clippy::unused_unit, reason = "made for every group and stage")]
         const _: () = {
-            use $crate::calc::Calc;
+            use $crate::kernel::calc::Calc;
             use $crate::component::stages::{Found, Rows, Slot, Source, Stage, Stages, Use};
-            use $crate::group::Group;
-            use $crate::model::Quantity;
+            use $crate::kernel::group::Group;
+            use $crate::kernel::variable::Quantity;
 
             /// Groups, then stages: the numbers of their bits.
             #[derive(Clone, Copy)]

@@ -10,10 +10,10 @@ use crate::component::running::{Running, State, Tangent};
 use crate::component::spread::{Spot, Spread};
 use crate::component::stages::{Slot, Source, Use};
 use crate::component::table::{Axes, Table};
-use crate::model::{Fault, Quantity, Role, TIME, Terminal, Type, Variable};
-use crate::motion::Motion;
-use crate::number::short;
-use crate::symbol::Symbol;
+use crate::kernel::number::short;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::{Fault, Quantity, Role, TIME, Terminal, Type, Variable};
+use crate::parts::motion::Motion;
 
 /// Where a variable stands.
 #[derive(Clone, Copy, Debug)]

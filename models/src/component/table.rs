@@ -13,7 +13,7 @@ use num_dual::Dual64;
 
 use crate::component::part::{Face, Part};
 use crate::component::stages::{Slot, Source};
-use crate::motion::Motion;
+use crate::parts::motion::Motion;
 
 /// Where a piece is compared with the closed form.
 const PLACES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];

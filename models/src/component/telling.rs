@@ -1,19 +1,19 @@
 //! A sheet from an outline: the run of the component on the recorder, and its results over the working range.
 
-use crate::calc::Calc;
 pub use crate::component::extreme::{between, fine};
 use crate::component::governing::{extremes, governing, sensitivity};
 use crate::component::outline::{Explained, Limit, Outline, Published, Section as Outlined, Told};
 use crate::component::part::{Face, Part};
 use crate::component::running::Running;
+use crate::component::sheet::{Check, Comparison, Curve, Section, Sheet, Summary, Table, Worked};
 use crate::component::stages::{Found, Stage, Use};
 use crate::component::standing::Standing;
-use crate::model::{Fault, Role, Type};
-use crate::motion::{Motion, Place};
-use crate::origin::Origins;
-use crate::record::{Rec, only, record, steps};
-use crate::sheet::{Check, Comparison, Curve, Section, Sheet, Summary, Table, Worked};
-use crate::symbol::Symbol;
+use crate::kernel::calc::Calc;
+use crate::kernel::origin::Origins;
+use crate::kernel::record::{Rec, only, record, steps};
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::{Fault, Role, Type};
+use crate::parts::motion::{Motion, Place};
 
 /// Whether the scene has a variable.
 #[must_use]

@@ -1,6 +1,6 @@
 //! Declares results of the whole working range: what a result at one position comes to over all of them.
 
-use crate::symbol::Symbol;
+use crate::kernel::symbol::Symbol;
 
 /// A result of the range.
 #[derive(Debug)]

@@ -3,17 +3,17 @@
 
 use num_dual::Dual64;
 
-use crate::allowed::{FINITE, OutOfRange};
 use crate::balance::Balance;
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::Load;
 use crate::balance::scene::Form;
 use crate::balance::symbols as s;
-use crate::calc::Calc;
 use crate::component::extreme::Extreme;
 use crate::component::stages::{absent, results};
-use crate::motion::Motion;
-use crate::plane::Point;
+use crate::kernel::allowed::{FINITE, OutOfRange};
+use crate::kernel::calc::Calc;
+use crate::parts::motion::Motion;
+use crate::parts::plane::Point;
 
 /// The balance of a boom, at no particular position.
 #[derive(Clone, Copy, Debug)]

@@ -4,16 +4,16 @@ use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::published::table_5_2_1;
 use crate::balance::scene::{Form, Published};
 use crate::balance::{Balance, symbols as b};
-use crate::calc::Calc;
 use crate::component::draw::{Draw, polar};
 use crate::component::extreme::Extreme;
+use crate::component::sheet::{self, Criterion, Curve, Drawing, Equilibrium, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{exists, fine, sample, table};
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
 use crate::luffing::balancing::Balancing;
-use crate::motion::Motion;
-use crate::plane::Point;
-use crate::sheet::{self, Criterion, Curve, Drawing, Equilibrium, Summary};
-use crate::symbol::Symbol;
+use crate::parts::motion::Motion;
+use crate::parts::plane::Point;
 
 /// A boom with its balance.
 pub struct Balanced<'a> {

@@ -2,5 +2,6 @@
 
 pub mod balancing;
 pub mod counterweight;
+pub mod double_link;
 pub mod rope;
 pub mod scene;

@@ -1,9 +1,9 @@
 //! What scenes say of all luffing mechanisms alike.
 
 use crate::component::table::TOLERANCE;
-use crate::diagnostic::Diagnostic;
-use crate::lemniscate::moving::symbols::TOL;
-use crate::schema::{self, Key, Kind, Sign, Values};
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::schema::{self, Key, Kind, Sign, Values};
+use crate::luffing::double_link::moving::symbols::TOL;
 
 /// Which luffing mechanism it is.
 pub const KIND: Key = Key {

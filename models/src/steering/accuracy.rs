@@ -1,8 +1,8 @@
 //! How exactly the groups' angles are kept, by encoder resolution and dead band of the valve, and what slip that makes.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::group::quantities;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
 use crate::steering::centre::Centre;
 use crate::steering::cylinder::Pose;
 use crate::steering::machine::{GROUPS, Machine};

@@ -1,8 +1,8 @@
 //! The turning centre, and the motion about it.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::parts::plane::{self, Point};
 use crate::steering::machine::Machine;
 use crate::steering::symbols as s;
 

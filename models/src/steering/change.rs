@@ -1,11 +1,11 @@
 //! What is kept of the past: where the last change of mode started.
 
-use crate::calc::Calc;
-use crate::group::Group;
-use crate::model::Quantity;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::Group;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::unit::ONE;
+use crate::kernel::variable::Quantity;
 use crate::steering::transition::Twist;
-use crate::symbol::Symbol;
-use crate::unit::ONE;
 
 /// Whether the model runs, before which modes are start values; since when (s), infinite while there was no change;
 /// whether the axle lines met, and the motion then; angles of the groups (rad).

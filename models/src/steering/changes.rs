@@ -1,7 +1,7 @@
 //! Changes from each travel mode to each other one, for the book.
 
+use crate::component::sheet::{Change, Changes, Curve};
 use crate::component::telling::between;
-use crate::sheet::{Change, Changes, Curve};
 use crate::steering::built::Built;
 use crate::steering::centre::Centre;
 use crate::steering::flow::{Piston, flow};

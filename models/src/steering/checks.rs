@@ -2,10 +2,11 @@
 
 use crate::component::governing::most;
 use crate::component::outline::{Greatest, Most};
+use crate::component::sheet::{Check, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{between, fine};
-use crate::plane;
-use crate::sheet::{Check, Summary};
+use crate::kernel::symbol::Symbol;
+use crate::parts::plane;
 use crate::steering::built::Built;
 use crate::steering::centre::residual;
 use crate::steering::cylinder::Linkage;
@@ -18,7 +19,6 @@ use crate::steering::ring::Duty;
 use crate::steering::scene::Steering;
 use crate::steering::symbols as s;
 use crate::steering::views::example;
-use crate::symbol::Symbol;
 
 /// Whether the axle lines meet, the parts suffice, the tyres roll.
 pub fn checks(

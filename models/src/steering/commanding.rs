@@ -1,9 +1,9 @@
 //! The turning centre that a command means.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::number::short;
-use crate::plane::Point;
+use crate::kernel::calc::Calc;
+use crate::kernel::number::short;
+use crate::parts::plane::Point;
 use crate::steering::centre::Centre;
 use crate::steering::machine::Machine;
 use crate::steering::mode::{Command, Mode};

@@ -3,11 +3,11 @@
 //! Straight ahead the cylinder stands at a right angle to its arm o–c and is
 //! extended by half its stroke.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::group::quantities;
-use crate::number::short;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::kernel::number::short;
+use crate::parts::plane::{self, Point};
 use crate::steering::limits::Limits;
 use crate::steering::refusal::Refusal;
 use crate::steering::symbols as s;

@@ -1,6 +1,6 @@
 //! The greatest oil flow that a mode asks for at once.
 
-use crate::calc::Calc;
+use crate::kernel::calc::Calc;
 use crate::steering::built::Built;
 use crate::steering::flow::{Piston, flow};
 use crate::steering::machine::Machine;

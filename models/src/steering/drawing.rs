@@ -1,10 +1,11 @@
 //! The machine from above, and the triangle of a cylinder, to scale.
 
-use crate::calc::Calc;
+use crate::component::sheet::{Curve, Drawing, Shape};
 use crate::component::stages::{Found, Stages};
 use crate::component::telling::between;
-use crate::plane::{self, Point};
-use crate::sheet::{Curve, Drawing, Shape};
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
+use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::cylinder::{Linkage, Pose};
 use crate::steering::limits::Limits;
@@ -12,7 +13,6 @@ use crate::steering::machine::Machine;
 use crate::steering::stages::{Given, SteeredGroups};
 use crate::steering::swept::moved;
 use crate::steering::symbols as s;
-use crate::symbol::Symbol;
 
 /// The triangle of the cylinder straight ahead, and faint at both ends of the range. [Zhang2016, Fig. 5 and 6]
 pub fn triangle((linkage, limits): (&Linkage<f64>, &Limits)) -> Drawing {

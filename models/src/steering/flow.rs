@@ -1,8 +1,8 @@
 //! Speed of the steering cylinders, and the oil that they take.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::group::quantities;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
 use crate::steering::cylinder::Pose;
 use crate::steering::symbols as s;
 use crate::steering::travel::Rate;

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::group::group;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::group;
 use crate::steering::cylinder::Cylinder;
 use crate::steering::limits::Limits;
 use crate::steering::refusal::Refusal;

@@ -4,10 +4,10 @@
 //! The pump holds its pressure (load sensing), so that the groups do not act on
 //! each other: each is a system of its own with 8 states.
 
-use crate::calc::{Calc, Over};
-use crate::hydraulics::cylinder::{Cylinder, Oil};
-use crate::plane::Point;
-use crate::solver::{Gradient, System};
+use crate::kernel::calc::{Calc, Over};
+use crate::parts::hydraulics::cylinder::{Cylinder, Oil};
+use crate::parts::plane::Point;
+use crate::parts::solver::{Gradient, System};
 use crate::steering::cylinder::{Linkage, Pose};
 
 /// Angular velocity, in rad/s, below which the resistance is in proportion to it: tyres creep.

@@ -1,14 +1,14 @@
 //! What the scene gives, in the order of the book.
 
+use crate::component::sheet::Input;
 use crate::component::stages::Stages;
-use crate::origin::Origins;
-use crate::schema::{Key, Kind};
-use crate::sheet::Input;
+use crate::kernel::origin::Origins;
+use crate::kernel::schema::{Key, Kind};
+use crate::kernel::symbol::Symbol;
 use crate::steering::keys::KEYS;
 use crate::steering::scene::Steering;
 use crate::steering::stages::SteeredGroups;
 use crate::steering::symbols as s;
-use crate::symbol::Symbol;
 
 /// Tables of the scene in the order of the book, after the groups.
 const TABLES: [&str; 12] = [

@@ -1,10 +1,10 @@
 //! What a scene may say about the steering of a machine.
 
-use crate::schema::{Key, Kind, Sign};
+use crate::kernel::schema::{Key, Kind, Sign};
+use crate::kernel::symbol::{Enumeration, Symbol};
 use crate::steering::machine::GROUPS;
 use crate::steering::moving::scene::{FIDELITIES, TABLES};
 use crate::steering::symbols as s;
-use crate::symbol::{Enumeration, Symbol};
 
 /// What a scene calls the nine modes, what commands them, and the corners of the outline.
 static MODES: [&str; 9] = names(&s::MODES);

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::number::short;
+use crate::kernel::calc::Calc;
+use crate::kernel::number::short;
 use crate::steering::refusal::Refusal;
 
 /// Angles that differ by less are one where an end of a range is concerned, in

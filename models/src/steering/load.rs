@@ -1,10 +1,10 @@
 //! Vertical load of the groups and their resistance to steering. [Zhang2016, 3]
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::group::quantities;
-use crate::number::short;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::kernel::number::short;
+use crate::parts::plane::{self, Point};
 use crate::steering::cylinder::Pose;
 use crate::steering::machine::Machine;
 use crate::steering::refusal::Refusal;

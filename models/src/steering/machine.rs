@@ -1,10 +1,10 @@
 //! Where the steered groups stand.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::group::{group, quantities};
-use crate::number::short;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::{group, quantities};
+use crate::kernel::number::short;
+use crate::parts::plane::{self, Point};
 use crate::steering::refusal::Refusal;
 use crate::steering::symbols as s;
 

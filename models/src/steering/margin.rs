@@ -1,7 +1,7 @@
 //! What is left of the groups' ranges.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
+use crate::kernel::calc::Calc;
 use crate::steering::frame::Ends;
 use crate::steering::limits::Limits;
 use crate::steering::symbols as s;

@@ -1,9 +1,9 @@
 //! The steering as a mechanism of a scene.
 
+use crate::component::mechanism::{Entry, Mechanism, Solver};
 use crate::component::model::Model;
-use crate::mechanism::{Entry, Mechanism, Solver};
-use crate::model::Fault;
-use crate::motion::{Motion, Place};
+use crate::kernel::variable::Fault;
+use crate::parts::motion::{Motion, Place};
 use crate::steering::keys::KEYS;
 use crate::steering::model::standing;
 use crate::steering::moving;

@@ -1,9 +1,9 @@
 //! Travel modes, and what commands them.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::group::{group, quantities};
-use crate::plane::Point;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::{group, quantities};
+use crate::parts::plane::Point;
 use crate::steering::refusal::Refusal;
 use crate::steering::symbols as s;
 

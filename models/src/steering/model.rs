@@ -4,7 +4,7 @@ use std::any::Any;
 
 use crate::component::part::Runner;
 use crate::component::standing::Standing;
-use crate::model::Fault;
+use crate::kernel::variable::Fault;
 use crate::steering::scene::Steering;
 use crate::steering::stages::{Given, SteeredGroups};
 

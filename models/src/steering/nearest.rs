@@ -1,8 +1,8 @@
 //! The nearest command that all groups can follow. No allocation.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::limits::{Limits, SAME};
 use crate::steering::machine::{Axis, Machine};

@@ -1,8 +1,9 @@
 //! How the parts of the steering are chosen, in the book. [Zhang2016, 4-6]
 
-use crate::calc::Calc;
-use crate::record::{Rec, record};
-use crate::sheet::{Changes, Section, Summary};
+use crate::component::sheet::{Changes, Section, Summary};
+use crate::kernel::calc::Calc;
+use crate::kernel::record::{Rec, record};
+use crate::kernel::symbol::Symbol;
 use crate::steering::built::Built;
 use crate::steering::demand::{Demand, greatest_demand};
 use crate::steering::limits::Limits;
@@ -12,7 +13,6 @@ use crate::steering::ring::{Duty, friction};
 use crate::steering::scene::Steering;
 use crate::steering::sizing::{BORES, EXAMPLE_STROKES, Rod, bore, buckling, choose_stroke, next, pump, relief};
 use crate::steering::symbols as s;
-use crate::symbol::Symbol;
 
 /// What the parts are chosen by.
 pub struct Parts {

@@ -7,9 +7,9 @@
 //! θ1 = θ4, θ2 = θ3, θ5 = θ8, θ6 = θ7 in amount, cot θ1 = R/L2, cot θ2 = R/L1,
 //! cot θ5 = (R+S)/L2, cot θ6 = (R+S)/L1.
 
-use crate::calc::Calc;
-use crate::group::quantities;
-use crate::plane::Point;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::parts::plane::Point;
 use crate::steering::machine::Machine;
 use crate::steering::mode::{Command, Mode};
 use crate::steering::symbols as s;

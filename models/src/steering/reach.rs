@@ -1,6 +1,6 @@
 //! Whether the groups can follow a command.
 
-use crate::number::short;
+use crate::kernel::number::short;
 use crate::steering::limits::Limits;
 use crate::steering::machine::Machine;
 use crate::steering::mode::{Command, Mode};

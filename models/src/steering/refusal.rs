@@ -1,8 +1,8 @@
 //! What is refused, in words.
 
-use crate::calc::Calc;
-use crate::model::Fault;
-use crate::symbol::Symbol;
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Fault;
 
 /// A value that is not accepted, in words.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! The slewing ring of a group, chosen from a maker's load curves. [Zhang2016, 4]
 
-use crate::calc::Calc;
-use crate::group::quantities;
-use crate::number::short;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::kernel::number::short;
 use crate::steering::refusal::Refusal;
 use crate::steering::symbols as s;
 

@@ -3,12 +3,13 @@
 use std::ops::Range;
 
 use crate::component::stages::{Stages, Use};
-use crate::diagnostic::Diagnostic;
-use crate::group::One;
-use crate::model::TIME;
-use crate::motion::{Motion, degrees};
-use crate::plane::Point;
-use crate::schema::{Kind, Sign, Values, quantity};
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::One;
+use crate::kernel::schema::{Kind, Sign, Values, quantity};
+use crate::kernel::symbol::{Enumeration, Symbol};
+use crate::kernel::variable::TIME;
+use crate::parts::motion::{Motion, degrees};
+use crate::parts::plane::Point;
 use crate::steering::accuracy::Accuracy;
 use crate::steering::built::Built;
 use crate::steering::change::Change;
@@ -28,7 +29,6 @@ use crate::steering::stages::{Given, SteeredGroups};
 use crate::steering::stand::stand;
 use crate::steering::symbols as s;
 use crate::steering::transition::Pace;
-use crate::symbol::{Enumeration, Symbol};
 
 /// The steering of a machine as the scene describes it; SI.
 #[derive(Clone, Debug)]

@@ -4,9 +4,9 @@
 //! A change starts when mode, kind of command or corner change, from the set points of that moment. Its way is always
 //! that from there to the current command: a command that moves meanwhile moves the way with it.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::change::Change;
 use crate::steering::cylinder::Linkage;

@@ -3,9 +3,10 @@
 use crate::component::dependencies::{Recorder, recorded};
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, Published, Told};
+use crate::component::sheet::{Check, Drawing, Input, Sheet};
 use crate::component::standing::Standing;
-use crate::origin::Origins;
-use crate::sheet::{Check, Drawing, Input, Sheet};
+use crate::kernel::origin::Origins;
+use crate::kernel::symbol::Symbol;
 use crate::steering::changes::changes;
 use crate::steering::checks::checks;
 use crate::steering::drawing::{Stance, lengths, swept, triangle};
@@ -18,7 +19,6 @@ use crate::steering::scene::Steering;
 use crate::steering::stages::SteeredGroups;
 use crate::steering::symbols as s;
 use crate::steering::views::{slip_table, view};
-use crate::symbol::Symbol;
 
 static OUTLINE: Outline = Outline {
     constants: &[("middle", &[Stage("machine")]), ("linkage", &[Stage("linkages")])],

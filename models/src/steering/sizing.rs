@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use crate::calc::Calc;
-use crate::group::quantities;
-use crate::number::short;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::kernel::number::short;
 use crate::steering::cylinder::Cylinder;
 use crate::steering::limits::Limits;
 use crate::steering::refusal::Refusal;

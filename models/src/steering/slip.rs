@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::calc::Calc;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::machine::{GROUPS, Machine};
 

@@ -1,9 +1,10 @@
 //! The steering as a component: what it is given, and in which stages its equations follow from each other.
 
-use crate::calc::Calc;
 use crate::component::part::{Component, Port};
 use crate::component::stages::{Found, stages};
-use crate::group::One;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::One;
+use crate::kernel::symbol::Symbol;
 use crate::steering::accuracy::{Accuracy, Alone, Error, Greatest, Slipping, slips};
 use crate::steering::centre::{Centre, Pole};
 use crate::steering::change::Change;
@@ -25,7 +26,6 @@ use crate::steering::symbols as s;
 use crate::steering::transition::Pace;
 use crate::steering::travel::{Rate, Travel, Turn};
 use crate::steering::wheels::{Rolling, Scale, Speed, Wheel};
-use crate::symbol::Symbol;
 
 stages! {
     /// Steering of a machine on many steered wheel groups.

@@ -1,7 +1,7 @@
 //! How the groups stand about a turning centre, within their ranges. No allocation but that of [`stand`].
 
-use crate::calc::Calc;
-use crate::plane::Point;
+use crate::kernel::calc::Calc;
+use crate::parts::plane::Point;
 use crate::steering::centre::Centre;
 use crate::steering::limits::Limits;
 use crate::steering::machine::Machine;

@@ -1,8 +1,8 @@
 //! The path of the machine's points, and the lane that its outline sweeps.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::machine::Machine;
 use crate::steering::symbols as s;

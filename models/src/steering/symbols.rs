@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::symbol::{Enumeration, symbols};
+use crate::kernel::symbol::{Enumeration, symbols};
 
 pub static MODES: Enumeration = Enumeration {
     name: "Mode",

@@ -9,9 +9,9 @@
 
 use std::f64::consts::PI;
 
-use crate::calc::Calc;
-use crate::group::quantities;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::cylinder::Linkage;
 use crate::steering::machine::Machine;

@@ -1,8 +1,8 @@
 //! The machine's motion at a travel speed, and how fast its groups turn with the command.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::commanding::Slope;
 use crate::steering::machine::{Axis, Machine};

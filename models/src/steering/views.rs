@@ -1,8 +1,8 @@
 //! The travel modes in the book, each with a command that shows it.
 
+use crate::component::sheet::{Table, View};
 use crate::component::standing::Standing;
 use crate::component::telling::numbered;
-use crate::sheet::{Table, View};
 use crate::steering::built::Built;
 use crate::steering::drawing::{Stance, plan};
 use crate::steering::mode::{By, Command, Mode};

@@ -5,9 +5,9 @@
 
 use std::f64::consts::PI;
 
-use crate::calc::Calc;
 use crate::component::stages::results;
-use crate::plane::{self, Point};
+use crate::kernel::calc::Calc;
+use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::limits::Limits;
 use crate::steering::machine::Axis;

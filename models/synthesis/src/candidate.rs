@@ -2,12 +2,12 @@
 //! side is computed once, the linkage closes by squares of lengths alone. What
 //! a search finds is computed again by [`Analysis`](lemnis_models::balance::analysis::Analysis).
 
-use lemnis_models::allowed::{OutOfRange, POSITIVE};
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::Dimensions;
 use lemnis_models::balance::symbols as s;
-use lemnis_models::calc::Calc;
-use lemnis_models::four_bar::Branch;
+use lemnis_models::kernel::allowed::{OutOfRange, POSITIVE};
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::parts::four_bar::Branch;
 
 /// The boom at equally spaced positions of its working range.
 #[derive(Clone, Debug)]

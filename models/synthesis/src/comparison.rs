@@ -1,18 +1,18 @@
 //! What the book says about a synthesis: the levers that the scene lists beside
 //! its own, each worked out anew, so that nothing printed can be out of date.
 
-use lemnis_models::allowed::OutOfRange;
 use lemnis_models::balance::analysis::{Analysis, Residual};
 use lemnis_models::balance::boom::{Boom, joint};
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Method, Role, Task};
 use lemnis_models::balance::{Balance, symbols as s};
-use lemnis_models::calc::Calc;
-use lemnis_models::four_bar::Branch;
-use lemnis_models::plane::Point;
+use lemnis_models::component::sheet::{Drawing, Shape};
+use lemnis_models::kernel::allowed::OutOfRange;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::parts::four_bar::Branch;
+use lemnis_models::parts::plane::Point;
 use lemnis_models::scene::Scene;
-use lemnis_models::sheet::{Drawing, Shape};
-use lemnis_models::symbol::Symbol;
 
 use crate::candidate::Positions;
 use crate::tolerance::{Builds, Spread};

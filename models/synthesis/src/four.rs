@@ -10,13 +10,13 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::three::{near_zero, ordinate};
-use lemnis_models::allowed::{FINITE, OutOfRange, POSITIVE, check};
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::symbols as s;
-use lemnis_models::calc::Calc;
-use lemnis_models::four_bar::Branch;
-use lemnis_models::plane::{self, Point};
+use lemnis_models::kernel::allowed::{FINITE, OutOfRange, POSITIVE, check};
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::parts::four_bar::Branch;
+use lemnis_models::parts::plane::{self, Point};
 
 /// Nodes of approximation: at the first also the derivative is met.
 #[derive(Clone, Copy, Debug)]

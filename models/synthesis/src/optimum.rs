@@ -10,14 +10,14 @@ use cmaes::{CMAESOptions, DVector};
 
 use crate::candidate::{Criteria, Positions};
 use crate::tolerance::Builds;
-use lemnis_models::allowed::{OutOfRange, POSITIVE, check};
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::Dimensions;
 use lemnis_models::balance::symbols as s;
 use lemnis_models::balance::task::{Bounds, Constraints, Criterion, Task};
-use lemnis_models::calc::Calc;
-use lemnis_models::four_bar::Branch;
-use lemnis_models::symbol::Symbol;
+use lemnis_models::kernel::allowed::{OutOfRange, POSITIVE, check};
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::parts::four_bar::Branch;
 
 /// A search.
 #[derive(Clone, Debug)]

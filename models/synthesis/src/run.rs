@@ -1,13 +1,13 @@
 //! From a scene's task to its lever.
 
-use lemnis_models::allowed::OutOfRange;
 use lemnis_models::balance::analysis::Analysis;
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Criterion, Method, Role, Task};
 use lemnis_models::balance::{Balance, symbols as s};
-use lemnis_models::four_bar::Branch;
-use lemnis_models::symbol::Symbol;
+use lemnis_models::kernel::allowed::OutOfRange;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::parts::four_bar::Branch;
 
 use crate::four::Nodes;
 use crate::optimum::{self, Effort, Found, Limit, Problem, RUNS, Watch, improve, search};
@@ -96,7 +96,7 @@ pub fn run(
             let best = levers.min_by(|a, b| residual(a).total_cmp(&residual(b)));
             best.ok_or_else(|| {
                 let what = "every lever with this rod arm that passes the nodes is of the other branch";
-                OutOfRange::new(&s::R_L, lever, lemnis_models::allowed::POSITIVE, what)
+                OutOfRange::new(&s::R_L, lever, lemnis_models::kernel::allowed::POSITIVE, what)
             })?
         }
     };

@@ -4,13 +4,13 @@
 //! Equal energy at three positions does not make the moment zero there; it
 //! makes it pass zero inside each of the two intervals. (The book says otherwise.)
 
-use lemnis_models::allowed::{FINITE, OutOfRange, POSITIVE, check};
 use lemnis_models::balance::boom::{Boom, joint};
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::symbols as s;
-use lemnis_models::calc::Calc;
-use lemnis_models::four_bar::Branch;
-use lemnis_models::plane::{self, Point};
+use lemnis_models::kernel::allowed::{FINITE, OutOfRange, POSITIVE, check};
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::parts::four_bar::Branch;
+use lemnis_models::parts::plane::{self, Point};
 
 /// What is chosen before the construction.
 #[derive(Clone, Copy, Debug)]

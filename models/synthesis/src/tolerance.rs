@@ -4,11 +4,11 @@
 //! the weights of boom, jib, rocker and counterweight. The boom's own lengths stay.
 
 use crate::candidate::Positions;
-use lemnis_models::allowed::{NOT_NEGATIVE, OutOfRange, POSITIVE, check};
 use lemnis_models::balance::lever::Dimensions;
 use lemnis_models::balance::symbols as s;
 use lemnis_models::balance::task::Tolerances;
-use lemnis_models::four_bar::Branch;
+use lemnis_models::kernel::allowed::{NOT_NEGATIVE, OutOfRange, POSITIVE, check};
+use lemnis_models::parts::four_bar::Branch;
 
 /// Deviations of many builds, drawn once: what is compared is built alike.
 #[derive(Clone, Debug)]

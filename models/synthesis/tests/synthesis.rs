@@ -11,7 +11,7 @@ use lemnis_models::balance::analysis::Analysis;
 use lemnis_models::balance::boom::{Boom, Plain};
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Bounds, Constraints, Criterion, Tolerances};
-use lemnis_models::four_bar::Branch;
+use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::scene::Scene;
 use lemnis_synthesis::candidate::Positions;
 use lemnis_synthesis::comparison::Comparison;

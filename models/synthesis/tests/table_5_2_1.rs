@@ -3,8 +3,8 @@
 
 use cmaes::{CMAESOptions, DVector};
 use lemnis_models::balance::lever::{Dimensions, Lever};
-use lemnis_models::calc::Calc;
-use lemnis_models::four_bar::Branch;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::parts::four_bar::Branch;
 
 /// Columns of the table: the boom angle, and the three lengths that a linkage has.
 const ANGLE: usize = 0;

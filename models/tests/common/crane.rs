@@ -2,15 +2,15 @@
 
 #![allow(dead_code, reason = "not every test uses all of it")]
 
-use lemnis_models::four_bar::Branch;
-use lemnis_models::hydraulics::cylinder::Cylinder;
-use lemnis_models::hydraulics::valve::Valve;
-use lemnis_models::lemniscate::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase, Turntable};
-use lemnis_models::lemniscate::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters};
-use lemnis_models::lemniscate::hydraulic::{Crane, Hydraulic};
-use lemnis_models::lemniscate::motion::{Friction, Motion};
-use lemnis_models::lemniscate::slewing::{Drive, Joint, Slewing};
-use lemnis_models::plane::Point;
+use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase, Turntable};
+use lemnis_models::luffing::double_link::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters};
+use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic};
+use lemnis_models::luffing::double_link::motion::{Friction, Motion};
+use lemnis_models::luffing::double_link::slewing::{Drive, Joint, Slewing};
+use lemnis_models::parts::four_bar::Branch;
+use lemnis_models::parts::hydraulics::cylinder::Cylinder;
+use lemnis_models::parts::hydraulics::valve::Valve;
+use lemnis_models::parts::plane::Point;
 
 pub const PENDULUM: Pendulum = Pendulum {
     mass: 16e3,

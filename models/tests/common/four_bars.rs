@@ -2,12 +2,12 @@
 
 #![allow(dead_code, reason = "not every test uses all of it")]
 
-use lemnis_models::calc::Calc;
-use lemnis_models::four_bar::{Branch, Closure, FourBar, Names};
-use lemnis_models::plane::Point;
-use lemnis_models::solver::runge_kutta;
-use lemnis_models::symbol::Symbol;
-use lemnis_models::unit;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::kernel::unit;
+use lemnis_models::parts::four_bar::{Branch, Closure, FourBar, Names};
+use lemnis_models::parts::plane::Point;
+use lemnis_models::parts::solver::runge_kutta;
 use num_dual::Dual2_64;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -1,7 +1,7 @@
 //! The default crane, and variations of it.
 
-use lemnis_models::lemniscate::geometry::{Driven, Geometry, Parameters};
-use lemnis_models::lemniscate::scene::Luffing;
+use lemnis_models::luffing::double_link::geometry::{Driven, Geometry, Parameters};
+use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 pub fn luffing() -> Luffing {

@@ -1,9 +1,9 @@
 //! The portal crane of [Balance004]: its boom, its two published levers.
 
 use lemnis_models::balance::lever::{Dimensions, Lever};
-use lemnis_models::four_bar::Branch;
-use lemnis_models::lemniscate::geometry::Parameters;
-use lemnis_models::lemniscate::system::System;
+use lemnis_models::luffing::double_link::geometry::Parameters;
+use lemnis_models::luffing::double_link::system::System;
+use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::scene::Scene;
 
 pub fn parameters() -> Parameters<f64> {

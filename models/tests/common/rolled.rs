@@ -1,7 +1,7 @@
 //! How a machine's groups stand and roll about a turning centre: the stages' own equations, without a scene.
 
-use lemnis_models::calc::Calc;
-use lemnis_models::plane::Point;
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::parts::plane::Point;
 use lemnis_models::steering::centre::Centre;
 use lemnis_models::steering::limits::Limits;
 use lemnis_models::steering::machine::{Axis, Machine, Outline};

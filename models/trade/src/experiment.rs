@@ -8,8 +8,8 @@
 //! that would let as much oil through, each with what corrects the angle.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::{Fault, Role, Variable};
-use lemnis_models::motion::Motion;
+use lemnis_models::kernel::variable::{Fault, Role, Variable};
+use lemnis_models::parts::motion::Motion;
 use lemnis_models::scene::Scene;
 
 use crate::setting::index;

@@ -8,8 +8,8 @@
 //! what checks these is the oracles and the balance of energy in the tests.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::Fault;
-use lemnis_models::number::short;
+use lemnis_models::kernel::number::short;
+use lemnis_models::kernel::variable::Fault;
 use numeris::Vector;
 use numeris::ode::{AdaptiveSettings, RKAdaptive, RKV98NoInterp, RODAS4, Rosenbrock};
 

@@ -3,10 +3,10 @@
 use std::fmt;
 
 use lemnis_models::component::model::Model;
-use lemnis_models::model::Fault;
-use lemnis_models::number::short;
+use lemnis_models::kernel::number::short;
+use lemnis_models::kernel::variable::Fault;
+use lemnis_models::parts::solver::Count;
 use lemnis_models::scene::Scene;
-use lemnis_models::solver::Count;
 
 /// How a level is solved.
 #[derive(Clone, Copy, Debug, PartialEq)]

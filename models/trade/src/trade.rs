@@ -4,10 +4,10 @@
 use std::fmt;
 use std::time::Instant;
 
-use lemnis_models::model::{Fault, Role, Type, Variable};
-use lemnis_models::number::{Digits, Number, exact, short};
+use lemnis_models::kernel::number::{Digits, Number, exact, short};
+use lemnis_models::kernel::variable::{Fault, Role, Type, Variable};
+use lemnis_models::parts::solver::Count;
 use lemnis_models::scene::Scene;
-use lemnis_models::solver::Count;
 
 use crate::experiment::{Experiment, Seen};
 use crate::library;
@@ -119,7 +119,7 @@ pub struct Trade {
 pub enum Failure {
     Refused(Fault),
     /// The two codes do not agree on a level.
-    Apart(&'static str, Apart, &'static lemnis_models::symbol::Symbol),
+    Apart(&'static str, Apart, &'static lemnis_models::kernel::symbol::Symbol),
 }
 
 impl From<Fault> for Failure {

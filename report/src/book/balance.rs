@@ -1,8 +1,8 @@
 //! The balance of the boom system: criteria, equilibria, curves, table, drawing.
 
 use lemnis_models::balance::symbols::DM_5;
-use lemnis_models::number::{Digits, Number};
-use lemnis_models::sheet;
+use lemnis_models::component::sheet;
+use lemnis_models::kernel::number::{Digits, Number};
 use serde::Serialize;
 
 use crate::book::blocks::{Figure, Range, Summary, range, summary};

@@ -1,8 +1,8 @@
 //! What chapters are made of.
 
-use lemnis_models::number::{Number, column};
-use lemnis_models::sheet;
-use lemnis_models::symbol::Symbol;
+use lemnis_models::component::sheet;
+use lemnis_models::kernel::number::{Number, column};
+use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
 use crate::language::Language;

@@ -12,9 +12,9 @@ mod trade;
 
 use lemnis_fmu::instance::strings;
 use lemnis_models::book::CHAPTERS;
+use lemnis_models::component::sheet::{self, Sheet};
+use lemnis_models::kernel::schema;
 use lemnis_models::scene::Scene;
-use lemnis_models::schema;
-use lemnis_models::sheet::{self, Sheet};
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 

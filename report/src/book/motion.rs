@@ -1,8 +1,8 @@
 //! The mechanism in motion: what is modelled, the equations at one instant, and the run.
 
-use lemnis_models::lemniscate::moving::symbols::T;
-use lemnis_models::sheet::{self, InMotion};
-use lemnis_models::symbol::Symbol;
+use lemnis_models::component::sheet::{self, InMotion};
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing::double_link::moving::symbols::T;
 use serde::Serialize;
 
 use crate::book::blocks::{Figure, Quantity};

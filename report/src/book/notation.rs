@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use lemnis_models::sheet::{self, Sheet};
-use lemnis_models::symbol::Symbol;
+use lemnis_models::component::sheet::{self, Sheet};
+use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
 use crate::book::blocks::Quantity;

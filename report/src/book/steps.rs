@@ -1,8 +1,8 @@
 //! Formulas under their headings.
 
-use lemnis_models::record::Trace;
-use lemnis_models::sheet;
-use lemnis_models::symbol::Symbol;
+use lemnis_models::component::sheet;
+use lemnis_models::kernel::record::Trace;
+use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
 use crate::book::blocks::{self, Drawn, Quantity, Table};
@@ -91,7 +91,7 @@ fn steps(
     outputs: Option<&[&'static Symbol]>,
     notation: &mut Notation,
 ) -> Vec<Step> {
-    let step = |step: &lemnis_models::record::Step| {
+    let step = |step: &lemnis_models::kernel::record::Step| {
         let in_full = outputs.is_none_or(|outputs| outputs.contains(&step.symbol));
         let Printed {
             formula,

@@ -2,8 +2,8 @@
 
 use lemnis_models::balance::symbols as s;
 use lemnis_models::balance::task::{Criterion, Method, Task};
+use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::scene::Scene;
-use lemnis_models::symbol::Symbol;
 use lemnis_synthesis::comparison::{BUILDS, Bound, Compared, Comparison, Worth};
 use serde::Serialize;
 

@@ -1,10 +1,10 @@
 //! Tables: checks, given quantities, views, changes, sensitivities, published values.
 
-use lemnis_models::gravity;
-use lemnis_models::number::{Digits, Number, short};
-use lemnis_models::sheet::{self, Comparison, Sheet};
-use lemnis_models::symbol::Symbol;
-use lemnis_models::unit::{self, Unit};
+use lemnis_models::component::sheet::{self, Comparison, Sheet};
+use lemnis_models::kernel::gravity;
+use lemnis_models::kernel::number::{Digits, Number, short};
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::kernel::unit::{self, Unit};
 use serde::Serialize;
 
 use crate::book::blocks::{Drawn, Figure, Quantity, Summary, Table, sparse, summary, table};

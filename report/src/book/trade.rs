@@ -1,9 +1,9 @@
 //! Speed against accuracy: what every level, solver and step costs by counted work, and how far it is off.
 
-use lemnis_models::model::Variable;
-use lemnis_models::number::{rough, short};
+use lemnis_models::kernel::number::{rough, short};
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::kernel::variable::Variable;
 use lemnis_models::scene::Scene;
-use lemnis_models::symbol::Symbol;
 use lemnis_trade::setting::{Method, Setting};
 use lemnis_trade::trade::{Asked, Errors, Failure, SAMPLE, Trade as Traded};
 use serde::Serialize;

@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use lemnis_models::allowed::OutOfRange;
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Role, Task};
-use lemnis_models::diagnostic::Diagnostic;
-use lemnis_models::four_bar::Branch;
-use lemnis_models::number::{Digits, Number, short};
+use lemnis_models::kernel::allowed::OutOfRange;
+use lemnis_models::kernel::diagnostic::Diagnostic;
+use lemnis_models::kernel::number::{Digits, Number, short};
+use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::scene::{LONGEST_NAME, Scene};
 use lemnis_synthesis::comparison::{Compared, Comparison};
 use lemnis_synthesis::optimum::Watch;

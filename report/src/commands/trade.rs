@@ -9,7 +9,7 @@ use lemnis::language::Language;
 use lemnis::machine::{self, json as number};
 use lemnis::print::diagram;
 use lemnis::template::Templates;
-use lemnis_models::number::{rough, short};
+use lemnis_models::kernel::number::{rough, short};
 use lemnis_models::scene::Scene;
 use lemnis_trade::trade::{self, AGREEMENT, SAMPLE, Size, Trade as Traded};
 use lemnis_typeset::{Embedded, Format, Typesetter};

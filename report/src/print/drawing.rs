@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use lemnis_models::calc::Calc;
-use lemnis_models::sheet::{Drawing, Shape};
+use lemnis_models::component::sheet::{Drawing, Shape};
+use lemnis_models::kernel::calc::Calc;
 
 use crate::print::picture::{Picture, Point, hundredths, unit};
 

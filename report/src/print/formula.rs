@@ -11,8 +11,8 @@
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
-use lemnis_models::number::short;
-use lemnis_models::record::{Node, Op, Rec, Step, Trace};
+use lemnis_models::kernel::number::short;
+use lemnis_models::kernel::record::{Node, Op, Rec, Step, Trace};
 use serde::Serialize;
 
 use crate::language::Language;
@@ -363,9 +363,9 @@ fn name_width(print: &str) -> f64 {
 mod tests {
     use super::*;
     use crate::language::LANGUAGES;
-    use lemnis_models::calc::Calc;
-    use lemnis_models::lemniscate::symbols as s;
-    use lemnis_models::record::record;
+    use lemnis_models::kernel::calc::Calc;
+    use lemnis_models::kernel::record::record;
+    use lemnis_models::luffing::double_link::symbols as s;
 
     /// Both forms of a formula of lengths 3 m, −2 m and 0.5 m, and an angle of 30°.
     fn printed(formula: impl FnOnce([Rec; 4]) -> Rec) -> (String, String) {

@@ -1,8 +1,8 @@
 //! Numbers with their units.
 
-use lemnis_models::number::{Digits, Number, exponent, short};
-use lemnis_models::symbol::Symbol;
-use lemnis_models::unit::Unit;
+use lemnis_models::kernel::number::{Digits, Number, exponent, short};
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::kernel::unit::Unit;
 
 use crate::language::Language;
 

@@ -1,8 +1,8 @@
 //! Curves, rankings and diagrams.
 
-use lemnis_models::number::{Digits, Number, exponent};
-use lemnis_models::sheet::Curve;
-use lemnis_models::symbol::Symbol;
+use lemnis_models::component::sheet::Curve;
+use lemnis_models::kernel::number::{Digits, Number, exponent};
+use lemnis_models::kernel::symbol::Symbol;
 
 use crate::language::Language;
 use crate::print::number::change;

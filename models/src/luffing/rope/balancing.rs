@@ -1,12 +1,12 @@
 //! A balance on this boom, whose angle is the coordinate.
 
-use crate::allowed::OutOfRange;
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::Plain;
 use crate::balance::scene::Form;
-use crate::calc::Calc;
 use crate::component::stages::Found;
-use crate::group::Group;
+use crate::kernel::allowed::OutOfRange;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::Group;
 use crate::luffing::balancing::{Balanced, Balancing, Criteria};
 use crate::luffing::rope::position::Choice;
 use crate::luffing::rope::statics::{Hanging, Own};

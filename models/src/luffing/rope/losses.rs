@@ -5,12 +5,12 @@
 //! with the hoist drum at rest that runs out through the hook block; where h_S is negative it is taken in from there.
 //! While the boom is lowered all of it is the other way round.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
 use crate::luffing::rope::position::{Falls, Rig, Stretch};
 use crate::luffing::rope::statics::Carried;
 use crate::luffing::rope::symbols as s;
-use crate::symbol::Symbol;
 
 /// Pulls in N while the boom is raised, and while it is lowered.
 #[derive(Clone, Copy, Debug)]

@@ -1,13 +1,13 @@
 //! Where boom, tackle, hoist rope and load are.
 
-use crate::calc::Calc;
 use crate::component::stages::{Found, results};
-use crate::group::{group, quantities};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::{group, quantities};
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Fault;
 use crate::luffing::rope::symbols as s;
-use crate::model::Fault;
-use crate::motion::{Motion, degrees};
-use crate::plane::{self, Point};
-use crate::symbol::Symbol;
+use crate::parts::motion::{Motion, degrees};
+use crate::parts::plane::{self, Point};
 
 /// What the scene has chosen.
 #[derive(Clone, Copy, Debug)]

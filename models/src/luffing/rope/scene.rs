@@ -3,25 +3,25 @@
 use crate::balance::boom::Plain;
 use crate::balance::scene::{Form, KEYS as BALANCE, Published};
 use crate::balance::symbols as b;
-use crate::calc::Calc;
+use crate::component::mechanism::{Entry, Mechanism, Solver};
 use crate::component::model::Model;
 use crate::component::part::Runner;
 use crate::component::running::Running;
 use crate::component::standing::Standing;
 use crate::component::table::TOLERANCE;
 use crate::component::telling::{fine, places};
-use crate::diagnostic::Diagnostic;
-use crate::group::One;
+use crate::kernel::calc::Calc;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::One;
+use crate::kernel::schema::{Key, Kind, Sign, Values};
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Fault;
 use crate::luffing::rope::position::{Choice, Rig};
 use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::scene::{KIND, SOURCE, TABLE, interpolation};
-use crate::mechanism::{Entry, Mechanism, Solver};
-use crate::model::Fault;
-use crate::motion::{Motion, Place, degrees};
-use crate::plane::{self, Point};
-use crate::schema::{Key, Kind, Sign, Values};
-use crate::symbol::Symbol;
+use crate::parts::motion::{Motion, Place, degrees};
+use crate::parts::plane::{self, Point};
 
 /// Keys of `[luffing]` with `kind = "rope"`.
 pub const KEYS: &[Key] = &[

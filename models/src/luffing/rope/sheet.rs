@@ -2,15 +2,19 @@
 
 use crate::balance::boom::Plain;
 use crate::balance::symbols as b;
-use crate::calc::Calc;
 use crate::component::dependencies::{Recorder, recorded};
 use crate::component::draw::Draw;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, Published, Told};
 use crate::component::running::Running;
+use crate::component::sheet::{Check, Drawing, Input, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
-use crate::group::{Group, One};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::{Group, One};
+use crate::kernel::origin::Origins;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Quantity;
 use crate::luffing::balancing::{Balancing, agreement};
 use crate::luffing::counterweight::Balanced;
 use crate::luffing::rope::balancing::{analysed, balancing};
@@ -18,11 +22,7 @@ use crate::luffing::rope::position::{Position, Rig};
 use crate::luffing::rope::scene::{Rope, TABLES};
 use crate::luffing::rope::stages::RopeBoom;
 use crate::luffing::rope::symbols as s;
-use crate::model::Quantity;
-use crate::origin::Origins;
-use crate::plane::{self, Point};
-use crate::sheet::{Check, Drawing, Input, Sheet, Summary};
-use crate::symbol::Symbol;
+use crate::parts::plane::{self, Point};
 
 static OUTLINE: Outline = Outline {
     constants: &[

@@ -6,7 +6,8 @@ use crate::balance::scene::Form;
 use crate::component::part::{Component, Port};
 use crate::component::stages::{Found, stages};
 use crate::component::whole::Whole;
-use crate::group::One;
+use crate::kernel::group::One;
+use crate::kernel::symbol::Symbol;
 use crate::luffing::balancing::{Balanced, Balancing, Criteria};
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
@@ -14,7 +15,6 @@ use crate::luffing::rope::position::{Choice, Falls, Level, Path, Position, Rig, 
 use crate::luffing::rope::statics::{Carried, Hanging, Own, Power, Pull};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::rope::velocity::{Speeds, Travel};
-use crate::symbol::Symbol;
 
 stages! {
     /// A plain boom on a luffing rope.

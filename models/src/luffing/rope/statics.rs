@@ -2,12 +2,12 @@
 
 use crate::balance::analysis::Residual;
 use crate::balance::boom::{Load, Plain};
-use crate::calc::Calc;
 use crate::component::stages::results;
+use crate::kernel::calc::Calc;
 use crate::luffing::rope::position::{Falls, Position, Rig, Stretch};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::rope::velocity::{Speeds, Travel};
-use crate::plane::{self, Point};
+use crate::parts::plane::{self, Point};
 
 /// The load on its ropes.
 #[derive(Clone, Copy, Debug)]

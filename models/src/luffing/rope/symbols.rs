@@ -1,6 +1,6 @@
 //! Every quantity of the boom on a luffing rope, besides those of its weight and its angle, which balances share.
 
-use crate::symbol::{Range, symbols};
+use crate::kernel::symbol::{Range, symbols};
 
 symbols! {
     OMEGA: "omega" "omega" RAD_PER_S / DEG_PER_S, "Angular velocity of the boom; positive raises it.", "[Ports001, 5.1]";

@@ -1,10 +1,10 @@
 //! Travel of head and load, and the speeds of the ropes.
 
-use crate::calc::Calc;
 use crate::component::stages::results;
+use crate::kernel::calc::Calc;
 use crate::luffing::rope::position::{Falls, Position, Rig, Stretch};
 use crate::luffing::rope::symbols as s;
-use crate::plane::{self, Point};
+use crate::parts::plane::{self, Point};
 
 /// Travel for one radian of the boom, in m.
 #[derive(Clone, Copy, Debug)]

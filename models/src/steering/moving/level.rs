@@ -2,8 +2,8 @@
 //! state beside them. Between samples no group acts on another one, so each is
 //! solved by itself, at its own steps.
 
-use crate::solver::rodas::{Run, Tolerance};
-use crate::solver::{Halt, System};
+use crate::parts::solver::rodas::{Run, Tolerance};
+use crate::parts::solver::{Halt, System};
 use crate::steering::hydraulic::{Control, Group, Held, STATES};
 
 /// First step of the solver after a change from outside, in s.

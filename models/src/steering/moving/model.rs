@@ -6,17 +6,19 @@ use std::collections::BTreeSet;
 
 use num_dual::Dual64;
 
-use crate::calc::{Calc, Over};
 use crate::component::dependencies::{dependencies, recorded};
 use crate::component::running::{Running, State, Tangent};
 use crate::component::standing::Standing;
-use crate::hydraulics::cylinder::Cylinder;
-use crate::hydraulics::oil::{VACUUM, warning};
-use crate::hydraulics::symbols as h;
-use crate::hydraulics::valve::Valve;
-use crate::model::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
-use crate::number::short;
-use crate::solver::{Count, Halt, MOST_STEPS};
+use crate::kernel::calc::{Calc, Over};
+use crate::kernel::number::short;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::unit;
+use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
+use crate::parts::hydraulics::cylinder::Cylinder;
+use crate::parts::hydraulics::oil::{VACUUM, warning};
+use crate::parts::hydraulics::symbols as h;
+use crate::parts::hydraulics::valve::Valve;
+use crate::parts::solver::{Count, Halt, MOST_STEPS};
 use crate::steering::built::Built;
 use crate::steering::flow::flow;
 use crate::steering::hydraulic::{Control, Group, INDICATORS, STATES};
@@ -30,8 +32,6 @@ use crate::steering::ring::friction;
 use crate::steering::scene::Steering;
 use crate::steering::stages::SteeredGroups;
 use crate::steering::symbols as s;
-use crate::symbol::Symbol;
-use crate::unit;
 
 /// Pressure of the chamber on the bore's side at the start, in Pa.
 const RESTING_PRESSURE: f64 = 20e5;

@@ -1,11 +1,11 @@
 //! What a scene says about the groups in motion.
 
-use crate::diagnostic::Diagnostic;
-use crate::group::quantities;
-use crate::schema::{Key, Sign, Values};
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::quantities;
+use crate::kernel::schema::{Key, Sign, Values};
+use crate::kernel::symbol::Symbol;
 use crate::steering::moving::symbols as s;
 use crate::steering::refusal::{Refusal, within};
-use crate::symbol::Symbol;
 
 /// How deep the steering is modelled.
 pub const FIDELITIES: &[&str] = &["kinematic", "hydraulic", "auto"];

@@ -1,6 +1,6 @@
 //! Quantities of the groups in motion.
 
-use crate::symbol::{COARSEST, symbols};
+use crate::kernel::symbol::{COARSEST, symbols};
 
 symbols! {
     // Given. Beyond its range a number is a slip of the pen; a shorter cycle would be an endless run of samples.

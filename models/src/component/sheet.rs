@@ -1,0 +1,324 @@
+//! A sheet: everything a book or a table says about one scene, as plain data
+//! in SI. It is made from the same functions that the FMU runs; words, units
+//! of print and layout are added later, elsewhere.
+
+use crate::kernel::origin::Origin;
+use crate::kernel::record::Trace;
+use crate::kernel::symbol::Symbol;
+
+/// All that is known about a scene.
+#[derive(Default)]
+pub struct Sheet {
+    /// Inputs in the order of the scene's chapters.
+    pub inputs: Vec<Input>,
+    /// Formulas that do not depend on the position.
+    pub constants: Vec<Section>,
+    /// The mechanism in each of its ways of working; empty where it has one.
+    pub views: Vec<View>,
+    /// What each of these ways asks for at most: its id, how much, and where.
+    pub demands: Vec<(&'static str, Summary)>,
+    /// From each of these ways to each other one.
+    pub changes: Option<Changes>,
+    /// Formulas by which parts are chosen; empty where none are.
+    pub sizing: Vec<Section>,
+    /// Positions at which the formulas are written out.
+    pub positions: Vec<Worked>,
+    /// Results over the working range, one row for each position of the scene's step.
+    pub range: Table,
+    /// Curves over the working range, on a grid fine enough to draw.
+    pub curves: Vec<Curve>,
+    pub drawing: Drawing,
+    pub checks: Vec<Check>,
+    /// What must be known before any result is believed: id of the words, with a quantity and when it was so.
+    pub warnings: Vec<(&'static str, Summary)>,
+    /// Published values beside the computed ones; empty where the scene gives none.
+    pub published: Vec<Comparison>,
+    /// Where they are printed.
+    pub published_source: Option<String>,
+    /// Results of the whole range: level error, work.
+    pub summary: Vec<Summary>,
+    /// Results with the position where each is greatest (or least) in the whole range.
+    pub governing: Vec<Summary>,
+    pub sensitivity: Sensitivity,
+    /// What the running model gives, in its order: the principal results.
+    pub outputs: Vec<&'static Symbol>,
+    /// Ids of remarks on the publications, worded in the templates.
+    pub remarks: Vec<&'static str>,
+    pub balance: Option<Balance>,
+    /// The mechanism in motion; `None` where it stands as commanded.
+    pub motion: Option<InMotion>,
+    /// See [`assumptions`].
+    pub assumptions: Vec<&'static str>,
+}
+
+/// The mechanism in motion: its equations at one instant of a run, and the run.
+pub struct InMotion {
+    /// At which instant the formulas are worked out: id of what makes it one, and when it is, in s.
+    pub instant: (&'static str, f64),
+    /// Which of several bodies the formulas speak of, numbered from 1.
+    pub of: Option<usize>,
+    /// States and commands at that instant.
+    pub state: Vec<(&'static Symbol, f64)>,
+    pub sections: Vec<Section>,
+    /// Duration of the run, and the time between its samples, in s.
+    pub run: [f64; 2],
+    pub curves: Vec<Curve>,
+    /// Of each drawn quantity the least and the greatest value with their times, in s.
+    pub extremes: Vec<(&'static Symbol, [[f64; 2]; 2])>,
+    /// What happened: when (s), and its id.
+    pub events: Vec<(f64, &'static str)>,
+    /// How many more events there were.
+    pub more_events: usize,
+    pub energy: Energy,
+}
+
+/// Where energy came from, what stores it and what took it, in J: what was given is what is stored and taken.
+pub struct Energy {
+    pub given: Vec<(&'static Symbol, f64)>,
+    pub stored: Vec<(&'static Symbol, f64)>,
+    /// With what is left over, last.
+    pub taken: Vec<(&'static Symbol, f64)>,
+}
+
+/// The balance of the boom system over the working range.
+pub struct Balance {
+    /// As in a scene: `tail`, `lever` and so on; worded in the templates.
+    pub kind: &'static str,
+    pub drawing: Drawing,
+    pub criteria: Vec<Criterion>,
+    /// Where the published criteria are printed.
+    pub published_source: Option<String>,
+    pub equilibria: Vec<Equilibrium>,
+    pub curves: Vec<Curve>,
+    pub range: Table,
+    /// A published table, computed again; empty where the balance is not its.
+    pub table: Vec<PublishedRow>,
+}
+
+/// A row of a published table, in the publication's own units.
+pub struct PublishedRow {
+    /// Cells as printed from which the others follow.
+    pub given: Vec<&'static str>,
+    pub moments: Vec<PublishedCell>,
+}
+
+/// A published number beside the one that its own row gives.
+pub struct PublishedCell {
+    pub printed: &'static str,
+    pub computed: f64,
+    pub misprint: bool,
+}
+
+/// A result that tells how good a balance is.
+pub struct Criterion {
+    pub summary: Summary,
+    /// As published, in SI.
+    pub published: Option<f64>,
+}
+
+/// A position at which weights and balance leave no moment.
+pub struct Equilibrium {
+    pub coordinate: &'static Symbol,
+    pub at: f64,
+    pub reach: (&'static Symbol, f64),
+    /// The boom comes back when it is moved a little.
+    pub stable: bool,
+}
+
+/// A given quantity.
+pub struct Input {
+    pub symbol: &'static Symbol,
+    pub value: f64,
+    /// Number from 1 where there are several of the quantity.
+    pub number: Option<u16>,
+    /// Chapter of inputs: `geometry`, `load`, `weights`, `drive`, `motion`, `limits`, ...
+    pub chapter: &'static str,
+    /// Where the scene gives it.
+    pub given: Option<Origin>,
+}
+
+/// Formulas under one heading.
+pub struct Section {
+    /// Id of the heading, worded in the templates.
+    pub id: &'static str,
+    pub trace: Trace,
+    /// What the formulas speak of, to scale.
+    pub drawing: Option<Drawing>,
+    /// What they give for each of several bodies.
+    pub table: Option<Table>,
+}
+
+/// A way in which the mechanism works.
+pub struct View {
+    /// Id of the caption, worded in the templates.
+    pub id: &'static str,
+    /// What is commanded, if it is a quantity.
+    pub command: Option<(&'static Symbol, f64)>,
+    /// Whether it can be done.
+    pub reachable: bool,
+    /// Where it cannot, the nearest way and command with which it can.
+    pub nearest: Option<(&'static str, Vec<(&'static Symbol, f64)>)>,
+    pub drawing: Drawing,
+    pub table: Table,
+}
+
+/// Changes between the ways in which the mechanism works.
+pub struct Changes {
+    /// What the columns of durations and of flows are.
+    pub columns: [&'static Symbol; 2],
+    pub rows: Vec<Change>,
+    /// Curves over the time of one change, and the ids of the ways between which it runs.
+    pub drawn: Option<([&'static str; 2], Vec<Curve>)>,
+}
+
+/// From one way of working to another, and back where no row of its own says otherwise.
+pub struct Change {
+    pub between: [&'static str; 2],
+    /// Duration (s), whether the machine must stand, and the number of the group that takes longest; `None` where the
+    /// change is not possible.
+    pub plan: Option<(f64, bool, usize)>,
+    /// Greatest oil flow, in m³/s.
+    pub flow: Option<f64>,
+}
+
+/// A position of the mechanism with its formulas.
+pub struct Worked {
+    /// `governing`, `from`, `middle`, `to`, `chosen`, or the id of a governing
+    /// result; worded in the templates.
+    pub id: &'static str,
+    pub coordinate: &'static Symbol,
+    pub value: f64,
+    /// Which of several bodies the formulas speak of, numbered from 1.
+    pub of: Option<usize>,
+    pub sections: Vec<Section>,
+}
+
+/// A result of the whole range, with the coordinate where it occurs if it has one.
+pub struct Summary {
+    pub symbol: &'static Symbol,
+    pub value: f64,
+    pub at: Option<(&'static Symbol, f64)>,
+}
+
+/// How results change with the given quantities; empty where they do not do so smoothly.
+#[derive(Default)]
+pub struct Sensitivity {
+    /// Each with its value.
+    pub results: Vec<(&'static Symbol, f64)>,
+    pub rows: Vec<Slope>,
+}
+
+/// Derivatives of the results by one given quantity, in SI.
+pub struct Slope {
+    pub symbol: &'static Symbol,
+    pub value: f64,
+    /// In the order of the results.
+    pub by: Vec<f64>,
+}
+
+#[derive(Default)]
+pub struct Table {
+    pub columns: Vec<&'static Symbol>,
+    pub rows: Vec<Vec<f64>>,
+}
+
+pub struct Curve {
+    /// Id of the caption, worded in the templates; `li2022_fig_3` and the like.
+    pub id: &'static str,
+    pub x: &'static Symbol,
+    pub y: &'static Symbol,
+    /// Where a value is infinite the curve is broken: pieces of points.
+    pub pieces: Vec<Vec<[f64; 2]>>,
+    /// Numbers of the pieces, where each is that of another body; else empty.
+    pub numbers: Vec<usize>,
+}
+
+/// A check with its limit.
+pub struct Check {
+    /// Id of the sentence that says what is checked.
+    pub id: &'static str,
+    pub symbol: &'static Symbol,
+    pub value: f64,
+    pub limit: f64,
+    /// Whether the value must not be above (or not below) the limit.
+    pub at_most: bool,
+}
+
+impl Check {
+    /// Part of what is allowed that is used: value over limit where the value
+    /// must not be above it, limit over value where it must not be below.
+    #[must_use]
+    pub fn utilisation(&self) -> f64 {
+        if self.at_most {
+            self.value / self.limit
+        } else {
+            self.limit / self.value
+        }
+    }
+
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        if self.at_most {
+            self.value <= self.limit
+        } else {
+            self.value >= self.limit
+        }
+    }
+}
+
+/// A published value beside the computed one.
+pub struct Comparison {
+    pub coordinate: f64,
+    pub symbol: &'static Symbol,
+    /// As printed, in the display unit, with its own number of digits.
+    pub printed: String,
+    /// Computed, in SI.
+    pub value: f64,
+}
+
+/// The mechanism to scale, in metres, y upwards.
+#[derive(Debug, Default)]
+pub struct Drawing {
+    pub shapes: Vec<Shape>,
+}
+
+#[derive(Debug)]
+pub enum Shape {
+    /// A bar or a polygon of one body. `faint` for the positions beside the main one.
+    Body {
+        points: Vec<[f64; 2]>,
+        closed: bool,
+        faint: bool,
+    },
+    /// A pin; `fixed` where it is held by the frame.
+    Pin { at: [f64; 2], fixed: bool, faint: bool },
+    /// A name beside a point, in Typst's mathematics.
+    Label { at: [f64; 2], text: &'static str },
+    /// The path of a point.
+    Path { points: Vec<[f64; 2]> },
+    /// A vertical centre line through `x`.
+    CentreLine { x: f64, from: f64, to: f64 },
+    /// A line through a point and its axis, dash-dotted.
+    Axis { from: [f64; 2], to: [f64; 2] },
+    /// A motion from one point towards another.
+    Arrow { from: [f64; 2], to: [f64; 2] },
+    /// The number of a body.
+    Number { at: [f64; 2], number: usize },
+    /// A weight hanging at a point.
+    Load { at: [f64; 2], text: &'static str },
+    /// A distance with arrows at both ends, `offset` metres beside the line it measures.
+    Distance {
+        from: [f64; 2],
+        to: [f64; 2],
+        offset: f64,
+        text: &'static str,
+    },
+    /// An angle at a point, counter-clockwise from `from` to `to`, in rad.
+    Angle {
+        at: [f64; 2],
+        radius: f64,
+        from: f64,
+        to: f64,
+        text: &'static str,
+    },
+}

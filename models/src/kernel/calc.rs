@@ -1,0 +1,368 @@
+//! The scalar that every equation is written over. Which scalar it runs with
+//! decides what comes out: `f64` the value, `Dual64` also its exact
+//! derivative, [`Rec`](crate::kernel::record::Rec) the printed formula.
+//!
+//! This file is the one door to transcendental functions: they come from
+//! `libm`, which gives the same bits on every platform, where `std` does not.
+
+use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
+use num_dual::{Dual2, Dual64, DualNum};
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::ops::Neg;
+
+use crate::kernel::symbol::Symbol;
+
+/// A number that mechanism equations can be evaluated with.
+pub trait Calc:
+    Scalar + Copy + Send + Sync + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>
+{
+    /// A plain number without dimension.
+    fn constant(value: f64) -> Self;
+
+    /// A plain number with a unit, in SI: in the book it has a name.
+    #[must_use]
+    fn known(_: &'static Symbol, value: f64) -> Self {
+        Self::constant(value)
+    }
+
+    /// The value alone, for a decision that the book names in words.
+    fn value(self) -> f64;
+
+    fn abs(self) -> Self;
+    fn sqrt(self) -> Self;
+    fn sin(self) -> Self;
+    /// Sine and cosine of an angle in rad.
+    fn sin_cos(self) -> (Self, Self);
+    fn asin(self) -> Self;
+    fn acos(self) -> Self;
+
+    /// Angle of the vector (x, y) from the x axis, counter-clockwise, in rad,
+    /// in (−π/2, 3π/2]: continuous for every bar that does not hang straight down.
+    fn direction(x: Self, y: Self) -> Self;
+
+    /// `self` − `other`, with `other` known to twice the working precision as
+    /// `other` + `tail`: exact where the two nearly cancel.
+    fn minus_exact(self, other: Self, tail: f64) -> Self;
+
+    #[must_use]
+    fn square(self) -> Self {
+        self * self
+    }
+
+    /// The product with a plain number.
+    #[inline]
+    #[must_use]
+    fn scaled(self, factor: f64) -> Self {
+        Self::constant(factor) * self
+    }
+
+    /// A function of this number: with many derivatives it runs on one, by the chain rule.
+    #[inline]
+    #[must_use]
+    fn through(self, f: impl Function) -> Self {
+        f.at(self)
+    }
+
+    /// Names a result: nothing for numbers, a line in the book for the recorder.
+    #[must_use]
+    fn def(self, _: &'static Symbol) -> Self {
+        self
+    }
+
+    /// Names a value whose formula the book does not tell.
+    #[must_use]
+    fn named(self, _: &'static Symbol) -> Self {
+        self
+    }
+
+    /// This number, where another one has decided that it is this one: it follows from both.
+    #[must_use]
+    fn over(self, _: Self) -> Self {
+        self
+    }
+
+    /// The greater of two, the first of equals.
+    #[inline]
+    #[must_use]
+    fn greater(self, other: Self) -> Self {
+        if other.value() > self.value() {
+            other.over(self)
+        } else {
+            self.over(other)
+        }
+    }
+
+    /// The smaller of two, the first of equals.
+    #[inline]
+    #[must_use]
+    fn smaller(self, other: Self) -> Self {
+        if other.value() < self.value() {
+            other.over(self)
+        } else {
+            self.over(other)
+        }
+    }
+
+    /// Runs the equations of one of several bodies, numbered from 0. The recorder writes down those of the body that it
+    /// was asked for.
+    #[inline]
+    fn body<T>(_: usize, equations: impl FnOnce() -> T) -> T {
+        equations()
+    }
+}
+
+/// A scalar that equations run on while their parameters are known as `P`: plain numbers are constants,
+/// dual numbers bring derivatives of their own.
+pub trait Over<P>: Calc {
+    fn of(parameter: P) -> Self;
+
+    /// The product with a parameter.
+    #[inline]
+    #[must_use]
+    fn times(self, parameter: P) -> Self {
+        Self::of(parameter) * self
+    }
+}
+
+/// A function of one number, over any scalar.
+pub trait Function {
+    fn at<C: Calc>(&self, x: C) -> C;
+}
+
+impl<C: Calc> Over<f64> for C {
+    #[inline]
+    fn of(parameter: f64) -> C {
+        C::constant(parameter)
+    }
+    #[inline]
+    fn times(self, parameter: f64) -> C {
+        self.scaled(parameter)
+    }
+}
+
+impl Over<Dual64> for Dual64 {
+    #[inline]
+    fn of(parameter: Dual64) -> Dual64 {
+        parameter
+    }
+}
+
+/// Moves an angle from (−π, π] to (−π/2, 3π/2].
+#[inline]
+fn upright(angle: f64) -> f64 {
+    if angle <= -FRAC_PI_2 { angle + TAU } else { angle }
+}
+
+impl Calc for f64 {
+    #[inline]
+    fn constant(value: f64) -> f64 {
+        value
+    }
+    #[inline]
+    fn value(self) -> f64 {
+        self
+    }
+    #[inline]
+    fn abs(self) -> f64 {
+        f64::abs(self)
+    }
+    #[inline]
+    fn sqrt(self) -> f64 {
+        // IEEE 754 rounds a square root correctly: the same bits everywhere.
+        f64::sqrt(self)
+    }
+    #[inline]
+    fn sin(self) -> f64 {
+        libm::sin(self)
+    }
+    #[inline]
+    fn sin_cos(self) -> (f64, f64) {
+        libm::sincos(self)
+    }
+    #[inline]
+    fn asin(self) -> f64 {
+        libm::asin(self)
+    }
+    #[inline]
+    fn acos(self) -> f64 {
+        libm::acos(self)
+    }
+    #[inline]
+    fn direction(x: f64, y: f64) -> f64 {
+        upright(libm::atan2(y, x))
+    }
+    #[inline]
+    fn minus_exact(self, other: f64, tail: f64) -> f64 {
+        (self - other) - tail
+    }
+}
+
+impl Calc for Dual64 {
+    fn constant(value: f64) -> Dual64 {
+        Dual64::from_re(value)
+    }
+    fn value(self) -> f64 {
+        self.re
+    }
+    fn abs(self) -> Dual64 {
+        if self.re < 0.0 { -self } else { self }
+    }
+    fn sqrt(self) -> Dual64 {
+        let root = self.re.sqrt();
+        Dual64::new(root, self.eps / (2.0 * root))
+    }
+    fn sin(self) -> Dual64 {
+        self.sin_cos().0
+    }
+    fn sin_cos(self) -> (Dual64, Dual64) {
+        let (sin, cos) = Calc::sin_cos(self.re);
+        (Dual64::new(sin, self.eps * cos), Dual64::new(cos, -self.eps * sin))
+    }
+    fn asin(self) -> Dual64 {
+        Dual64::new(Calc::asin(self.re), self.eps / (1.0 - self.re * self.re).sqrt())
+    }
+    fn acos(self) -> Dual64 {
+        Dual64::new(Calc::acos(self.re), -self.eps / (1.0 - self.re * self.re).sqrt())
+    }
+    fn direction(x: Dual64, y: Dual64) -> Dual64 {
+        let turn = (x.re * y.eps - y.re * x.eps) / (x.re * x.re + y.re * y.re);
+        Dual64::new(Calc::direction(x.re, y.re), turn)
+    }
+    fn minus_exact(self, other: Dual64, tail: f64) -> Dual64 {
+        Dual64::new(self.re.minus_exact(other.re, tail), self.eps - other.eps)
+    }
+}
+
+/// A function of one scalar by its value and two derivatives.
+fn chain<T: Calc + DualNum>(x: Dual2<T>, [value, first, second]: [T; 3]) -> Dual2<T> {
+    Dual2::new(value, first * x.v1, first * x.v2 + second * x.v1 * x.v1)
+}
+
+/// Second derivatives over any scalar: over `Dual64` they are derived once more.
+impl<T: Calc + DualNum> Calc for Dual2<T> {
+    fn constant(value: f64) -> Dual2<T> {
+        Dual2::from_re(T::constant(value))
+    }
+    fn value(self) -> f64 {
+        self.re.value()
+    }
+    fn abs(self) -> Dual2<T> {
+        if self.value() < 0.0 { -self } else { self }
+    }
+    fn sqrt(self) -> Dual2<T> {
+        let root = Calc::sqrt(self.re);
+        let first = T::constant(0.5) / root;
+        chain(self, [root, first, T::constant(-0.25) / (root * self.re)])
+    }
+    fn sin(self) -> Dual2<T> {
+        Calc::sin_cos(self).0
+    }
+    fn sin_cos(self) -> (Dual2<T>, Dual2<T>) {
+        let (sin, cos) = Calc::sin_cos(self.re);
+        (chain(self, [sin, cos, -sin]), chain(self, [cos, -sin, -cos]))
+    }
+    fn asin(self) -> Dual2<T> {
+        let one = T::constant(1.0);
+        let slope = one / Calc::sqrt(one - self.re * self.re);
+        chain(self, [Calc::asin(self.re), slope, self.re * slope * slope * slope])
+    }
+    fn acos(self) -> Dual2<T> {
+        let one = T::constant(1.0);
+        let slope = -(one / Calc::sqrt(one - self.re * self.re));
+        chain(self, [Calc::acos(self.re), slope, self.re * slope * slope * slope])
+    }
+    fn direction(x: Dual2<T>, y: Dual2<T>) -> Dual2<T> {
+        let square = x.re * x.re + y.re * y.re;
+        let turn = (x.re * y.v1 - y.re * x.v1) / square;
+        let bend =
+            (x.re * y.v2 - y.re * x.v2) / square - T::constant(2.0) * turn * (x.re * x.v1 + y.re * y.v1) / square;
+        Dual2::new(T::direction(x.re, y.re), turn, bend)
+    }
+    fn minus_exact(self, other: Dual2<T>, tail: f64) -> Dual2<T> {
+        Dual2::new(
+            self.re.minus_exact(other.re, tail),
+            self.v1 - other.v1,
+            self.v2 - other.v2,
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_dual::Dual2_64;
+
+    #[test]
+    fn directions_are_continuous_through_the_upright_and_the_rear() {
+        let up = f64::direction(0.0, 1.0);
+        let rear = f64::direction(-1.0, -1e-9);
+        let front_low = f64::direction(1.0, -1e-9);
+        assert_eq!(up, FRAC_PI_2);
+        assert!((rear - std::f64::consts::PI).abs() < 1e-8);
+        assert!(front_low < 0.0 && front_low > -1e-8);
+        assert_eq!(f64::direction(0.0, -1.0), 1.5 * std::f64::consts::PI);
+    }
+
+    /// Every derivative rule against a central difference, whose error is of
+    /// the order of step² (1e-12) plus rounding over step (1e-10).
+    #[test]
+    fn dual_rules_agree_with_differences() {
+        type Rule = fn(Dual64) -> Dual64;
+        let rules: [(&str, Rule); 6] = [
+            ("sqrt", |x| Calc::sqrt(x)),
+            ("sin", |x| Calc::sin(x)),
+            ("cos", |x| Calc::sin_cos(x).1),
+            ("asin", |x| Calc::asin(x)),
+            ("acos", |x| Calc::acos(x)),
+            ("direction", |x| Dual64::direction(x * x, x)),
+        ];
+        let step = 1e-6;
+        for (name, rule) in rules {
+            for at in [0.1, 0.5, 0.9] {
+                let difference =
+                    (rule(Dual64::from_re(at + step)).re - rule(Dual64::from_re(at - step)).re) / (2.0 * step);
+                let exact = rule(Dual64::new(at, 1.0)).eps;
+                assert!(
+                    (exact - difference).abs() < 1e-9,
+                    "{name} at {at}: {exact} {difference}"
+                );
+            }
+        }
+    }
+
+    /// Second derivatives against central differences of the first, which are exact.
+    #[test]
+    fn second_derivatives_agree_with_differences_of_the_first() {
+        type Rules = (&'static str, fn(Dual64) -> Dual64, fn(Dual2_64) -> Dual2_64);
+        let rules: [Rules; 6] = [
+            ("sqrt", |x| Calc::sqrt(x), |x| Calc::sqrt(x)),
+            ("sin", |x| Calc::sin(x), |x| Calc::sin(x)),
+            ("cos", |x| Calc::sin_cos(x).1, |x| Calc::sin_cos(x).1),
+            ("asin", |x| Calc::asin(x), |x| Calc::asin(x)),
+            ("acos", |x| Calc::acos(x), |x| Calc::acos(x)),
+            (
+                "direction",
+                |x| Dual64::direction(x * x, x),
+                |x| Dual2_64::direction(x * x, x),
+            ),
+        ];
+        let step = 1e-6;
+        for (name, first, second) in rules {
+            for at in [0.1, 0.5, 0.9] {
+                let slope = |x: f64| first(Dual64::new(x, 1.0)).eps;
+                let difference = (slope(at + step) - slope(at - step)) / (2.0 * step);
+                let exact = second(Dual2_64::new(at, 1.0, 0.0));
+                assert_eq!(
+                    (exact.re, exact.v1),
+                    (first(Dual64::new(at, 1.0)).re, slope(at)),
+                    "{name} at {at}"
+                );
+                assert!(
+                    (exact.v2 - difference).abs() < 1e-8 * (1.0 + difference.abs()),
+                    "{name} at {at}: {} {difference}",
+                    exact.v2
+                );
+            }
+        }
+    }
+}

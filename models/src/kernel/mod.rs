@@ -1,0 +1,14 @@
+//! What everything stands on: quantities with symbols and units, scalars, the recorder, keys of scenes, messages.
+
+pub mod allowed;
+pub mod calc;
+pub mod diagnostic;
+pub mod gravity;
+pub mod group;
+pub mod number;
+pub mod origin;
+pub mod record;
+pub mod schema;
+pub mod symbol;
+pub mod unit;
+pub mod variable;

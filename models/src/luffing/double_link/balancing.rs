@@ -1,0 +1,186 @@
+//! The balance of this mechanism, while any of its bars is driven.
+
+use num_dual::Dual64;
+
+use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::boom::Boom;
+use crate::balance::symbols as s;
+use crate::kernel::allowed::{FINITE, OutOfRange};
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
+use crate::luffing::balancing::{self, Balanced, Balancing};
+use crate::luffing::double_link::drive::Drive;
+use crate::luffing::double_link::geometry::{Driven, Geometry, Parameters, Weights};
+use crate::luffing::double_link::position::Position;
+use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
+use crate::luffing::double_link::symbols as l;
+use crate::luffing::double_link::system::{System, height, load};
+use crate::luffing::double_link::velocity::Velocity;
+use crate::parts::four_bar::Branch;
+use crate::parts::motion::Motion;
+use crate::parts::plane::{self, Point};
+
+/// The balance; `None` where the parameters have none.
+///
+/// # Errors
+/// Quantities with which there is no such balance; a boom system without weights.
+pub fn new<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Result<Option<Balancing<C>>, OutOfRange> {
+    let Some(form) = &p.balance else {
+        return Ok(None);
+    };
+    let middle = middle(&p.values(), motion);
+    let phi = middle.map_or(0.0, |p| f64::direction(p.x_1.x, p.x_1.y));
+    let u_0 = |phi| Ok(System::new(&by_boom(p, motion))?.at(phi)?.u_0);
+    Balancing::new(form, phi, u_0).map(Some).map_err(in_scene)
+}
+
+/// What it does at a position with `theta` (rad) of the driven bar.
+///
+/// # Errors
+/// As [`Balancing::at`].
+pub fn at<C: Calc>(
+    balancing: &Balancing<C>,
+    g: &Geometry<C>,
+    p: &Position<C>,
+    v: &Velocity<C>,
+    w: &Weights<C>,
+    own: &Own<C>,
+    theta: &C,
+) -> Result<Residual<C>, OutOfRange> {
+    let phi = boom_angle(p, *theta);
+    balancing.at(phi, || load(g, w, p, v, own)).map_err(in_scene)
+}
+
+/// The counterweight at a position, as [`Balancing::place`].
+#[inline]
+pub fn place<C: Calc>(
+    balancing: &Balancing<C>,
+    g: &Geometry<C>,
+    w: &Weights<C>,
+    p: &Position<C>,
+    theta: C,
+) -> Option<Point<C>> {
+    balancing.place(boom_angle(p, theta), || {
+        height(g, w, p, &Centres::new(p, &g.lengths, w))
+    })
+}
+
+/// Load, weights and balance together, and what they would ask of the drive without the balance.
+pub fn balanced<C: Calc>(
+    residual: &Residual<C>,
+    p: &Position<C>,
+    v: &Velocity<C>,
+    load: &LoadMoment<C>,
+    own: &Own<C>,
+    drive: Option<&Drive<C>>,
+) -> Balanced<C> {
+    let about_foot = match p.driven {
+        Driven::Boom => load.m_q,
+        Driven::Rocker => load.m_q / v.i_follower,
+    };
+    let force = |moment| drive.map(|drive| drive.force(moment, &s::F_D_0));
+    Balanced::new(residual, about_foot, [load.m_q, own.m_g], force)
+}
+
+/// Angle of the boom (rad) where the driven bar is at `theta` (rad).
+fn boom_angle<C: Calc>(p: &Position<C>, theta: C) -> C {
+    match p.driven {
+        Driven::Boom => theta,
+        Driven::Rocker => p.follower_angle(),
+    }
+}
+
+/// The residual over any scalar at an angle (rad) of the driven bar.
+///
+/// # Errors
+/// As [`at`]; an angle at which the linkage does not close.
+pub fn residual<C: Calc>(
+    balancing: &Balancing<C>,
+    g: &Geometry<C>,
+    w: &Weights<C>,
+    theta: C,
+) -> Result<Residual<C>, OutOfRange> {
+    let Some(p) = Position::new(g, theta) else {
+        let what = "the linkage does not close at this angle";
+        return Err(OutOfRange::new(&l::THETA_1, theta.value(), FINITE, what));
+    };
+    let v = Velocity::new(&p);
+    let own = Own::new(&p, &v, &g.lengths, w);
+    at(balancing, g, &p, &v, w, &own, &theta)
+}
+
+/// Results of the balance over the working range; `None` where there is no balance.
+///
+/// # Errors
+/// Where boom or balance cannot be over the whole range, with where they can.
+pub fn analysis(p: &Parameters<f64>, motion: &Motion) -> Result<Option<Analysis>, OutOfRange> {
+    let (Some(balancing), Some(w)) = (new(p, motion)?, &p.weights) else {
+        return Ok(None);
+    };
+    let Ok(g) = Geometry::new(p) else { return Ok(None) };
+    let at = |theta: f64| residual(&balancing, &g, w, theta);
+    Analysis::over([motion.from, motion.to], &at)
+        .map(Some)
+        .map_err(in_scene)
+}
+
+/// As [`balancing::agreement`], over `places` of the driven bar (rad).
+pub fn agreement(p: &Parameters<f64>, motion: &Motion, places: impl Iterator<Item = f64>) -> [f64; 2] {
+    let dual = p.map(&mut |_, value| Dual64::from_re(value));
+    let boom = System::new(&by_boom(p, motion)).ok();
+    let (balancing, g) = (new(&dual, motion), Geometry::new(&dual));
+    let (Ok(Some(balancing)), Ok(g), Some(w), Some(boom)) = (balancing, g, &dual.weights, boom) else {
+        return [f64::INFINITY; 2];
+    };
+    let at = |theta| residual(&balancing, &g, w, theta);
+    balancing::agreement(places, at, |phi| boom.moment_by_power(phi))
+}
+
+/// The same mechanism with its boom as the driven bar, assembled as in the middle of the range.
+fn by_boom<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Parameters<C> {
+    let branch = match p.driven {
+        Driven::Boom => p.branch,
+        Driven::Rocker => match middle(&p.values(), motion) {
+            // C on the left of the line from O3 to B.
+            Some(p) if plane::cross(p.x_3 - p.x_2, p.x_3) > 0.0 => Branch::Left,
+            _ => Branch::Right,
+        },
+    };
+    Parameters {
+        driven: Driven::Boom,
+        branch,
+        ..*p
+    }
+}
+
+/// The boom system as its boom moves it, and its boom angles (rad) over the working range.
+///
+/// # Errors
+/// A mechanism without weights.
+pub fn boom(p: &Parameters<f64>, motion: &Motion) -> Result<(System<f64>, [f64; 2]), OutOfRange> {
+    let boom = System::new(&by_boom(p, motion))?;
+    let ends = [motion.from, motion.to].map(|theta| match p.driven {
+        Driven::Boom => Some(theta),
+        Driven::Rocker => Position::new(&Geometry::new(p).ok()?, theta).map(|p| p.follower_angle()),
+    });
+    let [Some(a), Some(b)] = ends else {
+        let what = "the linkage does not close over the whole working range";
+        return Err(OutOfRange::new(&l::THETA_1, motion.from, FINITE, what));
+    };
+    Ok((boom, [a.min(b), a.max(b)]))
+}
+
+fn middle(p: &Parameters<f64>, motion: &Motion) -> Option<Position<f64>> {
+    let g = Geometry::new(p).ok()?;
+    Position::new(&g, f64::midpoint(motion.from, motion.to))
+}
+
+/// A fault in the names of this mechanism: its boom angle is `theta_1`.
+fn in_scene(fault: OutOfRange) -> OutOfRange {
+    let quantity: &'static Symbol = if fault.quantity == &s::PHI {
+        &l::THETA_1
+    } else {
+        fault.quantity
+    };
+    OutOfRange { quantity, ..fault }
+}

@@ -1,0 +1,77 @@
+//! The mechanism to scale.
+
+use crate::component::draw::Draw;
+use crate::component::sheet::Drawing;
+use crate::component::telling::fine;
+use crate::kernel::calc::Calc;
+use crate::luffing::double_link::geometry::{Driven, Geometry};
+use crate::luffing::double_link::position::Position;
+use crate::luffing::double_link::scene::Luffing;
+use crate::luffing::double_link::symbols as s;
+use crate::parts::plane::{self, Point};
+
+/// At the ends (faint) and in the middle of the working range, with the path of the head.
+#[must_use]
+pub fn drawing(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
+    let motion = &luffing.motion;
+    let middle = f64::midpoint(motion.from, motion.to);
+    let mut draw = Draw::default();
+    draw.path(fine(motion).filter_map(|theta| Position::new(g, theta)).map(|p| p.a));
+    let (o1, o3, axis) = (Point::zeros(), g.lengths.o3(), Point::new(-g.lengths.x_8, 0.0));
+    for (theta, faint) in [(motion.from, true), (motion.to, true), (middle, false)] {
+        let Some(p) = Position::new(g, theta) else { continue };
+        draw.bar(&[o1, p.b], faint);
+        draw.bar(&[o3, p.c], faint);
+        draw.body(&[p.c, p.b, p.a], faint);
+        for joint in [p.b, p.c, p.a] {
+            draw.pin(joint, false, faint);
+        }
+        if faint {
+            continue;
+        }
+        drive(&mut draw, g, &p, luffing);
+        draw.label(p.a, "A");
+        draw.label(p.b, "B");
+        draw.label(p.c, "C");
+        draw.angle(o1, 4.0, Calc::direction(p.x_1.x, p.x_1.y), &s::THETA_1);
+        draw.angle(o3, 3.0, Calc::direction(p.x_3.x, p.x_3.y), &s::THETA_3);
+        draw.distance(axis, Point::new(p.a.x, 0.0), -5.9, &s::R);
+        draw.distance(o1, p.b, -2.0, &s::X_1);
+        draw.distance(p.c, p.b, 1.3, &s::X_2);
+        draw.distance(o3, p.c, -2.0, &s::X_3);
+        draw.distance(p.b, p.a, -1.3, &s::X_4);
+        if luffing.q.is_some() {
+            draw.load(p.a, &s::Q);
+        }
+    }
+    draw.pin(o1, true, false);
+    draw.pin(o3, true, false);
+    draw.label(o1, "O_1");
+    draw.label(o3, "O_3");
+    draw.axis(-g.lengths.x_8, -5.0, 8.0);
+    let below = Point::new(o3.x, 0.0);
+    draw.distance(below, o1, -2.3, &s::X_5);
+    draw.distance(below, o3, 2.6, &s::X_6);
+    draw.distance(axis, o1, -4.1, &s::X_8);
+    draw.done(g.lengths.x_1 + g.lengths.x_4)
+}
+
+/// The drive, where there is one, and the lug that carries its anchor beside the bar.
+fn drive(draw: &mut Draw, g: &Geometry<f64>, p: &Position<f64>, luffing: &Luffing) {
+    let Some(anchors) = &luffing.parameters.anchors else {
+        return;
+    };
+    let (bar, length, foot) = match g.driven {
+        Driven::Boom => (p.x_1, g.lengths.x_1, Point::zeros()),
+        Driven::Rocker => (p.x_3, g.lengths.x_3, g.lengths.o3()),
+    };
+    let (sin, cos) = Calc::sin_cos(anchors.chi_d);
+    let along = bar * (anchors.s_d * cos / length);
+    let arm = plane::turned(bar, anchors.s_d * cos / length, anchors.s_d * sin / length);
+    let (e, d) = (Point::new(anchors.e_x, anchors.e_y), foot + arm);
+    draw.bar(&[d, foot + along], false);
+    draw.bar(&[e, d], false);
+    draw.pin(e, true, false);
+    draw.pin(d, false, false);
+    draw.label(e, "E");
+}

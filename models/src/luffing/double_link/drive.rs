@@ -1,0 +1,110 @@
+//! The drive: a cylinder or a rack that pushes along a line from an anchor on
+//! the frame to an anchor on the driven bar.
+
+use crate::component::stages::results;
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
+use crate::luffing::double_link::geometry::{Anchors, Cylinder, Driven, Lengths};
+use crate::luffing::double_link::position::Position;
+use crate::luffing::double_link::statics::Held;
+use crate::luffing::double_link::symbols as s;
+use crate::parts::plane::{self, Point};
+
+/// The drive at one position.
+#[derive(Clone, Copy, Debug)]
+pub struct Drive<C> {
+    /// From the anchor on the frame to the one on the driven bar, in m.
+    line: Point<C>,
+    /// Length between the anchors, in m.
+    pub l_d: C,
+    /// Lever arm about the foot of the driven bar, in m; positive where a push
+    /// turns it counter-clockwise. The derivative of the length by the angle.
+    pub h_d: C,
+}
+results! { Drive as d => { L_D: d.l_d; H_D: d.h_d; } }
+
+/// Force of the drive on the driven bar.
+#[derive(Clone, Copy, Debug)]
+pub struct Reaction<C> {
+    /// Push positive, in N.
+    pub f_d: C,
+    /// `None` where no force gives the moment.
+    pub force: Option<Point<C>>,
+}
+results! { Reaction as f => { F_D: f.f_d; } }
+
+/// Speed of the drive, in m/s, lengthening positive.
+#[derive(Clone, Copy, Debug)]
+pub struct Stroke<C>(pub C);
+results! { Stroke as v => { V_D: v.0; } }
+
+/// Oil flow to the cylinder, in m³/s; negative where it shortens.
+#[derive(Clone, Copy, Debug)]
+pub struct Flow<C>(pub C);
+results! { Flow as q => { Q_D: q.0; } }
+
+impl<C: Calc> Drive<C> {
+    pub fn new(p: &Position<C>, l: &Lengths<C>, a: &Anchors<C>) -> Drive<C> {
+        let (sin, cos) = a.chi_d.sin_cos();
+        let (direction, bar) = match p.driven {
+            Driven::Boom => (p.x_1, l.x_1),
+            Driven::Rocker => (p.x_3, l.x_3),
+        };
+        let arm = plane::def(
+            plane::turned(direction, a.s_d * cos / bar, a.s_d * sin / bar),
+            [&s::R_DX, &s::R_DY],
+        );
+        let frame = Point::new(a.e_x, a.e_y);
+        let line = match p.driven {
+            Driven::Boom => arm - frame,
+            Driven::Rocker => l.o3() + arm - frame,
+        };
+        let line = plane::def(line, [&s::L_DX, &s::L_DY]);
+        let l_d = plane::length(line).def(&s::L_D);
+        let h_d = (plane::cross(arm, line) / l_d).def(&s::H_D);
+        Drive { line, l_d, h_d }
+    }
+
+    /// The force, in N and named `symbol`, that gives the moment `m_d` (N·m) about the foot. Where the drive points
+    /// at the foot no force does: it is infinite there, but nothing where no moment is asked for.
+    pub fn force(&self, m_d: C, symbol: &'static Symbol) -> C {
+        if self.h_d.value().abs() > 4.0 * f64::EPSILON * self.l_d.value() {
+            return (m_d / self.h_d).def(symbol);
+        }
+        C::constant(match m_d.value() {
+            0.0 => 0.0,
+            moment => f64::INFINITY.copysign(moment),
+        })
+    }
+}
+
+impl<C: Calc> Reaction<C> {
+    /// The force that gives the moment that the driven bar needs.
+    pub fn new(drive: &Drive<C>, held: &Held<C>) -> Reaction<C> {
+        let f_d = drive.force(held.m_d, &s::F_D);
+        let along = |line: C| f_d * line / drive.l_d;
+        Reaction {
+            f_d,
+            force: (f_d.value().is_finite()).then(|| Point::new(along(drive.line.x), along(drive.line.y))),
+        }
+    }
+}
+
+impl<C: Calc> Stroke<C> {
+    /// At the driven bar's angular velocity (rad/s).
+    pub fn new(drive: &Drive<C>, omega: &C) -> Stroke<C> {
+        Stroke((drive.h_d * *omega).def(&s::V_D))
+    }
+}
+
+impl<C: Calc> Flow<C> {
+    pub fn new(c: &Cylinder<C>, stroke: &Stroke<C>) -> Flow<C> {
+        let quarter = C::constant(std::f64::consts::FRAC_PI_4);
+        let area = if stroke.0.value() < 0.0 {
+            quarter * (c.d_c.square() - c.d_r.square())
+        } else {
+            quarter * c.d_c.square()
+        };
+        Flow((area.def(&s::A_D) * stroke.0).def(&s::Q_D))
+    }
+}

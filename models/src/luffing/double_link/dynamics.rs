@@ -1,0 +1,716 @@
+//! The mechanism in motion: its driven bar as a coordinate of its own, with the
+//! inertia of all bodies, and the load as a pendulum on its rope.
+//!
+//! Nothing here is derived by hand from the mechanism: positions are run with
+//! second-order dual numbers, and reduced inertia, its change and the moment of
+//! the weights follow from their derivatives. [virtual work; Lagrange]
+
+use num_dual::{Dual2, Dual64, DualNum};
+
+use crate::kernel::allowed::OutOfRange;
+use crate::kernel::calc::{Calc, Over};
+use crate::kernel::record::Rec;
+use crate::kernel::symbol::Symbol;
+use crate::luffing::balancing::Balancing;
+use crate::luffing::double_link::balancing;
+use crate::luffing::double_link::geometry::{Anchors, Driven, Geometry, Parameters, Weights};
+use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::double_link::position::Position;
+use crate::luffing::double_link::symbols as g;
+use crate::parts::motion::Motion as Range;
+use crate::parts::plane::{self, Point, dot, squared};
+use crate::parts::solver::{Gradient, runge_kutta};
+
+/// A body that moves with one of the bars.
+#[derive(Clone, Copy, Debug)]
+pub struct Body<P = f64> {
+    /// In kg.
+    pub mass: P,
+    /// About the centre of gravity, in kg·m².
+    pub inertia: P,
+    /// Centre of gravity from the bar's first joint, along the bar and to its left, in m.
+    pub centre: Point<P>,
+    /// Where the inertia lies: mass times xx, xy and yy of the same directions about the centre, in kg·m².
+    pub spread: [P; 3],
+}
+
+impl Body {
+    /// A uniform bar of a mass (kg) from one point to another, both in the frame of its bar, in m.
+    #[must_use]
+    pub fn uniform(mass: f64, from: Point<f64>, to: Point<f64>) -> Body {
+        let inertia = mass * (to - from).norm_squared() / 12.0;
+        Body::slender(mass, inertia, (from + to) / 2.0, to - from)
+    }
+}
+
+impl<P: Calc> Body<P> {
+    /// A slender body of a mass (kg), an inertia about its centre (kg·m²), the centre (m) and the direction
+    /// along which it lies, both in the frame of its bar.
+    #[must_use]
+    pub fn slender(mass: P, inertia: P, centre: Point<P>, along: Point<P>) -> Body<P> {
+        let square = dot(along, along);
+        let per = match square.value() {
+            0.0 => P::constant(0.0),
+            _ => inertia / square,
+        };
+        Body {
+            mass,
+            inertia,
+            centre,
+            spread: products(along).map(|x| per * x),
+        }
+    }
+
+    /// The body with a mass (kg) that is fixed to it at a point of its frame, in m.
+    #[must_use]
+    pub fn with_mass(self, mass: P, at: Point<P>) -> Body<P> {
+        let sum = self.mass + mass;
+        if sum.value() == 0.0 {
+            return self;
+        }
+        let (apart, both) = (at - self.centre, self.mass * mass / sum);
+        let more = products(apart);
+        Body {
+            mass: sum,
+            inertia: self.inertia + both * dot(apart, apart),
+            centre: (self.centre * self.mass + at * mass) / sum,
+            spread: std::array::from_fn(|i| self.spread[i] + both * more[i]),
+        }
+    }
+}
+
+fn products<P: Calc>(v: Point<P>) -> [P; 3] {
+    [v.x * v.x, v.x * v.y, v.y * v.y]
+}
+
+/// The crane as it turns about its vertical axis. Bodies are thin: across the mechanism's plane they have no width.
+#[derive(Clone, Copy, Debug)]
+pub struct Turntable<P = f64> {
+    /// The axis from O1, in m; positive lies forward.
+    pub axis: P,
+    /// Of all that turns besides the bodies of the mechanism, about the axis, in kg·m².
+    pub inertia: P,
+}
+
+/// The load on its rope: a pendulum in the plane of the mechanism.
+#[derive(Clone, Copy, Debug)]
+pub struct Pendulum<P = f64> {
+    /// In kg.
+    pub mass: P,
+    /// Length of the rope, in m.
+    pub length: P,
+}
+
+/// Least mass of a load, in kg, by which an equation can be multiplied.
+const LIGHTEST: f64 = 1e-99;
+
+impl<P: Calc> Pendulum<P> {
+    /// Mass (kg) by which equations are multiplied that hold for any load, so that it cancels: where the rope swings
+    /// to, and what keeps it taut. The rope of an empty hook moves as that of the lightest load.
+    pub(crate) fn cancelling(&self) -> P {
+        if self.mass.value() > LIGHTEST {
+            self.mass
+        } else {
+            P::known(&s::MASS_E, 1.0)
+        }
+    }
+}
+
+/// Bodies that the mechanism moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Bodies<P = f64> {
+    pub boom: Body<P>,
+    pub jib: Body<P>,
+    pub rocker: Body<P>,
+    pub pendulum: Option<Pendulum<P>>,
+    /// In m/s².
+    pub gravity: P,
+}
+
+/// Angles in rad and their rates in rad/s: where the mechanism is and how it moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phase<C = f64> {
+    /// Angle of the driven bar.
+    pub theta: C,
+    pub omega: C,
+    /// Rope from the vertical, forward positive; stays as it is without a pendulum.
+    pub swing: C,
+    pub swing_rate: C,
+}
+
+/// The rope: its length (m) and how fast it is paid out (m/s).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reel<C> {
+    pub length: C,
+    pub rate: C,
+}
+
+/// The pendulum's part of the equations of motion: the terms that it adds to the inertia of the driven bar (kg·m²) and
+/// couples it with, how the bar couples back, its own inertia, and the moments on both (N·m). The rope's equation, with
+/// `back`, `inertia` and the second moment, is multiplied by the mass that [cancels](Pendulum::cancelling).
+struct Swing<C> {
+    own: C,
+    coupled: C,
+    back: C,
+    inertia: C,
+    forces: [C; 2],
+}
+
+/// What the equations of motion need at one angle, all by derivatives of the positions.
+#[derive(Clone, Copy, Debug)]
+pub struct Reduced<C> {
+    /// Inertia of boom, jib, rocker and counterweight at the driven bar (kg·m²), and its change by the angle.
+    pub inertia: C,
+    pub slope: C,
+    /// Moment of their weights, in N·m; positive lowers the driven bar.
+    pub moment: C,
+    /// Height of their centres of gravity times their weights, in J.
+    pub energy: C,
+    /// Head A: place, first and second derivative by the angle, in m.
+    pub head: [Point<C>; 3],
+    /// Length of the drive (m) and its lever arm (m), which is its derivative by the angle; zero without one.
+    pub drive: [C; 2],
+    /// Inertia about the slewing axis (kg·m²), and its change by the angle; zero where the crane does not slew.
+    pub turn: [C; 2],
+}
+
+/// Positions with their first and second derivatives by the driven angle.
+#[derive(Clone, Copy, Debug)]
+struct Positions<T> {
+    geometry: Geometry<Dual2<T>>,
+    counterweight: Option<Counterweight<T>>,
+}
+
+/// The counterweight of a balance: a body of its weight in its centre of gravity. A rope to it is taken as taut.
+#[derive(Clone, Copy, Debug)]
+struct Counterweight<T> {
+    balancing: Balancing<Dual2<T>>,
+    weights: Weights<Dual2<T>>,
+    /// In kg.
+    mass: T,
+}
+
+impl<T: Calc + DualNum> Counterweight<T> {
+    fn new(p: &Parameters<T>, range: &Range, gravity: T) -> Result<Option<Self>, OutOfRange> {
+        let Some((balancing, weights)) = balancing::new(p, range)?.zip(p.weights) else {
+            return Ok(None);
+        };
+        let weight = balancing.balance.weight();
+        Ok(Some(Counterweight {
+            balancing: balancing.map(Dual2::from_re),
+            weights: weights.map(&mut |_, value| Dual2::from_re(value)),
+            mass: weight.map_or(T::constant(0.0), |weight| weight / gravity),
+        }))
+    }
+}
+
+/// How bodies, head and drive move with the driven bar, by derivatives of the positions.
+#[derive(Clone, Copy)]
+struct Moves<C> {
+    /// Boom, jib and rocker.
+    bodies: [Moved<C>; 3],
+    /// Mass (kg) and place of the counterweight.
+    counterweight: Option<(C, [Point<C>; 3])>,
+    head: [Point<C>; 3],
+    drive: [C; 2],
+    turn: [C; 2],
+}
+
+/// A body's centre of gravity: place, first and second derivative by the driven angle, in m; square of the body's
+/// turning by it, and half of how that changes.
+#[derive(Clone, Copy)]
+struct Moved<C> {
+    centre: [Point<C>; 3],
+    turn: [C; 2],
+}
+
+impl<T: Calc + DualNum> Moves<T> {
+    #[inline]
+    fn new<P: Calc>(d: &Dynamics<P>, positions: &Positions<T>, theta: T) -> Option<Self>
+    where
+        T: Over<P>,
+    {
+        let (bodies, push) = (&d.bodies, d.push.as_ref());
+        let (zero, one) = (T::constant(0.0), T::constant(1.0));
+        let (g, theta) = (&positions.geometry, Dual2::new(theta, one, zero));
+        let p = Position::new(g, theta)?;
+        let foot = Point::new(Dual2::from_re(zero), Dual2::from_re(zero));
+        let bars = [
+            Bar::new(foot, p.x_1),
+            Bar::new(p.b, p.x_2),
+            Bar::new(g.lengths.o3(), p.x_3),
+        ];
+        let moved = |body: &Body<P>, bar: &Bar<T>| Moved {
+            centre: bar.point(body.centre.map(T::of)),
+            turn: [bar.turn, bar.turn_change],
+        };
+        let mut counterweight = None;
+        if let Some(Counterweight {
+            balancing,
+            weights,
+            mass,
+        }) = &positions.counterweight
+        {
+            counterweight = Some((*mass, balancing::place(balancing, g, weights, &p, theta)?));
+        }
+        let turn = d
+            .turntable
+            .as_ref()
+            .map_or([zero; 2], |table| turned_inertia(table, bodies, &bars, counterweight));
+        let drive = push.map_or([zero; 2], |push| {
+            let bar = match g.driven {
+                Driven::Boom => &bars[0],
+                Driven::Rocker => &bars[2],
+            };
+            let [r, d, _] = bar.point(push.to.map(T::of));
+            let line = r - push.from.map(T::of);
+            let length = plane::length(line);
+            [length, dot(line, d) / length]
+        });
+        Some(Moves {
+            bodies: [
+                moved(&bodies.boom, &bars[0]),
+                moved(&bodies.jib, &bars[1]),
+                moved(&bodies.rocker, &bars[2]),
+            ],
+            counterweight: counterweight.map(|(mass, place)| (mass, parts(place))),
+            head: parts(p.a),
+            drive,
+            turn,
+        })
+    }
+}
+
+impl<C: Calc> Reduced<C> {
+    /// The sum over all bodies.
+    #[inline]
+    fn of<P: Calc>(bodies: &Bodies<P>, moves: Moves<C>) -> Self
+    where
+        C: Over<P>,
+    {
+        let zero = C::constant(0.0);
+        let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
+        let parts = [&bodies.boom, &bodies.jib, &bodies.rocker]
+            .into_iter()
+            .zip(&moves.bodies);
+        for ((body, moved), names) in parts.zip(&s::OF_BODY) {
+            let own = body.mass.def(names.mass);
+            let (mass, spin) = (C::of(own), C::of(body.inertia));
+            let weight = C::of(own * bodies.gravity);
+            let ([r, v, a], [turn, turn_change]) = (moved.centre, moved.turn);
+            inertia += (mass * squared(v) + spin * turn).def(names.inertia);
+            slope += (C::constant(2.0) * (mass * dot(v, a) + spin * turn_change)).def(names.slope);
+            moment += weight * v.y;
+            energy += weight * r.y;
+        }
+        if let Some((mass, [r, v, a])) = moves.counterweight {
+            let weight = mass * C::of(bodies.gravity);
+            inertia += (mass * squared(v)).def(&s::I_R5);
+            slope += (C::constant(2.0) * mass * dot(v, a)).def(&s::DI_R5);
+            moment += weight * v.y;
+            energy += weight * r.y;
+        }
+        Reduced {
+            inertia: inertia.def(&s::I_R),
+            slope: slope.def(&s::DI_R),
+            moment: moment.def(&s::M_W),
+            energy,
+            head: moves.head,
+            drive: moves.drive,
+            turn: moves.turn,
+        }
+    }
+}
+
+impl<T: Calc + DualNum> Reduced<T> {
+    #[inline]
+    fn new<P: Calc>(d: &Dynamics<P>, positions: &Positions<T>, theta: T) -> Option<Self>
+    where
+        T: Over<P>,
+    {
+        Some(Reduced::of(&d.bodies, Moves::new(d, positions, theta)?))
+    }
+}
+
+/// A bar with its derivatives by the driven angle.
+struct Bar<T> {
+    joint: [Point<T>; 3],
+    along: [Point<T>; 3],
+    length: T,
+    /// Square of its turning by the driven angle, and half of how that changes.
+    turn: T,
+    turn_change: T,
+}
+
+impl<T: Calc + DualNum> Bar<T> {
+    #[inline]
+    fn new(joint: Point<Dual2<T>>, along: Point<Dual2<T>>) -> Bar<T> {
+        let [e, d, dd] = parts(along);
+        let square = dot(e, e);
+        // A bar of constant length turns by phi: |d| = length · phi', and d · d″ = length² · phi' phi″.
+        Bar {
+            joint: parts(joint),
+            along: [e, d, dd],
+            length: Calc::sqrt(square),
+            turn: dot(d, d) / square,
+            turn_change: dot(d, dd) / square,
+        }
+    }
+
+    /// Inertia about a vertical axis through the centre of a body that lies in the bar's frame as `spread` says.
+    fn spread(&self, spread: [T; 3]) -> Dual2<T> {
+        let [e, d, dd] = self.along.map(|x| x / self.length);
+        let (along, across) = (Dual2::new(e.x, d.x, dd.x), -Dual2::new(e.y, d.y, dd.y));
+        let [xx, xy, yy] = spread.map(Dual2::from_re);
+        xx * along * along + xy * along * across * Dual2::constant(2.0) + yy * across * across
+    }
+
+    /// A point of the bar's frame: place, first and second derivative.
+    #[inline]
+    fn point(&self, at: Point<T>) -> [Point<T>; 3] {
+        let (along, across) = (at.x / self.length, at.y / self.length);
+        let of = |i: usize| self.joint[i] + plane::turned(self.along[i], along, across);
+        [of(0), of(1), of(2)]
+    }
+}
+
+/// Value, first and second derivative.
+fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
+    [v.map(|x| x.re), v.map(|x| x.v1), v.map(|x| x.v2)]
+}
+
+/// Inertia of all bodies about the slewing axis (kg·m²), and its change by the driven angle; the counterweight
+/// by its mass (kg) and place (m).
+fn turned_inertia<P: Calc, T: Calc + DualNum + Over<P>>(
+    table: &Turntable<P>,
+    bodies: &Bodies<P>,
+    bars: &[Bar<T>; 3],
+    counterweight: Option<(T, Point<Dual2<T>>)>,
+) -> [T; 2] {
+    let axis = Dual2::from_re(T::of(table.axis));
+    let about = |mass: T, x: Dual2<T>| Dual2::from_re(mass) * (x - axis) * (x - axis);
+    let mut sum = Dual2::from_re(T::of(table.inertia));
+    for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(bars) {
+        let [r, v, a] = bar.point(body.centre.map(T::of));
+        sum += about(T::of(body.mass), Dual2::new(r.x, v.x, a.x)) + bar.spread(body.spread.map(T::of));
+    }
+    if let Some((mass, place)) = counterweight {
+        sum += about(mass, place.x);
+    }
+    [sum.re, sum.v1]
+}
+
+/// A scalar that the equations of motion run on, with parameters known as `P`: a number, one with its
+/// derivatives by all states, or one with its derivative in one direction of states and parameters.
+pub trait Coordinate<P = f64>: Over<P> {
+    /// `None` where the linkage does not close.
+    fn reduced(d: &Dynamics<P>, theta: Self) -> Option<Reduced<Self>>;
+}
+
+impl Coordinate for f64 {
+    fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
+        Reduced::new(d, &d.twice, theta)
+    }
+}
+
+impl Coordinate<Dual64> for Dual64 {
+    fn reduced(d: &Dynamics<Dual64>, theta: Dual64) -> Option<Reduced<Dual64>> {
+        Reduced::new(d, &d.thrice, theta)
+    }
+}
+
+/// The mechanism depends on the driven angle alone, so that one more derivative by it serves all states.
+impl<const N: usize> Coordinate for Gradient<N> {
+    fn reduced(d: &Dynamics, theta: Gradient<N>) -> Option<Reduced<Gradient<N>>> {
+        let r = Reduced::new(d, &d.thrice, Dual64::new(theta.re, 1.0))?;
+        let of = |x: Dual64| theta.chain(x);
+        Some(Reduced {
+            inertia: of(r.inertia),
+            slope: of(r.slope),
+            moment: of(r.moment),
+            energy: of(r.energy),
+            head: [r.head[0].map(of), r.head[1].map(of), r.head[2].map(of)],
+            drive: [of(r.drive[0]), of(r.drive[1])],
+            turn: r.turn.map(of),
+        })
+    }
+}
+
+/// For the book: the derivatives by their names, and what follows from them as formulas.
+impl Coordinate<Rec> for Rec {
+    fn reduced(d: &Dynamics<Rec>, theta: Rec) -> Option<Reduced<Rec>> {
+        let moves = Moves::new(d, &d.twice, theta.value())?;
+        let point = |p: Point<f64>, [x, y]: [&'static Symbol; 2]| Point::new(Rec::given(x, p.x), Rec::given(y, p.y));
+        // Heights are those of the energy, which no formula of the book has.
+        let nowhere = Point::new(Rec::constant(0.0), Rec::constant(0.0));
+        let centre =
+            |[_, v, a]: [Point<f64>; 3], [first, second]: &s::OfCentre| [nowhere, point(v, *first), point(a, *second)];
+        let driven = match d.driven() {
+            Driven::Boom => 0,
+            Driven::Rocker => 2,
+        };
+        let body = |i: usize| {
+            let (moved, names) = (moves.bodies[i], &s::OF_BODY[i]);
+            let [turn, change] = moved.turn;
+            Moved {
+                centre: centre(moved.centre, &names.centre),
+                // The driven bar turns with itself.
+                turn: match i == driven {
+                    true => [Rec::constant(1.0), Rec::constant(0.0)],
+                    false => [Rec::given(names.turn, turn), Rec::given(names.turn_change, change)],
+                },
+            }
+        };
+        let turn = match d.turntable {
+            Some(_) => [
+                Rec::given(&s::I_SL, moves.turn[0]),
+                Rec::given(&s::DI_SL, moves.turn[1]),
+            ],
+            None => [Rec::constant(0.0); 2],
+        };
+        let [a, da, dda] = moves.head;
+        let moves = Moves {
+            bodies: [body(0), body(1), body(2)],
+            counterweight: moves.counterweight.map(|(mass, place)| {
+                let mass = Rec::given(&s::MASS_5, mass);
+                (mass, centre(place, &s::OF_COUNTERWEIGHT))
+            }),
+            head: [
+                point(a, [&g::A_X, &g::A_Y]),
+                point(da, [&g::DA_X, &g::DA_Y]),
+                point(dda, [&s::DDA_X, &s::DDA_Y]),
+            ],
+            drive: match d.push {
+                Some(_) => [Rec::given(&g::L_D, moves.drive[0]), Rec::given(&g::H_D, moves.drive[1])],
+                None => [Rec::constant(0.0); 2],
+            },
+            turn,
+        };
+        Some(Reduced::of(&d.bodies, moves))
+    }
+}
+
+/// The mechanism with its bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Dynamics<P = f64> {
+    /// For two and for three derivatives.
+    twice: Positions<f64>,
+    thrice: Positions<Dual64>,
+    push: Option<Push<P>>,
+    turntable: Option<Turntable<P>>,
+    bodies: Bodies<P>,
+}
+
+/// A drive's line from a point of the frame to one of the driven bar, in its frame, in m.
+#[derive(Clone, Copy, Debug)]
+struct Push<P> {
+    from: Point<P>,
+    to: Point<P>,
+}
+
+impl<P: Calc> Dynamics<P> {
+    #[must_use]
+    pub fn new(geometry: &Geometry<P>, bodies: Bodies<P>) -> Dynamics<P>
+    where
+        Dual64: Over<P>,
+    {
+        Dynamics {
+            twice: Positions {
+                geometry: geometry.map(|x| Dual2::from_re(x.value())),
+                counterweight: None,
+            },
+            thrice: Positions {
+                geometry: geometry.map(|x| Dual2::from_re(Dual64::of(x))),
+                counterweight: None,
+            },
+            push: None,
+            turntable: None,
+            bodies,
+        }
+    }
+
+    /// With the balance of the same mechanism's parameters, if they have one, over its working range.
+    ///
+    /// # Errors
+    /// Quantities with which there is no such balance.
+    pub fn with_balance(mut self, p: &Parameters<P>, range: &Range) -> Result<Dynamics<P>, OutOfRange>
+    where
+        Dual64: Over<P>,
+    {
+        let gravity = self.bodies.gravity;
+        let values = p.values();
+        self.twice.counterweight = Counterweight::new(&values, range, gravity.value())?;
+        let dual = p.map(&mut |_, value| Dual64::of(value));
+        self.thrice.counterweight = Counterweight::new(&dual, range, Dual64::of(gravity))?;
+        Ok(self)
+    }
+
+    /// With a drive that pushes along a line from the frame to the driven bar.
+    #[must_use]
+    pub fn with_drive(mut self, anchors: &Anchors<P>) -> Dynamics<P> {
+        let (sin, cos) = anchors.chi_d.sin_cos();
+        self.push = Some(Push {
+            from: Point::new(anchors.e_x, anchors.e_y),
+            to: Point::new(anchors.s_d * cos, anchors.s_d * sin),
+        });
+        self
+    }
+
+    /// On a turntable.
+    #[must_use]
+    pub fn with_slewing(mut self, turntable: Turntable<P>) -> Dynamics<P> {
+        self.turntable = Some(turntable);
+        self
+    }
+
+    /// Where it slews.
+    #[must_use]
+    pub fn turntable(&self) -> Option<Turntable<P>> {
+        self.turntable
+    }
+
+    #[must_use]
+    pub fn driven(&self) -> Driven {
+        self.twice.geometry.driven
+    }
+
+    /// What the acceleration of the driven bar is called.
+    pub(crate) fn acceleration(&self) -> &'static Symbol {
+        match self.driven() {
+            Driven::Boom => &s::D_OMEGA_1,
+            Driven::Rocker => &s::D_OMEGA_3,
+        }
+    }
+
+    #[must_use]
+    pub fn bodies(&self) -> &Bodies<P> {
+        &self.bodies
+    }
+
+    /// The pendulum's part of the equations of motion, for the coordinates (theta, swing).
+    fn pendulum<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, load: &Pendulum<P>, reel: Reel<C>) -> Swing<C> {
+        let [_, d, dd] = r.head;
+        let (sin, cos) = m.swing.sin_cos();
+        // Directions of the load's motion when the rope swings, and of its centripetal acceleration.
+        let (swing, inward) = (Point::new(cos, sin), Point::new(-sin, cos));
+        let (mass, gravity, l) = (C::of(load.mass), C::of(self.bodies.gravity), reel.length);
+        let any = C::of(load.cancelling());
+        let pull = l * m.swing_rate.square();
+        let coriolis = C::constant(2.0) * reel.rate * m.swing_rate;
+        let square = m.omega.square();
+        let forward = dot(d, swing).def(&s::D_SWING);
+        let along = dot(d, inward).def(&s::D_INWARD);
+        let (bend, change) = (dot(d, dd).def(&s::BEND), dot(dd, swing).def(&s::D_SWING_CHANGE));
+        let own = (mass * squared(d)).def(&s::M_11);
+        let coupled = (mass * l * forward).def(&s::M_12);
+        Swing {
+            own,
+            coupled,
+            back: if any == mass {
+                coupled
+            } else {
+                (any * l * forward).def(&s::M_21)
+            },
+            inertia: (any * l.square()).def(&s::M_22),
+            forces: [
+                (-mass * (bend * square + along * pull + forward * coriolis + gravity * d.y)).def(&s::F_1),
+                (-any * l * (change * square + coriolis + gravity * sin)).def(&s::F_2),
+            ],
+        }
+    }
+
+    /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar
+    /// (N·m, positive raises it), with what the mechanism is at this angle.
+    #[inline]
+    pub fn motion<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, moment: C, reel: Reel<C>) -> [C; 2] {
+        let driven = (moment - r.moment - C::constant(0.5) * r.slope * m.omega.square()).def(&s::M_NET);
+        let Some(load) = &self.bodies.pendulum else {
+            return [(driven / r.inertia).def(self.acceleration()), C::constant(0.0)];
+        };
+        let swing = self.pendulum(r, m, load, reel);
+        let (m_12, m_21, m_22, [f_1, f_2]) = (swing.coupled, swing.back, swing.inertia, swing.forces);
+        // M q″ = f.
+        let (m_11, f_1) = (r.inertia + swing.own, driven + f_1);
+        let determinant = m_11 * m_22 - m_12 * m_21;
+        [
+            ((f_1 * m_22 - m_12 * f_2) / determinant).def(self.acceleration()),
+            ((m_11 * f_2 - m_21 * f_1) / determinant).def(&s::D_OMEGA_PHI),
+        ]
+    }
+
+    /// Moment on the driven bar (N·m) that keeps it at rest, and the acceleration of the rope (rad/s²) with it.
+    #[must_use]
+    pub fn hold<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: Reel<C>) -> [C; 2] {
+        let Some(load) = &self.bodies.pendulum else {
+            return [r.moment, C::constant(0.0)];
+        };
+        let swing = self.pendulum(r, m, load, reel);
+        let (m_22, [f_1, f_2]) = (swing.inertia, swing.forces);
+        [
+            r.moment - f_1 + swing.coupled * f_2 / m_22,
+            (f_2 / m_22).def(&s::D_OMEGA_PHI),
+        ]
+    }
+}
+
+impl Dynamics {
+    /// How much the rope's rate changes, over how much the driven bar's does, in a blow on the driven bar.
+    #[must_use]
+    pub fn blow(&self, r: &Reduced<f64>, m: &Phase, reel: Reel<f64>) -> f64 {
+        self.bodies.pendulum.as_ref().map_or(0.0, |load| {
+            let swing = self.pendulum(r, m, load, reel);
+            -swing.back / swing.inertia
+        })
+    }
+
+    /// Inertia at the driven bar at an angle (rad) in kg·m², the load as if it were fixed to the head;
+    /// `None` where the linkage does not close.
+    #[must_use]
+    pub fn inertia(&self, theta: f64) -> Option<f64> {
+        let r = f64::reduced(self, theta)?;
+        let load = self.bodies.pendulum.map_or(0.0, |p| p.mass);
+        Some(r.inertia + load * r.head[1].norm_squared())
+    }
+
+    /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar
+    /// (N·m, positive raises it); `None` where the linkage does not close.
+    #[must_use]
+    pub fn accelerations(&self, m: &Phase, moment: f64) -> Option<[f64; 2]> {
+        let r = f64::reduced(self, m.theta)?;
+        let length = self.bodies.pendulum.map_or(0.0, |p| p.length);
+        Some(self.motion(&r, m, moment, Reel { length, rate: 0.0 }))
+    }
+
+    /// Kinetic and potential energy, in J; `None` where the linkage does not close.
+    #[must_use]
+    pub fn energy(&self, m: &Phase) -> Option<f64> {
+        let r = f64::reduced(self, m.theta)?;
+        let bars = 0.5 * r.inertia * m.omega * m.omega + r.energy;
+        let Some(Pendulum { mass, length }) = self.bodies.pendulum else {
+            return Some(bars);
+        };
+        let [a, d, _] = r.head;
+        let (sin, cos) = Calc::sin_cos(m.swing);
+        let velocity = d * m.omega + Point::new(cos, sin) * (length * m.swing_rate);
+        let height = a.y - length * cos;
+        Some(bars + mass * (0.5 * velocity.norm_squared() + self.bodies.gravity * height))
+    }
+
+    /// One step of the classical Runge-Kutta method of fourth order, of `h` s, under a constant
+    /// moment (N·m); `None` where the linkage does not close on the way.
+    #[must_use]
+    pub fn step(&self, m: &Phase, moment: f64, h: f64) -> Option<Phase> {
+        let phase = |&[theta, omega, swing, swing_rate]: &[f64; 4]| Phase {
+            theta,
+            omega,
+            swing,
+            swing_rate,
+        };
+        let start = [m.theta, m.omega, m.swing, m.swing_rate];
+        let end = runge_kutta::step(&start, h, |y| {
+            let [alpha, swing] = self.accelerations(&phase(y), moment)?;
+            Some([y[1], alpha, y[3], swing])
+        })?;
+        Some(phase(&end))
+    }
+}

@@ -1,0 +1,530 @@
+//! Level `hydraulic`: the driven bar moved by a cylinder with its oil, ports
+//! and proportional valve. What else moves is as at the other levels: the load on
+//! its rope, reeled and slack at times, and a crane that slews, with friction that
+//! truly sticks. [`Motion`] and [`Slewing`] have their equations and decide their
+//! events; to them the cylinder is a moment on a bar that is [`Bar::Loose`].
+
+use crate::kernel::calc::{Calc, Over};
+use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
+use crate::luffing::double_link::motion::{self, Bar, Friction, MOST_CHANGES, Motion, above_zero};
+use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::double_link::slewing::{self, Drive, Slewing};
+use crate::luffing::double_link::symbols as g;
+use crate::parts::hydraulics::cylinder::{Cylinder, Oil};
+use crate::parts::solver::rodas::{Run, Tolerance};
+use crate::parts::solver::{Gradient, Halt, MOST_KINKS, MOST_STEPS, System};
+
+/// Angular velocity, in rad/s, below which dry friction at the driven bar is in proportion to it.
+pub const CREEP: f64 = 1e-4;
+
+/// What counts as much at a kink: parts of the spool's stroke and of a relief valve's opening pressure, and a
+/// way into an end stop in rad. Times the tolerance, a step ends as near to it.
+const GAP: f64 = 0.1;
+const CRACK: f64 = 0.03;
+const TOUCH: f64 = 1e-3;
+
+/// States of the oil, which follow on angle and rate of the driven bar.
+const OIL: usize = 6;
+/// States of a crane of which nothing else moves.
+pub const FIXED: usize = 2 + OIL;
+/// Most states: those of a crane that slews with its load on a rope.
+pub const MOST: usize = slewing::STATES + OIL;
+
+/// First step of the solver after something has changed at once, in s.
+const FIRST: f64 = 1e-3;
+/// Events in one call.
+const MOST_EVENTS: u32 = 10_000;
+
+/// What the cylinder moves, its luffing joint with friction and stops of the hydraulic level: below
+/// [`CREEP`] the bar creeps, and a stop is a stiff buffer.
+#[derive(Clone, Copy, Debug)]
+pub enum Crane<P = f64> {
+    Plane(Motion<P>),
+    Slewing(Slewing<P>),
+}
+
+/// A luffing cylinder at work, as a system of at most N states: angle and rate of the driven bar, pressures of
+/// ports and chambers, spool and its speed, then the other states of [`Motion`] or [`Slewing`] in their order, as
+/// many as there are.
+#[derive(Clone, Copy, Debug)]
+pub struct Hydraulic<const N: usize, P = f64> {
+    pub crane: Crane<P>,
+    pub cylinder: Cylinder<P>,
+    /// The end stops' stiffness (N·m/rad) and damping (N·m·s/rad) beyond them.
+    pub buffer: [P; 2],
+    /// Command of the valve in [−1, 1]; positive raises the driven bar.
+    pub command: P,
+    /// Pressure of the pump, in Pa.
+    pub supply: P,
+    /// How fast the rope is paid out, in m/s.
+    pub hoist: P,
+    pub slewing: Drive<P>,
+}
+
+/// How a crane moves between events.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Modes {
+    pub slewing: Bar,
+    /// The load hangs on the rope, or flies free.
+    pub taut: bool,
+}
+
+/// A crane on its way, with its solver's state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Present<const N: usize> {
+    pub run: Run<N>,
+    pub modes: Modes,
+}
+
+impl<const N: usize> Present<N> {
+    /// At rest in these states, until it is decided what follows.
+    #[must_use]
+    pub fn new(y: [f64; N]) -> Present<N> {
+        Present {
+            run: Run::new(y, FIRST),
+            modes: Modes::AT_REST,
+        }
+    }
+
+    /// To be called when an input or a parameter changes.
+    pub fn interrupt(&mut self) {
+        self.run.interrupt(FIRST);
+    }
+
+    /// Takes over the first states from outside; what the solver knew ahead is dropped.
+    pub fn set_states(&mut self, values: &[f64]) {
+        let mut y = self.run.states();
+        for (state, value) in y.iter_mut().zip(values) {
+            *state = *value;
+        }
+        self.run.restart(y, FIRST);
+    }
+}
+
+impl Modes {
+    /// Until it is decided what follows.
+    pub const AT_REST: Modes = Modes {
+        slewing: Bar::Held,
+        taut: true,
+    };
+
+    fn plane<C: Calc, const N: usize>(self, y: &[C; N]) -> motion::State {
+        motion::State {
+            y: part(y).map(C::value),
+            bar: Bar::Loose,
+            taut: self.taut,
+        }
+    }
+
+    fn space<C: Calc, const N: usize>(self, y: &[C; N]) -> slewing::State {
+        slewing::State {
+            y: part(y).map(C::value),
+            joints: [Bar::Loose, self.slewing],
+            taut: self.taut,
+        }
+    }
+}
+
+/// The crane's own states out of all.
+pub(crate) fn part<C: Calc, const N: usize, const M: usize>(y: &[C; N]) -> [C; M] {
+    std::array::from_fn(|i| y[if i < 2 { i } else { i + OIL }])
+}
+
+/// And back into all.
+pub(crate) fn put<C: Calc, const N: usize, const M: usize>(y: &mut [C; N], part: &[C; M]) {
+    y[..2].copy_from_slice(&part[..2]);
+    y[FIXED..OIL + M].copy_from_slice(&part[2..]);
+}
+
+impl<const N: usize, P: Calc> Hydraulic<N, P> {
+    pub fn oil<C: Calc>(y: &[C; N]) -> Oil<C> {
+        Oil {
+            ports: [y[2], y[3]],
+            chambers: [y[4], y[5]],
+            spool: y[6],
+            spool_speed: y[7],
+        }
+    }
+
+    pub fn dynamics(&self) -> &Dynamics<P> {
+        match &self.crane {
+            Crane::Plane(motion) => &motion.dynamics,
+            Crane::Slewing(slewing) => &slewing.dynamics,
+        }
+    }
+
+    /// Friction and stops of the driven bar.
+    fn joint(&self) -> (Friction<P>, [f64; 2]) {
+        match &self.crane {
+            Crane::Plane(motion) => (motion.friction, motion.stops),
+            Crane::Slewing(slewing) => (slewing.joints[0].friction, slewing.joints[0].stops),
+        }
+    }
+
+    /// Least and greatest angle of the driven bar, in rad.
+    #[must_use]
+    pub fn stops(&self) -> [f64; 2] {
+        self.joint().1
+    }
+
+    /// How many states there are.
+    #[must_use]
+    pub fn states(&self) -> usize {
+        let hangs = self.dynamics().bodies().pendulum.is_some();
+        FIXED
+            + match (&self.crane, hangs) {
+                (Crane::Plane(_), false) => 0,
+                (Crane::Plane(_), true) => motion::STATES - 2,
+                (Crane::Slewing(_), false) => slewing::RIGID - 2,
+                (Crane::Slewing(_), true) => slewing::STATES - 2,
+            }
+    }
+
+    /// Moment on the driven bar of cylinder, friction and stops, in N·m.
+    #[inline]
+    fn moment<C: Coordinate<P>>(&self, r: &Reduced<C>, y: &[C; N]) -> C {
+        let [_, arm] = r.drive;
+        self.cylinder.force(&Self::oil(y)).def(&s::F_C) * arm + self.reaction(y[0], y[1])
+    }
+
+    /// Moment of friction and end stop on the driven bar, in N·m; positive turns it counter-clockwise.
+    #[inline]
+    pub fn reaction<C: Over<P>>(&self, theta: C, omega: C) -> C {
+        let (friction, stops) = self.joint();
+        let mut moment = -omega.times(friction.viscous);
+        if friction.coulomb.value() > 0.0 {
+            let smooth = (omega.square() + C::known(&s::OMEGA_C, CREEP).square()).sqrt();
+            moment -= omega.times(friction.coulomb) / smooth;
+        }
+        let nearest = theta.value().clamp(stops[0], stops[1]);
+        if theta.value() != nearest {
+            let end = if nearest == stops[0] { &g::FROM } else { &g::TO };
+            let depth = theta - C::known(end, nearest);
+            let [stiffness, damping] = self.buffer;
+            let push = -C::of(stiffness) * depth - C::of(damping) * omega;
+            // A stop pushes, and never pulls.
+            if push.value() * depth.value() < 0.0 {
+                moment += push;
+            }
+        }
+        moment.def(&s::M_R)
+    }
+
+    fn in_plane<C: Coordinate<P>>(&self, moment: C) -> motion::Commands<C> {
+        motion::Commands {
+            moment,
+            brake: C::constant(0.0),
+            hoist: C::of(self.hoist),
+        }
+    }
+
+    fn in_space<C: Coordinate<P>>(&self, moment: C) -> slewing::Commands<C> {
+        let Drive { moment: slewing, brake } = self.slewing;
+        slewing::Commands {
+            drives: [
+                Drive {
+                    moment,
+                    brake: C::constant(0.0),
+                },
+                Drive {
+                    moment: C::of(slewing),
+                    brake: C::of(brake),
+                },
+            ],
+            hoist: C::of(self.hoist),
+        }
+    }
+
+    /// Equations over any scalar; `None` where the linkage does not close or nothing is left of the rope.
+    #[inline]
+    pub fn equations<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; N]> {
+        let oil = Self::oil(y);
+        let (theta, omega) = (y[0], y[1]);
+        let r = C::reduced(self.dynamics(), theta)?;
+        let [length, arm] = r.drive;
+        let rates = self
+            .cylinder
+            .rates(&oil, length, (arm * omega).def(&g::V_D), self.command, self.supply);
+        let moment = self.moment(&r, y);
+        let mut out = [C::constant(0.0); N];
+        if N > FIXED {
+            match &self.crane {
+                Crane::Plane(motion) if motion.is_reeled_in(y[10]) => return None,
+                Crane::Slewing(slewing) if slewing.is_reeled_in(y[16]) => return None,
+                Crane::Plane(motion) => {
+                    let rates = motion.rates_at(&modes.plane(y), &r, &part(y), &self.in_plane(moment));
+                    put(&mut out, &rates);
+                }
+                Crane::Slewing(slewing) => {
+                    let rates = slewing.rates_at(&modes.space(y), &r, &part(y), &self.in_space(moment));
+                    put(&mut out, &rates);
+                }
+            }
+        } else {
+            let still = C::constant(0.0);
+            let m = Phase {
+                theta,
+                omega,
+                swing: still,
+                swing_rate: still,
+            };
+            let reel = Reel {
+                length: still,
+                rate: still,
+            };
+            out[0] = omega;
+            out[1] = self.dynamics().motion(&r, &m, moment, reel)[0];
+        }
+        out[2..FIXED].copy_from_slice(&[
+            rates.ports[0].def(&s::D_P_1),
+            rates.ports[1].def(&s::D_P_2),
+            rates.chambers[0].def(&s::D_P_A),
+            rates.chambers[1].def(&s::D_P_B),
+            rates.spool,
+            rates.spool_speed.def(&s::D_V_V),
+        ]);
+        Some(out)
+    }
+
+    /// Numbers whose fall below zero ends a smooth piece: slewing comes to rest or (two) breaks loose, meets its
+    /// lower or upper stop; the rope becomes slack or taut.
+    pub fn indicators<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; 5]> {
+        let none = C::constant(1.0);
+        if N == FIXED {
+            return Some([none; 5]);
+        }
+        let r = C::reduced(self.dynamics(), y[0])?;
+        let moment = self.moment(&r, y);
+        Some(match &self.crane {
+            Crane::Plane(motion) => {
+                let rope = motion.slackening(&modes.plane(y), &r, &part(y), &self.in_plane(moment));
+                [none, none, none, none, above_zero(rope)]
+            }
+            Crane::Slewing(slewing) => {
+                let [_, _, _, _, all @ ..] =
+                    slewing.indicators_at(&modes.space(y), &r, &part(y), &self.in_space(moment));
+                all
+            }
+        })
+    }
+
+    /// Force of the rope, in N; zero where it is slack or there is none.
+    pub fn rope_force<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<C> {
+        if N == FIXED {
+            return Some(C::constant(0.0));
+        }
+        let r = C::reduced(self.dynamics(), y[0])?;
+        let moment = self.moment(&r, y);
+        Some(match &self.crane {
+            Crane::Plane(motion) => motion.tension(&modes.plane(y), &r, &part(y), &self.in_plane(moment)),
+            Crane::Slewing(slewing) => {
+                let commands = self.in_space(moment);
+                slewing.accelerations(&modes.space(y), &r, &part(y), &commands).rope
+            }
+        })
+    }
+
+    /// Moment of friction, brake and end stop on slewing, in N·m, in the direction of the angle.
+    pub fn slewing_friction<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<C> {
+        match &self.crane {
+            Crane::Slewing(slewing) if N > FIXED => {
+                let r = C::reduced(self.dynamics(), y[0])?;
+                let commands = self.in_space(self.moment(&r, y));
+                Some(slewing.friction_at(1, &modes.space(y), &r, &part(y), &commands))
+            }
+            _ => Some(C::constant(0.0)),
+        }
+    }
+}
+
+impl<const N: usize> Hydraulic<N> {
+    /// Kinetic and potential energy of all bodies, in J; `None` where the linkage does not close.
+    #[must_use]
+    pub fn energy(&self, modes: Modes, y: &[f64; N]) -> Option<f64> {
+        match &self.crane {
+            Crane::Plane(motion) if N > FIXED => motion.energy(&modes.plane(y), &self.in_plane(0.0)),
+            Crane::Slewing(slewing) if N > FIXED => slewing.energy(&modes.space(y), &self.in_space(0.0)),
+            _ => self.dynamics().energy(&Phase {
+                theta: y[0],
+                omega: y[1],
+                swing: 0.0,
+                swing_rate: 0.0,
+            }),
+        }
+    }
+
+    /// The crane at rest at an angle (rad), its load hanging, the valve closed and the oil carrying it, both
+    /// chambers at `least` (Pa) or more. `None` where the linkage does not close or the cylinder cannot hold it.
+    #[must_use]
+    pub fn resting(&self, theta: f64, least: f64) -> Option<[f64; N]> {
+        let r = f64::reduced(self.dynamics(), theta)?;
+        let length = self.dynamics().bodies().pendulum.map_or(0.0, |p| p.length);
+        let mut y = [0.0; N];
+        y[0] = theta;
+        if N > FIXED {
+            match &self.crane {
+                Crane::Plane(_) => put(&mut y, &motion::State::resting(theta, length).y),
+                Crane::Slewing(_) => put(&mut y, &slewing::State::resting(theta, length).y),
+            }
+        }
+        let still = Phase {
+            theta,
+            omega: 0.0,
+            swing: 0.0,
+            swing_rate: 0.0,
+        };
+        let [moment, _] = self.dynamics().hold(&r, &still, Reel { length, rate: 0.0 });
+        let [bore, annulus] = self.cylinder.areas;
+        let force = moment / r.drive[1];
+        let back = least.max((least * bore - force) / annulus);
+        let push = (force + annulus * back) / bore;
+        if !push.is_finite() {
+            return None;
+        }
+        y[2..6].copy_from_slice(&[push, back, push, back]);
+        Some(y)
+    }
+
+    /// The smooth piece between two events, for the solver.
+    #[must_use]
+    pub fn between(&self, modes: Modes) -> Piece<'_, N> {
+        Piece { crane: self, modes }
+    }
+
+    /// Decides what follows at an instant.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub fn event(&self, present: &mut Present<N>) -> Result<(), Halt> {
+        let mut y = present.run.states();
+        for _ in 0..MOST_CHANGES {
+            let r = f64::reduced(self.dynamics(), y[0]).ok_or(Halt::Outside)?;
+            if N == FIXED {
+                return Ok(());
+            }
+            let moment = self.moment(&r, &y);
+            let modes = &mut present.modes;
+            let changed = match &self.crane {
+                Crane::Plane(motion) => {
+                    let mut state = modes.plane(&y);
+                    let changed = motion.event(&mut state, &self.in_plane(moment))?;
+                    // Located just beyond its end, the rope cannot be longer than it is.
+                    state.y[5] = state.y[5].min(state.y[4]);
+                    put(&mut y, &state.y);
+                    modes.taut = state.taut;
+                    changed
+                }
+                Crane::Slewing(slewing) => {
+                    let mut state = modes.space(&y);
+                    let changed = slewing.event(&mut state, &self.in_space(moment))?;
+                    state.shorten();
+                    put(&mut y, &state.y);
+                    (modes.slewing, modes.taut) = (state.joints[1], state.taut);
+                    changed
+                }
+            };
+            if !changed {
+                break;
+            }
+        }
+        present.run.restart(y, FIRST);
+        Ok(())
+    }
+
+    /// Moves on by a duration (s) in steps of at most `longest` (s), events located on the way.
+    ///
+    /// # Errors
+    /// See [`Halt`]; the state is that of the last step that succeeded.
+    pub fn advance(
+        &self,
+        present: &mut Present<N>,
+        tolerance: &Tolerance<N>,
+        duration: f64,
+        longest: f64,
+    ) -> Result<(), Halt> {
+        let drive = self.slewing;
+        if !(self.hoist.is_finite() && drive.moment.is_finite() && drive.brake >= 0.0) {
+            return Err(Halt::Outside);
+        }
+        if present.run.is_fresh() {
+            self.event(present)?;
+        }
+        let (mut left, before) = (duration, present.run.count);
+        for _ in 0..MOST_EVENTS {
+            left = (present.run).piece(&self.between(present.modes), tolerance, left, longest)?;
+            if !present.run.at_event() {
+                return Ok(());
+            }
+            self.event(present)?;
+            let work = present.run.count.since(before);
+            if work.steps + work.rejected > MOST_STEPS {
+                break;
+            }
+        }
+        Err(Halt::TooMany)
+    }
+}
+
+/// A smooth piece of a crane's way.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece<'a, const N: usize> {
+    crane: &'a Hydraulic<N>,
+    modes: Modes,
+}
+
+impl<const N: usize> System<N> for Piece<'_, N> {
+    #[inline]
+    fn rates(&self, y: &[f64; N]) -> Option<[f64; N]> {
+        self.crane.equations(self.modes, y)
+    }
+
+    #[inline]
+    fn jacobian(&self, y: &[f64; N]) -> Option<([f64; N], [[f64; N]; N])> {
+        let out = self.crane.equations(self.modes, &Gradient::states(y))?;
+        Some((out.map(|x| x.re), out.map(|x| x.by)))
+    }
+
+    #[inline]
+    fn kinks(&self, y: &[f64; N]) -> [f64; MOST_KINKS] {
+        let opening = self.crane.cylinder.relief[0];
+        let over = |port: f64| (port / opening - 1.0) / CRACK;
+        let (_, [low, high]) = self.crane.joint();
+        [
+            y[6] / GAP,
+            over(y[2]),
+            over(y[3]),
+            (y[0] - low) / TOUCH,
+            (high - y[0]) / TOUCH,
+        ]
+    }
+
+    #[inline]
+    fn ended(&self, y: &[f64; N]) -> bool {
+        let beyond = |z: &[f64; 5]| z.iter().any(|z| *z < 0.0);
+        N > FIXED && self.crane.indicators(self.modes, y).is_some_and(|z| beyond(&z))
+    }
+
+    #[inline]
+    fn least(&self, y: &[f64; N]) -> f64 {
+        Hydraulic::<N>::oil(y).least().1
+    }
+
+    #[inline]
+    fn settle(&self, y: &mut [f64; N]) {
+        if N > FIXED && self.modes.taut && self.crane.dynamics().bodies().pendulum.is_some() {
+            match &self.crane.crane {
+                Crane::Plane(_) => {
+                    let [.., length, distance, speed] = &mut y[..FIXED + motion::STATES - 2] else {
+                        return;
+                    };
+                    (*distance, *speed) = (*length, self.crane.hoist);
+                }
+                Crane::Slewing(_) => {
+                    let mut state = self.modes.space(y);
+                    state.straighten(self.crane.hoist);
+                    put(y, &state.y);
+                }
+            }
+        }
+    }
+}

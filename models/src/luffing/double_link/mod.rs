@@ -1,0 +1,56 @@
+//! The double-link level-luffing mechanism. [Li2022; Balance004 for the weights]
+//!
+//! ```text
+//!              C ───_X_2_            X_4       A
+//!             /          B ────────────────── o   R = x_A + X_8
+//!      X_3  /           /                     |
+//!         /           /  X_1                  Q
+//!   O3  o           /
+//!    X_6|         /  theta_1
+//!       └──X_5──o O1 ─────── x          axis at x = −X_8
+//! ```
+//!
+//! Angles counter-clockwise from the horizontal, x towards the load, y up.
+//! Moments `M_Q`, `M_G` of loads are positive where they lower the driven bar
+//! (make theta smaller), the drive's moment `M_D` where it raises it.
+//!
+//! | id | function | source |
+//! |---|---|---|
+//! | `lemniscate.jib_angle` | [`geometry::Geometry::new`] | Li2022, eq. 6 |
+//! | `lemniscate.closure` | [`crate::parts::four_bar::FourBar::close`] | Li2022, eq. 3-5, product form derived |
+//! | `lemniscate.position` | [`position::Position::new`] | Li2022, eq. 3-8 |
+//! | `lemniscate.velocity` | [`velocity::Velocity::new`] | Li2022, eq. 9-10, by the loop |
+//! | `lemniscate.pole` | [`velocity::Pole::new`] | Li2022, eq. 1-2 |
+//! | `lemniscate.luffing_moment` | [`statics::LoadMoment::new`], [`velocity::Pole::moment`] | Li2022, eq. 11 |
+//! | `lemniscate.weight_moment` | [`statics::Own::new`] | Balance004, eq. 1 |
+//! | `lemniscate.pin_forces` | [`statics::PinForces::new`] | equilibrium |
+//! | `lemniscate.balance` | [`balancing::at`] | [`crate::balance`] |
+//! | `lemniscate.drive` | [`drive::Drive::new`] | derived |
+//! | `lemniscate.dynamics` | [`dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
+//! | `lemniscate.governing` | [`crate::component::governing::governing`] | derived |
+//! | `lemniscate.sensitivity` | [`crate::component::governing::sensitivity`] | derived |
+//! | `lemniscate.published` | [`published::Published::new`] | Li2022, eq. 1, 4-7 |
+
+pub mod balancing;
+pub mod drawing;
+pub mod drive;
+pub mod dynamics;
+pub mod feet;
+pub mod geometry;
+pub mod hanging;
+pub mod hydraulic;
+pub mod mechanism;
+pub mod model;
+pub mod motion;
+pub mod moving;
+pub mod position;
+pub mod published;
+pub mod range;
+pub mod scene;
+pub mod sheet;
+pub mod slewing;
+pub mod stages;
+pub mod statics;
+pub mod symbols;
+pub mod system;
+pub mod velocity;

@@ -1,0 +1,485 @@
+//! Levels `rigid` and `swing`: the driven bar as a state under a moment, with
+//! friction that truly sticks, a brake and end stops; and the load on a rope
+//! that swings through any angle, is reeled in and out, and may go slack.
+//!
+//! Between events the motion is smooth and solved by the explicit Runge-Kutta
+//! method of fourth order. What ends a smooth piece is an [`indicator`](Motion::indicators)
+//! below zero; what follows is decided by [`Motion::event`]. Blows (an end
+//! stop, a rope that becomes taut) are plastic: no bouncing, no energy gained.
+
+use crate::kernel::calc::Calc;
+use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
+use crate::luffing::double_link::moving::symbols::S_R;
+use crate::parts::plane::{Point, dot};
+use crate::parts::solver::pieces::{self, Pieces};
+use crate::parts::solver::{Count, Halt, finite};
+
+/// Friction at the driven bar.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction<P = f64> {
+    /// In N·m·s/rad.
+    pub viscous: P,
+    /// In N·m: it holds the bar at rest up to this moment.
+    pub coulomb: P,
+}
+
+/// What drives the motion; constant over a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Commands<P = f64> {
+    /// Moment of the drive on the driven bar, in N·m; positive raises it.
+    pub moment: P,
+    /// Moment that the brake adds to the dry friction, in N·m; not negative.
+    pub brake: P,
+    /// How fast the rope is paid out, in m/s.
+    pub hoist: P,
+}
+
+/// The driven bar between events.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bar {
+    Held,
+    Forward,
+    Backward,
+    /// Moved by a cylinder: friction and stops are a part of its moment, and it never comes to rest for good.
+    Loose,
+}
+
+/// Number of states: angle and rate of the driven bar, of the rope, the rope's length, the distance
+/// of the load from the head and its rate; rad, m, s.
+pub const STATES: usize = 7;
+/// Number of event indicators.
+pub const INDICATORS: usize = 5;
+
+/// A motion at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    pub y: [f64; STATES],
+    pub bar: Bar,
+    /// The load hangs on the rope, or flies free.
+    pub taut: bool,
+}
+
+impl State {
+    /// At rest at an angle (rad), the load hanging at the end of a rope of a length (m).
+    #[must_use]
+    pub fn resting(theta: f64, length: f64) -> State {
+        State {
+            y: [theta, 0.0, 0.0, 0.0, length, length, 0.0],
+            bar: Bar::Held,
+            taut: true,
+        }
+    }
+
+    #[must_use]
+    pub fn phase(&self) -> Phase {
+        phase(&self.y)
+    }
+}
+
+fn phase<C: Calc>(y: &[C; STATES]) -> Phase<C> {
+    Phase {
+        theta: y[0],
+        omega: y[1],
+        swing: y[2],
+        swing_rate: y[3],
+    }
+}
+
+/// A luffing mechanism that moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<P = f64> {
+    pub dynamics: Dynamics<P>,
+    pub friction: Friction<P>,
+    /// Least and greatest angle of the driven bar, in rad.
+    pub stops: [f64; 2],
+}
+
+/// How far beyond the greatest hold the moment must be before the bar breaks loose, and how far beyond the rope's
+/// end a slack load before it is caught: rounding alone must do neither.
+pub(crate) const LOOSE: f64 = 1.0 + 1e-12;
+/// Length of a rope, in m, of which nothing is left.
+pub(crate) const REELED_IN: f64 = 1e-4;
+/// Changes at one instant.
+pub(crate) const MOST_CHANGES: u32 = 16;
+
+impl<P: Calc> Motion<P> {
+    /// The load on its rope as it is now.
+    fn reel<C: Coordinate<P>>(state: &State, y: &[C; STATES], commands: &Commands<C>) -> Reel<C> {
+        if state.taut {
+            Reel {
+                length: y[4],
+                rate: commands.hoist,
+            }
+        } else {
+            Reel {
+                length: y[5],
+                rate: y[6],
+            }
+        }
+    }
+
+    /// Greatest moment of dry friction and brake, in N·m.
+    fn dry<C: Coordinate<P>>(&self, commands: &Commands<C>) -> C {
+        C::of(self.friction.coulomb) + commands.brake
+    }
+
+    /// Accelerations of bar and rope (rad/s²), and of the load away from the head (m/s²).
+    fn accelerations<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; 3] {
+        let (m, still) = (phase(y), C::constant(0.0));
+        let viscous = || commands.moment - C::of(self.friction.viscous) * m.omega;
+        let moment = match state.bar {
+            Bar::Held | Bar::Loose => commands.moment,
+            Bar::Forward => viscous() - self.dry(commands),
+            Bar::Backward => viscous() + self.dry(commands),
+        };
+        let reel = Self::reel(state, y, commands);
+        if state.taut {
+            let [alpha, swing] = match state.bar {
+                Bar::Held => [still, self.dynamics.hold(r, &m, reel)[1]],
+                _ => self.dynamics.motion(r, &m, moment, reel),
+            };
+            return [alpha, swing, still];
+        }
+        let alpha = match state.bar {
+            Bar::Held => still,
+            _ => (moment - r.moment - C::constant(0.5) * r.slope * m.omega * m.omega) / r.inertia,
+        };
+        // The load falls freely; seen from the head, which moves.
+        let [_, d, dd] = r.head;
+        let fall = -Point::new(still, C::of(self.dynamics.bodies().gravity)) - d * alpha - dd * (m.omega * m.omega);
+        let (out, along) = directions(m.swing);
+        [
+            alpha,
+            (dot(fall, along) - C::constant(2.0) * reel.rate * m.swing_rate) / reel.length,
+            dot(fall, out) + reel.length * m.swing_rate * m.swing_rate,
+        ]
+    }
+
+    /// Rates of all states between events; `None` where the linkage does not close or nothing is left of the rope.
+    #[must_use]
+    #[inline]
+    pub fn rates<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<[C; STATES]> {
+        if self.is_reeled_in(y[4]) {
+            return None;
+        }
+        let r = C::reduced(&self.dynamics, y[0])?;
+        Some(self.rates_at(state, &r, y, commands))
+    }
+
+    /// Whether nothing is left of a rope of a length (m).
+    pub(crate) fn is_reeled_in<C: Calc>(&self, length: C) -> bool {
+        self.dynamics.bodies().pendulum.is_some() && length.value() <= REELED_IN
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    #[inline]
+    pub(crate) fn rates_at<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; STATES] {
+        let [alpha, swing, out] = self.accelerations(state, r, y, commands);
+        if self.dynamics.bodies().pendulum.is_none() {
+            let none = C::constant(0.0);
+            return [y[1], alpha, none, none, none, none, none];
+        }
+        let distance = if state.taut { commands.hoist } else { y[6] };
+        [y[1], alpha, y[3], swing, commands.hoist, distance, out]
+    }
+
+    /// Moment that friction, brake and stops must give to hold the bar at rest, in N·m, with the
+    /// least and greatest that they can.
+    fn held<C: Coordinate<P>>(&self, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> [C; 3] {
+        let hold = if state.taut {
+            let still = Phase {
+                omega: C::constant(0.0),
+                ..phase(y)
+            };
+            self.dynamics.hold(r, &still, Self::reel(state, y, commands))[0]
+        } else {
+            r.moment
+        };
+        let dry = self.dry(commands) * C::constant(LOOSE);
+        let (theta, without_end) = (y[0].value(), C::constant(f64::INFINITY));
+        [
+            hold - commands.moment,
+            if theta >= self.stops[1] { -without_end } else { -dry },
+            if theta <= self.stops[0] { without_end } else { dry },
+        ]
+    }
+
+    /// Force of the rope on the load towards the head, in N; zero where it is slack or there is none.
+    pub(crate) fn tension<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> C {
+        match self.dynamics.bodies().pendulum.filter(|_| state.taut) {
+            Some(load) => self.pull(load.mass, state, r, y, commands).def(&S_R),
+            None => C::constant(0.0),
+        }
+    }
+
+    /// Force of a taut rope, in N, on a mass (kg) in the place of the load's.
+    fn pull<C: Coordinate<P>>(
+        &self,
+        mass: P,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> C {
+        let [alpha, _, _] = self.accelerations(state, r, y, commands);
+        let [_, d, dd] = r.head;
+        let (out, _) = directions(y[2]);
+        let head = d * alpha + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.bodies().gravity));
+        C::of(mass) * (y[4] * y[3] * y[3] - dot(head, out))
+    }
+
+    /// Force of the rope, in N; zero where it is slack or there is none.
+    #[must_use]
+    pub fn rope_force<C: Coordinate<P>>(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        Some(self.tension(state, &r, y, commands))
+    }
+
+    /// Moment of friction, brake and end stop on the driven bar, in N·m; positive raises it.
+    #[must_use]
+    pub fn friction_moment<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<C> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        let viscous = -C::of(self.friction.viscous) * y[1];
+        Some(match state.bar {
+            Bar::Held => self.held(state, &r, y, commands)[0],
+            Bar::Forward => viscous - self.dry(commands),
+            Bar::Backward => viscous + self.dry(commands),
+            Bar::Loose => C::constant(0.0),
+        })
+    }
+
+    /// Numbers whose fall below zero ends a smooth piece: the bar comes to rest or (two) breaks
+    /// loose; it meets its lower or upper stop; the rope becomes slack or taut. After an event all are above zero.
+    #[must_use]
+    pub fn indicators<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<[C; INDICATORS]> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        let (none, [low, high]) = (C::constant(1.0), self.stops.map(C::constant));
+        let [rest, loose, low, high] = match state.bar {
+            Bar::Held => {
+                let [hold, least, most] = self.held(state, &r, y, commands);
+                // Where a stop gives any moment there is nothing to break.
+                [capped(most - hold), capped(hold - least), none, none]
+            }
+            Bar::Forward => [y[1], none, y[0] - low, high - y[0]],
+            Bar::Backward => [-y[1], none, y[0] - low, high - y[0]],
+            Bar::Loose => [none; 4],
+        };
+        Some([rest, loose, low, high, self.slackening(state, &r, y, commands)].map(above_zero))
+    }
+
+    /// Falls below zero where the rope becomes slack or taut.
+    pub(crate) fn slackening<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> C {
+        match self.dynamics.bodies().pendulum {
+            None => C::constant(1.0),
+            Some(load) if state.taut => self.pull(load.cancelling(), state, r, y, commands),
+            Some(_) => y[4] * C::constant(LOOSE) - y[5],
+        }
+    }
+}
+
+impl Motion {
+    /// Decides what follows at an instant, as often as one event causes another. Returns whether
+    /// anything changed.
+    ///
+    /// # Errors
+    /// The linkage does not close, or a number overflows.
+    pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
+        let first = *state;
+        if state.y[1] == 0.0 && state.bar != Bar::Loose {
+            // At rest it is decided again which way it goes, as the commands may have changed.
+            state.bar = Bar::Held;
+        }
+        for _ in 0..MOST_CHANGES {
+            let before = *state;
+            let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
+            self.stop_bar(state, &r, commands);
+            self.switch_rope(state, &r, commands);
+            if state.bar == Bar::Held {
+                let [hold, least, most] = self.held(state, &r, &state.y, commands);
+                if hold > most {
+                    state.bar = Bar::Backward;
+                } else if hold < least {
+                    state.bar = Bar::Forward;
+                }
+            }
+            if *state == before {
+                break;
+            }
+        }
+        // A rope without length has no direction.
+        finite(&state.y).then_some(*state != first).ok_or(Halt::Outside)
+    }
+
+    /// A bar that has reached a stop, or turned round, is at rest.
+    fn stop_bar(&self, state: &mut State, r: &Reduced<f64>, commands: &Commands) {
+        let [theta, omega, ..] = state.y;
+        let [low, high] = self.stops;
+        let at_stop = (theta >= high && omega > 0.0) || (theta <= low && omega < 0.0);
+        let turned = match state.bar {
+            Bar::Held => omega != 0.0,
+            // A bar that breaks loose is at rest: whether the rope lets go is decided as it moves.
+            Bar::Forward => omega < 0.0,
+            Bar::Backward => omega > 0.0,
+            Bar::Loose => return,
+        };
+        if at_stop {
+            let (out, along) = directions(state.y[2]);
+            // A rope along which the head comes to rest would have to push: it lets go.
+            let hangs = state.taut && self.dynamics.bodies().pendulum.is_some();
+            if hangs && omega * r.head[1].dot(&out) < 0.0 {
+                (state.y[5], state.y[6], state.taut) = (state.y[4], commands.hoist, false);
+            }
+            let reel = Self::reel(state, &state.y, commands);
+            if state.taut {
+                state.y[3] -= omega * self.dynamics.blow(r, &state.phase(), reel);
+            } else {
+                state.y[3] += omega * r.head[1].dot(&along) / reel.length;
+                state.y[6] += omega * r.head[1].dot(&out);
+            }
+            state.y[0] = theta.clamp(low, high);
+        }
+        if state.bar == Bar::Held && turned && !at_stop {
+            // Set in motion from outside.
+            state.bar = if omega > 0.0 { Bar::Forward } else { Bar::Backward };
+        } else if at_stop || turned {
+            state.y[1] = 0.0;
+            state.bar = Bar::Held;
+        }
+    }
+
+    /// The rope lets go where it would push, and catches the load with a plastic blow along itself.
+    fn switch_rope(&self, state: &mut State, r: &Reduced<f64>, commands: &Commands) {
+        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+            return;
+        };
+        if state.taut {
+            state.y[5] = state.y[4];
+            state.y[6] = commands.hoist;
+            state.taut = self.slackening(state, r, &state.y, commands) >= 0.0;
+        } else if state.y[5] >= state.y[4] && state.y[6] > commands.hoist {
+            let (out, along) = directions(state.y[2]);
+            let arm = r.head[1].dot(&out);
+            let follow = if state.bar == Bar::Held { 0.0 } else { arm / r.inertia };
+            let blow = (state.y[6] - commands.hoist) / (1.0 / pendulum.mass + arm * follow);
+            state.y[1] += blow * follow;
+            state.y[3] -= blow * follow * r.head[1].dot(&along) / state.y[4];
+            state.y[5] = state.y[4];
+            state.y[6] = commands.hoist;
+            state.taut = true;
+        }
+    }
+
+    /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way
+    /// to the last bits of the step. Returns the work done.
+    ///
+    /// # Errors
+    /// See [`Halt`]; the state is that of the last step that succeeded.
+    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<Count, Halt> {
+        let Commands { moment, brake, hoist } = *commands;
+        if !(moment.is_finite() && hoist.is_finite() && brake >= 0.0) {
+            return Err(Halt::Outside);
+        }
+        pieces::advance(&Commanded { motion: self, commands }, state, duration, longest)
+    }
+
+    /// Kinetic and potential energy, in J; `None` where the linkage does not close.
+    #[must_use]
+    pub fn energy(&self, state: &State, commands: &Commands) -> Option<f64> {
+        let r = f64::reduced(&self.dynamics, state.y[0])?;
+        let m = state.phase();
+        let bars = 0.5 * r.inertia * m.omega * m.omega + r.energy;
+        let bodies = self.dynamics.bodies();
+        let Some(pendulum) = bodies.pendulum else {
+            return Some(bars);
+        };
+        let reel = Self::reel(state, &state.y, commands);
+        let [a, d, _] = r.head;
+        let (out, along) = directions(m.swing);
+        let velocity = d * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;
+        let height = a.y + out.y * reel.length;
+        Some(bars + pendulum.mass * (0.5 * velocity.norm_squared() + bodies.gravity * height))
+    }
+}
+
+/// A motion under commands, for the solver.
+struct Commanded<'a> {
+    motion: &'a Motion,
+    commands: &'a Commands,
+}
+
+impl Pieces<STATES, State> for Commanded<'_> {
+    fn states(state: &mut State) -> &mut [f64; STATES] {
+        &mut state.y
+    }
+
+    #[inline]
+    fn rates(&self, state: &State, y: &[f64; STATES]) -> Option<[f64; STATES]> {
+        self.motion.rates(state, self.commands, y)
+    }
+
+    #[inline]
+    fn crossed(&self, state: &State, y: &[f64; STATES]) -> bool {
+        pieces::crossed(self.motion.indicators(state, self.commands, y))
+    }
+
+    fn event(&self, state: &mut State) -> Result<(), Halt> {
+        self.motion.event(state, self.commands).map(|_| ())
+    }
+}
+
+/// A greatest moment without end as the greatest number: an indicator must be finite.
+pub(crate) fn capped<C: Calc>(x: C) -> C {
+    if x.value() > f64::MAX { C::constant(f64::MAX) } else { x }
+}
+
+/// An indicator that an event leaves at zero, such as the rate of a bar that breaks loose, begins just above it: an
+/// importer that looks at signs sees the next crossing, even where it follows within one of its steps. Every other
+/// number keeps its bits.
+pub(crate) fn above_zero<C: Calc>(z: C) -> C {
+    z + C::constant(f64::MIN_POSITIVE)
+}
+
+/// From the head to the load, and where it swings to, at an angle of the rope.
+fn directions<C: Calc>(swing: C) -> (Point<C>, Point<C>) {
+    let (sin, cos) = swing.sin_cos();
+    (Point::new(sin, -cos), Point::new(cos, sin))
+}

@@ -1,0 +1,646 @@
+//! What the levels have in common for the running model: states, rates, events,
+//! steps. Each variant is a system of equations with all of its solver's state
+//! beside it.
+
+use crate::kernel::calc::Calc;
+use crate::luffing::double_link::dynamics::{Coordinate, Dynamics};
+use crate::luffing::double_link::hydraulic::{self, FIXED, Hydraulic, Modes};
+use crate::luffing::double_link::motion::{self, Bar, Commands, Motion, REELED_IN};
+use crate::luffing::double_link::slewing::{self, Drive, Slewing};
+use crate::parts::hydraulics::cylinder::Oil;
+use crate::parts::hydraulics::oil::VACUUM;
+use crate::parts::solver::rodas::{Run, Tolerance};
+use crate::parts::solver::{Count, Halt};
+
+/// Most continuous states of any level.
+pub const MOST_STATES: usize = hydraulic::MOST;
+/// Most event indicators of any level.
+pub const MOST_INDICATORS: usize = 11;
+/// Event indicators of the oil.
+pub const OIL_INDICATORS: usize = 6;
+
+/// Inputs, constant over a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inputs<P = f64> {
+    pub motion: Commands<P>,
+    /// Of slewing.
+    pub slewing: Drive<P>,
+    /// Command of the valve in [−1, 1], and pressure of the pump in Pa.
+    pub valve: P,
+    pub supply: P,
+}
+
+impl<P: Copy> Inputs<P> {
+    /// Of a crane that slews.
+    #[must_use]
+    pub fn of_both(&self) -> slewing::Commands<P> {
+        let Commands { moment, brake, hoist } = self.motion;
+        slewing::Commands {
+            drives: [Drive { moment, brake }, self.slewing],
+            hoist,
+        }
+    }
+}
+
+/// The equations of a level.
+#[derive(Clone, Copy, Debug)]
+pub enum Level<P = f64> {
+    Free(Motion<P>),
+    Slewing(Slewing<P>),
+    /// A cylinder, and nothing else that moves.
+    Fixed(Hydraulic<FIXED, P>),
+    /// A cylinder, the load on its rope, a crane that slews, or both.
+    Hanging(Hydraulic<{ hydraulic::MOST }, P>),
+}
+
+/// Where a level is: its states, and its solver's.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a state is copied, and nothing is allocated while a model runs"
+)]
+#[derive(Clone, Copy, Debug)]
+pub enum Present {
+    Free(motion::State),
+    Slewing(slewing::State),
+    Fixed(hydraulic::Present<FIXED>),
+    Hanging(hydraulic::Present<{ hydraulic::MOST }>),
+}
+
+/// A result that only motion has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reaction {
+    /// Of friction, brake and end stop on the driven bar.
+    Friction,
+    /// The same on slewing.
+    SlewingFriction,
+    Rope,
+    /// Angles of the rope of a crane that slews, in the mechanism's plane and from it.
+    Swing,
+    Side,
+    /// Of the load from the head of a crane that slews.
+    Distance,
+    Cylinder,
+}
+
+/// Level and state come from one model, which keeps them together.
+const OTHER: &str = "the state of another level";
+
+fn tell<const N: usize, P: Copy>(system: &mut Hydraulic<N, P>, inputs: &Inputs<P>) {
+    (system.command, system.supply) = (inputs.valve, inputs.supply);
+    (system.hoist, system.slewing) = (inputs.motion.hoist, inputs.slewing);
+}
+
+/// Angles and rates, pressures, spool and its speed, load and rope; no more than there are. A spool that is
+/// known better than its edges need would cost a quarter of all steps.
+fn tolerance<const N: usize>(relative: f64, states: usize) -> Tolerance<N> {
+    let mut absolute = [f64::INFINITY; N];
+    absolute[..states].fill(relative * 1e-3);
+    absolute[2..6].fill(relative * 1e6);
+    absolute[6..FIXED].copy_from_slice(&[relative * 0.1, relative * 30.0]);
+    Tolerance { relative, absolute }
+}
+
+/// Spool, relief valves, stops of luffing and vacuum, then slewing and the rope as far as there are any.
+fn oil_indicators<const N: usize, P: Coordinate<P>>(
+    system: &Hydraulic<N, P>,
+    modes: Modes,
+    y: &[P; N],
+    indicators: &mut [P; MOST_INDICATORS],
+) -> Option<()> {
+    let (opening, [low, high]) = (system.cylinder.relief[0], system.stops().map(P::constant));
+    let margin = Hydraulic::<N, P>::oil(y).least().1 - P::constant(VACUUM);
+    put(
+        indicators,
+        &[y[6], opening - y[2], opening - y[3], y[0] - low, high - y[0], margin],
+    );
+    let more = system.indicators(modes, y)?;
+    let first = if system.dynamics().turntable().is_some() { 0 } else { 4 };
+    put(&mut indicators[OIL_INDICATORS..], &more[first..]);
+    Some(())
+}
+
+fn oil_reaction<const N: usize, P: Coordinate<P>>(
+    system: &Hydraulic<N, P>,
+    modes: Modes,
+    y: &[P; N],
+    reaction: Reaction,
+) -> Option<P> {
+    match reaction {
+        Reaction::Cylinder => Some(system.cylinder.force(&Hydraulic::<N, P>::oil(y))),
+        Reaction::Friction => Some(system.reaction(y[0], y[1])),
+        Reaction::SlewingFriction => system.slewing_friction(modes, y),
+        Reaction::Rope => system.rope_force(modes, y),
+        Reaction::Swing | Reaction::Side | Reaction::Distance => Some(seen(&hydraulic::part(y), reaction)),
+    }
+}
+
+/// Where the load of a crane that slews is seen from its head.
+fn seen<C: Calc>(y: &[C; slewing::STATES], reaction: Reaction) -> C {
+    match reaction {
+        Reaction::Swing => slewing::angles(y)[0],
+        Reaction::Side => slewing::angles(y)[1],
+        _ => slewing::distance(y),
+    }
+}
+
+/// Whether a state of the oil or of the mechanism is none of theirs any more.
+fn possible<const N: usize>(system: &Hydraulic<N>, present: &hydraulic::Present<N>) -> bool {
+    let y = present.run.states();
+    y[2..6].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.equations(present.modes, &y).is_some()
+}
+
+impl<P: Calc> Level<P> {
+    #[must_use]
+    pub fn dynamics(&self) -> &Dynamics<P> {
+        match self {
+            Level::Free(motion) => &motion.dynamics,
+            Level::Slewing(crane) => &crane.dynamics,
+            Level::Fixed(system) => system.dynamics(),
+            Level::Hanging(system) => system.dynamics(),
+        }
+    }
+}
+
+impl<P: Coordinate<P>> Level<P> {
+    pub fn set_inputs(&mut self, inputs: &Inputs<P>) {
+        match self {
+            Level::Free(_) | Level::Slewing(_) => {}
+            Level::Fixed(system) => tell(system, inputs),
+            Level::Hanging(system) => tell(system, inputs),
+        }
+    }
+
+    /// Rates of the states `y`; `None` where the linkage does not close.
+    pub fn rates(
+        &self,
+        present: &Present,
+        inputs: &Inputs<P>,
+        y: &[P; MOST_STATES],
+        rates: &mut [P; MOST_STATES],
+    ) -> Option<()> {
+        match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => {
+                put(rates, &motion.rates(state, &inputs.motion, first(y))?);
+            }
+            (Level::Slewing(crane), Present::Slewing(state)) => {
+                put(rates, &crane.rates(state, &inputs.of_both(), first(y))?);
+            }
+            (Level::Fixed(system), Present::Fixed(at)) => put(rates, &system.equations(at.modes, first(y))?),
+            (Level::Hanging(system), Present::Hanging(at)) => put(rates, &system.equations(at.modes, first(y))?),
+            _ => unreachable!("{OTHER}"),
+        }
+        Some(())
+    }
+
+    /// Numbers whose change of sign is an event, in states `y`; `None` where the linkage does not close.
+    pub fn indicators(
+        &self,
+        present: &Present,
+        inputs: &Inputs<P>,
+        y: &[P; MOST_STATES],
+        indicators: &mut [P; MOST_INDICATORS],
+    ) -> Option<()> {
+        match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => {
+                put(indicators, &motion.indicators(state, &inputs.motion, first(y))?);
+            }
+            (Level::Slewing(crane), Present::Slewing(state)) => {
+                let found = crane.indicators(state, &inputs.of_both(), first(y))?;
+                put(indicators, &found);
+            }
+            (Level::Fixed(system), Present::Fixed(at)) => oil_indicators(system, at.modes, first(y), indicators)?,
+            (Level::Hanging(system), Present::Hanging(at)) => oil_indicators(system, at.modes, first(y), indicators)?,
+            _ => unreachable!("{OTHER}"),
+        }
+        Some(())
+    }
+
+    /// A result that only this level has; `None` where the linkage does not close.
+    pub fn reaction(
+        &self,
+        present: &Present,
+        inputs: &Inputs<P>,
+        y: &[P; MOST_STATES],
+        reaction: Reaction,
+    ) -> Option<P> {
+        match (self, present, reaction) {
+            (Level::Free(motion), Present::Free(state), Reaction::Rope) => {
+                motion.rope_force(state, &inputs.motion, first(y))
+            }
+            (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(state, &inputs.motion, first(y)),
+            (Level::Slewing(crane), Present::Slewing(state), reaction) => {
+                let (commands, y) = (inputs.of_both(), first(y));
+                match reaction {
+                    Reaction::Rope => crane.rope_force(state, &commands, y),
+                    Reaction::SlewingFriction => crane.friction_moment(1, state, &commands, y),
+                    Reaction::Swing | Reaction::Side | Reaction::Distance => Some(seen(y, reaction)),
+                    _ => crane.friction_moment(0, state, &commands, y),
+                }
+            }
+            (Level::Fixed(system), Present::Fixed(at), _) => oil_reaction(system, at.modes, first(y), reaction),
+            (Level::Hanging(system), Present::Hanging(at), _) => oil_reaction(system, at.modes, first(y), reaction),
+            _ => unreachable!("{OTHER}"),
+        }
+    }
+}
+
+impl Level {
+    /// Decides what follows at an instant. The events of oil are kinks, where nothing is to be decided, and what
+    /// the implicit solver has solved ahead ends before the next event.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub fn event(&self, present: &mut Present, inputs: &Inputs) -> Result<(), Halt> {
+        match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => motion.event(state, &inputs.motion).map(|_| ()),
+            (Level::Slewing(crane), Present::Slewing(state)) => crane.event(state, &inputs.of_both()).map(|_| ()),
+            (Level::Fixed(system), Present::Fixed(present)) => oil_event(system, present),
+            (Level::Hanging(system), Present::Hanging(present)) => oil_event(system, present),
+            _ => unreachable!("{OTHER}"),
+        }
+    }
+
+    /// Which of the states are rates of the bodies, and which one is the length of the rope: behind the angle and the oil come
+    /// the states of slewing and of the load in space, or of the load in the plane.
+    fn places(&self, present: &Present) -> (&'static [usize], usize) {
+        let oil = matches!(present, Present::Fixed(_) | Present::Hanging(_));
+        match (oil, self.dynamics().turntable().is_some()) {
+            (false, false) => (&[1, 3, 6], 4),
+            (false, true) => (&[1, 3, 7, 8, 9], 10),
+            (true, false) => (&[1, 9, 12], 10),
+            (true, true) => (&[1, 9, 13, 14, 15], 16),
+        }
+    }
+
+    /// Length of the rope, in m.
+    fn rope(&self, present: &Present) -> Option<f64> {
+        let (_, length) = self.places(present);
+        self.dynamics().bodies().pendulum.map(|_| present.states()[length])
+    }
+
+    /// The bodies where they are, at rest.
+    pub(crate) fn still(&self, present: &Present) -> Present {
+        let (mut still, mut states) = (*present, present.states());
+        for &rate in self.places(present).0 {
+            states[rate] = 0.0;
+        }
+        still.set_states(&states);
+        still
+    }
+
+    /// Moves on by a duration, in s; `step` is the longest explicit step (s), `relative` the
+    /// tolerance of the implicit solver. Returns the work done.
+    ///
+    /// # Errors
+    /// See [`Halt`].
+    pub fn advance(
+        &self,
+        present: &mut Present,
+        inputs: &Inputs,
+        duration: f64,
+        step: f64,
+        relative: f64,
+    ) -> Result<Count, Halt> {
+        // The hoist alone decides. A load that is drawn to the head turns about it ever faster, for more steps than there are.
+        if self
+            .rope(present)
+            .is_some_and(|length| length + inputs.motion.hoist * duration <= REELED_IN)
+        {
+            return Err(Halt::Outside);
+        }
+        match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => motion.advance(state, &inputs.motion, duration, step),
+            (Level::Slewing(crane), Present::Slewing(state)) => crane.advance(state, &inputs.of_both(), duration, step),
+            (Level::Fixed(system), Present::Fixed(present)) => oil_advance(system, present, duration, step, relative),
+            (Level::Hanging(system), Present::Hanging(present)) => {
+                oil_advance(system, present, duration, step, relative)
+            }
+            _ => unreachable!("{OTHER}"),
+        }
+    }
+}
+
+/// Powers at one instant, in W; losses are positive.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Powers {
+    /// Of the drives of luffing and slewing, of the hoist, and of the pump.
+    pub drive: f64,
+    pub slewing: f64,
+    pub hoist: f64,
+    pub pump: f64,
+    /// What friction, brakes and end stops take.
+    pub friction: f64,
+    /// What edges, lines, relief valves and leakage take.
+    pub throttles: f64,
+    /// What compresses the oil.
+    pub compression: f64,
+}
+
+impl Level {
+    /// Powers, and the energy of all bodies (J); `None` where the linkage does not close.
+    pub(crate) fn powers(&self, present: &Present, inputs: &Inputs) -> Option<(Powers, f64)> {
+        let hoist = inputs.motion.hoist;
+        match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => {
+                let (commands, y) = (&inputs.motion, &state.y);
+                let powers = Powers {
+                    drive: commands.moment * y[1],
+                    hoist: -motion.rope_force(state, commands, y)? * hoist,
+                    friction: -motion.friction_moment(state, commands, y)? * y[1],
+                    ..Powers::default()
+                };
+                Some((powers, motion.energy(state, commands)?))
+            }
+            (Level::Slewing(crane), Present::Slewing(state)) => {
+                let (commands, y) = (inputs.of_both(), &state.y);
+                let friction = |i: usize| Some(-crane.friction_moment(i, state, &commands, y)? * y[2 * i + 1]);
+                let powers = Powers {
+                    drive: commands.drives[0].moment * y[1],
+                    slewing: commands.drives[1].moment * y[3],
+                    hoist: -crane.rope_force(state, &commands, y)? * hoist,
+                    friction: friction(0)? + friction(1)?,
+                    ..Powers::default()
+                };
+                Some((powers, crane.energy(state, &commands)?))
+            }
+            (Level::Fixed(system), Present::Fixed(at)) => oil_powers(system, at),
+            (Level::Hanging(system), Present::Hanging(at)) => oil_powers(system, at),
+            _ => unreachable!("{OTHER}"),
+        }
+    }
+}
+
+fn oil_powers<const N: usize>(system: &Hydraulic<N>, at: &hydraulic::Present<N>) -> Option<(Powers, f64)> {
+    let (y, modes) = (at.run.states(), at.modes);
+    let [_, arm] = f64::reduced(system.dynamics(), y[0])?.drive;
+    let oil = Hydraulic::<N>::oil(&y);
+    let [pump, throttles, compression] = system.cylinder.powers(&oil, arm * y[1], system.supply);
+    // A crane that slews does so by the state behind its angle.
+    let turning = match system.dynamics().turntable() {
+        Some(_) => y[FIXED + 1],
+        None => 0.0,
+    };
+    let powers = Powers {
+        slewing: system.slewing.moment * turning,
+        hoist: -system.rope_force(modes, &y)? * system.hoist,
+        pump,
+        throttles,
+        compression,
+        friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, &y)? * turning,
+        ..Powers::default()
+    };
+    Some((powers, system.energy(modes, &y)?))
+}
+
+fn oil_event<const N: usize>(system: &Hydraulic<N>, present: &mut hydraulic::Present<N>) -> Result<(), Halt> {
+    if present.run.is_fresh() {
+        return system.event(present);
+    }
+    let closes = f64::reduced(system.dynamics(), present.run.states()[0]);
+    closes.map(|_| ()).ok_or(Halt::Outside)
+}
+
+fn oil_advance<const N: usize>(
+    system: &Hydraulic<N>,
+    present: &mut hydraulic::Present<N>,
+    duration: f64,
+    longest: f64,
+    relative: f64,
+) -> Result<Count, Halt> {
+    let before = present.run.count;
+    system.advance(present, &tolerance(relative, system.states()), duration, longest)?;
+    let work = present.run.count.since(before);
+    possible(system, present).then_some(work).ok_or(Halt::Outside)
+}
+
+/// Which way a bar moves, as a number, and back; one that is loose always is.
+fn way(bar: Bar) -> f64 {
+    match bar {
+        Bar::Held | Bar::Loose => 0.0,
+        Bar::Forward => 1.0,
+        Bar::Backward => -1.0,
+    }
+}
+
+fn bar_of(way: f64) -> Option<Bar> {
+    [Bar::Held, Bar::Forward, Bar::Backward]
+        .into_iter()
+        .find(|bar| self::way(*bar) == way)
+}
+
+/// The states of this level.
+fn first<const N: usize, P>(y: &[P; MOST_STATES]) -> &[P; N] {
+    y.first_chunk().expect("no level has more states")
+}
+
+fn put<P: Copy>(to: &mut [P], from: &[P]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = *from;
+    }
+}
+
+impl Present {
+    /// The states, the rest being zero.
+    #[must_use]
+    pub fn states(&self) -> [f64; MOST_STATES] {
+        let mut y = [0.0; MOST_STATES];
+        match self {
+            Present::Free(state) => put(&mut y, &state.y),
+            Present::Slewing(state) => put(&mut y, &state.y),
+            Present::Fixed(present) => put(&mut y, &present.run.states()),
+            Present::Hanging(present) => put(&mut y, &present.run.states()),
+        }
+        y
+    }
+
+    /// Takes over states from outside; what a solver knew ahead is dropped.
+    pub fn set_states(&mut self, values: &[f64]) {
+        match self {
+            Present::Free(state) => put(&mut state.y, values),
+            Present::Slewing(state) => put(&mut state.y, values),
+            Present::Fixed(present) => present.set_states(values),
+            Present::Hanging(present) => present.set_states(values),
+        }
+    }
+
+    /// The oil, if there is any.
+    #[must_use]
+    pub fn oil(&self) -> Option<Oil<f64>> {
+        match self {
+            Present::Free(_) | Present::Slewing(_) => None,
+            Present::Fixed(present) => Some(Hydraulic::<FIXED>::oil(&present.run.states())),
+            Present::Hanging(present) => Some(Hydraulic::<{ hydraulic::MOST }>::oil(&present.run.states())),
+        }
+    }
+
+    /// Least pressure of the oil so far, in Pa; infinite without oil.
+    #[must_use]
+    pub fn least_pressure(&self) -> f64 {
+        let so_far = match self {
+            Present::Free(_) | Present::Slewing(_) => f64::INFINITY,
+            Present::Fixed(present) => present.run.least,
+            Present::Hanging(present) => present.run.least,
+        };
+        self.oil().map_or(so_far, |oil| so_far.min(oil.least().1))
+    }
+
+    /// The load hangs on the rope, if there is one.
+    #[must_use]
+    pub fn is_taut(&self) -> bool {
+        match self {
+            Present::Free(state) => state.taut,
+            Present::Slewing(state) => state.taut,
+            Present::Fixed(present) => present.modes.taut,
+            Present::Hanging(present) => present.modes.taut,
+        }
+    }
+
+    /// States of this level in every one of its ways of moving, with no number that is special: over a
+    /// range of the angle and beyond its ends (rad), relief valves that open at `opening` (Pa) open and closed.
+    #[must_use]
+    pub fn lively(&self, [from, to]: [f64; 2], opening: f64, slews: bool) -> Vec<Present> {
+        let mut found = Vec::new();
+        for part in [-1e-3, 0.217, 0.613, 0.871, 1.001] {
+            let theta = from + part * (to - from);
+            for sign in [1.0, -1.0] {
+                let swinging = [theta, 0.113 * sign, 0.231, -0.119 * sign];
+                let aside = [0.31, -0.83, 0.27, 0.17, 0.071, -0.053];
+                let oil = |p: f64| [1.07 * p, 0.93 * p, 0.71 * p, 0.41 * p, 0.31 * sign, 1.7];
+                match self {
+                    Present::Free(state) => {
+                        let mut y = state.y;
+                        put(&mut y, &swinging);
+                        (y[5], y[6]) = (0.93 * y[4], 0.57);
+                        for bar in [Bar::Held, Bar::Forward, Bar::Backward] {
+                            for taut in [true, false] {
+                                found.push(Present::Free(motion::State { y, bar, taut }));
+                            }
+                        }
+                    }
+                    Present::Slewing(state) => {
+                        let mut y = state.y;
+                        put(&mut y, &[theta, 0.231, 0.113 * sign, -0.119 * sign]);
+                        put(&mut y[4..], &aside.map(|x| x * state.y[10]));
+                        for luffing in [Bar::Held, Bar::Forward, Bar::Backward] {
+                            for turning in [Bar::Held, Bar::Forward, Bar::Backward] {
+                                for taut in [true, false] {
+                                    let joints = [luffing, turning];
+                                    found.push(Present::Slewing(slewing::State { y, joints, taut }));
+                                }
+                            }
+                        }
+                    }
+                    Present::Fixed(present) => {
+                        let mut y = present.run.states();
+                        put(&mut y, &swinging[..2]);
+                        for p in [0.3, 2.0] {
+                            put(&mut y[2..], &oil(p * opening));
+                            found.push(Present::Fixed(hydraulic::Present::new(y)));
+                        }
+                    }
+                    Present::Hanging(present) => {
+                        let mut y = present.run.states();
+                        put(&mut y, &swinging[..2]);
+                        if slews {
+                            put(&mut y[8..], &[0.113 * sign, -0.119 * sign]);
+                            let length = y[16];
+                            put(&mut y[10..], &aside.map(|x| x * length));
+                        } else {
+                            let length = y[10];
+                            put(&mut y[8..], &[swinging[2], swinging[3], length, 0.93 * length, 0.57]);
+                        }
+                        for p in [0.3, 2.0] {
+                            put(&mut y[2..], &oil(p * opening));
+                            for slewing in [Bar::Held, Bar::Forward, Bar::Backward] {
+                                for taut in [true, false] {
+                                    let mut present = hydraulic::Present::new(y);
+                                    present.modes = Modes { slewing, taut };
+                                    found.push(Present::Hanging(present));
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    /// To be called when an input or a parameter changes.
+    pub fn interrupt(&mut self) {
+        match self {
+            Present::Free(_) | Present::Slewing(_) => {}
+            Present::Fixed(present) => present.interrupt(),
+            Present::Hanging(present) => present.interrupt(),
+        }
+    }
+
+    /// All of it as numbers.
+    pub fn numbers(&self, numbers: &mut Vec<f64>) {
+        match self {
+            Present::Free(state) => {
+                numbers.extend(state.y);
+                numbers.extend([way(state.bar), f64::from(state.taut)]);
+            }
+            Present::Slewing(state) => {
+                numbers.extend(state.y);
+                numbers.extend(state.joints.map(way));
+                numbers.push(f64::from(state.taut));
+            }
+            Present::Fixed(present) => numbers.extend(present.run.numbers()),
+            Present::Hanging(present) => {
+                numbers.extend(present.run.numbers());
+                numbers.extend([way(present.modes.slewing), f64::from(present.modes.taut)]);
+            }
+        }
+    }
+
+    /// What [`numbers`](Present::numbers) gave, of this level, and the numbers that follow it.
+    #[must_use]
+    pub fn of<'a>(&self, numbers: &'a [f64]) -> Option<(Present, &'a [f64])> {
+        let count = {
+            let mut own = Vec::new();
+            self.numbers(&mut own);
+            own.len()
+        };
+        let (own, rest) = numbers.split_at_checked(count)?;
+        if own.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
+        let found = match self {
+            Present::Free(_) => {
+                let (y, modes) = own.split_first_chunk::<{ motion::STATES }>()?;
+                let &[bar, taut] = modes else { return None };
+                Present::Free(motion::State {
+                    y: *y,
+                    bar: bar_of(bar)?,
+                    taut: taut != 0.0,
+                })
+            }
+            Present::Slewing(_) => {
+                let (y, modes) = own.split_first_chunk::<{ slewing::STATES }>()?;
+                let &[luffing, turning, taut] = modes else { return None };
+                Present::Slewing(slewing::State {
+                    y: *y,
+                    joints: [bar_of(luffing)?, bar_of(turning)?],
+                    taut: taut != 0.0,
+                })
+            }
+            Present::Fixed(_) => Present::Fixed(hydraulic::Present {
+                run: Run::of(own)?,
+                modes: Modes::AT_REST,
+            }),
+            Present::Hanging(_) => {
+                let (run, &[slewing, taut]) = own.split_last_chunk()?;
+                Present::Hanging(hydraulic::Present {
+                    run: Run::of(run)?,
+                    modes: Modes {
+                        slewing: bar_of(slewing)?,
+                        taut: taut != 0.0,
+                    },
+                })
+            }
+        };
+        Some((found, rest))
+    }
+}

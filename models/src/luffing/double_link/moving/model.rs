@@ -1,0 +1,1094 @@
+//! The mechanism in motion as a running model: commands and parameters in,
+//! states and results out. What follows from angle and angular velocity alone
+//! comes from the algebraic model of the same scene.
+
+use std::collections::BTreeSet;
+
+use num_dual::Dual64;
+
+use crate::component::dependencies::{dependencies, recorded};
+use crate::component::running::{Running, State, Tangent};
+use crate::component::standing::Standing;
+use crate::kernel::calc::{Calc, Over};
+use crate::kernel::number::short;
+use crate::kernel::record::{self, Rec};
+use crate::kernel::symbol::Symbol;
+use crate::kernel::unit;
+use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
+use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
+use crate::luffing::double_link::geometry::{Driven, Geometry};
+use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
+use crate::luffing::double_link::model::{present, standing};
+use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, Motion};
+use crate::luffing::double_link::moving::level::{
+    Inputs, Level, MOST_INDICATORS, MOST_STATES, OIL_INDICATORS, Powers, Present, Reaction,
+};
+use crate::luffing::double_link::moving::scene::{Constants, Moving, Oil, Rope, Turning};
+use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::scene::Luffing;
+use crate::luffing::double_link::slewing::{self, Drive, Joint, Slewing};
+use crate::luffing::double_link::stages::{DoubleLink, parameters};
+use crate::luffing::double_link::symbols as s;
+use crate::parts::hydraulics::cylinder::Cylinder;
+use crate::parts::hydraulics::oil::warning;
+use crate::parts::hydraulics::symbols as h;
+use crate::parts::hydraulics::valve::Valve;
+use crate::parts::motion::Motion as Range;
+use crate::parts::plane::Point;
+use crate::parts::solver::{Count, Halt, MOST_STEPS};
+
+/// Least pressure of the chambers at the start, in Pa.
+const LEAST_PRESSURE: f64 = 20e5;
+
+/// Natural frequency, in rad/s, of the mechanism alone against an end stop of the hydraulic level;
+/// the stop is damped critically.
+const STOP: f64 = 100.0;
+
+/// In the place of a parameter that is zero where it is asked what depends on what.
+const TRACE: f64 = 1e-6;
+
+/// A scene's mechanism in motion.
+#[derive(Clone, Debug)]
+pub struct Model {
+    algebraic: Standing,
+    driven: Driven,
+    range: Range,
+    rope: Option<Rope>,
+    /// Where the crane slews.
+    slewing_stops: Option<[f64; 2]>,
+    variables: Vec<Variable>,
+    slots: Vec<Slot>,
+    /// Numbers of continuous states and of event indicators.
+    states: usize,
+    indicators: usize,
+    /// Follows from the parameters; `None` after one has changed.
+    level: Option<Level>,
+    now: Now,
+    /// Work of the solver so far; no part of the state.
+    count: Count,
+}
+
+/// All that changes while it runs, besides the algebraic model.
+#[derive(Clone, Copy, Debug)]
+struct Now {
+    /// In s.
+    time: f64,
+    present: Present,
+    inputs: Inputs,
+    constants: Constants<f64>,
+    turning: Option<Turning<f64>>,
+    oil: Option<Oil<f64>>,
+}
+
+/// All that changes while it runs.
+#[derive(Debug)]
+struct Saved {
+    now: Now,
+    algebraic: State,
+}
+
+/// Results with their derivatives in one direction of states, inputs and parameters.
+#[derive(Debug)]
+struct Direction {
+    algebraic: Tangent,
+    level: Result<Level<Dual64>, Fault>,
+    inputs: Inputs<Dual64>,
+    y: [Dual64; MOST_STATES],
+    /// Made when first asked for.
+    rates: Option<[Dual64; MOST_STATES]>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Slot {
+    State(usize),
+    Rate(usize),
+    Indicator(usize),
+    Moment,
+    Brake,
+    Hoist,
+    Valve,
+    Supply,
+    Constant,
+    SlewingMoment,
+    SlewingBrake,
+    Reaction(Reaction),
+    Cavitates,
+    /// Index of a variable of the algebraic model.
+    Algebraic(usize),
+}
+
+impl Model {
+    /// # Errors
+    /// The cylinder cannot hold the crane at the start. A scene that was read has a mechanism.
+    pub fn new(luffing: &Luffing, moving: &Moving) -> Result<Model, Fault> {
+        let algebraic = standing(luffing)?;
+        let Moving {
+            rope,
+            oil,
+            inputs,
+            constants,
+            slewing,
+        } = *moving;
+        let mut start = motion::State::resting(luffing.motion.from, rope.map_or(0.0, |rope| rope.length));
+        start.y[2] = rope.map_or(0.0, |rope| rope.swing);
+        let (states, indicators) = match (oil, rope, slewing) {
+            (None, None, None) => (2, motion::INDICATORS - 1),
+            (None, Some(_), None) => (motion::STATES, motion::INDICATORS),
+            (None, None, Some(_)) => (slewing::RIGID, slewing::INDICATORS - 1),
+            (None, Some(_), Some(_)) => (slewing::STATES, slewing::INDICATORS),
+            (Some(_), None, None) => (hydraulic::FIXED, OIL_INDICATORS),
+            (Some(_), Some(_), None) => (hydraulic::FIXED + motion::STATES - 2, OIL_INDICATORS + 1),
+            (Some(_), None, Some(_)) => (hydraulic::FIXED + slewing::RIGID - 2, OIL_INDICATORS + 4),
+            (Some(_), Some(_), Some(_)) => (hydraulic::MOST, OIL_INDICATORS + 5),
+        };
+        let present = match slewing {
+            None => Present::Free(start),
+            Some(turn) => {
+                let mut start = slewing::State::resting(start.y[0], start.y[4]);
+                start.put_load([rope.map_or(0.0, |rope| rope.swing), turn.side]);
+                start.y[2..4].copy_from_slice(&turn.start);
+                Present::Slewing(start)
+            }
+        };
+        let mut model = Model {
+            driven: luffing.parameters.driven,
+            range: luffing.motion,
+            rope,
+            slewing_stops: slewing.map(|turn| turn.stops),
+            variables: Vec::new(),
+            slots: Vec::new(),
+            states,
+            indicators,
+            count: Count::default(),
+            level: None,
+            now: Now {
+                time: 0.0,
+                present,
+                inputs,
+                constants,
+                turning: slewing.map(|turn| turn.constants),
+                oil,
+            },
+            algebraic,
+        };
+        if oil.is_some() {
+            model.now.present = model.held_by_oil(&model.now.present)?;
+        }
+        for (variable, slot) in model.list() {
+            model.variables.push(variable);
+            model.slots.push(slot);
+        }
+        model.update()?;
+        Ok(model)
+    }
+
+    /// A cylinder's start: the valve closed, the oil carrying the crane, which else stands and hangs as without oil.
+    fn held_by_oil(&self, crane: &Present) -> Result<Present, Fault> {
+        let theta = self.range.from;
+        let present = match self.assemble()? {
+            Level::Fixed(system) => {
+                (system.resting(theta, LEAST_PRESSURE)).map(|y| Present::Fixed(hydraulic::Present::new(y)))
+            }
+            Level::Hanging(system) => system.resting(theta, LEAST_PRESSURE).map(|mut y| {
+                match crane {
+                    Present::Slewing(state) => hydraulic::put(&mut y, &state.y),
+                    Present::Free(state) => hydraulic::put(&mut y, &state.y),
+                    Present::Fixed(_) | Present::Hanging(_) => {}
+                }
+                Present::Hanging(hydraulic::Present::new(y))
+            }),
+            Level::Free(_) | Level::Slewing(_) => None,
+        };
+        present.ok_or_else(|| {
+            Fault::outside("the cylinder has no lever arm at the start of the working range: it cannot hold the crane")
+        })
+    }
+
+    /// Variables of a scene: the coordinate first, then other states, inputs, constants and results of
+    /// motion, then those of the algebraic model, then rates and event indicators.
+    fn list(&self) -> Vec<(Variable, Slot)> {
+        let mut list = Vec::new();
+        let of = |symbol: &'static Symbol, role| Variable::new((symbol, None), role);
+        let boom = self.driven == Driven::Boom;
+        let hydraulic = self.now.oil.is_some();
+        let (reeled, slews) = (self.rope.is_some(), self.slewing_stops.is_some());
+        let coordinate = if boom {
+            [&s::THETA_1, &s::OMEGA_1]
+        } else {
+            [&s::THETA_3, &s::OMEGA_3]
+        };
+        let states = self.of_level(
+            coordinate,
+            [&m::PSI_SL, &m::OMEGA_SL],
+            [&m::X_Q, &m::Y_Q, &m::Z_Q, &m::V_QX, &m::V_QY, &m::V_QZ],
+            [&m::PHI, &m::OMEGA_PHI],
+            [&m::L_R, &m::S_Q, &m::V_Q],
+            [&m::P_1, &m::P_2, &m::P_A, &m::P_B, &m::X_V, &m::V_V],
+        );
+        for (i, symbol) in states.into_iter().enumerate() {
+            list.push((of(symbol, Role::State), Slot::State(i)));
+        }
+        let inputs = if hydraulic {
+            [(&m::U_V, Slot::Valve), (&m::P_P, Slot::Supply)]
+        } else {
+            [(&m::M_A, Slot::Moment), (&m::M_S, Slot::Brake)]
+        };
+        list.extend(inputs.map(|(symbol, slot)| (of(symbol, Role::Input), slot)));
+        if reeled {
+            list.push((of(&m::V_H, Role::Input), Slot::Hoist));
+        }
+        if slews {
+            list.push((of(&m::M_SL, Role::Input), Slot::SlewingMoment));
+            list.push((of(&m::M_B_SL, Role::Input), Slot::SlewingBrake));
+        }
+        let mut constant = |symbol, _| list.push((of(symbol, Role::Parameter), Slot::Constant));
+        self.now.constants.map(&mut constant);
+        self.now.turning.map(|turning| turning.map(&mut constant));
+        self.now.oil.map(|oil| oil.map(&mut constant));
+        if hydraulic {
+            list.push((of(&m::F_C, Role::Output), Slot::Reaction(Reaction::Cylinder)));
+        }
+        list.push((of(&m::M_R, Role::Output), Slot::Reaction(Reaction::Friction)));
+        if reeled {
+            list.push((of(&m::S_R, Role::Output), Slot::Reaction(Reaction::Rope)));
+        }
+        if slews {
+            list.push((of(&m::M_R_SL, Role::Output), Slot::Reaction(Reaction::SlewingFriction)));
+            if reeled {
+                list.push((of(&m::PHI, Role::Output), Slot::Reaction(Reaction::Swing)));
+                list.push((of(&m::CHI_R, Role::Output), Slot::Reaction(Reaction::Side)));
+                list.push((of(&m::S_Q, Role::Output), Slot::Reaction(Reaction::Distance)));
+            }
+        }
+        if hydraulic {
+            let flag = Variable {
+                kind: Type::Boolean,
+                ..of(&h::CAVITATES, Role::Output)
+            };
+            list.push((flag, Slot::Cavitates));
+        }
+        for (index, variable) in self.algebraic.variables().iter().enumerate() {
+            if !coordinate.contains(&variable.symbol) {
+                list.push((*variable, Slot::Algebraic(index)));
+            }
+        }
+        let rates = self.of_level(
+            if boom {
+                [&m::D_THETA_1, &m::D_OMEGA_1]
+            } else {
+                [&m::D_THETA_3, &m::D_OMEGA_3]
+            },
+            [&m::D_PSI_SL, &m::D_OMEGA_SL],
+            [&m::D_X_Q, &m::D_Y_Q, &m::D_Z_Q, &m::D_V_QX, &m::D_V_QY, &m::D_V_QZ],
+            [&m::D_PHI, &m::D_OMEGA_PHI],
+            [&m::D_L_R, &m::D_S_Q, &m::D_V_Q],
+            [&m::D_P_1, &m::D_P_2, &m::D_P_A, &m::D_P_B, &m::D_X_V, &m::D_V_V],
+        );
+        for (i, symbol) in rates.into_iter().enumerate() {
+            list.push((of(symbol, Role::Rate), Slot::Rate(i)));
+        }
+        let mut indicators = if hydraulic {
+            vec![
+                &m::Z_SPOOL,
+                &m::Z_RELIEF_1,
+                &m::Z_RELIEF_2,
+                &m::Z_LOW,
+                &m::Z_HIGH,
+                &h::Z_VACUUM,
+            ]
+        } else {
+            vec![&m::Z_REST, &m::Z_LOOSE, &m::Z_LOW, &m::Z_HIGH]
+        };
+        if slews {
+            indicators.extend([&m::Z_SL_REST, &m::Z_SL_LOOSE, &m::Z_SL_LOW, &m::Z_SL_HIGH]);
+        }
+        if reeled {
+            indicators.push(&m::Z_ROPE);
+        }
+        for (i, symbol) in indicators.into_iter().enumerate() {
+            list.push((of(symbol, Role::Indicator), Slot::Indicator(i)));
+        }
+        list
+    }
+
+    /// What stands for each state of this level, out of those of all levels.
+    fn of_level(
+        &self,
+        coordinate: [&'static Symbol; 2],
+        slewing: [&'static Symbol; 2],
+        load: [&'static Symbol; 6],
+        swing: [&'static Symbol; 2],
+        reel: [&'static Symbol; 3],
+        oil: [&'static Symbol; 6],
+    ) -> Vec<&'static Symbol> {
+        let mut symbols = coordinate.to_vec();
+        if self.now.oil.is_some() {
+            symbols.extend(oil);
+        }
+        let (slews, reeled) = (self.slewing_stops.is_some(), self.rope.is_some());
+        if slews {
+            symbols.extend(slewing);
+        }
+        match (slews, reeled) {
+            (true, true) => {
+                symbols.extend(load);
+                symbols.push(reel[0]);
+            }
+            (false, true) => {
+                symbols.extend(swing);
+                symbols.extend(reel);
+            }
+            (_, false) => {}
+        }
+        symbols
+    }
+
+    /// The equations of motion with the present parameters and inputs.
+    fn level(&mut self) -> Result<&Level, Fault> {
+        if self.level.is_none() {
+            self.level = Some(self.assemble()?);
+        }
+        Ok(self.level.as_ref().expect("assembled above"))
+    }
+
+    fn assemble(&self) -> Result<Level, Fault> {
+        self.assemble_over(&mut |_, value| value)
+    }
+
+    /// The equations of motion over any scalar: `of` gives each input and parameter in it.
+    fn assemble_over<P: Coordinate<P>>(&self, of: &mut dyn FnMut(&'static Symbol, f64) -> P) -> Result<Level<P>, Fault>
+    where
+        Dual64: Over<P>,
+    {
+        let constants = self.now.constants.map(of);
+        let given = present(&self.algebraic);
+        let parameters = parameters(given);
+        let load = (of(&s::Q, given.load.map_or(0.0, |load| load.1)) / constants.g).def(&m::MASS_Q);
+        let inputs = self.inputs_over(of);
+        let turning = self.now.turning.map(|turning| turning.map(of));
+        let oil = self.now.oil.map(|oil| oil.map(of));
+        let over = parameters.map(of);
+        let geometry = Geometry::new(&over).map_err(|misfit| {
+            let words = parameters.describe(misfit);
+            Fault::outside(format!("{}; {}", words.what, words.help))
+        })?;
+        let weights = over.weights.expect("checked when the scene was read");
+        // Boom and rocker lie along their bars, the jib along the line from its tail to its head.
+        let bar = Point::new(P::constant(1.0), P::constant(0.0));
+        let head = Point::new(geometry.kappa.x, -geometry.kappa.y) * geometry.lengths.x_2;
+        let axis = head - bar * geometry.lengths.x_2;
+        let body = |weight: P, inertia: P, distance: P, angle: P, along: Point<P>| {
+            let (sin, cos) = angle.sin_cos();
+            let centre = Point::new(distance * cos, distance * sin);
+            Body::slender(weight / constants.g, inertia, centre, along)
+        };
+        let jib = body(weights.g_2, constants.j_2, weights.s_2, weights.chi_2, axis);
+        let pendulum = self.rope.map(|rope| Pendulum {
+            mass: load,
+            length: P::known(&m::L_R, rope.length),
+        });
+        let bodies = Bodies {
+            boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1, bar),
+            jib: if pendulum.is_some() {
+                jib
+            } else {
+                let loaded = jib.with_mass(load, head);
+                Body {
+                    inertia: loaded.inertia.def(&m::J_2Q),
+                    ..loaded
+                }
+            },
+            rocker: body(weights.g_3, constants.j_3, weights.s_3, weights.chi_3, bar),
+            pendulum,
+            gravity: constants.g,
+        };
+        let mut dynamics = Dynamics::new(&geometry, bodies)
+            .with_balance(&over, &self.range)
+            .map_err(|fault| Fault::outside(fault.to_string()))?;
+        let joint = |viscous, coulomb, stops| Joint {
+            friction: Friction { viscous, coulomb },
+            stops,
+        };
+        let luffing = joint(constants.c_v, constants.m_f, self.stops());
+        let slewing = (turning.zip(self.slewing_stops)).map(|(t, stops)| joint(t.c_sl, t.m_f_sl, stops));
+        if let Some(turning) = turning {
+            dynamics = dynamics.with_slewing(Turntable {
+                axis: -geometry.lengths.x_8,
+                inertia: turning.j_sl,
+            });
+        }
+        let Some(oil) = oil else {
+            return Ok(match crane(&dynamics, luffing, slewing) {
+                Crane::Plane(motion) => Level::Free(motion),
+                Crane::Slewing(slewing) => Level::Slewing(slewing),
+            });
+        };
+        let (anchors, bore) = over
+            .anchors
+            .zip(over.cylinder)
+            .expect("checked when the scene was read");
+        let dynamics = dynamics.with_drive(&anchors);
+        let cylinder = Cylinder {
+            areas: Cylinder::areas(bore.d_c, bore.d_r),
+            lengths: [oil.l_min, oil.l_max],
+            dead_volume: oil.v_0,
+            port_volume: oil.v_1,
+            line: Valve::rated(oil.q_n, oil.dp_l),
+            leakage: oil.k_l,
+            bulk_modulus: oil.beta_e,
+            relief: [oil.p_r, oil.k_r],
+            valve: Valve {
+                conductance: Valve::rated(oil.q_n, oil.dp_n),
+                overlap: P::constant(0.0),
+                frequency: oil.omega_v,
+                damping: oil.zeta_v,
+            },
+        };
+        let start = P::reduced(&dynamics, P::constant(self.range.from));
+        let inertia = start.map_or(P::constant(0.0), |r| r.inertia);
+        let stop = P::known(&m::OMEGA_S, STOP);
+        let (stiffness, damping) = (inertia * stop.square(), inertia * P::constant(2.0) * stop);
+        let buffer = [stiffness.def(&m::K_S), damping.def(&m::D_S)];
+        let crane = crane(&dynamics, luffing, slewing);
+        if self.rope.is_some() || self.slewing_stops.is_some() {
+            Ok(Level::Hanging(hydraulic(crane, cylinder, buffer, &inputs)))
+        } else {
+            Ok(Level::Fixed(hydraulic(crane, cylinder, buffer, &inputs)))
+        }
+    }
+
+    /// The inputs over any scalar.
+    fn inputs_over<P>(&self, of: &mut dyn FnMut(&'static Symbol, f64) -> P) -> Inputs<P> {
+        let Inputs {
+            motion,
+            slewing,
+            valve,
+            supply,
+        } = self.now.inputs;
+        Inputs {
+            slewing: Drive {
+                moment: of(&m::M_SL, slewing.moment),
+                brake: of(&m::M_B_SL, slewing.brake),
+            },
+            motion: Commands {
+                moment: of(&m::M_A, motion.moment),
+                brake: of(&m::M_S, motion.brake),
+                hoist: of(&m::V_H, motion.hoist),
+            },
+            valve: of(&m::U_V, valve),
+            supply: of(&m::P_P, supply),
+        }
+    }
+
+    fn stops(&self) -> [f64; 2] {
+        [self.range.from, self.range.to]
+    }
+
+    /// Brings the algebraic model to the present angle and angular velocity.
+    fn follow(&mut self) -> Result<(), Fault> {
+        let y = self.now.present.states();
+        self.algebraic.set(0, y[0])?;
+        self.algebraic.set(1, y[1])
+    }
+
+    /// A parameter has changed.
+    fn changed(&mut self) {
+        self.level = None;
+        self.now.present.interrupt();
+    }
+
+    /// Inputs of the hydraulic level have changed.
+    fn commanded(&mut self) {
+        self.now.present.interrupt();
+        if let Some(level) = &mut self.level {
+            level.set_inputs(&self.now.inputs);
+        }
+    }
+
+    fn refusal(&self, halt: Halt, size: f64) -> Fault {
+        let (symbol, at) = (self.variables[0].symbol, self.now.present.states()[0]);
+        let angle = format!("{} = {}", symbol.id, symbol.written(at));
+        let (size, step) = (short(size), short(self.now.constants.step));
+        Fault::outside(match halt {
+            Halt::Outside => format!(
+                "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
+                 the rope, or beyond all reasonable numbers: keep the working range away from dead points, reel in \
+                 less, or command less"
+            ),
+            Halt::TooFast => format!(
+                "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
+                 within one: set step below {} s, or make the rope longer or the friction less",
+                short(self.now.constants.step / 2.0)
+            ),
+            Halt::TooSmall | Halt::TooMany => format!(
+                "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
+                 at step = {step} s: take smaller communication steps, a longer step or a coarser tolerance"
+            ),
+        })
+    }
+
+    fn all_rates(&mut self, rates: &mut [f64; MOST_STATES]) -> Result<(), Fault> {
+        let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
+        let found = self.level()?.rates(&present, &inputs, &y, rates);
+        found.ok_or_else(|| self.open())
+    }
+
+    fn open(&self) -> Fault {
+        let (symbol, at) = (self.variables[0].symbol, self.now.present.states()[0]);
+        Fault::outside(format!(
+            "the linkage does not close at {} = {}",
+            symbol.id,
+            symbol.written(at)
+        ))
+    }
+
+    /// The states over any scalar.
+    fn states_over<P: Calc>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> [P; MOST_STATES] {
+        let states = self.now.present.states();
+        std::array::from_fn(|i| match self.variables.get(i).filter(|_| i < self.states) {
+            Some(variable) => of(variable.symbol, states[i]),
+            None => P::constant(states[i]),
+        })
+    }
+
+    /// Powers as it is now, and the energy of all bodies (J).
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub(crate) fn powers(&mut self) -> Result<(Powers, f64), Fault> {
+        let (present, inputs) = (self.now.present, self.now.inputs);
+        let found = self.level()?.powers(&present, &inputs);
+        found.ok_or_else(|| self.open())
+    }
+
+    /// Energy of the bodies' motion as it is now, in J.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    pub(crate) fn kinetic(&mut self) -> Result<f64, Fault> {
+        let (present, inputs) = (self.now.present, self.now.inputs);
+        let level = self.level()?;
+        let energies = [present, level.still(&present)].map(|present| Some(level.powers(&present, &inputs)?.1));
+        match energies {
+            [Some(moving), Some(still)] => Ok(moving - still),
+            _ => Err(self.open()),
+        }
+    }
+
+    pub(crate) fn present(&self) -> &Present {
+        &self.now.present
+    }
+
+    /// Runs the equations of motion as they are now under the recorder. Returns how many steps were recorded while
+    /// they were assembled.
+    pub(crate) fn recorded(&self) -> usize {
+        let level = self.assemble_over(&mut Rec::given);
+        let (inputs, y) = (self.inputs_over(&mut Rec::given), self.states_over(&mut Rec::given));
+        let assembled = record::steps();
+        if let Ok(level) = level {
+            let (present, mut rates) = (&self.now.present, y);
+            let _ = level.rates(present, &inputs, &y, &mut rates);
+            if self.rope.is_some() {
+                let _ = level.reaction(present, &inputs, &y, Reaction::Rope);
+            }
+        }
+        assembled
+    }
+
+    /// What each variable depends on: results of the position on angle and angular velocity in the place
+    /// of the time; rates, event indicators and reactions on whatever has a derivative in any of many
+    /// lively states, in every one of the level's ways of moving.
+    #[must_use]
+    pub fn dependencies(&self) -> Vec<BTreeSet<Name>> {
+        let name = |variable: &Variable| -> Name { (variable.symbol.id, variable.number) };
+        let algebraic = dependencies(&self.algebraic, recorded::<DoubleLink>);
+        let pressures = || {
+            [&m::P_1, &m::P_2, &m::P_A, &m::P_B]
+                .map(|symbol| (symbol.id, None))
+                .into()
+        };
+        let of = |slot: &Slot| match *slot {
+            Slot::State(i) => BTreeSet::from([name(&self.variables[i])]),
+            Slot::Algebraic(inner) => {
+                let found = algebraic[inner].iter().copied();
+                found.filter(|name| *name != (TIME.id, None)).collect()
+            }
+            // Any of them may be the least.
+            Slot::Cavitates => pressures(),
+            Slot::Indicator(i) if i + 1 == OIL_INDICATORS && self.now.oil.is_some() => pressures(),
+            _ => BTreeSet::new(),
+        };
+        let mut found: Vec<BTreeSet<Name>> = self.slots.iter().map(of).collect();
+        let mut lively = self.clone();
+        for index in 0..lively.slots.len() {
+            // What is zero now may hide what else acts: an arm that weighs nothing, a gap that lets nothing pass.
+            if lively.check(index, TRACE).is_ok() && lively.get(index) == Ok(0.0) {
+                let _ = lively.set(index, TRACE);
+            }
+        }
+        let opening = self.now.oil.map_or(0.0, |oil| oil.p_r);
+        let slews = self.slewing_stops.is_some();
+        for present in self.now.present.lively(self.stops(), opening, slews) {
+            lively.now.present = present;
+            for known in &self.variables {
+                if !matches!(known.role, Role::Input | Role::Parameter | Role::Tunable | Role::State) {
+                    continue;
+                }
+                let mut tangent = lively.tangent(&|quantity| f64::from(quantity == known.quantity()));
+                for (index, found) in found.iter_mut().enumerate() {
+                    let moves = matches!(
+                        self.slots[index],
+                        Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_)
+                    );
+                    if moves && lively.derivative(&mut tangent, index) != Ok(0.0) {
+                        found.insert(name(known));
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    fn slot(&self, index: usize) -> Result<Slot, Fault> {
+        let found = self.slots.get(index).copied();
+        found.ok_or_else(|| Fault::no_variable(index, self.slots.len()))
+    }
+}
+
+impl Running for Model {
+    fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    fn terminals(&self) -> Vec<Terminal> {
+        self.algebraic.terminals()
+    }
+
+    fn positions(&self) -> Vec<f64> {
+        self.algebraic.positions()
+    }
+
+    fn stop_time(&self) -> f64 {
+        self.algebraic.stop_time()
+    }
+
+    fn step_size(&self) -> f64 {
+        // No more than a communication step may take.
+        self.algebraic
+            .step_size()
+            .min(0.1 * f64::from(MOST_STEPS) * self.now.constants.step)
+    }
+
+    fn place(&mut self, theta: f64) -> Result<(), Fault> {
+        self.set(0, theta)?;
+        self.set(1, self.range.speed)?;
+        match &mut self.now.present {
+            Present::Free(state) => state.bar = Bar::Forward,
+            Present::Slewing(state) => state.joints[0] = Bar::Forward,
+            Present::Fixed(_) | Present::Hanging(_) => {}
+        }
+        Ok(())
+    }
+
+    fn get(&mut self, index: usize) -> Result<f64, Fault> {
+        let (slot, inputs) = (self.slot(index)?, self.now.inputs);
+        match slot {
+            Slot::State(i) => Ok(self.now.present.states()[i]),
+            Slot::Rate(i) => {
+                let mut rates = [0.0; MOST_STATES];
+                self.all_rates(&mut rates)?;
+                Ok(rates[i])
+            }
+            Slot::Indicator(i) => {
+                let mut indicators = [0.0; MOST_INDICATORS];
+                self.event_indicators(&mut indicators)?;
+                Ok(indicators[i])
+            }
+            Slot::Moment => Ok(inputs.motion.moment),
+            Slot::Brake => Ok(inputs.motion.brake),
+            Slot::Hoist => Ok(inputs.motion.hoist),
+            Slot::SlewingMoment => Ok(inputs.slewing.moment),
+            Slot::SlewingBrake => Ok(inputs.slewing.brake),
+            Slot::Valve => Ok(inputs.valve),
+            Slot::Supply => Ok(inputs.supply),
+            Slot::Constant => {
+                let (wanted, mut found) = (self.variables[index].symbol, f64::NAN);
+                let mut look = |symbol, value| {
+                    if symbol == wanted {
+                        found = value;
+                    }
+                };
+                self.now.constants.map(&mut look);
+                self.now.turning.map(|turning| turning.map(&mut look));
+                self.now.oil.map(|oil| oil.map(&mut look));
+                Ok(found)
+            }
+            Slot::Reaction(reaction) => {
+                let (present, y) = (self.now.present, self.now.present.states());
+                let found = self.level()?.reaction(&present, &inputs, &y, reaction);
+                found.ok_or_else(|| self.open())
+            }
+            Slot::Cavitates => {
+                let mut rates = [0.0; MOST_STATES];
+                self.all_rates(&mut rates)?;
+                let oil = self.now.present.oil();
+                Ok(f64::from(
+                    oil.is_some_and(|oil| oil.cavitates(|| [2, 3, 4, 5].map(|i| rates[i]))),
+                ))
+            }
+            Slot::Algebraic(inner) => self.algebraic.get(inner),
+        }
+    }
+
+    fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
+        let (slot, variable) = (self.slot(index)?, &self.variables[index]);
+        match slot {
+            Slot::Algebraic(inner) => self.algebraic.check(inner, value),
+            Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_) | Slot::Cavitates => {
+                Err(Fault::new(format!("{variable} is a result and cannot be set")))
+            }
+            _ => variable.check(value),
+        }
+    }
+
+    fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
+        self.check(index, value)?;
+        let inputs = &mut self.now.inputs;
+        match self.slots[index] {
+            Slot::State(i) => {
+                let mut y = self.now.present.states();
+                y[i] = value;
+                // A taut rope is as long as the load is far.
+                let length = self.variables[i].symbol == &m::L_R;
+                if length && self.slewing_stops.is_none() && self.now.present.is_taut() {
+                    y[i + 1] = value;
+                }
+                self.now.present.set_states(&y[..self.states]);
+                // Which way a bar goes is decided again: it did not turn round, it was set.
+                match (&mut self.now.present, i) {
+                    (Present::Free(state), 1) => state.bar = Bar::Held,
+                    (Present::Slewing(state), 1 | 3) => state.joints[i / 2] = Bar::Held,
+                    (Present::Hanging(present), _) if self.variables[i].symbol == &m::OMEGA_SL => {
+                        present.modes.slewing = Bar::Held;
+                    }
+                    _ => {}
+                }
+                self.follow()?;
+            }
+            Slot::Moment => inputs.motion.moment = value,
+            Slot::Brake => inputs.motion.brake = value,
+            Slot::Hoist if inputs.motion.hoist != value => {
+                inputs.motion.hoist = value;
+                self.commanded();
+            }
+            Slot::SlewingMoment if inputs.slewing.moment != value => {
+                inputs.slewing.moment = value;
+                self.commanded();
+            }
+            Slot::SlewingBrake if inputs.slewing.brake != value => {
+                inputs.slewing.brake = value;
+                self.commanded();
+            }
+            Slot::Valve if inputs.valve != value => {
+                inputs.valve = value;
+                self.commanded();
+            }
+            Slot::Supply if inputs.supply != value => {
+                inputs.supply = value;
+                self.commanded();
+            }
+            Slot::Constant => {
+                let wanted = self.variables[index].symbol;
+                let mut change = |symbol, old| if symbol == wanted { value } else { old };
+                self.now.constants = self.now.constants.map(&mut change);
+                self.now.turning = self.now.turning.map(|turning| turning.map(&mut change));
+                self.now.oil = self.now.oil.map(|oil| oil.map(&mut change));
+                self.changed();
+            }
+            Slot::Algebraic(inner) if self.algebraic.get(inner) != Ok(value) => {
+                self.algebraic.set(inner, value)?;
+                self.changed();
+            }
+            // An importer that repeats itself does not interrupt the solver.
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn set_time(&mut self, time: f64) {
+        self.now.time = time;
+    }
+
+    fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
+        let (before, inputs, step) = (self.now.present, self.now.inputs, self.now.constants.step);
+        let relative = self.now.oil.map_or(0.0, |oil| oil.tol);
+        let mut present = before;
+        let solved = self.level()?.advance(&mut present, &inputs, to - from, step, relative);
+        let work = solved.map_err(|halt| self.refusal(halt, to - from))?;
+        self.count = self.count.and(work);
+        self.now.present = present;
+        let reached = self.follow().and_then(|()| self.algebraic.update());
+        match reached {
+            Ok(()) => self.now.time = to,
+            Err(_) => {
+                self.now.present = before;
+                self.follow()?;
+            }
+        }
+        reached
+    }
+
+    fn update(&mut self) -> Result<(), Fault> {
+        self.event()?;
+        self.algebraic.update()
+    }
+
+    fn event(&mut self) -> Result<bool, Fault> {
+        let (before, inputs) = (self.now.present, self.now.inputs);
+        let mut present = before;
+        let decided = self.level()?.event(&mut present, &inputs);
+        decided.map_err(|_| self.open())?;
+        self.now.present = present;
+        self.follow()?;
+        Ok(present.states() != before.states())
+    }
+
+    fn warning(&self) -> Option<&'static str> {
+        warning(self.now.present.least_pressure())
+    }
+
+    fn states(&self) -> usize {
+        self.states
+    }
+
+    fn count(&self) -> Count {
+        self.count
+    }
+
+    fn get_states(&self, states: &mut [f64]) {
+        states.copy_from_slice(&self.now.present.states()[..self.states]);
+    }
+
+    fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
+        for (variable, value) in self.variables.iter().zip(states) {
+            if !value.is_finite() {
+                return Err(Fault::outside(format!("{variable} = {} is not finite", short(*value))));
+            }
+        }
+        self.now.present.set_states(states);
+        self.follow()
+    }
+
+    fn nominals(&self, nominals: &mut [f64]) {
+        for (nominal, variable) in nominals.iter_mut().zip(&self.variables) {
+            *nominal = match variable.symbol {
+                symbol if symbol.unit.dimension == unit::PA.dimension => 1e5,
+                symbol if symbol == &m::V_V => 1e2,
+                _ => 1.0,
+            };
+        }
+    }
+
+    fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
+        let mut all = [0.0; MOST_STATES];
+        self.all_rates(&mut all)?;
+        rates.copy_from_slice(&all[..self.states]);
+        Ok(())
+    }
+
+    fn indicators(&self) -> usize {
+        self.indicators
+    }
+
+    fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
+        let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
+        let mut all = [0.0; MOST_INDICATORS];
+        let found = self.level()?.indicators(&present, &inputs, &y, &mut all);
+        found.ok_or_else(|| self.open())?;
+        indicators.copy_from_slice(&all[..indicators.len()]);
+        Ok(())
+    }
+
+    fn inertia(&mut self) -> Result<f64, Fault> {
+        let theta = self.now.present.states()[0];
+        let dynamics = self.level()?.dynamics();
+        let inertia = dynamics.inertia(theta);
+        inertia.ok_or_else(|| self.open())
+    }
+
+    fn state(&self) -> State {
+        State::new(Saved {
+            now: self.now,
+            algebraic: self.algebraic.state(),
+        })
+    }
+
+    fn state_into(&self, state: &mut State) {
+        let saved: &mut Saved = state.own_mut();
+        saved.now = self.now;
+        self.algebraic.state_into(&mut saved.algebraic);
+    }
+
+    fn set_state(&mut self, state: &State) {
+        let Saved { now, algebraic } = state.own();
+        self.now = *now;
+        self.algebraic.set_state(algebraic);
+        self.level = None;
+    }
+
+    fn numbers(&self, state: &State) -> Vec<f64> {
+        let Saved { now, algebraic } = state.own();
+        let Inputs {
+            motion,
+            slewing,
+            valve,
+            supply,
+        } = now.inputs;
+        let Commands { moment, brake, hoist } = motion;
+        let mut numbers = vec![now.time, moment, brake, hoist, valve, supply];
+        now.present.numbers(&mut numbers);
+        now.constants.map(&mut |_, value| numbers.push(value));
+        if let Some(turning) = now.turning {
+            numbers.extend([slewing.moment, slewing.brake]);
+            turning.map(&mut |_, value| numbers.push(value));
+        }
+        now.oil.map(|oil| oil.map(&mut |_, value| numbers.push(value)));
+        numbers.extend(self.algebraic.numbers(algebraic));
+        numbers
+    }
+
+    fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
+        let wrong = || Fault::new("a saved state does not belong to this model");
+        let (&[time, moment, brake, hoist, valve, supply], rest) =
+            numbers.split_first_chunk::<6>().ok_or_else(wrong)?;
+        let (present, rest) = self.now.present.of(rest).ok_or_else(wrong)?;
+        let mut complete = numbers[..6].iter().all(|x| x.is_finite());
+        let mut values = rest.iter();
+        let mut next = |_: &'static Symbol, _: f64| {
+            let value = values.next().copied().unwrap_or(f64::NAN);
+            complete &= value.is_finite();
+            value
+        };
+        let constants = self.now.constants.map(&mut next);
+        let mut slewing = self.now.inputs.slewing;
+        let turning = self.now.turning.map(|turning| {
+            (slewing.moment, slewing.brake) = (next(&m::M_SL, 0.0), next(&m::M_B_SL, 0.0));
+            turning.map(&mut next)
+        });
+        let oil = self.now.oil.map(|oil| oil.map(&mut next));
+        if !complete {
+            return Err(wrong());
+        }
+        let algebraic = self.algebraic.state_of(values.as_slice())?;
+        let now = Now {
+            time,
+            present,
+            inputs: Inputs {
+                motion: Commands { moment, brake, hoist },
+                slewing,
+                valve,
+                supply,
+            },
+            constants,
+            turning,
+            oil,
+        };
+        Ok(State::new(Saved { now, algebraic }))
+    }
+
+    fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
+        let algebraic = self.algebraic.tangent(seed);
+        let mut of = |symbol: &'static Symbol, value| Dual64::new(value, seed((symbol, None)));
+        Tangent::new(Direction {
+            algebraic,
+            level: self.assemble_over(&mut of),
+            inputs: self.inputs_over(&mut of),
+            y: self.states_over(&mut of),
+            rates: None,
+        })
+    }
+
+    fn tangent_into(&self, seed: &dyn Fn(Quantity) -> f64, tangent: &mut Tangent) {
+        let direction: &mut Direction = tangent.own_mut();
+        self.algebraic.tangent_into(seed, &mut direction.algebraic);
+        let mut of = |symbol: &'static Symbol, value| Dual64::new(value, seed((symbol, None)));
+        direction.level = self.assemble_over(&mut of);
+        direction.inputs = self.inputs_over(&mut of);
+        direction.y = self.states_over(&mut of);
+        direction.rates = None;
+    }
+
+    fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+        let variable = &self.variables[index];
+        let direction: &mut Direction = tangent.own_mut();
+        let Direction { inputs, y, .. } = *direction;
+        let present = &self.now.present;
+        let level = direction.level.as_ref().map_err(Clone::clone);
+        let slot = self.slot(index)?;
+        if !matches!(slot, Slot::State(_)) {
+            self.algebraic.smooth(&direction.algebraic)?;
+        }
+        let found = match slot {
+            Slot::Algebraic(inner) => return self.algebraic.derivative(&mut direction.algebraic, inner),
+            Slot::State(i) => Some(y[i]),
+            Slot::Rate(i) => {
+                if direction.rates.is_none() {
+                    let mut rates = y;
+                    direction.rates = level?.rates(present, &inputs, &y, &mut rates).map(|()| rates);
+                }
+                direction.rates.map(|rates| rates[i])
+            }
+            Slot::Indicator(i) => {
+                let mut all = [Dual64::from_re(0.0); MOST_INDICATORS];
+                level?.indicators(present, &inputs, &y, &mut all).map(|()| all[i])
+            }
+            Slot::Reaction(reaction) => level?.reaction(present, &inputs, &y, reaction),
+            Slot::Cavitates => Some(Dual64::from_re(0.0)),
+            _ => {
+                return Err(Fault::new(format!("{variable} is no result: it has no derivative")));
+            }
+        };
+        Ok(found.ok_or_else(|| self.open())?.eps)
+    }
+
+    fn duplicate(&self) -> Box<dyn Running> {
+        Box::new(self.clone())
+    }
+}
+
+/// A crane with its joints of luffing and, where it slews, slewing. A call, as its many numbers would be moved one
+/// by one.
+#[inline(never)]
+fn crane<P: Copy>(dynamics: &Dynamics<P>, luffing: Joint<P>, slewing: Option<Joint<P>>) -> Crane<P> {
+    let dynamics = *dynamics;
+    match slewing {
+        None => Crane::Plane(Motion {
+            dynamics,
+            friction: luffing.friction,
+            stops: luffing.stops,
+        }),
+        Some(slewing) => Crane::Slewing(Slewing {
+            dynamics,
+            joints: [luffing, slewing],
+        }),
+    }
+}
+
+/// The same with its cylinder under inputs.
+#[inline(never)]
+fn hydraulic<const N: usize, P: Copy>(
+    crane: Crane<P>,
+    cylinder: Cylinder<P>,
+    buffer: [P; 2],
+    inputs: &Inputs<P>,
+) -> Hydraulic<N, P> {
+    Hydraulic {
+        crane,
+        cylinder,
+        buffer,
+        command: inputs.valve,
+        supply: inputs.supply,
+        hoist: inputs.motion.hoist,
+        slewing: inputs.slewing,
+    }
+}

@@ -1,0 +1,423 @@
+//! What a scene says about the mechanism in motion.
+
+use crate::balance;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::quantities;
+use crate::kernel::schema::{Key, Sign, Values};
+use crate::kernel::symbol::Symbol;
+use crate::luffing::double_link::motion::Commands;
+use crate::luffing::double_link::moving::level::Inputs;
+use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::double_link::slewing::Drive;
+use crate::luffing::double_link::symbols as l;
+use crate::parts::motion::degrees;
+
+/// How deep the mechanism is modelled.
+pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydraulic", "auto"];
+
+/// Keys of `[luffing.dynamics]`.
+pub static KEYS: &[Key] = &[
+    Key::quantity(&s::J_1, Sign::NotNegative),
+    Key::quantity(&s::J_2, Sign::NotNegative),
+    Key::quantity(&s::J_3, Sign::NotNegative),
+    Key::quantity(&s::C_V, Sign::NotNegative).optional(),
+    Key::quantity(&s::M_F, Sign::NotNegative).optional(),
+    Key::quantity(&s::G, Sign::Positive).optional(),
+    Key::quantity(&s::M_A, Sign::Any).optional(),
+    Key::quantity(&s::M_S, Sign::NotNegative).optional(),
+    Key::quantity(&s::L_R, Sign::Positive).optional(),
+    Key::quantity(&s::PHI, Sign::Any).optional(),
+    Key::quantity(&s::V_H, Sign::Any).optional(),
+    Key::quantity(&s::STEP, Sign::Positive).optional(),
+    Key::text(
+        "source",
+        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+    ),
+];
+
+/// Keys of `[luffing.slewing]`.
+pub static SLEWING_KEYS: &[Key] = &[
+    Key::quantity(&s::J_SL, Sign::NotNegative),
+    Key::quantity(&s::C_SL, Sign::NotNegative).optional(),
+    Key::quantity(&s::M_F_SL, Sign::NotNegative).optional(),
+    Key::quantity(&s::M_SL, Sign::Any).optional(),
+    Key::quantity(&s::M_B_SL, Sign::NotNegative).optional(),
+    Key::quantity(&s::PSI_SL, Sign::Any).optional(),
+    Key::quantity(&s::OMEGA_SL, Sign::Any).optional(),
+    Key::quantity(&s::PSI_MIN, Sign::Any).optional(),
+    Key::quantity(&s::PSI_MAX, Sign::Any).optional(),
+    Key::quantity(&s::CHI_R, Sign::Any).optional(),
+    Key::text(
+        "source",
+        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+    ),
+];
+
+/// Keys of `[luffing.hydraulics]`.
+pub static OIL_KEYS: &[Key] = &[
+    Key::quantity(&s::L_MIN, Sign::Positive),
+    Key::quantity(&s::L_MAX, Sign::Positive),
+    Key::quantity(&s::V_0, Sign::Positive),
+    Key::quantity(&s::V_1, Sign::Positive),
+    Key::quantity(&s::Q_N, Sign::Positive),
+    Key::quantity(&s::DP_N, Sign::Positive),
+    Key::quantity(&s::DP_L, Sign::Positive),
+    Key::quantity(&s::BETA_E, Sign::Positive),
+    Key::quantity(&s::P_R, Sign::Positive),
+    Key::quantity(&s::K_R, Sign::NotNegative),
+    Key::quantity(&s::K_L, Sign::NotNegative),
+    Key::quantity(&s::OMEGA_V, Sign::Positive),
+    Key::quantity(&s::ZETA_V, Sign::NotNegative),
+    Key::quantity(&s::TOL, Sign::Tolerance).optional(),
+    Key::quantity(&s::P_P, Sign::NotNegative),
+    Key::quantity(&s::U_V, Sign::Any).optional(),
+    Key::text(
+        "source",
+        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+    ),
+];
+
+quantities! {
+    /// A luffing cylinder with its oil and valve, besides bore and rod.
+    Oil {
+        l_min: L_MIN, l_max: L_MAX, v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, dp_l: DP_L, beta_e: BETA_E,
+        p_r: P_R, k_r: K_R, k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, tol: TOL
+    }
+}
+
+quantities! {
+    /// What slews besides the mechanism, and its friction.
+    Turning { j_sl: J_SL, c_sl: C_SL, m_f_sl: M_F_SL }
+}
+
+quantities! {
+    /// What is constant in motion, besides geometry and weights.
+    Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_f: M_F, g: G, step: STEP }
+}
+
+/// The load's rope at the start.
+#[derive(Clone, Copy, Debug)]
+pub struct Rope {
+    /// In m.
+    pub length: f64,
+    /// From the vertical, in rad.
+    pub swing: f64,
+}
+
+/// A crane that slews, at the start.
+#[derive(Clone, Copy, Debug)]
+pub struct Slewing {
+    pub constants: Turning<f64>,
+    /// Angle (rad) and angular velocity (rad/s).
+    pub start: [f64; 2],
+    /// End stops, in rad; infinite where there are none.
+    pub stops: [f64; 2],
+    /// Angle of the rope from the mechanism's plane, in rad.
+    pub side: f64,
+}
+
+/// A mechanism in motion as the scene describes it; SI.
+#[derive(Clone, Copy, Debug)]
+pub struct Moving {
+    pub constants: Constants<f64>,
+    /// Of the inputs, until an importer sets others.
+    pub inputs: Inputs,
+    /// With level `swing`, and with level `hydraulic` where the scene gives a rope.
+    pub rope: Option<Rope>,
+    /// With level `hydraulic`.
+    pub oil: Option<Oil<f64>>,
+    /// Where the crane slews.
+    pub slewing: Option<Slewing>,
+}
+
+impl Moving {
+    /// The checked table `[luffing]`; `None` at the static level, and where there are mistakes, which go to `found`.
+    pub fn new(v: &Values, gravity: f64, loaded: bool, found: &mut Vec<Diagnostic>) -> Option<Moving> {
+        let fidelity = v.text("fidelity").unwrap_or("static");
+        let mut mistake = |key: &str, what: String, label: &str, help: &str| {
+            found.push(Diagnostic::new(v.place(key), what, label).help(help));
+        };
+        let table = match (fidelity, v.table("dynamics")) {
+            ("static" | "table" | "auto", None) => {
+                if v.table("slewing").is_some() {
+                    mistake(
+                        "slewing",
+                        "slewing of a mechanism that does not move by itself".to_owned(),
+                        "not used",
+                        "add fidelity = \"rigid\" or \"swing\" to [luffing], or remove this table",
+                    );
+                }
+                return None;
+            }
+            ("static" | "table", Some(_)) => {
+                mistake(
+                    "dynamics",
+                    "inertias and drive of a mechanism that does not move by itself".to_owned(),
+                    "not used",
+                    "add fidelity = \"rigid\" or \"swing\" to [luffing], or remove this table",
+                );
+                return None;
+            }
+            (_, None) => {
+                mistake(
+                    "fidelity",
+                    format!("fidelity = \"{fidelity}\" without inertias"),
+                    "needs [luffing.dynamics]",
+                    "add [luffing.dynamics] with J_1, J_2 and J_3 (kg.m2)",
+                );
+                return None;
+            }
+            (_, Some(table)) => table,
+        };
+        if v.table("weights").is_none() || !loaded {
+            mistake(
+                "fidelity",
+                format!("fidelity = \"{fidelity}\" without weights and load"),
+                "what moves must weigh something",
+                "add Q to [luffing] and a table [luffing.weights]; their masses are weights over g",
+            );
+            return None;
+        }
+        let balance = v.table("balance");
+        if balance.is_none() && !inert(v, table) {
+            mistake(
+                "dynamics",
+                "neither boom, jib and rocker nor the load have any inertia".to_owned(),
+                "nothing to be accelerated",
+                "give Q, a weight in [luffing.weights] or one of J_1, J_2 and J_3 greater than zero",
+            );
+            return None;
+        }
+        if balance.is_some_and(|b| b.text("kind") == Some("lever") && !b.has(balance::symbols::S_5.id)) {
+            mistake(
+                "balance",
+                format!("fidelity = \"{fidelity}\" with a lever whose counterweight has no arm"),
+                "its inertia is not known",
+                "add s_5 = \"... m\": the counterweight weighs M_5 / s_5",
+            );
+            return None;
+        }
+        let n = |symbol: &Symbol| table.number(symbol.id);
+        let rope = match (fidelity, n(&s::L_R)) {
+            ("swing" | "hydraulic" | "auto", Some(length)) => Some(Rope {
+                length,
+                swing: n(&s::PHI).unwrap_or(0.0),
+            }),
+            ("swing", None) => {
+                found.push(
+                    Diagnostic::new(
+                        table.span.clone(),
+                        "a swinging load without a rope",
+                        "l_R is needed here",
+                    )
+                    .help("add l_R = \"... m\", the length of the rope at the start"),
+                );
+                return None;
+            }
+            _ => {
+                let unused = [&s::L_R, &s::PHI, &s::V_H]
+                    .into_iter()
+                    .find(|symbol| n(symbol).is_some());
+                if let Some(symbol) = unused {
+                    found.push(
+                        Diagnostic::new(
+                            table.place(symbol.id),
+                            format!("{} without a swinging load", symbol.id),
+                            "not used",
+                        )
+                        .help("remove it, or set fidelity = \"swing\""),
+                    );
+                    return None;
+                }
+                None
+            }
+        };
+        let (oil, valve, supply) = match (fidelity, v.table("hydraulics")) {
+            ("hydraulic" | "auto", Some(table)) => {
+                let n = |symbol: &Symbol| table.number(symbol.id);
+                let oil = oil(v, table, found)?;
+                (Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?)
+            }
+            ("hydraulic", None) => {
+                found.push(
+                    Diagnostic::new(
+                        v.place("fidelity"),
+                        "fidelity = \"hydraulic\" without oil",
+                        "needs [luffing.hydraulics]",
+                    )
+                    .help("add [luffing.hydraulics]; `lemnis schema` lists its keys"),
+                );
+                return None;
+            }
+            (_, Some(_)) => {
+                found.push(
+                    Diagnostic::new(
+                        v.place("hydraulics"),
+                        "oil of a mechanism without a hydraulic level",
+                        "not used",
+                    )
+                    .help("set fidelity = \"hydraulic\", or remove this table"),
+                );
+                return None;
+            }
+            _ => (None, 0.0, 0.0),
+        };
+        let slewing = match v.table("slewing") {
+            Some(table) => Some(slewing(v, table, rope.is_some(), found)?),
+            None => None,
+        };
+        let turn = |symbol: &Symbol| v.table("slewing").and_then(|table| table.number(symbol.id));
+        Some(Moving {
+            slewing,
+            oil,
+            constants: Constants {
+                j_1: n(&s::J_1)?,
+                j_2: n(&s::J_2)?,
+                j_3: n(&s::J_3)?,
+                c_v: n(&s::C_V).unwrap_or(0.0),
+                m_f: n(&s::M_F).unwrap_or(0.0),
+                g: gravity,
+                step: n(&s::STEP).unwrap_or(0.01),
+            },
+            inputs: Inputs {
+                motion: Commands {
+                    moment: n(&s::M_A).unwrap_or(0.0),
+                    brake: n(&s::M_S).unwrap_or(0.0),
+                    hoist: n(&s::V_H).unwrap_or(0.0),
+                },
+                slewing: Drive {
+                    moment: turn(&s::M_SL).unwrap_or(0.0),
+                    brake: turn(&s::M_B_SL).unwrap_or(0.0),
+                },
+                valve,
+                supply,
+            },
+            rope,
+        })
+    }
+}
+
+/// Whether anything that the linkage moves has inertia; a weight in its bar's foot has none.
+fn inert(v: &Values, dynamics: &Values) -> bool {
+    let positive = |table: &Values, symbol: &Symbol| table.number(symbol.id).is_some_and(|value| value > 0.0);
+    let weighs = |weights: &Values| {
+        let turns = |weight: &Symbol, at: &Symbol| positive(weights, weight) && weights.number(at.id) != Some(0.0);
+        positive(weights, &l::G_2) || turns(&l::G_1, &l::S_1) || turns(&l::G_3, &l::S_3)
+    };
+    let bars = [&s::J_1, &s::J_2, &s::J_3];
+    positive(v, &l::Q) || bars.iter().any(|bar| positive(dynamics, bar)) || v.table("weights").is_some_and(weighs)
+}
+
+/// What slews; whether the load swings on a rope.
+fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>) -> Option<Slewing> {
+    let n = |symbol: &Symbol| table.number(symbol.id);
+    let mut mistake = |place, what: String, label: &str, help: &str| {
+        found.push(Diagnostic::new(place, what, label).help(help));
+    };
+    if let Some(balance) = v.table("balance").filter(|b| b.text("kind") == Some("straight_rail")) {
+        mistake(
+            balance.span.clone(),
+            "slewing with a counterweight on a straight rail".to_owned(),
+            "its distance from the slewing axis is not known",
+            "remove [luffing.slewing], or take another balance",
+        );
+        return None;
+    }
+    if !swings && n(&s::CHI_R).is_some() {
+        mistake(
+            table.place(s::CHI_R.id),
+            "chi_R without a swinging load".to_owned(),
+            "not used",
+            "remove it, or set fidelity = \"swing\"",
+        );
+        return None;
+    }
+    let stops = [
+        n(&s::PSI_MIN).unwrap_or(f64::NEG_INFINITY),
+        n(&s::PSI_MAX).unwrap_or(f64::INFINITY),
+    ];
+    let start = n(&s::PSI_SL).unwrap_or(0.0);
+    if stops[0] >= stops[1] {
+        let [low, high] = stops.map(degrees);
+        mistake(
+            table.place(s::PSI_MAX.id),
+            format!("the slewing stops are at {low} and {high}"),
+            "not above psi_min",
+            "psi_max must be greater than psi_min",
+        );
+        return None;
+    }
+    let beyond = match start {
+        _ if start < stops[0] => Some((&s::PSI_MIN, stops[0])),
+        _ if start > stops[1] => Some((&s::PSI_MAX, stops[1])),
+        _ => None,
+    };
+    if let Some((stop, at)) = beyond {
+        mistake(
+            table.place(stop.id),
+            format!(
+                "slewing starts at {}, beyond its stop {} = {}",
+                degrees(start),
+                stop.id,
+                degrees(at)
+            ),
+            "not between the stops",
+            "let psi_sl, the angle at the start, lie between psi_min and psi_max",
+        );
+        return None;
+    }
+    Some(Slewing {
+        constants: Turning {
+            j_sl: n(&s::J_SL)?,
+            c_sl: n(&s::C_SL).unwrap_or(0.0),
+            m_f_sl: n(&s::M_F_SL).unwrap_or(0.0),
+        },
+        start: [start, n(&s::OMEGA_SL).unwrap_or(0.0)],
+        stops,
+        side: n(&s::CHI_R).unwrap_or(0.0),
+    })
+}
+
+/// The cylinder's oil; its bore and rod are those of the drive.
+fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<Oil<f64>> {
+    let n = |symbol: &Symbol| table.number(symbol.id);
+    if v.table("drive").and_then(|drive| drive.text("kind")) != Some("cylinder") {
+        found.push(
+            Diagnostic::new(table.span.clone(), "oil without a cylinder", "needs [luffing.drive]")
+                .help("add [luffing.drive] with kind = \"cylinder\", D_c and d_r"),
+        );
+        return None;
+    }
+    let (l_min, l_max) = (n(&s::L_MIN)?, n(&s::L_MAX)?);
+    if l_min >= l_max {
+        found.push(
+            Diagnostic::new(
+                table.place(s::L_MAX.id),
+                format!(
+                    "the cylinder is {} extended and {} retracted",
+                    s::L_MAX.written(l_max),
+                    s::L_MIN.written(l_min)
+                ),
+                "not above l_min",
+            )
+            .help("l_max must be greater than l_min"),
+        );
+        return None;
+    }
+    Some(Oil {
+        l_min,
+        l_max,
+        v_0: n(&s::V_0)?,
+        v_1: n(&s::V_1)?,
+        q_n: n(&s::Q_N)?,
+        dp_n: n(&s::DP_N)?,
+        dp_l: n(&s::DP_L)?,
+        beta_e: n(&s::BETA_E)?,
+        p_r: n(&s::P_R)?,
+        k_r: n(&s::K_R)?,
+        k_l: n(&s::K_L)?,
+        omega_v: n(&s::OMEGA_V)?,
+        zeta_v: n(&s::ZETA_V)?,
+        tol: n(&s::TOL).unwrap_or(1e-5),
+    })
+}

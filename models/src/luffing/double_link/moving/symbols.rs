@@ -1,0 +1,260 @@
+//! Quantities of the mechanism in motion.
+
+pub use crate::kernel::gravity::G;
+use crate::kernel::symbol::{Symbol, symbols};
+
+symbols! {
+    // Given.
+    J_1: "J_1" "J_1" KG_M2 / KG_M2 [not_negative], "Inertia of the boom about its centre of gravity.", "input";
+    J_2: "J_2" "J_2" KG_M2 / KG_M2 [not_negative], "Inertia of the jib about its centre of gravity.", "input";
+    J_3: "J_3" "J_3" KG_M2 / KG_M2 [not_negative], "Inertia of the rocker about its centre of gravity.", "input";
+    C_V: "c_v" "c_v" N_M_S / KN_M_S [not_negative], "Viscous friction at the driven bar: moment over angular velocity.", "input";
+    M_F: "M_F" "M_F" N_M / KN_M [not_negative], "Dry friction at the driven bar: the moment that it holds, and that it sets against motion.", "input";
+    STEP: "step" "h" S / MS [positive], "Longest step of the solver. An explicit one is refused where the motion changes by more than itself within it.", "input";
+
+    L_MIN: "l_min" "l_min" M / M [positive], "Length of the cylinder retracted, between its anchors.", "input";
+    L_MAX: "l_max" "l_max" M / M [positive], "Length of the cylinder extended, between its anchors.", "input";
+    V_0: "V_0" "V_0" M3 / L [positive], "Oil left in a chamber at the piston's end.", "input";
+    V_1: "V_1" "V_1" M3 / L [positive], "Oil in each port of the valve.", "input";
+    Q_N: "Q_N" "Q_N" M3_PER_S / L_PER_MIN [positive], "Rated flow of the valve, fully open.", "input";
+    DP_N: "dp_N" "Delta p_N" PA / BAR [positive], "Pressure difference over one edge of the valve at the rated flow.", "input";
+    DP_L: "dp_L" "Delta p_L" PA / BAR [positive], "Pressure difference over each line from valve to cylinder at the rated flow.", "input";
+    BETA_E: "beta_E" "beta_E" PA / MPA [positive], "Bulk modulus of the oil with its walls.", "input";
+    P_R: "p_R" "p_R" PA / BAR [positive], "Opening pressure of the relief valves.", "input";
+    K_R: "k_R" "k_R" M3_PER_SPA / M3_PER_SPA [not_negative], "Flow of a relief valve over the excess of pressure.", "input";
+    K_L: "k_L" "k_L" M3_PER_SPA / M3_PER_SPA [not_negative], "Leakage past the piston over the difference of pressure.", "input";
+    OMEGA_V: "omega_v" "omega_v" RAD_PER_S / RAD_PER_S [positive], "Natural frequency of the valve's spool.", "input";
+    ZETA_V: "zeta_v" "zeta_v" ONE / ONE [not_negative], "Damping ratio of the valve's spool.", "input";
+    TOL: "tol" "epsilon" ONE / ONE [tolerance], "Relative tolerance of the implicit solver.", "input";
+
+    // Slewing, given.
+    J_SL: "J_sl" "J_\"sl\"" KG_M2 / KG_M2 [not_negative], "Inertia about the slewing axis of all that slews besides boom, jib, rocker, counterweight and load.", "input";
+    C_SL: "c_sl" "c_\"sl\"" N_M_S / KN_M_S [not_negative], "Viscous friction of slewing: moment over angular velocity.", "input";
+    M_F_SL: "M_Fsl" "M_\"F sl\"" N_M / KN_M [not_negative], "Dry friction of slewing: the moment that it holds, and that it sets against motion.", "input";
+    PSI_MIN: "psi_min" "psi_\"min\"" RAD / DEG, "Slewing angle of the right end stop.", "input";
+    PSI_MAX: "psi_max" "psi_\"max\"" RAD / DEG, "Slewing angle of the left end stop.", "input";
+
+    // Commands.
+    U_V: "u_v" "u_v" ONE / ONE, "Command of the valve from -1 to 1; positive lengthens the cylinder.", "input";
+    P_P: "p_P" "p_P" PA / BAR [not_negative], "Pressure of the pump above the tank's.", "input";
+    M_A: "M_A" "M_A" N_M / KN_M, "Moment of the drive on the driven bar; positive turns it counter-clockwise.", "input";
+    M_S: "M_S" "M_S" N_M / KN_M [not_negative], "Moment of the brake, added to the dry friction.", "input";
+    M_SL: "M_sl" "M_\"sl\"" N_M / KN_M, "Moment of the slewing drive; positive turns the crane counter-clockwise, seen from above.", "input";
+    M_B_SL: "M_Bsl" "M_\"B sl\"" N_M / KN_M [not_negative], "Moment of the slewing brake, added to its dry friction.", "input";
+    V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head; positive lowers the load.", "input";
+
+    // States.
+    PHI: "phi_R" "phi_R" RAD / DEG, "Angle of the rope from the vertical; positive swings the load forward.", "equations of motion";
+    OMEGA_PHI: "omega_R" "omega_R" RAD_PER_S / DEG_PER_S, "Angular velocity of the rope.", "equations of motion";
+    L_R: "l_R" "l_R" M / M [positive], "Length of the rope from the head to the load.", "equations of motion";
+    S_Q: "s_Q" "s_Q" M / M, "Distance of the load from the head: the rope's length, or less where it is slack.", "equations of motion";
+    V_Q: "v_Q" "v_Q" M_PER_S / M_PER_S, "Speed of the load away from the head.", "equations of motion";
+
+    // States of slewing, seen from the frame that slews.
+    PSI_SL: "psi_sl" "psi_\"sl\"" RAD / DEG, "Slewing angle; positive counter-clockwise, seen from above.", "equations of motion";
+    OMEGA_SL: "omega_sl" "omega_\"sl\"" RAD_PER_S / DEG_PER_S, "Angular velocity of slewing.", "equations of motion";
+    X_Q: "x_Q" "x_Q" M / M, "Load, forward of the head.", "equations of motion";
+    Y_Q: "y_Q" "y_Q" M / M, "Load, above the head.", "equations of motion";
+    Z_Q: "z_Q" "z_Q" M / M, "Load, to the left of the head.", "equations of motion";
+    V_QX: "v_Qx" "v_(Q x)" M_PER_S / M_PER_S, "Speed of the load forward, from the head.", "equations of motion";
+    V_QY: "v_Qy" "v_(Q y)" M_PER_S / M_PER_S, "Speed of the load up, from the head.", "equations of motion";
+    V_QZ: "v_Qz" "v_(Q z)" M_PER_S / M_PER_S, "Speed of the load to the left, from the head.", "equations of motion";
+
+    P_1: "p_1" "p_1" PA / BAR, "Pressure in the valve's port on the side of the bore.", "equations of motion";
+    P_2: "p_2" "p_2" PA / BAR, "Pressure in the valve's port on the side of the annulus.", "equations of motion";
+    P_A: "p_A" "p_A" PA / BAR, "Pressure in the chamber of the bore.", "equations of motion";
+    P_B: "p_B" "p_B" PA / BAR, "Pressure in the chamber of the annulus.", "equations of motion";
+    X_V: "x_v" "x_v" ONE / ONE, "Spool of the valve, from -1 to 1 of its stroke.", "equations of motion";
+    V_V: "v_v" "v_v" PER_S / PER_S, "Speed of the valve's spool, over its stroke.", "equations of motion";
+
+    // Results.
+    F_C: "F_c" "F_c" N / KN, "Force of the cylinder by its pressures; push positive.", "equations of motion";
+    M_R: "M_R" "M_R" N_M / KN_M, "Moment of friction, brake and end stop on the driven bar; positive turns it counter-clockwise.", "equations of motion";
+    M_R_SL: "M_Rsl" "M_\"R sl\"" N_M / KN_M, "Moment of friction, brake and end stop on slewing; positive counter-clockwise, seen from above.", "equations of motion";
+    CHI_R: "chi_R" "chi_R" RAD / DEG, "Angle of the rope from the mechanism's plane; positive swings the load to the left.", "equations of motion";
+    S_R: "S_R" "S_R" N / KN, "Force in the rope; zero where it is slack.", "equations of motion";
+
+    // The equations of motion, from derivatives of the positions by the driven angle.
+    MASS_1: "mass_1" "m_1" KG / T, "Mass of the boom: weight over g.", "derived";
+    MASS_2: "mass_2" "m_2" KG / T, "Mass of the jib, with the load where it hangs on no rope: weight over g.", "derived";
+    MASS_3: "mass_3" "m_3" KG / T, "Mass of the rocker: weight over g.", "derived";
+    MASS_5: "mass_5" "m_5" KG / T, "Mass of the counterweight: weight over g.", "derived";
+    J_2Q: "J_2Q" "J_(2 Q)" KG_M2 / KG_M2, "Inertia of the jib with the load about their common centre of gravity.", "derived";
+    DX_1: "dx_1" "x'_1" M / M, "Forward travel of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DY_1: "dy_1" "y'_1" M / M, "Rise of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDX_1: "ddx_1" "x''_1" M / M, "Change of the forward travel of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDY_1: "ddy_1" "y''_1" M / M, "Change of the rise of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DX_2: "dx_2" "x'_2" M / M, "Forward travel of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DY_2: "dy_2" "y'_2" M / M, "Rise of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDX_2: "ddx_2" "x''_2" M / M, "Change of the forward travel of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDY_2: "ddy_2" "y''_2" M / M, "Change of the rise of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DX_3: "dx_3" "x'_3" M / M, "Forward travel of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DY_3: "dy_3" "y'_3" M / M, "Rise of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDX_3: "ddx_3" "x''_3" M / M, "Change of the forward travel of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDY_3: "ddy_3" "y''_3" M / M, "Change of the rise of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DX_5: "dx_5" "x'_5" M / M, "Forward travel of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DY_5: "dy_5" "y'_5" M / M, "Rise of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDX_5: "ddx_5" "x''_5" M / M, "Change of the forward travel of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
+    DDY_5: "ddy_5" "y''_5" M / M, "Change of the rise of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
+    TURN_1: "turn_1" "i_1^2" ONE / ONE, "Square of the ratio of the boom's angular velocity to the driven bar's.", "dual numbers";
+    TURN_CHANGE_1: "turn_change_1" "i_1 i'_1" ONE / ONE, "Half the change of the square of the boom's ratio for one radian of the driven bar.", "dual numbers";
+    TURN_2: "turn_2" "i_2^2" ONE / ONE, "Square of the ratio of the jib's angular velocity to the driven bar's.", "dual numbers";
+    TURN_CHANGE_2: "turn_change_2" "i_2 i'_2" ONE / ONE, "Half the change of the square of the jib's ratio for one radian of the driven bar.", "dual numbers";
+    TURN_3: "turn_3" "i_3^2" ONE / ONE, "Square of the ratio of the rocker's angular velocity to the driven bar's.", "dual numbers";
+    TURN_CHANGE_3: "turn_change_3" "i_3 i'_3" ONE / ONE, "Half the change of the square of the rocker's ratio for one radian of the driven bar.", "dual numbers";
+    I_R1: "I_r1" "I_1" KG_M2 / KG_M2, "Inertia of the boom, reduced to the driven bar.", "Lagrange";
+    DI_R1: "dI_r1" "I'_1" KG_M2 / KG_M2, "Change of the boom's reduced inertia for one radian of the driven bar.", "Lagrange";
+    I_R2: "I_r2" "I_2" KG_M2 / KG_M2, "Inertia of the jib, reduced to the driven bar.", "Lagrange";
+    DI_R2: "dI_r2" "I'_2" KG_M2 / KG_M2, "Change of the jib's reduced inertia for one radian of the driven bar.", "Lagrange";
+    I_R3: "I_r3" "I_3" KG_M2 / KG_M2, "Inertia of the rocker, reduced to the driven bar.", "Lagrange";
+    DI_R3: "dI_r3" "I'_3" KG_M2 / KG_M2, "Change of the rocker's reduced inertia for one radian of the driven bar.", "Lagrange";
+    I_R5: "I_r5" "I_5" KG_M2 / KG_M2, "Inertia of the counterweight, reduced to the driven bar.", "Lagrange";
+    DI_R5: "dI_r5" "I'_5" KG_M2 / KG_M2, "Change of the counterweight's reduced inertia for one radian of the driven bar.", "Lagrange";
+    I_R: "I_r" "I" KG_M2 / KG_M2, "Inertia of all bars and the counterweight, reduced to the driven bar.", "Lagrange";
+    DI_R: "dI_r" "I'" KG_M2 / KG_M2, "Change of the reduced inertia for one radian of the driven bar.", "Lagrange";
+    M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driven bar; positive lowers it.", "virtual work";
+    M_NET: "M_net" "M" N_M / KN_M, "Moment that accelerates the driven bar, the load on its rope left aside.", "Lagrange";
+    MASS_Q: "mass_Q" "m_Q" KG / T, "Mass of the load: weight over g.", "derived";
+    MASS_E: "mass_e" "m_e" KG / T, "Mass in the place of an empty hook's load: it cancels from the rope's equation.", "Lagrange";
+    DDA_X: "ddA.x" "x''_A" M / M, "Change of the forward travel of A for one radian of the driven bar.", "dual numbers";
+    DDA_Y: "ddA.y" "Y''_A" M / M, "Change of the rise of A for one radian of the driven bar.", "dual numbers";
+    D_SWING: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driven bar.", "derived";
+    D_INWARD: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driven bar.", "derived";
+    BEND: "q_A" "q_A" M2 / M2, "Half the change of the square of A's travel for one radian of the driven bar.", "derived";
+    D_SWING_CHANGE: "dd_phi" "d'_phi" M / M, "Change of A's travel, across the rope, for one radian of the driven bar.", "derived";
+    M_11: "m_11" "m_11" KG_M2 / KG_M2, "Inertia of the load at the driven bar.", "Lagrange";
+    M_12: "m_12" "m_12" KG_M2 / KG_M2, "Inertia that couples driven bar and rope.", "Lagrange";
+    M_21: "m_21" "m_21" KG_M2 / KG_M2, "Inertia that couples the rope of an empty hook and driven bar.", "Lagrange";
+    M_22: "m_22" "m_22" KG_M2 / KG_M2, "Inertia of the load about the head.", "Lagrange";
+    F_1: "tau_1" "tau_1" N_M / KN_M, "Moment of the load's weight and inertia on the driven bar.", "Lagrange";
+    F_2: "tau_2" "tau_2" N_M / KN_M, "Moment of the load's weight and inertia on the rope.", "Lagrange";
+
+    OMEGA_C: "omega_c" "omega_c" RAD_PER_S / RAD_PER_S, "Angular velocity below which dry friction is in proportion to it.", "assumption";
+    OMEGA_S: "omega_s" "omega_s" RAD_PER_S / RAD_PER_S, "Natural frequency of the mechanism alone against an end stop.", "assumption";
+    K_S: "k_s" "k_s" N_M / KN_M, "Stiffness of the end stops, in a moment for one radian.", "derived";
+    D_S: "d_s" "d_s" N_M_S / KN_M_S, "Damping of the end stops.", "derived";
+
+    // The same of a crane that slews.
+    I_SL: "I_sl" "I_\"sl\"" KG_M2 / KG_M2, "Inertia of the whole crane about the slewing axis, without the load.", "dual numbers";
+    DI_SL: "dI_sl" "I'_\"sl\"" KG_M2 / KG_M2, "Change of the inertia about the slewing axis for one radian of the driven bar.", "dual numbers";
+    M_NET_SL: "M_netsl" "M_\"N sl\"" N_M / KN_M, "Moment that accelerates slewing, the load on its rope left aside.", "Lagrange";
+    ALONE: "alpha_0" "dot(omega)_(0)" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the driven bar without the rope's force.", "Lagrange";
+    ALONE_SL: "alpha_0sl" "dot(omega)_(0 \"sl\")" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing without the rope's force.", "Lagrange";
+    N_X: "n_x" "n_x" ONE / ONE, "Direction of the rope from the head, forward component.", "derived";
+    N_Y: "n_y" "n_y" ONE / ONE, "Direction of the rope from the head, upward component.", "derived";
+    N_Z: "n_z" "n_z" ONE / ONE, "Direction of the rope from the head, component to the left.", "derived";
+    H_1: "h_1R" "h_(1 R)" M / M, "Travel of the head along the rope for one radian of the driven bar.", "derived";
+    H_2: "h_2R" "h_(2 R)" M / M, "Travel of the head along the rope for one radian of slewing.", "derived";
+    V_EXCESS: "v_e" "v_e" M_PER_S / M_PER_S, "Speed along the rope beyond that of the hoist: rounding alone.", "derived";
+    W_X: "w_x" "w_x" M_PER_S / M_PER_S, "Speed of the load across its rope, forward.", "derived";
+    W_Y: "w_y" "w_y" M_PER_S / M_PER_S, "Speed of the load across its rope, up.", "derived";
+    W_Z: "w_z" "w_z" M_PER_S / M_PER_S, "Speed of the load across its rope, to the left.", "derived";
+    R_QX: "r_Qx" "r_x" M / M, "Load, forward of the slewing axis.", "derived";
+    U_X: "u_x" "u_x" M_PER_S / M_PER_S, "Speed of the load in the frame that slews, forward.", "derived";
+    U_Y: "u_y" "u_y" M_PER_S / M_PER_S, "Speed of the load in the frame that slews, up.", "derived";
+    B_X: "b_x" "b_x" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, forward.", "Lagrange";
+    B_Y: "b_y" "b_y" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, up.", "Lagrange";
+    B_Z: "b_z" "b_z" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, to the left.", "Lagrange";
+    NEED: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange";
+    GIVE: "kappa_R" "kappa_R" ONE / ONE, "How much easier the load gives way along the rope as the head gives way too.", "Lagrange";
+    PULL: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange";
+
+    // A run.
+    T: "t" "t" S / S, "Time from the start of the run.", "derived";
+    P_MAX: "p_max" "p_\"max\"" PA / BAR, "Greatest pressure in ports and chambers during the run.", "equations of motion";
+    P_MIN: "p_min" "p_\"min\"" PA / BAR, "Least pressure in ports and chambers during the run.", "equations of motion";
+    PHI_MAX: "phi_max" "phi_\"max\"" RAD / DEG, "Greatest angle of the rope from the vertical during the run.", "equations of motion";
+    D_E: "Delta_E" "Delta E" J / KJ, "Change of the kinetic and potential energy of all bodies.", "derived";
+    E_OIL: "E_oil" "Delta E_\"oil\"" J / KJ, "Change of the energy in the compressed oil.", "derived";
+    W_A: "W_A" "W_A" J / KJ, "Work of the drive.", "derived";
+    W_SL: "W_sl" "W_\"sl\"" J / KJ, "Work of the slewing drive.", "derived";
+    W_H: "W_h" "W_h" J / KJ, "Work of the hoist on the rope.", "derived";
+    W_P: "W_P" "W_P" J / KJ, "Work of the pump.", "derived";
+    W_R: "W_R" "W_R" J / KJ, "Energy that friction and brakes have taken.", "derived";
+    W_T: "W_T" "W_T" J / KJ, "Energy that edges, lines, relief valves and leakage have taken.", "derived";
+    W_B: "W_B" "W_B" J / KJ, "Energy that blows at end stops and of the rope have taken.", "derived";
+    W_E: "W_e" "W_e" J / KJ, "What is left over: error of the sums over the samples.", "derived";
+
+    // Rates of the states.
+    D_THETA_1: "der(theta_1)" "dot(theta)_1" RAD_PER_S / DEG_PER_S, "Rate of the boom's angle.", "state";
+    D_OMEGA_1: "der(omega_1)" "dot(omega)_1" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the boom.", "equations of motion";
+    D_THETA_3: "der(theta_3)" "dot(theta)_3" RAD_PER_S / DEG_PER_S, "Rate of the rocker's angle.", "state";
+    D_OMEGA_3: "der(omega_3)" "dot(omega)_3" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the rocker.", "equations of motion";
+    D_PHI: "der(phi_R)" "dot(phi)_R" RAD_PER_S / DEG_PER_S, "Rate of the rope's angle.", "state";
+    D_OMEGA_PHI: "der(omega_R)" "dot(omega)_R" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the rope.", "equations of motion";
+    D_L_R: "der(l_R)" "dot(l)_R" M_PER_S / M_PER_S, "Rate of the rope's length.", "state";
+    D_S_Q: "der(s_Q)" "dot(s)_Q" M_PER_S / M_PER_S, "Rate of the load's distance from the head.", "state";
+    D_V_Q: "der(v_Q)" "dot(v)_Q" M_PER_S2 / M_PER_S2, "Acceleration of the load away from the head.", "equations of motion";
+    D_PSI_SL: "der(psi_sl)" "dot(psi)_\"sl\"" RAD_PER_S / DEG_PER_S, "Rate of the slewing angle.", "state";
+    D_OMEGA_SL: "der(omega_sl)" "dot(omega)_\"sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing.", "equations of motion";
+    D_X_Q: "der(x_Q)" "dot(x)_Q" M_PER_S / M_PER_S, "Rate of the load's place forward of the head.", "state";
+    D_Y_Q: "der(y_Q)" "dot(y)_Q" M_PER_S / M_PER_S, "Rate of the load's place above the head.", "state";
+    D_Z_Q: "der(z_Q)" "dot(z)_Q" M_PER_S / M_PER_S, "Rate of the load's place to the left of the head.", "state";
+    D_V_QX: "der(v_Qx)" "dot(v)_(Q x)" M_PER_S2 / M_PER_S2, "Acceleration of the load forward, from the head.", "equations of motion";
+    D_V_QY: "der(v_Qy)" "dot(v)_(Q y)" M_PER_S2 / M_PER_S2, "Acceleration of the load up, from the head.", "equations of motion";
+    D_V_QZ: "der(v_Qz)" "dot(v)_(Q z)" M_PER_S2 / M_PER_S2, "Acceleration of the load to the left, from the head.", "equations of motion";
+    D_P_1: "der(p_1)" "dot(p)_1" PA_PER_S / BAR_PER_S, "Rate of the pressure in the port of the bore.", "equations of motion";
+    D_P_2: "der(p_2)" "dot(p)_2" PA_PER_S / BAR_PER_S, "Rate of the pressure in the port of the annulus.", "equations of motion";
+    D_P_A: "der(p_A)" "dot(p)_A" PA_PER_S / BAR_PER_S, "Rate of the pressure in the chamber of the bore.", "equations of motion";
+    D_P_B: "der(p_B)" "dot(p)_B" PA_PER_S / BAR_PER_S, "Rate of the pressure in the chamber of the annulus.", "equations of motion";
+    D_X_V: "der(x_v)" "dot(x)_v" PER_S / PER_S, "Rate of the valve's spool.", "state";
+    D_V_V: "der(v_v)" "dot(v)_v" PER_S2 / PER_S2, "Acceleration of the valve's spool.", "equations of motion";
+
+    // Event indicators: an event is where one falls below zero.
+    Z_REST: "z.rest" "z_1" ONE / ONE, "Falls below zero where the driven bar comes to rest, or breaks loose backwards.", "event";
+    Z_LOOSE: "z.loose" "z_2" ONE / ONE, "Falls below zero where the driven bar breaks loose forwards.", "event";
+    Z_LOW: "z.low" "z_3" ONE / ONE, "Falls below zero where the driven bar meets its lower end stop.", "event";
+    Z_HIGH: "z.high" "z_4" ONE / ONE, "Falls below zero where the driven bar meets its upper end stop.", "event";
+    Z_SPOOL: "z.spool" "z_6" ONE / ONE, "Changes its sign where the valve's spool passes its middle.", "event";
+    Z_RELIEF_1: "z.relief_1" "z_7" ONE / ONE, "Falls below zero where the relief valve on the side of the bore opens.", "event";
+    Z_RELIEF_2: "z.relief_2" "z_8" ONE / ONE, "Falls below zero where the relief valve on the side of the annulus opens.", "event";
+    Z_SL_REST: "z.sl_rest" "z_9" ONE / ONE, "Falls below zero where slewing comes to rest, or breaks loose to the right.", "event";
+    Z_SL_LOOSE: "z.sl_loose" "z_10" ONE / ONE, "Falls below zero where slewing breaks loose to the left.", "event";
+    Z_SL_LOW: "z.sl_low" "z_11" ONE / ONE, "Falls below zero where slewing meets its right end stop.", "event";
+    Z_SL_HIGH: "z.sl_high" "z_12" ONE / ONE, "Falls below zero where slewing meets its left end stop.", "event";
+    Z_ROPE: "z.rope" "z_5" ONE / ONE, "Falls below zero where the rope becomes slack or taut.", "event";
+}
+
+/// Travel forward and up by the driven angle, first and second derivative.
+pub(crate) type OfCentre = [[&'static Symbol; 2]; 2];
+
+/// What the equations of motion have for each body.
+pub(crate) struct OfBody {
+    pub mass: &'static Symbol,
+    pub centre: OfCentre,
+    /// Square of the turning, and half of how that changes.
+    pub turn: &'static Symbol,
+    pub turn_change: &'static Symbol,
+    pub inertia: &'static Symbol,
+    pub slope: &'static Symbol,
+}
+
+/// Boom, jib and rocker.
+pub(crate) static OF_BODY: [OfBody; 3] = [
+    OfBody {
+        mass: &MASS_1,
+        centre: [[&DX_1, &DY_1], [&DDX_1, &DDY_1]],
+        turn: &TURN_1,
+        turn_change: &TURN_CHANGE_1,
+        inertia: &I_R1,
+        slope: &DI_R1,
+    },
+    OfBody {
+        mass: &MASS_2,
+        centre: [[&DX_2, &DY_2], [&DDX_2, &DDY_2]],
+        turn: &TURN_2,
+        turn_change: &TURN_CHANGE_2,
+        inertia: &I_R2,
+        slope: &DI_R2,
+    },
+    OfBody {
+        mass: &MASS_3,
+        centre: [[&DX_3, &DY_3], [&DDX_3, &DDY_3]],
+        turn: &TURN_3,
+        turn_change: &TURN_CHANGE_3,
+        inertia: &I_R3,
+        slope: &DI_R3,
+    },
+];
+
+pub(crate) static OF_COUNTERWEIGHT: OfCentre = [[&DX_5, &DY_5], [&DDX_5, &DDY_5]];

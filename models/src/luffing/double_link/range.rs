@@ -1,0 +1,78 @@
+//! The head's rise over the whole working range.
+
+use std::f64::consts::TAU;
+use std::num::NonZeroUsize;
+
+use gauss_quad::GaussLegendre;
+use num_dual::Dual64;
+
+use crate::component::extreme::greatest_amount;
+use crate::luffing::double_link::geometry::{Geometry, Parameters};
+use crate::luffing::double_link::position::Position;
+use crate::luffing::double_link::velocity::Velocity;
+use crate::parts::motion::Motion;
+
+/// Rise of A, in m.
+#[derive(Clone, Copy, Debug)]
+pub struct Rise {
+    /// From the start to the end of the working range.
+    pub whole: f64,
+    /// For a radian where it is steepest, with its sign: where the luffing moment is greatest.
+    pub steepest: f64,
+}
+
+impl Rise {
+    /// `None` where the linkage does not close over the whole range.
+    #[must_use]
+    pub fn new(parameters: &Parameters<f64>, motion: &Motion) -> Option<Rise> {
+        let g = Geometry::new(&parameters.map(&mut |_, value| Dual64::from_re(value))).ok()?;
+        let at = |theta: Dual64| Position::new(&g, theta);
+        let height = |theta: f64| at(Dual64::from_re(theta)).map(|p| p.a.y.re);
+        let mut slope = |theta: Dual64| at(theta).map(|p| Velocity::new(&p).da.y);
+        Some(Rise {
+            whole: height(motion.to)? - height(motion.from)?,
+            steepest: greatest_amount(motion, &mut slope)?.value,
+        })
+    }
+}
+
+/// Rise of A over the range as the integral of its slope, in m: the work of the
+/// luffing moment for a load of 1 N. By Gauss and Legendre's rule, on halves where
+/// they do not agree with the whole; every whole turn is like the first.
+#[must_use]
+pub fn rise_by_integration(g: &Geometry<f64>, motion: &Motion) -> f64 {
+    let Motion { from, to, .. } = *motion;
+    let over = |from: f64, to: f64| {
+        let size = g.lengths.x_1 + g.lengths.x_3 + g.lengths.x_4;
+        integral(g, [from, to], CONVERGED * size * (to - from), &mut { HALVINGS })
+    };
+    let turns = ((to - from) / TAU).floor();
+    if turns == 0.0 {
+        return over(from, to);
+    }
+    turns * over(from, from + TAU) + over((from + turns * TAU).min(to), to)
+}
+
+/// How often intervals are halved at most, and what two halves may differ from the whole by, as a part of the way
+/// of the longest bars.
+const HALVINGS: u32 = 1000;
+const CONVERGED: f64 = 1e-13;
+
+fn integral(g: &Geometry<f64>, [from, to]: [f64; 2], tolerance: f64, halvings: &mut u32) -> f64 {
+    const POINTS: NonZeroUsize = NonZeroUsize::new(64).expect("not zero");
+    let over = |from: f64, to: f64| {
+        GaussLegendre::new(POINTS).integrate(from, to, |theta| {
+            Position::new(g, theta).map_or(f64::NAN, |p| Velocity::new(&p).da.y)
+        })
+    };
+    let middle = f64::midpoint(from, to);
+    let whole = over(from, to);
+    let apart = (over(from, middle) + over(middle, to) - whole).abs();
+    // Where the linkage does not close there is nothing to converge.
+    if apart <= tolerance || apart.is_nan() || *halvings == 0 {
+        return whole;
+    }
+    *halvings -= 1;
+    let [low, high] = [[from, middle], [middle, to]].map(|half| integral(g, half, tolerance, halvings));
+    low + high
+}

@@ -1,0 +1,596 @@
+//! What a scene says about a luffing mechanism.
+
+use crate::balance::lever::Lever;
+use crate::balance::scene::{Form, KEYS as BALANCE};
+use crate::balance::task::{KEYS as SYNTHESIS, Task};
+use crate::balance::{self, symbols as b};
+use crate::component::outline::Published;
+use crate::kernel::allowed::OutOfRange;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::schema::{Key, Kind, Sign, Values};
+use crate::kernel::symbol::Symbol;
+use crate::luffing::double_link::balancing::{analysis, boom};
+use crate::luffing::double_link::geometry::{
+    Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights,
+};
+use crate::luffing::double_link::moving;
+use crate::luffing::double_link::symbols as s;
+use crate::luffing::double_link::system::System;
+use crate::luffing::scene::{KIND, SOURCE, TABLE, interpolation};
+use crate::parts::four_bar::{Arc, Branch};
+use crate::parts::motion::{Motion, degrees};
+
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+/// Keys of `[luffing]`.
+pub const KEYS: &[Key] = &[
+    KIND,
+    Key {
+        name: "driven",
+        kind: Kind::Choice(&["boom", "rocker"]),
+        required: true,
+        text: "Which bar the drive turns; its angle is the coordinate.",
+    },
+    Key {
+        name: "branch",
+        kind: Kind::Choice(&["left", "right"]),
+        required: true,
+        text: "Side of the line from the foot of the other bar to the driven bar's head on which the jib's other pin lies.",
+    },
+    Key::quantity(&s::X_1, Sign::Positive),
+    Key::quantity(&s::X_2, Sign::Positive),
+    Key::quantity(&s::X_3, Sign::Positive),
+    Key::quantity(&s::X_4, Sign::Positive),
+    Key::quantity(&s::X_5, Sign::Any),
+    Key::quantity(&s::X_6, Sign::Any),
+    Key::quantity(&s::X_7, Sign::Any).optional(),
+    Key::quantity(&s::BETA_0, Sign::Positive).optional(),
+    Key::quantity(&s::AC, Sign::Positive).optional(),
+    Key::quantity(&s::X_8, Sign::Any),
+    Key::weight(&s::Q).optional(),
+    Key {
+        name: "fidelity",
+        kind: Kind::Choice(moving::scene::FIDELITIES),
+        required: false,
+        text: "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range, its dimensions fixed), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).",
+    },
+    Key::table("motion", MOTION, "Working range of the driven bar."),
+    Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
+    Key::table(
+        "balance",
+        BALANCE,
+        "Counterweight that carries the boom system's own weights.",
+    )
+    .optional(),
+    Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
+    Key::table("synthesis", SYNTHESIS, "What `lemnis synth` finds.").optional(),
+    Key::table(
+        "dynamics",
+        moving::scene::KEYS,
+        "Inertias, friction, drive and rope of a mechanism in motion.",
+    )
+    .optional(),
+    Key::table(
+        "hydraulics",
+        moving::scene::OIL_KEYS,
+        "Oil, valve and lines of the luffing cylinder in motion.",
+    )
+    .optional(),
+    Key::table("table", TABLE, "Interpolation of the level \"table\".").optional(),
+    Key::table(
+        "slewing",
+        moving::scene::SLEWING_KEYS,
+        "Inertia, friction and drive of a crane in motion that slews.",
+    )
+    .optional(),
+    Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
+    Key::table(
+        "published",
+        PUBLISHED,
+        "Published values to stand beside the computed ones.",
+    )
+    .optional(),
+    SOURCE,
+];
+
+static MOTION: &[Key] = &[
+    Key::named("from", &s::THETA_1, Sign::Any, "Angle of the driven bar at the start."),
+    Key::named("to", &s::THETA_1, Sign::Any, "Angle of the driven bar at the end."),
+    Key::named("step", &s::THETA_1, Sign::Positive, "Step of tables."),
+    Key::named(
+        "speed",
+        &s::OMEGA_1,
+        Sign::Positive,
+        "Angular velocity of the driven bar.",
+    ),
+    SOURCE,
+];
+
+static WEIGHTS: &[Key] = &[
+    Key::weight(&s::G_1),
+    Key::quantity(&s::S_1, Sign::NotNegative),
+    Key::quantity(&s::CHI_1, Sign::Any),
+    Key::weight(&s::G_2),
+    Key::quantity(&s::S_2, Sign::NotNegative),
+    Key::quantity(&s::CHI_2, Sign::Any),
+    Key::weight(&s::G_3),
+    Key::quantity(&s::S_3, Sign::NotNegative),
+    Key::quantity(&s::CHI_3, Sign::Any),
+    SOURCE,
+];
+
+static DRIVE: &[Key] = &[
+    Key {
+        name: "kind",
+        kind: Kind::Choice(&["cylinder", "rack"]),
+        required: true,
+        text: "A hydraulic cylinder, or a rack that a pinion on the frame pushes.",
+    },
+    Key::quantity(&s::E_X, Sign::Any),
+    Key::quantity(&s::E_Y, Sign::Any),
+    Key::quantity(&s::S_D, Sign::Positive),
+    Key::quantity(&s::CHI_D, Sign::Any),
+    Key::quantity(&s::D_C, Sign::Positive).optional(),
+    Key::quantity(&s::D_R, Sign::NotNegative).optional(),
+    SOURCE,
+];
+
+static LIMITS: &[Key] = &[
+    Key::quantity(&s::MU_MIN, Sign::NotNegative).optional(),
+    Key::quantity(&s::EPSILON_Y, Sign::Positive).optional(),
+    Key::quantity(&b::DM_MAX, Sign::Positive).optional(),
+    Key::quantity(&b::GAMMA_MIN, Sign::NotNegative).optional(),
+    Key::quantity(&b::N_MAX, Sign::Positive).optional(),
+    Key::quantity(&moving::symbols::PHI_MAX, Sign::Positive).optional(),
+    SOURCE,
+];
+
+static PUBLISHED: &[Key] = &[
+    Key {
+        name: "source",
+        kind: Kind::Text,
+        required: true,
+        text: "Where the values are printed.",
+    },
+    Key {
+        name: "values",
+        kind: Kind::Lines,
+        required: true,
+        text: "A line of names, then lines of values in display units; the first column is the angle of the driven bar.",
+    },
+];
+
+/// A luffing mechanism as the scene describes it; SI.
+#[derive(Clone, Debug)]
+pub struct Luffing {
+    pub parameters: Parameters<f64>,
+    /// Weight of the load; `None` models no forces.
+    pub q: Option<f64>,
+    pub motion: Motion,
+    /// First angle of the range, in rad, at which all bars lie in one line: no finite forces in the pins carry a load there.
+    pub change_point: Option<f64>,
+    /// With `fidelity` beyond `static`; with `auto` as deep as the scene's tables allow.
+    pub moving: Option<moving::scene::Moving>,
+    /// Tolerance of the level `table`, as part of each result's range.
+    pub table: Option<f64>,
+    /// Whether the level is left to `lemnis trade`.
+    pub auto: bool,
+    /// What the book checks, in SI.
+    pub limits: Vec<(&'static Symbol, f64)>,
+    pub published: Option<Published>,
+    /// What is asked of the synthesis of its balance.
+    pub synthesis: Option<Task>,
+    /// Published results of the balance.
+    pub published_balance: Option<balance::scene::Published>,
+}
+
+impl Luffing {
+    /// Whether forces in the pins are modelled.
+    #[must_use]
+    pub fn has_pins(&self) -> bool {
+        self.q.is_some() && self.change_point.is_none()
+    }
+
+    /// The scene's own lever counterweight.
+    #[must_use]
+    pub fn own_lever(&self) -> Option<Lever<f64>> {
+        own_lever(&self.parameters)
+    }
+
+    /// The boom system as its boom moves it, and its boom angles (rad) over the working range.
+    ///
+    /// # Errors
+    /// A mechanism without weights.
+    pub fn boom(&self) -> Result<(System<f64>, [f64; 2]), OutOfRange> {
+        boom(&self.parameters, &self.motion)
+    }
+}
+
+impl Luffing {
+    /// Builds the mechanism of a checked table under the acceleration of gravity (m/s²); mistakes go to `found`.
+    pub fn new(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Luffing> {
+        let before = found.len();
+        let driven = if v.text("driven")? == "boom" {
+            Driven::Boom
+        } else {
+            Driven::Rocker
+        };
+        let branch = if v.text("branch")? == "left" {
+            Branch::Left
+        } else {
+            Branch::Right
+        };
+        let n = |symbol: &Symbol| v.number(symbol.id);
+        let lengths = Lengths::of(n)?;
+        let jib = match (n(&s::X_7), n(&s::BETA_0), n(&s::AC)) {
+            (Some(x), None, None) => Jib::Sag(x),
+            (None, Some(x), None) => Jib::Angle(x),
+            (None, None, Some(x)) => Jib::Axis(x),
+            (x_7, beta_0, _) => {
+                let none = x_7.is_none() && beta_0.is_none() && n(&s::AC).is_none();
+                let extra = if x_7.is_some() && beta_0.is_some() {
+                    "beta_0"
+                } else {
+                    "AC"
+                };
+                found.push(
+                    Diagnostic::new(
+                        v.place(extra),
+                        if none {
+                            "nothing determines the jib's triangle"
+                        } else {
+                            "the jib's triangle is determined twice"
+                        },
+                        if none {
+                            "X_7, beta_0 or AC is needed here"
+                        } else {
+                            "remove this or the other"
+                        },
+                    )
+                    .help("give exactly one of X_7 (sag), beta_0 (angle at B) and AC (tail to head)"),
+                );
+                return None;
+            }
+        };
+        let weights = match v.table("weights") {
+            Some(table) => Some(Weights::of(|symbol| table.number(symbol.id))?),
+            None => None,
+        };
+        let (anchors, cylinder) = match v.table("drive") {
+            Some(d) => {
+                let anchors = Anchors::of(|symbol| d.number(symbol.id))?;
+                (Some(anchors), cylinder(d, found))
+            }
+            None => (None, None),
+        };
+        let q = n(&s::Q);
+        // A load that cannot be read is not one that is missing.
+        let loaded = q.is_some() || !found.is_empty();
+        if weights.is_some() && !loaded {
+            found.push(
+                Diagnostic::new(
+                    v.place("weights"),
+                    "own weights without a load",
+                    "these need forces to be modelled",
+                )
+                .help("add Q = \"0 kN\" or more to [luffing]"),
+            );
+        }
+        let balance = match v.table("balance") {
+            Some(table) => Some(Form::read(table, found)?),
+            None => None,
+        };
+        let parameters = Parameters {
+            lengths,
+            jib,
+            weights,
+            anchors,
+            cylinder,
+            balance,
+            driven,
+            branch,
+        };
+        let motion = motion(v, &parameters, found);
+        let moving = moving::scene::Moving::new(v, gravity, loaded, found);
+        let table = interpolation(v, found);
+        if let Some(table) = v.table("balance") {
+            balanced(v, table, &parameters, motion.as_ref(), found);
+        }
+        let limits = v
+            .table("limits")
+            .map_or(Vec::new(), |table| table.quantities_of(LIMITS));
+        if let Some(table) = v.table("limits") {
+            for symbol in [&b::DM_MAX, &b::GAMMA_MIN, &b::N_MAX] {
+                let checked = balance.is_some_and(|balance| balance.has(symbol));
+                if table.has(symbol.id) && !checked {
+                    let what = match &balance {
+                        Some(balance) => format!("a balance of the kind \"{}\" has no {}", balance.kind(), symbol.id),
+                        None => format!("a limit {} without a balance", symbol.id),
+                    };
+                    found.push(
+                        Diagnostic::new(table.place(symbol.id), what, "nothing to check").help("remove the limit"),
+                    );
+                }
+            }
+        }
+        let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());
+        let id = moving::symbols::PHI_MAX.id;
+        if let Some(table) = v.table("limits").filter(|table| table.has(id) && !swings) {
+            let what = format!("a limit {id} without a swinging load");
+            found.push(Diagnostic::new(table.place(id), what, "nothing to check").help("remove the limit"));
+        }
+        let theta = parameters.driven.coordinate();
+        let published = v.table("published").and_then(|table| published(table, theta, found));
+        let motion = motion?;
+        let change_point = change_point(v, &parameters, &motion, moving.is_some(), found);
+        let synthesis = v
+            .table("synthesis")
+            .and_then(|table| synthesis(table, &parameters, &motion, found));
+        (found.len() == before).then_some(Luffing {
+            parameters,
+            q,
+            motion,
+            change_point,
+            moving,
+            table,
+            auto: v.text("fidelity") == Some("auto"),
+            limits,
+            published,
+            synthesis,
+            published_balance: v.table("balance").and_then(balance::scene::Published::read),
+        })
+    }
+}
+
+/// What is asked of the synthesis; mistakes go to `found`.
+fn synthesis(v: &Values, p: &Parameters<f64>, motion: &Motion, found: &mut Vec<Diagnostic>) -> Option<Task> {
+    match boom(p, motion) {
+        Ok((boom, range)) => Task::new(v, &boom, range, own_lever(p).as_ref(), found),
+        Err(fault) => {
+            found.push(Diagnostic::new(v.span.clone(), fault.what, "nothing to search for"));
+            None
+        }
+    }
+}
+
+fn own_lever(p: &Parameters<f64>) -> Option<Lever<f64>> {
+    match p.balance {
+        Some(Form::Lever(dimensions, s_5, branch)) => Lever::new(dimensions, s_5, branch).ok(),
+        _ => None,
+    }
+}
+
+/// Checks that the balance exists over the whole working range.
+fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: Option<&Motion>, found: &mut Vec<Diagnostic>) {
+    if p.weights.is_none() {
+        found.push(
+            Diagnostic::new(
+                v.place("balance"),
+                "a balance without own weights",
+                "there is nothing to balance",
+            )
+            .help("add [luffing.weights] with the weights of boom, jib and rocker"),
+        );
+        return;
+    }
+    let Some(Err(fault)) = motion.map(|motion| analysis(p, motion)) else {
+        return;
+    };
+    let place = if fault.quantity == &s::THETA_1 {
+        v.place("motion")
+    } else {
+        table.place(fault.quantity.id)
+    };
+    let label = format!("{} is not possible", fault.quantity.id);
+    found.push(Diagnostic::new(place, fault.what.clone(), label).help(fault.range()));
+}
+
+fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Cylinder<f64>> {
+    let (bore, rod) = (d.number(s::D_C.id), d.number(s::D_R.id));
+    match (d.text("kind")?, bore, rod) {
+        ("cylinder", Some(d_c), Some(d_r)) if d_r < d_c => Some(Cylinder { d_c, d_r }),
+        ("rack", None, None) => None,
+        ("cylinder", Some(d_c), Some(d_r)) => {
+            let (d_c, d_r) = (s::D_C.written(d_c), s::D_R.written(d_r));
+            found.push(
+                Diagnostic::new(
+                    d.place("d_r"),
+                    format!("the rod d_r = {d_r} does not fit the bore D_c = {d_c}"),
+                    "too thick",
+                )
+                .help("the rod must be thinner than the bore"),
+            );
+            None
+        }
+        ("cylinder", ..) => {
+            found.push(
+                Diagnostic::new(
+                    d.span.clone(),
+                    "a cylinder without bore or rod",
+                    "D_c and d_r are needed here",
+                )
+                .help("add D_c = \"... mm\" and d_r = \"... mm\", or make it a rack"),
+            );
+            None
+        }
+        _ => {
+            let key = if bore.is_some() { "D_c" } else { "d_r" };
+            found.push(Diagnostic::new(d.place(key), "a rack has no bore and no rod", "not used").help("remove it"));
+            None
+        }
+    }
+}
+
+/// Checks that the mechanism exists and closes over the whole working range.
+fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>) -> Option<Motion> {
+    let m = v.table("motion")?;
+    let motion = Motion::read(m, found)?;
+    let geometry = match Geometry::new(parameters) {
+        Ok(geometry) => geometry,
+        Err(misfit) => {
+            let words = parameters.describe(misfit);
+            let label = match misfit {
+                Misfit::Jib => "does not close",
+                Misfit::Frame => "no frame",
+                Misfit::Linkage => "cannot reach",
+            };
+            found.push(Diagnostic::new(v.place(words.key), words.what, label).help(words.help));
+            return None;
+        }
+    };
+    let arcs = geometry.linkage.arcs();
+    if geometry.linkage.turns_fully() || arcs.iter().any(|arc| covers(*arc, motion.from, motion.to)) {
+        return Some(motion);
+    }
+    let parts: Vec<String> = arcs
+        .iter()
+        .map(|arc| format!("{} to {}", degrees(arc.from), degrees(arc.to)))
+        .collect();
+    found.push(
+        Diagnostic::new(
+            m.span.clone(),
+            format!(
+                "the linkage does not close over the whole range {} to {}",
+                degrees(motion.from),
+                degrees(motion.to)
+            ),
+            missing(&arcs, &motion),
+        )
+        .help(format!("it closes for {} of the driven bar", parts.join(" and for "))),
+    );
+    None
+}
+
+/// First change point within the working range, in rad; what is not defined there goes to `found`.
+fn change_point(
+    v: &Values,
+    parameters: &Parameters<f64>,
+    motion: &Motion,
+    moves: bool,
+    found: &mut Vec<Diagnostic>,
+) -> Option<f64> {
+    let geometry = Geometry::new(parameters).ok()?;
+    let at = geometry.change_point(motion)?;
+    let angle = format!("{} = {}", parameters.driven.coordinate().id, degrees(at));
+    let points = geometry.linkage.change_points();
+    let mut points: Vec<f64> = points.map(|at| at.rem_euclid(TAU)).collect();
+    points.sort_by(f64::total_cmp);
+    let points: Vec<String> = points.into_iter().map(degrees).collect();
+    let away = format!("keep the working range away from {}", points.join(" and "));
+    let mut refuse = |key, what, label, help| found.push(Diagnostic::new(v.place(key), what, label).help(help));
+    if !geometry.linkage.keeps_branch() {
+        refuse(
+            "motion",
+            format!("all bars lie in one line at {angle} of the working range, but for rounding"),
+            "which way they go on is undefined",
+            format!(
+                "{away}, or change a length: either the linkage passes clearly, or opposite bars are exactly equal"
+            ),
+        );
+        return None;
+    }
+    for key in ["balance", "synthesis"].into_iter().filter(|key| v.has(key)) {
+        refuse(
+            key,
+            format!("a balance, and a change point at {angle} of the working range"),
+            "no finite force in its rod holds there",
+            format!("leave out [luffing.{key}], or {away}"),
+        );
+    }
+    if !moves && v.has("Q") {
+        refuse(
+            "Q",
+            format!("a load, and a change point at {angle} of the working range"),
+            "no finite forces in the pins carry it there",
+            format!(
+                "leave out Q and [luffing.weights], which kinematics does not need, or {away}; fidelity = \"rigid\" passes \
+                 with the moment of its drive"
+            ),
+        );
+    }
+    Some(at)
+}
+
+/// Whether an arc, shifted by whole turns, covers an interval.
+fn covers(arc: Arc, from: f64, to: f64) -> bool {
+    let turns = ((from - arc.from) / TAU).floor() * TAU;
+    from - turns >= arc.from && to - turns <= arc.to
+}
+
+/// Which part of the range is left out.
+fn missing(arcs: &[Arc], motion: &Motion) -> String {
+    const PARTS: u32 = 1000;
+    let part = (motion.to - motion.from) / f64::from(PARTS);
+    let open: Vec<f64> = (0..=PARTS)
+        .map(|i| motion.from + part * f64::from(i))
+        .filter(|&angle| !arcs.iter().any(|arc| covers(*arc, angle, angle)))
+        .collect();
+    let (Some(&first), Some(&last)) = (open.first(), open.last()) else {
+        return "the parts in which it closes do not join".to_owned();
+    };
+    // The grid stops short of where an arc begins or ends.
+    let ends = || arcs.iter().flat_map(|arc| [arc.from, arc.to]);
+    let edge = |angle: f64| {
+        let near = |end: f64| end + TAU * ((angle - end) / TAU).round();
+        ends()
+            .map(near)
+            .find(|end| (end - angle).abs() <= part)
+            .unwrap_or(angle)
+    };
+    format!(
+        "does not close from {} to {}",
+        degrees(edge(first)),
+        degrees(edge(last))
+    )
+}
+
+/// Reads a published table over the coordinate; mistakes go to `found`.
+fn published(v: &Values, coordinate: &'static Symbol, found: &mut Vec<Diagnostic>) -> Option<Published> {
+    let before = found.len();
+    let source = v.text("source")?;
+    let wrong = |place: &Range<usize>, message: String, label: &str, help: &str| {
+        Diagnostic::new(place.clone(), message, label).help(help)
+    };
+    let Some(((names, place), lines)) = v.texts("values").split_first() else {
+        let help = "begin with a line of names: the angle of the driven bar, then results";
+        wrong(
+            &v.place("values"),
+            "published values without a line".to_owned(),
+            "empty",
+            help,
+        );
+        return None;
+    };
+    let mut columns = Vec::new();
+    for name in names.split_whitespace() {
+        match s::ALL.iter().copied().find(|symbol| symbol.id == name) {
+            Some(symbol) => columns.push(symbol),
+            None => {
+                let message = format!("published values of `{name}`, which is not a result");
+                found.push(wrong(place, message, "not known", "use the names of `lemnis check`"));
+            }
+        }
+    }
+    if found.len() == before && columns.first() != Some(&coordinate) {
+        let message = format!("published values begin with {names}");
+        let help = format!("the first column is {}, the angle of the driven bar", coordinate.id);
+        found.push(wrong(place, message, "not the angle", &help));
+    }
+    let mut rows = Vec::new();
+    for (line, place) in lines {
+        let row: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+        if row.len() != names.split_whitespace().count()
+            || row.iter().any(|cell| !cell.parse().is_ok_and(f64::is_finite))
+        {
+            let message = format!("published values: cannot read the line \"{line}\"");
+            found.push(wrong(place, message, "not this", "give one number for each name"));
+        }
+        rows.push(row);
+    }
+    (found.len() == before).then(|| Published {
+        source: source.to_owned(),
+        columns,
+        rows,
+    })
+}

@@ -1,0 +1,728 @@
+//! The mechanism in motion: the equations at one instant, from the functions that the running model solves, and
+//! a run of that model on the scene's own motion.
+
+use crate::component::outline::Told;
+use crate::component::running::{Running, State};
+use crate::component::sheet::{self, Check, Curve, InMotion, Section, Summary};
+use crate::kernel::calc::Calc;
+use crate::kernel::record::record;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Role;
+use crate::luffing::double_link::hydraulic::FIXED;
+use crate::luffing::double_link::motion::Bar;
+use crate::luffing::double_link::moving::level::{Powers, Present};
+use crate::luffing::double_link::moving::model::Model;
+use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::scene::Luffing;
+use crate::luffing::double_link::symbols as s;
+use crate::parts::hydraulics::oil::VACUUM;
+use crate::parts::hydraulics::symbols as h;
+
+/// Points of a drawn curve, besides its extremes.
+const CURVE: usize = 300;
+
+/// Samples of a run, at least and at most.
+const SAMPLES: [f64; 2] = [2000.0, 20_000.0];
+
+/// How often a sample is halved where oil moves too fast for it, and what may be left over, as a part of the energy
+/// that was turned over before and in it.
+const HALVINGS: u32 = 6;
+const LEFT: f64 = 1e-6;
+
+/// Right-hand sides that a run may cost: for each of its samples, and for each of the longest steps of its solver. A
+/// load that a hoist draws to the head turns about it ever faster.
+const RATES: [f64; 2] = [200.0, 20.0];
+
+/// How many samples there are for each look at the energy of motion, which is but a size.
+const KINETIC: u32 = 16;
+
+/// Events that are listed.
+const EVENTS: usize = 20;
+
+/// What the formulas of a section give; those of the assembled model stand among them.
+const SECTIONS: [(&str, &[&Symbol]); 6] = [
+    (
+        "motion_bodies",
+        &[
+            &m::MASS_Q,
+            &m::J_2Q,
+            &m::MASS_1,
+            &m::I_R1,
+            &m::DI_R1,
+            &m::MASS_2,
+            &m::I_R2,
+            &m::DI_R2,
+            &m::MASS_3,
+            &m::I_R3,
+            &m::DI_R3,
+            &m::I_R5,
+            &m::DI_R5,
+            &m::I_R,
+            &m::DI_R,
+            &m::M_W,
+        ],
+    ),
+    (
+        "motion_oil",
+        &[
+            &h::A_A,
+            &h::A_B,
+            &s::V_D,
+            &h::Y_V,
+            &h::Q_1,
+            &h::Q_2,
+            &h::Q_LA,
+            &h::Q_LB,
+            &h::Q_R1,
+            &h::Q_R2,
+            &h::Q_LEAK,
+        ],
+    ),
+    (
+        "motion_pressures",
+        &[&h::V_A, &h::V_B, &m::D_P_1, &m::D_P_2, &m::D_P_A, &m::D_P_B, &m::D_V_V],
+    ),
+    (
+        "motion_pendulum",
+        &[
+            &m::D_SWING,
+            &m::D_INWARD,
+            &m::BEND,
+            &m::D_SWING_CHANGE,
+            &m::M_11,
+            &m::M_12,
+            &m::M_21,
+            &m::M_22,
+            &m::F_1,
+            &m::F_2,
+        ],
+    ),
+    (
+        "motion_load",
+        &[
+            &m::S_Q,
+            &m::N_X,
+            &m::N_Y,
+            &m::N_Z,
+            &m::H_1,
+            &m::H_2,
+            &m::V_EXCESS,
+            &m::W_X,
+            &m::W_Y,
+            &m::W_Z,
+            &m::R_QX,
+            &m::U_X,
+            &m::U_Y,
+            &m::B_X,
+            &m::B_Y,
+            &m::B_Z,
+        ],
+    ),
+    (
+        "motion_equations",
+        &[
+            &m::F_C,
+            &m::M_R,
+            &m::M_R_SL,
+            &m::M_NET,
+            &m::M_NET_SL,
+            &m::ALONE,
+            &m::ALONE_SL,
+            &m::NEED,
+            &m::GIVE,
+            &m::PULL,
+            &m::D_OMEGA_1,
+            &m::D_OMEGA_3,
+            &m::D_OMEGA_SL,
+            &m::D_OMEGA_PHI,
+            &m::D_V_QX,
+            &m::D_V_QY,
+            &m::D_V_QZ,
+            &m::S_R,
+        ],
+    ),
+];
+
+/// What is found while the model is assembled, before it moves.
+const ASSEMBLED: [&Symbol; 4] = [&m::MASS_Q, &m::J_2Q, &h::A_A, &h::A_B];
+
+/// Curves over the time of the run.
+const CURVES: [(&str, &Symbol); 17] = [
+    ("motion_angle", &s::THETA_1),
+    ("motion_speed", &s::OMEGA_1),
+    ("motion_angle", &s::THETA_3),
+    ("motion_speed", &s::OMEGA_3),
+    ("motion_reach", &s::R),
+    ("motion_height", &s::A_Y),
+    ("motion_slewing", &m::PSI_SL),
+    ("motion_slewing_speed", &m::OMEGA_SL),
+    ("motion_swing", &m::PHI),
+    ("motion_side", &m::CHI_R),
+    ("motion_length", &m::L_R),
+    ("motion_rope", &m::S_R),
+    ("motion_bore", &m::P_A),
+    ("motion_annulus", &m::P_B),
+    ("motion_force", &m::F_C),
+    ("motion_spool", &m::X_V),
+    ("motion_friction", &m::M_R),
+];
+
+/// What is warned of, with a quantity of the run and when it was so.
+type Warned = Option<(&'static str, Summary)>;
+
+/// The chapter of a scene whose mechanism moves, with what is checked in it and warned of; `None` where the model cannot
+/// start.
+pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Vec<Check>, Warned)> {
+    let mut model = Model::new(luffing, moving).ok()?;
+    let drawn: Vec<(&'static str, &'static Symbol, usize)> = CURVES
+        .into_iter()
+        .filter_map(|(id, symbol)| {
+            let index = model
+                .variables()
+                .iter()
+                .position(|variable| variable.symbol == symbol)?;
+            // What an importer gives stands still by itself.
+            (model.variables()[index].role != Role::Input).then_some((id, symbol, index))
+        })
+        .collect();
+    let instant = match (moving.oil, moving.rope) {
+        (Some(_), _) => ("greatest_pressure", &m::P_A),
+        (None, Some(_)) => ("greatest_rope_force", &m::S_R),
+        (None, None) => ("greatest_speed", drawn[1].1),
+    };
+    let mut run = Run::new(luffing, moving, &mut model, &drawn, instant.1)?;
+    model.set_state(&run.state);
+    if moving.oil.is_some() {
+        // A taut rope is straight: read between two steps of the implicit solver it is off by rounding.
+        let mut states = vec![0.0; model.states()];
+        model.get_states(&mut states);
+        model.set_states(&states).ok()?;
+        model.update().ok()?;
+    }
+    let indices = |role: Role| {
+        let all = model.variables().iter().enumerate();
+        let of = all.filter(move |(_, variable)| variable.role == role);
+        of.map(|(index, variable)| (index, variable.symbol)).collect::<Vec<_>>()
+    };
+    let listed: Vec<_> = indices(Role::State).into_iter().chain(indices(Role::Input)).collect();
+    let state = listed
+        .into_iter()
+        .filter_map(|(index, symbol)| Some((symbol, model.get(index).ok()?)))
+        .filter(|(symbol, _)| {
+            !s::ALL.contains(symbol) || [&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3].contains(symbol)
+        })
+        .collect();
+    // The last one may be the end of the run.
+    let more_events = run.events.len().saturating_sub(EVENTS);
+    if more_events > 0 {
+        run.events.drain(EVENTS - 1..run.events.len() - 1);
+    }
+    let (checks, warned) = (run.checks(luffing, moving), run.warned());
+    let motion = InMotion {
+        instant: (instant.0, run.instant),
+        of: None,
+        state,
+        sections: sections(&model),
+        run: [run.duration(), run.sample],
+        curves: run.curves(&drawn),
+        extremes: run.extremes(&drawn),
+        more_events,
+        energy: run.energy.list(moving),
+        events: run.events,
+    };
+    Some((motion, checks, warned))
+}
+
+/// The equations at the model's instant. Each section is recorded from the start and shows its own steps.
+fn sections(model: &Model) -> Vec<Section> {
+    let section = |(id, symbols): (&'static str, &[&Symbol])| {
+        let (mut trace, assembled) = record(|| model.recorded());
+        let mut seen: Vec<&Symbol> = Vec::new();
+        let mut index = 0;
+        trace.steps.retain(|step| {
+            let early = index < assembled;
+            index += 1;
+            let wanted = symbols.contains(&step.symbol) && (!early || ASSEMBLED.contains(&step.symbol));
+            let first = wanted && !seen.contains(&step.symbol);
+            if first {
+                seen.push(step.symbol);
+            }
+            first
+        });
+        Section {
+            id,
+            trace,
+            drawing: None,
+            table: None,
+        }
+    };
+    SECTIONS
+        .into_iter()
+        .map(section)
+        .filter(|section| !section.trace.steps.is_empty())
+        .collect()
+}
+
+/// What changes at an event.
+#[derive(Clone, PartialEq)]
+struct Watch {
+    /// Luffing and slewing; `None` where there is no such joint, or none that sticks.
+    joints: [Option<Bar>; 2],
+    /// At the lower and the upper stop, and beyond it after the next sample if it went on like this.
+    stops: [[bool; 2]; 2],
+    ahead: [[bool; 2]; 2],
+    taut: bool,
+    relief: [bool; 2],
+}
+
+impl Watch {
+    /// With the time between two samples, in s.
+    fn new(luffing: &Luffing, moving: &Moving, present: &Present, sample: f64) -> Watch {
+        let y = present.states();
+        let opening = moving.oil.map_or(f64::INFINITY, |oil| oil.p_r);
+        let at = |x: f64, [low, high]: [f64; 2]| [x <= low, x >= high];
+        let ends = [luffing.motion.from, luffing.motion.to];
+        let turns = moving
+            .slewing
+            .map_or([f64::NEG_INFINITY, f64::INFINITY], |turn| turn.stops);
+        let mut watch = Watch {
+            joints: [None; 2],
+            stops: [at(y[0], ends), [false; 2]],
+            ahead: [at(y[0] + y[1] * sample, ends), [false; 2]],
+            taut: true,
+            relief: [false; 2],
+        };
+        match present {
+            Present::Free(state) => {
+                watch.joints[0] = Some(state.bar);
+                watch.taut = state.taut;
+            }
+            Present::Slewing(state) => {
+                watch.joints = state.joints.map(Some);
+                watch.taut = state.taut;
+                watch.stops[1] = at(y[2], turns);
+                watch.ahead[1] = at(y[2] + y[3] * sample, turns);
+            }
+            Present::Fixed(_) => watch.relief = [y[2] > opening, y[3] > opening],
+            Present::Hanging(now) => {
+                watch.relief = [y[2] > opening, y[3] > opening];
+                watch.taut = now.modes.taut;
+                if moving.slewing.is_some() {
+                    watch.joints[1] = Some(now.modes.slewing);
+                    watch.stops[1] = at(y[FIXED], turns);
+                    watch.ahead[1] = at(y[FIXED] + y[FIXED + 1] * sample, turns);
+                }
+            }
+        }
+        watch
+    }
+
+    /// What has happened since.
+    fn since(&self, before: &Watch) -> Vec<&'static str> {
+        let mut found = Vec::new();
+        let names = [
+            ["luffing_starts", "luffing_rests", "luffing_low", "luffing_high"],
+            ["slewing_starts", "slewing_rests", "slewing_low", "slewing_high"],
+        ];
+        for (i, [starts, rests, low, high]) in names.into_iter().enumerate() {
+            // What turns round on the way to a stop has met it.
+            let turned = matches!(
+                (before.joints[i], self.joints[i]),
+                (Some(Bar::Forward), Some(Bar::Backward)) | (Some(Bar::Backward), Some(Bar::Forward))
+            );
+            let met = [0, 1].map(|end| {
+                let there = self.stops[i][end] || turned && before.ahead[i][end];
+                there && !before.stops[i][end]
+            });
+            let stopped = match met {
+                [true, _] => Some(low),
+                [_, true] => Some(high),
+                _ => None,
+            };
+            match (before.joints[i], self.joints[i]) {
+                (Some(Bar::Held), Some(Bar::Forward | Bar::Backward)) => found.push(starts),
+                (Some(Bar::Forward | Bar::Backward), Some(Bar::Held)) => found.push(stopped.unwrap_or(rests)),
+                (None, None) => found.extend(stopped),
+                _ if turned => found.extend(stopped),
+                _ => {}
+            }
+        }
+        let switches = [
+            (before.taut, self.taut, "rope_taut", "rope_slack"),
+            (before.relief[0], self.relief[0], "relief_1_opens", "relief_1_closes"),
+            (before.relief[1], self.relief[1], "relief_2_opens", "relief_2_closes"),
+        ];
+        for (before, now, on, off) in switches {
+            if before != now {
+                found.push(if now { on } else { off });
+            }
+        }
+        found
+    }
+
+    /// Whether something came to rest at once, or the rope caught the load. With oil the stops of luffing give way.
+    fn blow(events: &[&str], oil: bool) -> bool {
+        let stops = |id: &str| id.ends_with("_low") || id.ends_with("_high");
+        let mut events = events.iter();
+        events.any(|id| *id == "rope_taut" || stops(id) && !(oil && id.starts_with("luffing")))
+    }
+}
+
+/// Where energy came from and went, in J.
+#[derive(Default)]
+struct Energy {
+    start: f64,
+    end: f64,
+    work: Powers,
+    blows: f64,
+    rest: f64,
+    /// How much of the rest rounding may be: all of it where nothing moves.
+    rounding: f64,
+    /// Of the bodies' motion, at most: a load that swings by itself turns over nothing else.
+    kinetic: f64,
+}
+
+impl Energy {
+    /// A step of the run to a next energy (J), in which there may have been a blow.
+    fn add(&mut self, step: &Powers, after: f64, blow: bool) {
+        let left = net(step) - (after - self.end);
+        *(if blow { &mut self.blows } else { &mut self.rest }) += left;
+        self.rounding += rounding(self.end, after);
+        self.end = after;
+        self.work = sum(&[(&self.work, 1.0), (step, 1.0)]);
+    }
+
+    fn list(&self, moving: &Moving) -> sheet::Energy {
+        let (oil, work) = (moving.oil.is_some(), &self.work);
+        let (slews, hangs) = (moving.slewing.is_some(), moving.rope.is_some());
+        let there = |lines: &[(bool, &'static Symbol, f64)]| {
+            let lines = lines.iter().filter(|(there, _, _)| *there);
+            lines.map(|&(_, symbol, value)| (symbol, value)).collect()
+        };
+        sheet::Energy {
+            given: there(&[
+                (!oil, &m::W_A, work.drive),
+                (slews, &m::W_SL, work.slewing),
+                (hangs && moving.inputs.motion.hoist != 0.0, &m::W_H, work.hoist),
+                (oil, &m::W_P, work.pump),
+            ]),
+            stored: there(&[
+                (true, &m::D_E, self.end - self.start),
+                (oil, &m::E_OIL, work.compression),
+            ]),
+            taken: there(&[
+                (true, &m::W_R, work.friction),
+                (oil, &m::W_T, work.throttles),
+                (!oil || slews || hangs, &m::W_B, self.blows),
+                (true, &m::W_E, self.rest),
+            ]),
+        }
+    }
+}
+
+/// What is left of the powers for the bodies.
+fn net(p: &Powers) -> f64 {
+    p.drive + p.slewing + p.hoist + p.pump - p.friction - p.throttles - p.compression
+}
+
+/// What rounding may leave between two energies.
+fn rounding(before: f64, after: f64) -> f64 {
+    f64::EPSILON * (before.abs() + after.abs())
+}
+
+/// What was given and taken.
+fn turnover(work: &Powers) -> f64 {
+    let given = work.pump.abs() + work.slewing.abs() + work.hoist.abs();
+    given + work.throttles + work.friction + work.compression.abs()
+}
+
+/// Powers, each times a number.
+fn sum(parts: &[(&Powers, f64)]) -> Powers {
+    let of = |power: fn(&Powers) -> f64| parts.iter().map(|(powers, factor)| power(powers) * factor).sum();
+    Powers {
+        drive: of(|p| p.drive),
+        slewing: of(|p| p.slewing),
+        hoist: of(|p| p.hoist),
+        pump: of(|p| p.pump),
+        friction: of(|p| p.friction),
+        throttles: of(|p| p.throttles),
+        compression: of(|p| p.compression),
+    }
+}
+
+/// What a run may cost: halvings from now on, without which what is left over goes to the energy's rest, which is
+/// checked; and right-hand sides since the model is there, without which the run ends.
+struct Budget {
+    halvings: u32,
+    rates: f64,
+}
+
+/// Moves the model on and returns the works on the way, with powers and energy (J) at its end.
+fn advance(
+    model: &mut Model,
+    [from, to]: [f64; 2],
+    before: &(Powers, f64),
+    turned_over: f64,
+    halvings: u32,
+    budget: &mut Budget,
+) -> Option<(Powers, (Powers, f64))> {
+    if f64::from(model.count().rates) > budget.rates {
+        return None;
+    }
+    let (start, time) = (model.state(), to - from);
+    let middle = f64::midpoint(from, to);
+    if halvings == 0 {
+        model.advance(from, to).ok()?;
+        let after = model.powers().ok()?;
+        return Some((sum(&[(&before.0, 0.5 * time), (&after.0, 0.5 * time)]), after));
+    }
+    model.advance(from, middle).ok()?;
+    let half = model.powers().ok()?;
+    model.advance(middle, to).ok()?;
+    let after = model.powers().ok()?;
+    let weights = [(&before.0, time / 6.0), (&half.0, time / 1.5), (&after.0, time / 6.0)];
+    let (work, gain) = (sum(&weights), after.1 - before.1);
+    let left = (net(&work) - gain).abs();
+    let found = left <= LEFT * (turned_over + turnover(&work)) + rounding(before.1, after.1);
+    if found || budget.halvings == 0 {
+        return Some((work, after));
+    }
+    budget.halvings -= 1;
+    model.set_state(&start);
+    let (first, half) = advance(model, [from, middle], before, turned_over, halvings - 1, budget)?;
+    let (second, after) = advance(model, [middle, to], &half, turned_over, halvings - 1, budget)?;
+    Some((sum(&[(&first, 1.0), (&second, 1.0)]), after))
+}
+
+/// A run of the model, sampled.
+struct Run {
+    sample: f64,
+    /// Of each drawn quantity.
+    series: Vec<Vec<f64>>,
+    events: Vec<(f64, &'static str)>,
+    energy: Energy,
+    /// When the formulas are worked out, and the model then.
+    instant: f64,
+    state: State,
+    greatest_pressure: f64,
+    /// With its time, in s.
+    least_pressure: [f64; 2],
+    greatest_swing: f64,
+}
+
+impl Run {
+    fn new(
+        luffing: &Luffing,
+        moving: &Moving,
+        model: &mut Model,
+        drawn: &[(&'static str, &'static Symbol, usize)],
+        greatest: &Symbol,
+    ) -> Option<Run> {
+        let duration = model.stop_time();
+        let wanted = (duration / moving.constants.step).ceil();
+        let samples = wanted.clamp(SAMPLES[0], SAMPLES[1]) as u32;
+        let sample = duration / f64::from(samples);
+        let lead = drawn.iter().position(|(_, symbol, _)| *symbol == greatest)?;
+        let look = |model: &mut Model| {
+            let values = drawn.iter().map(|(_, _, index)| model.get(*index));
+            values.collect::<Result<Vec<f64>, _>>().ok()
+        };
+        let (first, mut powers) = (look(model)?, model.powers().ok()?);
+        // Steps of the explicit solver are those of the samples.
+        let halvings = if moving.oil.is_some() { HALVINGS } else { 0 };
+        let mut budget = Budget {
+            halvings: samples,
+            rates: RATES[0] * f64::from(samples) + RATES[1] * wanted,
+        };
+        let mut run = Run {
+            sample,
+            series: first.iter().map(|&value| vec![value]).collect(),
+            events: Vec::new(),
+            energy: Energy {
+                start: powers.1,
+                end: powers.1,
+                ..Energy::default()
+            },
+            instant: 0.0,
+            state: model.state(),
+            greatest_pressure: pressure(model.present()),
+            least_pressure: [model.present().least_pressure(), 0.0],
+            greatest_swing: swing(moving, model.present()),
+        };
+        let mut most = None;
+        let mut watch = Watch::new(luffing, moving, model.present(), sample);
+        // The crane was at rest before.
+        let rest = Watch {
+            joints: watch.joints.map(|joint| joint.map(|_| Bar::Held)),
+            ..watch.clone()
+        };
+        run.events.extend(watch.since(&rest).into_iter().map(|id| (0.0, id)));
+        for i in 0..samples {
+            let (from, to) = (f64::from(i) * sample, f64::from(i + 1) * sample);
+            let turned_over = turnover(&run.energy.work);
+            let step = advance(model, [from, to], &powers, turned_over, halvings, &mut budget);
+            let Some(((work, now), values)) = step.zip(look(model)) else {
+                run.events.push((from, "run_ends"));
+                break;
+            };
+            let next = Watch::new(luffing, moving, model.present(), sample);
+            let events = next.since(&watch);
+            let blow = Watch::blow(&events, moving.oil.is_some());
+            run.energy.add(&work, now.1, blow);
+            if i % KINETIC == 0 {
+                run.energy.kinetic = run.energy.kinetic.max(model.kinetic().ok()?);
+            }
+            run.events.extend(events.into_iter().map(|id| (to, id)));
+            (watch, powers) = (next, now);
+            // Where luffing is held it has no equation, and at a stop it tells little.
+            let moves = watch.joints[0] != Some(Bar::Held) && !(moving.oil.is_some() && watch.stops[0] != [false; 2]);
+            if moves && most.is_none_or(|most| values[lead].abs() > most) {
+                (most, run.instant, run.state) = (Some(values[lead].abs()), to, model.state());
+            }
+            run.greatest_pressure = run.greatest_pressure.max(pressure(model.present()));
+            let least = model.present().least_pressure();
+            if least < run.least_pressure[0] {
+                run.least_pressure = [least, to];
+            }
+            run.greatest_swing = run.greatest_swing.max(swing(moving, model.present()));
+            for (series, value) in run.series.iter_mut().zip(values) {
+                series.push(value);
+            }
+        }
+        Some(run)
+    }
+
+    fn duration(&self) -> f64 {
+        self.sample * (self.series[0].len() - 1) as f64
+    }
+
+    /// Least and greatest value, each with its time.
+    fn extremes_of(&self, series: &[f64]) -> [[f64; 2]; 2] {
+        let place = |sign: f64| {
+            let places = 0..series.len();
+            let best = places.reduce(|a, b| if sign * series[b] > sign * series[a] { b } else { a });
+            let best = best.expect("a run has its start");
+            [series[best], best as f64 * self.sample]
+        };
+        [place(-1.0), place(1.0)]
+    }
+
+    /// What does not stay as it was.
+    fn extremes(&self, drawn: &[(&'static str, &'static Symbol, usize)]) -> Vec<(&'static Symbol, [[f64; 2]; 2])> {
+        let all = drawn.iter().zip(&self.series);
+        all.filter(|(_, series)| changes(series))
+            .map(|((_, symbol, _), series)| (*symbol, self.extremes_of(series)))
+            .collect()
+    }
+
+    fn curves(&self, drawn: &[(&'static str, &'static Symbol, usize)]) -> Vec<Curve> {
+        let all = drawn.iter().zip(&self.series);
+        all.filter(|(_, series)| changes(series))
+            .map(|(&(id, y, _), series)| {
+                let [least, most] = self
+                    .extremes_of(series)
+                    .map(|[_, time]| (time / self.sample).round() as usize);
+                let last = series.len() - 1;
+                let stride = (last / CURVE).max(1);
+                let shown = (0..=last).filter(|&i| i % stride == 0 || [last, least, most].contains(&i));
+                Curve {
+                    id,
+                    x: &m::T,
+                    y,
+                    pieces: vec![shown.map(|i| [i as f64 * self.sample, series[i]]).collect()],
+                    numbers: Vec::new(),
+                }
+            })
+            .collect()
+    }
+
+    fn warned(&self) -> Warned {
+        let [value, at] = self.least_pressure;
+        let summary = Summary {
+            symbol: &m::P_MIN,
+            value,
+            at: Some((&m::T, at)),
+        };
+        (value < VACUUM).then_some(("cavitation", summary))
+    }
+
+    fn checks(&self, luffing: &Luffing, moving: &Moving) -> Vec<Check> {
+        let mut checks = Vec::new();
+        let mut at_most = |id, symbol, value, limit: Option<f64>| {
+            checks.extend(limit.map(|limit| Check {
+                id,
+                symbol,
+                value,
+                limit,
+                at_most: true,
+            }));
+        };
+        at_most(
+            "motion_swing",
+            &m::PHI_MAX,
+            self.greatest_swing,
+            luffing.limit(&m::PHI_MAX),
+        );
+        let opening = moving.oil.map(|oil| oil.p_r);
+        at_most("motion_pressure", &m::P_MAX, self.greatest_pressure, opening);
+        let Powers {
+            drive,
+            slewing,
+            hoist,
+            pump,
+            friction,
+            throttles,
+            ..
+        } = self.energy.work;
+        let amounts = [
+            drive,
+            slewing,
+            hoist,
+            pump,
+            friction,
+            throttles,
+            self.energy.end - self.energy.start,
+            self.energy.kinetic,
+        ];
+        let scale = amounts.into_iter().map(f64::abs).fold(f64::MIN_POSITIVE, f64::max);
+        at_most(
+            "motion_energy",
+            &s::AGREEMENT,
+            (self.energy.rest.abs() - self.energy.rounding).max(0.0) / scale,
+            Some(1e-3),
+        );
+        checks
+    }
+}
+
+fn changes(series: &[f64]) -> bool {
+    series.iter().any(|value| *value != series[0])
+}
+
+/// Greatest pressure of the oil, in Pa; zero without oil.
+fn pressure(present: &Present) -> f64 {
+    let y = present.states();
+    let pressures = match present {
+        Present::Fixed(_) | Present::Hanging(_) => &y[2..FIXED - 2],
+        Present::Free(_) | Present::Slewing(_) => &[],
+    };
+    pressures.iter().copied().fold(0.0, f64::max)
+}
+
+/// Angle of the rope from the vertical, in rad; zero without a rope.
+fn swing(moving: &Moving, present: &Present) -> f64 {
+    if moving.rope.is_none() {
+        return 0.0;
+    }
+    let y = present.states();
+    // The crane's own states but for its first two.
+    let own = match present {
+        Present::Fixed(_) | Present::Hanging(_) => &y[FIXED..],
+        Present::Free(_) | Present::Slewing(_) => &y[2..],
+    };
+    match moving.slewing {
+        None => own[0].abs(),
+        Some(_) => f64::direction(-own[3], (own[2] * own[2] + own[4] * own[4]).sqrt()),
+    }
+}

@@ -1,0 +1,563 @@
+//! Levels `rigid` and `swing` of a crane that slews: luffing and slewing as two
+//! joints, each with friction that truly sticks, a brake and end stops, and the
+//! load on a rope that swings in all directions, is reeled, and may go slack.
+//!
+//! The equations are in [`hanging`](crate::luffing::double_link::hanging), and so is the frame.
+
+use nalgebra::Vector3;
+
+use crate::kernel::calc::Calc;
+use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Reduced};
+use crate::luffing::double_link::hanging::{Accelerations, Free, Load, Rope, squared, turned};
+use crate::luffing::double_link::motion::{Bar, Friction, LOOSE, MOST_CHANGES, REELED_IN, above_zero, capped};
+use crate::luffing::double_link::moving::symbols as s;
+use crate::parts::solver::pieces::{self, Pieces};
+use crate::parts::solver::{Count, Halt, finite};
+
+/// Number of states: angle and rate of the driven bar, of slewing, the load from the head and its rate in
+/// the frame that slews, the rope's length; rad, m, s.
+pub const STATES: usize = 11;
+/// States without a load on a rope.
+pub const RIGID: usize = 4;
+/// Number of event indicators.
+pub const INDICATORS: usize = 9;
+
+/// What drives a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drive<P = f64> {
+    /// In N·m, in the direction of the angle.
+    pub moment: P,
+    /// Moment that the brake adds to the dry friction, in N·m; not negative.
+    pub brake: P,
+}
+
+/// What drives the motion; constant over a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Commands<P = f64> {
+    /// Of luffing and slewing.
+    pub drives: [Drive<P>; 2],
+    /// How fast the rope is paid out, in m/s.
+    pub hoist: P,
+}
+
+/// Luffing or slewing, at no particular angle.
+#[derive(Clone, Copy, Debug)]
+pub struct Joint<P = f64> {
+    pub friction: Friction<P>,
+    /// Least and greatest angle, in rad; infinite where there is no stop.
+    pub stops: [f64; 2],
+}
+
+/// A motion at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    pub y: [f64; STATES],
+    pub joints: [Bar; 2],
+    /// The load hangs on the rope, or flies free.
+    pub taut: bool,
+}
+
+impl State {
+    /// At rest at an angle of the driven bar (rad), the load hanging on a rope of a length (m).
+    #[must_use]
+    pub fn resting(theta: f64, length: f64) -> State {
+        let mut y = [0.0; STATES];
+        y[0] = theta;
+        y[10] = length;
+        let mut state = State {
+            y,
+            joints: [Bar::Held; 2],
+            taut: true,
+        };
+        state.put_load([0.0; 2]);
+        state
+    }
+
+    /// Puts the load at rest at the end of its rope, at angles (rad) from the vertical in the plane of the
+    /// mechanism, forward positive, and from that plane, left positive.
+    pub fn put_load(&mut self, [swing, side]: [f64; 2]) {
+        let ((sin, cos), (aside, within)) = (Calc::sin_cos(swing), Calc::sin_cos(side));
+        let direction = Vector3::new(within * sin, -within * cos, aside);
+        let place = direction * self.y[10];
+        self.y[4..7].copy_from_slice(place.as_slice());
+        self.y[7..10].fill(0.0);
+    }
+
+    /// Puts the load of a taut rope at its end, moving with it, where roundings have moved it by more than a few bits.
+    pub(crate) fn straighten(&mut self, hoist: f64) {
+        let load = load_of(&self.y);
+        let length = load.place.norm();
+        let direction = load.place / length;
+        let excess = direction.dot(&load.rate) - hoist;
+        let few = 16.0 * f64::EPSILON;
+        if (length - self.y[10]).abs() > few * length {
+            let place = direction * self.y[10];
+            self.y[4..7].copy_from_slice(place.as_slice());
+        }
+        if excess.abs() > few * (load.rate.norm() + hoist.abs()) {
+            self.y[7..10].copy_from_slice((load.rate - direction * excess).as_slice());
+        }
+    }
+
+    /// Puts a load that is farther than its rope is long to the rope's end.
+    pub(crate) fn shorten(&mut self) {
+        let (place, rope) = (load_of(&self.y).place, self.y[10]);
+        let distance = place.norm();
+        if distance > rope {
+            self.y[4..7].copy_from_slice((place * (rope / distance)).as_slice());
+        }
+    }
+}
+
+/// Angles of the rope in rad: in the plane of the mechanism from the vertical, in (−π, π], forward positive;
+/// and from that plane, in [−π/2, π/2], left positive.
+#[must_use]
+pub fn angles<C: Calc>(y: &[C; STATES]) -> [C; 2] {
+    let place = load_of(y).place;
+    let quarter = C::constant(std::f64::consts::FRAC_PI_2);
+    let within = (place.x.square() + place.y.square()).sqrt();
+    [
+        C::direction(-place.x, -place.y) - quarter,
+        C::direction(within, place.z),
+    ]
+}
+
+/// Distance of the load from the head, in m.
+#[must_use]
+pub fn distance<C: Calc>(y: &[C; STATES]) -> C {
+    squared(load_of(y).place).sqrt()
+}
+
+/// A crane that luffs and slews.
+#[derive(Clone, Copy, Debug)]
+pub struct Slewing<P = f64> {
+    /// On a turntable.
+    pub dynamics: Dynamics<P>,
+    pub joints: [Joint<P>; 2],
+}
+
+fn load_of<C: Calc>(y: &[C; STATES]) -> Load<C> {
+    Load {
+        place: Vector3::new(y[4], y[5], y[6]),
+        rate: Vector3::new(y[7], y[8], y[9]),
+    }
+}
+
+impl<P: Calc> Slewing<P> {
+    fn free(state: &State) -> Free {
+        Free {
+            joints: state.joints.map(|joint| joint != Bar::Held),
+            taut: state.taut,
+        }
+    }
+
+    /// Greatest moment of dry friction and brake of a joint, in N·m.
+    fn dry<C: Coordinate<P>>(&self, i: usize, commands: &Commands<C>) -> C {
+        C::of(self.joints[i].friction.coulomb) + commands.drives[i].brake
+    }
+
+    /// Moment of friction and brake on a joint that moves, in N·m.
+    fn resistance<C: Coordinate<P>>(&self, i: usize, state: &State, y: &[C; STATES], commands: &Commands<C>) -> C {
+        let viscous = -C::of(self.joints[i].friction.viscous) * y[2 * i + 1];
+        let resistance = match state.joints[i] {
+            Bar::Held | Bar::Loose => C::constant(0.0),
+            Bar::Forward => viscous - self.dry(i, commands),
+            Bar::Backward => viscous + self.dry(i, commands),
+        };
+        resistance.def([&s::M_R, &s::M_R_SL][i])
+    }
+
+    pub(crate) fn accelerations<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> Accelerations<C> {
+        let moments = [0, 1].map(|i| commands.drives[i].moment + self.resistance(i, state, y, commands));
+        let (rates, free) = ([y[1], y[3]], Self::free(state));
+        self.dynamics
+            .slewed(r, rates, load_of(y), moments, commands.hoist, free)
+    }
+
+    /// Rates of all states between events; `None` where the linkage does not close or nothing is left of the rope.
+    #[must_use]
+    pub fn rates<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<[C; STATES]> {
+        if self.is_reeled_in(y[10]) {
+            return None;
+        }
+        let r = C::reduced(&self.dynamics, y[0])?;
+        Some(self.rates_at(state, &r, y, commands))
+    }
+
+    /// Whether nothing is left of a rope of a length (m).
+    pub(crate) fn is_reeled_in<C: Calc>(&self, length: C) -> bool {
+        self.dynamics.bodies().pendulum.is_some() && length.value() <= REELED_IN
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    pub(crate) fn rates_at<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; STATES] {
+        let a = self.accelerations(state, r, y, commands);
+        let mut out = [C::constant(0.0); STATES];
+        out[..RIGID].copy_from_slice(&[y[1], a.joints[0], y[3], a.joints[1]]);
+        if self.dynamics.bodies().pendulum.is_some() {
+            let mut load = load_of(y);
+            if state.taut {
+                load = load.on_rope(&Rope::new(load.place, &self.dynamics.head(r)), commands.hoist);
+            }
+            out[4..7].copy_from_slice(load.rate.as_slice());
+            out[7..10].copy_from_slice(a.load.as_slice());
+            out[10] = commands.hoist;
+        }
+        out
+    }
+
+    /// Moment that friction, brake and stops must give to hold a joint at rest, in N·m, with the least and
+    /// greatest that they can.
+    fn held<C: Coordinate<P>>(
+        &self,
+        i: usize,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; 3] {
+        let [_, slope] = r.turn;
+        let (omega, turning) = (y[1], y[3]);
+        // What drives the joint besides the rope, as in the equations of motion at rest of this joint.
+        let mut force = match i {
+            0 => commands.drives[0].moment - r.moment + C::constant(0.5) * slope * turning.square(),
+            _ => commands.drives[1].moment - slope * omega * turning,
+        };
+        if state.taut && self.dynamics.bodies().pendulum.is_some() {
+            let rope = Rope::new(load_of(y).place, &self.dynamics.head(r));
+            force += self.accelerations(state, r, y, commands).rope * rope.arms[i];
+        }
+        let (dry, without_end) = (self.dry(i, commands) * C::constant(LOOSE), C::constant(f64::INFINITY));
+        let ([low, high], at) = (self.joints[i].stops, y[2 * i].value());
+        [
+            -force,
+            if at >= high { -without_end } else { -dry },
+            if at <= low { without_end } else { dry },
+        ]
+    }
+
+    /// Force of the rope, in N; zero where it is slack or there is none.
+    #[must_use]
+    pub fn rope_force<C: Coordinate<P>>(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        Some(self.accelerations(state, &r, y, commands).rope)
+    }
+
+    /// Moment of friction, brake and end stop on luffing (0) or slewing (1), in N·m, in the direction of the angle.
+    #[must_use]
+    pub fn friction_moment<C: Coordinate<P>>(
+        &self,
+        i: usize,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<C> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        Some(self.friction_at(i, state, &r, y, commands))
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    pub(crate) fn friction_at<C: Coordinate<P>>(
+        &self,
+        i: usize,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> C {
+        match state.joints[i] {
+            Bar::Held => self.held(i, state, r, y, commands)[0],
+            _ => self.resistance(i, state, y, commands),
+        }
+    }
+
+    /// Numbers whose fall below zero ends a smooth piece: luffing comes to rest or (two) breaks loose, meets
+    /// its lower or upper stop; the same for slewing; the rope becomes slack or taut. After an event all are above zero.
+    #[must_use]
+    pub fn indicators<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<[C; INDICATORS]> {
+        let r = C::reduced(&self.dynamics, y[0])?;
+        Some(self.indicators_at(state, &r, y, commands))
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    pub(crate) fn indicators_at<C: Coordinate<P>>(
+        &self,
+        state: &State,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; INDICATORS] {
+        let mut out = [C::constant(1.0); INDICATORS];
+        for i in 0..2 {
+            let (at, rate, first) = (y[2 * i], y[2 * i + 1], 4 * i);
+            out[first] = match state.joints[i] {
+                Bar::Held => {
+                    let [hold, least, most] = self.held(i, state, r, y, commands);
+                    // Where a stop gives any moment there is nothing to break.
+                    out[first + 1] = capped(hold - least);
+                    out[first] = capped(most - hold);
+                    continue;
+                }
+                Bar::Forward => rate,
+                Bar::Backward => -rate,
+                Bar::Loose => continue,
+            };
+            let [low, high] = self.joints[i].stops;
+            for (place, end, room) in [(2, low, at - C::constant(low)), (3, high, C::constant(high) - at)] {
+                if end.is_finite() {
+                    out[first + place] = room;
+                }
+            }
+        }
+        if self.dynamics.bodies().pendulum.is_some() {
+            out[8] = if state.taut {
+                self.accelerations(state, r, y, commands).slackening
+            } else {
+                y[10] * C::constant(LOOSE) - distance(y)
+            };
+        }
+        out.map(above_zero)
+    }
+}
+
+impl Slewing {
+    /// Decides what follows at an instant, as often as one event causes another. Returns whether anything changed.
+    ///
+    /// # Errors
+    /// The linkage does not close, or a number overflows.
+    pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
+        let first = *state;
+        for i in 0..2 {
+            if state.y[2 * i + 1] == 0.0 && state.joints[i] != Bar::Loose {
+                // At rest it is decided again which way it goes, as the commands may have changed.
+                state.joints[i] = Bar::Held;
+            }
+        }
+        for _ in 0..MOST_CHANGES {
+            let before = *state;
+            let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
+            for i in 0..2 {
+                self.stop_joint(i, state, &r);
+            }
+            self.switch_rope(state, &r, commands);
+            for i in 0..2 {
+                if state.joints[i] == Bar::Held {
+                    let [hold, least, most] = self.held(i, state, &r, &state.y, commands);
+                    if hold > most {
+                        state.joints[i] = Bar::Backward;
+                    } else if hold < least {
+                        state.joints[i] = Bar::Forward;
+                    }
+                }
+            }
+            if *state == before {
+                break;
+            }
+        }
+        // A rope without length has no direction.
+        finite(&state.y).then_some(*state != first).ok_or(Halt::Outside)
+    }
+
+    /// A joint that has reached a stop, or turned round, is at rest.
+    fn stop_joint(&self, i: usize, state: &mut State, r: &Reduced<f64>) {
+        let (at, rate) = (state.y[2 * i], state.y[2 * i + 1]);
+        let [low, high] = self.joints[i].stops;
+        let at_stop = (at >= high && rate > 0.0) || (at <= low && rate < 0.0);
+        let turned = match state.joints[i] {
+            Bar::Held => rate != 0.0,
+            // A joint that breaks loose is at rest: whether the rope lets go is decided as it moves.
+            Bar::Forward => rate < 0.0,
+            Bar::Backward => rate > 0.0,
+            Bar::Loose => return,
+        };
+        if state.joints[i] == Bar::Held && turned && !at_stop {
+            // Set in motion from outside.
+            state.joints[i] = if rate > 0.0 { Bar::Forward } else { Bar::Backward };
+        } else if at_stop || turned {
+            state.joints[i] = Bar::Held;
+            if at_stop {
+                state.y[2 * i] = at.clamp(low, high);
+                self.blow(state, r, i);
+            }
+            state.y[2 * i + 1] = 0.0;
+        }
+    }
+
+    /// The joint stops at once; the load goes on. A taut rope that the head would run away from pulls load
+    /// and other joint along; one that it would push lets go.
+    fn blow(&self, state: &mut State, r: &Reduced<f64>, i: usize) {
+        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+            return;
+        };
+        let head = self.dynamics.head(r);
+        let mut lost = [0.0; 2];
+        lost[i] = -state.y[2 * i + 1];
+        if !state.taut {
+            self.shift(state, &head, lost, Vector3::zeros());
+            return;
+        }
+        let rope = Rope::new(load_of(&state.y).place, &head);
+        let ease = self.ease(state, r);
+        let give = 1.0 + pendulum.mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1]);
+        let pull = -(rope.arms[i] * lost[i]) / give;
+        state.taut = pull >= 0.0;
+        self.jerk(state, &head, &rope, ease, pull.max(0.0), pendulum.mass, lost);
+    }
+
+    /// One over the inertia of each joint that moves.
+    fn ease(&self, state: &State, r: &Reduced<f64>) -> [f64; 2] {
+        let inertias = [r.inertia, r.turn[0]];
+        [0, 1].map(|i| match state.joints[i] {
+            Bar::Held => 0.0,
+            _ => 1.0 / inertias[i],
+        })
+    }
+
+    /// A blow of the rope that changes the load's own speed by `pull` (m/s) towards the head, with what the
+    /// joints' rates change by besides.
+    #[expect(clippy::too_many_arguments, reason = "what a blow is made of")]
+    fn jerk(
+        &self,
+        state: &mut State,
+        head: &[Vector3<f64>; 2],
+        rope: &Rope<f64>,
+        ease: [f64; 2],
+        pull: f64,
+        mass: f64,
+        mut change: [f64; 2],
+    ) {
+        for i in 0..2 {
+            let more = mass * pull * rope.arms[i] * ease[i];
+            change[i] += more;
+            state.y[2 * i + 1] += more;
+        }
+        self.shift(state, head, change, -rope.direction * pull);
+    }
+
+    /// The load's rate as the head's changes under it, and its own by `own` (m/s).
+    fn shift(&self, state: &mut State, head: &[Vector3<f64>; 2], change: [f64; 2], own: Vector3<f64>) {
+        let place = load_of(&state.y).place + Vector3::new(head[1].z, 0.0, 0.0);
+        let rate = own - head[0] * change[0] - turned(place) * change[1];
+        for (y, rate) in state.y[7..10].iter_mut().zip(&rate) {
+            *y += rate;
+        }
+    }
+
+    /// The rope lets go where it would push, and catches the load with a plastic blow along itself.
+    fn switch_rope(&self, state: &mut State, r: &Reduced<f64>, commands: &Commands) {
+        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+            return;
+        };
+        let head = self.dynamics.head(r);
+        if !state.taut {
+            let load = load_of(&state.y);
+            let rope = Rope::new(load.place, &head);
+            let excess = rope.direction.dot(&load.rate) - commands.hoist;
+            if rope.length < state.y[10] || excess <= 0.0 {
+                return;
+            }
+            let ease = self.ease(state, r);
+            let give = 1.0 + pendulum.mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1]);
+            self.jerk(state, &head, &rope, ease, excess / give, pendulum.mass, [0.0; 2]);
+            state.taut = true;
+        }
+        state.straighten(commands.hoist);
+        state.taut = self.accelerations(state, r, &state.y, commands).slackening >= 0.0;
+    }
+
+    /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way. Returns
+    /// the work done.
+    ///
+    /// # Errors
+    /// See [`Halt`]; the state is that of the last step that succeeded.
+    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<Count, Halt> {
+        let sound = |drive: &Drive| drive.moment.is_finite() && drive.brake >= 0.0;
+        if !(commands.drives.iter().all(sound) && commands.hoist.is_finite()) {
+            return Err(Halt::Outside);
+        }
+        let commanded = Commanded { crane: self, commands };
+        pieces::advance(&commanded, state, duration, longest)
+    }
+
+    /// Kinetic and potential energy, in J; `None` where the linkage does not close.
+    #[must_use]
+    pub fn energy(&self, state: &State, commands: &Commands) -> Option<f64> {
+        let r = f64::reduced(&self.dynamics, state.y[0])?;
+        let (omega, turning) = (state.y[1], state.y[3]);
+        let bars = 0.5 * (r.inertia * omega * omega + r.turn[0] * turning * turning) + r.energy;
+        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+            return Some(bars);
+        };
+        let (place, velocity) = self.velocity(state, &r, commands);
+        Some(bars + pendulum.mass * (0.5 * velocity.norm_squared() + self.dynamics.bodies().gravity * place.y))
+    }
+
+    /// Angular momentum about the slewing axis, in kg·m²/s; `None` where the linkage does not close.
+    #[must_use]
+    pub fn angular_momentum(&self, state: &State, commands: &Commands) -> Option<f64> {
+        let r = f64::reduced(&self.dynamics, state.y[0])?;
+        let own = r.turn[0] * state.y[3];
+        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+            return Some(own);
+        };
+        let (place, velocity) = self.velocity(state, &r, commands);
+        Some(own + pendulum.mass * (place.x * velocity.z - place.z * velocity.x))
+    }
+
+    /// The load's place from the slewing axis (m) and its velocity (m/s) against the ground, in the frame that slews.
+    fn velocity(&self, state: &State, r: &Reduced<f64>, commands: &Commands) -> (Vector3<f64>, Vector3<f64>) {
+        let head = self.dynamics.head(r);
+        let mut load = load_of(&state.y);
+        if state.taut {
+            load = load.on_rope(&Rope::new(load.place, &head), commands.hoist);
+        }
+        let place = load.place + Vector3::new(head[1].z, r.head[0].y, 0.0);
+        (place, load.rate + head[0] * state.y[1] + turned(place) * state.y[3])
+    }
+}
+
+/// A crane under commands, for the solver.
+struct Commanded<'a> {
+    crane: &'a Slewing,
+    commands: &'a Commands,
+}
+
+impl Pieces<STATES, State> for Commanded<'_> {
+    fn states(state: &mut State) -> &mut [f64; STATES] {
+        &mut state.y
+    }
+
+    fn rates(&self, state: &State, y: &[f64; STATES]) -> Option<[f64; STATES]> {
+        self.crane.rates(state, self.commands, y)
+    }
+
+    fn crossed(&self, state: &State, y: &[f64; STATES]) -> bool {
+        pieces::crossed(self.crane.indicators(state, self.commands, y))
+    }
+
+    fn event(&self, state: &mut State) -> Result<(), Halt> {
+        self.crane.event(state, self.commands).map(|_| ())
+    }
+}

@@ -1,0 +1,286 @@
+//! The mechanism as a component: what it is given, and in which stages its equations follow from each other.
+
+use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::scene::Form;
+use crate::balance::symbols as b;
+use crate::component::part::{Component, Port};
+use crate::component::stages::{Found, absent, stages};
+use crate::component::whole::Whole;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::One;
+use crate::kernel::number::exact;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Fault;
+use crate::luffing::balancing::{Balanced, Balancing, Criteria};
+use crate::luffing::double_link::balancing::{self, analysis, balanced, residual};
+use crate::luffing::double_link::drive::{Drive, Flow, Reaction, Stroke};
+use crate::luffing::double_link::feet::Feet;
+use crate::luffing::double_link::geometry::{
+    Anchors, Choice, Cylinder, Driven, Geometry, Jib, Lengths, Parameters, Weights,
+};
+use crate::luffing::double_link::position::Position;
+use crate::luffing::double_link::published::Published;
+use crate::luffing::double_link::statics::{ByPole, Carried, Held, LoadMoment, Own, Passes};
+use crate::luffing::double_link::symbols as s;
+use crate::luffing::double_link::velocity::{Head, Pole, Velocity};
+use crate::parts::motion::{Motion, degrees};
+
+stages! {
+    /// The double-link luffing mechanism.
+    DoubleLink over C from {
+        Coordinate theta: One<C>,
+        Rate omega: One<C>,
+        Load load: Option<One<C>>,
+        Parameter lengths: Lengths<C>,
+        Parameter jib: One<C>,
+        Parameter weights: Option<Weights<C>>,
+        Parameter anchors: Option<Anchors<C>>,
+        Parameter cylinder: Option<Cylinder<C>>,
+        Parameter balance: Option<Form<C>>,
+        Fixed choice: Choice,
+    } find {
+        geometry: Geometry<C> = geometry(lengths, jib, choice), lifted;
+        position: Position<C> = position(geometry, theta);
+        velocity: Velocity<C> = Velocity::new(position);
+        head: Head<C> = Head::new(velocity, omega);
+        pole: Pole<C> = Pole::new(geometry, position, velocity);
+        drive: Drive<C> = Drive::new(position, lengths, anchors[!]);
+        stroke: Stroke<C> = Stroke::new(drive, omega);
+        flow: Flow<C> = Flow::new(cylinder[!], stroke);
+        load_moment: LoadMoment<C> = LoadMoment::new(velocity, load[!]);
+        by_pole: ByPole<C> = ByPole::new(pole, geometry, position, velocity, load[!]);
+        own: Own<C> = Own::new(position, velocity, lengths, weights[!]);
+        balancing: Balancing<C> = balancing(lengths, jib, weights, balance[!], choice);
+        residual: Residual<C> = balancing::at(balancing, geometry, position, velocity, weights[!], own, theta);
+        balanced: Balanced<C> = balanced(residual, position, velocity, load_moment, own, drive[?]);
+        passes: Passes = Passes::new(geometry, choice), plain;
+        carried: Carried<C> = Carried::new(velocity, load_moment, load[!], weights, own[?], residual[?]);
+        held: Held<C> = Held::new(position, theta, carried, own[?], residual[?], passes);
+        push: Reaction<C> = Reaction::new(drive, held);
+        feet: Feet<C> = Feet::new(position, lengths, weights, residual[?], held, push[?]);
+        analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice), plain;
+        criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
+        published: Published<C> = published(geometry, jib, theta);
+    }
+}
+
+impl Component for DoubleLink {
+    const WHOLE: &'static [Whole] = &[
+        Whole::swing(&s::DELTA_Y, &s::A_Y),
+        Whole::ratio(&s::EPSILON_Y, &s::A_Y, &s::R),
+        Whole::greatest(&s::R_MAX, &s::R),
+        Whole::least(&s::R_MIN, &s::R),
+        Whole::least(&s::MU_MIN, &s::MU),
+    ];
+
+    const PORTS: &'static [Port] = &[
+        Port {
+            name: "head",
+            text: "Head A of the jib, where the load hangs.",
+            members: &[
+                (&s::A_X, "x"),
+                (&s::A_Y, "y"),
+                (&s::V_AX, "v_x"),
+                (&s::V_AY, "v_y"),
+                (&s::Q, "f"),
+            ],
+            driven: &[],
+        },
+        Port {
+            name: "shaft",
+            text: "Foot of the driven bar, where a moment drives it.",
+            members: &[
+                (&s::THETA_1, "phi"),
+                (&s::OMEGA_1, "w"),
+                (&s::THETA_3, "phi"),
+                (&s::OMEGA_3, "w"),
+                (&s::M_D, "tau"),
+            ],
+            driven: &["phi", "w"],
+        },
+        Port {
+            name: "drive",
+            text: "Cylinder or rack between frame and driven bar.",
+            members: &[(&s::L_D, "s"), (&s::V_D, "v"), (&s::F_D, "f"), (&s::Q_D, "q")],
+            driven: &[],
+        },
+    ];
+
+    fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        let own = match given.choice.driven {
+            Driven::Boom => [&s::THETA_1, &s::I_1],
+            Driven::Rocker => [&s::THETA_3, &s::I_3],
+        };
+        // The coordinate is no result, and a balance has what its kind has.
+        let forces = [
+            &s::F_BX,
+            &s::F_BY,
+            &s::F_CX,
+            &s::F_CY,
+            &s::F_O1X,
+            &s::F_O1Y,
+            &s::F_O3X,
+            &s::F_O3Y,
+            &s::N_3,
+        ];
+        !own.contains(&symbol)
+            && (given.choice.pins || !forces.contains(&symbol))
+            && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+            && (symbol != &b::F_D_0 || given.anchors.is_some())
+    }
+
+    fn update(known: &mut Known<f64>) -> Found<()> {
+        known.position().map(|_| ())
+    }
+
+    /// With its change points go the branches of a linkage.
+    fn undoes(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        let bars = [&s::X_1, &s::X_2, &s::X_3, &s::X_5, &s::X_6];
+        bars.contains(&symbol) && Geometry::new(&parameters(given)).is_ok_and(|g| g.linkage.keeps_branch())
+    }
+
+    /// Where the linkage closes around the working range, if that has ends.
+    fn reach(known: &mut Known<f64>) -> Option<[f64; 2]> {
+        let Motion { from, to, .. } = known.given.choice.range;
+        let linkage = known.geometry().ok()?.linkage;
+        let mut arcs = linkage.arcs().into_iter().filter(|_| !linkage.turns_fully());
+        let arc = arcs.find(|arc| arc.from <= from && to <= arc.to)?;
+        Some([arc.from, arc.to])
+    }
+}
+
+/// The parameters of a scene, as equations of motion and synthesis want them.
+#[must_use]
+pub fn parameters<C: Calc>(given: &Given<C>) -> Parameters<C> {
+    Parameters {
+        anchors: given.anchors,
+        cylinder: given.cylinder,
+        ..with_balance(
+            &given.lengths,
+            &given.jib,
+            &given.weights,
+            &given.balance,
+            &given.choice,
+        )
+    }
+}
+
+fn with_balance<C: Calc>(
+    lengths: &Lengths<C>,
+    jib: &One<C>,
+    weights: &Option<Weights<C>>,
+    balance: &Option<Form<C>>,
+    choice: &Choice,
+) -> Parameters<C> {
+    let jib = match jib.0 {
+        known if known == &s::X_7 => Jib::Sag(jib.1),
+        known if known == &s::AC => Jib::Axis(jib.1),
+        _ => Jib::Angle(jib.1),
+    };
+    Parameters {
+        lengths: *lengths,
+        jib,
+        weights: *weights,
+        anchors: None,
+        cylinder: None,
+        balance: *balance,
+        driven: choice.driven,
+        branch: choice.branch,
+    }
+}
+
+fn geometry<C: Calc>(lengths: &Lengths<C>, jib: &One<C>, choice: &Choice) -> Result<Geometry<C>, Fault> {
+    let parameters = with_balance(lengths, jib, &None, &None, choice);
+    Geometry::new(&parameters).map_err(|misfit| {
+        let words = parameters.values().describe(misfit);
+        Fault::outside(format!("{}: {}", words.what, words.help))
+    })
+}
+
+#[inline(always)]
+fn position<C: Calc>(g: &Geometry<C>, theta: &One<C>) -> Found<Position<C>> {
+    match Position::new(g, theta.1) {
+        Some(position) => Ok(position),
+        None => Err(unreachable_angle(g, theta)),
+    }
+}
+
+fn balancing<C: Calc>(
+    lengths: &Lengths<C>,
+    jib: &One<C>,
+    weights: &Option<Weights<C>>,
+    balance: &Form<C>,
+    choice: &Choice,
+) -> Found<Balancing<C>> {
+    let parameters = with_balance(lengths, jib, weights, &Some(*balance), choice);
+    let found = balancing::new(&parameters, &choice.range).map_err(Fault::from)?;
+    found.ok_or_else(absent)
+}
+
+fn analysed<C: Calc>(
+    lengths: &Lengths<C>,
+    jib: &One<C>,
+    weights: &Weights<C>,
+    balance: &Form<C>,
+    choice: &Choice,
+) -> Found<Analysis> {
+    let parameters = with_balance(lengths, jib, &Some(*weights), &Some(*balance), choice);
+    let found = analysis(&parameters.values(), &choice.range).map_err(Fault::from)?;
+    found.ok_or_else(absent)
+}
+
+fn criteria<C: Calc>(
+    balancing: &Balancing<C>,
+    g: &Geometry<C>,
+    weights: &Weights<C>,
+    found: &Analysis,
+    choice: &Choice,
+) -> Result<Criteria<C>, Fault> {
+    let at = |theta| residual(balancing, g, weights, theta);
+    Ok(Criteria::new(found, &choice.range, &at)?)
+}
+
+/// The publication has one shape of the jib, and drives the boom.
+fn published<C: Calc>(g: &Geometry<C>, jib: &One<C>, theta: &C) -> Found<Published<C>> {
+    if g.driven == Driven::Boom && jib.0 == &s::X_7 {
+        Ok(Published::new(g, jib.1, *theta))
+    } else {
+        Err(absent())
+    }
+}
+
+/// The angles at which the linkage closes, in words.
+fn closes<C: Calc>(g: &Geometry<C>) -> String {
+    let arcs = g.linkage.arcs();
+    let words: Vec<String> = arcs
+        .iter()
+        .map(|arc| format!("{} to {}", degrees(arc.from), degrees(arc.to)))
+        .collect();
+    words.join(" and for ")
+}
+
+#[cold]
+fn unreachable_angle<C: Calc>(g: &Geometry<C>, theta: &One<C>) -> Box<Fault> {
+    let (symbol, theta) = (theta.0, theta.1.value());
+    let turn = std::f64::consts::TAU;
+    // The nearest end, rounded to a side where the linkage closes.
+    const DIGITS: f64 = 1e6;
+    let mut nearest = (f64::INFINITY, theta);
+    for arc in g.linkage.arcs() {
+        for end in [arc.from, arc.to] {
+            let inward = if end == arc.from { f64::ceil } else { f64::floor };
+            let away = (theta - end) - turn * ((theta - end) / turn).round();
+            if away.abs() < nearest.0 {
+                let degrees = (theta - away).to_degrees();
+                nearest = (away.abs(), inward(degrees * DIGITS) / DIGITS);
+            }
+        }
+    }
+    Box::new(Fault::outside(format!(
+        "{} = {}: the linkage does not close there; it closes for {}; the nearest angle is {} deg",
+        symbol.id,
+        degrees(theta),
+        closes(g),
+        exact(nearest.1)
+    )))
+}

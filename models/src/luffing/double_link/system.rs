@@ -1,0 +1,153 @@
+//! The boom system of the mechanism, as a balance sees it: what its weights ask for over the boom angle.
+
+use crate::balance::boom::{Boom, Load};
+use crate::balance::symbols as b;
+use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
+use crate::kernel::calc::Calc;
+use crate::luffing::double_link::geometry::{Driven, Geometry, Misfit, Parameters, Weights};
+use crate::luffing::double_link::position::Position;
+use crate::luffing::double_link::statics::{Centres, Own};
+use crate::luffing::double_link::symbols as s;
+use crate::luffing::double_link::velocity::{Pole, Velocity};
+use crate::parts::plane;
+
+/// The mechanism with the weights of boom, jib and rocker, driven by its boom.
+#[derive(Clone, Copy, Debug)]
+pub struct System<C> {
+    pub g: Geometry<C>,
+    pub w: Weights<C>,
+}
+
+/// What the weights ask for of the boom at a position.
+pub fn load<C: Calc>(g: &Geometry<C>, w: &Weights<C>, p: &Position<C>, v: &Velocity<C>, own: &Own<C>) -> Load<C> {
+    // The same power at the boom.
+    let m_0 = match p.driven {
+        Driven::Boom => -own.m_g,
+        Driven::Rocker => -(own.m_g / v.i_follower),
+    };
+    Load {
+        m_0: m_0.def(&b::M_0),
+        u_0: height(g, w, p, &own.centres),
+    }
+}
+
+/// Potential energy of the own weights, in J, from the height of the boom foot.
+pub fn height<C: Calc>(g: &Geometry<C>, w: &Weights<C>, p: &Position<C>, r: &Centres<C>) -> C {
+    (w.g_1 * r.boom.y + w.g_2 * (p.b.y + r.jib.y) + w.g_3 * (g.lengths.x_6 + r.rocker.y)).def(&b::U_0)
+}
+
+impl<C: Calc> System<C> {
+    /// # Errors
+    /// A mechanism that does not exist, has no weights or is driven by its rocker.
+    pub fn new(p: &Parameters<C>) -> Result<System<C>, OutOfRange> {
+        let lengths = p.lengths;
+        let fault = |misfit| {
+            let values = p.values();
+            let words = values.describe(misfit);
+            let (symbol, value) = match misfit {
+                Misfit::Jib => (&s::X_2, lengths.x_2.value()),
+                Misfit::Frame => (&s::X_5, lengths.x_5.value()),
+                Misfit::Linkage => (&s::X_3, lengths.x_3.value()),
+            };
+            OutOfRange::new(symbol, value, FINITE, format!("{}; {}", words.what, words.help))
+        };
+        if p.driven != Driven::Boom {
+            let what = "a balance needs a scene that is driven by its boom";
+            return Err(OutOfRange::new(&s::X_3, lengths.x_3.value(), FINITE, what));
+        }
+        let Some(w) = p.weights else {
+            let what = "the boom system has no weights: there is nothing to balance";
+            return Err(OutOfRange::new(&s::G_1, 0.0, NOT_NEGATIVE, what));
+        };
+        let mut sound = Ok(());
+        w.map(&mut |symbol, value: C| {
+            let allowed = if symbol.id.starts_with("chi") {
+                FINITE
+            } else {
+                NOT_NEGATIVE
+            };
+            if sound.is_ok() {
+                sound = check(symbol, value.value(), allowed);
+            }
+        });
+        sound?;
+        Ok(System {
+            g: Geometry::new(p).map_err(fault)?,
+            w,
+        })
+    }
+
+    fn place(&self, phi: C) -> Result<Position<C>, OutOfRange> {
+        Position::new(&self.g, phi).ok_or_else(|| self.outside(phi))
+    }
+
+    fn outside(&self, phi: C) -> OutOfRange {
+        let phi = phi.value();
+        let what = "the boom system does not close at this angle";
+        OutOfRange::new(&b::PHI, phi, self.arc(phi), what)
+    }
+}
+
+impl<C: Calc> Boom<C> for System<C> {
+    /// [Balance004, eq. 1]
+    fn at(&self, phi: C) -> Result<Load<C>, OutOfRange> {
+        let p = self.place(phi)?;
+        let v = Velocity::new(&p);
+        let own = Own::new(&p, &v, &self.g.lengths, &self.w);
+        let load = load(&self.g, &self.w, &p, &v, &own);
+        if load.m_0.value().is_finite() {
+            Ok(load)
+        } else {
+            Err(self.outside(phi))
+        }
+    }
+
+    /// Of boom, jib, rocker.
+    fn parts(&self, phi: C) -> Result<[C; 3], OutOfRange> {
+        let nothing = C::constant(0.0);
+        let w = &self.w;
+        let alone = |keep: usize| {
+            let [g_1, g_2, g_3] = [w.g_1, w.g_2, w.g_3].map(|weight| nothing * weight);
+            let mut alone = Weights { g_1, g_2, g_3, ..*w };
+            match keep {
+                0 => alone.g_1 = w.g_1,
+                1 => alone.g_2 = w.g_2,
+                _ => alone.g_3 = w.g_3,
+            }
+            System { g: self.g, w: alone }.at(phi).map(|load| load.m_0)
+        };
+        Ok([alone(0)?, alone(1)?, alone(2)?])
+    }
+
+    /// Angular velocities come from the centres too.
+    fn moment_by_power(&self, phi: C) -> Result<C, OutOfRange> {
+        let System { g, w } = self;
+        let p = self.place(phi)?;
+        let r = Centres::new(&p, &g.lengths, w);
+        let one = C::constant(1.0);
+        // Jib about its centre, and the rocker's ratio.
+        let (jib, i_3) = match Pole::new(g, &p, &Velocity::new(&p)) {
+            Pole::Finite { o1p, o3p, at } => {
+                let i_2 = (one / (one - o1p / g.lengths.x_1)).def(&s::I_2);
+                let i_3 = (i_2 * (one - o3p / g.lengths.x_3)).def(&s::I_3);
+                (i_2 * (p.b.x + r.jib.x - at.x), i_3)
+            }
+            // The jib only shifts: boom and rocker are parallel.
+            Pole::AtInfinity(_) => (
+                p.x_1.x,
+                (plane::dot(p.x_1, p.x_3) / g.lengths.x_3.square()).def(&s::I_3),
+            ),
+        };
+        Ok((-(w.g_1 * r.boom.x + w.g_2 * jib + w.g_3 * i_3 * r.rocker.x)).def(&b::M_0_P))
+    }
+
+    fn arc(&self, phi: f64) -> [f64; 2] {
+        if self.g.linkage.turns_fully() {
+            return FINITE;
+        }
+        let arcs = self.g.linkage.arcs();
+        let near = arcs.iter().find(|arc| (arc.from..=arc.to).contains(&phi));
+        let near = near.unwrap_or(&arcs[0]);
+        [near.from, near.to]
+    }
+}

@@ -1,0 +1,231 @@
+//! Velocities: ratios of angular velocities, travel of the head, instantaneous centre.
+//!
+//! The ratios come from the loop O1–B–C–O3, x_1 ω_1 + x_2 ω_2 = x_3 ω_3 turned
+//! by 90°, whose only singularity is the dead point; of a linkage with change points
+//! they come from its branch, which has none. The instantaneous centre plays no part
+//! in them: it lies at infinity where boom and rocker are parallel, while all
+//! velocities stay finite.
+
+use crate::component::stages::results;
+use crate::kernel::calc::Calc;
+use crate::luffing::double_link::geometry::{Driven, Geometry};
+use crate::luffing::double_link::position::Position;
+use crate::luffing::double_link::symbols as s;
+use crate::parts::four_bar::{Branch, Passing};
+use crate::parts::plane::{self, Point};
+
+/// Velocities for one radian per second of the driven bar.
+#[derive(Clone, Copy, Debug)]
+pub struct Velocity<C> {
+    /// Jib's angular velocity over the driven bar's. [Li2022, eq. 9]
+    pub i_2: C,
+    /// Angular velocity of the bar that is not driven over the driven bar's.
+    pub i_follower: C,
+    /// Boom's angular velocity over the driven bar's.
+    pub of_boom: C,
+    /// Travel of A for one radian of the driven bar, in m. [Li2022, eq. 10]
+    pub da: Point<C>,
+    /// Travel of the driven bar's head, B or C, for one radian, in m.
+    pub head: Point<C>,
+}
+
+results! { Velocity as v => {
+    I_2: v.i_2;
+    I_1: v.i_follower;
+    I_3: v.i_follower;
+    BETA: v.beta();
+} }
+
+impl<C: Calc> Velocity<C> {
+    #[inline]
+    pub fn new(p: &Position<C>) -> Velocity<C> {
+        let half = p.k / C::constant(2.0);
+        let passed = p.passing.map(|passing| passed(p, passing));
+        let ratio = |i: usize, a: Point<C>, b: Point<C>| match passed {
+            Some(ratios) => ratios[i],
+            None => plane::cross(a, b) / half,
+        };
+        let (i_2, i_follower, bar, beyond) = match p.driven {
+            Driven::Boom => {
+                let i_2 = ratio(0, p.x_1, p.x_3).def(&s::I_2);
+                (i_2, ratio(1, p.x_1, p.x_2).def(&s::I_3), p.x_1, p.x_4)
+            }
+            Driven::Rocker => {
+                let i_2 = ratio(0, p.x_3, p.x_1).def(&s::I_2);
+                (i_2, ratio(1, p.x_2, p.x_3).def(&s::I_1), p.x_3, p.x_4 - p.x_2)
+            }
+        };
+        let da = plane::def(
+            Point::new(-(bar.y + i_2 * beyond.y), bar.x + i_2 * beyond.x),
+            [&s::DA_X, &s::DA_Y],
+        );
+        Velocity {
+            i_2,
+            i_follower,
+            of_boom: match p.driven {
+                Driven::Boom => C::constant(1.0),
+                Driven::Rocker => i_follower,
+            },
+            da,
+            head: Point::new(-bar.y, bar.x),
+        }
+    }
+
+    /// Velocity of A, in m/s, at the driven bar's angular velocity (rad/s). [Li2022, eq. 10]
+    #[inline]
+    pub fn v_a(&self, omega: C) -> Point<C> {
+        plane::def(Point::new(self.da.x * omega, self.da.y * omega), [&s::V_AX, &s::V_AY])
+    }
+
+    /// Direction of A's velocity when the driven bar turns positively, in rad. [Li2022, eq. 10]
+    pub fn beta(&self) -> C {
+        C::direction(self.da.x, self.da.y).def(&s::BETA)
+    }
+}
+
+/// Velocity of the head A, in m/s.
+#[derive(Clone, Copy, Debug)]
+pub struct Head<C>(pub Point<C>);
+results! { Head as v => { V_AX: v.0.x; V_AY: v.0.y; } }
+
+impl<C: Calc> Head<C> {
+    /// At the driven bar's angular velocity (rad/s). [Li2022, eq. 10]
+    #[inline]
+    pub fn new(v: &Velocity<C>, omega: &C) -> Head<C> {
+        Head(v.v_a(*omega))
+    }
+}
+
+/// Angular velocities of jib and driven-along bar over the driven bar's on the branch of a linkage with change points.
+///
+/// Cross and dot product of the two bars both tell how fast one turns from the other: the first one nothing where they
+/// lie in one line, the second nothing where they stand at a right angle.
+#[cold]
+fn passed<C: Calc>(p: &Position<C>, passing: Passing) -> [C; 2] {
+    let two = C::constant(2.0);
+    let branch = match passing {
+        Passing::Parallel => return [0.0, 1.0].map(C::constant),
+        Passing::Folded => return [1.0, 0.0].map(C::constant),
+        Passing::Swept(branch) => branch,
+    };
+    // Crank, coupler and follower of the linkage; its frame and its diagonal.
+    let o3 = p.c - p.x_3;
+    let (crank, coupler, follower, frame, relative) = match p.driven {
+        Driven::Boom => (p.x_1, p.x_2, p.x_3, o3, &s::I_23),
+        Driven::Rocker => (p.x_3, -p.x_2, p.x_1, -o3, &s::I_21),
+    };
+    let diagonal = crank - frame;
+    let slope = two * plane::dot(crank, frame);
+    let slope = match branch {
+        Branch::Left => -slope,
+        Branch::Right => slope,
+    }
+    .def(&s::DK);
+    let squares = plane::squared(coupler) * plane::squared(follower);
+    let turned = plane::dot(follower, coupler) * slope + p.k * plane::cross(crank, diagonal);
+    let relative = (turned / (two * squares)).def(relative);
+    let along = plane::dot(crank, diagonal) + relative * plane::dot(coupler, diagonal);
+    let follower = along / plane::squared(diagonal);
+    [follower + relative, follower]
+}
+
+/// Instantaneous centre of the jib.
+#[derive(Clone, Copy, Debug)]
+pub enum Pole<C> {
+    Finite {
+        /// From O1 along the boom, in m. [Li2022, eq. 1]
+        o1p: C,
+        /// From O3 along the rocker, in m.
+        o3p: C,
+        at: Point<C>,
+    },
+    /// Boom and rocker, this vector, are parallel within rounding.
+    AtInfinity(Point<C>),
+}
+
+results! { Pole as c => {
+    O1P: c.seen().0;
+    P_X: c.seen().1.x;
+    P_Y: c.seen().1.y;
+    P_FAR: C::constant(f64::from(c.finite().is_none()));
+} }
+
+impl<C: Calc> Pole<C> {
+    /// The lines of boom and rocker intersected. With change points these may be one line: there the centre is the
+    /// driven bar's point about which the jib turns by its ratio. [Li2022, eq. 1]
+    pub fn new(g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>) -> Pole<C> {
+        if p.passing.is_some() {
+            let (head, bar) = match p.driven {
+                Driven::Boom => (p.b, p.x_1),
+                Driven::Rocker => (p.c, p.x_3),
+            };
+            let i_2 = v.i_2;
+            if i_2.value().abs() <= 4.0 * f64::EPSILON {
+                return Pole::AtInfinity(p.x_1);
+            }
+            let at = plane::def(head - bar / i_2, [&s::P_X, &s::P_Y]);
+            return Pole::Finite {
+                o1p: (plane::dot(at, p.x_1) / g.lengths.x_1).def(&s::O1P),
+                o3p: plane::dot(at - g.lengths.o3(), p.x_3) / g.lengths.x_3,
+                at,
+            };
+        }
+        let sine = plane::cross(p.x_1, p.x_3);
+        let scale = (g.lengths.x_1 * g.lengths.x_3).value();
+        if sine.value().abs() <= 4.0 * f64::EPSILON * scale {
+            return Pole::AtInfinity(p.x_1);
+        }
+        let along_boom = plane::cross(g.lengths.o3(), p.x_3) / sine;
+        let along_rocker = plane::cross(g.lengths.o3(), p.x_1) / sine;
+        let o1p = (along_boom * g.lengths.x_1).def(&s::O1P);
+        let at = plane::def(
+            Point::new(along_boom * p.x_1.x, along_boom * p.x_1.y),
+            [&s::P_X, &s::P_Y],
+        );
+        Pole::Finite {
+            o1p,
+            o3p: along_rocker * g.lengths.x_3,
+            at,
+        }
+    }
+
+    /// Distance from O1 along the boom and place, unless at infinity.
+    pub fn finite(&self) -> Option<(C, Point<C>)> {
+        match *self {
+            Pole::Finite { o1p, at, .. } => Some((o1p, at)),
+            Pole::AtInfinity(_) => None,
+        }
+    }
+
+    /// The same at infinity too, on the line of the boom.
+    fn seen(&self) -> (C, Point<C>) {
+        let far = |direction: C| match direction.value() {
+            0.0 => C::constant(0.0),
+            value => C::constant(f64::INFINITY.copysign(value)),
+        };
+        match *self {
+            Pole::Finite { o1p, at, .. } => (o1p, at),
+            Pole::AtInfinity(boom) => (C::constant(f64::INFINITY), boom.map(far)),
+        }
+    }
+
+    /// Luffing moment of the load Q (N) about the foot of the driven bar through
+    /// the instantaneous centre, in N·m; positive lowers the bar. With the
+    /// centre at infinity the jib moves along with the driven bar's head. [Li2022, eq. 11]
+    ///
+    /// Signed distances: DA from the centre forward to A, PB from B to the
+    /// centre along the driven bar; eq. (11) with them has the opposite sign.
+    pub fn moment(&self, g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>, q: C) -> C {
+        match *self {
+            Pole::AtInfinity(_) => q * v.head.y,
+            Pole::Finite { o1p, o3p, at } => {
+                let (bar, beyond) = match p.driven {
+                    Driven::Boom => (g.lengths.x_1, o1p - g.lengths.x_1),
+                    Driven::Rocker => (g.lengths.x_3, o3p - g.lengths.x_3),
+                };
+                -(q * bar * (p.a.x - at.x) / beyond)
+            }
+        }
+        .def(&s::M_Q_P)
+    }
+}

@@ -1,0 +1,163 @@
+//! A double-acting cylinder with a volume of oil in each chamber and in each
+//! port of the valve, a line between the two, relief valves at the ports and
+//! leakage past the piston.
+
+use crate::kernel::calc::{Calc, Over};
+use crate::parts::hydraulics::oil::{VACUUM, pressure_rate};
+use crate::parts::hydraulics::symbols as s;
+use crate::parts::hydraulics::throttle::{relief, root};
+use crate::parts::hydraulics::valve::Valve;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cylinder<P = f64> {
+    /// Areas of bore and annulus, in m².
+    pub areas: [P; 2],
+    /// Lengths retracted and extended, in m.
+    pub lengths: [P; 2],
+    /// Oil left in a chamber at the piston's end, in m³.
+    pub dead_volume: P,
+    /// Oil in each port of the valve, in m³.
+    pub port_volume: P,
+    /// Of each line: flow (m³/s) over the root of the pressure difference (Pa).
+    pub line: P,
+    /// Past the piston, in m³/(s·Pa).
+    pub leakage: P,
+    /// Of oil and walls, in Pa.
+    pub bulk_modulus: P,
+    /// Opening pressure of the relief valves (Pa), and their flow over the excess, in m³/(s·Pa).
+    pub relief: [P; 2],
+    pub valve: Valve<P>,
+}
+
+/// Oil and spool of one cylinder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Oil<C> {
+    /// Pressures of the ports A and B, then of the chambers of bore and annulus, in Pa.
+    pub ports: [C; 2],
+    pub chambers: [C; 2],
+    /// Spool in [−1, 1] of its stroke, and its speed in 1/s.
+    pub spool: C,
+    pub spool_speed: C,
+}
+
+impl<C: Calc> Oil<C> {
+    /// Place of the least of all pressures among those of the ports and chambers, and that pressure, in Pa.
+    #[inline]
+    pub fn least(&self) -> (usize, C) {
+        let ([p_1, p_2], [p_a, p_b]) = (self.ports, self.chambers);
+        let all = [(0, p_1), (1, p_2), (2, p_a), (3, p_b)];
+        let less = |a: (usize, C), b: (usize, C)| if b.1.value() < a.1.value() { b } else { a };
+        less(less(all[0], all[1]), less(all[2], all[3]))
+    }
+}
+
+impl Oil<f64> {
+    /// Whether oil is below vacuum. `rates` are those of the pressures of ports and chambers, in Pa/s: an importer meets
+    /// the event with a pressure that is at vacuum but for rounding, and what it is then to be is told by its rate.
+    pub fn cavitates(&self, rates: impl FnOnce() -> [f64; 4]) -> bool {
+        /// In Pa.
+        const ROUNDING: f64 = 1.0;
+        let (at, least) = self.least();
+        let margin = least - VACUUM;
+        if margin.abs() > ROUNDING {
+            margin < 0.0
+        } else {
+            rates()[at] < 0.0
+        }
+    }
+}
+
+/// Flows of one cylinder, in m³/s.
+#[derive(Clone, Copy, Debug)]
+pub struct Flows<C> {
+    /// From the valve into the ports, and on into the chambers.
+    pub valve: [C; 2],
+    pub line: [C; 2],
+    /// From the ports to the tank.
+    pub relief: [C; 2],
+    /// From bore to annulus.
+    pub leakage: C,
+}
+
+impl<P: Calc> Cylinder<P> {
+    /// Areas of bore and annulus, in m², of a bore and a rod in m.
+    #[must_use]
+    pub fn areas(bore: P, rod: P) -> [P; 2] {
+        let quarter = P::constant(std::f64::consts::FRAC_PI_4);
+        [
+            (quarter * bore * bore).def(&s::A_A),
+            (quarter * (bore * bore - rod * rod)).def(&s::A_B),
+        ]
+    }
+
+    /// Push on the rod, in N.
+    #[inline]
+    pub fn force<C: Over<P>>(&self, oil: &Oil<C>) -> C {
+        oil.chambers[0].times(self.areas[0]) - oil.chambers[1].times(self.areas[1])
+    }
+
+    #[inline]
+    pub fn flows<C: Over<P>>(&self, oil: &Oil<C>, supply: P) -> Flows<C> {
+        let line = |i: usize| root(oil.ports[i] - oil.chambers[i]).times(self.line);
+        let relief = |i: usize| relief(oil.ports[i], self.relief[0], self.relief[1]);
+        let [a, b] = self.valve.flows(oil.spool, supply, oil.ports);
+        Flows {
+            valve: [a.def(&s::Q_1), b.def(&s::Q_2)],
+            line: [line(0).def(&s::Q_LA), line(1).def(&s::Q_LB)],
+            relief: [relief(0).def(&s::Q_R1), relief(1).def(&s::Q_R2)],
+            leakage: (oil.chambers[0] - oil.chambers[1]).times(self.leakage).def(&s::Q_LEAK),
+        }
+    }
+
+    /// Oil in the chambers, in m³, at a length (m).
+    #[inline]
+    pub fn volumes<C: Over<P>>(&self, length: C) -> [C; 2] {
+        let of = C::of;
+        let [short, long] = self.lengths;
+        let bore = of(self.dead_volume) + (length - of(short)).times(self.areas[0]);
+        let annulus = of(self.dead_volume) + (of(long) - length).times(self.areas[1]);
+        [bore.def(&s::V_A), annulus.def(&s::V_B)]
+    }
+
+    /// Rates of all of the oil's states at a length (m) and speed (m/s, lengthening positive);
+    /// `command` in [−1, 1], `supply` in Pa.
+    #[inline]
+    pub fn rates<C: Over<P>>(&self, oil: &Oil<C>, length: C, speed: C, command: P, supply: P) -> Oil<C> {
+        let f = self.flows(oil, supply);
+        let volumes = self.volumes(length);
+        let modulus = self.bulk_modulus;
+        let port = |i: usize| (f.valve[i] - f.line[i] - f.relief[i]).times(modulus) / C::of(self.port_volume);
+        let chamber = |i: usize, flow: C, growth: C| pressure_rate(modulus, volumes[i], flow, growth);
+        Oil {
+            ports: [port(0), port(1)],
+            chambers: [
+                chamber(0, f.line[0] - f.leakage, speed.times(self.areas[0])),
+                chamber(1, f.line[1] + f.leakage, speed.times(-self.areas[1])),
+            ],
+            spool: oil.spool_speed,
+            spool_speed: self.valve.acceleration(oil.spool, oil.spool_speed, command),
+        }
+    }
+}
+
+impl Cylinder {
+    /// Power of the pump, what edges, lines, relief valves and leakage take of it, and what compresses the oil,
+    /// all in W, at a speed (m/s, lengthening positive); the rest is the rod's.
+    #[must_use]
+    pub fn powers(&self, oil: &Oil<f64>, speed: f64, supply: f64) -> [f64; 3] {
+        let f = self.flows(oil, supply);
+        let (fed, other) = if oil.spool >= 0.0 { (0, 1) } else { (1, 0) };
+        let growth = [speed * self.areas[0], -speed * self.areas[1]];
+        let gain = [-f.leakage, f.leakage];
+        let mut throttles = (supply - oil.ports[fed]) * f.valve[fed] - oil.ports[other] * f.valve[other];
+        throttles += (oil.chambers[0] - oil.chambers[1]) * f.leakage;
+        let mut compression = 0.0;
+        for i in 0..2 {
+            let (port, chamber) = (oil.ports[i], oil.chambers[i]);
+            throttles += (port - chamber) * f.line[i] + port * f.relief[i];
+            compression += port * (f.valve[i] - f.line[i] - f.relief[i]);
+            compression += chamber * (f.line[i] + gain[i] - growth[i]);
+        }
+        [supply * f.valve[fed], throttles, compression]
+    }
+}

@@ -1,0 +1,7 @@
+//! What several mechanisms are made of: plane geometry, a four-bar, motion over a range, oil, solvers.
+
+pub mod four_bar;
+pub mod hydraulics;
+pub mod motion;
+pub mod plane;
+pub mod solver;
