@@ -1,0 +1,177 @@
+"""How the code is arranged: floors that see only what lies below them, and no circles of files."""
+
+import re
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+# Each crate's sources, by the name that others call it.
+CRATES = {
+    "lemnis_models": "models/src",
+    "lemnis_synthesis": "models/synthesis/src",
+    "lemnis_trade": "models/trade/src",
+    "lemnis_fmu": "fmu/src",
+    "lemnis_typeset": "report/typeset/src",
+    "lemnis": "report/src",
+}
+
+
+def plain(text):
+    """The code without comments, texts and tests."""
+    token = r"""//[^\n]*|/\*.*?\*/|'(?:\\.|[^'\\])'|b?r\#".*?"\#|b?"(?:[^"\\]|\\.)*\""""
+    text = re.sub(token, "", text, flags=re.S)
+    return re.sub(r"#\[cfg\(test\)\]\s*mod tests \{.*\Z", "", text, flags=re.S)
+
+
+def expanded(tree):
+    """The paths of a `use` tree, each with the name that it brings."""
+    tree = tree.strip()
+    if "{" in tree:
+        head, rest = tree.split("{", 1)
+        parts, depth, start = [], 0, 0
+        rest = rest[: rest.rindex("}")]
+        for i, char in enumerate(rest):
+            depth += (char == "{") - (char == "}")
+            if char == "," and depth == 0:
+                parts.append(rest[start:i])
+                start = i + 1
+        parts.append(rest[start:])
+        for part in filter(str.strip, parts):
+            for path, name in expanded(part):
+                path = head.strip() + path
+                yield (path.removesuffix("::self"), path.split("::")[-2] if path.endswith("::self") else name)
+        return
+    path, _, alias = tree.partition(" as ")
+    path = path.strip()
+    yield path, (alias or path.split("::")[-1]).strip()
+
+
+class Crate:
+    def __init__(self, name, folder):
+        self.name = name
+        self.files = {}
+        for path in sorted((ROOT / folder).rglob("*.rs")):
+            parts = list(path.relative_to(ROOT / folder).with_suffix("").parts)
+            if parts[-1] in ("lib", "main", "mod"):
+                parts.pop()
+            self.files.setdefault(tuple(parts), []).append(path)
+
+
+def needs():
+    """Of each file the files whose items it names: by `use`, `crate::`, `super::`, `self::` and paths through modules."""
+    crates = {name: Crate(name, folder) for name, folder in CRATES.items()}
+    found = {}
+    for crate in crates.values():
+        for module, paths in crate.files.items():
+            for path in paths:
+                found[path] = named(crates, crate, module, path)
+    return found
+
+
+def named(crates, crate, module, path):
+    code = plain(path.read_text(encoding="utf-8"))
+    uses = [one for tree in re.findall(r"\buse\s+([^;]+);", code) for one in expanded(tree.replace("\n", " "))]
+    rest = re.sub(r"\buse\s+[^;]+;", "", code)
+    paths = re.findall(r"(?<![\w:])((?:\$?[A-Za-z_]\w*::)+[A-Za-z_]\w*)", rest)
+    names = {name: target for target, name in uses}
+    children = {parts[-1] for parts in crate.files if parts[:-1] == module and parts}
+
+    def absolute(target, seen=()):
+        head, *tail = target.replace("$", "").split("::")
+        if head == "crate":
+            return crate.name, tail
+        if head == "self":
+            return crate.name, [*module, *tail]
+        if head == "super":
+            up = list(module)
+            while head == "super":
+                up = up[:-1]
+                head, *tail = tail or ["super"][:0] or [""]
+            return crate.name, [*up, head, *tail]
+        if head in crates:
+            return head, tail
+        if head in names and head not in seen and names[head] != target:
+            return absolute("::".join([names[head], *tail]), (*seen, head))
+        if head in children:
+            return crate.name, [*module, head, *tail]
+        return None
+
+    needed = set()
+    for target in [target for target, _ in uses] + paths:
+        place = absolute(target)
+        if place is None or place[0] not in crates:
+            continue
+        files = crates[place[0]].files
+        parts = tuple(place[1])
+        # The longest part of the path that is a module: what follows is an item of it.
+        depth = max((n for n in range(len(parts) + 1) if parts[:n] in files), default=None)
+        # A path to a module itself names none of its items.
+        if depth is None or (depth == len(parts) and depth > 0 and target in dict(uses)):
+            continue
+        needed.update(file for file in files[parts[:depth]] if file != path)
+    return needed
+
+
+def circles(graph):
+    """Sets of files that need each other, directly or round about."""
+    index, low, stack, on, found = {}, {}, [], set(), []
+
+    def visit(node):
+        index[node] = low[node] = len(index)
+        stack.append(node)
+        on.add(node)
+        for other in graph[node]:
+            if other not in index:
+                visit(other)
+                low[node] = min(low[node], low[other])
+            elif other in on:
+                low[node] = min(low[node], index[other])
+        if low[node] == index[node]:
+            circle = []
+            while not circle or circle[-1] != node:
+                circle.append(stack.pop())
+                on.discard(circle[-1])
+            if len(circle) > 1:
+                found.append(sorted(circle))
+
+    for node in graph:
+        if node not in index:
+            visit(node)
+    return found
+
+
+# Floors of `models/src`, the lowest first: each sees those before it. What stands on one floor does not see its neighbours.
+FLOORS = [
+    ["kernel"],
+    ["parts"],
+    ["component"],
+    ["balance"],
+    ["luffing", "steering"],
+    ["registry", "book"],
+    ["scene"],
+]
+
+
+def test_each_floor_sees_those_below_it():
+    sources = ROOT / "models/src"
+    floor = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
+
+    def room(path):
+        return path.relative_to(sources).parts[0].removesuffix(".rs")
+
+    rooms = {room(path) for path in sources.rglob("*.rs")} - {"lib"}
+    assert rooms == set(floor), "each room of models/src has its floor"
+    found = needs()
+    assert sources / "registry.rs" in found[sources / "scene.rs"], "paths are read"
+    told = [
+        f"{path.relative_to(ROOT)} needs {other.relative_to(ROOT)}"
+        for path, others in found.items() if sources in path.parents and room(path) != "lib"
+        for other in others if sources in other.parents
+        if room(other) != room(path) and floor.get(room(other), 99) >= floor[room(path)]
+    ]
+    assert not told, "\n".join(told)
+
+
+def test_no_files_need_each_other_in_a_circle():
+    told = ["\n  ".join(str(path.relative_to(ROOT)) for path in circle) for circle in circles(needs())]
+    assert not told, "files that need each other in a circle:\n  " + "\n\n  ".join(told)
