@@ -13,7 +13,12 @@ use num_dual::Dual64;
 
 use crate::component::part::{Face, Part};
 use crate::component::stages::{Slot, Source};
+use crate::kernel::symbol::symbols;
 use crate::parts::motion::Motion;
+
+symbols! {
+    TOL: "tol" "epsilon" ONE / ONE [tolerance], "How far each result may be off the closed form, as a part of its range.", "input";
+}
 
 /// Where a piece is compared with the closed form.
 const PLACES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];

@@ -133,6 +133,17 @@ impl Key {
         }
     }
 
+    /// Which kind of a table of several kinds it is, the only one of these.
+    #[must_use]
+    pub const fn kind(of: &'static [&'static str], text: &'static str) -> Key {
+        Key {
+            name: KIND,
+            kind: Kind::Choice(of),
+            required: false,
+            text,
+        }
+    }
+
     /// A text that may be left out.
     #[must_use]
     pub const fn text(name: &'static str, text: &'static str) -> Key {
@@ -464,10 +475,22 @@ fn check_value(
             Some(Value::Table(check(source, table, value.span(), path, keys, found)))
         }
         (Kind::Kinds(kinds), DeValue::Table(table)) => {
-            let named = table.iter().find(|(name, _)| name.get_ref() == KIND);
-            let named = named.and_then(|(_, value)| value.get_ref().as_str());
-            let (_, keys) = kinds.iter().find(|(kind, _)| Some(*kind) == named).unwrap_or(&kinds[0]);
-            Some(Value::Table(check(source, table, value.span(), path, keys, found)))
+            let given = table.iter().find(|(name, _)| name.get_ref() == KIND);
+            let given = given.and_then(|(_, value)| Some((value.get_ref().as_str()?, value.span())));
+            let named = |(text, _): &(&str, _)| kinds.iter().find(|(kind, _)| kind == text);
+            match (given.as_ref().map_or(Some(&kinds[0]), named), given) {
+                (Some((_, keys)), _) => Some(Value::Table(check(source, table, value.span(), path, keys, found))),
+                (None, given) => {
+                    let known: Vec<&str> = kinds.iter().map(|(kind, _)| *kind).collect();
+                    let (text, place) = given.unwrap_or_default();
+                    let message = format!("`{path}.{KIND}` is not one of {}", known.join(", "));
+                    found.push(
+                        Diagnostic::new(place, message, format!("`{text}` is none of them"))
+                            .help(format!("{KIND} = \"{}\"", known[0])),
+                    );
+                    None
+                }
+            }
         }
         (Kind::Quantity(..) | Kind::Weight(_), DeValue::String(text)) => match number(text, key) {
             Ok(number) => Some(Value::Number(number)),

@@ -1,17 +1,8 @@
 //! What scenes say of all luffing mechanisms alike.
 
-use crate::component::table::TOLERANCE;
+use crate::component::table::{TOL, TOLERANCE};
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::schema::{self, Key, Kind, Sign, Values};
-use crate::luffing::double_link::moving::symbols::TOL;
-
-/// Which luffing mechanism it is.
-pub const KIND: Key = Key {
-    name: schema::KIND,
-    kind: Kind::Choice(&["double_link", "rope"]),
-    required: false,
-    text: "Which luffing mechanism: \"double_link\" (boom, jib and rocker), or \"rope\" (a plain boom on a luffing rope).",
-};
+use crate::kernel::schema::{Key, Sign, Values};
 
 /// Where the quantities of a table come from that do not say it themselves.
 pub const SOURCE: Key = Key::text(
@@ -20,12 +11,7 @@ pub const SOURCE: Key = Key::text(
 );
 
 /// Keys of the level `table`.
-pub static TABLE: &[Key] = &[Key::named(
-    "tol",
-    &TOL,
-    Sign::Tolerance,
-    "How far each result may be off the closed form, as a part of its range.",
-)];
+pub static TABLE: &[Key] = &[Key::quantity(&TOL, Sign::Tolerance)];
 
 /// Tolerance of the level `table`; `None` at other levels. Mistakes go to `found`.
 pub fn interpolation(v: &Values, found: &mut Vec<Diagnostic>) -> Option<f64> {
@@ -39,5 +25,5 @@ pub fn interpolation(v: &Values, found: &mut Vec<Diagnostic>) -> Option<f64> {
         }
         return None;
     }
-    Some(given.and_then(|table| table.number("tol")).unwrap_or(TOLERANCE))
+    Some(given.and_then(|table| table.number(TOL.id)).unwrap_or(TOLERANCE))
 }

@@ -16,7 +16,7 @@ use crate::luffing::double_link::geometry::{
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::system::System;
-use crate::luffing::scene::{KIND, SOURCE, TABLE, interpolation};
+use crate::luffing::scene::{SOURCE, TABLE, interpolation};
 use crate::parts::four_bar::{Arc, Branch};
 use crate::parts::motion::{Motion, degrees};
 
@@ -25,7 +25,10 @@ use std::ops::Range;
 
 /// Keys of `[luffing]`.
 pub const KEYS: &[Key] = &[
-    KIND,
+    Key::kind(
+        &["double_link"],
+        "A double link of boom, jib and rocker; the usual kind.",
+    ),
     Key {
         name: "driven",
         kind: Kind::Choice(&["boom", "rocker"]),

@@ -19,13 +19,13 @@ use crate::kernel::variable::Fault;
 use crate::luffing::rope::position::{Choice, Rig};
 use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
-use crate::luffing::scene::{KIND, SOURCE, TABLE, interpolation};
+use crate::luffing::scene::{SOURCE, TABLE, interpolation};
 use crate::parts::motion::{Motion, Place, degrees};
 use crate::parts::plane::{self, Point};
 
 /// Keys of `[luffing]` with `kind = "rope"`.
 pub const KEYS: &[Key] = &[
-    KIND,
+    Key::kind(&["rope"], "A plain boom on a luffing rope."),
     Key::quantity(&s::L, Sign::Positive),
     Key::quantity(&s::F_A, Sign::Any).optional(),
     Key::quantity(&s::X_8, Sign::Any),
