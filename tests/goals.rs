@@ -16,6 +16,7 @@ use lemnis_models::kernel::variable::Role;
 use lemnis_models::luffing::double_link::feet::Feet;
 use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::position::Position;
+use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::luffing::double_link::statics::{Held, LoadMoment, Own, PinForces};
 use lemnis_models::luffing::double_link::velocity::{Pole, Velocity};
 use lemnis_models::scene::{DEFAULT, Scene};
@@ -105,11 +106,9 @@ fn steering() {
 fn synthesis() {
     let text = include_str!("../models/scenes/portal_004_synthesis.toml");
     let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
-    let luffing = scene.mechanism.luffing().expect("a luffing mechanism");
-    let (boom, range) = luffing.boom().expect("weights");
-    let task = luffing.synthesis.as_ref().expect("asked for");
-    let positions = Positions::new(&boom, range, 101).expect("closes");
-    let lever = luffing.own_lever().expect("a lever");
+    let search = scene.search().expect("asked for");
+    let positions = Positions::new(&*search.boom, search.range, 101).expect("closes");
+    let lever = search.own.expect("a lever");
     let times = (0..200).map(|_| {
         let start = Instant::now();
         for _ in 0..100 {
@@ -125,13 +124,13 @@ fn synthesis() {
         stop: &stop,
         run: &|| {},
     };
-    black_box(run(&boom, range, task, 2, watch)).expect("there is one");
+    black_box(run(&*search.boom, search.range, search.task, 2, watch)).expect("there is one");
     let time = start.elapsed().as_secs_f64();
     row("synthesis: search and fronts, two threads", time, "s", 10.0);
 }
 
 fn models(scene: &Scene) {
-    let parameters = scene.mechanism.luffing().expect("a luffing mechanism").parameters;
+    let parameters = scene.mechanism.of::<Luffing>().expect("a luffing mechanism").parameters;
     let g = Geometry::new(&parameters).expect("exists");
     let kinematics = nanoseconds(|theta| {
         let p = Position::new(&g, theta).expect("closes");

@@ -3,6 +3,7 @@
 use std::any::Any;
 use std::collections::BTreeSet;
 
+use crate::balance::task::Search;
 use crate::component::dependencies::{dependencies as traced, recorded};
 use crate::component::mechanism::{Entry, Mechanism};
 use crate::component::model::Model;
@@ -78,6 +79,12 @@ static TELLERS: &[Teller] = &[
 pub fn told(mechanism: &dyn Mechanism) -> &dyn Told {
     let mut all = TELLERS.iter().filter_map(|teller| (teller.told)(mechanism));
     all.next().expect("every mechanism has its line")
+}
+
+/// The synthesis that a scene asks for.
+#[must_use]
+pub fn search(mechanism: &dyn Mechanism) -> Option<Search<'_>> {
+    mechanism.of::<Luffing>()?.search()
 }
 
 /// What each variable's expression contains: inputs, parameters and [`TIME`](crate::kernel::variable::TIME).

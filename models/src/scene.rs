@@ -2,6 +2,7 @@
 
 use toml::de::DeTable;
 
+use crate::balance::task::Search;
 use crate::book::{BOOK, Book};
 use crate::component::mechanism::Mechanism;
 use crate::component::model::Model;
@@ -222,6 +223,12 @@ impl Scene {
     #[must_use]
     pub fn assumptions(&self) -> Vec<&'static str> {
         registry::told(&*self.mechanism).assumptions()
+    }
+
+    /// The synthesis that it asks for.
+    #[must_use]
+    pub fn search(&self) -> Option<Search<'_>> {
+        registry::search(&*self.mechanism)
     }
 
     /// All that its book says.

@@ -39,7 +39,7 @@ fn scenes() -> Vec<String> {
 
 fn luffing(text: &str) -> Luffing {
     let scene = Scene::parse(text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
-    scene.mechanism.luffing().expect("a luffing mechanism").clone()
+    scene.mechanism.of::<Luffing>().expect("a luffing mechanism").clone()
 }
 
 /// The counterweight as the only body that weighs anything.

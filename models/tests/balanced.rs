@@ -20,7 +20,7 @@ fn scene(text: &str) -> Scene {
 }
 
 fn luffing(scene: &Scene) -> &Luffing {
-    scene.mechanism.luffing().expect("a luffing mechanism")
+    scene.mechanism.of::<Luffing>().expect("a luffing mechanism")
 }
 
 fn model(text: &str) -> Model {

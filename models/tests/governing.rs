@@ -12,7 +12,7 @@ use lemnis_models::scene::{DEFAULT, Scene};
 /// The luffing mechanism of a scene's text.
 fn luffing(text: &str) -> Luffing {
     let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
-    scene.mechanism.luffing().expect("a luffing mechanism").clone()
+    scene.mechanism.of::<Luffing>().expect("a luffing mechanism").clone()
 }
 
 /// Value of a checked or governing result, searched anew.
@@ -81,7 +81,7 @@ fn sensitivities_agree_with_differences() {
 #[test]
 fn governing_positions_are_the_extremes() {
     let scene = Scene::parse(DEFAULT).expect("valid");
-    let luffing = scene.mechanism.luffing().expect("a luffing mechanism");
+    let luffing = scene.mechanism.of::<Luffing>().expect("a luffing mechanism");
     let motion = luffing.motion;
     let mut model = scene.model().expect("a mechanism");
     let list = governing(&luffing.standing(), luffing.outline());

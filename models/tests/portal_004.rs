@@ -1,6 +1,7 @@
 //! The boom four-bar of the portal crane is the same mechanism. [Balance004]
 
 use lemnis_models::luffing::double_link::geometry::Geometry;
+use lemnis_models::luffing::double_link::scene::Luffing;
 
 use lemnis_models::scene::Scene;
 
@@ -31,7 +32,7 @@ fn reach_at_the_printed_nodes() {
 #[test]
 fn range_of_assembly() {
     let scene = Scene::parse(SCENE).expect("valid");
-    let g = Geometry::new(&scene.mechanism.luffing().expect("a luffing mechanism").parameters).expect("exists");
+    let g = Geometry::new(&scene.mechanism.of::<Luffing>().expect("a luffing mechanism").parameters).expect("exists");
     let arc = g.linkage.arcs()[0];
     let (from, to) = (arc.from.to_degrees(), arc.to.to_degrees());
     assert!((from - 36.1).abs() < 0.05 && (to - 84.5).abs() < 0.05, "{from} {to}");

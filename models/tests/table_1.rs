@@ -1,6 +1,7 @@
 //! The published table, value by value, from the default scene.
 
 use lemnis_models::component::model::Model;
+use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 /// All 366 computed values of [Li2022, Table 1] to the printed digit: within
@@ -10,7 +11,7 @@ fn every_value_of_table_1() {
     let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
     let published = scene
         .mechanism
-        .luffing()
+        .of::<Luffing>()
         .expect("a luffing mechanism")
         .published
         .as_ref()
@@ -51,7 +52,7 @@ fn the_scene_holds_the_oracle() {
     let scene = Scene::parse(DEFAULT).expect("valid");
     let rows = scene
         .mechanism
-        .luffing()
+        .of::<Luffing>()
         .expect("a luffing mechanism")
         .published
         .as_ref()

@@ -302,6 +302,18 @@ const R_1: [f64; 2] = [0.03, 1.2];
 const L_1: [f64; 2] = [0.1, 2.0];
 const LEVER: [f64; 2] = [0.03, 0.6];
 
+/// A synthesis that a scene asks for, and what it is to balance.
+pub struct Search<'a> {
+    pub task: &'a Task,
+    pub boom: Box<dyn Boom<f64> + Sync>,
+    /// Angles of the boom over the working range, in rad.
+    pub range: [f64; 2],
+    /// Length of the boom, in m.
+    pub length: f64,
+    /// The scene's own lever counterweight.
+    pub own: Option<Lever<f64>>,
+}
+
 impl Task {
     /// The task of a checked table; mistakes go to `found`. `boom` over the
     /// boom angles `range` (rad) is to be balanced, `own` is the scene's lever.

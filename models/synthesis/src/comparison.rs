@@ -4,7 +4,7 @@
 use lemnis_models::balance::analysis::{Analysis, Residual};
 use lemnis_models::balance::boom::{Boom, joint};
 use lemnis_models::balance::lever::{Dimensions, Lever};
-use lemnis_models::balance::task::{Method, Role, Task};
+use lemnis_models::balance::task::{Method, Role, Search, Task};
 use lemnis_models::balance::{Balance, symbols as s};
 use lemnis_models::component::sheet::{Drawing, Shape};
 use lemnis_models::kernel::allowed::OutOfRange;
@@ -107,18 +107,22 @@ impl Comparison {
     /// `None` for a scene without a synthesis.
     #[must_use]
     pub fn new(scene: &Scene) -> Option<Comparison> {
-        let luffing = scene.mechanism.luffing()?;
-        let task = luffing.synthesis.as_ref()?;
-        let (boom, range) = luffing.boom().ok()?;
-        let positions = Positions::new(&boom, range, 101).ok()?;
+        let Search {
+            task,
+            boom,
+            range,
+            length,
+            own,
+        } = scene.search()?;
+        let boom = &*boom;
+        let positions = Positions::new(boom, range, 101).ok()?;
         let builds = Builds::new(&positions, task.tolerances, BUILDS, task.seed).ok()?;
-        let length = luffing.parameters.lengths.x_1;
         let compared = |role, source: Option<&str>, dimensions, branch| Compared {
             role,
             source: source.map(str::to_owned),
             branch,
             dimensions,
-            worth: worth(&boom, range, &positions, &builds, length, dimensions, branch).ok(),
+            worth: worth(boom, range, &positions, &builds, length, dimensions, branch).ok(),
         };
         let is_front = |role| matches!(role, Role::RodForce | Role::Counterweight);
         let candidates = task.candidates.iter();
@@ -127,7 +131,6 @@ impl Comparison {
             .map(|c| compared(c.role.name(), c.source.as_deref(), c.dimensions, c.branch))
             .collect();
         levers.sort_by_key(|lever| ORDER.iter().position(|role| role.name() == lever.role));
-        let own = luffing.own_lever();
         if let Some(own) = &own {
             let role = if task.found.is_some() { "found" } else { "own" };
             levers.push(compared(role, None, own.dimensions, own.branch));
@@ -140,8 +143,8 @@ impl Comparison {
                 Vec::new()
             },
             limits: limits(task, last),
-            fronts: fronts(task, &boom, range, last),
-            nodes: own.as_ref().and_then(|own| nodes(task, &boom, own)),
+            fronts: fronts(task, boom, range, last),
+            nodes: own.as_ref().and_then(|own| nodes(task, boom, own)),
             levers,
         })
     }

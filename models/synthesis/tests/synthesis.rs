@@ -11,6 +11,7 @@ use lemnis_models::balance::analysis::Analysis;
 use lemnis_models::balance::boom::{Boom, Plain};
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Bounds, Constraints, Criterion, Tolerances};
+use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::scene::Scene;
 use lemnis_synthesis::candidate::Positions;
@@ -505,7 +506,7 @@ fn the_other_branch_is_better() {
 /// What comes of a scene's text, by the way of the command, with everything about its levers.
 fn of_scene(text: &str) -> Comparison {
     let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
-    let luffing = scene.mechanism.luffing().expect("a luffing mechanism");
+    let luffing = scene.mechanism.of::<Luffing>().expect("a luffing mechanism");
     let (boom, range) = luffing.boom().expect("weights");
     let task = luffing.synthesis.as_ref().expect("asked for");
     let steps = AtomicUsize::new(0);

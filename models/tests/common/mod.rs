@@ -6,7 +6,7 @@ use lemnis_models::scene::{DEFAULT, Scene};
 
 pub fn luffing() -> Luffing {
     let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
-    scene.mechanism.luffing().expect("a luffing mechanism").clone()
+    scene.mechanism.of::<Luffing>().expect("a luffing mechanism").clone()
 }
 
 pub fn parameters(driven: Driven) -> Parameters<f64> {

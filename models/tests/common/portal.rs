@@ -2,13 +2,14 @@
 
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::luffing::double_link::geometry::Parameters;
+use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::luffing::double_link::system::System;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::scene::Scene;
 
 pub fn parameters() -> Parameters<f64> {
     let scene = Scene::parse(include_str!("../../scenes/portal_004.toml")).expect("valid");
-    scene.mechanism.luffing().expect("a luffing mechanism").parameters
+    scene.mechanism.of::<Luffing>().expect("a luffing mechanism").parameters
 }
 
 pub fn boom() -> System<f64> {

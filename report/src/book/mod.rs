@@ -147,7 +147,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "motion" => sheet.motion.is_some(),
         // Many runs: only a scene that lists the chapter gets it.
         "trade" => scene.book.chapters.is_some(),
-        "synthesis" => scene.mechanism.luffing().is_some_and(|it| it.synthesis.is_some()),
+        "synthesis" => scene.search().is_some(),
         _ => true,
     };
     chosen.into_iter().filter(has).collect()

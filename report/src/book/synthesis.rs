@@ -81,7 +81,7 @@ struct Nodes {
 
 /// `None` for a scene that asks for no synthesis.
 pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notation) -> Option<Synthesis> {
-    let task = scene.mechanism.luffing()?.synthesis.as_ref()?;
+    let task = scene.search()?.task;
     let comparison = Comparison::new(scene)?;
     let levers = &comparison.levers;
     let number = |i: usize| (i + 1).to_string();

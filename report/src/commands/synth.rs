@@ -40,23 +40,20 @@ static STOP: AtomicBool = AtomicBool::new(false);
 impl Synth {
     pub fn run(&self) -> Result<(), Failure> {
         let scene = scene_file::read(Some(&self.scene))?;
-        let asked = scene
-            .mechanism
-            .luffing()
-            .and_then(|it| Some((it, it.synthesis.as_ref()?)));
-        let Some((luffing, task)) = asked else {
+        let Some(search) = scene.search() else {
             return Err(Failure::Scene(format!(
                 "{} asks for no synthesis: add a table [luffing.synthesis], an empty one will do where [luffing.balance] \
                  is a lever",
                 scene_file::name(Some(&self.scene))
             )));
         };
-        let mut task = task.clone();
+        let mut task = search.task.clone();
         task.seed = self.seed.unwrap_or(task.seed);
-        let (boom, range) = luffing.boom().expect("checked when the scene was read");
-        let outcome = watched(&task, |threads, watch| run(&boom, range, &task, threads, watch));
+        let outcome = watched(&task, |threads, watch| {
+            run(&*search.boom, search.range, &task, threads, watch)
+        });
         let outcome = outcome.map_err(|fault| self.explain(&scene, &task, &fault))?;
-        let result = improved(&scene, luffing.own_lever().as_ref(), &task, &outcome)?;
+        let result = improved(&scene, search.own.as_ref(), &task, &outcome)?;
         let comparison = Comparison::new(&result).expect("the result has a synthesis");
         say(table(&comparison).trim_end())?;
         if !outcome.complete {

@@ -154,11 +154,3 @@ impl Mechanism for Luffing {
         Box::new(self.clone())
     }
 }
-
-impl dyn Mechanism {
-    /// The double-link mechanism, if it is one.
-    #[must_use]
-    pub fn luffing(&self) -> Option<&Luffing> {
-        self.of()
-    }
-}

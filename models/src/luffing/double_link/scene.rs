@@ -2,7 +2,7 @@
 
 use crate::balance::lever::Lever;
 use crate::balance::scene::{Form, KEYS as BALANCE};
-use crate::balance::task::{KEYS as SYNTHESIS, Task};
+use crate::balance::task::{KEYS as SYNTHESIS, Search, Task};
 use crate::balance::{self, symbols as b};
 use crate::component::outline::Published;
 use crate::kernel::allowed::OutOfRange;
@@ -195,10 +195,18 @@ impl Luffing {
         self.q.is_some() && self.change_point.is_none()
     }
 
-    /// The scene's own lever counterweight.
+    /// The synthesis that the scene asks for.
     #[must_use]
-    pub fn own_lever(&self) -> Option<Lever<f64>> {
-        own_lever(&self.parameters)
+    pub fn search(&self) -> Option<Search<'_>> {
+        let task = self.synthesis.as_ref()?;
+        let (boom, range) = self.boom().ok()?;
+        Some(Search {
+            task,
+            boom: Box::new(boom),
+            range,
+            length: self.parameters.lengths.x_1,
+            own: own_lever(&self.parameters),
+        })
     }
 
     /// The boom system as its boom moves it, and its boom angles (rad) over the working range.
