@@ -175,3 +175,22 @@ def test_each_floor_sees_those_below_it():
 def test_no_files_need_each_other_in_a_circle():
     told = ["\n  ".join(str(path.relative_to(ROOT)) for path in circle) for circle in circles(needs())]
     assert not told, "files that need each other in a circle:\n  " + "\n\n  ".join(told)
+
+
+# What has a line for every mechanism: which there are, their symbols in the languages, and the folders themselves.
+LISTS = {"models/src/lib.rs", "models/src/luffing/mod.rs", "models/src/registry.rs", "report/src/language.rs"}
+
+
+def test_no_shared_file_names_a_mechanism():
+    entries = [path for path in (ROOT / "models/src").rglob("*.rs") if "pub const ENTRY: Entry" in path.read_text("utf-8")]
+    folders = {path.parent for path in entries}
+    types = {name for path in entries for name in re.findall(r"impl Mechanism for (\w+)", path.read_text("utf-8"))}
+    assert len(folders) == len(types) >= 3
+    rooms = "|".join(folder.name for folder in folders)
+    name = re.compile(rf"\b(?:{rooms})::|::(?:{rooms})\b|\bmod (?:{rooms});|\b(?:{'|'.join(types)})\b")
+    naming = set()
+    for folder in CRATES.values():
+        for path in (ROOT / folder).rglob("*.rs"):
+            if not folders & set(path.parents) and name.search(plain(path.read_text(encoding="utf-8"))):
+                naming.add(path.relative_to(ROOT).as_posix())
+    assert naming == LISTS

@@ -102,9 +102,6 @@ fn chosen(scene: &Scene, notes: &mut Vec<String>) -> Result<Scene, Failure> {
     })
 }
 
-/// Key of the inner step of a luffing mechanism in motion.
-const STEP: &str = "luffing.dynamics.step";
-
 /// Inner steps (s) that are tried where that of a scene is too long.
 const STEPS: [f64; 9] = [5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4];
 
@@ -126,7 +123,7 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
             found.fault.message
         )
     };
-    let speed = format!("{}.motion.speed", scene.mechanism.id());
+    let [speed, inner] = ["motion.speed", "dynamics.step"].map(|key| format!("{}.{key}", scene.table));
     let (lasts, steps) = work(&scene)?;
     if steps > MOST_STEPS {
         let message = format!(
@@ -144,17 +141,17 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
     for step in STEPS.into_iter().filter(|step| own.is_some_and(|own| *step < own)) {
         let milliseconds = milliseconds(step);
         let shorter = scene_file::changed(&scene, &format!("the scene at step = {milliseconds}"), |document| {
-            document["luffing"]["dynamics"]["step"] = value(milliseconds.as_str());
+            document[scene.table]["dynamics"]["step"] = value(milliseconds.as_str());
         })?;
         if work(&shorter)?.1 > MOST_STEPS || run(&shorter).is_err() {
             continue;
         }
-        if scene.given.of(STEP).is_some() {
+        if scene.given.of(&inner).is_some() {
             let help = format!("step = \"{milliseconds}\" runs; without the key one is chosen");
-            return refused(STEP, cannot(&stopped), "too long".to_owned(), Some(help));
+            return refused(&inner, cannot(&stopped), "too long".to_owned(), Some(help));
         }
         notes.push(format!(
-            "the default experiment needs shorter inner steps than 10 ms: {STEP} = \"{milliseconds}\" is chosen"
+            "the default experiment needs shorter inner steps than 10 ms: {inner} = \"{milliseconds}\" is chosen"
         ));
         return Ok(shorter);
     }

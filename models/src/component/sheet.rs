@@ -53,6 +53,8 @@ pub struct Sheet {
 
 /// The mechanism in motion: its equations at one instant of a run, and the run.
 pub struct InMotion {
+    /// Time from the start of the run.
+    pub time: &'static Symbol,
     /// At which instant the formulas are worked out: id of what makes it one, and when it is, in s.
     pub instant: (&'static str, f64),
     /// Which of several bodies the formulas speak of, numbered from 1.

@@ -2,7 +2,6 @@
 
 use lemnis_models::component::sheet::{self, InMotion};
 use lemnis_models::kernel::symbol::Symbol;
-use lemnis_models::luffing::double_link::moving::symbols::T;
 use serde::Serialize;
 
 use crate::book::blocks::{Figure, Quantity};
@@ -65,7 +64,7 @@ impl Motion {
             quantity: symbol.into(),
             value: quantity(language, symbol, value),
         };
-        let time = |at: f64| quantity(language, &T, at);
+        let time = |at: f64| quantity(language, motion.time, at);
         for (symbol, _) in &motion.state {
             notation.meet(symbol);
         }
@@ -74,7 +73,7 @@ impl Motion {
         let sheet::Energy { given, stored, taken } = &motion.energy;
         let accounts = given.iter().chain(stored).chain(taken).map(|(symbol, _)| *symbol);
         let drawn = motion.extremes.iter().map(|(symbol, _)| *symbol);
-        for symbol in drawn.chain(accounts).chain([&T]) {
+        for symbol in drawn.chain(accounts).chain([motion.time]) {
             notation.meet(symbol);
         }
         Motion {

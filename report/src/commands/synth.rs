@@ -82,8 +82,8 @@ fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outc
         let name = scene.name().strip_suffix(SUFFIX).unwrap_or(scene.name());
         let name = &name[..name.len().min(LONGEST_NAME - SUFFIX.len())];
         document["name"] = value(format!("{name}{SUFFIX}"));
-        let luffing = &mut document["luffing"];
-        let mut balance = taken(&mut luffing["balance"]);
+        let mechanism = &mut document[scene.table];
+        let mut balance = taken(&mut mechanism["balance"]);
         if own.is_none() {
             balance.clear();
         }
@@ -93,9 +93,9 @@ fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outc
         fill(&mut balance, &outcome.dimensions, outcome.branch);
         let source = format!("lemnis synth {}, seed {}", env!("CARGO_PKG_VERSION"), task.seed);
         set(&mut balance, "source", source);
-        luffing["balance"] = Item::Table(balance);
+        mechanism["balance"] = Item::Table(balance);
 
-        let mut synthesis = taken(&mut luffing["synthesis"]);
+        let mut synthesis = taken(&mut mechanism["synthesis"]);
         let found = if outcome.complete { "complete" } else { "broken off" };
         set(&mut synthesis, "found", found.into());
         synthesis["seed"] = value(i64::try_from(task.seed).expect("TOML has no greater integers"));
@@ -111,7 +111,7 @@ fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outc
             candidates.push(lever(*role, dimensions, outcome.branch));
         }
         synthesis["candidates"] = Item::ArrayOfTables(candidates);
-        luffing["synthesis"] = Item::Table(synthesis);
+        mechanism["synthesis"] = Item::Table(synthesis);
     })
 }
 

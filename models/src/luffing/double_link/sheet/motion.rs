@@ -220,6 +220,7 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
     }
     let (checks, warned) = (run.checks(luffing, moving), run.warned());
     let motion = InMotion {
+        time: &m::T,
         instant: (instant.0, run.instant),
         of: None,
         state,
