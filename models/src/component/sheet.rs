@@ -47,7 +47,7 @@ pub struct Sheet {
     pub balance: Option<Balance>,
     /// The mechanism in motion; `None` where it stands as commanded.
     pub motion: Option<InMotion>,
-    /// See [`assumptions`].
+    /// See [`Scene::assumptions`](crate::scene::Scene::assumptions).
     pub assumptions: Vec<&'static str>,
 }
 
