@@ -194,3 +194,36 @@ def test_no_shared_file_names_a_mechanism():
             if not folders & set(path.parents) and name.search(plain(path.read_text(encoding="utf-8"))):
                 naming.add(path.relative_to(ROOT).as_posix())
     assert naming == LISTS
+
+
+def test_no_two_public_types_of_models_have_one_name():
+    places = {}
+    for path in (ROOT / "models/src").rglob("*.rs"):
+        code = plain(path.read_text(encoding="utf-8"))
+        # A macro's types have a name for each use of it.
+        code = re.sub(r"^macro_rules! .*?^}", "", code, flags=re.S | re.M)
+        names = re.findall(r"^\s*pub (?:struct|enum|trait|type) (\w+)", code, re.M)
+        names += re.findall(r"quantities! \{\s*(?:#\[[^]]*\]\s*)*(\w+) \{", code)
+        for name in names:
+            places.setdefault(name, []).append(path.relative_to(ROOT).as_posix())
+    assert len(places) > 100
+    assert not {name: found for name, found in places.items() if len(found) > 1}
+
+
+# Files of mechanisms in motion, until what moves is written once too.
+LONG = {
+    "models/src/luffing/double_link/dynamics.rs",
+    "models/src/luffing/double_link/hydraulic.rs",
+    "models/src/luffing/double_link/motion.rs",
+    "models/src/luffing/double_link/moving/level.rs",
+    "models/src/luffing/double_link/moving/model.rs",
+    "models/src/luffing/double_link/sheet/motion.rs",
+    "models/src/luffing/double_link/slewing.rs",
+    "models/src/steering/moving/model.rs",
+}
+
+
+def test_no_file_is_long():
+    files = (ROOT / "models/src").rglob("*.rs")
+    long = {path.relative_to(ROOT).as_posix() for path in files if len(path.read_text("utf-8").splitlines()) > 500}
+    assert long == LONG

@@ -1,8 +1,9 @@
 //! What a scene asks of its book.
 
 use crate::component::mechanism::Mechanism;
+use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::schema::{self, Key, Kind, Values};
+use crate::kernel::schema::{Key, Kind, Values};
 use crate::parts::motion::Place;
 
 /// The languages that a book can be in, by ISO 639-1; the first is the default.
@@ -117,7 +118,7 @@ impl Book {
             };
             found.push(Diagnostic::new(table.place("chapters"), message, "an empty book").help(help));
         }
-        let date = project.and_then(|project| project.text("date")).and_then(schema::date);
+        let date = project.and_then(|project| project.text("date")).and_then(check::date);
         if table.text("pdf_standard").is_some() && date.is_none() {
             let message = "`book.pdf_standard` needs the date of the book";
             found.push(

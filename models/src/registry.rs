@@ -100,10 +100,10 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
         }
         Model::Moving(moving) => {
             let moving = &**moving as &dyn Any;
-            if let Some(model) = moving.downcast_ref::<double_link::moving::model::Model>() {
+            if let Some(model) = moving.downcast_ref::<double_link::moving::model::LuffingMotion>() {
                 return model.dependencies();
             }
-            let steering = moving.downcast_ref::<steering::moving::model::Model>();
+            let steering = moving.downcast_ref::<steering::moving::model::SteeringMotion>();
             steering.expect("what moves has its line").dependencies()
         }
     }

@@ -8,6 +8,7 @@ use crate::component::mechanism::Mechanism;
 use crate::component::model::Model;
 use crate::component::sheet::{Input, Sheet};
 use crate::component::telling;
+use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::origin::{Origins, line};
@@ -122,7 +123,7 @@ impl Scene {
             vec![Diagnostic::new(span, format!("not TOML: {}", error.message()), "here")]
         })?;
         let mut found = Vec::new();
-        let mut values = schema::check(
+        let mut values = check::check(
             text,
             table.get_ref(),
             0..text.find('\n').unwrap_or(text.len()),
@@ -200,7 +201,7 @@ impl Scene {
                 found.push(Diagnostic::new(place.clone(), message, "not known").help(help));
                 continue;
             };
-            match schema::quantity(text, variable.symbol, Sign::Deviation) {
+            match check::quantity(text, variable.symbol, Sign::Deviation) {
                 Ok(allowed) => self.accuracy.push((*variable, allowed)),
                 Err((message, label, help)) => {
                     let message = format!("`accuracy.{name}`: {message}");

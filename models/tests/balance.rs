@@ -16,7 +16,7 @@ use lemnis_models::balance::{Balance, curved_rail, symbols};
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::record::{Rec, record};
 use lemnis_models::luffing::double_link::geometry::{Driven, Lengths, Parameters, Weights};
-use lemnis_models::luffing::double_link::system::System;
+use lemnis_models::luffing::double_link::system::BoomSystem;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::parts::plane;
 use num_dual::Dual64;
@@ -85,7 +85,7 @@ fn published_levers_of_004() {
                         _ => 0.0,
                     }
             });
-            let boom = System::new(&boom).expect("exists");
+            let boom = BoomSystem::new(&boom).expect("exists");
             let other = Dimensions {
                 d_1: d.d_1 + off(5e-4),
                 delta_1: d.delta_1 + rad(off(5e-3)),
@@ -445,10 +445,10 @@ fn zero_weights() {
     assert_eq!((found.dm_max.value, found.e_abs), (0.0, 0.0));
     assert!(found.equilibria.is_empty());
     let p = portal::parameters();
-    let fault = System::new(&Parameters { weights: None, ..p }).expect_err("no weights");
+    let fault = BoomSystem::new(&Parameters { weights: None, ..p }).expect_err("no weights");
     assert!(fault.to_string().contains("no weights"), "{fault}");
     assert!(
-        System::new(&Parameters {
+        BoomSystem::new(&Parameters {
             driven: Driven::Rocker,
             ..p
         })
@@ -457,7 +457,7 @@ fn zero_weights() {
     let none = p
         .weights
         .map(|w| w.map(&mut |symbol, x| if symbol.id.starts_with('G') { 0.0 } else { x }));
-    let boom = System::new(&Parameters { weights: none, ..p }).expect("sound");
+    let boom = BoomSystem::new(&Parameters { weights: none, ..p }).expect("sound");
     assert_eq!(boom.at(rad(60.0)).expect("closes").m_0, 0.0);
 }
 
@@ -497,7 +497,7 @@ fn bad_dimensions_are_refused_by_name() {
     assert_eq!(fault.quantity.id, "phi", "{fault}");
 }
 
-fn system(x: [f64; 6], w: [f64; 9]) -> Option<System<f64>> {
+fn system(x: [f64; 6], w: [f64; 9]) -> Option<BoomSystem<f64>> {
     let p = portal::parameters();
     let l = p.lengths;
     let lengths = Lengths {
@@ -520,7 +520,7 @@ fn system(x: [f64; 6], w: [f64; 9]) -> Option<System<f64>> {
         s_3: w[7] * 15.0,
         chi_3: w[8] - 0.5,
     };
-    System::new(&Parameters {
+    BoomSystem::new(&Parameters {
         lengths,
         weights: Some(weights),
         ..p
@@ -544,7 +544,7 @@ fn dimensions_are_consistent() {
     let (trace, values) = record(|| {
         let given = &mut Rec::given;
         let phi = Rec::given(&symbols::PHI, rad(60.0));
-        let system = System::new(&p.map(&mut Rec::given)).expect("exists");
+        let system = BoomSystem::new(&p.map(&mut Rec::given)).expect("exists");
         let plain = Plain {
             g_b: 12e4,
             r_b: 14.0,
@@ -646,14 +646,14 @@ proptest! {
         part in 0.05..0.95_f64,
     ) {
         if let Some(boom) = system(x, w) {
-            let System { g, w: weights } = boom;
+            let BoomSystem { g, w: weights } = boom;
             let arc = g.linkage.arcs()[0];
             let phi = arc.from + part * (arc.to - arc.from);
             let m_0 = boom.at(phi).expect("inside the arc").m_0;
             let scale: f64 = boom.parts(phi).expect("closes").iter().map(|part| part.abs()).sum::<f64>().max(1e5);
             let power = boom.moment_by_power(phi).expect("inside the arc");
             prop_assert!((m_0 - power).abs() <= 1e-12 * scale, "{m_0} {power}");
-            let dual = System {
+            let dual = BoomSystem {
                 g: g.map(Dual64::from_re),
                 w: weights.map(&mut |_, value| Dual64::from_re(value)),
             };

@@ -7,7 +7,7 @@ use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::Phase;
 use lemnis_models::luffing::double_link::hydraulic::{Hydraulic, Modes, Piece};
 use lemnis_models::parts::hydraulics::throttle::root;
-use lemnis_models::parts::solver::rodas::{Run, Step, Tolerance};
+use lemnis_models::parts::solver::rodas::{Run, SolverStep, Tolerance};
 use lemnis_models::parts::solver::{Count, Halt, System, runge_kutta};
 
 #[path = "common/crane.rs"]
@@ -265,7 +265,7 @@ fn work_of_the_pump_is_stored_or_dissipated() {
     // Simpson's rule over steps of the fourth order.
     let (h, mut y, first, mut sums) = (2e-5, y, energy(&y), [0.0; 7]);
     for _ in 0..20_000 {
-        let step = Step::new(&way(&system), &y, h).expect("solves");
+        let step = SolverStep::new(&way(&system), &y, h).expect("solves");
         let ends = [powers(&step.from), powers(&step.at(0.5)), powers(&step.to)];
         for (i, sum) in sums.iter_mut().enumerate() {
             *sum += h / 6.0 * (ends[0][i] + 4.0 * ends[1][i] + ends[2][i]);
@@ -308,7 +308,7 @@ fn the_orders_are_those_of_the_method() {
     let error = |steps: u32| {
         let (h, mut y, mut inner) = (1.0 / f64::from(steps), [1.0, 0.0, 0.0], 0.0_f64);
         for i in 0..steps {
-            let step = Step::new(&Known, &y, h).expect("solves");
+            let step = SolverStep::new(&Known, &y, h).expect("solves");
             let (sin, cos) = Calc::sin_cos((f64::from(i) + 0.3) * h);
             let between = step.at(0.3);
             inner = inner.max((between[0] - cos).abs()).max((between[1] - sin).abs());

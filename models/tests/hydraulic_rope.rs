@@ -3,9 +3,9 @@
 
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
-use lemnis_models::luffing::double_link::hydraulic::{Crane, FIXED, Hydraulic, MOST, Modes, Present};
+use lemnis_models::luffing::double_link::hydraulic::{Crane, FIXED, Hydraulic, MOST, Modes, PresentCrane};
 use lemnis_models::luffing::double_link::motion::{self, Bar};
-use lemnis_models::luffing::double_link::slewing::{self, Drive};
+use lemnis_models::luffing::double_link::slewing::{self, JointDrive};
 use lemnis_models::parts::hydraulics::cylinder::Oil;
 use lemnis_models::parts::solver::rodas::Tolerance;
 use lemnis_models::scene::Scene;
@@ -32,26 +32,26 @@ fn tolerance(system: &System, relative: f64) -> Tolerance<MOST> {
 }
 
 /// In the plane, the load at an angle (rad) of the rope.
-fn plane(swing: f64, hoist: f64) -> (System, Present<MOST>) {
+fn plane(swing: f64, hoist: f64) -> (System, PresentCrane<MOST>) {
     let mut system = crane::hydraulic(Some(ROPE));
     system.hoist = hoist;
     let mut y = system.resting(65_f64.to_radians(), 20e5).expect("closes");
     y[8] = swing;
-    (system, Present::new(y))
+    (system, PresentCrane::new(y))
 }
 
 /// On a turntable, the load at angles (rad) of the rope, under a moment (N·m) on slewing.
-fn space(load: [f64; 2], hoist: f64, moment: f64) -> (System, Present<MOST>) {
+fn space(load: [f64; 2], hoist: f64, moment: f64) -> (System, PresentCrane<MOST>) {
     let mut system = crane::hydraulic_slewing(Some(ROPE), 5e6);
     (system.hoist, system.slewing.moment) = (hoist, moment);
     let mut y = system.resting(65_f64.to_radians(), 20e5).expect("closes");
-    let mut state = slewing::State::resting(y[0], ROPE.length);
+    let mut state = slewing::SlewingState::resting(y[0], ROPE.length);
     state.put_load(load);
     y[8..].copy_from_slice(&state.y[2..]);
-    (system, Present::new(y))
+    (system, PresentCrane::new(y))
 }
 
-fn run(system: &System, present: &mut Present<MOST>, relative: f64, duration: f64) {
+fn run(system: &System, present: &mut PresentCrane<MOST>, relative: f64, duration: f64) {
     let tolerance = tolerance(system, relative);
     system
         .advance(present, &tolerance, duration, 1.0)
@@ -151,9 +151,9 @@ fn work_is_stored_or_dissipated() {
                 continue;
             }
             // Across an event the energy of this very step is left out: it is what a blow takes, but for a step's work.
-            let before = Present {
+            let before = PresentCrane {
                 modes: before,
-                ..Present::new(start)
+                ..PresentCrane::new(start)
             };
             let taken = energy(&system, &before) - energy(&system, &present);
             assert!(taken > -1e3, "{case}: a blow gave {taken} J");
@@ -172,11 +172,11 @@ fn work_is_stored_or_dissipated() {
 }
 
 /// Of the crane, in J.
-fn energy(system: &System, present: &Present<MOST>) -> f64 {
+fn energy(system: &System, present: &PresentCrane<MOST>) -> f64 {
     let y = present.run.states();
     match &system.crane {
         Crane::Plane(crane) => {
-            let mut state = motion::State::resting(y[0], 0.0);
+            let mut state = motion::MotionState::resting(y[0], 0.0);
             state.y[1] = y[1];
             state.y[2..].copy_from_slice(&y[FIXED..FIXED + 5]);
             (state.bar, state.taut) = (Bar::Loose, present.modes.taut);
@@ -188,7 +188,7 @@ fn energy(system: &System, present: &Present<MOST>) -> f64 {
             crane.energy(&state, &commands).expect("closes")
         }
         Crane::Slewing(crane) => {
-            let mut state = slewing::State::resting(y[0], 0.0);
+            let mut state = slewing::SlewingState::resting(y[0], 0.0);
             state.y[1] = y[1];
             state.y[2..].copy_from_slice(&y[FIXED..]);
             state.taut = present.modes.taut;
@@ -197,12 +197,12 @@ fn energy(system: &System, present: &Present<MOST>) -> f64 {
     }
 }
 
-fn commands(system: &System) -> slewing::Commands {
-    let none = Drive {
+fn commands(system: &System) -> slewing::SlewingCommands {
+    let none = JointDrive {
         moment: 0.0,
         brake: 0.0,
     };
-    slewing::Commands {
+    slewing::SlewingCommands {
         drives: [none, system.slewing],
         hoist: system.hoist,
     }
@@ -292,7 +292,7 @@ fn a_shorter_rope_swings_wider() {
     y[8] = 0.01;
     // Nothing leaks: the boom stays where it is.
     system.cylinder.leakage = 0.0;
-    let mut present = Present::new(y);
+    let mut present = PresentCrane::new(y);
     run(&system, &mut present, 1e-7, 1500.0);
     let y = present.run.states();
     assert!((y[10] - 10.0).abs() < 1e-9 && y[10] == y[11], "{}", y[10]);

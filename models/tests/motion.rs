@@ -2,7 +2,7 @@
 //! goes slack. Expectations from theory: balances of energy and of moments, free fall, symmetry.
 
 use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::motion::{Bar, Commands, Friction, Motion, State};
+use lemnis_models::luffing::double_link::motion::{Bar, Commands, Friction, MotionState, MovingLinkage};
 use lemnis_models::parts::solver::{Halt, runge_kutta};
 
 #[path = "common/crane.rs"]
@@ -14,20 +14,20 @@ const STILL: Commands = Commands {
     hoist: 0.0,
 };
 
-fn motion(pendulum: Option<Pendulum>, viscous: f64, coulomb: f64) -> Motion {
-    Motion {
+fn motion(pendulum: Option<Pendulum>, viscous: f64, coulomb: f64) -> MovingLinkage {
+    MovingLinkage {
         dynamics: crane::dynamics(pendulum),
         friction: Friction { viscous, coulomb },
         stops: [60_f64.to_radians(), 120_f64.to_radians()],
     }
 }
 
-fn at(degrees: f64, length: f64) -> State {
-    State::resting(degrees.to_radians(), length)
+fn at(degrees: f64, length: f64) -> MotionState {
+    MotionState::resting(degrees.to_radians(), length)
 }
 
 /// Moment that holds the crane at rest.
-fn holding(m: &Motion, state: &State) -> f64 {
+fn holding(m: &MovingLinkage, state: &MotionState) -> f64 {
     let braked = Commands { brake: 1e12, ..STILL };
     m.friction_moment(state, &braked, &state.y).expect("closes")
 }
@@ -375,7 +375,7 @@ fn hopeless_steps_are_refused() {
     }
     assert_eq!(m.advance(&mut state, &STILL, 1e6, 1e-9), Err(Halt::TooMany));
     // The explicit method is fourth order: the reference of the pendulum, stepped by hand.
-    let free = Motion { stops: [0.0, 3.0], ..m };
+    let free = MovingLinkage { stops: [0.0, 3.0], ..m };
     let y = runge_kutta::step(&before.y, 1e-3, |y| {
         free.rates(
             &before,

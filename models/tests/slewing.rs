@@ -5,9 +5,9 @@ use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::variable::Role;
 use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
-use lemnis_models::luffing::double_link::hanging::{Free, Load};
-use lemnis_models::luffing::double_link::motion::{self, Bar, Friction, Motion};
-use lemnis_models::luffing::double_link::slewing::{Commands, Drive, Slewing, State, angles};
+use lemnis_models::luffing::double_link::hanging::{Free, HangingLoad};
+use lemnis_models::luffing::double_link::motion::{self, Bar, Friction, MovingLinkage};
+use lemnis_models::luffing::double_link::slewing::{JointDrive, Slewing, SlewingCommands, SlewingState, angles};
 use nalgebra::Vector3;
 
 #[path = "common/crane.rs"]
@@ -16,36 +16,36 @@ mod crane;
 mod levels;
 
 const ORACLE: &str = include_str!("../../tests/oracles/slewing.csv");
-const NONE: Drive = Drive {
+const NONE: JointDrive = JointDrive {
     moment: 0.0,
     brake: 0.0,
 };
-const HELD: Drive = Drive {
+const HELD: JointDrive = JointDrive {
     moment: 0.0,
     brake: f64::INFINITY,
 };
-const FREE: Commands = Commands {
+const FREE: SlewingCommands = SlewingCommands {
     drives: [NONE, NONE],
     hoist: 0.0,
 };
-const BRAKED: Commands = Commands {
+const BRAKED: SlewingCommands = SlewingCommands {
     drives: [HELD, HELD],
     hoist: 0.0,
 };
 const G: f64 = 9.81;
 const M: f64 = 16e3;
 
-fn at(degrees: f64, length: f64, load: [f64; 2]) -> State {
-    let mut state = State::resting(degrees.to_radians(), length);
+fn at(degrees: f64, length: f64, load: [f64; 2]) -> SlewingState {
+    let mut state = SlewingState::resting(degrees.to_radians(), length);
     state.put_load(load);
     state
 }
 
-fn run(crane: &Slewing, state: &mut State, commands: &Commands, duration: f64, h: f64) {
+fn run(crane: &Slewing, state: &mut SlewingState, commands: &SlewingCommands, duration: f64, h: f64) {
     crane.advance(state, commands, duration, h).expect("moves");
 }
 
-fn energy(crane: &Slewing, state: &State, commands: &Commands) -> f64 {
+fn energy(crane: &Slewing, state: &SlewingState, commands: &SlewingCommands) -> f64 {
     crane.energy(state, commands).expect("closes")
 }
 
@@ -78,7 +78,7 @@ fn accelerations_agree_with_points_in_space() {
         let rate = direction * hoist
             + Vector3::new(cc * cp, cc * sp, 0.0) * (length * d_phi)
             + Vector3::new(-sc * sp, sc * cp, cc) * (length * d_chi);
-        let load = Load {
+        let load = HangingLoad {
             place: direction * length,
             rate,
         };
@@ -108,14 +108,14 @@ fn in_the_plane_it_is_the_crane_that_does_not_slew() {
         viscous: 1e5,
         coulomb: 20e3,
     };
-    let plane = Motion {
+    let plane = MovingLinkage {
         dynamics: crane::dynamics(Some(crane::PENDULUM)),
         friction,
         stops: [60_f64.to_radians(), 120_f64.to_radians()],
     };
     let space = crane::slewing(Some(crane::PENDULUM), 5e6, [[1e5, 20e3], [0.0, 0.0]]);
     for (swing, moment) in [(0.3, 1.8e6), (125_f64.to_radians(), 1.5e6)] {
-        let mut flat = motion::State::resting(75_f64.to_radians(), 10.0);
+        let mut flat = motion::MotionState::resting(75_f64.to_radians(), 10.0);
         flat.y[2] = swing;
         let mut state = at(75.0, 10.0, [swing, 0.0]);
         let flat_commands = motion::Commands {
@@ -123,8 +123,8 @@ fn in_the_plane_it_is_the_crane_that_does_not_slew() {
             brake: 0.0,
             hoist: 0.2,
         };
-        let push = Drive { moment, brake: 0.0 };
-        let commands = Commands {
+        let push = JointDrive { moment, brake: 0.0 };
+        let commands = SlewingCommands {
             drives: [push, HELD],
             hoist: 0.2,
         };
@@ -172,7 +172,7 @@ fn a_conical_pendulum_stands_still() {
     }
     state.put_load([phi, 0.0]);
     state.y[3] = 0.3;
-    let commands = Commands {
+    let commands = SlewingCommands {
         drives: [HELD, NONE],
         hoist: 0.0,
     };
@@ -196,12 +196,12 @@ fn angular_momentum_and_energy_are_conserved() {
     // The luffing drive carries the crane's own moment, as a spring would: a heavy tail does it without work.
     let mut state = at(75.0, 10.0, [0.4, 0.3]);
     (state.y[3], state.y[9]) = (0.2, 1.5);
-    let held = Commands {
+    let held = SlewingCommands {
         drives: [HELD, NONE],
         hoist: 0.0,
     };
     free.event(&mut state, &held).expect("closes");
-    let momentum = |state: &State| free.angular_momentum(state, &held).expect("closes");
+    let momentum = |state: &SlewingState| free.angular_momentum(state, &held).expect("closes");
     let (first, whole) = (momentum(&state), energy(&free, &state, &held));
     let mut turned = [0.0_f64; 2];
     for _ in 0..100 {
@@ -219,9 +219,9 @@ fn angular_momentum_and_energy_are_conserved() {
     // Luffing free as well, under a constant moment: its work is what the energy gains.
     let mut state = at(75.0, 10.0, [0.4, 0.3]);
     state.y[3] = 0.2;
-    let commands = Commands {
+    let commands = SlewingCommands {
         drives: [
-            Drive {
+            JointDrive {
                 moment: 2.2e6,
                 brake: 0.0,
             },
@@ -244,7 +244,7 @@ fn angular_momentum_and_energy_are_conserved() {
 #[test]
 fn a_held_crane_has_a_spherical_pendulum() {
     let held = crane::slewing(Some(crane::PENDULUM), 5e6, [[0.0; 2]; 2]);
-    let about = |s: &State| s.y[4] * s.y[9] - s.y[6] * s.y[7];
+    let about = |s: &SlewingState| s.y[4] * s.y[9] - s.y[6] * s.y[7];
     let mut heights = Vec::new();
     for turn in [0.0_f64, 0.7, std::f64::consts::FRAC_PI_2, 2.5] {
         let (sin, cos) = Calc::sin_cos(turn);
@@ -274,8 +274,8 @@ fn slewing_truly_sticks() {
         (50_001.0, true),
         (-50_001.0, true),
     ] {
-        let commands = Commands {
-            drives: [NONE, Drive { moment, brake: 0.0 }],
+        let commands = SlewingCommands {
+            drives: [NONE, JointDrive { moment, brake: 0.0 }],
             hoist: 0.0,
         };
         let start = at(75.0, 10.0, [0.0; 2]);
@@ -317,8 +317,8 @@ fn work_is_stored_or_dissipated() {
     let (mut work, mut lost, mut reversals, h) = (0.0, 0.0, 0, 1e-4);
     for i in 0..60_000 {
         let way = if (i / 20_000) % 2 == 0 { 1.0 } else { -1.0 };
-        let drive = |moment: f64| Drive { moment, brake: 0.0 };
-        let commands = Commands {
+        let drive = |moment: f64| JointDrive { moment, brake: 0.0 };
+        let commands = SlewingCommands {
             drives: [drive(hold + 3e5 * way), drive(6e5 * way)],
             hoist: 0.0,
         };
@@ -369,9 +369,9 @@ fn a_slack_rope_catches_its_load_sideways() {
     let length = Vector3::new(state.y[4], state.y[5], state.y[6]).norm();
     let scale = 10.0 / length;
     state.y[4..7].iter_mut().for_each(|x| *x *= scale);
-    let commands = Commands {
+    let commands = SlewingCommands {
         drives: [
-            Drive {
+            JointDrive {
                 moment: 3e6,
                 brake: 0.0,
             },
@@ -397,8 +397,8 @@ fn a_slack_rope_catches_its_load_sideways() {
 fn a_slewing_stop_catches_the_crane() {
     let mut m = crane::slewing(Some(crane::PENDULUM), 5e6, [[0.0, f64::INFINITY], [0.0, 1e4]]);
     m.joints[1].stops = [-0.5, 0.5];
-    let push = |moment: f64| Commands {
-        drives: [NONE, Drive { moment, brake: 0.0 }],
+    let push = |moment: f64| SlewingCommands {
+        drives: [NONE, JointDrive { moment, brake: 0.0 }],
         hoist: 0.0,
     };
     let mut state = at(75.0, 10.0, [0.0; 2]);
@@ -420,11 +420,11 @@ fn a_slewing_stop_catches_the_crane() {
 #[test]
 fn luffing_in_slews_faster() {
     let m = crane::slewing(None, 1e6, [[0.0; 2]; 2]);
-    let mut state = State::resting(70_f64.to_radians(), 0.0);
+    let mut state = SlewingState::resting(70_f64.to_radians(), 0.0);
     state.y[3] = 0.2;
-    let commands = Commands {
+    let commands = SlewingCommands {
         drives: [
-            Drive {
+            JointDrive {
                 moment: 3.2e6,
                 brake: 0.0,
             },
@@ -433,9 +433,9 @@ fn luffing_in_slews_faster() {
         hoist: 0.0,
     };
     m.event(&mut state, &commands).expect("closes");
-    let momentum = |s: &State| m.angular_momentum(s, &commands).expect("closes");
+    let momentum = |s: &SlewingState| m.angular_momentum(s, &commands).expect("closes");
     let first = momentum(&state);
-    let inertia = |s: &State| f64::reduced(&m.dynamics, s.y[0]).expect("closes").turn[0];
+    let inertia = |s: &SlewingState| f64::reduced(&m.dynamics, s.y[0]).expect("closes").turn[0];
     let before = inertia(&state);
     run(&m, &mut state, &commands, 5.0, 1e-3);
     let ratio = before / inertia(&state);
@@ -463,13 +463,13 @@ fn angles_and_places_agree() {
 #[test]
 fn restored_and_irregular_steps_agree() {
     let m = crane::slewing(Some(crane::PENDULUM), 5e6, [[1e5, 20e3], [2e5, 20e3]]);
-    let commands = Commands {
+    let commands = SlewingCommands {
         drives: [
-            Drive {
+            JointDrive {
                 moment: 2.4e6,
                 brake: 0.0,
             },
-            Drive {
+            JointDrive {
                 moment: 5e5,
                 brake: 0.0,
             },

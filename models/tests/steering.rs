@@ -14,7 +14,7 @@ use lemnis_models::steering::demand::{greatest_demand, rates};
 use lemnis_models::steering::flow::{Piston, flow};
 use lemnis_models::steering::limits::Limits;
 use lemnis_models::steering::load::{Tyre, force, resistance, share};
-use lemnis_models::steering::machine::{Machine, Outline};
+use lemnis_models::steering::machine::{Footprint, Machine};
 use lemnis_models::steering::mode::{Command, Mode};
 use lemnis_models::steering::plan::{Crew, Moment, Plan};
 use lemnis_models::steering::published::Layout;
@@ -48,7 +48,7 @@ const CYLINDER: Cylinder<f64> = Cylinder {
 };
 
 fn machine() -> Machine<f64> {
-    let outline = Outline(Some([11.0, -11.0, 7.0, -7.0]));
+    let outline = Footprint(Some([11.0, -11.0, 7.0, -7.0]));
     Machine::new(&axes(&LAYOUT.groups()), &outline).expect("apart")
 }
 
@@ -893,7 +893,7 @@ fn random_transitions() {
         let groups: Vec<_> = (0..n)
             .map(|_| Point::new(random(-15.0, 15.0), random(-8.0, 8.0)))
             .collect();
-        let Ok(machine) = Machine::new(&axes(&groups), &Outline(None)) else {
+        let Ok(machine) = Machine::new(&axes(&groups), &Footprint(None)) else {
             continue;
         };
         let linkages: Vec<_> = (0..n).map(|i| CYLINDER.linkage(i % 2 == 1)).collect();
@@ -1073,7 +1073,7 @@ fn dimensions() {
 fn refusals() {
     let at = |points: &[(f64, f64)]| {
         let points: Vec<_> = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
-        Machine::new(&axes(&points), &Outline(None))
+        Machine::new(&axes(&points), &Footprint(None))
             .map(|_| ())
             .expect_err("refused")
             .to_string()

@@ -7,7 +7,7 @@ use lemnis_models::scene::Scene;
 use lemnis_models::steering::cylinder::{Cylinder, Linkage};
 use lemnis_models::steering::limits::Limits;
 use lemnis_models::steering::load::{Tyre, force, resistance};
-use lemnis_models::steering::machine::{Axis, Machine, Outline};
+use lemnis_models::steering::machine::{Axis, Footprint, Machine};
 use lemnis_models::steering::mode::{Command, Mode};
 use lemnis_models::steering::published::Layout;
 use lemnis_models::steering::wheels::{Rolling, Scale, Speed, Wheel};
@@ -25,7 +25,7 @@ fn eight_groups_without_allocation() {
         l_2: 9.0,
     };
     let axes = layout.groups().map(|p| Axis { x: p.x, y: p.y });
-    let machine = Machine::new(&axes, &Outline(None)).expect("apart");
+    let machine = Machine::new(&axes, &Footprint(None)).expect("apart");
     let limits = vec![Limits::new(-1.2, 1.2, Vec::new()).expect("contains straight ahead"); 8];
     let cylinder = Cylinder {
         r: 0.5,

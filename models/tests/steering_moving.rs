@@ -8,11 +8,11 @@ use lemnis_models::kernel::variable::Role;
 use lemnis_models::parts::hydraulics::cylinder::Cylinder;
 use lemnis_models::parts::hydraulics::valve::Valve;
 use lemnis_models::parts::solver::System as _;
-use lemnis_models::parts::solver::rodas::Step;
+use lemnis_models::parts::solver::rodas::SolverStep;
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
 use lemnis_models::steering::cylinder;
-use lemnis_models::steering::hydraulic::{Control, Group, Held};
+use lemnis_models::steering::hydraulic::{Control, Sampled, WorkingGroup};
 
 const SCENE: &str = include_str!("../scenes/boat_hoist_003_hydraulic.toml");
 const ORACLE: &str = include_str!("../../tests/oracles/steering_hydraulics.csv");
@@ -102,14 +102,14 @@ fn the_loop_brings_every_group_to_its_angle() {
     }
 }
 
-fn group() -> Group {
+fn group() -> WorkingGroup {
     let linkage = cylinder::Cylinder {
         r: 0.5,
         alpha: 0.3,
         l_x: 0.9,
         l_a: 0.4,
     };
-    Group {
+    WorkingGroup {
         linkage: linkage.linkage(true),
         cylinder: Cylinder {
             areas: Cylinder::areas(0.125, 0.07),
@@ -143,7 +143,7 @@ fn the_energy_of_a_group_is_accounted_for() {
     let group = group();
     let y = group.resting(0.0, 20e5);
     let powers = |y: &[f64; 8]| {
-        let oil = Group::oil(y);
+        let oil = WorkingGroup::oil(y);
         let flows = group.cylinder.flows(&oil, group.supply);
         let rates = group.rates(y).expect("exists");
         let volumes = group.cylinder.volumes(group.pose(y[0]).l);
@@ -169,7 +169,7 @@ fn the_energy_of_a_group_is_accounted_for() {
     // Simpson's rule over steps of the fourth order.
     let (h, mut y, mut sums) = (2e-5, y, [0.0; 7]);
     for _ in 0..30_000 {
-        let step = Step::new(&group, &y, h).expect("solves");
+        let step = SolverStep::new(&group, &y, h).expect("solves");
         let ends = [powers(&step.from), powers(&step.at(0.5)), powers(&step.to)];
         for (i, sum) in sums.iter_mut().enumerate() {
             *sum += h / 6.0 * (ends[0][i] + 4.0 * ends[1][i] + ends[2][i]);
@@ -211,7 +211,7 @@ fn a_sample_is_the_control_law() {
         gains: [2.0, 3.0],
         limit: 0.5,
     };
-    let held = Held {
+    let held = Sampled {
         integral: 0.02,
         command: 0.0,
     };

@@ -1,6 +1,6 @@
 //! Denormal, huge and non-finite inputs; steps from 1e-9 to 1e3 s; friction without end and without any.
 
-use lemnis_models::luffing::double_link::motion::{Bar, Commands, Friction, Motion, State};
+use lemnis_models::luffing::double_link::motion::{Bar, Commands, Friction, MotionState, MovingLinkage};
 use lemnis_models::parts::solver::{Halt, MOST_STEPS};
 
 use super::crane;
@@ -11,8 +11,8 @@ const NONE: Commands = Commands {
     hoist: 0.0,
 };
 
-fn motion(viscous: f64, coulomb: f64) -> Motion {
-    Motion {
+fn motion(viscous: f64, coulomb: f64) -> MovingLinkage {
+    MovingLinkage {
         dynamics: crane::dynamics(Some(crane::PENDULUM)),
         friction: Friction { viscous, coulomb },
         stops: [60_f64.to_radians(), 120_f64.to_radians()],
@@ -23,7 +23,7 @@ fn motion(viscous: f64, coulomb: f64) -> Motion {
 #[test]
 fn denormal_huge_and_broken_inputs() {
     let m = motion(1e5, 1e3);
-    let start = State::resting(1.5, 10.0);
+    let start = MotionState::resting(1.5, 10.0);
     let run = |commands: Commands, duration: f64| {
         let mut state = start;
         m.advance(&mut state, &commands, duration, 0.01).map(|_| state)
@@ -66,7 +66,7 @@ fn denormal_huge_and_broken_inputs() {
 #[test]
 fn steps_from_a_nanosecond_to_a_quarter_of_an_hour() {
     let m = motion(1e5, f64::INFINITY);
-    let mut state = State::resting(1.5, 10.0);
+    let mut state = MotionState::resting(1.5, 10.0);
     for size in [1e-9, 1e-6, 1e-3, 1.0, 1e3] {
         m.advance(&mut state, &NONE, size, 0.01).expect("rests");
     }
@@ -91,7 +91,7 @@ fn a_million_steps_of_the_swing() {
         brake: f64::INFINITY,
         ..NONE
     };
-    let mut state = State::resting(1.5, 10.0);
+    let mut state = MotionState::resting(1.5, 10.0);
     state.y[2] = 1.0;
     let first = m.energy(&state, &held).expect("closes");
     // 1000 s in steps of 1 ms.

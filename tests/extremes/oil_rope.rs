@@ -3,8 +3,8 @@
 
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic, MOST, Present};
-use lemnis_models::luffing::double_link::slewing::{Drive, State};
+use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic, MOST, PresentCrane};
+use lemnis_models::luffing::double_link::slewing::{JointDrive, SlewingState};
 use lemnis_models::parts::solver::Halt;
 use lemnis_models::parts::solver::rodas::Tolerance;
 
@@ -14,7 +14,7 @@ const G: f64 = 9.81;
 
 /// A light load, whose swing does not move the crane; nothing leaks, and slewing is braked. At angles (rad) of the
 /// rope in the plane and, where it slews, from it.
-fn hanging(length: f64, [swing, side]: [f64; 2], slews: bool) -> (Hydraulic<MOST>, Present<MOST>) {
+fn hanging(length: f64, [swing, side]: [f64; 2], slews: bool) -> (Hydraulic<MOST>, PresentCrane<MOST>) {
     let pendulum = Some(Pendulum { mass: 1e-3, length });
     let mut system: Hydraulic<MOST> = if slews {
         crane::hydraulic_slewing(pendulum, 5e6)
@@ -22,23 +22,23 @@ fn hanging(length: f64, [swing, side]: [f64; 2], slews: bool) -> (Hydraulic<MOST
         crane::hydraulic(pendulum)
     };
     system.cylinder.leakage = 0.0;
-    system.slewing = Drive {
+    system.slewing = JointDrive {
         moment: 0.0,
         brake: f64::INFINITY,
     };
     let mut y = system.resting(1.5, 20e5).expect("closes");
     if slews {
-        let mut state = State::resting(1.5, length);
+        let mut state = SlewingState::resting(1.5, length);
         state.put_load([swing, side]);
         y[8..].copy_from_slice(&state.y[2..]);
     } else {
         y[8] = swing;
     }
-    (system, Present::new(y))
+    (system, PresentCrane::new(y))
 }
 
 /// Cosine of the rope's angle from the vertical, and speed of the load, in m/s.
-fn seen(system: &Hydraulic<MOST>, present: &Present<MOST>) -> [f64; 2] {
+fn seen(system: &Hydraulic<MOST>, present: &PresentCrane<MOST>) -> [f64; 2] {
     let y = present.run.states();
     match system.crane {
         Crane::Plane(_) => [
@@ -52,7 +52,7 @@ fn seen(system: &Hydraulic<MOST>, present: &Present<MOST>) -> [f64; 2] {
     }
 }
 
-fn run(system: &Hydraulic<MOST>, present: &mut Present<MOST>, duration: f64) -> Result<(), Halt> {
+fn run(system: &Hydraulic<MOST>, present: &mut PresentCrane<MOST>, duration: f64) -> Result<(), Halt> {
     let mut absolute = [f64::INFINITY; MOST];
     absolute[..system.states()].fill(1e-12);
     absolute[2..6].fill(1e-3);

@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use lemnis_models::parts::solver::rodas::Step;
+use lemnis_models::parts::solver::rodas::SolverStep;
 use lemnis_models::parts::solver::{System, runge_kutta};
 
 use super::running;
@@ -30,7 +30,7 @@ fn explicit(re: f64, im: f64) -> Option<[f64; 2]> {
 }
 
 fn implicit(re: f64, im: f64) -> Option<[f64; 2]> {
-    Step::new(&Linear { re, im }, &[1.0, 0.0], 1.0).map(|step| step.to)
+    SolverStep::new(&Linear { re, im }, &[1.0, 0.0], 1.0).map(|step| step.to)
 }
 
 type Method = fn(f64, f64) -> Option<[f64; 2]>;

@@ -2,7 +2,7 @@
 
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::motion::{Commands, Friction, Motion, State};
+use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
 
 use super::crane;
 
@@ -12,8 +12,8 @@ const HELD: Commands = Commands {
     hoist: 0.0,
 };
 
-fn motion(length: f64) -> Motion {
-    Motion {
+fn motion(length: f64) -> MovingLinkage {
+    MovingLinkage {
         dynamics: crane::dynamics(Some(Pendulum { mass: 16e3, length })),
         friction: Friction {
             viscous: 0.0,
@@ -28,7 +28,7 @@ fn motion(length: f64) -> Motion {
 fn ropes_of_a_centimetre_and_of_a_kilometre() {
     for length in [0.01, 0.1, 100.0, 1000.0] {
         let m = motion(length);
-        let mut state = State::resting(1.5, length);
+        let mut state = MotionState::resting(1.5, length);
         state.y[2] = 0.5;
         let (mut a, mut b) = (1.0_f64, Calc::sin_cos(0.25_f64).1);
         for _ in 0..6 {
@@ -45,7 +45,7 @@ fn ropes_of_a_centimetre_and_of_a_kilometre() {
 #[test]
 fn let_go_at_179_degrees() {
     let m = motion(10.0);
-    let mut state = State::resting(1.5, 10.0);
+    let mut state = MotionState::resting(1.5, 10.0);
     state.y[2] = 179_f64.to_radians();
     let (sin, cos) = Calc::sin_cos(1_f64.to_radians());
     let fall = (4.0 * 10.0 * cos / 9.81).sqrt();
@@ -63,7 +63,7 @@ fn let_go_at_179_degrees() {
 fn over_the_top_only_with_speed_enough() {
     for (factor, over) in [(4.99_f64, false), (5.01, true)] {
         let m = motion(10.0);
-        let mut state = State::resting(1.5, 10.0);
+        let mut state = MotionState::resting(1.5, 10.0);
         state.y[3] = (factor * 9.81 / 10.0).sqrt();
         let mut slack = false;
         for _ in 0..400 {

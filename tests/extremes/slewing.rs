@@ -2,29 +2,29 @@
 
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
-use lemnis_models::luffing::double_link::slewing::{Commands, Drive, Slewing, State, distance};
+use lemnis_models::luffing::double_link::slewing::{JointDrive, Slewing, SlewingCommands, SlewingState, distance};
 use lemnis_models::parts::plane::Point;
 use lemnis_models::parts::solver::Halt;
 
 use super::crane;
 
 const G: f64 = 9.81;
-const NONE: Drive = Drive {
+const NONE: JointDrive = JointDrive {
     moment: 0.0,
     brake: 0.0,
 };
-const BRAKED: Drive = Drive {
+const BRAKED: JointDrive = JointDrive {
     moment: 0.0,
     brake: f64::INFINITY,
 };
-const HELD: Commands = Commands {
+const HELD: SlewingCommands = SlewingCommands {
     drives: [BRAKED, BRAKED],
     hoist: 0.0,
 };
 
-fn slews(moment: f64) -> Commands {
-    Commands {
-        drives: [BRAKED, Drive { moment, brake: 0.0 }],
+fn slews(moment: f64) -> SlewingCommands {
+    SlewingCommands {
+        drives: [BRAKED, JointDrive { moment, brake: 0.0 }],
         hoist: 0.0,
     }
 }
@@ -34,8 +34,8 @@ fn frictionless(mass: f64, length: f64, inertia: f64) -> Slewing {
 }
 
 /// The load at rest on a rope at an angle (rad) from the vertical, towards a direction (rad) to the left of forward.
-fn leaning(length: f64, angle: f64, towards: f64) -> State {
-    let mut state = State::resting(1.5, length);
+fn leaning(length: f64, angle: f64, towards: f64) -> SlewingState {
+    let mut state = SlewingState::resting(1.5, length);
     let ((sin, cos), (left, forward)) = (Calc::sin_cos(angle), Calc::sin_cos(towards));
     state.y[4..7].copy_from_slice(&[sin * forward, -cos, sin * left].map(|x| x * length));
     state
@@ -92,7 +92,7 @@ fn over_the_top_in_any_direction_only_with_speed_enough() {
     for (factor, over) in [(4.99_f64, false), (5.01, true)] {
         for towards in DIRECTIONS {
             let m = frictionless(16e3, 10.0, 5e6);
-            let mut state = State::resting(1.5, 10.0);
+            let mut state = SlewingState::resting(1.5, 10.0);
             let (left, forward) = Calc::sin_cos(towards);
             let speed = (factor * G * 10.0).sqrt();
             (state.y[7], state.y[9]) = (speed * forward, speed * left);
@@ -184,7 +184,7 @@ fn no_inertia_at_all_is_refused() {
         dynamics,
         ..frictionless(16e3, 10.0, 0.0)
     };
-    let mut state = State::resting(1.5, 0.0);
+    let mut state = SlewingState::resting(1.5, 0.0);
     assert_eq!(m.advance(&mut state, &slews(1.0), 0.1, 0.01), Err(Halt::Outside));
 }
 
@@ -194,26 +194,29 @@ fn no_inertia_at_all_is_refused() {
 fn inputs_and_steps() {
     let m = crane::slewing(Some(crane::PENDULUM), 5e6, [[1e5, 1e3], [1e5, 1e3]]);
     let start = leaning(10.0, 0.2, 0.7);
-    let run = |commands: Commands, duration: f64| {
+    let run = |commands: SlewingCommands, duration: f64| {
         let mut state = start;
         m.advance(&mut state, &commands, duration, 0.01).map(|_| state)
     };
-    let driven = |drive: Drive| Commands {
+    let driven = |drive: JointDrive| SlewingCommands {
         drives: [NONE, drive],
         hoist: 0.0,
     };
     let zero = run(driven(NONE), 0.5).expect("moves");
     for tiny in [5e-324, -5e-324, 1e-310] {
-        assert_eq!(run(driven(Drive { moment: tiny, ..NONE }), 0.5), Ok(zero));
+        assert_eq!(run(driven(JointDrive { moment: tiny, ..NONE }), 0.5), Ok(zero));
     }
     for broken in [f64::NAN, f64::INFINITY] {
-        assert_eq!(run(driven(Drive { moment: broken, ..NONE }), 0.5), Err(Halt::Outside));
+        assert_eq!(
+            run(driven(JointDrive { moment: broken, ..NONE }), 0.5),
+            Err(Halt::Outside)
+        );
     }
     for brake in [f64::NAN, -1.0] {
-        assert_eq!(run(driven(Drive { brake, ..NONE }), 0.5), Err(Halt::Outside));
+        assert_eq!(run(driven(JointDrive { brake, ..NONE }), 0.5), Err(Halt::Outside));
     }
     for huge in [1e15, -1e15, 1e300, f64::MAX] {
-        match run(driven(Drive { moment: huge, ..NONE }), 0.5) {
+        match run(driven(JointDrive { moment: huge, ..NONE }), 0.5) {
             Ok(state) => assert!(state.y.iter().all(|x| x.is_finite()), "{huge:e} {state:?}"),
             Err(halt) => assert!(
                 matches!(halt, Halt::Outside | Halt::TooMany | Halt::TooFast),
@@ -221,7 +224,7 @@ fn inputs_and_steps() {
             ),
         }
     }
-    let mut state = State::resting(1.5, 10.0);
+    let mut state = SlewingState::resting(1.5, 10.0);
     let resting = state;
     for size in [1e-9, 1e-6, 1e-3, 1.0, 1e3] {
         m.advance(&mut state, &HELD, size, 0.01).expect("rests");
@@ -240,7 +243,7 @@ fn a_million_steps_of_a_slewing_crane() {
     state.y[3] = 0.05;
     let free = slews(0.0);
     m.event(&mut state, &free).expect("closes");
-    let of = |state: &State| {
+    let of = |state: &SlewingState| {
         [
             m.energy(state, &free).expect("closes"),
             m.angular_momentum(state, &free).expect("closes"),

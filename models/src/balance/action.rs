@@ -17,12 +17,12 @@ pub struct Action<C> {
     pub on_pivot: Option<Point<C>>,
     /// Force in rod or rope, in N, tension positive.
     pub n_1: Option<C>,
-    pub lever: Option<Turn<C>>,
+    pub lever: Option<LeverTurn<C>>,
 }
 
 /// The lever of a balance at one boom angle.
 #[derive(Clone, Copy, Debug)]
-pub struct Turn<C> {
+pub struct LeverTurn<C> {
     /// Angle of the counterweight's arm, in rad.
     pub psi: C,
     /// Angular velocity over the boom's.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use std::f64::consts::TAU;
 
-use crate::balance::action::{Action, Turn};
+use crate::balance::action::{Action, LeverTurn};
 use crate::balance::boom::{Boom, Load};
 use crate::balance::{Balance, symbols as s};
 use crate::component::extreme::Extreme;
@@ -60,7 +60,7 @@ impl<C: Calc> Residual<C> {
     pub fn of(phi: C, boom: Load<C>, action: Action<C>) -> Residual<C> {
         let dm = (boom.m_0 + action.m_b).def(&s::DM);
         // At rest no moment about its pivot has the power of another one.
-        let about_pivot = |turn: &Turn<C>| match (turn.i_5.value(), dm.value()) {
+        let about_pivot = |turn: &LeverTurn<C>| match (turn.i_5.value(), dm.value()) {
             (0.0, 0.0) => dm,
             (0.0, left) => C::constant(f64::INFINITY.copysign(left)),
             _ => (dm / turn.i_5).def(&s::DM_5),

@@ -3,7 +3,7 @@
 
 use nalgebra::Scalar;
 
-use crate::balance::action::{Action, Turn};
+use crate::balance::action::{Action, LeverTurn};
 use crate::balance::symbols as s;
 use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
 use crate::kernel::calc::Calc;
@@ -165,7 +165,7 @@ impl<C: Calc> Lever<C> {
             on_boom,
             on_pivot,
             n_1: Some(n_1),
-            lever: Some(Turn { psi, i_5, gamma }),
+            lever: Some(LeverTurn { psi, i_5, gamma }),
         })
     }
 

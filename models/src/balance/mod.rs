@@ -37,6 +37,7 @@
 
 pub mod action;
 pub mod analysis;
+pub mod asked;
 pub mod boom;
 pub mod curved_rail;
 pub mod lever;

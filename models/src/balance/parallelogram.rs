@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use crate::balance::action::{Action, Turn};
+use crate::balance::action::{Action, LeverTurn};
 use crate::balance::boom::joint;
 use crate::balance::symbols as s;
 use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
@@ -81,7 +81,7 @@ impl<C: Calc> Parallelogram<C> {
             on_boom,
             on_pivot: Some(on_pivot),
             n_1: Some(n_1),
-            lever: Some(Turn {
+            lever: Some(LeverTurn {
                 psi,
                 i_5: C::constant(1.0).def(&s::I_5),
                 gamma,

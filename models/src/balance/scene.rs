@@ -7,9 +7,10 @@ use crate::balance::tail::Tail;
 use crate::balance::{Balance, curved_rail, symbols as s};
 use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::Calc;
+use crate::kernel::check::missing;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::Group;
-use crate::kernel::schema::{Key, Kind, Sign, Values, missing};
+use crate::kernel::schema::{Key, Kind, Sign, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
 use crate::parts::four_bar::Branch;
@@ -229,21 +230,21 @@ impl Form<f64> {
 
 /// Published results of a balance, in SI.
 #[derive(Clone, Debug)]
-pub struct Published {
+pub struct PublishedBalance {
     pub source: String,
     pub values: Vec<(&'static Symbol, f64)>,
 }
 
-impl Published {
+impl PublishedBalance {
     /// Those of the balance's table.
     #[must_use]
-    pub fn read(v: &Values) -> Option<Published> {
+    pub fn read(v: &Values) -> Option<PublishedBalance> {
         let table = v.table("published")?;
         let value = |key: &Key| {
             let (symbol, _) = key.number()?;
             Some((symbol, table.number(key.name)?))
         };
-        Some(Published {
+        Some(PublishedBalance {
             source: table.text("source")?.to_owned(),
             values: PUBLISHED.iter().filter_map(value).collect(),
         })

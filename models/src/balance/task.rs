@@ -4,174 +4,14 @@
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
+use crate::balance::asked::BOUNDS;
 use crate::balance::boom::Boom;
 use crate::balance::lever::{Dimensions, Lever};
 use crate::balance::symbols as s;
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::schema::{Key, Kind, Sign, Values};
+use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::parts::four_bar::Branch;
-
-const SOURCE: Key = Key::text("source", "Where the quantities of this table come from.");
-
-/// Keys of `[luffing.synthesis]`.
-pub static KEYS: &[Key] = &[
-    Key {
-        name: "method",
-        kind: Kind::Choice(&["optimum", "three", "four"]),
-        required: false,
-        text: "Global optimum; three positions of equal energy; four positions, the first two infinitely close (Burmester).",
-    },
-    Key {
-        name: "objective",
-        kind: Kind::Choice(&["dM_max", "E", "N_max", "dM_95"]),
-        required: false,
-        text: "What the optimum minimises: the greatest residual, the integral of its amount, the greatest rod force, or the \
-               residual that 95 % of all builds stay below.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: false,
-        text: "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever; both where it is left out.",
-    },
-    Key {
-        name: "seed",
-        kind: Kind::Count,
-        required: false,
-        text: "Seed of the search: the same seed gives the same lever.",
-    },
-    Key::table(
-        "bounds",
-        BOUNDS,
-        "Smallest and greatest value of each dimension; a single value fixes it.",
-    )
-    .optional(),
-    Key::table("constraints", CONSTRAINTS, "What every solution keeps.").optional(),
-    Key::table("tolerances", TOLERANCES, "Tolerances of manufacturing.").optional(),
-    Key::table(
-        "positions",
-        POSITIONS,
-        "What the methods of three and of four positions start from.",
-    )
-    .optional(),
-    Key {
-        name: "candidates",
-        kind: Kind::Tables(CANDIDATE, 100),
-        required: false,
-        text: "Levers that the book compares.",
-    },
-    Key {
-        name: "found",
-        kind: Kind::Choice(&["complete", "broken off"]),
-        required: false,
-        text: "Written by `lemnis synth`: [luffing.balance] is its result, and whether the search came to its end.",
-    },
-    SOURCE,
-];
-
-const fn bounds(symbol: &'static Symbol, sign: Sign) -> Key {
-    Key {
-        name: symbol.id,
-        kind: Kind::Quantities(symbol, sign, [1, 2]),
-        required: false,
-        text: symbol.text,
-    }
-}
-
-static BOUNDS: &[Key] = &[
-    bounds(&s::D_1, Sign::Positive),
-    bounds(&s::DELTA_1, Sign::Any),
-    bounds(&s::R_K, Sign::Positive),
-    bounds(&s::ALPHA_K, Sign::Any),
-    bounds(&s::L_K, Sign::Positive),
-    bounds(&s::R_L, Sign::Positive),
-    bounds(&s::CHI_5, Sign::Any),
-    bounds(&s::M_5, Sign::NotNegative),
-    SOURCE,
-];
-
-static CONSTRAINTS: &[Key] = &[
-    Key::quantity(&s::GAMMA_MIN, Sign::NotNegative).optional(),
-    Key::quantity(&s::N_MAX, Sign::Positive).optional(),
-    Key::quantity(&s::DM_MAX, Sign::Positive).optional(),
-    Key::quantity(&s::M_PLUS, Sign::NotNegative).optional(),
-    Key {
-        name: "ends",
-        kind: Kind::Choice(&["stable", "any"]),
-        required: false,
-        text: "Stable: at both ends the residual turns the boom inwards. [Balance004, eq. 6-7]",
-    },
-    Key {
-        name: "counterweight",
-        kind: Kind::Choice(&["rearward", "any"]),
-        required: false,
-        text: "Rearward: the counterweight stays behind the lever's pivot.",
-    },
-    SOURCE,
-];
-
-static TOLERANCES: &[Key] = &[
-    Key {
-        name: "length",
-        kind: Kind::Quantity(&s::T_L, Sign::NotNegative),
-        required: false,
-        text: s::T_L.text,
-    },
-    Key {
-        name: "angle",
-        kind: Kind::Quantity(&s::T_A, Sign::NotNegative),
-        required: false,
-        text: s::T_A.text,
-    },
-    Key {
-        name: "weight",
-        kind: Kind::Quantity(&s::T_W, Sign::NotNegative),
-        required: false,
-        text: s::T_W.text,
-    },
-    SOURCE,
-];
-
-static POSITIONS: &[Key] = &[
-    Key {
-        name: "phi",
-        kind: Kind::Quantities(&s::PHI, Sign::Any, [3, 3]),
-        required: true,
-        text: "Three boom angles; of four positions the first counts twice.",
-    },
-    Key::quantity(&s::PSI_1, Sign::Any),
-    Key::quantity(&s::M_5, Sign::Positive),
-    Key::quantity(&s::R_K, Sign::Positive).optional(),
-    Key::quantity(&s::ALPHA_K, Sign::Any).optional(),
-    Key::quantity(&s::R_L, Sign::Positive).optional(),
-    SOURCE,
-];
-
-static CANDIDATE: &[Key] = &[
-    Key {
-        name: "role",
-        kind: Kind::Choice(&["existing", "published", "start", "rod_force", "counterweight"]),
-        required: true,
-        text: "A lever to compare with, one that the search starts from, or a point of the front against the rod force or \
-               against the counterweight.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: false,
-        text: "Side on which the rod meets the lever; left as in Balance004 where it is left out.",
-    },
-    Key::quantity(&s::D_1, Sign::Positive),
-    Key::quantity(&s::DELTA_1, Sign::Any),
-    Key::quantity(&s::R_K, Sign::Positive),
-    Key::quantity(&s::ALPHA_K, Sign::Any),
-    Key::quantity(&s::L_K, Sign::Positive),
-    Key::quantity(&s::R_L, Sign::Positive),
-    Key::quantity(&s::CHI_5, Sign::Any),
-    Key::quantity(&s::M_5, Sign::NotNegative),
-    SOURCE,
-];
 
 /// How a lever is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -244,7 +84,7 @@ pub struct Tolerances {
 
 /// What a candidate is to the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+pub enum CandidateRole {
     Existing,
     Published,
     Start,
@@ -253,16 +93,16 @@ pub enum Role {
     Counterweight,
 }
 
-impl Role {
+impl CandidateRole {
     /// As scenes write it.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Role::Existing => "existing",
-            Role::Published => "published",
-            Role::Start => "start",
-            Role::RodForce => "rod_force",
-            Role::Counterweight => "counterweight",
+            CandidateRole::Existing => "existing",
+            CandidateRole::Published => "published",
+            CandidateRole::Start => "start",
+            CandidateRole::RodForce => "rod_force",
+            CandidateRole::Counterweight => "counterweight",
         }
     }
 }
@@ -270,7 +110,7 @@ impl Role {
 /// A lever that the scene lists.
 #[derive(Clone, Debug)]
 pub struct Candidate {
-    pub role: Role,
+    pub role: CandidateRole,
     pub dimensions: Dimensions<f64>,
     pub branch: Branch,
     pub source: Option<String>,
@@ -359,7 +199,7 @@ impl Task {
             span: v.span.clone(),
         };
         let starts = v.tables("candidates").iter().zip(&task.candidates);
-        for (i, (table, start)) in starts.filter(|(_, c)| c.role == Role::Start).enumerate() {
+        for (i, (table, start)) in starts.filter(|(_, c)| c.role == CandidateRole::Start).enumerate() {
             if i > 0 {
                 let message = "the search can start from one lever only";
                 found.push(Diagnostic::new(table.place("role"), message, "a second start").help("remove one of them"));
@@ -613,11 +453,11 @@ fn tolerances(v: &Values, found: &mut Vec<Diagnostic>) -> Tolerances {
 fn candidate(v: &Values) -> Option<Candidate> {
     Some(Candidate {
         role: match v.text("role")? {
-            "existing" => Role::Existing,
-            "published" => Role::Published,
-            "start" => Role::Start,
-            "rod_force" => Role::RodForce,
-            _ => Role::Counterweight,
+            "existing" => CandidateRole::Existing,
+            "published" => CandidateRole::Published,
+            "start" => CandidateRole::Start,
+            "rod_force" => CandidateRole::RodForce,
+            _ => CandidateRole::Counterweight,
         },
         dimensions: Dimensions::of(|symbol| v.number(symbol.id))?,
         branch: v.text("branch").map_or(Branch::Left, branch),

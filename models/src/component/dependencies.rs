@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use crate::component::part::{Component, Face, Part, Runner};
 use crate::component::running::Running;
 use crate::component::stages::{Slot, Source, Use};
-use crate::component::standing::{Place, Standing};
+use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::calc::Calc;
 use crate::kernel::record::{Rec, record};
 use crate::kernel::variable::{Name, Quantity, TIME, Type};
@@ -83,9 +83,9 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
                         let time = named(sources.len(), &TIME, time);
                         face.put(sources[coordinate].0, motion.swept(face.take(sources[rate].0), time));
                     }
-                    let mut result = |place: &Place| match place {
-                        Place::Source(_) | Place::Whole(_) => None,
-                        Place::Result(slot) => {
+                    let mut result = |place: &VariablePlace| match place {
+                        VariablePlace::Source(_) | VariablePlace::Whole(_) => None,
+                        VariablePlace::Result(slot) => {
                             let mut value = Rec::constant(0.0);
                             face.result(slot, &mut value).ok().map(|()| value)
                         }
@@ -114,15 +114,15 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
         .collect();
     let mut found = traced.clone();
     let slot = |index: usize| match model.places()[index] {
-        Place::Result(slot) => Some(slot),
-        Place::Source(_) | Place::Whole(_) => None,
+        VariablePlace::Result(slot) => Some(slot),
+        VariablePlace::Source(_) | VariablePlace::Whole(_) => None,
     };
     let group = |name: &Name| {
         let of = |(_, (symbol, number)): &&(Source, Quantity)| (symbol.id, *number) == *name;
         sources.iter().find(of).map_or(63, |(source, _)| source.group)
     };
     for (index, found) in found.iter_mut().enumerate() {
-        if let Place::Whole(whole) = model.places()[index] {
+        if let VariablePlace::Whole(whole) = model.places()[index] {
             // What the result at one position follows from, but for the position.
             let spread = &model.wholes()[whole];
             let own = |other: &usize| slot(*other).is_some_and(|slot| spread.is_of(&slot));
@@ -161,7 +161,7 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
 
 /// Whether a variable is a result of the same stage.
 fn same(slot: &Slot, model: &Standing, other: usize) -> bool {
-    matches!(&model.places()[other], Place::Result(known) if known.stage == slot.stage && known.of == slot.of)
+    matches!(&model.places()[other], VariablePlace::Result(known) if known.stage == slot.stage && known.of == slot.of)
 }
 
 /// Every combination of the discrete inputs' values.

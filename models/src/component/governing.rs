@@ -13,7 +13,7 @@ use crate::component::part::Face;
 use crate::component::running::Running;
 use crate::component::sheet::{Sensitivity, Slope, Summary};
 use crate::component::stages::{Slot, Source, Use};
-use crate::component::standing::{Place, Standing};
+use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
 use crate::parts::motion::Motion;
@@ -43,7 +43,7 @@ impl Probe {
 fn slots(model: &Standing, symbol: &'static Symbol) -> impl Iterator<Item = Slot> {
     let all = model.variables().iter().zip(model.places());
     all.filter_map(move |(variable, place)| match place {
-        Place::Result(slot) if variable.symbol == symbol => Some(*slot),
+        VariablePlace::Result(slot) if variable.symbol == symbol => Some(*slot),
         _ => None,
     })
 }
@@ -165,13 +165,13 @@ pub fn sensitivity(model: &mut Standing, outline: &'static Outline, governing: &
         let of: Reading;
         let value;
         match (index.map(|index| (index, model.places()[index])), held.zip(summary)) {
-            (Some((index, Place::Whole(whole))), _) => {
+            (Some((index, VariablePlace::Whole(whole))), _) => {
                 let (spread, spot) = (model.wholes()[whole], model.spot(whole).ok());
                 value = model.get(index).ok();
                 of = Box::new(move |probe| spread.value(&mut *probe.face, &spot?).ok());
             }
             // A result of the whole range is the same everywhere.
-            (Some((index, Place::Result(slot))), _) => {
+            (Some((index, VariablePlace::Result(slot))), _) => {
                 let from = Dual64::from_re(model.motion().from);
                 value = model.get(index).ok();
                 of = Box::new(move |probe| probe.at(&slot, from));

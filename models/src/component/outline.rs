@@ -10,9 +10,9 @@ use crate::kernel::symbol::Symbol;
 #[derive(Debug)]
 pub struct Outline {
     /// Formulas that do not depend on the position.
-    pub constants: &'static [Section],
+    pub constants: &'static [SectionOutline],
     /// Formulas at a position.
-    pub sections: &'static [Section],
+    pub sections: &'static [SectionOutline],
     /// Columns of the table over the working range, after the coordinate.
     pub table: &'static [&'static Symbol],
     /// Curves over the working range: id of the caption, and what is drawn over what; over the coordinate where that
@@ -31,7 +31,7 @@ pub struct Outline {
 }
 
 /// Id of a heading, and what its formulas explain.
-pub type Section = (&'static str, &'static [Explained]);
+pub type SectionOutline = (&'static str, &'static [Explained]);
 
 /// Id of a caption, x where that is not the coordinate, and y.
 pub type Line = (&'static str, Option<&'static Symbol>, &'static Symbol);

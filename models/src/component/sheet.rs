@@ -44,7 +44,7 @@ pub struct Sheet {
     pub outputs: Vec<&'static Symbol>,
     /// Ids of remarks on the publications, worded in the templates.
     pub remarks: Vec<&'static str>,
-    pub balance: Option<Balance>,
+    pub balance: Option<BalanceSheet>,
     /// The mechanism in motion; `None` where it stands as commanded.
     pub motion: Option<InMotion>,
     /// See [`Scene::assumptions`](crate::scene::Scene::assumptions).
@@ -83,14 +83,14 @@ pub struct Energy {
 }
 
 /// The balance of the boom system over the working range.
-pub struct Balance {
+pub struct BalanceSheet {
     /// As in a scene: `tail`, `lever` and so on; worded in the templates.
     pub kind: &'static str,
     pub drawing: Drawing,
-    pub criteria: Vec<Criterion>,
+    pub criteria: Vec<Measure>,
     /// Where the published criteria are printed.
     pub published_source: Option<String>,
-    pub equilibria: Vec<Equilibrium>,
+    pub equilibria: Vec<RestingPlace>,
     pub curves: Vec<Curve>,
     pub range: Table,
     /// A published table, computed again; empty where the balance is not its.
@@ -112,14 +112,14 @@ pub struct PublishedCell {
 }
 
 /// A result that tells how good a balance is.
-pub struct Criterion {
+pub struct Measure {
     pub summary: Summary,
     /// As published, in SI.
     pub published: Option<f64>,
 }
 
 /// A position at which weights and balance leave no moment.
-pub struct Equilibrium {
+pub struct RestingPlace {
     pub coordinate: &'static Symbol,
     pub at: f64,
     pub reach: (&'static Symbol, f64),
@@ -168,13 +168,13 @@ pub struct View {
 pub struct Changes {
     /// What the columns of durations and of flows are.
     pub columns: [&'static Symbol; 2],
-    pub rows: Vec<Change>,
+    pub rows: Vec<Changeover>,
     /// Curves over the time of one change, and the ids of the ways between which it runs.
     pub drawn: Option<([&'static str; 2], Vec<Curve>)>,
 }
 
 /// From one way of working to another, and back where no row of its own says otherwise.
-pub struct Change {
+pub struct Changeover {
     pub between: [&'static str; 2],
     /// Duration (s), whether the machine must stand, and the number of the group that takes longest; `None` where the
     /// change is not possible.

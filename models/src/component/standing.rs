@@ -1,23 +1,25 @@
 //! A component that stands where its coordinate wants it, as a running model: inputs and parameters in, results out,
 //! only what is asked for computed.
 
+mod stepped;
+
 use std::sync::Arc;
 
 use num_dual::Dual64;
 
-use crate::component::part::{Face, Part, Port};
-use crate::component::running::{Running, State, Tangent};
+use crate::component::part::{Face, Part};
+use crate::component::running::{Running, Tangent};
 use crate::component::spread::{Spot, Spread};
 use crate::component::stages::{Slot, Source, Use};
-use crate::component::table::{Axes, Table};
+use crate::component::table::{Axes, Interpolation};
 use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::{Fault, Quantity, Role, TIME, Terminal, Type, Variable};
+use crate::kernel::variable::{Fault, Quantity, Role, TIME, Type, Variable};
 use crate::parts::motion::Motion;
 
 /// Where a variable stands.
 #[derive(Clone, Copy, Debug)]
-pub enum Place {
+pub enum VariablePlace {
     Source(Source),
     Result(Slot),
     /// A result of the whole range, in their order.
@@ -28,7 +30,7 @@ pub enum Place {
 #[derive(Clone, Debug)]
 pub struct Standing {
     variables: Vec<Variable>,
-    places: Vec<Place>,
+    places: Vec<VariablePlace>,
     indicators: Vec<usize>,
     motion: Motion,
     axes: Axes,
@@ -38,7 +40,7 @@ pub struct Standing {
     /// The time, where results follow from it, and what happened before.
     clock: Option<Source>,
     memory: Vec<Source>,
-    table: Option<Arc<Table>>,
+    table: Option<Arc<Interpolation>>,
     now: Now,
 }
 
@@ -147,7 +149,7 @@ impl Standing {
                 variable.bounds = part.reach().unwrap_or(variable.bounds);
             }
             variables.push(variable);
-            places.push(Place::Source(source));
+            places.push(VariablePlace::Source(source));
         }
         let role = |sources: u64| {
             let varies = |(group, (_, of)): (u64, &(_, Use))| sources >> group & 1 == 1 && of.varies();
@@ -160,7 +162,7 @@ impl Standing {
             let indicator = part.indicators().contains(&quantity.0);
             let role = if indicator { Role::Indicator } else { role(slot.sources) };
             variables.push(Variable::new(quantity, role));
-            places.push(Place::Result(slot));
+            places.push(VariablePlace::Result(slot));
         }
         let only = |wanted| {
             of(wanted)
@@ -171,7 +173,7 @@ impl Standing {
         for whole in part.whole() {
             if let Some(spread) = Spread::new(whole, &*part, only(Use::Coordinate), only(Use::Rate)) {
                 variables.push(Variable::new((whole.symbol, None), role(spread.sources)));
-                places.push(Place::Whole(wholes.len()));
+                places.push(VariablePlace::Whole(wholes.len()));
                 wholes.push(spread);
             }
         }
@@ -207,12 +209,12 @@ impl Standing {
 
     /// Puts a table in the place of the closed form: parameters cannot be set any more.
     fn tabulate(&mut self, tolerance: f64) {
-        let wanted = |(variable, place): (&Variable, &Place)| match place {
-            Place::Result(slot) if variable.role == Role::Output && variable.kind == Type::Real => Some(*slot),
+        let wanted = |(variable, place): (&Variable, &VariablePlace)| match place {
+            VariablePlace::Result(slot) if variable.role == Role::Output && variable.kind == Type::Real => Some(*slot),
             _ => None,
         };
         let slots: Vec<Option<Slot>> = self.variables.iter().zip(&self.places).map(wanted).collect();
-        let table = Table::new(&*self.now.part, self.axes, &self.motion, &slots, tolerance);
+        let table = Interpolation::new(&*self.now.part, self.axes, &self.motion, &slots, tolerance);
         self.table = Some(Arc::new(table));
         for variable in &mut self.variables {
             if matches!(variable.role, Role::Parameter | Role::Tunable) {
@@ -231,7 +233,7 @@ impl Standing {
 
     /// The table, at its level.
     #[must_use]
-    pub fn table(&self) -> Option<&Table> {
+    pub fn table(&self) -> Option<&Interpolation> {
         self.table.as_deref()
     }
 
@@ -257,7 +259,7 @@ impl Standing {
 
     /// Where each variable stands.
     #[must_use]
-    pub fn places(&self) -> &[Place] {
+    pub fn places(&self) -> &[VariablePlace] {
         &self.places
     }
 
@@ -272,7 +274,7 @@ impl Standing {
     }
 
     #[inline]
-    fn find(&self, index: usize) -> Result<Place, Fault> {
+    fn find(&self, index: usize) -> Result<VariablePlace, Fault> {
         let found = self.places.get(index).copied();
         found.ok_or_else(|| Fault::no_variable(index, self.places.len()))
     }
@@ -312,10 +314,10 @@ impl Standing {
         direction.smooth()?;
         let mut value = Dual64::from_re(0.0);
         let slot = match self.find(index)? {
-            Place::Result(slot) => slot,
-            Place::Source(_) => return none("is no result"),
-            Place::Whole(place) if self.wholes[place].sources & direction.moved == 0 => return Ok(value),
-            Place::Whole(place) => {
+            VariablePlace::Result(slot) => slot,
+            VariablePlace::Source(_) => return none("is no result"),
+            VariablePlace::Whole(place) if self.wholes[place].sources & direction.moved == 0 => return Ok(value),
+            VariablePlace::Whole(place) => {
                 let spot = self.spot(place)?;
                 let value = self.wholes[place].value(&mut *direction.face, &spot);
                 return value.map_err(|fault| *fault);
@@ -336,13 +338,13 @@ impl Standing {
     #[must_use]
     pub fn is_searched(&self, index: usize) -> bool {
         let stages = self.now.part.stages();
-        matches!(self.places[index], Place::Result(slot) if stages[usize::from(slot.stage)].searched)
+        matches!(self.places[index], VariablePlace::Result(slot) if stages[usize::from(slot.stage)].searched)
     }
 
     /// Whether a result's stage follows from an input, a parameter or [`TIME`].
     #[must_use]
     pub fn follows(&self, index: usize, known: Quantity) -> bool {
-        let Place::Result(slot) = self.places[index] else {
+        let VariablePlace::Result(slot) = self.places[index] else {
             return false;
         };
         let from = |source: Source| slot.sources >> source.group & 1 == 1;
@@ -350,7 +352,7 @@ impl Standing {
         let swept = from(self.axes.coordinate);
         let mut sources = self.variables.iter().zip(&self.places);
         let source = sources.find_map(|(variable, place)| match place {
-            Place::Source(source) if variable.quantity() == known => Some(*source),
+            VariablePlace::Source(source) if variable.quantity() == known => Some(*source),
             _ => None,
         });
         match source {
@@ -361,7 +363,7 @@ impl Standing {
 
     /// Whether the coordinate lies in the table.
     #[inline]
-    fn tabulated(&self, table: &Table) -> Result<(), Fault> {
+    fn tabulated(&self, table: &Interpolation) -> Result<(), Fault> {
         let at = self.now.part.take(self.axes.coordinate);
         let [from, to] = table.range();
         // A rounding of degrees is not an angle outside.
@@ -394,7 +396,7 @@ impl Standing {
     fn saved(&self) -> impl Iterator<Item = Source> {
         let settable = self.variables.iter().zip(&self.places);
         let settable = settable.filter_map(|(variable, place)| match place {
-            Place::Source(source) if variable.role != Role::Calculated => Some(*source),
+            VariablePlace::Source(source) if variable.role != Role::Calculated => Some(*source),
             _ => None,
         });
         self.memory.iter().copied().chain(settable)
@@ -406,7 +408,7 @@ impl Standing {
         // A coordinate that was not set follows from its rate and the time.
         let swept = (!self.now.given).then(|| {
             let symbol = self.variables.iter().zip(&self.places);
-            let of_rate = symbol.filter(|(_, place)| matches!(place, Place::Source(source) if *source == rate));
+            let of_rate = symbol.filter(|(_, place)| matches!(place, VariablePlace::Source(source) if *source == rate));
             let of_rate = of_rate.map(|(variable, _)| seed(variable.quantity())).next();
             let speed = Dual64::new(self.now.part.take(rate), of_rate.unwrap_or(0.0));
             let time = Dual64::new(self.now.time, seed((&TIME, None)));
@@ -419,224 +421,5 @@ impl Standing {
             part: &*self.now.part,
             undoes: None,
         }
-    }
-}
-
-impl Running for Standing {
-    #[inline]
-    fn variables(&self) -> &[Variable] {
-        &self.variables
-    }
-
-    fn terminals(&self) -> Vec<Terminal> {
-        let terminal = |port: &Port, number: Option<u16>| {
-            let find = |(symbol, member): &(&'static Symbol, &'static str)| {
-                let of = |v: &&Variable| v.symbol == *symbol && (v.number == number || v.number.is_none());
-                // A shaft is turned by an input; another bar's angle is a result.
-                let turned = |v: &&Variable| v.role == Role::Input || !port.driven.contains(member);
-                let found = self.variables.iter().filter(of).find(turned)?;
-                Some((found.name(), *member))
-            };
-            Terminal {
-                name: number.map_or_else(|| port.name.to_owned(), |number| format!("{}_{number}", port.name)),
-                text: port.text,
-                members: port.members.iter().filter_map(find).collect(),
-            }
-        };
-        let mut list = Vec::new();
-        for port in self.now.part.ports() {
-            let numbers = self
-                .variables
-                .iter()
-                .filter(|v| port.members.iter().any(|(symbol, _)| *symbol == v.symbol));
-            let most = numbers.filter_map(|v| v.number).max();
-            match most {
-                None => list.push(terminal(port, None)),
-                Some(most) => list.extend((1..=most).map(|number| terminal(port, Some(number)))),
-            }
-        }
-        list.retain(|terminal| !terminal.members.is_empty());
-        list
-    }
-
-    fn positions(&self) -> Vec<f64> {
-        self.motion.angles()
-    }
-
-    fn stop_time(&self) -> f64 {
-        self.motion.stop_time()
-    }
-
-    fn step_size(&self) -> f64 {
-        self.motion.step_size()
-    }
-
-    #[inline]
-    fn get(&mut self, index: usize) -> Result<f64, Fault> {
-        let Some(&place) = self.places.get(index) else {
-            return Err(Fault::no_variable(index, self.places.len()));
-        };
-        let mut value = 0.0;
-        match place {
-            Place::Source(source) => value = self.now.part.take(source),
-            Place::Result(slot) => {
-                if self.table.is_some()
-                    && let Some(value) = self.interpolated(index)?
-                {
-                    return Ok(value);
-                }
-                self.now.part.result(&slot, &mut value).map_err(|fault| *fault)?;
-            }
-            Place::Whole(place) => {
-                let spot = self.spot(place)?;
-                self.now.spots[place] = Some(spot);
-                return Ok(spot.value);
-            }
-        }
-        Ok(value)
-    }
-
-    fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
-        let (place, variable) = (self.find(index)?, &self.variables[index]);
-        match (place, variable.role) {
-            (Place::Result(_) | Place::Whole(_), _) => {
-                Err(Fault::new(format!("{variable} is a result and cannot be set")))
-            }
-            (_, Role::Calculated) => Err(Fault::new(format!(
-                "{variable} is fixed in the table and cannot be set: set fidelity = \"static\" to change it"
-            ))),
-            _ => variable.check(value),
-        }
-    }
-
-    fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
-        self.check(index, value)?;
-        let Place::Source(source) = self.places[index] else {
-            return Ok(());
-        };
-        let state = &mut self.now;
-        if self.variables[index].kind != Type::Real && state.part.take(source) != value {
-            state.part.leave();
-        }
-        if self.follow >> source.group & 1 == 1 {
-            state.forget(source, &self.wholes);
-        }
-        state.part.put(source, value);
-        state.given |= source == self.axes.coordinate;
-        if source == self.axes.rate {
-            self.sweep();
-        }
-        Ok(())
-    }
-
-    #[inline]
-    fn set_time(&mut self, time: f64) {
-        if time != self.now.time {
-            self.now.time = time;
-            if let Some(clock) = self.clock {
-                self.now.part.put(clock, time);
-            }
-            self.sweep();
-        }
-    }
-
-    fn start(&mut self) -> Result<(), Fault> {
-        self.now.part.start();
-        self.update()
-    }
-
-    fn update(&mut self) -> Result<(), Fault> {
-        match &self.table {
-            Some(table) => self.tabulated(table),
-            None => self.now.part.update().map_err(|fault| *fault),
-        }
-    }
-
-    fn indicators(&self) -> usize {
-        self.indicators.len()
-    }
-
-    fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
-        for (i, indicator) in indicators.iter_mut().enumerate() {
-            *indicator = self.get(self.indicators[i])?;
-        }
-        Ok(())
-    }
-
-    fn state(&self) -> State {
-        State::new(self.now.clone())
-    }
-
-    fn state_into(&self, state: &mut State) {
-        state.own_mut::<Now>().follow(&self.now);
-    }
-
-    fn set_state(&mut self, state: &State) {
-        self.now.follow(state.own());
-    }
-
-    fn numbers(&self, state: &State) -> Vec<f64> {
-        let now: &Now = state.own();
-        let head = [now.time, f64::from(now.given)];
-        head.into_iter()
-            .chain(self.saved().map(|source| now.part.take(source)))
-            .collect()
-    }
-
-    fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
-        let wrong = || Fault::new("a saved state does not belong to this model");
-        let [time, given, values @ ..] = numbers else {
-            return Err(wrong());
-        };
-        if values.len() != self.saved().count() || !time.is_finite() {
-            return Err(wrong());
-        }
-        let (remembered, values) = values.split_at(self.memory.len());
-        let mut model = self.clone();
-        let settable = (0..self.places.len()).filter(|&index| {
-            matches!(self.places[index], Place::Source(_)) && self.variables[index].role != Role::Calculated
-        });
-        for (index, &value) in settable.zip(values) {
-            model.check(index, value)?;
-        }
-        for (source, &value) in self.saved().zip(remembered.iter().chain(values)) {
-            model.now.part.put(source, value);
-            model.now.forget(source, &self.wholes);
-        }
-        if let Some(clock) = self.clock {
-            model.now.part.put(clock, *time);
-        }
-        (model.now.time, model.now.given) = (*time, *given != 0.0);
-        Ok(State::new(model.now))
-    }
-
-    fn has_derivatives(&self) -> bool {
-        let part = &self.now.part;
-        let mut stages = (0..).zip(part.stages());
-        !stages.any(|(place, stage)| stage.searched && part.exists(place))
-    }
-
-    fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
-        let mut seeds = self.seeds(seed);
-        let part = &self.now.part;
-        let (face, moved) = part.dual(true, &mut |source, quantity| seeds.of(source, quantity));
-        let undoes = seeds.undoes;
-        Tangent::new(Direction { face, moved, undoes })
-    }
-
-    fn tangent_into(&self, seed: &dyn Fn(Quantity) -> f64, tangent: &mut Tangent) {
-        let mut seeds = self.seeds(seed);
-        let Direction { face, moved, undoes } = tangent.own_mut();
-        let part = &self.now.part;
-        *moved = part.dual_into(&mut **face, &mut |source, quantity| seeds.of(source, quantity));
-        *undoes = seeds.undoes;
-    }
-
-    fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
-        Ok(self.with_derivative(tangent, index)?.eps)
-    }
-
-    fn duplicate(&self) -> Box<dyn Running> {
-        Box::new(self.clone())
     }
 }

@@ -61,7 +61,7 @@ impl Axes {
 
 /// Results over the working range.
 #[derive(Clone, Debug)]
-pub struct Table {
+pub struct Interpolation {
     axes: Axes,
     from: f64,
     to: f64,
@@ -102,10 +102,10 @@ impl Column {
     }
 }
 
-impl Table {
+impl Interpolation {
     /// Tabulates those of `slots` that can be, each to a tolerance that is a part of its range.
     #[must_use]
-    pub fn new(part: &dyn Part, axes: Axes, motion: &Motion, slots: &[Option<Slot>], tolerance: f64) -> Table {
+    pub fn new(part: &dyn Part, axes: Axes, motion: &Motion, slots: &[Option<Slot>], tolerance: f64) -> Interpolation {
         // What the parts are told apart by; a scene without load, or with none, has 1 N in its place.
         let load = axes.load.map_or(0.0, |load| part.take(load));
         let load = if axes.load.is_some() && load == 0.0 { 1.0 } else { load };
@@ -136,7 +136,7 @@ impl Table {
             pending = left;
             pieces *= 2;
         }
-        Table {
+        Interpolation {
             axes,
             from: motion.from,
             to: motion.to,

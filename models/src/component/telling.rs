@@ -2,7 +2,7 @@
 
 pub use crate::component::extreme::{between, fine};
 use crate::component::governing::{extremes, governing, sensitivity};
-use crate::component::outline::{Explained, Limit, Outline, Published, Section as Outlined, Told};
+use crate::component::outline::{Explained, Limit, Outline, Published, SectionOutline, Told};
 use crate::component::part::{Face, Part};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Comparison, Curve, Section, Sheet, Summary, Table, Worked};
@@ -65,8 +65,8 @@ fn run(
     told: &dyn Told,
     model: &Standing,
     (at, of): (f64, Option<usize>),
-    before: &[Outlined],
-    sections: &[Outlined],
+    before: &[SectionOutline],
+    sections: &[SectionOutline],
 ) -> Vec<Section> {
     let part = model.part();
     let groups = part.groups();
@@ -86,7 +86,7 @@ fn run(
         // What a scene does not model, or where it does not exist, has no formulas.
         let mut all = |list: &[Explained]| list.iter().for_each(|what| drop(explain(&mut *face, what)));
         before.iter().for_each(|(_, list)| all(list));
-        let cut = |(id, list): &Outlined| {
+        let cut = |(id, list): &SectionOutline| {
             let from = steps();
             all(list);
             (*id, from..steps())

@@ -2,6 +2,7 @@
 
 pub mod allowed;
 pub mod calc;
+pub mod check;
 pub mod diagnostic;
 pub mod gravity;
 pub mod group;

@@ -4,14 +4,10 @@
 use std::ops::Range;
 
 use serde_json::{Map, Value as Json, json};
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
-use toml::value::Datetime;
 
-use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::number::short;
 use crate::kernel::symbol::{COARSEST, Symbol};
-use crate::kernel::unit::{self, Unit};
+use crate::kernel::unit::Unit;
 
 /// A key of a scene.
 #[derive(Debug)]
@@ -187,7 +183,7 @@ impl Sign {
     }
 
     /// What a scene may give of a quantity, in SI: beyond that a number is a slip of its unit.
-    fn limits(self, unit: &Unit) -> [f64; 2] {
+    pub(super) fn limits(self, unit: &Unit) -> [f64; 2] {
         let [least, most] = unit.limits();
         match self {
             Sign::Positive => [least, most],
@@ -202,7 +198,7 @@ impl Sign {
 #[derive(Clone, Debug)]
 pub enum Value {
     Text(String),
-    Number(Number),
+    Number(GivenNumber),
     Table(Values),
     /// With their places.
     Texts(Vec<(String, Range<usize>)>),
@@ -216,7 +212,7 @@ pub enum Value {
 
 /// A quantity of a scene.
 #[derive(Clone, Debug)]
-pub struct Number {
+pub struct GivenNumber {
     /// In SI.
     pub value: f64,
     /// In kg, where it is a weight given as a mass.
@@ -229,7 +225,7 @@ pub struct Number {
 #[derive(Clone, Debug, Default)]
 pub struct Values {
     /// In the order of their names.
-    entries: Vec<(&'static str, Value, Range<usize>)>,
+    pub(super) entries: Vec<(&'static str, Value, Range<usize>)>,
     /// Place of the table itself.
     pub span: Range<usize>,
 }
@@ -330,7 +326,7 @@ impl Values {
     /// Every quantity of this table and of the tables in it: its key from the
     /// top of the scene and its place; it comes from what its own note says, or
     /// the `source` of its table.
-    pub fn quantities(&self, path: &str, found: &mut Vec<(String, Range<usize>, Number)>) {
+    pub fn quantities(&self, path: &str, found: &mut Vec<(String, Range<usize>, GivenNumber)>) {
         for (name, value, place) in &self.entries {
             let key = if path.is_empty() {
                 (*name).to_owned()
@@ -376,487 +372,6 @@ impl Values {
     pub fn place(&self, name: &str) -> Range<usize> {
         self.entry(name)
             .map_or_else(|| self.span.clone(), |(_, span)| span.clone())
-    }
-}
-
-/// Checks a table of a scene with the text `source` against its keys. All mistakes are collected, not only the first.
-pub fn check(
-    source: &str,
-    table: &DeTable<'_>,
-    span: Range<usize>,
-    path: &str,
-    keys: &'static [Key],
-    found: &mut Vec<Diagnostic>,
-) -> Values {
-    let place = if path.is_empty() {
-        "at the top of the scene".to_owned()
-    } else {
-        format!("in [{path}]")
-    };
-    let mut entries: Vec<(&'static str, Value, Range<usize>)> = Vec::new();
-    for (name, value) in table {
-        let Some(key) = keys.iter().find(|key| key.name == name.get_ref().as_ref()) else {
-            found.push(unknown(name, &place, keys));
-            continue;
-        };
-        let full = if path.is_empty() {
-            key.name.to_owned()
-        } else {
-            format!("{path}.{}", key.name)
-        };
-        if let Some(checked) = check_value(source, value, &full, key, found) {
-            let at = entries.partition_point(|(before, ..)| *before < key.name);
-            entries.insert(at, (key.name, checked, value.span()));
-        }
-    }
-    for key in keys.iter().filter(|key| key.required) {
-        if !table.keys().any(|name| name.get_ref() == key.name) {
-            found.push(missing(span.clone(), &place, key));
-        }
-    }
-    Values { entries, span }
-}
-
-/// A key that is needed in a table and not there; `place` as "in [luffing]".
-pub(crate) fn missing(span: Range<usize>, place: &str, key: &Key) -> Diagnostic {
-    Diagnostic::new(span, format!("`{}` is missing {place}", key.name), "needed here")
-        .help(format!("add {}", example(key)))
-}
-
-fn unknown(name: &Spanned<std::borrow::Cow<'_, str>>, place: &str, keys: &'static [Key]) -> Diagnostic {
-    let nearest = keys
-        .iter()
-        .map(|key| (strsim::damerau_levenshtein(key.name, name.get_ref()), key.name))
-        .min()
-        .filter(|(distance, known)| *distance <= 2.max(known.len() / 3));
-    let known: Vec<&str> = keys.iter().map(|key| key.name).collect();
-    let help = match nearest {
-        Some((_, known)) => format!("did you mean `{known}`?"),
-        None => format!("known here: {}", known.join(", ")),
-    };
-    Diagnostic::new(
-        name.span(),
-        format!("unknown key `{}` {place}", name.get_ref()),
-        "not known",
-    )
-    .help(help)
-}
-
-fn check_value(
-    source: &str,
-    value: &Spanned<DeValue<'_>>,
-    path: &str,
-    key: &'static Key,
-    found: &mut Vec<Diagnostic>,
-) -> Option<Value> {
-    let mut wrong = |label: String| {
-        found.push(Diagnostic::new(value.span(), format!("`{path}` is not {}", wanted(key)), label).help(example(key)));
-        None
-    };
-    match (&key.kind, value.get_ref()) {
-        (Kind::Text | Kind::Line | Kind::Date | Kind::Lines, DeValue::String(text)) => {
-            if let Some((message, help)) = unprintable(text, &key.kind) {
-                found.push(Diagnostic::new(value.span(), format!("`{path}` {message}"), "not this").help(help));
-                return None;
-            }
-            Some(match key.kind {
-                Kind::Lines => Value::Texts(lines(source, text, value.span())),
-                _ => Value::Text(text.to_string()),
-            })
-        }
-        (Kind::Choice(choices), DeValue::String(text)) => {
-            if choices.contains(&text.as_ref()) {
-                Some(Value::Text(text.to_string()))
-            } else {
-                wrong(format!("`{text}` is none of them"))
-            }
-        }
-        (Kind::Table(keys), DeValue::Table(table)) => {
-            Some(Value::Table(check(source, table, value.span(), path, keys, found)))
-        }
-        (Kind::Kinds(kinds), DeValue::Table(table)) => {
-            let given = table.iter().find(|(name, _)| name.get_ref() == KIND);
-            let given = given.and_then(|(_, value)| Some((value.get_ref().as_str()?, value.span())));
-            let named = |(text, _): &(&str, _)| kinds.iter().find(|(kind, _)| kind == text);
-            match (given.as_ref().map_or(Some(&kinds[0]), named), given) {
-                (Some((_, keys)), _) => Some(Value::Table(check(source, table, value.span(), path, keys, found))),
-                (None, given) => {
-                    let known: Vec<&str> = kinds.iter().map(|(kind, _)| *kind).collect();
-                    let (text, place) = given.unwrap_or_default();
-                    let message = format!("`{path}.{KIND}` is not one of {}", known.join(", "));
-                    found.push(
-                        Diagnostic::new(place, message, format!("`{text}` is none of them"))
-                            .help(format!("{KIND} = \"{}\"", known[0])),
-                    );
-                    None
-                }
-            }
-        }
-        (Kind::Quantity(..) | Kind::Weight(_), DeValue::String(text)) => match number(text, key) {
-            Ok(number) => Some(Value::Number(number)),
-            Err((message, label, help)) => {
-                found.push(Diagnostic::new(value.span(), format!("`{path}`: {message}"), label).help(help));
-                None
-            }
-        },
-        (Kind::Quantity(..) | Kind::Weight(_), DeValue::Table(table)) => {
-            noted(source, table, value.span(), path, key, found)
-        }
-        (Kind::Texts(most) | Kind::Tables(_, most), DeValue::Array(items)) if items.len() > *most => {
-            let message = format!("`{path}` has {} entries", items.len());
-            // A list of tables has no place of its own.
-            let place = items.get(*most).map_or_else(|| value.span(), Spanned::span);
-            found.push(Diagnostic::new(place, message, "too many").help(format!("at most {most} are taken")));
-            None
-        }
-        (Kind::Texts(_) | Kind::Choices(_), DeValue::Array(items)) => {
-            let mut texts: Vec<(String, Range<usize>)> = Vec::new();
-            for item in items {
-                let allowed = |text: &str| match key.kind {
-                    Kind::Choices(choices) => choices.contains(&text) && texts.iter().all(|(known, _)| known != text),
-                    _ => true,
-                };
-                match item.get_ref() {
-                    DeValue::String(text) if allowed(text) => texts.push((text.to_string(), item.span())),
-                    _ => {
-                        let message = format!("`{path}` is not {}", wanted(key));
-                        found.push(Diagnostic::new(item.span(), message, "not this").help(example(key)));
-                    }
-                }
-            }
-            Some(Value::Texts(texts))
-        }
-        (Kind::Tables(keys, _), DeValue::Array(items)) => {
-            let mut tables = Vec::new();
-            for item in items {
-                if let DeValue::Table(table) = item.get_ref() {
-                    tables.push(check(source, table, item.span(), path, keys, found));
-                } else {
-                    let message = format!("`{path}` is not {}", wanted(key));
-                    found.push(Diagnostic::new(item.span(), message, "not a table").help(example(key)));
-                }
-            }
-            Some(Value::Tables(tables))
-        }
-        (Kind::Quantities(symbol, sign, [least, most]), DeValue::Array(_) | DeValue::String(_)) => {
-            let items = match value.get_ref() {
-                DeValue::Array(items) => items.iter().collect(),
-                _ => vec![value],
-            };
-            if !(*least..=*most).contains(&items.len()) {
-                return wrong(format!("{} of them", items.len()));
-            }
-            let before = found.len();
-            let mut numbers = Vec::new();
-            for item in items {
-                let DeValue::String(text) = item.get_ref() else {
-                    let message = format!("`{path}` is not {}", wanted(key));
-                    found.push(Diagnostic::new(item.span(), message, "not a text").help(example(key)));
-                    continue;
-                };
-                match quantity(text, symbol, *sign) {
-                    Ok(number) => numbers.push((number, item.span())),
-                    Err((message, label, help)) => {
-                        found.push(Diagnostic::new(item.span(), format!("`{path}`: {message}"), label).help(help));
-                    }
-                }
-            }
-            (found.len() == before).then_some(Value::Numbers(numbers))
-        }
-        (Kind::Count, DeValue::Integer(number)) => match number.as_str().parse::<i64>().map(u64::try_from) {
-            Ok(Ok(count)) => Some(Value::Count(count)),
-            _ => wrong(format!("`{}` is none", number.as_str())),
-        },
-        (Kind::Named, DeValue::Table(table)) => {
-            let mut named = Vec::new();
-            for (name, value) in table {
-                if let DeValue::String(text) = value.get_ref() {
-                    named.push((name.get_ref().to_string(), text.to_string(), value.span()));
-                } else {
-                    let message = format!("`{path}.{}` is not a number with a unit, as text", name.get_ref());
-                    found.push(Diagnostic::new(value.span(), message, "not a text").help(example(key)));
-                }
-            }
-            Some(Value::Named(named))
-        }
-        (Kind::Quantity(symbol, _) | Kind::Weight(symbol), DeValue::Integer(_) | DeValue::Float(_)) => {
-            let text = match value.get_ref() {
-                DeValue::Integer(number) => number.as_str().to_owned(),
-                other => other
-                    .as_float()
-                    .map(|number| number.as_str().to_owned())
-                    .unwrap_or_default(),
-            };
-            let unit = symbol.display.name;
-            found.push(
-                Diagnostic::new(value.span(), format!("`{path}` has no unit"), "a bare number")
-                    .help(format!("write \"{text} {unit}\" if it is in {unit}")),
-            );
-            None
-        }
-        (_, other) => wrong(format!("a TOML {}", other.type_str())),
-    }
-}
-
-/// Most characters of a line.
-const LONGEST_LINE: usize = 500;
-
-/// Why a text cannot be printed, and what to do.
-fn unprintable(text: &str, kind: &Kind) -> Option<(String, String)> {
-    // Those beyond the control characters are no characters, or mark the order of bytes: PDF/A allows none of them.
-    let broken = |c: &char| matches!(c, '\n' | '\r' | '\u{85}' | '\u{2028}' | '\u{2029}');
-    let hidden = |c: &char| c.is_control() || matches!(c, '\u{feff}' | '\u{fffe}' | '\u{ffff}');
-    let allowed = |c: &char| matches!(c, '\t' | '\n' | '\r');
-    if let Some(c) = text.chars().find(|c| hidden(c) && !allowed(c) && !broken(c)) {
-        let message = format!("has a character that cannot be printed, U+{:04X}", u32::from(c));
-        return Some((message, "remove it".to_owned()));
-    }
-    match kind {
-        Kind::Line if text.trim().is_empty() => Some(("is empty".to_owned(), "write something".to_owned())),
-        Kind::Line if text.contains(|c| broken(&c)) => Some((
-            "has more than one line".to_owned(),
-            "write it in one line; what is too long for a line of the book is broken there".to_owned(),
-        )),
-        Kind::Line if text.chars().count() > LONGEST_LINE => Some((
-            format!("has {} characters", text.chars().count()),
-            format!("at most {LONGEST_LINE} are printed"),
-        )),
-        Kind::Date if looks_iso(text) && date(text).is_none() => Some((
-            format!("is no date: {text} does not exist"),
-            "write the year, the month and the day as YYYY-MM-DD".to_owned(),
-        )),
-        _ => None,
-    }
-}
-
-/// Four, two and two digits with strokes between them.
-fn looks_iso(text: &str) -> bool {
-    let parts: Vec<usize> = text.split('-').map(str::len).collect();
-    parts == [4, 2, 2] && text.bytes().all(|c| c.is_ascii_digit() || c == b'-')
-}
-
-/// Year, month and day of a date as `YYYY-MM-DD`; `None` of any other text, and of a day that does not exist.
-#[must_use]
-pub fn date(text: &str) -> Option<(u16, u8, u8)> {
-    let date = text.parse::<Datetime>().ok().filter(|_| looks_iso(text))?.date?;
-    Some((date.year, date.month, date.day))
-}
-
-/// The lines of a text that are not empty, each with its place in the scene; with that of the whole text where escapes
-/// stand in it.
-fn lines(scene: &str, text: &str, span: Range<usize>) -> Vec<(String, Range<usize>)> {
-    let filled = |line: &str| !line.trim().is_empty();
-    let mut places = Vec::new();
-    let mut start = span.start;
-    for line in scene.get(span.clone()).unwrap_or_default().split_inclusive('\n') {
-        let content = line.trim().trim_matches(['"', '\'']).trim();
-        if let Some(at) = line.find(content).filter(|_| filled(content)) {
-            places.push((content, start + at..start + at + content.len()));
-        }
-        start += line.len();
-    }
-    let lines: Vec<&str> = text.lines().filter(|line| filled(line)).map(str::trim).collect();
-    let plain = lines.len() == places.len() && lines.iter().zip(&places).all(|(line, (raw, _))| line == raw);
-    let placed = lines.iter().enumerate().map(|(i, line)| {
-        let place = if plain { places[i].1.clone() } else { span.clone() };
-        ((*line).to_owned(), place)
-    });
-    placed.collect()
-}
-
-/// Where one quantity comes from.
-static NOTE: Key = Key::text(
-    "source",
-    "Where the quantity comes from: a drawing, a publication, an assumption.",
-);
-
-/// A quantity with a note where it comes from.
-fn noted(
-    scene: &str,
-    table: &DeTable<'_>,
-    span: Range<usize>,
-    path: &str,
-    key: &'static Key,
-    found: &mut Vec<Diagnostic>,
-) -> Option<Value> {
-    let before = found.len();
-    let (mut number, mut source): (Option<Number>, _) = (None, None);
-    for (name, value) in table {
-        match (name.get_ref().as_ref(), value.get_ref()) {
-            ("value", DeValue::String(_)) => match check_value(scene, value, path, key, found) {
-                Some(Value::Number(value)) => number = Some(value),
-                _ => return None,
-            },
-            ("source", DeValue::String(_)) => {
-                match check_value(scene, value, &format!("{path}.source"), &NOTE, found) {
-                    Some(Value::Text(text)) => source = Some(text),
-                    _ => return None,
-                }
-            }
-            _ => {
-                let message = format!("`{path}` has `value` and `source`, both texts, and nothing else");
-                found.push(Diagnostic::new(name.span(), message, "not this").help(example(key)));
-            }
-        }
-    }
-    if number.is_none() && found.len() == before {
-        found.push(Diagnostic::new(span, format!("`{path}` has no `value`"), "needed here").help(example(key)));
-    }
-    number.map(|number| Value::Number(Number { source, ..number }))
-}
-
-/// Message, label and help.
-type Problem = (String, String, String);
-
-/// Reads what stands behind a key that has a [`Key::number`].
-fn number(text: &str, key: &Key) -> Result<Number, Problem> {
-    let given = |value, mass| Number {
-        value,
-        mass,
-        source: None,
-    };
-    match key.kind {
-        Kind::Weight(symbol) => {
-            let (number, unit) = measured(text, symbol, &[symbol.unit, &unit::KG])?;
-            if unit.dimension != unit::KG.dimension {
-                return allowed(number * unit.factor, text, symbol, symbol.unit, Sign::NotNegative)
-                    .map(|weight| given(weight, None));
-            }
-            let mass = allowed(number * unit.factor, text, symbol, &unit::KG, Sign::NotNegative)?;
-            // What it weighs is known when the whole scene has been read.
-            Ok(given(f64::NAN, Some(mass)))
-        }
-        Kind::Quantity(symbol, sign) => quantity(text, symbol, sign).map(|value| given(value, None)),
-        _ => unreachable!("a key of quantities"),
-    }
-}
-
-/// Reads `"19.3 m"` for `symbol`, in SI.
-pub(crate) fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, Problem> {
-    let (number, unit) = measured(text, symbol, &[symbol.unit])?;
-    allowed(number * unit.factor, text, symbol, symbol.unit, sign)
-}
-
-/// A value in SI that a scene may give of `symbol`, here measured in units like `unit`.
-fn allowed(value: f64, text: &str, symbol: &'static Symbol, unit: &Unit, sign: Sign) -> Result<f64, Problem> {
-    let text = text.trim();
-    let help = format!("{}: {}", symbol.id, symbol.text);
-    if !sign.allows(value) {
-        let message = format!("{text} is not allowed, it must be {}", sign.words());
-        return Err((message, "out of range".to_owned(), help));
-    }
-    let [least, most] = sign.limits(unit);
-    if !(least..=most).contains(&value) {
-        let shown = if unit == symbol.unit { symbol.display } else { unit };
-        let written = |value: f64| format!("{} {}", short(value / shown.factor), shown.name);
-        let message = format!(
-            "{text} is not allowed, it must be from {} to {}",
-            written(least),
-            written(most)
-        );
-        return Err((message, "a slip of the unit?".to_owned(), help));
-    }
-    Ok(value)
-}
-
-/// Reads a number with a unit like one of `units`.
-fn measured(text: &str, symbol: &'static Symbol, units: &[&'static Unit]) -> Result<(f64, &'static Unit), Problem> {
-    let text = text.trim();
-    let display = symbol.display.name;
-    let end = text
-        .find(|c: char| !(c.is_ascii_digit() || "+-.,eE_".contains(c)))
-        .unwrap_or(text.len());
-    // "5 em": an exponent without digits belongs to the unit.
-    let end = text[..end].trim_end_matches(['e', 'E']).len();
-    let (number, unit_text) = (&text[..end], text[end..].trim());
-    let Ok(number) = number.parse::<f64>() else {
-        let help = if number.contains(',') {
-            "use a decimal point".to_owned()
-        } else {
-            format!("write a number and a unit: \"1.5 {display}\"")
-        };
-        return Err((
-            format!("\"{text}\" does not begin with a number"),
-            "cannot be read".to_owned(),
-            help,
-        ));
-    };
-    let unit = if unit_text.is_empty() {
-        Some(&unit::ONE)
-    } else {
-        unit::find(unit_text)
-    };
-    let Some(unit) = unit else {
-        return Err((
-            format!("the unit \"{unit_text}\" is not known"),
-            "unknown unit".to_owned(),
-            format!("units for it: {}", like(units)),
-        ));
-    };
-    if !units.iter().any(|wanted| unit.is_like(wanted)) {
-        let given = if unit_text.is_empty() {
-            "no unit".to_owned()
-        } else {
-            format!("the unit {}", unit.name)
-        };
-        return Err((
-            format!("{given} does not fit, it is measured in {display}"),
-            "wrong unit".to_owned(),
-            format!("units for it: {}", like(units)),
-        ));
-    }
-    Ok((number, unit))
-}
-
-/// The names of all units that measure the same as one of these.
-fn like(units: &[&'static Unit]) -> String {
-    let fits = |unit: &&Unit| units.iter().any(|wanted| unit.is_like(wanted));
-    let names: Vec<&str> = unit::ALL.iter().copied().filter(fits).map(|unit| unit.name).collect();
-    names.join(", ")
-}
-
-fn wanted(key: &Key) -> String {
-    match key.kind {
-        Kind::Text | Kind::Line | Kind::Date | Kind::Lines => "a text".to_owned(),
-        Kind::Choice(choices) => format!("one of {}", choices.join(", ")),
-        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
-            format!("a number with a unit such as \"1 {}\"", symbol.display.name)
-        }
-        Kind::Table(_) | Kind::Kinds(_) => "a table".to_owned(),
-        Kind::Texts(_) => "a list of texts".to_owned(),
-        Kind::Choices(choices) => format!("a list of {}, none twice", choices.join(", ")),
-        Kind::Tables(..) => "a list of tables".to_owned(),
-        Kind::Quantities(symbol, _, [least, most]) => {
-            let unit = symbol.display.name;
-            let count = if least == most {
-                format!("{least}")
-            } else {
-                format!("{least} to {most}")
-            };
-            format!("a list of {count} numbers with units such as \"1 {unit}\"")
-        }
-        Kind::Count => "a whole number, zero or greater".to_owned(),
-        Kind::Named => "a table of quantities by the names of results".to_owned(),
-    }
-}
-
-fn example(key: &Key) -> String {
-    match key.kind {
-        Kind::Text | Kind::Line | Kind::Date | Kind::Lines => format!("{} = \"...\"", key.name),
-        Kind::Choice(choices) => format!("{} = \"{}\"", key.name, choices[0]),
-        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
-            format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text)
-        }
-        Kind::Table(_) | Kind::Kinds(_) => format!("a table [{}]  ({})", key.name, key.text),
-        Kind::Texts(_) => format!("{} = [\"...\"]  ({})", key.name, key.text),
-        Kind::Choices(choices) => format!("{} = [\"{}\"]", key.name, choices[0]),
-        Kind::Tables(..) => format!("tables [[{}]]  ({})", key.name, key.text),
-        Kind::Quantities(symbol, _, [_, most]) => {
-            let each = vec![format!("\"... {}\"", symbol.display.name); most];
-            format!("{} = [{}]  ({})", key.name, each.join(", "), key.text)
-        }
-        Kind::Count => format!("{} = 1  ({})", key.name, key.text),
-        Kind::Named => format!("{} = {{ \"...\" = \"...\" }}  ({})", key.name, key.text),
     }
 }
 

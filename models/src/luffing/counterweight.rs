@@ -2,11 +2,11 @@
 
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::published::table_5_2_1;
-use crate::balance::scene::{Form, Published};
+use crate::balance::scene::{Form, PublishedBalance};
 use crate::balance::{Balance, symbols as b};
 use crate::component::draw::{Draw, polar};
 use crate::component::extreme::Extreme;
-use crate::component::sheet::{self, Criterion, Curve, Drawing, Equilibrium, Summary};
+use crate::component::sheet::{self, Curve, Drawing, Measure, RestingPlace, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{exists, fine, sample, table};
 use crate::kernel::calc::Calc;
@@ -16,12 +16,12 @@ use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 
 /// A boom with its balance.
-pub struct Balanced<'a> {
+pub struct BalancedBoom<'a> {
     pub form: Form<f64>,
     pub balancing: Balancing<f64>,
     pub found: Analysis,
     pub motion: Motion,
-    pub published: Option<&'a Published>,
+    pub published: Option<&'a PublishedBalance>,
     /// Of the mechanism: its coordinate, its boom's angle, its reach, and the moment that the drive must give.
     pub coordinate: &'static Symbol,
     pub angle: &'static Symbol,
@@ -31,11 +31,11 @@ pub struct Balanced<'a> {
     pub at: &'a dyn Fn(f64) -> Option<(Point<f64>, Residual<f64>)>,
 }
 
-impl Balanced<'_> {
+impl BalancedBoom<'_> {
     #[must_use]
-    pub fn chapter(&self, model: &mut Standing) -> Option<sheet::Balance> {
+    pub fn chapter(&self, model: &mut Standing) -> Option<sheet::BalanceSheet> {
         let (coordinate, reach) = (self.coordinate, self.reach);
-        let equilibria = self.found.equilibria.iter().map(|e| Equilibrium {
+        let equilibria = self.found.equilibria.iter().map(|e| RestingPlace {
             coordinate,
             at: e.at,
             reach: (reach, sample(model, &[reach], std::iter::once(e.at))[0][0]),
@@ -46,13 +46,13 @@ impl Balanced<'_> {
             let found = values.iter().find(|(symbol, _)| *symbol == summary.symbol);
             found.map(|(_, value)| *value)
         };
-        Some(sheet::Balance {
+        Some(sheet::BalanceSheet {
             kind: self.form.kind(),
             equilibria: equilibria.collect(),
             drawing: self.drawing()?,
             criteria: criteria(&self.found, coordinate)
                 .chain(std::iter::once(weight(&self.form)))
-                .map(|summary| Criterion {
+                .map(|summary| Measure {
                     published: published(&summary),
                     summary,
                 })

@@ -62,12 +62,12 @@ pub fn slips(machine: &Machine<f64>, centre: &Centre<f64>, errors: &[Error<f64>]
 
 /// Greatest slip of all groups.
 #[derive(Clone, Copy, Debug)]
-pub struct Greatest<C>(C);
-results! { Greatest as slip => { SLIP_MAX: slip.0; } }
+pub struct GreatestSlip<C>(C);
+results! { GreatestSlip as slip => { SLIP_MAX: slip.0; } }
 
-impl Greatest<f64> {
+impl GreatestSlip<f64> {
     #[must_use]
-    pub fn new(slips: &[Slipping<f64>]) -> Greatest<f64> {
-        Greatest(slips.iter().map(|slip| slip.0).fold(0.0, f64::max))
+    pub fn new(slips: &[Slipping<f64>]) -> GreatestSlip<f64> {
+        GreatestSlip(slips.iter().map(|slip| slip.0).fold(0.0, f64::max))
     }
 }

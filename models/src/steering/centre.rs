@@ -65,23 +65,23 @@ impl<C: Calc> Centre<C> {
 
 /// Where the turning centre lies. At infinity it lies to the left of the way, on the line across the machine.
 #[derive(Clone, Copy, Debug)]
-pub struct Pole<C> {
+pub struct TurningPole<C> {
     at: Point<C>,
     far: bool,
     /// Distance from the machine's middle, in m.
     radius: C,
 }
-results! { Pole as p => {
+results! { TurningPole as p => {
     O_X: p.at.x;
     O_Y: p.at.y;
     O_FAR: C::constant(f64::from(p.far));
     R_O: p.radius;
 } }
 
-impl<C: Calc> Pole<C> {
-    pub fn new(machine: &Machine<C>, centre: &Centre<C>) -> Pole<C> {
+impl<C: Calc> TurningPole<C> {
+    pub fn new(machine: &Machine<C>, centre: &Centre<C>) -> TurningPole<C> {
         if let Some(at) = centre.point() {
-            return Pole {
+            return TurningPole {
                 at,
                 far: false,
                 radius: plane::length(at - machine.middle),
@@ -92,7 +92,7 @@ impl<C: Calc> Pole<C> {
             0.0 => C::constant(0.0),
             x => C::constant(f64::INFINITY.copysign(x)),
         };
-        Pole {
+        TurningPole {
             at: Point::new(far(-along.y), far(along.x)),
             far: true,
             radius: C::constant(f64::INFINITY),

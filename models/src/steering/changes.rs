@@ -1,6 +1,6 @@
 //! Changes from each travel mode to each other one, for the book.
 
-use crate::component::sheet::{Change, Changes, Curve};
+use crate::component::sheet::{Changeover, Changes, Curve};
 use crate::component::telling::between;
 use crate::steering::built::Built;
 use crate::steering::centre::Centre;
@@ -33,7 +33,7 @@ pub fn changes(steering: &Steering, built: &Built) -> Option<Changes> {
         .filter_map(|mode| stance(built, &example(steering, built, mode)?))
         .collect();
     let plan = |a: &Stance, b: &Stance| crew.transition(&a.centre, &a.angles, &b.centre).ok();
-    let row = |a: &Stance, b: &Stance, plan: Option<&Plan>| Change {
+    let row = |a: &Stance, b: &Stance, plan: Option<&Plan>| Changeover {
         between: [a.mode.id(), b.mode.id()],
         plan: plan.map(|plan| (plan.time, plan.standing, plan.governing + 1)),
         flow: plan

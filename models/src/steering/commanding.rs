@@ -19,8 +19,8 @@ const ON_LINE: f64 = 1e-9;
 
 /// How the turning centre moves with the commanded angle; `None` where no angle commands.
 #[derive(Clone, Copy, Debug)]
-pub struct Slope<C>(pub Option<Centre<C>>);
-results! { Slope; }
+pub struct CentreShift<C>(pub Option<Centre<C>>);
+results! { CentreShift; }
 
 impl<C: Calc> Machine<C> {
     /// x of the line on which the turning centre moves, and the group whose angle commands it.
@@ -131,9 +131,9 @@ impl Mode {
     }
 }
 
-impl<C: Calc> Slope<C> {
-    pub fn new(mode: &Mode, machine: &Machine<C>, command: &Command<C>) -> Slope<C> {
-        Slope(match command {
+impl<C: Calc> CentreShift<C> {
+    pub fn new(mode: &Mode, machine: &Machine<C>, command: &Command<C>) -> CentreShift<C> {
+        CentreShift(match command {
             Command::Angle(theta) => mode.slope(machine, *theta),
             _ => None,
         })

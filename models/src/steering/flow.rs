@@ -14,12 +14,12 @@ quantities! {
 
 /// Speed of a group's cylinder, in m/s, lengthening positive.
 #[derive(Clone, Copy, Debug)]
-pub struct Stroke<C>(pub C);
-results! { each Stroke as v => { V_C: v.0; } }
+pub struct CylinderSpeed<C>(pub C);
+results! { each CylinderSpeed as v => { V_C: v.0; } }
 
-impl<C: Calc> Stroke<C> {
-    pub fn new(rate: &Rate<C>, pose: &Pose<C>) -> Stroke<C> {
-        Stroke((rate.0 * pose.od).def(&s::V_C))
+impl<C: Calc> CylinderSpeed<C> {
+    pub fn new(rate: &Rate<C>, pose: &Pose<C>) -> CylinderSpeed<C> {
+        CylinderSpeed((rate.0 * pose.od).def(&s::V_C))
     }
 }
 
@@ -37,12 +37,12 @@ pub fn flow<C: Calc>(piston: &Piston<C>, speed: C) -> C {
 
 /// Oil flow to a group's cylinder, in m³/s; negative where it shortens.
 #[derive(Clone, Copy, Debug)]
-pub struct Flow<C>(pub C);
-results! { each Flow as q => { Q_G: q.0; } }
+pub struct CylinderFlow<C>(pub C);
+results! { each CylinderFlow as q => { Q_G: q.0; } }
 
-impl<C: Calc> Flow<C> {
-    pub fn new(piston: &Piston<C>, stroke: &Stroke<C>) -> Flow<C> {
-        Flow(flow(piston, stroke.0))
+impl<C: Calc> CylinderFlow<C> {
+    pub fn new(piston: &Piston<C>, stroke: &CylinderSpeed<C>) -> CylinderFlow<C> {
+        CylinderFlow(flow(piston, stroke.0))
     }
 }
 
@@ -52,7 +52,7 @@ pub struct Total<C>(pub C);
 results! { Total as q => { Q_SUM: q.0; } }
 
 impl<C: Calc> Total<C> {
-    pub fn new(flows: &[Flow<C>]) -> Total<C> {
+    pub fn new(flows: &[CylinderFlow<C>]) -> Total<C> {
         Total(flows.iter().fold(C::constant(0.0), |sum, flow| sum + flow.0.abs()))
     }
 }

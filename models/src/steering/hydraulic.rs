@@ -21,7 +21,7 @@ pub const INDICATORS: usize = 6;
 
 /// One group at work: angle, rate, pressures of ports and chambers, spool and its speed.
 #[derive(Clone, Copy, Debug)]
-pub struct Group<P = f64> {
+pub struct WorkingGroup<P = f64> {
     pub linkage: Linkage<P>,
     pub cylinder: Cylinder<P>,
     /// About the group's axis, in kg·m².
@@ -37,7 +37,7 @@ pub struct Group<P = f64> {
     pub command: P,
 }
 
-impl Group {
+impl WorkingGroup {
     /// At rest at an angle (rad), the chamber of the bore at a pressure (Pa), without force on the group.
     #[must_use]
     pub fn resting(&self, theta: f64, pressure: f64) -> [f64; STATES] {
@@ -59,7 +59,7 @@ impl Group {
     }
 }
 
-impl<P: Calc> Group<P> {
+impl<P: Calc> WorkingGroup<P> {
     /// Length and lever arm of the cylinder at an angle (rad).
     #[inline]
     pub fn pose<C: Over<P>>(&self, theta: C) -> Pose<C> {
@@ -100,7 +100,7 @@ impl<P: Calc> Group<P> {
     #[inline]
     pub fn equations<C: Over<P>>(&self, y: &[C; STATES]) -> [C; STATES] {
         let [theta, omega, ..] = *y;
-        let oil = Group::oil(y);
+        let oil = WorkingGroup::oil(y);
         let pose = self.pose(theta);
         let rates = self
             .cylinder
@@ -137,13 +137,13 @@ impl<P: Calc> Group<P> {
     /// Flow from the pump through the valve, in m³/s.
     #[must_use]
     pub fn demand<C: Over<P>>(&self, y: &[C; STATES]) -> C {
-        let oil = Group::oil(y);
+        let oil = WorkingGroup::oil(y);
         let [a, b] = self.cylinder.valve.flows(oil.spool, self.supply, oil.ports);
         if oil.spool.value() >= 0.0 { a } else { b }
     }
 }
 
-impl System<STATES> for Group {
+impl System<STATES> for WorkingGroup {
     #[inline]
     fn rates(&self, y: &[f64; STATES]) -> Option<[f64; STATES]> {
         Some(self.equations(y))
@@ -157,7 +157,7 @@ impl System<STATES> for Group {
 
     #[inline]
     fn least(&self, y: &[f64; STATES]) -> f64 {
-        Group::oil(y).least().1
+        WorkingGroup::oil(y).least().1
     }
 }
 
@@ -176,7 +176,7 @@ pub struct Control {
 
 /// What the PLC holds of a group from one sample to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Held {
+pub struct Sampled {
     /// Of the error, in rad·s.
     pub integral: f64,
     /// Of the valve.
@@ -187,7 +187,7 @@ impl Control {
     /// One sample: reads the encoder at an angle (rad) and sets the valve for the angle wanted (rad);
     /// `mirrored` where the cylinder shortens for a positive angle.
     #[must_use]
-    pub fn sample(&self, held: &Held, wanted: f64, theta: f64, mirrored: bool) -> Held {
+    pub fn sample(&self, held: &Sampled, wanted: f64, theta: f64, mirrored: bool) -> Sampled {
         let seen = match self.resolution {
             0.0 => theta,
             step => (theta / step).round() * step,
@@ -196,7 +196,7 @@ impl Control {
         let sum = held.integral + error * self.period;
         let command = self.gains[0] * error + self.gains[1] * sum;
         let sense = if mirrored { -1.0 } else { 1.0 };
-        Held {
+        Sampled {
             // The integral waits while the command is at its limit.
             integral: if command.abs() < self.limit { sum } else { held.integral },
             command: sense * command.clamp(-self.limit, self.limit),

@@ -28,8 +28,8 @@ impl<C: Calc> Axis<C> {
 
 /// Front, rear, left and right of the machine, in m; `None` as far as the groups reach.
 #[derive(Clone, Copy, Debug)]
-pub struct Outline(pub Option<[f64; 4]>);
-group!(Outline);
+pub struct Footprint(pub Option<[f64; 4]>);
+group!(Footprint);
 
 /// A machine with its steered groups, the first of which commands front-axle, all-wheel and crab steering; lengths in m.
 #[derive(Clone, Debug)]
@@ -52,7 +52,7 @@ results! { Machine; }
 
 impl<C: Calc> Machine<C> {
     /// Any layout of 4 to 64 groups no two of which coincide.
-    pub fn new(axes: &[Axis<C>], outline: &Outline) -> Result<Machine<C>, Refusal> {
+    pub fn new(axes: &[Axis<C>], outline: &Footprint) -> Result<Machine<C>, Refusal> {
         let groups: Vec<Point<C>> = axes.iter().map(Axis::point).collect();
         apart(&groups)?;
         let outermost = |pick: fn(&Point<C>) -> C, of_two: fn(C, C) -> C| {

@@ -26,7 +26,9 @@ impl Mechanism for Steering {
     fn model(&self) -> Result<Model, Fault> {
         match &self.moving {
             None => standing(self).map(Model::Standing),
-            Some(moving) => moving::model::Model::new(self, moving).map(|model| Model::Moving(Box::new(model))),
+            Some(moving) => {
+                moving::model::SteeringMotion::new(self, moving).map(|model| Model::Moving(Box::new(model)))
+            }
         }
     }
 

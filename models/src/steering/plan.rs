@@ -7,7 +7,7 @@ use crate::steering::cylinder::Linkage;
 use crate::steering::limits::Limits;
 use crate::steering::machine::{GROUPS, Machine};
 use crate::steering::stand::stand;
-use crate::steering::transition::{Arc, SAME_STANCE, Twist};
+use crate::steering::transition::{GreatCircle, SAME_STANCE, Twist};
 
 /// Pieces of a path, within which the motion changes evenly with time.
 const PIECES: usize = 256;
@@ -38,7 +38,7 @@ pub enum Moment {
     /// What part of the time has gone.
     Standing(f64),
     /// With the present motion.
-    Travelling(Arc, Twist),
+    Travelling(GreatCircle, Twist),
     End,
 }
 
@@ -114,7 +114,7 @@ impl Plan {
 
     /// A way on which the machine may travel from the first motion to the second.
     fn travelling(&self, crew: &Crew<'_>, ends: [Twist; 2]) -> Option<Plan> {
-        let arc = Arc::new(crew.machine, ends)?;
+        let arc = GreatCircle::new(crew.machine, ends)?;
         let mut plan = Plan {
             standing: false,
             ends,
@@ -203,7 +203,7 @@ impl Plan {
         let arc = if self.standing {
             None
         } else {
-            Arc::new(machine, self.ends)
+            GreatCircle::new(machine, self.ends)
         };
         let Some(arc) = arc else {
             return Moment::Standing(time / self.time);

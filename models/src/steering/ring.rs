@@ -49,9 +49,9 @@ pub fn friction<C: Calc>(ring: &Bearing<C>, f_a: C) -> C {
 
 /// A load curve: points (force N, moment N·m) with rising force.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Curve(pub Vec<[f64; 2]>);
+pub struct LoadCurve(pub Vec<[f64; 2]>);
 
-impl Curve {
+impl LoadCurve {
     /// The moment that may act with a force, in N·m; `None` beyond the curve.
     #[must_use]
     pub fn limit(&self, f: f64) -> Option<f64> {
@@ -68,8 +68,8 @@ pub struct Ring {
     pub name: String,
     /// Diameter of the raceway, in m.
     pub d_l: f64,
-    pub ring: Curve,
-    pub bolts: Curve,
+    pub ring: LoadCurve,
+    pub bolts: LoadCurve,
 }
 
 impl Ring {
@@ -116,8 +116,8 @@ impl Catalogue {
         let ring = |size: u32, f: f64, m: f64| Ring {
             name: format!("EXAMPLE {size}"),
             d_l: f64::from(size) / 1e3,
-            ring: Curve(vec![[0.0, m], [0.4 * f, 0.8 * m], [0.8 * f, 0.3 * m], [f, 0.0]]),
-            bolts: Curve(vec![[0.0, 0.7 * m], [f, 0.7 * m]]),
+            ring: LoadCurve(vec![[0.0, m], [0.4 * f, 0.8 * m], [0.8 * f, 0.3 * m], [f, 0.0]]),
+            bolts: LoadCurve(vec![[0.0, 0.7 * m], [f, 0.7 * m]]),
         };
         Catalogue {
             rings: vec![

@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use crate::component::stages::{Stages, Use};
+use crate::kernel::check::quantity;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
-use crate::kernel::schema::{Kind, Sign, Values, quantity};
+use crate::kernel::schema::{Kind, Sign, Values};
 use crate::kernel::symbol::{Enumeration, Symbol};
 use crate::kernel::variable::TIME;
 use crate::parts::motion::{Motion, degrees};
@@ -18,12 +19,12 @@ use crate::steering::flow::Piston;
 use crate::steering::frame::Mount;
 use crate::steering::keys::KEYS;
 use crate::steering::load::{Load, Tyre, share};
-use crate::steering::machine::{Axis, Outline};
+use crate::steering::machine::{Axis, Footprint};
 use crate::steering::mode::{By, Command, Corner, Mode, Wanted};
-use crate::steering::moving::scene::Moving;
+use crate::steering::moving::scene::MovingGroups;
 use crate::steering::reach::reach;
 use crate::steering::refusal::{Refusal, within};
-use crate::steering::ring::{Bearing, Catalogue, Curve, Ring, Safety};
+use crate::steering::ring::{Bearing, Catalogue, LoadCurve, Ring, Safety};
 use crate::steering::sizing::Hydraulics;
 use crate::steering::stages::{Given, SteeredGroups};
 use crate::steering::stand::stand;
@@ -46,7 +47,7 @@ pub struct Steering {
     pub drawn: [Option<Mode>; 2],
     pub catalogue: Option<Catalogue>,
     /// With `fidelity = "hydraulic"`; with `auto` where the scene's tables allow it.
-    pub moving: Option<Moving>,
+    pub moving: Option<MovingGroups>,
     /// Whether the level is left to the accuracy that the scene asks for.
     pub auto: bool,
 }
@@ -99,7 +100,7 @@ impl Steering {
             y: n(v, &s::O_CY).unwrap_or(machine.middle.y + radius),
         };
         let drawn = drawn(v, given.mode, found);
-        let moving = Moving::new(v, found).unwrap_or_else(|refusal| {
+        let moving = MovingGroups::new(v, found).unwrap_or_else(|refusal| {
             found.push(told(v, refusal));
             None
         });
@@ -211,7 +212,7 @@ fn given(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Given<f64>> {
         accuracy: group(v, "accuracy", |t| Accuracy::of(|symbol| n(t, symbol)))?,
         pace: group(v, "transition", |t| Pace::of(|symbol| n(t, symbol)))?,
         mounts: mounts(v, found),
-        outline: Outline(outline),
+        outline: Footprint(outline),
         clock: One(&TIME, 0.0),
         change: Change::new(v.tables("groups").len()),
     })
@@ -435,7 +436,7 @@ fn catalogue(ring: &Values, found: &mut Vec<Diagnostic>) -> Option<Catalogue> {
                 ),
             }
         }
-        Curve(points)
+        LoadCurve(points)
     };
     let rings = tables.iter().filter_map(|table| {
         Some(Ring {

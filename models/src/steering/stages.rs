@@ -5,16 +5,16 @@ use crate::component::stages::{Found, stages};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
-use crate::steering::accuracy::{Accuracy, Alone, Error, Greatest, Slipping, slips};
-use crate::steering::centre::{Centre, Pole};
+use crate::steering::accuracy::{Accuracy, Alone, Error, GreatestSlip, Slipping, slips};
+use crate::steering::centre::{Centre, TurningPole};
 use crate::steering::change::Change;
-use crate::steering::commanding::Slope;
+use crate::steering::commanding::CentreShift;
 use crate::steering::cylinder::{Cylinder, Linkage, Pose};
-use crate::steering::flow::{Flow, Piston, Stroke, Total};
+use crate::steering::flow::{CylinderFlow, CylinderSpeed, Piston, Total};
 use crate::steering::frame::{Ends, Mount, limits};
 use crate::steering::limits::Limits;
 use crate::steering::load::{Drag, Force, Load, Travelling, Tyre};
-use crate::steering::machine::{Axis, Machine, Outline};
+use crate::steering::machine::{Axis, Footprint, Machine};
 use crate::steering::margin::Margin;
 use crate::steering::mode::{By, Command, Corner, Mode, Wanted};
 use crate::steering::nearest::{Followed, Heading, Nearest};
@@ -47,7 +47,7 @@ stages! {
         Parameter accuracy: Option<Accuracy<C>>,
         Parameter pace: Option<Pace<C>>,
         Fixed mounts: Vec<Mount>,
-        Fixed outline: Outline,
+        Fixed outline: Footprint,
         Time clock: One<C>,
         Memory change: Change,
     } find {
@@ -57,7 +57,7 @@ stages! {
         linkages[each axes]: Vec<Linkage<C>> = linkage(cylinder[!], mounts[each]);
         command: Command<C> = Command::new(wanted, mode, by, corner, theta_b, r_t);
         centre: Centre<C> = centre(mode, machine, command);
-        pole: Pole<C> = Pole::new(machine, centre);
+        pole: TurningPole<C> = TurningPole::new(machine, centre);
         swept: Swept<C> = Swept::new(machine, centre);
         rollings[each axes]: Vec<Rolling<C>> = Rolling::new(centre, axes[each]);
         wheels[each axes]: Vec<Wheel<C>> = Wheel::new(rollings[each], limits[each]);
@@ -66,19 +66,19 @@ stages! {
         speeds[each axes]: Vec<Speed<C>> = Speed::new(rollings[each], wheels[each], scale);
         turn: Turn<C> = Turn::new(centre, scale);
         travel: Travel<C> = Travel::new(machine, centre, scale);
-        slope: Slope<C> = Slope::new(mode, machine, command);
+        slope: CentreShift<C> = CentreShift::new(mode, machine, command);
         rates[each axes]: Vec<Rate<C>> = Rate::new(axes[each], rollings[each], slope, omega_s);
         poses[each axes]: Vec<Pose<C>> = pose(linkages[each], wheels[each]);
         drags[each loads]: Vec<Drag<C>> = Drag::new(tyre[!], bearing, loads[each]);
         forces[each loads]: Vec<Force<C>> = Force::new(drags[each], poses[each]);
         travelling[each loads]: Vec<Travelling<C>> = Travelling::new(drags[each], poses[each]);
-        strokes[each axes]: Vec<Stroke<C>> = Stroke::new(rates[each], poses[each]);
-        flows[each axes]: Vec<Flow<C>> = Flow::new(piston[!], strokes[each]);
+        strokes[each axes]: Vec<CylinderSpeed<C>> = CylinderSpeed::new(rates[each], poses[each]);
+        flows[each axes]: Vec<CylinderFlow<C>> = CylinderFlow::new(piston[!], strokes[each]);
         total: Total<C> = Total::new(flows);
         errors[each axes]: Vec<Error<C>> = Error::new(accuracy[!], poses[each]);
         alone[each axes]: Vec<Alone<C>> = Alone::new(speeds[each], errors[each], v_t);
         slips[axes]: Vec<Slipping<C>> = slips(machine, centre, errors), searched;
-        greatest: Greatest<C> = Greatest::new(slips), searched;
+        greatest: GreatestSlip<C> = GreatestSlip::new(slips), searched;
         nearest: Nearest = Nearest::new(machine, limits, mode, command, centre, margin), searched;
         followed: Followed<C> = Followed::new(nearest, theta_b, r_t, wanted), searched;
         headings[each axes]: Vec<Heading<C>> = Heading::new(nearest, axes[each], limits[each]), searched;

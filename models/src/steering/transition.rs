@@ -31,7 +31,7 @@ pub type Twist = [f64; 3];
 
 /// The way from one direction of the motion to another, on the great circle through both.
 #[derive(Clone, Copy, Debug)]
-pub struct Arc {
+pub struct GreatCircle {
     from: Twist,
     /// At a right angle to it.
     towards: Twist,
@@ -42,10 +42,10 @@ pub struct Arc {
     size: f64,
 }
 
-impl Arc {
+impl GreatCircle {
     /// `None` between opposite directions: there is no shortest way.
     #[must_use]
-    pub fn new(machine: &Machine<f64>, [a, b]: [Twist; 2]) -> Option<Arc> {
+    pub fn new(machine: &Machine<f64>, [a, b]: [Twist; 2]) -> Option<GreatCircle> {
         let dot: f64 = (0..3).map(|i| a[i] * b[i]).sum();
         let across: Twist = std::array::from_fn(|i| b[i] - dot * a[i]);
         let apart = across.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -57,7 +57,7 @@ impl Arc {
         } else {
             f64::direction(dot, apart)
         };
-        Some(Arc {
+        Some(GreatCircle {
             from: a,
             towards: across.map(|x| if whole == 0.0 { 0.0 } else { x / apart }),
             whole,

@@ -4,7 +4,7 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
-use crate::steering::commanding::Slope;
+use crate::steering::commanding::CentreShift;
 use crate::steering::machine::{Axis, Machine};
 use crate::steering::symbols as s;
 use crate::steering::wheels::{Rolling, Scale};
@@ -56,7 +56,7 @@ pub fn rate<C: Calc>(along: Point<C>, change: Point<C>) -> C {
 
 impl<C: Calc> Rate<C> {
     /// At a steering speed in rad/s.
-    pub fn new(axis: &Axis<C>, rolling: &Rolling<C>, slope: &Slope<C>, omega_s: &C) -> Rate<C> {
+    pub fn new(axis: &Axis<C>, rolling: &Rolling<C>, slope: &CentreShift<C>, omega_s: &C) -> Rate<C> {
         let Some(slope) = &slope.0 else {
             // There is none where there is no centre.
             return Rate(C::constant(0.0).over(rolling.length));

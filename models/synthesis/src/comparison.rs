@@ -4,7 +4,7 @@
 use lemnis_models::balance::analysis::{Analysis, Residual};
 use lemnis_models::balance::boom::{Boom, joint};
 use lemnis_models::balance::lever::{Dimensions, Lever};
-use lemnis_models::balance::task::{Method, Role, Search, Task};
+use lemnis_models::balance::task::{CandidateRole, Method, Search, Task};
 use lemnis_models::balance::{Balance, symbols as s};
 use lemnis_models::component::sheet::{Drawing, Shape};
 use lemnis_models::kernel::allowed::OutOfRange;
@@ -95,7 +95,7 @@ pub struct Nodes {
 }
 
 /// Levers that the comparison begins with.
-const ORDER: [Role; 3] = [Role::Existing, Role::Published, Role::Start];
+const ORDER: [CandidateRole; 3] = [CandidateRole::Existing, CandidateRole::Published, CandidateRole::Start];
 /// Points of a drawn curve.
 const CURVE: u32 = 240;
 /// Builds of the tolerance's Monte Carlo.
@@ -124,7 +124,7 @@ impl Comparison {
             dimensions,
             worth: worth(boom, range, &positions, &builds, length, dimensions, branch).ok(),
         };
-        let is_front = |role| matches!(role, Role::RodForce | Role::Counterweight);
+        let is_front = |role| matches!(role, CandidateRole::RodForce | CandidateRole::Counterweight);
         let candidates = task.candidates.iter();
         let mut levers: Vec<Compared> = candidates
             .filter(|candidate| !is_front(candidate.role))
@@ -263,7 +263,10 @@ fn limits(task: &Task, last: Option<&Compared>) -> Vec<Bound> {
 }
 
 fn fronts(task: &Task, boom: &(dyn Boom<f64> + Sync), range: [f64; 2], last: Option<&Compared>) -> Vec<Front> {
-    let sides = [(Role::RodForce, &s::N_MAX), (Role::Counterweight, &s::M_5)];
+    let sides = [
+        (CandidateRole::RodForce, &s::N_MAX),
+        (CandidateRole::Counterweight, &s::M_5),
+    ];
     let mut fronts = Vec::new();
     for (role, symbol) in sides {
         let listed = task.candidates.iter().filter(|candidate| candidate.role == role);
@@ -274,7 +277,7 @@ fn fronts(task: &Task, boom: &(dyn Boom<f64> + Sync), range: [f64; 2], last: Opt
             .filter_map(|(d, branch)| {
                 let lever = Lever::new(d, None, branch).ok()?;
                 let whole = Analysis::new(boom, &Balance::Lever(lever), range).ok()?;
-                let at = if role == Role::RodForce {
+                let at = if role == CandidateRole::RodForce {
                     whole.n_max?.value
                 } else {
                     d.m_5

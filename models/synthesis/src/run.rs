@@ -3,7 +3,7 @@
 use lemnis_models::balance::analysis::Analysis;
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::{Dimensions, Lever};
-use lemnis_models::balance::task::{Criterion, Method, Role, Task};
+use lemnis_models::balance::task::{CandidateRole, Criterion, Method, Task};
 use lemnis_models::balance::{Balance, symbols as s};
 use lemnis_models::kernel::allowed::OutOfRange;
 use lemnis_models::kernel::symbol::Symbol;
@@ -23,7 +23,7 @@ pub struct Outcome {
     /// Whether the search came to its end.
     pub complete: bool,
     /// Levers of least residual under other limits of rod force and of counterweight.
-    pub fronts: Vec<(Role, Dimensions<f64>)>,
+    pub fronts: Vec<(CandidateRole, Dimensions<f64>)>,
 }
 
 /// Builds of which the robust mode keeps 95 %: a hundred foretell what thousands keep.
@@ -148,7 +148,10 @@ fn best(
         (rod.join().expect("a search does not panic"), counterweight)
     });
     let mut fronts = Vec::new();
-    for (role, front) in [(Role::RodForce, rod?), (Role::Counterweight, counterweight?)] {
+    for (role, front) in [
+        (CandidateRole::RodForce, rod?),
+        (CandidateRole::Counterweight, counterweight?),
+    ] {
         fronts.extend(
             front
                 .into_iter()
@@ -174,7 +177,10 @@ fn in_branch(
     watch: Watch<'_>,
 ) -> Result<(Problem, Found), OutOfRange> {
     let mut problem = Problem::new(boom, range, task, branch)?;
-    let start = task.candidates.iter().find(|candidate| candidate.role == Role::Start);
+    let start = task
+        .candidates
+        .iter()
+        .find(|candidate| candidate.role == CandidateRole::Start);
     let mut found = match start {
         Some(start) if start.branch == branch => improve(&problem, start.dimensions, task.seed, watch)?,
         _ => search(&problem, effort(task, RUNS, threads), watch)?,

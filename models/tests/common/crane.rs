@@ -5,8 +5,8 @@
 use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase, Turntable};
 use lemnis_models::luffing::double_link::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters};
 use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic};
-use lemnis_models::luffing::double_link::motion::{Friction, Motion};
-use lemnis_models::luffing::double_link::slewing::{Drive, Joint, Slewing};
+use lemnis_models::luffing::double_link::motion::{Friction, MovingLinkage};
+use lemnis_models::luffing::double_link::slewing::{Joint, JointDrive, Slewing};
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::parts::hydraulics::cylinder::Cylinder;
 use lemnis_models::parts::hydraulics::valve::Valve;
@@ -152,7 +152,7 @@ pub const ANCHORS: Anchors<f64> = Anchors {
 };
 
 pub fn hydraulic<const N: usize>(pendulum: Option<Pendulum>) -> Hydraulic<N> {
-    oiled(Crane::Plane(Motion {
+    oiled(Crane::Plane(MovingLinkage {
         dynamics: dynamics(pendulum).with_drive(&ANCHORS),
         friction: Friction {
             viscous: 2e4,
@@ -178,7 +178,7 @@ fn oiled<const N: usize>(crane: Crane) -> Hydraulic<N> {
         command: 0.0,
         supply: 250e5,
         hoist: 0.0,
-        slewing: Drive {
+        slewing: JointDrive {
             moment: 0.0,
             brake: 0.0,
         },

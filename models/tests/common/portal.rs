@@ -3,7 +3,7 @@
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::luffing::double_link::geometry::Parameters;
 use lemnis_models::luffing::double_link::scene::Luffing;
-use lemnis_models::luffing::double_link::system::System;
+use lemnis_models::luffing::double_link::system::BoomSystem;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::scene::Scene;
 
@@ -12,8 +12,8 @@ pub fn parameters() -> Parameters<f64> {
     scene.mechanism.of::<Luffing>().expect("a luffing mechanism").parameters
 }
 
-pub fn boom() -> System<f64> {
-    System::new(&parameters()).expect("a boom system")
+pub fn boom() -> BoomSystem<f64> {
+    BoomSystem::new(&parameters()).expect("a boom system")
 }
 
 pub fn rad(degrees: f64) -> f64 {

@@ -4,7 +4,7 @@ use lemnis_models::kernel::calc::Calc;
 use lemnis_models::parts::plane::Point;
 use lemnis_models::steering::centre::Centre;
 use lemnis_models::steering::limits::Limits;
-use lemnis_models::steering::machine::{Axis, Machine, Outline};
+use lemnis_models::steering::machine::{Axis, Footprint, Machine};
 use lemnis_models::steering::travel::{Travel, Turn};
 use lemnis_models::steering::wheels::{Rolling, Scale, Speed, Wheel};
 
@@ -33,7 +33,7 @@ pub fn axes<C: Calc>(points: &[Point<C>]) -> Vec<Axis<C>> {
 
 /// A machine that reaches as far as its groups.
 pub fn plain<C: Calc>(points: &[Point<C>]) -> Machine<C> {
-    Machine::new(&axes(points), &Outline(None)).expect("apart")
+    Machine::new(&axes(points), &Footprint(None)).expect("apart")
 }
 
 /// Ranges that allow every heading.

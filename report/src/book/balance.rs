@@ -55,8 +55,8 @@ struct Equilibrium {
 }
 
 impl Balance {
-    pub(super) fn new(language: &Language, balance: &sheet::Balance) -> Balance {
-        let criterion = |criterion: &sheet::Criterion| Criterion {
+    pub(super) fn new(language: &Language, balance: &sheet::BalanceSheet) -> Balance {
+        let criterion = |criterion: &sheet::Measure| Criterion {
             summary: summary(language, &criterion.summary),
             published: criterion
                 .published

@@ -13,7 +13,7 @@ mod trade;
 use lemnis_fmu::instance::strings;
 use lemnis_models::book::CHAPTERS;
 use lemnis_models::component::sheet::{self, Sheet};
-use lemnis_models::kernel::schema;
+use lemnis_models::kernel::check;
 use lemnis_models::scene::Scene;
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
@@ -197,7 +197,7 @@ impl<'a> Book<'a> {
             name: scene.name(),
             project: scene.project(),
             revisions: scene.revisions(),
-            date: date.and_then(|(_, date)| schema::date(date)),
+            date: date.and_then(|(_, date)| check::date(date)),
             hash,
             attachment: format!("{}.toml", scene.name()),
             version,

@@ -277,7 +277,7 @@ pub(super) fn warnings(language: &Language, sheet: &Sheet) -> Vec<Warning> {
 pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes {
     let [duration, flow] = changes.columns;
     let shown = |symbol: &Symbol, value: f64| language.text(&fixed(symbol.shown(value), 1));
-    let row = |row: &sheet::Change| ChangeRow {
+    let row = |row: &sheet::Changeover| ChangeRow {
         between: row.between,
         plan: row
             .plan

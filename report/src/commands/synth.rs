@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use lemnis_models::balance::lever::{Dimensions, Lever};
-use lemnis_models::balance::task::{Role, Task};
+use lemnis_models::balance::task::{CandidateRole, Task};
 use lemnis_models::kernel::allowed::OutOfRange;
 use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::number::{Digits, Number, short};
@@ -102,10 +102,10 @@ fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outc
         let listed = synthesis.remove("candidates");
         let listed = listed.and_then(|listed| listed.into_array_of_tables().ok());
         let mut candidates: ArrayOfTables = listed.unwrap_or_default();
-        let fronts = [Role::RodForce, Role::Counterweight].map(Role::name);
+        let fronts = [CandidateRole::RodForce, CandidateRole::Counterweight].map(CandidateRole::name);
         candidates.retain(|table| !table["role"].as_str().is_some_and(|role| fronts.contains(&role)));
         if let Some(own) = own.filter(|_| task.found.is_none()) {
-            candidates.push(lever(Role::Existing, &own.dimensions, own.branch));
+            candidates.push(lever(CandidateRole::Existing, &own.dimensions, own.branch));
         }
         for (role, dimensions) in &outcome.fronts {
             candidates.push(lever(*role, dimensions, outcome.branch));
@@ -141,7 +141,7 @@ fn watched<T>(task: &Task, search: impl FnOnce(usize, Watch<'_>) -> T) -> T {
     found
 }
 
-fn lever(role: Role, d: &Dimensions<f64>, branch: Branch) -> Table {
+fn lever(role: CandidateRole, d: &Dimensions<f64>, branch: Branch) -> Table {
     let mut table = Table::new();
     set(&mut table, "role", role.name().into());
     fill(&mut table, d, branch);

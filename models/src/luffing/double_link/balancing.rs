@@ -14,7 +14,7 @@ use crate::luffing::double_link::geometry::{Driven, Geometry, Parameters, Weight
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
 use crate::luffing::double_link::symbols as l;
-use crate::luffing::double_link::system::{System, height, load};
+use crate::luffing::double_link::system::{BoomSystem, height, load};
 use crate::luffing::double_link::velocity::Velocity;
 use crate::parts::four_bar::Branch;
 use crate::parts::motion::Motion;
@@ -30,7 +30,7 @@ pub fn new<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Result<Option<Balanci
     };
     let middle = middle(&p.values(), motion);
     let phi = middle.map_or(0.0, |p| f64::direction(p.x_1.x, p.x_1.y));
-    let u_0 = |phi| Ok(System::new(&by_boom(p, motion))?.at(phi)?.u_0);
+    let u_0 = |phi| Ok(BoomSystem::new(&by_boom(p, motion))?.at(phi)?.u_0);
     Balancing::new(form, phi, u_0).map(Some).map_err(in_scene)
 }
 
@@ -127,7 +127,7 @@ pub fn analysis(p: &Parameters<f64>, motion: &Motion) -> Result<Option<Analysis>
 /// As [`balancing::agreement`], over `places` of the driven bar (rad).
 pub fn agreement(p: &Parameters<f64>, motion: &Motion, places: impl Iterator<Item = f64>) -> [f64; 2] {
     let dual = p.map(&mut |_, value| Dual64::from_re(value));
-    let boom = System::new(&by_boom(p, motion)).ok();
+    let boom = BoomSystem::new(&by_boom(p, motion)).ok();
     let (balancing, g) = (new(&dual, motion), Geometry::new(&dual));
     let (Ok(Some(balancing)), Ok(g), Some(w), Some(boom)) = (balancing, g, &dual.weights, boom) else {
         return [f64::INFINITY; 2];
@@ -157,8 +157,8 @@ fn by_boom<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Parameters<C> {
 ///
 /// # Errors
 /// A mechanism without weights.
-pub fn boom(p: &Parameters<f64>, motion: &Motion) -> Result<(System<f64>, [f64; 2]), OutOfRange> {
-    let boom = System::new(&by_boom(p, motion))?;
+pub fn boom(p: &Parameters<f64>, motion: &Motion) -> Result<(BoomSystem<f64>, [f64; 2]), OutOfRange> {
+    let boom = BoomSystem::new(&by_boom(p, motion))?;
     let ends = [motion.from, motion.to].map(|theta| match p.driven {
         Driven::Boom => Some(theta),
         Driven::Rocker => Position::new(&Geometry::new(p).ok()?, theta).map(|p| p.follower_angle()),

@@ -38,7 +38,7 @@ pub struct Accelerations<C> {
 
 /// The load at one instant: place and rate from the head, in the frame that slews.
 #[derive(Clone, Copy, Debug)]
-pub struct Load<C> {
+pub struct HangingLoad<C> {
     pub place: Vector3<C>,
     pub rate: Vector3<C>,
 }
@@ -86,13 +86,13 @@ impl<C: Calc> Rope<C> {
     }
 }
 
-impl<C: Calc> Load<C> {
+impl<C: Calc> HangingLoad<C> {
     /// On a taut rope: away from the head exactly as fast as the rope is paid out. The rate along the rope
     /// that numbers carry besides is left alone by the equations, so that it cannot grow.
-    pub(crate) fn on_rope(self, rope: &Rope<C>, hoist: C) -> Load<C> {
+    pub(crate) fn on_rope(self, rope: &Rope<C>, hoist: C) -> HangingLoad<C> {
         let excess = (dot(rope.direction, self.rate) - hoist).def(&s::V_EXCESS);
         let rate = self.rate - scaled(rope.direction, excess);
-        Load {
+        HangingLoad {
             rate: named(rate, [&s::W_X, &s::W_Y, &s::W_Z]),
             ..self
         }
@@ -114,7 +114,7 @@ impl<P: Calc> Dynamics<P> {
         &self,
         r: &Reduced<C>,
         [omega, turning]: [C; 2],
-        load: Load<C>,
+        load: HangingLoad<C>,
         moments: [C; 2],
         hoist: C,
         free: Free,

@@ -1,14 +1,14 @@
 //! Level `hydraulic`: the driven bar moved by a cylinder with its oil, ports
 //! and proportional valve. What else moves is as at the other levels: the load on
 //! its rope, reeled and slack at times, and a crane that slews, with friction that
-//! truly sticks. [`Motion`] and [`Slewing`] have their equations and decide their
+//! truly sticks. [`MovingLinkage`] and [`Slewing`] have their equations and decide their
 //! events; to them the cylinder is a moment on a bar that is [`Bar::Loose`].
 
 use crate::kernel::calc::{Calc, Over};
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
-use crate::luffing::double_link::motion::{self, Bar, Friction, MOST_CHANGES, Motion, above_zero};
+use crate::luffing::double_link::motion::{self, Bar, Friction, MOST_CHANGES, MovingLinkage, above_zero};
 use crate::luffing::double_link::moving::symbols as s;
-use crate::luffing::double_link::slewing::{self, Drive, Slewing};
+use crate::luffing::double_link::slewing::{self, JointDrive, Slewing};
 use crate::luffing::double_link::symbols as g;
 use crate::parts::hydraulics::cylinder::{Cylinder, Oil};
 use crate::parts::solver::rodas::{Run, Tolerance};
@@ -39,12 +39,12 @@ const MOST_EVENTS: u32 = 10_000;
 /// [`CREEP`] the bar creeps, and a stop is a stiff buffer.
 #[derive(Clone, Copy, Debug)]
 pub enum Crane<P = f64> {
-    Plane(Motion<P>),
+    Plane(MovingLinkage<P>),
     Slewing(Slewing<P>),
 }
 
 /// A luffing cylinder at work, as a system of at most N states: angle and rate of the driven bar, pressures of
-/// ports and chambers, spool and its speed, then the other states of [`Motion`] or [`Slewing`] in their order, as
+/// ports and chambers, spool and its speed, then the other states of [`MovingLinkage`] or [`Slewing`] in their order, as
 /// many as there are.
 #[derive(Clone, Copy, Debug)]
 pub struct Hydraulic<const N: usize, P = f64> {
@@ -58,7 +58,7 @@ pub struct Hydraulic<const N: usize, P = f64> {
     pub supply: P,
     /// How fast the rope is paid out, in m/s.
     pub hoist: P,
-    pub slewing: Drive<P>,
+    pub slewing: JointDrive<P>,
 }
 
 /// How a crane moves between events.
@@ -71,16 +71,16 @@ pub struct Modes {
 
 /// A crane on its way, with its solver's state.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Present<const N: usize> {
+pub struct PresentCrane<const N: usize> {
     pub run: Run<N>,
     pub modes: Modes,
 }
 
-impl<const N: usize> Present<N> {
+impl<const N: usize> PresentCrane<N> {
     /// At rest in these states, until it is decided what follows.
     #[must_use]
-    pub fn new(y: [f64; N]) -> Present<N> {
-        Present {
+    pub fn new(y: [f64; N]) -> PresentCrane<N> {
+        PresentCrane {
             run: Run::new(y, FIRST),
             modes: Modes::AT_REST,
         }
@@ -108,16 +108,16 @@ impl Modes {
         taut: true,
     };
 
-    fn plane<C: Calc, const N: usize>(self, y: &[C; N]) -> motion::State {
-        motion::State {
+    fn plane<C: Calc, const N: usize>(self, y: &[C; N]) -> motion::MotionState {
+        motion::MotionState {
             y: part(y).map(C::value),
             bar: Bar::Loose,
             taut: self.taut,
         }
     }
 
-    fn space<C: Calc, const N: usize>(self, y: &[C; N]) -> slewing::State {
-        slewing::State {
+    fn space<C: Calc, const N: usize>(self, y: &[C; N]) -> slewing::SlewingState {
+        slewing::SlewingState {
             y: part(y).map(C::value),
             joints: [Bar::Loose, self.slewing],
             taut: self.taut,
@@ -218,15 +218,15 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         }
     }
 
-    fn in_space<C: Coordinate<P>>(&self, moment: C) -> slewing::Commands<C> {
-        let Drive { moment: slewing, brake } = self.slewing;
-        slewing::Commands {
+    fn in_space<C: Coordinate<P>>(&self, moment: C) -> slewing::SlewingCommands<C> {
+        let JointDrive { moment: slewing, brake } = self.slewing;
+        slewing::SlewingCommands {
             drives: [
-                Drive {
+                JointDrive {
                     moment,
                     brake: C::constant(0.0),
                 },
-                Drive {
+                JointDrive {
                     moment: C::of(slewing),
                     brake: C::of(brake),
                 },
@@ -363,8 +363,8 @@ impl<const N: usize> Hydraulic<N> {
         y[0] = theta;
         if N > FIXED {
             match &self.crane {
-                Crane::Plane(_) => put(&mut y, &motion::State::resting(theta, length).y),
-                Crane::Slewing(_) => put(&mut y, &slewing::State::resting(theta, length).y),
+                Crane::Plane(_) => put(&mut y, &motion::MotionState::resting(theta, length).y),
+                Crane::Slewing(_) => put(&mut y, &slewing::SlewingState::resting(theta, length).y),
             }
         }
         let still = Phase {
@@ -395,7 +395,7 @@ impl<const N: usize> Hydraulic<N> {
     ///
     /// # Errors
     /// The linkage does not close.
-    pub fn event(&self, present: &mut Present<N>) -> Result<(), Halt> {
+    pub fn event(&self, present: &mut PresentCrane<N>) -> Result<(), Halt> {
         let mut y = present.run.states();
         for _ in 0..MOST_CHANGES {
             let r = f64::reduced(self.dynamics(), y[0]).ok_or(Halt::Outside)?;
@@ -437,7 +437,7 @@ impl<const N: usize> Hydraulic<N> {
     /// See [`Halt`]; the state is that of the last step that succeeded.
     pub fn advance(
         &self,
-        present: &mut Present<N>,
+        present: &mut PresentCrane<N>,
         tolerance: &Tolerance<N>,
         duration: f64,
         longest: f64,

@@ -8,9 +8,10 @@ use crate::component::telling;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::variable::Fault;
+use crate::luffing::double_link::keys::KEYS;
 use crate::luffing::double_link::model::standing;
 use crate::luffing::double_link::moving;
-use crate::luffing::double_link::scene::{KEYS, Luffing};
+use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::sheet::remarks;
 use crate::parts::motion::{Motion, Place};
 
@@ -52,7 +53,7 @@ impl Mechanism for Luffing {
     fn model(&self) -> Result<Model, Fault> {
         match &self.moving {
             None => standing(self).map(Model::Standing),
-            Some(moving) => moving::model::Model::new(self, moving).map(|model| Model::Moving(Box::new(model))),
+            Some(moving) => moving::model::LuffingMotion::new(self, moving).map(|model| Model::Moving(Box::new(model))),
         }
     }
 

@@ -39,6 +39,7 @@ pub mod feet;
 pub mod geometry;
 pub mod hanging;
 pub mod hydraulic;
+pub mod keys;
 pub mod mechanism;
 pub mod model;
 pub mod motion;

@@ -4,7 +4,7 @@
 //!
 //! Between events the motion is smooth and solved by the explicit Runge-Kutta
 //! method of fourth order. What ends a smooth piece is an [`indicator`](Motion::indicators)
-//! below zero; what follows is decided by [`Motion::event`]. Blows (an end
+//! below zero; what follows is decided by [`MovingLinkage::event`]. Blows (an end
 //! stop, a rope that becomes taut) are plastic: no bouncing, no energy gained.
 
 use crate::kernel::calc::Calc;
@@ -52,18 +52,18 @@ pub const INDICATORS: usize = 5;
 
 /// A motion at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
+pub struct MotionState {
     pub y: [f64; STATES],
     pub bar: Bar,
     /// The load hangs on the rope, or flies free.
     pub taut: bool,
 }
 
-impl State {
+impl MotionState {
     /// At rest at an angle (rad), the load hanging at the end of a rope of a length (m).
     #[must_use]
-    pub fn resting(theta: f64, length: f64) -> State {
-        State {
+    pub fn resting(theta: f64, length: f64) -> MotionState {
+        MotionState {
             y: [theta, 0.0, 0.0, 0.0, length, length, 0.0],
             bar: Bar::Held,
             taut: true,
@@ -87,7 +87,7 @@ fn phase<C: Calc>(y: &[C; STATES]) -> Phase<C> {
 
 /// A luffing mechanism that moves.
 #[derive(Clone, Copy, Debug)]
-pub struct Motion<P = f64> {
+pub struct MovingLinkage<P = f64> {
     pub dynamics: Dynamics<P>,
     pub friction: Friction<P>,
     /// Least and greatest angle of the driven bar, in rad.
@@ -102,9 +102,9 @@ pub(crate) const REELED_IN: f64 = 1e-4;
 /// Changes at one instant.
 pub(crate) const MOST_CHANGES: u32 = 16;
 
-impl<P: Calc> Motion<P> {
+impl<P: Calc> MovingLinkage<P> {
     /// The load on its rope as it is now.
-    fn reel<C: Coordinate<P>>(state: &State, y: &[C; STATES], commands: &Commands<C>) -> Reel<C> {
+    fn reel<C: Coordinate<P>>(state: &MotionState, y: &[C; STATES], commands: &Commands<C>) -> Reel<C> {
         if state.taut {
             Reel {
                 length: y[4],
@@ -126,7 +126,7 @@ impl<P: Calc> Motion<P> {
     /// Accelerations of bar and rope (rad/s²), and of the load away from the head (m/s²).
     fn accelerations<C: Coordinate<P>>(
         &self,
-        state: &State,
+        state: &MotionState,
         r: &Reduced<C>,
         y: &[C; STATES],
         commands: &Commands<C>,
@@ -166,7 +166,7 @@ impl<P: Calc> Motion<P> {
     #[inline]
     pub fn rates<C: Coordinate<P>>(
         &self,
-        state: &State,
+        state: &MotionState,
         commands: &Commands<C>,
         y: &[C; STATES],
     ) -> Option<[C; STATES]> {
@@ -186,7 +186,7 @@ impl<P: Calc> Motion<P> {
     #[inline]
     pub(crate) fn rates_at<C: Coordinate<P>>(
         &self,
-        state: &State,
+        state: &MotionState,
         r: &Reduced<C>,
         y: &[C; STATES],
         commands: &Commands<C>,
@@ -202,7 +202,13 @@ impl<P: Calc> Motion<P> {
 
     /// Moment that friction, brake and stops must give to hold the bar at rest, in N·m, with the
     /// least and greatest that they can.
-    fn held<C: Coordinate<P>>(&self, state: &State, r: &Reduced<C>, y: &[C; STATES], commands: &Commands<C>) -> [C; 3] {
+    fn held<C: Coordinate<P>>(
+        &self,
+        state: &MotionState,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; 3] {
         let hold = if state.taut {
             let still = Phase {
                 omega: C::constant(0.0),
@@ -224,7 +230,7 @@ impl<P: Calc> Motion<P> {
     /// Force of the rope on the load towards the head, in N; zero where it is slack or there is none.
     pub(crate) fn tension<C: Coordinate<P>>(
         &self,
-        state: &State,
+        state: &MotionState,
         r: &Reduced<C>,
         y: &[C; STATES],
         commands: &Commands<C>,
@@ -239,7 +245,7 @@ impl<P: Calc> Motion<P> {
     fn pull<C: Coordinate<P>>(
         &self,
         mass: P,
-        state: &State,
+        state: &MotionState,
         r: &Reduced<C>,
         y: &[C; STATES],
         commands: &Commands<C>,
@@ -253,7 +259,12 @@ impl<P: Calc> Motion<P> {
 
     /// Force of the rope, in N; zero where it is slack or there is none.
     #[must_use]
-    pub fn rope_force<C: Coordinate<P>>(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+    pub fn rope_force<C: Coordinate<P>>(
+        &self,
+        state: &MotionState,
+        commands: &Commands<C>,
+        y: &[C; STATES],
+    ) -> Option<C> {
         let r = C::reduced(&self.dynamics, y[0])?;
         Some(self.tension(state, &r, y, commands))
     }
@@ -262,7 +273,7 @@ impl<P: Calc> Motion<P> {
     #[must_use]
     pub fn friction_moment<C: Coordinate<P>>(
         &self,
-        state: &State,
+        state: &MotionState,
         commands: &Commands<C>,
         y: &[C; STATES],
     ) -> Option<C> {
@@ -281,7 +292,7 @@ impl<P: Calc> Motion<P> {
     #[must_use]
     pub fn indicators<C: Coordinate<P>>(
         &self,
-        state: &State,
+        state: &MotionState,
         commands: &Commands<C>,
         y: &[C; STATES],
     ) -> Option<[C; INDICATORS]> {
@@ -303,7 +314,7 @@ impl<P: Calc> Motion<P> {
     /// Falls below zero where the rope becomes slack or taut.
     pub(crate) fn slackening<C: Coordinate<P>>(
         &self,
-        state: &State,
+        state: &MotionState,
         r: &Reduced<C>,
         y: &[C; STATES],
         commands: &Commands<C>,
@@ -316,13 +327,13 @@ impl<P: Calc> Motion<P> {
     }
 }
 
-impl Motion {
+impl MovingLinkage {
     /// Decides what follows at an instant, as often as one event causes another. Returns whether
     /// anything changed.
     ///
     /// # Errors
     /// The linkage does not close, or a number overflows.
-    pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
+    pub fn event(&self, state: &mut MotionState, commands: &Commands) -> Result<bool, Halt> {
         let first = *state;
         if state.y[1] == 0.0 && state.bar != Bar::Loose {
             // At rest it is decided again which way it goes, as the commands may have changed.
@@ -350,7 +361,7 @@ impl Motion {
     }
 
     /// A bar that has reached a stop, or turned round, is at rest.
-    fn stop_bar(&self, state: &mut State, r: &Reduced<f64>, commands: &Commands) {
+    fn stop_bar(&self, state: &mut MotionState, r: &Reduced<f64>, commands: &Commands) {
         let [theta, omega, ..] = state.y;
         let [low, high] = self.stops;
         let at_stop = (theta >= high && omega > 0.0) || (theta <= low && omega < 0.0);
@@ -387,7 +398,7 @@ impl Motion {
     }
 
     /// The rope lets go where it would push, and catches the load with a plastic blow along itself.
-    fn switch_rope(&self, state: &mut State, r: &Reduced<f64>, commands: &Commands) {
+    fn switch_rope(&self, state: &mut MotionState, r: &Reduced<f64>, commands: &Commands) {
         let Some(pendulum) = self.dynamics.bodies().pendulum else {
             return;
         };
@@ -413,7 +424,13 @@ impl Motion {
     ///
     /// # Errors
     /// See [`Halt`]; the state is that of the last step that succeeded.
-    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<Count, Halt> {
+    pub fn advance(
+        &self,
+        state: &mut MotionState,
+        commands: &Commands,
+        duration: f64,
+        longest: f64,
+    ) -> Result<Count, Halt> {
         let Commands { moment, brake, hoist } = *commands;
         if !(moment.is_finite() && hoist.is_finite() && brake >= 0.0) {
             return Err(Halt::Outside);
@@ -423,7 +440,7 @@ impl Motion {
 
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
     #[must_use]
-    pub fn energy(&self, state: &State, commands: &Commands) -> Option<f64> {
+    pub fn energy(&self, state: &MotionState, commands: &Commands) -> Option<f64> {
         let r = f64::reduced(&self.dynamics, state.y[0])?;
         let m = state.phase();
         let bars = 0.5 * r.inertia * m.omega * m.omega + r.energy;
@@ -442,26 +459,26 @@ impl Motion {
 
 /// A motion under commands, for the solver.
 struct Commanded<'a> {
-    motion: &'a Motion,
+    motion: &'a MovingLinkage,
     commands: &'a Commands,
 }
 
-impl Pieces<STATES, State> for Commanded<'_> {
-    fn states(state: &mut State) -> &mut [f64; STATES] {
+impl Pieces<STATES, MotionState> for Commanded<'_> {
+    fn states(state: &mut MotionState) -> &mut [f64; STATES] {
         &mut state.y
     }
 
     #[inline]
-    fn rates(&self, state: &State, y: &[f64; STATES]) -> Option<[f64; STATES]> {
+    fn rates(&self, state: &MotionState, y: &[f64; STATES]) -> Option<[f64; STATES]> {
         self.motion.rates(state, self.commands, y)
     }
 
     #[inline]
-    fn crossed(&self, state: &State, y: &[f64; STATES]) -> bool {
+    fn crossed(&self, state: &MotionState, y: &[f64; STATES]) -> bool {
         pieces::crossed(self.motion.indicators(state, self.commands, y))
     }
 
-    fn event(&self, state: &mut State) -> Result<(), Halt> {
+    fn event(&self, state: &mut MotionState) -> Result<(), Halt> {
         self.motion.event(state, self.commands).map(|_| ())
     }
 }

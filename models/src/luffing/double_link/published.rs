@@ -10,17 +10,17 @@ use crate::luffing::double_link::symbols as s;
 
 /// Results of the publication's own formulas, boom driven, branch `left`.
 #[derive(Clone, Copy, Debug)]
-pub struct Published<C> {
+pub struct PublishedFormulas<C> {
     pub theta_3: C,
     pub alpha: C,
     pub alpha_1: C,
     pub o1p: C,
 }
-results! { Published; }
+results! { PublishedFormulas; }
 
-impl<C: Calc> Published<C> {
+impl<C: Calc> PublishedFormulas<C> {
     /// At boom angle `theta_1` (rad). [Li2022, eq. 1, 4-7]
-    pub fn new(g: &Geometry<C>, x_7: C, theta_1: C) -> Published<C> {
+    pub fn new(g: &Geometry<C>, x_7: C, theta_1: C) -> PublishedFormulas<C> {
         let l = g.lengths;
         let two = C::constant(2.0);
         let pi = C::constant(std::f64::consts::PI);
@@ -40,7 +40,7 @@ impl<C: Calc> Published<C> {
         let alpha = (pi - g.beta_0 + theta_1 - at_b).def(&s::ALPHA_LI);
         let alpha_1 = ((x_7 / l.x_2).asin() + theta_1 - at_b).def(&s::ALPHA_1_LI);
         let o1p = (x_56 * (theta_3 + theta_0).sin() / (theta_1 - theta_3).sin()).def(&s::O1P_LI);
-        Published {
+        PublishedFormulas {
             theta_3,
             alpha,
             alpha_1,

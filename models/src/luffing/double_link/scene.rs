@@ -1,168 +1,28 @@
 //! What a scene says about a luffing mechanism.
 
 use crate::balance::lever::Lever;
-use crate::balance::scene::{Form, KEYS as BALANCE};
-use crate::balance::task::{KEYS as SYNTHESIS, Search, Task};
-use crate::balance::{self, symbols as b};
+use crate::balance::scene::{Form, PublishedBalance};
+use crate::balance::symbols as b;
+use crate::balance::task::{Search, Task};
 use crate::component::outline::Published;
 use crate::kernel::allowed::OutOfRange;
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::schema::{Key, Kind, Sign, Values};
+use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::balancing::{analysis, boom};
 use crate::luffing::double_link::geometry::{
     Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights,
 };
+use crate::luffing::double_link::keys::LIMITS;
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::double_link::system::System;
-use crate::luffing::scene::{SOURCE, TABLE, interpolation};
+use crate::luffing::double_link::system::BoomSystem;
+use crate::luffing::scene::interpolation;
 use crate::parts::four_bar::{Arc, Branch};
 use crate::parts::motion::{Motion, degrees};
 
 use std::f64::consts::TAU;
 use std::ops::Range;
-
-/// Keys of `[luffing]`.
-pub const KEYS: &[Key] = &[
-    Key::kind(
-        &["double_link"],
-        "A double link of boom, jib and rocker; the usual kind.",
-    ),
-    Key {
-        name: "driven",
-        kind: Kind::Choice(&["boom", "rocker"]),
-        required: true,
-        text: "Which bar the drive turns; its angle is the coordinate.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: true,
-        text: "Side of the line from the foot of the other bar to the driven bar's head on which the jib's other pin lies.",
-    },
-    Key::quantity(&s::X_1, Sign::Positive),
-    Key::quantity(&s::X_2, Sign::Positive),
-    Key::quantity(&s::X_3, Sign::Positive),
-    Key::quantity(&s::X_4, Sign::Positive),
-    Key::quantity(&s::X_5, Sign::Any),
-    Key::quantity(&s::X_6, Sign::Any),
-    Key::quantity(&s::X_7, Sign::Any).optional(),
-    Key::quantity(&s::BETA_0, Sign::Positive).optional(),
-    Key::quantity(&s::AC, Sign::Positive).optional(),
-    Key::quantity(&s::X_8, Sign::Any),
-    Key::weight(&s::Q).optional(),
-    Key {
-        name: "fidelity",
-        kind: Kind::Choice(moving::scene::FIDELITIES),
-        required: false,
-        text: "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range, its dimensions fixed), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).",
-    },
-    Key::table("motion", MOTION, "Working range of the driven bar."),
-    Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
-    Key::table(
-        "balance",
-        BALANCE,
-        "Counterweight that carries the boom system's own weights.",
-    )
-    .optional(),
-    Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
-    Key::table("synthesis", SYNTHESIS, "What `lemnis synth` finds.").optional(),
-    Key::table(
-        "dynamics",
-        moving::scene::KEYS,
-        "Inertias, friction, drive and rope of a mechanism in motion.",
-    )
-    .optional(),
-    Key::table(
-        "hydraulics",
-        moving::scene::OIL_KEYS,
-        "Oil, valve and lines of the luffing cylinder in motion.",
-    )
-    .optional(),
-    Key::table("table", TABLE, "Interpolation of the level \"table\".").optional(),
-    Key::table(
-        "slewing",
-        moving::scene::SLEWING_KEYS,
-        "Inertia, friction and drive of a crane in motion that slews.",
-    )
-    .optional(),
-    Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
-    Key::table(
-        "published",
-        PUBLISHED,
-        "Published values to stand beside the computed ones.",
-    )
-    .optional(),
-    SOURCE,
-];
-
-static MOTION: &[Key] = &[
-    Key::named("from", &s::THETA_1, Sign::Any, "Angle of the driven bar at the start."),
-    Key::named("to", &s::THETA_1, Sign::Any, "Angle of the driven bar at the end."),
-    Key::named("step", &s::THETA_1, Sign::Positive, "Step of tables."),
-    Key::named(
-        "speed",
-        &s::OMEGA_1,
-        Sign::Positive,
-        "Angular velocity of the driven bar.",
-    ),
-    SOURCE,
-];
-
-static WEIGHTS: &[Key] = &[
-    Key::weight(&s::G_1),
-    Key::quantity(&s::S_1, Sign::NotNegative),
-    Key::quantity(&s::CHI_1, Sign::Any),
-    Key::weight(&s::G_2),
-    Key::quantity(&s::S_2, Sign::NotNegative),
-    Key::quantity(&s::CHI_2, Sign::Any),
-    Key::weight(&s::G_3),
-    Key::quantity(&s::S_3, Sign::NotNegative),
-    Key::quantity(&s::CHI_3, Sign::Any),
-    SOURCE,
-];
-
-static DRIVE: &[Key] = &[
-    Key {
-        name: "kind",
-        kind: Kind::Choice(&["cylinder", "rack"]),
-        required: true,
-        text: "A hydraulic cylinder, or a rack that a pinion on the frame pushes.",
-    },
-    Key::quantity(&s::E_X, Sign::Any),
-    Key::quantity(&s::E_Y, Sign::Any),
-    Key::quantity(&s::S_D, Sign::Positive),
-    Key::quantity(&s::CHI_D, Sign::Any),
-    Key::quantity(&s::D_C, Sign::Positive).optional(),
-    Key::quantity(&s::D_R, Sign::NotNegative).optional(),
-    SOURCE,
-];
-
-static LIMITS: &[Key] = &[
-    Key::quantity(&s::MU_MIN, Sign::NotNegative).optional(),
-    Key::quantity(&s::EPSILON_Y, Sign::Positive).optional(),
-    Key::quantity(&b::DM_MAX, Sign::Positive).optional(),
-    Key::quantity(&b::GAMMA_MIN, Sign::NotNegative).optional(),
-    Key::quantity(&b::N_MAX, Sign::Positive).optional(),
-    Key::quantity(&moving::symbols::PHI_MAX, Sign::Positive).optional(),
-    SOURCE,
-];
-
-static PUBLISHED: &[Key] = &[
-    Key {
-        name: "source",
-        kind: Kind::Text,
-        required: true,
-        text: "Where the values are printed.",
-    },
-    Key {
-        name: "values",
-        kind: Kind::Lines,
-        required: true,
-        text: "A line of names, then lines of values in display units; the first column is the angle of the driven bar.",
-    },
-];
 
 /// A luffing mechanism as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -185,7 +45,7 @@ pub struct Luffing {
     /// What is asked of the synthesis of its balance.
     pub synthesis: Option<Task>,
     /// Published results of the balance.
-    pub published_balance: Option<balance::scene::Published>,
+    pub published_balance: Option<PublishedBalance>,
 }
 
 impl Luffing {
@@ -213,7 +73,7 @@ impl Luffing {
     ///
     /// # Errors
     /// A mechanism without weights.
-    pub fn boom(&self) -> Result<(System<f64>, [f64; 2]), OutOfRange> {
+    pub fn boom(&self) -> Result<(BoomSystem<f64>, [f64; 2]), OutOfRange> {
         boom(&self.parameters, &self.motion)
     }
 }
@@ -349,7 +209,7 @@ impl Luffing {
             limits,
             published,
             synthesis,
-            published_balance: v.table("balance").and_then(balance::scene::Published::read),
+            published_balance: v.table("balance").and_then(PublishedBalance::read),
         })
     }
 }

@@ -11,7 +11,7 @@ use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
 use crate::kernel::origin::Origins;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::counterweight::Balanced;
+use crate::luffing::counterweight::BalancedBoom;
 use crate::luffing::double_link::balancing::{self, agreement, analysis, residual};
 use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::{Driven, Geometry};
@@ -379,7 +379,7 @@ fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
 }
 
 /// `None` where the scene has no balance.
-fn balance(model: &mut Standing, luffing: &Luffing) -> Option<sheet::Balance> {
+fn balance(model: &mut Standing, luffing: &Luffing) -> Option<sheet::BalanceSheet> {
     let (p, motion) = (&luffing.parameters, &luffing.motion);
     let (g, weights) = (Geometry::new(p).ok()?, p.weights.as_ref()?);
     let balancing = balancing::new(p, motion).ok()??;
@@ -389,7 +389,7 @@ fn balance(model: &mut Standing, luffing: &Luffing) -> Option<sheet::Balance> {
             residual(&balancing, &g, weights, theta).ok()?,
         ))
     };
-    let balanced = Balanced {
+    let balanced = BalancedBoom {
         form: p.balance?,
         balancing,
         found: analysis(p, motion).ok()??,

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 
 use crate::kernel::calc::Calc;
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Reduced};
-use crate::luffing::double_link::hanging::{Accelerations, Free, Load, Rope, squared, turned};
+use crate::luffing::double_link::hanging::{Accelerations, Free, HangingLoad, Rope, squared, turned};
 use crate::luffing::double_link::motion::{Bar, Friction, LOOSE, MOST_CHANGES, REELED_IN, above_zero, capped};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::parts::solver::pieces::{self, Pieces};
@@ -24,7 +24,7 @@ pub const INDICATORS: usize = 9;
 
 /// What drives a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drive<P = f64> {
+pub struct JointDrive<P = f64> {
     /// In N·m, in the direction of the angle.
     pub moment: P,
     /// Moment that the brake adds to the dry friction, in N·m; not negative.
@@ -33,9 +33,9 @@ pub struct Drive<P = f64> {
 
 /// What drives the motion; constant over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Commands<P = f64> {
+pub struct SlewingCommands<P = f64> {
     /// Of luffing and slewing.
-    pub drives: [Drive<P>; 2],
+    pub drives: [JointDrive<P>; 2],
     /// How fast the rope is paid out, in m/s.
     pub hoist: P,
 }
@@ -50,21 +50,21 @@ pub struct Joint<P = f64> {
 
 /// A motion at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
+pub struct SlewingState {
     pub y: [f64; STATES],
     pub joints: [Bar; 2],
     /// The load hangs on the rope, or flies free.
     pub taut: bool,
 }
 
-impl State {
+impl SlewingState {
     /// At rest at an angle of the driven bar (rad), the load hanging on a rope of a length (m).
     #[must_use]
-    pub fn resting(theta: f64, length: f64) -> State {
+    pub fn resting(theta: f64, length: f64) -> SlewingState {
         let mut y = [0.0; STATES];
         y[0] = theta;
         y[10] = length;
-        let mut state = State {
+        let mut state = SlewingState {
             y,
             joints: [Bar::Held; 2],
             taut: true,
@@ -136,15 +136,15 @@ pub struct Slewing<P = f64> {
     pub joints: [Joint<P>; 2],
 }
 
-fn load_of<C: Calc>(y: &[C; STATES]) -> Load<C> {
-    Load {
+fn load_of<C: Calc>(y: &[C; STATES]) -> HangingLoad<C> {
+    HangingLoad {
         place: Vector3::new(y[4], y[5], y[6]),
         rate: Vector3::new(y[7], y[8], y[9]),
     }
 }
 
 impl<P: Calc> Slewing<P> {
-    fn free(state: &State) -> Free {
+    fn free(state: &SlewingState) -> Free {
         Free {
             joints: state.joints.map(|joint| joint != Bar::Held),
             taut: state.taut,
@@ -152,12 +152,18 @@ impl<P: Calc> Slewing<P> {
     }
 
     /// Greatest moment of dry friction and brake of a joint, in N·m.
-    fn dry<C: Coordinate<P>>(&self, i: usize, commands: &Commands<C>) -> C {
+    fn dry<C: Coordinate<P>>(&self, i: usize, commands: &SlewingCommands<C>) -> C {
         C::of(self.joints[i].friction.coulomb) + commands.drives[i].brake
     }
 
     /// Moment of friction and brake on a joint that moves, in N·m.
-    fn resistance<C: Coordinate<P>>(&self, i: usize, state: &State, y: &[C; STATES], commands: &Commands<C>) -> C {
+    fn resistance<C: Coordinate<P>>(
+        &self,
+        i: usize,
+        state: &SlewingState,
+        y: &[C; STATES],
+        commands: &SlewingCommands<C>,
+    ) -> C {
         let viscous = -C::of(self.joints[i].friction.viscous) * y[2 * i + 1];
         let resistance = match state.joints[i] {
             Bar::Held | Bar::Loose => C::constant(0.0),
@@ -169,10 +175,10 @@ impl<P: Calc> Slewing<P> {
 
     pub(crate) fn accelerations<C: Coordinate<P>>(
         &self,
-        state: &State,
+        state: &SlewingState,
         r: &Reduced<C>,
         y: &[C; STATES],
-        commands: &Commands<C>,
+        commands: &SlewingCommands<C>,
     ) -> Accelerations<C> {
         let moments = [0, 1].map(|i| commands.drives[i].moment + self.resistance(i, state, y, commands));
         let (rates, free) = ([y[1], y[3]], Self::free(state));
@@ -184,8 +190,8 @@ impl<P: Calc> Slewing<P> {
     #[must_use]
     pub fn rates<C: Coordinate<P>>(
         &self,
-        state: &State,
-        commands: &Commands<C>,
+        state: &SlewingState,
+        commands: &SlewingCommands<C>,
         y: &[C; STATES],
     ) -> Option<[C; STATES]> {
         if self.is_reeled_in(y[10]) {
@@ -203,10 +209,10 @@ impl<P: Calc> Slewing<P> {
     /// The same where it is known what the mechanism is at this angle.
     pub(crate) fn rates_at<C: Coordinate<P>>(
         &self,
-        state: &State,
+        state: &SlewingState,
         r: &Reduced<C>,
         y: &[C; STATES],
-        commands: &Commands<C>,
+        commands: &SlewingCommands<C>,
     ) -> [C; STATES] {
         let a = self.accelerations(state, r, y, commands);
         let mut out = [C::constant(0.0); STATES];
@@ -228,10 +234,10 @@ impl<P: Calc> Slewing<P> {
     fn held<C: Coordinate<P>>(
         &self,
         i: usize,
-        state: &State,
+        state: &SlewingState,
         r: &Reduced<C>,
         y: &[C; STATES],
-        commands: &Commands<C>,
+        commands: &SlewingCommands<C>,
     ) -> [C; 3] {
         let [_, slope] = r.turn;
         let (omega, turning) = (y[1], y[3]);
@@ -255,7 +261,12 @@ impl<P: Calc> Slewing<P> {
 
     /// Force of the rope, in N; zero where it is slack or there is none.
     #[must_use]
-    pub fn rope_force<C: Coordinate<P>>(&self, state: &State, commands: &Commands<C>, y: &[C; STATES]) -> Option<C> {
+    pub fn rope_force<C: Coordinate<P>>(
+        &self,
+        state: &SlewingState,
+        commands: &SlewingCommands<C>,
+        y: &[C; STATES],
+    ) -> Option<C> {
         let r = C::reduced(&self.dynamics, y[0])?;
         Some(self.accelerations(state, &r, y, commands).rope)
     }
@@ -265,8 +276,8 @@ impl<P: Calc> Slewing<P> {
     pub fn friction_moment<C: Coordinate<P>>(
         &self,
         i: usize,
-        state: &State,
-        commands: &Commands<C>,
+        state: &SlewingState,
+        commands: &SlewingCommands<C>,
         y: &[C; STATES],
     ) -> Option<C> {
         let r = C::reduced(&self.dynamics, y[0])?;
@@ -277,10 +288,10 @@ impl<P: Calc> Slewing<P> {
     pub(crate) fn friction_at<C: Coordinate<P>>(
         &self,
         i: usize,
-        state: &State,
+        state: &SlewingState,
         r: &Reduced<C>,
         y: &[C; STATES],
-        commands: &Commands<C>,
+        commands: &SlewingCommands<C>,
     ) -> C {
         match state.joints[i] {
             Bar::Held => self.held(i, state, r, y, commands)[0],
@@ -293,8 +304,8 @@ impl<P: Calc> Slewing<P> {
     #[must_use]
     pub fn indicators<C: Coordinate<P>>(
         &self,
-        state: &State,
-        commands: &Commands<C>,
+        state: &SlewingState,
+        commands: &SlewingCommands<C>,
         y: &[C; STATES],
     ) -> Option<[C; INDICATORS]> {
         let r = C::reduced(&self.dynamics, y[0])?;
@@ -304,10 +315,10 @@ impl<P: Calc> Slewing<P> {
     /// The same where it is known what the mechanism is at this angle.
     pub(crate) fn indicators_at<C: Coordinate<P>>(
         &self,
-        state: &State,
+        state: &SlewingState,
         r: &Reduced<C>,
         y: &[C; STATES],
-        commands: &Commands<C>,
+        commands: &SlewingCommands<C>,
     ) -> [C; INDICATORS] {
         let mut out = [C::constant(1.0); INDICATORS];
         for i in 0..2 {
@@ -347,7 +358,7 @@ impl Slewing {
     ///
     /// # Errors
     /// The linkage does not close, or a number overflows.
-    pub fn event(&self, state: &mut State, commands: &Commands) -> Result<bool, Halt> {
+    pub fn event(&self, state: &mut SlewingState, commands: &SlewingCommands) -> Result<bool, Halt> {
         let first = *state;
         for i in 0..2 {
             if state.y[2 * i + 1] == 0.0 && state.joints[i] != Bar::Loose {
@@ -381,7 +392,7 @@ impl Slewing {
     }
 
     /// A joint that has reached a stop, or turned round, is at rest.
-    fn stop_joint(&self, i: usize, state: &mut State, r: &Reduced<f64>) {
+    fn stop_joint(&self, i: usize, state: &mut SlewingState, r: &Reduced<f64>) {
         let (at, rate) = (state.y[2 * i], state.y[2 * i + 1]);
         let [low, high] = self.joints[i].stops;
         let at_stop = (at >= high && rate > 0.0) || (at <= low && rate < 0.0);
@@ -407,7 +418,7 @@ impl Slewing {
 
     /// The joint stops at once; the load goes on. A taut rope that the head would run away from pulls load
     /// and other joint along; one that it would push lets go.
-    fn blow(&self, state: &mut State, r: &Reduced<f64>, i: usize) {
+    fn blow(&self, state: &mut SlewingState, r: &Reduced<f64>, i: usize) {
         let Some(pendulum) = self.dynamics.bodies().pendulum else {
             return;
         };
@@ -427,7 +438,7 @@ impl Slewing {
     }
 
     /// One over the inertia of each joint that moves.
-    fn ease(&self, state: &State, r: &Reduced<f64>) -> [f64; 2] {
+    fn ease(&self, state: &SlewingState, r: &Reduced<f64>) -> [f64; 2] {
         let inertias = [r.inertia, r.turn[0]];
         [0, 1].map(|i| match state.joints[i] {
             Bar::Held => 0.0,
@@ -440,7 +451,7 @@ impl Slewing {
     #[expect(clippy::too_many_arguments, reason = "what a blow is made of")]
     fn jerk(
         &self,
-        state: &mut State,
+        state: &mut SlewingState,
         head: &[Vector3<f64>; 2],
         rope: &Rope<f64>,
         ease: [f64; 2],
@@ -457,7 +468,7 @@ impl Slewing {
     }
 
     /// The load's rate as the head's changes under it, and its own by `own` (m/s).
-    fn shift(&self, state: &mut State, head: &[Vector3<f64>; 2], change: [f64; 2], own: Vector3<f64>) {
+    fn shift(&self, state: &mut SlewingState, head: &[Vector3<f64>; 2], change: [f64; 2], own: Vector3<f64>) {
         let place = load_of(&state.y).place + Vector3::new(head[1].z, 0.0, 0.0);
         let rate = own - head[0] * change[0] - turned(place) * change[1];
         for (y, rate) in state.y[7..10].iter_mut().zip(&rate) {
@@ -466,7 +477,7 @@ impl Slewing {
     }
 
     /// The rope lets go where it would push, and catches the load with a plastic blow along itself.
-    fn switch_rope(&self, state: &mut State, r: &Reduced<f64>, commands: &Commands) {
+    fn switch_rope(&self, state: &mut SlewingState, r: &Reduced<f64>, commands: &SlewingCommands) {
         let Some(pendulum) = self.dynamics.bodies().pendulum else {
             return;
         };
@@ -492,8 +503,14 @@ impl Slewing {
     ///
     /// # Errors
     /// See [`Halt`]; the state is that of the last step that succeeded.
-    pub fn advance(&self, state: &mut State, commands: &Commands, duration: f64, longest: f64) -> Result<Count, Halt> {
-        let sound = |drive: &Drive| drive.moment.is_finite() && drive.brake >= 0.0;
+    pub fn advance(
+        &self,
+        state: &mut SlewingState,
+        commands: &SlewingCommands,
+        duration: f64,
+        longest: f64,
+    ) -> Result<Count, Halt> {
+        let sound = |drive: &JointDrive| drive.moment.is_finite() && drive.brake >= 0.0;
         if !(commands.drives.iter().all(sound) && commands.hoist.is_finite()) {
             return Err(Halt::Outside);
         }
@@ -503,7 +520,7 @@ impl Slewing {
 
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
     #[must_use]
-    pub fn energy(&self, state: &State, commands: &Commands) -> Option<f64> {
+    pub fn energy(&self, state: &SlewingState, commands: &SlewingCommands) -> Option<f64> {
         let r = f64::reduced(&self.dynamics, state.y[0])?;
         let (omega, turning) = (state.y[1], state.y[3]);
         let bars = 0.5 * (r.inertia * omega * omega + r.turn[0] * turning * turning) + r.energy;
@@ -516,7 +533,7 @@ impl Slewing {
 
     /// Angular momentum about the slewing axis, in kg·m²/s; `None` where the linkage does not close.
     #[must_use]
-    pub fn angular_momentum(&self, state: &State, commands: &Commands) -> Option<f64> {
+    pub fn angular_momentum(&self, state: &SlewingState, commands: &SlewingCommands) -> Option<f64> {
         let r = f64::reduced(&self.dynamics, state.y[0])?;
         let own = r.turn[0] * state.y[3];
         let Some(pendulum) = self.dynamics.bodies().pendulum else {
@@ -527,7 +544,12 @@ impl Slewing {
     }
 
     /// The load's place from the slewing axis (m) and its velocity (m/s) against the ground, in the frame that slews.
-    fn velocity(&self, state: &State, r: &Reduced<f64>, commands: &Commands) -> (Vector3<f64>, Vector3<f64>) {
+    fn velocity(
+        &self,
+        state: &SlewingState,
+        r: &Reduced<f64>,
+        commands: &SlewingCommands,
+    ) -> (Vector3<f64>, Vector3<f64>) {
         let head = self.dynamics.head(r);
         let mut load = load_of(&state.y);
         if state.taut {
@@ -541,23 +563,23 @@ impl Slewing {
 /// A crane under commands, for the solver.
 struct Commanded<'a> {
     crane: &'a Slewing,
-    commands: &'a Commands,
+    commands: &'a SlewingCommands,
 }
 
-impl Pieces<STATES, State> for Commanded<'_> {
-    fn states(state: &mut State) -> &mut [f64; STATES] {
+impl Pieces<STATES, SlewingState> for Commanded<'_> {
+    fn states(state: &mut SlewingState) -> &mut [f64; STATES] {
         &mut state.y
     }
 
-    fn rates(&self, state: &State, y: &[f64; STATES]) -> Option<[f64; STATES]> {
+    fn rates(&self, state: &SlewingState, y: &[f64; STATES]) -> Option<[f64; STATES]> {
         self.crane.rates(state, self.commands, y)
     }
 
-    fn crossed(&self, state: &State, y: &[f64; STATES]) -> bool {
+    fn crossed(&self, state: &SlewingState, y: &[f64; STATES]) -> bool {
         pieces::crossed(self.crane.indicators(state, self.commands, y))
     }
 
-    fn event(&self, state: &mut State) -> Result<(), Halt> {
+    fn event(&self, state: &mut SlewingState) -> Result<(), Halt> {
         self.crane.event(state, self.commands).map(|_| ())
     }
 }

@@ -19,7 +19,7 @@ use crate::luffing::double_link::geometry::{
     Anchors, Choice, Cylinder, Driven, Geometry, Jib, Lengths, Parameters, Weights,
 };
 use crate::luffing::double_link::position::Position;
-use crate::luffing::double_link::published::Published;
+use crate::luffing::double_link::published::PublishedFormulas;
 use crate::luffing::double_link::statics::{ByPole, Carried, Held, LoadMoment, Own, Passes};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::{Head, Pole, Velocity};
@@ -60,7 +60,7 @@ stages! {
         feet: Feet<C> = Feet::new(position, lengths, weights, residual[?], held, push[?]);
         analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice), plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
-        published: Published<C> = published(geometry, jib, theta);
+        published: PublishedFormulas<C> = published(geometry, jib, theta);
     }
 }
 
@@ -241,9 +241,9 @@ fn criteria<C: Calc>(
 }
 
 /// The publication has one shape of the jib, and drives the boom.
-fn published<C: Calc>(g: &Geometry<C>, jib: &One<C>, theta: &C) -> Found<Published<C>> {
+fn published<C: Calc>(g: &Geometry<C>, jib: &One<C>, theta: &C) -> Found<PublishedFormulas<C>> {
     if g.driven == Driven::Boom && jib.0 == &s::X_7 {
-        Ok(Published::new(g, jib.1, *theta))
+        Ok(PublishedFormulas::new(g, jib.1, *theta))
     } else {
         Err(absent())
     }

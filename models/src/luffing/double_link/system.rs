@@ -13,7 +13,7 @@ use crate::parts::plane;
 
 /// The mechanism with the weights of boom, jib and rocker, driven by its boom.
 #[derive(Clone, Copy, Debug)]
-pub struct System<C> {
+pub struct BoomSystem<C> {
     pub g: Geometry<C>,
     pub w: Weights<C>,
 }
@@ -36,10 +36,10 @@ pub fn height<C: Calc>(g: &Geometry<C>, w: &Weights<C>, p: &Position<C>, r: &Cen
     (w.g_1 * r.boom.y + w.g_2 * (p.b.y + r.jib.y) + w.g_3 * (g.lengths.x_6 + r.rocker.y)).def(&b::U_0)
 }
 
-impl<C: Calc> System<C> {
+impl<C: Calc> BoomSystem<C> {
     /// # Errors
     /// A mechanism that does not exist, has no weights or is driven by its rocker.
-    pub fn new(p: &Parameters<C>) -> Result<System<C>, OutOfRange> {
+    pub fn new(p: &Parameters<C>) -> Result<BoomSystem<C>, OutOfRange> {
         let lengths = p.lengths;
         let fault = |misfit| {
             let values = p.values();
@@ -71,7 +71,7 @@ impl<C: Calc> System<C> {
             }
         });
         sound?;
-        Ok(System {
+        Ok(BoomSystem {
             g: Geometry::new(p).map_err(fault)?,
             w,
         })
@@ -88,7 +88,7 @@ impl<C: Calc> System<C> {
     }
 }
 
-impl<C: Calc> Boom<C> for System<C> {
+impl<C: Calc> Boom<C> for BoomSystem<C> {
     /// [Balance004, eq. 1]
     fn at(&self, phi: C) -> Result<Load<C>, OutOfRange> {
         let p = self.place(phi)?;
@@ -114,14 +114,14 @@ impl<C: Calc> Boom<C> for System<C> {
                 1 => alone.g_2 = w.g_2,
                 _ => alone.g_3 = w.g_3,
             }
-            System { g: self.g, w: alone }.at(phi).map(|load| load.m_0)
+            BoomSystem { g: self.g, w: alone }.at(phi).map(|load| load.m_0)
         };
         Ok([alone(0)?, alone(1)?, alone(2)?])
     }
 
     /// Angular velocities come from the centres too.
     fn moment_by_power(&self, phi: C) -> Result<C, OutOfRange> {
-        let System { g, w } = self;
+        let BoomSystem { g, w } = self;
         let p = self.place(phi)?;
         let r = Centres::new(&p, &g.lengths, w);
         let one = C::constant(1.0);

@@ -8,23 +8,23 @@ use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::Group;
 use crate::luffing::balancing::{Balanced, Balancing, Criteria};
-use crate::luffing::rope::position::Choice;
-use crate::luffing::rope::statics::{Hanging, Own};
+use crate::luffing::rope::position::BoomChoice;
+use crate::luffing::rope::statics::{Hanging, OwnMoment};
 
 /// # Errors
 /// Quantities with which there is no such balance.
-pub fn balancing<C: Calc>(weights: &Plain<C>, form: &Form<C>, choice: &Choice) -> Result<Balancing<C>, OutOfRange> {
+pub fn balancing<C: Calc>(weights: &Plain<C>, form: &Form<C>, choice: &BoomChoice) -> Result<Balancing<C>, OutOfRange> {
     let middle = f64::midpoint(choice.range.from, choice.range.to);
     Balancing::new(form, middle, |phi| Ok(weights.load(phi).u_0))
 }
 
 /// # Errors
 /// A boom angle at which the balance cannot be.
-pub fn residual<C: Calc>(balancing: &Balancing<C>, own: &Own<C>, phi: &C) -> Result<Residual<C>, OutOfRange> {
+pub fn residual<C: Calc>(balancing: &Balancing<C>, own: &OwnMoment<C>, phi: &C) -> Result<Residual<C>, OutOfRange> {
     balancing.at(*phi, || own.load)
 }
 
-pub fn balanced<C: Calc>(residual: &Residual<C>, hanging: &Hanging<C>, own: &Own<C>) -> Balanced<C> {
+pub fn balanced<C: Calc>(residual: &Residual<C>, hanging: &Hanging<C>, own: &OwnMoment<C>) -> Balanced<C> {
     Balanced::new(residual, hanging.m_q, [hanging.m_q, own.m_g], |_| None)
 }
 
@@ -32,7 +32,7 @@ pub fn balanced<C: Calc>(residual: &Residual<C>, hanging: &Hanging<C>, own: &Own
 ///
 /// # Errors
 /// Where the balance cannot be over the whole range.
-pub fn analysed<C: Calc>(weights: &Plain<C>, form: &Form<C>, choice: &Choice) -> Found<Analysis> {
+pub fn analysed<C: Calc>(weights: &Plain<C>, form: &Form<C>, choice: &BoomChoice) -> Found<Analysis> {
     let weights = Group::map(weights, &mut |_, value| value.value());
     let balancing = balancing(&weights, &Group::map(form, &mut |_, value| value.value()), choice)?;
     let at = |phi: f64| balancing.at(phi, || weights.load(phi));
@@ -45,7 +45,7 @@ pub fn criteria<C: Calc>(
     balancing: &Balancing<C>,
     weights: &Plain<C>,
     found: &Analysis,
-    choice: &Choice,
+    choice: &BoomChoice,
 ) -> Result<Criteria<C>, OutOfRange> {
     Criteria::new(found, &choice.range, &|phi| balancing.at(phi, || weights.load(phi)))
 }

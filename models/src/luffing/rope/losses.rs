@@ -9,7 +9,7 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::rope::position::{Falls, Rig, Stretch};
-use crate::luffing::rope::statics::Carried;
+use crate::luffing::rope::statics::RopePulls;
 use crate::luffing::rope::symbols as s;
 
 /// Pulls in N while the boom is raised, and while it is lowered.
@@ -46,7 +46,7 @@ fn reeved<C: Calc>(load: C, falls: C, eta: C, taken_in: bool, symbol: &'static S
 
 impl<C: Calc> Losses<C> {
     /// [Ports001, 5.1]
-    pub fn new(rig: &Rig<C>, q: &C, carried: &Carried<C>, falls: &Falls<C>, stretch: &Stretch<C>) -> Losses<C> {
+    pub fn new(rig: &Rig<C>, q: &C, carried: &RopePulls<C>, falls: &Falls<C>, stretch: &Stretch<C>) -> Losses<C> {
         let of = |raised: bool, [s_h, t, s_l]: [&'static Symbol; 3]| {
             let taken_in = (stretch.0.arm.value() < 0.0) == raised;
             let hoist = reeved(*q, rig.m_h, rig.eta_h, taken_in, s_h);

@@ -11,11 +11,11 @@ use crate::parts::plane::{self, Point};
 
 /// What the scene has chosen.
 #[derive(Clone, Copy, Debug)]
-pub struct Choice {
+pub struct BoomChoice {
     /// Working range of the boom.
     pub range: Motion,
 }
-group!(Choice);
+group!(BoomChoice);
 
 quantities! {
     /// Boom, luffing tackle and hoist rope.
@@ -28,7 +28,7 @@ quantities! {
 
 /// The boom at one angle.
 #[derive(Clone, Copy, Debug)]
-pub struct Position<C> {
+pub struct BoomPosition<C> {
     /// Unit vector along its line.
     pub along: Point<C>,
     /// Its head, in m from O1.
@@ -36,14 +36,14 @@ pub struct Position<C> {
     /// Reach, in m.
     pub r: C,
 }
-results! { Position as p => { A_X: p.a.x; A_Y: p.a.y; R: p.r; } }
+results! { BoomPosition as p => { A_X: p.a.x; A_Y: p.a.y; R: p.r; } }
 
-impl<C: Calc> Position<C> {
-    pub fn new(rig: &Rig<C>, phi: &C) -> Position<C> {
+impl<C: Calc> BoomPosition<C> {
+    pub fn new(rig: &Rig<C>, phi: &C) -> BoomPosition<C> {
         let (sin, cos) = phi.sin_cos();
         let a = Point::new(rig.l * cos - rig.f_a * sin, rig.l * sin + rig.f_a * cos);
         let a = plane::def(a, [&s::A_X, &s::A_Y]);
-        Position {
+        BoomPosition {
             along: Point::new(cos, sin),
             a,
             r: (a.x + rig.x_8).def(&s::R),
@@ -53,7 +53,7 @@ impl<C: Calc> Position<C> {
 
 /// A taut rope from a point of the boom to one of the frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Line<C> {
+pub struct TautRope<C> {
     /// From the boom to the frame, in m.
     pub line: Point<C>,
     pub length: C,
@@ -61,12 +61,12 @@ pub struct Line<C> {
     pub arm: C,
 }
 
-impl<C: Calc> Line<C> {
+impl<C: Calc> TautRope<C> {
     /// With the names of its components, its length and its arm.
     ///
     /// # Errors
     /// Both ends in one place: no line to pull along.
-    fn new(from: Point<C>, to: Point<C>, [x, y, length, arm]: [&'static Symbol; 4]) -> Found<Line<C>> {
+    fn new(from: Point<C>, to: Point<C>, [x, y, length, arm]: [&'static Symbol; 4]) -> Found<TautRope<C>> {
         let reach = |point: Point<C>| point.x.value().abs() + point.y.value().abs();
         let line = plane::def(to - from, [x, y]);
         let long = plane::length(line).def(length);
@@ -74,7 +74,7 @@ impl<C: Calc> Line<C> {
             let message = format!("{} = 0 m: its ends meet, there is no line to pull along", length.id);
             return Err(Box::new(Fault::outside(message)));
         }
-        Ok(Line {
+        Ok(TautRope {
             line,
             length: long,
             arm: (plane::cross(from, line) / long).def(arm),
@@ -90,7 +90,7 @@ impl<C: Calc> Line<C> {
 /// The luffing rig.
 #[derive(Clone, Copy, Debug)]
 pub struct Falls<C> {
-    pub line: Line<C>,
+    pub line: TautRope<C>,
     /// Rope in all falls, in m.
     l_l: C,
 }
@@ -101,12 +101,12 @@ impl<C: Calc> Falls<C> {
     ///
     /// # Errors
     /// A tackle of no length, one that would have to push.
-    pub fn new(rig: &Rig<C>, position: &Position<C>, phi: &C) -> Found<Falls<C>> {
+    pub fn new(rig: &Rig<C>, position: &BoomPosition<C>, phi: &C) -> Found<Falls<C>> {
         let (sin, cos) = rig.chi_k.sin_cos();
         let k = plane::turned(position.along, rig.s_k * cos, rig.s_k * sin);
         let k = plane::def(k, [&s::K_X, &s::K_Y]);
         let names = [&s::L_TX, &s::L_TY, &s::L_T, &s::H_T];
-        let line = Line::new(k, Point::new(rig.e_x, rig.e_y), names)?;
+        let line = TautRope::new(k, Point::new(rig.e_x, rig.e_y), names)?;
         if line.arm.value() <= 4.0 * f64::EPSILON * line.length.value() {
             return Err(Box::new(Fault::outside(format!(
                 "phi = {}: the luffing tackle passes below the boom's foot, it would have to push to raise the boom; \
@@ -121,37 +121,37 @@ impl<C: Calc> Falls<C> {
 
 /// The hoist rope between head and sheave.
 #[derive(Clone, Copy, Debug)]
-pub struct Stretch<C>(pub Line<C>);
+pub struct Stretch<C>(pub TautRope<C>);
 results! { Stretch as r => { L_S: r.0.length; H_S: r.0.arm; } }
 
 impl<C: Calc> Stretch<C> {
     /// # Errors
     /// The head in the sheave.
-    pub fn new(rig: &Rig<C>, position: &Position<C>) -> Found<Stretch<C>> {
+    pub fn new(rig: &Rig<C>, position: &BoomPosition<C>) -> Found<Stretch<C>> {
         let names = [&s::L_SX, &s::L_SY, &s::L_S, &s::H_S];
-        Line::new(position.a, Point::new(rig.b_x, rig.b_y), names).map(Stretch)
+        TautRope::new(position.a, Point::new(rig.b_x, rig.b_y), names).map(Stretch)
     }
 }
 
 /// Where the load hangs at the start of the working range.
 #[derive(Clone, Copy, Debug)]
-pub struct Level<C> {
+pub struct LoadLevel<C> {
     /// Height of the load less that of the head, in m, were there no rope between head and sheave.
     c_q: C,
     /// Height of the load at the start, in m.
     start: C,
 }
-results! { Level as l => { C_Q: l.c_q; } }
+results! { LoadLevel as l => { C_Q: l.c_q; } }
 
-impl<C: Calc> Level<C> {
+impl<C: Calc> LoadLevel<C> {
     /// h_Q below the head. [Ports001, 5.2.3]
     ///
     /// # Errors
     /// As [`Stretch::new`].
-    pub fn new(rig: &Rig<C>, choice: &Choice) -> Found<Level<C>> {
-        let there = Position::new(rig, &C::constant(choice.range.from));
+    pub fn new(rig: &Rig<C>, choice: &BoomChoice) -> Found<LoadLevel<C>> {
+        let there = BoomPosition::new(rig, &C::constant(choice.range.from));
         let stretch = Stretch::new(rig, &there)?;
-        Ok(Level {
+        Ok(LoadLevel {
             c_q: (-rig.h_q - stretch.0.length / rig.m_h).def(&s::C_Q),
             start: (there.a.y - rig.h_q).def(&s::Y_Q),
         })
@@ -170,7 +170,7 @@ results! { Path as p => { Y_Q: p.y_q; L_H: p.l_h; } }
 
 impl<C: Calc> Path<C> {
     /// y_Q = y_A + |A − B| / m_h + const. [Ports001, 5.2.3]
-    pub fn new(rig: &Rig<C>, level: &Level<C>, position: &Position<C>, stretch: &Stretch<C>) -> Path<C> {
+    pub fn new(rig: &Rig<C>, level: &LoadLevel<C>, position: &BoomPosition<C>, stretch: &Stretch<C>) -> Path<C> {
         let y_q = (position.a.y + stretch.0.length / rig.m_h + level.c_q).def(&s::Y_Q);
         Path {
             y_q,

@@ -1,7 +1,7 @@
 //! What a scene says about a boom on a luffing rope.
 
 use crate::balance::boom::Plain;
-use crate::balance::scene::{Form, KEYS as BALANCE, Published};
+use crate::balance::scene::{Form, KEYS as BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::mechanism::{Entry, Mechanism, Solver};
 use crate::component::model::Model;
@@ -16,7 +16,7 @@ use crate::kernel::group::One;
 use crate::kernel::schema::{Key, Kind, Sign, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
-use crate::luffing::rope::position::{Choice, Rig};
+use crate::luffing::rope::position::{BoomChoice, Rig};
 use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::scene::{SOURCE, TABLE, interpolation};
@@ -116,7 +116,7 @@ pub struct Rope {
     pub table: Option<f64>,
     pub limits: Vec<(&'static Symbol, f64)>,
     /// Published results of the balance.
-    pub published_balance: Option<Published>,
+    pub published_balance: Option<PublishedBalance>,
 }
 
 /// As scenes describe it.
@@ -176,11 +176,11 @@ impl Rope {
                 rig,
                 weights,
                 balance,
-                choice: Choice { range },
+                choice: BoomChoice { range },
             },
             table,
             limits,
-            published_balance: v.table("balance").and_then(Published::read),
+            published_balance: v.table("balance").and_then(PublishedBalance::read),
         };
         if found.len() == before {
             rope.check(v, found);

@@ -16,9 +16,9 @@ use crate::kernel::origin::Origins;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
 use crate::luffing::balancing::{Balancing, agreement};
-use crate::luffing::counterweight::Balanced;
+use crate::luffing::counterweight::BalancedBoom;
 use crate::luffing::rope::balancing::{analysed, balancing};
-use crate::luffing::rope::position::{Position, Rig};
+use crate::luffing::rope::position::{BoomPosition, Rig};
 use crate::luffing::rope::scene::{Rope, TABLES};
 use crate::luffing::rope::stages::RopeBoom;
 use crate::luffing::rope::symbols as s;
@@ -178,9 +178,9 @@ impl Told for Rope {
             Point::new(rig.e_x, rig.e_y),
             Point::new(rig.b_x, rig.b_y),
         );
-        draw.path(fine(range).map(|phi| Position::new(rig, &phi).a));
+        draw.path(fine(range).map(|phi| BoomPosition::new(rig, &phi).a));
         for (phi, faint) in [(range.from, true), (range.to, true), (middle, false)] {
-            let p = Position::new(rig, &phi);
+            let p = BoomPosition::new(rig, &phi);
             let k = self.anchor(&p);
             draw.bar(&[o1, p.a], faint);
             draw.bar(&[k, e], faint);
@@ -270,9 +270,9 @@ impl Told for Rope {
         };
         let at = |phi: f64| {
             let left = balancing.at(phi, || weights.load(phi)).ok()?;
-            Some((Position::new(&self.given.rig, &phi).a, left))
+            Some((BoomPosition::new(&self.given.rig, &phi).a, left))
         };
-        let balanced = Balanced {
+        let balanced = BalancedBoom {
             form,
             balancing,
             found,
@@ -290,7 +290,7 @@ impl Told for Rope {
 
 impl Rope {
     /// Where the luffing tackle holds the boom, in m from O1.
-    fn anchor(&self, p: &Position<f64>) -> Point<f64> {
+    fn anchor(&self, p: &BoomPosition<f64>) -> Point<f64> {
         let Rig { s_k, chi_k, .. } = self.given.rig;
         let (sin, cos) = Calc::sin_cos(chi_k);
         plane::turned(p.along, s_k * cos, s_k * sin)

@@ -11,10 +11,10 @@ use crate::kernel::symbol::Symbol;
 use crate::luffing::balancing::{Balanced, Balancing, Criteria};
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
-use crate::luffing::rope::position::{Choice, Falls, Level, Path, Position, Rig, Stretch};
-use crate::luffing::rope::statics::{Carried, Hanging, Own, Power, Pull};
+use crate::luffing::rope::position::{BoomChoice, BoomPosition, Falls, LoadLevel, Path, Rig, Stretch};
+use crate::luffing::rope::statics::{Hanging, OwnMoment, Power, Pull, RopePulls};
 use crate::luffing::rope::symbols as s;
-use crate::luffing::rope::velocity::{Speeds, Travel};
+use crate::luffing::rope::velocity::{RopeTravel, Speeds};
 
 stages! {
     /// A plain boom on a luffing rope.
@@ -25,21 +25,21 @@ stages! {
         Parameter rig: Rig<C>,
         Parameter weights: Option<Plain<C>>,
         Parameter balance: Option<Form<C>>,
-        Fixed choice: Choice,
+        Fixed choice: BoomChoice,
     } find {
-        level: Level<C> = Level::new(rig, choice);
-        position: Position<C> = Position::new(rig, phi);
+        level: LoadLevel<C> = LoadLevel::new(rig, choice);
+        position: BoomPosition<C> = BoomPosition::new(rig, phi);
         falls: Falls<C> = Falls::new(rig, position, phi);
         stretch: Stretch<C> = Stretch::new(rig, position);
         path: Path<C> = Path::new(rig, level, position, stretch);
-        travel: Travel<C> = Travel::new(rig, position, stretch);
+        travel: RopeTravel<C> = RopeTravel::new(rig, position, stretch);
         speeds: Speeds<C> = Speeds::new(rig, travel, falls, omega);
         hanging: Hanging<C> = Hanging::new(rig, load[!], travel);
-        own: Own<C> = Own::new(weights[!], phi);
+        own: OwnMoment<C> = OwnMoment::new(weights[!], phi);
         balancing: Balancing<C> = balancing(weights[!], balance[!], choice);
         residual: Residual<C> = residual(balancing, own, phi);
         balanced: Balanced<C> = balanced(residual, hanging, own);
-        carried: Carried<C> = Carried::new(position, load[!], own[?], residual[?]);
+        carried: RopePulls<C> = RopePulls::new(position, load[!], own[?], residual[?]);
         pull: Pull<C> = Pull::new(carried, hanging, position, falls, stretch);
         power: Power<C> = Power::new(rig, pull, speeds);
         losses: Losses<C> = Losses::new(rig, load[!], carried, falls, stretch);

@@ -4,9 +4,9 @@ use crate::balance::analysis::Residual;
 use crate::balance::boom::{Load, Plain};
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
-use crate::luffing::rope::position::{Falls, Position, Rig, Stretch};
+use crate::luffing::rope::position::{BoomPosition, Falls, Rig, Stretch};
 use crate::luffing::rope::symbols as s;
-use crate::luffing::rope::velocity::{Speeds, Travel};
+use crate::luffing::rope::velocity::{RopeTravel, Speeds};
 use crate::parts::plane::{self, Point};
 
 /// The load on its ropes.
@@ -21,7 +21,7 @@ results! { Hanging as h => { M_Q: h.m_q; S_H: h.s_h; } }
 
 impl<C: Calc> Hanging<C> {
     /// M_Q = Q dy_Q/dphi [Ports001, 5.2.3]; S_h = Q / m_h [Ports001, 5.1]
-    pub fn new(rig: &Rig<C>, q: &C, travel: &Travel<C>) -> Hanging<C> {
+    pub fn new(rig: &Rig<C>, q: &C, travel: &RopeTravel<C>) -> Hanging<C> {
         Hanging {
             m_q: (*q * travel.y_q).def(&s::M_Q),
             s_h: (*q / rig.m_h).def(&s::S_H),
@@ -31,19 +31,19 @@ impl<C: Calc> Hanging<C> {
 
 /// The boom's own weight.
 #[derive(Clone, Copy, Debug)]
-pub struct Own<C> {
+pub struct OwnMoment<C> {
     pub load: Load<C>,
     /// Moment about O1, in N·m; positive lowers the boom.
     pub m_g: C,
     g_b: C,
 }
-results! { Own as w => { M_G: w.m_g; } }
+results! { OwnMoment as w => { M_G: w.m_g; } }
 
-impl<C: Calc> Own<C> {
+impl<C: Calc> OwnMoment<C> {
     /// [Ports001, 5.1]
-    pub fn new(weights: &Plain<C>, phi: &C) -> Own<C> {
+    pub fn new(weights: &Plain<C>, phi: &C) -> OwnMoment<C> {
         let load = weights.load(*phi);
-        Own {
+        OwnMoment {
             load,
             m_g: (-load.m_0).def(&s::M_G),
             g_b: weights.g_b,
@@ -53,22 +53,27 @@ impl<C: Calc> Own<C> {
 
 /// What load, own weight and balance ask of both ropes, whichever way these run.
 #[derive(Clone, Copy, Debug)]
-pub struct Carried<C> {
+pub struct RopePulls<C> {
     /// Moment about O1, in N·m; positive lowers the boom.
     pub m_w: C,
     /// Their force on the boom, in N.
     force: Point<C>,
 }
-results! { Carried; }
+results! { RopePulls; }
 
-impl<C: Calc> Carried<C> {
+impl<C: Calc> RopePulls<C> {
     /// G_b r_b cos phi + Q x_A [Ports001, 5.1], less what a balance carries.
-    pub fn new(position: &Position<C>, q: &C, own: Option<&Own<C>>, residual: Option<&Residual<C>>) -> Carried<C> {
+    pub fn new(
+        position: &BoomPosition<C>,
+        q: &C,
+        own: Option<&OwnMoment<C>>,
+        residual: Option<&Residual<C>>,
+    ) -> RopePulls<C> {
         let load = *q * position.a.x;
         let m_w = own.map_or(load, |own| load + own.m_g);
         let m_w = residual.map_or(m_w, |left| m_w - left.action.m_b);
         let weight = Point::new(C::constant(0.0), -own.map_or(*q, |own| *q + own.g_b));
-        Carried {
+        RopePulls {
             m_w: m_w.def(&s::M_W),
             force: residual.map_or(weight, |left| weight + left.action.on_boom),
         }
@@ -103,9 +108,9 @@ results! { Pull as p => {
 impl<C: Calc> Pull<C> {
     /// Equilibrium of the boom: T h_T = G_b r_b cos phi + Q x_A − S_h h_S. [Ports001, 5.1]
     pub fn new(
-        carried: &Carried<C>,
+        carried: &RopePulls<C>,
         hanging: &Hanging<C>,
-        position: &Position<C>,
+        position: &BoomPosition<C>,
         falls: &Falls<C>,
         stretch: &Stretch<C>,
     ) -> Pull<C> {

@@ -39,7 +39,7 @@ const D: [[f64; 5]; 2] = [
 
 /// A step with all that is known about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step<const N: usize> {
+pub struct SolverStep<const N: usize> {
     /// Length, in s.
     pub h: f64,
     pub from: [f64; N],
@@ -49,11 +49,11 @@ pub struct Step<const N: usize> {
     bend: [[f64; N]; 2],
 }
 
-impl<const N: usize> Step<N> {
+impl<const N: usize> SolverStep<N> {
     /// A step of no length.
     #[must_use]
-    pub fn resting(y: [f64; N]) -> Step<N> {
-        Step {
+    pub fn resting(y: [f64; N]) -> SolverStep<N> {
+        SolverStep {
             h: 0.0,
             from: y,
             to: y,
@@ -65,9 +65,9 @@ impl<const N: usize> Step<N> {
     /// One step of `h` s from `y`.
     #[must_use]
     #[inline]
-    pub fn new(system: &impl System<N>, y: &[f64; N], h: f64) -> Option<Step<N>> {
+    pub fn new(system: &impl System<N>, y: &[f64; N], h: f64) -> Option<SolverStep<N>> {
         let (rate, jacobian) = system.jacobian(y)?;
-        Step::with(system, y, h, &rate, &jacobian)
+        SolverStep::with(system, y, h, &rate, &jacobian)
     }
 
     /// With rates and Jacobian at `y`, which serve a step that is tried again.
@@ -77,7 +77,7 @@ impl<const N: usize> Step<N> {
         h: f64,
         rate: &[f64; N],
         jacobian: &[[f64; N]; N],
-    ) -> Option<Step<N>> {
+    ) -> Option<SolverStep<N>> {
         let mut columns = [[0.0; N]; N];
         for (j, column) in columns.iter_mut().enumerate() {
             *column = std::array::from_fn(|i| -jacobian[i][j]);
@@ -111,7 +111,7 @@ impl<const N: usize> Step<N> {
             }
             bend
         });
-        finite(&to).then_some(Step {
+        finite(&to).then_some(SolverStep {
             h,
             from: *y,
             to,
@@ -256,7 +256,7 @@ pub struct Tolerance<const N: usize> {
 
 impl<const N: usize> Tolerance<N> {
     /// Error of a step over what is allowed, in the mean of all states that have a tolerance.
-    fn measure(&self, step: &Step<N>) -> f64 {
+    fn measure(&self, step: &SolverStep<N>) -> f64 {
         let states = self.absolute.iter().filter(|x| x.is_finite()).count();
         let part = |i: usize| {
             let size = step.from[i].abs().max(step.to[i].abs());
@@ -281,7 +281,7 @@ const RESOLUTION: f64 = 1e-13;
 /// A system on its way: all of the solver's state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Run<const N: usize> {
-    step: Step<N>,
+    step: SolverStep<N>,
     /// How much of the step, in s, lies behind the present time.
     behind: f64,
     /// Length of the next step, in s.
@@ -298,7 +298,7 @@ impl<const N: usize> Run<N> {
     #[must_use]
     pub fn new(y: [f64; N], first: f64) -> Run<N> {
         Run {
-            step: Step::resting(y),
+            step: SolverStep::resting(y),
             behind: 0.0,
             next: first,
             ended: false,
@@ -395,7 +395,7 @@ impl<const N: usize> Run<N> {
                     return Err(if exists { Halt::TooSmall } else { Halt::Outside });
                 }
                 self.count.rates += 6;
-                let Some(mut step) = Step::with(system, &y, h, &rate, &jacobian) else {
+                let Some(mut step) = SolverStep::with(system, &y, h, &rate, &jacobian) else {
                     self.count.rejected += 1;
                     self.next = h / 4.0;
                     exists = false;
@@ -452,7 +452,7 @@ impl<const N: usize> Run<N> {
 
     /// The run as numbers, for a state that is written out; what it has met and counted is not part of it.
     pub fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
-        let Step { h, from, to, bend, .. } = &self.step;
+        let SolverStep { h, from, to, bend, .. } = &self.step;
         let scalars = [*h, self.behind, self.next, f64::from(self.ended)];
         let arrays = [from, to, &bend[0], &bend[1]];
         scalars.into_iter().chain(arrays.into_iter().flatten().copied())
@@ -467,7 +467,7 @@ impl<const N: usize> Run<N> {
             return None;
         };
         over.is_empty().then_some(Run {
-            step: Step {
+            step: SolverStep {
                 h,
                 from,
                 to,

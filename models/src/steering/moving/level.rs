@@ -4,7 +4,7 @@
 
 use crate::parts::solver::rodas::{Run, Tolerance};
 use crate::parts::solver::{Halt, System};
-use crate::steering::hydraulic::{Control, Group, Held, STATES};
+use crate::steering::hydraulic::{Control, STATES, Sampled, WorkingGroup};
 
 /// First step of the solver after a change from outside, in s.
 const FIRST: f64 = 1e-3;
@@ -15,16 +15,16 @@ const SAME_TIME: f64 = 1e-6;
 
 /// The equations of all groups, and their PLC.
 #[derive(Clone, Debug)]
-pub struct Level {
-    pub groups: Vec<Group>,
+pub struct Groups {
+    pub groups: Vec<WorkingGroup>,
     pub control: Control,
 }
 
 /// Where one group is: its states with the solver's, and what the PLC holds of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Present {
+pub struct PresentGroup {
     pub run: Run<STATES>,
-    pub held: Held,
+    pub held: Sampled,
 }
 
 /// The PLC's clock: samples are at whole multiples of its cycle, the first one at once.
@@ -93,7 +93,7 @@ fn tolerance(relative: f64) -> Tolerance<STATES> {
 }
 
 /// Whether states are such as a group can have: bounded numbers, and oil in both chambers.
-fn possible(group: &Group, y: &[f64; STATES]) -> bool {
+fn possible(group: &WorkingGroup, y: &[f64; STATES]) -> bool {
     let volumes = group.cylinder.volumes(group.pose(y[0]).l);
     y[2..6].iter().all(|p| p.abs() < 1e12)
         && y[0].abs() < 1e3
@@ -101,12 +101,12 @@ fn possible(group: &Group, y: &[f64; STATES]) -> bool {
         && y.iter().all(|x| x.is_finite())
 }
 
-impl Present {
+impl PresentGroup {
     #[must_use]
-    pub fn new(y: [f64; STATES]) -> Present {
-        Present {
+    pub fn new(y: [f64; STATES]) -> PresentGroup {
+        PresentGroup {
             run: Run::new(y, FIRST),
-            held: Held::default(),
+            held: Sampled::default(),
         }
     }
 
@@ -121,7 +121,7 @@ impl Present {
     }
 
     /// One sample of the PLC, for the angle wanted (rad).
-    pub fn sample(&mut self, group: &mut Group, control: &Control, wanted: f64) {
+    pub fn sample(&mut self, group: &mut WorkingGroup, control: &Control, wanted: f64) {
         let theta = self.run.states()[0];
         let held = control.sample(&self.held, wanted, theta, group.linkage.mirrored);
         if held.command != self.held.command {
@@ -135,34 +135,34 @@ impl Present {
     ///
     /// # Errors
     /// See [`Halt`].
-    pub fn advance(&mut self, group: &Group, duration: f64, longest: f64, relative: f64) -> Result<(), Halt> {
+    pub fn advance(&mut self, group: &WorkingGroup, duration: f64, longest: f64, relative: f64) -> Result<(), Halt> {
         self.run.advance(group, &tolerance(relative), duration, longest)?;
         possible(group, &self.run.states()).then_some(()).ok_or(Halt::Outside)
     }
 
     /// All of it as numbers.
     pub fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
-        let Held { integral, command } = self.held;
+        let Sampled { integral, command } = self.held;
         [integral, command].into_iter().chain(self.run.numbers())
     }
 
     /// What [`numbers`](Present::numbers) gave, and the numbers that follow it.
     #[must_use]
-    pub fn of<'a>(&self, numbers: &'a [f64]) -> Option<(Present, &'a [f64])> {
+    pub fn of<'a>(&self, numbers: &'a [f64]) -> Option<(PresentGroup, &'a [f64])> {
         let (own, rest) = numbers.split_at_checked(self.numbers().count())?;
         let (&[integral, command], run) = own.split_first_chunk::<2>()?;
-        let present = Present {
+        let present = PresentGroup {
             run: Run::of(run)?,
-            held: Held { integral, command },
+            held: Sampled { integral, command },
         };
         own.iter().all(|x| x.is_finite()).then_some((present, rest))
     }
 }
 
-impl Level {
+impl Groups {
     /// Rates of one group's states.
     #[must_use]
-    pub fn rates(&self, group: usize, present: &Present) -> [f64; STATES] {
+    pub fn rates(&self, group: usize, present: &PresentGroup) -> [f64; STATES] {
         let y = present.run.states();
         self.groups[group].rates(&y).unwrap_or([f64::NAN; STATES])
     }

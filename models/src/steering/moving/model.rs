@@ -21,11 +21,11 @@ use crate::parts::hydraulics::valve::Valve;
 use crate::parts::solver::{Count, Halt, MOST_STEPS};
 use crate::steering::built::Built;
 use crate::steering::flow::flow;
-use crate::steering::hydraulic::{Control, Group, INDICATORS, STATES};
+use crate::steering::hydraulic::{Control, INDICATORS, STATES, WorkingGroup};
 use crate::steering::load::{Resistance, force, resistance};
 use crate::steering::model::{present, standing};
-use crate::steering::moving::level::{Clock, Level, Present};
-use crate::steering::moving::scene::Moving;
+use crate::steering::moving::level::{Clock, Groups, PresentGroup};
+use crate::steering::moving::scene::MovingGroups;
 use crate::steering::moving::symbols as m;
 use crate::steering::refusal::within;
 use crate::steering::ring::friction;
@@ -62,7 +62,7 @@ const OF_EVENTS: [&Symbol; INDICATORS] = [
 
 /// A scene's steering in motion.
 #[derive(Clone, Debug)]
-pub struct Model {
+pub struct SteeringMotion {
     algebraic: Standing,
     variables: Vec<Variable>,
     slots: Vec<Slot>,
@@ -74,9 +74,9 @@ pub struct Model {
     rolling: usize,
     margin: usize,
     /// Follows from parameters and inputs; `None` where there is no machine.
-    level: Option<Level>,
+    level: Option<Groups>,
     /// How the groups were before a step that may fail.
-    before: Vec<Present>,
+    before: Vec<PresentGroup>,
     now: Now,
 }
 
@@ -86,8 +86,8 @@ struct Now {
     /// In s.
     time: f64,
     clock: Clock,
-    groups: Vec<Present>,
-    given: Moving,
+    groups: Vec<PresentGroup>,
+    given: MovingGroups,
 }
 
 impl Now {
@@ -142,7 +142,7 @@ enum Slot {
     State(usize, usize),
     Rate(usize, usize),
     Indicator(usize, usize),
-    /// A quantity of [`Moving`].
+    /// A quantity of [`MovingGroups`].
     Given,
     Demand,
     /// Whether any group's oil is below vacuum, and how far above it the least pressure of all is.
@@ -195,17 +195,17 @@ const AT_ANGLE: [(&Symbol, OfGroup); 7] = [
 /// The angle itself and its rate are states here; the pump's flow takes the place of what the cylinders take.
 const REPLACED: [&Symbol; 3] = [&s::THETA, &s::OMEGA_I, &s::Q_SUM];
 
-impl Model {
+impl SteeringMotion {
     /// # Errors
     /// Never for a scene that was read: it has a machine, and a command that its mode takes.
-    pub fn new(steering: &Steering, moving: &Moving) -> Result<Model, Fault> {
+    pub fn new(steering: &Steering, moving: &MovingGroups) -> Result<SteeringMotion, Fault> {
         let algebraic = standing(steering)?;
         let of = |symbol: &Symbol| {
             let mut all = algebraic.variables().iter();
             all.position(|variable| variable.symbol == symbol)
         };
-        let groups = vec![Present::new([0.0; STATES]); present(&algebraic).axes.len()];
-        let mut model = Model {
+        let groups = vec![PresentGroup::new([0.0; STATES]); present(&algebraic).axes.len()];
+        let mut model = SteeringMotion {
             variables: Vec::new(),
             slots: Vec::new(),
             heading: of(&s::THETA).ok_or_else(absent)?,
@@ -291,8 +291,8 @@ impl Model {
     }
 
     /// The equations of motion with the present parameters and inputs.
-    fn assemble(&mut self) -> Result<Level, Fault> {
-        let Moving { plc, .. } = self.now.given;
+    fn assemble(&mut self) -> Result<Groups, Fault> {
+        let MovingGroups { plc, .. } = self.now.given;
         let given = present(&self.algebraic);
         Built::new(given).map_err(|refusal| Fault::outside(refusal.to_string()))?;
         let accuracy = given.accuracy.ok_or_else(absent)?;
@@ -306,11 +306,11 @@ impl Model {
             gains: [plc.k_p, plc.k_i],
             limit: plc.u_max,
         };
-        Ok(Level { groups, control })
+        Ok(Groups { groups, control })
     }
 
     /// The equations of one group over any scalar: `of` gives each input and parameter in it. The parameters have a machine.
-    fn group<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> Result<Group<P>, Fault> {
+    fn group<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> Result<WorkingGroup<P>, Fault> {
         let given = present(&self.algebraic);
         let mount = given.mounts.get(i).ok_or_else(absent)?;
         let resistance = self.resistance(i, of);
@@ -335,7 +335,7 @@ impl Model {
                 damping: oil.zeta_v,
             },
         };
-        Ok(Group {
+        Ok(WorkingGroup {
             linkage: linkage.linkage(mount.mirrored),
             cylinder,
             inertia: body.j,
@@ -398,7 +398,7 @@ impl Model {
         }
     }
 
-    fn level(&mut self) -> Result<&Level, Fault> {
+    fn level(&mut self) -> Result<&Groups, Fault> {
         if self.level.is_none() {
             self.level = Some(self.assemble()?);
         }
@@ -416,7 +416,7 @@ impl Model {
         for i in 0..self.now.groups.len() {
             let wanted = self.wanted(i)?;
             let y = self.level()?.groups[i].resting(wanted, RESTING_PRESSURE);
-            self.now.groups[i] = Present::new(y);
+            self.now.groups[i] = PresentGroup::new(y);
         }
         self.now.clock = Clock::STOPPED;
         Ok(())
@@ -425,7 +425,7 @@ impl Model {
     /// The group with the least pressure of its oil, and that pressure, in Pa.
     fn lowest(&self) -> (usize, f64) {
         let groups = self.now.groups.iter().enumerate();
-        let all = groups.map(|(i, present)| (i, Group::oil(&present.run.states()).least().1));
+        let all = groups.map(|(i, present)| (i, WorkingGroup::oil(&present.run.states()).least().1));
         all.fold((0, f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a })
     }
 
@@ -450,7 +450,7 @@ impl Model {
         &self,
         of: OfGroup,
         i: usize,
-        group: &Group<P>,
+        group: &WorkingGroup<P>,
         y: &[P; STATES],
         scalar: &mut dyn FnMut(Quantity, f64) -> P,
     ) -> Result<P, Fault> {
@@ -458,7 +458,7 @@ impl Model {
         let pose = group.pose(theta);
         let drag = |found: Option<Resistance<P>>| found.ok_or_else(absent);
         Ok(match of {
-            OfGroup::Force => group.cylinder.force(&Group::oil(y)),
+            OfGroup::Force => group.cylinder.force(&WorkingGroup::oil(y)),
             OfGroup::Reaction => group.reaction(theta, omega),
             OfGroup::Demand => group.demand(y),
             OfGroup::Length => pose.l,
@@ -482,7 +482,7 @@ impl Model {
         self.update()?;
         for i in 0..self.now.groups.len() {
             let wanted = self.wanted(i)?;
-            let Some(Level { groups, control }) = &mut self.level else {
+            let Some(Groups { groups, control }) = &mut self.level else {
                 return Err(absent());
             };
             self.now.groups[i].sample(&mut groups[i], control, wanted);
@@ -494,7 +494,7 @@ impl Model {
 
     fn solve(&mut self, from: f64, to: f64) -> Result<(), Fault> {
         let control = self.level()?.control;
-        let Moving { body, oil, .. } = self.now.given;
+        let MovingGroups { body, oil, .. } = self.now.given;
         let samples = (to - from) / control.period * self.now.groups.len() as f64;
         if samples > f64::from(MOST_STEPS) {
             return Err(self.refusal(Halt::TooMany, 0, to - from));
@@ -616,7 +616,7 @@ impl Model {
     }
 }
 
-impl Running for Model {
+impl Running for SteeringMotion {
     fn variables(&self) -> &[Variable] {
         &self.variables
     }
@@ -679,7 +679,9 @@ impl Running for Model {
                 let (i, _) = self.lowest();
                 let (group, y) = (self.level()?.groups[i], self.now.groups[i].run.states());
                 let rates = group.equations(&y);
-                Ok(f64::from(Group::oil(&y).cavitates(|| [2, 3, 4, 5].map(|k| rates[k]))))
+                Ok(f64::from(
+                    WorkingGroup::oil(&y).cavitates(|| [2, 3, 4, 5].map(|k| rates[k])),
+                ))
             }
             Slot::Vacuum => Ok(self.lowest().1 - VACUUM),
             Slot::Of(of, i) => self.of_group(of, i),
@@ -969,7 +971,7 @@ impl Running for Model {
     fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
         let tangent: &mut Direction = tangent.own_mut();
         let variable = &self.variables[index];
-        let of_states = |tangent: &Direction, i: usize| -> Result<(Group<Dual64>, [Dual64; STATES]), Fault> {
+        let of_states = |tangent: &Direction, i: usize| -> Result<(WorkingGroup<Dual64>, [Dual64; STATES]), Fault> {
             let y = self.now.groups[i].run.states();
             let number = Some(i as u16 + 1);
             let y = std::array::from_fn(|k| tangent.dual((OF_GROUP[k].0, number), y[k]));
@@ -998,7 +1000,7 @@ impl Running for Model {
             }
             Slot::Vacuum => {
                 let (_, y) = of_states(tangent, self.lowest().0)?;
-                Group::oil(&y).least().1 - Dual64::from_re(VACUUM)
+                WorkingGroup::oil(&y).least().1 - Dual64::from_re(VACUUM)
             }
             Slot::Cavitates | Slot::Of(OfGroup::Command, _) => Dual64::from_re(0.0),
             Slot::Of(OfGroup::Wanted, i) => self.searched(tangent, variable, self.wanted + i)?,

@@ -81,16 +81,16 @@ quantities! {
 
 /// The groups in motion as the scene describes them; SI.
 #[derive(Clone, Copy, Debug)]
-pub struct Moving {
+pub struct MovingGroups {
     pub body: Body<f64>,
     pub oil: Oil<f64>,
     pub plc: Plc<f64>,
 }
 
-impl Moving {
+impl MovingGroups {
     /// The same with each quantity changed, by its symbol.
-    pub fn map(&self, f: &mut dyn FnMut(&'static Symbol, f64) -> f64) -> Moving {
-        Moving {
+    pub fn map(&self, f: &mut dyn FnMut(&'static Symbol, f64) -> f64) -> MovingGroups {
+        MovingGroups {
             body: self.body.map(f),
             oil: self.oil.map(f),
             plc: self.plc.map(f),
@@ -102,7 +102,7 @@ impl Moving {
     ///
     /// # Errors
     /// A quantity that is out of its range.
-    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Result<Option<Moving>, Refusal> {
+    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Result<Option<MovingGroups>, Refusal> {
         let names = TABLES.map(|(name, ..)| name);
         let fidelity = v.text("fidelity").unwrap_or(FIDELITIES[0]);
         if fidelity == "auto" && !names.iter().any(|name| v.has(name)) {
@@ -157,7 +157,7 @@ impl Moving {
         let (Some(body), Some(oil), Some(plc)) = all else {
             return Ok(None);
         };
-        let moving = Moving { body, oil, plc };
+        let moving = MovingGroups { body, oil, plc };
         let mut outside = None;
         moving.map(&mut |symbol, value| {
             if let Err(refusal) = within(symbol, value) {

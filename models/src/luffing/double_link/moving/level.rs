@@ -5,8 +5,8 @@
 use crate::kernel::calc::Calc;
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics};
 use crate::luffing::double_link::hydraulic::{self, FIXED, Hydraulic, Modes};
-use crate::luffing::double_link::motion::{self, Bar, Commands, Motion, REELED_IN};
-use crate::luffing::double_link::slewing::{self, Drive, Slewing};
+use crate::luffing::double_link::motion::{self, Bar, Commands, MovingLinkage, REELED_IN};
+use crate::luffing::double_link::slewing::{self, JointDrive, Slewing};
 use crate::parts::hydraulics::cylinder::Oil;
 use crate::parts::hydraulics::oil::VACUUM;
 use crate::parts::solver::rodas::{Run, Tolerance};
@@ -24,7 +24,7 @@ pub const OIL_INDICATORS: usize = 6;
 pub struct Inputs<P = f64> {
     pub motion: Commands<P>,
     /// Of slewing.
-    pub slewing: Drive<P>,
+    pub slewing: JointDrive<P>,
     /// Command of the valve in [−1, 1], and pressure of the pump in Pa.
     pub valve: P,
     pub supply: P,
@@ -33,10 +33,10 @@ pub struct Inputs<P = f64> {
 impl<P: Copy> Inputs<P> {
     /// Of a crane that slews.
     #[must_use]
-    pub fn of_both(&self) -> slewing::Commands<P> {
+    pub fn of_both(&self) -> slewing::SlewingCommands<P> {
         let Commands { moment, brake, hoist } = self.motion;
-        slewing::Commands {
-            drives: [Drive { moment, brake }, self.slewing],
+        slewing::SlewingCommands {
+            drives: [JointDrive { moment, brake }, self.slewing],
             hoist,
         }
     }
@@ -45,7 +45,7 @@ impl<P: Copy> Inputs<P> {
 /// The equations of a level.
 #[derive(Clone, Copy, Debug)]
 pub enum Level<P = f64> {
-    Free(Motion<P>),
+    Free(MovingLinkage<P>),
     Slewing(Slewing<P>),
     /// A cylinder, and nothing else that moves.
     Fixed(Hydraulic<FIXED, P>),
@@ -60,15 +60,15 @@ pub enum Level<P = f64> {
 )]
 #[derive(Clone, Copy, Debug)]
 pub enum Present {
-    Free(motion::State),
-    Slewing(slewing::State),
-    Fixed(hydraulic::Present<FIXED>),
-    Hanging(hydraulic::Present<{ hydraulic::MOST }>),
+    Free(motion::MotionState),
+    Slewing(slewing::SlewingState),
+    Fixed(hydraulic::PresentCrane<FIXED>),
+    Hanging(hydraulic::PresentCrane<{ hydraulic::MOST }>),
 }
 
 /// A result that only motion has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reaction {
+pub enum MotionResult {
     /// Of friction, brake and end stop on the driven bar.
     Friction,
     /// The same on slewing.
@@ -123,28 +123,28 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
     system: &Hydraulic<N, P>,
     modes: Modes,
     y: &[P; N],
-    reaction: Reaction,
+    reaction: MotionResult,
 ) -> Option<P> {
     match reaction {
-        Reaction::Cylinder => Some(system.cylinder.force(&Hydraulic::<N, P>::oil(y))),
-        Reaction::Friction => Some(system.reaction(y[0], y[1])),
-        Reaction::SlewingFriction => system.slewing_friction(modes, y),
-        Reaction::Rope => system.rope_force(modes, y),
-        Reaction::Swing | Reaction::Side | Reaction::Distance => Some(seen(&hydraulic::part(y), reaction)),
+        MotionResult::Cylinder => Some(system.cylinder.force(&Hydraulic::<N, P>::oil(y))),
+        MotionResult::Friction => Some(system.reaction(y[0], y[1])),
+        MotionResult::SlewingFriction => system.slewing_friction(modes, y),
+        MotionResult::Rope => system.rope_force(modes, y),
+        MotionResult::Swing | MotionResult::Side | MotionResult::Distance => Some(seen(&hydraulic::part(y), reaction)),
     }
 }
 
 /// Where the load of a crane that slews is seen from its head.
-fn seen<C: Calc>(y: &[C; slewing::STATES], reaction: Reaction) -> C {
+fn seen<C: Calc>(y: &[C; slewing::STATES], reaction: MotionResult) -> C {
     match reaction {
-        Reaction::Swing => slewing::angles(y)[0],
-        Reaction::Side => slewing::angles(y)[1],
+        MotionResult::Swing => slewing::angles(y)[0],
+        MotionResult::Side => slewing::angles(y)[1],
         _ => slewing::distance(y),
     }
 }
 
 /// Whether a state of the oil or of the mechanism is none of theirs any more.
-fn possible<const N: usize>(system: &Hydraulic<N>, present: &hydraulic::Present<N>) -> bool {
+fn possible<const N: usize>(system: &Hydraulic<N>, present: &hydraulic::PresentCrane<N>) -> bool {
     let y = present.run.states();
     y[2..6].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.equations(present.modes, &y).is_some()
 }
@@ -221,19 +221,19 @@ impl<P: Coordinate<P>> Level<P> {
         present: &Present,
         inputs: &Inputs<P>,
         y: &[P; MOST_STATES],
-        reaction: Reaction,
+        reaction: MotionResult,
     ) -> Option<P> {
         match (self, present, reaction) {
-            (Level::Free(motion), Present::Free(state), Reaction::Rope) => {
+            (Level::Free(motion), Present::Free(state), MotionResult::Rope) => {
                 motion.rope_force(state, &inputs.motion, first(y))
             }
             (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(state, &inputs.motion, first(y)),
             (Level::Slewing(crane), Present::Slewing(state), reaction) => {
                 let (commands, y) = (inputs.of_both(), first(y));
                 match reaction {
-                    Reaction::Rope => crane.rope_force(state, &commands, y),
-                    Reaction::SlewingFriction => crane.friction_moment(1, state, &commands, y),
-                    Reaction::Swing | Reaction::Side | Reaction::Distance => Some(seen(y, reaction)),
+                    MotionResult::Rope => crane.rope_force(state, &commands, y),
+                    MotionResult::SlewingFriction => crane.friction_moment(1, state, &commands, y),
+                    MotionResult::Swing | MotionResult::Side | MotionResult::Distance => Some(seen(y, reaction)),
                     _ => crane.friction_moment(0, state, &commands, y),
                 }
             }
@@ -370,7 +370,7 @@ impl Level {
     }
 }
 
-fn oil_powers<const N: usize>(system: &Hydraulic<N>, at: &hydraulic::Present<N>) -> Option<(Powers, f64)> {
+fn oil_powers<const N: usize>(system: &Hydraulic<N>, at: &hydraulic::PresentCrane<N>) -> Option<(Powers, f64)> {
     let (y, modes) = (at.run.states(), at.modes);
     let [_, arm] = f64::reduced(system.dynamics(), y[0])?.drive;
     let oil = Hydraulic::<N>::oil(&y);
@@ -392,7 +392,7 @@ fn oil_powers<const N: usize>(system: &Hydraulic<N>, at: &hydraulic::Present<N>)
     Some((powers, system.energy(modes, &y)?))
 }
 
-fn oil_event<const N: usize>(system: &Hydraulic<N>, present: &mut hydraulic::Present<N>) -> Result<(), Halt> {
+fn oil_event<const N: usize>(system: &Hydraulic<N>, present: &mut hydraulic::PresentCrane<N>) -> Result<(), Halt> {
     if present.run.is_fresh() {
         return system.event(present);
     }
@@ -402,7 +402,7 @@ fn oil_event<const N: usize>(system: &Hydraulic<N>, present: &mut hydraulic::Pre
 
 fn oil_advance<const N: usize>(
     system: &Hydraulic<N>,
-    present: &mut hydraulic::Present<N>,
+    present: &mut hydraulic::PresentCrane<N>,
     duration: f64,
     longest: f64,
     relative: f64,
@@ -513,7 +513,7 @@ impl Present {
                         (y[5], y[6]) = (0.93 * y[4], 0.57);
                         for bar in [Bar::Held, Bar::Forward, Bar::Backward] {
                             for taut in [true, false] {
-                                found.push(Present::Free(motion::State { y, bar, taut }));
+                                found.push(Present::Free(motion::MotionState { y, bar, taut }));
                             }
                         }
                     }
@@ -525,7 +525,7 @@ impl Present {
                             for turning in [Bar::Held, Bar::Forward, Bar::Backward] {
                                 for taut in [true, false] {
                                     let joints = [luffing, turning];
-                                    found.push(Present::Slewing(slewing::State { y, joints, taut }));
+                                    found.push(Present::Slewing(slewing::SlewingState { y, joints, taut }));
                                 }
                             }
                         }
@@ -535,7 +535,7 @@ impl Present {
                         put(&mut y, &swinging[..2]);
                         for p in [0.3, 2.0] {
                             put(&mut y[2..], &oil(p * opening));
-                            found.push(Present::Fixed(hydraulic::Present::new(y)));
+                            found.push(Present::Fixed(hydraulic::PresentCrane::new(y)));
                         }
                     }
                     Present::Hanging(present) => {
@@ -553,7 +553,7 @@ impl Present {
                             put(&mut y[2..], &oil(p * opening));
                             for slewing in [Bar::Held, Bar::Forward, Bar::Backward] {
                                 for taut in [true, false] {
-                                    let mut present = hydraulic::Present::new(y);
+                                    let mut present = hydraulic::PresentCrane::new(y);
                                     present.modes = Modes { slewing, taut };
                                     found.push(Present::Hanging(present));
                                 }
@@ -611,7 +611,7 @@ impl Present {
             Present::Free(_) => {
                 let (y, modes) = own.split_first_chunk::<{ motion::STATES }>()?;
                 let &[bar, taut] = modes else { return None };
-                Present::Free(motion::State {
+                Present::Free(motion::MotionState {
                     y: *y,
                     bar: bar_of(bar)?,
                     taut: taut != 0.0,
@@ -620,19 +620,19 @@ impl Present {
             Present::Slewing(_) => {
                 let (y, modes) = own.split_first_chunk::<{ slewing::STATES }>()?;
                 let &[luffing, turning, taut] = modes else { return None };
-                Present::Slewing(slewing::State {
+                Present::Slewing(slewing::SlewingState {
                     y: *y,
                     joints: [bar_of(luffing)?, bar_of(turning)?],
                     taut: taut != 0.0,
                 })
             }
-            Present::Fixed(_) => Present::Fixed(hydraulic::Present {
+            Present::Fixed(_) => Present::Fixed(hydraulic::PresentCrane {
                 run: Run::of(own)?,
                 modes: Modes::AT_REST,
             }),
             Present::Hanging(_) => {
                 let (run, &[slewing, taut]) = own.split_last_chunk()?;
-                Present::Hanging(hydraulic::Present {
+                Present::Hanging(hydraulic::PresentCrane {
                     run: Run::of(run)?,
                     modes: Modes {
                         slewing: bar_of(slewing)?,

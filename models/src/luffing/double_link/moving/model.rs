@@ -19,14 +19,14 @@ use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, 
 use crate::luffing::double_link::geometry::{Driven, Geometry};
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
 use crate::luffing::double_link::model::{present, standing};
-use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, Motion};
+use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, MovingLinkage};
 use crate::luffing::double_link::moving::level::{
-    Inputs, Level, MOST_INDICATORS, MOST_STATES, OIL_INDICATORS, Powers, Present, Reaction,
+    Inputs, Level, MOST_INDICATORS, MOST_STATES, MotionResult, OIL_INDICATORS, Powers, Present,
 };
-use crate::luffing::double_link::moving::scene::{Constants, Moving, Oil, Rope, Turning};
+use crate::luffing::double_link::moving::scene::{Constants, CylinderOil, LoadRope, Moving, Turning};
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::scene::Luffing;
-use crate::luffing::double_link::slewing::{self, Drive, Joint, Slewing};
+use crate::luffing::double_link::slewing::{self, Joint, JointDrive, Slewing};
 use crate::luffing::double_link::stages::{DoubleLink, parameters};
 use crate::luffing::double_link::symbols as s;
 use crate::parts::hydraulics::cylinder::Cylinder;
@@ -49,11 +49,11 @@ const TRACE: f64 = 1e-6;
 
 /// A scene's mechanism in motion.
 #[derive(Clone, Debug)]
-pub struct Model {
+pub struct LuffingMotion {
     algebraic: Standing,
     driven: Driven,
     range: Range,
-    rope: Option<Rope>,
+    rope: Option<LoadRope>,
     /// Where the crane slews.
     slewing_stops: Option<[f64; 2]>,
     variables: Vec<Variable>,
@@ -77,7 +77,7 @@ struct Now {
     inputs: Inputs,
     constants: Constants<f64>,
     turning: Option<Turning<f64>>,
-    oil: Option<Oil<f64>>,
+    oil: Option<CylinderOil<f64>>,
 }
 
 /// All that changes while it runs.
@@ -111,16 +111,16 @@ enum Slot {
     Constant,
     SlewingMoment,
     SlewingBrake,
-    Reaction(Reaction),
+    Reaction(MotionResult),
     Cavitates,
     /// Index of a variable of the algebraic model.
     Algebraic(usize),
 }
 
-impl Model {
+impl LuffingMotion {
     /// # Errors
     /// The cylinder cannot hold the crane at the start. A scene that was read has a mechanism.
-    pub fn new(luffing: &Luffing, moving: &Moving) -> Result<Model, Fault> {
+    pub fn new(luffing: &Luffing, moving: &Moving) -> Result<LuffingMotion, Fault> {
         let algebraic = standing(luffing)?;
         let Moving {
             rope,
@@ -129,7 +129,7 @@ impl Model {
             constants,
             slewing,
         } = *moving;
-        let mut start = motion::State::resting(luffing.motion.from, rope.map_or(0.0, |rope| rope.length));
+        let mut start = motion::MotionState::resting(luffing.motion.from, rope.map_or(0.0, |rope| rope.length));
         start.y[2] = rope.map_or(0.0, |rope| rope.swing);
         let (states, indicators) = match (oil, rope, slewing) {
             (None, None, None) => (2, motion::INDICATORS - 1),
@@ -144,13 +144,13 @@ impl Model {
         let present = match slewing {
             None => Present::Free(start),
             Some(turn) => {
-                let mut start = slewing::State::resting(start.y[0], start.y[4]);
+                let mut start = slewing::SlewingState::resting(start.y[0], start.y[4]);
                 start.put_load([rope.map_or(0.0, |rope| rope.swing), turn.side]);
                 start.y[2..4].copy_from_slice(&turn.start);
                 Present::Slewing(start)
             }
         };
-        let mut model = Model {
+        let mut model = LuffingMotion {
             driven: luffing.parameters.driven,
             range: luffing.motion,
             rope,
@@ -187,7 +187,7 @@ impl Model {
         let theta = self.range.from;
         let present = match self.assemble()? {
             Level::Fixed(system) => {
-                (system.resting(theta, LEAST_PRESSURE)).map(|y| Present::Fixed(hydraulic::Present::new(y)))
+                (system.resting(theta, LEAST_PRESSURE)).map(|y| Present::Fixed(hydraulic::PresentCrane::new(y)))
             }
             Level::Hanging(system) => system.resting(theta, LEAST_PRESSURE).map(|mut y| {
                 match crane {
@@ -195,7 +195,7 @@ impl Model {
                     Present::Free(state) => hydraulic::put(&mut y, &state.y),
                     Present::Fixed(_) | Present::Hanging(_) => {}
                 }
-                Present::Hanging(hydraulic::Present::new(y))
+                Present::Hanging(hydraulic::PresentCrane::new(y))
             }),
             Level::Free(_) | Level::Slewing(_) => None,
         };
@@ -246,18 +246,21 @@ impl Model {
         self.now.turning.map(|turning| turning.map(&mut constant));
         self.now.oil.map(|oil| oil.map(&mut constant));
         if hydraulic {
-            list.push((of(&m::F_C, Role::Output), Slot::Reaction(Reaction::Cylinder)));
+            list.push((of(&m::F_C, Role::Output), Slot::Reaction(MotionResult::Cylinder)));
         }
-        list.push((of(&m::M_R, Role::Output), Slot::Reaction(Reaction::Friction)));
+        list.push((of(&m::M_R, Role::Output), Slot::Reaction(MotionResult::Friction)));
         if reeled {
-            list.push((of(&m::S_R, Role::Output), Slot::Reaction(Reaction::Rope)));
+            list.push((of(&m::S_R, Role::Output), Slot::Reaction(MotionResult::Rope)));
         }
         if slews {
-            list.push((of(&m::M_R_SL, Role::Output), Slot::Reaction(Reaction::SlewingFriction)));
+            list.push((
+                of(&m::M_R_SL, Role::Output),
+                Slot::Reaction(MotionResult::SlewingFriction),
+            ));
             if reeled {
-                list.push((of(&m::PHI, Role::Output), Slot::Reaction(Reaction::Swing)));
-                list.push((of(&m::CHI_R, Role::Output), Slot::Reaction(Reaction::Side)));
-                list.push((of(&m::S_Q, Role::Output), Slot::Reaction(Reaction::Distance)));
+                list.push((of(&m::PHI, Role::Output), Slot::Reaction(MotionResult::Swing)));
+                list.push((of(&m::CHI_R, Role::Output), Slot::Reaction(MotionResult::Side)));
+                list.push((of(&m::S_Q, Role::Output), Slot::Reaction(MotionResult::Distance)));
             }
         }
         if hydraulic {
@@ -466,7 +469,7 @@ impl Model {
             supply,
         } = self.now.inputs;
         Inputs {
-            slewing: Drive {
+            slewing: JointDrive {
                 moment: of(&m::M_SL, slewing.moment),
                 brake: of(&m::M_B_SL, slewing.brake),
             },
@@ -589,7 +592,7 @@ impl Model {
             let (present, mut rates) = (&self.now.present, y);
             let _ = level.rates(present, &inputs, &y, &mut rates);
             if self.rope.is_some() {
-                let _ = level.reaction(present, &inputs, &y, Reaction::Rope);
+                let _ = level.reaction(present, &inputs, &y, MotionResult::Rope);
             }
         }
         assembled
@@ -655,7 +658,7 @@ impl Model {
     }
 }
 
-impl Running for Model {
+impl Running for LuffingMotion {
     fn variables(&self) -> &[Variable] {
         &self.variables
     }
@@ -1062,7 +1065,7 @@ impl Running for Model {
 fn crane<P: Copy>(dynamics: &Dynamics<P>, luffing: Joint<P>, slewing: Option<Joint<P>>) -> Crane<P> {
     let dynamics = *dynamics;
     match slewing {
-        None => Crane::Plane(Motion {
+        None => Crane::Plane(MovingLinkage {
             dynamics,
             friction: luffing.friction,
             stops: luffing.stops,

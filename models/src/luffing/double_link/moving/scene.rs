@@ -8,7 +8,7 @@ use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::motion::Commands;
 use crate::luffing::double_link::moving::level::Inputs;
 use crate::luffing::double_link::moving::symbols as s;
-use crate::luffing::double_link::slewing::Drive;
+use crate::luffing::double_link::slewing::JointDrive;
 use crate::luffing::double_link::symbols as l;
 use crate::parts::motion::degrees;
 
@@ -79,7 +79,7 @@ pub static OIL_KEYS: &[Key] = &[
 
 quantities! {
     /// A luffing cylinder with its oil and valve, besides bore and rod.
-    Oil {
+    CylinderOil {
         l_min: L_MIN, l_max: L_MAX, v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, dp_l: DP_L, beta_e: BETA_E,
         p_r: P_R, k_r: K_R, k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, tol: TOL
     }
@@ -97,7 +97,7 @@ quantities! {
 
 /// The load's rope at the start.
 #[derive(Clone, Copy, Debug)]
-pub struct Rope {
+pub struct LoadRope {
     /// In m.
     pub length: f64,
     /// From the vertical, in rad.
@@ -106,7 +106,7 @@ pub struct Rope {
 
 /// A crane that slews, at the start.
 #[derive(Clone, Copy, Debug)]
-pub struct Slewing {
+pub struct SlewingStart {
     pub constants: Turning<f64>,
     /// Angle (rad) and angular velocity (rad/s).
     pub start: [f64; 2],
@@ -123,11 +123,11 @@ pub struct Moving {
     /// Of the inputs, until an importer sets others.
     pub inputs: Inputs,
     /// With level `swing`, and with level `hydraulic` where the scene gives a rope.
-    pub rope: Option<Rope>,
+    pub rope: Option<LoadRope>,
     /// With level `hydraulic`.
-    pub oil: Option<Oil<f64>>,
+    pub oil: Option<CylinderOil<f64>>,
     /// Where the crane slews.
-    pub slewing: Option<Slewing>,
+    pub slewing: Option<SlewingStart>,
 }
 
 impl Moving {
@@ -199,7 +199,7 @@ impl Moving {
         }
         let n = |symbol: &Symbol| table.number(symbol.id);
         let rope = match (fidelity, n(&s::L_R)) {
-            ("swing" | "hydraulic" | "auto", Some(length)) => Some(Rope {
+            ("swing" | "hydraulic" | "auto", Some(length)) => Some(LoadRope {
                 length,
                 swing: n(&s::PHI).unwrap_or(0.0),
             }),
@@ -285,7 +285,7 @@ impl Moving {
                     brake: n(&s::M_S).unwrap_or(0.0),
                     hoist: n(&s::V_H).unwrap_or(0.0),
                 },
-                slewing: Drive {
+                slewing: JointDrive {
                     moment: turn(&s::M_SL).unwrap_or(0.0),
                     brake: turn(&s::M_B_SL).unwrap_or(0.0),
                 },
@@ -309,7 +309,7 @@ fn inert(v: &Values, dynamics: &Values) -> bool {
 }
 
 /// What slews; whether the load swings on a rope.
-fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>) -> Option<Slewing> {
+fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>) -> Option<SlewingStart> {
     let n = |symbol: &Symbol| table.number(symbol.id);
     let mut mistake = |place, what: String, label: &str, help: &str| {
         found.push(Diagnostic::new(place, what, label).help(help));
@@ -366,7 +366,7 @@ fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>
         );
         return None;
     }
-    Some(Slewing {
+    Some(SlewingStart {
         constants: Turning {
             j_sl: n(&s::J_SL)?,
             c_sl: n(&s::C_SL).unwrap_or(0.0),
@@ -379,7 +379,7 @@ fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>
 }
 
 /// The cylinder's oil; its bore and rod are those of the drive.
-fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<Oil<f64>> {
+fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<CylinderOil<f64>> {
     let n = |symbol: &Symbol| table.number(symbol.id);
     if v.table("drive").and_then(|drive| drive.text("kind")) != Some("cylinder") {
         found.push(
@@ -404,7 +404,7 @@ fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<Oil<f6
         );
         return None;
     }
-    Some(Oil {
+    Some(CylinderOil {
         l_min,
         l_max,
         v_0: n(&s::V_0)?,

@@ -11,7 +11,7 @@ use crate::kernel::variable::Role;
 use crate::luffing::double_link::hydraulic::FIXED;
 use crate::luffing::double_link::motion::Bar;
 use crate::luffing::double_link::moving::level::{Powers, Present};
-use crate::luffing::double_link::moving::model::Model;
+use crate::luffing::double_link::moving::model::LuffingMotion;
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::scene::Luffing;
@@ -174,7 +174,7 @@ type Warned = Option<(&'static str, Summary)>;
 /// The chapter of a scene whose mechanism moves, with what is checked in it and warned of; `None` where the model cannot
 /// start.
 pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Vec<Check>, Warned)> {
-    let mut model = Model::new(luffing, moving).ok()?;
+    let mut model = LuffingMotion::new(luffing, moving).ok()?;
     let drawn: Vec<(&'static str, &'static Symbol, usize)> = CURVES
         .into_iter()
         .filter_map(|(id, symbol)| {
@@ -236,7 +236,7 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
 }
 
 /// The equations at the model's instant. Each section is recorded from the start and shows its own steps.
-fn sections(model: &Model) -> Vec<Section> {
+fn sections(model: &LuffingMotion) -> Vec<Section> {
     let section = |(id, symbols): (&'static str, &[&Symbol])| {
         let (mut trace, assembled) = record(|| model.recorded());
         let mut seen: Vec<&Symbol> = Vec::new();
@@ -461,7 +461,7 @@ struct Budget {
 
 /// Moves the model on and returns the works on the way, with powers and energy (J) at its end.
 fn advance(
-    model: &mut Model,
+    model: &mut LuffingMotion,
     [from, to]: [f64; 2],
     before: &(Powers, f64),
     turned_over: f64,
@@ -516,7 +516,7 @@ impl Run {
     fn new(
         luffing: &Luffing,
         moving: &Moving,
-        model: &mut Model,
+        model: &mut LuffingMotion,
         drawn: &[(&'static str, &'static Symbol, usize)],
         greatest: &Symbol,
     ) -> Option<Run> {
@@ -525,7 +525,7 @@ impl Run {
         let samples = wanted.clamp(SAMPLES[0], SAMPLES[1]) as u32;
         let sample = duration / f64::from(samples);
         let lead = drawn.iter().position(|(_, symbol, _)| *symbol == greatest)?;
-        let look = |model: &mut Model| {
+        let look = |model: &mut LuffingMotion| {
             let values = drawn.iter().map(|(_, _, index)| model.get(*index));
             values.collect::<Result<Vec<f64>, _>>().ok()
         };

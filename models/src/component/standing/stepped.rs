@@ -1,0 +1,226 @@
+//! What stands still, as whatever runs is stepped.
+
+use crate::component::part::Port;
+use crate::component::running::{Running, State, Tangent};
+use crate::component::standing::{Direction, Now, Standing, VariablePlace};
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::{Fault, Quantity, Role, Terminal, Type, Variable};
+
+impl Running for Standing {
+    #[inline]
+    fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    fn terminals(&self) -> Vec<Terminal> {
+        let terminal = |port: &Port, number: Option<u16>| {
+            let find = |(symbol, member): &(&'static Symbol, &'static str)| {
+                let of = |v: &&Variable| v.symbol == *symbol && (v.number == number || v.number.is_none());
+                // A shaft is turned by an input; another bar's angle is a result.
+                let turned = |v: &&Variable| v.role == Role::Input || !port.driven.contains(member);
+                let found = self.variables.iter().filter(of).find(turned)?;
+                Some((found.name(), *member))
+            };
+            Terminal {
+                name: number.map_or_else(|| port.name.to_owned(), |number| format!("{}_{number}", port.name)),
+                text: port.text,
+                members: port.members.iter().filter_map(find).collect(),
+            }
+        };
+        let mut list = Vec::new();
+        for port in self.now.part.ports() {
+            let numbers = self
+                .variables
+                .iter()
+                .filter(|v| port.members.iter().any(|(symbol, _)| *symbol == v.symbol));
+            let most = numbers.filter_map(|v| v.number).max();
+            match most {
+                None => list.push(terminal(port, None)),
+                Some(most) => list.extend((1..=most).map(|number| terminal(port, Some(number)))),
+            }
+        }
+        list.retain(|terminal| !terminal.members.is_empty());
+        list
+    }
+
+    fn positions(&self) -> Vec<f64> {
+        self.motion.angles()
+    }
+
+    fn stop_time(&self) -> f64 {
+        self.motion.stop_time()
+    }
+
+    fn step_size(&self) -> f64 {
+        self.motion.step_size()
+    }
+
+    #[inline]
+    fn get(&mut self, index: usize) -> Result<f64, Fault> {
+        let Some(&place) = self.places.get(index) else {
+            return Err(Fault::no_variable(index, self.places.len()));
+        };
+        let mut value = 0.0;
+        match place {
+            VariablePlace::Source(source) => value = self.now.part.take(source),
+            VariablePlace::Result(slot) => {
+                if self.table.is_some()
+                    && let Some(value) = self.interpolated(index)?
+                {
+                    return Ok(value);
+                }
+                self.now.part.result(&slot, &mut value).map_err(|fault| *fault)?;
+            }
+            VariablePlace::Whole(place) => {
+                let spot = self.spot(place)?;
+                self.now.spots[place] = Some(spot);
+                return Ok(spot.value);
+            }
+        }
+        Ok(value)
+    }
+
+    fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
+        let (place, variable) = (self.find(index)?, &self.variables[index]);
+        match (place, variable.role) {
+            (VariablePlace::Result(_) | VariablePlace::Whole(_), _) => {
+                Err(Fault::new(format!("{variable} is a result and cannot be set")))
+            }
+            (_, Role::Calculated) => Err(Fault::new(format!(
+                "{variable} is fixed in the table and cannot be set: set fidelity = \"static\" to change it"
+            ))),
+            _ => variable.check(value),
+        }
+    }
+
+    fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
+        self.check(index, value)?;
+        let VariablePlace::Source(source) = self.places[index] else {
+            return Ok(());
+        };
+        let state = &mut self.now;
+        if self.variables[index].kind != Type::Real && state.part.take(source) != value {
+            state.part.leave();
+        }
+        if self.follow >> source.group & 1 == 1 {
+            state.forget(source, &self.wholes);
+        }
+        state.part.put(source, value);
+        state.given |= source == self.axes.coordinate;
+        if source == self.axes.rate {
+            self.sweep();
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn set_time(&mut self, time: f64) {
+        if time != self.now.time {
+            self.now.time = time;
+            if let Some(clock) = self.clock {
+                self.now.part.put(clock, time);
+            }
+            self.sweep();
+        }
+    }
+
+    fn start(&mut self) -> Result<(), Fault> {
+        self.now.part.start();
+        self.update()
+    }
+
+    fn update(&mut self) -> Result<(), Fault> {
+        match &self.table {
+            Some(table) => self.tabulated(table),
+            None => self.now.part.update().map_err(|fault| *fault),
+        }
+    }
+
+    fn indicators(&self) -> usize {
+        self.indicators.len()
+    }
+
+    fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
+        for (i, indicator) in indicators.iter_mut().enumerate() {
+            *indicator = self.get(self.indicators[i])?;
+        }
+        Ok(())
+    }
+
+    fn state(&self) -> State {
+        State::new(self.now.clone())
+    }
+
+    fn state_into(&self, state: &mut State) {
+        state.own_mut::<Now>().follow(&self.now);
+    }
+
+    fn set_state(&mut self, state: &State) {
+        self.now.follow(state.own());
+    }
+
+    fn numbers(&self, state: &State) -> Vec<f64> {
+        let now: &Now = state.own();
+        let head = [now.time, f64::from(now.given)];
+        head.into_iter()
+            .chain(self.saved().map(|source| now.part.take(source)))
+            .collect()
+    }
+
+    fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
+        let wrong = || Fault::new("a saved state does not belong to this model");
+        let [time, given, values @ ..] = numbers else {
+            return Err(wrong());
+        };
+        if values.len() != self.saved().count() || !time.is_finite() {
+            return Err(wrong());
+        }
+        let (remembered, values) = values.split_at(self.memory.len());
+        let mut model = self.clone();
+        let settable = (0..self.places.len()).filter(|&index| {
+            matches!(self.places[index], VariablePlace::Source(_)) && self.variables[index].role != Role::Calculated
+        });
+        for (index, &value) in settable.zip(values) {
+            model.check(index, value)?;
+        }
+        for (source, &value) in self.saved().zip(remembered.iter().chain(values)) {
+            model.now.part.put(source, value);
+            model.now.forget(source, &self.wholes);
+        }
+        if let Some(clock) = self.clock {
+            model.now.part.put(clock, *time);
+        }
+        (model.now.time, model.now.given) = (*time, *given != 0.0);
+        Ok(State::new(model.now))
+    }
+
+    fn has_derivatives(&self) -> bool {
+        let part = &self.now.part;
+        let mut stages = (0..).zip(part.stages());
+        !stages.any(|(place, stage)| stage.searched && part.exists(place))
+    }
+
+    fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
+        let mut seeds = self.seeds(seed);
+        let part = &self.now.part;
+        let (face, moved) = part.dual(true, &mut |source, quantity| seeds.of(source, quantity));
+        let undoes = seeds.undoes;
+        Tangent::new(Direction { face, moved, undoes })
+    }
+
+    fn tangent_into(&self, seed: &dyn Fn(Quantity) -> f64, tangent: &mut Tangent) {
+        let mut seeds = self.seeds(seed);
+        let Direction { face, moved, undoes } = tangent.own_mut();
+        let part = &self.now.part;
+        *moved = part.dual_into(&mut **face, &mut |source, quantity| seeds.of(source, quantity));
+        *undoes = seeds.undoes;
+    }
+
+    fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
+        Ok(self.with_derivative(tangent, index)?.eps)
+    }
+
+    fn duplicate(&self) -> Box<dyn Running> {
+        Box::new(self.clone())
+    }
+}
