@@ -356,7 +356,7 @@ fn straight_rail_by_its_closed_form() {
 fn curved_rail_keeps_the_energy() {
     let booms: [&dyn Boom<f64>; 2] = [&boom(), &plain()];
     for boom in booms {
-        let dimensions = curved_rail::Dimensions {
+        let dimensions = curved_rail::RailDimensions {
             g_c: 300e3,
             r_1: 9.0,
             alpha_1: rad(10.0),
@@ -387,7 +387,7 @@ fn curved_rail_keeps_the_energy() {
             let rope = plane::length(plane::Point::new(9.0 * cos, 9.0 * sin) - place);
             assert!((rope - 14.0).abs() < 1e-12 * 14.0);
         }
-        let short = curved_rail::Dimensions { l_r: 0.5, ..dimensions };
+        let short = curved_rail::RailDimensions { l_r: 0.5, ..dimensions };
         let rail = curved_rail::CurvedRail::new(short, |phi| Ok(boom.at(phi)?.u_0)).expect("sound");
         let fault = Analysis::new(boom, &Balance::CurvedRail(rail), range()).expect_err("too short");
         assert_eq!(fault.quantity.id, "L_r");
@@ -414,7 +414,7 @@ fn dead_points_and_slack_ropes() {
         "{fault}"
     );
     // A trolley so low that the rope passes in front of the boom foot pulls the boom down.
-    let low = curved_rail::Dimensions {
+    let low = curved_rail::RailDimensions {
         g_c: 300e3,
         r_1: 9.0,
         alpha_1: 0.0,
@@ -533,7 +533,7 @@ fn system(x: [f64; 6], w: [f64; 9]) -> Option<BoomSystem<f64>> {
 fn dimensions_are_consistent() {
     let p = portal::parameters();
     let d = published("balance_existing");
-    let rail = curved_rail::Dimensions {
+    let rail = curved_rail::RailDimensions {
         g_c: 300e3,
         r_1: 9.0,
         alpha_1: rad(10.0),

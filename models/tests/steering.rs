@@ -9,7 +9,7 @@ use lemnis_models::steering::accuracy::Accuracy;
 use lemnis_models::steering::built::Built;
 use lemnis_models::steering::centre::{Centre, residual};
 use lemnis_models::steering::changes::greatest_flow;
-use lemnis_models::steering::cylinder::{Cylinder, Linkage};
+use lemnis_models::steering::cylinder::{Linkage, Mounting};
 use lemnis_models::steering::demand::{greatest_demand, rates};
 use lemnis_models::steering::flow::{Piston, flow};
 use lemnis_models::steering::limits::Limits;
@@ -40,7 +40,7 @@ const LAYOUT: Layout<f64> = Layout {
     l_2: 9.0,
 };
 
-const CYLINDER: Cylinder<f64> = Cylinder {
+const CYLINDER: Mounting<f64> = Mounting {
     r: 0.5,
     alpha: 0.3,
     l_x: 1.25,
@@ -575,7 +575,7 @@ fn the_cylinder() {
     let chosen = choose_stroke(&CYLINDER, &limits, &EXAMPLE_STROKES).expect("one fits");
     let index = EXAMPLE_STROKES.iter().position(|x| *x == chosen).expect("of the list");
     let margins = |l_x| {
-        let cylinder = Cylinder { l_x, ..CYLINDER };
+        let cylinder = Mounting { l_x, ..CYLINDER };
         let found = cylinder.linkage(false).over(&limits).expect("between dead points");
         cylinder.stroke_margins(found.longest, found.shortest)
     };
@@ -593,7 +593,7 @@ fn the_range_of_the_cylinder() {
         assert_eq!([limits.min, limits.max], linkage.dead_points());
         let refused = linkage.over(&limits).expect_err("no lever arm");
         assert!(refused.what.contains("cannot turn"), "{refused}");
-        let shorter = Cylinder { l_x: 0.8, ..CYLINDER };
+        let shorter = Mounting { l_x: 0.8, ..CYLINDER };
         let (linkage, limits) = (shorter.linkage(mirrored), shorter.range(mirrored));
         let ends = [limits.min, limits.max].map(|theta| linkage.at_angle(theta).l);
         let [low, high] = if mirrored { [ends[1], ends[0]] } else { ends };
@@ -601,7 +601,7 @@ fn the_range_of_the_cylinder() {
         // choose_stroke finds 0.9 m for the pivot, and not 0.8 m.
         let pivot = LAYOUT.pivot();
         assert!(!(limits.allows(pivot) && limits.allows(-pivot)));
-        let chosen = Cylinder { l_x: 0.9, ..CYLINDER }.range(mirrored);
+        let chosen = Mounting { l_x: 0.9, ..CYLINDER }.range(mirrored);
         assert!(chosen.allows(pivot) && chosen.allows(-pivot));
         println!(
             "stops at {:.2} and {:.2} deg",

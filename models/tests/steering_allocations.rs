@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use lemnis_models::kernel::variable::Role;
 use lemnis_models::scene::Scene;
-use lemnis_models::steering::cylinder::{Cylinder, Linkage};
+use lemnis_models::steering::cylinder::{Linkage, Mounting};
 use lemnis_models::steering::limits::Limits;
 use lemnis_models::steering::load::{Tyre, force, resistance};
 use lemnis_models::steering::machine::{Axis, Footprint, Machine};
@@ -27,7 +27,7 @@ fn eight_groups_without_allocation() {
     let axes = layout.groups().map(|p| Axis { x: p.x, y: p.y });
     let machine = Machine::new(&axes, &Footprint(None)).expect("apart");
     let limits = vec![Limits::new(-1.2, 1.2, Vec::new()).expect("contains straight ahead"); 8];
-    let cylinder = Cylinder {
+    let cylinder = Mounting {
         r: 0.5,
         alpha: 0.0,
         l_x: 1.6,

@@ -103,7 +103,7 @@ fn the_loop_brings_every_group_to_its_angle() {
 }
 
 fn group() -> WorkingGroup {
-    let linkage = cylinder::Cylinder {
+    let linkage = cylinder::Mounting {
         r: 0.5,
         alpha: 0.3,
         l_x: 0.9,

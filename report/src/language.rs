@@ -15,7 +15,7 @@ use lemnis_models::luffing;
 use lemnis_models::luffing::double_link;
 use lemnis_models::parts::hydraulics;
 use lemnis_models::steering;
-use lemnis_models::steering::moving::scene::{Body, Oil, Plc};
+use lemnis_models::steering::moving::scene::{GroupBody, GroupOil, Plc};
 
 use crate::print::text::escape;
 
@@ -190,8 +190,8 @@ static SYMBOLS: [Symbols; 3] = [
         own: &[
             steering::symbols::ALL,
             gravity::ALL,
-            Body::<f64>::SYMBOLS,
-            Oil::<f64>::SYMBOLS,
+            GroupBody::<f64>::SYMBOLS,
+            GroupOil::<f64>::SYMBOLS,
             Plc::<f64>::SYMBOLS,
         ],
         shared: &[],

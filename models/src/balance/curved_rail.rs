@@ -13,13 +13,13 @@ use crate::parts::plane::{self, Point};
 quantities! {
     /// Trolley (N), rope's joint on the boom (m, rad), length of the rope (m),
     /// height of the trolley (m) at the reference angle (rad).
-    Dimensions { g_c: G_C, r_1: R_K, alpha_1: ALPHA_K, l_r: L_R, y_0: Y_0, phi_0: PHI_0 }
+    RailDimensions { g_c: G_C, r_1: R_K, alpha_1: ALPHA_K, l_r: L_R, y_0: Y_0, phi_0: PHI_0 }
 }
 
 /// The balance of one boom, at no particular position.
 #[derive(Clone, Copy, Debug)]
 pub struct CurvedRail<C> {
-    pub dimensions: Dimensions<C>,
+    pub dimensions: RailDimensions<C>,
     /// Potential energy of the boom at the reference angle, in J.
     u_0: C,
 }
@@ -41,7 +41,7 @@ impl<C: Calc> CurvedRail<C> {
     /// # Errors
     /// A weight or a length that is not positive, or a boom that does not close at the reference angle.
     pub fn new(
-        dimensions: Dimensions<C>,
+        dimensions: RailDimensions<C>,
         u_0: impl FnOnce(C) -> Result<C, OutOfRange>,
     ) -> Result<CurvedRail<C>, OutOfRange> {
         let d = &dimensions;

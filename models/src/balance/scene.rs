@@ -84,7 +84,7 @@ pub enum Form<C> {
     /// With the counterweight's arm (m), where that is known.
     Lever(Dimensions<C>, Option<C>, Branch),
     StraightRail(StraightRail<C>),
-    CurvedRail(curved_rail::Dimensions<C>),
+    CurvedRail(curved_rail::RailDimensions<C>),
 }
 
 impl<C: Copy> Form<C> {
@@ -181,7 +181,7 @@ impl Form<f64> {
             "parallelogram" => Parallelogram::<f64>::SYMBOLS,
             "lever" => Dimensions::<f64>::SYMBOLS,
             "straight_rail" => StraightRail::<f64>::SYMBOLS,
-            _ => curved_rail::Dimensions::<f64>::SYMBOLS,
+            _ => curved_rail::RailDimensions::<f64>::SYMBOLS,
         };
         let lever = kind == "lever";
         for key in KEYS {
@@ -223,7 +223,7 @@ impl Form<f64> {
                 Dimensions::of(n).map(|it| Form::Lever(it, n(&s::S_5), branch))
             }
             "straight_rail" => StraightRail::of(n).map(Form::StraightRail),
-            _ => curved_rail::Dimensions::of(n).map(Form::CurvedRail),
+            _ => curved_rail::RailDimensions::of(n).map(Form::CurvedRail),
         }
     }
 }

@@ -15,7 +15,7 @@ use crate::steering::symbols as s;
 quantities! {
     /// A group's cylinder: arm o–c and its angle from straight ahead, stroke, and
     /// what the cylinder is longer than its stroke when retracted; m and rad.
-    Cylinder { r: R_C, alpha: ALPHA, l_x: L_X, l_a: L_A }
+    Mounting { r: R_C, alpha: ALPHA, l_x: L_X, l_a: L_A }
 }
 
 /// A cylinder on its frame, o being the axis of the group.
@@ -45,7 +45,7 @@ results! { each Pose as p => {
     OD: p.od;
 } }
 
-impl<C: Calc> Cylinder<C> {
+impl<C: Calc> Mounting<C> {
     /// Where the cylinder's foot is: straight ahead b–c stands at a right angle to
     /// o–c and is half extended. [Zhang2016, Fig. 5]
     pub fn linkage(&self, mirrored: bool) -> Linkage<C> {
@@ -86,7 +86,7 @@ impl<C: Calc> Linkage<C> {
     }
 }
 
-impl Cylinder<f64> {
+impl Mounting<f64> {
     /// How far the stroke turns the group. Where a stop would lie beyond a dead
     /// point the range ends there, and [`Linkage::over`] refuses it: it needs a
     /// shorter stroke or a stop of its own.
@@ -101,7 +101,7 @@ impl Cylinder<f64> {
     }
 }
 
-impl<C: Calc> Cylinder<C> {
+impl<C: Calc> Mounting<C> {
     /// The ends of [`range`](Cylinder::range), over any scalar.
     #[must_use]
     pub fn ends(&self, mirrored: bool) -> [C; 2] {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::group;
-use crate::steering::cylinder::Cylinder;
+use crate::steering::cylinder::Mounting;
 use crate::steering::limits::Limits;
 use crate::steering::refusal::Refusal;
 
@@ -24,7 +24,7 @@ group!(Mount);
 /// The range of each group: its own, else that of its cylinder.
 pub fn limits<C: Calc>(
     mounts: &[Mount],
-    cylinder: &Option<Cylinder<C>>,
+    cylinder: &Option<Mounting<C>>,
     limits: &mut Vec<Limits>,
 ) -> Result<(), Refusal> {
     let cylinder = cylinder.map(|cylinder| cylinder.map(&mut |_, x| x.value()));
@@ -50,7 +50,7 @@ pub struct Ends<C>(pub [C; 2]);
 results! { each Ends; }
 
 impl<C: Calc> Ends<C> {
-    pub fn new(mount: &Mount, cylinder: &Option<Cylinder<C>>, limits: &Limits) -> Ends<C> {
+    pub fn new(mount: &Mount, cylinder: &Option<Mounting<C>>, limits: &Limits) -> Ends<C> {
         match (mount.range, cylinder) {
             (None, Some(cylinder)) => Ends(cylinder.ends(mount.mirrored)),
             _ => Ends([limits.min, limits.max].map(C::constant)),

@@ -13,7 +13,7 @@ use crate::steering::symbols as s;
 
 quantities! {
     /// Vertical load of a group, in N.
-    Load { g: G }
+    GroupLoad { g: G }
 }
 
 quantities! {
@@ -57,7 +57,7 @@ results! { each Drag as d => {
 
 impl<C: Calc> Drag<C> {
     #[inline]
-    pub fn new(tyre: &Tyre<C>, bearing: &Option<Bearing<C>>, load: &Load<C>) -> Drag<C> {
+    pub fn new(tyre: &Tyre<C>, bearing: &Option<Bearing<C>>, load: &GroupLoad<C>) -> Drag<C> {
         let tyres = resistance(tyre, load.g);
         let friction = bearing.as_ref().map(|bearing| friction(bearing, load.g));
         Drag {

@@ -14,11 +14,11 @@ use crate::parts::plane::Point;
 use crate::steering::accuracy::Accuracy;
 use crate::steering::built::Built;
 use crate::steering::change::Change;
-use crate::steering::cylinder::Cylinder;
+use crate::steering::cylinder::Mounting;
 use crate::steering::flow::Piston;
 use crate::steering::frame::Mount;
 use crate::steering::keys::KEYS;
-use crate::steering::load::{Load, Tyre, share};
+use crate::steering::load::{GroupLoad, Tyre, share};
 use crate::steering::machine::{Axis, Footprint};
 use crate::steering::mode::{By, Command, Corner, Mode, Wanted};
 use crate::steering::moving::scene::MovingGroups;
@@ -207,7 +207,7 @@ fn given(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Given<f64>> {
             .collect::<Option<_>>()?,
         tyre: group(v, "tyre", |t| Tyre::of(|symbol| n(t, symbol)))?,
         bearing: group(v, "ring", |t| Bearing::of(|symbol| n(t, symbol)))?,
-        cylinder: group(v, "cylinder", |t| Cylinder::of(|symbol| n(t, symbol)))?,
+        cylinder: group(v, "cylinder", |t| Mounting::of(|symbol| n(t, symbol)))?,
         piston: group(v, "cylinder", |t| Piston::of(|symbol| n(t, symbol)))?,
         accuracy: group(v, "accuracy", |t| Accuracy::of(|symbol| n(t, symbol)))?,
         pace: group(v, "transition", |t| Pace::of(|symbol| n(t, symbol)))?,
@@ -292,7 +292,12 @@ fn allowed(
 }
 
 /// Loads of the groups, given one by one or by weight and centre of gravity; empty where the scene models no forces.
-fn loads(v: &Values, built: &Built, weight: Option<(f64, Point<f64>)>, found: &mut Vec<Diagnostic>) -> Vec<Load<f64>> {
+fn loads(
+    v: &Values,
+    built: &Built,
+    weight: Option<(f64, Point<f64>)>,
+    found: &mut Vec<Diagnostic>,
+) -> Vec<GroupLoad<f64>> {
     let groups = v.tables("groups");
     let given: Vec<f64> = groups.iter().filter_map(|group| group.number(s::G.id)).collect();
     let unclear = (weight.is_some() && !given.is_empty()) || ![0, groups.len()].contains(&given.len());
@@ -311,7 +316,7 @@ fn loads(v: &Values, built: &Built, weight: Option<(f64, Point<f64>)>, found: &m
                 .help("give G of every group, or [steering.load] with W, x_G and y_G"),
         );
     }
-    loads.into_iter().map(|g| Load { g }).collect()
+    loads.into_iter().map(|g| GroupLoad { g }).collect()
 }
 
 /// That what a table needs is there.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
 use crate::kernel::number::short;
-use crate::steering::cylinder::Cylinder;
+use crate::steering::cylinder::Mounting;
 use crate::steering::limits::Limits;
 use crate::steering::refusal::Refusal;
 use crate::steering::symbols as s;
@@ -73,9 +73,9 @@ pub fn buckling<C: Calc>(rod: &Rod<C>) -> C {
 }
 
 /// The shortest of the `strokes` (m, rising) with which a cylinder covers its group's range. [Zhang2016, 5.1]
-pub fn choose_stroke(cylinder: &Cylinder<f64>, limits: &Limits, strokes: &[f64]) -> Result<f64, Refusal> {
+pub fn choose_stroke(cylinder: &Mounting<f64>, limits: &Limits, strokes: &[f64]) -> Result<f64, Refusal> {
     let fits = |&l_x: &f64| {
-        let cylinder = Cylinder { l_x, ..*cylinder };
+        let cylinder = Mounting { l_x, ..*cylinder };
         let covered = cylinder.linkage(false).over(limits);
         covered.is_ok_and(|e| {
             cylinder

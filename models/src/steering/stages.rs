@@ -9,11 +9,11 @@ use crate::steering::accuracy::{Accuracy, Alone, Error, GreatestSlip, Slipping, 
 use crate::steering::centre::{Centre, TurningPole};
 use crate::steering::change::Change;
 use crate::steering::commanding::CentreShift;
-use crate::steering::cylinder::{Cylinder, Linkage, Pose};
+use crate::steering::cylinder::{Linkage, Mounting, Pose};
 use crate::steering::flow::{CylinderFlow, CylinderSpeed, Piston, Total};
 use crate::steering::frame::{Ends, Mount, limits};
 use crate::steering::limits::Limits;
-use crate::steering::load::{Drag, Force, Load, Travelling, Tyre};
+use crate::steering::load::{Drag, Force, GroupLoad, Travelling, Tyre};
 use crate::steering::machine::{Axis, Footprint, Machine};
 use crate::steering::margin::Margin;
 use crate::steering::mode::{By, Command, Corner, Mode, Wanted};
@@ -38,11 +38,11 @@ stages! {
         Input corner: Corner,
         Input r_t: One<C>,
         Input wanted: Wanted<C>,
-        Input loads: Vec<Load<C>>,
+        Input loads: Vec<GroupLoad<C>>,
         Parameter axes: Vec<Axis<C>>,
         Parameter tyre: Option<Tyre<C>>,
         Parameter bearing: Option<Bearing<C>>,
-        Parameter cylinder: Option<Cylinder<C>>,
+        Parameter cylinder: Option<Mounting<C>>,
         Parameter piston: Option<Piston<C>>,
         Parameter accuracy: Option<Accuracy<C>>,
         Parameter pace: Option<Pace<C>>,
@@ -163,7 +163,7 @@ fn centre<C: Calc>(mode: &Mode, machine: &Machine<C>, command: &Command<C>) -> R
     mode.centre(machine, *command)
 }
 
-fn linkage<C: Calc>(cylinder: &Cylinder<C>, mount: &Mount) -> Linkage<C> {
+fn linkage<C: Calc>(cylinder: &Mounting<C>, mount: &Mount) -> Linkage<C> {
     cylinder.linkage(mount.mirrored)
 }
 

@@ -4,7 +4,7 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::geometry::{Anchors, Cylinder, Driven, Lengths};
+use crate::luffing::double_link::geometry::{Anchors, Bore, Driven, Lengths};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::Held;
 use crate::luffing::double_link::symbols as s;
@@ -98,7 +98,7 @@ impl<C: Calc> Stroke<C> {
 }
 
 impl<C: Calc> Flow<C> {
-    pub fn new(c: &Cylinder<C>, stroke: &Stroke<C>) -> Flow<C> {
+    pub fn new(c: &Bore<C>, stroke: &Stroke<C>) -> Flow<C> {
         let quarter = C::constant(std::f64::consts::FRAC_PI_4);
         let area = if stroke.0.value() < 0.0 {
             quarter * (c.d_c.square() - c.d_r.square())

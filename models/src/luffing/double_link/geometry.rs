@@ -78,7 +78,7 @@ quantities! {
 
 quantities! {
     /// Bore and rod of a luffing cylinder, in m.
-    Cylinder { d_c: D_C, d_r: D_R }
+    Bore { d_c: D_C, d_r: D_R }
 }
 
 /// What determines the jib's triangle besides its two arms.
@@ -99,7 +99,7 @@ pub struct Parameters<C> {
     pub jib: Jib<C>,
     pub weights: Option<Weights<C>>,
     pub anchors: Option<Anchors<C>>,
-    pub cylinder: Option<Cylinder<C>>,
+    pub cylinder: Option<Bore<C>>,
     pub balance: Option<Form<C>>,
     pub driven: Driven,
     pub branch: Branch,

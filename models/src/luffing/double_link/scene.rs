@@ -11,7 +11,7 @@ use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::balancing::{analysis, boom};
 use crate::luffing::double_link::geometry::{
-    Anchors, Cylinder, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights,
+    Anchors, Bore, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights,
 };
 use crate::luffing::double_link::keys::LIMITS;
 use crate::luffing::double_link::moving;
@@ -257,10 +257,10 @@ fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: Option<&Mot
     found.push(Diagnostic::new(place, fault.what.clone(), label).help(fault.range()));
 }
 
-fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Cylinder<f64>> {
+fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
     let (bore, rod) = (d.number(s::D_C.id), d.number(s::D_R.id));
     match (d.text("kind")?, bore, rod) {
-        ("cylinder", Some(d_c), Some(d_r)) if d_r < d_c => Some(Cylinder { d_c, d_r }),
+        ("cylinder", Some(d_c), Some(d_r)) if d_r < d_c => Some(Bore { d_c, d_r }),
         ("rack", None, None) => None,
         ("cylinder", Some(d_c), Some(d_r)) => {
             let (d_c, d_r) = (s::D_C.written(d_c), s::D_R.written(d_r));

@@ -16,7 +16,7 @@ use crate::luffing::double_link::balancing::{self, analysis, balanced, residual}
 use crate::luffing::double_link::drive::{Drive, Flow, Reaction, Stroke};
 use crate::luffing::double_link::feet::Feet;
 use crate::luffing::double_link::geometry::{
-    Anchors, Choice, Cylinder, Driven, Geometry, Jib, Lengths, Parameters, Weights,
+    Anchors, Bore, Choice, Driven, Geometry, Jib, Lengths, Parameters, Weights,
 };
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
@@ -35,7 +35,7 @@ stages! {
         Parameter jib: One<C>,
         Parameter weights: Option<Weights<C>>,
         Parameter anchors: Option<Anchors<C>>,
-        Parameter cylinder: Option<Cylinder<C>>,
+        Parameter cylinder: Option<Bore<C>>,
         Parameter balance: Option<Form<C>>,
         Fixed choice: Choice,
     } find {

@@ -63,12 +63,12 @@ const PLC_KEYS: &[Key] = &[
 
 quantities! {
     /// What moves, and how it is solved.
-    Body { j: J, step: STEP }
+    GroupBody { j: J, step: STEP }
 }
 
 quantities! {
     /// Oil and valve of each cylinder.
-    Oil {
+    GroupOil {
         v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, x_0: X_0, dp_l: DP_L, beta_e: BETA_E, p_r: P_R, k_r: K_R,
         k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, p_p: P_P, tol: TOL
     }
@@ -82,8 +82,8 @@ quantities! {
 /// The groups in motion as the scene describes them; SI.
 #[derive(Clone, Copy, Debug)]
 pub struct MovingGroups {
-    pub body: Body<f64>,
-    pub oil: Oil<f64>,
+    pub body: GroupBody<f64>,
+    pub oil: GroupOil<f64>,
     pub plc: Plc<f64>,
 }
 
@@ -150,8 +150,8 @@ impl MovingGroups {
             table.number(symbol.id).or(default)
         };
         let all = (
-            Body::of(|symbol| given(dynamics, symbol)),
-            Oil::of(|symbol| given(oil, symbol)),
+            GroupBody::of(|symbol| given(dynamics, symbol)),
+            GroupOil::of(|symbol| given(oil, symbol)),
             Plc::of(|symbol| given(plc, symbol)),
         );
         let (Some(body), Some(oil), Some(plc)) = all else {
