@@ -102,7 +102,7 @@ impl Mounting<f64> {
 }
 
 impl<C: Calc> Mounting<C> {
-    /// The ends of [`range`](Cylinder::range), over any scalar.
+    /// The ends of [`range`](Mounting::range), over any scalar.
     #[must_use]
     pub fn ends(&self, mirrored: bool) -> [C; 2] {
         let linkage = self.linkage(mirrored);

@@ -26,13 +26,13 @@
 //! | `steering.swept` | [`swept::moved`], [`swept::Swept::new`] | rigid body |
 //! | `steering.reach` | [`reach::reach`], [`nearest::nearest`] | derived |
 //! | `steering.slip` | [`slip::Slip::new`], [`slip::worst`], [`accuracy::Accuracy::angle_error`] | least squares |
-//! | `steering.transition` | [`plan::Crew::transition`], [`plan::Plan`], [`transition::Arc`] | derived |
+//! | `steering.transition` | [`plan::Crew::transition`], [`plan::Plan`], [`transition::GreatCircle`] | derived |
 //! | `steering.resistance` | [`load::resistance`] | Zhang2016, 3 |
 //! | `steering.load_share` | [`load::share`] | equal springs |
 //! | `steering.ring` | [`ring::Duty::new`], [`ring::Catalogue::choose`] | Zhang2016, 4 |
 //! | `steering.cylinder.length` | [`cylinder::Linkage::at`] | Zhang2016, 5.1 |
-//! | `steering.cylinder.stroke` | [`cylinder::Cylinder::stroke_margins`], [`sizing::choose_stroke`] | Zhang2016, 5.1 |
-//! | `steering.cylinder.range` | [`cylinder::Cylinder::range`], [`cylinder::Linkage::over`] | derived |
+//! | `steering.cylinder.stroke` | [`cylinder::Mounting::stroke_margins`], [`sizing::choose_stroke`] | Zhang2016, 5.1 |
+//! | `steering.cylinder.range` | [`cylinder::Mounting::range`], [`cylinder::Linkage::over`] | derived |
 //! | `steering.cylinder.force` | [`load::force`] | Zhang2016, 5.2 |
 //! | `steering.cylinder.bore` | [`sizing::bore`], [`sizing::next`] | Zhang2016, 5.3; ISO 3320 |
 //! | `steering.flow` | [`travel::rate`], [`flow::flow`], [`demand::greatest_demand`] | derived |

@@ -29,7 +29,7 @@
 //! | `lemniscate.dynamics` | [`dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
 //! | `lemniscate.governing` | [`crate::component::governing::governing`] | derived |
 //! | `lemniscate.sensitivity` | [`crate::component::governing::sensitivity`] | derived |
-//! | `lemniscate.published` | [`published::Published::new`] | Li2022, eq. 1, 4-7 |
+//! | `lemniscate.published` | [`published::PublishedFormulas::new`] | Li2022, eq. 1, 4-7 |
 
 pub mod balancing;
 pub mod drawing;

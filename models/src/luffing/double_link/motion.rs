@@ -3,7 +3,7 @@
 //! that swings through any angle, is reeled in and out, and may go slack.
 //!
 //! Between events the motion is smooth and solved by the explicit Runge-Kutta
-//! method of fourth order. What ends a smooth piece is an [`indicator`](Motion::indicators)
+//! method of fourth order. What ends a smooth piece is an [`indicator`](MovingLinkage::indicators)
 //! below zero; what follows is decided by [`MovingLinkage::event`]. Blows (an end
 //! stop, a rope that becomes taut) are plastic: no bouncing, no energy gained.
 

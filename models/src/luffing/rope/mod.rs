@@ -13,10 +13,10 @@
 //!
 //! | id | function | source |
 //! |---|---|---|
-//! | `rope.position` | [`position::Position::new`] | geometry |
+//! | `rope.position` | [`position::BoomPosition::new`] | geometry |
 //! | `rope.tackle` | [`position::Falls::new`] | Ports001, 5.1 |
 //! | `rope.load_path` | [`position::Path::new`] | Ports001, 5.2.3 |
-//! | `rope.velocity` | [`velocity::Travel::new`] | Ports001, 5.2.3 |
+//! | `rope.velocity` | [`velocity::RopeTravel::new`] | Ports001, 5.2.3 |
 //! | `rope.load_moment` | [`statics::Hanging::new`] | Ports001, 5.2.3, by virtual work |
 //! | `rope.pull` | [`statics::Pull::new`] | Ports001, 5.1, by equilibrium |
 //! | `rope.losses` | [`losses::Losses::new`] | Ports001, 5.1 |

@@ -146,7 +146,7 @@ impl PresentGroup {
         [integral, command].into_iter().chain(self.run.numbers())
     }
 
-    /// What [`numbers`](Present::numbers) gave, and the numbers that follow it.
+    /// What [`numbers`](PresentGroup::numbers) gave, and the numbers that follow it.
     #[must_use]
     pub fn of<'a>(&self, numbers: &'a [f64]) -> Option<(PresentGroup, &'a [f64])> {
         let (own, rest) = numbers.split_at_checked(self.numbers().count())?;
