@@ -1,6 +1,7 @@
 //! The FMU's shared library beside the scene that it reads, called as an importer calls it.
 
 use std::ffi::{CString, c_char, c_int, c_void};
+use std::path::Path;
 use std::ptr::{null, null_mut};
 
 use lemnis_fmu::instance::token;
@@ -46,10 +47,18 @@ impl Unpacked {
     /// With a scene that cannot be read, or where the library was not built.
     #[must_use]
     pub fn new(text: &str) -> Unpacked {
+        Unpacked::with(text, &package::find_library().expect("built"))
+    }
+
+    /// The same with the library of this path.
+    ///
+    /// # Panics
+    /// With a scene that cannot be read, or a library that cannot be loaded.
+    #[must_use]
+    pub fn with(text: &str, path: &Path) -> Unpacked {
         let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
         let folder = tempfile::tempdir().expect("a folder");
         std::fs::write(folder.path().join("scene.toml"), text).expect("writable");
-        let path = package::find_library().expect("built");
         Unpacked {
             token: CString::new(token(&scene)).expect("a token"),
             // SAFETY: the library is our own, and loading it runs nothing.
