@@ -49,60 +49,59 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
     // Of each variable: which of the names its formula contains.
     let mut traced = vec![vec![false; names.len()]; model.places().len()];
     for choice in choices(&sources) {
-        for given in [false, true] {
-            let places = [(motion.from, 1.0), (middle, 1.0), (middle, -1.0), (motion.to, 1.0)];
-            for (at, way) in places {
-                let mut part = part.duplicate();
-                for &(source, value) in &choice {
-                    part.put(source, value);
-                }
-                let rate = way * motion.speed;
-                let time = (at - motion.from) / motion.speed;
-                let (trace, (recs, results)) = record(|| {
-                    let mut recs: Vec<(Rec, usize)> = Vec::new();
-                    let mut named = |index: usize, symbol, value| {
-                        let rec = Rec::given(symbol, value);
-                        recs.push((rec, index));
-                        rec
-                    };
-                    let mut of = |source, (symbol, number): Quantity, value| {
-                        let index = sources.iter().position(|(other, _)| *other == source);
-                        let index = index.expect("one of the sources");
-                        debug_assert_eq!(names[index], (symbol.id, number));
-                        match used(source) {
-                            Use::Coordinate if !given => Rec::constant(at),
-                            Use::Coordinate => named(index, symbol, at),
-                            Use::Rate => named(index, symbol, rate),
-                            Use::Time => named(sources.len(), &TIME, time),
-                            Use::Memory => Rec::constant(value),
-                            _ => named(index, symbol, value),
-                        }
-                    };
-                    let mut face = recorder(&*part, &mut of);
-                    if let (false, Some(coordinate), Some(rate)) = (given, find(Use::Coordinate), find(Use::Rate)) {
-                        let time = named(sources.len(), &TIME, time);
-                        face.put(sources[coordinate].0, motion.swept(face.take(sources[rate].0), time));
+        for (at, way) in [(motion.from, 1.0), (middle, 1.0), (middle, -1.0), (motion.to, 1.0)] {
+            let mut part = part.duplicate();
+            for &(source, value) in &choice {
+                part.put(source, value);
+            }
+            let rate = way * motion.speed;
+            let time = (at - motion.from) / motion.speed;
+            let (trace, (recs, results)) = record(|| {
+                let mut recs: Vec<(Rec, usize)> = Vec::new();
+                let mut named = |index: usize, symbol, value| {
+                    let rec = Rec::given(symbol, value);
+                    recs.push((rec, index));
+                    rec
+                };
+                let mut of = |source, (symbol, number): Quantity, value| {
+                    let index = sources.iter().position(|(other, _)| *other == source);
+                    let index = index.expect("one of the sources");
+                    debug_assert_eq!(names[index], (symbol.id, number));
+                    match used(source) {
+                        Use::Coordinate => named(index, symbol, at),
+                        Use::Rate => named(index, symbol, rate),
+                        Use::Time => named(sources.len(), &TIME, time),
+                        Use::Memory => Rec::constant(value),
+                        _ => named(index, symbol, value),
                     }
-                    let mut result = |place: &VariablePlace| match place {
-                        VariablePlace::Source(_) | VariablePlace::Whole(_) => None,
-                        VariablePlace::Result(slot) => {
-                            let mut value = Rec::constant(0.0);
-                            face.result(slot, &mut value).ok().map(|()| value)
-                        }
-                    };
-                    let results: Vec<Option<Rec>> = model.places().iter().map(&mut result).collect();
-                    (recs, results)
-                });
-                let givens = trace.givens();
-                let known = |leaf| recs.iter().find(|(rec, _)| *rec == leaf).map(|(_, index)| *index);
-                let known: Vec<Option<usize>> = givens.all().map(known).collect();
-                for (traced, result) in traced.iter_mut().zip(results) {
-                    let leaves = result.into_iter().flat_map(|result| givens.of(result));
-                    for index in leaves.filter_map(|leaf| known[leaf]) {
-                        traced[index] = true;
+                };
+                let mut face = recorder(&*part, &mut of);
+                let mut result = |place: &VariablePlace| match place {
+                    VariablePlace::Source(_) | VariablePlace::Whole(_) => None,
+                    VariablePlace::Result(slot) => {
+                        let mut value = Rec::constant(0.0);
+                        face.result(slot, &mut value).ok().map(|()| value)
                     }
+                };
+                let results: Vec<Option<Rec>> = model.places().iter().map(&mut result).collect();
+                (recs, results)
+            });
+            let givens = trace.givens();
+            let known = |leaf| recs.iter().find(|(rec, _)| *rec == leaf).map(|(_, index)| *index);
+            let known: Vec<Option<usize>> = givens.all().map(known).collect();
+            for (traced, result) in traced.iter_mut().zip(results) {
+                let leaves = result.into_iter().flat_map(|result| givens.of(result));
+                for index in leaves.filter_map(|leaf| known[leaf]) {
+                    traced[index] = true;
                 }
             }
+        }
+    }
+    // Until the coordinate is set, it follows from its rate and the time.
+    if let (Some(coordinate), Some(rate)) = (find(Use::Coordinate), find(Use::Rate)) {
+        for traced in traced.iter_mut().filter(|traced| traced[coordinate]) {
+            traced[rate] = true;
+            traced[sources.len()] = true;
         }
     }
     let traced: Vec<BTreeSet<Name>> = traced
