@@ -144,7 +144,7 @@ impl Scene {
         }
         let gravity = gravity(text, &values, &mut found);
         values.weigh(gravity);
-        let mechanism = mechanism(&values, gravity, &mut found);
+        let mechanism = mechanism(table.get_ref(), &values, gravity, &mut found);
         let project = values.table("project");
         let book = mechanism
             .as_ref()
@@ -367,7 +367,12 @@ fn gravity(text: &str, values: &Values, found: &mut Vec<Diagnostic>) -> f64 {
 }
 
 /// The scene's one mechanism, with the table that describes it.
-fn mechanism(values: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(&'static str, Box<dyn Mechanism>)> {
+fn mechanism(
+    scene: &DeTable<'_>,
+    values: &Values,
+    gravity: f64,
+    found: &mut Vec<Diagnostic>,
+) -> Option<(&'static str, Box<dyn Mechanism>)> {
     let given: Vec<(&'static str, &Values)> = registry::tables()
         .filter_map(|name| Some((name, values.table(name)?)))
         .collect();
@@ -378,6 +383,8 @@ fn mechanism(values: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Opti
             let entry = kinds.find(|entry| kind.is_none_or(|kind| entry.kind == kind))?;
             Some((*name, (entry.read)(table, gravity, found)?))
         }
+        // What is wrong with one that cannot be read has been told.
+        [] if registry::tables().any(|name| scene.keys().any(|key| key.get_ref() == name)) => None,
         [] => {
             let tables: Vec<String> = registry::tables().map(|name| format!("[{name}]")).collect();
             found.push(

@@ -209,3 +209,16 @@ proptest! {
         }
     }
 }
+
+/// A kind that there is not, or that is no text, is one mistake, not one for every key of another kind.
+#[test]
+fn a_kind_that_there_is_not() {
+    for (kind, label) in [("\"ropes\"", "`ropes` is none of them"), ("3", "a TOML integer")] {
+        let wrong = READY.replace("kind = \"rope\"", &format!("kind = {kind}"));
+        let found = Scene::parse(&wrong).expect_err("no such kind");
+        let [one] = found.as_slice() else { panic!("{found:?}") };
+        assert_eq!(one.message, "`luffing.kind` is not one of double_link, rope");
+        assert_eq!(one.label, label);
+        assert_eq!(&wrong[one.span.clone()], kind);
+    }
+}

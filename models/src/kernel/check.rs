@@ -109,21 +109,27 @@ fn check_value(
         }
         (Kind::Kinds(kinds), DeValue::Table(table)) => {
             let given = table.iter().find(|(name, _)| name.get_ref() == KIND);
-            let given = given.and_then(|(_, value)| Some((value.get_ref().as_str()?, value.span())));
-            let named = |(text, _): &(&str, _)| kinds.iter().find(|(kind, _)| kind == text);
-            match (given.as_ref().map_or(Some(&kinds[0]), named), given) {
-                (Some((_, keys)), _) => Some(Value::Table(check(source, table, value.span(), path, keys, found))),
-                (None, given) => {
-                    let known: Vec<&str> = kinds.iter().map(|(kind, _)| *kind).collect();
-                    let (text, place) = given.unwrap_or_default();
-                    let message = format!("`{path}.{KIND}` is not one of {}", known.join(", "));
-                    found.push(
-                        Diagnostic::new(place, message, format!("`{text}` is none of them"))
-                            .help(format!("{KIND} = \"{}\"", known[0])),
-                    );
-                    None
-                }
+            let Some((_, given)) = given else {
+                return Some(Value::Table(check(
+                    source,
+                    table,
+                    value.span(),
+                    path,
+                    kinds[0].1,
+                    found,
+                )));
+            };
+            let text = given.get_ref().as_str();
+            if let Some((_, keys)) = kinds.iter().find(|(kind, _)| Some(*kind) == text) {
+                return Some(Value::Table(check(source, table, value.span(), path, keys, found)));
             }
+            let known: Vec<&str> = kinds.iter().map(|(kind, _)| *kind).collect();
+            let message = format!("`{path}.{KIND}` is not one of {}", known.join(", "));
+            let of_type = || format!("a TOML {}", given.get_ref().type_str());
+            let label = text.map_or_else(of_type, |text| format!("`{text}` is none of them"));
+            let help = format!("{KIND} = \"{}\"", known[0]);
+            found.push(Diagnostic::new(given.span(), message, label).help(help));
+            None
         }
         (Kind::Quantity(..) | Kind::Weight(_), DeValue::String(text)) => match number(text, key) {
             Ok(number) => Some(Value::Number(number)),
