@@ -42,7 +42,7 @@ pub fn to_build(path: Option<&Path>) -> Result<Decision, Failure> {
 pub fn decided(scene: Scene, name: &str) -> Result<Decision, Failure> {
     let mut notes = Vec::new();
     let scene = match scene.is_auto() {
-        true => chosen(&scene, &mut notes)?,
+        true => chosen(&scene, name, &mut notes)?,
         false => scene,
     };
     let scene = busy(format!("running the default experiment of {}", scene.name()), || {
@@ -52,11 +52,16 @@ pub fn decided(scene: Scene, name: &str) -> Result<Decision, Failure> {
 }
 
 /// The same scene with the cheapest level, step and tolerance that keep to its accuracy, by counted work.
-fn chosen(scene: &Scene, notes: &mut Vec<String>) -> Result<Scene, Failure> {
-    let traded = measured(scene, SAMPLE, 0)?;
+fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, Failure> {
+    let fidelity = format!("{}.fidelity", scene.table);
+    let undecided = |message: String| {
+        let help = format!("choose one of {}", scene.levels().join(", "));
+        refused(scene, name, &fidelity, message, "not decided by measuring", Some(help))
+    };
+    let traded = measured(scene, SAMPLE, 0).map_err(|failure| undecided(failure.to_string()))?;
     let told = verdict(scene, &traded);
     let Some(row) = traded.choice() else {
-        return Err(Failure::Scene(format!("error: {told}")));
+        return Err(undecided(told));
     };
     notes.push(told);
     let level = row.setting.level;
@@ -110,12 +115,6 @@ const MOST_STEPS: f64 = 1e7;
 
 /// The same scene with an inner step at which the default experiment of its FMU runs.
 fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, Failure> {
-    let refused = |given: &str, message: String, label: String, help: Option<String>| {
-        let place = scene.given.of(given).map_or(0..0, |given| given.place.clone());
-        let mut diagnostic = Diagnostic::new(place, message, label);
-        diagnostic.help = help;
-        Err(scene_file::failure(name, scene.text(), &[diagnostic]))
-    };
     let cannot = |found: &Stopped| {
         let at = short(found.time);
         format!(
@@ -132,7 +131,7 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
             short(steps.round())
         );
         let help = format!("at most {} are run: raise the speed", short(MOST_STEPS));
-        return refused(&speed, message, "too slow".to_owned(), Some(help));
+        return Err(refused(&scene, name, &speed, message, "too slow", Some(help)));
     }
     let Err(stopped) = run(&scene) else {
         return Ok(scene);
@@ -148,14 +147,30 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
         }
         if scene.given.of(&inner).is_some() {
             let help = format!("step = \"{milliseconds}\" runs; without the key one is chosen");
-            return refused(&inner, cannot(&stopped), "too long".to_owned(), Some(help));
+            return Err(refused(&scene, name, &inner, cannot(&stopped), "too long", Some(help)));
         }
         notes.push(format!(
             "the default experiment needs shorter inner steps than 10 ms: {inner} = \"{milliseconds}\" is chosen"
         ));
         return Ok(shorter);
     }
-    refused(&speed, cannot(&stopped), format!("it lasts {} s", short(lasts)), None)
+    let label = format!("it lasts {} s", short(lasts));
+    Err(refused(&scene, name, &speed, cannot(&stopped), label, None))
+}
+
+/// Refuses a scene at what it gives.
+fn refused(
+    scene: &Scene,
+    name: &str,
+    given: &str,
+    message: String,
+    label: impl Into<String>,
+    help: Option<String>,
+) -> Failure {
+    let place = scene.given.of(given).map_or(0..0, |given| given.place.clone());
+    let mut diagnostic = Diagnostic::new(place, message, label);
+    diagnostic.help = help;
+    scene_file::failure(name, scene.text(), &[diagnostic])
 }
 
 /// Why a default experiment ended, and when, in s.

@@ -3,19 +3,18 @@
 use indicatif::{ProgressBar, ProgressStyle};
 use lemnis_models::kernel::number::rough;
 use lemnis_models::scene::Scene;
-use lemnis_trade::trade::Trade;
+use lemnis_trade::trade::{self, Trade};
 
-use crate::failure::Failure;
 use crate::progress::TICK;
 
 /// All settings of a scene, with a bar that moves from the start: a reference takes longer than all that follows.
-pub fn measured(scene: &Scene, step: f64, rounds: usize) -> Result<Trade, Failure> {
+pub fn measured(scene: &Scene, step: f64, rounds: usize) -> Result<Trade, trade::Failure> {
     let style = ProgressStyle::with_template("{spinner} measuring {wide_bar} {percent} %, {elapsed}");
     let bar = ProgressBar::new(Trade::steps(scene, step) as u64).with_style(style.expect("a template"));
     bar.enable_steady_tick(TICK);
     let traded = Trade::new(scene, step, rounds, &|| bar.inc(1));
     bar.finish_and_clear();
-    traded.map_err(|failure| Failure::Scene(format!("error: {failure}")))
+    traded
 }
 
 /// What was chosen and why, or what is missed.

@@ -8,6 +8,7 @@
 //! that would let as much oil through, each with what corrects the angle.
 
 use lemnis_models::component::model::Model;
+use lemnis_models::kernel::number::short;
 use lemnis_models::kernel::variable::{Fault, Role, Variable};
 use lemnis_models::parts::motion::Motion;
 use lemnis_models::scene::Scene;
@@ -23,6 +24,11 @@ const REST: f64 = 0.1;
 const MOMENT_LOOP: f64 = 2.0;
 /// Correction of the cylinder's length by the valve, in 1/s.
 const VALVE_LOOP: f64 = 1.0;
+
+/// Most communication steps of a motion.
+const MOST_SAMPLES: f64 = 1e6;
+/// Most evaluations of the rates in one run by a model's own solver: more take minutes.
+const MOST_RATES: u32 = 50_000_000;
 
 /// Where the driven bar should be, in rad, rad/s and rad/s².
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,7 +69,7 @@ impl Experiment {
     /// The scene's motion with communication steps of `sample` s.
     ///
     /// # Errors
-    /// As [`Scene::model`].
+    /// As [`Scene::model`], and a motion that takes too long.
     pub fn new(scene: &Scene, sample: f64) -> Result<Experiment, Fault> {
         let mut model = scene.model()?;
         let mut own = None;
@@ -78,7 +84,18 @@ impl Experiment {
         } else {
             cycle.duration()
         };
-        let samples = (duration / sample).ceil().max(1.0) as u32;
+        let samples = (duration / sample).ceil().max(1.0);
+        if samples > MOST_SAMPLES {
+            return Err(Fault::new(format!(
+                "the motion lasts {} s, which takes {} communication steps of {} s, and at most {} are run: raise its \
+                 speed, or take longer steps",
+                short(duration),
+                short(samples),
+                short(sample),
+                short(MOST_SAMPLES)
+            )));
+        }
+        let samples = samples as u32;
         Ok(Experiment {
             sample,
             samples,
@@ -157,6 +174,14 @@ impl Experiment {
             tell(model, command)?;
             let now = f64::from(i) * self.sample;
             solve(model, now, now + self.sample)?;
+            if model.count().rates > MOST_RATES {
+                return Err(Fault::outside(format!(
+                    "the motion of {} s takes more than {MOST_RATES} evaluations of its rates, the first {} s of it: \
+                     shorten it or raise its speed",
+                    short(self.duration()),
+                    short(now + self.sample)
+                )));
+            }
             look(model)?;
             seen.commands.push(command);
         }

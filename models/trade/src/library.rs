@@ -8,7 +8,6 @@
 //! what checks these is the oracles and the balance of energy in the tests.
 
 use lemnis_models::component::model::Model;
-use lemnis_models::kernel::number::short;
 use lemnis_models::kernel::variable::Fault;
 use numeris::Vector;
 use numeris::ode::{AdaptiveSettings, RKAdaptive, RKV98NoInterp, RODAS4, Rosenbrock};
@@ -21,8 +20,9 @@ const LOOK: f64 = 0.005;
 const ROUNDING: f64 = 1e-12;
 /// Halvings by which an event is located.
 const HALVINGS: u32 = 60;
-/// Most pieces of one communication step.
-const MOST: u32 = 100_000;
+/// Most evaluations of the rates in one run: to begin with, for each look, and in all. A bar that friction neither
+/// holds nor lets go has an event after the other.
+const RATES: [f64; 3] = [1e6, 5e3, 1e8];
 /// Steps of the library in one piece.
 const MOST_STEPS: usize = 1_000_000;
 
@@ -30,131 +30,158 @@ const MOST_STEPS: usize = 1_000_000;
 const EXPLICIT: f64 = 1e-12;
 const IMPLICIT: f64 = 1e-10;
 
-/// Moves a model on from one time to another, both in s.
-///
-/// # Errors
-/// The model refuses its states, or the library its step.
-pub fn advance(model: &mut Model, method: Method, from: f64, to: f64) -> Result<(), Fault> {
-    model.set_time(from);
-    model.event()?;
-    let mut left = to - from;
-    let (states, indicators) = (model.states(), model.indicators());
-    let mut nominals = vec![1.0; states];
-    model.nominals(&mut nominals);
-    let mut start = vec![0.0; states];
-    let (mut before, mut after) = (vec![0.0; indicators], vec![0.0; indicators]);
-    for _ in 0..MOST {
-        if left <= 0.0 {
-            model.set_time(to);
-            return model.update();
+/// The library's solver over a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Library {
+    /// Evaluations of the rates that are left.
+    left: u32,
+}
+
+impl Library {
+    /// For a run of a duration in s.
+    #[must_use]
+    pub fn new(duration: f64) -> Library {
+        let [least, each, most] = RATES;
+        Library {
+            left: (least + each * duration / LOOK).min(most) as u32,
         }
-        // A sample of the PLC is an event whose time is known; one at the end belongs to the next call.
-        let now = to - left;
-        let mut due = model.next_event().map_or(f64::INFINITY, |at| at - now);
-        if due <= ROUNDING {
-            model.set_time(now + due);
-            model.event()?;
-            due = model.next_event().map_or(f64::INFINITY, |at| at - now);
-        }
-        let whole = left.min(LOOK).min(due.max(ROUNDING));
-        model.get_states(&mut start);
-        model.event_indicators(&mut before)?;
-        let end = piece(model, method, &start, &nominals, whole)?;
-        model.set_states(&end)?;
-        model.event_indicators(&mut after)?;
-        if !crossed(&before, &after) {
-            left = if left - whole > ROUNDING { left - whole } else { 0.0 };
-            continue;
-        }
-        let (mut low, mut high, mut beyond) = (0.0, whole, end);
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(low, high);
-            if middle <= low || middle >= high {
-                break;
+    }
+
+    /// Moves a model on from one time to another, both in s.
+    ///
+    /// # Errors
+    /// The model refuses its states, or the library its step; too much work.
+    pub fn advance(&mut self, model: &mut Model, method: Method, from: f64, to: f64) -> Result<(), Fault> {
+        model.set_time(from);
+        model.event()?;
+        let mut left = to - from;
+        let (states, indicators) = (model.states(), model.indicators());
+        let mut nominals = vec![1.0; states];
+        model.nominals(&mut nominals);
+        let mut start = vec![0.0; states];
+        let (mut before, mut after) = (vec![0.0; indicators], vec![0.0; indicators]);
+        while left > 0.0 {
+            // A sample of the PLC is an event whose time is known; one at the end belongs to the next call.
+            let now = to - left;
+            let mut due = model.next_event().map_or(f64::INFINITY, |at| at - now);
+            if due <= ROUNDING {
+                model.set_time(now + due);
+                model.event()?;
+                due = model.next_event().map_or(f64::INFINITY, |at| at - now);
             }
-            model.set_states(&start)?;
-            let end = piece(model, method, &start, &nominals, middle)?;
+            let whole = left.min(LOOK).min(due.max(ROUNDING));
+            model.get_states(&mut start);
+            model.event_indicators(&mut before)?;
+            let end = self.piece(model, method, &start, &nominals, whole)?;
             model.set_states(&end)?;
             model.event_indicators(&mut after)?;
-            if crossed(&before, &after) {
-                (high, beyond) = (middle, end);
-            } else {
-                low = middle;
+            if !crossed(&before, &after) {
+                left = if left - whole > ROUNDING { left - whole } else { 0.0 };
+                continue;
             }
+            let (mut low, mut high, mut beyond) = (0.0, whole, end);
+            for _ in 0..HALVINGS {
+                let middle = f64::midpoint(low, high);
+                if middle <= low || middle >= high {
+                    break;
+                }
+                model.set_states(&start)?;
+                let end = self.piece(model, method, &start, &nominals, middle)?;
+                model.set_states(&end)?;
+                model.event_indicators(&mut after)?;
+                if crossed(&before, &after) {
+                    (high, beyond) = (middle, end);
+                } else {
+                    low = middle;
+                }
+            }
+            model.set_states(&beyond)?;
+            model.event()?;
+            left -= high;
         }
-        model.set_states(&beyond)?;
-        model.event()?;
-        left -= high;
+        model.set_time(to);
+        model.update()
     }
-    Err(Fault::outside(format!(
-        "more than {MOST} events within {} s",
-        short(to - from)
-    )))
+
+    /// A smooth piece of `h` s, on states over their nominals.
+    fn piece(
+        &mut self,
+        model: &mut Model,
+        method: Method,
+        start: &[f64],
+        nominals: &[f64],
+        h: f64,
+    ) -> Result<Vec<f64>, Fault> {
+        // The library's systems have a size that is known when it is compiled: the next greater one, filled with zeros.
+        match start.len() {
+            0..=2 => self.sized::<2>(model, method, start, nominals, h),
+            3..=7 => self.sized::<7>(model, method, start, nominals, h),
+            8 => self.sized::<8>(model, method, start, nominals, h),
+            9..=12 => self.sized::<12>(model, method, start, nominals, h),
+            13..=24 => self.sized::<24>(model, method, start, nominals, h),
+            25..=64 => self.sized::<64>(model, method, start, nominals, h),
+            more => Err(Fault::new(format!(
+                "{more} states are more than the second solver takes"
+            ))),
+        }
+    }
+
+    fn sized<const N: usize>(
+        &mut self,
+        model: &mut Model,
+        method: Method,
+        start: &[f64],
+        nominals: &[f64],
+        h: f64,
+    ) -> Result<Vec<f64>, Fault> {
+        let count = start.len();
+        let scaled = Vector::<f64, N>::from_array(std::array::from_fn(|i| {
+            if i < count { start[i] / nominals[i] } else { 0.0 }
+        }));
+        let (mut y, mut rates) = (vec![0.0; count], vec![0.0; count]);
+        let mut refused = None;
+        let mut f = |_: f64, at: &Vector<f64, N>| {
+            for (i, y) in y.iter_mut().enumerate() {
+                *y = at[i] * nominals[i];
+            }
+            if self.left == 0 {
+                refused = Some(Fault::outside(
+                    "more events, or faster changes, than the second solver has steps for",
+                ));
+                return Vector::from_array([f64::NAN; N]);
+            }
+            self.left -= 1;
+            match model.set_states(&y).and_then(|()| model.rates(&mut rates)) {
+                Ok(()) => Vector::from_array(std::array::from_fn(|i| {
+                    if i < count { rates[i] / nominals[i] } else { 0.0 }
+                })),
+                Err(fault) => {
+                    refused = Some(fault);
+                    Vector::from_array([f64::NAN; N])
+                }
+            }
+        };
+        let settings = |tolerance: f64| AdaptiveSettings {
+            abs_tol: tolerance,
+            rel_tol: tolerance,
+            max_steps: MOST_STEPS,
+            min_step: 1e-13,
+            ..AdaptiveSettings::default()
+        };
+        let solved = match method {
+            Method::Implicit(_) => RODAS4::integrate_auto(0.0, h, &scaled, &mut f, &settings(IMPLICIT)),
+            Method::Explicit(_) | Method::Closed | Method::Interpolated(_) => {
+                RKV98NoInterp::integrate(0.0, h, &scaled, &mut f, &settings(EXPLICIT))
+            }
+        };
+        match solved {
+            Ok(solution) => Ok((0..count).map(|i| solution.y[i] * nominals[i]).collect()),
+            Err(error) => Err(refused.unwrap_or_else(|| Fault::outside(format!("the second solver stops: {error}")))),
+        }
+    }
 }
 
 /// As the standard says it: an indicator that was above zero is not any more, or the other way round.
 fn crossed(before: &[f64], after: &[f64]) -> bool {
     before.iter().zip(after).any(|(a, b)| (*a > 0.0) != (*b > 0.0))
-}
-
-/// A smooth piece of `h` s, on states over their nominals.
-fn piece(model: &mut Model, method: Method, start: &[f64], nominals: &[f64], h: f64) -> Result<Vec<f64>, Fault> {
-    // The library's systems have a size that is known when it is compiled: the next greater one, filled with zeros.
-    match start.len() {
-        0..=2 => sized::<2>(model, method, start, nominals, h),
-        3..=7 => sized::<7>(model, method, start, nominals, h),
-        8 => sized::<8>(model, method, start, nominals, h),
-        9..=12 => sized::<12>(model, method, start, nominals, h),
-        13..=24 => sized::<24>(model, method, start, nominals, h),
-        25..=64 => sized::<64>(model, method, start, nominals, h),
-        more => Err(Fault::new(format!(
-            "{more} states are more than the second solver takes"
-        ))),
-    }
-}
-
-fn sized<const N: usize>(
-    model: &mut Model,
-    method: Method,
-    start: &[f64],
-    nominals: &[f64],
-    h: f64,
-) -> Result<Vec<f64>, Fault> {
-    let count = start.len();
-    let scaled = Vector::<f64, N>::from_array(std::array::from_fn(|i| {
-        if i < count { start[i] / nominals[i] } else { 0.0 }
-    }));
-    let (mut y, mut rates) = (vec![0.0; count], vec![0.0; count]);
-    let mut refused = None;
-    let mut f = |_: f64, at: &Vector<f64, N>| {
-        for (i, y) in y.iter_mut().enumerate() {
-            *y = at[i] * nominals[i];
-        }
-        match model.set_states(&y).and_then(|()| model.rates(&mut rates)) {
-            Ok(()) => Vector::from_array(std::array::from_fn(|i| {
-                if i < count { rates[i] / nominals[i] } else { 0.0 }
-            })),
-            Err(fault) => {
-                refused = Some(fault);
-                Vector::from_array([f64::NAN; N])
-            }
-        }
-    };
-    let settings = |tolerance: f64| AdaptiveSettings {
-        abs_tol: tolerance,
-        rel_tol: tolerance,
-        max_steps: MOST_STEPS,
-        min_step: 1e-13,
-        ..AdaptiveSettings::default()
-    };
-    let solved = match method {
-        Method::Implicit(_) => RODAS4::integrate_auto(0.0, h, &scaled, &mut f, &settings(IMPLICIT)),
-        Method::Explicit(_) | Method::Closed | Method::Interpolated(_) => {
-            RKV98NoInterp::integrate(0.0, h, &scaled, &mut f, &settings(EXPLICIT))
-        }
-    };
-    match solved {
-        Ok(solution) => Ok((0..count).map(|i| solution.y[i] * nominals[i]).collect()),
-        Err(error) => Err(refused.unwrap_or_else(|| Fault::outside(format!("the second solver stops: {error}")))),
-    }
 }

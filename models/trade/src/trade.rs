@@ -10,7 +10,7 @@ use lemnis_models::parts::solver::Count;
 use lemnis_models::scene::Scene;
 
 use crate::experiment::{Experiment, Seen};
-use crate::library;
+use crate::library::Library;
 use crate::setting::{Setting, index};
 
 /// Part of a result's range to which the two codes must agree.
@@ -316,8 +316,9 @@ fn reference(
     let mut apart: Option<Apart> = None;
     if solved {
         let mut model = setting.model(scene, experiment.sample)?;
+        let mut library = Library::new(experiment.duration());
         let second = experiment.run(scene, &mut model, names, &mut |model, from, to| {
-            library::advance(model, setting.method, from, to)
+            library.advance(model, setting.method, from, to)
         })?;
         for ((name, ours), theirs) in names.iter().zip(&seen.series).zip(&second.series) {
             let [low, high] = extent(ours);

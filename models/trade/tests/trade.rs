@@ -135,7 +135,7 @@ fn a_command_of_the_scene_is_kept() {
 /// the message names both numbers.
 #[test]
 fn two_codes_that_part_are_named() {
-    use lemnis_trade::library;
+    use lemnis_trade::library::Library;
     let scene = scene("hydraulic", "");
     let setting = Setting::fine("hydraulic");
     let mut coarse = Setting {
@@ -152,7 +152,8 @@ fn two_codes_that_part_are_named() {
     }
     coarse.advance(0.0, 0.1).expect("moves");
     fine.advance(0.0, 0.1).expect("moves");
-    library::advance(&mut library, setting.method, 0.0, 0.1).expect("moves");
+    let mut solver = Library::new(0.1);
+    solver.advance(&mut library, setting.method, 0.0, 0.1).expect("moves");
     let pressure = index(&fine, "p_A").expect("exists");
     let [coarse, fine, library] = [coarse, fine, library].map(|mut model| model.get(pressure).expect("exists"));
     assert!((fine - library).abs() < 1e-6 * fine, "{fine} {library}");

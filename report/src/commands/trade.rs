@@ -46,7 +46,8 @@ fn positive(text: &str) -> Result<f64, String> {
 impl Trade {
     pub fn run(&self) -> Result<(), Failure> {
         let scene = scene_file::read(self.scene.as_deref())?;
-        let traded = measured(&scene, self.step, self.rounds.into())?;
+        let traded = measured(&scene, self.step, self.rounds.into())
+            .map_err(|failure| Failure::Scene(format!("error: {failure}")))?;
         say(format_args!("{}\n{}", scene.title(), table(&scene, &traded).trim_end()))?;
         let name = |suffix: &str| format!("{}_trade.{suffix}", scene.name());
         let outputs = [
