@@ -1,5 +1,6 @@
 //! The scene that is built: what a scene leaves open is decided, and its default experiment runs.
 
+use std::ops::Range;
 use std::path::Path;
 
 use lemnis_models::kernel::diagnostic::Diagnostic;
@@ -9,7 +10,7 @@ use lemnis_models::kernel::variable::Fault;
 use lemnis_models::scene::Scene;
 use lemnis_trade::setting::Method;
 use lemnis_trade::trade::SAMPLE;
-use toml_edit::value;
+use toml_edit::{Document, value};
 
 use crate::failure::Failure;
 use crate::measuring::{measured, verdict};
@@ -53,10 +54,11 @@ pub fn decided(scene: Scene, name: &str) -> Result<Decision, Failure> {
 
 /// The same scene with the cheapest level, step and tolerance that keep to its accuracy, by counted work.
 fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, Failure> {
-    let fidelity = format!("{}.fidelity", scene.table);
     let undecided = |message: String| {
+        let given = Document::parse(scene.text()).ok();
+        let place = given.and_then(|given| given.get(scene.table)?.get("fidelity")?.span());
         let help = format!("choose one of {}", scene.levels().join(", "));
-        refused(scene, name, &fidelity, message, "not decided by measuring", Some(help))
+        refused(scene, name, place, message, "not decided by measuring", Some(help))
     };
     let traded = measured(scene, SAMPLE, 0).map_err(|failure| undecided(failure.to_string()))?;
     let told = verdict(scene, &traded);
@@ -122,7 +124,9 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
             found.fault.message
         )
     };
-    let [speed, inner] = ["motion.speed", "dynamics.step"].map(|key| format!("{}.{key}", scene.table));
+    let inner = format!("{}.dynamics.step", scene.table);
+    let given = |key: &str| scene.given.of(key).map(|given| given.place.clone());
+    let speed = given(&format!("{}.motion.speed", scene.table));
     let (lasts, steps) = work(&scene)?;
     if steps > MOST_STEPS {
         let message = format!(
@@ -131,7 +135,7 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
             short(steps.round())
         );
         let help = format!("at most {} are run: raise the speed", short(MOST_STEPS));
-        return Err(refused(&scene, name, &speed, message, "too slow", Some(help)));
+        return Err(refused(&scene, name, speed, message, "too slow", Some(help)));
     }
     let Err(stopped) = run(&scene) else {
         return Ok(scene);
@@ -145,9 +149,16 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
         if work(&shorter)?.1 > MOST_STEPS || run(&shorter).is_err() {
             continue;
         }
-        if scene.given.of(&inner).is_some() {
+        if let Some(place) = given(&inner) {
             let help = format!("step = \"{milliseconds}\" runs; without the key one is chosen");
-            return Err(refused(&scene, name, &inner, cannot(&stopped), "too long", Some(help)));
+            return Err(refused(
+                &scene,
+                name,
+                Some(place),
+                cannot(&stopped),
+                "too long",
+                Some(help),
+            ));
         }
         notes.push(format!(
             "the default experiment needs shorter inner steps than 10 ms: {inner} = \"{milliseconds}\" is chosen"
@@ -155,20 +166,19 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
         return Ok(shorter);
     }
     let label = format!("it lasts {} s", short(lasts));
-    Err(refused(&scene, name, &speed, cannot(&stopped), label, None))
+    Err(refused(&scene, name, speed, cannot(&stopped), label, None))
 }
 
 /// Refuses a scene at what it gives.
 fn refused(
     scene: &Scene,
     name: &str,
-    given: &str,
+    place: Option<Range<usize>>,
     message: String,
     label: impl Into<String>,
     help: Option<String>,
 ) -> Failure {
-    let place = scene.given.of(given).map_or(0..0, |given| given.place.clone());
-    let mut diagnostic = Diagnostic::new(place, message, label);
+    let mut diagnostic = Diagnostic::new(place.unwrap_or(0..0), message, label);
     diagnostic.help = help;
     scene_file::failure(name, scene.text(), &[diagnostic])
 }

@@ -676,10 +676,10 @@ impl Running for LuffingMotion {
     }
 
     fn step_size(&self) -> f64 {
-        // No more than a communication step may take.
+        // A hundredth of what a communication step may take: an importer sees that it goes on.
         self.algebraic
             .step_size()
-            .min(0.1 * f64::from(MOST_STEPS) * self.now.constants.step)
+            .min(0.01 * f64::from(MOST_STEPS) * self.now.constants.step)
     }
 
     fn place(&mut self, theta: f64) -> Result<(), Fault> {
