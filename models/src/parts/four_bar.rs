@@ -404,12 +404,16 @@ fn dead_angle_tail(angle: f64, crank: f64, frame: Point<f64>, diagonal: TwoFloat
     let square = |x: f64| TwoFloat::new_mul(x, x);
     let constant = square(crank) + square(frame.x) + square(frame.y) - diagonal * diagonal;
     let mut exact = TwoFloat::from(angle);
-    // Quadratic convergence from 1e-16 (1e-8 where the linkage nearly passes).
+    // Quadratic convergence from 1e-16 (1e-8 where the linkage nearly passes), where twice is enough.
     for _ in 0..3 {
         let (sin, cos) = sin_cos(exact);
         let residual = constant - 2.0 * crank * (frame.x * cos + frame.y * sin);
         let slope = 2.0 * crank * (frame.x * sin - frame.y * cos);
-        exact -= residual / slope;
+        let change = residual / slope;
+        exact -= change;
+        if f64::from(change).abs() < 1e-20 {
+            break;
+        }
     }
     f64::from(exact - angle)
 }
@@ -421,6 +425,9 @@ fn sin_cos(x: TwoFloat) -> (TwoFloat, TwoFloat) {
     let mut term = TwoFloat::from(1.0);
     for n in 1..60 {
         term = term * x / f64::from(n);
+        if f64::from(term).abs() < 1e-34 {
+            break;
+        }
         let sign = if n % 4 < 2 { 1.0 } else { -1.0 };
         sums[usize::from(n % 2 == 0)] += sign * term;
     }

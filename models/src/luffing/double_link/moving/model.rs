@@ -2,7 +2,7 @@
 //! states and results out. What follows from angle and angular velocity alone
 //! comes from the algebraic model of the same scene.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_dual::Dual64;
 
@@ -629,27 +629,44 @@ impl LuffingMotion {
                 let _ = lively.set(index, TRACE);
             }
         }
+        let moves = |slot: &Slot| matches!(slot, Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_));
+        let moving: Vec<usize> = (0..self.slots.len()).filter(|i| moves(&self.slots[*i])).collect();
+        let given = |v: &&Variable| matches!(v.role, Role::Input | Role::Parameter | Role::Tunable | Role::State);
+        let givens: Vec<Name> = self.variables.iter().filter(given).map(name).collect();
         let opening = self.now.oil.map_or(0.0, |oil| oil.p_r);
         let slews = self.slewing_stops.is_some();
         for present in self.now.present.lively(self.stops(), opening, slews) {
             lively.now.present = present;
-            for known in &self.variables {
-                if !matches!(known.role, Role::Input | Role::Parameter | Role::Tunable | Role::State) {
-                    continue;
-                }
-                let mut tangent = lively.tangent(&|quantity| f64::from(quantity == known.quantity()));
-                for (index, found) in found.iter_mut().enumerate() {
-                    let moves = matches!(
-                        self.slots[index],
-                        Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_)
-                    );
-                    if moves && lively.derivative(&mut tangent, index) != Ok(0.0) {
-                        found.insert(name(known));
+            if !lively.follows_more(&moving, &givens, &found) {
+                continue;
+            }
+            for known in &givens {
+                let mut tangent = lively.tangent(&|(symbol, number)| f64::from((symbol.id, number) == *known));
+                for &index in &moving {
+                    if lively.derivative(&mut tangent, index) != Ok(0.0) {
+                        found[index].insert(*known);
                     }
                 }
             }
         }
         found
+    }
+
+    /// Whether one of these results changes where all changes at once that it is not known to follow from.
+    fn follows_more(&self, results: &[usize], givens: &[Name], found: &[BTreeSet<Name>]) -> bool {
+        let mut alike: BTreeMap<&BTreeSet<Name>, Vec<usize>> = BTreeMap::new();
+        for &index in results {
+            alike.entry(&found[index]).or_default().push(index);
+        }
+        alike.into_iter().any(|(known, results)| {
+            // No two of them by the same amount, so that nothing cancels.
+            let open = givens.iter().zip(1_u32..).filter(|(name, _)| !known.contains(name));
+            let seeds: BTreeMap<Name, f64> = open.map(|(name, i)| (*name, f64::from(i).sqrt())).collect();
+            let seed = |(symbol, number): Quantity| seeds.get(&(symbol.id, number)).copied().unwrap_or(0.0);
+            let mut tangent = self.tangent(&seed);
+            let mut results = results.into_iter();
+            results.any(|index| self.derivative(&mut tangent, index) != Ok(0.0))
+        })
     }
 
     fn slot(&self, index: usize) -> Result<Slot, Fault> {
