@@ -129,6 +129,7 @@ fn synthesis() {
     row("synthesis: search and fronts, two threads", time, "s", 10.0);
 }
 
+#[expect(clippy::too_many_lines, reason = "one row of the table after the other")]
 fn models(scene: &Scene) {
     let parameters = scene.mechanism.of::<Luffing>().expect("a luffing mechanism").parameters;
     let g = Geometry::new(&parameters).expect("exists");

@@ -96,6 +96,25 @@ struct Entry {
     state: Option<u32>,
 }
 
+impl Entry {
+    /// What has neither role nor bounds, and follows from nothing.
+    fn new(name: &str, text: impl Into<String>, reference: u32, kind: Kind) -> Entry {
+        Entry {
+            name: name.to_owned(),
+            text: text.into(),
+            reference,
+            kind,
+            role: None,
+            start: None,
+            bounds: [f64::NEG_INFINITY, f64::INFINITY],
+            nominal: None,
+            size: None,
+            dependencies: BTreeSet::new(),
+            state: None,
+        }
+    }
+}
+
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Real(&'static Unit, &'static Unit),
@@ -126,19 +145,8 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
     for (index, nominal) in (0..variables.len()).filter(is_state).zip(of_states) {
         nominals[index] = Some(nominal);
     }
-    let mut entries = vec![Entry {
-        name: TIME.id.to_owned(),
-        text: TIME.text.to_owned(),
-        reference: reference(Place::Time),
-        kind: Kind::Real(TIME.unit, TIME.display),
-        role: None,
-        start: None,
-        bounds: [f64::NEG_INFINITY, f64::INFINITY],
-        nominal: None,
-        size: None,
-        dependencies: BTreeSet::new(),
-        state: None,
-    }];
+    let time = Kind::Real(TIME.unit, TIME.display);
+    let mut entries = vec![Entry::new(TIME.id, TIME.text, reference(Place::Time), time)];
     let mut states = (0..variables.len())
         .filter(|&index| variables[index].role == Role::State)
         .map(|index| reference(Place::Variable(index)));
@@ -150,37 +158,26 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
             }),
             Role::Output | Role::Calculated | Role::Rate | Role::Indicator => None,
         };
+        let kind = match variable.kind {
+            Type::Real => Kind::Real(variable.symbol.unit, variable.symbol.display),
+            Type::Boolean => Kind::Boolean,
+            Type::Enumeration(of) => Kind::Enumeration(of),
+        };
+        let (text, place) = (variable.symbol.description(), reference(Place::Variable(index)));
         entries.push(Entry {
-            name: variable.name(),
-            text: variable.symbol.description(),
-            reference: reference(Place::Variable(index)),
-            kind: match variable.kind {
-                Type::Real => Kind::Real(variable.symbol.unit, variable.symbol.display),
-                Type::Boolean => Kind::Boolean,
-                Type::Enumeration(of) => Kind::Enumeration(of),
-            },
             role: Some(variable.role),
             start,
             bounds: variable.bounds,
             nominal: nominals[index].filter(|_| variable.kind == Type::Real),
-            size: None,
             dependencies: dependencies[index].clone(),
             state: (variable.role == Role::Rate).then(|| states.next()).flatten(),
+            ..Entry::new(&variable.name(), text, place, kind)
         });
     }
     for (index, ((name, text), start)) in layout::STRINGS.iter().zip(strings(scene)).enumerate() {
         entries.push(Entry {
-            name: (*name).to_owned(),
-            text: (*text).to_owned(),
-            reference: reference(Place::String(index)),
-            kind: Kind::String,
-            role: None,
             start: Some(start),
-            bounds: [f64::NEG_INFINITY, f64::INFINITY],
-            nominal: None,
-            size: None,
-            dependencies: BTreeSet::new(),
-            state: None,
+            ..Entry::new(name, *text, reference(Place::String(index)), Kind::String)
         });
     }
     if standard == Standard::Fmi3 {
@@ -191,18 +188,13 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
                 Some(_) => first.symbol.description(),
                 None => format!("The vector [{first}, {}].", variables[of.start + 1]),
             };
+            let kind = Kind::Real(first.symbol.unit, first.symbol.display);
             entries.push(Entry {
-                name: vector.name.to_owned(),
-                text,
-                reference: reference(Place::Vector(index)),
-                kind: Kind::Real(first.symbol.unit, first.symbol.display),
                 role: Some(Role::Output),
-                start: None,
-                bounds: [f64::NEG_INFINITY, f64::INFINITY],
                 nominal: nominals[of.clone()].iter().copied().flatten().reduce(f64::max),
                 size: Some(of.len()),
                 dependencies: dependencies[of].iter().flatten().copied().collect(),
-                state: None,
+                ..Entry::new(vector.name, text, reference(Place::Vector(index)), kind)
             });
         }
     }

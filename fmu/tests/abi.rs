@@ -469,6 +469,7 @@ fn the_same_scene_gives_the_same_bytes() {
 /// Oil below vacuum is a warning of the call that meets it, once in a run, and a truth value as long as it lasts; a new
 /// run warns anew, and a category that is switched off is not logged.
 #[test]
+#[expect(clippy::too_many_lines, reason = "one case after the other")]
 fn oil_below_vacuum_is_warned_of_once_in_a_run() {
     let fmu = Unpacked::of(&levels::scene("hydraulic"));
     let (command, flag) = (fmu.reference("u_v"), fmu.reference("cavitates"));

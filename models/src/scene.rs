@@ -11,6 +11,7 @@ use crate::component::telling;
 use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
+use crate::kernel::measure;
 use crate::kernel::origin::{Origins, line};
 use crate::kernel::schema::{self, KIND, Key, Kind, Sign, Values};
 use crate::kernel::variable::{Fault, Role, Type, Variable};
@@ -201,7 +202,7 @@ impl Scene {
                 found.push(Diagnostic::new(place.clone(), message, "not known").help(help));
                 continue;
             };
-            match check::quantity(text, variable.symbol, Sign::Deviation) {
+            match measure::quantity(text, variable.symbol, Sign::Deviation) {
                 Ok(allowed) => self.accuracy.push((*variable, allowed)),
                 Err((message, label, help)) => {
                     let message = format!("`accuracy.{name}`: {message}");

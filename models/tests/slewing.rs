@@ -497,6 +497,7 @@ fn restored_and_irregular_steps_agree() {
 /// Derivatives of rates, event indicators and reactions by every state, input and parameter against central
 /// differences, whose error is of the order of the step's square, and roundings over the step.
 #[test]
+#[expect(clippy::too_many_lines, reason = "one case after the other")]
 fn derivatives_are_those_of_differences() {
     for level in [
         "rigid with slewing",

@@ -744,6 +744,7 @@ fn flows() {
 /// From mode to mode: axle lines meet all the way while travelling, no cylinder
 /// is faster than its limit, all arrive together, forbidden ranges are not entered.
 #[test]
+#[expect(clippy::too_many_lines, reason = "one case after the other")]
 fn transitions() {
     let machine = machine();
     let linkages: Vec<_> = (0..8).map(|i| CYLINDER.linkage(i % 2 == 1)).collect();
@@ -982,6 +983,7 @@ fn turned_over() {
 
 /// Every formula that a book prints has consistent dimensions, and the recorder's bits are those of f64.
 #[test]
+#[expect(clippy::too_many_lines, reason = "one case after the other")]
 fn dimensions() {
     let given = |symbol, x: f64| Rec::given(symbol, x);
     let (trace, theta) = record(|| {

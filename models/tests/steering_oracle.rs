@@ -30,6 +30,7 @@ impl Random {
 /// machine, the velocity of the rigid body lies along its heading to 1e-12 of the
 /// travel speed, and its axle line passes the turning centre at most 1e-12 m away.
 #[test]
+#[expect(clippy::too_many_lines, reason = "one case after the other")]
 fn ten_thousand_machines() {
     let mut random = Random(1);
     let mut worst = [0.0_f64; 5];

@@ -293,6 +293,7 @@ pub fn balance_keys(b: &mut Node, needed: &[&str]) {
 }
 
 /// A balance of any kind that works at a pose, and what it needs to go on.
+#[expect(clippy::too_many_lines, reason = "one kind after the other")]
 fn balance(n: &mut Node, linkage: Linkage, pose: &Pose, simple: bool) -> Vec<Margin> {
     let (size, phi) = (n.draw.scale[0], linkage.boom(pose));
     let weights = n.child("weights").map_or([0.0; 9], |w| {
@@ -575,6 +576,7 @@ fn synthesis(n: &mut Node) {
 }
 
 /// Ends at dead points, change points within the range, drives that point at the foot, full turns, nothing that weighs.
+#[expect(clippy::too_many_lines, reason = "one edge after the other")]
 pub fn edge(n: &mut Node) {
     let linkage = Linkage::of(n);
     let size = n.draw.scale[0];

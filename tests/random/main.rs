@@ -341,6 +341,7 @@ fn told(panic: &(dyn Any + Send)) -> &str {
 }
 
 #[test]
+#[expect(clippy::too_many_lines, reason = "one case after the other")]
 fn random_scenes() {
     let seed = number("LEMNIS_SEED").unwrap_or(1);
     let only = number("LEMNIS_SCENE");

@@ -3,14 +3,13 @@
 use std::ops::Range;
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeArray, DeTable, DeValue};
 use toml::value::Datetime;
 
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::number::short;
+use crate::kernel::measure::{number, quantity};
 use crate::kernel::schema::{GivenNumber, KIND, Key, Kind, Sign, Value, Values};
 use crate::kernel::symbol::Symbol;
-use crate::kernel::unit::{self, Unit};
 
 /// Checks a table of a scene with the text `source` against its keys. All mistakes are collected, not only the first.
 pub fn check(
@@ -107,30 +106,7 @@ fn check_value(
         (Kind::Table(keys), DeValue::Table(table)) => {
             Some(Value::Table(check(source, table, value.span(), path, keys, found)))
         }
-        (Kind::Kinds(kinds), DeValue::Table(table)) => {
-            let given = table.iter().find(|(name, _)| name.get_ref() == KIND);
-            let Some((_, given)) = given else {
-                return Some(Value::Table(check(
-                    source,
-                    table,
-                    value.span(),
-                    path,
-                    kinds[0].1,
-                    found,
-                )));
-            };
-            let text = given.get_ref().as_str();
-            if let Some((_, keys)) = kinds.iter().find(|(kind, _)| Some(*kind) == text) {
-                return Some(Value::Table(check(source, table, value.span(), path, keys, found)));
-            }
-            let known: Vec<&str> = kinds.iter().map(|(kind, _)| *kind).collect();
-            let message = format!("`{path}.{KIND}` is not one of {}", known.join(", "));
-            let of_type = || format!("a TOML {}", given.get_ref().type_str());
-            let label = text.map_or_else(of_type, |text| format!("`{text}` is none of them"));
-            let help = format!("{KIND} = \"{}\"", known[0]);
-            found.push(Diagnostic::new(given.span(), message, label).help(help));
-            None
-        }
+        (Kind::Kinds(kinds), DeValue::Table(table)) => of_kind(source, table, value.span(), path, kinds, found),
         (Kind::Quantity(..) | Kind::Weight(_), DeValue::String(text)) => match number(text, key) {
             Ok(number) => Some(Value::Number(number)),
             Err((message, label, help)) => {
@@ -148,35 +124,8 @@ fn check_value(
             found.push(Diagnostic::new(place, message, "too many").help(format!("at most {most} are taken")));
             None
         }
-        (Kind::Texts(_) | Kind::Choices(_), DeValue::Array(items)) => {
-            let mut texts: Vec<(String, Range<usize>)> = Vec::new();
-            for item in items {
-                let allowed = |text: &str| match key.kind {
-                    Kind::Choices(choices) => choices.contains(&text) && texts.iter().all(|(known, _)| known != text),
-                    _ => true,
-                };
-                match item.get_ref() {
-                    DeValue::String(text) if allowed(text) => texts.push((text.to_string(), item.span())),
-                    _ => {
-                        let message = format!("`{path}` is not {}", wanted(key));
-                        found.push(Diagnostic::new(item.span(), message, "not this").help(example(key)));
-                    }
-                }
-            }
-            Some(Value::Texts(texts))
-        }
-        (Kind::Tables(keys, _), DeValue::Array(items)) => {
-            let mut tables = Vec::new();
-            for item in items {
-                if let DeValue::Table(table) = item.get_ref() {
-                    tables.push(check(source, table, item.span(), path, keys, found));
-                } else {
-                    let message = format!("`{path}` is not {}", wanted(key));
-                    found.push(Diagnostic::new(item.span(), message, "not a table").help(example(key)));
-                }
-            }
-            Some(Value::Tables(tables))
-        }
+        (Kind::Texts(_) | Kind::Choices(_), DeValue::Array(items)) => Some(texts(items, path, key, found)),
+        (Kind::Tables(keys, _), DeValue::Array(items)) => Some(tables(source, items, path, (key, keys), found)),
         (Kind::Quantities(symbol, sign, [least, most]), DeValue::Array(_) | DeValue::String(_)) => {
             let items = match value.get_ref() {
                 DeValue::Array(items) => items.iter().collect(),
@@ -185,39 +134,13 @@ fn check_value(
             if !(*least..=*most).contains(&items.len()) {
                 return wrong(format!("{} of them", items.len()));
             }
-            let before = found.len();
-            let mut numbers = Vec::new();
-            for item in items {
-                let DeValue::String(text) = item.get_ref() else {
-                    let message = format!("`{path}` is not {}", wanted(key));
-                    found.push(Diagnostic::new(item.span(), message, "not a text").help(example(key)));
-                    continue;
-                };
-                match quantity(text, symbol, *sign) {
-                    Ok(number) => numbers.push((number, item.span())),
-                    Err((message, label, help)) => {
-                        found.push(Diagnostic::new(item.span(), format!("`{path}`: {message}"), label).help(help));
-                    }
-                }
-            }
-            (found.len() == before).then_some(Value::Numbers(numbers))
+            numbers(&items, symbol, *sign, path, key, found)
         }
         (Kind::Count, DeValue::Integer(number)) => match number.as_str().parse::<i64>().map(u64::try_from) {
             Ok(Ok(count)) => Some(Value::Count(count)),
             _ => wrong(format!("`{}` is none", number.as_str())),
         },
-        (Kind::Named, DeValue::Table(table)) => {
-            let mut named = Vec::new();
-            for (name, value) in table {
-                if let DeValue::String(text) = value.get_ref() {
-                    named.push((name.get_ref().to_string(), text.to_string(), value.span()));
-                } else {
-                    let message = format!("`{path}.{}` is not a number with a unit, as text", name.get_ref());
-                    found.push(Diagnostic::new(value.span(), message, "not a text").help(example(key)));
-                }
-            }
-            Some(Value::Named(named))
-        }
+        (Kind::Named, DeValue::Table(table)) => Some(named(table, path, key, found)),
         (Kind::Quantity(symbol, _) | Kind::Weight(symbol), DeValue::Integer(_) | DeValue::Float(_)) => {
             let text = match value.get_ref() {
                 DeValue::Integer(number) => number.as_str().to_owned(),
@@ -235,6 +158,109 @@ fn check_value(
         }
         (_, other) => wrong(format!("a TOML {}", other.type_str())),
     }
+}
+
+/// A table whose keys follow from its `kind`.
+fn of_kind(
+    source: &str,
+    table: &DeTable<'_>,
+    span: Range<usize>,
+    path: &str,
+    kinds: &'static [(&'static str, &'static [Key])],
+    found: &mut Vec<Diagnostic>,
+) -> Option<Value> {
+    let given = table.iter().find(|(name, _)| name.get_ref() == KIND);
+    let Some((_, given)) = given else {
+        return Some(Value::Table(check(source, table, span, path, kinds[0].1, found)));
+    };
+    let text = given.get_ref().as_str();
+    if let Some((_, keys)) = kinds.iter().find(|(kind, _)| Some(*kind) == text) {
+        return Some(Value::Table(check(source, table, span, path, keys, found)));
+    }
+    let known: Vec<&str> = kinds.iter().map(|(kind, _)| *kind).collect();
+    let message = format!("`{path}.{KIND}` is not one of {}", known.join(", "));
+    let of_type = || format!("a TOML {}", given.get_ref().type_str());
+    let label = text.map_or_else(of_type, |text| format!("`{text}` is none of them"));
+    let help = format!("{KIND} = \"{}\"", known[0]);
+    found.push(Diagnostic::new(given.span(), message, label).help(help));
+    None
+}
+
+fn texts(items: &DeArray<'_>, path: &str, key: &'static Key, found: &mut Vec<Diagnostic>) -> Value {
+    let mut texts: Vec<(String, Range<usize>)> = Vec::new();
+    for item in items {
+        let allowed = |text: &str| match key.kind {
+            Kind::Choices(choices) => choices.contains(&text) && texts.iter().all(|(known, _)| known != text),
+            _ => true,
+        };
+        match item.get_ref() {
+            DeValue::String(text) if allowed(text) => texts.push((text.to_string(), item.span())),
+            _ => {
+                let message = format!("`{path}` is not {}", wanted(key));
+                found.push(Diagnostic::new(item.span(), message, "not this").help(example(key)));
+            }
+        }
+    }
+    Value::Texts(texts)
+}
+
+/// A list of tables under a key, each with these keys.
+fn tables(
+    source: &str,
+    items: &DeArray<'_>,
+    path: &str,
+    (key, keys): (&'static Key, &'static [Key]),
+    found: &mut Vec<Diagnostic>,
+) -> Value {
+    let mut tables = Vec::new();
+    for item in items {
+        if let DeValue::Table(table) = item.get_ref() {
+            tables.push(check(source, table, item.span(), path, keys, found));
+        } else {
+            let message = format!("`{path}` is not {}", wanted(key));
+            found.push(Diagnostic::new(item.span(), message, "not a table").help(example(key)));
+        }
+    }
+    Value::Tables(tables)
+}
+
+fn numbers(
+    items: &[&Spanned<DeValue<'_>>],
+    symbol: &'static Symbol,
+    sign: Sign,
+    path: &str,
+    key: &'static Key,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Value> {
+    let before = found.len();
+    let mut numbers = Vec::new();
+    for item in items {
+        let DeValue::String(text) = item.get_ref() else {
+            let message = format!("`{path}` is not {}", wanted(key));
+            found.push(Diagnostic::new(item.span(), message, "not a text").help(example(key)));
+            continue;
+        };
+        match quantity(text, symbol, sign) {
+            Ok(number) => numbers.push((number, item.span())),
+            Err((message, label, help)) => {
+                found.push(Diagnostic::new(item.span(), format!("`{path}`: {message}"), label).help(help));
+            }
+        }
+    }
+    (found.len() == before).then_some(Value::Numbers(numbers))
+}
+
+fn named(table: &DeTable<'_>, path: &str, key: &'static Key, found: &mut Vec<Diagnostic>) -> Value {
+    let mut named = Vec::new();
+    for (name, value) in table {
+        if let DeValue::String(text) = value.get_ref() {
+            named.push((name.get_ref().to_string(), text.to_string(), value.span()));
+        } else {
+            let message = format!("`{path}.{}` is not a number with a unit, as text", name.get_ref());
+            found.push(Diagnostic::new(value.span(), message, "not a text").help(example(key)));
+        }
+    }
+    Value::Named(named)
 }
 
 /// Most characters of a line.
@@ -342,116 +368,6 @@ fn noted(
         found.push(Diagnostic::new(span, format!("`{path}` has no `value`"), "needed here").help(example(key)));
     }
     number.map(|number| Value::Number(GivenNumber { source, ..number }))
-}
-
-/// Message, label and help.
-type Problem = (String, String, String);
-
-/// Reads what stands behind a key that has a [`Key::number`].
-fn number(text: &str, key: &Key) -> Result<GivenNumber, Problem> {
-    let given = |value, mass| GivenNumber {
-        value,
-        mass,
-        source: None,
-    };
-    match key.kind {
-        Kind::Weight(symbol) => {
-            let (number, unit) = measured(text, symbol, &[symbol.unit, &unit::KG])?;
-            if unit.dimension != unit::KG.dimension {
-                return allowed(number * unit.factor, text, symbol, symbol.unit, Sign::NotNegative)
-                    .map(|weight| given(weight, None));
-            }
-            let mass = allowed(number * unit.factor, text, symbol, &unit::KG, Sign::NotNegative)?;
-            // What it weighs is known when the whole scene has been read.
-            Ok(given(f64::NAN, Some(mass)))
-        }
-        Kind::Quantity(symbol, sign) => quantity(text, symbol, sign).map(|value| given(value, None)),
-        _ => unreachable!("a key of quantities"),
-    }
-}
-
-/// Reads `"19.3 m"` for `symbol`, in SI.
-pub(crate) fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, Problem> {
-    let (number, unit) = measured(text, symbol, &[symbol.unit])?;
-    allowed(number * unit.factor, text, symbol, symbol.unit, sign)
-}
-
-/// A value in SI that a scene may give of `symbol`, here measured in units like `unit`.
-fn allowed(value: f64, text: &str, symbol: &'static Symbol, unit: &Unit, sign: Sign) -> Result<f64, Problem> {
-    let text = text.trim();
-    let help = format!("{}: {}", symbol.id, symbol.text);
-    if !sign.allows(value) {
-        let message = format!("{text} is not allowed, it must be {}", sign.words());
-        return Err((message, "out of range".to_owned(), help));
-    }
-    let [least, most] = sign.limits(unit);
-    if !(least..=most).contains(&value) {
-        let shown = if unit == symbol.unit { symbol.display } else { unit };
-        let written = |value: f64| format!("{} {}", short(value / shown.factor), shown.name);
-        let message = format!(
-            "{text} is not allowed, it must be from {} to {}",
-            written(least),
-            written(most)
-        );
-        return Err((message, "a slip of the unit?".to_owned(), help));
-    }
-    Ok(value)
-}
-
-/// Reads a number with a unit like one of `units`.
-fn measured(text: &str, symbol: &'static Symbol, units: &[&'static Unit]) -> Result<(f64, &'static Unit), Problem> {
-    let text = text.trim();
-    let display = symbol.display.name;
-    let end = text
-        .find(|c: char| !(c.is_ascii_digit() || "+-.,eE_".contains(c)))
-        .unwrap_or(text.len());
-    // "5 em": an exponent without digits belongs to the unit.
-    let end = text[..end].trim_end_matches(['e', 'E']).len();
-    let (number, unit_text) = (&text[..end], text[end..].trim());
-    let Ok(number) = number.parse::<f64>() else {
-        let help = if number.contains(',') {
-            "use a decimal point".to_owned()
-        } else {
-            format!("write a number and a unit: \"1.5 {display}\"")
-        };
-        return Err((
-            format!("\"{text}\" does not begin with a number"),
-            "cannot be read".to_owned(),
-            help,
-        ));
-    };
-    let unit = if unit_text.is_empty() {
-        Some(&unit::ONE)
-    } else {
-        unit::find(unit_text)
-    };
-    let Some(unit) = unit else {
-        return Err((
-            format!("the unit \"{unit_text}\" is not known"),
-            "unknown unit".to_owned(),
-            format!("units for it: {}", like(units)),
-        ));
-    };
-    if !units.iter().any(|wanted| unit.is_like(wanted)) {
-        let given = if unit_text.is_empty() {
-            "no unit".to_owned()
-        } else {
-            format!("the unit {}", unit.name)
-        };
-        return Err((
-            format!("{given} does not fit, it is measured in {display}"),
-            "wrong unit".to_owned(),
-            format!("units for it: {}", like(units)),
-        ));
-    }
-    Ok((number, unit))
-}
-
-/// The names of all units that measure the same as one of these.
-fn like(units: &[&'static Unit]) -> String {
-    let fits = |unit: &&Unit| units.iter().any(|wanted| unit.is_like(wanted));
-    let names: Vec<&str> = unit::ALL.iter().copied().filter(fits).map(|unit| unit.name).collect();
-    names.join(", ")
 }
 
 fn wanted(key: &Key) -> String {

@@ -6,6 +6,7 @@ pub mod check;
 pub mod diagnostic;
 pub mod gravity;
 pub mod group;
+pub mod measure;
 pub mod number;
 pub mod origin;
 pub mod record;

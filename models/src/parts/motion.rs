@@ -2,8 +2,8 @@
 //! the default experiment.
 
 use crate::kernel::calc::Calc;
-use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::measure;
 use crate::kernel::number::short;
 use crate::kernel::schema::{Sign, Values};
 use crate::kernel::symbol::Symbol;
@@ -78,7 +78,7 @@ impl Motion {
             degrees(f64::midpoint(self.from, self.to)),
             named.join(", ")
         );
-        let angle = check::quantity(text, coordinate, Sign::Any)
+        let angle = measure::quantity(text, coordinate, Sign::Any)
             .map_err(|_| (format!("\"{text}\" is no position of this scene"), help.clone()))?;
         // A rounding of degrees is not a position outside.
         let within = angle.clamp(self.from, self.to);

@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use crate::component::stages::{Stages, Use};
-use crate::kernel::check::quantity;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
+use crate::kernel::measure::quantity;
 use crate::kernel::schema::{Kind, Sign, Values};
 use crate::kernel::symbol::{Enumeration, Symbol};
 use crate::kernel::variable::TIME;

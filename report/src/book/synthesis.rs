@@ -4,7 +4,7 @@ use lemnis_models::balance::symbols as s;
 use lemnis_models::balance::task::{Criterion, Method, Task};
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::scene::Scene;
-use lemnis_synthesis::comparison::{BUILDS, Bound, Compared, Comparison, Worth};
+use lemnis_synthesis::comparison::{self, BUILDS, Bound, Compared, Comparison, Front, Worth};
 use serde::Serialize;
 
 use crate::book::blocks::{Drawn, Figure, Quantity};
@@ -121,29 +121,7 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         role: lever.role,
         drawn: drawing(&worth.drawing, HALF).into(),
     });
-    let fronts = comparison.fronts.iter().map(|front| {
-        let mut lines = vec![Line {
-            label: String::new(),
-            points: front.points.clone(),
-            marked: true,
-        }];
-        lines.extend(worths.iter().filter_map(|(i, lever, worth)| {
-            let x = if front.symbol == &s::M_5 {
-                lever.dimensions.m_5
-            } else {
-                worth.analysis.n_max?.value
-            };
-            Some(Line {
-                label: number(*i),
-                points: vec![[x, worth.analysis.dm_max.value]],
-                marked: true,
-            })
-        }));
-        Figure {
-            id: front.symbol.id,
-            picture: plot::lines(language, [front.symbol, &s::DM_MAX], &lines).json(),
-        }
-    });
+    let fronts = comparison.fronts.iter().map(|front| figure(language, front, &worths));
     let limits = comparison.bounds.iter().filter(|bound| bound.low < bound.high);
     let limits = limits.chain(&comparison.limits).map(|bound| limit(language, bound));
     let of = |symbol, value| quantity(language, symbol, value);
@@ -168,26 +146,7 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         residual: plot::lines(language, [&s::PHI, &s::DM], &residuals).json(),
         drawings: drawings.collect(),
         fronts: fronts.collect(),
-        nodes: comparison.nodes.as_ref().map(|nodes| {
-            let columns = [&s::PHI, &s::PSI, &s::DM];
-            Nodes {
-                columns: columns.map(Quantity::from).into(),
-                rows: nodes
-                    .rows
-                    .iter()
-                    // Dimensions are rounded so that a residual is known to the newton metre.
-                    .map(|row| {
-                        [
-                            of(columns[0], row[0]),
-                            of(columns[1], row[1]),
-                            of(columns[2], row[2].round()),
-                        ]
-                    })
-                    .collect(),
-                slope: nodes.slope.map(|slope| of(&s::I_5, slope)),
-                contradicted: nodes.contradicted,
-            }
-        }),
+        nodes: comparison.nodes.as_ref().map(|nodes| at_nodes(language, nodes)),
         tail: last.is_some_and(|angle| angle > std::f64::consts::FRAC_PI_2),
         levers: levers
             .iter()
@@ -200,6 +159,47 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
             .collect(),
         rows,
     })
+}
+
+/// A front, with the levers on it.
+fn figure(language: &Language, front: &Front, worths: &[(usize, &Compared, &Worth)]) -> Figure {
+    let mut lines = vec![Line {
+        label: String::new(),
+        points: front.points.clone(),
+        marked: true,
+    }];
+    lines.extend(worths.iter().filter_map(|(i, lever, worth)| {
+        let x = if front.symbol == &s::M_5 {
+            lever.dimensions.m_5
+        } else {
+            worth.analysis.n_max?.value
+        };
+        Some(Line {
+            label: (i + 1).to_string(),
+            points: vec![[x, worth.analysis.dm_max.value]],
+            marked: true,
+        })
+    }));
+    Figure {
+        id: front.symbol.id,
+        picture: plot::lines(language, [front.symbol, &s::DM_MAX], &lines).json(),
+    }
+}
+
+fn at_nodes(language: &Language, nodes: &comparison::Nodes) -> Nodes {
+    let columns = [&s::PHI, &s::PSI, &s::DM];
+    let of = |symbol, value| quantity(language, symbol, value);
+    // Dimensions are rounded so that a residual is known to the newton metre.
+    let row = |row: &[f64; 3]| {
+        let [phi, psi, dm] = *row;
+        [of(columns[0], phi), of(columns[1], psi), of(columns[2], dm.round())]
+    };
+    Nodes {
+        columns: columns.map(Quantity::from).into(),
+        rows: nodes.rows.iter().map(row).collect(),
+        slope: nodes.slope.map(|slope| of(&s::I_5, slope)),
+        contradicted: nodes.contradicted,
+    }
 }
 
 fn objective(task: &Task) -> &'static Symbol {

@@ -98,6 +98,8 @@ impl Trade {
         };
         let asks = traded.asked.iter().any(|asked| asked.allowed.is_some());
         let over = |asked: &Asked| asked.allowed.unwrap_or(asked.range);
+        let results = traded.asked.iter().enumerate();
+        let results = results.map(|(i, asked)| compared(language, &traded, i, asked, &digits));
         let references = traded.references.iter().map(|reference| Reference {
             level: reference.level,
             apart: reference.apart.as_ref().map(|apart| {
@@ -155,27 +157,26 @@ impl Trade {
             references: references.collect(),
             asks,
             picture: diagram(language, axes, &traded, |row| row.cost).json(),
-            results: traded
-                .asked
-                .iter()
-                .enumerate()
-                .map(|(i, asked)| Compared {
-                    quantity: asked.variable.symbol.into(),
-                    shown: shown(&asked.variable),
-                    allowed: asked
-                        .allowed
-                        .map(|allowed| quantity(language, asked.variable.symbol, allowed)),
-                    range: quantity(language, asked.variable.symbol, asked.range),
-                    off: traded.choice().and_then(|row| {
-                        let symbol = asked.variable.symbol;
-                        let off = digits(symbol.shown(row.errors[i]?.total.max));
-                        Some(format!("{off} thin \"{}\"", symbol.display.print))
-                    }),
-                })
-                .collect(),
+            results: results.collect(),
             choice: traded.rows.iter().position(|row| row.holds == Some(true)),
             rows: rows.collect(),
         })
+    }
+}
+
+/// One of the results that are compared, with how far off the choice is.
+fn compared(language: &Language, traded: &Traded, i: usize, asked: &Asked, digits: &dyn Fn(f64) -> String) -> Compared {
+    let symbol = asked.variable.symbol;
+    let off = traded.choice().and_then(|row| row.errors[i]);
+    Compared {
+        quantity: symbol.into(),
+        shown: shown(&asked.variable),
+        allowed: asked.allowed.map(|allowed| quantity(language, symbol, allowed)),
+        range: quantity(language, symbol, asked.range),
+        off: off.map(|errors| {
+            let off = digits(symbol.shown(errors.total.max));
+            format!("{off} thin \"{}\"", symbol.display.print)
+        }),
     }
 }
 

@@ -87,6 +87,37 @@ fn table(scene: &Scene, traded: &Traded) -> String {
             );
         }
     }
+    align(&cells(traded), &mut text);
+    text.push_str(
+        "  errors are the greatest; numerical and modelling are parts of the range, the worst of all results\n",
+    );
+    let best = |level: &str| {
+        let seconds = traded.rows.iter().filter(|row| row.setting.level == level);
+        seconds.filter_map(|row| row.seconds).reduce(f64::min)
+    };
+    if let (Some(table), Some(closed)) = (best("table"), best("static")) {
+        let times = closed / table;
+        let _ = if times > 1.0 {
+            writeln!(
+                text,
+                "  the table is {} times as fast as the closed form for what is asked",
+                digits(times)
+            )
+        } else {
+            writeln!(text, "  the table is no faster than the closed form for what is asked")
+        };
+    }
+    if traded.rows.iter().any(|row| row.follows) {
+        text.push_str(
+            "  follows: cannot take the command and is led along the deepest level's motion, so it is no substitute\n",
+        );
+    }
+    let _ = writeln!(text, "  {}", verdict(scene, traded));
+    text
+}
+
+/// The head and a line for each setting.
+fn cells(traded: &trade::Trade) -> Vec<Vec<String>> {
     let per_second = |count: u32| short((f64::from(count) / traded.duration).round()).to_string();
     let mut rows = vec![
         ["", "level", "solver", "", "us/s", "rates/s", "steps/s", "bytes"]
@@ -133,41 +164,20 @@ fn table(scene: &Scene, traded: &Traded) -> String {
         }
         rows.push(cells);
     }
+    rows
+}
+
+/// Writes rows with columns of one width: words to the left, numbers to the right.
+fn align(rows: &[Vec<String>], text: &mut String) {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
-    for row in &rows {
+    for row in rows {
         let cells = row.iter().zip(&widths).enumerate().map(|(i, (cell, &width))| match i {
             0..4 => format!("{cell:<width$}"),
             _ => format!("{cell:>width$}"),
         });
         let _ = writeln!(text, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end());
     }
-    text.push_str(
-        "  errors are the greatest; numerical and modelling are parts of the range, the worst of all results\n",
-    );
-    let best = |level: &str| {
-        let seconds = traded.rows.iter().filter(|row| row.setting.level == level);
-        seconds.filter_map(|row| row.seconds).reduce(f64::min)
-    };
-    if let (Some(table), Some(closed)) = (best("table"), best("static")) {
-        let times = closed / table;
-        let _ = if times > 1.0 {
-            writeln!(
-                text,
-                "  the table is {} times as fast as the closed form for what is asked",
-                digits(times)
-            )
-        } else {
-            writeln!(text, "  the table is no faster than the closed form for what is asked")
-        };
-    }
-    if traded.rows.iter().any(|row| row.follows) {
-        text.push_str(
-            "  follows: cannot take the command and is led along the deepest level's motion, so it is no substitute\n",
-        );
-    }
-    let _ = writeln!(text, "  {}", verdict(scene, traded));
-    text
 }
 
 /// The work-precision diagram by the clock.

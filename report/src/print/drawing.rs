@@ -119,24 +119,7 @@ fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(P
             picture.text([x + 1.5, y + 8.0], "left", *text);
         }
         Shape::Distance { from, to, offset, text } => {
-            let (from, to) = (place(*from), place(*to));
-            let [x, y] = unit(from, to);
-            // To the left of the line as seen on paper, where y runs downwards.
-            let aside = |p: Point, d: f64| [p[0] + y * d, p[1] - x * d];
-            let d = offset * millimetres;
-            let (a, b) = (aside(from, d), aside(to, d));
-            for (start, end) in [(from, a), (to, b)] {
-                let out = unit(start, end);
-                picture.line("thin", &[start, [end[0] + out[0] * 1.5, end[1] + out[1] * 1.5]]);
-            }
-            picture.line("thin", &[a, b]);
-            picture.arrow(b, a);
-            picture.arrow(a, b);
-            picture.text(
-                aside([f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])], 2.2),
-                "centre",
-                *text,
-            );
+            distance(picture, place(*from), place(*to), offset * millimetres, text);
         }
         Shape::Angle {
             at,
@@ -145,21 +128,44 @@ fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(P
             to,
             text,
         } => {
-            let centre = place(*at);
-            let radius = radius * millimetres;
-            let on = |angle: f64, radius: f64| {
-                let (sin, cos) = Calc::sin_cos(angle);
-                [centre[0] + radius * cos, centre[1] - radius * sin]
-            };
-            let arc: Vec<Point> = (0..=32)
-                .map(|i| on(from + (to - from) * f64::from(i) / 32.0, radius))
-                .collect();
-            picture.line("thin", &[on(*from, 1.0), on(*from, radius + 4.0)]);
-            picture.line("thin", &arc);
-            picture.arrow(arc[30], arc[32]);
-            picture.text(on(from + (to - from) * 0.4, radius + 3.2), "centre", *text);
+            angle(picture, place(*at), radius * millimetres, [*from, *to], text);
         }
     }
+}
+
+/// A distance between two places of the picture, drawn so far to the left of their line, in mm.
+fn distance(picture: &mut Picture, from: Point, to: Point, d: f64, text: &'static str) {
+    let [x, y] = unit(from, to);
+    // To the left of the line as seen on paper, where y runs downwards.
+    let aside = |p: Point, d: f64| [p[0] + y * d, p[1] - x * d];
+    let (a, b) = (aside(from, d), aside(to, d));
+    for (start, end) in [(from, a), (to, b)] {
+        let out = unit(start, end);
+        picture.line("thin", &[start, [end[0] + out[0] * 1.5, end[1] + out[1] * 1.5]]);
+    }
+    picture.line("thin", &[a, b]);
+    picture.arrow(b, a);
+    picture.arrow(a, b);
+    picture.text(
+        aside([f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])], 2.2),
+        "centre",
+        text,
+    );
+}
+
+/// An angle about a place of the picture, at a radius in mm.
+fn angle(picture: &mut Picture, centre: Point, radius: f64, [from, to]: [f64; 2], text: &'static str) {
+    let on = |angle: f64, radius: f64| {
+        let (sin, cos) = Calc::sin_cos(angle);
+        [centre[0] + radius * cos, centre[1] - radius * sin]
+    };
+    let arc: Vec<Point> = (0..=32)
+        .map(|i| on(from + (to - from) * f64::from(i) / 32.0, radius))
+        .collect();
+    picture.line("thin", &[on(from, 1.0), on(from, radius + 4.0)]);
+    picture.line("thin", &arc);
+    picture.arrow(arc[30], arc[32]);
+    picture.text(on(from + (to - from) * 0.4, radius + 3.2), "centre", text);
 }
 
 /// A joint held by the ground, which is hatched.

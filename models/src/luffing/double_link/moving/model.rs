@@ -16,7 +16,7 @@ use crate::kernel::symbol::Symbol;
 use crate::kernel::unit;
 use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
-use crate::luffing::double_link::geometry::{Driven, Geometry};
+use crate::luffing::double_link::geometry::{Driven, Geometry, Weights};
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
 use crate::luffing::double_link::model::{present, standing};
 use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, MovingLinkage};
@@ -245,31 +245,7 @@ impl LuffingMotion {
         self.now.constants.map(&mut constant);
         self.now.turning.map(|turning| turning.map(&mut constant));
         self.now.oil.map(|oil| oil.map(&mut constant));
-        if hydraulic {
-            list.push((of(&m::F_C, Role::Output), Slot::Reaction(MotionResult::Cylinder)));
-        }
-        list.push((of(&m::M_R, Role::Output), Slot::Reaction(MotionResult::Friction)));
-        if reeled {
-            list.push((of(&m::S_R, Role::Output), Slot::Reaction(MotionResult::Rope)));
-        }
-        if slews {
-            list.push((
-                of(&m::M_R_SL, Role::Output),
-                Slot::Reaction(MotionResult::SlewingFriction),
-            ));
-            if reeled {
-                list.push((of(&m::PHI, Role::Output), Slot::Reaction(MotionResult::Swing)));
-                list.push((of(&m::CHI_R, Role::Output), Slot::Reaction(MotionResult::Side)));
-                list.push((of(&m::S_Q, Role::Output), Slot::Reaction(MotionResult::Distance)));
-            }
-        }
-        if hydraulic {
-            let flag = Variable {
-                kind: Type::Boolean,
-                ..of(&h::CAVITATES, Role::Output)
-            };
-            list.push((flag, Slot::Cavitates));
-        }
+        list.extend(self.reactions());
         for (index, variable) in self.algebraic.variables().iter().enumerate() {
             if !coordinate.contains(&variable.symbol) {
                 list.push((*variable, Slot::Algebraic(index)));
@@ -290,7 +266,49 @@ impl LuffingMotion {
         for (i, symbol) in rates.into_iter().enumerate() {
             list.push((of(symbol, Role::Rate), Slot::Rate(i)));
         }
-        let mut indicators = if hydraulic {
+        for (i, symbol) in self.watched().into_iter().enumerate() {
+            list.push((of(symbol, Role::Indicator), Slot::Indicator(i)));
+        }
+        list
+    }
+
+    /// Results that only motion has.
+    fn reactions(&self) -> Vec<(Variable, Slot)> {
+        let of = |symbol: &'static Symbol, reaction| {
+            let variable = Variable::new((symbol, None), Role::Output);
+            (variable, Slot::Reaction(reaction))
+        };
+        let hydraulic = self.now.oil.is_some();
+        let (reeled, slews) = (self.rope.is_some(), self.slewing_stops.is_some());
+        let mut list = Vec::new();
+        if hydraulic {
+            list.push(of(&m::F_C, MotionResult::Cylinder));
+        }
+        list.push(of(&m::M_R, MotionResult::Friction));
+        if reeled {
+            list.push(of(&m::S_R, MotionResult::Rope));
+        }
+        if slews {
+            list.push(of(&m::M_R_SL, MotionResult::SlewingFriction));
+            if reeled {
+                list.push(of(&m::PHI, MotionResult::Swing));
+                list.push(of(&m::CHI_R, MotionResult::Side));
+                list.push(of(&m::S_Q, MotionResult::Distance));
+            }
+        }
+        if hydraulic {
+            let flag = Variable {
+                kind: Type::Boolean,
+                ..Variable::new((&h::CAVITATES, None), Role::Output)
+            };
+            list.push((flag, Slot::Cavitates));
+        }
+        list
+    }
+
+    /// Event indicators.
+    fn watched(&self) -> Vec<&'static Symbol> {
+        let mut watched: Vec<&'static Symbol> = if self.now.oil.is_some() {
             vec![
                 &m::Z_SPOOL,
                 &m::Z_RELIEF_1,
@@ -302,16 +320,13 @@ impl LuffingMotion {
         } else {
             vec![&m::Z_REST, &m::Z_LOOSE, &m::Z_LOW, &m::Z_HIGH]
         };
-        if slews {
-            indicators.extend([&m::Z_SL_REST, &m::Z_SL_LOOSE, &m::Z_SL_LOW, &m::Z_SL_HIGH]);
+        if self.slewing_stops.is_some() {
+            watched.extend([&m::Z_SL_REST, &m::Z_SL_LOOSE, &m::Z_SL_LOW, &m::Z_SL_HIGH]);
         }
-        if reeled {
-            indicators.push(&m::Z_ROPE);
+        if self.rope.is_some() {
+            watched.push(&m::Z_ROPE);
         }
-        for (i, symbol) in indicators.into_iter().enumerate() {
-            list.push((of(symbol, Role::Indicator), Slot::Indicator(i)));
-        }
-        list
+        watched
     }
 
     /// What stands for each state of this level, out of those of all levels.
@@ -376,35 +391,7 @@ impl LuffingMotion {
             Fault::outside(format!("{}; {}", words.what, words.help))
         })?;
         let weights = over.weights.expect("checked when the scene was read");
-        // Boom and rocker lie along their bars, the jib along the line from its tail to its head.
-        let bar = Point::new(P::constant(1.0), P::constant(0.0));
-        let head = Point::new(geometry.kappa.x, -geometry.kappa.y) * geometry.lengths.x_2;
-        let axis = head - bar * geometry.lengths.x_2;
-        let body = |weight: P, inertia: P, distance: P, angle: P, along: Point<P>| {
-            let (sin, cos) = angle.sin_cos();
-            let centre = Point::new(distance * cos, distance * sin);
-            Body::slender(weight / constants.g, inertia, centre, along)
-        };
-        let jib = body(weights.g_2, constants.j_2, weights.s_2, weights.chi_2, axis);
-        let pendulum = self.rope.map(|rope| Pendulum {
-            mass: load,
-            length: P::known(&m::L_R, rope.length),
-        });
-        let bodies = Bodies {
-            boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1, bar),
-            jib: if pendulum.is_some() {
-                jib
-            } else {
-                let loaded = jib.with_mass(load, head);
-                Body {
-                    inertia: loaded.inertia.def(&m::J_2Q),
-                    ..loaded
-                }
-            },
-            rocker: body(weights.g_3, constants.j_3, weights.s_3, weights.chi_3, bar),
-            pendulum,
-            gravity: constants.g,
-        };
+        let bodies = self.bodies_over(&geometry, &weights, &constants, load);
         let mut dynamics = Dynamics::new(&geometry, bodies)
             .with_balance(&over, &self.range)
             .map_err(|fault| Fault::outside(fault.to_string()))?;
@@ -457,6 +444,44 @@ impl LuffingMotion {
             Ok(Level::Hanging(hydraulic(crane, cylinder, buffer, &inputs)))
         } else {
             Ok(Level::Fixed(hydraulic(crane, cylinder, buffer, &inputs)))
+        }
+    }
+
+    fn bodies_over<P: Coordinate<P>>(
+        &self,
+        geometry: &Geometry<P>,
+        weights: &Weights<P>,
+        constants: &Constants<P>,
+        load: P,
+    ) -> Bodies<P> {
+        // Boom and rocker lie along their bars, the jib along the line from its tail to its head.
+        let bar = Point::new(P::constant(1.0), P::constant(0.0));
+        let head = Point::new(geometry.kappa.x, -geometry.kappa.y) * geometry.lengths.x_2;
+        let axis = head - bar * geometry.lengths.x_2;
+        let body = |weight: P, inertia: P, distance: P, angle: P, along: Point<P>| {
+            let (sin, cos) = angle.sin_cos();
+            let centre = Point::new(distance * cos, distance * sin);
+            Body::slender(weight / constants.g, inertia, centre, along)
+        };
+        let jib = body(weights.g_2, constants.j_2, weights.s_2, weights.chi_2, axis);
+        let pendulum = self.rope.map(|rope| Pendulum {
+            mass: load,
+            length: P::known(&m::L_R, rope.length),
+        });
+        Bodies {
+            boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1, bar),
+            jib: if pendulum.is_some() {
+                jib
+            } else {
+                let loaded = jib.with_mass(load, head);
+                Body {
+                    inertia: loaded.inertia.def(&m::J_2Q),
+                    ..loaded
+                }
+            },
+            rocker: body(weights.g_3, constants.j_3, weights.s_3, weights.chi_3, bar),
+            pendulum,
+            gravity: constants.g,
         }
     }
 
@@ -693,10 +718,10 @@ impl Running for LuffingMotion {
     }
 
     fn step_size(&self) -> f64 {
-        // A hundredth of what a communication step may take: an importer sees that it goes on.
+        // A thousandth of what a communication step may take: an importer sees that it goes on.
         self.algebraic
             .step_size()
-            .min(0.01 * f64::from(MOST_STEPS) * self.now.constants.step)
+            .min(1e-3 * f64::from(MOST_STEPS) * self.now.constants.step)
     }
 
     fn place(&mut self, theta: f64) -> Result<(), Fault> {

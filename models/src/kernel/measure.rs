@@ -1,0 +1,116 @@
+//! A number with a unit, as a scene writes it.
+
+use crate::kernel::number::short;
+use crate::kernel::schema::{GivenNumber, Key, Kind, Sign};
+use crate::kernel::symbol::Symbol;
+use crate::kernel::unit::{self, Unit};
+
+/// Message, label and help.
+pub type Problem = (String, String, String);
+
+/// Reads what stands behind a key that has a [`Key::number`].
+pub fn number(text: &str, key: &Key) -> Result<GivenNumber, Problem> {
+    let given = |value, mass| GivenNumber {
+        value,
+        mass,
+        source: None,
+    };
+    match key.kind {
+        Kind::Weight(symbol) => {
+            let (number, unit) = measured(text, symbol, &[symbol.unit, &unit::KG])?;
+            if unit.dimension != unit::KG.dimension {
+                return allowed(number * unit.factor, text, symbol, symbol.unit, Sign::NotNegative)
+                    .map(|weight| given(weight, None));
+            }
+            let mass = allowed(number * unit.factor, text, symbol, &unit::KG, Sign::NotNegative)?;
+            // What it weighs is known when the whole scene has been read.
+            Ok(given(f64::NAN, Some(mass)))
+        }
+        Kind::Quantity(symbol, sign) => quantity(text, symbol, sign).map(|value| given(value, None)),
+        _ => unreachable!("a key of quantities"),
+    }
+}
+
+/// Reads `"19.3 m"` for `symbol`, in SI.
+pub fn quantity(text: &str, symbol: &'static Symbol, sign: Sign) -> Result<f64, Problem> {
+    let (number, unit) = measured(text, symbol, &[symbol.unit])?;
+    allowed(number * unit.factor, text, symbol, symbol.unit, sign)
+}
+
+/// A value in SI that a scene may give of `symbol`, here measured in units like `unit`.
+fn allowed(value: f64, text: &str, symbol: &'static Symbol, unit: &Unit, sign: Sign) -> Result<f64, Problem> {
+    let text = text.trim();
+    let help = format!("{}: {}", symbol.id, symbol.text);
+    if !sign.allows(value) {
+        let message = format!("{text} is not allowed, it must be {}", sign.words());
+        return Err((message, "out of range".to_owned(), help));
+    }
+    let [least, most] = sign.limits(unit);
+    if !(least..=most).contains(&value) {
+        let shown = if unit == symbol.unit { symbol.display } else { unit };
+        let written = |value: f64| format!("{} {}", short(value / shown.factor), shown.name);
+        let message = format!(
+            "{text} is not allowed, it must be from {} to {}",
+            written(least),
+            written(most)
+        );
+        return Err((message, "a slip of the unit?".to_owned(), help));
+    }
+    Ok(value)
+}
+
+/// Reads a number with a unit like one of `units`.
+fn measured(text: &str, symbol: &'static Symbol, units: &[&'static Unit]) -> Result<(f64, &'static Unit), Problem> {
+    let text = text.trim();
+    let display = symbol.display.name;
+    let end = text
+        .find(|c: char| !(c.is_ascii_digit() || "+-.,eE_".contains(c)))
+        .unwrap_or(text.len());
+    // "5 em": an exponent without digits belongs to the unit.
+    let end = text[..end].trim_end_matches(['e', 'E']).len();
+    let (number, unit_text) = (&text[..end], text[end..].trim());
+    let Ok(number) = number.parse::<f64>() else {
+        let help = if number.contains(',') {
+            "use a decimal point".to_owned()
+        } else {
+            format!("write a number and a unit: \"1.5 {display}\"")
+        };
+        return Err((
+            format!("\"{text}\" does not begin with a number"),
+            "cannot be read".to_owned(),
+            help,
+        ));
+    };
+    let unit = if unit_text.is_empty() {
+        Some(&unit::ONE)
+    } else {
+        unit::find(unit_text)
+    };
+    let Some(unit) = unit else {
+        return Err((
+            format!("the unit \"{unit_text}\" is not known"),
+            "unknown unit".to_owned(),
+            format!("units for it: {}", like(units)),
+        ));
+    };
+    if !units.iter().any(|wanted| unit.is_like(wanted)) {
+        let given = if unit_text.is_empty() {
+            "no unit".to_owned()
+        } else {
+            format!("the unit {}", unit.name)
+        };
+        return Err((
+            format!("{given} does not fit, it is measured in {display}"),
+            "wrong unit".to_owned(),
+            format!("units for it: {}", like(units)),
+        ));
+    }
+    Ok((number, unit))
+}
+
+/// The names of all units that measure the same as one of these.
+fn like(units: &[&'static Unit]) -> String {
+    let fits = |unit: &&Unit| units.iter().any(|wanted| unit.is_like(wanted));
+    let names: Vec<&str> = unit::ALL.iter().copied().filter(fits).map(|unit| unit.name).collect();
+    names.join(", ")
+}
