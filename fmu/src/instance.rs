@@ -144,7 +144,6 @@ struct Now {
 }
 
 /// An FMU state.
-#[derive(Debug)]
 struct Saved {
     now: Now,
     model: State,

@@ -1,7 +1,6 @@
 //! A component that runs, whatever it is made of.
 
 use std::any::Any;
-use std::fmt;
 
 use num_dual::Dual64;
 
@@ -64,7 +63,7 @@ pub struct Port {
 }
 
 /// A component over one scalar.
-pub trait Face<C>: Any + fmt::Debug + Send + Sync {
+pub trait Face<C>: Any + Send + Sync {
     fn take(&self, source: Source) -> C;
     /// Changes a source and forgets what follows from it.
     fn put(&mut self, source: Source, value: C);
@@ -137,12 +136,6 @@ impl<T: Component, C: Calc> Runner<T, C> {
     #[must_use]
     pub fn given(&self) -> &T::Given<C> {
         T::given(&self.0)
-    }
-}
-
-impl<T: Stages, C: Calc> fmt::Debug for Runner<T, C> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(std::any::type_name::<T>())
     }
 }
 
