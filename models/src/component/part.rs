@@ -192,14 +192,7 @@ impl<T: Component> Part for Runner<T, f64> {
             all.push((source, quantity));
             value
         });
-        // Quantities of a numbered group stand together, as vectors do.
-        let first = |(source, (symbol, _)): &(Source, Quantity)| {
-            let of = |(known, (other, _)): &&(Source, Quantity)| known.group == source.group && other == symbol;
-            all.iter().find(of).map(|(source, _)| (source.group, source.place))
-        };
-        let mut keyed: Vec<_> = all.iter().map(|entry| (first(entry), *entry)).collect();
-        keyed.sort_by_key(|(key, _)| *key);
-        keyed.into_iter().map(|(_, entry)| entry).collect()
+        together(&all)
     }
 
     fn results(&self) -> Vec<(Slot, Quantity)> {
@@ -270,7 +263,9 @@ impl<T: Component> Part for Runner<T, f64> {
     }
 
     fn duplicate(&self) -> Box<dyn Part> {
-        Box::new(Runner::<T, f64>(self.0.clone()))
+        let mut other = Runner::<T, f64>::new(self.given().clone());
+        T::follow(&mut other.0, &self.0);
+        Box::new(other)
     }
 
     fn follow(&mut self, other: &dyn Part) {
@@ -278,4 +273,15 @@ impl<T: Component> Part for Runner<T, f64> {
         let other: &Runner<T, f64> = other.downcast_ref().expect("the same component");
         T::follow(&mut self.0, &other.0);
     }
+}
+
+/// In the order in which they are listed: quantities of a numbered group stand together, as vectors do.
+fn together(all: &[(Source, Quantity)]) -> Vec<(Source, Quantity)> {
+    let first = |(source, (symbol, _)): &(Source, Quantity)| {
+        let of = |(known, (other, _)): &&(Source, Quantity)| known.group == source.group && other == symbol;
+        all.iter().find(of).map(|(source, _)| (source.group, source.place))
+    };
+    let mut keyed: Vec<_> = all.iter().map(|entry| (first(entry), *entry)).collect();
+    keyed.sort_by_key(|(key, _)| *key);
+    keyed.into_iter().map(|(_, entry)| entry).collect()
 }
