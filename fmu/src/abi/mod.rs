@@ -312,7 +312,8 @@ mod tests {
         });
         // SAFETY: the component is alive until it is freed.
         unsafe {
-            let call = |mut body: fn(&mut Instance) -> Result<(), Fault>| guard(component, "call", ANY, |_| ANY, &mut body);
+            let call =
+                |mut body: fn(&mut Instance) -> Result<(), Fault>| guard(component, "call", ANY, |_| ANY, &mut body);
             assert_eq!(call(|_| Ok(())), STATUS_OK);
             assert_eq!(call(|_| panic!("a planted defect")), STATUS_FATAL);
             assert_eq!(call(|_| Ok(())), STATUS_ERROR);

@@ -277,11 +277,11 @@ impl<T: Component> Part for Runner<T, f64> {
 
 /// In the order in which they are listed: quantities of a numbered group stand together, as vectors do.
 fn together(all: &[(Source, Quantity)]) -> Vec<(Source, Quantity)> {
-    let first = |(source, (symbol, _)): &(Source, Quantity)| {
-        let of = |(known, (other, _)): &&(Source, Quantity)| known.group == source.group && other == symbol;
-        all.iter().find(of).map(|(source, _)| (source.group, source.place))
+    let alike = |(one, (symbol, _)): &(Source, Quantity), (other, (same, _)): &(Source, Quantity)| {
+        one.group == other.group && symbol == same
     };
-    let mut keyed: Vec<_> = all.iter().map(|entry| (first(entry), *entry)).collect();
-    keyed.sort_by_key(|(key, _)| *key);
-    keyed.into_iter().map(|(_, entry)| entry).collect()
+    let firsts = (0..all.len()).filter(|&at| !all[..at].iter().any(|before| alike(before, &all[at])));
+    firsts
+        .flat_map(|at| all[at..].iter().filter(move |entry| alike(&all[at], entry)).copied())
+        .collect()
 }
