@@ -144,7 +144,6 @@ struct Now {
 }
 
 /// An FMU state.
-#[derive(Debug)]
 struct Saved {
     now: Now,
     model: State,
@@ -775,7 +774,8 @@ impl Instance {
     /// The handle does not exist.
     pub fn load_saved(&mut self, handle: usize) -> Result<(), Fault> {
         let saved = &self.saved[self.find(handle)?].1;
-        (self.now, self.held) = (saved.now, saved.held.clone());
+        self.now = saved.now;
+        self.held.clone_from(&saved.held);
         self.model.set_state(&saved.model);
         Ok(())
     }

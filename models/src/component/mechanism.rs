@@ -11,7 +11,7 @@ use crate::kernel::variable::Fault;
 use crate::parts::motion::{Motion, Place};
 
 /// A mechanism as a scene describes it, checked.
-pub trait Mechanism: Any + fmt::Debug + Send + Sync {
+pub trait Mechanism: Any + Send + Sync {
     /// By which words and symbols know it.
     fn id(&self) -> &'static str;
 
@@ -74,6 +74,12 @@ pub struct Solver {
 impl Clone for Box<dyn Mechanism> {
     fn clone(&self) -> Self {
         self.duplicate()
+    }
+}
+
+impl fmt::Debug for dyn Mechanism {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id())
     }
 }
 

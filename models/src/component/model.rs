@@ -8,7 +8,6 @@ use crate::kernel::number::short;
 use crate::kernel::variable::{Fault, Role, Variable};
 
 /// The running model of a scene, stepped by the FMU and by tables. Whatever is not said here it does as [`Running`].
-#[derive(Debug)]
 #[expect(
     clippy::large_enum_variant,
     reason = "what stands is stepped most, and a box would be one more way to go"

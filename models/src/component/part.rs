@@ -1,7 +1,6 @@
 //! A component that runs, whatever it is made of.
 
 use std::any::Any;
-use std::fmt;
 
 use num_dual::Dual64;
 
@@ -64,7 +63,7 @@ pub struct Port {
 }
 
 /// A component over one scalar.
-pub trait Face<C>: Any + fmt::Debug + Send + Sync {
+pub trait Face<C>: Any + Send + Sync {
     fn take(&self, source: Source) -> C;
     /// Changes a source and forgets what follows from it.
     fn put(&mut self, source: Source, value: C);
@@ -140,12 +139,6 @@ impl<T: Component, C: Calc> Runner<T, C> {
     }
 }
 
-impl<T: Stages, C: Calc> fmt::Debug for Runner<T, C> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(std::any::type_name::<T>())
-    }
-}
-
 impl<T: Stages, C: Calc> Face<C> for Runner<T, C> {
     #[inline]
     fn take(&self, source: Source) -> C {
@@ -199,14 +192,7 @@ impl<T: Component> Part for Runner<T, f64> {
             all.push((source, quantity));
             value
         });
-        // Quantities of a numbered group stand together, as vectors do.
-        let first = |(source, (symbol, _)): &(Source, Quantity)| {
-            let of = |(known, (other, _)): &&(Source, Quantity)| known.group == source.group && other == symbol;
-            all.iter().find(of).map(|(source, _)| (source.group, source.place))
-        };
-        let mut keyed: Vec<_> = all.iter().map(|entry| (first(entry), *entry)).collect();
-        keyed.sort_by_key(|(key, _)| *key);
-        keyed.into_iter().map(|(_, entry)| entry).collect()
+        together(&all)
     }
 
     fn results(&self) -> Vec<(Slot, Quantity)> {
@@ -277,7 +263,9 @@ impl<T: Component> Part for Runner<T, f64> {
     }
 
     fn duplicate(&self) -> Box<dyn Part> {
-        Box::new(Runner::<T, f64>(self.0.clone()))
+        let mut other = Runner::<T, f64>::new(self.given().clone());
+        T::follow(&mut other.0, &self.0);
+        Box::new(other)
     }
 
     fn follow(&mut self, other: &dyn Part) {
@@ -285,4 +273,15 @@ impl<T: Component> Part for Runner<T, f64> {
         let other: &Runner<T, f64> = other.downcast_ref().expect("the same component");
         T::follow(&mut self.0, &other.0);
     }
+}
+
+/// In the order in which they are listed: quantities of a numbered group stand together, as vectors do.
+fn together(all: &[(Source, Quantity)]) -> Vec<(Source, Quantity)> {
+    let alike = |(one, (symbol, _)): &(Source, Quantity), (other, (same, _)): &(Source, Quantity)| {
+        one.group == other.group && symbol == same
+    };
+    let firsts = (0..all.len()).filter(|&at| !all[..at].iter().any(|before| alike(before, &all[at])));
+    firsts
+        .flat_map(|at| all[at..].iter().filter(move |entry| alike(&all[at], entry)).copied())
+        .collect()
 }

@@ -2,13 +2,12 @@
 //! this and nothing else.
 
 use std::any::Any;
-use std::fmt;
 
 use crate::kernel::variable::{Fault, Quantity, Terminal, Variable};
 use crate::parts::solver::Count;
 
 /// A mechanism that runs, whether it stands where it is commanded or moves by itself.
-pub trait Running: Any + fmt::Debug + Send + Sync {
+pub trait Running: Any + Send + Sync {
     /// What exists in this scene; an index into it names a variable. The first one is the coordinate, over which tables
     /// and the default experiment run.
     fn variables(&self) -> &[Variable];
@@ -192,22 +191,20 @@ pub trait Running: Any + fmt::Debug + Send + Sync {
 }
 
 /// All that changes in a model while it runs.
-#[derive(Debug)]
 pub struct State(Box<dyn Kept>);
 
 /// A model's results with their derivatives in one direction.
-#[derive(Debug)]
 pub struct Tangent(Box<dyn Kept>);
 
-trait Kept: Any + fmt::Debug + Send + Sync {}
+trait Kept: Any + Send + Sync {}
 
-impl<T: Any + fmt::Debug + Send + Sync> Kept for T {}
+impl<T: Any + Send + Sync> Kept for T {}
 
 /// What only the model that made it can read.
 macro_rules! kept {
     ($name:ident) => {
         impl $name {
-            pub fn new<T: Any + fmt::Debug + Send + Sync>(own: T) -> $name {
+            pub fn new<T: Any + Send + Sync>(own: T) -> $name {
                 $name(Box::new(own))
             }
 

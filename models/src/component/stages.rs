@@ -92,7 +92,7 @@ pub struct Stage {
 /// What a component knows, over any scalar. `stages!` implements it.
 pub trait Stages: Sized + 'static {
     type Given<C: Calc>: Clone + Send + Sync + 'static;
-    type Known<C: Calc>: Clone + Send + Sync + 'static;
+    type Known<C: Calc>: Send + Sync + 'static;
     const GROUPS: &'static [(&'static str, Use)];
     const STAGES: &'static [Stage];
     fn new<C: Calc>(given: Self::Given<C>) -> Self::Known<C>;
@@ -275,7 +275,6 @@ macro_rules! stages {
         pub struct Given<$c: $crate::kernel::calc::Calc> { $(pub $source: $group),* }
 
         /// What has been found so far.
-        #[derive(Clone, Debug)]
         pub struct Known<$c: $crate::kernel::calc::Calc> {
             given: Given<$c>,
             /// Groups that the scene has.

@@ -27,7 +27,7 @@ pub enum VariablePlace {
 }
 
 /// A scene's component with its inputs, stepped by the FMU and by tables.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Standing {
     variables: Vec<Variable>,
     places: Vec<VariablePlace>,
@@ -45,7 +45,7 @@ pub struct Standing {
 }
 
 /// All that changes while it runs.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 struct Now {
     /// In s.
     time: f64,
@@ -57,7 +57,6 @@ struct Now {
 }
 
 /// The results with their derivatives in one direction.
-#[derive(Debug)]
 struct Direction {
     face: Box<dyn Face<Dual64>>,
     /// Groups that change in this direction.

@@ -230,9 +230,8 @@ pub struct Values {
     pub span: Range<usize>,
 }
 
+/// What scenes ask for hundreds of times is not inlined.
 impl Values {
-    /// Not inlined: scenes ask for hundreds of keys.
-    #[inline(never)]
     fn entry(&self, name: &str) -> Option<(&Value, &Range<usize>)> {
         let found = self.entries.iter().find(|(known, ..)| *known == name);
         found.map(|(_, value, place)| (value, place))
@@ -240,6 +239,7 @@ impl Values {
 
     /// In SI; `None` where the scene does not give it.
     #[must_use]
+    #[inline(never)]
     pub fn number(&self, name: &str) -> Option<f64> {
         match self.entry(name) {
             Some((Value::Number(number), _)) => Some(number.value),
@@ -248,6 +248,7 @@ impl Values {
     }
 
     #[must_use]
+    #[inline(never)]
     pub fn text(&self, name: &str) -> Option<&str> {
         match self.entry(name) {
             Some((Value::Text(text), _)) => Some(text),
@@ -256,6 +257,7 @@ impl Values {
     }
 
     #[must_use]
+    #[inline(never)]
     pub fn table(&self, name: &str) -> Option<&Values> {
         match self.entry(name) {
             Some((Value::Table(table), _)) => Some(table),
@@ -369,6 +371,7 @@ impl Values {
 
     /// Place of a key's value; of the table where the key is absent.
     #[must_use]
+    #[inline(never)]
     pub fn place(&self, name: &str) -> Range<usize> {
         self.entry(name)
             .map_or_else(|| self.span.clone(), |(_, span)| span.clone())

@@ -346,7 +346,7 @@ fn change_point(
     let angle = format!("{} = {}", parameters.driven.coordinate().id, degrees(at));
     let points = geometry.linkage.change_points();
     let mut points: Vec<f64> = points.map(|at| at.rem_euclid(TAU)).collect();
-    points.sort_by(f64::total_cmp);
+    points.sort_unstable_by(f64::total_cmp);
     let points: Vec<String> = points.into_iter().map(degrees).collect();
     let away = format!("keep the working range away from {}", points.join(" and "));
     let mut refuse = |key, what, label, help| found.push(Diagnostic::new(v.place(key), what, label).help(help));

@@ -61,7 +61,7 @@ const OF_EVENTS: [&Symbol; INDICATORS] = [
 ];
 
 /// A scene's steering in motion.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct SteeringMotion {
     algebraic: Standing,
     variables: Vec<Variable>,
@@ -99,7 +99,6 @@ impl Now {
 }
 
 /// A state of the model.
-#[derive(Debug)]
 struct Saved {
     now: Now,
     algebraic: State,
@@ -109,7 +108,6 @@ struct Saved {
 const FEW: usize = 12;
 
 /// A direction of states, inputs and parameters: what changes along it, and how fast.
-#[derive(Debug)]
 struct Direction {
     few: [(Quantity, f64); FEW],
     count: usize,

@@ -43,7 +43,7 @@ impl<P: Copy> Inputs<P> {
 }
 
 /// The equations of a level.
-#[derive(Clone, Copy, Debug)]
+#[derive(Copy, Debug)]
 pub enum Level<P = f64> {
     Free(MovingLinkage<P>),
     Slewing(Slewing<P>),
@@ -147,6 +147,13 @@ fn seen<C: Calc>(y: &[C; slewing::STATES], reaction: MotionResult) -> C {
 fn possible<const N: usize>(system: &Hydraulic<N>, present: &hydraulic::PresentCrane<N>) -> bool {
     let y = present.run.states();
     y[2..6].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.equations(present.modes, &y).is_some()
+}
+
+impl<P: Copy> Clone for Level<P> {
+    /// As one block: derived, it would go through every field.
+    fn clone(&self) -> Level<P> {
+        *self
+    }
 }
 
 impl<P: Calc> Level<P> {

@@ -48,7 +48,7 @@ const STOP: f64 = 100.0;
 const TRACE: f64 = 1e-6;
 
 /// A scene's mechanism in motion.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct LuffingMotion {
     algebraic: Standing,
     driven: Driven,
@@ -81,14 +81,12 @@ struct Now {
 }
 
 /// All that changes while it runs.
-#[derive(Debug)]
 struct Saved {
     now: Now,
     algebraic: State,
 }
 
 /// Results with their derivatives in one direction of states, inputs and parameters.
-#[derive(Debug)]
 struct Direction {
     algebraic: Tangent,
     level: Result<Level<Dual64>, Fault>,
