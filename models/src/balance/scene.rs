@@ -10,7 +10,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::check::missing;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::Group;
-use crate::kernel::schema::{Key, Kind, Sign, Values};
+use crate::kernel::schema::{Key, Kind, SOURCE, Sign, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
 use crate::parts::four_bar::Branch;
@@ -19,19 +19,18 @@ const KINDS: &[&str] = &["tail", "parallelogram", "lever", "straight_rail", "cur
 
 /// Keys of `[luffing.balance]`; which quantities are needed depends on the kind.
 pub static KEYS: &[Key] = &[
-    Key {
-        name: "kind",
-        kind: Kind::Choice(KINDS),
-        required: true,
-        text: "A weight on the boom's rear, a parallelogram lever, a four-bar lever, or a rope to a weight on a straight \
+    Key::new(
+        "kind",
+        Kind::Choice(KINDS),
+        "A weight on the boom's rear, a parallelogram lever, a four-bar lever, or a rope to a weight on a straight \
                or a curved rail.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: false,
-        text: "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever.",
-    },
+    ),
+    Key::new(
+        "branch",
+        Kind::Choice(&["left", "right"]),
+        "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever.",
+    )
+    .optional(),
     Key::weight(&s::G_C).optional(),
     Key::quantity(&s::R_C, Sign::NotNegative).optional(),
     Key::quantity(&s::CHI_C, Sign::Any).optional(),
@@ -56,19 +55,11 @@ pub static KEYS: &[Key] = &[
         "Published results to stand beside the computed ones.",
     )
     .optional(),
-    Key::text(
-        "source",
-        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-    ),
+    SOURCE,
 ];
 
 static PUBLISHED: &[Key] = &[
-    Key {
-        name: "source",
-        kind: Kind::Text,
-        required: true,
-        text: "Where the results are printed.",
-    },
+    Key::new("source", Kind::Text, "Where the results are printed."),
     Key::quantity(&s::DM_MAX, Sign::NotNegative).optional(),
     Key::quantity(&s::DM_5_MAX, Sign::NotNegative).optional(),
     Key::quantity(&s::E_ABS, Sign::NotNegative).optional(),

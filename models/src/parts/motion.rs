@@ -5,7 +5,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::number::short;
-use crate::kernel::schema::{Sign, Values};
+use crate::kernel::schema::{Key, SOURCE, Sign, Values};
 use crate::kernel::symbol::Symbol;
 
 /// More rows in a table than anyone reads, and than a step of `1e-9 deg` would make.
@@ -30,6 +30,22 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// Keys of its table: the ends of the working range, the coordinate that tables step, and its rate, with what that is.
+    #[must_use]
+    pub const fn keys(
+        ends: [&'static Symbol; 2],
+        coordinate: &'static Symbol,
+        (rate, what): (&'static Symbol, &'static str),
+    ) -> [Key; 5] {
+        [
+            Key::quantity(ends[0], Sign::Any),
+            Key::quantity(ends[1], Sign::Any),
+            Key::named("step", coordinate, Sign::Positive, "Step of tables."),
+            Key::named("speed", rate, Sign::Positive, what),
+            SOURCE,
+        ]
+    }
+
     /// Reads a checked table with `from`, `to`, `step` and `speed`; mistakes go to `found`.
     pub fn read(m: &Values, found: &mut Vec<Diagnostic>) -> Option<Motion> {
         let motion = Motion {

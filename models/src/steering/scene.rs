@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::component::description::Description;
 use crate::component::stages::{Stages, Use};
 use crate::kernel::check::quantity;
 use crate::kernel::diagnostic::Diagnostic;
@@ -31,12 +32,14 @@ use crate::steering::stand::stand;
 use crate::steering::symbols as s;
 use crate::steering::transition::Pace;
 
-/// The steering of a machine as the scene describes it; SI.
+/// The steering of a machine as the scene describes it, with its working range.
+pub type Steering = Description<SteeringScene>;
+
+/// What the scene says of it; SI.
 #[derive(Clone, Debug)]
-pub struct Steering {
+pub struct SteeringScene {
     /// At the start of the working range: machine, command and travel as the scene has them.
     pub given: Given<f64>,
-    pub motion: Motion,
     /// Weight and centre of gravity, where the loads of the groups follow from them.
     pub weight: Option<(f64, Point<f64>)>,
     pub safety: Option<Safety<f64>>,
@@ -48,13 +51,11 @@ pub struct Steering {
     pub catalogue: Option<Catalogue>,
     /// With `fidelity = "hydraulic"`; with `auto` where the scene's tables allow it.
     pub moving: Option<MovingGroups>,
-    /// Whether the level is left to the accuracy that the scene asks for.
-    pub auto: bool,
 }
 
-impl Steering {
+impl SteeringScene {
     /// Builds the machine of a checked table; mistakes go to `found`.
-    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Steering> {
+    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Option<(SteeringScene, Motion)> {
         let before = found.len();
         let n = |table: &Values, symbol: &Symbol| table.number(symbol.id);
         let mut given = given(v, found)?;
@@ -107,9 +108,8 @@ impl Steering {
         if found.len() > before {
             return None;
         }
-        let steering = Steering {
+        let steering = SteeringScene {
             given,
-            motion,
             weight,
             safety,
             hydraulics,
@@ -117,10 +117,9 @@ impl Steering {
             drawn,
             catalogue,
             moving,
-            auto: v.text("fidelity") == Some("auto"),
         };
-        match steering.unreachable(v, m, &built) {
-            None => Some(steering),
+        match steering.unreachable(v, m, &motion, &built) {
+            None => Some((steering, motion)),
             Some(mistake) => {
                 found.push(mistake);
                 None
@@ -139,12 +138,12 @@ impl Steering {
 
     /// The first command that the groups cannot follow; where an angle commands, the working range: a group's angle
     /// grows or falls with it.
-    fn unreachable(&self, v: &Values, m: &Values, built: &Built) -> Option<Diagnostic> {
+    fn unreachable(&self, v: &Values, m: &Values, motion: &Motion, built: &Built) -> Option<Diagnostic> {
         let (machine, mode) = (&built.machine, self.given.mode);
         let mut given = self.given.clone();
         let angles = match given.command() {
-            Command::Angle(_) => self.motion.angles(),
-            _ => vec![self.motion.from],
+            Command::Angle(_) => motion.angles(),
+            _ => vec![motion.from],
         };
         let mut last: Option<Vec<f64>> = None;
         for theta_b in angles {

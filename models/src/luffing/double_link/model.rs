@@ -1,14 +1,9 @@
-//! A scene's mechanism as a running model.
+//! What a running model of a scene's mechanism is given.
 
-use std::any::Any;
-
-use crate::component::part::Runner;
-use crate::component::standing::Standing;
 use crate::kernel::group::One;
-use crate::kernel::variable::Fault;
 use crate::luffing::double_link::geometry::{Choice, Jib};
 use crate::luffing::double_link::scene::Luffing;
-use crate::luffing::double_link::stages::{DoubleLink, Given};
+use crate::luffing::double_link::stages::Given;
 use crate::luffing::double_link::symbols as s;
 
 /// What the scene gives.
@@ -36,23 +31,4 @@ pub fn given(luffing: &Luffing) -> Given<f64> {
             pins: luffing.has_pins(),
         },
     }
-}
-
-/// What a running model of it has now.
-///
-/// # Panics
-/// For the model of another component.
-#[must_use]
-pub fn present(model: &Standing) -> &Given<f64> {
-    let part: &dyn Any = model.part();
-    let part: &Runner<DoubleLink, f64> = part.downcast_ref().expect("a double link");
-    part.given()
-}
-
-/// # Errors
-/// Never for a scene that was read by [`Scene::parse`](crate::scene::Scene::parse), which checks that the mechanism
-/// exists over its range.
-pub fn standing(luffing: &Luffing) -> Result<Standing, Fault> {
-    let part = Runner::<DoubleLink, f64>::new(given(luffing));
-    Standing::new(Box::new(part), luffing.motion, luffing.table)
 }

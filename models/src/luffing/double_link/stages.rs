@@ -11,7 +11,7 @@ use crate::kernel::group::One;
 use crate::kernel::number::exact;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
-use crate::luffing::balancing::{Balanced, Balancing, Criteria};
+use crate::luffing::balancing::{Balanced, Balancing, Criteria, WithBalance};
 use crate::luffing::double_link::balancing::{self, analysis, balanced, residual};
 use crate::luffing::double_link::drive::{Drive, Flow, Reaction, Stroke};
 use crate::luffing::double_link::feet::Feet;
@@ -24,6 +24,7 @@ use crate::luffing::double_link::statics::{ByPole, Carried, Held, LoadMoment, Ow
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::{Head, Pole, Velocity};
 use crate::parts::motion::{Motion, degrees};
+use crate::parts::plane::Point;
 
 stages! {
     /// The double-link luffing mechanism.
@@ -146,6 +147,26 @@ impl Component for DoubleLink {
         let mut arcs = linkage.arcs().into_iter().filter(|_| !linkage.turns_fully());
         let arc = arcs.find(|arc| arc.from <= from && to <= arc.to)?;
         Some([arc.from, arc.to])
+    }
+}
+
+impl WithBalance for DoubleLink {
+    const SYMBOLS: [&'static Symbol; 3] = [&s::THETA_1, &s::R, &s::M_D];
+
+    fn form(given: &Given<f64>) -> Option<Form<f64>> {
+        given.balance
+    }
+
+    fn balance(known: &mut Known<f64>) -> Found<(Balancing<f64>, Analysis)> {
+        Ok((*known.balancing()?, known.analysed()?.clone()))
+    }
+
+    fn head(known: &mut Known<f64>) -> Found<Point<f64>> {
+        Ok(known.position()?.b)
+    }
+
+    fn residual<C: Calc>(known: &mut Known<C>) -> Found<Residual<C>> {
+        known.residual().copied()
     }
 }
 

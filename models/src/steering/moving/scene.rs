@@ -2,7 +2,7 @@
 
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::quantities;
-use crate::kernel::schema::{Key, Sign, Values};
+use crate::kernel::schema::{Key, SOURCE, Sign, Values};
 use crate::kernel::symbol::Symbol;
 use crate::steering::moving::symbols as s;
 use crate::steering::refusal::{Refusal, within};
@@ -20,11 +20,6 @@ pub const TABLES: [(&str, &[Key], &str); 3] = [
     ),
     ("plc", PLC_KEYS, "Control loop of the PLC, with fidelity \"hydraulic\"."),
 ];
-
-const SOURCE: Key = Key::text(
-    "source",
-    "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-);
 
 /// Keys of `[steering.dynamics]`.
 const KEYS: &[Key] = &[

@@ -3,7 +3,7 @@
 use crate::balance;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::quantities;
-use crate::kernel::schema::{Key, Sign, Values};
+use crate::kernel::schema::{Key, SOURCE, Sign, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::motion::Commands;
 use crate::luffing::double_link::moving::level::Inputs;
@@ -23,16 +23,13 @@ pub static KEYS: &[Key] = &[
     Key::quantity(&s::C_V, Sign::NotNegative).optional(),
     Key::quantity(&s::M_F, Sign::NotNegative).optional(),
     Key::quantity(&s::G, Sign::Positive).optional(),
+    Key::quantity(&s::STEP, Sign::Positive).optional(),
     Key::quantity(&s::M_A, Sign::Any).optional(),
     Key::quantity(&s::M_S, Sign::NotNegative).optional(),
+    Key::quantity(&s::V_H, Sign::Any).optional(),
     Key::quantity(&s::L_R, Sign::Positive).optional(),
     Key::quantity(&s::PHI, Sign::Any).optional(),
-    Key::quantity(&s::V_H, Sign::Any).optional(),
-    Key::quantity(&s::STEP, Sign::Positive).optional(),
-    Key::text(
-        "source",
-        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-    ),
+    SOURCE,
 ];
 
 /// Keys of `[luffing.slewing]`.
@@ -47,10 +44,7 @@ pub static SLEWING_KEYS: &[Key] = &[
     Key::quantity(&s::PSI_MIN, Sign::Any).optional(),
     Key::quantity(&s::PSI_MAX, Sign::Any).optional(),
     Key::quantity(&s::CHI_R, Sign::Any).optional(),
-    Key::text(
-        "source",
-        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-    ),
+    SOURCE,
 ];
 
 /// Keys of `[luffing.hydraulics]`.
@@ -71,10 +65,7 @@ pub static OIL_KEYS: &[Key] = &[
     Key::quantity(&s::TOL, Sign::Tolerance).optional(),
     Key::quantity(&s::P_P, Sign::NotNegative),
     Key::quantity(&s::U_V, Sign::Any).optional(),
-    Key::text(
-        "source",
-        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-    ),
+    SOURCE,
 ];
 
 quantities! {

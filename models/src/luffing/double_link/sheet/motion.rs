@@ -1,7 +1,6 @@
 //! The mechanism in motion: the equations at one instant, from the functions that the running model solves, and
 //! a run of that model on the scene's own motion.
 
-use crate::component::outline::Told;
 use crate::component::running::{Running, State};
 use crate::component::sheet::{self, Check, Curve, InMotion, Section, Summary};
 use crate::kernel::calc::Calc;
@@ -641,9 +640,8 @@ impl Run {
     fn warned(&self) -> Warned {
         let [value, at] = self.least_pressure;
         let summary = Summary {
-            symbol: &m::P_MIN,
-            value,
             at: Some((&m::T, at)),
+            ..Summary::new(&m::P_MIN, value)
         };
         (value < VACUUM).then_some(("cavitation", summary))
     }
@@ -651,13 +649,7 @@ impl Run {
     fn checks(&self, luffing: &Luffing, moving: &Moving) -> Vec<Check> {
         let mut checks = Vec::new();
         let mut at_most = |id, symbol, value, limit: Option<f64>| {
-            checks.extend(limit.map(|limit| Check {
-                id,
-                symbol,
-                value,
-                limit,
-                at_most: true,
-            }));
+            checks.extend(limit.map(|limit| Check::at_most(id, symbol, value, limit)));
         };
         at_most(
             "motion_swing",
