@@ -91,15 +91,17 @@ impl Book {
                 [] => "a book without chapters".to_owned(),
                 _ => "none of these chapters has anything to say of this scene".to_owned(),
             };
-            found.push(Diagnostic::new(table.place("chapters"), message, "an empty book").help(help));
+            found.push(table.refuse("chapters", message, "an empty book", help));
         }
         let date = project.and_then(|project| project.text("date")).and_then(check::date);
         if table.text("pdf_standard").is_some() && date.is_none() {
             let message = "`book.pdf_standard` needs the date of the book";
-            found.push(
-                Diagnostic::new(table.place("pdf_standard"), message, "no date")
-                    .help("add date = \"YYYY-MM-DD\" to [project]"),
-            );
+            found.push(table.refuse(
+                "pdf_standard",
+                message,
+                "no date",
+                "add date = \"YYYY-MM-DD\" to [project]",
+            ));
         }
         Book {
             language: table

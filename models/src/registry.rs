@@ -38,12 +38,11 @@ pub const LUFFING: Key = Key::kinds(
     ],
     "A luffing mechanism.",
 );
-pub const STEERING: Key = Key::table(
+pub const STEERING: Key = Key::part(
     "steering",
     steering::sheet::ENTRY.keys,
     "The steering of a machine on wheels.",
-)
-.optional();
+);
 
 /// Their names.
 pub fn tables() -> impl Iterator<Item = &'static str> {

@@ -10,8 +10,9 @@ use crate::component::sheet::{Input, Sheet};
 use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
+use crate::kernel::json;
 use crate::kernel::origin::{Origins, line};
-use crate::kernel::schema::{self, KIND, Key, Kind, Sign, Values};
+use crate::kernel::schema::{KIND, Key, Kind, Sign, Values};
 use crate::kernel::variable::{Fault, Role, Type, Variable};
 use crate::registry;
 
@@ -42,8 +43,8 @@ pub static KEYS: &[Key] = &[
         "Acceleration of gravity, by which masses weigh what they do; without it 9.81 m/s2.",
     )
     .optional(),
-    Key::table("project", PROJECT, "Title block of the book.").optional(),
-    Key::table("book", BOOK, "What the book says, and in how much detail.").optional(),
+    Key::part("project", PROJECT, "Title block of the book."),
+    Key::part("book", BOOK, "What the book says, and in how much detail."),
     Key::new(
         "accuracy",
         Kind::Named,
@@ -123,14 +124,12 @@ impl Scene {
         );
         let name = values.text("name").unwrap_or_default().to_owned();
         if values.text("name").is_some() && !is_identifier(&name) {
-            found.push(
-                Diagnostic::new(
-                    values.place("name"),
-                    format!("the name \"{name}\" cannot name a model"),
-                    "not an identifier",
-                )
-                .help("up to 60 letters, digits and _, beginning with a letter"),
-            );
+            found.push(values.refuse(
+                "name",
+                format!("the name \"{name}\" cannot name a model"),
+                "not an identifier",
+                "up to 60 letters, digits and _, beginning with a letter",
+            ));
         }
         let gravity = gravity(text, &values, &mut found);
         values.weigh(gravity);
@@ -401,7 +400,7 @@ fn is_identifier(name: &str) -> bool {
 /// The JSON Schema of scenes, for editors.
 #[must_use]
 pub fn json_schema() -> serde_json::Value {
-    let mut schema = schema::json_schema(KEYS);
+    let mut schema = json::json_schema(KEYS);
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema".into();
     schema["title"] = "Lemnis scene".into();
     schema

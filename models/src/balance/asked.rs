@@ -1,6 +1,7 @@
 //! Keys of the table `[luffing.synthesis]`.
 
 use crate::balance::symbols as s;
+use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Sign};
 use crate::kernel::symbol::Symbol;
 
@@ -11,20 +12,10 @@ pub static KEYS: &[Key] = &[
                residual that 95 % of all builds stay below.").optional(),
     Key::new("branch", Kind::Choice(&["left", "right"]), "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever; both where it is left out.").optional(),
     Key::new("seed", Kind::Count, "Seed of the search: the same seed gives the same lever.").optional(),
-    Key::table(
-        "bounds",
-        BOUNDS,
-        "Smallest and greatest value of each dimension; a single value fixes it.",
-    )
-    .optional(),
-    Key::table("constraints", CONSTRAINTS, "What every solution keeps.").optional(),
-    Key::table("tolerances", TOLERANCES, "Tolerances of manufacturing.").optional(),
-    Key::table(
-        "positions",
-        POSITIONS,
-        "What the methods of three and of four positions start from.",
-    )
-    .optional(),
+    Key::part("bounds", BOUNDS, "Smallest and greatest value of each dimension; a single value fixes it."),
+    Key::part("constraints", CONSTRAINTS, "What every solution keeps."),
+    Key::part("tolerances", TOLERANCES, "Tolerances of manufacturing."),
+    Key::part("positions", POSITIONS, "What the methods of three and of four positions start from."),
     Key::new("candidates", Kind::Tables(CANDIDATE, 100), "Levers that the book compares.").optional(),
     Key::new("found", Kind::Choice(&["complete", "broken off"]), "Written by `lemnis synth`: [luffing.balance] is its result, and whether the search came to its end.").optional(),
     SOURCE,
@@ -47,11 +38,8 @@ pub static BOUNDS: &[Key] = &[
     SOURCE,
 ];
 
-static CONSTRAINTS: &[Key] = &[
-    Key::quantity(&s::GAMMA_MIN, Sign::NotNegative).optional(),
-    Key::quantity(&s::N_MAX, Sign::Positive).optional(),
-    Key::quantity(&s::DM_MAX, Sign::Positive).optional(),
-    Key::quantity(&s::M_PLUS, Sign::NotNegative).optional(),
+static CONSTRAINTS: &[Key] = keys! { s:
+    GAMMA_MIN >= 0 [optional], N_MAX > 0 [optional], DM_MAX > 0 [optional], M_PLUS >= 0 [optional];
     Key::new(
         "ends",
         Kind::Choice(&["stable", "any"]),
@@ -63,9 +51,8 @@ static CONSTRAINTS: &[Key] = &[
         Kind::Choice(&["rearward", "any"]),
         "Rearward: the counterweight stays behind the lever's pivot.",
     )
-    .optional(),
-    SOURCE,
-];
+    .optional()
+};
 
 static TOLERANCES: &[Key] = &[
     Key::named("length", &s::T_L, Sign::NotNegative, s::T_L.text).optional(),
@@ -74,21 +61,17 @@ static TOLERANCES: &[Key] = &[
     SOURCE,
 ];
 
-static POSITIONS: &[Key] = &[
+static POSITIONS: &[Key] = keys! { s:
+    PSI_1, M_5 > 0, R_K > 0 [optional], ALPHA_K [optional], R_L > 0 [optional];
     Key::new(
         "phi",
         Kind::Quantities(&s::PHI, Sign::Any, [3, 3]),
         "Three boom angles; of four positions the first counts twice.",
-    ),
-    Key::quantity(&s::PSI_1, Sign::Any),
-    Key::quantity(&s::M_5, Sign::Positive),
-    Key::quantity(&s::R_K, Sign::Positive).optional(),
-    Key::quantity(&s::ALPHA_K, Sign::Any).optional(),
-    Key::quantity(&s::R_L, Sign::Positive).optional(),
-    SOURCE,
-];
+    )
+};
 
-static CANDIDATE: &[Key] = &[
+static CANDIDATE: &[Key] = keys! { s:
+    D_1 > 0, DELTA_1, R_K > 0, ALPHA_K, L_K > 0, R_L > 0, CHI_5, M_5 >= 0;
     Key::new(
         "role",
         Kind::Choice(&["existing", "published", "start", "rod_force", "counterweight"]),
@@ -100,14 +83,5 @@ static CANDIDATE: &[Key] = &[
         Kind::Choice(&["left", "right"]),
         "Side on which the rod meets the lever; left as in Balance004 where it is left out.",
     )
-    .optional(),
-    Key::quantity(&s::D_1, Sign::Positive),
-    Key::quantity(&s::DELTA_1, Sign::Any),
-    Key::quantity(&s::R_K, Sign::Positive),
-    Key::quantity(&s::ALPHA_K, Sign::Any),
-    Key::quantity(&s::L_K, Sign::Positive),
-    Key::quantity(&s::R_L, Sign::Positive),
-    Key::quantity(&s::CHI_5, Sign::Any),
-    Key::quantity(&s::M_5, Sign::NotNegative),
-    SOURCE,
-];
+    .optional()
+};

@@ -53,7 +53,7 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
         if let Err(fault) = fault {
             let label = "not possible all over the working range";
             let help = "move what it names, or keep the working range away from there";
-            found.push(Diagnostic::new(v.place("motion"), fault.message, label).help(help));
+            found.push(v.refuse("motion", fault.message, label, help));
         }
     }
 

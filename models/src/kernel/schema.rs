@@ -1,11 +1,9 @@
-//! What a scene may say, as data: the one place behind reading, checking and
-//! the JSON Schema for editors.
+//! What a scene may say, as data: the one place behind reading, checking and the JSON Schema for editors; and what it says,
+//! checked.
 
 use std::ops::Range;
 
-use serde_json::{Map, Value as Json, json};
-
-use crate::kernel::number::short;
+use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::symbol::{COARSEST, Symbol};
 use crate::kernel::unit::Unit;
 
@@ -101,7 +99,25 @@ impl Key {
     /// A weight that may be given as a mass.
     #[must_use]
     pub const fn weight(symbol: &'static Symbol) -> Key {
-        Key::new(symbol.id, Kind::Weight(symbol), symbol.text)
+        Key::quantity(symbol, Sign::NotNegative).or_mass()
+    }
+
+    /// As a weight, which may be given as a mass.
+    #[must_use]
+    pub const fn or_mass(mut self) -> Key {
+        if let Kind::Quantity(symbol, _) = self.kind {
+            self.kind = Kind::Weight(symbol);
+        }
+        self
+    }
+
+    /// A relative tolerance.
+    #[must_use]
+    pub const fn tolerance(mut self) -> Key {
+        if let Kind::Quantity(symbol, _) = self.kind {
+            self.kind = Kind::Quantity(symbol, Sign::Tolerance);
+        }
+        self
     }
 
     /// The quantity that stands behind the key, and which numbers it may have; `None` where it is something else.
@@ -117,6 +133,12 @@ impl Key {
     #[must_use]
     pub const fn table(name: &'static str, keys: &'static [Key], text: &'static str) -> Key {
         Key::new(name, Kind::Table(keys), text)
+    }
+
+    /// A table that may be left out.
+    #[must_use]
+    pub const fn part(name: &'static str, keys: &'static [Key], text: &'static str) -> Key {
+        Key::table(name, keys, text).optional()
     }
 
     /// A table of several kinds, each with its keys.
@@ -280,6 +302,14 @@ impl Values {
         }
     }
 
+    /// What is read of a table, if the scene has it; `None` where something in it cannot be read.
+    pub fn part<T>(&self, name: &str, read: impl FnOnce(&Values) -> Option<T>) -> Option<Option<T>> {
+        match self.table(name) {
+            Some(table) => read(table).map(Some),
+            None => Some(None),
+        }
+    }
+
     /// The texts of a list with their places; empty where the scene gives none.
     #[must_use]
     pub fn texts(&self, name: &str) -> &[(String, Range<usize>)] {
@@ -394,80 +424,17 @@ impl Values {
         self.entry(name)
             .map_or_else(|| self.span.clone(), |(_, span)| span.clone())
     }
-}
 
-/// The JSON Schema of a table with these keys.
-#[must_use]
-pub fn json_schema(keys: &'static [Key]) -> Json {
-    let properties: Map<String, Json> = keys.iter().map(|key| (key.name.to_owned(), property(key))).collect();
-    let required: Vec<&str> = keys.iter().filter(|key| key.required).map(|key| key.name).collect();
-    json!({ "type": "object", "additionalProperties": false, "properties": properties, "required": required })
-}
-
-fn property(key: &Key) -> Json {
-    let text = |symbol: &Symbol| {
-        // What has no dimension needs no unit.
-        let pattern = match symbol.display.name {
-            "1" => r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S*$",
-            _ => r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S.*$",
-        };
-        json!({
-            "type": "string",
-            "pattern": pattern,
-            "examples": [format!("1 {}", symbol.display.name)],
-        })
-    };
-    let mut schema = match key.kind {
-        Kind::Text | Kind::Date | Kind::Lines => json!({ "type": "string" }),
-        Kind::Line => json!({ "type": "string", "pattern": r"^.*\S.*$" }),
-        Kind::Count => json!({ "type": "integer", "minimum": 0 }),
-        Kind::Named => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
-        Kind::Quantities(symbol, _, [least, most]) => {
-            let list = json!({ "type": "array", "items": text(symbol), "minItems": least, "maxItems": most });
-            if least > 1 {
-                list
-            } else {
-                json!({ "anyOf": [text(symbol), list] })
-            }
-        }
-        Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
-        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
-            let value = text(symbol);
-            let noted = json!({
-                "type": "object",
-                "additionalProperties": false,
-                "properties": { "value": value, "source": { "type": "string" } },
-                "required": ["value"],
-            });
-            json!({ "anyOf": [value, noted] })
-        }
-        Kind::Texts(most) => json!({ "type": "array", "items": { "type": "string" }, "maxItems": most }),
-        Kind::Choices(choices) => {
-            json!({ "type": "array", "items": { "type": "string", "enum": choices }, "uniqueItems": true })
-        }
-        Kind::Tables(keys, most) => json!({ "type": "array", "items": json_schema(keys), "maxItems": most }),
-        Kind::Table(keys) => json_schema(keys),
-        Kind::Kinds(kinds) => {
-            let named = |kind: &str| json!({ "properties": { KIND: { "const": kind } }, "required": [KIND] });
-            let first = json_schema(kinds[0].1);
-            kinds[1..].iter().rev().fold(
-                first,
-                |other, (kind, keys)| json!({ "if": named(kind), "then": json_schema(keys), "else": other }),
-            )
-        }
-    };
-    let limits = key.number().map_or_else(String::new, |(symbol, sign)| {
-        let [least, most] = sign.limits(symbol.unit);
-        let mass = match key.kind {
-            Kind::Weight(_) => "; or a mass, in kg or t",
-            _ => "",
-        };
-        format!(
-            " From {} to {}{mass}.",
-            short(symbol.shown(least)),
-            symbol.written(most)
-        )
-    });
-    schema["description"] = json!(format!("{}{limits}", key.text));
-    schema
+    /// What is wrong with a key's value, with its place.
+    #[must_use]
+    #[cold]
+    pub fn refuse(
+        &self,
+        key: &str,
+        what: impl Into<String>,
+        label: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Diagnostic {
+        Diagnostic::new(self.place(key), what, label).help(help)
+    }
 }

@@ -57,18 +57,18 @@ impl Motion {
         let (from, to) = (degrees(motion.from), degrees(motion.to));
         if motion.from >= motion.to {
             let message = format!("the working range ends at {to} and starts at {from}");
-            found.push(
-                Diagnostic::new(m.place("to"), message, "not above `from`").help("`from` must be smaller than `to`"),
-            );
+            found.push(m.refuse("to", message, "not above `from`", "`from` must be smaller than `to`"));
             return None;
         }
         if (motion.to - motion.from) / motion.step > MOST_ROWS {
             let message = format!("the step {} is too small", degrees(motion.step));
             let least = degrees((motion.to - motion.from) / MOST_ROWS);
-            found.push(
-                Diagnostic::new(m.place("step"), message, "too many rows")
-                    .help(format!("a table may have {MOST_ROWS} rows: step at least {least}")),
-            );
+            found.push(m.refuse(
+                "step",
+                message,
+                "too many rows",
+                format!("a table may have {MOST_ROWS} rows: step at least {least}"),
+            ));
             return None;
         }
         Some(motion)

@@ -1,5 +1,6 @@
 //! What a scene may say about the steering of a machine.
 
+use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Sign};
 use crate::kernel::symbol::{Enumeration, Symbol};
 use crate::parts::motion::Motion;
@@ -31,54 +32,24 @@ pub static KEYS: &[Key] = &[
     Key::quantity(&s::O_CX, Sign::Any).optional(),
     Key::quantity(&s::O_CY, Sign::Any).optional(),
     Key::new("groups", Kind::Tables(GROUP, GROUPS[1]), "The steered groups; the first one is the base group, whose angle commands."),
-    Key::table(
-        "outline",
-        OUTLINE,
-        "Outline of the machine; without it as far as the groups reach.",
-    )
-    .optional(),
-    Key::table(
-        "load",
-        LOAD,
-        "Weight and centre of gravity, where the groups do not give their loads.",
-    )
-    .optional(),
-    Key::table(
-        "range",
-        RANGE,
-        "How far the groups turn; without it as far as their cylinders turn them.",
-    )
-    .optional(),
+    Key::part("outline", OUTLINE, "Outline of the machine; without it as far as the groups reach."),
+    Key::part("load", LOAD, "Weight and centre of gravity, where the groups do not give their loads."),
+    Key::part("range", RANGE, "How far the groups turn; without it as far as their cylinders turn them."),
     Key::table(
         "motion",
         MOTION,
         "Working range of the commanded angle, and travel speed.",
     ),
-    Key::table("tyre", TYRE, "Tyres and ground.").optional(),
-    Key::table("ring", RING, "Slewing ring of a group.").optional(),
-    Key::table("cylinder", CYLINDER, "Steering cylinder of a group.").optional(),
-    Key::table(
-        "accuracy",
-        ACCURACY,
-        "How exactly the groups' angles are kept: from it follows the slip of the tyres.",
-    )
-    .optional(),
-    Key::table(
-        "transition",
-        TRANSITION,
-        "How fast the groups turn when the mode changes: from it follow set points.",
-    )
-    .optional(),
-    Key::table(
-        "hydraulics",
-        HYDRAULICS,
-        "Oil supply, and what the book checks the cylinder by.",
-    )
-    .optional(),
+    Key::part("tyre", TYRE, "Tyres and ground."),
+    Key::part("ring", RING, "Slewing ring of a group."),
+    Key::part("cylinder", CYLINDER, "Steering cylinder of a group."),
+    Key::part("accuracy", ACCURACY, "How exactly the groups' angles are kept: from it follows the slip of the tyres."),
+    Key::part("transition", TRANSITION, "How fast the groups turn when the mode changes: from it follow set points."),
+    Key::part("hydraulics", HYDRAULICS, "Oil supply, and what the book checks the cylinder by."),
     Key::new("fidelity", Kind::Choice(FIDELITIES), "How deep the steering is modelled: groups that stand as commanded (kinematic), or that are turned by their cylinders under the PLC (hydraulic), or as deep as the scene's accuracy needs (auto); without it kinematic.").optional(),
-    Key::table(TABLES[0].0, TABLES[0].1, TABLES[0].2).optional(),
-    Key::table(TABLES[1].0, TABLES[1].1, TABLES[1].2).optional(),
-    Key::table(TABLES[2].0, TABLES[2].1, TABLES[2].2).optional(),
+    Key::part(TABLES[0].0, TABLES[0].1, TABLES[0].2),
+    Key::part(TABLES[1].0, TABLES[1].1, TABLES[1].2),
+    Key::part(TABLES[2].0, TABLES[2].1, TABLES[2].2),
     SOURCE,
 ];
 
@@ -106,12 +77,7 @@ static OUTLINE: &[Key] = &[
     SOURCE,
 ];
 
-static LOAD: &[Key] = &[
-    Key::weight(&s::W),
-    Key::quantity(&s::X_G, Sign::Any),
-    Key::quantity(&s::Y_G, Sign::Any),
-    SOURCE,
-];
+static LOAD: &[Key] = keys! { s: W [or_mass], X_G, Y_G };
 
 static RANGE: &[Key] = &[
     angle("min", &s::THETA_MIN),
@@ -128,27 +94,17 @@ const MOTION: &[Key] = {
     &[from, to, step, speed, Key::quantity(&s::V_T, Sign::Any), source]
 };
 
-static TYRE: &[Key] = &[
-    Key::quantity(&s::F_T, Sign::NotNegative),
-    Key::quantity(&s::P_T, Sign::Positive),
-    Key::quantity(&s::K_V, Sign::Positive),
-    SOURCE,
-];
+static TYRE: &[Key] = keys! { s: F_T >= 0, P_T > 0, K_V > 0 };
 
-static RING: &[Key] = &[
-    Key::quantity(&s::L_MAX, Sign::NotNegative),
-    Key::quantity(&s::F_S, Sign::Positive),
-    Key::quantity(&s::K_TEST, Sign::Positive),
-    Key::quantity(&s::MU_R, Sign::NotNegative),
-    Key::quantity(&s::D_L, Sign::Positive),
+static RING: &[Key] = keys! { s:
+    L_MAX >= 0, F_S > 0, K_TEST > 0, MU_R >= 0, D_L > 0;
     Key::new(
         "catalogue",
         Kind::Tables(CATALOGUE, 100),
         "Rings with their load curves, from the smallest to the greatest.",
     )
-    .optional(),
-    SOURCE,
-];
+    .optional()
+};
 
 static CATALOGUE: &[Key] = &[
     Key::new("name", Kind::Text, "Name of the ring."),
@@ -161,22 +117,9 @@ static CATALOGUE: &[Key] = &[
     Key::new("bolts", Kind::Texts(100), "Load curve of its bolts, likewise."),
 ];
 
-static CYLINDER: &[Key] = &[
-    Key::quantity(&s::R_C, Sign::Positive),
-    Key::quantity(&s::ALPHA, Sign::Any),
-    Key::quantity(&s::L_X, Sign::Positive),
-    Key::quantity(&s::L_A, Sign::NotNegative),
-    Key::quantity(&s::D_G, Sign::Positive),
-    Key::quantity(&s::D, Sign::Positive),
-    SOURCE,
-];
+static CYLINDER: &[Key] = keys! { s: R_C > 0, ALPHA, L_X > 0, L_A >= 0, D_G > 0, D > 0 };
 
-static ACCURACY: &[Key] = &[
-    Key::quantity(&s::Q_E, Sign::NotNegative),
-    Key::quantity(&s::B_V, Sign::NotNegative),
-    Key::quantity(&s::SLIP_LIMIT, Sign::Positive).optional(),
-    SOURCE,
-];
+static ACCURACY: &[Key] = keys! { s: Q_E >= 0, B_V >= 0, SLIP_LIMIT > 0 [optional] };
 
 static TRANSITION: &[Key] = &[
     Key::quantity(&s::V_CX, Sign::Positive),
@@ -195,15 +138,7 @@ static TRANSITION: &[Key] = &[
     SOURCE,
 ];
 
-static HYDRAULICS: &[Key] = &[
-    Key::quantity(&s::P, Sign::Positive),
-    Key::quantity(&s::N, Sign::Positive),
-    Key::quantity(&s::ETA, Sign::Positive),
-    Key::quantity(&s::K_R, Sign::Positive),
-    Key::quantity(&s::E, Sign::Positive),
-    Key::quantity(&s::NU, Sign::Positive),
-    SOURCE,
-];
+static HYDRAULICS: &[Key] = keys! { s: P > 0, N > 0, ETA > 0, K_R > 0, E > 0, NU > 0 };
 
 /// A quantity under a name of its own.
 const fn angle(name: &'static str, symbol: &'static Symbol) -> Key {

@@ -3,6 +3,7 @@
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::{Row, Stage};
 use crate::component::outline::{Greatest, Limit, Most, Outline};
+use crate::kernel::symbol::listed;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
 
@@ -45,19 +46,7 @@ pub const OUTLINE: Outline = Outline {
         ("pin_forces", &[Stage("held"), Stage("push"), Stage("feet")]),
         ("published_forms", &[Stage("published")]),
     ],
-    table: &[
-        &s::THETA_3,
-        &s::THETA_1,
-        &s::R,
-        &s::A_Y,
-        &s::ALPHA,
-        &s::ALPHA_1,
-        &s::MU,
-        &s::V_AX,
-        &s::M_Q,
-        &s::M_D,
-        &s::F_D,
-    ],
+    table: listed!(s: THETA_3, THETA_1, R, A_Y, ALPHA, ALPHA_1, MU, V_AX, M_Q, M_D, F_D),
     curves: &[
         ("li2022_fig_3", Some(&s::P_X), &s::P_Y),
         ("li2022_fig_4", None, &s::THETA_3),

@@ -77,7 +77,7 @@ impl LuffingScene {
             Branch::Right
         };
         let n = |symbol: &Symbol| v.number(symbol.id);
-        let lengths = Lengths::of(n)?;
+        let lengths = Lengths::read(v)?;
         let jib = match (n(&s::X_7), n(&s::BETA_0), n(&s::AC)) {
             (Some(x), None, None) => Jib::Sag(x),
             (None, Some(x), None) => Jib::Angle(x),
@@ -89,43 +89,30 @@ impl LuffingScene {
                 } else {
                     "AC"
                 };
-                found.push(
-                    Diagnostic::new(
-                        v.place(extra),
-                        if none {
-                            "nothing determines the jib's triangle"
-                        } else {
-                            "the jib's triangle is determined twice"
-                        },
-                        if none {
-                            "X_7, beta_0 or AC is needed here"
-                        } else {
-                            "remove this or the other"
-                        },
-                    )
-                    .help("give exactly one of X_7 (sag), beta_0 (angle at B) and AC (tail to head)"),
-                );
+                found.push(v.refuse(
+                    extra,
+                    if none {
+                        "nothing determines the jib's triangle"
+                    } else {
+                        "the jib's triangle is determined twice"
+                    },
+                    if none {
+                        "X_7, beta_0 or AC is needed here"
+                    } else {
+                        "remove this or the other"
+                    },
+                    "give exactly one of X_7 (sag), beta_0 (angle at B) and AC (tail to head)",
+                ));
                 return None;
             }
         };
-        let weights = match v.table("weights") {
-            Some(table) => Some(Weights::of(|symbol| table.number(symbol.id))?),
-            None => None,
-        };
-        let (anchors, cylinder) = match v.table("drive") {
-            Some(d) => {
-                let anchors = Anchors::of(|symbol| d.number(symbol.id))?;
-                (Some(anchors), cylinder(d, found))
-            }
-            None => (None, None),
-        };
+        let weights = v.part("weights", Weights::read)?;
+        let anchors = v.part("drive", Anchors::read)?;
+        let cylinder = v.table("drive").and_then(|table| cylinder(table, found));
         let q = n(&s::Q);
         // A load that cannot be read is not one that is missing.
         let loaded = q.is_some() || !found.is_empty();
-        let balance = match v.table("balance") {
-            Some(table) => Some(Form::read(table, found)?),
-            None => None,
-        };
+        let balance = v.part("balance", |table| Form::read(table, found))?;
         complete(v, balance.as_ref(), "the weights of boom, jib and rocker", found);
         let parameters = Parameters {
             lengths,
@@ -139,14 +126,14 @@ impl LuffingScene {
         };
         let motion = motion(v, &parameters, found);
         let moving = moving::scene::Moving::new(v, gravity, loaded, found);
-        if let Some((table, motion)) = v.table("balance").zip(motion) {
+        if let Some((table, motion)) = v.table("balance").filter(|_| weights.is_some()).zip(motion) {
             balanced(v, table, &parameters, &motion, found);
         }
         let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());
         let id = moving::symbols::PHI_MAX.id;
         if let Some(table) = v.table("limits").filter(|table| table.has(id) && !swings) {
             let what = format!("a limit {id} without a swinging load");
-            found.push(Diagnostic::new(table.place(id), what, "nothing to check").help("remove the limit"));
+            found.push(table.refuse(id, what, "nothing to check", "remove the limit"));
         }
         let theta = parameters.driven.coordinate();
         let published = v.table("published").and_then(|table| published(table, theta, found));
@@ -205,14 +192,12 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
         ("rack", None, None) => None,
         ("cylinder", Some(d_c), Some(d_r)) => {
             let (d_c, d_r) = (s::D_C.written(d_c), s::D_R.written(d_r));
-            found.push(
-                Diagnostic::new(
-                    d.place("d_r"),
-                    format!("the rod d_r = {d_r} does not fit the bore D_c = {d_c}"),
-                    "too thick",
-                )
-                .help("the rod must be thinner than the bore"),
-            );
+            found.push(d.refuse(
+                "d_r",
+                format!("the rod d_r = {d_r} does not fit the bore D_c = {d_c}"),
+                "too thick",
+                "the rod must be thinner than the bore",
+            ));
             None
         }
         ("cylinder", ..) => {
@@ -228,7 +213,7 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
         }
         _ => {
             let key = if bore.is_some() { "D_c" } else { "d_r" };
-            found.push(Diagnostic::new(d.place(key), "a rack has no bore and no rod", "not used").help("remove it"));
+            found.push(d.refuse(key, "a rack has no bore and no rod", "not used", "remove it"));
             None
         }
     }
@@ -247,7 +232,7 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
                 Misfit::Frame => "no frame",
                 Misfit::Linkage => "cannot reach",
             };
-            found.push(Diagnostic::new(v.place(words.key), words.what, label).help(words.help));
+            found.push(v.refuse(words.key, words.what, label, words.help));
             return None;
         }
     };
@@ -290,7 +275,7 @@ fn change_point(
     points.sort_by(f64::total_cmp);
     let points: Vec<String> = points.into_iter().map(degrees).collect();
     let away = format!("keep the working range away from {}", points.join(" and "));
-    let mut refuse = |key, what, label, help| found.push(Diagnostic::new(v.place(key), what, label).help(help));
+    let mut refuse = |key, what, label, help| found.push(v.refuse(key, what, label, help));
     if !geometry.linkage.keeps_branch() {
         refuse(
             "motion",

@@ -9,7 +9,7 @@ use crate::component::whole::Whole;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::number::exact;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::balancing::{Balanced, Balancing, Criteria, WithBalance};
 use crate::luffing::double_link::balancing::{self, analysis, balanced, residual};
@@ -113,17 +113,7 @@ impl Component for DoubleLink {
             Driven::Rocker => [&s::THETA_3, &s::I_3],
         };
         // The coordinate is no result, and a balance has what its kind has.
-        let forces = [
-            &s::F_BX,
-            &s::F_BY,
-            &s::F_CX,
-            &s::F_CY,
-            &s::F_O1X,
-            &s::F_O1Y,
-            &s::F_O3X,
-            &s::F_O3Y,
-            &s::N_3,
-        ];
+        let forces = listed!(s: F_BX, F_BY, F_CX, F_CY, F_O1X, F_O1Y, F_O3X, F_O3Y, N_3);
         !own.contains(&symbol)
             && (given.choice.pins || !forces.contains(&symbol))
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))

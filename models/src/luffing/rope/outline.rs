@@ -3,6 +3,7 @@
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline};
+use crate::kernel::symbol::listed;
 use crate::luffing::rope::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
@@ -31,19 +32,7 @@ pub const OUTLINE: Outline = Outline {
         ("rope_pull", &[Stage("carried"), Stage("pull"), Stage("power")]),
         ("rope_losses", &[Stage("losses")]),
     ],
-    table: &[
-        &s::R,
-        &s::A_Y,
-        &s::Y_Q,
-        &s::L_T,
-        &s::L_L,
-        &s::L_H,
-        &s::V_Q,
-        &s::M_Q,
-        &s::M_D,
-        &s::T,
-        &s::N_B,
-    ],
+    table: listed!(s: R, A_Y, Y_Q, L_T, L_L, L_H, V_Q, M_Q, M_D, T, N_B),
     curves: &[
         ("rope_path", Some(&s::R), &s::Y_Q),
         ("rope_moment", None, &s::M_D),

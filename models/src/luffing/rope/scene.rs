@@ -13,6 +13,7 @@ use crate::component::telling::{fine, sample};
 use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
+use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Sign, Values};
 use crate::luffing::balancing::{agreement, complete, searched};
 use crate::luffing::counterweight::chapter;
@@ -38,15 +39,10 @@ pub const KEYS: &[Key] = &[
         HOIST_ROPE,
         "Hoist rope from the boom's head over a sheave of the frame.",
     ),
-    Key::table("weights", WEIGHTS, "Own weight of the boom and its centre of gravity.").optional(),
-    Key::table("balance", BALANCE, "A balance of the boom.").optional(),
-    Key::table("table", TABLE, "Interpolation, with fidelity \"table\".").optional(),
-    Key::table(
-        "limits",
-        LIMITS,
-        "What results may come to at most or must come to at least.",
-    )
-    .optional(),
+    Key::part("weights", WEIGHTS, "Own weight of the boom and its centre of gravity."),
+    Key::part("balance", BALANCE, "A balance of the boom."),
+    Key::part("table", TABLE, "Interpolation, with fidelity \"table\"."),
+    Key::part("limits", LIMITS, "What results may come to at most or must come to at least."),
     SOURCE,
 ];
 
@@ -56,31 +52,13 @@ const MOTION: &[Key] = &Motion::keys(
     (&s::OMEGA, "Angular velocity of the boom."),
 );
 
-const TACKLE: &[Key] = &[
-    Key::quantity(&s::E_X, Sign::Any),
-    Key::quantity(&s::E_Y, Sign::Any),
-    Key::quantity(&s::S_K, Sign::Positive),
-    Key::quantity(&s::CHI_K, Sign::Any).usually(0.0),
-    Key::quantity(&s::FALLS_L, Sign::Positive),
-    Key::quantity(&s::ETA_L, Sign::Positive).usually(1.0),
-    SOURCE,
-];
+const TACKLE: &[Key] = keys! { s:
+    E_X, E_Y, S_K > 0, CHI_K [usually(0.0)], FALLS_L > 0, ETA_L > 0 [usually(1.0)]
+};
 
-const HOIST_ROPE: &[Key] = &[
-    Key::quantity(&s::B_X, Sign::Any),
-    Key::quantity(&s::B_Y, Sign::Any),
-    Key::quantity(&s::FALLS_H, Sign::Positive),
-    Key::quantity(&s::ETA_H, Sign::Positive).usually(1.0),
-    Key::quantity(&s::H_Q, Sign::NotNegative),
-    SOURCE,
-];
+const HOIST_ROPE: &[Key] = keys! { s: B_X, B_Y, FALLS_H > 0, ETA_H > 0 [usually(1.0)], H_Q >= 0 };
 
-const WEIGHTS: &[Key] = &[
-    Key::weight(&b::G_B),
-    Key::quantity(&b::R_B, Sign::NotNegative),
-    Key::quantity(&b::CHI_B, Sign::Any).usually(0.0),
-    SOURCE,
-];
+const WEIGHTS: &[Key] = keys! { b: G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)] };
 
 const LIMITS: &[Key] = &Limit::keys::<7>(OUTLINE.limits);
 
@@ -104,18 +82,15 @@ impl Described for Rope {
 
     fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(Rope, Motion)> {
         let range = Motion::read(v.table("motion")?, found);
-        let balance = match v.table("balance") {
-            Some(table) => Some(Form::read(table, found)?),
-            None => None,
-        };
+        let balance = v.part("balance", |table| Form::read(table, found))?;
         complete(v, balance.as_ref(), "G_b and r_b", found);
         let range = range?;
         let given = Given {
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
-            rig: Rig::of(|symbol| v.of(symbol))?,
-            weights: Plain::of(|symbol| v.of(symbol)),
+            rig: Rig::read(v)?,
+            weights: Plain::read(v),
             balance,
             choice: BoomChoice { range },
         };
