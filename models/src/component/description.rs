@@ -57,7 +57,7 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
         }
     }
 
-    /// Levels at which it stands where it is commanded, from cheap to deep.
+    /// Levels that the scene's tables allow, from cheap to deep.
     fn levels(&self) -> Vec<&'static str> {
         vec!["table", "static"]
     }

@@ -39,8 +39,19 @@ pub type Line = (&'static str, Option<&'static Symbol>, &'static Symbol);
 #[derive(Debug)]
 pub enum Explained {
     Stage(&'static str),
-    Row(&'static Symbol),
+    Rows(&'static [&'static Symbol]),
 }
+
+/// Chapters of what is given: `chapters!(geometry "", tackle, load "Q")`, each with the scene's table or key where that
+/// has another name.
+macro_rules! chapters {
+    ($($id:ident $($table:literal)?),*) => {
+        &[$((stringify!($id), $crate::component::outline::chapters!(@table $id $($table)?))),*]
+    };
+    (@table $id:ident $table:literal) => { $table };
+    (@table $id:ident) => { stringify!($id) };
+}
+pub(crate) use chapters;
 
 /// A result with its place in the working range.
 #[derive(Debug)]

@@ -80,7 +80,10 @@ fn run<T: Described>(
         let mut face = recorded::<T::Component>(part, &mut of);
         let explain = |face: &mut dyn Face<Rec>, what: &Explained| match what {
             Explained::Stage(id) => stage(part, id, face),
-            Explained::Row(symbol) => row(part, symbol, face),
+            Explained::Rows(symbols) => {
+                symbols.iter().for_each(|symbol| drop(row(part, symbol, face)));
+                Ok(())
+            }
         };
         // What a scene does not model, or where it does not exist, has no formulas.
         let mut all = |list: &[Explained]| list.iter().for_each(|what| drop(explain(&mut *face, what)));

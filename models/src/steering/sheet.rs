@@ -3,7 +3,7 @@
 use crate::component::description::{Described, Description};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::outline::Explained::Stage;
-use crate::component::outline::{Greatest, Limit, Most, Outline};
+use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::component::running::Running;
 use crate::component::sheet::{Drawing, Input, Sheet};
 use crate::component::standing::Standing;
@@ -25,22 +25,10 @@ use crate::steering::symbols as s;
 use crate::steering::views::{slip_table, view};
 
 const OUTLINE: Outline = Outline {
-    inputs: &[
-        ("groups", "groups"),
-        ("outline", "outline"),
-        ("range", "range"),
-        ("load", "load"),
-        ("tyre", "tyre"),
-        ("ring", "ring"),
-        ("cylinder", "cylinder"),
-        ("accuracy", "accuracy"),
-        ("transition", "transition"),
-        ("hydraulics", "hydraulics"),
-        ("dynamics", "dynamics"),
-        ("oil", "oil"),
-        ("plc", "plc"),
-        ("motion", "motion"),
-    ],
+    inputs: chapters! {
+        groups, outline, range, load, tyre, ring, cylinder, accuracy, transition, hydraulics, dynamics, oil, plc,
+        motion
+    },
     constants: &[("middle", &[Stage("machine")]), ("linkage", &[Stage("linkages")])],
     sections: &[
         ("centre", &[Stage("pole")]),

@@ -1,43 +1,24 @@
 //! What the book tells of a double link, in its order.
 
 use crate::balance::symbols as b;
-use crate::component::outline::Explained::{Row, Stage};
-use crate::component::outline::{Greatest, Limit, Most, Outline};
+use crate::component::outline::Explained::{Rows, Stage};
+use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: &[
-        ("geometry", ""),
-        ("weights", "weights"),
-        ("drive", "drive"),
-        ("balance", "balance"),
-        ("load", "Q"),
-        ("motion", "motion"),
-        ("moving", "dynamics"),
-        ("slewing", "slewing"),
-        ("oil", "hydraulics"),
-        ("limits", "limits"),
-    ],
+    inputs: chapters! {
+        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", slewing, oil "hydraulics", limits
+    },
     constants: &[
         ("geometry_constants", &[Stage("geometry")]),
         ("balance_constants", &[Stage("balancing")]),
     ],
     sections: &[
         ("position", &[Stage("position")]),
-        (
-            "angles",
-            &[
-                Row(&s::THETA_3),
-                Row(&s::THETA_1),
-                Row(&s::ALPHA_1),
-                Row(&s::Y),
-                Row(&s::L),
-                Row(&s::MU),
-            ],
-        ),
-        ("velocity", &[Stage("velocity"), Stage("head"), Row(&s::BETA)]),
+        ("angles", &[Rows(listed!(s: THETA_3, THETA_1, ALPHA_1, Y, L, MU))]),
+        ("velocity", &[Stage("velocity"), Stage("head"), Rows(&[&s::BETA])]),
         ("pole", &[Stage("pole")]),
         ("load_moment", &[Stage("load_moment"), Stage("by_pole")]),
         ("weight_moment", &[Stage("own")]),

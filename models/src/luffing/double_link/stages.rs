@@ -3,7 +3,7 @@
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
-use crate::component::part::{Component, Port};
+use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, absent, stages};
 use crate::component::whole::Whole;
 use crate::kernel::calc::Calc;
@@ -74,38 +74,12 @@ impl Component for DoubleLink {
         Whole::least(&s::MU_MIN, &s::MU),
     ];
 
-    const PORTS: &'static [Port] = &[
-        Port {
-            name: "head",
-            text: "Head A of the jib, where the load hangs.",
-            members: &[
-                (&s::A_X, "x"),
-                (&s::A_Y, "y"),
-                (&s::V_AX, "v_x"),
-                (&s::V_AY, "v_y"),
-                (&s::Q, "f"),
-            ],
-            driven: &[],
-        },
-        Port {
-            name: "shaft",
-            text: "Foot of the driven bar, where a moment drives it.",
-            members: &[
-                (&s::THETA_1, "phi"),
-                (&s::OMEGA_1, "w"),
-                (&s::THETA_3, "phi"),
-                (&s::OMEGA_3, "w"),
-                (&s::M_D, "tau"),
-            ],
-            driven: &["phi", "w"],
-        },
-        Port {
-            name: "drive",
-            text: "Cylinder or rack between frame and driven bar.",
-            members: &[(&s::L_D, "s"), (&s::V_D, "v"), (&s::F_D, "f"), (&s::Q_D, "q")],
-            driven: &[],
-        },
-    ];
+    const PORTS: &'static [Port] = ports! { s:
+        head "Head A of the jib, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
+        shaft "Foot of the driven bar, where a moment drives it." [phi w]:
+            phi THETA_1, w OMEGA_1, phi THETA_3, w OMEGA_3, tau M_D;
+        drive "Cylinder or rack between frame and driven bar.": s L_D, v V_D, f F_D, q Q_D;
+    };
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let own = match given.choice.driven {

@@ -2,21 +2,12 @@
 
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::Stage;
-use crate::component::outline::{Greatest, Limit, Most, Outline};
+use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
 use crate::luffing::rope::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: &[
-        ("geometry", ""),
-        ("tackle", "tackle"),
-        ("hoist_rope", "hoist_rope"),
-        ("weights", "weights"),
-        ("balance", "balance"),
-        ("load", "Q"),
-        ("motion", "motion"),
-        ("limits", "limits"),
-    ],
+    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, limits),
     constants: &[
         ("rope_constants", &[Stage("level")]),
         ("balance_constants", &[Stage("balancing")]),

@@ -4,7 +4,7 @@ use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::Plain;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
-use crate::component::part::{Component, Port};
+use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::component::whole::Whole;
 use crate::kernel::calc::Calc;
@@ -63,26 +63,10 @@ impl Component for RopeBoom {
         Whole::vanishes(&s::PHI_T0, &s::M_D, Some((&s::Q, 0.0))),
     ];
 
-    const PORTS: &'static [Port] = &[
-        Port {
-            name: "head",
-            text: "Head A of the boom, where the load hangs.",
-            members: &[
-                (&s::A_X, "x"),
-                (&s::A_Y, "y"),
-                (&s::V_AX, "v_x"),
-                (&s::V_AY, "v_y"),
-                (&s::Q, "f"),
-            ],
-            driven: &[],
-        },
-        Port {
-            name: "drum",
-            text: "Drum of the luffing rope.",
-            members: &[(&s::V_L, "v"), (&s::S_L_UP, "f"), (&s::P_L, "p")],
-            driven: &[],
-        },
-    ];
+    const PORTS: &'static [Port] = ports! { s:
+        head "Head A of the boom, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
+        drum "Drum of the luffing rope.": v V_L, f S_L_UP, p P_L;
+    };
 
     /// A balance has what its kind has, and the tackle's force is told otherwise.
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
