@@ -40,7 +40,6 @@ pub mod geometry;
 pub mod hanging;
 pub mod hydraulic;
 pub mod keys;
-pub mod model;
 pub mod motion;
 pub mod moving;
 pub mod outline;

@@ -14,6 +14,7 @@ use crate::luffing::double_link::geometry::{
     Anchors, Bore, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights,
 };
 use crate::luffing::double_link::moving;
+use crate::luffing::double_link::stages::closes;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::four_bar::{Arc, Branch};
 use crate::parts::motion::{Motion, degrees};
@@ -240,10 +241,6 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
     if geometry.linkage.turns_fully() || arcs.iter().any(|arc| covers(*arc, motion.from, motion.to)) {
         return Some(motion);
     }
-    let parts: Vec<String> = arcs
-        .iter()
-        .map(|arc| format!("{} to {}", degrees(arc.from), degrees(arc.to)))
-        .collect();
     found.push(
         Diagnostic::new(
             m.span.clone(),
@@ -254,7 +251,7 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
             ),
             missing(&arcs, &motion),
         )
-        .help(format!("it closes for {} of the driven bar", parts.join(" and for "))),
+        .help(format!("it closes for {} of the driven bar", closes(&geometry))),
     );
     None
 }

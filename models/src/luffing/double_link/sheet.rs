@@ -11,15 +11,15 @@ use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{compared, fine, sample};
 use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::One;
 use crate::kernel::schema::Values;
 use crate::kernel::variable::Fault;
 use crate::luffing::balancing::{agreement, searched};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
-use crate::luffing::double_link::geometry::{Driven, Geometry};
+use crate::luffing::double_link::geometry::{Choice, Driven, Geometry, Jib};
 use crate::luffing::double_link::keys::KEYS;
-use crate::luffing::double_link::model::given;
 use crate::luffing::double_link::moving::{self, model::LuffingMotion};
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::position::Position;
@@ -46,7 +46,28 @@ impl Described for LuffingScene {
     }
 
     fn given(this: &Luffing) -> Given<f64> {
-        given(this)
+        let p = &this.parameters;
+        Given {
+            theta: One(p.driven.coordinate(), this.motion.from),
+            omega: One(p.driven.rate(), this.motion.speed),
+            load: this.q.map(|q| One(&s::Q, q)),
+            lengths: p.lengths,
+            jib: match p.jib {
+                Jib::Sag(x) => One(&s::X_7, x),
+                Jib::Angle(x) => One(&s::BETA_0, x),
+                Jib::Axis(x) => One(&s::AC, x),
+            },
+            weights: p.weights,
+            anchors: p.anchors,
+            cylinder: p.cylinder,
+            balance: p.balance,
+            choice: Choice {
+                driven: p.driven,
+                branch: p.branch,
+                range: this.motion,
+                pins: this.has_pins(),
+            },
+        }
     }
 
     /// Checks that the mechanism exists at each published row.

@@ -235,7 +235,7 @@ fn published<C: Calc>(g: &Geometry<C>, jib: &One<C>, theta: &C) -> Found<Publish
 }
 
 /// The angles at which the linkage closes, in words.
-fn closes<C: Calc>(g: &Geometry<C>) -> String {
+pub(super) fn closes<C: Calc>(g: &Geometry<C>) -> String {
     let arcs = g.linkage.arcs();
     let words: Vec<String> = arcs
         .iter()
