@@ -184,7 +184,7 @@ LISTS = {"models/src/lib.rs", "models/src/luffing/mod.rs", "models/src/registry.
 def test_no_shared_file_names_a_mechanism():
     entries = [path for path in (ROOT / "models/src").rglob("*.rs") if "pub const ENTRY: Entry" in path.read_text("utf-8")]
     folders = {path.parent for path in entries}
-    types = {name for path in entries for name in re.findall(r"impl Mechanism for (\w+)", path.read_text("utf-8"))}
+    types = {name for path in entries for name in re.findall(r"impl Described for (\w+)", path.read_text("utf-8"))}
     assert len(folders) == len(types) >= 3
     rooms = "|".join(folder.name for folder in folders)
     name = re.compile(rf"\b(?:{rooms})::|::(?:{rooms})\b|\bmod (?:{rooms});|\b(?:{'|'.join(types)})\b")

@@ -11,37 +11,12 @@ pub const LANGUAGES: [&str; 3] = ["en", "zh", "bg"];
 
 /// Keys of `[book]`.
 pub static BOOK: &[Key] = &[
-    Key {
-        name: "language",
-        kind: Kind::Choice(&LANGUAGES),
-        required: false,
-        text: "Language of the book: English, Chinese or Bulgarian.",
-    },
-    Key {
-        name: "level",
-        kind: Kind::Choice(LEVELS),
-        required: false,
-        text: "Detail of the book: summary (a few pages), standard, or full (every step with its numbers).",
-    },
-    Key {
-        name: "chapters",
-        kind: Kind::Choices(CHAPTERS),
-        required: false,
-        text: "The chapters in their order; without it those of the level, and no trade, which needs many runs.",
-    },
-    Key {
-        name: "positions",
-        kind: Kind::Texts(10),
-        required: false,
-        text: "Positions at which the formulas are worked out: angles of the driven bar such as \"75 deg\", from, middle, to, \
-               or governing results such as M_Q_max; without it the governing one.",
-    },
-    Key {
-        name: "pdf_standard",
-        kind: Kind::Choice(&["a-3b", "a-3u", "a-3a"]),
-        required: false,
-        text: "PDF/A standard that the PDF keeps to; needs project.date.",
-    },
+    Key::new("language", Kind::Choice(&LANGUAGES), "Language of the book: English, Chinese or Bulgarian.").optional(),
+    Key::new("level", Kind::Choice(LEVELS), "Detail of the book: summary (a few pages), standard, or full (every step with its numbers).").optional(),
+    Key::new("chapters", Kind::Choices(CHAPTERS), "The chapters in their order; without it those of the level, and no trade, which needs many runs.").optional(),
+    Key::new("positions", Kind::Texts(10), "Positions at which the formulas are worked out: angles of the driven bar such as \"75 deg\", from, middle, to, \
+               or governing results such as M_Q_max; without it the governing one.").optional(),
+    Key::new("pdf_standard", Kind::Choice(&["a-3b", "a-3u", "a-3a"]), "PDF/A standard that the PDF keeps to; needs project.date.").optional(),
 ];
 
 /// Levels of detail, the least first.
@@ -116,15 +91,17 @@ impl Book {
                 [] => "a book without chapters".to_owned(),
                 _ => "none of these chapters has anything to say of this scene".to_owned(),
             };
-            found.push(Diagnostic::new(table.place("chapters"), message, "an empty book").help(help));
+            found.push(table.refuse("chapters", message, "an empty book", help));
         }
         let date = project.and_then(|project| project.text("date")).and_then(check::date);
         if table.text("pdf_standard").is_some() && date.is_none() {
             let message = "`book.pdf_standard` needs the date of the book";
-            found.push(
-                Diagnostic::new(table.place("pdf_standard"), message, "no date")
-                    .help("add date = \"YYYY-MM-DD\" to [project]"),
-            );
+            found.push(table.refuse(
+                "pdf_standard",
+                message,
+                "no date",
+                "add date = \"YYYY-MM-DD\" to [project]",
+            ));
         }
         Book {
             language: table

@@ -5,44 +5,44 @@ use std::collections::BTreeSet;
 
 use crate::balance::task::Search;
 use crate::component::dependencies::{dependencies as traced, recorded};
+use crate::component::description::Described;
 use crate::component::mechanism::{Entry, Mechanism};
 use crate::component::model::Model;
-use crate::component::outline::Told;
-use crate::component::part::{Component, Runner};
+use crate::component::part::Runner;
+use crate::component::sheet::Sheet;
 use crate::component::standing::Standing;
+use crate::component::telling;
+use crate::kernel::origin::Origins;
 use crate::kernel::schema::Key;
 use crate::kernel::variable::Name;
 use crate::luffing;
 use crate::luffing::double_link;
-use crate::luffing::double_link::scene::Luffing;
-use crate::luffing::double_link::stages::DoubleLink;
+use crate::luffing::double_link::scene::LuffingScene;
 use crate::luffing::rope::scene::Rope;
-use crate::luffing::rope::stages::RopeBoom;
+use crate::parts::motion::Place;
 use crate::steering;
-use crate::steering::scene::Steering;
-use crate::steering::stages::SteeredGroups;
+use crate::steering::scene::SteeringScene;
 
 pub static MECHANISMS: &[Entry] = &[
-    double_link::mechanism::ENTRY,
+    double_link::sheet::ENTRY,
     luffing::rope::scene::ENTRY,
-    steering::mechanism::ENTRY,
+    steering::sheet::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
 pub const LUFFING: Key = Key::kinds(
     "luffing",
     &[
-        (double_link::mechanism::ENTRY.kind, double_link::mechanism::ENTRY.keys),
+        (double_link::sheet::ENTRY.kind, double_link::sheet::ENTRY.keys),
         (luffing::rope::scene::ENTRY.kind, luffing::rope::scene::ENTRY.keys),
     ],
     "A luffing mechanism.",
 );
-pub const STEERING: Key = Key::table(
+pub const STEERING: Key = Key::part(
     "steering",
-    steering::mechanism::ENTRY.keys,
+    steering::sheet::ENTRY.keys,
     "The steering of a machine on wheels.",
-)
-.optional();
+);
 
 /// Their names.
 pub fn tables() -> impl Iterator<Item = &'static str> {
@@ -51,40 +51,52 @@ pub fn tables() -> impl Iterator<Item = &'static str> {
 
 /// What books need of a mechanism.
 struct Teller {
-    told: for<'a> fn(&'a dyn Mechanism) -> Option<&'a dyn Told>,
-    standing: fn(&Standing) -> Option<Vec<BTreeSet<Name>>>,
+    sheet: fn(&dyn Mechanism, &Origins, &[Place]) -> Option<Sheet>,
+    assumptions: fn(&dyn Mechanism) -> Option<Vec<&'static str>>,
+    dependencies: fn(&Standing) -> Option<Vec<BTreeSet<Name>>>,
 }
 
-const fn teller<M: Mechanism + Told, K: Component>() -> Teller {
+const fn teller<T: Described>() -> Teller {
     Teller {
-        told: |mechanism| mechanism.of::<M>().map(|mechanism| mechanism as &dyn Told),
-        standing: |model| {
+        sheet: |mechanism, origins, asked| Some(telling::sheet::<T>(mechanism.of()?, origins, asked)),
+        assumptions: |mechanism| Some(T::assumptions(mechanism.of()?)),
+        dependencies: |model| {
             let part: &dyn Any = model.part();
-            part.is::<Runner<K, f64>>().then(|| traced(model, recorded::<K>))
+            let own = part.is::<Runner<T::Component, f64>>();
+            own.then(|| traced(model, recorded::<T::Component>))
         },
     }
 }
 
-static TELLERS: &[Teller] = &[
-    teller::<Luffing, DoubleLink>(),
-    teller::<Rope, RopeBoom>(),
-    teller::<Steering, SteeredGroups>(),
-];
+static TELLERS: &[Teller] = &[teller::<LuffingScene>(), teller::<Rope>(), teller::<SteeringScene>()];
 
-/// As its book tells it.
+/// What the teller of a mechanism says.
+fn told<R>(of: impl Fn(&Teller) -> Option<R>) -> R {
+    TELLERS.iter().find_map(of).expect("every mechanism has its line")
+}
+
+/// All that its book says, with the positions that the scene asks for.
 ///
 /// # Panics
 /// For a mechanism without a line here.
 #[must_use]
-pub fn told(mechanism: &dyn Mechanism) -> &dyn Told {
-    let mut all = TELLERS.iter().filter_map(|teller| (teller.told)(mechanism));
-    all.next().expect("every mechanism has its line")
+pub fn sheet(mechanism: &dyn Mechanism, origins: &Origins, asked: &[Place]) -> Sheet {
+    told(|teller| (teller.sheet)(mechanism, origins, asked))
+}
+
+/// Ids of the sentences that say at which level it is modelled, and what its model takes for granted.
+///
+/// # Panics
+/// As [`sheet`].
+#[must_use]
+pub fn assumptions(mechanism: &dyn Mechanism) -> Vec<&'static str> {
+    told(|teller| (teller.assumptions)(mechanism))
 }
 
 /// The synthesis that a scene asks for.
 #[must_use]
 pub fn search(mechanism: &dyn Mechanism) -> Option<Search<'_>> {
-    mechanism.of::<Luffing>()?.search()
+    double_link::scene::search(mechanism.of()?)
 }
 
 /// What each variable's expression contains: inputs, parameters and [`TIME`](crate::kernel::variable::TIME).
@@ -94,10 +106,7 @@ pub fn search(mechanism: &dyn Mechanism) -> Option<Search<'_>> {
 #[must_use]
 pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
     match model {
-        Model::Standing(model) => {
-            let mut all = TELLERS.iter().filter_map(|teller| (teller.standing)(model));
-            all.next().expect("every mechanism has its line")
-        }
+        Model::Standing(model) => told(|teller| (teller.dependencies)(model)),
         Model::Moving(moving) => {
             let moving = &**moving as &dyn Any;
             if let Some(model) = moving.downcast_ref::<double_link::moving::model::LuffingMotion>() {

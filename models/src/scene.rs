@@ -7,13 +7,13 @@ use crate::book::{BOOK, Book};
 use crate::component::mechanism::Mechanism;
 use crate::component::model::Model;
 use crate::component::sheet::{Input, Sheet};
-use crate::component::telling;
 use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
+use crate::kernel::json;
 use crate::kernel::measure;
 use crate::kernel::origin::{Origins, line};
-use crate::kernel::schema::{self, KIND, Key, Kind, Sign, Values};
+use crate::kernel::schema::{KIND, Key, Kind, Sign, Values};
 use crate::kernel::variable::{Fault, Role, Type, Variable};
 use crate::registry;
 
@@ -31,30 +31,27 @@ const LOAD: &str = "load";
 
 /// Keys of a scene.
 pub static KEYS: &[Key] = &[
-    Key {
-        name: "name",
-        kind: Kind::Text,
-        required: true,
-        text: "Name of the model and of its files: letters, digits and _.",
-    },
-    Key {
-        name: "title",
-        kind: Kind::Line,
-        required: true,
-        text: "Title of the book, one line.",
-    },
-    Key {
-        text: "Acceleration of gravity, by which masses weigh what they do; without it 9.81 m/s2.",
-        ..Key::quantity(&gravity::G, Sign::Positive).optional()
-    },
-    Key::table("project", PROJECT, "Title block of the book.").optional(),
-    Key::table("book", BOOK, "What the book says, and in how much detail.").optional(),
-    Key {
-        name: "accuracy",
-        kind: Kind::Named,
-        required: false,
-        text: "How far each result may be off: `lemnis trade` names the cheapest level and solver that keep to it.",
-    },
+    Key::new(
+        "name",
+        Kind::Text,
+        "Name of the model and of its files: letters, digits and _.",
+    ),
+    Key::new("title", Kind::Line, "Title of the book, one line."),
+    Key::named(
+        gravity::G.id,
+        &gravity::G,
+        Sign::Positive,
+        "Acceleration of gravity, by which masses weigh what they do; without it 9.81 m/s2.",
+    )
+    .optional(),
+    Key::part("project", PROJECT, "Title block of the book."),
+    Key::part("book", BOOK, "What the book says, and in how much detail."),
+    Key::new(
+        "accuracy",
+        Kind::Named,
+        "How far each result may be off: `lemnis trade` names the cheapest level and solver that keep to it.",
+    )
+    .optional(),
     registry::LUFFING,
     registry::STEERING,
 ];
@@ -64,25 +61,19 @@ static PROJECT: &[Key] = &[
     Key::text("client", "For whom the book is made."),
     Key::text("author", "Who made the calculation."),
     Key::text("checker", "Who checked it."),
-    Key {
-        kind: Kind::Date,
-        ..Key::text("date", "Date of the book; for PDF/A as YYYY-MM-DD.")
-    },
+    Key::new("date", Kind::Date, "Date of the book; for PDF/A as YYYY-MM-DD.").optional(),
     Key::text("revision", "Revision of the book."),
-    Key {
-        name: "revisions",
-        kind: Kind::Tables(REVISION, 100),
-        required: false,
-        text: "What was changed in each revision, the oldest first.",
-    },
+    Key::new(
+        "revisions",
+        Kind::Tables(REVISION, 100),
+        "What was changed in each revision, the oldest first.",
+    )
+    .optional(),
 ];
 
 static REVISION: &[Key] = &[
     Key::text("mark", "Letter or number of the revision."),
-    Key {
-        kind: Kind::Date,
-        ..Key::text("date", "Its date.")
-    },
+    Key::new("date", Kind::Date, "Its date.").optional(),
     Key::text("author", "Who made it."),
     Key::text("text", "What was changed."),
 ];
@@ -134,14 +125,12 @@ impl Scene {
         );
         let name = values.text("name").unwrap_or_default().to_owned();
         if values.text("name").is_some() && !is_identifier(&name) {
-            found.push(
-                Diagnostic::new(
-                    values.place("name"),
-                    format!("the name \"{name}\" cannot name a model"),
-                    "not an identifier",
-                )
-                .help("up to 60 letters, digits and _, beginning with a letter"),
-            );
+            found.push(values.refuse(
+                "name",
+                format!("the name \"{name}\" cannot name a model"),
+                "not an identifier",
+                "up to 60 letters, digits and _, beginning with a letter",
+            ));
         }
         let gravity = gravity(text, &values, &mut found);
         values.weigh(gravity);
@@ -224,7 +213,7 @@ impl Scene {
     /// Ids of the sentences that say at which level a scene is modelled, and what its model takes for granted.
     #[must_use]
     pub fn assumptions(&self) -> Vec<&'static str> {
-        registry::told(&*self.mechanism).assumptions()
+        registry::assumptions(&*self.mechanism)
     }
 
     /// The synthesis that it asks for.
@@ -236,8 +225,7 @@ impl Scene {
     /// All that its book says.
     #[must_use]
     pub fn sheet(&self) -> Sheet {
-        let told = registry::told(&*self.mechanism);
-        let mut sheet = telling::sheet(told, &self.given, &self.book.positions);
+        let mut sheet = registry::sheet(&*self.mechanism, &self.given, &self.book.positions);
         let loads = sheet.inputs.iter().rposition(|input| input.chapter == LOAD);
         if let Some((last, gravity)) = loads.zip(self.weighs()) {
             sheet.inputs.insert(last + 1, gravity);
@@ -413,7 +401,7 @@ fn is_identifier(name: &str) -> bool {
 /// The JSON Schema of scenes, for editors.
 #[must_use]
 pub fn json_schema() -> serde_json::Value {
-    let mut schema = schema::json_schema(KEYS);
+    let mut schema = json::json_schema(KEYS);
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema".into();
     schema["title"] = "Lemnis scene".into();
     schema

@@ -102,7 +102,7 @@ fn moment_and_inertia_are_those_of_statics() {
                     // Along its rail: the height by statics, the rest by differences of the rail's own equation.
                     let h = 1e-5;
                     let place = |phi: f64| {
-                        let (boom, _) = luffing.boom().expect("a boom system");
+                        let (boom, _) = balancing::boom(&luffing.parameters, &luffing.motion).expect("a boom system");
                         let load = boom.at(phi).expect("closes");
                         it.rail(phi, load.u_0).expect("reaches")
                     };

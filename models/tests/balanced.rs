@@ -6,12 +6,15 @@ mod balances;
 use std::f64::consts::TAU;
 
 use balances::{EXISTING, KINDS, NEW, driven_by_rocker, every_kind, with};
+use lemnis_models::balance::boom::Boom;
 use lemnis_models::component::model::Model;
 use lemnis_models::component::sheet::Check;
 use lemnis_models::kernel::variable::Role;
-use lemnis_models::luffing::double_link::balancing::{agreement, analysis};
+use lemnis_models::luffing::balancing::agreement;
+use lemnis_models::luffing::double_link::balancing::{analysis, boom};
 use lemnis_models::luffing::double_link::geometry::Driven;
 use lemnis_models::luffing::double_link::scene::Luffing;
+use lemnis_models::luffing::double_link::stages::DoubleLink;
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
 
@@ -143,11 +146,9 @@ fn moments_and_forces_are_in_equilibrium() {
                 );
             }
         }
-        let both = agreement(
-            &luffing.parameters,
-            &luffing.motion,
-            [from, 0.5 * (from + to), to].into_iter(),
-        );
+        let (system, _) = boom(&luffing.parameters, &luffing.motion).expect("closes");
+        let both = agreement::<DoubleLink>(&luffing.standing(), |phi| system.moment_by_power(phi));
+        let both = both.expect("a balance");
         assert!(both.iter().all(|difference| *difference <= 1e-12), "{both:?}\n{text}");
     }
 }

@@ -1,13 +1,16 @@
 //! Governing positions and sensitivities, against searches and differences that know nothing of derivatives.
 
+use lemnis_models::component::description::Described;
 use lemnis_models::component::governing::{governing, sensitivity};
-use lemnis_models::component::outline::Told;
+use lemnis_models::component::outline::Outline;
 use lemnis_models::component::running::Running;
-use lemnis_models::luffing::double_link::scene::Luffing;
+use lemnis_models::luffing::double_link::scene::{Luffing, LuffingScene};
 use lemnis_models::luffing::double_link::symbols as s;
 
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::scene::{DEFAULT, Scene};
+
+const OUTLINE: &Outline = LuffingScene::OUTLINE;
 
 /// The luffing mechanism of a scene's text.
 fn luffing(text: &str) -> Luffing {
@@ -22,20 +25,17 @@ fn result(luffing: &Luffing, symbol: &'static Symbol) -> f64 {
         let index = model.variables().iter().position(|variable| variable.symbol == symbol);
         return model.get(index.expect("a variable")).expect("closes");
     }
-    let found = governing(&model, luffing.outline())
-        .into_iter()
-        .find(|g| g.symbol == symbol);
+    let found = governing(&model, OUTLINE).into_iter().find(|g| g.symbol == symbol);
     found.expect("a governing result").value
 }
 
 /// The scene with one quantity moved.
 fn moved(luffing: &Luffing, symbol: &'static Symbol, by: f64) -> Luffing {
     let change = |known: &'static Symbol, value| if known == symbol { value + by } else { value };
-    Luffing {
-        parameters: luffing.parameters.map(&mut change.clone()),
-        q: luffing.q.map(|q| change(&s::Q, q)),
-        ..luffing.clone()
-    }
+    let mut moved = luffing.clone();
+    moved.parameters = luffing.parameters.map(&mut change.clone());
+    moved.q = luffing.q.map(|q| change(&s::Q, q));
+    moved
 }
 
 /// Every derivative against a central difference of order six, in which the
@@ -50,7 +50,7 @@ fn sensitivities_agree_with_differences() {
     let (mut compared, mut worst) = (0, 0.0_f64);
     for text in [DEFAULT, portal, &axis] {
         let luffing = luffing(text);
-        let (mut model, outline) = (luffing.standing(), luffing.outline());
+        let (mut model, outline) = (luffing.standing(), OUTLINE);
         let found = governing(&model, outline);
         let table = sensitivity(&mut model, outline, &found);
         for row in &table.rows {
@@ -84,7 +84,7 @@ fn governing_positions_are_the_extremes() {
     let luffing = scene.mechanism.of::<Luffing>().expect("a luffing mechanism");
     let motion = luffing.motion;
     let mut model = scene.model().expect("a mechanism");
-    let list = governing(&luffing.standing(), luffing.outline());
+    let list = governing(&luffing.standing(), OUTLINE);
     assert_eq!(list.len(), 8);
     let mut inside = 0;
     for found in list {
@@ -127,7 +127,7 @@ fn governing_positions_are_the_extremes() {
 fn a_drive_through_the_foot_has_no_greatest_force() {
     let text = DEFAULT.replace("E_x   = \"3 m\"", "E_x   = \"0.1 m\"");
     let luffing = luffing(&text);
-    let list = governing(&luffing.standing(), luffing.outline());
+    let list = governing(&luffing.standing(), OUTLINE);
     let force = list.iter().find(|g| g.symbol == &s::F_D_MAX).expect("a drive");
     assert!(force.value.is_infinite());
     // The anchor on the boom, 5° below it, stands on the far side of O1 from E.

@@ -2,7 +2,6 @@
 
 mod common;
 
-use lemnis_models::component::outline::Told;
 use lemnis_models::component::running::Running;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::symbol::Symbol;

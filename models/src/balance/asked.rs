@@ -1,74 +1,28 @@
 //! Keys of the table `[luffing.synthesis]`.
 
 use crate::balance::symbols as s;
-use crate::kernel::schema::{Key, Kind, Sign};
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Kind, SOURCE, Sign};
 use crate::kernel::symbol::Symbol;
-
-const SOURCE: Key = Key::text("source", "Where the quantities of this table come from.");
 
 /// Keys of `[luffing.synthesis]`.
 pub static KEYS: &[Key] = &[
-    Key {
-        name: "method",
-        kind: Kind::Choice(&["optimum", "three", "four"]),
-        required: false,
-        text: "Global optimum; three positions of equal energy; four positions, the first two infinitely close (Burmester).",
-    },
-    Key {
-        name: "objective",
-        kind: Kind::Choice(&["dM_max", "E", "N_max", "dM_95"]),
-        required: false,
-        text: "What the optimum minimises: the greatest residual, the integral of its amount, the greatest rod force, or the \
-               residual that 95 % of all builds stay below.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: false,
-        text: "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever; both where it is left out.",
-    },
-    Key {
-        name: "seed",
-        kind: Kind::Count,
-        required: false,
-        text: "Seed of the search: the same seed gives the same lever.",
-    },
-    Key::table(
-        "bounds",
-        BOUNDS,
-        "Smallest and greatest value of each dimension; a single value fixes it.",
-    )
-    .optional(),
-    Key::table("constraints", CONSTRAINTS, "What every solution keeps.").optional(),
-    Key::table("tolerances", TOLERANCES, "Tolerances of manufacturing.").optional(),
-    Key::table(
-        "positions",
-        POSITIONS,
-        "What the methods of three and of four positions start from.",
-    )
-    .optional(),
-    Key {
-        name: "candidates",
-        kind: Kind::Tables(CANDIDATE, 100),
-        required: false,
-        text: "Levers that the book compares.",
-    },
-    Key {
-        name: "found",
-        kind: Kind::Choice(&["complete", "broken off"]),
-        required: false,
-        text: "Written by `lemnis synth`: [luffing.balance] is its result, and whether the search came to its end.",
-    },
+    Key::new("method", Kind::Choice(&["optimum", "three", "four"]), "Global optimum; three positions of equal energy; four positions, the first two infinitely close (Burmester).").optional(),
+    Key::new("objective", Kind::Choice(&["dM_max", "E", "N_max", "dM_95"]), "What the optimum minimises: the greatest residual, the integral of its amount, the greatest rod force, or the \
+               residual that 95 % of all builds stay below.").optional(),
+    Key::new("branch", Kind::Choice(&["left", "right"]), "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever; both where it is left out.").optional(),
+    Key::new("seed", Kind::Count, "Seed of the search: the same seed gives the same lever.").optional(),
+    Key::part("bounds", BOUNDS, "Smallest and greatest value of each dimension; a single value fixes it."),
+    Key::part("constraints", CONSTRAINTS, "What every solution keeps."),
+    Key::part("tolerances", TOLERANCES, "Tolerances of manufacturing."),
+    Key::part("positions", POSITIONS, "What the methods of three and of four positions start from."),
+    Key::new("candidates", Kind::Tables(CANDIDATE, 100), "Levers that the book compares.").optional(),
+    Key::new("found", Kind::Choice(&["complete", "broken off"]), "Written by `lemnis synth`: [luffing.balance] is its result, and whether the search came to its end.").optional(),
     SOURCE,
 ];
 
 const fn bounds(symbol: &'static Symbol, sign: Sign) -> Key {
-    Key {
-        name: symbol.id,
-        kind: Kind::Quantities(symbol, sign, [1, 2]),
-        required: false,
-        text: symbol.text,
-    }
+    Key::new(symbol.id, Kind::Quantities(symbol, sign, [1, 2]), symbol.text).optional()
 }
 
 /// Keys of its table `bounds`.
@@ -84,84 +38,50 @@ pub static BOUNDS: &[Key] = &[
     SOURCE,
 ];
 
-static CONSTRAINTS: &[Key] = &[
-    Key::quantity(&s::GAMMA_MIN, Sign::NotNegative).optional(),
-    Key::quantity(&s::N_MAX, Sign::Positive).optional(),
-    Key::quantity(&s::DM_MAX, Sign::Positive).optional(),
-    Key::quantity(&s::M_PLUS, Sign::NotNegative).optional(),
-    Key {
-        name: "ends",
-        kind: Kind::Choice(&["stable", "any"]),
-        required: false,
-        text: "Stable: at both ends the residual turns the boom inwards. [Balance004, eq. 6-7]",
-    },
-    Key {
-        name: "counterweight",
-        kind: Kind::Choice(&["rearward", "any"]),
-        required: false,
-        text: "Rearward: the counterweight stays behind the lever's pivot.",
-    },
-    SOURCE,
-];
+static CONSTRAINTS: &[Key] = keys! { s:
+    GAMMA_MIN >= 0 [optional], N_MAX > 0 [optional], DM_MAX > 0 [optional], M_PLUS >= 0 [optional];
+    Key::new(
+        "ends",
+        Kind::Choice(&["stable", "any"]),
+        "Stable: at both ends the residual turns the boom inwards. [Balance004, eq. 6-7]",
+    )
+    .optional(),
+    Key::new(
+        "counterweight",
+        Kind::Choice(&["rearward", "any"]),
+        "Rearward: the counterweight stays behind the lever's pivot.",
+    )
+    .optional()
+};
 
 static TOLERANCES: &[Key] = &[
-    Key {
-        name: "length",
-        kind: Kind::Quantity(&s::T_L, Sign::NotNegative),
-        required: false,
-        text: s::T_L.text,
-    },
-    Key {
-        name: "angle",
-        kind: Kind::Quantity(&s::T_A, Sign::NotNegative),
-        required: false,
-        text: s::T_A.text,
-    },
-    Key {
-        name: "weight",
-        kind: Kind::Quantity(&s::T_W, Sign::NotNegative),
-        required: false,
-        text: s::T_W.text,
-    },
+    Key::named("length", &s::T_L, Sign::NotNegative, s::T_L.text).optional(),
+    Key::named("angle", &s::T_A, Sign::NotNegative, s::T_A.text).optional(),
+    Key::named("weight", &s::T_W, Sign::NotNegative, s::T_W.text).optional(),
     SOURCE,
 ];
 
-static POSITIONS: &[Key] = &[
-    Key {
-        name: "phi",
-        kind: Kind::Quantities(&s::PHI, Sign::Any, [3, 3]),
-        required: true,
-        text: "Three boom angles; of four positions the first counts twice.",
-    },
-    Key::quantity(&s::PSI_1, Sign::Any),
-    Key::quantity(&s::M_5, Sign::Positive),
-    Key::quantity(&s::R_K, Sign::Positive).optional(),
-    Key::quantity(&s::ALPHA_K, Sign::Any).optional(),
-    Key::quantity(&s::R_L, Sign::Positive).optional(),
-    SOURCE,
-];
+static POSITIONS: &[Key] = keys! { s:
+    PSI_1, M_5 > 0, R_K > 0 [optional], ALPHA_K [optional], R_L > 0 [optional];
+    Key::new(
+        "phi",
+        Kind::Quantities(&s::PHI, Sign::Any, [3, 3]),
+        "Three boom angles; of four positions the first counts twice.",
+    )
+};
 
-static CANDIDATE: &[Key] = &[
-    Key {
-        name: "role",
-        kind: Kind::Choice(&["existing", "published", "start", "rod_force", "counterweight"]),
-        required: true,
-        text: "A lever to compare with, one that the search starts from, or a point of the front against the rod force or \
+static CANDIDATE: &[Key] = keys! { s:
+    D_1 > 0, DELTA_1, R_K > 0, ALPHA_K, L_K > 0, R_L > 0, CHI_5, M_5 >= 0;
+    Key::new(
+        "role",
+        Kind::Choice(&["existing", "published", "start", "rod_force", "counterweight"]),
+        "A lever to compare with, one that the search starts from, or a point of the front against the rod force or \
                against the counterweight.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: false,
-        text: "Side on which the rod meets the lever; left as in Balance004 where it is left out.",
-    },
-    Key::quantity(&s::D_1, Sign::Positive),
-    Key::quantity(&s::DELTA_1, Sign::Any),
-    Key::quantity(&s::R_K, Sign::Positive),
-    Key::quantity(&s::ALPHA_K, Sign::Any),
-    Key::quantity(&s::L_K, Sign::Positive),
-    Key::quantity(&s::R_L, Sign::Positive),
-    Key::quantity(&s::CHI_5, Sign::Any),
-    Key::quantity(&s::M_5, Sign::NotNegative),
-    SOURCE,
-];
+    ),
+    Key::new(
+        "branch",
+        Kind::Choice(&["left", "right"]),
+        "Side on which the rod meets the lever; left as in Balance004 where it is left out.",
+    )
+    .optional()
+};

@@ -10,6 +10,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::check::missing;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::Group;
+use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Sign, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
@@ -18,57 +19,28 @@ use crate::parts::four_bar::Branch;
 const KINDS: &[&str] = &["tail", "parallelogram", "lever", "straight_rail", "curved_rail"];
 
 /// Keys of `[luffing.balance]`; which quantities are needed depends on the kind.
-pub static KEYS: &[Key] = &[
-    Key {
-        name: "kind",
-        kind: Kind::Choice(KINDS),
-        required: true,
-        text: "A weight on the boom's rear, a parallelogram lever, a four-bar lever, or a rope to a weight on a straight \
+pub static KEYS: &[Key] = keys! { s:
+    G_C [or_mass, optional], R_C >= 0 [optional], CHI_C [optional], D_1 > 0 [optional], DELTA_1 [optional],
+    R_K > 0 [optional], ALPHA_K [optional], L_K > 0 [optional], R_L > 0 [optional], CHI_5 [optional],
+    M_5 >= 0 [optional], S_5 > 0 [optional], H_X [optional], H_Y [optional], LAMBDA >= 0 [optional],
+    L_R > 0 [optional], Y_0 [optional], PHI_0 [optional];
+    Key::new(
+        "kind",
+        Kind::Choice(KINDS),
+        "A weight on the boom's rear, a parallelogram lever, a four-bar lever, or a rope to a weight on a straight \
                or a curved rail.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: false,
-        text: "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever.",
-    },
-    Key::weight(&s::G_C).optional(),
-    Key::quantity(&s::R_C, Sign::NotNegative).optional(),
-    Key::quantity(&s::CHI_C, Sign::Any).optional(),
-    Key::quantity(&s::D_1, Sign::Positive).optional(),
-    Key::quantity(&s::DELTA_1, Sign::Any).optional(),
-    Key::quantity(&s::R_K, Sign::Positive).optional(),
-    Key::quantity(&s::ALPHA_K, Sign::Any).optional(),
-    Key::quantity(&s::L_K, Sign::Positive).optional(),
-    Key::quantity(&s::R_L, Sign::Positive).optional(),
-    Key::quantity(&s::CHI_5, Sign::Any).optional(),
-    Key::quantity(&s::M_5, Sign::NotNegative).optional(),
-    Key::quantity(&s::S_5, Sign::Positive).optional(),
-    Key::quantity(&s::H_X, Sign::Any).optional(),
-    Key::quantity(&s::H_Y, Sign::Any).optional(),
-    Key::quantity(&s::LAMBDA, Sign::NotNegative).optional(),
-    Key::quantity(&s::L_R, Sign::Positive).optional(),
-    Key::quantity(&s::Y_0, Sign::Any).optional(),
-    Key::quantity(&s::PHI_0, Sign::Any).optional(),
-    Key::table(
-        "published",
-        PUBLISHED,
-        "Published results to stand beside the computed ones.",
+    ),
+    Key::new(
+        "branch",
+        Kind::Choice(&["left", "right"]),
+        "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever.",
     )
     .optional(),
-    Key::text(
-        "source",
-        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-    ),
-];
+    Key::part("published", PUBLISHED, "Published results to stand beside the computed ones.")
+};
 
 static PUBLISHED: &[Key] = &[
-    Key {
-        name: "source",
-        kind: Kind::Text,
-        required: true,
-        text: "Where the results are printed.",
-    },
+    Key::new("source", Kind::Text, "Where the results are printed."),
     Key::quantity(&s::DM_MAX, Sign::NotNegative).optional(),
     Key::quantity(&s::DM_5_MAX, Sign::NotNegative).optional(),
     Key::quantity(&s::E_ABS, Sign::NotNegative).optional(),
@@ -197,17 +169,15 @@ impl Form<f64> {
             if needs && !given {
                 found.push(missing(v.span.clone(), "in [luffing.balance]", key));
             } else if given && !takes {
-                found.push(
-                    Diagnostic::new(
-                        v.place(key.name),
-                        format!(
-                            "`luffing.balance.{}`: a balance of the kind \"{kind}\" has none",
-                            key.name
-                        ),
-                        "not used",
-                    )
-                    .help("remove it"),
-                );
+                found.push(v.refuse(
+                    key.name,
+                    format!(
+                        "`luffing.balance.{}`: a balance of the kind \"{kind}\" has none",
+                        key.name
+                    ),
+                    "not used",
+                    "remove it",
+                ));
             }
         }
         let n = |symbol: &Symbol| v.number(symbol.id);

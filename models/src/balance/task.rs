@@ -175,14 +175,12 @@ impl Task {
             _ => Criterion::Residual,
         };
         if criterion == Criterion::RodForce && constraints.dm_max.is_none() {
-            found.push(
-                Diagnostic::new(
-                    v.place("objective"),
-                    "the least rod force without a limit of the residual: no counterweight at all",
-                    "nothing to search for",
-                )
-                .help("add dM_max = \"... kN.m\" to [luffing.synthesis.constraints]"),
-            );
+            found.push(v.refuse(
+                "objective",
+                "the least rod force without a limit of the residual: no counterweight at all",
+                "nothing to search for",
+                "add dM_max = \"... kN.m\" to [luffing.synthesis.constraints]",
+            ));
         }
         let task = Task {
             method: method?,
@@ -202,25 +200,23 @@ impl Task {
         for (i, (table, start)) in starts.filter(|(_, c)| c.role == CandidateRole::Start).enumerate() {
             if i > 0 {
                 let message = "the search can start from one lever only";
-                found.push(Diagnostic::new(table.place("role"), message, "a second start").help("remove one of them"));
+                found.push(table.refuse("role", message, "a second start", "remove one of them"));
             }
             task.outside(&start.dimensions, |symbol, value, [low, high]| {
-                found.push(
-                    Diagnostic::new(
-                        table.place(symbol.id),
-                        format!(
-                            "the start lies outside the bounds: {} = {}",
-                            symbol.id,
-                            symbol.written(value)
-                        ),
-                        "outside",
-                    )
-                    .help(format!(
+                found.push(table.refuse(
+                    symbol.id,
+                    format!(
+                        "the start lies outside the bounds: {} = {}",
+                        symbol.id,
+                        symbol.written(value)
+                    ),
+                    "outside",
+                    format!(
                         "it may be {} to {}: move the start or widen [luffing.synthesis.bounds]",
                         symbol.written(low),
                         symbol.written(high)
-                    )),
-                );
+                    ),
+                ));
             });
         }
         (found.len() == before).then_some(task)
@@ -256,14 +252,12 @@ fn method(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Method> {
         return Some(Method::Optimum);
     }
     let Some(p) = v.table("positions") else {
-        found.push(
-            Diagnostic::new(
-                v.place("method"),
-                format!("the method \"{name}\" needs positions"),
-                "from which positions?",
-            )
-            .help("add [luffing.synthesis.positions] with phi, psi_1, M_5 and the joint"),
-        );
+        found.push(v.refuse(
+            "method",
+            format!("the method \"{name}\" needs positions"),
+            "from which positions?",
+            "add [luffing.synthesis.positions] with phi, psi_1, M_5 and the joint",
+        ));
         return None;
     };
     let phi: Vec<f64> = p.numbers("phi").iter().map(|(phi, _)| *phi).collect();
@@ -285,7 +279,7 @@ fn method(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Method> {
     }
     for key in other.iter().filter(|key| p.number(key).is_some()) {
         let message = format!("`{key}` follows from the method \"{name}\" and cannot be given");
-        found.push(Diagnostic::new(p.place(key), message, "not free").help("remove it"));
+        found.push(p.refuse(key, message, "not free", "remove it"));
     }
     if found.len() > before {
         return None;
@@ -366,10 +360,12 @@ fn dimension_bounds(
         for (symbol, [low, high]) in [(&s::D_1, d_1), (&s::DELTA_1, delta_1)] {
             if let Some(table) = table.filter(|_| low < high) {
                 let message = format!("the method \"{}\" needs one `{}`", v.text("method")?, symbol.id);
-                found.push(
-                    Diagnostic::new(table.place(symbol.id), message, "two values")
-                        .help("give a single value; only the optimum searches for the pivot"),
-                );
+                found.push(table.refuse(
+                    symbol.id,
+                    message,
+                    "two values",
+                    "give a single value; only the optimum searches for the pivot",
+                ));
             }
         }
     }
@@ -401,36 +397,34 @@ fn constraints(v: &Values, found: &mut Vec<Diagnostic>) -> Constraints {
     let Some(table) = table else { return constraints };
     if constraints.gamma_min >= FRAC_PI_2 {
         let message = format!("gamma_min = {}", s::GAMMA_MIN.written(constraints.gamma_min));
-        found.push(
-            Diagnostic::new(table.place("gamma_min"), message, "no linkage keeps it")
-                .help("a transmission angle lies between 0 and 90 deg; 30 deg is usual"),
-        );
+        found.push(table.refuse(
+            "gamma_min",
+            message,
+            "no linkage keeps it",
+            "a transmission angle lies between 0 and 90 deg; 30 deg is usual",
+        ));
     }
     if any("ends") && number(&s::M_PLUS).is_some() {
-        found.push(
-            Diagnostic::new(
-                table.place("M_plus"),
-                "a moment at ends that may be unstable",
-                "contradicts `ends`",
-            )
-            .help("remove M_plus, or ends = \"any\""),
-        );
+        found.push(table.refuse(
+            "M_plus",
+            "a moment at ends that may be unstable",
+            "contradicts `ends`",
+            "remove M_plus, or ends = \"any\"",
+        ));
     }
     if let (Some(least), Some(most)) = (constraints.m_plus, constraints.dm_max)
         && least > most
     {
-        found.push(
-            Diagnostic::new(
-                table.place("M_plus"),
-                format!(
-                    "the ends shall have at least {} and no position more than {}",
-                    s::M_PLUS.written(least),
-                    s::DM_MAX.written(most)
-                ),
-                "more than dM_max allows",
-            )
-            .help("lower M_plus or raise dM_max"),
-        );
+        found.push(table.refuse(
+            "M_plus",
+            format!(
+                "the ends shall have at least {} and no position more than {}",
+                s::M_PLUS.written(least),
+                s::DM_MAX.written(most)
+            ),
+            "more than dM_max allows",
+            "lower M_plus or raise dM_max",
+        ));
     }
     constraints
 }
@@ -445,7 +439,7 @@ fn tolerances(v: &Values, found: &mut Vec<Diagnostic>) -> Tolerances {
     };
     if let Some(table) = table.filter(|_| tolerances.weight > 0.5) {
         let message = format!("weights that may be off by {}", s::T_W.written(tolerances.weight));
-        found.push(Diagnostic::new(table.place("weight"), message, "too much").help("at most 50 %"));
+        found.push(table.refuse("weight", message, "too much", "at most 50 %"));
     }
     tolerances
 }

@@ -2,6 +2,7 @@
 //! made here once.
 
 pub mod dependencies;
+pub mod description;
 pub mod draw;
 pub mod extreme;
 pub mod governing;

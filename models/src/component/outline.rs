@@ -1,14 +1,13 @@
 //! What a book says of a component, as data: everything else is made from it.
 
-use crate::component::dependencies::Recorder;
-use crate::component::sheet::{Check, Drawing, Input, Sheet, Summary};
-use crate::component::standing::Standing;
-use crate::kernel::origin::Origins;
+use crate::kernel::schema::{Key, SOURCE, Sign};
 use crate::kernel::symbol::Symbol;
 
 /// Results and formulas of a component, in the order in which a book tells them. What a scene does not model is left out.
 #[derive(Debug)]
 pub struct Outline {
+    /// Chapters of what is given: the id of each, and the scene's table or key within the mechanism's.
+    pub inputs: &'static [(&'static str, &'static str)],
     /// Formulas that do not depend on the position.
     pub constants: &'static [SectionOutline],
     /// Formulas at a position.
@@ -23,7 +22,7 @@ pub struct Outline {
     pub summary: &'static [&'static Symbol],
     /// Results whose change with every given quantity is told.
     pub sensitivity: &'static [&'static Symbol],
-    /// Limits that a scene may set.
+    /// What results are checked by.
     pub limits: &'static [Limit],
     /// Where the formulas are worked out if the scene does not say it: id of the position, and the result that is
     /// greatest there.
@@ -40,8 +39,19 @@ pub type Line = (&'static str, Option<&'static Symbol>, &'static Symbol);
 #[derive(Debug)]
 pub enum Explained {
     Stage(&'static str),
-    Row(&'static Symbol),
+    Rows(&'static [&'static Symbol]),
 }
+
+/// Chapters of what is given: `chapters!(geometry "", tackle, load "Q")`, each with the scene's table or key where that
+/// has another name.
+macro_rules! chapters {
+    ($($id:ident $($table:literal)?),*) => {
+        &[$((stringify!($id), $crate::component::outline::chapters!(@table $id $($table)?))),*]
+    };
+    (@table $id:ident $table:literal) => { $table };
+    (@table $id:ident) => { stringify!($id) };
+}
+pub(crate) use chapters;
 
 /// A result with its place in the working range.
 #[derive(Debug)]
@@ -91,7 +101,7 @@ impl Greatest {
     }
 }
 
-/// What a scene may ask of a result of the range.
+/// What is asked of a result of the range.
 #[derive(Debug)]
 pub struct Limit {
     /// Id of the sentence that says what is checked.
@@ -99,72 +109,73 @@ pub struct Limit {
     pub symbol: &'static Symbol,
     /// Whether the result must not be above the limit, or not below.
     pub at_most: bool,
+    pub bound: Bound,
+}
+
+/// Where a limit comes from.
+#[derive(Clone, Copy, Debug)]
+pub enum Bound {
+    /// The scene may set it.
+    Scene,
+    /// The end of the working range.
+    End,
+    /// In SI.
+    Fixed(f64),
 }
 
 impl Limit {
-    #[must_use]
-    pub const fn at_most(id: &'static str, symbol: &'static Symbol) -> Limit {
+    const fn new(id: &'static str, symbol: &'static Symbol, at_most: bool, bound: Bound) -> Limit {
         Limit {
             id,
             symbol,
-            at_most: true,
+            at_most,
+            bound,
         }
+    }
+
+    #[must_use]
+    pub const fn at_most(id: &'static str, symbol: &'static Symbol) -> Limit {
+        Limit::new(id, symbol, true, Bound::Scene)
     }
 
     #[must_use]
     pub const fn at_least(id: &'static str, symbol: &'static Symbol) -> Limit {
-        Limit {
-            id,
-            symbol,
-            at_most: false,
+        Limit::new(id, symbol, false, Bound::Scene)
+    }
+
+    /// A place of the coordinate that must lie beyond the working range.
+    #[must_use]
+    pub const fn beyond(id: &'static str, symbol: &'static Symbol) -> Limit {
+        Limit::new(id, symbol, false, Bound::End)
+    }
+
+    #[must_use]
+    pub const fn not_negative(id: &'static str, symbol: &'static Symbol) -> Limit {
+        Limit::new(id, symbol, false, Bound::Fixed(0.0))
+    }
+
+    /// The keys of the table in which a scene sets them, and where they come from.
+    ///
+    /// # Panics
+    /// With more limits of scenes than keys.
+    #[must_use]
+    pub const fn keys<const KEYS: usize>(limits: &[Limit]) -> [Key; KEYS] {
+        let mut keys = [SOURCE; KEYS];
+        let (mut i, mut at) = (0, 0);
+        while i < limits.len() {
+            if let Bound::Scene = limits[i].bound {
+                let sign = if limits[i].at_most {
+                    Sign::Positive
+                } else {
+                    Sign::NotNegative
+                };
+                keys[at] = Key::quantity(limits[i].symbol, sign).optional();
+                at += 1;
+            }
+            i += 1;
         }
+        keys
     }
-}
-
-/// A component as a scene gives it, for its book.
-pub trait Told {
-    fn outline(&self) -> &'static Outline;
-
-    /// In closed form, at the start of its working range.
-    fn standing(&self) -> Standing;
-
-    fn recorder(&self) -> Recorder;
-
-    /// What the scene allows, in SI.
-    fn limit(&self, symbol: &'static Symbol) -> Option<f64>;
-
-    /// Results of the range that searches of its own have found, with their places.
-    fn searched(&self) -> Vec<Summary> {
-        Vec::new()
-    }
-
-    /// Independent ways to one result, that must agree.
-    fn identities(&self, model: &mut Standing) -> Vec<Check>;
-
-    /// Results of the whole range that are no variables.
-    fn totals(&self) -> Vec<Summary> {
-        Vec::new()
-    }
-
-    fn published(&self) -> Option<&Published>;
-
-    /// Pieces of a curve, where it is not drawn as a whole.
-    fn pieces(&self, _: &'static str, points: Vec<[f64; 2]>) -> Vec<Vec<[f64; 2]>> {
-        vec![points]
-    }
-
-    /// Ids of its level and of what its model takes for granted, worded in the templates.
-    fn assumptions(&self) -> Vec<&'static str>;
-
-    fn drawing(&self) -> Drawing;
-
-    /// Ids of remarks, worded in the templates.
-    fn remarks(&self) -> Vec<&'static str>;
-
-    fn inputs(&self, origins: &Origins) -> Vec<Input>;
-
-    /// Chapters of its own.
-    fn more(&self, _: &mut Standing, _: &mut Sheet) {}
 }
 
 /// Published values, as printed.

@@ -62,6 +62,20 @@ pub struct Port {
     pub driven: &'static [&'static str],
 }
 
+/// Ports, each with what it is, the members that only an input can be, and its variables by their names there:
+/// `ports! { s: shaft "Foot of the bar." [phi w]: phi THETA, w OMEGA, tau M_D; }`.
+macro_rules! ports {
+    ($table:ident: $($name:ident $text:literal $([$($driven:ident)*])?: $($member:ident $symbol:ident),*;)*) => {
+        &[$($crate::component::part::Port {
+            name: stringify!($name),
+            text: $text,
+            members: &[$((&$table::$symbol, stringify!($member))),*],
+            driven: &[$($(stringify!($driven)),*)?],
+        }),*]
+    };
+}
+pub(crate) use ports;
+
 /// A component over one scalar.
 pub trait Face<C>: Any + Send + Sync {
     fn take(&self, source: Source) -> C;

@@ -2,6 +2,7 @@
 //! in SI. It is made from the same functions that the FMU runs; words, units
 //! of print and layout are added later, elsewhere.
 
+use crate::component::extreme::Extreme;
 use crate::kernel::origin::Origin;
 use crate::kernel::record::Trace;
 use crate::kernel::symbol::Symbol;
@@ -202,6 +203,26 @@ pub struct Summary {
     pub at: Option<(&'static Symbol, f64)>,
 }
 
+impl Summary {
+    #[must_use]
+    pub const fn new(symbol: &'static Symbol, value: f64) -> Summary {
+        Summary {
+            symbol,
+            value,
+            at: None,
+        }
+    }
+
+    /// An extreme over the coordinate.
+    #[must_use]
+    pub fn at(symbol: &'static Symbol, extreme: Extreme, coordinate: &'static Symbol) -> Summary {
+        Summary {
+            at: Some((coordinate, extreme.at)),
+            ..Summary::new(symbol, extreme.value)
+        }
+    }
+}
+
 /// How results change with the given quantities; empty where they do not do so smoothly.
 #[derive(Default)]
 pub struct Sensitivity {
@@ -247,6 +268,17 @@ pub struct Check {
 }
 
 impl Check {
+    #[must_use]
+    pub fn at_most(id: &'static str, symbol: &'static Symbol, value: f64, limit: f64) -> Check {
+        Check {
+            id,
+            symbol,
+            value,
+            limit,
+            at_most: true,
+        }
+    }
+
     /// Part of what is allowed that is used: value over limit where the value
     /// must not be above it, limit over value where it must not be below.
     #[must_use]

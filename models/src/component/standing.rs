@@ -3,11 +3,12 @@
 
 mod stepped;
 
+use std::any::Any;
 use std::sync::Arc;
 
 use num_dual::Dual64;
 
-use crate::component::part::{Face, Part};
+use crate::component::part::{Component, Face, Part, Runner};
 use crate::component::running::{Running, Tangent};
 use crate::component::spread::{Spot, Spread};
 use crate::component::stages::{Slot, Source, Use};
@@ -254,6 +255,16 @@ impl Standing {
     #[must_use]
     pub fn wholes(&self) -> &[Spread] {
         &self.wholes
+    }
+
+    /// The component that runs.
+    ///
+    /// # Panics
+    /// For another one.
+    #[must_use]
+    pub fn of<T: Component>(&self) -> &Runner<T, f64> {
+        let part: &dyn Any = self.part();
+        part.downcast_ref().expect("the component of this mechanism")
     }
 
     /// Where each variable stands.

@@ -1,18 +1,20 @@
 //! A sheet from an outline: the run of the component on the recorder, and its results over the working range.
 
+use crate::component::dependencies::recorded;
+use crate::component::description::{Described, Description};
 pub use crate::component::extreme::{between, fine};
-use crate::component::governing::{extremes, governing, sensitivity};
-use crate::component::outline::{Explained, Limit, Outline, Published, SectionOutline, Told};
+use crate::component::governing::{governing, sensitivity};
+use crate::component::outline::{Bound, Explained, Limit, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Comparison, Curve, Section, Sheet, Summary, Table, Worked};
-use crate::component::stages::{Found, Stage, Use};
+use crate::component::stages::{Found, Source, Stage, Use};
 use crate::component::standing::Standing;
 use crate::kernel::calc::Calc;
 use crate::kernel::origin::Origins;
 use crate::kernel::record::{Rec, only, record, steps};
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::{Fault, Role, Type};
+use crate::kernel::variable::{Fault, Quantity, Role, Type};
 use crate::parts::motion::{Motion, Place};
 
 /// Whether the scene has a variable.
@@ -61,8 +63,7 @@ fn values(model: &mut Standing, indices: &[usize], places: impl Iterator<Item = 
 
 /// Runs formulas on the recorder, up to what each section explains: one run, in the order of the sections. Those of
 /// `before` are known and not told. Of several bodies one is told of, numbered from 1.
-fn run(
-    told: &dyn Told,
+fn run<T: Described>(
     model: &Standing,
     (at, of): (f64, Option<usize>),
     before: &[SectionOutline],
@@ -72,16 +73,17 @@ fn run(
     let groups = part.groups();
     let (trace, cuts) = record(|| {
         only(of.map(|number| number - 1));
-        let mut face = told.recorder()(
-            part,
-            &mut |source, (symbol, _), value| match groups[usize::from(source.group)].1 {
-                Use::Coordinate => Rec::given(symbol, at),
-                _ => Rec::given(symbol, value),
-            },
-        );
+        let mut of = |source: Source, (symbol, _): Quantity, value| match groups[usize::from(source.group)].1 {
+            Use::Coordinate => Rec::given(symbol, at),
+            _ => Rec::given(symbol, value),
+        };
+        let mut face = recorded::<T::Component>(part, &mut of);
         let explain = |face: &mut dyn Face<Rec>, what: &Explained| match what {
             Explained::Stage(id) => stage(part, id, face),
-            Explained::Row(symbol) => row(part, symbol, face),
+            Explained::Rows(symbols) => {
+                symbols.iter().for_each(|symbol| drop(row(part, symbol, face)));
+                Ok(())
+            }
         };
         // What a scene does not model, or where it does not exist, has no formulas.
         let mut all = |list: &[Explained]| list.iter().for_each(|what| drop(explain(&mut *face, what)));
@@ -122,29 +124,29 @@ fn row(part: &dyn Part, symbol: &'static Symbol, face: &mut dyn Face<Rec>) -> Fo
 
 /// All that a book says of a mechanism, with the positions that the scene asks for.
 #[must_use]
-pub fn sheet(told: &dyn Told, origins: &Origins, asked: &[Place]) -> Sheet {
-    let (outline, mut model) = (told.outline(), told.standing());
+pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Place]) -> Sheet {
+    let (outline, mut model) = (T::OUTLINE, told.standing());
     let mut governing = governing(&model, outline);
-    governing.extend(told.searched());
+    governing.extend(T::searched(told, &model));
     let mut summary = summary(&mut model, outline.summary);
     let mut checks = limits(told, governing.iter().chain(&summary));
-    checks.extend(told.identities(&mut model));
-    summary.extend(told.totals());
-    let positions = positions(told, model.motion(), asked, &governing);
+    checks.extend(T::identities(told, &mut model));
+    summary.extend(T::totals(told));
+    let positions = positions(outline, model.motion(), asked, &governing);
     let of = body(&mut model, outline, &governing);
     let mut sheet = Sheet {
-        assumptions: told.assumptions(),
+        assumptions: T::assumptions(told),
         inputs: told.inputs(origins),
-        constants: constants(told, &model, of),
+        constants: constants::<T>(&model, of),
         positions: positions
             .into_iter()
-            .map(|(id, at)| worked(told, &model, id, at, of))
+            .map(|(id, at)| worked::<T>(&model, id, at, of))
             .collect(),
         range: table(&mut model, outline.table),
         curves: curves(told, &mut model),
-        drawing: told.drawing(),
+        drawing: T::drawing(told),
         checks,
-        published: published(told, &mut model),
+        published: published(told.published(), &mut model),
         published_source: told.published().map(|published| published.source.clone()),
         summary,
         sensitivity: sensitivity(&mut model, outline, &governing),
@@ -153,15 +155,13 @@ pub fn sheet(told: &dyn Told, origins: &Origins, asked: &[Place]) -> Sheet {
         remarks: told.remarks(),
         ..Sheet::default()
     };
-    told.more(&mut model, &mut sheet);
+    T::more(told, &mut model, &mut sheet);
     sheet
 }
 
 /// Published values beside the computed ones.
-fn published(told: &dyn Told, model: &mut Standing) -> Vec<Comparison> {
-    let rows = told
-        .published()
-        .map_or(Vec::new(), |published| compared(published, model));
+fn published(published: Option<&Published>, model: &mut Standing) -> Vec<Comparison> {
+    let rows = published.map_or(Vec::new(), |published| compared(published, model));
     rows.into_iter()
         .flat_map(|row| row.expect("checked when the scene was read"))
         .collect()
@@ -220,31 +220,36 @@ fn body(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) 
 
 /// Formulas that do not depend on the position.
 #[must_use]
-pub fn constants(told: &dyn Told, model: &Standing, of: Option<usize>) -> Vec<Section> {
-    run(told, model, (model.motion().from, of), &[], told.outline().constants)
+pub fn constants<T: Described>(model: &Standing, of: Option<usize>) -> Vec<Section> {
+    run::<T>(model, (model.motion().from, of), &[], T::OUTLINE.constants)
 }
 
 /// The formulas at a position.
 #[must_use]
-pub fn worked(told: &dyn Told, model: &Standing, id: &'static str, at: f64, of: Option<usize>) -> Worked {
+pub fn worked<T: Described>(model: &Standing, id: &'static str, at: f64, of: Option<usize>) -> Worked {
     let Outline {
         constants, sections, ..
-    } = told.outline();
+    } = T::OUTLINE;
     Worked {
         id,
         coordinate: model.variables()[0].symbol,
         value: at,
         of,
-        sections: run(told, model, (at, of), constants, sections),
+        sections: run::<T>(model, (at, of), constants, sections),
     }
 }
 
 /// Positions at which the formulas are worked out, with their names: what the scene asks for, otherwise the worst.
 #[must_use]
-pub fn positions(told: &dyn Told, motion: &Motion, asked: &[Place], governing: &[Summary]) -> Vec<(&'static str, f64)> {
+pub fn positions(
+    outline: &Outline,
+    motion: &Motion,
+    asked: &[Place],
+    governing: &[Summary],
+) -> Vec<(&'static str, f64)> {
     let middle = ("middle", f64::midpoint(motion.from, motion.to));
     let greatest = |id: &str| governing.iter().find(|g| g.symbol.id == id)?.at;
-    let (name, symbol) = told.outline().worst;
+    let (name, symbol) = outline.worst;
     let worst = greatest(symbol.id).map_or(middle, |(_, at)| (name, at));
     let position = |place: &Place| match *place {
         Place::At(at) => ("chosen", at),
@@ -252,24 +257,12 @@ pub fn positions(told: &dyn Told, motion: &Motion, asked: &[Place], governing: &
         Place::Named("middle") => middle,
         Place::Named("from") => ("from", motion.from),
         Place::Named("to") => ("to", motion.to),
-        Place::Named(id) => (id, greatest(id).expect("checked when the scene was read").1),
+        Place::Named(id) => greatest(id).map_or(middle, |(_, at)| (id, at)),
     };
     match asked {
         [] => vec![worst],
         places => places.iter().map(position).collect(),
     }
-}
-
-/// Names of positions that a book may ask for. By its own type, since scenes are read without books, too.
-#[must_use]
-pub fn places(told: &impl Told, model: &Standing) -> Vec<&'static str> {
-    let extremes = extremes(model, told.outline()).map(|(extreme, _)| extreme.symbol.id);
-    let searched = told.searched().into_iter().map(|found| found.symbol.id);
-    ["governing", "from", "middle", "to"]
-        .into_iter()
-        .chain(extremes)
-        .chain(searched)
-        .collect()
 }
 
 /// Results over the working range, a row for each step of the scene.
@@ -289,10 +282,10 @@ pub fn table(model: &mut Standing, columns: &[&'static Symbol]) -> Table {
 }
 
 /// Curves over the working range; none of a result that the scene does not have.
-pub fn curves(told: &dyn Told, model: &mut Standing) -> Vec<Curve> {
+pub fn curves<T: Described>(told: &Description<T>, model: &mut Standing) -> Vec<Curve> {
     let coordinate = model.variables()[0].symbol;
     let mut list = Vec::new();
-    for &(id, x, y) in told.outline().curves {
+    for &(id, x, y) in T::OUTLINE.curves {
         let x = x.unwrap_or(coordinate);
         if y == coordinate || !exists(model, x) || !exists(model, y) {
             continue;
@@ -320,34 +313,37 @@ pub fn curves(told: &dyn Told, model: &mut Standing) -> Vec<Curve> {
 
 /// Results against what the scene allows.
 #[must_use]
-pub fn limits<'a>(told: &dyn Told, results: impl Iterator<Item = &'a Summary> + Clone) -> Vec<Check> {
+pub fn limits<'a, T: Described>(
+    told: &Description<T>,
+    results: impl Iterator<Item = &'a Summary> + Clone,
+) -> Vec<Check> {
     let check = |limit: &Limit| {
         let value = results.clone().find(|result| result.symbol == limit.symbol)?.value;
         Some(Check {
             id: limit.id,
             symbol: limit.symbol,
             value,
-            limit: told.limit(limit.symbol)?,
+            limit: match limit.bound {
+                Bound::Scene => told.limit(limit.symbol)?,
+                Bound::End => told.motion.to,
+                Bound::Fixed(value) => value,
+            },
             at_most: limit.at_most,
         })
     };
-    told.outline().limits.iter().filter_map(check).collect()
+    T::OUTLINE.limits.iter().filter_map(check).collect()
 }
 
 /// Results of the whole range.
 pub fn summary(model: &mut Standing, symbols: &[&'static Symbol]) -> Vec<Summary> {
-    let mut list = Vec::new();
-    for &symbol in symbols {
-        let index = model.variables().iter().position(|variable| variable.symbol == symbol);
-        if let Some(value) = index.and_then(|index| model.get(index).ok()) {
-            list.push(Summary {
-                symbol,
-                value,
-                at: None,
-            });
-        }
-    }
-    list
+    let found = |&symbol: &&'static Symbol| {
+        let index = model
+            .variables()
+            .iter()
+            .position(|variable| variable.symbol == symbol)?;
+        Some(Summary::new(symbol, model.get(index).ok()?))
+    };
+    symbols.iter().filter_map(found).collect()
 }
 
 /// What the running model gives, in its order.

@@ -46,7 +46,7 @@ pub fn check(
             found.push(missing(span.clone(), &place, key));
         }
     }
-    Values { entries, span }
+    Values { entries, keys, span }
 }
 
 /// A key that is needed in a table and not there; `place` as "in [luffing]".

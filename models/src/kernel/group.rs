@@ -123,6 +123,13 @@ macro_rules! quantities {
             }
         }
 
+        impl $name<f64> {
+            /// Those of a scene; `None` where one is not given.
+            pub fn read(v: &$crate::kernel::schema::Values) -> Option<$name<f64>> {
+                $name::of(|symbol| v.of(symbol))
+            }
+        }
+
         impl<C: $crate::kernel::calc::Calc> $crate::kernel::group::Group<C> for $name<C> {
             type Over<D: $crate::kernel::calc::Calc> = $name<D>;
             const SIZE: usize = [$(stringify!($field)),*].len();

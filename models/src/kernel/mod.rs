@@ -6,6 +6,8 @@ pub mod check;
 pub mod diagnostic;
 pub mod gravity;
 pub mod group;
+pub mod json;
+pub mod keys;
 pub mod measure;
 pub mod number;
 pub mod origin;

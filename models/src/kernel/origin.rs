@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::kernel::schema::Values;
+use crate::kernel::symbol::Symbol;
 
 /// Where the scene gives a quantity.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,35 +20,66 @@ pub struct Origin {
     pub source: Option<String>,
 }
 
-/// Where all quantities of a scene are given.
+/// A quantity of a scene.
 #[derive(Clone, Debug)]
-pub struct Origins(Vec<Origin>);
+pub struct Known {
+    /// As in an [`Origin`].
+    pub key: String,
+    pub symbol: &'static Symbol,
+    /// In SI.
+    pub value: f64,
+    /// `None` where the scene leaves it at what is usual.
+    pub given: Option<Origin>,
+}
+
+/// All quantities of a scene, in the order of the keys, and where they are given.
+#[derive(Clone, Debug)]
+pub struct Origins(Vec<Known>);
 
 impl Origins {
     /// Of a scene's text with its values.
     pub fn read(text: &str, values: &Values) -> Origins {
         let mut found = Vec::new();
         values.quantities("", &mut found);
-        let given = found.into_iter().map(|(key, place, number)| Origin {
+        let known = found.into_iter().map(|(key, symbol, value, placed)| Known {
+            given: placed.map(|(place, number)| Origin {
+                key: key.clone(),
+                line: line(text, &place),
+                place,
+                mass: number.mass,
+                source: number.source,
+            }),
             key,
-            line: line(text, &place),
-            place,
-            mass: number.mass,
-            source: number.source,
+            symbol,
+            value,
         });
-        Origins(given.collect())
+        Origins(known.collect())
     }
 
-    /// Where the quantity with a key such as `luffing.X_1` is given.
+    /// Where the scene gives the quantity with a key such as `luffing.X_1`.
     #[must_use]
     pub fn of(&self, key: &str) -> Option<&Origin> {
-        self.0.iter().find(|origin| origin.key == key)
+        self.0.iter().find(|known| known.key == key)?.given.as_ref()
+    }
+
+    /// The quantities of a table, of each of a list of tables with its number, or the one with this key.
+    pub fn within<'a>(&'a self, path: &'a str) -> impl Iterator<Item = (Option<u16>, &'a Known)> {
+        self.0.iter().filter_map(move |known| {
+            let rest = known.key.strip_prefix(path)?;
+            let (number, name) = rest.split_once('.').unwrap_or((rest, ""));
+            let number = number.strip_prefix('[').and_then(|number| number.strip_suffix(']'));
+            let number = number.and_then(|number| number.parse().ok());
+            (!name.contains('.') && (number.is_some() || rest.len() <= 1 + name.len())).then_some((number, known))
+        })
     }
 
     /// Whether a weight is given as a mass.
     #[must_use]
     pub fn has_masses(&self) -> bool {
-        self.0.iter().any(|origin| origin.mass.is_some())
+        self.0
+            .iter()
+            .filter_map(|known| known.given.as_ref())
+            .any(|origin| origin.mass.is_some())
     }
 }
 

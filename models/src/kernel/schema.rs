@@ -1,11 +1,9 @@
-//! What a scene may say, as data: the one place behind reading, checking and
-//! the JSON Schema for editors.
+//! What a scene may say, as data: the one place behind reading, checking and the JSON Schema for editors; and what it says,
+//! checked.
 
 use std::ops::Range;
 
-use serde_json::{Map, Value as Json, json};
-
-use crate::kernel::number::short;
+use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::symbol::{COARSEST, Symbol};
 use crate::kernel::unit::Unit;
 
@@ -15,8 +13,16 @@ pub struct Key {
     pub name: &'static str,
     pub kind: Kind,
     pub required: bool,
+    /// Of a quantity that a scene leaves out, in SI.
+    pub usual: Option<f64>,
     pub text: &'static str,
 }
+
+/// Where the quantities of a table come from that do not say it themselves.
+pub const SOURCE: Key = Key::text(
+    "source",
+    "Where the quantities of this table come from: a drawing, a publication, an assumption.",
+);
 
 /// Key that says of which kind a table is.
 pub const KIND: &str = "kind";
@@ -67,6 +73,18 @@ pub enum Sign {
 }
 
 impl Key {
+    /// A key that is needed.
+    #[must_use]
+    pub const fn new(name: &'static str, kind: Kind, text: &'static str) -> Key {
+        Key {
+            name,
+            kind,
+            required: true,
+            usual: None,
+            text,
+        }
+    }
+
     #[must_use]
     pub const fn quantity(symbol: &'static Symbol, sign: Sign) -> Key {
         Key::named(symbol.id, symbol, sign, symbol.text)
@@ -75,23 +93,31 @@ impl Key {
     /// A quantity under a name of its own.
     #[must_use]
     pub const fn named(name: &'static str, symbol: &'static Symbol, sign: Sign, text: &'static str) -> Key {
-        Key {
-            name,
-            kind: Kind::Quantity(symbol, sign),
-            required: true,
-            text,
-        }
+        Key::new(name, Kind::Quantity(symbol, sign), text)
     }
 
     /// A weight that may be given as a mass.
     #[must_use]
     pub const fn weight(symbol: &'static Symbol) -> Key {
-        Key {
-            name: symbol.id,
-            kind: Kind::Weight(symbol),
-            required: true,
-            text: symbol.text,
+        Key::quantity(symbol, Sign::NotNegative).or_mass()
+    }
+
+    /// As a weight, which may be given as a mass.
+    #[must_use]
+    pub const fn or_mass(mut self) -> Key {
+        if let Kind::Quantity(symbol, _) = self.kind {
+            self.kind = Kind::Weight(symbol);
         }
+        self
+    }
+
+    /// A relative tolerance.
+    #[must_use]
+    pub const fn tolerance(mut self) -> Key {
+        if let Kind::Quantity(symbol, _) = self.kind {
+            self.kind = Kind::Quantity(symbol, Sign::Tolerance);
+        }
+        self
     }
 
     /// The quantity that stands behind the key, and which numbers it may have; `None` where it is something else.
@@ -106,12 +132,13 @@ impl Key {
 
     #[must_use]
     pub const fn table(name: &'static str, keys: &'static [Key], text: &'static str) -> Key {
-        Key {
-            name,
-            kind: Kind::Table(keys),
-            required: true,
-            text,
-        }
+        Key::new(name, Kind::Table(keys), text)
+    }
+
+    /// A table that may be left out.
+    #[must_use]
+    pub const fn part(name: &'static str, keys: &'static [Key], text: &'static str) -> Key {
+        Key::table(name, keys, text).optional()
     }
 
     /// A table of several kinds, each with its keys.
@@ -121,40 +148,32 @@ impl Key {
         kinds: &'static [(&'static str, &'static [Key])],
         text: &'static str,
     ) -> Key {
-        Key {
-            name,
-            kind: Kind::Kinds(kinds),
-            required: false,
-            text,
-        }
+        Key::new(name, Kind::Kinds(kinds), text).optional()
     }
 
     /// Which kind of a table of several kinds it is, the only one of these.
     #[must_use]
     pub const fn kind(of: &'static [&'static str], text: &'static str) -> Key {
-        Key {
-            name: KIND,
-            kind: Kind::Choice(of),
-            required: false,
-            text,
-        }
+        Key::new(KIND, Kind::Choice(of), text).optional()
     }
 
     /// A text that may be left out.
     #[must_use]
     pub const fn text(name: &'static str, text: &'static str) -> Key {
-        Key {
-            name,
-            kind: Kind::Text,
-            required: false,
-            text,
-        }
+        Key::new(name, Kind::Text, text).optional()
     }
 
     #[must_use]
     pub const fn optional(mut self) -> Key {
         self.required = false;
         self
+    }
+
+    /// A quantity that may be left out: what it usually is, in SI.
+    #[must_use]
+    pub const fn usually(mut self, value: f64) -> Key {
+        self.usual = Some(value);
+        self.optional()
     }
 }
 
@@ -221,11 +240,16 @@ pub struct GivenNumber {
     pub source: Option<String>,
 }
 
+/// A quantity with its place.
+pub type Placed = (Range<usize>, GivenNumber);
+
 /// A checked table: every value with its place.
 #[derive(Clone, Debug, Default)]
 pub struct Values {
     /// In the order of their names.
     pub(super) entries: Vec<(&'static str, Value, Range<usize>)>,
+    /// Against which it was checked.
+    pub(super) keys: &'static [Key],
     /// Place of the table itself.
     pub span: Range<usize>,
 }
@@ -237,14 +261,29 @@ impl Values {
         found.map(|(_, value, place)| (value, place))
     }
 
-    /// In SI; `None` where the scene does not give it.
+    /// In SI; what is usual, or `None`, where the scene does not give it.
     #[must_use]
     #[inline(never)]
     pub fn number(&self, name: &str) -> Option<f64> {
         match self.entry(name) {
             Some((Value::Number(number), _)) => Some(number.value),
-            _ => None,
+            Some(_) => None,
+            None => self.keys.iter().find(|key| key.name == name)?.usual,
         }
+    }
+
+    /// The quantity of a symbol, from this table or one within it, in SI.
+    #[must_use]
+    pub fn of(&self, symbol: &'static Symbol) -> Option<f64> {
+        let own = self
+            .keys
+            .iter()
+            .find(|key| key.number().is_some_and(|(known, _)| known == symbol));
+        let within = |(_, value, _): &(_, Value, _)| match value {
+            Value::Table(table) => table.of(symbol),
+            _ => None,
+        };
+        own.map_or_else(|| self.entries.iter().find_map(within), |key| self.number(key.name))
     }
 
     #[must_use]
@@ -262,6 +301,14 @@ impl Values {
         match self.entry(name) {
             Some((Value::Table(table), _)) => Some(table),
             _ => None,
+        }
+    }
+
+    /// What is read of a table, if the scene has it; `None` where something in it cannot be read.
+    pub fn part<T>(&self, name: &str, read: impl FnOnce(&Values) -> Option<T>) -> Option<Option<T>> {
+        match self.table(name) {
+            Some(table) => read(table).map(Some),
+            None => Some(None),
         }
     }
 
@@ -325,27 +372,34 @@ impl Values {
         }
     }
 
-    /// Every quantity of this table and of the tables in it: its key from the
-    /// top of the scene and its place; it comes from what its own note says, or
-    /// the `source` of its table.
-    pub fn quantities(&self, path: &str, found: &mut Vec<(String, Range<usize>, GivenNumber)>) {
-        for (name, value, place) in &self.entries {
-            let key = if path.is_empty() {
-                (*name).to_owned()
-            } else {
-                format!("{path}.{name}")
+    /// Every quantity of this table and of those within it, in the order of the keys: its key from the top of the scene,
+    /// its symbol, its value in SI, and its place, where it is not the usual one; it comes from what its own note says,
+    /// or the `source` of its table.
+    pub fn quantities(&self, path: &str, found: &mut Vec<(String, &'static Symbol, f64, Option<Placed>)>) {
+        for key in self.keys {
+            let path = match path {
+                "" => key.name.to_owned(),
+                _ => format!("{path}.{}", key.name),
+            };
+            let mut add =
+                |value, placed| found.extend(key.number().map(|(symbol, _)| (path.clone(), symbol, value, placed)));
+            let Some((value, place)) = self.entry(key.name) else {
+                if let Some(value) = key.usual {
+                    add(value, None);
+                }
+                continue;
             };
             match value {
                 Value::Number(number) => {
                     let mut number = number.clone();
                     number.source = number.source.or_else(|| self.text("source").map(str::to_owned));
-                    found.push((key, place.clone(), number));
+                    add(number.value, Some((place.clone(), number)));
                 }
-                Value::Table(table) => table.quantities(&key, found),
+                Value::Table(table) => table.quantities(&path, found),
                 Value::Tables(tables) => {
                     for (number, table) in (1..).zip(tables) {
                         let number: usize = number;
-                        table.quantities(&format!("{key}[{number}]"), found);
+                        table.quantities(&format!("{path}[{number}]"), found);
                     }
                 }
                 _ => {}
@@ -353,14 +407,11 @@ impl Values {
         }
     }
 
-    /// The quantities of a table that has these keys, in their order.
+    /// The quantities that the scene gives in this table, in the order of the keys.
     #[must_use]
-    pub fn quantities_of(&self, keys: &'static [Key]) -> Vec<(&'static Symbol, f64)> {
-        let number = |key: &Key| match key.kind {
-            Kind::Quantity(symbol, _) => Some((symbol, self.number(key.name)?)),
-            _ => None,
-        };
-        keys.iter().filter_map(number).collect()
+    pub fn own(&self) -> Vec<(&'static Symbol, f64)> {
+        let number = |key: &Key| Some((key.number()?.0, self.number(key.name)?));
+        self.keys.iter().filter_map(number).collect()
     }
 
     /// Whether the scene gives a sound value for a key.
@@ -376,80 +427,17 @@ impl Values {
         self.entry(name)
             .map_or_else(|| self.span.clone(), |(_, span)| span.clone())
     }
-}
 
-/// The JSON Schema of a table with these keys.
-#[must_use]
-pub fn json_schema(keys: &'static [Key]) -> Json {
-    let properties: Map<String, Json> = keys.iter().map(|key| (key.name.to_owned(), property(key))).collect();
-    let required: Vec<&str> = keys.iter().filter(|key| key.required).map(|key| key.name).collect();
-    json!({ "type": "object", "additionalProperties": false, "properties": properties, "required": required })
-}
-
-fn property(key: &Key) -> Json {
-    let text = |symbol: &Symbol| {
-        // What has no dimension needs no unit.
-        let pattern = match symbol.display.name {
-            "1" => r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S*$",
-            _ => r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S.*$",
-        };
-        json!({
-            "type": "string",
-            "pattern": pattern,
-            "examples": [format!("1 {}", symbol.display.name)],
-        })
-    };
-    let mut schema = match key.kind {
-        Kind::Text | Kind::Date | Kind::Lines => json!({ "type": "string" }),
-        Kind::Line => json!({ "type": "string", "pattern": r"^.*\S.*$" }),
-        Kind::Count => json!({ "type": "integer", "minimum": 0 }),
-        Kind::Named => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
-        Kind::Quantities(symbol, _, [least, most]) => {
-            let list = json!({ "type": "array", "items": text(symbol), "minItems": least, "maxItems": most });
-            if least > 1 {
-                list
-            } else {
-                json!({ "anyOf": [text(symbol), list] })
-            }
-        }
-        Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
-        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
-            let value = text(symbol);
-            let noted = json!({
-                "type": "object",
-                "additionalProperties": false,
-                "properties": { "value": value, "source": { "type": "string" } },
-                "required": ["value"],
-            });
-            json!({ "anyOf": [value, noted] })
-        }
-        Kind::Texts(most) => json!({ "type": "array", "items": { "type": "string" }, "maxItems": most }),
-        Kind::Choices(choices) => {
-            json!({ "type": "array", "items": { "type": "string", "enum": choices }, "uniqueItems": true })
-        }
-        Kind::Tables(keys, most) => json!({ "type": "array", "items": json_schema(keys), "maxItems": most }),
-        Kind::Table(keys) => json_schema(keys),
-        Kind::Kinds(kinds) => {
-            let named = |kind: &str| json!({ "properties": { KIND: { "const": kind } }, "required": [KIND] });
-            let first = json_schema(kinds[0].1);
-            kinds[1..].iter().rev().fold(
-                first,
-                |other, (kind, keys)| json!({ "if": named(kind), "then": json_schema(keys), "else": other }),
-            )
-        }
-    };
-    let limits = key.number().map_or_else(String::new, |(symbol, sign)| {
-        let [least, most] = sign.limits(symbol.unit);
-        let mass = match key.kind {
-            Kind::Weight(_) => "; or a mass, in kg or t",
-            _ => "",
-        };
-        format!(
-            " From {} to {}{mass}.",
-            short(symbol.shown(least)),
-            symbol.written(most)
-        )
-    });
-    schema["description"] = json!(format!("{}{limits}", key.text));
-    schema
+    /// What is wrong with a key's value, with its place.
+    #[must_use]
+    #[cold]
+    pub fn refuse(
+        &self,
+        key: &str,
+        what: impl Into<String>,
+        label: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Diagnostic {
+        Diagnostic::new(self.place(key), what, label).help(help)
+    }
 }

@@ -242,3 +242,11 @@ macro_rules! symbols {
     };
 }
 pub(crate) use symbols;
+
+/// Symbols of a table by their names: `listed!(s: R, A_Y)`.
+macro_rules! listed {
+    ($table:ident: $($name:ident),*) => {
+        &[$(&$table::$name),*]
+    };
+}
+pub(crate) use listed;

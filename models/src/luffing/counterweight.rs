@@ -6,61 +6,80 @@ use crate::balance::scene::{Form, PublishedBalance};
 use crate::balance::{Balance, symbols as b};
 use crate::component::draw::{Draw, polar};
 use crate::component::extreme::Extreme;
-use crate::component::sheet::{self, Curve, Drawing, Measure, RestingPlace, Summary};
+use crate::component::running::Running;
+use crate::component::sheet::{BalanceSheet, Curve, Drawing, Measure, RestingPlace, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{exists, fine, sample, table};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::balancing::Balancing;
+use crate::luffing::balancing::WithBalance;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 
 /// A boom with its balance.
-pub struct BalancedBoom<'a> {
-    pub form: Form<f64>,
-    pub balancing: Balancing<f64>,
-    pub found: Analysis,
-    pub motion: Motion,
-    pub published: Option<&'a PublishedBalance>,
-    /// Of the mechanism: its coordinate, its boom's angle, its reach, and the moment that the drive must give.
-    pub coordinate: &'static Symbol,
-    pub angle: &'static Symbol,
-    pub reach: &'static Symbol,
-    pub moment: &'static Symbol,
+struct BalancedBoom<'a> {
+    form: Form<f64>,
+    balance: Balance<f64>,
+    found: Analysis,
+    motion: Motion,
+    coordinate: &'static Symbol,
+    /// The boom's angle, its reach, and the moment that the drive must give.
+    symbols: [&'static Symbol; 3],
     /// The boom's head, in m from its foot, and what is left of the moments, at a value of the coordinate.
-    pub at: &'a dyn Fn(f64) -> Option<(Point<f64>, Residual<f64>)>,
+    at: &'a dyn Fn(f64) -> Option<(Point<f64>, Residual<f64>)>,
+}
+
+/// The chapter of a balance; `None` where the scene has none.
+#[must_use]
+pub fn chapter<T: WithBalance>(model: &mut Standing, published: Option<&PublishedBalance>) -> Option<BalanceSheet> {
+    let (coordinate, given) = (model.coordinate(), model.of::<T>().given().clone());
+    let form = T::form(&given)?;
+    let at = |place: f64| {
+        let mut known = T::new(given.clone());
+        T::put(&mut known, coordinate, place);
+        Some((T::head(&mut known).ok()?, T::residual(&mut known).ok()?))
+    };
+    let (balancing, found) = T::balance(&mut T::new(given.clone())).ok()?;
+    let boom = BalancedBoom {
+        form,
+        balance: balancing.balance,
+        found,
+        motion: *model.motion(),
+        coordinate: model.variables()[0].symbol,
+        symbols: T::SYMBOLS,
+        at: &at,
+    };
+    boom.chapter(model, published)
 }
 
 impl BalancedBoom<'_> {
-    #[must_use]
-    pub fn chapter(&self, model: &mut Standing) -> Option<sheet::BalanceSheet> {
-        let (coordinate, reach) = (self.coordinate, self.reach);
+    fn chapter(&self, model: &mut Standing, published: Option<&PublishedBalance>) -> Option<BalanceSheet> {
+        let (coordinate, [_, reach, _]) = (self.coordinate, self.symbols);
         let equilibria = self.found.equilibria.iter().map(|e| RestingPlace {
             coordinate,
             at: e.at,
             reach: (reach, sample(model, &[reach], std::iter::once(e.at))[0][0]),
             stable: e.stable,
         });
-        let published = |summary: &Summary| {
-            let values = &self.published?.values;
-            let found = values.iter().find(|(symbol, _)| *symbol == summary.symbol);
+        let printed = |summary: &Summary| {
+            let found = published?.values.iter().find(|(symbol, _)| *symbol == summary.symbol);
             found.map(|(_, value)| *value)
         };
-        Some(sheet::BalanceSheet {
+        Some(BalanceSheet {
             kind: self.form.kind(),
             equilibria: equilibria.collect(),
             drawing: self.drawing()?,
             criteria: criteria(&self.found, coordinate)
                 .chain(std::iter::once(weight(&self.form)))
                 .map(|summary| Measure {
-                    published: published(&summary),
+                    published: printed(&summary),
                     summary,
                 })
                 .collect(),
-            published_source: self.published.map(|table| table.source.clone()),
+            published_source: published.map(|table| table.source.clone()),
             curves: self.curves(model),
             range: table(model, &self.columns()),
-            table: match self.published {
+            table: match published {
                 Some(published) if published.source.starts_with("[Ports001") => table_5_2_1(),
                 _ => Vec::new(),
             },
@@ -68,8 +87,9 @@ impl BalancedBoom<'_> {
     }
 
     fn columns(&self) -> [&'static Symbol; 10] {
+        let [_, reach, moment] = self.symbols;
         [
-            self.reach,
+            reach,
             &b::M_0,
             &b::M_B,
             &b::DM,
@@ -78,7 +98,7 @@ impl BalancedBoom<'_> {
             &b::GAMMA,
             &b::N_1,
             &b::M_D_0,
-            self.moment,
+            moment,
         ]
     }
 
@@ -88,7 +108,7 @@ impl BalancedBoom<'_> {
             ("balance_M_0", coordinate, &b::M_0),
             ("balance_M_ur", coordinate, &b::M_B),
             ("balance_dM", coordinate, &b::DM),
-            ("balance_dM_reach", self.reach, &b::DM),
+            ("balance_dM_reach", self.symbols[1], &b::DM),
             ("balance_N_1", coordinate, &b::N_1),
             ("balance_gamma", coordinate, &b::GAMMA),
         ];
@@ -112,7 +132,7 @@ impl BalancedBoom<'_> {
 
     /// The boom with its balance at the ends (faint) and in the middle of the range.
     fn drawing(&self) -> Option<Drawing> {
-        let (motion, balance) = (&self.motion, &self.balancing.balance);
+        let (motion, balance) = (&self.motion, &self.balance);
         let at = |theta: f64| (self.at)(theta).map(|(_, residual)| residual);
         let o = Point::new(0.0, 0.0);
         let mut draw = Draw::default();
@@ -178,7 +198,7 @@ impl BalancedBoom<'_> {
                 }
             }
             if !faint {
-                draw.angle(o, 3.0, Calc::direction(head.x, head.y), self.angle);
+                draw.angle(o, 3.0, Calc::direction(head.x, head.y), self.symbols[0]);
                 if let (Balance::Lever(lever), Some(turn)) = (balance, r.action.lever) {
                     let d = &lever.dimensions;
                     draw.angle(polar(d.d_1, d.delta_1), 1.5, turn.psi, &b::PSI);
@@ -191,20 +211,8 @@ impl BalancedBoom<'_> {
 }
 
 fn criteria(found: &Analysis, coordinate: &'static Symbol) -> impl Iterator<Item = Summary> + use<> {
-    let at = |symbol, extreme: Option<Extreme>| {
-        extreme.map(|extreme| Summary {
-            symbol,
-            value: extreme.value,
-            at: Some((coordinate, extreme.at)),
-        })
-    };
-    let alone = |symbol, value: Option<f64>| {
-        value.map(|value| Summary {
-            symbol,
-            value,
-            at: None,
-        })
-    };
+    let at = |symbol, extreme: Option<Extreme>| extreme.map(|extreme| Summary::at(symbol, extreme, coordinate));
+    let alone = |symbol, value: Option<f64>| value.map(|value| Summary::new(symbol, value));
     let list = [
         at(&b::DM_MAX, Some(found.dm_max)),
         at(&b::DM_5_MAX, found.dm_5_max),
@@ -226,11 +234,7 @@ fn weight(form: &Form<f64>) -> Summary {
         Form::StraightRail(it) => (&b::G_C, it.g_c),
         Form::CurvedRail(it) => (&b::G_C, it.g_c),
     };
-    Summary {
-        symbol,
-        value,
-        at: None,
-    }
+    Summary::new(symbol, value)
 }
 
 /// How far the balance reaches from the boom's foot, in m.

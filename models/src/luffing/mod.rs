@@ -4,4 +4,3 @@ pub mod balancing;
 pub mod counterweight;
 pub mod double_link;
 pub mod rope;
-pub mod scene;

@@ -5,7 +5,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::measure;
 use crate::kernel::number::short;
-use crate::kernel::schema::{Sign, Values};
+use crate::kernel::schema::{Key, SOURCE, Sign, Values};
 use crate::kernel::symbol::Symbol;
 
 /// More rows in a table than anyone reads, and than a step of `1e-9 deg` would make.
@@ -30,6 +30,22 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// Keys of its table: the ends of the working range, the coordinate that tables step, and its rate, with what that is.
+    #[must_use]
+    pub const fn keys(
+        ends: [&'static Symbol; 2],
+        coordinate: &'static Symbol,
+        (rate, what): (&'static Symbol, &'static str),
+    ) -> [Key; 5] {
+        [
+            Key::quantity(ends[0], Sign::Any),
+            Key::quantity(ends[1], Sign::Any),
+            Key::named("step", coordinate, Sign::Positive, "Step of tables."),
+            Key::named("speed", rate, Sign::Positive, what),
+            SOURCE,
+        ]
+    }
+
     /// Reads a checked table with `from`, `to`, `step` and `speed`; mistakes go to `found`.
     pub fn read(m: &Values, found: &mut Vec<Diagnostic>) -> Option<Motion> {
         let motion = Motion {
@@ -41,18 +57,18 @@ impl Motion {
         let (from, to) = (degrees(motion.from), degrees(motion.to));
         if motion.from >= motion.to {
             let message = format!("the working range ends at {to} and starts at {from}");
-            found.push(
-                Diagnostic::new(m.place("to"), message, "not above `from`").help("`from` must be smaller than `to`"),
-            );
+            found.push(m.refuse("to", message, "not above `from`", "`from` must be smaller than `to`"));
             return None;
         }
         if (motion.to - motion.from) / motion.step > MOST_ROWS {
             let message = format!("the step {} is too small", degrees(motion.step));
             let least = degrees((motion.to - motion.from) / MOST_ROWS);
-            found.push(
-                Diagnostic::new(m.place("step"), message, "too many rows")
-                    .help(format!("a table may have {MOST_ROWS} rows: step at least {least}")),
-            );
+            found.push(m.refuse(
+                "step",
+                message,
+                "too many rows",
+                format!("a table may have {MOST_ROWS} rows: step at least {least}"),
+            ));
             return None;
         }
         Some(motion)

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::component::description::Description;
 use crate::component::stages::{Stages, Use};
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
@@ -31,12 +32,14 @@ use crate::steering::stand::stand;
 use crate::steering::symbols as s;
 use crate::steering::transition::Pace;
 
-/// The steering of a machine as the scene describes it; SI.
+/// The steering of a machine as the scene describes it, with its working range.
+pub type Steering = Description<SteeringScene>;
+
+/// What the scene says of it; SI.
 #[derive(Clone, Debug)]
-pub struct Steering {
+pub struct SteeringScene {
     /// At the start of the working range: machine, command and travel as the scene has them.
     pub given: Given<f64>,
-    pub motion: Motion,
     /// Weight and centre of gravity, where the loads of the groups follow from them.
     pub weight: Option<(f64, Point<f64>)>,
     pub safety: Option<Safety<f64>>,
@@ -48,18 +51,16 @@ pub struct Steering {
     pub catalogue: Option<Catalogue>,
     /// With `fidelity = "hydraulic"`; with `auto` where the scene's tables allow it.
     pub moving: Option<MovingGroups>,
-    /// Whether the level is left to the accuracy that the scene asks for.
-    pub auto: bool,
 }
 
-impl Steering {
+impl SteeringScene {
     /// Builds the machine of a checked table; mistakes go to `found`.
-    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Steering> {
+    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Option<(SteeringScene, Motion)> {
         let before = found.len();
         let n = |table: &Values, symbol: &Symbol| table.number(symbol.id);
         let mut given = given(v, found)?;
-        let safety = group(v, "ring", |t| Safety::of(|symbol| n(t, symbol)))?;
-        let hydraulics = group(v, "hydraulics", |t| Hydraulics::of(|symbol| n(t, symbol)))?;
+        let safety = v.part("ring", Safety::read)?;
+        let hydraulics = v.part("hydraulics", Hydraulics::read)?;
         allowed(v, &given, safety, hydraulics, found);
         let catalogue = v.table("ring").and_then(|ring| catalogue(ring, found));
         if found.len() > before {
@@ -77,7 +78,7 @@ impl Steering {
             .map(|(linkage, limits)| linkage.over(limits))
             .find_map(Result::err);
         found.extend(refused.map(|refusal| told(v, refusal)));
-        let weight = group(v, "load", |t| {
+        let weight = v.part("load", |t| {
             Some((n(t, &s::W)?, Point::new(n(t, &s::X_G)?, n(t, &s::Y_G)?)))
         })?;
         given.loads = loads(v, &built, weight, found);
@@ -89,7 +90,7 @@ impl Steering {
         let motion = Motion::read(m, found)?;
         for (name, angle) in [("from", motion.from), ("to", motion.to)] {
             if let Err(refusal) = within(&s::THETA_B, angle) {
-                found.push(Diagnostic::new(m.place(name), refusal.what, "beyond half a turn").help(refusal.help));
+                found.push(m.refuse(name, refusal.what, "beyond half a turn", refusal.help));
                 return None;
             }
         }
@@ -107,9 +108,8 @@ impl Steering {
         if found.len() > before {
             return None;
         }
-        let steering = Steering {
+        let steering = SteeringScene {
             given,
-            motion,
             weight,
             safety,
             hydraulics,
@@ -117,10 +117,9 @@ impl Steering {
             drawn,
             catalogue,
             moving,
-            auto: v.text("fidelity") == Some("auto"),
         };
-        match steering.unreachable(v, m, &built) {
-            None => Some(steering),
+        match steering.unreachable(v, m, &motion, &built) {
+            None => Some((steering, motion)),
             Some(mistake) => {
                 found.push(mistake);
                 None
@@ -139,12 +138,12 @@ impl Steering {
 
     /// The first command that the groups cannot follow; where an angle commands, the working range: a group's angle
     /// grows or falls with it.
-    fn unreachable(&self, v: &Values, m: &Values, built: &Built) -> Option<Diagnostic> {
+    fn unreachable(&self, v: &Values, m: &Values, motion: &Motion, built: &Built) -> Option<Diagnostic> {
         let (machine, mode) = (&built.machine, self.given.mode);
         let mut given = self.given.clone();
         let angles = match given.command() {
-            Command::Angle(_) => self.motion.angles(),
-            _ => vec![self.motion.from],
+            Command::Angle(_) => motion.angles(),
+            _ => vec![motion.from],
         };
         let mut last: Option<Vec<f64>> = None;
         for theta_b in angles {
@@ -181,8 +180,7 @@ impl Steering {
 /// What the tables give by themselves: commands, loads and travel are not known yet. `None` where something in them cannot
 /// be read.
 fn given(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Given<f64>> {
-    let n = |table: &Values, symbol: &Symbol| table.number(symbol.id);
-    let outline = group(v, "outline", |t| {
+    let outline = v.part("outline", |t| {
         Some([
             t.number("front")?,
             t.number("rear")?,
@@ -200,30 +198,18 @@ fn given(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Given<f64>> {
         r_t: One(&s::R_T, 0.0),
         wanted: Wanted { x: 0.0, y: 0.0 },
         loads: Vec::new(),
-        axes: v
-            .tables("groups")
-            .iter()
-            .map(|t| Axis::of(|symbol| n(t, symbol)))
-            .collect::<Option<_>>()?,
-        tyre: group(v, "tyre", |t| Tyre::of(|symbol| n(t, symbol)))?,
-        bearing: group(v, "ring", |t| Bearing::of(|symbol| n(t, symbol)))?,
-        cylinder: group(v, "cylinder", |t| Mounting::of(|symbol| n(t, symbol)))?,
-        piston: group(v, "cylinder", |t| Piston::of(|symbol| n(t, symbol)))?,
-        accuracy: group(v, "accuracy", |t| Accuracy::of(|symbol| n(t, symbol)))?,
-        pace: group(v, "transition", |t| Pace::of(|symbol| n(t, symbol)))?,
+        axes: v.tables("groups").iter().map(Axis::read).collect::<Option<_>>()?,
+        tyre: v.part("tyre", Tyre::read)?,
+        bearing: v.part("ring", Bearing::read)?,
+        cylinder: v.part("cylinder", Mounting::read)?,
+        piston: v.part("cylinder", Piston::read)?,
+        accuracy: v.part("accuracy", Accuracy::read)?,
+        pace: v.part("transition", Pace::read)?,
         mounts: mounts(v, found),
         outline: Footprint(outline),
         clock: One(&TIME, 0.0),
         change: Change::new(v.tables("groups").len()),
     })
-}
-
-/// What a table gives, if the scene has it; `None` where something in it cannot be read.
-fn group<T>(v: &Values, name: &str, of: impl Fn(&Values) -> Option<T>) -> Option<Option<T>> {
-    match v.table(name) {
-        Some(table) => of(table).map(Some),
-        None => Some(None),
-    }
 }
 
 /// Place of a choice among its items; the first without one.
@@ -311,10 +297,12 @@ fn loads(
     // A load that cannot be read is not one that is missing.
     if unclear && found.is_empty() {
         let message = "some groups give their load, but not every one does, or [steering.load] gives it too";
-        found.push(
-            Diagnostic::new(v.place("groups"), message, "G here")
-                .help("give G of every group, or [steering.load] with W, x_G and y_G"),
-        );
+        found.push(v.refuse(
+            "groups",
+            message,
+            "G here",
+            "give G of every group, or [steering.load] with W, x_G and y_G",
+        ));
     }
     loads.into_iter().map(|g| GroupLoad { g }).collect()
 }
@@ -325,14 +313,12 @@ fn complete(v: &Values, given: &Given<f64>, found: &mut Vec<Diagnostic>) {
         .into_iter()
         .find(|name| v.table(name).is_some());
     if let Some(name) = forces.filter(|_| given.loads.is_empty()) {
-        found.push(
-            Diagnostic::new(
-                v.place(name),
-                "forces without loads",
-                "this needs the loads of the groups",
-            )
-            .help("give G of every group, or [steering.load] with W, x_G and y_G"),
-        );
+        found.push(v.refuse(
+            name,
+            "forces without loads",
+            "this needs the loads of the groups",
+            "give G of every group, or [steering.load] with W, x_G and y_G",
+        ));
     }
     if !given.loads.is_empty() && given.tyre.is_none() {
         found.push(
@@ -346,10 +332,12 @@ fn complete(v: &Values, given: &Given<f64>, found: &mut Vec<Diagnostic>) {
         ("transition", "changes of mode without a cylinder"),
     ] {
         if v.has(name) && given.cylinder.is_none() {
-            found.push(
-                Diagnostic::new(v.place(name), message, "[steering.cylinder] is needed")
-                    .help("add [steering.cylinder], or remove this"),
-            );
+            found.push(v.refuse(
+                name,
+                message,
+                "[steering.cylinder] is needed",
+                "add [steering.cylinder], or remove this",
+            ));
         }
     }
 }
@@ -365,7 +353,7 @@ fn drawn(v: &Values, mode: Mode, found: &mut Vec<Diagnostic>) -> [Option<Mode>; 
     {
         let message = format!("a change from the mode {0} to the mode {0}", to.id());
         let help = "name two modes, or leave `to` out";
-        found.push(Diagnostic::new(table.place("to"), message, "no change").help(help));
+        found.push(table.refuse("to", message, "no change", help));
     }
     drawn
 }

@@ -1,26 +1,34 @@
-//! Everything a book says about the steering of a machine.
+//! The steering of a machine as scenes describe it and books tell it.
 
-use crate::component::dependencies::{Recorder, recorded};
+use crate::component::description::{Described, Description};
+use crate::component::mechanism::{Entry, Solver};
 use crate::component::outline::Explained::Stage;
-use crate::component::outline::{Greatest, Limit, Most, Outline, Published, Told};
-use crate::component::sheet::{Check, Drawing, Input, Sheet};
+use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::component::running::Running;
+use crate::component::sheet::{Drawing, Input, Sheet};
 use crate::component::standing::Standing;
-use crate::kernel::origin::Origins;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::schema::Values;
+use crate::kernel::variable::Fault;
+use crate::parts::motion::Motion;
 use crate::steering::changes::changes;
 use crate::steering::checks::checks;
 use crate::steering::drawing::{Stance, lengths, swept, triangle};
-use crate::steering::inputs::inputs;
+use crate::steering::keys::KEYS;
 use crate::steering::mode::Mode;
-use crate::steering::model::standing;
+use crate::steering::moving::{self, model::SteeringMotion};
 use crate::steering::parts::{Parts, demanded};
 use crate::steering::published::printed;
-use crate::steering::scene::Steering;
-use crate::steering::stages::SteeredGroups;
+use crate::steering::scene::{Steering, SteeringScene};
+use crate::steering::stages::{Given, SteeredGroups};
 use crate::steering::symbols as s;
 use crate::steering::views::{slip_table, view};
 
-static OUTLINE: Outline = Outline {
+const OUTLINE: Outline = Outline {
+    inputs: chapters! {
+        groups, outline, range, load, tyre, ring, cylinder, accuracy, transition, hydraulics, dynamics, oil, plc,
+        motion
+    },
     constants: &[("middle", &[Stage("machine")]), ("linkage", &[Stage("linkages")])],
     sections: &[
         ("centre", &[Stage("pole")]),
@@ -51,48 +59,104 @@ static OUTLINE: Outline = Outline {
     ],
     summary: &[],
     sensitivity: &[],
-    limits: &[Limit::at_least("range", &s::MARGIN_MIN)],
+    limits: &[Limit::not_negative("range", &s::MARGIN_MIN)],
     worst: ("greatest_force", &s::F_G_WORK),
 };
 
-impl Told for Steering {
-    fn outline(&self) -> &'static Outline {
-        &OUTLINE
+/// As scenes describe it.
+pub const ENTRY: Entry = Description::<SteeringScene>::entry("groups", KEYS);
+
+impl Described for SteeringScene {
+    type Component = SteeredGroups;
+    const ID: &'static str = "steering";
+    const TABLE: &'static str = "steering";
+    const OUTLINE: &'static Outline = &OUTLINE;
+
+    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(SteeringScene, Motion)> {
+        SteeringScene::new(v, found)
     }
 
-    fn standing(&self) -> Standing {
-        standing(self).expect("a scene that was read has a machine")
+    fn given(this: &Steering) -> Given<f64> {
+        this.given.clone()
     }
 
-    fn recorder(&self) -> Recorder {
-        recorded::<SteeredGroups>
+    /// Whether it can be steered all over its working range is found while it is read.
+    fn check(_: &Steering, _: &Values, _: &mut Vec<Diagnostic>) {}
+
+    fn levels(&self) -> Vec<&'static str> {
+        let moving = self.moving.iter().map(|_| "hydraulic");
+        std::iter::once("kinematic").chain(moving).collect()
     }
 
-    /// No group may stand beyond its range.
-    fn limit(&self, symbol: &'static Symbol) -> Option<f64> {
-        (symbol == &s::MARGIN_MIN).then_some(0.0)
+    fn set_level(&mut self, level: &str) {
+        if level != "hydraulic" {
+            self.moving = None;
+        }
     }
 
-    fn identities(&self, _: &mut Standing) -> Vec<Check> {
-        Vec::new()
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        match level {
+            "kinematic" => vec![("dynamics", &[]), ("oil", &[]), ("plc", &[])],
+            _ => Vec::new(),
+        }
     }
 
-    fn published(&self) -> Option<&Published> {
-        None
+    fn solver(&self) -> Option<Solver> {
+        self.moving.as_ref().map(|_| Solver {
+            step: &moving::symbols::STEP,
+            tolerance: &moving::symbols::TOL,
+            table: "oil",
+            explicit: None,
+        })
     }
 
-    fn assumptions(&self) -> Vec<&'static str> {
-        let level = match self.moving {
+    fn moving(this: &Steering) -> Option<Result<Box<dyn Running>, Fault>> {
+        let moving = SteeringMotion::new(this, this.moving.as_ref()?);
+        Some(moving.map(|model| Box::new(model) as Box<dyn Running>))
+    }
+
+    fn chapters(&self) -> Vec<&'static str> {
+        let sizing = self.given.bearing.is_some() || self.given.cylinder.is_some();
+        ["views"].into_iter().chain(sizing.then_some("sizing")).collect()
+    }
+
+    /// Loads of the groups stand with the loads, and what is forbidden to each group with the ranges.
+    fn arrange(&self, inputs: &mut Vec<Input>) {
+        let forbidden = (1..).zip(&self.given.mounts).flat_map(|(number, mount)| {
+            let ends = mount
+                .forbidden
+                .iter()
+                .flatten()
+                .zip([&s::BARRED_FROM, &s::BARRED_TO].into_iter().cycle());
+            ends.map(move |(value, symbol)| Input {
+                symbol,
+                number: Some(number),
+                value: *value,
+                chapter: "range",
+                given: None,
+            })
+        });
+        let loads: Vec<Input> = inputs.extract_if(.., |input| input.symbol == &s::G).collect();
+        let loads = loads.into_iter().map(|load| Input {
+            chapter: "load",
+            ..load
+        });
+        let before = inputs.partition_point(|input| ["groups", "outline", "range"].contains(&input.chapter));
+        inputs.splice(before..before, forbidden.chain(loads));
+    }
+
+    fn assumptions(this: &Steering) -> Vec<&'static str> {
+        let level = match this.moving {
             Some(_) => "level_turning",
             None => "level_kinematic",
         };
-        let resistance = self.given.tyre.map(|_| "resistance");
+        let resistance = this.given.tyre.map(|_| "resistance");
         std::iter::once(level).chain(resistance).collect()
     }
 
-    fn drawing(&self) -> Drawing {
-        let stance = Stance::new(self.given.clone()).expect("checked when the scene was read");
-        swept(&self.built().machine, &stance)
+    fn drawing(this: &Steering) -> Drawing {
+        let stance = Stance::new(this.given.clone()).expect("checked when the scene was read");
+        swept(&this.built().machine, &stance)
     }
 
     fn remarks(&self) -> Vec<&'static str> {
@@ -109,19 +173,15 @@ impl Told for Steering {
         list
     }
 
-    fn inputs(&self, origins: &Origins) -> Vec<Input> {
-        inputs(origins, self)
-    }
-
     /// Its modes and their changes, and how its parts are chosen.
-    fn more(&self, model: &mut Standing, sheet: &mut Sheet) {
-        let built = self.built();
+    fn more(this: &Steering, model: &mut Standing, sheet: &mut Sheet) {
+        let built = this.built();
         sheet.views = Mode::ALL
             .into_iter()
-            .filter_map(|mode| view(self, &built, mode))
+            .filter_map(|mode| view(this, &built, mode))
             .collect();
-        sheet.changes = changes(self, &built);
-        let parts = Parts::new(self, &built, sheet.changes.as_ref());
+        sheet.changes = changes(this, &built);
+        let parts = Parts::new(this, &built, sheet.changes.as_ref());
         let demands = parts.demands.iter();
         sheet.demands = demands
             .map(|(mode, demand)| (mode.id(), demanded(&s::Q_MODE, demand)))
@@ -129,10 +189,10 @@ impl Told for Steering {
         sheet
             .governing
             .extend(parts.greatest().map(|demand| demanded(&s::Q_MAX, demand)));
-        sheet.summary = parts.summary(self, &built);
+        sheet.summary = parts.summary(this, &built);
         sheet
             .checks
-            .extend(checks(self, &built, &parts, model, &sheet.governing));
+            .extend(checks(this, &built, &parts, model, &sheet.governing));
         sheet.sizing = parts.sections;
         if let Some(linkage) = built.direct() {
             let section = sheet.constants.iter_mut().find(|section| section.id == "linkage");

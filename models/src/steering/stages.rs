@@ -1,6 +1,6 @@
 //! The steering as a component: what it is given, and in which stages its equations follow from each other.
 
-use crate::component::part::{Component, Port};
+use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
@@ -109,31 +109,11 @@ impl Given<f64> {
 impl Component for SteeredGroups {
     const INDICATORS: &'static [&'static Symbol] = &[&s::MARGIN];
 
-    const PORTS: &'static [Port] = &[
-        Port {
-            name: "machine",
-            text: "Motion of the machine's middle.",
-            members: &[(&s::V_MX, "v_x"), (&s::V_MY, "v_y"), (&s::OMEGA, "w")],
-            driven: &[],
-        },
-        Port {
-            name: "group",
-            text: "A steered group, and the cylinder that turns it.",
-            members: &[
-                (&s::THETA, "phi"),
-                (&s::THETA_S, "phi_set"),
-                (&s::OMEGA_I, "w"),
-                (&s::V, "v_roll"),
-                (&s::V_S, "v_roll_set"),
-                (&s::G, "f_z"),
-                (&s::L_C, "s"),
-                (&s::V_C, "v"),
-                (&s::F_G, "f"),
-                (&s::Q_G, "q"),
-            ],
-            driven: &[],
-        },
-    ];
+    const PORTS: &'static [Port] = ports! { s:
+        machine "Motion of the machine's middle.": v_x V_MX, v_y V_MY, w OMEGA;
+        group "A steered group, and the cylinder that turns it.":
+            phi THETA, phi_set THETA_S, w OMEGA_I, v_roll V, v_roll_set V_S, f_z G, s L_C, v V_C, f F_G, q Q_G;
+    };
 
     fn update(known: &mut Known<f64>) -> Found<()> {
         known.wheels().map(|_| ())

@@ -11,7 +11,7 @@ use lemnis_models::balance::analysis::Analysis;
 use lemnis_models::balance::boom::{Boom, Plain};
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{Bounds, Constraints, Criterion, Tolerances};
-use lemnis_models::luffing::double_link::scene::Luffing;
+use lemnis_models::luffing::double_link::{self, scene::Luffing};
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::scene::Scene;
 use lemnis_synthesis::candidate::Positions;
@@ -507,7 +507,7 @@ fn the_other_branch_is_better() {
 fn of_scene(text: &str) -> Comparison {
     let scene = Scene::parse(text).unwrap_or_else(|found| panic!("{found:?}"));
     let luffing = scene.mechanism.of::<Luffing>().expect("a luffing mechanism");
-    let (boom, range) = luffing.boom().expect("weights");
+    let (boom, range) = double_link::balancing::boom(&luffing.parameters, &luffing.motion).expect("weights");
     let task = luffing.synthesis.as_ref().expect("asked for");
     let steps = AtomicUsize::new(0);
     let count = || {

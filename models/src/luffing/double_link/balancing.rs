@@ -1,14 +1,12 @@
 //! The balance of this mechanism, while any of its bars is driven.
 
-use num_dual::Dual64;
-
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::Boom;
 use crate::balance::symbols as s;
 use crate::kernel::allowed::{FINITE, OutOfRange};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::balancing::{self, Balanced, Balancing};
+use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::double_link::drive::Drive;
 use crate::luffing::double_link::geometry::{Driven, Geometry, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
@@ -122,18 +120,6 @@ pub fn analysis(p: &Parameters<f64>, motion: &Motion) -> Result<Option<Analysis>
     Analysis::over([motion.from, motion.to], &at)
         .map(Some)
         .map_err(in_scene)
-}
-
-/// As [`balancing::agreement`], over `places` of the driven bar (rad).
-pub fn agreement(p: &Parameters<f64>, motion: &Motion, places: impl Iterator<Item = f64>) -> [f64; 2] {
-    let dual = p.map(&mut |_, value| Dual64::from_re(value));
-    let boom = BoomSystem::new(&by_boom(p, motion)).ok();
-    let (balancing, g) = (new(&dual, motion), Geometry::new(&dual));
-    let (Ok(Some(balancing)), Ok(g), Some(w), Some(boom)) = (balancing, g, &dual.weights, boom) else {
-        return [f64::INFINITY; 2];
-    };
-    let at = |theta| residual(&balancing, &g, w, theta);
-    balancing::agreement(places, at, |phi| boom.moment_by_power(phi))
 }
 
 /// The same mechanism with its boom as the driven bar, assembled as in the middle of the range.

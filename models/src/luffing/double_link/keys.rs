@@ -2,11 +2,14 @@
 
 use crate::balance::asked::KEYS as SYNTHESIS;
 use crate::balance::scene::KEYS as BALANCE;
-use crate::balance::symbols as b;
-use crate::kernel::schema::{Key, Kind, Sign};
+use crate::component::description::TABLE;
+use crate::component::outline::Limit;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Kind, SOURCE, Sign};
 use crate::luffing::double_link::moving;
+use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::scene::{SOURCE, TABLE};
+use crate::parts::motion::Motion;
 
 /// Keys of `[luffing]`.
 pub const KEYS: &[Key] = &[
@@ -14,138 +17,60 @@ pub const KEYS: &[Key] = &[
         &["double_link"],
         "A double link of boom, jib and rocker; the usual kind.",
     ),
-    Key {
-        name: "driven",
-        kind: Kind::Choice(&["boom", "rocker"]),
-        required: true,
-        text: "Which bar the drive turns; its angle is the coordinate.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: true,
-        text: "Side of the line from the foot of the other bar to the driven bar's head on which the jib's other pin lies.",
-    },
+    Key::new("driven", Kind::Choice(&["boom", "rocker"]), "Which bar the drive turns; its angle is the coordinate."),
+    Key::new("branch", Kind::Choice(&["left", "right"]), "Side of the line from the foot of the other bar to the driven bar's head on which the jib's other pin lies."),
     Key::quantity(&s::X_1, Sign::Positive),
     Key::quantity(&s::X_2, Sign::Positive),
     Key::quantity(&s::X_3, Sign::Positive),
     Key::quantity(&s::X_4, Sign::Positive),
     Key::quantity(&s::X_5, Sign::Any),
     Key::quantity(&s::X_6, Sign::Any),
+    Key::quantity(&s::X_8, Sign::Any),
     Key::quantity(&s::X_7, Sign::Any).optional(),
     Key::quantity(&s::BETA_0, Sign::Positive).optional(),
     Key::quantity(&s::AC, Sign::Positive).optional(),
-    Key::quantity(&s::X_8, Sign::Any),
     Key::weight(&s::Q).optional(),
-    Key {
-        name: "fidelity",
-        kind: Kind::Choice(moving::scene::FIDELITIES),
-        required: false,
-        text: "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range, its dimensions fixed), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).",
-    },
+    Key::new("fidelity", Kind::Choice(moving::scene::FIDELITIES), "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range, its dimensions fixed), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).").optional(),
     Key::table("motion", MOTION, "Working range of the driven bar."),
-    Key::table("weights", WEIGHTS, "Own weights and their centres of gravity.").optional(),
-    Key::table(
-        "balance",
-        BALANCE,
-        "Counterweight that carries the boom system's own weights.",
-    )
-    .optional(),
-    Key::table("drive", DRIVE, "Cylinder or rack that turns the driven bar.").optional(),
-    Key::table("synthesis", SYNTHESIS, "What `lemnis synth` finds.").optional(),
-    Key::table(
-        "dynamics",
-        moving::scene::KEYS,
-        "Inertias, friction, drive and rope of a mechanism in motion.",
-    )
-    .optional(),
-    Key::table(
-        "hydraulics",
-        moving::scene::OIL_KEYS,
-        "Oil, valve and lines of the luffing cylinder in motion.",
-    )
-    .optional(),
-    Key::table("table", TABLE, "Interpolation of the level \"table\".").optional(),
-    Key::table(
-        "slewing",
-        moving::scene::SLEWING_KEYS,
-        "Inertia, friction and drive of a crane in motion that slews.",
-    )
-    .optional(),
-    Key::table("limits", LIMITS, "Limits that the book checks.").optional(),
-    Key::table(
-        "published",
-        PUBLISHED,
-        "Published values to stand beside the computed ones.",
-    )
-    .optional(),
+    Key::part("weights", WEIGHTS, "Own weights and their centres of gravity."),
+    Key::part("balance", BALANCE, "Counterweight that carries the boom system's own weights."),
+    Key::part("drive", DRIVE, "Cylinder or rack that turns the driven bar."),
+    Key::part("synthesis", SYNTHESIS, "What `lemnis synth` finds."),
+    Key::part("dynamics", moving::scene::KEYS, "Inertias, friction, drive and rope of a mechanism in motion."),
+    Key::part("hydraulics", moving::scene::OIL_KEYS, "Oil, valve and lines of the luffing cylinder in motion."),
+    Key::part("table", TABLE, "Interpolation of the level \"table\"."),
+    Key::part("slewing", moving::scene::SLEWING_KEYS, "Inertia, friction and drive of a crane in motion that slews."),
+    Key::part("limits", LIMITS, "Limits that the book checks."),
+    Key::part("published", PUBLISHED, "Published values to stand beside the computed ones."),
     SOURCE,
 ];
 
-static MOTION: &[Key] = &[
-    Key::named("from", &s::THETA_1, Sign::Any, "Angle of the driven bar at the start."),
-    Key::named("to", &s::THETA_1, Sign::Any, "Angle of the driven bar at the end."),
-    Key::named("step", &s::THETA_1, Sign::Positive, "Step of tables."),
-    Key::named(
-        "speed",
-        &s::OMEGA_1,
-        Sign::Positive,
-        "Angular velocity of the driven bar.",
-    ),
-    SOURCE,
-];
+const MOTION: &[Key] = &Motion::keys(
+    [&s::FROM, &s::TO],
+    &s::THETA_1,
+    (&s::OMEGA_1, "Angular velocity of the driven bar."),
+);
 
-static WEIGHTS: &[Key] = &[
-    Key::weight(&s::G_1),
-    Key::quantity(&s::S_1, Sign::NotNegative),
-    Key::quantity(&s::CHI_1, Sign::Any),
-    Key::weight(&s::G_2),
-    Key::quantity(&s::S_2, Sign::NotNegative),
-    Key::quantity(&s::CHI_2, Sign::Any),
-    Key::weight(&s::G_3),
-    Key::quantity(&s::S_3, Sign::NotNegative),
-    Key::quantity(&s::CHI_3, Sign::Any),
-    SOURCE,
-];
+static WEIGHTS: &[Key] = keys! { s:
+    G_1 [or_mass], S_1 >= 0, CHI_1, G_2 [or_mass], S_2 >= 0, CHI_2, G_3 [or_mass], S_3 >= 0, CHI_3
+};
 
-static DRIVE: &[Key] = &[
-    Key {
-        name: "kind",
-        kind: Kind::Choice(&["cylinder", "rack"]),
-        required: true,
-        text: "A hydraulic cylinder, or a rack that a pinion on the frame pushes.",
-    },
-    Key::quantity(&s::E_X, Sign::Any),
-    Key::quantity(&s::E_Y, Sign::Any),
-    Key::quantity(&s::S_D, Sign::Positive),
-    Key::quantity(&s::CHI_D, Sign::Any),
-    Key::quantity(&s::D_C, Sign::Positive).optional(),
-    Key::quantity(&s::D_R, Sign::NotNegative).optional(),
-    SOURCE,
-];
+static DRIVE: &[Key] = keys! { s:
+    E_X, E_Y, S_D > 0, CHI_D, D_C > 0 [optional], D_R >= 0 [optional];
+    Key::new(
+        "kind",
+        Kind::Choice(&["cylinder", "rack"]),
+        "A hydraulic cylinder, or a rack that a pinion on the frame pushes.",
+    )
+};
 
-/// Keys of its limits.
-pub static LIMITS: &[Key] = &[
-    Key::quantity(&s::MU_MIN, Sign::NotNegative).optional(),
-    Key::quantity(&s::EPSILON_Y, Sign::Positive).optional(),
-    Key::quantity(&b::DM_MAX, Sign::Positive).optional(),
-    Key::quantity(&b::GAMMA_MIN, Sign::NotNegative).optional(),
-    Key::quantity(&b::N_MAX, Sign::Positive).optional(),
-    Key::quantity(&moving::symbols::PHI_MAX, Sign::Positive).optional(),
-    SOURCE,
-];
+const LIMITS: &[Key] = &Limit::keys::<7>(OUTLINE.limits);
 
 static PUBLISHED: &[Key] = &[
-    Key {
-        name: "source",
-        kind: Kind::Text,
-        required: true,
-        text: "Where the values are printed.",
-    },
-    Key {
-        name: "values",
-        kind: Kind::Lines,
-        required: true,
-        text: "A line of names, then lines of values in display units; the first column is the angle of the driven bar.",
-    },
+    Key::new("source", Kind::Text, "Where the values are printed."),
+    Key::new(
+        "values",
+        Kind::Lines,
+        "A line of names, then lines of values in display units; the first column is the angle of the driven bar.",
+    ),
 ];

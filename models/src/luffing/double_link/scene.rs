@@ -2,45 +2,39 @@
 
 use crate::balance::lever::Lever;
 use crate::balance::scene::{Form, PublishedBalance};
-use crate::balance::symbols as b;
 use crate::balance::task::{Search, Task};
+use crate::component::description::Description;
 use crate::component::outline::Published;
-use crate::kernel::allowed::OutOfRange;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
+use crate::luffing::balancing::complete;
 use crate::luffing::double_link::balancing::{analysis, boom};
 use crate::luffing::double_link::geometry::{
     Anchors, Bore, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights,
 };
-use crate::luffing::double_link::keys::LIMITS;
 use crate::luffing::double_link::moving;
+use crate::luffing::double_link::stages::closes;
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::double_link::system::BoomSystem;
-use crate::luffing::scene::interpolation;
 use crate::parts::four_bar::{Arc, Branch};
 use crate::parts::motion::{Motion, degrees};
 
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// A luffing mechanism as the scene describes it; SI.
+/// A luffing mechanism as the scene describes it, with its working range.
+pub type Luffing = Description<LuffingScene>;
+
+/// What the scene says of it; SI.
 #[derive(Clone, Debug)]
-pub struct Luffing {
+pub struct LuffingScene {
     pub parameters: Parameters<f64>,
     /// Weight of the load; `None` models no forces.
     pub q: Option<f64>,
-    pub motion: Motion,
     /// First angle of the range, in rad, at which all bars lie in one line: no finite forces in the pins carry a load there.
     pub change_point: Option<f64>,
     /// With `fidelity` beyond `static`; with `auto` as deep as the scene's tables allow.
     pub moving: Option<moving::scene::Moving>,
-    /// Tolerance of the level `table`, as part of each result's range.
-    pub table: Option<f64>,
-    /// Whether the level is left to `lemnis trade`.
-    pub auto: bool,
-    /// What the book checks, in SI.
-    pub limits: Vec<(&'static Symbol, f64)>,
     pub published: Option<Published>,
     /// What is asked of the synthesis of its balance.
     pub synthesis: Option<Task>,
@@ -48,40 +42,31 @@ pub struct Luffing {
     pub published_balance: Option<PublishedBalance>,
 }
 
-impl Luffing {
+impl LuffingScene {
     /// Whether forces in the pins are modelled.
     #[must_use]
     pub fn has_pins(&self) -> bool {
         self.q.is_some() && self.change_point.is_none()
     }
-
-    /// The synthesis that the scene asks for.
-    #[must_use]
-    pub fn search(&self) -> Option<Search<'_>> {
-        let task = self.synthesis.as_ref()?;
-        let (boom, range) = self.boom().ok()?;
-        Some(Search {
-            task,
-            boom: Box::new(boom),
-            range,
-            length: self.parameters.lengths.x_1,
-            own: own_lever(&self.parameters),
-        })
-    }
-
-    /// The boom system as its boom moves it, and its boom angles (rad) over the working range.
-    ///
-    /// # Errors
-    /// A mechanism without weights.
-    pub fn boom(&self) -> Result<(BoomSystem<f64>, [f64; 2]), OutOfRange> {
-        boom(&self.parameters, &self.motion)
-    }
 }
 
-impl Luffing {
+/// The synthesis that the scene asks for.
+#[must_use]
+pub fn search(luffing: &Luffing) -> Option<Search<'_>> {
+    let task = luffing.synthesis.as_ref()?;
+    let (boom, range) = boom(&luffing.parameters, &luffing.motion).ok()?;
+    Some(Search {
+        task,
+        boom: Box::new(boom),
+        range,
+        length: luffing.parameters.lengths.x_1,
+        own: own_lever(&luffing.parameters),
+    })
+}
+
+impl LuffingScene {
     /// Builds the mechanism of a checked table under the acceleration of gravity (m/s²); mistakes go to `found`.
-    pub fn new(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Luffing> {
-        let before = found.len();
+    pub fn new(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(LuffingScene, Motion)> {
         let driven = if v.text("driven")? == "boom" {
             Driven::Boom
         } else {
@@ -93,7 +78,7 @@ impl Luffing {
             Branch::Right
         };
         let n = |symbol: &Symbol| v.number(symbol.id);
-        let lengths = Lengths::of(n)?;
+        let lengths = Lengths::read(v)?;
         let jib = match (n(&s::X_7), n(&s::BETA_0), n(&s::AC)) {
             (Some(x), None, None) => Jib::Sag(x),
             (None, Some(x), None) => Jib::Angle(x),
@@ -105,53 +90,31 @@ impl Luffing {
                 } else {
                     "AC"
                 };
-                found.push(
-                    Diagnostic::new(
-                        v.place(extra),
-                        if none {
-                            "nothing determines the jib's triangle"
-                        } else {
-                            "the jib's triangle is determined twice"
-                        },
-                        if none {
-                            "X_7, beta_0 or AC is needed here"
-                        } else {
-                            "remove this or the other"
-                        },
-                    )
-                    .help("give exactly one of X_7 (sag), beta_0 (angle at B) and AC (tail to head)"),
-                );
+                found.push(v.refuse(
+                    extra,
+                    if none {
+                        "nothing determines the jib's triangle"
+                    } else {
+                        "the jib's triangle is determined twice"
+                    },
+                    if none {
+                        "X_7, beta_0 or AC is needed here"
+                    } else {
+                        "remove this or the other"
+                    },
+                    "give exactly one of X_7 (sag), beta_0 (angle at B) and AC (tail to head)",
+                ));
                 return None;
             }
         };
-        let weights = match v.table("weights") {
-            Some(table) => Some(Weights::of(|symbol| table.number(symbol.id))?),
-            None => None,
-        };
-        let (anchors, cylinder) = match v.table("drive") {
-            Some(d) => {
-                let anchors = Anchors::of(|symbol| d.number(symbol.id))?;
-                (Some(anchors), cylinder(d, found))
-            }
-            None => (None, None),
-        };
+        let weights = v.part("weights", Weights::read)?;
+        let anchors = v.part("drive", Anchors::read)?;
+        let cylinder = v.table("drive").and_then(|table| cylinder(table, found));
         let q = n(&s::Q);
         // A load that cannot be read is not one that is missing.
         let loaded = q.is_some() || !found.is_empty();
-        if weights.is_some() && !loaded {
-            found.push(
-                Diagnostic::new(
-                    v.place("weights"),
-                    "own weights without a load",
-                    "these need forces to be modelled",
-                )
-                .help("add Q = \"0 kN\" or more to [luffing]"),
-            );
-        }
-        let balance = match v.table("balance") {
-            Some(table) => Some(Form::read(table, found)?),
-            None => None,
-        };
+        let balance = v.part("balance", |table| Form::read(table, found))?;
+        complete(v, balance.as_ref(), "the weights of boom, jib and rocker", found);
         let parameters = Parameters {
             lengths,
             jib,
@@ -164,32 +127,14 @@ impl Luffing {
         };
         let motion = motion(v, &parameters, found);
         let moving = moving::scene::Moving::new(v, gravity, loaded, found);
-        let table = interpolation(v, found);
-        if let Some(table) = v.table("balance") {
-            balanced(v, table, &parameters, motion.as_ref(), found);
-        }
-        let limits = v
-            .table("limits")
-            .map_or(Vec::new(), |table| table.quantities_of(LIMITS));
-        if let Some(table) = v.table("limits") {
-            for symbol in [&b::DM_MAX, &b::GAMMA_MIN, &b::N_MAX] {
-                let checked = balance.is_some_and(|balance| balance.has(symbol));
-                if table.has(symbol.id) && !checked {
-                    let what = match &balance {
-                        Some(balance) => format!("a balance of the kind \"{}\" has no {}", balance.kind(), symbol.id),
-                        None => format!("a limit {} without a balance", symbol.id),
-                    };
-                    found.push(
-                        Diagnostic::new(table.place(symbol.id), what, "nothing to check").help("remove the limit"),
-                    );
-                }
-            }
+        if let Some((table, motion)) = v.table("balance").filter(|_| weights.is_some()).zip(motion) {
+            balanced(v, table, &parameters, &motion, found);
         }
         let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());
         let id = moving::symbols::PHI_MAX.id;
         if let Some(table) = v.table("limits").filter(|table| table.has(id) && !swings) {
             let what = format!("a limit {id} without a swinging load");
-            found.push(Diagnostic::new(table.place(id), what, "nothing to check").help("remove the limit"));
+            found.push(table.refuse(id, what, "nothing to check", "remove the limit"));
         }
         let theta = parameters.driven.coordinate();
         let published = v.table("published").and_then(|table| published(table, theta, found));
@@ -198,19 +143,16 @@ impl Luffing {
         let synthesis = v
             .table("synthesis")
             .and_then(|table| synthesis(table, &parameters, &motion, found));
-        (found.len() == before).then_some(Luffing {
+        let luffing = LuffingScene {
             parameters,
             q,
-            motion,
             change_point,
             moving,
-            table,
-            auto: v.text("fidelity") == Some("auto"),
-            limits,
             published,
             synthesis,
             published_balance: v.table("balance").and_then(PublishedBalance::read),
-        })
+        };
+        Some((luffing, motion))
     }
 }
 
@@ -233,21 +175,8 @@ fn own_lever(p: &Parameters<f64>) -> Option<Lever<f64>> {
 }
 
 /// Checks that the balance exists over the whole working range.
-fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: Option<&Motion>, found: &mut Vec<Diagnostic>) {
-    if p.weights.is_none() {
-        found.push(
-            Diagnostic::new(
-                v.place("balance"),
-                "a balance without own weights",
-                "there is nothing to balance",
-            )
-            .help("add [luffing.weights] with the weights of boom, jib and rocker"),
-        );
-        return;
-    }
-    let Some(Err(fault)) = motion.map(|motion| analysis(p, motion)) else {
-        return;
-    };
+fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: &Motion, found: &mut Vec<Diagnostic>) {
+    let Err(fault) = analysis(p, motion) else { return };
     let place = if fault.quantity == &s::THETA_1 {
         v.place("motion")
     } else {
@@ -264,14 +193,12 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
         ("rack", None, None) => None,
         ("cylinder", Some(d_c), Some(d_r)) => {
             let (d_c, d_r) = (s::D_C.written(d_c), s::D_R.written(d_r));
-            found.push(
-                Diagnostic::new(
-                    d.place("d_r"),
-                    format!("the rod d_r = {d_r} does not fit the bore D_c = {d_c}"),
-                    "too thick",
-                )
-                .help("the rod must be thinner than the bore"),
-            );
+            found.push(d.refuse(
+                "d_r",
+                format!("the rod d_r = {d_r} does not fit the bore D_c = {d_c}"),
+                "too thick",
+                "the rod must be thinner than the bore",
+            ));
             None
         }
         ("cylinder", ..) => {
@@ -287,7 +214,7 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
         }
         _ => {
             let key = if bore.is_some() { "D_c" } else { "d_r" };
-            found.push(Diagnostic::new(d.place(key), "a rack has no bore and no rod", "not used").help("remove it"));
+            found.push(d.refuse(key, "a rack has no bore and no rod", "not used", "remove it"));
             None
         }
     }
@@ -306,7 +233,7 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
                 Misfit::Frame => "no frame",
                 Misfit::Linkage => "cannot reach",
             };
-            found.push(Diagnostic::new(v.place(words.key), words.what, label).help(words.help));
+            found.push(v.refuse(words.key, words.what, label, words.help));
             return None;
         }
     };
@@ -314,10 +241,6 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
     if geometry.linkage.turns_fully() || arcs.iter().any(|arc| covers(*arc, motion.from, motion.to)) {
         return Some(motion);
     }
-    let parts: Vec<String> = arcs
-        .iter()
-        .map(|arc| format!("{} to {}", degrees(arc.from), degrees(arc.to)))
-        .collect();
     found.push(
         Diagnostic::new(
             m.span.clone(),
@@ -328,7 +251,7 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
             ),
             missing(&arcs, &motion),
         )
-        .help(format!("it closes for {} of the driven bar", parts.join(" and for "))),
+        .help(format!("it closes for {} of the driven bar", closes(&geometry))),
     );
     None
 }
@@ -349,7 +272,7 @@ fn change_point(
     points.sort_unstable_by(f64::total_cmp);
     let points: Vec<String> = points.into_iter().map(degrees).collect();
     let away = format!("keep the working range away from {}", points.join(" and "));
-    let mut refuse = |key, what, label, help| found.push(Diagnostic::new(v.place(key), what, label).help(help));
+    let mut refuse = |key, what, label, help| found.push(v.refuse(key, what, label, help));
     if !geometry.linkage.keeps_branch() {
         refuse(
             "motion",

@@ -1,169 +1,174 @@
-//! Everything a book says about a luffing mechanism.
+//! The double link as scenes describe it and books tell it.
 
-mod motion;
+pub mod motion;
 
-use crate::balance::symbols as b;
-use crate::component::dependencies::{Recorder, recorded};
-use crate::component::outline::Explained::{Row, Stage};
-use crate::component::outline::{Greatest, Limit, Most, Outline, Published, Told};
-use crate::component::sheet::{self, Check, Drawing, Input, Sheet, Summary};
+use crate::balance::boom::Boom;
+use crate::component::description::{Described, Description};
+use crate::component::mechanism::{Entry, Solver};
+use crate::component::outline::{Outline, Published};
+use crate::component::running::Running;
+use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
-use crate::component::telling::{fine, sample};
-use crate::kernel::origin::Origins;
-use crate::kernel::symbol::Symbol;
-use crate::luffing::counterweight::BalancedBoom;
-use crate::luffing::double_link::balancing::{self, agreement, analysis, residual};
+use crate::component::telling::{compared, fine, sample};
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::One;
+use crate::kernel::schema::Values;
+use crate::kernel::variable::Fault;
+use crate::luffing::balancing::{agreement, searched};
+use crate::luffing::counterweight::chapter;
+use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
-use crate::luffing::double_link::geometry::{Driven, Geometry};
-use crate::luffing::double_link::model::standing;
-use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::geometry::{Choice, Driven, Geometry, Jib};
+use crate::luffing::double_link::keys::KEYS;
+use crate::luffing::double_link::moving::{self, model::LuffingMotion};
+use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::range::{Rise, rise_by_integration};
-use crate::luffing::double_link::scene::Luffing;
-use crate::luffing::double_link::stages::DoubleLink;
+use crate::luffing::double_link::scene::{Luffing, LuffingScene};
+use crate::luffing::double_link::sheet::motion::motion;
+use crate::luffing::double_link::stages::{DoubleLink, Given};
 use crate::luffing::double_link::statics::{LoadMoment, Own, PinForces};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::parts::motion::Motion;
 
-static OUTLINE: Outline = Outline {
-    constants: &[
-        ("geometry_constants", &[Stage("geometry")]),
-        ("balance_constants", &[Stage("balancing")]),
-    ],
-    sections: &[
-        ("position", &[Stage("position")]),
-        (
-            "angles",
-            &[
-                Row(&s::THETA_3),
-                Row(&s::THETA_1),
-                Row(&s::ALPHA_1),
-                Row(&s::Y),
-                Row(&s::L),
-                Row(&s::MU),
-            ],
-        ),
-        ("velocity", &[Stage("velocity"), Stage("head"), Row(&s::BETA)]),
-        ("pole", &[Stage("pole")]),
-        ("load_moment", &[Stage("load_moment"), Stage("by_pole")]),
-        ("weight_moment", &[Stage("own")]),
-        ("drive", &[Stage("drive"), Stage("stroke"), Stage("flow")]),
-        ("balance", &[Stage("residual"), Stage("balanced")]),
-        ("pin_forces", &[Stage("held"), Stage("push"), Stage("feet")]),
-        ("published_forms", &[Stage("published")]),
-    ],
-    table: &[
-        &s::THETA_3,
-        &s::THETA_1,
-        &s::R,
-        &s::A_Y,
-        &s::ALPHA,
-        &s::ALPHA_1,
-        &s::MU,
-        &s::V_AX,
-        &s::M_Q,
-        &s::M_D,
-        &s::F_D,
-    ],
-    curves: &[
-        ("li2022_fig_3", Some(&s::P_X), &s::P_Y),
-        ("li2022_fig_4", None, &s::THETA_3),
-        ("li2022_fig_4", None, &s::THETA_1),
-        ("li2022_fig_5", None, &s::ALPHA_1),
-        ("li2022_fig_6", Some(&s::R), &s::A_Y),
-        ("li2022_fig_7", None, &s::V_AX),
-        ("li2022_fig_8", None, &s::M_Q),
-    ],
-    extremes: &[
-        Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
-        Greatest::new(&s::R_MIN, Most::Least, &s::R),
-        Greatest::new(&s::MU_MIN, Most::Least, &s::MU),
-        Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
-        Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
-        Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
-        Greatest::new(&s::N_3_MAX, Most::Amount, &s::N_3),
-        Greatest::new(&s::F_D_MAX, Most::Amount, &s::F_D).with_pole(&s::H_D),
-    ],
-    summary: &[&s::DELTA_Y, &s::EPSILON_Y],
-    sensitivity: &[
-        &s::MU_MIN,
-        &s::EPSILON_Y,
-        &s::R_MAX,
-        &s::M_Q_MAX,
-        &s::F_D_MAX,
-        &b::DM_MAX,
-        &b::N_MAX,
-    ],
-    limits: &[
-        Limit::at_least("transmission_angle", &s::MU_MIN),
-        Limit::at_most("level_error", &s::EPSILON_Y),
-        Limit::at_most("balance_residual", &b::DM_MAX),
-        Limit::at_least("balance_transmission", &b::GAMMA_MIN),
-        Limit::at_most("balance_rod", &b::N_MAX),
-    ],
-    worst: ("governing", &s::M_Q_MAX),
-};
+/// As scenes describe it.
+pub const ENTRY: Entry = Description::<LuffingScene>::entry("double_link", KEYS);
 
-impl Told for Luffing {
-    fn outline(&self) -> &'static Outline {
-        &OUTLINE
+impl Described for LuffingScene {
+    type Component = DoubleLink;
+    const ID: &'static str = "luffing";
+    const TABLE: &'static str = "luffing";
+    const OUTLINE: &'static Outline = &OUTLINE;
+
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(LuffingScene, Motion)> {
+        LuffingScene::new(v, gravity, found)
     }
 
-    fn standing(&self) -> Standing {
-        let closed = Luffing {
-            table: None,
-            ..self.clone()
+    fn given(this: &Luffing) -> Given<f64> {
+        let p = &this.parameters;
+        Given {
+            theta: One(p.driven.coordinate(), this.motion.from),
+            omega: One(p.driven.rate(), this.motion.speed),
+            load: this.q.map(|q| One(&s::Q, q)),
+            lengths: p.lengths,
+            jib: match p.jib {
+                Jib::Sag(x) => One(&s::X_7, x),
+                Jib::Angle(x) => One(&s::BETA_0, x),
+                Jib::Axis(x) => One(&s::AC, x),
+            },
+            weights: p.weights,
+            anchors: p.anchors,
+            cylinder: p.cylinder,
+            balance: p.balance,
+            choice: Choice {
+                driven: p.driven,
+                branch: p.branch,
+                range: this.motion,
+                pins: this.has_pins(),
+            },
+        }
+    }
+
+    /// Checks that the mechanism exists at each published row.
+    fn check(luffing: &Luffing, v: &Values, found: &mut Vec<Diagnostic>) {
+        if let Some((published, table)) = luffing.published.as_ref().zip(v.table("published")) {
+            // The first line has the names.
+            let places = table.texts("values").iter().skip(1);
+            let compared = compared(published, &mut luffing.standing());
+            for (row, (_, place)) in compared.into_iter().zip(places) {
+                if let Err(fault) = row {
+                    let message = format!("a published row of which there is none: {}", fault.message);
+                    found.push(
+                        Diagnostic::new(place.clone(), message, "not possible").help("correct the row, or remove it"),
+                    );
+                }
+            }
+        }
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        let mut levels = vec!["table", "static"];
+        if let Some(moving) = &self.moving {
+            levels.push("rigid");
+            levels.extend(moving.rope.map(|_| "swing"));
+            levels.extend(moving.oil.map(|_| "hydraulic"));
+        }
+        levels
+    }
+
+    fn set_level(&mut self, level: &str) {
+        match level {
+            "rigid" => {
+                if let Some(moving) = &mut self.moving {
+                    (moving.rope, moving.oil) = (None, None);
+                }
+            }
+            "swing" => {
+                if let Some(moving) = &mut self.moving {
+                    moving.oil = None;
+                }
+            }
+            "hydraulic" => {}
+            _ => self.moving = None,
+        }
+    }
+
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        let mut unused: Vec<(&'static str, &'static [&'static str])> = match level {
+            "static" | "table" => vec![("dynamics", &[]), ("slewing", &[]), ("hydraulics", &[])],
+            "rigid" | "swing" => vec![("hydraulics", &[])],
+            _ => Vec::new(),
         };
-        standing(&closed).expect("a scene that was read has a mechanism")
+        let rope = self.moving.as_ref().is_some_and(|moving| moving.rope.is_some());
+        if !(rope && matches!(level, "swing" | "hydraulic")) {
+            unused.extend([
+                ("slewing", &["chi_R"][..]),
+                ("dynamics", &["l_R", "phi_R", "v_h"][..]),
+                ("limits", &["phi_max"][..]),
+            ]);
+        }
+        unused
     }
 
-    fn recorder(&self) -> Recorder {
-        recorded::<DoubleLink>
-    }
-
-    fn limit(&self, symbol: &'static Symbol) -> Option<f64> {
-        self.limits
-            .iter()
-            .find(|(known, _)| *known == symbol)
-            .map(|(_, limit)| *limit)
-    }
-
-    fn searched(&self) -> Vec<Summary> {
-        let at = self.parameters.driven.coordinate();
-        let found = analysis(&self.parameters, &self.motion).expect("checked when the scene was read");
-        let entry = |(symbol, extreme): (&'static Symbol, Option<crate::component::extreme::Extreme>)| {
-            extreme.map(|extreme| Summary {
-                symbol,
-                value: extreme.value,
-                at: Some((at, extreme.at)),
-            })
-        };
-        found.map_or(Vec::new(), |found| {
-            found.extremes().into_iter().filter_map(entry).collect()
+    fn solver(&self) -> Option<Solver> {
+        self.moving.as_ref().map(|moving| Solver {
+            step: &moving::symbols::STEP,
+            tolerance: &moving::symbols::TOL,
+            table: "hydraulics",
+            explicit: moving.oil.is_none().then_some(moving.constants.step),
         })
     }
 
-    fn identities(&self, model: &mut Standing) -> Vec<Check> {
-        let (p, motion) = (&self.parameters, &self.motion);
+    fn moving(this: &Luffing) -> Option<Result<Box<dyn Running>, Fault>> {
+        let moving = LuffingMotion::new(this, this.moving.as_ref()?);
+        Some(moving.map(|model| Box::new(model) as Box<dyn Running>))
+    }
+
+    fn chapters(&self) -> Vec<&'static str> {
+        let moving = self.moving.as_ref().map(|_| "motion");
+        let balance = self.parameters.balance.map(|_| "balance");
+        let synthesis = self.synthesis.as_ref().map(|_| "synthesis");
+        [moving, balance, synthesis].into_iter().flatten().collect()
+    }
+
+    fn searched(_: &Luffing, model: &Standing) -> Vec<Summary> {
+        searched::<DoubleLink>(model)
+    }
+
+    fn identities(this: &Luffing, model: &mut Standing) -> Vec<Check> {
+        let (p, motion) = (&this.parameters, &this.motion);
         let (Ok(g), Some(rise)) = (Geometry::new(p), Rise::new(p, motion)) else {
             return Vec::new();
         };
         let mut checks = Vec::new();
-        let mut agree = |id, value, limit| {
-            checks.push(Check {
-                id,
-                symbol: &s::AGREEMENT,
-                value,
-                limit,
-                at_most: true,
-            });
-        };
-        if p.balance.is_some() {
-            let [work, power] = agreement(p, motion, fine(motion));
+        let mut agree = |id, value, limit| checks.push(Check::at_most(id, &s::AGREEMENT, value, limit));
+        let system = boom(p, motion);
+        if let Some([work, power]) = agreement::<DoubleLink>(model, |phi| system.clone()?.0.moment_by_power(phi)) {
             agree("balance_work", work, 1e-12);
             agree("balance_power", power, 1e-12);
         }
-        let Some(q) = self.q else { return checks };
+        let Some(q) = this.q else { return checks };
         // Agreement of independent ways, relative to the largest moment.
         let (integral, difference) = (rise_by_integration(&g, motion), rise.whole);
         let scale = rise.steepest.abs();
@@ -172,25 +177,20 @@ impl Told for Luffing {
         let both = sample(model, &[&s::M_Q, &s::M_Q_P], fine(motion));
         let most = both.iter().map(|row| (row[0] - row[1]).abs()).fold(0.0, f64::max);
         agree("moment_agreement", most / (q.max(f64::MIN_POSITIVE) * scale), 1e-12);
-        if self.has_pins() {
-            agree("equilibrium", equilibrium(self, &g), 1e-12);
+        if this.has_pins() {
+            agree("equilibrium", equilibrium(this, &g), 1e-12);
         }
         checks
     }
 
-    fn totals(&self) -> Vec<Summary> {
-        let (p, motion) = (&self.parameters, &self.motion);
-        let (Some(q), Ok(g), Some(rise)) = (self.q, Geometry::new(p), Rise::new(p, motion)) else {
+    fn totals(this: &Luffing) -> Vec<Summary> {
+        let (p, motion) = (&this.parameters, &this.motion);
+        let (Some(q), Ok(g), Some(rise)) = (this.q, Geometry::new(p), Rise::new(p, motion)) else {
             return Vec::new();
         };
-        let alone = |symbol, value| Summary {
-            symbol,
-            value,
-            at: None,
-        };
         vec![
-            alone(&s::W_Q, q * rise_by_integration(&g, motion)),
-            alone(&s::W_Y, q * rise.whole),
+            Summary::new(&s::W_Q, q * rise_by_integration(&g, motion)),
+            Summary::new(&s::W_Y, q * rise.whole),
         ]
     }
 
@@ -211,11 +211,11 @@ impl Told for Luffing {
         pieces.map(<[_]>::to_vec).collect()
     }
 
-    fn assumptions(&self) -> Vec<&'static str> {
+    fn assumptions(this: &Luffing) -> Vec<&'static str> {
         let given = |known: bool, id: &'static str| known.then_some(id);
-        let forces = given(self.q.is_some(), "forces");
-        let Some(moving) = &self.moving else {
-            let level = if self.table.is_some() {
+        let forces = given(this.q.is_some(), "forces");
+        let Some(moving) = &this.moving else {
+            let level = if this.table.is_some() {
                 "level_table"
             } else {
                 "level_static"
@@ -230,7 +230,7 @@ impl Told for Luffing {
                 (false, false) => "level_rigid",
             }),
             Some("bodies"),
-            given(self.parameters.balance.is_some(), "counterweight"),
+            given(this.parameters.balance.is_some(), "counterweight"),
             Some(if rope { "rope" } else { "fixed_load" }),
             given(rope, "slack"),
             given(rope, "hoist"),
@@ -246,112 +246,48 @@ impl Told for Luffing {
         .collect()
     }
 
-    fn drawing(&self) -> Drawing {
-        let g = Geometry::new(&self.parameters).expect("checked when the scene was read");
-        drawing(&g, self)
+    fn drawing(this: &Luffing) -> Drawing {
+        let g = Geometry::new(&this.parameters).expect("checked when the scene was read");
+        drawing(&g, this)
     }
 
     fn remarks(&self) -> Vec<&'static str> {
-        remarks(self)
+        let from = |source: Option<&String>, key: &str| source.is_some_and(|source| source.starts_with(key));
+        let mechanism = self.published.as_ref().map(|published| &published.source);
+        let balance = self.published_balance.as_ref().map(|published| &published.source);
+        let mut list = Vec::new();
+        if from(mechanism, "[Li2022") {
+            list.extend([
+                "li2022_sag",
+                "li2022_sign",
+                "li2022_quadrants",
+                "li2022_level_error",
+                "li2022_drive_comparison",
+            ]);
+        }
+        if from(balance, "[Balance004") {
+            list.extend([
+                "balance004_rounding",
+                "balance004_nodes",
+                "balance004_double_node",
+                "balance004_rod",
+                "balance004_chi_2",
+            ]);
+        }
+        if from(balance, "[Ports001") {
+            list.extend(["ports001_pivot", "ports001_positions", "ports001_linkage"]);
+        }
+        list
     }
 
-    fn inputs(&self, origins: &Origins) -> Vec<Input> {
-        inputs(origins, self)
-    }
-
-    fn more(&self, model: &mut Standing, sheet: &mut Sheet) {
-        sheet.balance = balance(model, self);
-        let moving = self.moving.as_ref().and_then(|moving| motion::motion(self, moving));
-        if let Some((motion, checks, warned)) = moving {
+    fn more(this: &Luffing, model: &mut Standing, sheet: &mut Sheet) {
+        sheet.balance = chapter::<DoubleLink>(model, this.published_balance.as_ref());
+        if let Some((found, checks, warned)) = this.moving.as_ref().and_then(|moving| motion(this, moving)) {
             sheet.checks.extend(checks);
             sheet.warnings.extend(warned);
-            sheet.motion = Some(motion);
+            sheet.motion = Some(found);
         }
     }
-}
-
-fn inputs(origins: &Origins, luffing: &Luffing) -> Vec<Input> {
-    let mut inputs = Vec::new();
-    let mut add = |chapter: &'static str, table: &str, name: &str, symbol: &'static Symbol, value: f64| {
-        inputs.push(Input {
-            symbol,
-            number: None,
-            value,
-            chapter,
-            given: origins.of(&format!("luffing.{table}{name}")).cloned(),
-        });
-    };
-    let mut place = ("geometry", "");
-    luffing.parameters.map(&mut |symbol, value| {
-        if symbol == &s::G_1 {
-            place = ("weights", "weights.");
-        } else if symbol == &s::E_X {
-            place = ("drive", "drive.");
-        } else if b::ALL.contains(&symbol) {
-            place = ("balance", "balance.");
-        }
-        add(place.0, place.1, symbol.id, symbol, value);
-    });
-    if let Some(q) = luffing.q {
-        add("load", "", s::Q.id, &s::Q, q);
-    }
-    let motion = &luffing.motion;
-    add("motion", "motion.", "from", &s::FROM, motion.from);
-    add("motion", "motion.", "to", &s::TO, motion.to);
-    add(
-        "motion",
-        "motion.",
-        "speed",
-        luffing.parameters.driven.rate(),
-        motion.speed,
-    );
-    if let Some(moving) = &luffing.moving {
-        // What the scene leaves to itself is no input of the book.
-        let mut table = |chapter: &'static str, table: &'static str, symbol: &'static Symbol, value: f64| {
-            if origins.of(&format!("luffing.{table}{}", symbol.id)).is_some() {
-                add(chapter, table, symbol.id, symbol, value);
-            }
-        };
-        let inputs = &moving.inputs;
-        moving
-            .constants
-            .map(&mut |symbol, value| table("moving", "dynamics.", symbol, value));
-        let commands = [
-            (&m::M_A, inputs.motion.moment),
-            (&m::M_S, inputs.motion.brake),
-            (&m::V_H, inputs.motion.hoist),
-        ];
-        let rope = moving.rope.map(|rope| [(&m::L_R, rope.length), (&m::PHI, rope.swing)]);
-        for (symbol, value) in commands.into_iter().chain(rope.into_iter().flatten()) {
-            table("moving", "dynamics.", symbol, value);
-        }
-        if let Some(turn) = &moving.slewing {
-            turn.constants
-                .map(&mut |symbol, value| table("slewing", "slewing.", symbol, value));
-            let others = [
-                (&m::M_SL, inputs.slewing.moment),
-                (&m::M_B_SL, inputs.slewing.brake),
-                (&m::PSI_SL, turn.start[0]),
-                (&m::OMEGA_SL, turn.start[1]),
-                (&m::PSI_MIN, turn.stops[0]),
-                (&m::PSI_MAX, turn.stops[1]),
-                (&m::CHI_R, turn.side),
-            ];
-            for (symbol, value) in others {
-                table("slewing", "slewing.", symbol, value);
-            }
-        }
-        if let Some(oil) = &moving.oil {
-            oil.map(&mut |symbol, value| table("oil", "hydraulics.", symbol, value));
-            for (symbol, value) in [(&m::P_P, inputs.supply), (&m::U_V, inputs.valve)] {
-                table("oil", "hydraulics.", symbol, value);
-            }
-        }
-    }
-    for &(symbol, value) in &luffing.limits {
-        add("limits", "limits.", symbol.id, symbol, value);
-    }
-    inputs
 }
 
 /// The drive's moment by equilibrium of the bodies against virtual work of load
@@ -376,60 +312,4 @@ fn equilibrium(luffing: &Luffing, g: &Geometry<f64>) -> f64 {
         scale = scale.max(work.abs()).max(carried.abs());
     }
     worst / scale
-}
-
-/// `None` where the scene has no balance.
-fn balance(model: &mut Standing, luffing: &Luffing) -> Option<sheet::BalanceSheet> {
-    let (p, motion) = (&luffing.parameters, &luffing.motion);
-    let (g, weights) = (Geometry::new(p).ok()?, p.weights.as_ref()?);
-    let balancing = balancing::new(p, motion).ok()??;
-    let at = |theta: f64| {
-        Some((
-            Position::new(&g, theta)?.b,
-            residual(&balancing, &g, weights, theta).ok()?,
-        ))
-    };
-    let balanced = BalancedBoom {
-        form: p.balance?,
-        balancing,
-        found: analysis(p, motion).ok()??,
-        motion: *motion,
-        published: luffing.published_balance.as_ref(),
-        coordinate: p.driven.coordinate(),
-        angle: &s::THETA_1,
-        reach: &s::R,
-        moment: &s::M_D,
-        at: &at,
-    };
-    balanced.chapter(model)
-}
-
-/// Ids of the remarks on the publications of this mechanism.
-pub(crate) fn remarks(luffing: &Luffing) -> Vec<&'static str> {
-    let from = |source: Option<&String>, key: &str| source.is_some_and(|source| source.starts_with(key));
-    let mechanism = luffing.published.as_ref().map(|published| &published.source);
-    let balance = luffing.published_balance.as_ref().map(|published| &published.source);
-    let mut list = Vec::new();
-    if from(mechanism, "[Li2022") {
-        list.extend([
-            "li2022_sag",
-            "li2022_sign",
-            "li2022_quadrants",
-            "li2022_level_error",
-            "li2022_drive_comparison",
-        ]);
-    }
-    if from(balance, "[Balance004") {
-        list.extend([
-            "balance004_rounding",
-            "balance004_nodes",
-            "balance004_double_node",
-            "balance004_rod",
-            "balance004_chi_2",
-        ]);
-    }
-    if from(balance, "[Ports001") {
-        list.extend(["ports001_pivot", "ports001_positions", "ports001_linkage"]);
-    }
-    list
 }

@@ -3,15 +3,15 @@
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
-use crate::component::part::{Component, Port};
+use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, absent, stages};
 use crate::component::whole::Whole;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::number::exact;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
-use crate::luffing::balancing::{Balanced, Balancing, Criteria};
+use crate::luffing::balancing::{Balanced, Balancing, Criteria, WithBalance};
 use crate::luffing::double_link::balancing::{self, analysis, balanced, residual};
 use crate::luffing::double_link::drive::{Drive, Flow, Reaction, Stroke};
 use crate::luffing::double_link::feet::Feet;
@@ -24,6 +24,7 @@ use crate::luffing::double_link::statics::{ByPole, Carried, Held, LoadMoment, Ow
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::{Head, Pole, Velocity};
 use crate::parts::motion::{Motion, degrees};
+use crate::parts::plane::Point;
 
 stages! {
     /// The double-link luffing mechanism.
@@ -73,38 +74,12 @@ impl Component for DoubleLink {
         Whole::least(&s::MU_MIN, &s::MU),
     ];
 
-    const PORTS: &'static [Port] = &[
-        Port {
-            name: "head",
-            text: "Head A of the jib, where the load hangs.",
-            members: &[
-                (&s::A_X, "x"),
-                (&s::A_Y, "y"),
-                (&s::V_AX, "v_x"),
-                (&s::V_AY, "v_y"),
-                (&s::Q, "f"),
-            ],
-            driven: &[],
-        },
-        Port {
-            name: "shaft",
-            text: "Foot of the driven bar, where a moment drives it.",
-            members: &[
-                (&s::THETA_1, "phi"),
-                (&s::OMEGA_1, "w"),
-                (&s::THETA_3, "phi"),
-                (&s::OMEGA_3, "w"),
-                (&s::M_D, "tau"),
-            ],
-            driven: &["phi", "w"],
-        },
-        Port {
-            name: "drive",
-            text: "Cylinder or rack between frame and driven bar.",
-            members: &[(&s::L_D, "s"), (&s::V_D, "v"), (&s::F_D, "f"), (&s::Q_D, "q")],
-            driven: &[],
-        },
-    ];
+    const PORTS: &'static [Port] = ports! { s:
+        head "Head A of the jib, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
+        shaft "Foot of the driven bar, where a moment drives it." [phi w]:
+            phi THETA_1, w OMEGA_1, phi THETA_3, w OMEGA_3, tau M_D;
+        drive "Cylinder or rack between frame and driven bar.": s L_D, v V_D, f F_D, q Q_D;
+    };
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let own = match given.choice.driven {
@@ -112,17 +87,7 @@ impl Component for DoubleLink {
             Driven::Rocker => [&s::THETA_3, &s::I_3],
         };
         // The coordinate is no result, and a balance has what its kind has.
-        let forces = [
-            &s::F_BX,
-            &s::F_BY,
-            &s::F_CX,
-            &s::F_CY,
-            &s::F_O1X,
-            &s::F_O1Y,
-            &s::F_O3X,
-            &s::F_O3Y,
-            &s::N_3,
-        ];
+        let forces = listed!(s: F_BX, F_BY, F_CX, F_CY, F_O1X, F_O1Y, F_O3X, F_O3Y, N_3);
         !own.contains(&symbol)
             && (given.choice.pins || !forces.contains(&symbol))
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
@@ -146,6 +111,26 @@ impl Component for DoubleLink {
         let mut arcs = linkage.arcs().into_iter().filter(|_| !linkage.turns_fully());
         let arc = arcs.find(|arc| arc.from <= from && to <= arc.to)?;
         Some([arc.from, arc.to])
+    }
+}
+
+impl WithBalance for DoubleLink {
+    const SYMBOLS: [&'static Symbol; 3] = [&s::THETA_1, &s::R, &s::M_D];
+
+    fn form(given: &Given<f64>) -> Option<Form<f64>> {
+        given.balance
+    }
+
+    fn balance(known: &mut Known<f64>) -> Found<(Balancing<f64>, Analysis)> {
+        Ok((*known.balancing()?, known.analysed()?.clone()))
+    }
+
+    fn head(known: &mut Known<f64>) -> Found<Point<f64>> {
+        Ok(known.position()?.b)
+    }
+
+    fn residual<C: Calc>(known: &mut Known<C>) -> Found<Residual<C>> {
+        known.residual().copied()
     }
 }
 
@@ -250,7 +235,7 @@ fn published<C: Calc>(g: &Geometry<C>, jib: &One<C>, theta: &C) -> Found<Publish
 }
 
 /// The angles at which the linkage closes, in words.
-fn closes<C: Calc>(g: &Geometry<C>) -> String {
+pub(super) fn closes<C: Calc>(g: &Geometry<C>) -> String {
     let arcs = g.linkage.arcs();
     let words: Vec<String> = arcs
         .iter()

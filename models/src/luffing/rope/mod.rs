@@ -25,9 +25,9 @@
 
 mod balancing;
 pub mod losses;
+mod outline;
 pub mod position;
 pub mod scene;
-mod sheet;
 pub mod stages;
 pub mod statics;
 pub mod symbols;

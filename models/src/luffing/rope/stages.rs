@@ -3,18 +3,21 @@
 use crate::balance::analysis::{Analysis, Residual};
 use crate::balance::boom::Plain;
 use crate::balance::scene::Form;
-use crate::component::part::{Component, Port};
+use crate::balance::symbols as b;
+use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::component::whole::Whole;
+use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::balancing::{Balanced, Balancing, Criteria};
+use crate::luffing::balancing::{Balanced, Balancing, Criteria, WithBalance};
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Falls, LoadLevel, Path, Rig, Stretch};
 use crate::luffing::rope::statics::{Hanging, OwnMoment, Power, Pull, RopePulls};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::rope::velocity::{RopeTravel, Speeds};
+use crate::parts::plane::Point;
 
 stages! {
     /// A plain boom on a luffing rope.
@@ -60,33 +63,37 @@ impl Component for RopeBoom {
         Whole::vanishes(&s::PHI_T0, &s::M_D, Some((&s::Q, 0.0))),
     ];
 
-    const PORTS: &'static [Port] = &[
-        Port {
-            name: "head",
-            text: "Head A of the boom, where the load hangs.",
-            members: &[
-                (&s::A_X, "x"),
-                (&s::A_Y, "y"),
-                (&s::V_AX, "v_x"),
-                (&s::V_AY, "v_y"),
-                (&s::Q, "f"),
-            ],
-            driven: &[],
-        },
-        Port {
-            name: "drum",
-            text: "Drum of the luffing rope.",
-            members: &[(&s::V_L, "v"), (&s::S_L_UP, "f"), (&s::P_L, "p")],
-            driven: &[],
-        },
-    ];
+    const PORTS: &'static [Port] = ports! { s:
+        head "Head A of the boom, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
+        drum "Drum of the luffing rope.": v V_L, f S_L_UP, p P_L;
+    };
 
     /// A balance has what its kind has, and the tackle's force is told otherwise.
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        symbol != &crate::balance::symbols::F_D_0 && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+        symbol != &b::F_D_0 && given.balance.as_ref().is_none_or(|form| form.has(symbol))
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {
         known.falls().map(|_| ())
+    }
+}
+
+impl WithBalance for RopeBoom {
+    const SYMBOLS: [&'static Symbol; 3] = [&b::PHI, &s::R, &s::M_D];
+
+    fn form(given: &Given<f64>) -> Option<Form<f64>> {
+        given.balance
+    }
+
+    fn balance(known: &mut Known<f64>) -> Found<(Balancing<f64>, Analysis)> {
+        Ok((*known.balancing()?, known.analysed()?.clone()))
+    }
+
+    fn head(known: &mut Known<f64>) -> Found<Point<f64>> {
+        Ok(known.position()?.a)
+    }
+
+    fn residual<C: Calc>(known: &mut Known<C>) -> Found<Residual<C>> {
+        known.residual().copied()
     }
 }

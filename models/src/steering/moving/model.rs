@@ -23,7 +23,6 @@ use crate::steering::built::Built;
 use crate::steering::flow::flow;
 use crate::steering::hydraulic::{Control, INDICATORS, STATES, WorkingGroup};
 use crate::steering::load::{Resistance, force, resistance};
-use crate::steering::model::{present, standing};
 use crate::steering::moving::level::{Clock, Groups, PresentGroup};
 use crate::steering::moving::scene::MovingGroups;
 use crate::steering::moving::symbols as m;
@@ -197,12 +196,12 @@ impl SteeringMotion {
     /// # Errors
     /// Never for a scene that was read: it has a machine, and a command that its mode takes.
     pub fn new(steering: &Steering, moving: &MovingGroups) -> Result<SteeringMotion, Fault> {
-        let algebraic = standing(steering)?;
+        let algebraic = steering.standing();
         let of = |symbol: &Symbol| {
             let mut all = algebraic.variables().iter();
             all.position(|variable| variable.symbol == symbol)
         };
-        let groups = vec![PresentGroup::new([0.0; STATES]); present(&algebraic).axes.len()];
+        let groups = vec![PresentGroup::new([0.0; STATES]); algebraic.of::<SteeredGroups>().given().axes.len()];
         let mut model = SteeringMotion {
             variables: Vec::new(),
             slots: Vec::new(),
@@ -291,7 +290,7 @@ impl SteeringMotion {
     /// The equations of motion with the present parameters and inputs.
     fn assemble(&mut self) -> Result<Groups, Fault> {
         let MovingGroups { plc, .. } = self.now.given;
-        let given = present(&self.algebraic);
+        let given = self.algebraic.of::<SteeredGroups>().given();
         Built::new(given).map_err(|refusal| Fault::outside(refusal.to_string()))?;
         let accuracy = given.accuracy.ok_or_else(absent)?;
         let mut groups = Vec::with_capacity(self.now.groups.len());
@@ -309,7 +308,7 @@ impl SteeringMotion {
 
     /// The equations of one group over any scalar: `of` gives each input and parameter in it. The parameters have a machine.
     fn group<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> Result<WorkingGroup<P>, Fault> {
-        let given = present(&self.algebraic);
+        let given = self.algebraic.of::<SteeredGroups>().given();
         let mount = given.mounts.get(i).ok_or_else(absent)?;
         let resistance = self.resistance(i, of);
         let mut alone = |symbol, value| of((symbol, None), value);
@@ -352,7 +351,7 @@ impl SteeringMotion {
     fn resistance<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> P {
         match self.drag(i, of) {
             None => P::constant(0.0),
-            Some(drag) if *present(&self.algebraic).v_t == 0.0 => drag.standing,
+            Some(drag) if *self.algebraic.of::<SteeredGroups>().given().v_t == 0.0 => drag.standing,
             Some(drag) => drag.travelling,
         }
     }
@@ -360,7 +359,7 @@ impl SteeringMotion {
     /// Resistance of a group to steering over any scalar, in N·m, with the slewing ring's friction, which stays while
     /// travelling; none without loads.
     fn drag<P: Calc>(&self, i: usize, of: &mut dyn FnMut(Quantity, f64) -> P) -> Option<Resistance<P>> {
-        let given = present(&self.algebraic);
+        let given = self.algebraic.of::<SteeredGroups>().given();
         let load = of((&s::G, Some(i as u16 + 1)), given.loads.get(i)?.g);
         let mut alone = |symbol, value| of((symbol, None), value);
         let tyres = resistance(&given.tyre?.map(&mut alone), load);
@@ -463,7 +462,7 @@ impl SteeringMotion {
             OfGroup::Arm => pose.od,
             OfGroup::Speed => pose.od * omega,
             OfGroup::Flow => {
-                let piston = present(&self.algebraic).piston.ok_or_else(absent)?;
+                let piston = self.algebraic.of::<SteeredGroups>().given().piston.ok_or_else(absent)?;
                 flow(
                     &piston.map(&mut |symbol, value| scalar((symbol, None), value)),
                     pose.od * omega,
@@ -577,7 +576,7 @@ impl SteeringMotion {
             .filter(|variable| matches!(variable.role, Role::Parameter | Role::Tunable) && variable.number.is_none())
             .map(|variable| (variable.symbol.id, None))
             .collect();
-        let loaded = !present(&self.algebraic).loads.is_empty();
+        let loaded = !self.algebraic.of::<SteeredGroups>().given().loads.is_empty();
         let acting = |i: usize| {
             let mut all = constants.clone();
             all.extend([(m::P_P.id, None), (s::V_T.id, None)]);

@@ -2,7 +2,8 @@
 
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::quantities;
-use crate::kernel::schema::{Key, Sign, Values};
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::steering::moving::symbols as s;
 use crate::steering::refusal::{Refusal, within};
@@ -21,45 +22,17 @@ pub const TABLES: [(&str, &[Key], &str); 3] = [
     ("plc", PLC_KEYS, "Control loop of the PLC, with fidelity \"hydraulic\"."),
 ];
 
-const SOURCE: Key = Key::text(
-    "source",
-    "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-);
-
 /// Keys of `[steering.dynamics]`.
-const KEYS: &[Key] = &[
-    Key::quantity(&s::J, Sign::Positive),
-    Key::quantity(&s::STEP, Sign::Positive).optional(),
-    SOURCE,
-];
+const KEYS: &[Key] = keys! { s: J > 0, STEP > 0 [optional] };
 
 /// Keys of `[steering.oil]`.
-const OIL_KEYS: &[Key] = &[
-    Key::quantity(&s::V_0, Sign::Positive),
-    Key::quantity(&s::V_1, Sign::Positive),
-    Key::quantity(&s::Q_N, Sign::Positive),
-    Key::quantity(&s::DP_N, Sign::Positive),
-    Key::quantity(&s::X_0, Sign::NotNegative).optional(),
-    Key::quantity(&s::DP_L, Sign::Positive),
-    Key::quantity(&s::BETA_E, Sign::Positive),
-    Key::quantity(&s::P_R, Sign::Positive),
-    Key::quantity(&s::K_R, Sign::NotNegative),
-    Key::quantity(&s::K_L, Sign::NotNegative),
-    Key::quantity(&s::OMEGA_V, Sign::Positive),
-    Key::quantity(&s::ZETA_V, Sign::NotNegative),
-    Key::quantity(&s::P_P, Sign::NotNegative),
-    Key::quantity(&s::TOL, Sign::Tolerance).optional(),
-    SOURCE,
-];
+const OIL_KEYS: &[Key] = keys! { s:
+    V_0 > 0, V_1 > 0, Q_N > 0, DP_N > 0, X_0 >= 0 [optional], DP_L > 0, BETA_E > 0, P_R > 0, K_R >= 0, K_L >= 0,
+    OMEGA_V > 0, ZETA_V >= 0, P_P >= 0, TOL [tolerance, optional]
+};
 
 /// Keys of `[steering.plc]`.
-const PLC_KEYS: &[Key] = &[
-    Key::quantity(&s::T_C, Sign::Positive),
-    Key::quantity(&s::K_P, Sign::NotNegative),
-    Key::quantity(&s::K_I, Sign::NotNegative).optional(),
-    Key::quantity(&s::U_MAX, Sign::Positive).optional(),
-    SOURCE,
-];
+const PLC_KEYS: &[Key] = keys! { s: T_C > 0, K_P >= 0, K_I >= 0 [optional], U_MAX > 0 [optional] };
 
 quantities! {
     /// What moves, and how it is solved.
@@ -112,28 +85,24 @@ impl MovingGroups {
             // A fidelity that cannot be read is not one that is missing.
             let unused = names.into_iter().filter(|name| found.is_empty() && v.has(name));
             for name in unused.collect::<Vec<_>>() {
-                found.push(
-                    Diagnostic::new(
-                        v.place(name),
-                        format!("[steering.{name}] of groups that stand as commanded"),
-                        "not used",
-                    )
-                    .help("set fidelity = \"hydraulic\" in [steering], or remove this table"),
-                );
+                found.push(v.refuse(
+                    name,
+                    format!("[steering.{name}] of groups that stand as commanded"),
+                    "not used",
+                    "set fidelity = \"hydraulic\" in [steering], or remove this table",
+                ));
             }
             return Ok(None);
         }
         // The encoders are those of the angle errors.
         for name in names.into_iter().chain(["cylinder", "accuracy"]) {
             if !v.has(name) {
-                found.push(
-                    Diagnostic::new(
-                        v.place("fidelity"),
-                        format!("fidelity = \"{fidelity}\" without [steering.{name}]"),
-                        format!("needs [steering.{name}]"),
-                    )
-                    .help(format!("add [steering.{name}]; `lemnis schema` lists its keys")),
-                );
+                found.push(v.refuse(
+                    "fidelity",
+                    format!("fidelity = \"{fidelity}\" without [steering.{name}]"),
+                    format!("needs [steering.{name}]"),
+                    format!("add [steering.{name}]; `lemnis schema` lists its keys"),
+                ));
             }
         }
         let [Some(dynamics), Some(oil), Some(plc)] = names.map(|name| v.table(name)) else {

@@ -18,7 +18,6 @@ use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type,
 use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::luffing::double_link::geometry::{Driven, Geometry, Weights};
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
-use crate::luffing::double_link::model::{present, standing};
 use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, MovingLinkage};
 use crate::luffing::double_link::moving::level::{
     Inputs, Level, MOST_INDICATORS, MOST_STATES, MotionResult, OIL_INDICATORS, Powers, Present,
@@ -119,7 +118,7 @@ impl LuffingMotion {
     /// # Errors
     /// The cylinder cannot hold the crane at the start. A scene that was read has a mechanism.
     pub fn new(luffing: &Luffing, moving: &Moving) -> Result<LuffingMotion, Fault> {
-        let algebraic = standing(luffing)?;
+        let algebraic = luffing.standing();
         let Moving {
             rope,
             oil,
@@ -377,7 +376,7 @@ impl LuffingMotion {
         Dual64: Over<P>,
     {
         let constants = self.now.constants.map(of);
-        let given = present(&self.algebraic);
+        let given = self.algebraic.of::<DoubleLink>().given();
         let parameters = parameters(given);
         let load = (of(&s::Q, given.load.map_or(0.0, |load| load.1)) / constants.g).def(&m::MASS_Q);
         let inputs = self.inputs_over(of);

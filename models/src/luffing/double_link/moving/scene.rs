@@ -3,7 +3,8 @@
 use crate::balance;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::quantities;
-use crate::kernel::schema::{Key, Sign, Values};
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::motion::Commands;
 use crate::luffing::double_link::moving::level::Inputs;
@@ -16,66 +17,22 @@ use crate::parts::motion::degrees;
 pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydraulic", "auto"];
 
 /// Keys of `[luffing.dynamics]`.
-pub static KEYS: &[Key] = &[
-    Key::quantity(&s::J_1, Sign::NotNegative),
-    Key::quantity(&s::J_2, Sign::NotNegative),
-    Key::quantity(&s::J_3, Sign::NotNegative),
-    Key::quantity(&s::C_V, Sign::NotNegative).optional(),
-    Key::quantity(&s::M_F, Sign::NotNegative).optional(),
-    Key::quantity(&s::G, Sign::Positive).optional(),
-    Key::quantity(&s::M_A, Sign::Any).optional(),
-    Key::quantity(&s::M_S, Sign::NotNegative).optional(),
-    Key::quantity(&s::L_R, Sign::Positive).optional(),
-    Key::quantity(&s::PHI, Sign::Any).optional(),
-    Key::quantity(&s::V_H, Sign::Any).optional(),
-    Key::quantity(&s::STEP, Sign::Positive).optional(),
-    Key::text(
-        "source",
-        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-    ),
-];
+pub static KEYS: &[Key] = keys! { s:
+    J_1 >= 0, J_2 >= 0, J_3 >= 0, C_V >= 0 [optional], M_F >= 0 [optional], G > 0 [optional], STEP > 0 [optional],
+    M_A [optional], M_S >= 0 [optional], V_H [optional], L_R > 0 [optional], PHI [optional]
+};
 
 /// Keys of `[luffing.slewing]`.
-pub static SLEWING_KEYS: &[Key] = &[
-    Key::quantity(&s::J_SL, Sign::NotNegative),
-    Key::quantity(&s::C_SL, Sign::NotNegative).optional(),
-    Key::quantity(&s::M_F_SL, Sign::NotNegative).optional(),
-    Key::quantity(&s::M_SL, Sign::Any).optional(),
-    Key::quantity(&s::M_B_SL, Sign::NotNegative).optional(),
-    Key::quantity(&s::PSI_SL, Sign::Any).optional(),
-    Key::quantity(&s::OMEGA_SL, Sign::Any).optional(),
-    Key::quantity(&s::PSI_MIN, Sign::Any).optional(),
-    Key::quantity(&s::PSI_MAX, Sign::Any).optional(),
-    Key::quantity(&s::CHI_R, Sign::Any).optional(),
-    Key::text(
-        "source",
-        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-    ),
-];
+pub static SLEWING_KEYS: &[Key] = keys! { s:
+    J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [optional], M_B_SL >= 0 [optional],
+    PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]
+};
 
 /// Keys of `[luffing.hydraulics]`.
-pub static OIL_KEYS: &[Key] = &[
-    Key::quantity(&s::L_MIN, Sign::Positive),
-    Key::quantity(&s::L_MAX, Sign::Positive),
-    Key::quantity(&s::V_0, Sign::Positive),
-    Key::quantity(&s::V_1, Sign::Positive),
-    Key::quantity(&s::Q_N, Sign::Positive),
-    Key::quantity(&s::DP_N, Sign::Positive),
-    Key::quantity(&s::DP_L, Sign::Positive),
-    Key::quantity(&s::BETA_E, Sign::Positive),
-    Key::quantity(&s::P_R, Sign::Positive),
-    Key::quantity(&s::K_R, Sign::NotNegative),
-    Key::quantity(&s::K_L, Sign::NotNegative),
-    Key::quantity(&s::OMEGA_V, Sign::Positive),
-    Key::quantity(&s::ZETA_V, Sign::NotNegative),
-    Key::quantity(&s::TOL, Sign::Tolerance).optional(),
-    Key::quantity(&s::P_P, Sign::NotNegative),
-    Key::quantity(&s::U_V, Sign::Any).optional(),
-    Key::text(
-        "source",
-        "Where the quantities of this table come from: a drawing, a publication, an assumption.",
-    ),
-];
+pub static OIL_KEYS: &[Key] = keys! { s:
+    L_MIN > 0, L_MAX > 0, V_0 > 0, V_1 > 0, Q_N > 0, DP_N > 0, DP_L > 0, BETA_E > 0, P_R > 0, K_R >= 0, K_L >= 0,
+    OMEGA_V > 0, ZETA_V >= 0, TOL [tolerance, optional], P_P >= 0, U_V [optional]
+};
 
 quantities! {
     /// A luffing cylinder with its oil and valve, besides bore and rod.
@@ -135,7 +92,7 @@ impl Moving {
     pub fn new(v: &Values, gravity: f64, loaded: bool, found: &mut Vec<Diagnostic>) -> Option<Moving> {
         let fidelity = v.text("fidelity").unwrap_or("static");
         let mut mistake = |key: &str, what: String, label: &str, help: &str| {
-            found.push(Diagnostic::new(v.place(key), what, label).help(help));
+            found.push(v.refuse(key, what, label, help));
         };
         let table = match (fidelity, v.table("dynamics")) {
             ("static" | "table" | "auto", None) => {
@@ -219,14 +176,12 @@ impl Moving {
                     .into_iter()
                     .find(|symbol| n(symbol).is_some());
                 if let Some(symbol) = unused {
-                    found.push(
-                        Diagnostic::new(
-                            table.place(symbol.id),
-                            format!("{} without a swinging load", symbol.id),
-                            "not used",
-                        )
-                        .help("remove it, or set fidelity = \"swing\""),
-                    );
+                    found.push(table.refuse(
+                        symbol.id,
+                        format!("{} without a swinging load", symbol.id),
+                        "not used",
+                        "remove it, or set fidelity = \"swing\"",
+                    ));
                     return None;
                 }
                 None
@@ -239,25 +194,21 @@ impl Moving {
                 (Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?)
             }
             ("hydraulic", None) => {
-                found.push(
-                    Diagnostic::new(
-                        v.place("fidelity"),
-                        "fidelity = \"hydraulic\" without oil",
-                        "needs [luffing.hydraulics]",
-                    )
-                    .help("add [luffing.hydraulics]; `lemnis schema` lists its keys"),
-                );
+                found.push(v.refuse(
+                    "fidelity",
+                    "fidelity = \"hydraulic\" without oil",
+                    "needs [luffing.hydraulics]",
+                    "add [luffing.hydraulics]; `lemnis schema` lists its keys",
+                ));
                 return None;
             }
             (_, Some(_)) => {
-                found.push(
-                    Diagnostic::new(
-                        v.place("hydraulics"),
-                        "oil of a mechanism without a hydraulic level",
-                        "not used",
-                    )
-                    .help("set fidelity = \"hydraulic\", or remove this table"),
-                );
+                found.push(v.refuse(
+                    "hydraulics",
+                    "oil of a mechanism without a hydraulic level",
+                    "not used",
+                    "set fidelity = \"hydraulic\", or remove this table",
+                ));
                 return None;
             }
             _ => (None, 0.0, 0.0),
@@ -390,18 +341,16 @@ fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<Cylind
     }
     let (l_min, l_max) = (n(&s::L_MIN)?, n(&s::L_MAX)?);
     if l_min >= l_max {
-        found.push(
-            Diagnostic::new(
-                table.place(s::L_MAX.id),
-                format!(
-                    "the cylinder is {} extended and {} retracted",
-                    s::L_MAX.written(l_max),
-                    s::L_MIN.written(l_min)
-                ),
-                "not above l_min",
-            )
-            .help("l_max must be greater than l_min"),
-        );
+        found.push(table.refuse(
+            s::L_MAX.id,
+            format!(
+                "the cylinder is {} extended and {} retracted",
+                s::L_MAX.written(l_max),
+                s::L_MIN.written(l_min)
+            ),
+            "not above l_min",
+            "l_max must be greater than l_min",
+        ));
         return None;
     }
     Some(CylinderOil {

@@ -1,12 +1,11 @@
 //! The mechanism in motion: the equations at one instant, from the functions that the running model solves, and
 //! a run of that model on the scene's own motion.
 
-use crate::component::outline::Told;
 use crate::component::running::{Running, State};
 use crate::component::sheet::{self, Check, Curve, InMotion, Section, Summary};
 use crate::kernel::calc::Calc;
 use crate::kernel::record::record;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
 use crate::luffing::double_link::hydraulic::FIXED;
 use crate::luffing::double_link::motion::Bar;
@@ -44,24 +43,9 @@ const EVENTS: usize = 20;
 const SECTIONS: [(&str, &[&Symbol]); 6] = [
     (
         "motion_bodies",
-        &[
-            &m::MASS_Q,
-            &m::J_2Q,
-            &m::MASS_1,
-            &m::I_R1,
-            &m::DI_R1,
-            &m::MASS_2,
-            &m::I_R2,
-            &m::DI_R2,
-            &m::MASS_3,
-            &m::I_R3,
-            &m::DI_R3,
-            &m::I_R5,
-            &m::DI_R5,
-            &m::I_R,
-            &m::DI_R,
-            &m::M_W,
-        ],
+        listed! { m:
+            MASS_Q, J_2Q, MASS_1, I_R1, DI_R1, MASS_2, I_R2, DI_R2, MASS_3, I_R3, DI_R3, I_R5, DI_R5, I_R, DI_R, M_W
+        },
     ),
     (
         "motion_oil",
@@ -85,62 +69,22 @@ const SECTIONS: [(&str, &[&Symbol]); 6] = [
     ),
     (
         "motion_pendulum",
-        &[
-            &m::D_SWING,
-            &m::D_INWARD,
-            &m::BEND,
-            &m::D_SWING_CHANGE,
-            &m::M_11,
-            &m::M_12,
-            &m::M_21,
-            &m::M_22,
-            &m::F_1,
-            &m::F_2,
-        ],
+        listed! { m:
+            D_SWING, D_INWARD, BEND, D_SWING_CHANGE, M_11, M_12, M_21, M_22, F_1, F_2
+        },
     ),
     (
         "motion_load",
-        &[
-            &m::S_Q,
-            &m::N_X,
-            &m::N_Y,
-            &m::N_Z,
-            &m::H_1,
-            &m::H_2,
-            &m::V_EXCESS,
-            &m::W_X,
-            &m::W_Y,
-            &m::W_Z,
-            &m::R_QX,
-            &m::U_X,
-            &m::U_Y,
-            &m::B_X,
-            &m::B_Y,
-            &m::B_Z,
-        ],
+        listed! { m:
+            S_Q, N_X, N_Y, N_Z, H_1, H_2, V_EXCESS, W_X, W_Y, W_Z, R_QX, U_X, U_Y, B_X, B_Y, B_Z
+        },
     ),
     (
         "motion_equations",
-        &[
-            &m::F_C,
-            &m::M_R,
-            &m::M_R_SL,
-            &m::M_NET,
-            &m::M_NET_SL,
-            &m::ALONE,
-            &m::ALONE_SL,
-            &m::NEED,
-            &m::GIVE,
-            &m::PULL,
-            &m::D_OMEGA_1,
-            &m::D_OMEGA_3,
-            &m::D_OMEGA_SL,
-            &m::D_OMEGA_PHI,
-            &m::D_V_QX,
-            &m::D_V_QY,
-            &m::D_V_QZ,
-            &m::S_R,
-        ],
+        listed! { m:
+            F_C, M_R, M_R_SL, M_NET, M_NET_SL, ALONE, ALONE_SL, NEED, GIVE, PULL, D_OMEGA_1, D_OMEGA_3, D_OMEGA_SL,
+            D_OMEGA_PHI, D_V_QX, D_V_QY, D_V_QZ, S_R
+        },
     ),
 ];
 
@@ -641,9 +585,8 @@ impl Run {
     fn warned(&self) -> Warned {
         let [value, at] = self.least_pressure;
         let summary = Summary {
-            symbol: &m::P_MIN,
-            value,
             at: Some((&m::T, at)),
+            ..Summary::new(&m::P_MIN, value)
         };
         (value < VACUUM).then_some(("cavitation", summary))
     }
@@ -651,13 +594,7 @@ impl Run {
     fn checks(&self, luffing: &Luffing, moving: &Moving) -> Vec<Check> {
         let mut checks = Vec::new();
         let mut at_most = |id, symbol, value, limit: Option<f64>| {
-            checks.extend(limit.map(|limit| Check {
-                id,
-                symbol,
-                value,
-                limit,
-                at_most: true,
-            }));
+            checks.extend(limit.map(|limit| Check::at_most(id, symbol, value, limit)));
         };
         at_most(
             "motion_swing",

@@ -1,0 +1,83 @@
+//! The JSON Schema of scenes, for editors.
+
+use serde_json::{Map, Value as Json, json};
+
+use crate::kernel::number::short;
+use crate::kernel::schema::{KIND, Key, Kind};
+use crate::kernel::symbol::Symbol;
+
+/// The JSON Schema of a table with these keys.
+#[must_use]
+pub fn json_schema(keys: &'static [Key]) -> Json {
+    let properties: Map<String, Json> = keys.iter().map(|key| (key.name.to_owned(), property(key))).collect();
+    let required: Vec<&str> = keys.iter().filter(|key| key.required).map(|key| key.name).collect();
+    json!({ "type": "object", "additionalProperties": false, "properties": properties, "required": required })
+}
+
+fn property(key: &Key) -> Json {
+    let text = |symbol: &Symbol| {
+        // What has no dimension needs no unit.
+        let pattern = match symbol.display.name {
+            "1" => r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S*$",
+            _ => r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*\S.*$",
+        };
+        json!({
+            "type": "string",
+            "pattern": pattern,
+            "examples": [format!("1 {}", symbol.display.name)],
+        })
+    };
+    let mut schema = match key.kind {
+        Kind::Text | Kind::Date | Kind::Lines => json!({ "type": "string" }),
+        Kind::Line => json!({ "type": "string", "pattern": r"^.*\S.*$" }),
+        Kind::Count => json!({ "type": "integer", "minimum": 0 }),
+        Kind::Named => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
+        Kind::Quantities(symbol, _, [least, most]) => {
+            let list = json!({ "type": "array", "items": text(symbol), "minItems": least, "maxItems": most });
+            if least > 1 {
+                list
+            } else {
+                json!({ "anyOf": [text(symbol), list] })
+            }
+        }
+        Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
+        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
+            let value = text(symbol);
+            let noted = json!({
+                "type": "object",
+                "additionalProperties": false,
+                "properties": { "value": value, "source": { "type": "string" } },
+                "required": ["value"],
+            });
+            json!({ "anyOf": [value, noted] })
+        }
+        Kind::Texts(most) => json!({ "type": "array", "items": { "type": "string" }, "maxItems": most }),
+        Kind::Choices(choices) => {
+            json!({ "type": "array", "items": { "type": "string", "enum": choices }, "uniqueItems": true })
+        }
+        Kind::Tables(keys, most) => json!({ "type": "array", "items": json_schema(keys), "maxItems": most }),
+        Kind::Table(keys) => json_schema(keys),
+        Kind::Kinds(kinds) => {
+            let named = |kind: &str| json!({ "properties": { KIND: { "const": kind } }, "required": [KIND] });
+            let first = json_schema(kinds[0].1);
+            kinds[1..].iter().rev().fold(
+                first,
+                |other, (kind, keys)| json!({ "if": named(kind), "then": json_schema(keys), "else": other }),
+            )
+        }
+    };
+    let limits = key.number().map_or_else(String::new, |(symbol, sign)| {
+        let [least, most] = sign.limits(symbol.unit);
+        let mass = match key.kind {
+            Kind::Weight(_) => "; or a mass, in kg or t",
+            _ => "",
+        };
+        format!(
+            " From {} to {}{mass}.",
+            short(symbol.shown(least)),
+            symbol.written(most)
+        )
+    });
+    schema["description"] = json!(format!("{}{limits}", key.text));
+    schema
+}

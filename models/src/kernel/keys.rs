@@ -1,0 +1,22 @@
+//! Tables of quantities in a scene, as data.
+
+/// The keys of a table: quantities by the names of their symbols, with what each may be, then other keys and where all
+/// of them come from: `keys! { s: E_X, S_K > 0, H_Q >= 0, C_V >= 0 [optional], ETA_L > 0 [usually(1.0)]; OTHER }`. Marks
+/// are methods of [`Key`](crate::kernel::schema::Key).
+macro_rules! keys {
+    ($table:ident: $($name:ident $(> $above:tt)? $(>= $least:tt)? $([$($mark:ident $(($value:expr))?),*])?),*
+     $(; $($other:expr),+)?) => {
+        &[
+            $($crate::kernel::schema::Key::quantity(
+                &$table::$name,
+                $crate::kernel::keys::keys!(@sign $(> $above)? $(>= $least)?),
+            )$($(.$mark($($value)?))*)?,)*
+            $($($other,)+)?
+            $crate::kernel::schema::SOURCE,
+        ]
+    };
+    (@sign) => { $crate::kernel::schema::Sign::Any };
+    (@sign > 0) => { $crate::kernel::schema::Sign::Positive };
+    (@sign >= 0) => { $crate::kernel::schema::Sign::NotNegative };
+}
+pub(crate) use keys;

@@ -1,0 +1,69 @@
+//! What the book tells of a double link, in its order.
+
+use crate::balance::symbols as b;
+use crate::component::outline::Explained::{Rows, Stage};
+use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::kernel::symbol::listed;
+use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::symbols as s;
+
+pub const OUTLINE: Outline = Outline {
+    inputs: chapters! {
+        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", slewing, oil "hydraulics", limits
+    },
+    constants: &[
+        ("geometry_constants", &[Stage("geometry")]),
+        ("balance_constants", &[Stage("balancing")]),
+    ],
+    sections: &[
+        ("position", &[Stage("position")]),
+        ("angles", &[Rows(listed!(s: THETA_3, THETA_1, ALPHA_1, Y, L, MU))]),
+        ("velocity", &[Stage("velocity"), Stage("head"), Rows(&[&s::BETA])]),
+        ("pole", &[Stage("pole")]),
+        ("load_moment", &[Stage("load_moment"), Stage("by_pole")]),
+        ("weight_moment", &[Stage("own")]),
+        ("drive", &[Stage("drive"), Stage("stroke"), Stage("flow")]),
+        ("balance", &[Stage("residual"), Stage("balanced")]),
+        ("pin_forces", &[Stage("held"), Stage("push"), Stage("feet")]),
+        ("published_forms", &[Stage("published")]),
+    ],
+    table: listed!(s: THETA_3, THETA_1, R, A_Y, ALPHA, ALPHA_1, MU, V_AX, M_Q, M_D, F_D),
+    curves: &[
+        ("li2022_fig_3", Some(&s::P_X), &s::P_Y),
+        ("li2022_fig_4", None, &s::THETA_3),
+        ("li2022_fig_4", None, &s::THETA_1),
+        ("li2022_fig_5", None, &s::ALPHA_1),
+        ("li2022_fig_6", Some(&s::R), &s::A_Y),
+        ("li2022_fig_7", None, &s::V_AX),
+        ("li2022_fig_8", None, &s::M_Q),
+    ],
+    extremes: &[
+        Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
+        Greatest::new(&s::R_MIN, Most::Least, &s::R),
+        Greatest::new(&s::MU_MIN, Most::Least, &s::MU),
+        Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
+        Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
+        Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
+        Greatest::new(&s::N_3_MAX, Most::Amount, &s::N_3),
+        Greatest::new(&s::F_D_MAX, Most::Amount, &s::F_D).with_pole(&s::H_D),
+    ],
+    summary: &[&s::DELTA_Y, &s::EPSILON_Y],
+    sensitivity: &[
+        &s::MU_MIN,
+        &s::EPSILON_Y,
+        &s::R_MAX,
+        &s::M_Q_MAX,
+        &s::F_D_MAX,
+        &b::DM_MAX,
+        &b::N_MAX,
+    ],
+    limits: &[
+        Limit::at_least("transmission_angle", &s::MU_MIN),
+        Limit::at_most("level_error", &s::EPSILON_Y),
+        Limit::at_most("balance_residual", &b::DM_MAX),
+        Limit::at_least("balance_transmission", &b::GAMMA_MIN),
+        Limit::at_most("balance_rod", &b::N_MAX),
+        Limit::at_most("motion_swing", &m::PHI_MAX),
+    ],
+    worst: ("governing", &s::M_Q_MAX),
+};

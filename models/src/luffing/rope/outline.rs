@@ -1,0 +1,55 @@
+//! What the book tells of a boom on a luffing rope, in its order.
+
+use crate::balance::symbols as b;
+use crate::component::outline::Explained::Stage;
+use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::kernel::symbol::listed;
+use crate::luffing::rope::symbols as s;
+
+pub const OUTLINE: Outline = Outline {
+    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, limits),
+    constants: &[
+        ("rope_constants", &[Stage("level")]),
+        ("balance_constants", &[Stage("balancing")]),
+    ],
+    sections: &[
+        ("rope_position", &[Stage("position")]),
+        ("rope_tackle", &[Stage("falls")]),
+        ("rope_path", &[Stage("stretch"), Stage("path")]),
+        ("rope_velocity", &[Stage("travel"), Stage("speeds")]),
+        ("rope_load", &[Stage("hanging")]),
+        ("rope_weight", &[Stage("own")]),
+        ("balance", &[Stage("residual"), Stage("balanced")]),
+        ("rope_pull", &[Stage("carried"), Stage("pull"), Stage("power")]),
+        ("rope_losses", &[Stage("losses")]),
+    ],
+    table: listed!(s: R, A_Y, Y_Q, L_T, L_L, L_H, V_Q, M_Q, M_D, T, N_B),
+    curves: &[
+        ("rope_path", Some(&s::R), &s::Y_Q),
+        ("rope_moment", None, &s::M_D),
+        ("rope_pull", None, &s::T),
+        ("rope_drum", None, &s::S_L_UP),
+    ],
+    extremes: &[
+        Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
+        Greatest::new(&s::R_MIN, Most::Least, &s::R),
+        Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
+        Greatest::new(&s::T_MAX, Most::Greatest, &s::T),
+        Greatest::new(&s::S_L_MAX, Most::Greatest, &s::S_L_UP),
+        Greatest::new(&s::N_B_MAX, Most::Amount, &s::N_B),
+        Greatest::new(&s::P_L_MAX, Most::Amount, &s::P_L),
+    ],
+    summary: &[&s::DELTA_Y, &s::EPSILON_Y, &s::STROKE, &s::L_LD, &s::PHI_T, &s::PHI_T0],
+    sensitivity: &[&s::EPSILON_Y, &s::R_MAX, &s::T_MAX, &s::N_B_MAX, &b::DM_MAX],
+    limits: &[
+        Limit::at_most("level_error", &s::EPSILON_Y),
+        Limit::at_most("rope_pull", &s::T_MAX),
+        Limit::at_most("rope_drum", &s::S_L_MAX),
+        Limit::beyond("fall_back", &s::PHI_T),
+        Limit::beyond("fall_back_empty", &s::PHI_T0),
+        Limit::at_most("balance_residual", &b::DM_MAX),
+        Limit::at_least("balance_transmission", &b::GAMMA_MIN),
+        Limit::at_most("balance_rod", &b::N_MAX),
+    ],
+    worst: ("greatest_pull", &s::T_MAX),
+};
