@@ -670,8 +670,8 @@ fn loads_and_sizing() {
     let euler = PI * PI * 210e9 * inertia / (3.5 * extremes.longest * extremes.longest);
     assert!((buckling(&rod) / euler - 1.0).abs() <= 1e-14);
     let piston = Piston { d_g: 0.2, d: 0.1 };
-    assert!((flow(&piston, 0.01) - PI / 4.0 * 0.04 * 0.01).abs() <= 1e-18);
-    assert!((flow(&piston, -0.01) + PI / 4.0 * 0.03 * 0.01).abs() <= 1e-18);
+    assert!((flow(&piston, &0.01) - PI / 4.0 * 0.04 * 0.01).abs() <= 1e-18);
+    assert!((flow(&piston, &-0.01) + PI / 4.0 * 0.03 * 0.01).abs() <= 1e-18);
     assert!((pump(1e-3, 25.0, 0.95) - 1e-3 / 23.75).abs() <= 1e-18);
     assert_eq!(relief(25e6, 1.1), 25e6 * 1.1);
     println!(
@@ -1041,7 +1041,7 @@ fn dimensions() {
         bore(f_g, given(&s::P, 25e6), given(&s::D, 0.14));
         let q = flow(
             &Piston { d_g: 0.2, d: 0.1 }.map(&mut given.clone()),
-            given(&s::V_T, -0.01),
+            &given(&s::V_T, -0.01),
         );
         pump(q, given(&s::N, 25.0), given(&s::ETA, 0.9));
         relief(given(&s::P, 25e6), given(&s::K_R, 1.1));

@@ -127,8 +127,6 @@ pub struct Analysis {
     pub ends: [f64; 2],
 }
 
-results! { plain Analysis; }
-
 /// Points at which a quantity is looked at before extremes and zeros are refined.
 const GRID: u32 = 380;
 

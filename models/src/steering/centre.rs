@@ -17,7 +17,6 @@ pub enum Centre<C> {
     /// `from` + `d`/`w`, at infinity in the direction `d` where `w` is zero.
     Beyond { from: Point<C>, d: Point<C>, w: C },
 }
-results! { Centre; }
 
 impl<C: Calc> Centre<C> {
     /// Direction in which the point `p` moves when the machine travels forward,

@@ -106,7 +106,7 @@ pub fn greatest_flow(plan: &Plan, crew: &Crew<'_>, piston: &Piston<f64>) -> f64 
             let flows = before
                 .iter()
                 .zip(&after)
-                .map(|(from, to)| flow(piston, (to - from) / slice).abs());
+                .map(|(from, to)| flow(piston, &((to - from) / slice)).abs());
             greatest = flows.sum::<f64>().max(greatest);
         }
         before = after;

@@ -30,7 +30,6 @@ pub struct Linkage<C> {
     /// Whether the cylinder shortens, where it else lengthens, when the group turns counter-clockwise.
     pub mirrored: bool,
 }
-results! { each Linkage; }
 
 /// Length and lever arm at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]

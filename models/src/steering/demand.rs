@@ -59,7 +59,7 @@ pub fn greatest_demand(built: &Built, piston: &Piston<f64>, mode: Mode, omega_s:
                 let along = centre.rolling(*p);
                 let heading = f64::direction(along.x, along.y);
                 let placed = limits[i].equivalents(heading).next().unwrap_or(heading);
-                sum += flow(piston, linkages[i].at_angle(placed).od * slopes[i] * sense).abs();
+                sum += flow(piston, &(linkages[i].at_angle(placed).od * slopes[i] * sense)).abs();
             }
             if sum > worst.flow {
                 worst = Demand {

@@ -94,7 +94,7 @@ impl Stance {
     pub fn new(given: Given<f64>) -> Found<Stance> {
         let mut known = SteeredGroups::new(given);
         let reachable = known.margin()?.reachable;
-        let speeds: Vec<f64> = known.speeds()?.iter().map(|speed| speed.0).collect();
+        let speeds: Vec<f64> = known.speeds()?.clone();
         let wheels = known.wheels()?.iter().zip(speeds);
         Ok(Stance {
             wheels: wheels.map(|(wheel, speed)| [wheel.theta, speed]).collect(),

@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::group;
 use crate::steering::cylinder::Mounting;
@@ -47,7 +46,6 @@ pub fn limits<C: Calc>(
 /// The ends of a group's range again, in rad, with the derivatives of what they follow from.
 #[derive(Clone, Copy, Debug)]
 pub struct Ends<C>(pub [C; 2]);
-results! { each Ends; }
 
 impl<C: Calc> Ends<C> {
     pub fn new(mount: &Mount, cylinder: &Option<Mounting<C>>, limits: &Limits) -> Ends<C> {

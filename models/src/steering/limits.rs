@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::number::short;
 use crate::steering::refusal::Refusal;
@@ -19,7 +18,6 @@ pub struct Limits {
     /// Ranges inside, open at their ends, through which the group must not turn.
     pub forbidden: Vec<[f64; 2]>,
 }
-results! { each plain Limits; }
 
 impl Limits {
     /// A range that contains straight ahead, less than a turn in all.

@@ -1,6 +1,5 @@
 //! Where the steered groups stand.
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
 use crate::kernel::number::short;
@@ -48,7 +47,6 @@ pub struct Machine<C> {
     /// Midway between the outermost groups.
     pub middle: Point<C>,
 }
-results! { Machine; }
 
 impl<C: Calc> Machine<C> {
     /// Any layout of 4 to 64 groups no two of which coincide.

@@ -39,7 +39,7 @@ stages! {
         Parameter balance: Option<Form<C>>,
         Fixed choice: Choice,
     } find {
-        geometry: Geometry<C> = geometry(lengths, jib, choice), lifted;
+        geometry: Geometry<C> = geometry(lengths, jib, choice) => _, lifted;
         position: Position<C> = position(geometry, theta);
         velocity: Velocity<C> = Velocity::new(position);
         head: Head<C> = Head::new(velocity, omega);
@@ -50,17 +50,17 @@ stages! {
         load_moment: LoadMoment<C> = LoadMoment::new(velocity, load[!]);
         by_pole: ByPole<C> = ByPole::new(pole, geometry, position, velocity, load[!]);
         own: Own<C> = Own::new(position, velocity, lengths, weights[!]);
-        balancing: Balancing<C> = balancing(lengths, jib, weights, balance[!], choice);
+        balancing: Balancing<C> = balancing(lengths, jib, weights, balance[!], choice) => _;
         residual: Residual<C> = balancing::at(balancing, geometry, position, velocity, weights[!], own, theta);
         balanced: Balanced<C> = balanced(residual, position, velocity, load_moment, own, drive[?]);
-        passes: Passes = Passes::new(geometry, choice), plain;
-        carried: Carried<C> = Carried::new(velocity, load_moment, load[!], weights, own[?], residual[?]);
+        passes: Passes = Passes::new(geometry, choice) => _, plain;
+        carried: Carried<C> = Carried::new(velocity, load_moment, load[!], weights, own[?], residual[?]) => _;
         held: Held<C> = Held::new(position, theta, carried, own[?], residual[?], passes);
         push: Reaction<C> = Reaction::new(drive, held);
         feet: Feet<C> = Feet::new(position, lengths, weights, residual[?], held, push[?]);
-        analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice), plain;
+        analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
-        published: PublishedFormulas<C> = published(geometry, jib, theta);
+        published: PublishedFormulas<C> = published(geometry, jib, theta) => _;
     }
 }
 

@@ -101,8 +101,6 @@ pub struct Carried<C> {
     m_q: C,
     m_g: C,
 }
-results! { Carried; }
-
 impl<C: Calc> Carried<C> {
     /// Of load and weights, less what a balance carries of the boom.
     pub fn new(
@@ -178,8 +176,6 @@ impl<C: Calc> Held<C> {
 /// Whether the linkage passes a change point in the working range.
 #[derive(Clone, Copy, Debug)]
 pub struct Passes(bool);
-results! { plain Passes; }
-
 impl Passes {
     pub fn new<C: Calc>(g: &Geometry<C>, choice: &Choice) -> Passes {
         Passes(g.change_point(&choice.range).is_some())

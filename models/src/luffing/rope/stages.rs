@@ -32,18 +32,18 @@ stages! {
         falls: Falls<C> = Falls::new(rig, position, phi);
         stretch: Stretch<C> = Stretch::new(rig, position);
         path: Path<C> = Path::new(rig, level, position, stretch);
-        travel: RopeTravel<C> = RopeTravel::new(rig, position, stretch);
+        travel: RopeTravel<C> = RopeTravel::new(rig, position, stretch) => _;
         speeds: Speeds<C> = Speeds::new(rig, travel, falls, omega);
         hanging: Hanging<C> = Hanging::new(rig, load[!], travel);
         own: OwnMoment<C> = OwnMoment::new(weights[!], phi);
-        balancing: Balancing<C> = balancing(weights[!], balance[!], choice);
+        balancing: Balancing<C> = balancing(weights[!], balance[!], choice) => _;
         residual: Residual<C> = residual(balancing, own, phi);
         balanced: Balanced<C> = balanced(residual, hanging, own);
-        carried: RopePulls<C> = RopePulls::new(position, load[!], own[?], residual[?]);
+        carried: RopePulls<C> = RopePulls::new(position, load[!], own[?], residual[?]) => _;
         pull: Pull<C> = Pull::new(carried, hanging, position, falls, stretch);
         power: Power<C> = Power::new(rig, pull, speeds);
         losses: Losses<C> = Losses::new(rig, load[!], carried, falls, stretch);
-        analysed: Analysis = analysed(weights[!], balance[!], choice), plain;
+        analysed: Analysis = analysed(weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, weights[!], analysed, choice);
     }
 }

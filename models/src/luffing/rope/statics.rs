@@ -59,8 +59,6 @@ pub struct RopePulls<C> {
     /// Their force on the boom, in N.
     force: Point<C>,
 }
-results! { RopePulls; }
-
 impl<C: Calc> RopePulls<C> {
     /// G_b r_b cos phi + Q x_A [Ports001, 5.1], less what a balance carries.
     pub fn new(
