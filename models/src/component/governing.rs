@@ -65,14 +65,7 @@ pub fn extremes<'a>(
 #[must_use]
 pub fn governing(model: &Standing, outline: &'static Outline) -> Vec<Summary> {
     let coordinate = model.variables()[0].symbol;
-    let summary = |extreme: &'static Greatest| {
-        let found = most(model, extreme)?;
-        Some(Summary {
-            symbol: extreme.symbol,
-            value: found.value,
-            at: Some((coordinate, found.at)),
-        })
-    };
+    let summary = |extreme: &'static Greatest| Some(Summary::placed(extreme.symbol, coordinate, most(model, extreme)?));
     outline.extremes.iter().filter_map(summary).collect()
 }
 

@@ -2,6 +2,7 @@
 //! in SI. It is made from the same functions that the FMU runs; words, units
 //! of print and layout are added later, elsewhere.
 
+use crate::component::extreme::Extreme;
 use crate::kernel::origin::Origin;
 use crate::kernel::record::Trace;
 use crate::kernel::symbol::Symbol;
@@ -200,6 +201,28 @@ pub struct Summary {
     pub symbol: &'static Symbol,
     pub value: f64,
     pub at: Option<(&'static Symbol, f64)>,
+}
+
+impl Summary {
+    /// Without a place.
+    #[must_use]
+    pub fn whole(symbol: &'static Symbol, value: f64) -> Summary {
+        Summary {
+            symbol,
+            value,
+            at: None,
+        }
+    }
+
+    /// With its place, a value of a coordinate.
+    #[must_use]
+    pub fn placed(symbol: &'static Symbol, coordinate: &'static Symbol, found: Extreme) -> Summary {
+        Summary {
+            symbol,
+            value: found.value,
+            at: Some((coordinate, found.at)),
+        }
+    }
 }
 
 /// How results change with the given quantities; empty where they do not do so smoothly.

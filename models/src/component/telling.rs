@@ -336,18 +336,14 @@ pub fn limits<'a>(told: &dyn Told, results: impl Iterator<Item = &'a Summary> + 
 
 /// Results of the whole range.
 pub fn summary(model: &mut Standing, symbols: &[&'static Symbol]) -> Vec<Summary> {
-    let mut list = Vec::new();
-    for &symbol in symbols {
-        let index = model.variables().iter().position(|variable| variable.symbol == symbol);
-        if let Some(value) = index.and_then(|index| model.get(index).ok()) {
-            list.push(Summary {
-                symbol,
-                value,
-                at: None,
-            });
-        }
-    }
-    list
+    let mut summary = |symbol: &&'static Symbol| {
+        let index = model
+            .variables()
+            .iter()
+            .position(|variable| variable.symbol == *symbol)?;
+        Some(Summary::whole(symbol, model.get(index).ok()?))
+    };
+    symbols.iter().filter_map(&mut summary).collect()
 }
 
 /// What the running model gives, in its order.

@@ -23,6 +23,7 @@ pub struct Balancing<C> {
     /// them the linkage would be another assembly of the same bars.
     arc: Option<[f64; 2]>,
 }
+
 impl<C: Calc> Balancing<C> {
     /// Assembled as at the boom angle `phi` (rad); `u_0` is the boom's potential energy (J) at a boom angle (rad).
     ///

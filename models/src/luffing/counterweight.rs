@@ -191,20 +191,8 @@ impl BalancedBoom<'_> {
 }
 
 fn criteria(found: &Analysis, coordinate: &'static Symbol) -> impl Iterator<Item = Summary> + use<> {
-    let at = |symbol, extreme: Option<Extreme>| {
-        extreme.map(|extreme| Summary {
-            symbol,
-            value: extreme.value,
-            at: Some((coordinate, extreme.at)),
-        })
-    };
-    let alone = |symbol, value: Option<f64>| {
-        value.map(|value| Summary {
-            symbol,
-            value,
-            at: None,
-        })
-    };
+    let at = |symbol, found: Option<Extreme>| Some(Summary::placed(symbol, coordinate, found?));
+    let alone = |symbol, value: Option<f64>| Some(Summary::whole(symbol, value?));
     let list = [
         at(&b::DM_MAX, Some(found.dm_max)),
         at(&b::DM_5_MAX, found.dm_5_max),
@@ -226,11 +214,7 @@ fn weight(form: &Form<f64>) -> Summary {
         Form::StraightRail(it) => (&b::G_C, it.g_c),
         Form::CurvedRail(it) => (&b::G_C, it.g_c),
     };
-    Summary {
-        symbol,
-        value,
-        at: None,
-    }
+    Summary::whole(symbol, value)
 }
 
 /// How far the balance reaches from the boom's foot, in m.

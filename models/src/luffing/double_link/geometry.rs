@@ -221,6 +221,7 @@ pub struct Geometry<C> {
     /// Angle from the jib's axis CA to its front arm, in rad. [Li2022, eq. 7]
     pub epsilon_a: C,
 }
+
 /// Why there is no such mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Misfit {

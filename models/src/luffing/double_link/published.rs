@@ -15,6 +15,7 @@ pub struct PublishedFormulas<C> {
     pub alpha_1: C,
     pub o1p: C,
 }
+
 impl<C: Calc> PublishedFormulas<C> {
     /// At boom angle `theta_1` (rad). [Li2022, eq. 1, 4-7]
     pub fn new(g: &Geometry<C>, x_7: C, theta_1: C) -> PublishedFormulas<C> {

@@ -131,16 +131,7 @@ impl Told for Luffing {
     fn searched(&self) -> Vec<Summary> {
         let at = self.parameters.driven.coordinate();
         let found = analysis(&self.parameters, &self.motion).expect("checked when the scene was read");
-        let entry = |(symbol, extreme): (&'static Symbol, Option<crate::component::extreme::Extreme>)| {
-            extreme.map(|extreme| Summary {
-                symbol,
-                value: extreme.value,
-                at: Some((at, extreme.at)),
-            })
-        };
-        found.map_or(Vec::new(), |found| {
-            found.extremes().into_iter().filter_map(entry).collect()
-        })
+        found.map_or(Vec::new(), |found| found.extremes(at))
     }
 
     fn identities(&self, model: &mut Standing) -> Vec<Check> {

@@ -31,14 +31,8 @@ impl<C: Calc> LoadMoment<C> {
 }
 
 /// The same through the instantaneous centre. [Li2022, eq. 11]
-#[derive(Clone, Copy, Debug)]
-pub struct ByPole<C>(pub C);
-results! { ByPole as m => { M_Q_P: m.0; } }
-
-impl<C: Calc> ByPole<C> {
-    pub fn new(pole: &Pole<C>, g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>, q: &C) -> ByPole<C> {
-        ByPole(pole.moment(g, p, v, *q))
-    }
+pub fn by_pole<C: Calc>(pole: &Pole<C>, g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>, q: &C) -> C {
+    pole.moment(g, p, v, *q)
 }
 
 /// Centres of gravity, in m from each bar's first joint: boom from O1, jib from
@@ -101,6 +95,7 @@ pub struct Carried<C> {
     m_q: C,
     m_g: C,
 }
+
 impl<C: Calc> Carried<C> {
     /// Of load and weights, less what a balance carries of the boom.
     pub fn new(
@@ -176,6 +171,7 @@ impl<C: Calc> Held<C> {
 /// Whether the linkage passes a change point in the working range.
 #[derive(Clone, Copy, Debug)]
 pub struct Passes(bool);
+
 impl Passes {
     pub fn new<C: Calc>(g: &Geometry<C>, choice: &Choice) -> Passes {
         Passes(g.change_point(&choice.range).is_some())

@@ -102,16 +102,7 @@ impl Told for Rope {
     fn searched(&self) -> Vec<Summary> {
         let found = self.given.weights.as_ref().zip(self.given.balance.as_ref());
         let found = found.and_then(|(weights, form)| analysed(weights, form, &self.given.choice).ok());
-        let extremes = found.map_or(Vec::new(), |found| found.extremes().into_iter().collect());
-        let entry = |(symbol, extreme): (_, Option<crate::component::extreme::Extreme>)| {
-            let extreme = extreme?;
-            Some(Summary {
-                symbol,
-                value: extreme.value,
-                at: Some((&b::PHI, extreme.at)),
-            })
-        };
-        extremes.into_iter().filter_map(entry).collect()
+        found.map_or(Vec::new(), |found| found.extremes(&b::PHI))
     }
 
     /// Virtual work against equilibrium, and the angles beyond which the boom falls back against the working range.

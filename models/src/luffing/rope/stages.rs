@@ -5,14 +5,14 @@ use crate::balance::boom::Plain;
 use crate::balance::scene::Form;
 use crate::component::part::{Component, Port};
 use crate::component::stages::{Found, stages};
-use crate::component::whole::Whole;
+use crate::component::whole::{How, Whole};
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::balancing::{Balanced, Balancing, Criteria};
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Falls, LoadLevel, Path, Rig, Stretch};
-use crate::luffing::rope::statics::{Hanging, OwnMoment, Power, Pull, RopePulls};
+use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, power};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::rope::velocity::{RopeTravel, Speeds};
 
@@ -41,7 +41,7 @@ stages! {
         balanced: Balanced<C> = balanced(residual, hanging, own);
         carried: RopePulls<C> = RopePulls::new(position, load[!], own[?], residual[?]) => _;
         pull: Pull<C> = Pull::new(carried, hanging, position, falls, stretch);
-        power: Power<C> = Power::new(rig, pull, speeds);
+        power: C = power(rig, pull, speeds) => P_L;
         losses: Losses<C> = Losses::new(rig, load[!], carried, falls, stretch);
         analysed: Analysis = analysed(weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, weights[!], analysed, choice);
@@ -50,14 +50,14 @@ stages! {
 
 impl Component for RopeBoom {
     const WHOLE: &'static [Whole] = &[
-        Whole::greatest(&s::R_MAX, &s::R),
-        Whole::least(&s::R_MIN, &s::R),
-        Whole::swing(&s::DELTA_Y, &s::Y_Q),
-        Whole::ratio(&s::EPSILON_Y, &s::Y_Q, &s::R),
-        Whole::swing(&s::STROKE, &s::L_T),
-        Whole::swing(&s::L_LD, &s::L_L),
-        Whole::vanishes(&s::PHI_T, &s::M_D, None),
-        Whole::vanishes(&s::PHI_T0, &s::M_D, Some((&s::Q, 0.0))),
+        Whole::new(&s::R_MAX, How::Greatest, &s::R),
+        Whole::new(&s::R_MIN, How::Least, &s::R),
+        Whole::new(&s::DELTA_Y, How::Swing, &s::Y_Q),
+        Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::Y_Q),
+        Whole::new(&s::STROKE, How::Swing, &s::L_T),
+        Whole::new(&s::L_LD, How::Swing, &s::L_L),
+        Whole::new(&s::PHI_T, How::Vanishes(None), &s::M_D),
+        Whole::new(&s::PHI_T0, How::Vanishes(Some((&s::Q, 0.0))), &s::M_D),
     ];
 
     const PORTS: &'static [Port] = &[

@@ -14,6 +14,7 @@ pub struct RopeTravel<C> {
     /// Rise of the load with the hoist drum at rest.
     pub y_q: C,
 }
+
 impl<C: Calc> RopeTravel<C> {
     /// y_Q' = x_A − h_S / m_h. [Ports001, 5.2.3]
     pub fn new(rig: &Rig<C>, position: &BoomPosition<C>, stretch: &Stretch<C>) -> RopeTravel<C> {
