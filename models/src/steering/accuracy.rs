@@ -14,16 +14,11 @@ quantities! {
 }
 
 impl<C: Calc> Accuracy<C> {
-    /// Angle error of a group at the lever arm `od` (m), in rad: half a step of the encoder, and the dead band.
+    /// Greatest error of a group's angle, in rad: half a step of the encoder, and the dead band at its lever arm.
     #[inline]
-    pub fn angle_error(&self, od: C) -> C {
-        (self.step / C::constant(2.0) + self.dead_band / od.abs()).def(&s::DELTA)
+    pub fn angle_error(&self, pose: &Pose<C>) -> C {
+        (self.step / C::constant(2.0) + self.dead_band / pose.od.abs()).def(&s::DELTA)
     }
-}
-
-/// Greatest error of a group's angle, in rad.
-pub fn error<C: Calc>(accuracy: &Accuracy<C>, pose: &Pose<C>) -> C {
-    accuracy.angle_error(pose.od)
 }
 
 /// Slip of a group by its own error, were the machine to keep its motion; what that gives way follows from all groups.

@@ -62,6 +62,15 @@ impl<C: Calc> Centre<C> {
     }
 }
 
+impl Centre<f64> {
+    /// Greatest length of the rolling directions of all groups.
+    #[must_use]
+    pub fn fastest(&self, machine: &Machine<f64>) -> f64 {
+        let lengths = machine.groups.iter().map(|p| plane::length(self.rolling(*p)));
+        lengths.fold(0.0, f64::max)
+    }
+}
+
 /// Where the turning centre lies. At infinity it lies to the left of the way, on the line across the machine.
 #[derive(Clone, Copy, Debug)]
 pub struct TurningPole<C> {

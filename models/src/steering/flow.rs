@@ -2,6 +2,7 @@
 
 use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
+use crate::parts::hydraulics::cylinder;
 use crate::steering::cylinder::Pose;
 use crate::steering::symbols as s;
 
@@ -15,16 +16,9 @@ pub fn speed<C: Calc>(rate: &C, pose: &Pose<C>) -> C {
     (*rate * pose.od).def(&s::V_C)
 }
 
-/// Oil flow to a cylinder, in m³/s, at its speed (m/s): on the bore where it
-/// lengthens, on the annulus (negative) where it shortens.
+/// Oil flow to a cylinder, in m³/s, at its speed (m/s); negative where it shortens.
 pub fn flow<C: Calc>(piston: &Piston<C>, speed: &C) -> C {
-    let quarter = C::constant(std::f64::consts::FRAC_PI_4);
-    let area = if speed.value() < 0.0 {
-        quarter * (piston.d_g.square() - piston.d.square())
-    } else {
-        quarter * piston.d_g.square()
-    };
-    (area.def(&s::A_G) * *speed).def(&s::Q_G)
+    cylinder::flow([piston.d_g, piston.d], *speed, [&s::A_G, &s::Q_G])
 }
 
 /// Oil flow of all cylinders together, by amount.

@@ -86,6 +86,21 @@ impl<C: Calc> Machine<C> {
     }
 }
 
+impl Machine<f64> {
+    /// Greatest length or width between the groups, in m.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        (self.front - self.rear).max(self.left - self.right)
+    }
+
+    /// Greatest distance of a group from the middle, in m.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        let arms = self.groups.iter().map(|p| plane::length(p - self.middle));
+        arms.fold(0.0, f64::max)
+    }
+}
+
 /// That there are as many groups as there may be, and no two in one place.
 fn apart<C: Calc>(groups: &[Point<C>]) -> Result<(), Refusal> {
     let [least, most] = GROUPS;

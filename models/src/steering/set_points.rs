@@ -139,8 +139,7 @@ impl Way {
         };
         let rolling = |motion: Twist| {
             let centre = machine.about(motion);
-            let speeds = machine.groups.iter().map(|p| plane::length(centre.rolling(*p)));
-            (centre, speeds.fold(0.0, f64::max))
+            (centre, centre.fastest(machine))
         };
         Way {
             course,

@@ -74,7 +74,7 @@ stages! {
         strokes[each axes]: Vec<C> = flow::speed(rates[each], poses[each]) => V_C;
         flows[each axes]: Vec<C> = flow::flow(piston[!], strokes[each]) => Q_G;
         total: C = flow::total(flows) => Q_SUM;
-        errors[each axes]: Vec<C> = accuracy::error(accuracy[!], poses[each]) => DELTA;
+        errors[each axes]: Vec<C> = Accuracy::angle_error(accuracy[!], poses[each]) => DELTA;
         alone[each axes]: Vec<C> = accuracy::alone(speeds[each], errors[each], v_t) => _;
         slips[axes]: Vec<C> = accuracy::slips(machine, centre, errors) => SLIP, searched;
         greatest: C = accuracy::greatest(slips) => SLIP_MAX, searched;

@@ -23,7 +23,13 @@ pub struct Rolling<C> {
 impl<C: Calc> Rolling<C> {
     #[inline]
     pub fn new(centre: &Centre<C>, axis: &Axis<C>) -> Rolling<C> {
-        let along = centre.rolling(axis.point());
+        Rolling::about(centre, axis.point())
+    }
+
+    /// Of a group that stands at a point.
+    #[inline]
+    pub fn about(centre: &Centre<C>, p: Point<C>) -> Rolling<C> {
+        let along = centre.rolling(p);
         if centre.is_far() {
             // A direction alone has no length to be named.
             let length = plane::length(along);
