@@ -8,31 +8,28 @@ const SOURCE: Key = Key::text("source", "Where the quantities of this table come
 
 /// Keys of `[luffing.synthesis]`.
 pub static KEYS: &[Key] = &[
-    Key {
-        name: "method",
-        kind: Kind::Choice(&["optimum", "three", "four"]),
-        required: false,
-        text: "Global optimum; three positions of equal energy; four positions, the first two infinitely close (Burmester).",
-    },
-    Key {
-        name: "objective",
-        kind: Kind::Choice(&["dM_max", "E", "N_max", "dM_95"]),
-        required: false,
-        text: "What the optimum minimises: the greatest residual, the integral of its amount, the greatest rod force, or the \
+    Key::choice(
+        "method",
+        &["optimum", "three", "four"],
+        "Global optimum; three positions of equal energy; four positions, the first two infinitely close (Burmester).",
+    ),
+    Key::choice(
+        "objective",
+        &["dM_max", "E", "N_max", "dM_95"],
+        "What the optimum minimises: the greatest residual, the integral of its amount, the greatest rod force, or the \
                residual that 95 % of all builds stay below.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: false,
-        text: "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever; both where it is left out.",
-    },
-    Key {
-        name: "seed",
-        kind: Kind::Count,
-        required: false,
-        text: "Seed of the search: the same seed gives the same lever.",
-    },
+    ),
+    Key::choice(
+        "branch",
+        &["left", "right"],
+        "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever; both where it is left out.",
+    ),
+    Key::new(
+        "seed",
+        Kind::Count,
+        "Seed of the search: the same seed gives the same lever.",
+    )
+    .optional(),
     Key::table(
         "bounds",
         BOUNDS,
@@ -47,28 +44,22 @@ pub static KEYS: &[Key] = &[
         "What the methods of three and of four positions start from.",
     )
     .optional(),
-    Key {
-        name: "candidates",
-        kind: Kind::Tables(CANDIDATE, 100),
-        required: false,
-        text: "Levers that the book compares.",
-    },
-    Key {
-        name: "found",
-        kind: Kind::Choice(&["complete", "broken off"]),
-        required: false,
-        text: "Written by `lemnis synth`: [luffing.balance] is its result, and whether the search came to its end.",
-    },
+    Key::new(
+        "candidates",
+        Kind::Tables(CANDIDATE, 100),
+        "Levers that the book compares.",
+    )
+    .optional(),
+    Key::choice(
+        "found",
+        &["complete", "broken off"],
+        "Written by `lemnis synth`: [luffing.balance] is its result, and whether the search came to its end.",
+    ),
     SOURCE,
 ];
 
 const fn bounds(symbol: &'static Symbol, sign: Sign) -> Key {
-    Key {
-        name: symbol.id,
-        kind: Kind::Quantities(symbol, sign, [1, 2]),
-        required: false,
-        text: symbol.text,
-    }
+    Key::new(symbol.id, Kind::Quantities(symbol, sign, [1, 2]), symbol.text).optional()
 }
 
 /// Keys of its table `bounds`.
@@ -89,50 +80,32 @@ static CONSTRAINTS: &[Key] = &[
     Key::quantity(&s::N_MAX, Sign::Positive).optional(),
     Key::quantity(&s::DM_MAX, Sign::Positive).optional(),
     Key::quantity(&s::M_PLUS, Sign::NotNegative).optional(),
-    Key {
-        name: "ends",
-        kind: Kind::Choice(&["stable", "any"]),
-        required: false,
-        text: "Stable: at both ends the residual turns the boom inwards. [Balance004, eq. 6-7]",
-    },
-    Key {
-        name: "counterweight",
-        kind: Kind::Choice(&["rearward", "any"]),
-        required: false,
-        text: "Rearward: the counterweight stays behind the lever's pivot.",
-    },
+    Key::choice(
+        "ends",
+        &["stable", "any"],
+        "Stable: at both ends the residual turns the boom inwards. [Balance004, eq. 6-7]",
+    ),
+    Key::choice(
+        "counterweight",
+        &["rearward", "any"],
+        "Rearward: the counterweight stays behind the lever's pivot.",
+    ),
     SOURCE,
 ];
 
 static TOLERANCES: &[Key] = &[
-    Key {
-        name: "length",
-        kind: Kind::Quantity(&s::T_L, Sign::NotNegative),
-        required: false,
-        text: s::T_L.text,
-    },
-    Key {
-        name: "angle",
-        kind: Kind::Quantity(&s::T_A, Sign::NotNegative),
-        required: false,
-        text: s::T_A.text,
-    },
-    Key {
-        name: "weight",
-        kind: Kind::Quantity(&s::T_W, Sign::NotNegative),
-        required: false,
-        text: s::T_W.text,
-    },
+    Key::named("length", &s::T_L, Sign::NotNegative, s::T_L.text).optional(),
+    Key::named("angle", &s::T_A, Sign::NotNegative, s::T_A.text).optional(),
+    Key::named("weight", &s::T_W, Sign::NotNegative, s::T_W.text).optional(),
     SOURCE,
 ];
 
 static POSITIONS: &[Key] = &[
-    Key {
-        name: "phi",
-        kind: Kind::Quantities(&s::PHI, Sign::Any, [3, 3]),
-        required: true,
-        text: "Three boom angles; of four positions the first counts twice.",
-    },
+    Key::new(
+        "phi",
+        Kind::Quantities(&s::PHI, Sign::Any, [3, 3]),
+        "Three boom angles; of four positions the first counts twice.",
+    ),
     Key::quantity(&s::PSI_1, Sign::Any),
     Key::quantity(&s::M_5, Sign::Positive),
     Key::quantity(&s::R_K, Sign::Positive).optional(),
@@ -142,19 +115,17 @@ static POSITIONS: &[Key] = &[
 ];
 
 static CANDIDATE: &[Key] = &[
-    Key {
-        name: "role",
-        kind: Kind::Choice(&["existing", "published", "start", "rod_force", "counterweight"]),
-        required: true,
-        text: "A lever to compare with, one that the search starts from, or a point of the front against the rod force or \
+    Key::new(
+        "role",
+        Kind::Choice(&["existing", "published", "start", "rod_force", "counterweight"]),
+        "A lever to compare with, one that the search starts from, or a point of the front against the rod force or \
                against the counterweight.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: false,
-        text: "Side on which the rod meets the lever; left as in Balance004 where it is left out.",
-    },
+    ),
+    Key::choice(
+        "branch",
+        &["left", "right"],
+        "Side on which the rod meets the lever; left as in Balance004 where it is left out.",
+    ),
     Key::quantity(&s::D_1, Sign::Positive),
     Key::quantity(&s::DELTA_1, Sign::Any),
     Key::quantity(&s::R_K, Sign::Positive),

@@ -19,19 +19,17 @@ const KINDS: &[&str] = &["tail", "parallelogram", "lever", "straight_rail", "cur
 
 /// Keys of `[luffing.balance]`; which quantities are needed depends on the kind.
 pub static KEYS: &[Key] = &[
-    Key {
-        name: "kind",
-        kind: Kind::Choice(KINDS),
-        required: true,
-        text: "A weight on the boom's rear, a parallelogram lever, a four-bar lever, or a rope to a weight on a straight \
+    Key::new(
+        "kind",
+        Kind::Choice(KINDS),
+        "A weight on the boom's rear, a parallelogram lever, a four-bar lever, or a rope to a weight on a straight \
                or a curved rail.",
-    },
-    Key {
-        name: "branch",
-        kind: Kind::Choice(&["left", "right"]),
-        required: false,
-        text: "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever.",
-    },
+    ),
+    Key::choice(
+        "branch",
+        &["left", "right"],
+        "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever.",
+    ),
     Key::weight(&s::G_C).optional(),
     Key::quantity(&s::R_C, Sign::NotNegative).optional(),
     Key::quantity(&s::CHI_C, Sign::Any).optional(),
@@ -63,12 +61,7 @@ pub static KEYS: &[Key] = &[
 ];
 
 static PUBLISHED: &[Key] = &[
-    Key {
-        name: "source",
-        kind: Kind::Text,
-        required: true,
-        text: "Where the results are printed.",
-    },
+    Key::new("source", Kind::Text, "Where the results are printed."),
     Key::quantity(&s::DM_MAX, Sign::NotNegative).optional(),
     Key::quantity(&s::DM_5_MAX, Sign::NotNegative).optional(),
     Key::quantity(&s::E_ABS, Sign::NotNegative).optional(),

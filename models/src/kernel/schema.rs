@@ -68,6 +68,22 @@ pub enum Sign {
 
 impl Key {
     #[must_use]
+    pub const fn new(name: &'static str, kind: Kind, text: &'static str) -> Key {
+        Key {
+            name,
+            kind,
+            required: true,
+            text,
+        }
+    }
+
+    /// One of several, which may be left out.
+    #[must_use]
+    pub const fn choice(name: &'static str, of: &'static [&'static str], text: &'static str) -> Key {
+        Key::new(name, Kind::Choice(of), text).optional()
+    }
+
+    #[must_use]
     pub const fn quantity(symbol: &'static Symbol, sign: Sign) -> Key {
         Key::named(symbol.id, symbol, sign, symbol.text)
     }
@@ -75,23 +91,13 @@ impl Key {
     /// A quantity under a name of its own.
     #[must_use]
     pub const fn named(name: &'static str, symbol: &'static Symbol, sign: Sign, text: &'static str) -> Key {
-        Key {
-            name,
-            kind: Kind::Quantity(symbol, sign),
-            required: true,
-            text,
-        }
+        Key::new(name, Kind::Quantity(symbol, sign), text)
     }
 
     /// A weight that may be given as a mass.
     #[must_use]
     pub const fn weight(symbol: &'static Symbol) -> Key {
-        Key {
-            name: symbol.id,
-            kind: Kind::Weight(symbol),
-            required: true,
-            text: symbol.text,
-        }
+        Key::new(symbol.id, Kind::Weight(symbol), symbol.text)
     }
 
     /// The quantity that stands behind the key, and which numbers it may have; `None` where it is something else.
@@ -106,12 +112,7 @@ impl Key {
 
     #[must_use]
     pub const fn table(name: &'static str, keys: &'static [Key], text: &'static str) -> Key {
-        Key {
-            name,
-            kind: Kind::Table(keys),
-            required: true,
-            text,
-        }
+        Key::new(name, Kind::Table(keys), text)
     }
 
     /// A table of several kinds, each with its keys.
@@ -121,34 +122,19 @@ impl Key {
         kinds: &'static [(&'static str, &'static [Key])],
         text: &'static str,
     ) -> Key {
-        Key {
-            name,
-            kind: Kind::Kinds(kinds),
-            required: false,
-            text,
-        }
+        Key::new(name, Kind::Kinds(kinds), text).optional()
     }
 
     /// Which kind of a table of several kinds it is, the only one of these.
     #[must_use]
     pub const fn kind(of: &'static [&'static str], text: &'static str) -> Key {
-        Key {
-            name: KIND,
-            kind: Kind::Choice(of),
-            required: false,
-            text,
-        }
+        Key::choice(KIND, of, text)
     }
 
     /// A text that may be left out.
     #[must_use]
     pub const fn text(name: &'static str, text: &'static str) -> Key {
-        Key {
-            name,
-            kind: Kind::Text,
-            required: false,
-            text,
-        }
+        Key::new(name, Kind::Text, text).optional()
     }
 
     #[must_use]

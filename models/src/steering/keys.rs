@@ -21,24 +21,15 @@ const fn names<const N: usize>(of: &'static Enumeration) -> [&'static str; N] {
     names
 }
 
-const fn key(name: &'static str, kind: Kind, text: &'static str) -> Key {
-    Key {
-        name,
-        kind,
-        required: true,
-        text,
-    }
-}
-
 /// Keys of `[steering]`.
 pub static KEYS: &[Key] = &[
-    key("mode", Kind::Choice(&MODES), "Travel mode."),
-    key("command", Kind::Choice(&COMMANDS), "What commands front_axle, rear_axle and all_wheel; without it the angle of the base group, which is the first one.").optional(),
-    key("corner", Kind::Choice(&CORNERS), "About which corner of the outline the mode corner turns.").optional(),
+    Key::new("mode", Kind::Choice(&MODES), "Travel mode."),
+    Key::new("command", Kind::Choice(&COMMANDS), "What commands front_axle, rear_axle and all_wheel; without it the angle of the base group, which is the first one.").optional(),
+    Key::new("corner", Kind::Choice(&CORNERS), "About which corner of the outline the mode corner turns.").optional(),
     Key::quantity(&s::R_T, Sign::Any).optional(),
     Key::quantity(&s::O_CX, Sign::Any).optional(),
     Key::quantity(&s::O_CY, Sign::Any).optional(),
-    key("groups", Kind::Tables(GROUP, GROUPS[1]), "The steered groups; the first one is the base group, whose angle commands."),
+    Key::new("groups", Kind::Tables(GROUP, GROUPS[1]), "The steered groups; the first one is the base group, whose angle commands."),
     Key::table(
         "outline",
         OUTLINE,
@@ -83,7 +74,7 @@ pub static KEYS: &[Key] = &[
         "Oil supply, and what the book checks the cylinder by.",
     )
     .optional(),
-    key("fidelity", Kind::Choice(FIDELITIES), "How deep the steering is modelled: groups that stand as commanded (kinematic), or that are turned by their cylinders under the PLC (hydraulic), or as deep as the scene's accuracy needs (auto); without it kinematic.").optional(),
+    Key::new("fidelity", Kind::Choice(FIDELITIES), "How deep the steering is modelled: groups that stand as commanded (kinematic), or that are turned by their cylinders under the PLC (hydraulic), or as deep as the scene's accuracy needs (auto); without it kinematic.").optional(),
     Key::table(TABLES[0].0, TABLES[0].1, TABLES[0].2).optional(),
     Key::table(TABLES[1].0, TABLES[1].1, TABLES[1].2).optional(),
     Key::table(TABLES[2].0, TABLES[2].1, TABLES[2].2).optional(),
@@ -103,7 +94,7 @@ static GROUP: &[Key] = &[
     angle("min", &s::THETA_MIN).optional(),
     angle("max", &s::THETA_MAX).optional(),
     FORBIDDEN,
-    key(
+    Key::new(
         "cylinder",
         Kind::Choice(&["direct", "mirrored"]),
         "Whether the cylinder lengthens (direct) or shortens when the group turns counter-clockwise.",
@@ -135,7 +126,7 @@ static RANGE: &[Key] = &[
 ];
 
 /// Where a group must not turn.
-const FORBIDDEN: Key = key("forbidden", Kind::Texts(20), "Ranges through which a group must not turn, each by its two ends: \"20 deg, 25 deg\"; a group's own ones take the place of those of all.").optional();
+const FORBIDDEN: Key = Key::new("forbidden", Kind::Texts(20), "Ranges through which a group must not turn, each by its two ends: \"20 deg, 25 deg\"; a group's own ones take the place of those of all.").optional();
 
 static MOTION: &[Key] = &[
     Key::named("from", &s::THETA_B, Sign::Any, "Commanded angle at the start."),
@@ -164,7 +155,7 @@ static RING: &[Key] = &[
     Key::quantity(&s::K_TEST, Sign::Positive),
     Key::quantity(&s::MU_R, Sign::NotNegative),
     Key::quantity(&s::D_L, Sign::Positive),
-    key(
+    Key::new(
         "catalogue",
         Kind::Tables(CATALOGUE, 100),
         "Rings with their load curves, from the smallest to the greatest.",
@@ -174,14 +165,14 @@ static RING: &[Key] = &[
 ];
 
 static CATALOGUE: &[Key] = &[
-    key("name", Kind::Text, "Name of the ring."),
+    Key::new("name", Kind::Text, "Name of the ring."),
     Key::quantity(&s::D_L, Sign::Positive),
-    key(
+    Key::new(
         "ring",
         Kind::Texts(100),
         "Load curve of the ring, points of force and moment with rising force: \"400 kN, 280 kN.m\".",
     ),
-    key("bolts", Kind::Texts(100), "Load curve of its bolts, likewise."),
+    Key::new("bolts", Kind::Texts(100), "Load curve of its bolts, likewise."),
 ];
 
 static CYLINDER: &[Key] = &[
@@ -203,13 +194,13 @@ static ACCURACY: &[Key] = &[
 
 static TRANSITION: &[Key] = &[
     Key::quantity(&s::V_CX, Sign::Positive),
-    key(
+    Key::new(
         "from",
         Kind::Choice(&MODES),
         "Mode from which the change starts that the book draws; without it that of the scene.",
     )
     .optional(),
-    key(
+    Key::new(
         "to",
         Kind::Choice(&MODES),
         "Mode in which it ends; without it the one whose change from there takes longest.",
