@@ -589,19 +589,19 @@ fn the_cylinder() {
 fn the_range_of_the_cylinder() {
     for mirrored in [false, true] {
         // 1.65 m and 2.9 m are beyond |o–b| ∓ |o–c| = 2.329 ∓ 0.5 m: the dead points end the range.
-        let (linkage, limits) = (CYLINDER.linkage(mirrored), CYLINDER.range(mirrored));
+        let (linkage, limits) = (CYLINDER.linkage(mirrored), Limits::between(CYLINDER.ends(mirrored)));
         assert_eq!([limits.min, limits.max], linkage.dead_points());
         let refused = linkage.over(&limits).expect_err("no lever arm");
         assert!(refused.what.contains("cannot turn"), "{refused}");
         let shorter = Mounting { l_x: 0.8, ..CYLINDER };
-        let (linkage, limits) = (shorter.linkage(mirrored), shorter.range(mirrored));
+        let (linkage, limits) = (shorter.linkage(mirrored), Limits::between(shorter.ends(mirrored)));
         let ends = [limits.min, limits.max].map(|theta| linkage.at_angle(theta).l);
         let [low, high] = if mirrored { [ends[1], ends[0]] } else { ends };
         assert!((low - 1.2).abs() <= 1e-14 && (high - 2.0).abs() <= 1e-14, "{ends:?}");
         // choose_stroke finds 0.9 m for the pivot, and not 0.8 m.
         let pivot = LAYOUT.pivot();
         assert!(!(limits.allows(pivot) && limits.allows(-pivot)));
-        let chosen = Mounting { l_x: 0.9, ..CYLINDER }.range(mirrored);
+        let chosen = Limits::between(Mounting { l_x: 0.9, ..CYLINDER }.ends(mirrored));
         assert!(chosen.allows(pivot) && chosen.allows(-pivot));
         println!(
             "stops at {:.2} and {:.2} deg",

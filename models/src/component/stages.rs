@@ -8,14 +8,14 @@
 //!         Parameter ropes: Ropes<C>,
 //!     } find {
 //!         pull: Pull<C> = Pull::new(ropes, height);
-//!         power: Power<C> = Power::new(pull, speed);
+//!         power: C = power(pull, speed) => P;
 //!     }
 //! }
 //! results! { Pull as p => { S_R: p.s_r; } }
 //! ```
 //!
 //! An argument is a group or an earlier stage, and *is* the dependency: what follows from what is known at compile
-//! time. For `power` the macro makes a field `Option<Power<C>>`, a bit, the mask of the groups `ropes | height | speed`,
+//! time. For `power` the macro makes a field `Option<C>`, a bit, the mask of the groups `ropes | height | speed`,
 //! and a function that makes `pull` first where it is not known. Changing `speed` clears the bit of `power` alone.
 
 use crate::kernel::calc::Calc;
@@ -178,7 +178,7 @@ pub(crate) use results;
 /// its `Option`; `stage[?]` one that it takes as an `Option` of a reference, `None` where that does not exist;
 /// `stage[when]` likewise one that is made only where the argument `when` before it `holds()`.
 ///
-/// After what finds it: `=> SYMBOL` where the stage is that one number, `=> _` where it has no results; else `results!`
+/// After what finds it: `=> SYMBOL` where the stage is that one number, `=> [X, Y]` where it is a vector, `=> _` where it has no results; else `results!`
 /// has its rows.
 ///
 /// After a stage: `, lifted` where derivatives take it over from plain numbers (it has a `map`), `, plain` where it has
@@ -255,8 +255,10 @@ macro_rules! stages {
     (@rows [] $c:ident $kind:ty) => { <$kind as Rows<$c>>::ROWS };
     (@rows [_] $c:ident $kind:ty) => { &[] };
     (@rows [$symbol:ident] $c:ident $kind:ty) => { &[&s::$symbol] };
+    (@rows [[$x:ident, $y:ident]] $c:ident $kind:ty) => { &[&s::$x, &s::$y] };
     (@row [] [$($of:ident)*] $found:expr, $slot:ident) => { Rows::row($found, $slot.row, $slot.of)? };
     (@row [_] [$($of:ident)*] $found:expr, $slot:ident) => { Err($crate::component::stages::absent())? };
+    (@row [[$x:ident, $y:ident]] [] $found:expr, $slot:ident) => { $found[usize::from($slot.row)] };
     (@row [$symbol:ident] [] $found:expr, $slot:ident) => { *$found };
     (@row [$symbol:ident] [$($of:ident)+] $found:expr, $slot:ident) => { $found[usize::from($slot.of)] };
     (@searched [searched]) => { true };

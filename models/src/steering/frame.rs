@@ -31,7 +31,7 @@ pub fn limits<C: Calc>(
     for (number, mount) in (1..).zip(mounts) {
         let whole = match (mount.range, &cylinder) {
             (Some([min, max]), _) => Limits::new(min, max, Vec::new())?,
-            (None, Some(cylinder)) => cylinder.range(mount.mirrored),
+            (None, Some(cylinder)) => Limits::between(cylinder.ends(mount.mirrored)),
             (None, None) => Limits::new(-PI, PI, Vec::new())?,
         };
         limits.push(whole.forbid(mount.forbidden.clone()).map_err(|found| Refusal {

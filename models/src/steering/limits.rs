@@ -20,15 +20,20 @@ pub struct Limits {
 }
 
 impl Limits {
+    /// All that lies between two angles.
+    #[must_use]
+    pub fn between([min, max]: [f64; 2]) -> Limits {
+        Limits {
+            min,
+            max,
+            forbidden: Vec::new(),
+        }
+    }
+
     /// A range that contains straight ahead, less than a turn in all.
     pub fn new(min: f64, max: f64, forbidden: Vec<[f64; 2]>) -> Result<Limits, Refusal> {
         if min >= -PI && max <= PI && min <= 0.0 && max >= 0.0 {
-            let whole = Limits {
-                min,
-                max,
-                forbidden: Vec::new(),
-            };
-            return whole.forbid(forbidden);
+            return Limits::between([min, max]).forbid(forbidden);
         }
         Err(Refusal::new(
             "theta",

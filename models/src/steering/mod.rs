@@ -32,7 +32,7 @@
 //! | `steering.ring` | [`ring::Duty::new`], [`ring::Catalogue::choose`] | Zhang2016, 4 |
 //! | `steering.cylinder.length` | [`cylinder::Linkage::at`] | Zhang2016, 5.1 |
 //! | `steering.cylinder.stroke` | [`cylinder::Mounting::stroke_margins`], [`sizing::choose_stroke`] | Zhang2016, 5.1 |
-//! | `steering.cylinder.range` | [`cylinder::Mounting::range`], [`cylinder::Linkage::over`] | derived |
+//! | `steering.cylinder.range` | [`cylinder::Mounting::ends`], [`cylinder::Linkage::over`] | derived |
 //! | `steering.cylinder.force` | [`load::force`] | Zhang2016, 5.2 |
 //! | `steering.cylinder.bore` | [`sizing::bore`], [`sizing::next`] | Zhang2016, 5.3; ISO 3320 |
 //! | `steering.flow` | [`travel::steering`], [`flow::flow`], [`demand::greatest_demand`] | derived |

@@ -5,6 +5,7 @@ use crate::component::stages::{Found, stages};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
+use crate::parts::plane::Point;
 use crate::steering::accuracy::Accuracy;
 use crate::steering::centre::{Centre, TurningPole};
 use crate::steering::change::Change;
@@ -22,7 +23,6 @@ use crate::steering::ring::Bearing;
 use crate::steering::set_points::{Planned, UnderWay, Way};
 use crate::steering::swept::Swept;
 use crate::steering::transition::Pace;
-use crate::steering::travel::Travel;
 use crate::steering::wheels::{Rolling, Wheel};
 use crate::steering::{accuracy, commanding, flow, load, nearest, set_points, symbols as s, travel, wheels};
 
@@ -64,7 +64,7 @@ stages! {
         scale: C = wheels::scale(centre, rollings, v_t) => _;
         speeds[each axes]: Vec<C> = wheels::speed(rollings[each], wheels[each], scale) => V;
         turn: C = travel::turn(centre, scale) => OMEGA;
-        travel: Travel<C> = Travel::new(machine, centre, scale);
+        travel: Point<C> = travel::middle(machine, centre, scale) => [V_MX, V_MY];
         slope: Option<Centre<C>> = commanding::slope(mode, machine, command) => _;
         rates[each axes]: Vec<C> = travel::steering(axes[each], rollings[each], slope, omega_s) => OMEGA_I;
         poses[each axes]: Vec<Pose<C>> = pose(linkages[each], wheels[each]);

@@ -1,6 +1,5 @@
 //! The machine's motion at a travel speed, and how fast its groups turn with the command.
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
@@ -15,19 +14,10 @@ pub fn turn<C: Calc>(centre: &Centre<C>, scale: &C) -> C {
 }
 
 /// Velocity of the machine's middle, in m/s.
-#[derive(Clone, Copy, Debug)]
-pub struct Travel<C>(pub Point<C>);
-results! { Travel as v => {
-    V_MX: v.0.x;
-    V_MY: v.0.y;
-} }
-
-impl<C: Calc> Travel<C> {
-    pub fn new(machine: &Machine<C>, centre: &Centre<C>, scale: &C) -> Travel<C> {
-        let along = centre.rolling(machine.middle);
-        let velocity = Point::new(along.x * *scale, along.y * *scale);
-        Travel(plane::def(velocity, [&s::V_MX, &s::V_MY]))
-    }
+pub fn middle<C: Calc>(machine: &Machine<C>, centre: &Centre<C>, scale: &C) -> Point<C> {
+    let along = centre.rolling(machine.middle);
+    let velocity = Point::new(along.x * *scale, along.y * *scale);
+    plane::def(velocity, [&s::V_MX, &s::V_MY])
 }
 
 /// Angle by which a group turns for one radian of the commanded angle, from its rolling direction and the change of

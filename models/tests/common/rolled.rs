@@ -5,7 +5,7 @@ use lemnis_models::parts::plane::Point;
 use lemnis_models::steering::centre::Centre;
 use lemnis_models::steering::limits::Limits;
 use lemnis_models::steering::machine::{Axis, Footprint, Machine};
-use lemnis_models::steering::travel::{Travel, turn};
+use lemnis_models::steering::travel::{self, turn};
 use lemnis_models::steering::wheels::{Rolling, Wheel, scale, speed};
 
 /// One steered group.
@@ -65,7 +65,7 @@ pub fn rolled<C: Calc>(
     };
     let motion = Motion {
         omega: turn(centre, &scale),
-        middle: Travel::new(machine, centre, &scale).0,
+        middle: travel::middle(machine, centre, &scale),
     };
     (rollings.iter().zip(limits).map(one).collect(), motion)
 }

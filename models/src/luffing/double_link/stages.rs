@@ -22,8 +22,9 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
 use crate::luffing::double_link::statics::{Carried, Held, LoadMoment, Own, Passes, by_pole};
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::double_link::velocity::{Head, Pole, Velocity};
+use crate::luffing::double_link::velocity::{Pole, Velocity};
 use crate::parts::motion::{Motion, degrees};
+use crate::parts::plane::Point;
 
 stages! {
     /// The double-link luffing mechanism.
@@ -42,7 +43,7 @@ stages! {
         geometry: Geometry<C> = geometry(lengths, jib, choice) => _, lifted;
         position: Position<C> = position(geometry, theta);
         velocity: Velocity<C> = Velocity::new(position);
-        head: Head<C> = Head::new(velocity, omega);
+        head: Point<C> = Velocity::v_a(velocity, omega) => [V_AX, V_AY];
         pole: Pole<C> = Pole::new(geometry, position, velocity);
         drive: Drive<C> = Drive::new(position, lengths, anchors[!]);
         stroke: C = drive::speed(drive, omega) => V_D;
