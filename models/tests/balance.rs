@@ -13,11 +13,15 @@ use lemnis_models::balance::published::table_5_2_1;
 use lemnis_models::balance::straight_rail::StraightRail;
 use lemnis_models::balance::tail::Tail;
 use lemnis_models::balance::{Balance, curved_rail, symbols};
+use lemnis_models::component::stages::Rows;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::record::{Rec, record};
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing::balancing::Criteria;
 use lemnis_models::luffing::double_link::geometry::{Driven, Lengths, Parameters, Weights};
 use lemnis_models::luffing::double_link::system::BoomSystem;
 use lemnis_models::parts::four_bar::Branch;
+use lemnis_models::parts::motion::Motion;
 use lemnis_models::parts::plane;
 use num_dual::Dual64;
 use portal::{boom, lever, oracle, published, rad, range};
@@ -593,12 +597,28 @@ fn dimensions_are_consistent() {
     assert_eq!(values[0], lever.dm);
 }
 
+/// The results of a stage that exist, under their symbols.
+fn told<T: Rows<f64>>(stage: &T) -> Vec<(&'static Symbol, f64)> {
+    let rows = (0..).zip(T::ROWS);
+    rows.filter_map(|(row, symbol)| Some((*symbol, stage.row(row, 0).ok()?)))
+        .collect()
+}
+
 /// What exists is listed under its symbol, each once.
 #[test]
 fn results_carry_their_symbols() {
     let balance = Balance::Lever(lever(published("balance_existing")));
-    let mut list = Residual::new(&boom(), &balance, rad(60.0)).expect("closes").results();
-    list.extend(Analysis::new(&boom(), &balance, range()).expect("closes").results());
+    let at = |phi| Residual::new(&boom(), &balance, phi);
+    let [from, to] = range();
+    let motion = Motion {
+        from,
+        to,
+        step: 0.1,
+        speed: 0.01,
+    };
+    let found = Analysis::new(&boom(), &balance, [from, to]).expect("closes");
+    let mut list = told(&at(rad(60.0)).expect("closes"));
+    list.extend(told(&Criteria::new(&found, &motion, &at).expect("closes")));
     assert_eq!(list.len(), 13 + 7);
     for (i, (symbol, value)) in list.iter().enumerate() {
         assert!(value.is_finite(), "{}", symbol.id);

@@ -10,7 +10,7 @@ use lemnis_models::steering::load::{Tyre, force, resistance};
 use lemnis_models::steering::machine::{Axis, Footprint, Machine};
 use lemnis_models::steering::mode::{Command, Mode};
 use lemnis_models::steering::published::Layout;
-use lemnis_models::steering::wheels::{Rolling, Scale, Speed, Wheel};
+use lemnis_models::steering::wheels::{Rolling, Wheel, scale, speed};
 
 #[path = "common/counting.rs"]
 mod counting;
@@ -46,8 +46,8 @@ fn eight_groups_without_allocation() {
         let rollings: [_; 8] = std::array::from_fn(|i| Rolling::new(&centre, &axes[i]));
         let wheels: [_; 8] = std::array::from_fn(|i| Wheel::new(&rollings[i], &limits[i]));
         assert!(wheels.iter().all(|wheel| wheel.placed), "within reach");
-        let scale = Scale::new(&centre, &rollings, &0.5);
-        let speeds: [_; 8] = std::array::from_fn(|i| Speed::new(&rollings[i], &wheels[i], &scale));
+        let scale = scale(&centre, &rollings, &0.5);
+        let speeds: [_; 8] = std::array::from_fn(|i| speed(&rollings[i], &wheels[i], &scale));
         for i in 0..8 {
             let pose = linkages[i].at(wheels[i].turn);
             (lengths[i], arms[i]) = (pose.l, pose.od);

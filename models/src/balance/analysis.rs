@@ -8,12 +8,12 @@ use crate::balance::action::{Action, LeverTurn};
 use crate::balance::boom::{Boom, Load};
 use crate::balance::{Balance, symbols as s};
 use crate::component::extreme::Extreme;
+use crate::component::sheet::Summary;
 use crate::component::stages::{absent, results};
 use crate::kernel::allowed::{FINITE, OutOfRange};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::parts::motion::degrees;
-use crate::parts::plane::Point;
 
 /// What is left at one boom angle.
 #[derive(Clone, Copy, Debug)]
@@ -75,25 +75,6 @@ impl<C: Calc> Residual<C> {
     }
 }
 
-impl Residual<f64> {
-    /// Every result that this balance has, under its symbol, in SI.
-    #[must_use]
-    pub fn results(&self) -> Vec<(&'static Symbol, f64)> {
-        let action = &self.action;
-        let both = |at: Option<Point<f64>>, [x, y]: [&'static Symbol; 2]| at.map(|at| [(x, at.x), (y, at.y)]);
-        let mut list = vec![(&s::M_0, self.boom.m_0), (&s::M_B, action.m_b), (&s::DM, self.dm)];
-        list.extend(self.dm_5.map(|dm_5| (&s::DM_5, dm_5)));
-        if let Some(turn) = action.lever {
-            list.extend([(&s::PSI, turn.psi), (&s::I_5, turn.i_5), (&s::GAMMA, turn.gamma)]);
-        }
-        list.extend(action.n_1.map(|n_1| (&s::N_1, n_1)));
-        list.extend(action.y_5.map(|y_5| (&s::C_Y, y_5)));
-        list.extend(both(Some(action.on_boom), [&s::F_KX, &s::F_KY]).into_iter().flatten());
-        list.extend(both(action.on_pivot, [&s::F_PX, &s::F_PY]).into_iter().flatten());
-        list
-    }
-}
-
 /// Where nothing is left.
 #[derive(Clone, Copy, Debug)]
 pub struct Equilibrium {
@@ -126,8 +107,6 @@ pub struct Analysis {
     /// Residual at the lowest and the highest boom angle, in N·m: stable ends have it positive, then negative. [Balance004, eq. 6-7]
     pub ends: [f64; 2],
 }
-
-results! { plain Analysis; }
 
 /// Points at which a quantity is looked at before extremes and zeros are refined.
 const GRID: u32 = 380;
@@ -195,7 +174,7 @@ impl Analysis {
             return Err(OutOfRange::new(&s::PHI, pair[1].phi, allowed, what));
         }
         let dm = |theta| at(theta).map(|r| r.dm);
-        let dm_max = grid.greatest(|r| r.dm.abs())?.expect("a residual exists");
+        let dm_max = grid.greatest(&|r| Some(r.dm.abs()))?.expect("a residual exists");
         let ratio = |r: &Residual<f64>| r.action.lever.map_or(1.0, |turn| turn.i_5);
         let rest = grid
             .samples
@@ -210,7 +189,7 @@ impl Analysis {
                     &|theta| at(theta).map(|r| ratio(&r)),
                 )?,
             }),
-            None => grid.greatest_of(&|r| r.dm_5.map(f64::abs))?,
+            None => grid.greatest(&|r| r.dm_5.map(f64::abs))?,
         };
         // The integral of the residual is the fall of the potential energy, and
         // its zeros split the range.
@@ -242,18 +221,17 @@ impl Analysis {
             gain(energy(&there), &mut last);
         }
         gain(energy(grid.samples.last().expect("samples")), &mut last);
-        let highest = grid.greatest_of(&|r| r.action.y_5)?;
-        let lowest = grid.greatest_of(&|r| r.action.y_5.map(|y| -y))?;
-        let turned = |e: Extreme| Extreme { value: -e.value, ..e };
-        let gamma = grid.greatest_of(&|r| r.action.lever.map(|turn| -turn.gamma))?;
+        let highest = grid.greatest(&|r| r.action.y_5)?;
+        let lowest = grid.greatest(&|r| r.action.y_5.map(|y| -y))?;
+        let gamma = grid.greatest(&|r| r.action.lever.map(|turn| -turn.gamma))?;
         Ok(Analysis {
             dm_max,
             dm_5_max,
             e_abs,
             e_plus,
-            gamma_min: gamma.map(turned),
-            n_max: grid.greatest_of(&|r| r.action.n_1.map(f64::abs))?,
-            y_5: lowest.map(turned).zip(highest).map(|(low, high)| [low, high]),
+            gamma_min: gamma.map(Extreme::turned),
+            n_max: grid.greatest(&|r| r.action.n_1.map(f64::abs))?,
+            y_5: lowest.map(Extreme::turned).zip(highest).map(|(low, high)| [low, high]),
             equilibria: equilibria.into(),
             ends: {
                 let [from, to] = [grid.samples[0].dm, grid.samples.last().expect("samples").dm];
@@ -264,39 +242,17 @@ impl Analysis {
 }
 
 impl Analysis {
-    /// Every result that this balance has, under its symbol, in SI.
+    /// Results with the place, a value of the coordinate, where each is greatest or least.
     #[must_use]
-    pub fn results(&self) -> Vec<(&'static Symbol, f64)> {
-        let mut list = vec![
-            (&s::DM_MAX, self.dm_max.value),
-            (&s::E_ABS, self.e_abs),
-            (&s::E_PLUS, self.e_plus),
-        ];
-        let optional = [
-            (&s::DM_5_MAX, self.dm_5_max.map(|e| e.value)),
-            (&s::GAMMA_MIN, self.gamma_min.map(|e| e.value)),
-            (&s::N_MAX, self.n_max.map(|e| e.value)),
-            (&s::TRAVEL, self.y_5.map(|[low, high]| high.value - low.value)),
-        ];
-        list.extend(
-            optional
-                .into_iter()
-                .filter_map(|(symbol, value)| Some((symbol, value?))),
-        );
-        list
-    }
-}
-
-impl Analysis {
-    /// Results with the place where each is greatest or least, under their symbols.
-    #[must_use]
-    pub fn extremes(&self) -> [(&'static Symbol, Option<Extreme>); 4] {
-        [
+    pub fn extremes(&self, coordinate: &'static Symbol) -> Vec<Summary> {
+        let all = [
             (&s::DM_MAX, Some(self.dm_max)),
             (&s::DM_5_MAX, self.dm_5_max),
             (&s::N_MAX, self.n_max),
             (&s::GAMMA_MIN, self.gamma_min),
-        ]
+        ];
+        let found = all.map(|(symbol, extreme)| extreme.map(|found| Summary::at(symbol, found, coordinate)));
+        found.into_iter().flatten().collect()
     }
 }
 
@@ -343,30 +299,23 @@ impl<'a> Sampled<'a> {
         }
     }
 
-    fn greatest(&self, pick: fn(&Residual<f64>) -> f64) -> Result<Option<Extreme>, OutOfRange> {
-        self.greatest_of(&|r| Some(pick(r)))
-    }
-
     /// The greatest value: every peak of the grid is refined, for the best
     /// balances have several of nearly the same height.
-    fn greatest_of(&self, pick: &dyn Fn(&Residual<f64>) -> Option<f64>) -> Result<Option<Extreme>, OutOfRange> {
+    fn greatest(&self, pick: &dyn Fn(&Residual<f64>) -> Option<f64>) -> Result<Option<Extreme>, OutOfRange> {
         let Some(values) = self.samples.iter().map(pick).collect::<Option<Vec<f64>>>() else {
             return Ok(None);
         };
         let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let bottom = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let mut best = Extreme {
-            value: f64::NEG_INFINITY,
-            at: self.range[0],
+        let at = |i: usize| Extreme {
+            value: values[i],
+            at: self.angle(i),
         };
-        let last = values.len() - 1;
+        let (mut best, last) = (at(0), values.len() - 1);
         for (i, &value) in values.iter().enumerate() {
             let (before, after) = (i.saturating_sub(1), (i + 1).min(last));
             if value > best.value {
-                best = Extreme {
-                    value,
-                    at: self.angle(i),
-                };
+                best = at(i);
             }
             // Between two samples a peak hides less than this part of the whole swing.
             let near = value >= top - 0.01 * (top - bottom);

@@ -7,17 +7,51 @@ use crate::kernel::symbol::Symbol;
 
 /// Keys of `[luffing.synthesis]`.
 pub static KEYS: &[Key] = &[
-    Key::new("method", Kind::Choice(&["optimum", "three", "four"]), "Global optimum; three positions of equal energy; four positions, the first two infinitely close (Burmester).").optional(),
-    Key::new("objective", Kind::Choice(&["dM_max", "E", "N_max", "dM_95"]), "What the optimum minimises: the greatest residual, the integral of its amount, the greatest rod force, or the \
-               residual that 95 % of all builds stay below.").optional(),
-    Key::new("branch", Kind::Choice(&["left", "right"]), "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever; both where it is left out.").optional(),
-    Key::new("seed", Kind::Count, "Seed of the search: the same seed gives the same lever.").optional(),
-    Key::part("bounds", BOUNDS, "Smallest and greatest value of each dimension; a single value fixes it."),
+    Key::choice(
+        "method",
+        &["optimum", "three", "four"],
+        "Global optimum; three positions of equal energy; four positions, the first two infinitely close (Burmester).",
+    ),
+    Key::choice(
+        "objective",
+        &["dM_max", "E", "N_max", "dM_95"],
+        "What the optimum minimises: the greatest residual, the integral of its amount, the greatest rod force, or the \
+               residual that 95 % of all builds stay below.",
+    ),
+    Key::choice(
+        "branch",
+        &["left", "right"],
+        "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever; both where it is left out.",
+    ),
+    Key::new(
+        "seed",
+        Kind::Count,
+        "Seed of the search: the same seed gives the same lever.",
+    )
+    .optional(),
+    Key::part(
+        "bounds",
+        BOUNDS,
+        "Smallest and greatest value of each dimension; a single value fixes it.",
+    ),
     Key::part("constraints", CONSTRAINTS, "What every solution keeps."),
     Key::part("tolerances", TOLERANCES, "Tolerances of manufacturing."),
-    Key::part("positions", POSITIONS, "What the methods of three and of four positions start from."),
-    Key::new("candidates", Kind::Tables(CANDIDATE, 100), "Levers that the book compares.").optional(),
-    Key::new("found", Kind::Choice(&["complete", "broken off"]), "Written by `lemnis synth`: [luffing.balance] is its result, and whether the search came to its end.").optional(),
+    Key::part(
+        "positions",
+        POSITIONS,
+        "What the methods of three and of four positions start from.",
+    ),
+    Key::new(
+        "candidates",
+        Kind::Tables(CANDIDATE, 100),
+        "Levers that the book compares.",
+    )
+    .optional(),
+    Key::choice(
+        "found",
+        &["complete", "broken off"],
+        "Written by `lemnis synth`: [luffing.balance] is its result, and whether the search came to its end.",
+    ),
     SOURCE,
 ];
 
@@ -40,18 +74,8 @@ pub static BOUNDS: &[Key] = &[
 
 static CONSTRAINTS: &[Key] = keys! { s:
     GAMMA_MIN >= 0 [optional], N_MAX > 0 [optional], DM_MAX > 0 [optional], M_PLUS >= 0 [optional];
-    Key::new(
-        "ends",
-        Kind::Choice(&["stable", "any"]),
-        "Stable: at both ends the residual turns the boom inwards. [Balance004, eq. 6-7]",
-    )
-    .optional(),
-    Key::new(
-        "counterweight",
-        Kind::Choice(&["rearward", "any"]),
-        "Rearward: the counterweight stays behind the lever's pivot.",
-    )
-    .optional()
+    Key::choice("ends", &["stable", "any"], "Stable: at both ends the residual turns the boom inwards. [Balance004, eq. 6-7]"),
+    Key::choice("counterweight", &["rearward", "any"], "Rearward: the counterweight stays behind the lever's pivot.")
 };
 
 static TOLERANCES: &[Key] = &[
@@ -78,10 +102,5 @@ static CANDIDATE: &[Key] = keys! { s:
         "A lever to compare with, one that the search starts from, or a point of the front against the rod force or \
                against the counterweight.",
     ),
-    Key::new(
-        "branch",
-        Kind::Choice(&["left", "right"]),
-        "Side on which the rod meets the lever; left as in Balance004 where it is left out.",
-    )
-    .optional()
+    Key::choice("branch", &["left", "right"], "Side on which the rod meets the lever; left as in Balance004 where it is left out.")
 };

@@ -5,9 +5,9 @@ use nalgebra::Scalar;
 
 use crate::balance::action::{Action, LeverTurn};
 use crate::balance::symbols as s;
-use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
+use crate::kernel::allowed::{FINITE, OutOfRange, POSITIVE, check};
 use crate::kernel::calc::Calc;
-use crate::kernel::group::quantities;
+use crate::kernel::group::{quantities, sound};
 use crate::parts::four_bar::{Arc, Branch, Closure, FourBar, Names};
 use crate::parts::plane::{self, Point};
 
@@ -49,18 +49,7 @@ impl<C: Calc> Lever<C> {
     /// # Errors
     /// A length that is not positive, a negative moment, or lengths that close at no angle.
     pub fn new(dimensions: Dimensions<C>, s_5: Option<C>, branch: Branch) -> Result<Lever<C>, OutOfRange> {
-        let mut sound = Ok(());
-        dimensions.map(&mut |symbol, value: C| {
-            let allowed = match symbol.id {
-                "delta_1" | "alpha_K" | "chi_5" => FINITE,
-                "M_5" => NOT_NEGATIVE,
-                _ => POSITIVE,
-            };
-            if sound.is_ok() {
-                sound = check(symbol, value.value(), allowed);
-            }
-        });
-        sound?;
+        sound(&dimensions)?;
         if let Some(s_5) = s_5 {
             check(&s::S_5, s_5.value(), POSITIVE)?;
         }

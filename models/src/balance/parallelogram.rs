@@ -6,9 +6,9 @@ use std::f64::consts::PI;
 use crate::balance::action::{Action, LeverTurn};
 use crate::balance::boom::joint;
 use crate::balance::symbols as s;
-use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
+use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::Calc;
-use crate::kernel::group::quantities;
+use crate::kernel::group::{quantities, sound};
 use crate::parts::plane::{self, Point};
 
 quantities! {
@@ -23,13 +23,7 @@ impl<C: Calc> Parallelogram<C> {
     /// # Errors
     /// A length of the linkage that is not positive, a negative weight or arm, or what is no number.
     pub fn new(self) -> Result<Parallelogram<C>, OutOfRange> {
-        check(&s::G_C, self.g_c.value(), NOT_NEGATIVE)?;
-        check(&s::R_C, self.r_c.value(), NOT_NEGATIVE)?;
-        check(&s::R_K, self.r_1.value(), POSITIVE)?;
-        check(&s::D_1, self.d_1.value(), POSITIVE)?;
-        check(&s::CHI_C, self.chi_c.value(), FINITE)?;
-        check(&s::ALPHA_K, self.alpha_1.value(), FINITE)?;
-        check(&s::DELTA_1, self.delta_1.value(), FINITE)?;
+        sound(&self)?;
         Ok(self)
     }
 

@@ -30,12 +30,7 @@ pub static KEYS: &[Key] = keys! { s:
         "A weight on the boom's rear, a parallelogram lever, a four-bar lever, or a rope to a weight on a straight \
                or a curved rail.",
     ),
-    Key::new(
-        "branch",
-        Kind::Choice(&["left", "right"]),
-        "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever.",
-    )
-    .optional(),
+    Key::choice("branch", &["left", "right"], "Side of the line from the lever's pivot to the joint on the boom on which the rod meets the lever."),
     Key::part("published", PUBLISHED, "Published results to stand beside the computed ones.")
 };
 

@@ -6,9 +6,9 @@ use std::f64::consts::FRAC_PI_2;
 use crate::balance::action::Action;
 use crate::balance::boom::joint;
 use crate::balance::symbols as s;
-use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
+use crate::kernel::allowed::{OutOfRange, POSITIVE, check};
 use crate::kernel::calc::Calc;
-use crate::kernel::group::quantities;
+use crate::kernel::group::{quantities, sound};
 use crate::parts::plane::{self, Point};
 
 quantities! {
@@ -21,12 +21,8 @@ impl<C: Calc> StraightRail<C> {
     /// # Errors
     /// A joint at the boom foot, a negative weight, a rail that does not go down, or what is no number.
     pub fn new(self) -> Result<StraightRail<C>, OutOfRange> {
-        check(&s::G_C, self.g_c.value(), NOT_NEGATIVE)?;
-        check(&s::R_K, self.r_1.value(), POSITIVE)?;
-        check(&s::ALPHA_K, self.alpha_1.value(), FINITE)?;
-        check(&s::H_X, self.h_x.value(), FINITE)?;
-        check(&s::H_Y, self.h_y.value(), FINITE)?;
         check(&s::LAMBDA, self.lambda.value(), [0.0, FRAC_PI_2])?;
+        sound(&self)?;
         Ok(self)
     }
 

@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 
 use crate::balance::action::Action;
 use crate::balance::symbols as s;
-use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
+use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::Calc;
-use crate::kernel::group::quantities;
+use crate::kernel::group::{quantities, sound};
 use crate::parts::plane::{self, Point};
 
 quantities! {
@@ -19,9 +19,7 @@ impl<C: Calc> Tail<C> {
     /// # Errors
     /// A negative weight or distance, or what is no number.
     pub fn new(self) -> Result<Tail<C>, OutOfRange> {
-        check(&s::G_C, self.g_c.value(), NOT_NEGATIVE)?;
-        check(&s::R_C, self.r_c.value(), NOT_NEGATIVE)?;
-        check(&s::CHI_C, self.chi_c.value(), FINITE)?;
+        sound(&self)?;
         Ok(self)
     }
 

@@ -106,6 +106,23 @@ impl Draw {
         });
     }
 
+    /// A motion.
+    pub fn arrow(&mut self, from: Point<f64>, to: Point<f64>) {
+        let [from, to] = [from, to].map(array);
+        self.shapes.push(Shape::Arrow { from, to });
+    }
+
+    /// A line to an axis, or along it.
+    pub fn line(&mut self, from: Point<f64>, to: Point<f64>) {
+        let [from, to] = [from, to].map(array);
+        self.shapes.push(Shape::Axis { from, to });
+    }
+
+    /// The number of a body.
+    pub fn number(&mut self, at: Point<f64>, number: usize) {
+        self.shapes.push(Shape::Number { at: array(at), number });
+    }
+
     /// A vertical centre line.
     pub fn axis(&mut self, x: f64, from: f64, to: f64) {
         self.shapes.push(Shape::CentreLine { x, from, to });

@@ -8,14 +8,14 @@
 //!         Parameter ropes: Ropes<C>,
 //!     } find {
 //!         pull: Pull<C> = Pull::new(ropes, height);
-//!         power: Power<C> = Power::new(pull, speed);
+//!         power: C = power(pull, speed) => P;
 //!     }
 //! }
 //! results! { Pull as p => { S_R: p.s_r; } }
 //! ```
 //!
 //! An argument is a group or an earlier stage, and *is* the dependency: what follows from what is known at compile
-//! time. For `power` the macro makes a field `Option<Power<C>>`, a bit, the mask of the groups `ropes | height | speed`,
+//! time. For `power` the macro makes a field `Option<C>`, a bit, the mask of the groups `ropes | height | speed`,
 //! and a function that makes `pull` first where it is not known. Changing `speed` clears the bit of `power` alone.
 
 use crate::kernel::calc::Calc;
@@ -145,20 +145,12 @@ where
 }
 
 /// What is found at a stage: `results! { Position as p => { R: p.r; ALPHA: p.alpha(); } }`. A row is an expression,
-/// computed when it is asked for, and may fail with `?`. `results! { Geometry; }` for a stage without results,
-/// `plain Places` where it has no scalars, `each Wheel` where the stage is numbered and has one for each.
+/// computed when it is asked for, and may fail with `?`. `plain Places` where it has no scalars, `each Wheel` where the
+/// stage is numbered and has one for each.
 macro_rules! results {
     (each plain $kind:ident $($rows:tt)*) => { $crate::component::stages::results!(@rows [Vec<$kind>] [each] $($rows)*); };
     (each $kind:ident $($rows:tt)*) => { $crate::component::stages::results!(@rows [Vec<$kind<C>>] [each] $($rows)*); };
     (plain $kind:ident $($rows:tt)*) => { $crate::component::stages::results!(@rows [$kind] [one] $($rows)*); };
-    (@rows [$kind:ty] [$count:ident];) => {
-        impl<C: $crate::kernel::calc::Calc> $crate::component::stages::Rows<C> for $kind {
-            const ROWS: &'static [&'static $crate::kernel::symbol::Symbol] = &[];
-            fn row(&self, _: u8, _: u16) -> $crate::component::stages::Found<C> {
-                unreachable!("no rows")
-            }
-        }
-    };
     (@rows [$kind:ty] [$count:ident] as $it:pat => { $($symbol:ident: $row:expr;)* }) => {
         impl<C: $crate::kernel::calc::Calc> $crate::component::stages::Rows<C> for $kind {
             const ROWS: &'static [&'static $crate::kernel::symbol::Symbol] = &[$(&s::$symbol),*];
@@ -185,6 +177,9 @@ pub(crate) use results;
 /// A stage exists where what it follows from exists: `group[!]` is an optional group that it needs, handed on without
 /// its `Option`; `stage[?]` one that it takes as an `Option` of a reference, `None` where that does not exist;
 /// `stage[when]` likewise one that is made only where the argument `when` before it `holds()`.
+///
+/// After what finds it: `=> SYMBOL` where the stage is that one number, `=> [X, Y]` where it is a vector, `=> _` where it has no results; else `results!`
+/// has its rows.
 ///
 /// After a stage: `, lifted` where derivatives take it over from plain numbers (it has a `map`), `, plain` where it has
 /// no scalars at all, `, searched` where it is found with plain numbers only.
@@ -257,6 +252,15 @@ macro_rules! stages {
     (@room [$of:ident] $c:ident $given:ident) => {
         Some(Vec::with_capacity(usize::from(Group::<$c>::count(&$given.$of))))
     };
+    (@rows [] $c:ident $kind:ty) => { <$kind as Rows<$c>>::ROWS };
+    (@rows [_] $c:ident $kind:ty) => { &[] };
+    (@rows [$symbol:ident] $c:ident $kind:ty) => { &[&s::$symbol] };
+    (@rows [[$x:ident, $y:ident]] $c:ident $kind:ty) => { &[&s::$x, &s::$y] };
+    (@row [] [$($of:ident)*] $found:expr, $slot:ident) => { Rows::row($found, $slot.row, $slot.of)? };
+    (@row [_] [$($of:ident)*] $found:expr, $slot:ident) => { Err($crate::component::stages::absent())? };
+    (@row [[$x:ident, $y:ident]] [] $found:expr, $slot:ident) => { $found[usize::from($slot.row)] };
+    (@row [$symbol:ident] [] $found:expr, $slot:ident) => { *$found };
+    (@row [$symbol:ident] [$($of:ident)+] $found:expr, $slot:ident) => { $found[usize::from($slot.of)] };
     (@searched [searched]) => { true };
     (@searched [$($mark:ident)?]) => { false };
     (@count [] $given:ident) => { None };
@@ -264,7 +268,7 @@ macro_rules! stages {
     (@count [$of:ident] $given:ident) => { Some($crate::kernel::group::Group::<f64>::count(&$given.$of)) };
     ($(#[$doc:meta])* $name:ident over $c:ident from { $($use:ident $source:ident: $group:ty),* $(,)? } find {
         $($(#[$about:meta])* $stage:ident $([$($of:ident)+])?: $kind:ty =
-          $($f:ident)::+ ($($arg:ident $([$how:tt])?),* $(,)?) $(, $mark:ident)?;)*
+          $($f:ident)::+ ($($arg:ident $([$how:tt])?),* $(,)?) $(=> $row:tt)? $(, $mark:ident)?;)*
     }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
@@ -367,7 +371,7 @@ macro_rules! stages {
                     &[$(Stage {
                         id: stringify!($stage),
                         sources: UP[Bit::$stage as usize] & ((1 << GROUPS) - 1),
-                        rows: <$kind as Rows<$c>>::ROWS,
+                        rows: $crate::component::stages::stages!(@rows [$($row)?] $c $kind),
                         searched: $crate::component::stages::stages!(@searched [$($mark)?]),
                     }),*]
                 };
@@ -406,7 +410,7 @@ macro_rules! stages {
                     $(if slot.stage == At::$stage as u8 {
                         // Out of the way of what is known.
                         if known.known >> Bit::$stage as u64 & 1 == 0 { Self::make(known, slot.stage)?; }
-                        *into = Rows::row(See::$stage(known), slot.row, slot.of)?;
+                        *into = $crate::component::stages::stages!(@row [$($row)?] [$($($of)+)?] See::$stage(known), slot);
                         return Ok(());
                     })*
                     unreachable!("no such stage")

@@ -1,5 +1,6 @@
 //! Groups of given quantities: what changes together, over any scalar.
 
+use crate::kernel::allowed::{OutOfRange, check};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
@@ -68,6 +69,21 @@ impl<C: Calc, G: Group<C>> Group<C> for Vec<G> {
     fn count(&self) -> u16 {
         self.len() as u16
     }
+}
+
+/// Refuses the first of given quantities that its symbol does not allow.
+///
+/// # Errors
+/// As [`check`].
+pub fn sound<C: Calc>(group: &impl Group<C>) -> Result<(), OutOfRange> {
+    let mut sound = Ok(());
+    group.map(&mut |(symbol, _), value: C| {
+        if sound.is_ok() {
+            sound = check(symbol, value.value(), symbol.range.ends());
+        }
+        value
+    });
+    sound
 }
 
 /// One quantity, whose symbol the scene may choose.

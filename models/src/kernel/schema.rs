@@ -85,6 +85,12 @@ impl Key {
         }
     }
 
+    /// One of several, which may be left out.
+    #[must_use]
+    pub const fn choice(name: &'static str, of: &'static [&'static str], text: &'static str) -> Key {
+        Key::new(name, Kind::Choice(of), text).optional()
+    }
+
     #[must_use]
     pub const fn quantity(symbol: &'static Symbol, sign: Sign) -> Key {
         Key::named(symbol.id, symbol, sign, symbol.text)
@@ -154,7 +160,7 @@ impl Key {
     /// Which kind of a table of several kinds it is, the only one of these.
     #[must_use]
     pub const fn kind(of: &'static [&'static str], text: &'static str) -> Key {
-        Key::new(KIND, Kind::Choice(of), text).optional()
+        Key::choice(KIND, of, text)
     }
 
     /// A text that may be left out.

@@ -80,6 +80,13 @@ impl Range {
         self
     }
 
+    /// Least and greatest finite value; above zero where that is left out.
+    #[must_use]
+    pub const fn ends(&self) -> [f64; 2] {
+        let least = if self.open { f64::MIN_POSITIVE } else { f64::MIN };
+        [self.least.max(least), self.most.min(f64::MAX)]
+    }
+
     /// Whether a finite value is one of these.
     #[must_use]
     #[inline]

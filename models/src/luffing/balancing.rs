@@ -30,7 +30,6 @@ pub struct Balancing<C> {
     /// them the linkage would be another assembly of the same bars.
     arc: Option<[f64; 2]>,
 }
-results! { Balancing; }
 
 impl<C: Calc> Balancing<C> {
     /// Assembled as at the boom angle `phi` (rad); `u_0` is the boom's potential energy (J) at a boom angle (rad).
@@ -230,10 +229,7 @@ pub trait WithBalance: Component {
 pub fn searched<T: WithBalance>(model: &Standing) -> Vec<Summary> {
     let (coordinate, given) = (model.variables()[0].symbol, model.of::<T>().given());
     let found = T::form(given).and_then(|_| T::balance(&mut T::new(given.clone())).ok());
-    let extremes = found.into_iter().flat_map(|(_, found)| found.extremes());
-    extremes
-        .filter_map(|(symbol, extreme)| Some(Summary::at(symbol, extreme?, coordinate)))
-        .collect()
+    found.map_or(Vec::new(), |(_, found)| found.extremes(coordinate))
 }
 
 /// Largest differences of independent ways over the working range, relative to the greatest moment: the balance's moment

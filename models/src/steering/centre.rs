@@ -17,7 +17,6 @@ pub enum Centre<C> {
     /// `from` + `d`/`w`, at infinity in the direction `d` where `w` is zero.
     Beyond { from: Point<C>, d: Point<C>, w: C },
 }
-results! { Centre; }
 
 impl<C: Calc> Centre<C> {
     /// Direction in which the point `p` moves when the machine travels forward,
@@ -60,6 +59,15 @@ impl<C: Calc> Centre<C> {
             }
         }
         .map(|at| plane::def(at, [&s::O_X, &s::O_Y]))
+    }
+}
+
+impl Centre<f64> {
+    /// Greatest length of the rolling directions of all groups.
+    #[must_use]
+    pub fn fastest(&self, machine: &Machine<f64>) -> f64 {
+        let lengths = machine.groups.iter().map(|p| plane::length(self.rolling(*p)));
+        lengths.fold(0.0, f64::max)
     }
 }
 

@@ -3,22 +3,13 @@
 use crate::component::sheet::{Changeover, Changes, Curve};
 use crate::component::telling::between;
 use crate::steering::built::Built;
-use crate::steering::centre::Centre;
+use crate::steering::drawing::Stance;
 use crate::steering::flow::{Piston, flow};
 use crate::steering::mode::Mode;
 use crate::steering::plan::{Crew, Plan};
 use crate::steering::scene::Steering;
-use crate::steering::stages::Given;
-use crate::steering::stand::stand;
 use crate::steering::symbols as s;
 use crate::steering::views::example;
-
-/// A mode with the command of the chapter of travel modes.
-struct Stance {
-    mode: Mode,
-    centre: Centre<f64>,
-    angles: Vec<f64>,
-}
 
 /// The changes between all modes that all groups can follow; `None` where the scene gives no speed of the cylinders.
 pub fn changes(steering: &Steering, built: &Built) -> Option<Changes> {
@@ -30,7 +21,8 @@ pub fn changes(steering: &Steering, built: &Built) -> Option<Changes> {
     };
     let stances: Vec<Stance> = Mode::ALL
         .into_iter()
-        .filter_map(|mode| stance(built, &example(steering, built, mode)?))
+        .filter_map(|mode| Stance::new(example(steering, built, mode)?).ok())
+        .filter(|stance| stance.reachable)
         .collect();
     let plan = |a: &Stance, b: &Stance| crew.transition(&a.centre, &a.angles, &b.centre).ok();
     let row = |a: &Stance, b: &Stance, plan: Option<&Plan>| Changeover {
@@ -72,14 +64,6 @@ pub fn changes(steering: &Steering, built: &Built) -> Option<Changes> {
     })
 }
 
-fn stance(built: &Built, given: &Given<f64>) -> Option<Stance> {
-    let (mode, limits) = (given.mode, &built.limits);
-    let centre = mode.centre(&built.machine, given.command()).ok()?;
-    let angles = stand(&built.machine, limits, &centre);
-    let allowed = limits.iter().zip(&angles).all(|(limits, theta)| limits.allows(*theta));
-    allowed.then_some(Stance { mode, centre, angles })
-}
-
 /// Lengths of all cylinders at a time (s) of a change, in m.
 fn lengths(plan: &Plan, crew: &Crew<'_>, time: f64) -> Vec<f64> {
     let angles = angles(plan, crew, time);
@@ -106,7 +90,7 @@ pub fn greatest_flow(plan: &Plan, crew: &Crew<'_>, piston: &Piston<f64>) -> f64 
             let flows = before
                 .iter()
                 .zip(&after)
-                .map(|(from, to)| flow(piston, (to - from) / slice).abs());
+                .map(|(from, to)| flow(piston, &((to - from) / slice)).abs());
             greatest = flows.sum::<f64>().max(greatest);
         }
         before = after;

@@ -83,8 +83,8 @@ fn astray(steering: &Steering, built: &Built) -> f64 {
     let stances = fine(&steering.motion).map(at).chain(examples);
     let farthest = |given| {
         let stance = Stance::new(given).expect("checked when the scene was read");
-        let groups = built.machine.groups.iter().zip(&stance.wheels);
-        let each = groups.map(|(p, [theta, _])| residual(&stance.centre, *p, *theta).abs());
+        let groups = built.machine.groups.iter().zip(&stance.angles);
+        let each = groups.map(|(p, theta)| residual(&stance.centre, *p, *theta).abs());
         each.fold(0.0, f64::max)
     };
     stances.map(farthest).fold(0.0, f64::max)

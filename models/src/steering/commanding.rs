@@ -1,6 +1,5 @@
 //! The turning centre that a command means.
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::number::short;
 use crate::parts::plane::Point;
@@ -16,11 +15,6 @@ const FAR: f64 = 1e9;
 
 /// A centre asked for on the machine's line of centres may miss it by this, in m.
 const ON_LINE: f64 = 1e-9;
-
-/// How the turning centre moves with the commanded angle; `None` where no angle commands.
-#[derive(Clone, Copy, Debug)]
-pub struct CentreShift<C>(pub Option<Centre<C>>);
-results! { CentreShift; }
 
 impl<C: Calc> Machine<C> {
     /// x of the line on which the turning centre moves, and the group whose angle commands it.
@@ -131,12 +125,11 @@ impl Mode {
     }
 }
 
-impl<C: Calc> CentreShift<C> {
-    pub fn new(mode: &Mode, machine: &Machine<C>, command: &Command<C>) -> CentreShift<C> {
-        CentreShift(match command {
-            Command::Angle(theta) => mode.slope(machine, *theta),
-            _ => None,
-        })
+/// How the turning centre moves with the commanded angle; `None` where no angle commands.
+pub fn slope<C: Calc>(mode: &Mode, machine: &Machine<C>, command: &Command<C>) -> Option<Centre<C>> {
+    match command {
+        Command::Angle(theta) => mode.slope(machine, *theta),
+        _ => None,
     }
 }
 

@@ -30,7 +30,6 @@ pub struct Linkage<C> {
     /// Whether the cylinder shortens, where it else lengthens, when the group turns counter-clockwise.
     pub mirrored: bool,
 }
-results! { each Linkage; }
 
 /// Length and lever arm at one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,23 +85,10 @@ impl<C: Calc> Linkage<C> {
     }
 }
 
-impl Mounting<f64> {
-    /// How far the stroke turns the group. Where a stop would lie beyond a dead
+impl<C: Calc> Mounting<C> {
+    /// How far the stroke turns the group, in rad. Where a stop would lie beyond a dead
     /// point the range ends there, and [`Linkage::over`] refuses it: it needs a
     /// shorter stroke or a stop of its own.
-    #[must_use]
-    pub fn range(&self, mirrored: bool) -> Limits {
-        let [min, max] = self.ends(mirrored);
-        Limits {
-            min,
-            max,
-            forbidden: Vec::new(),
-        }
-    }
-}
-
-impl<C: Calc> Mounting<C> {
-    /// The ends of [`range`](Mounting::range), over any scalar.
     #[must_use]
     pub fn ends(&self, mirrored: bool) -> [C; 2] {
         let linkage = self.linkage(mirrored);

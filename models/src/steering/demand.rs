@@ -1,12 +1,11 @@
 //! The greatest oil flow that a mode asks for at once.
 
-use crate::kernel::calc::Calc;
 use crate::steering::built::Built;
 use crate::steering::flow::{Piston, flow};
 use crate::steering::machine::Machine;
 use crate::steering::mode::{Command, Mode};
-use crate::steering::reach::{Reach, reach};
 use crate::steering::refusal::Refusal;
+use crate::steering::stand::{obstacle, stand};
 use crate::steering::travel::rate;
 
 /// Angle of each group for one radian of the command's angle.
@@ -47,20 +46,20 @@ pub fn greatest_demand(built: &Built, piston: &Piston<f64>, mode: Mode, omega_s:
     // Beyond a right angle the axle lines repeat.
     for step in -360..=360_i32 {
         let theta = (f64::from(step) / 4.0).to_radians();
-        if reach(machine, limits, mode, Command::Angle(theta))? != Reach::Reachable {
+        let centre = mode.centre(machine, Command::Angle(theta))?;
+        if obstacle(machine, limits, &centre).is_some() {
             continue;
         }
         rates(machine, mode, theta, &mut slopes)?;
-        let centre = mode.centre(machine, Command::Angle(theta))?;
+        let poses = linkages.iter().zip(stand(machine, limits, &centre));
+        let arms: Vec<f64> = poses.map(|(linkage, theta)| linkage.at_angle(theta).od).collect();
         for rising in [true, false] {
             let sense = if rising { omega_s } else { -omega_s };
-            let mut sum = 0.0;
-            for (i, p) in machine.groups.iter().enumerate() {
-                let along = centre.rolling(*p);
-                let heading = f64::direction(along.x, along.y);
-                let placed = limits[i].equivalents(heading).next().unwrap_or(heading);
-                sum += flow(piston, linkages[i].at_angle(placed).od * slopes[i] * sense).abs();
-            }
+            let flows = arms
+                .iter()
+                .zip(&slopes)
+                .map(|(od, slope)| flow(piston, &(od * slope * sense)));
+            let sum = flows.map(f64::abs).sum();
             if sum > worst.flow {
                 worst = Demand {
                     flow: sum,

@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::group;
 use crate::steering::cylinder::Mounting;
@@ -32,7 +31,7 @@ pub fn limits<C: Calc>(
     for (number, mount) in (1..).zip(mounts) {
         let whole = match (mount.range, &cylinder) {
             (Some([min, max]), _) => Limits::new(min, max, Vec::new())?,
-            (None, Some(cylinder)) => cylinder.range(mount.mirrored),
+            (None, Some(cylinder)) => Limits::between(cylinder.ends(mount.mirrored)),
             (None, None) => Limits::new(-PI, PI, Vec::new())?,
         };
         limits.push(whole.forbid(mount.forbidden.clone()).map_err(|found| Refusal {
@@ -47,7 +46,6 @@ pub fn limits<C: Calc>(
 /// The ends of a group's range again, in rad, with the derivatives of what they follow from.
 #[derive(Clone, Copy, Debug)]
 pub struct Ends<C>(pub [C; 2]);
-results! { each Ends; }
 
 impl<C: Calc> Ends<C> {
     pub fn new(mount: &Mount, cylinder: &Option<Mounting<C>>, limits: &Limits) -> Ends<C> {

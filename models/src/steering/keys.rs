@@ -46,7 +46,7 @@ pub static KEYS: &[Key] = &[
     Key::part("accuracy", ACCURACY, "How exactly the groups' angles are kept: from it follows the slip of the tyres."),
     Key::part("transition", TRANSITION, "How fast the groups turn when the mode changes: from it follow set points."),
     Key::part("hydraulics", HYDRAULICS, "Oil supply, and what the book checks the cylinder by."),
-    Key::new("fidelity", Kind::Choice(FIDELITIES), "How deep the steering is modelled: groups that stand as commanded (kinematic), or that are turned by their cylinders under the PLC (hydraulic), or as deep as the scene's accuracy needs (auto); without it kinematic.").optional(),
+    Key::choice("fidelity", FIDELITIES, "How deep the steering is modelled: groups that stand as commanded (kinematic), or that are turned by their cylinders under the PLC (hydraulic), or as deep as the scene's accuracy needs (auto); without it kinematic."),
     Key::part(TABLES[0].0, TABLES[0].1, TABLES[0].2),
     Key::part(TABLES[1].0, TABLES[1].1, TABLES[1].2),
     Key::part(TABLES[2].0, TABLES[2].1, TABLES[2].2),
@@ -60,12 +60,11 @@ static GROUP: &[Key] = &[
     angle("min", &s::THETA_MIN).optional(),
     angle("max", &s::THETA_MAX).optional(),
     FORBIDDEN,
-    Key::new(
+    Key::choice(
         "cylinder",
-        Kind::Choice(&["direct", "mirrored"]),
+        &["direct", "mirrored"],
         "Whether the cylinder lengthens (direct) or shortens when the group turns counter-clockwise.",
-    )
-    .optional(),
+    ),
     SOURCE,
 ];
 

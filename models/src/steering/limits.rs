@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::number::short;
 use crate::steering::refusal::Refusal;
@@ -19,18 +18,22 @@ pub struct Limits {
     /// Ranges inside, open at their ends, through which the group must not turn.
     pub forbidden: Vec<[f64; 2]>,
 }
-results! { each plain Limits; }
 
 impl Limits {
+    /// All that lies between two angles.
+    #[must_use]
+    pub fn between([min, max]: [f64; 2]) -> Limits {
+        Limits {
+            min,
+            max,
+            forbidden: Vec::new(),
+        }
+    }
+
     /// A range that contains straight ahead, less than a turn in all.
     pub fn new(min: f64, max: f64, forbidden: Vec<[f64; 2]>) -> Result<Limits, Refusal> {
         if min >= -PI && max <= PI && min <= 0.0 && max >= 0.0 {
-            let whole = Limits {
-                min,
-                max,
-                forbidden: Vec::new(),
-            };
-            return whole.forbid(forbidden);
+            return Limits::between([min, max]).forbid(forbidden);
         }
         Err(Refusal::new(
             "theta",

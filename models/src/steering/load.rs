@@ -80,27 +80,15 @@ pub fn force<C: Calc>(t_g: C, od: C) -> C {
 }
 
 /// Force of a group's cylinder at standstill, in N.
-#[derive(Clone, Copy, Debug)]
-pub struct Force<C>(C);
-results! { each Force as f => { F_G: f.0; } }
-
-impl<C: Calc> Force<C> {
-    #[inline]
-    pub fn new(drag: &Drag<C>, pose: &Pose<C>) -> Force<C> {
-        Force(force(drag.moment, pose.od).def(&s::F_G))
-    }
+#[inline]
+pub fn standing<C: Calc>(drag: &Drag<C>, pose: &Pose<C>) -> C {
+    force(drag.moment, pose.od).def(&s::F_G)
 }
 
 /// The same while travelling.
-#[derive(Clone, Copy, Debug)]
-pub struct Travelling<C>(C);
-results! { each Travelling as f => { F_GX: f.0; } }
-
-impl<C: Calc> Travelling<C> {
-    pub fn new(drag: &Drag<C>, pose: &Pose<C>) -> Travelling<C> {
-        let moment = with(drag.tyres.travelling, drag.friction).def(&s::T_GX);
-        Travelling(force(moment, pose.od).def(&s::F_GX))
-    }
+pub fn travelling<C: Calc>(drag: &Drag<C>, pose: &Pose<C>) -> C {
+    let moment = with(drag.tyres.travelling, drag.friction).def(&s::T_GX);
+    force(moment, pose.od).def(&s::F_GX)
 }
 
 /// Load of each group, in N, for a weight (N) whose centre of gravity is at

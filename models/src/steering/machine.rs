@@ -1,6 +1,5 @@
 //! Where the steered groups stand.
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
 use crate::kernel::number::short;
@@ -48,7 +47,6 @@ pub struct Machine<C> {
     /// Midway between the outermost groups.
     pub middle: Point<C>,
 }
-results! { Machine; }
 
 impl<C: Calc> Machine<C> {
     /// Any layout of 4 to 64 groups no two of which coincide.
@@ -85,6 +83,21 @@ impl<C: Calc> Machine<C> {
             right,
             middle,
         })
+    }
+}
+
+impl Machine<f64> {
+    /// Greatest length or width between the groups, in m.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        (self.front - self.rear).max(self.left - self.right)
+    }
+
+    /// Greatest distance of a group from the middle, in m.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        let arms = self.groups.iter().map(|p| plane::length(p - self.middle));
+        arms.fold(0.0, f64::max)
     }
 }
 

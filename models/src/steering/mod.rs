@@ -21,7 +21,7 @@
 //! | `steering.machine` | [`machine::Machine::new`] | derived |
 //! | `steering.mode.centre` | [`mode::Mode::centre`] | Zhang2016, 2; five of the nine modes derived |
 //! | `steering.centre.rolling` | [`centre::Centre::rolling`] | rigid body |
-//! | `steering.ackermann.angle` | [`wheels::Rolling::new`], [`wheels::Wheel::new`], [`wheels::Speed::new`] | Zhang2016, eq. 1-9, generalised |
+//! | `steering.ackermann.angle` | [`wheels::Rolling::new`], [`wheels::Wheel::new`], [`wheels::speed`] | Zhang2016, eq. 1-9, generalised |
 //! | `steering.ackermann.residual` | [`centre::residual`] | derived |
 //! | `steering.swept` | [`swept::moved`], [`swept::Swept::new`] | rigid body |
 //! | `steering.reach` | [`reach::reach`], [`nearest::nearest`] | derived |
@@ -32,10 +32,10 @@
 //! | `steering.ring` | [`ring::Duty::new`], [`ring::Catalogue::choose`] | Zhang2016, 4 |
 //! | `steering.cylinder.length` | [`cylinder::Linkage::at`] | Zhang2016, 5.1 |
 //! | `steering.cylinder.stroke` | [`cylinder::Mounting::stroke_margins`], [`sizing::choose_stroke`] | Zhang2016, 5.1 |
-//! | `steering.cylinder.range` | [`cylinder::Mounting::range`], [`cylinder::Linkage::over`] | derived |
+//! | `steering.cylinder.range` | [`cylinder::Mounting::ends`], [`cylinder::Linkage::over`] | derived |
 //! | `steering.cylinder.force` | [`load::force`] | Zhang2016, 5.2 |
 //! | `steering.cylinder.bore` | [`sizing::bore`], [`sizing::next`] | Zhang2016, 5.3; ISO 3320 |
-//! | `steering.flow` | [`travel::rate`], [`flow::flow`], [`demand::greatest_demand`] | derived |
+//! | `steering.flow` | [`travel::steering`], [`flow::flow`], [`demand::greatest_demand`] | derived |
 //! | `steering.pump` | [`sizing::pump`] | derived |
 //! | `steering.buckling` | [`sizing::buckling`] | Euler |
 //! | `steering.published` | [`published::Layout::angles`] | Zhang2016, eq. 1-9, misprints mended |

@@ -1,6 +1,5 @@
 //! Travel modes, and what commands them.
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
 use crate::parts::plane::Point;
@@ -100,7 +99,6 @@ pub enum Command<C> {
     /// Corner of the outline, numbered from 0.
     Corner(usize),
 }
-results! { Command; }
 
 impl<C: Calc> Command<C> {
     /// What the inputs ask of their mode.

@@ -19,7 +19,6 @@ pub struct Nearest {
     /// Its turning centre.
     pub centre: Option<Centre<f64>>,
 }
-results! { plain Nearest; }
 
 impl Nearest {
     pub fn new(
@@ -77,15 +76,10 @@ impl Followed<f64> {
 }
 
 /// Heading of a group there, in rad; straight ahead where there is no such command.
-#[derive(Clone, Copy, Debug)]
-pub struct Heading<C>(pub C);
-results! { each Heading as theta => { THETA_N: theta.0; } }
-
-impl Heading<f64> {
-    pub fn new(nearest: &Nearest, axis: &Axis<f64>, limits: &Limits) -> Heading<f64> {
-        let stands = |centre: &Centre<f64>| stands(centre, axis.point(), limits);
-        Heading(nearest.centre.as_ref().map_or(0.0, stands))
-    }
+#[must_use]
+pub fn heading(nearest: &Nearest, axis: &Axis<f64>, limits: &Limits) -> f64 {
+    let stands = |centre: &Centre<f64>| stands(centre, axis.point(), limits);
+    nearest.centre.as_ref().map_or(0.0, stands)
 }
 
 /// A command that says the same with a choice: straight and crosswise are directions of crab travel, the machine's

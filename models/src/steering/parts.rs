@@ -6,7 +6,6 @@ use crate::kernel::record::{Rec, record};
 use crate::kernel::symbol::Symbol;
 use crate::steering::built::Built;
 use crate::steering::demand::{Demand, greatest_demand};
-use crate::steering::limits::Limits;
 use crate::steering::load::resistance;
 use crate::steering::mode::Mode;
 use crate::steering::ring::{Duty, friction};
@@ -128,26 +127,14 @@ impl Parts {
         let bore = self.found(&s::D_G_MIN).and_then(|least| next(&BORES, least).ok());
         let stroke = steering.given.cylinder.and_then(|cylinder| {
             let groups = built.limits.iter().zip(&steering.given.mounts);
-            let needed = groups.map(|(limits, mount)| {
-                // A mirrored cylinder turns the other way.
-                let limits = match mount.mirrored {
-                    true => Limits::new(-limits.max, -limits.min, Vec::new()).ok()?,
-                    false => limits.clone(),
-                };
-                choose_stroke(&cylinder, &limits, &EXAMPLE_STROKES).ok()
-            });
+            let needed =
+                groups.map(|(limits, mount)| choose_stroke(&cylinder, mount.mirrored, limits, &EXAMPLE_STROKES).ok());
             needed.reduce(|a, b| Some(a?.max(b?)))?
         });
         let found = [&s::D_G_MIN, &s::V_P, &s::P_R, &s::F_K].map(|symbol| (symbol, self.found(symbol)));
         let found = found.into_iter().chain([(&s::D_G_NEXT, bore), (&s::L_X_NEXT, stroke)]);
-        let summary = |(symbol, value): (&'static Symbol, Option<f64>)| {
-            value.map(|value| Summary {
-                symbol,
-                value,
-                at: None,
-            })
-        };
-        found.filter_map(summary).collect()
+        let summary = found.filter_map(|(symbol, value)| Some(Summary::new(symbol, value?)));
+        summary.collect()
     }
 }
 

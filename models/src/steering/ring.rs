@@ -108,24 +108,4 @@ impl Catalogue {
             )
         })
     }
-
-    /// A small catalogue as an example of the form: the figures are of no maker,
-    /// and nothing may be built from them.
-    #[must_use]
-    pub fn example() -> Catalogue {
-        let ring = |size: u32, f: f64, m: f64| Ring {
-            name: format!("EXAMPLE {size}"),
-            d_l: f64::from(size) / 1e3,
-            ring: LoadCurve(vec![[0.0, m], [0.4 * f, 0.8 * m], [0.8 * f, 0.3 * m], [f, 0.0]]),
-            bolts: LoadCurve(vec![[0.0, 0.7 * m], [f, 0.7 * m]]),
-        };
-        Catalogue {
-            rings: vec![
-                ring(800, 1.6e6, 0.35e6),
-                ring(1000, 2.4e6, 0.65e6),
-                ring(1250, 3.4e6, 1.1e6),
-                ring(1600, 5.0e6, 2.1e6),
-            ],
-        }
-    }
 }

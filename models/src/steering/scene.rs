@@ -84,8 +84,7 @@ impl SteeringScene {
         given.loads = loads(v, &built, weight, found);
         complete(v, &given, found);
         let machine = &built.machine;
-        let size = (machine.front - machine.rear).max(machine.left - machine.right);
-        let radius = n(v, &s::R_T).unwrap_or(3.0 * size);
+        let radius = n(v, &s::R_T).unwrap_or(3.0 * machine.extent());
         let m = v.table("motion")?;
         let motion = Motion::read(m, found)?;
         for (name, angle) in [("from", motion.from), ("to", motion.to)] {

@@ -11,8 +11,8 @@ use crate::steering::centre::Centre;
 use crate::steering::change::Change;
 use crate::steering::cylinder::Linkage;
 use crate::steering::limits::Limits;
-use crate::steering::machine::{Axis, GROUPS, Machine};
-use crate::steering::nearest::{Heading, Nearest};
+use crate::steering::machine::{Axis, Machine};
+use crate::steering::nearest::Nearest;
 use crate::steering::plan::{Crew, Moment, Plan};
 use crate::steering::symbols as s;
 use crate::steering::transition::{Pace, Twist, longest};
@@ -36,7 +36,7 @@ impl Planned {
         linkages: &[Linkage<f64>],
         pace: &Pace<f64>,
         nearest: &Nearest,
-        headings: &[Heading<f64>],
+        headings: &[f64],
         change: &Change,
     ) -> Planned {
         let Some(centre) = nearest.centre else {
@@ -49,16 +49,10 @@ impl Planned {
             speed: pace.speed,
         };
         let to = machine.motion(&centre);
-        let mut target = [0.0; GROUPS[1]];
-        headings
-            .iter()
-            .zip(&mut target)
-            .for_each(|(heading, slot)| *slot = heading.0);
-        let target = &target[..headings.len()];
         let plan = if change.since() == f64::INFINITY {
-            Plan::new(&crew, Some(to), target, to, target)
+            Plan::new(&crew, Some(to), headings, to, headings)
         } else {
-            Plan::new(&crew, change.motion(), change.angles(), to, target)
+            Plan::new(&crew, change.motion(), change.angles(), to, headings)
         };
         Planned { plan: plan.ok() }
     }
@@ -70,23 +64,16 @@ impl Planned {
 }
 
 /// What is left of its duration, in s.
-#[derive(Clone, Copy, Debug)]
-pub struct Left<C>(C);
-results! { Left as t => { T_LEFT: t.0; } }
-
-impl Left<f64> {
-    pub fn new(planned: &Planned, change: &Change, clock: &f64) -> Left<f64> {
-        Left(match change.since() {
-            f64::INFINITY => 0.0,
-            since => (since + planned.time() - clock).max(0.0),
-        })
+pub fn left(planned: &Planned, change: &Change, clock: &f64) -> f64 {
+    match change.since() {
+        f64::INFINITY => 0.0,
+        since => (since + planned.time() - clock).max(0.0),
     }
 }
 
 /// Whether the groups may still be on their way.
 #[derive(Clone, Copy, Debug)]
 pub struct UnderWay(bool);
-results! { plain UnderWay; }
 
 impl UnderWay {
     pub fn new(
@@ -121,7 +108,6 @@ pub struct Way {
     /// Whether the motion is against that of the command.
     against: bool,
 }
-results! { plain Way; }
 
 #[derive(Clone, Copy, Debug)]
 enum Course {
@@ -153,8 +139,7 @@ impl Way {
         };
         let rolling = |motion: Twist| {
             let centre = machine.about(motion);
-            let speeds = machine.groups.iter().map(|p| plane::length(centre.rolling(*p)));
-            (centre, speeds.fold(0.0, f64::max))
+            (centre, centre.fastest(machine))
         };
         Way {
             course,
@@ -170,43 +155,33 @@ impl Way {
     }
 }
 
-/// Set point of a group's heading, in rad.
-#[derive(Clone, Copy, Debug)]
-pub struct SetPoint<C>(pub C);
-results! { each SetPoint as p => { THETA_S: p.0; } }
-
-/// Of all groups.
-pub fn set_points(
+/// Set points of all groups' headings, in rad.
+pub fn headings(
     machine: &Machine<f64>,
     linkages: &[Linkage<f64>],
-    headings: &[Heading<f64>],
+    headings: &[f64],
     way: &Way,
     planned: Option<&Planned>,
     change: &Change,
-    points: &mut Vec<SetPoint<f64>>,
+    points: &mut Vec<f64>,
 ) {
     let point = |i: usize| match (way.course, planned.and_then(|planned| planned.plan.as_ref())) {
         (Some(Course::Moment(moment)), Some(plan)) => plan.angle(&moment, i, machine, &linkages[i]),
         (Some(Course::Stopped), _) => change.angles()[i],
-        _ => headings[i].0,
+        _ => headings[i],
     };
     points.clear();
-    points.extend((0..headings.len()).map(|i| SetPoint(point(i))));
+    points.extend((0..headings.len()).map(point));
 }
 
 /// Rolling speed of a group at the set points, in m/s: the fastest group has the travel speed.
-#[derive(Clone, Copy, Debug)]
-pub struct SetSpeed<C>(C);
-results! { each SetSpeed as v => { V_S: v.0; } }
-
-impl SetSpeed<f64> {
-    pub fn new(axis: &Axis<f64>, point: &SetPoint<f64>, way: &Way, v_t: &f64) -> SetSpeed<f64> {
-        let Some((centre, fastest)) = &way.rolling else {
-            return SetSpeed(0.0);
-        };
-        let (sin, cos) = Calc::sin_cos(point.0);
-        let along = plane::dot(centre.rolling(axis.point()), Point::new(cos, sin));
-        let v_t = if way.against { -v_t } else { *v_t };
-        SetSpeed(v_t * along / fastest)
-    }
+#[must_use]
+pub fn speed(axis: &Axis<f64>, point: &f64, way: &Way, v_t: &f64) -> f64 {
+    let Some((centre, fastest)) = &way.rolling else {
+        return 0.0;
+    };
+    let (sin, cos) = Calc::sin_cos(*point);
+    let along = plane::dot(centre.rolling(axis.point()), Point::new(cos, sin));
+    let v_t = if way.against { -v_t } else { *v_t };
+    v_t * along / fastest
 }

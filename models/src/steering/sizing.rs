@@ -73,10 +73,15 @@ pub fn buckling<C: Calc>(rod: &Rod<C>) -> C {
 }
 
 /// The shortest of the `strokes` (m, rising) with which a cylinder covers its group's range. [Zhang2016, 5.1]
-pub fn choose_stroke(cylinder: &Mounting<f64>, limits: &Limits, strokes: &[f64]) -> Result<f64, Refusal> {
+pub fn choose_stroke(
+    cylinder: &Mounting<f64>,
+    mirrored: bool,
+    limits: &Limits,
+    strokes: &[f64],
+) -> Result<f64, Refusal> {
     let fits = |&l_x: &f64| {
         let cylinder = Mounting { l_x, ..*cylinder };
-        let covered = cylinder.linkage(false).over(limits);
+        let covered = cylinder.linkage(mirrored).over(limits);
         covered.is_ok_and(|e| {
             cylinder
                 .stroke_margins(e.longest, e.shortest)

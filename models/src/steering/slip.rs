@@ -34,15 +34,7 @@ impl Slip {
             errors.len() == groups.len() && sideways.len() == groups.len(),
             "one of each for every group"
         );
-        let fastest = groups
-            .iter()
-            .map(|p| plane::length(centre.rolling(*p)))
-            .fold(0.0, f64::max);
-        let scale = v / fastest;
-        let size = groups
-            .iter()
-            .map(|p| plane::length(p - machine.middle))
-            .fold(0.0, f64::max);
+        let (scale, size) = (v / centre.fastest(machine), machine.size());
         // Each group's velocity, the normal of its heading, and its arm over the machine's size.
         let each = |i: usize| {
             let (along, arm) = (centre.rolling(groups[i]), (groups[i] - machine.middle) / size);

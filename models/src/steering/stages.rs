@@ -5,27 +5,26 @@ use crate::component::stages::{Found, stages};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
-use crate::steering::accuracy::{Accuracy, Alone, Error, GreatestSlip, Slipping, slips};
+use crate::parts::plane::Point;
+use crate::steering::accuracy::Accuracy;
 use crate::steering::centre::{Centre, TurningPole};
 use crate::steering::change::Change;
-use crate::steering::commanding::CentreShift;
 use crate::steering::cylinder::{Linkage, Mounting, Pose};
-use crate::steering::flow::{CylinderFlow, CylinderSpeed, Piston, Total};
+use crate::steering::flow::Piston;
 use crate::steering::frame::{Ends, Mount, limits};
 use crate::steering::limits::Limits;
-use crate::steering::load::{Drag, Force, GroupLoad, Travelling, Tyre};
+use crate::steering::load::{Drag, GroupLoad, Tyre};
 use crate::steering::machine::{Axis, Footprint, Machine};
 use crate::steering::margin::Margin;
 use crate::steering::mode::{By, Command, Corner, Mode, Wanted};
-use crate::steering::nearest::{Followed, Heading, Nearest};
+use crate::steering::nearest::{Followed, Nearest};
 use crate::steering::refusal::Refusal;
 use crate::steering::ring::Bearing;
-use crate::steering::set_points::{Left, Planned, SetPoint, SetSpeed, UnderWay, Way, set_points};
+use crate::steering::set_points::{Planned, UnderWay, Way};
 use crate::steering::swept::Swept;
-use crate::steering::symbols as s;
 use crate::steering::transition::Pace;
-use crate::steering::travel::{Rate, Travel, Turn};
-use crate::steering::wheels::{Rolling, Scale, Speed, Wheel};
+use crate::steering::wheels::{Rolling, Wheel};
+use crate::steering::{accuracy, commanding, flow, load, nearest, set_points, symbols as s, travel, wheels};
 
 stages! {
     /// Steering of a machine on many steered wheel groups.
@@ -51,43 +50,44 @@ stages! {
         Time clock: One<C>,
         Memory change: Change,
     } find {
-        machine: Machine<C> = Machine::new(axes, outline);
-        limits[axes]: Vec<Limits> = limits(mounts, cylinder), plain;
-        ends[each axes]: Vec<Ends<C>> = Ends::new(mounts[each], cylinder, limits[each]);
-        linkages[each axes]: Vec<Linkage<C>> = linkage(cylinder[!], mounts[each]);
-        command: Command<C> = Command::new(wanted, mode, by, corner, theta_b, r_t);
-        centre: Centre<C> = centre(mode, machine, command);
+        machine: Machine<C> = Machine::new(axes, outline) => _;
+        limits[axes]: Vec<Limits> = limits(mounts, cylinder) => _, plain;
+        ends[each axes]: Vec<Ends<C>> = Ends::new(mounts[each], cylinder, limits[each]) => _;
+        linkages[each axes]: Vec<Linkage<C>> = linkage(cylinder[!], mounts[each]) => _;
+        command: Command<C> = Command::new(wanted, mode, by, corner, theta_b, r_t) => _;
+        centre: Centre<C> = centre(mode, machine, command) => _;
         pole: TurningPole<C> = TurningPole::new(machine, centre);
         swept: Swept<C> = Swept::new(machine, centre);
-        rollings[each axes]: Vec<Rolling<C>> = Rolling::new(centre, axes[each]);
+        rollings[each axes]: Vec<Rolling<C>> = Rolling::new(centre, axes[each]) => _;
         wheels[each axes]: Vec<Wheel<C>> = Wheel::new(rollings[each], limits[each]);
         margin: Margin<C> = Margin::new(wheels, limits, ends);
-        scale: Scale<C> = Scale::new(centre, rollings, v_t);
-        speeds[each axes]: Vec<Speed<C>> = Speed::new(rollings[each], wheels[each], scale);
-        turn: Turn<C> = Turn::new(centre, scale);
-        travel: Travel<C> = Travel::new(machine, centre, scale);
-        slope: CentreShift<C> = CentreShift::new(mode, machine, command);
-        rates[each axes]: Vec<Rate<C>> = Rate::new(axes[each], rollings[each], slope, omega_s);
+        scale: C = wheels::scale(centre, rollings, v_t) => _;
+        speeds[each axes]: Vec<C> = wheels::speed(rollings[each], wheels[each], scale) => V;
+        turn: C = travel::turn(centre, scale) => OMEGA;
+        travel: Point<C> = travel::middle(machine, centre, scale) => [V_MX, V_MY];
+        slope: Option<Centre<C>> = commanding::slope(mode, machine, command) => _;
+        rates[each axes]: Vec<C> = travel::steering(axes[each], rollings[each], slope, omega_s) => OMEGA_I;
         poses[each axes]: Vec<Pose<C>> = pose(linkages[each], wheels[each]);
         drags[each loads]: Vec<Drag<C>> = Drag::new(tyre[!], bearing, loads[each]);
-        forces[each loads]: Vec<Force<C>> = Force::new(drags[each], poses[each]);
-        travelling[each loads]: Vec<Travelling<C>> = Travelling::new(drags[each], poses[each]);
-        strokes[each axes]: Vec<CylinderSpeed<C>> = CylinderSpeed::new(rates[each], poses[each]);
-        flows[each axes]: Vec<CylinderFlow<C>> = CylinderFlow::new(piston[!], strokes[each]);
-        total: Total<C> = Total::new(flows);
-        errors[each axes]: Vec<Error<C>> = Error::new(accuracy[!], poses[each]);
-        alone[each axes]: Vec<Alone<C>> = Alone::new(speeds[each], errors[each], v_t);
-        slips[axes]: Vec<Slipping<C>> = slips(machine, centre, errors), searched;
-        greatest: GreatestSlip<C> = GreatestSlip::new(slips), searched;
-        nearest: Nearest = Nearest::new(machine, limits, mode, command, centre, margin), searched;
+        forces[each loads]: Vec<C> = load::standing(drags[each], poses[each]) => F_G;
+        travelling[each loads]: Vec<C> = load::travelling(drags[each], poses[each]) => F_GX;
+        strokes[each axes]: Vec<C> = flow::speed(rates[each], poses[each]) => V_C;
+        flows[each axes]: Vec<C> = flow::flow(piston[!], strokes[each]) => Q_G;
+        total: C = flow::total(flows) => Q_SUM;
+        errors[each axes]: Vec<C> = Accuracy::angle_error(accuracy[!], poses[each]) => DELTA;
+        alone[each axes]: Vec<C> = accuracy::alone(speeds[each], errors[each], v_t) => _;
+        slips[axes]: Vec<C> = accuracy::slips(machine, centre, errors) => SLIP, searched;
+        greatest: C = accuracy::greatest(slips) => SLIP_MAX, searched;
+        nearest: Nearest = Nearest::new(machine, limits, mode, command, centre, margin) => _, searched;
         followed: Followed<C> = Followed::new(nearest, theta_b, r_t, wanted), searched;
-        headings[each axes]: Vec<Heading<C>> = Heading::new(nearest, axes[each], limits[each]), searched;
+        headings[each axes]: Vec<C> = nearest::heading(nearest, axes[each], limits[each]) => THETA_N, searched;
         planned: Planned = Planned::new(machine, limits, linkages, pace[!], nearest, headings, change), searched;
-        left: Left<C> = Left::new(planned, change, clock), searched;
-        under_way: UnderWay = UnderWay::new(limits, linkages, pace[!], nearest, change, clock), searched;
-        way: Way = Way::new(machine, nearest, under_way, planned[under_way], change, clock), searched;
-        points[axes]: Vec<SetPoint<C>> = set_points(machine, linkages, headings, way, planned[way], change), searched;
-        set_speeds[each axes]: Vec<SetSpeed<C>> = SetSpeed::new(axes[each], points[each], way, v_t), searched;
+        left: C = set_points::left(planned, change, clock) => T_LEFT, searched;
+        under_way: UnderWay = UnderWay::new(limits, linkages, pace[!], nearest, change, clock) => _, searched;
+        way: Way = Way::new(machine, nearest, under_way, planned[under_way], change, clock) => _, searched;
+        points[axes]: Vec<C> =
+            set_points::headings(machine, linkages, headings, way, planned[way], change) => THETA_S, searched;
+        set_speeds[each axes]: Vec<C> = set_points::speed(axes[each], points[each], way, v_t) => V_S, searched;
     }
 }
 
@@ -129,7 +129,7 @@ impl Component for SteeredGroups {
         if known.points().is_ok()
             && let (Some(way), Some(points)) = (&known.way, &known.points)
         {
-            known.given.change.from(way.motion, points.iter().map(|point| point.0));
+            known.given.change.from(way.motion, points.iter().copied());
         }
         known.change().start(time);
     }

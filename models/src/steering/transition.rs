@@ -62,7 +62,7 @@ impl GreatCircle {
             towards: across.map(|x| if whole == 0.0 { 0.0 } else { x / apart }),
             whole,
             middle: machine.middle,
-            size: size(machine),
+            size: machine.size(),
         })
     }
 
@@ -105,7 +105,7 @@ impl Machine<f64> {
     #[must_use]
     pub fn motion(&self, centre: &Centre<f64>) -> Twist {
         let middle = centre.rolling(self.middle);
-        let turn = centre.turning().unwrap_or(0.0) * size(self);
+        let turn = centre.turning().unwrap_or(0.0) * self.size();
         let norm = (middle.x * middle.x + middle.y * middle.y + turn * turn).sqrt();
         [middle.x / norm, middle.y / norm, turn / norm]
     }
@@ -113,7 +113,7 @@ impl Machine<f64> {
     /// The turning centre of a motion.
     #[must_use]
     pub fn about(&self, motion: Twist) -> Centre<f64> {
-        about(self.middle, size(self), motion)
+        about(self.middle, self.size(), motion)
     }
 }
 
@@ -123,12 +123,6 @@ impl Machine<f64> {
 pub fn longest(linkages: &[Linkage<f64>], speed: f64) -> f64 {
     let stroke = |linkage: &Linkage<f64>| 2.0 * plane::length(linkage.c) / speed;
     2.0 * linkages.iter().map(stroke).sum::<f64>()
-}
-
-/// Greatest distance of a group from the machine's middle, in m.
-fn size(machine: &Machine<f64>) -> f64 {
-    let arms = machine.groups.iter().map(|p| plane::length(p - machine.middle));
-    arms.fold(0.0, f64::max)
 }
 
 fn about(middle: Point<f64>, size: f64, motion: Twist) -> Centre<f64> {

@@ -6,11 +6,9 @@ use crate::component::telling::numbered;
 use crate::steering::built::Built;
 use crate::steering::drawing::{Stance, plan};
 use crate::steering::mode::{By, Command, Mode};
-use crate::steering::nearest::nearest;
 use crate::steering::reach::{Reach, reach};
 use crate::steering::scene::Steering;
 use crate::steering::stages::Given;
-use crate::steering::stand::stand;
 use crate::steering::symbols as s;
 
 /// What a mode is shown with: the scene's own command in its own mode, elsewhere
@@ -45,26 +43,25 @@ pub fn example(steering: &Steering, built: &Built, mode: Mode) -> Option<Given<f
 /// A mode with the headings of all groups, and those of the nearest command where it is out of reach.
 pub fn view(steering: &Steering, built: &Built, mode: Mode) -> Option<View> {
     let given = example(steering, built, mode)?;
-    let (machine, limits) = (&built.machine, &built.limits);
     let command = match given.command() {
         Command::Angle(theta) => Some((&s::THETA_B, theta)),
         Command::Radius(radius) => Some((&s::R_T, radius)),
         _ => None,
     };
-    let nearest = nearest(machine, limits, mode, given.command());
     let stance = Stance::new(given).ok()?;
-    let nearest = nearest.filter(|_| !stance.reachable);
+    let nearest = stance.nearest.found.filter(|_| !stance.reachable);
     let mut columns = vec![&s::NUMBER, &s::THETA, &s::V];
-    let mut angles = vec![0.0; limits.len()];
-    if let Some(centre) = nearest.and_then(|(mode, command)| mode.centre(machine, command).ok()) {
-        columns.push(&s::THETA_N);
-        angles = stand(machine, limits, &centre);
-    }
-    let row = |(number, ([theta, v], angle)): (u32, (&[f64; 2], &f64))| {
-        let cells = [f64::from(number), *theta, *v, *angle];
+    columns.extend(nearest.map(|_| &s::THETA_N));
+    let row = |i: usize| {
+        let cells = [
+            (1 + i) as f64,
+            stance.angles[i],
+            stance.speeds[i],
+            stance.nearest_angles[i],
+        ];
         cells[..columns.len()].to_vec()
     };
-    let rows = (1..).zip(stance.wheels.iter().zip(&angles)).map(row).collect();
+    let rows = (0..stance.angles.len()).map(row).collect();
     let told = |(mode, command): (Mode, Command<f64>)| {
         let command = match command {
             Command::Angle(theta) => vec![(&s::THETA_BN, theta)],
@@ -80,7 +77,7 @@ pub fn view(steering: &Steering, built: &Built, mode: Mode) -> Option<View> {
         reachable: stance.reachable,
         nearest: nearest.map(told),
         table: Table { columns, rows },
-        drawing: plan(machine, &stance),
+        drawing: plan(&built.machine, &stance),
     })
 }
 

@@ -19,12 +19,17 @@ pub struct Rolling<C> {
     pub along: Point<C>,
     pub length: C,
 }
-results! { each Rolling; }
 
 impl<C: Calc> Rolling<C> {
     #[inline]
     pub fn new(centre: &Centre<C>, axis: &Axis<C>) -> Rolling<C> {
-        let along = centre.rolling(axis.point());
+        Rolling::about(centre, axis.point())
+    }
+
+    /// Of a group that stands at a point.
+    #[inline]
+    pub fn about(centre: &Centre<C>, p: Point<C>) -> Rolling<C> {
+        let along = centre.rolling(p);
         if centre.is_far() {
             // A direction alone has no length to be named.
             let length = plane::length(along);
@@ -36,23 +41,16 @@ impl<C: Calc> Rolling<C> {
     }
 }
 
-/// Travel speed over the greatest length of all groups' rolling directions.
-#[derive(Clone, Copy, Debug)]
-pub struct Scale<C>(pub C);
-results! { Scale; }
-
-impl<C: Calc> Scale<C> {
-    /// `v_t` is the speed of the fastest group, in m/s; positive travels forward.
-    #[inline]
-    pub fn new(centre: &Centre<C>, rollings: &[Rolling<C>], v_t: &C) -> Scale<C> {
-        let lengths = rollings.iter().map(|rolling| rolling.length);
-        let fastest = lengths.reduce(C::greater).expect("at least one group");
-        let fastest = if centre.is_far() {
-            fastest
-        } else {
-            fastest.named(&s::U_MAX)
-        };
-        Scale(*v_t / fastest)
+/// Travel speed over the greatest length of all groups' rolling directions. `v_t` is the speed of the fastest group, in
+/// m/s; positive travels forward.
+#[inline]
+pub fn scale<C: Calc>(centre: &Centre<C>, rollings: &[Rolling<C>], v_t: &C) -> C {
+    let lengths = rollings.iter().map(|rolling| rolling.length);
+    let fastest = lengths.reduce(C::greater).expect("at least one group");
+    *v_t / if centre.is_far() {
+        fastest
+    } else {
+        fastest.named(&s::U_MAX)
     }
 }
 
@@ -108,18 +106,12 @@ impl<C: Calc> Wheel<C> {
 }
 
 /// Rolling speed of a group along its heading, in m/s; negative rolls backwards.
-#[derive(Clone, Copy, Debug)]
-pub struct Speed<C>(pub C);
-results! { each Speed as v => { V: v.0; } }
-
-impl<C: Calc> Speed<C> {
-    #[inline]
-    pub fn new(rolling: &Rolling<C>, wheel: &Wheel<C>, scale: &Scale<C>) -> Speed<C> {
-        let length = if wheel.backwards {
-            -rolling.length
-        } else {
-            rolling.length
-        };
-        Speed((length * scale.0).def(&s::V))
-    }
+#[inline]
+pub fn speed<C: Calc>(rolling: &Rolling<C>, wheel: &Wheel<C>, scale: &C) -> C {
+    let length = if wheel.backwards {
+        -rolling.length
+    } else {
+        rolling.length
+    };
+    (length * *scale).def(&s::V)
 }

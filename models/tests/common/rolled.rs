@@ -5,8 +5,8 @@ use lemnis_models::parts::plane::Point;
 use lemnis_models::steering::centre::Centre;
 use lemnis_models::steering::limits::Limits;
 use lemnis_models::steering::machine::{Axis, Footprint, Machine};
-use lemnis_models::steering::travel::{Travel, Turn};
-use lemnis_models::steering::wheels::{Rolling, Scale, Speed, Wheel};
+use lemnis_models::steering::travel::{self, turn};
+use lemnis_models::steering::wheels::{Rolling, Wheel, scale, speed};
 
 /// One steered group.
 #[derive(Clone, Copy, Debug)]
@@ -53,19 +53,19 @@ pub fn rolled<C: Calc>(
         .iter()
         .map(|axis| Rolling::new(centre, axis))
         .collect();
-    let scale = Scale::new(centre, &rollings, &v);
+    let scale = scale(centre, &rollings, &v);
     let one = |(rolling, limits)| {
         let wheel = Wheel::new(rolling, limits);
         Rolled {
             theta: wheel.theta,
             turn: wheel.turn,
-            v: Speed::new(rolling, &wheel, &scale).0,
+            v: speed(rolling, &wheel, &scale),
             placed: wheel.placed,
         }
     };
     let motion = Motion {
-        omega: Turn::new(centre, &scale).0,
-        middle: Travel::new(machine, centre, &scale).0,
+        omega: turn(centre, &scale),
+        middle: travel::middle(machine, centre, &scale),
     };
     (rollings.iter().zip(limits).map(one).collect(), motion)
 }

@@ -8,6 +8,7 @@ use crate::luffing::double_link::geometry::{Anchors, Bore, Driven, Lengths};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::Held;
 use crate::luffing::double_link::symbols as s;
+use crate::parts::hydraulics::cylinder;
 use crate::parts::plane::{self, Point};
 
 /// The drive at one position.
@@ -32,16 +33,6 @@ pub struct Reaction<C> {
     pub force: Option<Point<C>>,
 }
 results! { Reaction as f => { F_D: f.f_d; } }
-
-/// Speed of the drive, in m/s, lengthening positive.
-#[derive(Clone, Copy, Debug)]
-pub struct Stroke<C>(pub C);
-results! { Stroke as v => { V_D: v.0; } }
-
-/// Oil flow to the cylinder, in m³/s; negative where it shortens.
-#[derive(Clone, Copy, Debug)]
-pub struct Flow<C>(pub C);
-results! { Flow as q => { Q_D: q.0; } }
 
 impl<C: Calc> Drive<C> {
     pub fn new(p: &Position<C>, l: &Lengths<C>, a: &Anchors<C>) -> Drive<C> {
@@ -90,21 +81,12 @@ impl<C: Calc> Reaction<C> {
     }
 }
 
-impl<C: Calc> Stroke<C> {
-    /// At the driven bar's angular velocity (rad/s).
-    pub fn new(drive: &Drive<C>, omega: &C) -> Stroke<C> {
-        Stroke((drive.h_d * *omega).def(&s::V_D))
-    }
+/// Speed of the drive, in m/s, lengthening positive, at the driven bar's angular velocity (rad/s).
+pub fn speed<C: Calc>(drive: &Drive<C>, omega: &C) -> C {
+    (drive.h_d * *omega).def(&s::V_D)
 }
 
-impl<C: Calc> Flow<C> {
-    pub fn new(c: &Bore<C>, stroke: &Stroke<C>) -> Flow<C> {
-        let quarter = C::constant(std::f64::consts::FRAC_PI_4);
-        let area = if stroke.0.value() < 0.0 {
-            quarter * (c.d_c.square() - c.d_r.square())
-        } else {
-            quarter * c.d_c.square()
-        };
-        Flow((area.def(&s::A_D) * stroke.0).def(&s::Q_D))
-    }
+/// Oil flow to the cylinder, in m³/s, at its speed (m/s); negative where it shortens.
+pub fn flow<C: Calc>(c: &Bore<C>, speed: &C) -> C {
+    cylinder::flow([c.d_c, c.d_r], *speed, [&s::A_D, &s::Q_D])
 }

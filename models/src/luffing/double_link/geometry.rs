@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use crate::balance::scene::Form;
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
 use crate::kernel::number::short;
@@ -222,7 +221,6 @@ pub struct Geometry<C> {
     /// Angle from the jib's axis CA to its front arm, in rad. [Li2022, eq. 7]
     pub epsilon_a: C,
 }
-results! { Geometry; }
 
 /// Why there is no such mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,6 @@
 //! have no value where the instantaneous centre is at infinity: the book shows
 //! them beside the forms that do not.
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::symbols as s;
@@ -16,7 +15,6 @@ pub struct PublishedFormulas<C> {
     pub alpha_1: C,
     pub o1p: C,
 }
-results! { PublishedFormulas; }
 
 impl<C: Calc> PublishedFormulas<C> {
     /// At boom angle `theta_1` (rad). [Li2022, eq. 1, 4-7]

@@ -5,7 +5,7 @@ use crate::balance::scene::Form;
 use crate::balance::symbols as b;
 use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, absent, stages};
-use crate::component::whole::Whole;
+use crate::component::whole::{How, Whole};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::number::exact;
@@ -13,16 +13,16 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::balancing::{Balanced, Balancing, Criteria, WithBalance};
 use crate::luffing::double_link::balancing::{self, analysis, balanced, residual};
-use crate::luffing::double_link::drive::{Drive, Flow, Reaction, Stroke};
+use crate::luffing::double_link::drive::{self, Drive, Reaction};
 use crate::luffing::double_link::feet::Feet;
 use crate::luffing::double_link::geometry::{
     Anchors, Bore, Choice, Driven, Geometry, Jib, Lengths, Parameters, Weights,
 };
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
-use crate::luffing::double_link::statics::{ByPole, Carried, Held, LoadMoment, Own, Passes};
+use crate::luffing::double_link::statics::{Carried, Held, LoadMoment, Own, Passes, by_pole};
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::double_link::velocity::{Head, Pole, Velocity};
+use crate::luffing::double_link::velocity::{Pole, Velocity};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
 
@@ -40,38 +40,38 @@ stages! {
         Parameter balance: Option<Form<C>>,
         Fixed choice: Choice,
     } find {
-        geometry: Geometry<C> = geometry(lengths, jib, choice), lifted;
+        geometry: Geometry<C> = geometry(lengths, jib, choice) => _, lifted;
         position: Position<C> = position(geometry, theta);
         velocity: Velocity<C> = Velocity::new(position);
-        head: Head<C> = Head::new(velocity, omega);
+        head: Point<C> = Velocity::v_a(velocity, omega) => [V_AX, V_AY];
         pole: Pole<C> = Pole::new(geometry, position, velocity);
         drive: Drive<C> = Drive::new(position, lengths, anchors[!]);
-        stroke: Stroke<C> = Stroke::new(drive, omega);
-        flow: Flow<C> = Flow::new(cylinder[!], stroke);
+        stroke: C = drive::speed(drive, omega) => V_D;
+        flow: C = drive::flow(cylinder[!], stroke) => Q_D;
         load_moment: LoadMoment<C> = LoadMoment::new(velocity, load[!]);
-        by_pole: ByPole<C> = ByPole::new(pole, geometry, position, velocity, load[!]);
+        by_pole: C = by_pole(pole, geometry, position, velocity, load[!]) => M_Q_P;
         own: Own<C> = Own::new(position, velocity, lengths, weights[!]);
-        balancing: Balancing<C> = balancing(lengths, jib, weights, balance[!], choice);
+        balancing: Balancing<C> = balancing(lengths, jib, weights, balance[!], choice) => _;
         residual: Residual<C> = balancing::at(balancing, geometry, position, velocity, weights[!], own, theta);
         balanced: Balanced<C> = balanced(residual, position, velocity, load_moment, own, drive[?]);
-        passes: Passes = Passes::new(geometry, choice), plain;
-        carried: Carried<C> = Carried::new(velocity, load_moment, load[!], weights, own[?], residual[?]);
+        passes: Passes = Passes::new(geometry, choice) => _, plain;
+        carried: Carried<C> = Carried::new(velocity, load_moment, load[!], weights, own[?], residual[?]) => _;
         held: Held<C> = Held::new(position, theta, carried, own[?], residual[?], passes);
         push: Reaction<C> = Reaction::new(drive, held);
         feet: Feet<C> = Feet::new(position, lengths, weights, residual[?], held, push[?]);
-        analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice), plain;
+        analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
-        published: PublishedFormulas<C> = published(geometry, jib, theta);
+        published: PublishedFormulas<C> = published(geometry, jib, theta) => _;
     }
 }
 
 impl Component for DoubleLink {
     const WHOLE: &'static [Whole] = &[
-        Whole::swing(&s::DELTA_Y, &s::A_Y),
-        Whole::ratio(&s::EPSILON_Y, &s::A_Y, &s::R),
-        Whole::greatest(&s::R_MAX, &s::R),
-        Whole::least(&s::R_MIN, &s::R),
-        Whole::least(&s::MU_MIN, &s::MU),
+        Whole::new(&s::DELTA_Y, How::Swing, &s::A_Y),
+        Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::A_Y),
+        Whole::new(&s::R_MAX, How::Greatest, &s::R),
+        Whole::new(&s::R_MIN, How::Least, &s::R),
+        Whole::new(&s::MU_MIN, How::Least, &s::MU),
     ];
 
     const PORTS: &'static [Port] = ports! { s:

@@ -31,14 +31,8 @@ impl<C: Calc> LoadMoment<C> {
 }
 
 /// The same through the instantaneous centre. [Li2022, eq. 11]
-#[derive(Clone, Copy, Debug)]
-pub struct ByPole<C>(pub C);
-results! { ByPole as m => { M_Q_P: m.0; } }
-
-impl<C: Calc> ByPole<C> {
-    pub fn new(pole: &Pole<C>, g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>, q: &C) -> ByPole<C> {
-        ByPole(pole.moment(g, p, v, *q))
-    }
+pub fn by_pole<C: Calc>(pole: &Pole<C>, g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>, q: &C) -> C {
+    pole.moment(g, p, v, *q)
 }
 
 /// Centres of gravity, in m from each bar's first joint: boom from O1, jib from
@@ -101,7 +95,6 @@ pub struct Carried<C> {
     m_q: C,
     m_g: C,
 }
-results! { Carried; }
 
 impl<C: Calc> Carried<C> {
     /// Of load and weights, less what a balance carries of the boom.
@@ -178,7 +171,6 @@ impl<C: Calc> Held<C> {
 /// Whether the linkage passes a change point in the working range.
 #[derive(Clone, Copy, Debug)]
 pub struct Passes(bool);
-results! { plain Passes; }
 
 impl Passes {
     pub fn new<C: Calc>(g: &Geometry<C>, choice: &Choice) -> Passes {

@@ -73,26 +73,13 @@ impl<C: Calc> Velocity<C> {
 
     /// Velocity of A, in m/s, at the driven bar's angular velocity (rad/s). [Li2022, eq. 10]
     #[inline]
-    pub fn v_a(&self, omega: C) -> Point<C> {
-        plane::def(Point::new(self.da.x * omega, self.da.y * omega), [&s::V_AX, &s::V_AY])
+    pub fn v_a(&self, omega: &C) -> Point<C> {
+        plane::def(Point::new(self.da.x * *omega, self.da.y * *omega), [&s::V_AX, &s::V_AY])
     }
 
     /// Direction of A's velocity when the driven bar turns positively, in rad. [Li2022, eq. 10]
     pub fn beta(&self) -> C {
         C::direction(self.da.x, self.da.y).def(&s::BETA)
-    }
-}
-
-/// Velocity of the head A, in m/s.
-#[derive(Clone, Copy, Debug)]
-pub struct Head<C>(pub Point<C>);
-results! { Head as v => { V_AX: v.0.x; V_AY: v.0.y; } }
-
-impl<C: Calc> Head<C> {
-    /// At the driven bar's angular velocity (rad/s). [Li2022, eq. 10]
-    #[inline]
-    pub fn new(v: &Velocity<C>, omega: &C) -> Head<C> {
-        Head(v.v_a(*omega))
     }
 }
 

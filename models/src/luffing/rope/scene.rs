@@ -14,7 +14,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
-use crate::kernel::schema::{Key, Kind, SOURCE, Sign, Values};
+use crate::kernel::schema::{Key, SOURCE, Sign, Values};
 use crate::luffing::balancing::{agreement, complete, searched};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::rope::outline::OUTLINE;
@@ -31,7 +31,11 @@ pub const KEYS: &[Key] = &[
     Key::quantity(&s::F_A, Sign::Any).usually(0.0),
     Key::quantity(&s::X_8, Sign::Any),
     Key::weight(&s::Q).optional(),
-    Key::new("fidelity", Kind::Choice(&["static", "table"]), "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range).").optional(),
+    Key::choice(
+        "fidelity",
+        &["static", "table"],
+        "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range).",
+    ),
     Key::table("motion", MOTION, "Working range of the boom."),
     Key::table("tackle", TACKLE, "Luffing tackle between boom and frame."),
     Key::table(
@@ -42,7 +46,11 @@ pub const KEYS: &[Key] = &[
     Key::part("weights", WEIGHTS, "Own weight of the boom and its centre of gravity."),
     Key::part("balance", BALANCE, "A balance of the boom."),
     Key::part("table", TABLE, "Interpolation, with fidelity \"table\"."),
-    Key::part("limits", LIMITS, "What results may come to at most or must come to at least."),
+    Key::part(
+        "limits",
+        LIMITS,
+        "What results may come to at most or must come to at least.",
+    ),
     SOURCE,
 ];
 

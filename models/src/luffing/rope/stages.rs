@@ -6,7 +6,7 @@ use crate::balance::scene::Form;
 use crate::balance::symbols as b;
 use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
-use crate::component::whole::Whole;
+use crate::component::whole::{How, Whole};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
@@ -14,7 +14,7 @@ use crate::luffing::balancing::{Balanced, Balancing, Criteria, WithBalance};
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Falls, LoadLevel, Path, Rig, Stretch};
-use crate::luffing::rope::statics::{Hanging, OwnMoment, Power, Pull, RopePulls};
+use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, power};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::rope::velocity::{RopeTravel, Speeds};
 use crate::parts::plane::Point;
@@ -35,32 +35,32 @@ stages! {
         falls: Falls<C> = Falls::new(rig, position, phi);
         stretch: Stretch<C> = Stretch::new(rig, position);
         path: Path<C> = Path::new(rig, level, position, stretch);
-        travel: RopeTravel<C> = RopeTravel::new(rig, position, stretch);
+        travel: RopeTravel<C> = RopeTravel::new(rig, position, stretch) => _;
         speeds: Speeds<C> = Speeds::new(rig, travel, falls, omega);
         hanging: Hanging<C> = Hanging::new(rig, load[!], travel);
         own: OwnMoment<C> = OwnMoment::new(weights[!], phi);
-        balancing: Balancing<C> = balancing(weights[!], balance[!], choice);
+        balancing: Balancing<C> = balancing(weights[!], balance[!], choice) => _;
         residual: Residual<C> = residual(balancing, own, phi);
         balanced: Balanced<C> = balanced(residual, hanging, own);
-        carried: RopePulls<C> = RopePulls::new(position, load[!], own[?], residual[?]);
+        carried: RopePulls<C> = RopePulls::new(position, load[!], own[?], residual[?]) => _;
         pull: Pull<C> = Pull::new(carried, hanging, position, falls, stretch);
-        power: Power<C> = Power::new(rig, pull, speeds);
+        power: C = power(rig, pull, speeds) => P_L;
         losses: Losses<C> = Losses::new(rig, load[!], carried, falls, stretch);
-        analysed: Analysis = analysed(weights[!], balance[!], choice), plain;
+        analysed: Analysis = analysed(weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, weights[!], analysed, choice);
     }
 }
 
 impl Component for RopeBoom {
     const WHOLE: &'static [Whole] = &[
-        Whole::greatest(&s::R_MAX, &s::R),
-        Whole::least(&s::R_MIN, &s::R),
-        Whole::swing(&s::DELTA_Y, &s::Y_Q),
-        Whole::ratio(&s::EPSILON_Y, &s::Y_Q, &s::R),
-        Whole::swing(&s::STROKE, &s::L_T),
-        Whole::swing(&s::L_LD, &s::L_L),
-        Whole::vanishes(&s::PHI_T, &s::M_D, None),
-        Whole::vanishes(&s::PHI_T0, &s::M_D, Some((&s::Q, 0.0))),
+        Whole::new(&s::R_MAX, How::Greatest, &s::R),
+        Whole::new(&s::R_MIN, How::Least, &s::R),
+        Whole::new(&s::DELTA_Y, How::Swing, &s::Y_Q),
+        Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::Y_Q),
+        Whole::new(&s::STROKE, How::Swing, &s::L_T),
+        Whole::new(&s::L_LD, How::Swing, &s::L_L),
+        Whole::new(&s::PHI_T, How::Vanishes(None), &s::M_D),
+        Whole::new(&s::PHI_T0, How::Vanishes(Some((&s::Q, 0.0))), &s::M_D),
     ];
 
     const PORTS: &'static [Port] = ports! { s:

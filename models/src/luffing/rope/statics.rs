@@ -59,7 +59,6 @@ pub struct RopePulls<C> {
     /// Their force on the boom, in N.
     force: Point<C>,
 }
-results! { RopePulls; }
 
 impl<C: Calc> RopePulls<C> {
     /// G_b r_b cos phi + Q x_A [Ports001, 5.1], less what a balance carries.
@@ -124,13 +123,7 @@ impl<C: Calc> Pull<C> {
 }
 
 /// Power of the luffing rope at its drum, in W; positive where the drum gives it.
-#[derive(Clone, Copy, Debug)]
-pub struct Power<C>(C);
-results! { Power as p => { P_L: p.0; } }
-
-impl<C: Calc> Power<C> {
-    /// T / m_l in the rope, at its speed.
-    pub fn new(rig: &Rig<C>, pull: &Pull<C>, speeds: &Speeds<C>) -> Power<C> {
-        Power((pull.t / rig.m_l * speeds.v_l).def(&s::P_L))
-    }
+/// T / m_l in the rope, at its speed.
+pub fn power<C: Calc>(rig: &Rig<C>, pull: &Pull<C>, speeds: &Speeds<C>) -> C {
+    (pull.t / rig.m_l * speeds.v_l).def(&s::P_L)
 }

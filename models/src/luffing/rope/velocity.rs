@@ -14,7 +14,6 @@ pub struct RopeTravel<C> {
     /// Rise of the load with the hoist drum at rest.
     pub y_q: C,
 }
-results! { RopeTravel; }
 
 impl<C: Calc> RopeTravel<C> {
     /// y_Q' = x_A − h_S / m_h. [Ports001, 5.2.3]

@@ -3,10 +3,23 @@
 //! leakage past the piston.
 
 use crate::kernel::calc::{Calc, Over};
+use crate::kernel::symbol::Symbol;
 use crate::parts::hydraulics::oil::{VACUUM, pressure_rate};
 use crate::parts::hydraulics::symbols as s;
 use crate::parts::hydraulics::throttle::{relief, root};
 use crate::parts::hydraulics::valve::Valve;
+
+/// Oil flow to a cylinder with a bore and a rod (m), in m³/s, at its speed (m/s): on the bore where it lengthens, on the
+/// annulus (negative) where it shortens. With the symbols of that area and of the flow.
+pub fn flow<C: Calc>([bore, rod]: [C; 2], speed: C, [area, flow]: [&'static Symbol; 2]) -> C {
+    let quarter = C::constant(std::f64::consts::FRAC_PI_4);
+    let works = if speed.value() < 0.0 {
+        quarter * (bore.square() - rod.square())
+    } else {
+        quarter * bore.square()
+    };
+    (works.def(area) * speed).def(flow)
+}
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder<P = f64> {

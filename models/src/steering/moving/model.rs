@@ -465,7 +465,7 @@ impl SteeringMotion {
                 let piston = self.algebraic.of::<SteeredGroups>().given().piston.ok_or_else(absent)?;
                 flow(
                     &piston.map(&mut |symbol, value| scalar((symbol, None), value)),
-                    pose.od * omega,
+                    &(pose.od * omega),
                 )
             }
             OfGroup::ForceStanding => force(drag(self.drag(i, scalar))?.standing, pose.od),
