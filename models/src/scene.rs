@@ -177,9 +177,10 @@ impl Scene {
             }
             return Ok(self);
         }
-        let model = self
-            .model()
-            .map_err(|fault| vec![Diagnostic::new(values.place("accuracy"), fault.message, "here")])?;
+        let model = self.model().map_err(|fault| {
+            let refused = Diagnostic::new(values.place("accuracy"), fault.message, "no results to be accurate");
+            vec![refused.help("mend what the message names, or set another fidelity")]
+        })?;
         let result = |v: &&Variable| matches!(v.role, Role::Output | Role::State) && v.kind == Type::Real;
         let mut found = Vec::new();
         for (name, text, place) in named {

@@ -140,8 +140,11 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
     let Err(stopped) = run(&scene) else {
         return Ok(scene);
     };
-    let own = explicit(&scene);
-    for step in STEPS.into_iter().filter(|step| own.is_some_and(|own| *step < own)) {
+    let own = scene.mechanism.solver().filter(|solver| solver.explicit);
+    for step in STEPS
+        .into_iter()
+        .filter(|step| own.is_some_and(|own| *step < own.longest))
+    {
         let milliseconds = milliseconds(step);
         let shorter = scene_file::changed(&scene, &format!("the scene at step = {milliseconds}"), |document| {
             document[scene.table]["dynamics"]["step"] = value(milliseconds.as_str());
@@ -216,18 +219,11 @@ fn work(scene: &Scene) -> Result<(f64, f64), Failure> {
     let model = scene
         .model()
         .map_err(|fault| Failure::Scene(format!("error: {}", fault.message)))?;
-    let step = explicit(scene).map_or(model.step_size(), |step| step.min(model.step_size()));
-    let steps = if model.states() == 0 {
-        0.0
-    } else {
-        model.stop_time() / step
+    let steps = match scene.mechanism.solver() {
+        Some(solver) if model.states() > 0 => model.stop_time() / solver.longest.min(model.step_size()),
+        _ => 0.0,
     };
     Ok((model.stop_time(), steps))
-}
-
-/// The inner step (s) of a motion that is solved with explicit steps.
-fn explicit(scene: &Scene) -> Option<f64> {
-    scene.mechanism.solver()?.explicit
 }
 
 fn milliseconds(step: f64) -> String {

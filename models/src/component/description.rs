@@ -199,6 +199,12 @@ impl<T: Described> Description<T> {
         if found.len() == before {
             T::check(&described, v, found);
         }
+        if found.len() == before
+            && let Some(Err(fault)) = T::moving(&described)
+        {
+            let help = "begin elsewhere, or move what it names";
+            found.push(v.refuse("motion", fault.message, "the motion cannot begin here", help));
+        }
         (found.len() == before).then_some(described)
     }
 

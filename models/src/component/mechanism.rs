@@ -67,8 +67,10 @@ pub struct Solver {
     pub tolerance: &'static Symbol,
     /// The scene's table in which the tolerance stands.
     pub table: &'static str,
-    /// Length of the steps, in s, where they are explicit.
-    pub explicit: Option<f64>,
+    /// Length of the longest inner step, in s.
+    pub longest: f64,
+    /// Whether that may be too long: explicit steps are all as long.
+    pub explicit: bool,
 }
 
 impl Clone for Box<dyn Mechanism> {

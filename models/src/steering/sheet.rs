@@ -102,11 +102,12 @@ impl Described for SteeringScene {
     }
 
     fn solver(&self) -> Option<Solver> {
-        self.moving.as_ref().map(|_| Solver {
+        self.moving.as_ref().map(|moving| Solver {
             step: &moving::symbols::STEP,
             tolerance: &moving::symbols::TOL,
             table: "oil",
-            explicit: None,
+            longest: moving.body.step.min(moving.plc.t_c),
+            explicit: false,
         })
     }
 

@@ -161,7 +161,8 @@ fn synthesis(v: &Values, p: &Parameters<f64>, motion: &Motion, found: &mut Vec<D
     match boom(p, motion) {
         Ok((boom, range)) => Task::new(v, &boom, range, own_lever(p).as_ref(), found),
         Err(fault) => {
-            found.push(Diagnostic::new(v.span.clone(), fault.what, "nothing to search for"));
+            let help = "drive it by its boom and add [luffing.weights], or remove this table";
+            found.push(Diagnostic::new(v.span.clone(), fault.what, "nothing to search for").help(help));
             None
         }
     }

@@ -136,7 +136,8 @@ impl Described for LuffingScene {
             step: &moving::symbols::STEP,
             tolerance: &moving::symbols::TOL,
             table: "hydraulics",
-            explicit: moving.oil.is_none().then_some(moving.constants.step),
+            longest: moving.constants.step,
+            explicit: moving.oil.is_none(),
         })
     }
 
