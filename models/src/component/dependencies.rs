@@ -38,6 +38,61 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
     let groups = part.groups();
     let sources = part.sources();
     let used = |source: Source| groups[usize::from(source.group)].1;
+    let traced = traced(model, recorder);
+    let mut found = traced.clone();
+    let slot = |index: usize| match model.places()[index] {
+        VariablePlace::Result(slot) => Some(slot),
+        VariablePlace::Source(_) | VariablePlace::Whole(_) => None,
+    };
+    let group = |name: &Name| {
+        let of = |(_, (symbol, number)): &&(Source, Quantity)| (symbol.id, *number) == *name;
+        sources.iter().find(of).map_or(63, |(source, _)| source.group)
+    };
+    for (index, found) in found.iter_mut().enumerate() {
+        if let VariablePlace::Whole(whole) = model.places()[index] {
+            // What the result at one position follows from, but for the position.
+            let spread = &model.wholes()[whole];
+            let own = |other: &usize| slot(*other).is_some_and(|slot| spread.is_of(&slot));
+            let of = (0..traced.len()).filter(own).flat_map(|other| traced[other].iter());
+            found.extend(of.filter(|name| spread.sources >> group(name) & 1 == 1).copied());
+            continue;
+        }
+        let Some(slot) = slot(index) else { continue };
+        if model.variables()[index].kind == Type::Boolean {
+            let same = |other: &usize| same(&slot, model, *other);
+            found.extend(
+                (0..traced.len())
+                    .filter(same)
+                    .flat_map(|other| traced[other].iter().copied()),
+            );
+        }
+        let searched = part.stages()[usize::from(slot.stage)].searched;
+        for &(source, (symbol, number)) in &sources {
+            let decides = symbol.kind != Type::Real;
+            if slot.sources >> source.group & 1 == 0 || !(searched || decides) {
+                continue;
+            }
+            match used(source) {
+                Use::Time => found.extend([(TIME.id, None)]),
+                Use::Memory => {}
+                Use::Coordinate => {
+                    let rate = sources.iter().find(|(source, _)| used(*source) == Use::Rate);
+                    let rate = rate.map(|(_, (symbol, number))| (symbol.id, *number));
+                    found.extend([(symbol.id, number), (TIME.id, None)].into_iter().chain(rate));
+                }
+                _ => found.extend([(symbol.id, number)]),
+            }
+        }
+    }
+    found
+}
+
+/// What each variable's formula contains, as the recorder finds it.
+fn traced(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>> {
+    let part = model.part();
+    let groups = part.groups();
+    let sources = part.sources();
+    let used = |source: Source| groups[usize::from(source.group)].1;
     let find = |wanted| sources.iter().position(|(source, _)| used(*source) == wanted);
     let motion = model.motion();
     let middle = f64::midpoint(motion.from, motion.to);
@@ -104,58 +159,13 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
             traced[sources.len()] = true;
         }
     }
-    let traced: Vec<BTreeSet<Name>> = traced
+    traced
         .iter()
         .map(|traced| {
             let those = names.iter().zip(traced).filter(|(_, found)| **found);
             those.map(|(name, _)| *name).collect()
         })
-        .collect();
-    let mut found = traced.clone();
-    let slot = |index: usize| match model.places()[index] {
-        VariablePlace::Result(slot) => Some(slot),
-        VariablePlace::Source(_) | VariablePlace::Whole(_) => None,
-    };
-    let group = |name: &Name| {
-        let of = |(_, (symbol, number)): &&(Source, Quantity)| (symbol.id, *number) == *name;
-        sources.iter().find(of).map_or(63, |(source, _)| source.group)
-    };
-    for (index, found) in found.iter_mut().enumerate() {
-        if let VariablePlace::Whole(whole) = model.places()[index] {
-            // What the result at one position follows from, but for the position.
-            let spread = &model.wholes()[whole];
-            let own = |other: &usize| slot(*other).is_some_and(|slot| spread.is_of(&slot));
-            let of = (0..traced.len()).filter(own).flat_map(|other| traced[other].iter());
-            found.extend(of.filter(|name| spread.sources >> group(name) & 1 == 1).copied());
-            continue;
-        }
-        let Some(slot) = slot(index) else { continue };
-        if model.variables()[index].kind == Type::Boolean {
-            let same = |other: &usize| same(&slot, model, *other);
-            found.extend(
-                (0..traced.len())
-                    .filter(same)
-                    .flat_map(|other| traced[other].iter().copied()),
-            );
-        }
-        let searched = part.stages()[usize::from(slot.stage)].searched;
-        for &(source, (symbol, number)) in &sources {
-            let decides = symbol.kind != Type::Real;
-            if slot.sources >> source.group & 1 == 0 || !(searched || decides) {
-                continue;
-            }
-            match used(source) {
-                Use::Time => found.extend([(TIME.id, None)]),
-                Use::Memory => {}
-                Use::Coordinate => {
-                    let rate = find(Use::Rate).map(|index| names[index]);
-                    found.extend([(symbol.id, number), (TIME.id, None)].into_iter().chain(rate));
-                }
-                _ => found.extend([(symbol.id, number)]),
-            }
-        }
-    }
-    found
+        .collect()
 }
 
 /// Whether a variable is a result of the same stage.
