@@ -222,3 +222,17 @@ fn a_kind_that_there_is_not() {
         assert_eq!(&wrong[one.span.clone()], kind);
     }
 }
+
+/// An empty table of weights is told by what it lacks, also where a balance and a position of the book need it.
+#[test]
+fn weights_of_which_all_is_missing() {
+    let balance = "[luffing.balance]\nkind = \"tail\"\nG_c = \"9 kN\"\nr_c = \"1 m\"\nchi_c = \"0 deg\"\n";
+    let scene = text(&[("G_b", ""), ("r_b", "")]) + balance + "[book]\npositions = [\"from\"]\n";
+    let found = Scene::parse(&scene).expect_err("no weights");
+    let missing = |key: &str| {
+        found
+            .iter()
+            .any(|told| told.message.starts_with(&format!("`{key}` is missing")))
+    };
+    assert!(missing("G_b") && missing("r_b") && found.len() == 2, "{found:?}");
+}

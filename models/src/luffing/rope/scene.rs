@@ -98,7 +98,7 @@ impl Described for Rope {
             omega: One(&s::OMEGA, range.speed),
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
             rig: Rig::read(v)?,
-            weights: Plain::read(v),
+            weights: v.part("weights", Plain::read)?,
             balance,
             choice: BoomChoice { range },
         };
