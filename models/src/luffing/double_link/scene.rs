@@ -79,34 +79,7 @@ impl LuffingScene {
         };
         let n = |symbol: &Symbol| v.number(symbol.id);
         let lengths = Lengths::read(v)?;
-        let jib = match (n(&s::X_7), n(&s::BETA_0), n(&s::AC)) {
-            (Some(x), None, None) => Jib::Sag(x),
-            (None, Some(x), None) => Jib::Angle(x),
-            (None, None, Some(x)) => Jib::Axis(x),
-            (x_7, beta_0, _) => {
-                let none = x_7.is_none() && beta_0.is_none() && n(&s::AC).is_none();
-                let extra = if x_7.is_some() && beta_0.is_some() {
-                    "beta_0"
-                } else {
-                    "AC"
-                };
-                found.push(v.refuse(
-                    extra,
-                    if none {
-                        "nothing determines the jib's triangle"
-                    } else {
-                        "the jib's triangle is determined twice"
-                    },
-                    if none {
-                        "X_7, beta_0 or AC is needed here"
-                    } else {
-                        "remove this or the other"
-                    },
-                    "give exactly one of X_7 (sag), beta_0 (angle at B) and AC (tail to head)",
-                ));
-                return None;
-            }
-        };
+        let jib = jib(v, found)?;
         let weights = v.part("weights", Weights::read)?;
         let anchors = v.part("drive", Anchors::read)?;
         let cylinder = v.table("drive").and_then(|table| cylinder(table, found));
@@ -153,6 +126,39 @@ impl LuffingScene {
             published_balance: v.table("balance").and_then(PublishedBalance::read),
         };
         Some((luffing, motion))
+    }
+}
+
+/// The jib's triangle, which is given in one of three ways.
+fn jib(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Jib<f64>> {
+    let n = |symbol: &Symbol| v.number(symbol.id);
+    match (n(&s::X_7), n(&s::BETA_0), n(&s::AC)) {
+        (Some(x), None, None) => Some(Jib::Sag(x)),
+        (None, Some(x), None) => Some(Jib::Angle(x)),
+        (None, None, Some(x)) => Some(Jib::Axis(x)),
+        (x_7, beta_0, _) => {
+            let none = x_7.is_none() && beta_0.is_none() && n(&s::AC).is_none();
+            let extra = if x_7.is_some() && beta_0.is_some() {
+                "beta_0"
+            } else {
+                "AC"
+            };
+            found.push(v.refuse(
+                extra,
+                if none {
+                    "nothing determines the jib's triangle"
+                } else {
+                    "the jib's triangle is determined twice"
+                },
+                if none {
+                    "X_7, beta_0 or AC is needed here"
+                } else {
+                    "remove this or the other"
+                },
+                "give exactly one of X_7 (sag), beta_0 (angle at B) and AC (tail to head)",
+            ));
+            None
+        }
     }
 }
 

@@ -91,128 +91,11 @@ impl Moving {
     /// The checked table `[luffing]`; `None` at the static level, and where there are mistakes, which go to `found`.
     pub fn new(v: &Values, gravity: f64, loaded: bool, found: &mut Vec<Diagnostic>) -> Option<Moving> {
         let fidelity = v.text("fidelity").unwrap_or("static");
-        let mut mistake = |key: &str, what: String, label: &str, help: &str| {
-            found.push(v.refuse(key, what, label, help));
-        };
-        let table = match (fidelity, v.table("dynamics")) {
-            ("static" | "table" | "auto", None) => {
-                if v.table("slewing").is_some() {
-                    mistake(
-                        "slewing",
-                        "slewing of a mechanism that does not move by itself".to_owned(),
-                        "not used",
-                        "add fidelity = \"rigid\" or \"swing\" to [luffing], or remove this table",
-                    );
-                }
-                return None;
-            }
-            ("static" | "table", Some(_)) => {
-                mistake(
-                    "dynamics",
-                    "inertias and drive of a mechanism that does not move by itself".to_owned(),
-                    "not used",
-                    "add fidelity = \"rigid\" or \"swing\" to [luffing], or remove this table",
-                );
-                return None;
-            }
-            (_, None) => {
-                mistake(
-                    "fidelity",
-                    format!("fidelity = \"{fidelity}\" without inertias"),
-                    "needs [luffing.dynamics]",
-                    "add [luffing.dynamics] with J_1, J_2 and J_3 (kg.m2)",
-                );
-                return None;
-            }
-            (_, Some(table)) => table,
-        };
-        if v.table("weights").is_none() || !loaded {
-            mistake(
-                "fidelity",
-                format!("fidelity = \"{fidelity}\" without weights and load"),
-                "what moves must weigh something",
-                "add Q to [luffing] and a table [luffing.weights]; their masses are weights over g",
-            );
-            return None;
-        }
-        let balance = v.table("balance");
-        if balance.is_none() && !inert(v, table) {
-            mistake(
-                "dynamics",
-                "neither boom, jib and rocker nor the load have any inertia".to_owned(),
-                "nothing to be accelerated",
-                "give Q, a weight in [luffing.weights] or one of J_1, J_2 and J_3 greater than zero",
-            );
-            return None;
-        }
-        if balance.is_some_and(|b| b.text("kind") == Some("lever") && !b.has(balance::symbols::S_5.id)) {
-            mistake(
-                "balance",
-                format!("fidelity = \"{fidelity}\" with a lever whose counterweight has no arm"),
-                "its inertia is not known",
-                "add s_5 = \"... m\": the counterweight weighs M_5 / s_5",
-            );
-            return None;
-        }
+        let mut told = |refused: Diagnostic| found.push(refused);
+        let table = dynamics(v, fidelity, loaded).map_err(&mut told).ok()??;
+        let rope = load_rope(table, fidelity).map_err(told).ok()?;
+        let (oil, valve, supply) = oil_drive(v, fidelity, found)?;
         let n = |symbol: &Symbol| table.number(symbol.id);
-        let rope = match (fidelity, n(&s::L_R)) {
-            ("swing" | "hydraulic" | "auto", Some(length)) => Some(LoadRope {
-                length,
-                swing: n(&s::PHI).unwrap_or(0.0),
-            }),
-            ("swing", None) => {
-                found.push(
-                    Diagnostic::new(
-                        table.span.clone(),
-                        "a swinging load without a rope",
-                        "l_R is needed here",
-                    )
-                    .help("add l_R = \"... m\", the length of the rope at the start"),
-                );
-                return None;
-            }
-            _ => {
-                let unused = [&s::L_R, &s::PHI, &s::V_H]
-                    .into_iter()
-                    .find(|symbol| n(symbol).is_some());
-                if let Some(symbol) = unused {
-                    found.push(table.refuse(
-                        symbol.id,
-                        format!("{} without a swinging load", symbol.id),
-                        "not used",
-                        "remove it, or set fidelity = \"swing\"",
-                    ));
-                    return None;
-                }
-                None
-            }
-        };
-        let (oil, valve, supply) = match (fidelity, v.table("hydraulics")) {
-            ("hydraulic" | "auto", Some(table)) => {
-                let n = |symbol: &Symbol| table.number(symbol.id);
-                let oil = oil(v, table, found)?;
-                (Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?)
-            }
-            ("hydraulic", None) => {
-                found.push(v.refuse(
-                    "fidelity",
-                    "fidelity = \"hydraulic\" without oil",
-                    "needs [luffing.hydraulics]",
-                    "add [luffing.hydraulics]; `lemnis schema` lists its keys",
-                ));
-                return None;
-            }
-            (_, Some(_)) => {
-                found.push(v.refuse(
-                    "hydraulics",
-                    "oil of a mechanism without a hydraulic level",
-                    "not used",
-                    "set fidelity = \"hydraulic\", or remove this table",
-                ));
-                return None;
-            }
-            _ => (None, 0.0, 0.0),
-        };
         let slewing = match v.table("slewing") {
             Some(table) => Some(slewing(v, table, rope.is_some(), found)?),
             None => None,
@@ -245,6 +128,115 @@ impl Moving {
             },
             rope,
         })
+    }
+}
+
+/// The table `[luffing.dynamics]` of what moves by itself.
+fn dynamics<'a>(v: &'a Values, fidelity: &str, loaded: bool) -> Result<Option<&'a Values>, Diagnostic> {
+    let still = "add fidelity = \"rigid\" or \"swing\" to [luffing], or remove this table";
+    let table = match (fidelity, v.table("dynamics")) {
+        ("static" | "table" | "auto", None) if v.has("slewing") => {
+            let what = "slewing of a mechanism that does not move by itself";
+            return Err(v.refuse("slewing", what, "not used", still));
+        }
+        ("static" | "table" | "auto", None) => return Ok(None),
+        ("static" | "table", Some(_)) => {
+            let what = "inertias and drive of a mechanism that does not move by itself";
+            return Err(v.refuse("dynamics", what, "not used", still));
+        }
+        (_, None) => {
+            return Err(v.refuse(
+                "fidelity",
+                format!("fidelity = \"{fidelity}\" without inertias"),
+                "needs [luffing.dynamics]",
+                "add [luffing.dynamics] with J_1, J_2 and J_3 (kg.m2)",
+            ));
+        }
+        (_, Some(table)) => table,
+    };
+    if v.table("weights").is_none() || !loaded {
+        return Err(v.refuse(
+            "fidelity",
+            format!("fidelity = \"{fidelity}\" without weights and load"),
+            "what moves must weigh something",
+            "add Q to [luffing] and a table [luffing.weights]; their masses are weights over g",
+        ));
+    }
+    let balance = v.table("balance");
+    if balance.is_none() && !inert(v, table) {
+        return Err(v.refuse(
+            "dynamics",
+            "neither boom, jib and rocker nor the load have any inertia",
+            "nothing to be accelerated",
+            "give Q, a weight in [luffing.weights] away from its bar's foot, or one of J_1, J_2 and J_3 greater than zero",
+        ));
+    }
+    if balance.is_some_and(|b| b.text("kind") == Some("lever") && !b.has(balance::symbols::S_5.id)) {
+        return Err(v.refuse(
+            "balance",
+            format!("fidelity = \"{fidelity}\" with a lever whose counterweight has no arm"),
+            "its inertia is not known",
+            "add s_5 = \"... m\": the counterweight weighs M_5 / s_5",
+        ));
+    }
+    Ok(Some(table))
+}
+
+/// The rope that the load hangs on, where the level has one.
+fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Diagnostic> {
+    let n = |symbol: &Symbol| table.number(symbol.id);
+    match (fidelity, n(&s::L_R)) {
+        ("swing" | "hydraulic" | "auto", Some(length)) => Ok(Some(LoadRope {
+            length,
+            swing: n(&s::PHI).unwrap_or(0.0),
+        })),
+        ("swing", None) => {
+            let what = "a swinging load without a rope";
+            let refused = Diagnostic::new(table.span.clone(), what, "l_R is needed here");
+            Err(refused.help("add l_R = \"... m\", the length of the rope at the start"))
+        }
+        _ => match [&s::L_R, &s::PHI, &s::V_H]
+            .into_iter()
+            .find(|symbol| n(symbol).is_some())
+        {
+            Some(symbol) => Err(table.refuse(
+                symbol.id,
+                format!("{} without a swinging load", symbol.id),
+                "not used",
+                "remove it, or set fidelity = \"swing\"",
+            )),
+            None => Ok(None),
+        },
+    }
+}
+
+/// The oil where the level has one, the valve's command and the pump's pressure (Pa).
+fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<(Option<CylinderOil<f64>>, f64, f64)> {
+    match (fidelity, v.table("hydraulics")) {
+        ("hydraulic" | "auto", Some(table)) => {
+            let n = |symbol: &Symbol| table.number(symbol.id);
+            let oil = oil(v, table, found)?;
+            Some((Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?))
+        }
+        ("hydraulic", None) => {
+            found.push(v.refuse(
+                "fidelity",
+                "fidelity = \"hydraulic\" without oil",
+                "needs [luffing.hydraulics]",
+                "add [luffing.hydraulics]; `lemnis schema` lists its keys",
+            ));
+            None
+        }
+        (_, Some(_)) => {
+            found.push(v.refuse(
+                "hydraulics",
+                "oil of a mechanism without a hydraulic level",
+                "not used",
+                "set fidelity = \"hydraulic\", or remove this table",
+            ));
+            None
+        }
+        _ => Some((None, 0.0, 0.0)),
     }
 }
 
