@@ -164,9 +164,9 @@ impl Described for Rope {
         draw.path(fine(range).map(|phi| BoomPosition::new(rig, &phi).a));
         for (phi, faint) in [(range.from, true), (range.to, true), (middle, false)] {
             let p = BoomPosition::new(rig, &phi);
-            let k = anchor(rig, &p);
+            let [foot, k] = anchor(rig, &p);
             draw.bar(&[o1, p.a], faint);
-            draw.bar(&[k, e], faint);
+            draw.bar(&[foot, k, e], faint);
             draw.bar(&[p.a, b], faint);
             draw.pin(p.a, false, faint);
             draw.pin(k, false, faint);
@@ -215,8 +215,8 @@ impl Rope {
     }
 }
 
-/// Where the luffing tackle holds the boom, in m from O1.
-fn anchor(rig: &Rig<f64>, p: &BoomPosition<f64>) -> Point<f64> {
+/// Where the luffing tackle holds the boom: the foot of its lug on the boom's line, and K, in m from O1.
+fn anchor(rig: &Rig<f64>, p: &BoomPosition<f64>) -> [Point<f64>; 2] {
     let (sin, cos) = Calc::sin_cos(rig.chi_k);
-    plane::turned(p.along, rig.s_k * cos, rig.s_k * sin)
+    [0.0, rig.s_k * sin].map(|aside| plane::turned(p.along, rig.s_k * cos, aside))
 }
