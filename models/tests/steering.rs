@@ -1063,7 +1063,7 @@ fn dimensions() {
             &Piston { d_g: 0.2, d: 0.1 }.map(&mut given.clone()),
             &given(&s::V_T, -0.01),
         );
-        pump(q, given(&s::N, 25.0), given(&s::ETA, 0.9));
+        pump(q, given(&s::N, 25.0), given(&s::ETA_V, 0.9));
         relief(given(&s::P, 25e6), given(&s::K_R, 1.1));
         buckling(
             &Rod {
@@ -1109,7 +1109,7 @@ fn refusals() {
     let found = [
         at(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)]),
         at(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (1.0, 0.0005)]),
-        outside(&s::X_I, f64::NAN),
+        outside(&s::X, f64::NAN),
         outside(&s::G, -5e3),
         outside(&s::P_T, 0.0),
         weak.to_string(),

@@ -145,7 +145,7 @@ fn groups(n: &mut Node, moves: bool) -> Vec<Point<f64>> {
     for [x, y] in places {
         let mut group = Table::new();
         let [x, y] = [("x", x), ("y", y)].map(|(name, value)| {
-            let (text, value) = n.draw.written(&s::X_I, value);
+            let (text, value) = n.draw.written(&s::X, value);
             group.insert(name.to_owned(), text.into());
             value
         });

@@ -31,18 +31,18 @@ pub struct Residual<C> {
 
 results! { Residual as r => {
     M_0: r.boom.m_0;
-    M_B: r.action.m_b;
+    M_UR: r.action.m_b;
     DM: r.dm;
     DM_5: r.dm_5.ok_or_else(absent)?;
     PSI: r.action.lever.ok_or_else(absent)?.psi;
     I_5: r.action.lever.ok_or_else(absent)?.i_5;
     GAMMA: r.action.lever.ok_or_else(absent)?.gamma;
     N_1: r.action.n_1.ok_or_else(absent)?;
-    C_Y: r.action.y_5.ok_or_else(absent)?;
+    C_5Y: r.action.y_5.ok_or_else(absent)?;
     F_KX: r.action.on_boom.x;
     F_KY: r.action.on_boom.y;
-    F_PX: r.action.on_pivot.ok_or_else(absent)?.x;
-    F_PY: r.action.on_pivot.ok_or_else(absent)?.y;
+    F_MX: r.action.on_pivot.ok_or_else(absent)?.x;
+    F_MY: r.action.on_pivot.ok_or_else(absent)?.y;
 } }
 
 impl<C: Calc> Residual<C> {

@@ -65,7 +65,7 @@ pub static BOUNDS: &[Key] = &[
     bounds(&s::DELTA_1, Sign::Any),
     bounds(&s::R_K, Sign::Positive),
     bounds(&s::ALPHA_K, Sign::Any),
-    bounds(&s::L_K, Sign::Positive),
+    bounds(&s::L_1, Sign::Positive),
     bounds(&s::R_L, Sign::Positive),
     bounds(&s::CHI_5, Sign::Any),
     bounds(&s::M_5, Sign::NotNegative),
@@ -95,7 +95,7 @@ static POSITIONS: &[Key] = keys! { s:
 };
 
 static CANDIDATE: &[Key] = keys! { s:
-    D_1 > 0, DELTA_1, R_K > 0, ALPHA_K, L_K > 0, R_L > 0, CHI_5, M_5 >= 0;
+    D_1 > 0, DELTA_1, R_K > 0, ALPHA_K, L_1 > 0, R_L > 0, CHI_5, M_5 >= 0;
     Key::new(
         "role",
         Kind::Choice(&["existing", "published", "start", "rod_force", "counterweight"]),

@@ -63,7 +63,7 @@ impl<C: Calc> CurvedRail<C> {
     pub fn rail(&self, phi: C, u_0: C) -> Result<Point<C>, OutOfRange> {
         let d = &self.dimensions;
         let k = joint(phi, d.r_1, d.alpha_1);
-        let y = (d.y_0 - (u_0 - self.u_0) / d.g_c).def(&s::C_Y);
+        let y = (d.y_0 - (u_0 - self.u_0) / d.g_c).def(&s::C_5Y);
         let height = k.y - y;
         let square = (d.l_r - height) * (d.l_r + height);
         // At zero the rope hangs vertically.
@@ -77,7 +77,7 @@ impl<C: Calc> CurvedRail<C> {
             ));
         }
         let w_r = square.sqrt().def(&s::W_R);
-        Ok(Point::new((k.x - w_r).def(&s::C_X), y))
+        Ok(Point::new((k.x - w_r).def(&s::C_5X), y))
     }
 
     /// At boom angle `phi` (rad): the trolley in equilibrium between its weight,
@@ -109,13 +109,13 @@ impl<C: Calc> CurvedRail<C> {
         let pull = Point::new(-(n_1 * rope.x / d.l_r), -(n_1 * rope.y / d.l_r));
         let on_boom = plane::def(pull, [&s::F_KX, &s::F_KY]);
         Ok(Action {
-            m_b: plane::cross(k, on_boom).def(&s::M_B),
+            m_b: plane::cross(k, on_boom).def(&s::M_UR),
             u_5: (d.g_c * c.y).def(&s::U_5),
             y_5: Some(c.y),
             on_boom,
             on_pivot: Some(plane::def(
                 Point::new(on_boom.x, on_boom.y + d.g_c),
-                [&s::F_PX, &s::F_PY],
+                [&s::F_MX, &s::F_MY],
             )),
             n_1: Some(n_1),
             lever: None,

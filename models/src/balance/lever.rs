@@ -13,7 +13,7 @@ use crate::parts::plane::{self, Point};
 
 quantities! {
     /// Lengths (m), angles (rad) and the counterweight's moment (N·m).
-    Dimensions { d_1: D_1, delta_1: DELTA_1, r_1: R_K, alpha_1: ALPHA_K, l_1: L_K, lever: R_L, chi_5: CHI_5, m_5: M_5 }
+    Dimensions { d_1: D_1, delta_1: DELTA_1, r_1: R_K, alpha_1: ALPHA_K, l_1: L_1, lever: R_L, chi_5: CHI_5, m_5: M_5 }
 }
 
 /// The linkage, at no particular position.
@@ -62,7 +62,7 @@ impl<C: Calc> Lever<C> {
             let shortest = ((frame - crank).abs() - arm).max(arm - frame - crank).max(0.0);
             let allowed = [shortest, frame + crank + arm];
             OutOfRange::new(
-                &s::L_K,
+                &s::L_1,
                 d.l_1.value(),
                 allowed,
                 "the balance linkage closes at no angle of the boom",
@@ -139,18 +139,18 @@ impl<C: Calc> Lever<C> {
         let psi = self.psi(follower);
         let (sin, cos) = psi.sin_cos();
         let about_pivot = d.m_5 * cos;
-        let m_b = (-(about_pivot * i_5)).def(&s::M_B);
+        let m_b = (-(about_pivot * i_5)).def(&s::M_UR);
         let n_1 = (-(about_pivot / h_5)).def(&s::N_1);
         let pull = Point::new(n_1 * coupler.x / d.l_1, n_1 * coupler.y / d.l_1);
         let on_boom = plane::def(pull, [&s::F_KX, &s::F_KY]);
         let on_pivot = self
             .s_5
-            .map(|s_5| plane::def(Point::new(on_boom.x, on_boom.y + d.m_5 / s_5), [&s::F_PX, &s::F_PY]));
+            .map(|s_5| plane::def(Point::new(on_boom.x, on_boom.y + d.m_5 / s_5), [&s::F_MX, &s::F_MY]));
         let gamma = C::direction(plane::dot(coupler, follower).abs(), (area / two).abs()).def(&s::GAMMA);
         Ok(Action {
             m_b,
             u_5: (d.m_5 * sin).def(&s::U_5),
-            y_5: self.s_5.map(|s_5| (self.pivot.y + s_5 * sin).def(&s::C_Y)),
+            y_5: self.s_5.map(|s_5| (self.pivot.y + s_5 * sin).def(&s::C_5Y)),
             on_boom,
             on_pivot,
             n_1: Some(n_1),
@@ -179,9 +179,9 @@ static NAMES: Names = Names {
     crank: [&s::K_X, &s::K_Y],
     diagonal: [&s::A_1X, &s::A_1Y],
     diagonal_length: &s::A_1,
-    stretched_margin: &s::SIGMA_S,
-    folded_margin: &s::SIGMA_F,
+    stretched_margin: &s::SIGMA_S1,
+    folded_margin: &s::SIGMA_F1,
     area: &s::K_1,
-    follower: [&s::R_LX, &s::R_LY],
-    coupler: [&s::L_KX, &s::L_KY],
+    follower: [&s::R_1X, &s::R_1Y],
+    coupler: [&s::L_1X, &s::L_1Y],
 };

@@ -53,7 +53,7 @@ impl<C: Calc> Parallelogram<C> {
     pub fn at(&self, phi: C) -> Result<Action<C>, OutOfRange> {
         let k = joint(phi, self.r_1, self.alpha_1);
         let (sin, cos) = self.delta_1.sin_cos();
-        let rod = plane::def(Point::new(self.d_1 * cos, self.d_1 * sin), [&s::L_KX, &s::L_KY]);
+        let rod = plane::def(Point::new(self.d_1 * cos, self.d_1 * sin), [&s::L_1X, &s::L_1Y]);
         let h_1 = (plane::cross(k, rod) / self.d_1).def(&s::H_1);
         if h_1.value().abs() <= 4.0 * f64::EPSILON * self.r_1.value() {
             let what = "the rod points at the boom foot: a dead point";
@@ -61,12 +61,12 @@ impl<C: Calc> Parallelogram<C> {
         }
         let psi = self.psi(phi);
         let (sin, cos) = psi.sin_cos();
-        let y_5 = (self.r_c * sin).def(&s::C_Y);
-        let m_b = (-(self.g_c * self.r_c * cos)).def(&s::M_B);
+        let y_5 = (self.r_c * sin).def(&s::C_5Y);
+        let m_b = (-(self.g_c * self.r_c * cos)).def(&s::M_UR);
         let n_1 = (m_b / h_1).def(&s::N_1);
         let pull = Point::new(n_1 * rod.x / self.d_1, n_1 * rod.y / self.d_1);
         let on_boom = plane::def(pull, [&s::F_KX, &s::F_KY]);
-        let on_pivot = plane::def(Point::new(on_boom.x, on_boom.y + self.g_c), [&s::F_PX, &s::F_PY]);
+        let on_pivot = plane::def(Point::new(on_boom.x, on_boom.y + self.g_c), [&s::F_MX, &s::F_MY]);
         let gamma = C::direction(plane::dot(k, rod).abs(), plane::cross(k, rod).abs()).def(&s::GAMMA);
         Ok(Action {
             m_b,

@@ -21,7 +21,7 @@ const KINDS: &[&str] = &["tail", "parallelogram", "lever", "straight_rail", "cur
 /// Keys of `[luffing.balance]`; which quantities are needed depends on the kind.
 pub static KEYS: &[Key] = keys! { s:
     G_C [or_mass, optional], R_C >= 0 [optional], CHI_C [optional], D_1 > 0 [optional], DELTA_1 [optional],
-    R_K > 0 [optional], ALPHA_K [optional], L_K > 0 [optional], R_L > 0 [optional], CHI_5 [optional],
+    R_K > 0 [optional], ALPHA_K [optional], L_1 > 0 [optional], R_L > 0 [optional], CHI_5 [optional],
     M_5 >= 0 [optional], S_5 > 0 [optional], H_X [optional], H_Y [optional], LAMBDA >= 0 [optional],
     L_R > 0 [optional], Y_0 [optional], PHI_0 [optional];
     Key::new(
@@ -38,7 +38,7 @@ static PUBLISHED: &[Key] = &[
     Key::new("source", Kind::Text, "Where the results are printed."),
     Key::quantity(&s::DM_MAX, Sign::NotNegative).optional(),
     Key::quantity(&s::DM_5_MAX, Sign::NotNegative).optional(),
-    Key::quantity(&s::E_ABS, Sign::NotNegative).optional(),
+    Key::quantity(&s::E, Sign::NotNegative).optional(),
     Key::quantity(&s::GAMMA_MIN, Sign::NotNegative).optional(),
     Key::quantity(&s::N_MAX, Sign::NotNegative).optional(),
 ];
@@ -79,9 +79,9 @@ impl<C: Copy> Form<C> {
             turns
         } else if is(&[&s::N_1, &s::N_MAX]) {
             pulls
-        } else if is(&[&s::C_Y, &s::TRAVEL]) {
+        } else if is(&[&s::C_5Y, &s::DELTA_Y_5]) {
             heavy
-        } else if is(&[&s::F_PX, &s::F_PY]) {
+        } else if is(&[&s::F_MX, &s::F_MY]) {
             pulls && heavy
         } else {
             true

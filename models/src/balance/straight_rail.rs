@@ -51,15 +51,15 @@ impl<C: Calc> StraightRail<C> {
         let h_1 = (plane::cross(k, rope) / s_r).def(&s::H_1);
         let pull = Point::new(n_1 * rope.x / s_r, n_1 * rope.y / s_r);
         let on_boom = plane::def(pull, [&s::F_KX, &s::F_KY]);
-        let y_5 = (s_r * sin).def(&s::C_Y);
+        let y_5 = (s_r * sin).def(&s::C_5Y);
         Ok(Action {
-            m_b: (n_1 * h_1).def(&s::M_B),
+            m_b: (n_1 * h_1).def(&s::M_UR),
             u_5: (self.g_c * y_5).def(&s::U_5),
             y_5: Some(y_5),
             on_boom,
             on_pivot: Some(plane::def(
                 Point::new(on_boom.x + n_1 * cos, on_boom.y + n_1 * sin),
-                [&s::F_PX, &s::F_PY],
+                [&s::F_MX, &s::F_MY],
             )),
             n_1: Some(n_1),
             lever: None,

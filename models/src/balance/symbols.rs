@@ -22,7 +22,7 @@ symbols! {
     DELTA_1: "delta_1" "delta_1" RAD / DEG, "Direction from the boom foot to the lever's pivot.", "[Balance004, Fig. 2]";
     R_K: "r_1" "r_1" M / M [positive], "Distance of the rod's or rope's joint on the boom from the boom foot.", "[Balance004, Fig. 2]";
     ALPHA_K: "alpha_K" "alpha_K" RAD / DEG, "Angle from the boom's axis to the joint on the boom, counter-clockwise positive; alpha_1 in the publication.", "[Balance004, Fig. 2]";
-    L_K: "l_1" "l_1" M / M [positive], "Length of the coupling rod.", "[Balance004, Fig. 2]";
+    L_1: "l_1" "l_1" M / M [positive], "Length of the coupling rod.", "[Balance004, Fig. 2]";
     R_L: "R_1" "R_1" M / M [positive], "Distance of the rod's joint on the lever from the lever's pivot.", "[Balance004, Fig. 2]";
     CHI_5: "chi_5" "chi_5" RAD / DEG, "Angle from the lever's rod arm to its counterweight arm, counter-clockwise positive.", "[Balance004, Fig. 2]";
     M_5: "M_5" "M_5" N_M / KN_M [not_negative, tunable], "Weight of the counterweight times its arm.", "[Balance004, eq. 2]";
@@ -49,13 +49,13 @@ symbols! {
     A_1X: "a_1.x" "a_(1 x)" M / M, "Diagonal from the lever's pivot to the joint on the boom, forward component.", "[Balance004, Fig. 2]";
     A_1Y: "a_1.y" "a_(1 y)" M / M, "Diagonal from the lever's pivot to the joint on the boom, upward component.", "[Balance004, Fig. 2]";
     A_1: "a_1" "a_1" M / M, "Diagonal from the lever's pivot to the joint on the boom.", "[Balance004, Fig. 2]";
-    SIGMA_S: "sigma_s1" "sigma_(s 1)" M2 / M2, "Margin to the stretched dead points of the balance linkage.", "derived";
-    SIGMA_F: "sigma_f1" "sigma_(f 1)" M2 / M2, "Margin to the folded dead points of the balance linkage.", "derived";
+    SIGMA_S1: "sigma_s1" "sigma_(s 1)" M2 / M2, "Margin to the stretched dead points of the balance linkage.", "derived";
+    SIGMA_F1: "sigma_f1" "sigma_(f 1)" M2 / M2, "Margin to the folded dead points of the balance linkage.", "derived";
     K_1: "K_1" "K_1" M2 / M2, "Four times the area of the triangle of diagonal, rod and lever; its sign is the branch of assembly.", "derived";
-    R_LX: "R_1.x" "R_(1 x)" M / M, "Lever's rod arm, forward component.", "[Balance004, Fig. 2]";
-    R_LY: "R_1.y" "R_(1 y)" M / M, "Lever's rod arm, upward component.", "[Balance004, Fig. 2]";
-    L_KX: "l_1.x" "l_(1 x)" M / M, "Coupling rod from boom to lever, forward component.", "[Balance004, Fig. 2]";
-    L_KY: "l_1.y" "l_(1 y)" M / M, "Coupling rod from boom to lever, upward component.", "[Balance004, Fig. 2]";
+    R_1X: "R_1.x" "R_(1 x)" M / M, "Lever's rod arm, forward component.", "[Balance004, Fig. 2]";
+    R_1Y: "R_1.y" "R_(1 y)" M / M, "Lever's rod arm, upward component.", "[Balance004, Fig. 2]";
+    L_1X: "l_1.x" "l_(1 x)" M / M, "Coupling rod from boom to lever, forward component.", "[Balance004, Fig. 2]";
+    L_1Y: "l_1.y" "l_(1 y)" M / M, "Coupling rod from boom to lever, upward component.", "[Balance004, Fig. 2]";
 
     // Results at one position.
     PSI: "psi" "psi" RAD / DEG, "Angle of the counterweight's arm above the horizontal.", "[Balance004, Fig. 2]";
@@ -64,10 +64,10 @@ symbols! {
     H_1: "h_1" "h_1" M / M, "Distance of the boom foot from the line of the rod; positive where a pull raises the boom.", "[Ports001, eq. 5.2.3]";
     H_5: "h_5" "h_5" M / M, "Distance of the lever's pivot from the line of the rod; where it has the sign of the boom's, lever and boom turn alike.", "[Ports001, eq. 5.2.4]";
     N_1: "N_1" "N_1" N / KN, "Force in the coupling rod or rope, tension positive.", "equilibrium";
-    C_X: "C_5.x" "x_5" M / M, "Counterweight, forward of the boom foot.", "[Ports001, 2.1]";
-    C_Y: "C_5.y" "y_5" M / M, "Counterweight, above the boom foot.", "[Ports001, 2.1]";
+    C_5X: "C_5.x" "x_5" M / M, "Counterweight, forward of the boom foot.", "[Ports001, 2.1]";
+    C_5Y: "C_5.y" "y_5" M / M, "Counterweight, above the boom foot.", "[Ports001, 2.1]";
     U_5: "U_5" "U_5" J / KJ, "Potential energy of the counterweight, up to a constant.", "derived";
-    M_B: "M_ur" "M_(u r)" N_M / KN_M, "Moment of the balance about the boom foot; positive raises the boom.", "[Balance004, eq. 2]";
+    M_UR: "M_ur" "M_(u r)" N_M / KN_M, "Moment of the balance about the boom foot; positive raises the boom.", "[Balance004, eq. 2]";
     DM: "dM" "Delta M" N_M / KN_M, "Residual moment about the boom foot; positive raises the boom.", "[Balance004, eq. 3]";
     M_SUM: "M_sum" "M_Sigma" N_M / KN_M, "Total moment of load, weights and balance about the boom foot; positive raises the boom.", "equilibrium";
     M_D_0: "M_D_0" "M_(D 0)" N_M / KN_M, "Moment that the drive would have to give to the driven bar without the balance.", "virtual work";
@@ -75,8 +75,8 @@ symbols! {
     DM_5: "dM_5" "Delta M_5" N_M / KN_M [infinite("where the lever comes to rest")], "Residual moment about the lever's pivot, of the same power as the one about the boom foot.", "[Ports001, eq. 5.2.6]";
     F_KX: "F_K.x" "F_(K x)" N / KN, "Force of the balance on the boom, forward component.", "equilibrium";
     F_KY: "F_K.y" "F_(K y)" N / KN, "Force of the balance on the boom, upward component.", "equilibrium";
-    F_PX: "F_M.x" "F_(M x)" N / KN, "Force of the frame on the lever's pivot, guide pulley or rail, forward component.", "equilibrium";
-    F_PY: "F_M.y" "F_(M y)" N / KN, "Force of the frame on the lever's pivot, guide pulley or rail, upward component.", "equilibrium";
+    F_MX: "F_M.x" "F_(M x)" N / KN, "Force of the frame on the lever's pivot, guide pulley or rail, forward component.", "equilibrium";
+    F_MY: "F_M.y" "F_(M y)" N / KN, "Force of the frame on the lever's pivot, guide pulley or rail, upward component.", "equilibrium";
     S_R: "s_r" "s_r" M / M, "Rope from the joint on the boom to the guide pulley.", "[Ports001, 2.1.4]";
     W_R: "w_r" "w_r" M / M, "Horizontal projection of the trolley's rope.", "[Ports001, 2.1.5]";
     T_Y: "t.y" "t_y" M / M, "Rise of the trolley for one radian of the boom.", "derived";
@@ -84,11 +84,11 @@ symbols! {
     // Results of the working range.
     DM_MAX: "dM_max" "abs(Delta M)_max" N_M / KN_M [not_negative], "Greatest residual moment about the boom foot, by amount.", "[Balance004, F1]";
     DM_5_MAX: "dM_5_max" "abs(Delta M_5)_max" N_M / KN_M [not_negative, infinite("where the lever comes to rest")], "Greatest residual moment about the lever's pivot, by amount.", "[Ports001, eq. 5.2.6]";
-    E_ABS: "E" "E" J / KJ [not_negative], "Integral of the amount of the residual moment over the working range.", "[Balance004, F2]";
+    E: "E" "E" J / KJ [not_negative], "Integral of the amount of the residual moment over the working range.", "[Balance004, F2]";
     E_PLUS: "E_plus" "E_(+)" J / KJ [not_negative], "Integral of the residual moment where it raises the boom, over the working range.", "[Balance004, F2]";
     GAMMA_MIN: "gamma_min" "gamma_min" RAD / DEG [from_to(0.0, FRAC_PI_2)], "Smallest transmission angle of the working range.", "[Balance004, F3]";
     N_MAX: "N_max" "abs(N_1)_max" N / KN [not_negative], "Greatest force in the rod or rope, by amount.", "derived";
-    TRAVEL: "Delta_y_5" "Delta y_5" M / M [not_negative], "Difference of the counterweight's greatest and smallest height.", "[Ports001, eq. 5.2.1]";
+    DELTA_Y_5: "Delta_y_5" "Delta y_5" M / M [not_negative], "Difference of the counterweight's greatest and smallest height.", "[Ports001, eq. 5.2.1]";
     M_PLUS: "M_plus" "M^+" N_M / KN_M, "Least residual moment that turns the boom inwards at both ends.", "[Balance004, eq. 6-7]";
     DM_50: "dM_50" "abs(Delta M)_50" N_M / KN_M, "Residual that half of all builds stay below.", "derived";
     DM_95: "dM_95" "abs(Delta M)_95" N_M / KN_M, "Residual that 95 % of all builds stay below.", "derived";

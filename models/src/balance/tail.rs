@@ -37,10 +37,10 @@ impl<C: Calc> Tail<C> {
     pub fn at(&self, phi: C) -> Action<C> {
         let psi = self.psi(phi);
         let (sin, cos) = psi.sin_cos();
-        let y_5 = (self.r_c * sin).def(&s::C_Y);
+        let y_5 = (self.r_c * sin).def(&s::C_5Y);
         let nothing = C::constant(0.0) * self.g_c;
         Action {
-            m_b: (-(self.g_c * self.r_c * cos)).def(&s::M_B),
+            m_b: (-(self.g_c * self.r_c * cos)).def(&s::M_UR),
             u_5: (self.g_c * y_5).def(&s::U_5),
             y_5: Some(y_5),
             on_boom: plane::def(Point::new(nothing, -self.g_c), [&s::F_KX, &s::F_KY]),

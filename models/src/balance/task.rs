@@ -376,7 +376,7 @@ fn dimension_bounds(
         delta_1,
         r_1: given(&s::R_K).unwrap_or(over(R_1)),
         alpha_1: angle(&s::ALPHA_K, 2.0 * FRAC_PI_2),
-        l_1: given(&s::L_K).unwrap_or(over(L_1)),
+        l_1: given(&s::L_1).unwrap_or(over(L_1)),
         lever: given(&s::R_L).unwrap_or(over(LEVER)),
         chi_5: angle(&s::CHI_5, 2.0 * FRAC_PI_2),
         m_5: given(&s::M_5).unwrap_or([0.1 * m_5, m_5]),

@@ -147,11 +147,11 @@ pub struct Criteria<C> {
 results! { Criteria as c => {
     DM_MAX: c.dm_max;
     DM_5_MAX: c.dm_5_max.ok_or_else(absent)?;
-    E_ABS: c.e_abs;
+    E: c.e_abs;
     E_PLUS: c.e_plus;
     GAMMA_MIN: c.gamma_min.ok_or_else(absent)?;
     N_MAX: c.n_max.ok_or_else(absent)?;
-    TRAVEL: c.travel.ok_or_else(absent)?;
+    DELTA_Y_5: c.travel.ok_or_else(absent)?;
 } }
 
 impl<C: Calc> Criteria<C> {

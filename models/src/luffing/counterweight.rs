@@ -91,7 +91,7 @@ impl BalancedBoom<'_> {
         [
             reach,
             &b::M_0,
-            &b::M_B,
+            &b::M_UR,
             &b::DM,
             &b::DM_5,
             &b::PSI,
@@ -106,7 +106,7 @@ impl BalancedBoom<'_> {
         let coordinate = self.coordinate;
         let mut list = vec![
             ("balance_M_0", coordinate, &b::M_0),
-            ("balance_M_ur", coordinate, &b::M_B),
+            ("balance_M_ur", coordinate, &b::M_UR),
             ("balance_dM", coordinate, &b::DM),
             ("balance_dM_reach", self.symbols[1], &b::DM),
             ("balance_N_1", coordinate, &b::N_1),
@@ -216,11 +216,11 @@ fn criteria(found: &Analysis, coordinate: &'static Symbol) -> impl Iterator<Item
     let list = [
         at(&b::DM_MAX, Some(found.dm_max)),
         at(&b::DM_5_MAX, found.dm_5_max),
-        alone(&b::E_ABS, Some(found.e_abs)),
+        alone(&b::E, Some(found.e_abs)),
         alone(&b::E_PLUS, Some(found.e_plus)),
         at(&b::GAMMA_MIN, found.gamma_min),
         at(&b::N_MAX, found.n_max),
-        alone(&b::TRAVEL, found.y_5.map(|[low, high]| high.value - low.value)),
+        alone(&b::DELTA_Y_5, found.y_5.map(|[low, high]| high.value - low.value)),
     ];
     list.into_iter().flatten()
 }

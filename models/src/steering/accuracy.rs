@@ -10,7 +10,7 @@ use crate::steering::symbols as s;
 
 quantities! {
     /// Step of the encoder (rad), and stroke of a cylinder that the valve's dead band leaves (m).
-    Accuracy { step: Q_E, dead_band: B_V }
+    Accuracy { step: RESOLUTION, dead_band: DEAD_BAND }
 }
 
 impl<C: Calc> Accuracy<C> {

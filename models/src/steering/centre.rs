@@ -82,7 +82,7 @@ pub struct TurningPole<C> {
 results! { TurningPole as p => {
     O_X: p.at.x;
     O_Y: p.at.y;
-    O_FAR: C::constant(f64::from(p.far));
+    O_AT_INFINITY: C::constant(f64::from(p.far));
     R_O: p.radius;
 } }
 

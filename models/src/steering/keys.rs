@@ -29,8 +29,8 @@ pub static KEYS: &[Key] = &[
     Key::new("command", Kind::Choice(&COMMANDS), "What commands front_axle, rear_axle and all_wheel; without it the angle of the base group, which is the first one.").optional(),
     Key::new("corner", Kind::Choice(&CORNERS), "About which corner of the outline the mode corner turns.").optional(),
     Key::quantity(&s::R_T, Sign::Any).optional(),
-    Key::quantity(&s::O_CX, Sign::Any).optional(),
-    Key::quantity(&s::O_CY, Sign::Any).optional(),
+    Key::quantity(&s::X_C, Sign::Any).optional(),
+    Key::quantity(&s::Y_C, Sign::Any).optional(),
     Key::new("groups", Kind::Tables(GROUP, GROUPS[1]), "The steered groups; the first one is the base group, whose angle commands."),
     Key::part("outline", OUTLINE, "Outline of the machine; without it as far as the groups reach."),
     Key::part("load", LOAD, "Weight and centre of gravity, where the groups do not give their loads."),
@@ -54,8 +54,8 @@ pub static KEYS: &[Key] = &[
 ];
 
 static GROUP: &[Key] = &[
-    Key::quantity(&s::X_I, Sign::Any),
-    Key::quantity(&s::Y_I, Sign::Any),
+    Key::quantity(&s::X, Sign::Any),
+    Key::quantity(&s::Y, Sign::Any),
     Key::weight(&s::G).optional(),
     angle("min", &s::THETA_MIN).optional(),
     angle("max", &s::THETA_MAX).optional(),
@@ -118,10 +118,10 @@ static CATALOGUE: &[Key] = &[
 
 static CYLINDER: &[Key] = keys! { s: R_C > 0, ALPHA, L_X > 0, L_A >= 0, D_G > 0, D > 0 };
 
-static ACCURACY: &[Key] = keys! { s: Q_E >= 0, B_V >= 0, SLIP_LIMIT > 0 [optional] };
+static ACCURACY: &[Key] = keys! { s: RESOLUTION >= 0, DEAD_BAND >= 0, SLIP_LIMIT > 0 [optional] };
 
 static TRANSITION: &[Key] = &[
-    Key::quantity(&s::V_CX, Sign::Positive),
+    Key::quantity(&s::V_C_MAX, Sign::Positive),
     Key::new(
         "from",
         Kind::Choice(&MODES),
@@ -137,7 +137,7 @@ static TRANSITION: &[Key] = &[
     SOURCE,
 ];
 
-static HYDRAULICS: &[Key] = keys! { s: P > 0, N > 0, ETA > 0, K_R > 0, E > 0, NU > 0 };
+static HYDRAULICS: &[Key] = keys! { s: P > 0, N > 0, ETA_V > 0, K_R > 0, E > 0, NU > 0 };
 
 /// A quantity under a name of its own.
 const fn angle(name: &'static str, symbol: &'static Symbol) -> Key {

@@ -15,7 +15,7 @@ pub const NEAREST: f64 = 1e-3;
 
 quantities! {
     /// Axis of a steered group, in m.
-    Axis { x: X_I, y: Y_I }
+    Axis { x: X, y: Y }
 }
 
 impl<C: Calc> Axis<C> {
@@ -62,7 +62,7 @@ impl<C: Calc> Machine<C> {
         let left = outermost(|p| p.y, C::greater).named(&s::Y_L);
         let right = outermost(|p| p.y, C::smaller).named(&s::Y_R);
         let two = C::constant(2.0);
-        let middle = Point::new(((front + rear) / two).def(&s::X_M), ((left + right) / two).def(&s::Y_M));
+        let middle = Point::new(((front + rear) / two).def(&s::M_X), ((left + right) / two).def(&s::M_Y));
         let [e_f, e_r, e_left, e_right] = match outline.0 {
             Some([front, rear, left, right]) => [
                 C::known(&s::E_F, front),

@@ -82,7 +82,7 @@ group!(Corner as s::CORNER: |number| Corner(number as usize - 1), |corner| (1 + 
 
 quantities! {
     /// The turning centre that is asked for, in m.
-    Wanted { x: O_CX, y: O_CY }
+    Wanted { x: X_C, y: Y_C }
 }
 
 /// What is asked of a mode.

@@ -54,8 +54,8 @@ pub struct Followed<C> {
 results! { Followed as f => {
     THETA_BN: f.theta_b;
     R_TN: f.r_t;
-    O_NX: f.wanted.x;
-    O_NY: f.wanted.y;
+    X_C_N: f.wanted.x;
+    Y_C_N: f.wanted.y;
 } }
 
 impl Followed<f64> {

@@ -84,7 +84,7 @@ impl Parts {
         };
         self.section("stroke", || {
             let cylinder = cylinder.map(&mut { of });
-            let _ = cylinder.stroke_margins(of(&s::R_LONG, longest), of(&s::R_SHORT, shortest));
+            let _ = cylinder.stroke_margins(of(&s::R_MAX, longest), of(&s::R_MIN, shortest));
         });
         let Some((load, tyre)) = load.zip(given.tyre) else {
             return;
@@ -107,7 +107,7 @@ impl Parts {
         });
         if let Some((symbol, flow)) = pumped {
             self.section("pump", || {
-                let _ = pump(of(symbol, flow), of(&s::N, h.n), of(&s::ETA, h.eta));
+                let _ = pump(of(symbol, flow), of(&s::N, h.n), of(&s::ETA_V, h.eta));
                 let _ = relief(of(&s::P, h.p), of(&s::K_R, h.k_r));
             });
         }
@@ -115,7 +115,7 @@ impl Parts {
             let _ = buckling(&Rod {
                 e: of(&s::E, h.e),
                 d: of(&s::D, piston.d),
-                l_k: of(&s::R_LONG, longest),
+                l_k: of(&s::R_MAX, longest),
                 nu: of(&s::NU, h.nu),
             });
         });

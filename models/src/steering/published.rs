@@ -16,7 +16,7 @@ use crate::steering::symbols as s;
 
 quantities! {
     /// The paper's layout: track, half the distance between the inner and between the outer axles, in m.
-    Layout { s_t: S_T, l_1: L_1, l_2: L_2 }
+    Layout { s_t: S, l_1: L_1, l_2: L_2 }
 }
 
 impl<C: Calc> Layout<C> {

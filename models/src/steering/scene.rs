@@ -96,8 +96,8 @@ impl SteeringScene {
         (given.theta_b.1, given.omega_s.1, given.v_t.1) = (motion.from, motion.speed, n(m, &s::V_T)?);
         given.r_t.1 = radius;
         given.wanted = Wanted {
-            x: n(v, &s::O_CX).unwrap_or(machine.middle.x),
-            y: n(v, &s::O_CY).unwrap_or(machine.middle.y + radius),
+            x: n(v, &s::X_C).unwrap_or(machine.middle.x),
+            y: n(v, &s::Y_C).unwrap_or(machine.middle.y + radius),
         };
         let drawn = drawn(v, given.mode, found);
         let moving = MovingGroups::new(v, found).unwrap_or_else(|refusal| {

@@ -128,7 +128,7 @@ impl Described for SteeringScene {
                 .forbidden
                 .iter()
                 .flatten()
-                .zip([&s::BARRED_FROM, &s::BARRED_TO].into_iter().cycle());
+                .zip([&s::FORBIDDEN_FROM, &s::FORBIDDEN_TO].into_iter().cycle());
             ends.map(move |(value, symbol)| Input {
                 symbol,
                 number: Some(number),

@@ -26,7 +26,7 @@ quantities! {
     /// Oil supply: working pressure (Pa), speed (1/s) and volumetric efficiency of
     /// the pump, relief valve's pressure over the working pressure; Young's modulus
     /// (Pa) and safety factor of the rod against buckling.
-    Hydraulics { p: P, n: N, eta: ETA, k_r: K_R, e: E, nu: NU }
+    Hydraulics { p: P, n: N, eta: ETA_V, k_r: K_R, e: E, nu: NU }
 }
 
 /// Bore, in m, that pulls with `f_g` (N) at the pressure `p` (Pa) around a rod of

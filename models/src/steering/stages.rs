@@ -66,7 +66,7 @@ stages! {
         turn: C = travel::turn(centre, scale) => OMEGA;
         travel: Point<C> = travel::middle(machine, centre, scale) => [V_MX, V_MY];
         slope: Option<Centre<C>> = commanding::slope(mode, machine, command) => _;
-        rates[each axes]: Vec<C> = travel::steering(axes[each], rollings[each], slope, omega_s) => OMEGA_I;
+        rates[each axes]: Vec<C> = travel::steering(axes[each], rollings[each], slope, omega_s) => THETA_DOT;
         poses[each axes]: Vec<Pose<C>> = pose(linkages[each], wheels[each]);
         drags[each loads]: Vec<Drag<C>> = Drag::new(tyre[!], bearing, loads[each]);
         forces[each loads]: Vec<C> = load::standing(drags[each], poses[each]) => F_G;
@@ -112,7 +112,7 @@ impl Component for SteeredGroups {
     const PORTS: &'static [Port] = ports! { s:
         machine "Motion of the machine's middle.": v_x V_MX, v_y V_MY, w OMEGA;
         group "A steered group, and the cylinder that turns it.":
-            phi THETA, phi_set THETA_S, w OMEGA_I, v_roll V, v_roll_set V_S, f_z G, s L_C, v V_C, f F_G, q Q_G;
+            phi THETA, phi_set THETA_S, w THETA_DOT, v_roll V, v_roll_set V_S, f_z G, s L_C, v V_C, f F_G, q Q_G;
     };
 
     fn update(known: &mut Known<f64>) -> Found<()> {

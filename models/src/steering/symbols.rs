@@ -45,13 +45,13 @@ symbols! {
     // Command and motion.
     THETA_B: "theta_b" "theta_b" RAD / DEG [from_to(-PI, PI)], "Commanded angle of the base group, counter-clockwise from straight ahead.", "[Zhang2016, 2]";
     R_T: "R_t" "R_t" M / M, "Commanded radius: from the machine's middle line to the turning centre, left positive.", "derived";
-    O_CX: "x_c" "x_(O c)" M / M, "Commanded turning centre, forward.", "input";
-    O_CY: "y_c" "y_(O c)" M / M, "Commanded turning centre, to the left.", "input";
+    X_C: "x_c" "x_(O c)" M / M, "Commanded turning centre, forward.", "input";
+    Y_C: "y_c" "y_(O c)" M / M, "Commanded turning centre, to the left.", "input";
     MODE: "mode" "m" ONE / ONE [one_of(&MODES)], "Travel mode.", "[Zhang2016, 2]";
     COMMAND: "command" "k_c" ONE / ONE [one_of(&COMMANDS)], "What commands front-axle, rear-axle and all-wheel steering.", "input";
     CORNER: "corner" "k_e" ONE / ONE [one_of(&CORNERS)], "Corner of the outline about which the mode corner turns.", "input";
-    X_I: "x" "x_i" M / M [from_to(-FARTHEST, FARTHEST)], "Axis of a steered group, forward.", "input";
-    Y_I: "y" "y_i" M / M [from_to(-FARTHEST, FARTHEST)], "Axis of a steered group, to the left.", "input";
+    X: "x" "x_i" M / M [from_to(-FARTHEST, FARTHEST)], "Axis of a steered group, forward.", "input";
+    Y: "y" "y_i" M / M [from_to(-FARTHEST, FARTHEST)], "Axis of a steered group, to the left.", "input";
     X_B: "x_b" "x_B" M / M, "Axis of the base group, forward.", "input";
     Y_B: "y_b" "y_B" M / M, "Axis of the base group, to the left.", "input";
     X_F: "x_F" "x_F" M / M, "Foremost axle line.", "derived";
@@ -64,8 +64,8 @@ symbols! {
     E_RIGHT: "e_right" "y_(e R)" M / M, "Right side of the machine's outline.", "input";
     THETA_MIN: "theta_min" "theta_min" RAD / DEG, "Greatest angle that a group turns clockwise, negative.", "input";
     THETA_MAX: "theta_max" "theta_max" RAD / DEG, "Greatest angle that a group turns counter-clockwise.", "input";
-    BARRED_FROM: "forbidden_from" "theta_(f i)" RAD / DEG, "Start of a range of angles through which a group must not turn.", "input";
-    BARRED_TO: "forbidden_to" "theta_(g i)" RAD / DEG, "End of this range.", "input";
+    FORBIDDEN_FROM: "forbidden_from" "theta_(f i)" RAD / DEG, "Start of a range of angles through which a group must not turn.", "input";
+    FORBIDDEN_TO: "forbidden_to" "theta_(g i)" RAD / DEG, "End of this range.", "input";
     OMEGA_S: "omega_s" "omega_s" RAD_PER_S / DEG_PER_S, "Steering speed: rate of the commanded angle.", "input";
     V_T: "v_t" "v_t" M_PER_S / M_PER_MIN, "Travel speed: that of the fastest group; positive travels forward.", "input";
     THETA: "theta" "theta_i" RAD / DEG, "Heading of a group, counter-clockwise from straight ahead.", "[Zhang2016, eq. 1-9]";
@@ -78,17 +78,17 @@ symbols! {
     UD_Y: "u_d.y" "u'_(y i)" M / M, "Change of the rolling direction with the commanded angle, to the left.", "derived";
     C_I: "c_i" "c_i" ONE / ONE, "Cosine of a group's heading.", "derived";
     S_I: "s_i" "s_i" ONE / ONE, "Sine of a group's heading.", "derived";
-    OMEGA_I: "theta_dot" "omega_i" RAD_PER_S / DEG_PER_S, "Rate of a group's angle while the commanded angle moves at the steering speed.", "derived";
+    THETA_DOT: "theta_dot" "omega_i" RAD_PER_S / DEG_PER_S, "Rate of a group's angle while the commanded angle moves at the steering speed.", "derived";
     MARGIN: "margin" "Delta theta" RAD / DEG, "Smallest angle that is left between a group and an end of its range; negative beyond it.", "derived";
     REACHABLE: "reachable" "r" ONE / ONE [boolean], "Whether every group can stand as commanded.", "derived";
     OMEGA: "omega" "omega" RAD_PER_S / DEG_PER_S, "Angular velocity of the machine, counter-clockwise positive.", "rigid body";
     V_MX: "v_M.x" "v_(M x)" M_PER_S / M_PER_MIN, "Velocity of the machine's middle, forward.", "rigid body";
     V_MY: "v_M.y" "v_(M y)" M_PER_S / M_PER_MIN, "Velocity of the machine's middle, to the left.", "rigid body";
-    X_M: "M.x" "x_M" M / M, "Middle between foremost and rearmost axle line.", "derived";
-    Y_M: "M.y" "y_M" M / M, "Middle between the outermost groups to the left and to the right.", "derived";
+    M_X: "M.x" "x_M" M / M, "Middle between foremost and rearmost axle line.", "derived";
+    M_Y: "M.y" "y_M" M / M, "Middle between the outermost groups to the left and to the right.", "derived";
     O_X: "O.x" "x_O" M / M [infinite("where the machine does not turn")], "Turning centre, forward.", "[Zhang2016, Fig. 3]";
     O_Y: "O.y" "y_O" M / M [infinite("where the machine does not turn")], "Turning centre, to the left.", "[Zhang2016, Fig. 3]";
-    O_FAR: "O.at_infinity" "O_infinity" ONE / ONE [boolean], "Whether the turning centre lies at infinity.", "derived";
+    O_AT_INFINITY: "O.at_infinity" "O_infinity" ONE / ONE [boolean], "Whether the turning centre lies at infinity.", "derived";
     R_O: "R_O" "R_O" M / M [infinite("where the machine does not turn")], "Turning radius: distance of the turning centre from the machine's middle.", "derived";
     R_IN: "R_in" "R_1" M / M [not_negative, infinite("where the machine does not turn")], "Inner radius of the lane that the outline sweeps.", "rigid body";
     R_OUT: "R_out" "R_2" M / M [not_negative, infinite("where the machine does not turn")], "Outer radius of the lane that the outline sweeps.", "rigid body";
@@ -97,8 +97,8 @@ symbols! {
     FROM: "from" "theta_a" RAD / DEG, "Commanded angle at the start of the working range.", "input";
     TO: "to" "theta_e" RAD / DEG, "Commanded angle at the end of the working range.", "input";
     DELTA: "delta" "delta_i" RAD / DEG, "Greatest error of a group's angle.", "derived";
-    Q_E: "resolution" "q_e" RAD / DEG [from_to(0.0, 0.2)], "Step of the encoders of the groups' angles.", "input";
-    B_V: "dead_band" "b_v" M / MM [from_to(0.0, 1.0)], "Stroke by which a cylinder may be wrong before its valve opens.", "input";
+    RESOLUTION: "resolution" "q_e" RAD / DEG [from_to(0.0, 0.2)], "Step of the encoders of the groups' angles.", "input";
+    DEAD_BAND: "dead_band" "b_v" M / MM [from_to(0.0, 1.0)], "Stroke by which a cylinder may be wrong before its valve opens.", "input";
     SLIP_LIMIT: "slip_limit" "sigma_lim" ONE / PERCENT, "Slip that is allowed.", "input";
     SLIP_ALONE: "slip_alone" "sigma_(0 i)" ONE / PERCENT, "Slip of a group by its own error alone, were the machine to keep its motion.", "derived";
     SLIP: "slip" "sigma_i" ONE / PERCENT, "Slip of a group: its greatest sideways speed over the travel speed, for all signs of the angle errors.", "least squares";
@@ -108,10 +108,10 @@ symbols! {
     // Out of reach, and from mode to mode.
     THETA_BN: "theta_b_n" "theta_(b n)" RAD / DEG, "Angle that all groups can follow and that is nearest to the commanded one, or to the direction of travel of the modes straight and crosswise.", "derived";
     R_TN: "R_t_n" "R_(t n)" M / M, "Radius that all groups can follow and that is nearest to the commanded one.", "derived";
-    O_NX: "x_c_n" "x_(O n)" M / M, "Turning centre that all groups can follow and that is nearest to the commanded one, to the middle or to the corner, forward.", "derived";
-    O_NY: "y_c_n" "y_(O n)" M / M, "The same, to the left.", "derived";
+    X_C_N: "x_c_n" "x_(O n)" M / M, "Turning centre that all groups can follow and that is nearest to the commanded one, to the middle or to the corner, forward.", "derived";
+    Y_C_N: "y_c_n" "y_(O n)" M / M, "The same, to the left.", "derived";
     THETA_N: "theta_n" "theta_(n i)" RAD / DEG, "Heading of a group at the nearest command that all groups can follow; straight ahead where there is none.", "derived";
-    V_CX: "v_c_max" "v_(c,max)" M_PER_S / MM_PER_S [above_to(0.0, 10.0)], "Speed limit of the steering cylinders.", "input";
+    V_C_MAX: "v_c_max" "v_(c,max)" M_PER_S / MM_PER_S [above_to(0.0, 10.0)], "Speed limit of the steering cylinders.", "input";
     V_C_WORK: "v_c_work" "v_(c,w)" M_PER_S / MM_PER_S, "Greatest speed of a cylinder in the working range at the steering speed.", "derived";
     THETA_S: "theta_s" "theta_(s i)" RAD / DEG, "Set point of a group's heading: after a change of mode it moves to the new one within the cylinders' speed limit.", "derived";
     V_S: "v_s" "v_(s i)" M_PER_S / M_PER_MIN, "Set point of a group's rolling speed along its set point of heading; zero while the machine must stand.", "derived";
@@ -123,7 +123,7 @@ symbols! {
 
     // The paper's layout.
     NUMBER: "number" "i" ONE / ONE, "Number of a group, in the order of the scene.", "input";
-    S_T: "S" "S" M / M, "Track: distance between the groups of the two sides.", "[Zhang2016, Fig. 3]";
+    S: "S" "S" M / M, "Track: distance between the groups of the two sides.", "[Zhang2016, Fig. 3]";
     L_1: "L_1" "L_1" M / M, "Half the distance between the inner axles.", "[Zhang2016, Fig. 3]";
     L_2: "L_2" "L_2" M / M, "Half the distance between the outer axles.", "[Zhang2016, Fig. 3]";
     THETA_1: "theta_1" "theta_1" RAD / DEG, "Angle of groups 1 and, with the opposite sign, 4.", "[Zhang2016, eq. 1, 7]";
@@ -171,8 +171,8 @@ symbols! {
     CT_X: "c_t.x" "x_(c i)" M / M, "Rod end of the cylinder with the group turned, forward of the group's axis.", "[Zhang2016, Fig. 6]";
     CT_Y: "c_t.y" "y_(c i)" M / M, "Rod end of the cylinder with the group turned, left of the group's axis.", "[Zhang2016, Fig. 6]";
     OD: "od" "d_(o i)" M / M, "Lever arm of a group's cylinder: dR/dtheta, positive where a push turns the group counter-clockwise.", "[Zhang2016, Fig. 6]";
-    R_LONG: "R_max" "R_max" M / M, "Greatest length of a cylinder over its group's range.", "[Zhang2016, 5.1]";
-    R_SHORT: "R_min" "R_min" M / M, "Smallest length of a cylinder over its group's range.", "[Zhang2016, 5.1]";
+    R_MAX: "R_max" "R_max" M / M, "Greatest length of a cylinder over its group's range.", "[Zhang2016, 5.1]";
+    R_MIN: "R_min" "R_min" M / M, "Smallest length of a cylinder over its group's range.", "[Zhang2016, 5.1]";
     OD_MIN: "od_min" "d_(o,min)" M / M, "Smallest lever arm of a cylinder over its group's range, by amount.", "[Zhang2016, 5.2]";
     M_OUT: "m_out" "m_1" M / MM, "Stroke left over when the cylinder is longest.", "[Zhang2016, 5.1]";
     M_IN: "m_in" "m_2" M / MM, "Stroke left over when the cylinder is shortest.", "[Zhang2016, 5.1]";
@@ -204,7 +204,7 @@ symbols! {
     A_G: "A_g" "A_(g i)" M2 / M2, "Working area of the cylinder: bore where it lengthens, annulus where it shortens.", "derived";
     Q_G: "q_g" "q_(g i)" M3_PER_S / L_PER_MIN, "Oil flow to a group's cylinder; negative where it shortens.", "derived";
     N: "n" "n" PER_S / PER_MIN [above_to(0.0, 200.0)], "Speed of the pump.", "input";
-    ETA: "eta_v" "eta_v" ONE / ONE [above_to(0.0, 1.0)], "Volumetric efficiency of the pump.", "input";
+    ETA_V: "eta_v" "eta_v" ONE / ONE [above_to(0.0, 1.0)], "Volumetric efficiency of the pump.", "input";
     V_P: "V_p" "V_p" M3 / CM3, "Displacement of the pump, per turn.", "derived";
     K_R: "k_r" "k_r" ONE / ONE [from_to(1.0, 2.0)], "Pressure of the relief valve over the working pressure.", "input";
     P_R: "p_r" "p_r" PA / MPA, "Pressure at which the relief valve opens.", "derived";

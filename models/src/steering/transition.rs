@@ -22,7 +22,7 @@ pub const SAME_STANCE: f64 = 1e-9;
 
 quantities! {
     /// Speed limit of the cylinders, in m/s.
-    Pace { speed: V_CX }
+    Pace { speed: V_C_MAX }
 }
 
 /// The motion of a machine about its turning centre as a unit vector: velocity of

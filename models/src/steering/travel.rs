@@ -43,5 +43,5 @@ pub fn steering<C: Calc>(axis: &Axis<C>, rolling: &Rolling<C>, slope: &Option<Ce
         true => change,
         false => plane::def(change, [&s::UD_X, &s::UD_Y]),
     };
-    (rate(rolling.along, change) * *omega_s).def(&s::OMEGA_I)
+    (rate(rolling.along, change) * *omega_s).def(&s::THETA_DOT)
 }

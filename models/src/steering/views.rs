@@ -66,7 +66,7 @@ pub fn view(steering: &Steering, built: &Built, mode: Mode) -> Option<View> {
         let command = match command {
             Command::Angle(theta) => vec![(&s::THETA_BN, theta)],
             Command::Radius(radius) => vec![(&s::R_TN, radius)],
-            Command::Centre(at) => vec![(&s::O_NX, at.x), (&s::O_NY, at.y)],
+            Command::Centre(at) => vec![(&s::X_C_N, at.x), (&s::Y_C_N, at.y)],
             Command::None | Command::Corner(_) => Vec::new(),
         };
         (mode.id(), command)

@@ -160,7 +160,7 @@ impl Compared {
             .map(&mut |symbol, value| rows.push((symbol, Some(value))));
         rows.extend([
             (&s::DM_MAX, of(&|w| Some(w.analysis.dm_max.value))),
-            (&s::E_ABS, of(&|w| Some(w.analysis.e_abs))),
+            (&s::E, of(&|w| Some(w.analysis.e_abs))),
             (&s::GAMMA_MIN, of(&|w| w.analysis.gamma_min.map(|e| e.value))),
             (&s::N_MAX, of(&|w| w.analysis.n_max.map(|e| e.value))),
             (&s::DM_50, of(&|w| w.spread.map(|spread| spread.median))),
@@ -191,7 +191,7 @@ fn worth(
         };
         Ok([phi, Residual::new(boom, &balance, phi)?.dm])
     });
-    let closes = |_| OutOfRange::new(&s::L_K, d.l_1, [0.0, f64::INFINITY], "does not close");
+    let closes = |_| OutOfRange::new(&s::L_1, d.l_1, [0.0, f64::INFINITY], "does not close");
     Ok(Worth {
         residual: residual.collect::<Result<_, OutOfRange>>()?,
         spread: Spread::new(builds, positions, &d, branch).ok(),

@@ -380,7 +380,7 @@ impl Problem {
         // Rod and rod arm must span every distance from lever's pivot to joint.
         let [shortest, longest] = [(far - d.lever).max(d.lever - near), near + d.lever];
         if shortest < longest {
-            OutOfRange::new(&s::L_K, d.l_1, [shortest, longest], what)
+            OutOfRange::new(&s::L_1, d.l_1, [shortest, longest], what)
         } else {
             OutOfRange::new(&s::R_L, d.lever, [0.5 * (far - near), f64::INFINITY], what)
         }

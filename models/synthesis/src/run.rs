@@ -120,7 +120,7 @@ fn best(
         Some(branch) => vec![branch],
         None => vec![Branch::Left, Branch::Right],
     };
-    let mut chosen: Result<(Problem, Found), OutOfRange> = Err(OutOfRange::new(&s::L_K, 0.0, [0.0, 0.0], ""));
+    let mut chosen: Result<(Problem, Found), OutOfRange> = Err(OutOfRange::new(&s::L_1, 0.0, [0.0, 0.0], ""));
     for branch in branches {
         let found = in_branch(boom, range, task, branch, threads, watch);
         let value = chosen.as_ref().map_or(f64::INFINITY, |(_, best)| best.value);

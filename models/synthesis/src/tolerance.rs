@@ -99,7 +99,7 @@ impl Spread {
         d: &Dimensions<f64>,
         branch: Branch,
     ) -> Result<Spread, OutOfRange> {
-        let fault = |what| OutOfRange::new(&s::L_K, d.l_1, POSITIVE, what);
+        let fault = |what| OutOfRange::new(&s::L_1, d.l_1, POSITIVE, what);
         let what = "the balance linkage does not close over the whole working range";
         let nominal = positions.evaluate(d, branch).map_err(|_| fault(what))?.dm_max;
         let all = builds.residuals(d, branch);

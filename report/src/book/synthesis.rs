@@ -206,7 +206,7 @@ fn objective(task: &Task) -> &'static Symbol {
     match task.criterion {
         _ if task.robust => &s::DM_95,
         Criterion::Residual => &s::DM_MAX,
-        Criterion::Energy => &s::E_ABS,
+        Criterion::Energy => &s::E,
         Criterion::RodForce => &s::N_MAX,
     }
 }

@@ -598,9 +598,9 @@ impl<P: Calc> Dynamics<P> {
         let pull = l * m.swing_rate.square();
         let coriolis = C::constant(2.0) * reel.rate * m.swing_rate;
         let square = m.omega.square();
-        let forward = dot(d, swing).def(&s::D_SWING);
-        let along = dot(d, inward).def(&s::D_INWARD);
-        let (bend, change) = (dot(d, dd).def(&s::BEND), dot(dd, swing).def(&s::D_SWING_CHANGE));
+        let forward = dot(d, swing).def(&s::D_PHI);
+        let along = dot(d, inward).def(&s::D_N);
+        let (bend, change) = (dot(d, dd).def(&s::Q_A), dot(dd, swing).def(&s::DD_PHI));
         let own = (mass * squared(d)).def(&s::M_11);
         let coupled = (mass * l * forward).def(&s::M_12);
         Swing {
@@ -613,8 +613,8 @@ impl<P: Calc> Dynamics<P> {
             },
             inertia: (any * l.square()).def(&s::M_22),
             forces: [
-                (-mass * (bend * square + along * pull + forward * coriolis + gravity * d.y)).def(&s::F_1),
-                (-any * l * (change * square + coriolis + gravity * sin)).def(&s::F_2),
+                (-mass * (bend * square + along * pull + forward * coriolis + gravity * d.y)).def(&s::TAU_1),
+                (-any * l * (change * square + coriolis + gravity * sin)).def(&s::TAU_2),
             ],
         }
     }
@@ -634,7 +634,7 @@ impl<P: Calc> Dynamics<P> {
         let determinant = m_11 * m_22 - m_12 * m_21;
         [
             ((f_1 * m_22 - m_12 * f_2) / determinant).def(self.acceleration()),
-            ((m_11 * f_2 - m_21 * f_1) / determinant).def(&s::D_OMEGA_PHI),
+            ((m_11 * f_2 - m_21 * f_1) / determinant).def(&s::D_OMEGA_R),
         ]
     }
 
@@ -648,7 +648,7 @@ impl<P: Calc> Dynamics<P> {
         let (m_22, [f_1, f_2]) = (swing.inertia, swing.forces);
         [
             r.moment - f_1 + swing.coupled * f_2 / m_22,
-            (f_2 / m_22).def(&s::D_OMEGA_PHI),
+            (f_2 / m_22).def(&s::D_OMEGA_R),
         ]
     }
 }

@@ -81,7 +81,7 @@ impl<C: Calc> Rope<C> {
         Rope {
             length,
             direction,
-            arms: [luffing.def(&s::H_1), slewing.def(&s::H_2)],
+            arms: [luffing.def(&s::H_1R), slewing.def(&s::H_2R)],
         }
     }
 }
@@ -90,7 +90,7 @@ impl<C: Calc> HangingLoad<C> {
     /// On a taut rope: away from the head exactly as fast as the rope is paid out. The rate along the rope
     /// that numbers carry besides is left alone by the equations, so that it cannot grow.
     pub(crate) fn on_rope(self, rope: &Rope<C>, hoist: C) -> HangingLoad<C> {
-        let excess = (dot(rope.direction, self.rate) - hoist).def(&s::V_EXCESS);
+        let excess = (dot(rope.direction, self.rate) - hoist).def(&s::V_E);
         let rate = self.rate - scaled(rope.direction, excess);
         HangingLoad {
             rate: named(rate, [&s::W_X, &s::W_Y, &s::W_Z]),
@@ -134,8 +134,8 @@ impl<P: Calc> Dynamics<P> {
         };
         let ease = [ease(0, r.inertia), ease(1, inertia)];
         let alone = [
-            (forces[0] * ease[0]).def(&s::ALONE),
-            (forces[1] * ease[1]).def(&s::ALONE_SL),
+            (forces[0] * ease[0]).def(&s::ALPHA_0),
+            (forces[1] * ease[1]).def(&s::ALPHA_0SL),
         ];
         let Some(pendulum) = self.bodies().pendulum else {
             return Accelerations {
@@ -173,7 +173,7 @@ impl<P: Calc> Dynamics<P> {
                     need -= rope.arms[i] * alone[i];
                     give += mass * rope.arms[i].square() * ease[i];
                 }
-                let pull = (need.def(&s::NEED) / give.def(&s::GIVE)).def(&s::PULL);
+                let pull = (need.def(&s::A_N) / give.def(&s::KAPPA_R)).def(&s::A_R);
                 let joint = |i: usize, symbol| (alone[i] + mass * pull * rope.arms[i] * ease[i]).def(symbol);
                 ([joint(0, self.acceleration()), joint(1, &s::D_OMEGA_SL)], pull)
             }

@@ -77,7 +77,7 @@ symbols! {
     O1P: "O1P" "overline(O_1 P)" M / M [infinite("where boom and rocker are parallel")], "Distance of the instantaneous centre from O1 along the boom, towards B positive.", "[Li2022, eq. 1]";
     P_X: "P.x" "x_P" M / M [infinite("where boom and rocker are parallel")], "Instantaneous centre of the jib, forward of O1.", "[Li2022, eq. 1]";
     P_Y: "P.y" "y_P" M / M [infinite("where boom and rocker are parallel")], "Instantaneous centre of the jib, above O1.", "[Li2022, eq. 1]";
-    P_FAR: "P.at_infinity" "\"P at infinity\"" ONE / ONE [boolean], "True where boom and rocker are parallel: the jib moves without turning.", "[Li2022, 2.1]";
+    P_AT_INFINITY: "P.at_infinity" "\"P at infinity\"" ONE / ONE [boolean], "True where boom and rocker are parallel: the jib moves without turning.", "[Li2022, 2.1]";
 
     // Loads.
     M_Q: "M_Q" "M_Q" N_M / KN_M, "Luffing moment of the load by virtual work; positive lowers the boom.", "[Li2022, eq. 11]";

@@ -134,7 +134,7 @@ results! { Pole as c => {
     O1P: c.seen().0;
     P_X: c.seen().1.x;
     P_Y: c.seen().1.y;
-    P_FAR: C::constant(f64::from(c.finite().is_none()));
+    P_AT_INFINITY: C::constant(f64::from(c.finite().is_none()));
 } }
 
 impl<C: Calc> Pole<C> {

@@ -39,7 +39,14 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::N_B_MAX, Most::Amount, &s::N_B),
         Greatest::new(&s::P_L_MAX, Most::Amount, &s::P_L),
     ],
-    summary: &[&s::DELTA_Y, &s::EPSILON_Y, &s::STROKE, &s::L_LD, &s::PHI_T, &s::PHI_T0],
+    summary: &[
+        &s::DELTA_Y,
+        &s::EPSILON_Y,
+        &s::DELTA_L_T,
+        &s::L_L_MAX,
+        &s::PHI_T,
+        &s::PHI_T0,
+    ],
     sensitivity: &[&s::EPSILON_Y, &s::R_MAX, &s::T_MAX, &s::N_B_MAX, &b::DM_MAX],
     limits: &[
         Limit::at_most("level_error", &s::EPSILON_Y),

@@ -21,8 +21,8 @@ quantities! {
     /// Boom, luffing tackle and hoist rope.
     Rig {
         l: L, f_a: F_A, x_8: X_8,
-        e_x: E_X, e_y: E_Y, s_k: S_K, chi_k: CHI_K, m_l: FALLS_L, eta_l: ETA_L,
-        b_x: B_X, b_y: B_Y, m_h: FALLS_H, eta_h: ETA_H, h_q: H_Q
+        e_x: E_X, e_y: E_Y, s_k: S_K, chi_k: CHI_K, m_l: M_L, eta_l: ETA_L,
+        b_x: B_X, b_y: B_Y, m_h: M_H, eta_h: ETA_H, h_q: H_Q
     }
 }
 
@@ -104,7 +104,7 @@ impl<C: Calc> Falls<C> {
     pub fn new(rig: &Rig<C>, position: &BoomPosition<C>, phi: &C) -> Found<Falls<C>> {
         let (sin, cos) = rig.chi_k.sin_cos();
         let k = plane::turned(position.along, rig.s_k * cos, rig.s_k * sin);
-        let k = plane::def(k, [&s::K_X, &s::K_Y]);
+        let k = plane::def(k, [&s::K_LX, &s::K_LY]);
         let names = [&s::L_TX, &s::L_TY, &s::L_T, &s::H_T];
         let line = TautRope::new(k, Point::new(rig.e_x, rig.e_y), names)?;
         if line.arm.value() <= 4.0 * f64::EPSILON * line.length.value() {

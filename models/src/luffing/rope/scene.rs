@@ -61,10 +61,10 @@ const MOTION: &[Key] = &Motion::keys(
 );
 
 const TACKLE: &[Key] = keys! { s:
-    E_X, E_Y, S_K > 0, CHI_K [usually(0.0)], FALLS_L > 0, ETA_L > 0 [usually(1.0)]
+    E_X, E_Y, S_K > 0, CHI_K [usually(0.0)], M_L > 0, ETA_L > 0 [usually(1.0)]
 };
 
-const HOIST_ROPE: &[Key] = keys! { s: B_X, B_Y, FALLS_H > 0, ETA_H > 0 [usually(1.0)], H_Q >= 0 };
+const HOIST_ROPE: &[Key] = keys! { s: B_X, B_Y, M_H > 0, ETA_H > 0 [usually(1.0)], H_Q >= 0 };
 
 const WEIGHTS: &[Key] = keys! { b: G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)] };
 
@@ -134,7 +134,7 @@ impl Described for Rope {
         }
         let mut symbols = vec![&s::M_Q, &s::M_D];
         symbols.extend(this.given.weights.map(|_| &s::M_G));
-        symbols.extend(this.given.balance.map(|_| &b::M_B));
+        symbols.extend(this.given.balance.map(|_| &b::M_UR));
         let (mut worst, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
         for row in sample(model, &symbols, fine(&this.motion)) {
             let own = row.get(2).copied().unwrap_or(0.0) - row.get(3).copied().unwrap_or(0.0);

@@ -57,8 +57,8 @@ impl Component for RopeBoom {
         Whole::new(&s::R_MIN, How::Least, &s::R),
         Whole::new(&s::DELTA_Y, How::Swing, &s::Y_Q),
         Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::Y_Q),
-        Whole::new(&s::STROKE, How::Swing, &s::L_T),
-        Whole::new(&s::L_LD, How::Swing, &s::L_L),
+        Whole::new(&s::DELTA_L_T, How::Swing, &s::L_T),
+        Whole::new(&s::L_L_MAX, How::Swing, &s::L_L),
         Whole::new(&s::PHI_T, How::Vanishes(None), &s::M_D),
         Whole::new(&s::PHI_T0, How::Vanishes(Some((&s::Q, 0.0))), &s::M_D),
     ];

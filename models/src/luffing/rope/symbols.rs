@@ -16,11 +16,11 @@ symbols! {
     E_Y: "E_y" "y_E" M / M, "Point E of the luffing tackle on the frame, above O1.", "[Ports001, 5.1]";
     S_K: "s_K" "s_K" M / M [positive], "Point K of the luffing tackle on the boom, from O1.", "[Ports001, 5.1]";
     CHI_K: "chi_K" "chi_K" RAD / DEG, "Point K of the luffing tackle on the boom, counter-clockwise from its line.", "[Ports001, 5.1]";
-    FALLS_L: "m_l" "m_l" ONE / ONE [positive], "Falls of the luffing tackle.", "[Ports001, 5.1]";
+    M_L: "m_l" "m_l" ONE / ONE [positive], "Falls of the luffing tackle.", "[Ports001, 5.1]";
     ETA_L: "eta_l" "eta_l" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of the whole luffing tackle.", "[Ports001, 5.1]";
     B_X: "B_x" "x_B" M / M, "Sheave B of the hoist rope on the frame, forward of O1.", "[Ports001, 5.1]";
     B_Y: "B_y" "y_B" M / M, "Sheave B of the hoist rope on the frame, above O1.", "[Ports001, 5.1]";
-    FALLS_H: "m_h" "m_h" ONE / ONE [positive], "Falls of the hoist tackle.", "[Ports001, 5.1]";
+    M_H: "m_h" "m_h" ONE / ONE [positive], "Falls of the hoist tackle.", "[Ports001, 5.1]";
     ETA_H: "eta_h" "eta_h" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of the whole hoist tackle.", "[Ports001, 5.1]";
     H_Q: "h_Q" "h_Q" M / M [not_negative], "Height of the head A above the load at the start of the working range.", "[Ports001, 5.1]";
 
@@ -28,8 +28,8 @@ symbols! {
     A_X: "A.x" "x_A" M / M, "Boom head A, forward of O1.", "derived";
     A_Y: "A.y" "y_A" M / M, "Boom head A, above O1.", "derived";
     R: "R" "R" M / M, "Reach: distance of A from the slewing axis.", "derived";
-    K_X: "K_l.x" "x_K" M / M, "Point K of the luffing tackle, forward of O1.", "derived";
-    K_Y: "K_l.y" "y_K" M / M, "Point K of the luffing tackle, above O1.", "derived";
+    K_LX: "K_l.x" "x_K" M / M, "Point K of the luffing tackle, forward of O1.", "derived";
+    K_LY: "K_l.y" "y_K" M / M, "Point K of the luffing tackle, above O1.", "derived";
     L_TX: "L_T.x" "L_(T x)" M / M, "Luffing tackle from K to E, forward component.", "derived";
     L_TY: "L_T.y" "L_(T y)" M / M, "Luffing tackle from K to E, upward component.", "derived";
     L_T: "L_T" "L_T" M / M [not_negative], "Length of the luffing tackle between K and E.", "derived";
@@ -77,8 +77,8 @@ symbols! {
     R_MIN: "R_min" "R_min" M / M, "Smallest reach of the working range.", "derived";
     DELTA_Y: "Delta_Y" "Delta y_Q" M / M [not_negative], "Level error: greatest less smallest height of the load over the working range.", "[Ports001, 5.2.3]";
     EPSILON_Y: "epsilon_Y" "epsilon_Y" ONE / PERCENT [not_negative], "Level error over the reach covered.", "[Ports001, 5.2.3]";
-    STROKE: "Delta_L_T" "Delta L_T" M / M [not_negative], "Stroke of the luffing tackle over the working range.", "derived";
-    L_LD: "l_l_max" "l_(l,max)" M / M [not_negative], "Rope that the luffing drum takes in over the working range.", "derived";
+    DELTA_L_T: "Delta_L_T" "Delta L_T" M / M [not_negative], "Stroke of the luffing tackle over the working range.", "derived";
+    L_L_MAX: "l_l_max" "l_(l,max)" M / M [not_negative], "Rope that the luffing drum takes in over the working range.", "derived";
     PHI_T: "phi_T" "phi_T" RAD / DEG [infinite("where the tackle pulls as far as its line passes above the foot")], "Boom angle at which the tackle's pull vanishes under load: beyond it the boom falls back.", "[Ports001, 5.1]";
     PHI_T0: "phi_T0" "phi_(T 0)" RAD / DEG [infinite("where the tackle pulls as far as its line passes above the foot")], "Boom angle at which the tackle's pull vanishes without load: beyond it the boom falls back.", "[Ports001, 5.1]";
     M_Q_MAX: "M_Q_max" "M_(Q,max)" N_M / KN_M, "Greatest moment of the load in the working range, by amount.", "[Ports001, 5.2.3]";

@@ -171,7 +171,7 @@ enum OfGroup {
 
 const RESULTS: [(&Symbol, OfGroup); 6] = [
     (&m::THETA_W, OfGroup::Wanted),
-    (&m::E_I, OfGroup::Error),
+    (&m::E, OfGroup::Error),
     (&m::U_V, OfGroup::Command),
     (&m::F_C, OfGroup::Force),
     (&m::M_R, OfGroup::Reaction),
@@ -190,7 +190,7 @@ const AT_ANGLE: [(&Symbol, OfGroup); 7] = [
 ];
 
 /// The angle itself and its rate are states here; the pump's flow takes the place of what the cylinders take.
-const REPLACED: [&Symbol; 3] = [&s::THETA, &s::OMEGA_I, &s::Q_SUM];
+const REPLACED: [&Symbol; 3] = [&s::THETA, &s::THETA_DOT, &s::Q_SUM];
 
 impl SteeringMotion {
     /// # Errors

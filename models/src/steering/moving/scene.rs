@@ -32,7 +32,7 @@ const OIL_KEYS: &[Key] = keys! { s:
 };
 
 /// Keys of `[steering.plc]`.
-const PLC_KEYS: &[Key] = keys! { s: T_C > 0, K_P >= 0, K_I >= 0 [optional], U_MAX > 0 [optional] };
+const PLC_KEYS: &[Key] = keys! { s: T_C > 0, K_P >= 0, K_I >= 0 [optional], U_V_MAX > 0 [optional] };
 
 quantities! {
     /// What moves, and how it is solved.
@@ -49,7 +49,7 @@ quantities! {
 
 quantities! {
     /// The control loop.
-    Plc { t_c: T_C, k_p: K_P, k_i: K_I, u_max: U_MAX }
+    Plc { t_c: T_C, k_p: K_P, k_i: K_I, u_max: U_V_MAX }
 }
 
 /// The groups in motion as the scene describes them; SI.
@@ -112,7 +112,7 @@ impl MovingGroups {
             let default = match symbol {
                 symbol if *symbol == s::STEP => Some(0.01),
                 symbol if *symbol == s::TOL => Some(1e-5),
-                symbol if *symbol == s::U_MAX => Some(1.0),
+                symbol if *symbol == s::U_V_MAX => Some(1.0),
                 symbol if *symbol == s::X_0 || *symbol == s::K_I => Some(0.0),
                 _ => None,
             };

@@ -23,7 +23,7 @@ symbols! {
     T_C: "T_c" "T_c" S / MS [from_to(1e-4, 10.0)], "Cycle of the PLC: time from one sample to the next.", "input";
     K_P: "k_P" "k_P" PER_RAD / PER_RAD [not_negative], "Proportional gain: command of the valve over the error of the angle.", "input";
     K_I: "k_I" "k_I" PER_RAD_S / PER_RAD_S [not_negative], "Integral gain: command of the valve over the integral of the error.", "input";
-    U_MAX: "u_v_max" "u_(v,max)" ONE / ONE [above_to(0.0, 1.0)], "Greatest command of a valve, by amount.", "input";
+    U_V_MAX: "u_v_max" "u_(v,max)" ONE / ONE [above_to(0.0, 1.0)], "Greatest command of a valve, by amount.", "input";
 
     // States, each for every group.
     OMEGA_G: "omega_g" "omega_(g i)" RAD_PER_S / DEG_PER_S, "Angular velocity of a group, counter-clockwise positive.", "equations of motion";
@@ -37,7 +37,7 @@ symbols! {
     // Results.
     Q_P: "Q_P" "Q_P" M3_PER_S / L_PER_MIN, "Oil flow that the pump delivers to all valves.", "equations of motion";
     THETA_W: "theta_w" "theta_(w i)" RAD / DEG, "Heading that the command wants of a group, within its range.", "[Zhang2016, eq. 1-9]";
-    E_I: "e" "e_i" RAD / DEG, "What a group lacks of the heading wanted.", "derived";
+    E: "e" "e_i" RAD / DEG, "What a group lacks of the heading wanted.", "derived";
     U_V: "u_v" "u_(v i)" ONE / ONE, "Command of a group's valve, held by the PLC from sample to sample; positive lengthens the cylinder.", "[Zhang2016, 7]";
     F_C: "f_c" "f_(c i)" N / KN, "Force of a group's cylinder by its pressures; push positive.", "equations of motion";
     M_R: "M_R" "M_(R i)" N_M / KN_M, "Moment of tyres, slewing ring and end stop on a group; positive turns it counter-clockwise.", "equations of motion";

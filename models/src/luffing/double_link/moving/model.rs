@@ -218,7 +218,7 @@ impl LuffingMotion {
             coordinate,
             [&m::PSI_SL, &m::OMEGA_SL],
             [&m::X_Q, &m::Y_Q, &m::Z_Q, &m::V_QX, &m::V_QY, &m::V_QZ],
-            [&m::PHI, &m::OMEGA_PHI],
+            [&m::PHI_R, &m::OMEGA_R],
             [&m::L_R, &m::S_Q, &m::V_Q],
             [&m::P_1, &m::P_2, &m::P_A, &m::P_B, &m::X_V, &m::V_V],
         );
@@ -256,7 +256,7 @@ impl LuffingMotion {
             },
             [&m::D_PSI_SL, &m::D_OMEGA_SL],
             [&m::D_X_Q, &m::D_Y_Q, &m::D_Z_Q, &m::D_V_QX, &m::D_V_QY, &m::D_V_QZ],
-            [&m::D_PHI, &m::D_OMEGA_PHI],
+            [&m::D_PHI_R, &m::D_OMEGA_R],
             [&m::D_L_R, &m::D_S_Q, &m::D_V_Q],
             [&m::D_P_1, &m::D_P_2, &m::D_P_A, &m::D_P_B, &m::D_X_V, &m::D_V_V],
         );
@@ -288,7 +288,7 @@ impl LuffingMotion {
         if slews {
             list.push(of(&m::M_R_SL, MotionResult::SlewingFriction));
             if reeled {
-                list.push(of(&m::PHI, MotionResult::Swing));
+                list.push(of(&m::PHI_R, MotionResult::Swing));
                 list.push(of(&m::CHI_R, MotionResult::Side));
                 list.push(of(&m::S_Q, MotionResult::Distance));
             }

@@ -19,7 +19,7 @@ pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydrauli
 /// Keys of `[luffing.dynamics]`.
 pub static KEYS: &[Key] = keys! { s:
     J_1 >= 0, J_2 >= 0, J_3 >= 0, C_V >= 0 [optional], M_F >= 0 [optional], G > 0 [optional], STEP > 0 [optional],
-    M_A [optional], M_S >= 0 [optional], V_H [optional], L_R > 0 [optional], PHI [optional]
+    M_A [optional], M_S >= 0 [optional], V_H [optional], L_R > 0 [optional], PHI_R [optional]
 };
 
 /// Keys of `[luffing.slewing]`.
@@ -188,14 +188,14 @@ fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Diagnos
     match (fidelity, n(&s::L_R)) {
         ("swing" | "hydraulic" | "auto", Some(length)) => Ok(Some(LoadRope {
             length,
-            swing: n(&s::PHI).unwrap_or(0.0),
+            swing: n(&s::PHI_R).unwrap_or(0.0),
         })),
         ("swing", None) => {
             let what = "a swinging load without a rope";
             let refused = Diagnostic::new(table.span.clone(), what, "l_R is needed here");
             Err(refused.help("add l_R = \"... m\", the length of the rope at the start"))
         }
-        _ => match [&s::L_R, &s::PHI, &s::V_H]
+        _ => match [&s::L_R, &s::PHI_R, &s::V_H]
             .into_iter()
             .find(|symbol| n(symbol).is_some())
         {

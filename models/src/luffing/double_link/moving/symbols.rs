@@ -44,8 +44,8 @@ symbols! {
     V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head; positive lowers the load.", "input";
 
     // States.
-    PHI: "phi_R" "phi_R" RAD / DEG, "Angle of the rope from the vertical; positive swings the load forward.", "equations of motion";
-    OMEGA_PHI: "omega_R" "omega_R" RAD_PER_S / DEG_PER_S, "Angular velocity of the rope.", "equations of motion";
+    PHI_R: "phi_R" "phi_R" RAD / DEG, "Angle of the rope from the vertical; positive swings the load forward.", "equations of motion";
+    OMEGA_R: "omega_R" "omega_R" RAD_PER_S / DEG_PER_S, "Angular velocity of the rope.", "equations of motion";
     L_R: "l_R" "l_R" M / M [positive], "Length of the rope from the head to the load.", "equations of motion";
     S_Q: "s_Q" "s_Q" M / M, "Distance of the load from the head: the rope's length, or less where it is slack.", "equations of motion";
     V_Q: "v_Q" "v_Q" M_PER_S / M_PER_S, "Speed of the load away from the head.", "equations of motion";
@@ -118,16 +118,16 @@ symbols! {
     MASS_E: "mass_e" "m_e" KG / T, "Mass in the place of an empty hook's load: it cancels from the rope's equation.", "Lagrange";
     DDA_X: "ddA.x" "x''_A" M / M, "Change of the forward travel of A for one radian of the driven bar.", "dual numbers";
     DDA_Y: "ddA.y" "Y''_A" M / M, "Change of the rise of A for one radian of the driven bar.", "dual numbers";
-    D_SWING: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driven bar.", "derived";
-    D_INWARD: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driven bar.", "derived";
-    BEND: "q_A" "q_A" M2 / M2, "Half the change of the square of A's travel for one radian of the driven bar.", "derived";
-    D_SWING_CHANGE: "dd_phi" "d'_phi" M / M, "Change of A's travel, across the rope, for one radian of the driven bar.", "derived";
+    D_PHI: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driven bar.", "derived";
+    D_N: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driven bar.", "derived";
+    Q_A: "q_A" "q_A" M2 / M2, "Half the change of the square of A's travel for one radian of the driven bar.", "derived";
+    DD_PHI: "dd_phi" "d'_phi" M / M, "Change of A's travel, across the rope, for one radian of the driven bar.", "derived";
     M_11: "m_11" "m_11" KG_M2 / KG_M2, "Inertia of the load at the driven bar.", "Lagrange";
     M_12: "m_12" "m_12" KG_M2 / KG_M2, "Inertia that couples driven bar and rope.", "Lagrange";
     M_21: "m_21" "m_21" KG_M2 / KG_M2, "Inertia that couples the rope of an empty hook and driven bar.", "Lagrange";
     M_22: "m_22" "m_22" KG_M2 / KG_M2, "Inertia of the load about the head.", "Lagrange";
-    F_1: "tau_1" "tau_1" N_M / KN_M, "Moment of the load's weight and inertia on the driven bar.", "Lagrange";
-    F_2: "tau_2" "tau_2" N_M / KN_M, "Moment of the load's weight and inertia on the rope.", "Lagrange";
+    TAU_1: "tau_1" "tau_1" N_M / KN_M, "Moment of the load's weight and inertia on the driven bar.", "Lagrange";
+    TAU_2: "tau_2" "tau_2" N_M / KN_M, "Moment of the load's weight and inertia on the rope.", "Lagrange";
 
     OMEGA_C: "omega_c" "omega_c" RAD_PER_S / RAD_PER_S, "Angular velocity below which dry friction is in proportion to it.", "assumption";
     OMEGA_S: "omega_s" "omega_s" RAD_PER_S / RAD_PER_S, "Natural frequency of the mechanism alone against an end stop.", "assumption";
@@ -138,14 +138,14 @@ symbols! {
     I_SL: "I_sl" "I_\"sl\"" KG_M2 / KG_M2, "Inertia of the whole crane about the slewing axis, without the load.", "dual numbers";
     DI_SL: "dI_sl" "I'_\"sl\"" KG_M2 / KG_M2, "Change of the inertia about the slewing axis for one radian of the driven bar.", "dual numbers";
     M_NET_SL: "M_netsl" "M_\"N sl\"" N_M / KN_M, "Moment that accelerates slewing, the load on its rope left aside.", "Lagrange";
-    ALONE: "alpha_0" "dot(omega)_(0)" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the driven bar without the rope's force.", "Lagrange";
-    ALONE_SL: "alpha_0sl" "dot(omega)_(0 \"sl\")" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing without the rope's force.", "Lagrange";
+    ALPHA_0: "alpha_0" "dot(omega)_(0)" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the driven bar without the rope's force.", "Lagrange";
+    ALPHA_0SL: "alpha_0sl" "dot(omega)_(0 \"sl\")" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing without the rope's force.", "Lagrange";
     N_X: "n_x" "n_x" ONE / ONE, "Direction of the rope from the head, forward component.", "derived";
     N_Y: "n_y" "n_y" ONE / ONE, "Direction of the rope from the head, upward component.", "derived";
     N_Z: "n_z" "n_z" ONE / ONE, "Direction of the rope from the head, component to the left.", "derived";
-    H_1: "h_1R" "h_(1 R)" M / M, "Travel of the head along the rope for one radian of the driven bar.", "derived";
-    H_2: "h_2R" "h_(2 R)" M / M, "Travel of the head along the rope for one radian of slewing.", "derived";
-    V_EXCESS: "v_e" "v_e" M_PER_S / M_PER_S, "Speed along the rope beyond that of the hoist: rounding alone.", "derived";
+    H_1R: "h_1R" "h_(1 R)" M / M, "Travel of the head along the rope for one radian of the driven bar.", "derived";
+    H_2R: "h_2R" "h_(2 R)" M / M, "Travel of the head along the rope for one radian of slewing.", "derived";
+    V_E: "v_e" "v_e" M_PER_S / M_PER_S, "Speed along the rope beyond that of the hoist: rounding alone.", "derived";
     W_X: "w_x" "w_x" M_PER_S / M_PER_S, "Speed of the load across its rope, forward.", "derived";
     W_Y: "w_y" "w_y" M_PER_S / M_PER_S, "Speed of the load across its rope, up.", "derived";
     W_Z: "w_z" "w_z" M_PER_S / M_PER_S, "Speed of the load across its rope, to the left.", "derived";
@@ -155,16 +155,16 @@ symbols! {
     B_X: "b_x" "b_x" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, forward.", "Lagrange";
     B_Y: "b_y" "b_y" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, up.", "Lagrange";
     B_Z: "b_z" "b_z" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, to the left.", "Lagrange";
-    NEED: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange";
-    GIVE: "kappa_R" "kappa_R" ONE / ONE, "How much easier the load gives way along the rope as the head gives way too.", "Lagrange";
-    PULL: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange";
+    A_N: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange";
+    KAPPA_R: "kappa_R" "kappa_R" ONE / ONE, "How much easier the load gives way along the rope as the head gives way too.", "Lagrange";
+    A_R: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange";
 
     // A run.
     T: "t" "t" S / S, "Time from the start of the run.", "derived";
     P_MAX: "p_max" "p_\"max\"" PA / BAR, "Greatest pressure in ports and chambers during the run.", "equations of motion";
     P_MIN: "p_min" "p_\"min\"" PA / BAR, "Least pressure in ports and chambers during the run.", "equations of motion";
     PHI_MAX: "phi_max" "phi_\"max\"" RAD / DEG, "Greatest angle of the rope from the vertical during the run.", "equations of motion";
-    D_E: "Delta_E" "Delta E" J / KJ, "Change of the kinetic and potential energy of all bodies.", "derived";
+    DELTA_E: "Delta_E" "Delta E" J / KJ, "Change of the kinetic and potential energy of all bodies.", "derived";
     E_OIL: "E_oil" "Delta E_\"oil\"" J / KJ, "Change of the energy in the compressed oil.", "derived";
     W_A: "W_A" "W_A" J / KJ, "Work of the drive.", "derived";
     W_SL: "W_sl" "W_\"sl\"" J / KJ, "Work of the slewing drive.", "derived";
@@ -180,8 +180,8 @@ symbols! {
     D_OMEGA_1: "der(omega_1)" "dot(omega)_1" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the boom.", "equations of motion";
     D_THETA_3: "der(theta_3)" "dot(theta)_3" RAD_PER_S / DEG_PER_S, "Rate of the rocker's angle.", "state";
     D_OMEGA_3: "der(omega_3)" "dot(omega)_3" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the rocker.", "equations of motion";
-    D_PHI: "der(phi_R)" "dot(phi)_R" RAD_PER_S / DEG_PER_S, "Rate of the rope's angle.", "state";
-    D_OMEGA_PHI: "der(omega_R)" "dot(omega)_R" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the rope.", "equations of motion";
+    D_PHI_R: "der(phi_R)" "dot(phi)_R" RAD_PER_S / DEG_PER_S, "Rate of the rope's angle.", "state";
+    D_OMEGA_R: "der(omega_R)" "dot(omega)_R" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the rope.", "equations of motion";
     D_L_R: "der(l_R)" "dot(l)_R" M_PER_S / M_PER_S, "Rate of the rope's length.", "state";
     D_S_Q: "der(s_Q)" "dot(s)_Q" M_PER_S / M_PER_S, "Rate of the load's distance from the head.", "state";
     D_V_Q: "der(v_Q)" "dot(v)_Q" M_PER_S2 / M_PER_S2, "Acceleration of the load away from the head.", "equations of motion";

@@ -70,20 +70,20 @@ const SECTIONS: [(&str, &[&Symbol]); 6] = [
     (
         "motion_pendulum",
         listed! { m:
-            D_SWING, D_INWARD, BEND, D_SWING_CHANGE, M_11, M_12, M_21, M_22, F_1, F_2
+            D_PHI, D_N, Q_A, DD_PHI, M_11, M_12, M_21, M_22, TAU_1, TAU_2
         },
     ),
     (
         "motion_load",
         listed! { m:
-            S_Q, N_X, N_Y, N_Z, H_1, H_2, V_EXCESS, W_X, W_Y, W_Z, R_QX, U_X, U_Y, B_X, B_Y, B_Z
+            S_Q, N_X, N_Y, N_Z, H_1R, H_2R, V_E, W_X, W_Y, W_Z, R_QX, U_X, U_Y, B_X, B_Y, B_Z
         },
     ),
     (
         "motion_equations",
         listed! { m:
-            F_C, M_R, M_R_SL, M_NET, M_NET_SL, ALONE, ALONE_SL, NEED, GIVE, PULL, D_OMEGA_1, D_OMEGA_3, D_OMEGA_SL,
-            D_OMEGA_PHI, D_V_QX, D_V_QY, D_V_QZ, S_R
+            F_C, M_R, M_R_SL, M_NET, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, D_OMEGA_1, D_OMEGA_3, D_OMEGA_SL,
+            D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, S_R
         },
     ),
 ];
@@ -101,7 +101,7 @@ const CURVES: [(&str, &Symbol); 17] = [
     ("motion_height", &s::A_Y),
     ("motion_slewing", &m::PSI_SL),
     ("motion_slewing_speed", &m::OMEGA_SL),
-    ("motion_swing", &m::PHI),
+    ("motion_swing", &m::PHI_R),
     ("motion_side", &m::CHI_R),
     ("motion_length", &m::L_R),
     ("motion_rope", &m::S_R),
@@ -353,7 +353,7 @@ impl Energy {
                 (oil, &m::W_P, work.pump),
             ]),
             stored: there(&[
-                (true, &m::D_E, self.end - self.start),
+                (true, &m::DELTA_E, self.end - self.start),
                 (oil, &m::E_OIL, work.compression),
             ]),
             taken: there(&[
