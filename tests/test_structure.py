@@ -210,6 +210,21 @@ def test_no_two_public_types_of_models_have_one_name():
     assert not {name: found for name, found in places.items() if len(found) > 1}
 
 
+# Their ids differ from r_1 and R_1 of each other by case alone, which a constant does not have.
+APART = {("R_K", "r_1"), ("R_L", "R_1")}
+
+
+def test_a_symbol_has_the_name_of_its_id():
+    apart, count = set(), 0
+    for path in (ROOT / "models/src").rglob("symbols.rs"):
+        for name, known in re.findall(r'^ {4}([A-Z]\w*): "([^"]+)" "', path.read_text(encoding="utf-8"), re.M):
+            count += 1
+            capitals = re.sub(r"[^A-Z0-9]", "", re.sub(r"der\((.*)\)", r"d\1", known).upper())
+            if name.replace("_", "") != capitals:
+                apart.add((name, known))
+    assert count > 500 and apart == APART
+
+
 # Files of mechanisms in motion, until what moves is written once too.
 LONG = {
     "models/src/luffing/double_link/dynamics.rs",

@@ -40,7 +40,7 @@ pub struct Pose<C> {
     pub od: C,
 }
 results! { each Pose as p => {
-    L_C: p.l;
+    R: p.l;
     OD: p.od;
 } }
 
@@ -72,7 +72,7 @@ impl<C: Calc> Linkage<C> {
         let (sin, sense) = if self.mirrored { (-turn.y, -1.0) } else { (turn.y, 1.0) };
         let c = plane::def(plane::turned(self.c, turn.x, sin), [&s::CT_X, &s::CT_Y]);
         let line = Point::new(c.x - self.b.x, c.y - self.b.y);
-        let l = plane::length(line).def(&s::L_C);
+        let l = plane::length(line).def(&s::R);
         let od = plane::cross(c, line) / l;
         let od = if sense < 0.0 { -od } else { od };
         Pose { l, od: od.def(&s::OD) }

@@ -50,7 +50,7 @@ pub fn lengths((linkage, limits): (&Linkage<f64>, &Limits)) -> [Curve; 2] {
         numbers: Vec::new(),
     };
     [
-        curve("zhang2016_fig_7_length", &s::L_C, |pose| pose.l),
+        curve("zhang2016_fig_7_length", &s::R, |pose| pose.l),
         curve("zhang2016_fig_7_arm", &s::OD, |pose| pose.od),
     ]
 }

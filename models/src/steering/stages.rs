@@ -112,7 +112,7 @@ impl Component for SteeredGroups {
     const PORTS: &'static [Port] = ports! { s:
         machine "Motion of the machine's middle.": v_x V_MX, v_y V_MY, w OMEGA;
         group "A steered group, and the cylinder that turns it.":
-            phi THETA, phi_set THETA_S, w THETA_DOT, v_roll V, v_roll_set V_S, f_z G, s L_C, v V_C, f F_G, q Q_G;
+            phi THETA, phi_set THETA_S, w THETA_DOT, v_roll V, v_roll_set V_S, f_z G, s R, v V_C, f F_G, q Q_G;
     };
 
     fn update(known: &mut Known<f64>) -> Found<()> {

@@ -167,7 +167,7 @@ symbols! {
     C_Y: "c.y" "y_c" M / M, "Rod end of the cylinder with the group straight ahead, left of the group's axis.", "[Zhang2016, Fig. 5]";
     B_X: "b.x" "x_b" M / M, "Foot of the cylinder, forward of the group's axis.", "[Zhang2016, Fig. 5]";
     B_Y: "b.y" "y_b" M / M, "Foot of the cylinder, left of the group's axis.", "[Zhang2016, Fig. 5]";
-    L_C: "R" "R_i" M / M, "Length of a group's cylinder.", "[Zhang2016, Fig. 6]";
+    R: "R" "R_i" M / M, "Length of a group's cylinder.", "[Zhang2016, Fig. 6]";
     CT_X: "c_t.x" "x_(c i)" M / M, "Rod end of the cylinder with the group turned, forward of the group's axis.", "[Zhang2016, Fig. 6]";
     CT_Y: "c_t.y" "y_(c i)" M / M, "Rod end of the cylinder with the group turned, left of the group's axis.", "[Zhang2016, Fig. 6]";
     OD: "od" "d_(o i)" M / M, "Lever arm of a group's cylinder: dR/dtheta, positive where a push turns the group counter-clockwise.", "[Zhang2016, Fig. 6]";

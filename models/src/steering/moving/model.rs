@@ -181,7 +181,7 @@ const RESULTS: [(&Symbol, OfGroup); 6] = [
 /// Results that the algebraic model has at the angle wanted, and this one at the angle where the group is.
 const AT_ANGLE: [(&Symbol, OfGroup); 7] = [
     (&s::V, OfGroup::Rolling),
-    (&s::L_C, OfGroup::Length),
+    (&s::R, OfGroup::Length),
     (&s::OD, OfGroup::Arm),
     (&s::V_C, OfGroup::Speed),
     (&s::Q_G, OfGroup::Flow),
