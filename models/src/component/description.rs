@@ -196,6 +196,12 @@ impl<T: Described> Description<T> {
             auto: v.text("fidelity") == Some("auto"),
             limits: v.table("limits").map_or(Vec::new(), Values::own),
         };
+        if found.len() == before
+            && let Err(fault) = described.at_level(None)
+        {
+            let help = "keep the working range away from there";
+            found.push(v.refuse("motion", fault.message, "not possible at its start", help));
+        }
         if found.len() == before {
             T::check(&described, v, found);
         }

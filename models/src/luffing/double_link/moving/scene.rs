@@ -1,6 +1,6 @@
 //! What a scene says about the mechanism in motion.
 
-use crate::balance;
+use crate::balance::symbols as b;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::quantities;
 use crate::kernel::keys::keys;
@@ -163,15 +163,15 @@ fn dynamics<'a>(v: &'a Values, fidelity: &str, loaded: bool) -> Result<Option<&'
         ));
     }
     let balance = v.table("balance");
-    if balance.is_none() && !inert(v, table) {
+    if !inert(v, table) {
         return Err(v.refuse(
             "dynamics",
-            "neither boom, jib and rocker nor the load have any inertia",
+            "neither boom, jib and rocker, nor balance, nor the load have any inertia",
             "nothing to be accelerated",
             "give Q, a weight in [luffing.weights] away from its bar's foot, or one of J_1, J_2 and J_3 greater than zero",
         ));
     }
-    if balance.is_some_and(|b| b.text("kind") == Some("lever") && !b.has(balance::symbols::S_5.id)) {
+    if balance.is_some_and(|it| it.text("kind") == Some("lever") && !it.has(b::S_5.id)) {
         return Err(v.refuse(
             "balance",
             format!("fidelity = \"{fidelity}\" with a lever whose counterweight has no arm"),
@@ -243,12 +243,17 @@ fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<
 /// Whether anything that the linkage moves has inertia; a weight in its bar's foot has none.
 fn inert(v: &Values, dynamics: &Values) -> bool {
     let positive = |table: &Values, symbol: &Symbol| table.number(symbol.id).is_some_and(|value| value > 0.0);
+    let turns =
+        |table: &Values, weight: &Symbol, at: &Symbol| positive(table, weight) && table.number(at.id) != Some(0.0);
     let weighs = |weights: &Values| {
-        let turns = |weight: &Symbol, at: &Symbol| positive(weights, weight) && weights.number(at.id) != Some(0.0);
-        positive(weights, &l::G_2) || turns(&l::G_1, &l::S_1) || turns(&l::G_3, &l::S_3)
+        positive(weights, &l::G_2) || turns(weights, &l::G_1, &l::S_1) || turns(weights, &l::G_3, &l::S_3)
     };
+    let balances = |balance: &Values| positive(balance, &b::M_5) || turns(balance, &b::G_C, &b::R_C);
     let bars = [&s::J_1, &s::J_2, &s::J_3];
-    positive(v, &l::Q) || bars.iter().any(|bar| positive(dynamics, bar)) || v.table("weights").is_some_and(weighs)
+    positive(v, &l::Q)
+        || bars.iter().any(|bar| positive(dynamics, bar))
+        || v.table("weights").is_some_and(weighs)
+        || v.table("balance").is_some_and(balances)
 }
 
 /// What slews; whether the load swings on a rope.
