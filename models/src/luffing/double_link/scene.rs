@@ -14,6 +14,7 @@ use crate::luffing::double_link::geometry::{
     Anchors, Bore, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights,
 };
 use crate::luffing::double_link::moving;
+use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::stages::closes;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::four_bar::{Arc, Branch};
@@ -246,7 +247,15 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
     };
     let arcs = geometry.linkage.arcs();
     if geometry.linkage.turns_fully() || arcs.iter().any(|arc| covers(*arc, motion.from, motion.to)) {
-        return Some(motion);
+        // An end that is a dead point but for rounding.
+        let ends = [("from", motion.from), ("to", motion.to)];
+        let Some((key, at)) = ends.into_iter().find(|(_, at)| Position::new(&geometry, *at).is_none()) else {
+            return Some(motion);
+        };
+        let what = format!("the linkage does not close at {}, its dead point", degrees(at));
+        let help = format!("keep the range away from it: it closes for {}", closes(&geometry));
+        found.push(m.refuse(key, what, "at a dead point", help));
+        return None;
     }
     found.push(
         Diagnostic::new(
