@@ -199,7 +199,7 @@ impl<T: Described> Description<T> {
         if found.len() == before
             && let Err(fault) = described.at_level(None)
         {
-            let help = "keep the working range away from there";
+            let help = "move what it names, or keep the working range away from there";
             found.push(v.refuse("motion", fault.message, "not possible at its start", help));
         }
         if found.len() == before {
