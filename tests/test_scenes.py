@@ -84,7 +84,8 @@ def test_scene_builds_and_runs(name, tmp_path):
 
 @pytest.mark.parametrize("number", range(20))
 def test_random_scene_runs_in_fmpy(number, tmp_path):
-    """All random scenes run as models and through the C ABI (tests/random); these here too, for twenty steps."""
+    """All random scenes run as models and through the C ABI (tests/random); these here too, for the first twenty steps of
+    their default experiments."""
     command = ["cargo", "test", "-q", "--release", "--workspace", "--test", "random_scenes", "--", "--nocapture"]
     told = subprocess.run(command, cwd=ROOT, env=dict(os.environ, LEMNIS_SCENE=str(number)), check=True,
                           capture_output=True, encoding="utf-8").stdout
@@ -100,10 +101,11 @@ def test_random_scene_runs_in_fmpy(number, tmp_path):
         description = read_model_description(path)
         outputs = [v.name for v in description.modelVariables if v.causality == "output"]
         step = float(description.defaultExperiment.stepSize)
+        end = min(20 * step, float(description.defaultExperiment.stopTime))
         for interface in ("CoSimulation", "ModelExchange"):
-            result = simulate_fmu(path, fmi_type=interface, stop_time=20 * step, step_size=step,
+            result = simulate_fmu(path, fmi_type=interface, stop_time=end, step_size=step,
                                   output_interval=step, output=outputs)
-            assert len(result) > 20
+            assert result["time"][-1] > end * (1 - 1e-9)
             for output in outputs:
                 assert not np.isnan(result[output]).any(), (interface, output)
 
