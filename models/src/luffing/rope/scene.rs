@@ -215,8 +215,9 @@ impl Rope {
     }
 }
 
-/// Where the luffing tackle holds the boom: the foot of its lug on the boom's line, and K, in m from O1.
+/// Where the luffing tackle holds the boom: the foot of its lug between O1 and A, and K, in m from O1.
 fn anchor(rig: &Rig<f64>, p: &BoomPosition<f64>) -> [Point<f64>; 2] {
     let (sin, cos) = Calc::sin_cos(rig.chi_k);
-    [0.0, rig.s_k * sin].map(|aside| plane::turned(p.along, rig.s_k * cos, aside))
+    let k = plane::turned(p.along, rig.s_k * cos, rig.s_k * sin);
+    [p.a * (p.a.dot(&k) / p.a.norm_squared()), k]
 }
