@@ -56,7 +56,7 @@ struct Outcome {
     refused: Vec<(&'static str, String)>,
     /// What must not be.
     wrong: Vec<String>,
-    /// Evaluations of the right-hand side of each body for a natural time of the machine, or for a second where that is less.
+    /// Evaluations of the right-hand side of each body for a natural time of the machine.
     work: Option<f64>,
 }
 
@@ -180,9 +180,7 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
             .extend(own.refused[part].iter().take(3).map(|message| (what, message.clone())));
     }
     if own.reached > 0.0 {
-        // Inner steps are at most 10 ms unless the scene says otherwise, however slow the machine is.
-        let natural = case.scale[2].min(1.0);
-        outcome.work = Some(f64::from(own.rates) / f64::from(bodies) * natural / own.reached);
+        outcome.work = Some(f64::from(own.rates) / f64::from(bodies) * case.scale[2] / own.reached);
     }
     let fmu = Unpacked::new(scene.text());
     for second in [false, true] {
