@@ -488,6 +488,26 @@ def test_a_step_beyond_the_bound_is_refused_and_the_instance_goes_on(level, tmp_
     slave.fmu.doStep(currentCommunicationPoint=0.0, communicationStepSize=1e4 if name == "rigid" else 0.01)
 
 
+def test_reeling_in_all_of_the_rope_is_refused_at_once(level, tmp_path):
+    """10 m at 1 m/s: nothing is integrated, whatever the step, and the instance goes on where it was."""
+    name, paths = level
+    slave = Slave(paths[0], str(tmp_path / "fmu"))
+    if "v_h" not in slave.references:
+        assert "swing" not in name
+        return
+    states = [slave.references[n] for n in ("theta_1", "omega_1", "l_R")]
+    slave.set([slave.references["v_h"]], [-1.0])
+    before = list(slave.get(states))
+    for size in (10.0, 1e3, 1e6):
+        slave.messages.clear()
+        with pytest.raises(FMICallException):
+            slave.fmu.doStep(currentCommunicationPoint=0.0, communicationStepSize=size)
+        assert any("nothing is left of the rope of l_R = 10 m" in message for message in slave.messages), slave.messages
+        assert list(slave.get(states)) == before
+    slave.fmu.doStep(currentCommunicationPoint=0.0, communicationStepSize=0.01)
+    assert slave.get([slave.references["l_R"]])[0] == pytest.approx(9.99, abs=1e-12)
+
+
 @pytest.mark.parametrize(("end", "status"), [(".fmu", 2), (".fmi2.fmu", 3)], ids=["FMI 3.0", "FMI 2.0"])
 def test_an_explicit_step_too_long_for_the_motion_is_refused(end, status, tmp_path):
     """A rope of 0.1 m swings with 9.9 rad/s: steps of 0.2 s would give bounded numbers that mean nothing."""

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
+use lemnis::results::lasting;
 use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::number::short;
@@ -112,9 +113,6 @@ fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
 /// Inner steps (s) that are tried where that of a scene is too long.
 const STEPS: [f64; 9] = [5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4];
 
-/// The most inner steps of a default experiment: more take minutes.
-const MOST_STEPS: f64 = 1e7;
-
 /// The same scene with an inner step at which the default experiment of its FMU runs.
 fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, Failure> {
     let cannot = |found: &Stopped| {
@@ -126,17 +124,7 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
     };
     let inner = format!("{}.dynamics.step", scene.table);
     let given = |key: &str| scene.given.of(key).map(|given| given.place.clone());
-    let speed = given(&format!("{}.motion.speed", scene.table));
-    let (lasts, steps) = work(&scene)?;
-    if steps > MOST_STEPS {
-        let message = format!(
-            "the default experiment lasts {} s, which takes {} inner steps",
-            short(lasts),
-            short(steps.round())
-        );
-        let help = format!("at most {} are run: raise the speed", short(MOST_STEPS));
-        return Err(refused(&scene, name, speed, message, "too slow", Some(help)));
-    }
+    let lasts = lasting(&scene).map_err(|found| scene_file::failure(name, scene.text(), &[*found]))?;
     let Err(stopped) = run(&scene) else {
         return Ok(scene);
     };
@@ -149,7 +137,7 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
         let shorter = scene_file::changed(&scene, &format!("the scene at step = {milliseconds}"), |document| {
             document[scene.table]["dynamics"]["step"] = value(milliseconds.as_str());
         })?;
-        if work(&shorter)?.1 > MOST_STEPS || run(&shorter).is_err() {
+        if lasting(&shorter).is_err() || run(&shorter).is_err() {
             continue;
         }
         if let Some(place) = given(&inner) {
@@ -169,6 +157,7 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
         return Ok(shorter);
     }
     let label = format!("it lasts {} s", short(lasts));
+    let speed = given(&format!("{}.motion.speed", scene.table));
     Err(refused(&scene, name, speed, cannot(&stopped), label, None))
 }
 
@@ -212,18 +201,6 @@ fn run(scene: &Scene) -> Result<(), Stopped> {
         }
     }
     Ok(())
-}
-
-/// How long the default experiment lasts, in s, and how many inner or communication steps it takes at least.
-fn work(scene: &Scene) -> Result<(f64, f64), Failure> {
-    let model = scene
-        .model()
-        .map_err(|fault| Failure::Scene(format!("error: {}", fault.message)))?;
-    let steps = match scene.mechanism.solver() {
-        Some(solver) if model.states() > 0 => model.stop_time() / solver.longest.min(model.step_size()),
-        _ => 0.0,
-    };
-    Ok((model.stop_time(), steps))
 }
 
 fn milliseconds(step: f64) -> String {

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use lemnis_models::component::sheet::{Sheet, Summary};
-use lemnis_models::kernel::number::{Number, column};
+use lemnis_models::kernel::diagnostic::Diagnostic;
+use lemnis_models::kernel::number::{Number, column, short};
 use lemnis_models::kernel::variable::{Fault, Role, Variable};
 use lemnis_models::scene::Scene;
 use serde_json::{Map, Value, json};
@@ -215,4 +216,35 @@ impl Results {
         });
         serde_json::to_string_pretty(&whole).expect("plain data")
     }
+}
+
+/// The most inner steps of a default experiment: more take minutes.
+const MOST_STEPS: f64 = 1e7;
+
+/// How long a scene's default experiment lasts, in s.
+///
+/// # Errors
+///
+/// Where it takes more than 1e7 inner or communication steps, at the speed that the scene gives.
+pub fn lasting(scene: &Scene) -> Result<f64, Box<Diagnostic>> {
+    let speed = scene.given.of(&format!("{}.motion.speed", scene.table));
+    let place = || speed.map_or(0..0, |given| given.place.clone());
+    let model = scene
+        .model()
+        .map_err(|fault| Diagnostic::new(place(), fault.message, ""))?;
+    let lasts = model.stop_time();
+    let steps = match scene.mechanism.solver() {
+        Some(solver) if model.states() > 0 => lasts / solver.longest.min(model.step_size()),
+        _ => 0.0,
+    };
+    if steps <= MOST_STEPS {
+        return Ok(lasts);
+    }
+    let message = format!(
+        "the default experiment lasts {} s, which takes {} inner steps",
+        short(lasts),
+        short(steps.round())
+    );
+    let help = format!("at most {} are run: raise the speed", short(MOST_STEPS));
+    Err(Box::new(Diagnostic::new(place(), message, "too slow").help(help)))
 }

@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 use lemnis::book::Edition;
 use lemnis::documentation;
 use lemnis::language::Language;
-use lemnis::results::Results;
+use lemnis::results::{Results, lasting};
 use lemnis::template::Templates;
 use lemnis_fmu::description::{Standard, model_description};
 use lemnis_models::book::LANGUAGES;
@@ -92,6 +92,12 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
         }
     };
     outcome.level = level(&scene);
+    if let Err(diagnostic) = lasting(&scene) {
+        let message = format!("{diagnostic}");
+        read(&message, "message", &mut outcome.wrong);
+        outcome.refused.push(("check", message));
+        return;
+    }
     let results = match Results::new(&scene) {
         Ok(results) => results,
         Err(fault) => {

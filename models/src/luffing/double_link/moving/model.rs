@@ -18,7 +18,7 @@ use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type,
 use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::luffing::double_link::geometry::{Driven, Geometry, Weights};
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
-use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, MovingLinkage};
+use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, MovingLinkage, REELED_IN};
 use crate::luffing::double_link::moving::level::{
     Inputs, Level, MOST_INDICATORS, MOST_STATES, MotionResult, OIL_INDICATORS, Powers, Present,
 };
@@ -552,6 +552,26 @@ impl LuffingMotion {
         })
     }
 
+    /// Refuses a step in which all of the rope is reeled in: its end would be sought in ever smaller inner steps.
+    fn enough_rope(&self, size: f64) -> Result<(), Fault> {
+        let (hoist, states) = (self.now.inputs.motion.hoist, self.now.present.states());
+        let length = self.variables[..self.states]
+            .iter()
+            .zip(states)
+            .find(|(v, _)| v.symbol.id == m::L_R.id);
+        match length {
+            Some((variable, length)) if length + hoist * size <= REELED_IN => Err(Fault::outside(format!(
+                "at {} = {} nothing is left of the rope of {} = {} within {} s: reel in less",
+                m::V_H.id,
+                m::V_H.written(hoist),
+                m::L_R.id,
+                variable.symbol.written(length),
+                short(size)
+            ))),
+            _ => Ok(()),
+        }
+    }
+
     fn all_rates(&mut self, rates: &mut [f64; MOST_STATES]) -> Result<(), Fault> {
         let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
         let found = self.level()?.rates(&present, &inputs, &y, rates);
@@ -864,6 +884,7 @@ impl Running for LuffingMotion {
     fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
         let (before, inputs, step) = (self.now.present, self.now.inputs, self.now.constants.step);
         let relative = self.now.oil.map_or(0.0, |oil| oil.tol);
+        self.enough_rope(to - from)?;
         let mut present = before;
         let solved = self.level()?.advance(&mut present, &inputs, to - from, step, relative);
         let work = solved.map_err(|halt| self.refusal(halt, to - from))?;
