@@ -439,3 +439,35 @@ def test_watching_follows_changes_and_survives_mistakes(tmp_path):
             assert made.read_bytes() == first
         finally:
             watching.kill()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="wait4 is POSIX")
+def test_the_largest_book_stays_below_a_gigabyte(tmp_path):
+    """As many groups, rows, positions, forbidden ranges, rings and revisions as a scene may have, all told in full."""
+    text = (ROOT / "models/scenes/boat_hoist_003_hydraulic.toml").read_text(encoding="utf-8")
+    forbidden = [", ".join(f'"{25 + i + 0.001 * group} deg, {25.5 + i} deg"' for i in range(8)) for group in range(64)]
+    groups = "".join(
+        f'[[steering.groups]]\nx = "{15.5 - i % 32} m"\ny = "{"-" * (i >= 32)}6 m"\nforbidden = [{forbidden[i]}]\n'
+        + 'cylinder = "mirrored"\n' * (i >= 32)
+        for i in range(64)
+    )
+    text = text[: text.index("[[steering.groups]]")] + groups + text[text.index("[steering.outline]") :]
+    points = ", ".join(f'"{24 * i} kN, {1100 - 11 * i} kN.m"' for i in range(100))
+    rings = "".join(
+        f'[[steering.ring.catalogue]]\nname = "{i}"\nD_L = "{1000 + i} mm"\nring = [{points}]\nbolts = [{points}]\n'
+        for i in range(100)
+    )
+    start, end = text.index("[[steering.ring.catalogue]]"), text.index("[steering.cylinder]")
+    text = text[:start] + rings + text[end:]
+    text += "".join(f'[[project.revisions]]\nmark = "{i}"\n' for i in range(100))
+    text += '[book]\nlevel = "full"\npositions = [' + ", ".join(f'"{2 * i - 9} deg"' for i in range(10)) + "]\n"
+    path = scene(
+        tmp_path, "crane.toml",
+        ('front = "11 m"', 'front = "20 m"'), ('rear  = "-11 m"', 'rear = "-20 m"'),
+        ('step  = "2.5 deg"', 'step = "0.003 deg"'), text=text,
+    )
+    process = subprocess.Popen([LEMNIS, "book", path, "--output", tmp_path], stdout=subprocess.DEVNULL)
+    _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    assert process.returncode == 0 and (tmp_path / "BoatHoistHydraulic.pdf").is_file()
+    assert used.ru_maxrss * (1 if sys.platform == "darwin" else 1024) < 1e9

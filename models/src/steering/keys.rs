@@ -86,7 +86,7 @@ static RANGE: &[Key] = &[
 ];
 
 /// Where a group must not turn.
-const FORBIDDEN: Key = Key::new("forbidden", Kind::Texts(20), "Ranges through which a group must not turn, each by its two ends: \"20 deg, 25 deg\"; a group's own ones take the place of those of all.").optional();
+const FORBIDDEN: Key = Key::new("forbidden", Kind::Texts(8), "Ranges through which a group must not turn, each by its two ends: \"20 deg, 25 deg\"; a group's own ones take the place of those of all.").optional();
 
 const MOTION: &[Key] = {
     let [from, to, step, speed, source] = Motion::keys([&s::FROM, &s::TO], &s::THETA_B, (&s::OMEGA_S, s::OMEGA_S.text));

@@ -121,9 +121,13 @@ impl Described for SteeringScene {
         ["views"].into_iter().chain(sizing.then_some("sizing")).collect()
     }
 
-    /// Loads of the groups stand with the loads, and what is forbidden to each group with the ranges.
+    /// Loads of the groups stand with the loads, and what is forbidden to each group with the ranges: once where it is
+    /// the same for all.
     fn arrange(&self, inputs: &mut Vec<Input>) {
-        let forbidden = (1..).zip(&self.given.mounts).flat_map(|(number, mount)| {
+        let mounts = &self.given.mounts;
+        let common = mounts.windows(2).all(|pair| pair[0].forbidden == pair[1].forbidden);
+        let told = if common { 1 } else { mounts.len() };
+        let forbidden = (1..).zip(&mounts[..told]).flat_map(|(number, mount)| {
             let ends = mount
                 .forbidden
                 .iter()
@@ -131,7 +135,7 @@ impl Described for SteeringScene {
                 .zip([&s::FORBIDDEN_FROM, &s::FORBIDDEN_TO].into_iter().cycle());
             ends.map(move |(value, symbol)| Input {
                 symbol,
-                number: Some(number),
+                number: (!common).then_some(number),
                 value: *value,
                 chapter: "range",
                 given: None,
