@@ -85,6 +85,7 @@ struct Entry {
     reference: u32,
     kind: Kind,
     role: Option<Role>,
+    is_discrete: bool,
     start: Option<String>,
     bounds: [f64; 2],
     nominal: Option<f64>,
@@ -105,6 +106,7 @@ impl Entry {
             reference,
             kind,
             role: None,
+            is_discrete: false,
             start: None,
             bounds: [f64::NEG_INFINITY, f64::INFINITY],
             nominal: None,
@@ -166,6 +168,7 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
         let (text, place) = (variable.symbol.description(), reference(Place::Variable(index)));
         entries.push(Entry {
             role: Some(variable.role),
+            is_discrete: variable.is_discrete(),
             start,
             bounds: variable.bounds,
             nominal: nominals[index].filter(|_| variable.kind == Type::Real),
@@ -414,10 +417,7 @@ fn variable(xml: &mut Xml, entry: &Entry, standard: Standard) -> io::Result<()> 
         (None, Kind::String) => ("local", Some("exact"), Some("constant")),
         (None, _) => ("independent", None, None),
     };
-    let variability = fixed.unwrap_or(match entry.kind {
-        Kind::Boolean | Kind::Enumeration(_) => "discrete",
-        _ => "continuous",
-    });
+    let variability = fixed.unwrap_or(if entry.is_discrete { "discrete" } else { "continuous" });
     let mut general = vec![
         ("name", entry.name.to_owned()),
         ("valueReference", entry.reference.to_string()),

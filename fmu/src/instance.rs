@@ -746,7 +746,7 @@ impl Instance {
                 ("a parameter", "before the end of initialization")
             }
             Role::Tunable if self.now.state == CONTINUOUS => ("a parameter", "at events"),
-            Role::Input if variable.kind != Type::Real && between_events => ("discrete", "at events"),
+            Role::Input if variable.is_discrete() && between_events => ("discrete", "at events"),
             _ => return Ok(()),
         };
         refuse(format!("{variable} is {what}: it can be set {until} only"))

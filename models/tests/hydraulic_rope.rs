@@ -5,7 +5,7 @@ use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
 use lemnis_models::luffing::double_link::hydraulic::{Crane, FIXED, Hydraulic, MOST, Modes, PresentCrane};
 use lemnis_models::luffing::double_link::motion::{self, Bar};
-use lemnis_models::luffing::double_link::slewing::{self, JointDrive};
+use lemnis_models::luffing::double_link::slewing;
 use lemnis_models::parts::hydraulics::cylinder::Oil;
 use lemnis_models::parts::solver::rodas::Tolerance;
 use lemnis_models::scene::Scene;
@@ -18,6 +18,7 @@ const COMMANDS: [(u32, f64); 3] = [(0, 0.5), (60, -0.4), (90, 0.0)];
 const ROPE: Pendulum = Pendulum {
     mass: 16e3,
     length: 6.0,
+    winch: None,
 };
 const G: f64 = 9.81;
 
@@ -37,7 +38,9 @@ fn plane(swing: f64, hoist: f64) -> (System, PresentCrane<MOST>) {
     system.hoist = hoist;
     let mut y = system.resting(65_f64.to_radians(), 20e5).expect("closes");
     y[8] = swing;
-    (system, PresentCrane::new(y))
+    let mut present = PresentCrane::new(y);
+    present.wind(hoist, FIXED + 5);
+    (system, present)
 }
 
 /// On a turntable, the load at angles (rad) of the rope, under a moment (N·m) on slewing.
@@ -48,7 +51,9 @@ fn space(load: [f64; 2], hoist: f64, moment: f64) -> (System, PresentCrane<MOST>
     let mut state = slewing::SlewingState::resting(y[0], ROPE.length);
     state.put_load(load);
     y[8..].copy_from_slice(&state.y[2..]);
-    (system, PresentCrane::new(y))
+    let mut present = PresentCrane::new(y);
+    present.wind(hoist, MOST - 1);
+    (system, present)
 }
 
 fn run(system: &System, present: &mut PresentCrane<MOST>, relative: f64, duration: f64) {
@@ -178,33 +183,17 @@ fn energy(system: &System, present: &PresentCrane<MOST>) -> f64 {
         Crane::Plane(crane) => {
             let mut state = motion::MotionState::resting(y[0], 0.0);
             state.y[1] = y[1];
-            state.y[2..].copy_from_slice(&y[FIXED..FIXED + 5]);
+            state.y[2..].copy_from_slice(&y[FIXED..FIXED + 6]);
             (state.bar, state.taut) = (Bar::Loose, present.modes.taut);
-            let commands = motion::Commands {
-                moment: 0.0,
-                brake: 0.0,
-                hoist: system.hoist,
-            };
-            crane.energy(&state, &commands).expect("closes")
+            crane.energy(&state).expect("closes")
         }
         Crane::Slewing(crane) => {
             let mut state = slewing::SlewingState::resting(y[0], 0.0);
             state.y[1] = y[1];
             state.y[2..].copy_from_slice(&y[FIXED..]);
             state.taut = present.modes.taut;
-            crane.energy(&state, &commands(system)).expect("closes")
+            crane.energy(&state).expect("closes")
         }
-    }
-}
-
-fn commands(system: &System) -> slewing::SlewingCommands {
-    let none = JointDrive {
-        moment: 0.0,
-        brake: 0.0,
-    };
-    slewing::SlewingCommands {
-        drives: [none, system.slewing],
-        hoist: system.hoist,
     }
 }
 
@@ -286,6 +275,7 @@ fn a_shorter_rope_swings_wider() {
     let mut system = crane::hydraulic(Some(Pendulum {
         mass: 1.0,
         length: 40.0,
+        winch: None,
     }));
     system.hoist = -0.02;
     let mut y: [f64; MOST] = system.resting(90_f64.to_radians(), 20e5).expect("closes");
@@ -293,6 +283,7 @@ fn a_shorter_rope_swings_wider() {
     // Nothing leaks: the boom stays where it is.
     system.cylinder.leakage = 0.0;
     let mut present = PresentCrane::new(y);
+    present.wind(system.hoist, FIXED + 5);
     run(&system, &mut present, 1e-7, 1500.0);
     let y = present.run.states();
     assert!((y[10] - 10.0).abs() < 1e-9 && y[10] == y[11], "{}", y[10]);

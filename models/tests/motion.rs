@@ -112,7 +112,7 @@ fn a_brake_stops_the_fall_and_takes_its_energy() {
     let falling = state;
     assert!(falling.y[1].abs() > 0.01 && falling.bar != Bar::Held);
     let commands = Commands { brake: 6e6, ..STILL };
-    let (first, mut work, mut steps) = (m.energy(&state, &commands).expect("closes"), 0.0, 0);
+    let (first, mut work, mut steps) = (m.energy(&state).expect("closes"), 0.0, 0);
     while state.bar != Bar::Held {
         let before = state;
         m.advance(&mut state, &commands, 1e-4, 1e-4).expect("brakes");
@@ -125,7 +125,7 @@ fn a_brake_stops_the_fall_and_takes_its_energy() {
         steps += 1;
         assert!(steps < 100_000);
     }
-    let lost = first - m.energy(&state, &commands).expect("closes");
+    let lost = first - m.energy(&state).expect("closes");
     println!(
         "fell at {} rad/s, stopped after {steps} steps, lost {lost} J, work {work} J",
         falling.y[1]
@@ -144,7 +144,7 @@ fn work_is_stored_or_dissipated_with_a_swinging_load() {
     let m = motion(Some(crane::PENDULUM), 2e5, 40e3);
     let mut state = at(75.0, 10.0);
     state.y[2] = 0.3;
-    let first = m.energy(&state, &STILL).expect("closes");
+    let first = m.energy(&state).expect("closes");
     let hold = holding(&m, &at(75.0, 10.0));
     let (mut work, mut lost, mut reversals, h) = (0.0, 0.0, 0, 1e-4);
     for i in 0..60_000 {
@@ -164,7 +164,7 @@ fn work_is_stored_or_dissipated_with_a_swinging_load() {
         lost += (power[0] + 4.0 * power[1] + power[2]) / 6.0 * h + 40e3 * way.abs();
         reversals += u32::from(before.bar != state.bar);
     }
-    let gained = m.energy(&state, &STILL).expect("closes") - first;
+    let gained = m.energy(&state).expect("closes") - first;
     println!("work {work:.3} J, stored {gained:.3} J, lost {lost:.3} J, {reversals} changes");
     assert!(reversals >= 2 && lost > 1e3);
     // Where the bar turns within a step, its way there and back counts once: at most a few steps.
@@ -262,9 +262,9 @@ fn a_slack_rope_lets_the_load_fall_freely_and_catches_it() {
     // Speed g·t, at 30 degrees to the vertical: across the rope v sin 30°, towards the hanging position.
     let across = g * fall * 0.5 / 10.0;
     assert!((state.y[3] + across).abs() < 1e-4, "{} {across}", state.y[3]);
-    let energy = m.energy(&state, &held).expect("closes");
+    let energy = m.energy(&state).expect("closes");
     m.advance(&mut state, &held, 2.0, 1e-3).expect("swings");
-    assert!((m.energy(&state, &held).expect("closes") - energy).abs() < 1e-8 * 16e3 * g * 10.0);
+    assert!((m.energy(&state).expect("closes") - energy).abs() < 1e-8 * 16e3 * g * 10.0);
 }
 
 /// With the bar free, momentum passes through the rope: no energy is gained in the blow, and the whole
@@ -276,13 +276,13 @@ fn a_blow_of_the_rope_gains_no_energy() {
     state.y[2] = 120_f64.to_radians();
     let hold = holding(&m, &at(90.0, 10.0));
     let commands = Commands { moment: hold, ..STILL };
-    let mut energy = m.energy(&state, &commands).expect("closes");
+    let mut energy = m.energy(&state).expect("closes");
     let mut blows = 0;
     for _ in 0..4000 {
         let (before, way) = (state, state.y[0]);
         m.advance(&mut state, &commands, 1e-3, 1e-3).expect("moves");
         let work = hold * (state.y[0] - way);
-        let now = m.energy(&state, &commands).expect("closes");
+        let now = m.energy(&state).expect("closes");
         assert!(now - energy - work < 1e-3, "gained {}", now - energy - work);
         blows += u32::from(!before.taut && state.taut);
         energy = now;

@@ -101,7 +101,7 @@ fn model(case: usize) -> Model {
         let at = index(&model, id).expect("exists");
         model.set(at, value).expect("allowed");
     }
-    model.update().expect("closes");
+    model.start().expect("closes");
     for &(id, value) in slack {
         let at = index(&model, id).expect("exists");
         model.set(at, value).expect("allowed");

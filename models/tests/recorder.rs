@@ -146,7 +146,7 @@ fn the_energy_of_a_run_is_accounted_for() {
         );
         assert!(of("W_e").abs() < 1e-3 * scale, "{level}");
         assert!(of("W_R") >= 0.0 && of("W_T") >= 0.0, "{level}");
-        assert!(of("W_B") > -1e-6 * scale, "{level}: a blow gives no energy");
+        assert!(of("W_blow") > -1e-6 * scale, "{level}: a blow gives no energy");
         assert!(
             sheet
                 .checks

@@ -15,7 +15,11 @@ const G: f64 = 9.81;
 /// A light load, whose swing does not move the crane; nothing leaks, and slewing is braked. At angles (rad) of the
 /// rope in the plane and, where it slews, from it.
 fn hanging(length: f64, [swing, side]: [f64; 2], slews: bool) -> (Hydraulic<MOST>, PresentCrane<MOST>) {
-    let pendulum = Some(Pendulum { mass: 1e-3, length });
+    let pendulum = Some(Pendulum {
+        mass: 1e-3,
+        length,
+        winch: None,
+    });
     let mut system: Hydraulic<MOST> = if slews {
         crane::hydraulic_slewing(pendulum, 5e6)
     } else {

@@ -102,6 +102,7 @@ fn zero_inertia_and_zero_load() {
             pendulum: Some(Pendulum {
                 mass: 1e-300,
                 length: 10.0,
+                winch: None,
             }),
             ..full
         },

@@ -14,7 +14,11 @@ const HELD: Commands = Commands {
 
 fn motion(length: f64) -> MovingLinkage {
     MovingLinkage {
-        dynamics: crane::dynamics(Some(Pendulum { mass: 16e3, length })),
+        dynamics: crane::dynamics(Some(Pendulum {
+            mass: 16e3,
+            length,
+            winch: None,
+        })),
         friction: Friction {
             viscous: 0.0,
             coulomb: 0.0,

@@ -433,6 +433,8 @@ fn dynamics(n: &mut Node, rope: bool) {
     d.keep("l_R", rope);
     let reel = d.draw.coin(0.5);
     d.keep("v_h", rope && reel);
+    let ramp = d.draw.coin(0.5);
+    d.keep("a_h", rope && ramp);
     let aside = d.draw.coin(0.7);
     d.keep("phi_R", rope && aside);
     if rope {
@@ -440,7 +442,14 @@ fn dynamics(n: &mut Node, rope: bool) {
         let long = d.set("l_R", long);
         if reel {
             let speed = long / lasts * d.draw.between(-0.5, 0.3);
-            d.set("v_h", speed);
+            let speed = d.set("v_h", speed);
+            if ramp {
+                let gain = (speed.abs() / time * d.draw.between(0.1, 2.0)).clamp(1e-3, 1e3);
+                d.set("a_h", gain);
+            }
+        } else if ramp {
+            let gain = (long / time.powi(2) * d.draw.between(0.01, 0.5)).clamp(1e-3, 1e3);
+            d.set("a_h", gain);
         }
     }
     if let Some(mut turning) = n.child("slewing") {

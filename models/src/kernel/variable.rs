@@ -49,6 +49,8 @@ pub struct Variable {
     pub kind: Type,
     /// Smallest and greatest value, in SI; infinite where there is none.
     pub bounds: [f64; 2],
+    /// An input that is a real number and yet changes at events only.
+    pub at_events: bool,
 }
 
 impl Variable {
@@ -61,12 +63,19 @@ impl Variable {
             role,
             kind: symbol.kind,
             bounds: [symbol.range.least, symbol.range.most],
+            at_events: false,
         }
     }
 
     #[must_use]
     pub fn quantity(&self) -> Quantity {
         (self.symbol, self.number)
+    }
+
+    /// Whether it changes at events only.
+    #[must_use]
+    pub fn is_discrete(&self) -> bool {
+        self.at_events || self.kind != Type::Real
     }
 
     /// Whether a value is one of those that it may have, in SI.

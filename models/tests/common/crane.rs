@@ -15,6 +15,7 @@ use lemnis_models::parts::plane::Point;
 pub const PENDULUM: Pendulum = Pendulum {
     mass: 16e3,
     length: 10.0,
+    winch: None,
 };
 
 /// Uniform bars of 20 t, 6 t and 4 t; with a load on a rope, or one of 16 t fixed to the head. `mass` multiplies all.

@@ -99,6 +99,8 @@ pub struct Pendulum<P = f64> {
     pub mass: P,
     /// Length of the rope, in m.
     pub length: P,
+    /// How fast the hoist comes up to its command, in m/s²; `None` where it does so at once.
+    pub winch: Option<P>,
 }
 
 /// Least mass of a load, in kg, by which an equation can be multiplied.
@@ -138,11 +140,29 @@ pub struct Phase<C = f64> {
     pub swing_rate: C,
 }
 
-/// The rope: its length (m) and how fast it is paid out (m/s).
+/// The rope: its length (m), how fast it is paid out (m/s), and how that changes (m/s²) where it does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reel<C> {
     pub length: C,
     pub rate: C,
+    pub gain: Option<C>,
+}
+
+impl<C: Calc> Reel<C> {
+    /// At rest.
+    #[must_use]
+    pub fn still(length: C) -> Reel<C> {
+        Reel {
+            length,
+            rate: C::constant(0.0),
+            gain: None,
+        }
+    }
+
+    /// An acceleration towards the head (m/s²) less what the hoist gives way.
+    pub(crate) fn less_gain(&self, inward: C) -> C {
+        self.gain.map_or(inward, |gain| inward - gain)
+    }
 }
 
 /// The pendulum's part of the equations of motion: the terms that it adds to the inertia of the driven bar (kg·m²) and
@@ -595,7 +615,7 @@ impl<P: Calc> Dynamics<P> {
         let (swing, inward) = (Point::new(cos, sin), Point::new(-sin, cos));
         let (mass, gravity, l) = (C::of(load.mass), C::of(self.bodies.gravity), reel.length);
         let any = C::of(load.cancelling());
-        let pull = l * m.swing_rate.square();
+        let pull = reel.less_gain(l * m.swing_rate.square());
         let coriolis = C::constant(2.0) * reel.rate * m.swing_rate;
         let square = m.omega.square();
         let forward = dot(d, swing).def(&s::D_PHI);
@@ -678,7 +698,7 @@ impl Dynamics {
     pub fn accelerations(&self, m: &Phase, moment: f64) -> Option<[f64; 2]> {
         let r = f64::reduced(self, m.theta)?;
         let length = self.bodies.pendulum.map_or(0.0, |p| p.length);
-        Some(self.motion(&r, m, moment, Reel { length, rate: 0.0 }))
+        Some(self.motion(&r, m, moment, Reel::still(length)))
     }
 
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
@@ -686,7 +706,7 @@ impl Dynamics {
     pub fn energy(&self, m: &Phase) -> Option<f64> {
         let r = f64::reduced(self, m.theta)?;
         let bars = 0.5 * r.inertia * m.omega * m.omega + r.energy;
-        let Some(Pendulum { mass, length }) = self.bodies.pendulum else {
+        let Some(Pendulum { mass, length, .. }) = self.bodies.pendulum else {
             return Some(bars);
         };
         let [a, d, _] = r.head;

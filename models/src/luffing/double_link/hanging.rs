@@ -109,14 +109,14 @@ impl<P: Calc> Dynamics<P> {
     }
 
     /// Motion under moments on both joints (N·m) at rates of the joints (rad/s); the load only where there is
-    /// one on a rope, which is paid out at `hoist` (m/s).
+    /// one on a rope, which is paid out at `hoist` (m/s); where that changes, by `gain` (m/s²).
     pub fn slewed<C: Coordinate<P>>(
         &self,
         r: &Reduced<C>,
         [omega, turning]: [C; 2],
         load: HangingLoad<C>,
         moments: [C; 2],
-        hoist: C,
+        (hoist, gain): (C, Option<C>),
         free: Free,
     ) -> Accelerations<C> {
         let (zero, half, two) = (C::constant(0.0), C::constant(0.5), C::constant(2.0));
@@ -168,6 +168,9 @@ impl<P: Calc> Dynamics<P> {
                 // Away from the head by the speed across the rope; the joints give way to the rope's force.
                 let speed = squared(load.rate) - hoist.square();
                 let mut need = dot(rope.direction, fall) + speed / rope.length;
+                if let Some(gain) = gain {
+                    need -= gain;
+                }
                 let mut give = C::constant(1.0);
                 for i in 0..2 {
                     need -= rope.arms[i] * alone[i];

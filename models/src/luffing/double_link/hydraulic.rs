@@ -6,7 +6,7 @@
 
 use crate::kernel::calc::{Calc, Over};
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
-use crate::luffing::double_link::motion::{self, Bar, Friction, MOST_CHANGES, MovingLinkage, above_zero};
+use crate::luffing::double_link::motion::{self, Bar, Drum, Friction, MOST_CHANGES, MovingLinkage, above_zero};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::slewing::{self, JointDrive, Slewing};
 use crate::luffing::double_link::symbols as g;
@@ -62,11 +62,14 @@ pub struct Hydraulic<const N: usize, P = f64> {
 }
 
 /// How a crane moves between events.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Modes {
     pub slewing: Bar,
+    pub drum: Drum,
     /// The load hangs on the rope, or flies free.
     pub taut: bool,
+    /// Energy that blows have taken so far, in J; what they gave counts negative.
+    pub blown: f64,
 }
 
 /// A crane on its way, with its solver's state.
@@ -91,6 +94,14 @@ impl<const N: usize> PresentCrane<N> {
         self.run.interrupt(FIRST);
     }
 
+    /// The hoist runs as commanded, at a rate of paying out (m/s), which is state number `place`.
+    pub fn wind(&mut self, rate: f64, place: usize) {
+        let mut y = self.run.states();
+        y[place] = rate;
+        self.set_states(&y);
+        self.modes.drum = Drum::at(rate);
+    }
+
     /// Takes over the first states from outside; what the solver knew ahead is dropped.
     pub fn set_states(&mut self, values: &[f64]) {
         let mut y = self.run.states();
@@ -105,14 +116,21 @@ impl Modes {
     /// Until it is decided what follows.
     pub const AT_REST: Modes = Modes {
         slewing: Bar::Held,
+        drum: Drum {
+            way: Bar::Held,
+            command: 0.0,
+        },
         taut: true,
+        blown: 0.0,
     };
 
     fn plane<C: Calc, const N: usize>(self, y: &[C; N]) -> motion::MotionState {
         motion::MotionState {
             y: part(y).map(C::value),
             bar: Bar::Loose,
+            drum: self.drum,
             taut: self.taut,
+            blown: self.blown,
         }
     }
 
@@ -120,7 +138,9 @@ impl Modes {
         slewing::SlewingState {
             y: part(y).map(C::value),
             joints: [Bar::Loose, self.slewing],
+            drum: self.drum,
             taut: self.taut,
+            blown: self.blown,
         }
     }
 }
@@ -170,14 +190,17 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
     /// How many states there are.
     #[must_use]
     pub fn states(&self) -> usize {
-        let hangs = self.dynamics().bodies().pendulum.is_some();
-        FIXED
-            + match (&self.crane, hangs) {
-                (Crane::Plane(_), false) => 0,
-                (Crane::Plane(_), true) => motion::STATES - 2,
-                (Crane::Slewing(_), false) => slewing::RIGID - 2,
-                (Crane::Slewing(_), true) => slewing::STATES - 2,
-            }
+        let alone = match &self.crane {
+            Crane::Plane(_) => FIXED,
+            Crane::Slewing(_) => FIXED + slewing::RIGID - 2,
+        };
+        let all = match &self.crane {
+            Crane::Plane(_) => FIXED + motion::STATES - 2,
+            Crane::Slewing(_) => FIXED + slewing::STATES - 2,
+        };
+        // A hoist that follows its command at once has no rate of its own.
+        let hangs = self.dynamics().bodies().pendulum;
+        hangs.map_or(alone, |load| all - usize::from(load.winch.is_none()))
     }
 
     /// Moment on the driven bar of cylinder, friction and stops, in N·m.
@@ -268,12 +291,8 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
                 swing: still,
                 swing_rate: still,
             };
-            let reel = Reel {
-                length: still,
-                rate: still,
-            };
             out[0] = omega;
-            out[1] = self.dynamics().motion(&r, &m, moment, reel)[0];
+            out[1] = self.dynamics().motion(&r, &m, moment, Reel::still(still))[0];
         }
         out[2..FIXED].copy_from_slice(&[
             rates.ports[0].def(&s::D_P_1),
@@ -287,18 +306,20 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
     }
 
     /// Numbers whose fall below zero ends a smooth piece: slewing comes to rest or (two) breaks loose, meets its
-    /// lower or upper stop; the rope becomes slack or taut.
-    pub fn indicators<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; 5]> {
+    /// lower or upper stop; the rope becomes slack or taut; the hoist runs as commanded.
+    pub fn indicators<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; 6]> {
         let none = C::constant(1.0);
         if N == FIXED {
-            return Some([none; 5]);
+            return Some([none; 6]);
         }
         let r = C::reduced(self.dynamics(), y[0])?;
         let moment = self.moment(&r, y);
         Some(match &self.crane {
             Crane::Plane(motion) => {
-                let rope = motion.slackening(&modes.plane(y), &r, &part(y), &self.in_plane(moment));
-                [none, none, none, none, above_zero(rope)]
+                let (own, y) = (modes.plane(y), part(y));
+                let rope = motion.slackening(&own, &r, &y, &self.in_plane(moment));
+                let hoist = modes.drum.reaching(y[7], C::of(self.hoist));
+                [none, none, none, none, above_zero(rope), above_zero(hoist)]
             }
             Crane::Slewing(slewing) => {
                 let [_, _, _, _, all @ ..] =
@@ -342,8 +363,8 @@ impl<const N: usize> Hydraulic<N> {
     #[must_use]
     pub fn energy(&self, modes: Modes, y: &[f64; N]) -> Option<f64> {
         match &self.crane {
-            Crane::Plane(motion) if N > FIXED => motion.energy(&modes.plane(y), &self.in_plane(0.0)),
-            Crane::Slewing(slewing) if N > FIXED => slewing.energy(&modes.space(y), &self.in_space(0.0)),
+            Crane::Plane(motion) if N > FIXED => motion.energy(&modes.plane(y)),
+            Crane::Slewing(slewing) if N > FIXED => slewing.energy(&modes.space(y)),
             _ => self.dynamics().energy(&Phase {
                 theta: y[0],
                 omega: y[1],
@@ -373,7 +394,7 @@ impl<const N: usize> Hydraulic<N> {
             swing: 0.0,
             swing_rate: 0.0,
         };
-        let [moment, _] = self.dynamics().hold(&r, &still, Reel { length, rate: 0.0 });
+        let [moment, _] = self.dynamics().hold(&r, &still, Reel::still(length));
         let [bore, annulus] = self.cylinder.areas;
         let force = moment / r.drive[1];
         let back = least.max((least * bore - force) / annulus);
@@ -411,7 +432,7 @@ impl<const N: usize> Hydraulic<N> {
                     // Located just beyond its end, the rope cannot be longer than it is.
                     state.y[5] = state.y[5].min(state.y[4]);
                     put(&mut y, &state.y);
-                    modes.taut = state.taut;
+                    (modes.drum, modes.taut, modes.blown) = (state.drum, state.taut, state.blown);
                     changed
                 }
                 Crane::Slewing(slewing) => {
@@ -419,7 +440,8 @@ impl<const N: usize> Hydraulic<N> {
                     let changed = slewing.event(&mut state, &self.in_space(moment))?;
                     state.shorten();
                     put(&mut y, &state.y);
-                    (modes.slewing, modes.taut) = (state.joints[1], state.taut);
+                    (modes.drum, modes.taut, modes.blown) = (state.drum, state.taut, state.blown);
+                    modes.slewing = state.joints[1];
                     changed
                 }
             };
@@ -500,7 +522,7 @@ impl<const N: usize> System<N> for Piece<'_, N> {
 
     #[inline]
     fn ended(&self, y: &[f64; N]) -> bool {
-        let beyond = |z: &[f64; 5]| z.iter().any(|z| *z < 0.0);
+        let beyond = |z: &[f64; 6]| z.iter().any(|z| *z < 0.0);
         N > FIXED && self.crane.indicators(self.modes, y).is_some_and(|z| beyond(&z))
     }
 
@@ -514,14 +536,14 @@ impl<const N: usize> System<N> for Piece<'_, N> {
         if N > FIXED && self.modes.taut && self.crane.dynamics().bodies().pendulum.is_some() {
             match &self.crane.crane {
                 Crane::Plane(_) => {
-                    let [.., length, distance, speed] = &mut y[..FIXED + motion::STATES - 2] else {
+                    let [.., length, distance, speed, rate] = &mut y[..FIXED + motion::STATES - 2] else {
                         return;
                     };
-                    (*distance, *speed) = (*length, self.crane.hoist);
+                    (*distance, *speed) = (*length, *rate);
                 }
                 Crane::Slewing(_) => {
                     let mut state = self.modes.space(y);
-                    state.straighten(self.crane.hoist);
+                    state.straighten();
                     put(y, &state.y);
                 }
             }

@@ -7,8 +7,8 @@
 //! below zero; what follows is decided by [`MovingLinkage::event`]. Blows (an end
 //! stop, a rope that becomes taut) are plastic: no bouncing, no energy gained.
 
-use crate::kernel::calc::Calc;
-use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
+use crate::kernel::calc::{Calc, Over};
+use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Pendulum, Phase, Reduced, Reel};
 use crate::luffing::double_link::moving::symbols::S_R;
 use crate::parts::plane::{Point, dot};
 use crate::parts::solver::pieces::{self, Pieces};
@@ -44,19 +44,99 @@ pub enum Bar {
     Loose,
 }
 
+/// The drum of the hoist.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drum {
+    /// Whether it runs as commanded, pays out ever faster, or reels in ever faster.
+    pub way: Bar,
+    /// What it was commanded when that was decided, in m/s.
+    pub command: f64,
+}
+
+impl Drum {
+    /// As commanded (m/s).
+    #[must_use]
+    pub fn at(command: f64) -> Drum {
+        Drum {
+            way: Bar::Held,
+            command,
+        }
+    }
+
+    /// How the rate at which it pays out changes, in m/s²; `None` where it does not.
+    pub(crate) fn gain<P: Calc, C: Over<P>>(self, load: &Pendulum<P>) -> Option<C> {
+        let gain = C::of(load.winch?);
+        match self.way {
+            Bar::Forward => Some(gain),
+            Bar::Backward => Some(-gain),
+            Bar::Held | Bar::Loose => None,
+        }
+    }
+
+    /// Falls below zero where it has come up to its command at a rate (m/s).
+    pub(crate) fn reaching<C: Calc>(self, rate: C, command: C) -> C {
+        match self.way {
+            Bar::Forward => command - rate,
+            Bar::Backward => rate - command,
+            Bar::Held | Bar::Loose => C::constant(1.0),
+        }
+    }
+
+    /// What it does under a command at an instant at which it pays out at a rate (m/s), its rate then, and how much
+    /// that changed at once.
+    pub(crate) fn decided<P>(self, load: &Pendulum<P>, before: f64, command: f64) -> (Drum, f64, f64) {
+        let mut rate = before;
+        let reached = self.command == command
+            && match self.way {
+                Bar::Forward => rate >= command,
+                Bar::Backward => rate <= command,
+                Bar::Held | Bar::Loose => false,
+            };
+        if reached || load.winch.is_none() {
+            rate = command;
+        }
+        let way = if rate < command {
+            Bar::Forward
+        } else if rate > command {
+            Bar::Backward
+        } else {
+            Bar::Held
+        };
+        let jump = match load.winch {
+            None if (rate - before).abs() > FELT => rate - before,
+            _ => 0.0,
+        };
+        (Drum { way, command }, rate, jump)
+    }
+}
+
+impl Bar {
+    /// After a blow that leaves it a rate: what moves may turn round.
+    pub(crate) fn struck(self, rate: f64) -> Bar {
+        match self {
+            Bar::Forward | Bar::Backward if rate > 0.0 => Bar::Forward,
+            Bar::Forward | Bar::Backward if rate < 0.0 => Bar::Backward,
+            bar => bar,
+        }
+    }
+}
+
 /// Number of states: angle and rate of the driven bar, of the rope, the rope's length, the distance
-/// of the load from the head and its rate; rad, m, s.
-pub const STATES: usize = 7;
+/// of the load from the head and its rate, the rate at which the rope is paid out; rad, m, s.
+pub const STATES: usize = 8;
 /// Number of event indicators.
-pub const INDICATORS: usize = 5;
+pub const INDICATORS: usize = 6;
 
 /// A motion at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionState {
     pub y: [f64; STATES],
     pub bar: Bar,
+    pub drum: Drum,
     /// The load hangs on the rope, or flies free.
     pub taut: bool,
+    /// Energy that blows have taken so far, in J; what they gave counts negative.
+    pub blown: f64,
 }
 
 impl MotionState {
@@ -64,10 +144,17 @@ impl MotionState {
     #[must_use]
     pub fn resting(theta: f64, length: f64) -> MotionState {
         MotionState {
-            y: [theta, 0.0, 0.0, 0.0, length, length, 0.0],
+            y: [theta, 0.0, 0.0, 0.0, length, length, 0.0, 0.0],
             bar: Bar::Held,
+            drum: Drum::at(0.0),
             taut: true,
+            blown: 0.0,
         }
+    }
+
+    /// The hoist runs as commanded, at a rate of paying out (m/s).
+    pub fn wind(&mut self, rate: f64) {
+        (self.y[7], self.drum) = (rate, Drum::at(rate));
     }
 
     #[must_use]
@@ -99,23 +186,34 @@ pub struct MovingLinkage<P = f64> {
 pub(crate) const LOOSE: f64 = 1.0 + 1e-12;
 /// Length of a rope, in m, of which nothing is left.
 pub(crate) const REELED_IN: f64 = 1e-4;
+/// Least jump of the hoist's speed that is a blow, in m/s: a load follows less without anyone's notice.
+const FELT: f64 = 1e-12;
+/// Part of an energy that rounding may be.
+const ROUNDING: f64 = 1e-14;
 /// Changes at one instant.
 pub(crate) const MOST_CHANGES: u32 = 16;
 
 impl<P: Calc> MovingLinkage<P> {
     /// The load on its rope as it is now.
-    fn reel<C: Coordinate<P>>(state: &MotionState, y: &[C; STATES], commands: &Commands<C>) -> Reel<C> {
+    fn reel<C: Coordinate<P>>(&self, state: &MotionState, y: &[C; STATES]) -> Reel<C> {
         if state.taut {
             Reel {
                 length: y[4],
-                rate: commands.hoist,
+                rate: y[7],
+                gain: self.gain(state),
             }
         } else {
             Reel {
                 length: y[5],
                 rate: y[6],
+                gain: None,
             }
         }
+    }
+
+    /// How the rate at which the rope is paid out changes, in m/s², where it does.
+    fn gain<C: Coordinate<P>>(&self, state: &MotionState) -> Option<C> {
+        state.drum.gain(self.dynamics.bodies().pendulum.as_ref()?)
     }
 
     /// Greatest moment of dry friction and brake, in N·m.
@@ -138,7 +236,7 @@ impl<P: Calc> MovingLinkage<P> {
             Bar::Forward => viscous() - self.dry(commands),
             Bar::Backward => viscous() + self.dry(commands),
         };
-        let reel = Self::reel(state, y, commands);
+        let reel = self.reel(state, y);
         if state.taut {
             let [alpha, swing] = match state.bar {
                 Bar::Held => [still, self.dynamics.hold(r, &m, reel)[1]],
@@ -194,10 +292,11 @@ impl<P: Calc> MovingLinkage<P> {
         let [alpha, swing, out] = self.accelerations(state, r, y, commands);
         if self.dynamics.bodies().pendulum.is_none() {
             let none = C::constant(0.0);
-            return [y[1], alpha, none, none, none, none, none];
+            return [y[1], alpha, none, none, none, none, none, none];
         }
-        let distance = if state.taut { commands.hoist } else { y[6] };
-        [y[1], alpha, y[3], swing, commands.hoist, distance, out]
+        let distance = if state.taut { y[7] } else { y[6] };
+        let gain = self.gain(state).unwrap_or_else(|| C::constant(0.0));
+        [y[1], alpha, y[3], swing, y[7], distance, out, gain]
     }
 
     /// Moment that friction, brake and stops must give to hold the bar at rest, in N·m, with the
@@ -214,7 +313,7 @@ impl<P: Calc> MovingLinkage<P> {
                 omega: C::constant(0.0),
                 ..phase(y)
             };
-            self.dynamics.hold(r, &still, Self::reel(state, y, commands))[0]
+            self.dynamics.hold(r, &still, self.reel(state, y))[0]
         } else {
             r.moment
         };
@@ -254,7 +353,7 @@ impl<P: Calc> MovingLinkage<P> {
         let [_, d, dd] = r.head;
         let (out, _) = directions(y[2]);
         let head = d * alpha + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.bodies().gravity));
-        C::of(mass) * (y[4] * y[3] * y[3] - dot(head, out))
+        C::of(mass) * (self.reel(state, y).less_gain(y[4] * y[3] * y[3]) - dot(head, out))
     }
 
     /// Force of the rope, in N; zero where it is slack or there is none.
@@ -288,7 +387,8 @@ impl<P: Calc> MovingLinkage<P> {
     }
 
     /// Numbers whose fall below zero ends a smooth piece: the bar comes to rest or (two) breaks
-    /// loose; it meets its lower or upper stop; the rope becomes slack or taut. After an event all are above zero.
+    /// loose; it meets its lower or upper stop; the rope becomes slack or taut; the hoist runs as commanded. After an
+    /// event all are above zero.
     #[must_use]
     pub fn indicators<C: Coordinate<P>>(
         &self,
@@ -308,7 +408,8 @@ impl<P: Calc> MovingLinkage<P> {
             Bar::Backward => [-y[1], none, y[0] - low, high - y[0]],
             Bar::Loose => [none; 4],
         };
-        Some([rest, loose, low, high, self.slackening(state, &r, y, commands)].map(above_zero))
+        let hoist = state.drum.reaching(y[7], commands.hoist);
+        Some([rest, loose, low, high, self.slackening(state, &r, y, commands), hoist].map(above_zero))
     }
 
     /// Falls below zero where the rope becomes slack or taut.
@@ -339,10 +440,11 @@ impl MovingLinkage {
             // At rest it is decided again which way it goes, as the commands may have changed.
             state.bar = Bar::Held;
         }
+        self.wind(state, commands);
         for _ in 0..MOST_CHANGES {
             let before = *state;
             let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
-            self.stop_bar(state, &r, commands);
+            self.stop_bar(state, &r);
             self.switch_rope(state, &r, commands);
             if state.bar == Bar::Held {
                 let [hold, least, most] = self.held(state, &r, &state.y, commands);
@@ -357,11 +459,32 @@ impl MovingLinkage {
             }
         }
         // A rope without length has no direction.
-        finite(&state.y).then_some(*state != first).ok_or(Halt::Outside)
+        if !finite(&state.y) {
+            return Err(Halt::Outside);
+        }
+        let rates = |state: &MotionState| [state.y[1], state.y[3], state.y[6], state.y[7]];
+        if rates(state) != rates(&first) {
+            state.blown += lost(self.energy(&first).zip(self.energy(state)));
+        }
+        Ok(*state != first)
+    }
+
+    /// The hoist follows its command. Where it does so at once the load goes on as it did: the rope lets go, or gives
+    /// it a blow.
+    fn wind(&self, state: &mut MotionState, commands: &Commands) {
+        let Some(load) = &self.dynamics.bodies().pendulum else {
+            return;
+        };
+        let before = state.y[7];
+        let (drum, rate, jump) = state.drum.decided(load, before, commands.hoist);
+        (state.drum, state.y[7]) = (drum, rate);
+        if state.taut && jump != 0.0 {
+            (state.y[5], state.y[6], state.taut) = (state.y[4], before, false);
+        }
     }
 
     /// A bar that has reached a stop, or turned round, is at rest.
-    fn stop_bar(&self, state: &mut MotionState, r: &Reduced<f64>, commands: &Commands) {
+    fn stop_bar(&self, state: &mut MotionState, r: &Reduced<f64>) {
         let [theta, omega, ..] = state.y;
         let [low, high] = self.stops;
         let at_stop = (theta >= high && omega > 0.0) || (theta <= low && omega < 0.0);
@@ -377,9 +500,9 @@ impl MovingLinkage {
             // A rope along which the head comes to rest would have to push: it lets go.
             let hangs = state.taut && self.dynamics.bodies().pendulum.is_some();
             if hangs && omega * r.head[1].dot(&out) < 0.0 {
-                (state.y[5], state.y[6], state.taut) = (state.y[4], commands.hoist, false);
+                (state.y[5], state.y[6], state.taut) = (state.y[4], state.y[7], false);
             }
-            let reel = Self::reel(state, &state.y, commands);
+            let reel = self.reel(state, &state.y);
             if state.taut {
                 state.y[3] -= omega * self.dynamics.blow(r, &state.phase(), reel);
             } else {
@@ -404,17 +527,18 @@ impl MovingLinkage {
         };
         if state.taut {
             state.y[5] = state.y[4];
-            state.y[6] = commands.hoist;
+            state.y[6] = state.y[7];
             state.taut = self.slackening(state, r, &state.y, commands) >= 0.0;
-        } else if state.y[5] >= state.y[4] && state.y[6] > commands.hoist {
+        } else if state.y[5] >= state.y[4] && state.y[6] > state.y[7] {
             let (out, along) = directions(state.y[2]);
             let arm = r.head[1].dot(&out);
             let follow = if state.bar == Bar::Held { 0.0 } else { arm / r.inertia };
-            let blow = (state.y[6] - commands.hoist) / (1.0 / pendulum.mass + arm * follow);
+            let blow = (state.y[6] - state.y[7]) / (1.0 / pendulum.mass + arm * follow);
             state.y[1] += blow * follow;
+            state.bar = state.bar.struck(state.y[1]);
             state.y[3] -= blow * follow * r.head[1].dot(&along) / state.y[4];
             state.y[5] = state.y[4];
-            state.y[6] = commands.hoist;
+            state.y[6] = state.y[7];
             state.taut = true;
         }
     }
@@ -440,7 +564,7 @@ impl MovingLinkage {
 
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
     #[must_use]
-    pub fn energy(&self, state: &MotionState, commands: &Commands) -> Option<f64> {
+    pub fn energy(&self, state: &MotionState) -> Option<f64> {
         let r = f64::reduced(&self.dynamics, state.y[0])?;
         let m = state.phase();
         let bars = 0.5 * r.inertia * m.omega * m.omega + r.energy;
@@ -448,7 +572,7 @@ impl MovingLinkage {
         let Some(pendulum) = bodies.pendulum else {
             return Some(bars);
         };
-        let reel = Self::reel(state, &state.y, commands);
+        let reel = self.reel(state, &state.y);
         let [a, d, _] = r.head;
         let (out, along) = directions(m.swing);
         let velocity = d * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;
@@ -481,6 +605,19 @@ impl Pieces<STATES, MotionState> for Commanded<'_> {
     fn event(&self, state: &mut MotionState) -> Result<(), Halt> {
         self.motion.event(state, self.commands).map(|_| ())
     }
+}
+
+/// What a blow takes (J), from the energy before and after it: nothing where that is rounding.
+pub(crate) fn lost(energies: Option<(f64, f64)>) -> f64 {
+    let blow = |(before, after): (f64, f64)| {
+        let lost = before - after;
+        if lost.abs() > ROUNDING * (before.abs() + after.abs()) {
+            lost
+        } else {
+            0.0
+        }
+    };
+    energies.map_or(0.0, blow)
 }
 
 /// A greatest moment without end as the greatest number: an indicator must be finite.

@@ -234,7 +234,9 @@ impl Described for LuffingScene {
             given(this.parameters.balance.is_some(), "counterweight"),
             Some(if rope { "rope" } else { "fixed_load" }),
             given(rope, "slack"),
-            given(rope, "hoist"),
+            moving
+                .rope
+                .map(|rope| if rope.winch.is_some() { "hoist_ramp" } else { "hoist" }),
             given(slews, "slewing"),
             given(oil, "oil"),
             Some(if oil { "creep" } else { "sticking" }),

@@ -9,18 +9,20 @@ use nalgebra::Vector3;
 use crate::kernel::calc::Calc;
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Reduced};
 use crate::luffing::double_link::hanging::{Accelerations, Free, HangingLoad, Rope, squared, turned};
-use crate::luffing::double_link::motion::{Bar, Friction, LOOSE, MOST_CHANGES, REELED_IN, above_zero, capped};
+use crate::luffing::double_link::motion::{
+    Bar, Drum, Friction, LOOSE, MOST_CHANGES, REELED_IN, above_zero, capped, lost,
+};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::parts::solver::pieces::{self, Pieces};
 use crate::parts::solver::{Count, Halt, finite};
 
 /// Number of states: angle and rate of the driven bar, of slewing, the load from the head and its rate in
-/// the frame that slews, the rope's length; rad, m, s.
-pub const STATES: usize = 11;
+/// the frame that slews, the rope's length, the rate at which it is paid out; rad, m, s.
+pub const STATES: usize = 12;
 /// States without a load on a rope.
 pub const RIGID: usize = 4;
 /// Number of event indicators.
-pub const INDICATORS: usize = 9;
+pub const INDICATORS: usize = 10;
 
 /// What drives a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,8 +55,11 @@ pub struct Joint<P = f64> {
 pub struct SlewingState {
     pub y: [f64; STATES],
     pub joints: [Bar; 2],
+    pub drum: Drum,
     /// The load hangs on the rope, or flies free.
     pub taut: bool,
+    /// Energy that blows have taken so far, in J; what they gave counts negative.
+    pub blown: f64,
 }
 
 impl SlewingState {
@@ -67,10 +72,17 @@ impl SlewingState {
         let mut state = SlewingState {
             y,
             joints: [Bar::Held; 2],
+            drum: Drum::at(0.0),
             taut: true,
+            blown: 0.0,
         };
         state.put_load([0.0; 2]);
         state
+    }
+
+    /// The hoist runs as commanded, at a rate of paying out (m/s).
+    pub fn wind(&mut self, rate: f64) {
+        (self.y[11], self.drum) = (rate, Drum::at(rate));
     }
 
     /// Puts the load at rest at the end of its rope, at angles (rad) from the vertical in the plane of the
@@ -84,10 +96,11 @@ impl SlewingState {
     }
 
     /// Puts the load of a taut rope at its end, moving with it, where roundings have moved it by more than a few bits.
-    pub(crate) fn straighten(&mut self, hoist: f64) {
+    pub(crate) fn straighten(&mut self) {
         let load = load_of(&self.y);
         let length = load.place.norm();
         let direction = load.place / length;
+        let hoist = self.y[11];
         let excess = direction.dot(&load.rate) - hoist;
         let few = 16.0 * f64::EPSILON;
         if (length - self.y[10]).abs() > few * length {
@@ -183,7 +196,7 @@ impl<P: Calc> Slewing<P> {
         let moments = [0, 1].map(|i| commands.drives[i].moment + self.resistance(i, state, y, commands));
         let (rates, free) = ([y[1], y[3]], Self::free(state));
         self.dynamics
-            .slewed(r, rates, load_of(y), moments, commands.hoist, free)
+            .slewed(r, rates, load_of(y), moments, (y[11], self.gain(state)), free)
     }
 
     /// Rates of all states between events; `None` where the linkage does not close or nothing is left of the rope.
@@ -220,13 +233,21 @@ impl<P: Calc> Slewing<P> {
         if self.dynamics.bodies().pendulum.is_some() {
             let mut load = load_of(y);
             if state.taut {
-                load = load.on_rope(&Rope::new(load.place, &self.dynamics.head(r)), commands.hoist);
+                load = load.on_rope(&Rope::new(load.place, &self.dynamics.head(r)), y[11]);
             }
             out[4..7].copy_from_slice(load.rate.as_slice());
             out[7..10].copy_from_slice(a.load.as_slice());
-            out[10] = commands.hoist;
+            out[10] = y[11];
+            if let Some(gain) = self.gain(state) {
+                out[11] = gain;
+            }
         }
         out
+    }
+
+    /// How the rate at which the rope is paid out changes, in m/s², where it does.
+    fn gain<C: Coordinate<P>>(&self, state: &SlewingState) -> Option<C> {
+        state.drum.gain(self.dynamics.bodies().pendulum.as_ref()?)
     }
 
     /// Moment that friction, brake and stops must give to hold a joint at rest, in N·m, with the least and
@@ -300,7 +321,8 @@ impl<P: Calc> Slewing<P> {
     }
 
     /// Numbers whose fall below zero ends a smooth piece: luffing comes to rest or (two) breaks loose, meets
-    /// its lower or upper stop; the same for slewing; the rope becomes slack or taut. After an event all are above zero.
+    /// its lower or upper stop; the same for slewing; the rope becomes slack or taut; the hoist runs as commanded. After
+    /// an event all are above zero.
     #[must_use]
     pub fn indicators<C: Coordinate<P>>(
         &self,
@@ -348,6 +370,7 @@ impl<P: Calc> Slewing<P> {
             } else {
                 y[10] * C::constant(LOOSE) - distance(y)
             };
+            out[9] = state.drum.reaching(y[11], commands.hoist);
         }
         out.map(above_zero)
     }
@@ -366,6 +389,7 @@ impl Slewing {
                 state.joints[i] = Bar::Held;
             }
         }
+        self.wind(state, commands)?;
         for _ in 0..MOST_CHANGES {
             let before = *state;
             let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
@@ -388,7 +412,41 @@ impl Slewing {
             }
         }
         // A rope without length has no direction.
-        finite(&state.y).then_some(*state != first).ok_or(Halt::Outside)
+        if !finite(&state.y) {
+            return Err(Halt::Outside);
+        }
+        let jumps = |state: &SlewingState| (state.y[1], state.y[3], state.y[11], state.taut);
+        if jumps(state) != jumps(&first) {
+            state.blown += lost(self.energy(&first).zip(self.energy(state)));
+        }
+        Ok(*state != first)
+    }
+
+    /// The hoist follows its command. Where it does so at once the load goes on as it did: the rope lets go, or gives
+    /// it a blow.
+    fn wind(&self, state: &mut SlewingState, commands: &SlewingCommands) -> Result<(), Halt> {
+        let Some(load) = &self.dynamics.bodies().pendulum else {
+            return Ok(());
+        };
+        let (drum, rate, jump) = state.drum.decided(load, state.y[11], commands.hoist);
+        (state.drum, state.y[11]) = (drum, rate);
+        if state.taut && jump != 0.0 {
+            state.taut = jump < 0.0;
+            if state.taut {
+                let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
+                self.catch(state, &r, load.mass, -jump);
+            }
+        }
+        Ok(())
+    }
+
+    /// The rope's end goes away from the load at a speed (m/s): a plastic blow.
+    fn catch(&self, state: &mut SlewingState, r: &Reduced<f64>, mass: f64, excess: f64) {
+        let head = self.dynamics.head(r);
+        let (rope, ease) = (Rope::new(load_of(&state.y).place, &head), self.ease(state, r));
+        let give = 1.0 + mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1]);
+        self.jerk(state, &head, &rope, ease, excess / give, mass, [0.0; 2]);
+        state.taut = true;
     }
 
     /// A joint that has reached a stop, or turned round, is at rest.
@@ -463,6 +521,7 @@ impl Slewing {
             let more = mass * pull * rope.arms[i] * ease[i];
             change[i] += more;
             state.y[2 * i + 1] += more;
+            state.joints[i] = state.joints[i].struck(state.y[2 * i + 1]);
         }
         self.shift(state, head, change, -rope.direction * pull);
     }
@@ -481,20 +540,16 @@ impl Slewing {
         let Some(pendulum) = self.dynamics.bodies().pendulum else {
             return;
         };
-        let head = self.dynamics.head(r);
         if !state.taut {
-            let load = load_of(&state.y);
+            let (load, head) = (load_of(&state.y), self.dynamics.head(r));
             let rope = Rope::new(load.place, &head);
-            let excess = rope.direction.dot(&load.rate) - commands.hoist;
+            let excess = rope.direction.dot(&load.rate) - state.y[11];
             if rope.length < state.y[10] || excess <= 0.0 {
                 return;
             }
-            let ease = self.ease(state, r);
-            let give = 1.0 + pendulum.mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1]);
-            self.jerk(state, &head, &rope, ease, excess / give, pendulum.mass, [0.0; 2]);
-            state.taut = true;
+            self.catch(state, r, pendulum.mass, excess);
         }
-        state.straighten(commands.hoist);
+        state.straighten();
         state.taut = self.accelerations(state, r, &state.y, commands).slackening >= 0.0;
     }
 
@@ -520,40 +575,35 @@ impl Slewing {
 
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
     #[must_use]
-    pub fn energy(&self, state: &SlewingState, commands: &SlewingCommands) -> Option<f64> {
+    pub fn energy(&self, state: &SlewingState) -> Option<f64> {
         let r = f64::reduced(&self.dynamics, state.y[0])?;
         let (omega, turning) = (state.y[1], state.y[3]);
         let bars = 0.5 * (r.inertia * omega * omega + r.turn[0] * turning * turning) + r.energy;
         let Some(pendulum) = self.dynamics.bodies().pendulum else {
             return Some(bars);
         };
-        let (place, velocity) = self.velocity(state, &r, commands);
+        let (place, velocity) = self.velocity(state, &r);
         Some(bars + pendulum.mass * (0.5 * velocity.norm_squared() + self.dynamics.bodies().gravity * place.y))
     }
 
     /// Angular momentum about the slewing axis, in kg·m²/s; `None` where the linkage does not close.
     #[must_use]
-    pub fn angular_momentum(&self, state: &SlewingState, commands: &SlewingCommands) -> Option<f64> {
+    pub fn angular_momentum(&self, state: &SlewingState) -> Option<f64> {
         let r = f64::reduced(&self.dynamics, state.y[0])?;
         let own = r.turn[0] * state.y[3];
         let Some(pendulum) = self.dynamics.bodies().pendulum else {
             return Some(own);
         };
-        let (place, velocity) = self.velocity(state, &r, commands);
+        let (place, velocity) = self.velocity(state, &r);
         Some(own + pendulum.mass * (place.x * velocity.z - place.z * velocity.x))
     }
 
     /// The load's place from the slewing axis (m) and its velocity (m/s) against the ground, in the frame that slews.
-    fn velocity(
-        &self,
-        state: &SlewingState,
-        r: &Reduced<f64>,
-        commands: &SlewingCommands,
-    ) -> (Vector3<f64>, Vector3<f64>) {
+    fn velocity(&self, state: &SlewingState, r: &Reduced<f64>) -> (Vector3<f64>, Vector3<f64>) {
         let head = self.dynamics.head(r);
         let mut load = load_of(&state.y);
         if state.taut {
-            load = load.on_rope(&Rope::new(load.place, &head), commands.hoist);
+            load = load.on_rope(&Rope::new(load.place, &head), state.y[11]);
         }
         let place = load.place + Vector3::new(head[1].z, r.head[0].y, 0.0);
         (place, load.rate + head[0] * state.y[1] + turned(place) * state.y[3])

@@ -5,7 +5,7 @@
 use crate::kernel::calc::Calc;
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics};
 use crate::luffing::double_link::hydraulic::{self, FIXED, Hydraulic, Modes};
-use crate::luffing::double_link::motion::{self, Bar, Commands, MovingLinkage, REELED_IN};
+use crate::luffing::double_link::motion::{self, Bar, Commands, Drum, MovingLinkage};
 use crate::luffing::double_link::slewing::{self, JointDrive, Slewing};
 use crate::parts::hydraulics::cylinder::Oil;
 use crate::parts::hydraulics::oil::VACUUM;
@@ -15,7 +15,7 @@ use crate::parts::solver::{Count, Halt};
 /// Most continuous states of any level.
 pub const MOST_STATES: usize = hydraulic::MOST;
 /// Most event indicators of any level.
-pub const MOST_INDICATORS: usize = 11;
+pub const MOST_INDICATORS: usize = 12;
 /// Event indicators of the oil.
 pub const OIL_INDICATORS: usize = 6;
 
@@ -74,6 +74,8 @@ pub enum MotionResult {
     /// The same on slewing.
     SlewingFriction,
     Rope,
+    /// Energy that blows have taken.
+    Blows,
     /// Angles of the rope of a crane that slews, in the mechanism's plane and from it.
     Swing,
     Side,
@@ -130,6 +132,7 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
         MotionResult::Friction => Some(system.reaction(y[0], y[1])),
         MotionResult::SlewingFriction => system.slewing_friction(modes, y),
         MotionResult::Rope => system.rope_force(modes, y),
+        MotionResult::Blows => Some(P::constant(modes.blown)),
         MotionResult::Swing | MotionResult::Side | MotionResult::Distance => Some(seen(&hydraulic::part(y), reaction)),
     }
 }
@@ -234,11 +237,13 @@ impl<P: Coordinate<P>> Level<P> {
             (Level::Free(motion), Present::Free(state), MotionResult::Rope) => {
                 motion.rope_force(state, &inputs.motion, first(y))
             }
+            (_, Present::Free(state), MotionResult::Blows) => Some(P::constant(state.blown)),
             (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(state, &inputs.motion, first(y)),
             (Level::Slewing(crane), Present::Slewing(state), reaction) => {
                 let (commands, y) = (inputs.of_both(), first(y));
                 match reaction {
                     MotionResult::Rope => crane.rope_force(state, &commands, y),
+                    MotionResult::Blows => Some(P::constant(state.blown)),
                     MotionResult::SlewingFriction => crane.friction_moment(1, state, &commands, y),
                     MotionResult::Swing | MotionResult::Side | MotionResult::Distance => Some(seen(y, reaction)),
                     _ => crane.friction_moment(0, state, &commands, y),
@@ -267,28 +272,22 @@ impl Level {
         }
     }
 
-    /// Which of the states are rates of the bodies, and which one is the length of the rope: behind the angle and the oil come
-    /// the states of slewing and of the load in space, or of the load in the plane.
-    fn places(&self, present: &Present) -> (&'static [usize], usize) {
+    /// Which of the states are rates of the bodies, the last one that of the rope: behind the angle and the oil come the
+    /// states of slewing and of the load in space, or of the load in the plane.
+    fn rates_of(&self, present: &Present) -> &'static [usize] {
         let oil = matches!(present, Present::Fixed(_) | Present::Hanging(_));
         match (oil, self.dynamics().turntable().is_some()) {
-            (false, false) => (&[1, 3, 6], 4),
-            (false, true) => (&[1, 3, 7, 8, 9], 10),
-            (true, false) => (&[1, 9, 12], 10),
-            (true, true) => (&[1, 9, 13, 14, 15], 16),
+            (false, false) => &[1, 3, 6, 7],
+            (false, true) => &[1, 3, 7, 8, 9, 11],
+            (true, false) => &[1, 9, 12, 13],
+            (true, true) => &[1, 9, 13, 14, 15, 17],
         }
-    }
-
-    /// Length of the rope, in m.
-    fn rope(&self, present: &Present) -> Option<f64> {
-        let (_, length) = self.places(present);
-        self.dynamics().bodies().pendulum.map(|_| present.states()[length])
     }
 
     /// The bodies where they are, at rest.
     pub(crate) fn still(&self, present: &Present) -> Present {
         let (mut still, mut states) = (*present, present.states());
-        for &rate in self.places(present).0 {
+        for &rate in self.rates_of(present) {
             states[rate] = 0.0;
         }
         still.set_states(&states);
@@ -308,13 +307,6 @@ impl Level {
         step: f64,
         relative: f64,
     ) -> Result<Count, Halt> {
-        // The hoist alone decides. A load that is drawn to the head turns about it ever faster, for more steps than there are.
-        if self
-            .rope(present)
-            .is_some_and(|length| length + inputs.motion.hoist * duration <= REELED_IN)
-        {
-            return Err(Halt::Outside);
-        }
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => motion.advance(state, &inputs.motion, duration, step),
             (Level::Slewing(crane), Present::Slewing(state)) => crane.advance(state, &inputs.of_both(), duration, step),
@@ -346,7 +338,7 @@ pub(crate) struct Powers {
 impl Level {
     /// Powers, and the energy of all bodies (J); `None` where the linkage does not close.
     pub(crate) fn powers(&self, present: &Present, inputs: &Inputs) -> Option<(Powers, f64)> {
-        let hoist = inputs.motion.hoist;
+        let hoist = present.paid_out(self.dynamics().turntable().is_some());
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => {
                 let (commands, y) = (&inputs.motion, &state.y);
@@ -356,7 +348,7 @@ impl Level {
                     friction: -motion.friction_moment(state, commands, y)? * y[1],
                     ..Powers::default()
                 };
-                Some((powers, motion.energy(state, commands)?))
+                Some((powers, motion.energy(state)?))
             }
             (Level::Slewing(crane), Present::Slewing(state)) => {
                 let (commands, y) = (inputs.of_both(), &state.y);
@@ -368,16 +360,20 @@ impl Level {
                     friction: friction(0)? + friction(1)?,
                     ..Powers::default()
                 };
-                Some((powers, crane.energy(state, &commands)?))
+                Some((powers, crane.energy(state)?))
             }
-            (Level::Fixed(system), Present::Fixed(at)) => oil_powers(system, at),
-            (Level::Hanging(system), Present::Hanging(at)) => oil_powers(system, at),
+            (Level::Fixed(system), Present::Fixed(at)) => oil_powers(system, at, hoist),
+            (Level::Hanging(system), Present::Hanging(at)) => oil_powers(system, at, hoist),
             _ => unreachable!("{OTHER}"),
         }
     }
 }
 
-fn oil_powers<const N: usize>(system: &Hydraulic<N>, at: &hydraulic::PresentCrane<N>) -> Option<(Powers, f64)> {
+fn oil_powers<const N: usize>(
+    system: &Hydraulic<N>,
+    at: &hydraulic::PresentCrane<N>,
+    hoist: f64,
+) -> Option<(Powers, f64)> {
     let (y, modes) = (at.run.states(), at.modes);
     let [_, arm] = f64::reduced(system.dynamics(), y[0])?.drive;
     let oil = Hydraulic::<N>::oil(&y);
@@ -389,7 +385,7 @@ fn oil_powers<const N: usize>(system: &Hydraulic<N>, at: &hydraulic::PresentCran
     };
     let powers = Powers {
         slewing: system.slewing.moment * turning,
-        hoist: -system.rope_force(modes, &y)? * system.hoist,
+        hoist: -system.rope_force(modes, &y)? * hoist,
         pump,
         throttles,
         compression,
@@ -433,6 +429,24 @@ fn bar_of(way: f64) -> Option<Bar> {
     [Bar::Held, Bar::Forward, Bar::Backward]
         .into_iter()
         .find(|bar| self::way(*bar) == way)
+}
+
+fn drum_of(way: f64, command: f64) -> Option<Drum> {
+    let way = bar_of(way)?;
+    Some(Drum { way, command })
+}
+
+/// Every way of a joint.
+const WAYS: [Bar; 3] = [Bar::Held, Bar::Forward, Bar::Backward];
+/// Every way in which a load hangs.
+const HANGS: [(bool, Drum); 3] = [
+    (true, drum(Bar::Held)),
+    (true, drum(Bar::Forward)),
+    (false, drum(Bar::Held)),
+];
+
+const fn drum(way: Bar) -> Drum {
+    Drum { way, command: 0.0 }
 }
 
 /// The states of this level.
@@ -491,6 +505,45 @@ impl Present {
         self.oil().map_or(so_far, |oil| so_far.min(oil.least().1))
     }
 
+    /// Which state is the rate at which the rope is paid out; of a crane without one it is zero.
+    #[must_use]
+    pub fn winding(&self, slews: bool) -> usize {
+        let oil = matches!(self, Present::Fixed(_) | Present::Hanging(_));
+        let own = if slews { slewing::STATES } else { motion::STATES };
+        if oil { FIXED + own - 3 } else { own - 1 }
+    }
+
+    /// The rate at which the rope is paid out, in m/s.
+    #[must_use]
+    pub fn paid_out(&self, slews: bool) -> f64 {
+        match self {
+            Present::Fixed(_) => 0.0,
+            _ => self.states()[self.winding(slews)],
+        }
+    }
+
+    /// Energy that blows have taken so far, in J.
+    #[must_use]
+    pub fn blown(&self) -> f64 {
+        match self {
+            Present::Free(state) => state.blown,
+            Present::Slewing(state) => state.blown,
+            Present::Hanging(present) => present.modes.blown,
+            Present::Fixed(_) => 0.0,
+        }
+    }
+
+    /// The hoist runs as commanded, at a rate of paying out (m/s).
+    pub fn wind(&mut self, rate: f64, slews: bool) {
+        let place = self.winding(slews);
+        match self {
+            Present::Free(state) => state.wind(rate),
+            Present::Slewing(state) => state.wind(rate),
+            Present::Hanging(present) => present.wind(rate, place),
+            Present::Fixed(_) => {}
+        }
+    }
+
     /// The load hangs on the rope, if there is one.
     #[must_use]
     pub fn is_taut(&self) -> bool {
@@ -518,9 +571,15 @@ impl Present {
                         let mut y = state.y;
                         put(&mut y, &swinging);
                         (y[5], y[6]) = (0.93 * y[4], 0.57);
-                        for bar in [Bar::Held, Bar::Forward, Bar::Backward] {
-                            for taut in [true, false] {
-                                found.push(Present::Free(motion::MotionState { y, bar, taut }));
+                        for bar in WAYS {
+                            for (taut, drum) in HANGS {
+                                found.push(Present::Free(motion::MotionState {
+                                    y,
+                                    bar,
+                                    drum,
+                                    taut,
+                                    ..*state
+                                }));
                             }
                         }
                     }
@@ -528,11 +587,18 @@ impl Present {
                         let mut y = state.y;
                         put(&mut y, &[theta, 0.231, 0.113 * sign, -0.119 * sign]);
                         put(&mut y[4..], &aside.map(|x| x * state.y[10]));
-                        for luffing in [Bar::Held, Bar::Forward, Bar::Backward] {
-                            for turning in [Bar::Held, Bar::Forward, Bar::Backward] {
-                                for taut in [true, false] {
+                        for luffing in WAYS {
+                            for turning in WAYS {
+                                for (taut, drum) in HANGS {
                                     let joints = [luffing, turning];
-                                    found.push(Present::Slewing(slewing::SlewingState { y, joints, taut }));
+                                    let now = slewing::SlewingState {
+                                        y,
+                                        joints,
+                                        drum,
+                                        taut,
+                                        ..*state
+                                    };
+                                    found.push(Present::Slewing(now));
                                 }
                             }
                         }
@@ -558,11 +624,16 @@ impl Present {
                         }
                         for p in [0.3, 2.0] {
                             put(&mut y[2..], &oil(p * opening));
-                            for slewing in [Bar::Held, Bar::Forward, Bar::Backward] {
-                                for taut in [true, false] {
-                                    let mut present = hydraulic::PresentCrane::new(y);
-                                    present.modes = Modes { slewing, taut };
-                                    found.push(Present::Hanging(present));
+                            for slewing in WAYS {
+                                for (taut, drum) in HANGS {
+                                    let mut now = hydraulic::PresentCrane::new(y);
+                                    now.modes = Modes {
+                                        slewing,
+                                        drum,
+                                        taut,
+                                        ..present.modes
+                                    };
+                                    found.push(Present::Hanging(now));
                                 }
                             }
                         }
@@ -587,17 +658,25 @@ impl Present {
         match self {
             Present::Free(state) => {
                 numbers.extend(state.y);
-                numbers.extend([way(state.bar), f64::from(state.taut)]);
+                numbers.extend([way(state.bar), f64::from(state.taut), way(state.drum.way)]);
+                numbers.extend([state.drum.command, state.blown]);
             }
             Present::Slewing(state) => {
                 numbers.extend(state.y);
                 numbers.extend(state.joints.map(way));
-                numbers.push(f64::from(state.taut));
+                numbers.extend([f64::from(state.taut), way(state.drum.way), state.drum.command]);
+                numbers.push(state.blown);
             }
             Present::Fixed(present) => numbers.extend(present.run.numbers()),
             Present::Hanging(present) => {
                 numbers.extend(present.run.numbers());
-                numbers.extend([way(present.modes.slewing), f64::from(present.modes.taut)]);
+                let Modes {
+                    slewing,
+                    drum,
+                    taut,
+                    blown,
+                } = present.modes;
+                numbers.extend([way(slewing), f64::from(taut), way(drum.way), drum.command, blown]);
             }
         }
     }
@@ -617,20 +696,28 @@ impl Present {
         let found = match self {
             Present::Free(_) => {
                 let (y, modes) = own.split_first_chunk::<{ motion::STATES }>()?;
-                let &[bar, taut] = modes else { return None };
+                let &[bar, taut, drum, command, blown] = modes else {
+                    return None;
+                };
                 Present::Free(motion::MotionState {
                     y: *y,
                     bar: bar_of(bar)?,
+                    drum: drum_of(drum, command)?,
                     taut: taut != 0.0,
+                    blown,
                 })
             }
             Present::Slewing(_) => {
                 let (y, modes) = own.split_first_chunk::<{ slewing::STATES }>()?;
-                let &[luffing, turning, taut] = modes else { return None };
+                let &[luffing, turning, taut, drum, command, blown] = modes else {
+                    return None;
+                };
                 Present::Slewing(slewing::SlewingState {
                     y: *y,
                     joints: [bar_of(luffing)?, bar_of(turning)?],
+                    drum: drum_of(drum, command)?,
                     taut: taut != 0.0,
+                    blown,
                 })
             }
             Present::Fixed(_) => Present::Fixed(hydraulic::PresentCrane {
@@ -638,12 +725,14 @@ impl Present {
                 modes: Modes::AT_REST,
             }),
             Present::Hanging(_) => {
-                let (run, &[slewing, taut]) = own.split_last_chunk()?;
+                let (run, &[slewing, taut, drum, command, blown]) = own.split_last_chunk()?;
                 Present::Hanging(hydraulic::PresentCrane {
                     run: Run::of(run)?,
                     modes: Modes {
                         slewing: bar_of(slewing)?,
+                        drum: drum_of(drum, command)?,
                         taut: taut != 0.0,
+                        blown,
                     },
                 })
             }

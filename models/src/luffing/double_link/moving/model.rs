@@ -22,7 +22,7 @@ use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, MovingL
 use crate::luffing::double_link::moving::level::{
     Inputs, Level, MOST_INDICATORS, MOST_STATES, MotionResult, OIL_INDICATORS, Powers, Present,
 };
-use crate::luffing::double_link::moving::scene::{Constants, CylinderOil, LoadRope, Moving, Turning};
+use crate::luffing::double_link::moving::scene::{Constants, CylinderOil, LoadRope, Moving, Turning, Winch};
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::slewing::{self, Joint, JointDrive, Slewing};
@@ -75,6 +75,7 @@ struct Now {
     present: Present,
     inputs: Inputs,
     constants: Constants<f64>,
+    winch: Option<Winch<f64>>,
     turning: Option<Turning<f64>>,
     oil: Option<CylinderOil<f64>>,
 }
@@ -128,16 +129,6 @@ impl LuffingMotion {
         } = *moving;
         let mut start = motion::MotionState::resting(luffing.motion.from, rope.map_or(0.0, |rope| rope.length));
         start.y[2] = rope.map_or(0.0, |rope| rope.swing);
-        let (states, indicators) = match (oil, rope, slewing) {
-            (None, None, None) => (2, motion::INDICATORS - 1),
-            (None, Some(_), None) => (motion::STATES, motion::INDICATORS),
-            (None, None, Some(_)) => (slewing::RIGID, slewing::INDICATORS - 1),
-            (None, Some(_), Some(_)) => (slewing::STATES, slewing::INDICATORS),
-            (Some(_), None, None) => (hydraulic::FIXED, OIL_INDICATORS),
-            (Some(_), Some(_), None) => (hydraulic::FIXED + motion::STATES - 2, OIL_INDICATORS + 1),
-            (Some(_), None, Some(_)) => (hydraulic::FIXED + slewing::RIGID - 2, OIL_INDICATORS + 4),
-            (Some(_), Some(_), Some(_)) => (hydraulic::MOST, OIL_INDICATORS + 5),
-        };
         let present = match slewing {
             None => Present::Free(start),
             Some(turn) => {
@@ -147,6 +138,11 @@ impl LuffingMotion {
                 Present::Slewing(start)
             }
         };
+        let hoist = if rope.is_some_and(|rope| rope.winch.is_some()) {
+            0.0
+        } else {
+            inputs.motion.hoist
+        };
         let mut model = LuffingMotion {
             driven: luffing.parameters.driven,
             range: luffing.motion,
@@ -154,8 +150,8 @@ impl LuffingMotion {
             slewing_stops: slewing.map(|turn| turn.stops),
             variables: Vec::new(),
             slots: Vec::new(),
-            states,
-            indicators,
+            states: 0,
+            indicators: 0,
             count: Count::default(),
             level: None,
             now: Now {
@@ -163,6 +159,7 @@ impl LuffingMotion {
                 present,
                 inputs,
                 constants,
+                winch: rope.and_then(|rope| rope.winch),
                 turning: slewing.map(|turn| turn.constants),
                 oil,
             },
@@ -171,7 +168,12 @@ impl LuffingMotion {
         if oil.is_some() {
             model.now.present = model.held_by_oil(&model.now.present)?;
         }
+        if rope.is_some() {
+            model.now.present.wind(hoist, slewing.is_some());
+        }
         for (variable, slot) in model.list() {
+            model.states += usize::from(variable.role == Role::State);
+            model.indicators += usize::from(variable.role == Role::Indicator);
             model.variables.push(variable);
             model.slots.push(slot);
         }
@@ -219,7 +221,7 @@ impl LuffingMotion {
             [&m::PSI_SL, &m::OMEGA_SL],
             [&m::X_Q, &m::Y_Q, &m::Z_Q, &m::V_QX, &m::V_QY, &m::V_QZ],
             [&m::PHI_R, &m::OMEGA_R],
-            [&m::L_R, &m::S_Q, &m::V_Q],
+            [&m::L_R, &m::S_Q, &m::V_Q, &m::V_R],
             [&m::P_1, &m::P_2, &m::P_A, &m::P_B, &m::X_V, &m::V_V],
         );
         for (i, symbol) in states.into_iter().enumerate() {
@@ -232,7 +234,11 @@ impl LuffingMotion {
         };
         list.extend(inputs.map(|(symbol, slot)| (of(symbol, Role::Input), slot)));
         if reeled {
-            list.push((of(&m::V_H, Role::Input), Slot::Hoist));
+            let command = Variable {
+                at_events: true,
+                ..of(&m::V_H, Role::Input)
+            };
+            list.push((command, Slot::Hoist));
         }
         if slews {
             list.push((of(&m::M_SL, Role::Input), Slot::SlewingMoment));
@@ -240,6 +246,7 @@ impl LuffingMotion {
         }
         let mut constant = |symbol, _| list.push((of(symbol, Role::Parameter), Slot::Constant));
         self.now.constants.map(&mut constant);
+        self.now.winch.map(|winch| winch.map(&mut constant));
         self.now.turning.map(|turning| turning.map(&mut constant));
         self.now.oil.map(|oil| oil.map(&mut constant));
         list.extend(self.reactions());
@@ -257,7 +264,7 @@ impl LuffingMotion {
             [&m::D_PSI_SL, &m::D_OMEGA_SL],
             [&m::D_X_Q, &m::D_Y_Q, &m::D_Z_Q, &m::D_V_QX, &m::D_V_QY, &m::D_V_QZ],
             [&m::D_PHI_R, &m::D_OMEGA_R],
-            [&m::D_L_R, &m::D_S_Q, &m::D_V_Q],
+            [&m::D_L_R, &m::D_S_Q, &m::D_V_Q, &m::D_V_R],
             [&m::D_P_1, &m::D_P_2, &m::D_P_A, &m::D_P_B, &m::D_X_V, &m::D_V_V],
         );
         for (i, symbol) in rates.into_iter().enumerate() {
@@ -284,6 +291,9 @@ impl LuffingMotion {
         list.push(of(&m::M_R, MotionResult::Friction));
         if reeled {
             list.push(of(&m::S_R, MotionResult::Rope));
+        }
+        if !hydraulic || reeled || slews {
+            list.push(of(&m::W_BLOW, MotionResult::Blows));
         }
         if slews {
             list.push(of(&m::M_R_SL, MotionResult::SlewingFriction));
@@ -323,6 +333,9 @@ impl LuffingMotion {
         if self.rope.is_some() {
             watched.push(&m::Z_ROPE);
         }
+        if self.now.winch.is_some() {
+            watched.push(&m::Z_HOIST);
+        }
         watched
     }
 
@@ -333,7 +346,7 @@ impl LuffingMotion {
         slewing: [&'static Symbol; 2],
         load: [&'static Symbol; 6],
         swing: [&'static Symbol; 2],
-        reel: [&'static Symbol; 3],
+        reel: [&'static Symbol; 4],
         oil: [&'static Symbol; 6],
     ) -> Vec<&'static Symbol> {
         let mut symbols = coordinate.to_vec();
@@ -351,9 +364,12 @@ impl LuffingMotion {
             }
             (false, true) => {
                 symbols.extend(swing);
-                symbols.extend(reel);
+                symbols.extend(&reel[..3]);
             }
             (_, false) => {}
+        }
+        if self.now.winch.is_some() {
+            symbols.push(reel[3]);
         }
         symbols
     }
@@ -382,13 +398,14 @@ impl LuffingMotion {
         let inputs = self.inputs_over(of);
         let turning = self.now.turning.map(|turning| turning.map(of));
         let oil = self.now.oil.map(|oil| oil.map(of));
+        let winch = self.now.winch.map(|winch| winch.map(of));
         let over = parameters.map(of);
         let geometry = Geometry::new(&over).map_err(|misfit| {
             let words = parameters.describe(misfit);
             Fault::outside(format!("{}; {}", words.what, words.help))
         })?;
         let weights = over.weights.expect("checked when the scene was read");
-        let bodies = self.bodies_over(&geometry, &weights, &constants, load);
+        let bodies = self.bodies_over(&geometry, &weights, &constants, (load, winch.map(|winch| winch.a_h)));
         let mut dynamics = Dynamics::new(&geometry, bodies)
             .with_balance(&over, &self.range)
             .map_err(|fault| Fault::outside(fault.to_string()))?;
@@ -449,7 +466,7 @@ impl LuffingMotion {
         geometry: &Geometry<P>,
         weights: &Weights<P>,
         constants: &Constants<P>,
-        load: P,
+        (load, winch): (P, Option<P>),
     ) -> Bodies<P> {
         // Boom and rocker lie along their bars, the jib along the line from its tail to its head.
         let bar = Point::new(P::constant(1.0), P::constant(0.0));
@@ -464,6 +481,7 @@ impl LuffingMotion {
         let pendulum = self.rope.map(|rope| Pendulum {
             mass: load,
             length: P::known(&m::L_R, rope.length),
+            winch,
         });
         Bodies {
             boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1, bar),
@@ -554,22 +572,34 @@ impl LuffingMotion {
 
     /// Refuses a step in which all of the rope is reeled in: its end would be sought in ever smaller inner steps.
     fn enough_rope(&self, size: f64) -> Result<(), Fault> {
-        let (hoist, states) = (self.now.inputs.motion.hoist, self.now.present.states());
+        let (hoist, states) = (self.paying_out(size), self.now.present.states());
         let length = self.variables[..self.states]
             .iter()
             .zip(states)
             .find(|(v, _)| v.symbol.id == m::L_R.id);
         match length {
-            Some((variable, length)) if length + hoist * size <= REELED_IN => Err(Fault::outside(format!(
+            Some((variable, length)) if length + hoist <= REELED_IN => Err(Fault::outside(format!(
                 "at {} = {} nothing is left of the rope of {} = {} within {} s: reel in less",
                 m::V_H.id,
-                m::V_H.written(hoist),
+                m::V_H.written(self.now.inputs.motion.hoist),
                 m::L_R.id,
                 variable.symbol.written(length),
                 short(size)
             ))),
             _ => Ok(()),
         }
+    }
+
+    /// How much rope the hoist pays out within a time (s), in m.
+    fn paying_out(&self, size: f64) -> f64 {
+        let command = self.now.inputs.motion.hoist;
+        let Some(Winch { a_h }) = self.now.winch else {
+            return command * size;
+        };
+        let rate = self.now.present.paid_out(self.slewing_stops.is_some());
+        let change = command - rate;
+        let time = size.min(change.abs() / a_h);
+        rate * time + change.signum() * 0.5 * a_h * time * time + command * (size - time)
     }
 
     fn all_rates(&mut self, rates: &mut [f64; MOST_STATES]) -> Result<(), Fault> {
@@ -590,20 +620,25 @@ impl LuffingMotion {
     /// The states over any scalar.
     fn states_over<P: Calc>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> [P; MOST_STATES] {
         let states = self.now.present.states();
+        // A hoist that follows its command at once runs as commanded.
+        let winding = self.now.present.winding(self.slewing_stops.is_some());
+        let commanded = (self.rope.is_some() && self.now.winch.is_none()).then_some(winding);
         std::array::from_fn(|i| match self.variables.get(i).filter(|_| i < self.states) {
             Some(variable) => of(variable.symbol, states[i]),
+            None if Some(i) == commanded => of(&m::V_H, states[i]),
             None => P::constant(states[i]),
         })
     }
 
-    /// Powers as it is now, and the energy of all bodies (J).
+    /// Powers as it is now, and the energy (J) of all bodies with what blows have taken so far.
     ///
     /// # Errors
     /// The linkage does not close.
     pub(crate) fn powers(&mut self) -> Result<(Powers, f64), Fault> {
         let (present, inputs) = (self.now.present, self.now.inputs);
         let found = self.level()?.powers(&present, &inputs);
-        found.ok_or_else(|| self.open())
+        let (powers, energy) = found.ok_or_else(|| self.open())?;
+        Ok((powers, energy + present.blown()))
     }
 
     /// Energy of the bodies' motion as it is now, in J.
@@ -661,6 +696,8 @@ impl LuffingMotion {
             // Any of them may be the least.
             Slot::Cavitates => pressures(),
             Slot::Indicator(i) if i + 1 == OIL_INDICATORS && self.now.oil.is_some() => pressures(),
+            // Decided at events.
+            Slot::Rate(i) if self.variables[i].symbol == &m::V_R => BTreeSet::from([(m::V_H.id, None)]),
             _ => BTreeSet::new(),
         };
         let mut found: Vec<BTreeSet<Name>> = self.slots.iter().map(of).collect();
@@ -781,6 +818,7 @@ impl Running for LuffingMotion {
                     }
                 };
                 self.now.constants.map(&mut look);
+                self.now.winch.map(|winch| winch.map(&mut look));
                 self.now.turning.map(|turning| turning.map(&mut look));
                 self.now.oil.map(|oil| oil.map(&mut look));
                 Ok(found)
@@ -863,6 +901,7 @@ impl Running for LuffingMotion {
                 let wanted = self.variables[index].symbol;
                 let mut change = |symbol, old| if symbol == wanted { value } else { old };
                 self.now.constants = self.now.constants.map(&mut change);
+                self.now.winch = self.now.winch.map(|winch| winch.map(&mut change));
                 self.now.turning = self.now.turning.map(|turning| turning.map(&mut change));
                 self.now.oil = self.now.oil.map(|oil| oil.map(&mut change));
                 self.changed();
@@ -899,6 +938,15 @@ impl Running for LuffingMotion {
             }
         }
         reached
+    }
+
+    fn start(&mut self) -> Result<(), Fault> {
+        if self.rope.is_some() && self.now.winch.is_none() {
+            // What is commanded at the start was so before.
+            let slews = self.slewing_stops.is_some();
+            self.now.present.wind(self.now.inputs.motion.hoist, slews);
+        }
+        self.update()
     }
 
     fn update(&mut self) -> Result<(), Fault> {
@@ -1011,6 +1059,7 @@ impl Running for LuffingMotion {
         let mut numbers = vec![now.time, moment, brake, hoist, valve, supply];
         now.present.numbers(&mut numbers);
         now.constants.map(&mut |_, value| numbers.push(value));
+        now.winch.map(|winch| winch.map(&mut |_, value| numbers.push(value)));
         if let Some(turning) = now.turning {
             numbers.extend([slewing.moment, slewing.brake]);
             turning.map(&mut |_, value| numbers.push(value));
@@ -1033,6 +1082,7 @@ impl Running for LuffingMotion {
             value
         };
         let constants = self.now.constants.map(&mut next);
+        let winch = self.now.winch.map(|winch| winch.map(&mut next));
         let mut slewing = self.now.inputs.slewing;
         let turning = self.now.turning.map(|turning| {
             (slewing.moment, slewing.brake) = (next(&m::M_SL, 0.0), next(&m::M_B_SL, 0.0));
@@ -1053,6 +1103,7 @@ impl Running for LuffingMotion {
                 supply,
             },
             constants,
+            winch,
             turning,
             oil,
         };

@@ -19,7 +19,7 @@ pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydrauli
 /// Keys of `[luffing.dynamics]`.
 pub static KEYS: &[Key] = keys! { s:
     J_1 >= 0, J_2 >= 0, J_3 >= 0, C_V >= 0 [optional], M_F >= 0 [optional], G > 0 [optional], STEP > 0 [optional],
-    M_A [optional], M_S >= 0 [optional], V_H [optional], L_R > 0 [optional], PHI_R [optional]
+    M_A [optional], M_S >= 0 [optional], V_H [optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional]
 };
 
 /// Keys of `[luffing.slewing]`.
@@ -52,6 +52,11 @@ quantities! {
     Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_f: M_F, g: G, step: STEP }
 }
 
+quantities! {
+    /// A hoist that comes up to its command with an acceleration.
+    Winch { a_h: A_H }
+}
+
 /// The load's rope at the start.
 #[derive(Clone, Copy, Debug)]
 pub struct LoadRope {
@@ -59,6 +64,8 @@ pub struct LoadRope {
     pub length: f64,
     /// From the vertical, in rad.
     pub swing: f64,
+    /// `None` where the hoist follows its command at once.
+    pub winch: Option<Winch<f64>>,
 }
 
 /// A crane that slews, at the start.
@@ -189,13 +196,14 @@ fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Diagnos
         ("swing" | "hydraulic" | "auto", Some(length)) => Ok(Some(LoadRope {
             length,
             swing: n(&s::PHI_R).unwrap_or(0.0),
+            winch: n(&s::A_H).map(|a_h| Winch { a_h }),
         })),
         ("swing", None) => {
             let what = "a swinging load without a rope";
             let refused = Diagnostic::new(table.span.clone(), what, "l_R is needed here");
             Err(refused.help("add l_R = \"... m\", the length of the rope at the start"))
         }
-        _ => match [&s::L_R, &s::PHI_R, &s::V_H]
+        _ => match [&s::L_R, &s::PHI_R, &s::V_H, &s::A_H]
             .into_iter()
             .find(|symbol| n(symbol).is_some())
         {

@@ -41,7 +41,8 @@ symbols! {
     M_S: "M_S" "M_S" N_M / KN_M [not_negative], "Moment of the brake, added to the dry friction.", "input";
     M_SL: "M_sl" "M_\"sl\"" N_M / KN_M, "Moment of the slewing drive; positive turns the crane counter-clockwise, seen from above.", "input";
     M_B_SL: "M_Bsl" "M_\"B sl\"" N_M / KN_M [not_negative], "Moment of the slewing brake, added to its dry friction.", "input";
-    V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head; positive lowers the load.", "input";
+    V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head as commanded; positive lowers the load.", "input";
+    A_H: "a_h" "a_h" M_PER_S2 / M_PER_S2 [positive], "Acceleration with which the hoist comes up to its command; without it a change of the command is a blow.", "input";
 
     // States.
     PHI_R: "phi_R" "phi_R" RAD / DEG, "Angle of the rope from the vertical; positive swings the load forward.", "equations of motion";
@@ -49,6 +50,7 @@ symbols! {
     L_R: "l_R" "l_R" M / M [positive], "Length of the rope from the head to the load.", "equations of motion";
     S_Q: "s_Q" "s_Q" M / M, "Distance of the load from the head: the rope's length, or less where it is slack.", "equations of motion";
     V_Q: "v_Q" "v_Q" M_PER_S / M_PER_S, "Speed of the load away from the head.", "equations of motion";
+    V_R: "v_R" "v_R" M_PER_S / M_PER_S, "Speed at which the hoist pays out the rope; positive lowers the load.", "equations of motion";
 
     // States of slewing, seen from the frame that slews.
     PSI_SL: "psi_sl" "psi_\"sl\"" RAD / DEG, "Slewing angle; positive counter-clockwise, seen from above.", "equations of motion";
@@ -172,7 +174,7 @@ symbols! {
     W_P: "W_P" "W_P" J / KJ, "Work of the pump.", "derived";
     W_R: "W_R" "W_R" J / KJ, "Energy that friction and brakes have taken.", "derived";
     W_T: "W_T" "W_T" J / KJ, "Energy that edges, lines, relief valves and leakage have taken.", "derived";
-    W_B: "W_B" "W_B" J / KJ, "Energy that blows at end stops and of the rope have taken.", "derived";
+    W_BLOW: "W_blow" "W_\"blow\"" J / KJ, "Energy that blows at end stops and of the rope have taken so far; what a hoist gives by a blow counts negative.", "equations of motion";
     W_E: "W_e" "W_e" J / KJ, "What is left over: error of the sums over the samples.", "derived";
 
     // Rates of the states.
@@ -185,6 +187,7 @@ symbols! {
     D_L_R: "der(l_R)" "dot(l)_R" M_PER_S / M_PER_S, "Rate of the rope's length.", "state";
     D_S_Q: "der(s_Q)" "dot(s)_Q" M_PER_S / M_PER_S, "Rate of the load's distance from the head.", "state";
     D_V_Q: "der(v_Q)" "dot(v)_Q" M_PER_S2 / M_PER_S2, "Acceleration of the load away from the head.", "equations of motion";
+    D_V_R: "der(v_R)" "dot(v)_R" M_PER_S2 / M_PER_S2, "Acceleration with which the hoist pays out the rope.", "state";
     D_PSI_SL: "der(psi_sl)" "dot(psi)_\"sl\"" RAD_PER_S / DEG_PER_S, "Rate of the slewing angle.", "state";
     D_OMEGA_SL: "der(omega_sl)" "dot(omega)_\"sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing.", "equations of motion";
     D_X_Q: "der(x_Q)" "dot(x)_Q" M_PER_S / M_PER_S, "Rate of the load's place forward of the head.", "state";
@@ -213,6 +216,7 @@ symbols! {
     Z_SL_LOW: "z.sl_low" "z_11" ONE / ONE, "Falls below zero where slewing meets its right end stop.", "event";
     Z_SL_HIGH: "z.sl_high" "z_12" ONE / ONE, "Falls below zero where slewing meets its left end stop.", "event";
     Z_ROPE: "z.rope" "z_5" ONE / ONE, "Falls below zero where the rope becomes slack or taut.", "event";
+    Z_HOIST: "z.hoist" "z_13" ONE / ONE, "Falls below zero where the hoist has come up to its command.", "event";
 }
 
 /// Travel forward and up by the driven angle, first and second derivative.

@@ -305,13 +305,6 @@ impl Watch {
         }
         found
     }
-
-    /// Whether something came to rest at once, or the rope caught the load. With oil the stops of luffing give way.
-    fn blow(events: &[&str], oil: bool) -> bool {
-        let stops = |id: &str| id.ends_with("_low") || id.ends_with("_high");
-        let mut events = events.iter();
-        events.any(|id| *id == "rope_taut" || stops(id) && !(oil && id.starts_with("luffing")))
-    }
 }
 
 /// Where energy came from and went, in J.
@@ -329,10 +322,9 @@ struct Energy {
 }
 
 impl Energy {
-    /// A step of the run to a next energy (J), in which there may have been a blow.
-    fn add(&mut self, step: &Powers, after: f64, blow: bool) {
-        let left = net(step) - (after - self.end);
-        *(if blow { &mut self.blows } else { &mut self.rest }) += left;
+    /// A step of the run to a next energy (J), with what blows have taken.
+    fn add(&mut self, step: &Powers, after: f64) {
+        self.rest += net(step) - (after - self.end);
         self.rounding += rounding(self.end, after);
         self.end = after;
         self.work = sum(&[(&self.work, 1.0), (step, 1.0)]);
@@ -353,13 +345,13 @@ impl Energy {
                 (oil, &m::W_P, work.pump),
             ]),
             stored: there(&[
-                (true, &m::DELTA_E, self.end - self.start),
+                (true, &m::DELTA_E, self.end - self.start - self.blows),
                 (oil, &m::E_OIL, work.compression),
             ]),
             taken: there(&[
                 (true, &m::W_R, work.friction),
                 (oil, &m::W_T, work.throttles),
-                (!oil || slews || hangs, &m::W_B, self.blows),
+                (!oil || slews || hangs, &m::W_BLOW, self.blows),
                 (true, &m::W_E, self.rest),
             ]),
         }
@@ -440,6 +432,28 @@ fn advance(
     Some((sum(&[(&first, 1.0), (&second, 1.0)]), after))
 }
 
+/// The same, where blows make the powers jump within the step: their works are looked at more closely, and the model
+/// moves as it does without that.
+fn stepped(
+    model: &mut LuffingMotion,
+    times: [f64; 2],
+    before: &(Powers, f64),
+    turned_over: f64,
+    halvings: u32,
+    budget: &mut Budget,
+) -> Option<(Powers, (Powers, f64))> {
+    let (start, blown) = (model.state(), model.present().blown());
+    let (work, after) = advance(model, times, before, turned_over, halvings, budget)?;
+    if halvings > 0 || model.present().blown() == blown {
+        return Some((work, after));
+    }
+    let end = model.state();
+    model.set_state(&start);
+    let (work, _) = advance(model, times, before, turned_over, HALVINGS, budget)?;
+    model.set_state(&end);
+    Some((work, after))
+}
+
 /// A run of the model, sampled.
 struct Run {
     sample: f64,
@@ -506,15 +520,15 @@ impl Run {
         for i in 0..samples {
             let (from, to) = (f64::from(i) * sample, f64::from(i + 1) * sample);
             let turned_over = turnover(&run.energy.work);
-            let step = advance(model, [from, to], &powers, turned_over, halvings, &mut budget);
+            let step = stepped(model, [from, to], &powers, turned_over, halvings, &mut budget);
             let Some(((work, now), values)) = step.zip(look(model)) else {
                 run.events.push((from, "run_ends"));
                 break;
             };
             let next = Watch::new(luffing, moving, model.present(), sample);
             let events = next.since(&watch);
-            let blow = Watch::blow(&events, moving.oil.is_some());
-            run.energy.add(&work, now.1, blow);
+            run.energy.add(&work, now.1);
+            run.energy.blows = model.present().blown();
             if i % KINETIC == 0 {
                 run.energy.kinetic = run.energy.kinetic.max(model.kinetic().ok()?);
             }
