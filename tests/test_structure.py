@@ -181,10 +181,14 @@ def test_no_files_need_each_other_in_a_circle():
 LISTS = {"models/src/lib.rs", "models/src/luffing/mod.rs", "models/src/registry.rs", "report/src/language.rs"}
 
 
+def entries():
+    """The file of each mechanism that lists it for scenes, in the mechanism's folder."""
+    return [path for path in (ROOT / "models/src").rglob("*.rs") if "pub const ENTRY: Entry" in path.read_text("utf-8")]
+
+
 def test_no_shared_file_names_a_mechanism():
-    entries = [path for path in (ROOT / "models/src").rglob("*.rs") if "pub const ENTRY: Entry" in path.read_text("utf-8")]
-    folders = {path.parent for path in entries}
-    types = {name for path in entries for name in re.findall(r"impl Described for (\w+)", path.read_text("utf-8"))}
+    folders = {path.parent for path in entries()}
+    types = {name for path in entries() for name in re.findall(r"impl Described for (\w+)", path.read_text("utf-8"))}
     assert len(folders) == len(types) >= 3
     rooms = "|".join(folder.name for folder in folders)
     name = re.compile(rf"\b(?:{rooms})::|::(?:{rooms})\b|\bmod (?:{rooms});|\b(?:{'|'.join(types)})\b")
@@ -242,3 +246,40 @@ def test_no_file_is_long():
     files = (ROOT / "models/src").rglob("*.rs")
     long = {path.relative_to(ROOT).as_posix() for path in files if len(path.read_text("utf-8").splitlines()) > 500}
     assert long == LONG
+
+
+def functions():
+    """Of each table id, function, source in a `mod.rs` the functions that it links, each with the file that has it.
+    A type's function may stand in another file than the type. Searches for dimensions, in another crate, are not linked."""
+    sources, found = ROOT / "models/src", {}
+    code = {path: plain(path.read_text(encoding="utf-8")) for path in sources.rglob("*.rs")}
+    for table in (path for path in code if path.name == "mod.rs"):
+        rows = re.findall(r"^//! \| (.*) \|$", table.read_text(encoding="utf-8"), re.M)
+        if "id | function | source" not in rows:
+            continue
+        paths = [path for row in rows for path in re.findall(r"\[`([^`]+)`\]", row.split(" | ")[1])]
+        found[table] = {path: place(code, sources, table, path) for path in paths}
+    return found
+
+
+def place(code, sources, table, path):
+    """The file of the function, type or module that a table links; none where there is no such thing."""
+    folder, *items = [sources, *path.split("::")[1:]] if path.startswith("crate::") else [table.parent, *path.split("::")]
+    while items and (folder / items[0]).is_dir():
+        folder /= items.pop(0)
+    module = folder / "mod.rs"
+    if items and folder / f"{items[0]}.rs" in code:
+        module = folder / f"{items.pop(0)}.rs"
+    kinds = [rf"\bimpl\b[^{{]*\b{re.escape(name)}\b[^{{]*\{{" for name in items[:-1]]
+    kinds += [rf"\b(?:fn|struct|enum)\s+{re.escape(name)}\b" for name in items[-1:]]
+    having = [file for file, text in code.items() if all(re.search(kind, text) for kind in kinds)]
+    return module if module in having else having[0] if len(items) > 1 and len(having) == 1 else None
+
+
+def test_a_file_with_equations_has_at_most_200_lines():
+    found = functions()
+    links = [link for places in found.values() for link in places.items()]
+    assert all(found.get(path.parent / "mod.rs") for path in entries()) and all(found.values()) and len(links) > 50
+    assert not [path for path, file in links if file is None], "paths of tables that lead to nothing"
+    lines = {file.relative_to(ROOT).as_posix(): len(file.read_text("utf-8").splitlines()) for _, file in links}
+    assert not {file: count for file, count in lines.items() if count > 200 and file not in LONG}

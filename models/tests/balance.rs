@@ -5,11 +5,12 @@ mod portal;
 
 use std::f64::consts::PI;
 
-use lemnis_models::balance::analysis::{Analysis, Residual};
+use lemnis_models::balance::analysis::Analysis;
 use lemnis_models::balance::boom::{Boom, Plain};
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::parallelogram::Parallelogram;
 use lemnis_models::balance::published::table_5_2_1;
+use lemnis_models::balance::residual::Residual;
 use lemnis_models::balance::straight_rail::StraightRail;
 use lemnis_models::balance::tail::Tail;
 use lemnis_models::balance::{Balance, curved_rail, symbols};
@@ -17,8 +18,8 @@ use lemnis_models::component::stages::Rows;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::record::{Rec, record};
 use lemnis_models::kernel::symbol::Symbol;
-use lemnis_models::luffing::balancing::Criteria;
-use lemnis_models::luffing::double_link::geometry::{Driven, Lengths, Parameters, Weights};
+use lemnis_models::luffing::criteria::Criteria;
+use lemnis_models::luffing::double_link::parameters::{Driven, Lengths, Parameters, Weights};
 use lemnis_models::luffing::double_link::system::BoomSystem;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::parts::motion::Motion;

@@ -10,11 +10,11 @@ use lemnis_models::balance::boom::Boom;
 use lemnis_models::component::model::Model;
 use lemnis_models::component::sheet::Check;
 use lemnis_models::kernel::variable::Role;
-use lemnis_models::luffing::balancing::agreement;
 use lemnis_models::luffing::double_link::balancing::{analysis, boom};
-use lemnis_models::luffing::double_link::geometry::Driven;
+use lemnis_models::luffing::double_link::parameters::Driven;
 use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::luffing::double_link::stages::DoubleLink;
+use lemnis_models::luffing::with_balance::agreement;
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::Scene;
 

@@ -5,9 +5,12 @@
 
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::variable::{Role, Type};
-use lemnis_models::luffing::double_link::geometry::{Driven, Geometry, Jib, Lengths, Parameters};
+use lemnis_models::luffing::double_link::geometry::Geometry;
+use lemnis_models::luffing::double_link::parameters::{Driven, Jib, Lengths, Parameters};
+use lemnis_models::luffing::double_link::pole::Pole;
 use lemnis_models::luffing::double_link::position::Position;
-use lemnis_models::luffing::double_link::velocity::{Pole, Velocity};
+use lemnis_models::luffing::double_link::velocity::Velocity;
+use lemnis_models::parts::closure::Closure;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::scene::Scene;
 use num_dual::{Dual2_64, Dual64};
@@ -38,18 +41,14 @@ fn the_branch_is_kept_exactly_in_a_change_point() {
         for offset in [0.0, 1e-300, 1e-15, -1e-15, 1e-8, -1e-3, 0.1] {
             for bars in [[1.0; 4], [2.0, 5.0, 2.0, 5.0]] {
                 let theta = Dual2_64::new(turns * PI + offset, 1.0, 0.0);
-                let parallel = linkage::<Dual2_64>(bars, Branch::Left)
-                    .close(theta, &NAMES)
-                    .expect("closes");
+                let parallel = Closure::new(&linkage(bars, Branch::Left), theta, &NAMES).expect("closes");
                 assert_eq!(parallel.follower, parallel.crank);
                 assert_eq!((parallel.coupler.x.re, parallel.coupler.y.re), (bars[3], 0.0));
             }
             // Crossed: the coupler turns against the crank, twice in one turn through the frame's line.
             let bars = [2.0, 5.0, 2.0, 5.0];
             let theta = Dual2_64::new(turns * PI + offset, 1.0, 0.0);
-            let crossed = linkage::<Dual2_64>(bars, Branch::Right)
-                .close(theta, &NAMES)
-                .expect("closes");
+            let crossed = Closure::new(&linkage(bars, Branch::Right), theta, &NAMES).expect("closes");
             let lengths = [crossed.coupler, crossed.follower].map(|v| v.map(|x| x.re).norm());
             assert!(
                 (lengths[0] - 5.0).abs() < 1e-14 && (lengths[1] - 2.0).abs() < 1e-14,

@@ -3,10 +3,11 @@
 
 mod common;
 
-use lemnis_models::luffing::double_link::geometry::Driven;
+use lemnis_models::luffing::double_link::parameters::Driven;
+use lemnis_models::luffing::double_link::pole::Pole;
 use lemnis_models::luffing::double_link::position::Position;
 use lemnis_models::luffing::double_link::statics::LoadMoment;
-use lemnis_models::luffing::double_link::velocity::{Pole, Velocity};
+use lemnis_models::luffing::double_link::velocity::Velocity;
 
 const ORACLE: &str = include_str!("../../tests/oracles/lemniscate_extremes.csv");
 

@@ -1,9 +1,10 @@
 //! Governing positions and sensitivities, against searches and differences that know nothing of derivatives.
 
 use lemnis_models::component::description::Described;
-use lemnis_models::component::governing::{governing, sensitivity};
+use lemnis_models::component::governing::governing;
 use lemnis_models::component::outline::Outline;
 use lemnis_models::component::running::Running;
+use lemnis_models::component::sensitivity::sensitivity;
 use lemnis_models::luffing::double_link::scene::{Luffing, LuffingScene};
 use lemnis_models::luffing::double_link::symbols as s;
 

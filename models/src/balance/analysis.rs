@@ -1,79 +1,17 @@
-//! What is left of the moment: at one position, and over the working range.
+//! What is left of the moment over the working range.
 
 use std::sync::Arc;
 
 use std::f64::consts::TAU;
 
-use crate::balance::action::{Action, LeverTurn};
-use crate::balance::boom::{Boom, Load};
+use crate::balance::boom::Boom;
+use crate::balance::grid::{Sampled, zero};
+use crate::balance::residual::Residual;
 use crate::balance::{Balance, symbols as s};
 use crate::component::extreme::Extreme;
 use crate::component::sheet::Summary;
-use crate::component::stages::{absent, results};
-use crate::kernel::allowed::{FINITE, OutOfRange};
-use crate::kernel::calc::Calc;
+use crate::kernel::allowed::OutOfRange;
 use crate::kernel::symbol::Symbol;
-use crate::parts::motion::degrees;
-
-/// What is left at one boom angle.
-#[derive(Clone, Copy, Debug)]
-pub struct Residual<C> {
-    /// Boom angle, in rad.
-    pub phi: C,
-    pub boom: Load<C>,
-    pub action: Action<C>,
-    /// About the boom foot, in N·m; positive raises the boom.
-    pub dm: C,
-    /// About the lever's pivot, in N·m; infinite where the lever stands still, none
-    /// where there is no lever.
-    pub dm_5: Option<C>,
-}
-
-results! { Residual as r => {
-    M_0: r.boom.m_0;
-    M_UR: r.action.m_b;
-    DM: r.dm;
-    DM_5: r.dm_5.ok_or_else(absent)?;
-    PSI: r.action.lever.ok_or_else(absent)?.psi;
-    I_5: r.action.lever.ok_or_else(absent)?.i_5;
-    GAMMA: r.action.lever.ok_or_else(absent)?.gamma;
-    N_1: r.action.n_1.ok_or_else(absent)?;
-    C_5Y: r.action.y_5.ok_or_else(absent)?;
-    F_KX: r.action.on_boom.x;
-    F_KY: r.action.on_boom.y;
-    F_MX: r.action.on_pivot.ok_or_else(absent)?.x;
-    F_MY: r.action.on_pivot.ok_or_else(absent)?.y;
-} }
-
-impl<C: Calc> Residual<C> {
-    /// At boom angle `phi` (rad). [Balance004, eq. 3]
-    ///
-    /// # Errors
-    /// An angle at which boom or balance cannot be.
-    pub fn new(boom: &dyn Boom<C>, balance: &Balance<C>, phi: C) -> Result<Residual<C>, OutOfRange> {
-        let load = boom.at(phi)?;
-        let action = balance.at(phi, &load)?;
-        Ok(Residual::of(phi, load, action))
-    }
-
-    /// What boom and balance leave together.
-    pub fn of(phi: C, boom: Load<C>, action: Action<C>) -> Residual<C> {
-        let dm = (boom.m_0 + action.m_b).def(&s::DM);
-        // At rest no moment about its pivot has the power of another one.
-        let about_pivot = |turn: &LeverTurn<C>| match (turn.i_5.value(), dm.value()) {
-            (0.0, 0.0) => dm,
-            (0.0, left) => C::constant(f64::INFINITY.copysign(left)),
-            _ => (dm / turn.i_5).def(&s::DM_5),
-        };
-        Residual {
-            phi,
-            boom,
-            action,
-            dm,
-            dm_5: action.lever.as_ref().map(about_pivot),
-        }
-    }
-}
 
 /// Where nothing is left.
 #[derive(Clone, Copy, Debug)]
@@ -107,9 +45,6 @@ pub struct Analysis {
     /// Residual at the lowest and the highest boom angle, in N·m: stable ends have it positive, then negative. [Balance004, eq. 6-7]
     pub ends: [f64; 2],
 }
-
-/// Points at which a quantity is looked at before extremes and zeros are refined.
-const GRID: u32 = 380;
 
 impl Analysis {
     /// Over the boom angles `range`, in rad.
@@ -253,106 +188,5 @@ impl Analysis {
         ];
         let found = all.map(|(symbol, extreme)| extreme.map(|found| Summary::at(symbol, found, coordinate)));
         found.into_iter().flatten().collect()
-    }
-}
-
-/// The range on a grid, and the function behind it.
-struct Sampled<'a> {
-    range: [f64; 2],
-    samples: Vec<Residual<f64>>,
-    at: &'a dyn Fn(f64) -> Result<Residual<f64>, OutOfRange>,
-}
-
-impl<'a> Sampled<'a> {
-    fn new(
-        range: [f64; 2],
-        at: &'a dyn Fn(f64) -> Result<Residual<f64>, OutOfRange>,
-    ) -> Result<Sampled<'a>, OutOfRange> {
-        let mut grid = Sampled {
-            range,
-            samples: Vec::new(),
-            at,
-        };
-        for i in 0..=GRID as usize {
-            let theta = grid.angle(i);
-            let sample = (grid.at)(theta)?;
-            let whole = [sample.dm, sample.action.u_5, sample.action.n_1.unwrap_or(0.0)];
-            if let Some(&value) = whole.iter().find(|value| !value.is_finite()) {
-                return Err(OutOfRange::new(
-                    &s::DM,
-                    value,
-                    FINITE,
-                    format!("no finite moment at {}", degrees(theta)),
-                ));
-            }
-            grid.samples.push(sample);
-        }
-        Ok(grid)
-    }
-
-    fn angle(&self, i: usize) -> f64 {
-        let [from, to] = self.range;
-        if i == GRID as usize {
-            to
-        } else {
-            from + (to - from) * i as f64 / f64::from(GRID)
-        }
-    }
-
-    /// The greatest value: every peak of the grid is refined, for the best
-    /// balances have several of nearly the same height.
-    fn greatest(&self, pick: &dyn Fn(&Residual<f64>) -> Option<f64>) -> Result<Option<Extreme>, OutOfRange> {
-        let Some(values) = self.samples.iter().map(pick).collect::<Option<Vec<f64>>>() else {
-            return Ok(None);
-        };
-        let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let bottom = values.iter().copied().fold(f64::INFINITY, f64::min);
-        let at = |i: usize| Extreme {
-            value: values[i],
-            at: self.angle(i),
-        };
-        let (mut best, last) = (at(0), values.len() - 1);
-        for (i, &value) in values.iter().enumerate() {
-            let (before, after) = (i.saturating_sub(1), (i + 1).min(last));
-            if value > best.value {
-                best = at(i);
-            }
-            // Between two samples a peak hides less than this part of the whole swing.
-            let near = value >= top - 0.01 * (top - bottom);
-            if !(near && value >= values[before] && value >= values[after]) {
-                continue;
-            }
-            let mut ends = [self.angle(before), self.angle(after)];
-            const GOLDEN: f64 = 0.618_033_988_749_894_9;
-            for _ in 0..40 {
-                let width = ends[1] - ends[0];
-                let inner = [ends[1] - GOLDEN * width, ends[0] + GOLDEN * width];
-                let mut found = [0.0; 2];
-                for (found, &phi) in found.iter_mut().zip(&inner) {
-                    *found = pick(&(self.at)(phi)?).unwrap_or(f64::NEG_INFINITY);
-                    if *found > best.value {
-                        best = Extreme { value: *found, at: phi };
-                    }
-                }
-                if found[0] > found[1] {
-                    ends[1] = inner[1]
-                } else {
-                    ends[0] = inner[0]
-                }
-            }
-        }
-        Ok(Some(best))
-    }
-}
-
-/// The zero between two angles by bisection down to neighbouring numbers.
-fn zero(mut ends: [f64; 2], falling: bool, f: &dyn Fn(f64) -> Result<f64, OutOfRange>) -> Result<f64, OutOfRange> {
-    loop {
-        let middle = f64::midpoint(ends[0], ends[1]);
-        if middle <= ends[0] || middle >= ends[1] {
-            return Ok(middle);
-        }
-        let end = usize::from((f(middle)? > 0.0) != falling);
-        ends[end] = middle;
     }
 }

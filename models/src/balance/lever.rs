@@ -8,7 +8,9 @@ use crate::balance::symbols as s;
 use crate::kernel::allowed::{FINITE, OutOfRange, POSITIVE, check};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{quantities, sound};
-use crate::parts::four_bar::{Arc, Branch, Closure, FourBar, Names};
+use crate::parts::arcs::Arc;
+use crate::parts::closure::Closure;
+use crate::parts::four_bar::{Branch, FourBar, Names};
 use crate::parts::plane::{self, Point};
 
 quantities! {
@@ -105,7 +107,7 @@ impl<C: Calc> Lever<C> {
     /// does not close, and where the counterweight's arm is not known.
     pub fn place(&self, phi: C) -> Option<Point<C>> {
         let angle = (phi + self.dimensions.alpha_1).def(&s::PHI_K);
-        let follower = self.linkage.close(angle, &NAMES)?.follower;
+        let follower = Closure::new(&self.linkage, angle, &NAMES)?.follower;
         let ((sin, cos), s_5) = (self.psi(follower).sin_cos(), self.s_5?);
         Some(Point::new(self.pivot.x + s_5 * cos, self.pivot.y + s_5 * sin))
     }
@@ -124,9 +126,7 @@ impl<C: Calc> Lever<C> {
             follower,
             area,
             ..
-        } = self
-            .linkage
-            .close(angle, &NAMES)
+        } = Closure::new(&self.linkage, angle, &NAMES)
             .ok_or_else(|| outside("the balance linkage does not close at this angle"))?;
         let two = C::constant(2.0);
         if area.value().abs() <= 8.0 * f64::EPSILON * (d.l_1 * d.lever).value() {

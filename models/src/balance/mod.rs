@@ -26,7 +26,7 @@
 //! | `balance.lever.moment` | [`lever::Lever::at`] | Balance004, eq. 2; Ports001, 2.1.3, 4.1 |
 //! | `balance.straight_rail.moment` | [`straight_rail::StraightRail::at`] | Ports001, 2.1.4 |
 //! | `balance.curved_rail.moment` | [`curved_rail::CurvedRail::at`] | Ports001, 2.1.5 |
-//! | `balance.residual` | [`analysis::Residual::new`] | Balance004, eq. 3; Ports001, eq. 5.2.6 |
+//! | `balance.residual` | [`residual::Residual::new`] | Balance004, eq. 3; Ports001, eq. 5.2.6 |
 //! | `balance.drive` | [`crate::luffing::balancing::Balanced`] | equilibrium, with and without the balance |
 //! | `balance.table_5_2_1` | [`published::table_5_2_1`] | Ports001, table 5.2.1 |
 //! | `balance.range` | [`analysis::Analysis::new`] | Balance004, criteria F1-F3 |
@@ -40,9 +40,11 @@ pub mod analysis;
 pub mod asked;
 pub mod boom;
 pub mod curved_rail;
+mod grid;
 pub mod lever;
 pub mod parallelogram;
 pub mod published;
+pub mod residual;
 pub mod scene;
 pub mod straight_rail;
 pub mod symbols;

@@ -3,10 +3,11 @@
 use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
 pub use crate::component::extreme::{between, fine};
-use crate::component::governing::{governing, sensitivity};
+use crate::component::governing::governing;
 use crate::component::outline::{Bound, Explained, Limit, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::running::Running;
+use crate::component::sensitivity::sensitivity;
 use crate::component::sheet::{Check, Comparison, Curve, Section, Sheet, Summary, Table, Worked};
 use crate::component::stages::{Found, Source, Stage, Use};
 use crate::component::standing::Standing;

@@ -1,7 +1,8 @@
 //! What the book says about a balance beyond its formulas.
 
-use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::analysis::Analysis;
 use crate::balance::published::table_5_2_1;
+use crate::balance::residual::Residual;
 use crate::balance::scene::{Form, PublishedBalance};
 use crate::balance::{Balance, symbols as b};
 use crate::component::draw::{Draw, polar};
@@ -12,7 +13,7 @@ use crate::component::standing::Standing;
 use crate::component::telling::{exists, fine, sample, table};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::balancing::WithBalance;
+use crate::luffing::with_balance::WithBalance;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 

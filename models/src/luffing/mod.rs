@@ -2,5 +2,7 @@
 
 pub mod balancing;
 pub mod counterweight;
+pub mod criteria;
 pub mod double_link;
 pub mod rope;
+pub mod with_balance;

@@ -30,7 +30,7 @@ impl<C: Calc> Machine<C> {
     }
 
     /// The group that commands.
-    fn commanding(&self, base: usize) -> Point<C> {
+    pub(super) fn commanding(&self, base: usize) -> Point<C> {
         let at = self.groups[base];
         Point::new(at.x.named(&s::X_B), at.y.named(&s::Y_B))
     }
@@ -90,25 +90,6 @@ impl Mode {
         }
     }
 
-    /// How the turning centre moves with the commanded angle: its rolling
-    /// directions are the derivatives of those of [`Mode::centre`]. `None` where
-    /// the mode takes no angle.
-    #[inline]
-    pub fn slope<C: Calc>(self, machine: &Machine<C>, theta: C) -> Option<Centre<C>> {
-        let (sin, cos) = theta.sin_cos();
-        if self == Mode::Crab {
-            return Some(Centre::Far(Point::new(-sin, cos)));
-        }
-        let (line, base) = machine.line(self)?;
-        let from = machine.commanding(base);
-        let lever = from.x - line;
-        let d = Point::new(-(lever * cos), -(lever * sin));
-        Some(match lever.value() > 0.0 {
-            true => Centre::Beyond { from, d, w: cos },
-            false => Centre::Beyond { from, d: -d, w: -cos },
-        })
-    }
-
     fn wants(self, given: &str) -> Refusal {
         let wanted = match self {
             Mode::Straight | Mode::Crosswise | Mode::Pivot => "no command",
@@ -122,14 +103,6 @@ impl Mode {
             format!("mode {} was given {given}", self.id()),
             format!("it takes {wanted}"),
         )
-    }
-}
-
-/// How the turning centre moves with the commanded angle; `None` where no angle commands.
-pub fn slope<C: Calc>(mode: &Mode, machine: &Machine<C>, command: &Command<C>) -> Option<Centre<C>> {
-    match command {
-        Command::Angle(theta) => mode.slope(machine, *theta),
-        _ => None,
     }
 }
 

@@ -26,7 +26,7 @@
 //! | `steering.swept` | [`swept::moved`], [`swept::Swept::new`] | rigid body |
 //! | `steering.reach` | [`reach::reach`], [`nearest::nearest`] | derived |
 //! | `steering.slip` | [`slip::Slip::new`], [`slip::worst`], [`accuracy::Accuracy::angle_error`] | least squares |
-//! | `steering.transition` | [`plan::Crew::transition`], [`plan::Plan`], [`transition::GreatCircle`] | derived |
+//! | `steering.transition` | [`plan::Crew::transition`], [`plan::Plan`], [`progress::Moment`], [`transition::GreatCircle`] | derived |
 //! | `steering.resistance` | [`load::resistance`] | Zhang2016, 3 |
 //! | `steering.load_share` | [`load::share`] | equal springs |
 //! | `steering.ring` | [`ring::Duty::new`], [`ring::Catalogue::choose`] | Zhang2016, 4 |
@@ -51,6 +51,7 @@ pub mod cylinder;
 pub mod demand;
 pub(crate) mod drawing;
 pub mod flow;
+pub mod followed;
 pub mod frame;
 pub mod hydraulic;
 pub(crate) mod keys;
@@ -63,6 +64,7 @@ pub mod moving;
 pub mod nearest;
 pub(crate) mod parts;
 pub mod plan;
+pub mod progress;
 pub mod published;
 pub mod reach;
 pub mod refusal;
@@ -72,6 +74,7 @@ pub mod set_points;
 pub mod sheet;
 pub mod sizing;
 pub mod slip;
+pub mod slope;
 pub mod stages;
 pub mod stand;
 pub mod swept;

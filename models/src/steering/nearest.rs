@@ -1,15 +1,13 @@
 //! The nearest command that all groups can follow. No allocation.
 
-use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::limits::{Limits, SAME};
-use crate::steering::machine::{Axis, Machine};
+use crate::steering::machine::Machine;
 use crate::steering::margin::Margin;
-use crate::steering::mode::{Command, Mode, Wanted};
-use crate::steering::stand::{obstacle, principal, stands};
-use crate::steering::symbols as s;
+use crate::steering::mode::{Command, Mode};
+use crate::steering::stand::{obstacle, principal};
 
 /// The command itself where all groups can follow it, else the nearest one.
 #[derive(Clone, Copy, Debug)]
@@ -42,44 +40,6 @@ impl Nearest {
             centre: found.and_then(|(mode, command)| mode.centre(machine, command).ok()),
         }
     }
-}
-
-/// The same as values of the inputs; a kind of command that the mode does not take is the one given.
-#[derive(Clone, Copy, Debug)]
-pub struct Followed<C> {
-    theta_b: C,
-    r_t: C,
-    wanted: Wanted<C>,
-}
-results! { Followed as f => {
-    THETA_BN: f.theta_b;
-    R_TN: f.r_t;
-    X_C_N: f.wanted.x;
-    Y_C_N: f.wanted.y;
-} }
-
-impl Followed<f64> {
-    pub fn new(nearest: &Nearest, theta_b: &f64, r_t: &f64, wanted: &Wanted<f64>) -> Followed<f64> {
-        let mut followed = Followed {
-            theta_b: *theta_b,
-            r_t: *r_t,
-            wanted: *wanted,
-        };
-        match nearest.found {
-            Some((_, Command::Angle(theta))) => followed.theta_b = theta,
-            Some((_, Command::Radius(radius))) => followed.r_t = radius,
-            Some((_, Command::Centre(at))) => followed.wanted = Wanted { x: at.x, y: at.y },
-            _ => {}
-        }
-        followed
-    }
-}
-
-/// Heading of a group there, in rad; straight ahead where there is no such command.
-#[must_use]
-pub fn heading(nearest: &Nearest, axis: &Axis<f64>, limits: &Limits) -> f64 {
-    let stands = |centre: &Centre<f64>| stands(centre, axis.point(), limits);
-    nearest.centre.as_ref().map_or(0.0, stands)
 }
 
 /// A command that says the same with a choice: straight and crosswise are directions of crab travel, the machine's

@@ -1,4 +1,4 @@
-//! A change of stance over time. No allocation.
+//! The plan of a change of stance. No allocation.
 
 use std::cmp::Ordering;
 
@@ -10,7 +10,7 @@ use crate::steering::stand::stand;
 use crate::steering::transition::{GreatCircle, SAME_STANCE, Twist};
 
 /// Pieces of a path, within which the motion changes evenly with time.
-const PIECES: usize = 256;
+pub(super) const PIECES: usize = 256;
 
 /// A group that turns further within one piece, in rad, turns too fast to travel.
 const JUMP: f64 = 0.06;
@@ -31,17 +31,6 @@ pub struct Crew<'a> {
     pub speed: f64,
 }
 
-/// Where a change is.
-#[derive(Clone, Copy, Debug)]
-pub enum Moment {
-    Start,
-    /// What part of the time has gone.
-    Standing(f64),
-    /// With the present motion.
-    Travelling(GreatCircle, Twist),
-    End,
-}
-
 /// A change of stance.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan {
@@ -54,11 +43,11 @@ pub struct Plan {
     /// Whether it ends on the target's own angles, and not half a turn over.
     direct: bool,
     /// Directions of the motion at start and end, where the machine travels.
-    ends: [Twist; 2],
+    pub(super) ends: [Twist; 2],
     /// Ends of the pieces, in s.
-    times: [f64; PIECES + 1],
-    start: Angles,
-    target: Angles,
+    pub(super) times: [f64; PIECES + 1],
+    pub(super) start: Angles,
+    pub(super) target: Angles,
 }
 
 impl<'a> Crew<'a> {
@@ -188,55 +177,6 @@ impl Plan {
         match self.standing {
             true => std::array::from_fn(|piece| self.time * piece as f64 / PIECES as f64),
             false => self.times,
-        }
-    }
-
-    /// Where it is at a time (s) after the start: before it at the start, after the end at the end.
-    #[must_use]
-    pub fn at(&self, machine: &Machine<f64>, time: f64) -> Moment {
-        if time >= self.time {
-            return Moment::End;
-        }
-        if time <= 0.0 {
-            return Moment::Start;
-        }
-        let arc = if self.standing {
-            None
-        } else {
-            GreatCircle::new(machine, self.ends)
-        };
-        let Some(arc) = arc else {
-            return Moment::Standing(time / self.time);
-        };
-        let piece = self.times.partition_point(|&at| at <= time).clamp(1, PIECES);
-        let (from, to) = (self.times[piece - 1], self.times[piece]);
-        let part = if to > from { (time - from) / (to - from) } else { 1.0 };
-        Moment::Travelling(arc, arc.at((((piece - 1) as f64) + part) / PIECES as f64))
-    }
-
-    /// The motion then; none while the machine stands.
-    #[must_use]
-    pub fn motion(&self, moment: &Moment) -> Option<Twist> {
-        let motion = match moment {
-            Moment::Start | Moment::Standing(_) => self.ends[0],
-            Moment::Travelling(_, motion) => *motion,
-            Moment::End => self.ends[1],
-        };
-        (!self.standing).then_some(motion)
-    }
-
-    /// Angle of a group then, in rad. While the machine travels all axle lines meet exactly in the centre of the motion.
-    #[must_use]
-    pub fn angle(&self, moment: &Moment, group: usize, machine: &Machine<f64>, linkage: &Linkage<f64>) -> f64 {
-        let (start, target) = (self.start[group], self.target[group]);
-        match moment {
-            Moment::Start => start,
-            Moment::Standing(part) => {
-                let [from, to] = [start, target].map(|angle| linkage.at_angle(angle).l);
-                linkage.angle(from + part * (to - from)).unwrap_or(target)
-            }
-            Moment::Travelling(arc, motion) => arc.on(machine.groups[group], linkage, &arc.centre(*motion), start).0,
-            Moment::End => target,
         }
     }
 }

@@ -13,7 +13,8 @@ use crate::steering::cylinder::Linkage;
 use crate::steering::limits::Limits;
 use crate::steering::machine::{Axis, Machine};
 use crate::steering::nearest::Nearest;
-use crate::steering::plan::{Crew, Moment, Plan};
+use crate::steering::plan::{Crew, Plan};
+use crate::steering::progress::Moment;
 use crate::steering::symbols as s;
 use crate::steering::transition::{Pace, Twist, longest};
 

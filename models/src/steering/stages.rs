@@ -11,20 +11,21 @@ use crate::steering::centre::{Centre, TurningPole};
 use crate::steering::change::Change;
 use crate::steering::cylinder::{Linkage, Mounting, Pose};
 use crate::steering::flow::Piston;
+use crate::steering::followed::Followed;
 use crate::steering::frame::{Ends, Mount, limits};
 use crate::steering::limits::Limits;
 use crate::steering::load::{Drag, GroupLoad, Tyre};
 use crate::steering::machine::{Axis, Footprint, Machine};
 use crate::steering::margin::Margin;
 use crate::steering::mode::{By, Command, Corner, Mode, Wanted};
-use crate::steering::nearest::{Followed, Nearest};
+use crate::steering::nearest::Nearest;
 use crate::steering::refusal::Refusal;
 use crate::steering::ring::Bearing;
 use crate::steering::set_points::{Planned, UnderWay, Way};
 use crate::steering::swept::Swept;
 use crate::steering::transition::Pace;
 use crate::steering::wheels::{Rolling, Wheel};
-use crate::steering::{accuracy, commanding, flow, load, nearest, set_points, symbols as s, travel, wheels};
+use crate::steering::{accuracy, flow, followed, load, set_points, slope, symbols as s, travel, wheels};
 
 stages! {
     /// Steering of a machine on many steered wheel groups.
@@ -65,7 +66,7 @@ stages! {
         speeds[each axes]: Vec<C> = wheels::speed(rollings[each], wheels[each], scale) => V;
         turn: C = travel::turn(centre, scale) => OMEGA;
         travel: Point<C> = travel::middle(machine, centre, scale) => [V_MX, V_MY];
-        slope: Option<Centre<C>> = commanding::slope(mode, machine, command) => _;
+        slope: Option<Centre<C>> = slope::slope(mode, machine, command) => _;
         rates[each axes]: Vec<C> = travel::steering(axes[each], rollings[each], slope, omega_s) => THETA_DOT;
         poses[each axes]: Vec<Pose<C>> = pose(linkages[each], wheels[each]);
         drags[each loads]: Vec<Drag<C>> = Drag::new(tyre[!], bearing, loads[each]);
@@ -80,7 +81,7 @@ stages! {
         greatest: C = accuracy::greatest(slips) => SLIP_MAX, searched;
         nearest: Nearest = Nearest::new(machine, limits, mode, command, centre, margin) => _, searched;
         followed: Followed<C> = Followed::new(nearest, theta_b, r_t, wanted), searched;
-        headings[each axes]: Vec<C> = nearest::heading(nearest, axes[each], limits[each]) => THETA_N, searched;
+        headings[each axes]: Vec<C> = followed::heading(nearest, axes[each], limits[each]) => THETA_N, searched;
         planned: Planned = Planned::new(machine, limits, linkages, pace[!], nearest, headings, change), searched;
         left: C = set_points::left(planned, change, clock) => T_LEFT, searched;
         under_way: UnderWay = UnderWay::new(limits, linkages, pace[!], nearest, change, clock) => _, searched;

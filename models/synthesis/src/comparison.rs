@@ -1,9 +1,10 @@
 //! What the book says about a synthesis: the levers that the scene lists beside
 //! its own, each worked out anew, so that nothing printed can be out of date.
 
-use lemnis_models::balance::analysis::{Analysis, Residual};
+use lemnis_models::balance::analysis::Analysis;
 use lemnis_models::balance::boom::{Boom, joint};
 use lemnis_models::balance::lever::{Dimensions, Lever};
+use lemnis_models::balance::residual::Residual;
 use lemnis_models::balance::task::{CandidateRole, Method, Search, Task};
 use lemnis_models::balance::{Balance, symbols as s};
 use lemnis_models::component::sheet::{Drawing, Shape};

@@ -3,9 +3,10 @@
 #![allow(dead_code, reason = "not every test uses all of it")]
 
 use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase, Turntable};
-use lemnis_models::luffing::double_link::geometry::{Anchors, Driven, Geometry, Jib, Lengths, Parameters};
+use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic};
 use lemnis_models::luffing::double_link::motion::{Friction, MovingLinkage};
+use lemnis_models::luffing::double_link::parameters::{Anchors, Driven, Jib, Lengths, Parameters};
 use lemnis_models::luffing::double_link::slewing::{Joint, JointDrive, Slewing};
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::parts::hydraulics::cylinder::Cylinder;

@@ -5,7 +5,8 @@
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::kernel::unit;
-use lemnis_models::parts::four_bar::{Branch, Closure, FourBar, Names};
+use lemnis_models::parts::closure::Closure;
+use lemnis_models::parts::four_bar::{Branch, FourBar, Names};
 use lemnis_models::parts::plane::Point;
 use lemnis_models::parts::solver::runge_kutta;
 use num_dual::Dual2_64;
@@ -67,7 +68,7 @@ impl Row {
                 coupler,
                 follower,
                 ..
-            } = self.linkage.close(angle, &NAMES)?;
+            } = Closure::new(&self.linkage, angle, &NAMES)?;
             let half = Dual2_64::from_re(0.5);
             bar(crank * half, crank);
             bar(crank + coupler * half, coupler);

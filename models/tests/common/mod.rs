@@ -1,6 +1,7 @@
 //! The default crane, and variations of it.
 
-use lemnis_models::luffing::double_link::geometry::{Driven, Geometry, Parameters};
+use lemnis_models::luffing::double_link::geometry::Geometry;
+use lemnis_models::luffing::double_link::parameters::{Driven, Parameters};
 use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::scene::{DEFAULT, Scene};
 

@@ -1,7 +1,7 @@
 //! The portal crane of [Balance004]: its boom, its two published levers.
 
 use lemnis_models::balance::lever::{Dimensions, Lever};
-use lemnis_models::luffing::double_link::geometry::Parameters;
+use lemnis_models::luffing::double_link::parameters::Parameters;
 use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::luffing::double_link::system::BoomSystem;
 use lemnis_models::parts::four_bar::Branch;

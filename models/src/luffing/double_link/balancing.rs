@@ -1,14 +1,16 @@
 //! The balance of this mechanism, while any of its bars is driven.
 
-use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::analysis::Analysis;
 use crate::balance::boom::Boom;
+use crate::balance::residual::Residual;
 use crate::balance::symbols as s;
 use crate::kernel::allowed::{FINITE, OutOfRange};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::double_link::drive::Drive;
-use crate::luffing::double_link::geometry::{Driven, Geometry, Parameters, Weights};
+use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::parameters::{Driven, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
 use crate::luffing::double_link::symbols as l;

@@ -4,9 +4,9 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::geometry::{Anchors, Bore, Driven, Lengths};
+use crate::luffing::double_link::parameters::{Anchors, Bore, Driven, Lengths};
+use crate::luffing::double_link::pin_forces::Held;
 use crate::luffing::double_link::position::Position;
-use crate::luffing::double_link::statics::Held;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::hydraulics::cylinder;
 use crate::parts::plane::{self, Point};

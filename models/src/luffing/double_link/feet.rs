@@ -1,12 +1,12 @@
 //! Forces of the frame, which carry what the pins, the balance and the drive leave.
 
-use crate::balance::analysis::Residual;
+use crate::balance::residual::Residual;
 use crate::component::stages::{Found, results};
 use crate::kernel::calc::Calc;
 use crate::luffing::double_link::drive::Reaction;
-use crate::luffing::double_link::geometry::{Driven, Lengths, Weights};
+use crate::luffing::double_link::parameters::{Driven, Lengths, Weights};
+use crate::luffing::double_link::pin_forces::Held;
 use crate::luffing::double_link::position::Position;
-use crate::luffing::double_link::statics::Held;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::plane::{self, Point};
 

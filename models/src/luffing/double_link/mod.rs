@@ -17,18 +17,18 @@
 //! | id | function | source |
 //! |---|---|---|
 //! | `lemniscate.jib_angle` | [`geometry::Geometry::new`] | Li2022, eq. 6 |
-//! | `lemniscate.closure` | [`crate::parts::four_bar::FourBar::close`] | Li2022, eq. 3-5, product form derived |
+//! | `lemniscate.closure` | [`crate::parts::closure::Closure::new`] | Li2022, eq. 3-5, product form derived |
 //! | `lemniscate.position` | [`position::Position::new`] | Li2022, eq. 3-8 |
 //! | `lemniscate.velocity` | [`velocity::Velocity::new`] | Li2022, eq. 9-10, by the loop |
-//! | `lemniscate.pole` | [`velocity::Pole::new`] | Li2022, eq. 1-2 |
-//! | `lemniscate.luffing_moment` | [`statics::LoadMoment::new`], [`velocity::Pole::moment`] | Li2022, eq. 11 |
+//! | `lemniscate.pole` | [`pole::Pole::new`] | Li2022, eq. 1-2 |
+//! | `lemniscate.luffing_moment` | [`statics::LoadMoment::new`], [`pole::Pole::moment`] | Li2022, eq. 11 |
 //! | `lemniscate.weight_moment` | [`statics::Own::new`] | Balance004, eq. 1 |
-//! | `lemniscate.pin_forces` | [`statics::PinForces::new`] | equilibrium |
+//! | `lemniscate.pin_forces` | [`pin_forces::PinForces::new`] | equilibrium |
 //! | `lemniscate.balance` | [`balancing::at`] | [`crate::balance`] |
 //! | `lemniscate.drive` | [`drive::Drive::new`] | derived |
 //! | `lemniscate.dynamics` | [`dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
 //! | `lemniscate.governing` | [`crate::component::governing::governing`] | derived |
-//! | `lemniscate.sensitivity` | [`crate::component::governing::sensitivity`] | derived |
+//! | `lemniscate.sensitivity` | [`crate::component::sensitivity::sensitivity`] | derived |
 //! | `lemniscate.published` | [`published::PublishedFormulas::new`] | Li2022, eq. 1, 4-7 |
 
 pub mod balancing;
@@ -40,9 +40,13 @@ pub mod geometry;
 pub mod hanging;
 pub mod hydraulic;
 pub mod keys;
+pub mod misfit;
 pub mod motion;
 pub mod moving;
 pub mod outline;
+pub mod parameters;
+pub mod pin_forces;
+pub mod pole;
 pub mod position;
 pub mod published;
 pub mod range;

@@ -2,9 +2,10 @@
 
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::geometry::{Driven, Geometry, names};
+use crate::luffing::double_link::geometry::{Geometry, names};
+use crate::luffing::double_link::parameters::Driven;
 use crate::luffing::double_link::symbols as s;
-use crate::parts::four_bar::{Closure, Passing};
+use crate::parts::closure::{Closure, Passing};
 use crate::parts::plane::{self, Point};
 
 /// The mechanism at one position; lengths in m.
@@ -61,7 +62,7 @@ impl<C: Calc> Position<C> {
             diagonal,
             area: k,
             passing,
-        } = g.linkage.close(theta, names(g.driven))?;
+        } = Closure::new(&g.linkage, theta, names(g.driven))?;
         let (x_1, x_2, x_3) = match g.driven {
             Driven::Boom => (crank, coupler, follower),
             Driven::Rocker => (follower, -coupler, crank),

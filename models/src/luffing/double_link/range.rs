@@ -7,7 +7,8 @@ use gauss_quad::GaussLegendre;
 use num_dual::Dual64;
 
 use crate::component::extreme::greatest_amount;
-use crate::luffing::double_link::geometry::{Geometry, Parameters};
+use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::parameters::Parameters;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::parts::motion::Motion;

@@ -8,16 +8,17 @@ use crate::component::outline::Published;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::balancing::complete;
 use crate::luffing::double_link::balancing::{analysis, boom};
-use crate::luffing::double_link::geometry::{
-    Anchors, Bore, Driven, Geometry, Jib, Lengths, Misfit, Parameters, Weights,
-};
+use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::misfit::Misfit;
 use crate::luffing::double_link::moving;
+use crate::luffing::double_link::parameters::{Anchors, Bore, Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::stages::closes;
 use crate::luffing::double_link::symbols as s;
-use crate::parts::four_bar::{Arc, Branch};
+use crate::luffing::with_balance::complete;
+use crate::parts::arcs::Arc;
+use crate::parts::four_bar::Branch;
 use crate::parts::motion::{Motion, degrees};
 
 use std::f64::consts::TAU;

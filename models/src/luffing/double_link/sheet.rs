@@ -14,22 +14,24 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::schema::Values;
 use crate::kernel::variable::Fault;
-use crate::luffing::balancing::{agreement, searched};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
-use crate::luffing::double_link::geometry::{Choice, Driven, Geometry, Jib};
+use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
 use crate::luffing::double_link::moving::{self, model::LuffingMotion};
 use crate::luffing::double_link::outline::OUTLINE;
+use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
+use crate::luffing::double_link::pin_forces::PinForces;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::range::{Rise, rise_by_integration};
 use crate::luffing::double_link::scene::{Luffing, LuffingScene};
 use crate::luffing::double_link::sheet::motion::motion;
 use crate::luffing::double_link::stages::{DoubleLink, Given};
-use crate::luffing::double_link::statics::{LoadMoment, Own, PinForces};
+use crate::luffing::double_link::statics::{LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::with_balance::{agreement, searched};
 use crate::parts::motion::Motion;
 
 /// As scenes describe it.

@@ -1,6 +1,7 @@
 //! The mechanism as a component: what it is given, and in which stages its equations follow from each other.
 
-use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::analysis::Analysis;
+use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
 use crate::component::part::{Component, Port, ports};
@@ -11,18 +12,21 @@ use crate::kernel::group::One;
 use crate::kernel::number::exact;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
-use crate::luffing::balancing::{Balanced, Balancing, Criteria, WithBalance};
+use crate::luffing::balancing::{Balanced, Balancing};
+use crate::luffing::criteria::Criteria;
 use crate::luffing::double_link::balancing::{self, analysis, balanced, residual};
 use crate::luffing::double_link::drive::{self, Drive, Reaction};
 use crate::luffing::double_link::feet::Feet;
-use crate::luffing::double_link::geometry::{
-    Anchors, Bore, Choice, Driven, Geometry, Jib, Lengths, Parameters, Weights,
-};
+use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::parameters::{Anchors, Bore, Choice, Driven, Jib, Lengths, Parameters, Weights};
+use crate::luffing::double_link::pin_forces::{Carried, Held, Passes};
+use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
-use crate::luffing::double_link::statics::{Carried, Held, LoadMoment, Own, Passes, by_pole};
+use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::double_link::velocity::{Pole, Velocity};
+use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::with_balance::WithBalance;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
 

@@ -4,11 +4,14 @@ use crate::balance::boom::{Boom, Load};
 use crate::balance::symbols as b;
 use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::geometry::{Driven, Geometry, Misfit, Parameters, Weights};
+use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::misfit::Misfit;
+use crate::luffing::double_link::parameters::{Driven, Parameters, Weights};
+use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::{Centres, Own};
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::double_link::velocity::{Pole, Velocity};
+use crate::luffing::double_link::velocity::Velocity;
 use crate::parts::plane;
 
 /// The mechanism with the weights of boom, jib and rocker, driven by its boom.

@@ -1,13 +1,15 @@
 //! A balance on this boom, whose angle is the coordinate.
 
-use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::analysis::Analysis;
 use crate::balance::boom::Plain;
+use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
 use crate::component::stages::Found;
 use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::Group;
-use crate::luffing::balancing::{Balanced, Balancing, Criteria};
+use crate::luffing::balancing::{Balanced, Balancing};
+use crate::luffing::criteria::Criteria;
 use crate::luffing::rope::position::BoomChoice;
 use crate::luffing::rope::statics::{Hanging, OwnMoment};
 

@@ -15,12 +15,12 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Sign, Values};
-use crate::luffing::balancing::{agreement, complete, searched};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::rope::outline::OUTLINE;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Rig};
 use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
+use crate::luffing::with_balance::{agreement, complete, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
 

@@ -1,7 +1,8 @@
 //! The boom as a component: what it is given, and in which stages its equations follow from each other.
 
-use crate::balance::analysis::{Analysis, Residual};
+use crate::balance::analysis::Analysis;
 use crate::balance::boom::Plain;
+use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
 use crate::component::part::{Component, Port, ports};
@@ -10,13 +11,15 @@ use crate::component::whole::{How, Whole};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::balancing::{Balanced, Balancing, Criteria, WithBalance};
+use crate::luffing::balancing::{Balanced, Balancing};
+use crate::luffing::criteria::Criteria;
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Falls, LoadLevel, Path, Rig, Stretch};
 use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, power};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::rope::velocity::{RopeTravel, Speeds};
+use crate::luffing::with_balance::WithBalance;
 use crate::parts::plane::Point;
 
 stages! {

@@ -1,7 +1,7 @@
 //! Moments about the boom's foot, the tackle's pull and the foot's reaction; all without losses.
 
-use crate::balance::analysis::Residual;
 use crate::balance::boom::{Load, Plain};
+use crate::balance::residual::Residual;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::luffing::rope::position::{BoomPosition, Falls, Rig, Stretch};

@@ -16,7 +16,7 @@ use crate::kernel::symbol::Symbol;
 use crate::kernel::unit;
 use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
-use crate::luffing::double_link::geometry::{Driven, Geometry, Weights};
+use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
 use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, MovingLinkage, REELED_IN};
 use crate::luffing::double_link::moving::level::{
@@ -24,6 +24,7 @@ use crate::luffing::double_link::moving::level::{
 };
 use crate::luffing::double_link::moving::scene::{Constants, CylinderOil, LoadRope, Moving, Turning, Winch};
 use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::parameters::{Driven, Weights};
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::slewing::{self, Joint, JointDrive, Slewing};
 use crate::luffing::double_link::stages::{DoubleLink, parameters};

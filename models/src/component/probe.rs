@@ -1,0 +1,44 @@
+//! A component on dual numbers: a result and its derivative at any value of the coordinate.
+
+use num_dual::Dual64;
+
+use crate::component::part::Face;
+use crate::component::running::Running;
+use crate::component::stages::{Slot, Source};
+use crate::component::standing::{Standing, VariablePlace};
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Quantity;
+
+/// A component on dual numbers, at any value of its coordinate.
+pub(super) struct Probe {
+    pub(super) face: Box<dyn Face<Dual64>>,
+    coordinate: Source,
+}
+
+impl Probe {
+    pub(super) fn new(model: &Standing, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> Probe {
+        Probe {
+            face: model.part().dual(false, seed).0,
+            coordinate: model.coordinate(),
+        }
+    }
+
+    pub(super) fn at(&mut self, slot: &Slot, place: Dual64) -> Option<Dual64> {
+        let mut value = Dual64::from_re(0.0);
+        self.face.put(self.coordinate, place);
+        self.face.result(slot, &mut value).ok().map(|()| value)
+    }
+}
+
+/// Where a result of the scene stands: one slot, or as many as it is numbered to.
+pub(super) fn slots(model: &Standing, symbol: &'static Symbol) -> impl Iterator<Item = Slot> {
+    let all = model.variables().iter().zip(model.places());
+    all.filter_map(move |(variable, place)| match place {
+        VariablePlace::Result(slot) if variable.symbol == symbol => Some(*slot),
+        _ => None,
+    })
+}
+
+pub(super) fn slot(model: &Standing, symbol: &'static Symbol) -> Option<Slot> {
+    slots(model, symbol).next()
+}

@@ -1,0 +1,81 @@
+//! How governing results change with every given quantity.
+//!
+//! A given quantity that changes moves the governing position too. At an extreme inside the range the derivative by
+//! the position is zero, and at an end of the range the position stays: in both cases the change of the result is the
+//! derivative at the governing position held fast, exact from dual numbers.
+
+use num_dual::Dual64;
+
+use crate::component::outline::Outline;
+use crate::component::probe::{Probe, slot};
+use crate::component::running::Running;
+use crate::component::sheet::{Sensitivity, Slope, Summary};
+use crate::component::stages::{Source, Use};
+use crate::component::standing::{Standing, VariablePlace};
+use crate::kernel::variable::Quantity;
+
+/// Reads a result and its derivative where it is held.
+type Reading = Box<dyn Fn(&mut Probe) -> Option<Dual64>>;
+
+/// How results change with each given quantity: derivatives in SI, exact. Those of the outline that the scene has, as
+/// results of the range or among the governing ones.
+#[must_use]
+pub fn sensitivity(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) -> Sensitivity {
+    let mut results = Vec::new();
+    let mut found: Vec<Reading> = Vec::new();
+    for &symbol in outline.sensitivity {
+        let extreme = outline.extremes.iter().find(|extreme| extreme.symbol == symbol);
+        let held = extreme.and_then(|extreme| slot(model, extreme.of));
+        let summary = governing.iter().find(|summary| summary.symbol == symbol);
+        let index = model.variables().iter().position(|variable| variable.symbol == symbol);
+        let of: Reading;
+        let value;
+        match (index.map(|index| (index, model.places()[index])), held.zip(summary)) {
+            (Some((index, VariablePlace::Whole(whole))), _) => {
+                let (spread, spot) = (model.wholes()[whole], model.spot(whole).ok());
+                value = model.get(index).ok();
+                of = Box::new(move |probe| spread.value(&mut *probe.face, &spot?).ok());
+            }
+            // A result of the whole range is the same everywhere.
+            (Some((index, VariablePlace::Result(slot))), _) => {
+                let from = Dual64::from_re(model.motion().from);
+                value = model.get(index).ok();
+                of = Box::new(move |probe| probe.at(&slot, from));
+            }
+            // An extreme is held where it was found.
+            (_, Some((slot, summary))) => {
+                let at = Dual64::from_re(summary.at.map_or(model.motion().from, |(_, at)| at));
+                value = Some(summary.value);
+                of = Box::new(move |probe| probe.at(&slot, at));
+            }
+            _ => continue,
+        }
+        if let Some(value) = value.filter(|value| value.is_finite() && *value != 0.0) {
+            results.push((symbol, value));
+            found.push(of);
+        }
+    }
+    let groups = model.part().groups();
+    let used = |source: Source| groups[usize::from(source.group)].1;
+    let mut given = model.part().sources();
+    let smooth = |(_, (symbol, _)): &(Source, Quantity)| !model.part().undoes(symbol);
+    given.retain(|given| matches!(used(given.0), Use::Parameter | Use::Load) && smooth(given));
+    // What is built, then what hangs on it.
+    given.sort_by_key(|(source, _)| used(*source) == Use::Load);
+    let row = |(source, (symbol, _)): (Source, Quantity)| {
+        let mut probe = Probe::new(model, &mut |of, _| f64::from(of == source));
+        let by = found.iter().map(|of| Some(of(&mut probe)?.eps));
+        Some(Slope {
+            symbol,
+            value: model.part().take(source),
+            by: by.collect::<Option<_>>()?,
+        })
+    };
+    if results.is_empty() {
+        return Sensitivity::default();
+    }
+    Sensitivity {
+        rows: given.into_iter().filter_map(row).collect(),
+        results,
+    }
+}
