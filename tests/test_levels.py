@@ -3,6 +3,7 @@ roll-back, two instances in two threads, refusals."""
 
 import csv
 import math
+import re
 import threading
 import zipfile
 
@@ -597,3 +598,77 @@ def test_a_load_let_go_at_a_stop_is_caught(end, tmp_path):
         off = np.abs(stepped[name] - exchanged[name]).max() / np.ptp(stepped[name])
         print(name, off)
         assert off < 1e-5, name
+
+
+HOISTS = {
+    "swing": "swing", "swing_slewing": "swing_slewing", "hydraulic_swing": "hydraulic_swing",
+    "swing_ramp": "swing", "swing_slewing_ramp": "swing_slewing", "hydraulic_swing_ramp": "hydraulic_swing",
+}
+# Commands of the hoist over time: lowered, stopped, lifted, stopped, each at once or along a ramp.
+HOISTED = [(0.0, 0.0), (0.4, 0.8), (1.2, 0.0), (1.8, -1.2), (2.6, 0.0)]
+
+
+def hoisted(name, tmp_path):
+    """The crane with its load straight down, and how its hoist is commanded."""
+    level = HOISTS[name]
+    text = scene(level, **{'phi_R = "0.1 rad"': "", 'phi_R = "0.05 rad"': "", 'tol   = "1e-6"': 'tol   = "1e-8"'})
+    new = 'v_h = "0 m/s"' + ('\na_h = "15 m/s2"' if name.endswith("ramp") else "")
+    text = text.replace('v_h = "0.05 m/s"', new).replace(f"Crane_{level}", "Crane_hoist")
+    (tmp_path / "crane.toml").write_text(text, encoding="utf-8")
+    lemnis("fmu", tmp_path / "crane.toml", "--output", tmp_path)
+    signals = [(0.0, 0.0)]
+    for (_, before), (at, command) in zip(HOISTED, HOISTED[1:]):
+        signals += [(at, before), (at, command)]
+    signals.append((4.0, 0.0))
+    return text, np.array(signals, dtype=[("time", float), ("v_h", float)])
+
+
+@pytest.mark.parametrize("end", [".fmu", ".fmi2.fmu"], ids=["FMI 3.0", "FMI 2.0"])
+@pytest.mark.parametrize("name", HOISTS)
+def test_the_hoist_inside_and_outside(name, end, tmp_path):
+    """Blows, slack ropes and ramps are the same events in Model Exchange as in Co-Simulation; the rope never pushes."""
+    _, signals = hoisted(name, tmp_path)
+    path = str(tmp_path / f"Crane_hoist{end}")
+    slave = Slave(path, str(tmp_path / "fmu"))
+    names = [n for n in SIZES if n in slave.references] + ["S_R", "W_blow"]
+    inside = []
+    for i in range(80):
+        time = 0.05 * i
+        slave.set([slave.references["v_h"]], [[v for at, v in HOISTED if at <= time + 1e-9][-1]])
+        slave.fmu.doStep(currentCommunicationPoint=time, communicationStepSize=0.05)
+        inside.append(dict(zip(names, slave.get([slave.references[n] for n in names]))))
+    assert min(row["S_R"] for row in inside) >= 0.0
+    assert any(row["S_R"] == 0.0 for row in inside), "slack where it would push"
+    outside = simulate_fmu(path, fmi_type="ModelExchange", stop_time=4.0, output_interval=INTERVAL, output=names,
+                           input=signals, relative_tolerance=1e-8, record_events=False)
+    assert len(outside) == 801
+    for i, row in enumerate(inside, 1):
+        if any(abs(0.05 * i - at) < 1e-9 for at, _ in HOISTED):
+            continue  # before the command inside, after it outside
+        for column in names[:-2]:
+            off = abs(row[column] - outside[column][10 * i]) / SIZES[column]
+            assert off <= 1e-4, (column, i, off)
+    assert abs(inside[-1]["W_blow"]) > 1e3
+    assert inside[-1]["W_blow"] == pytest.approx(outside["W_blow"][-1], rel=1e-3)
+
+
+@pytest.mark.parametrize("name", ["swing", "swing_slewing", "swing_ramp", "swing_slewing_ramp"])
+def test_the_hoist_s_work_is_in_the_load_or_in_the_blows(name, tmp_path):
+    """From outside, the crane held by its brakes: what the hoist gives, less what blows take, lifts the load. Between
+    events the rope's force is constant and its speed linear, so that trapezia are exact."""
+    text, signals = hoisted(name, tmp_path)
+    text = text.replace('M_A = "1800 kN.m"', 'M_A = "0 kN.m"\nM_S = "1e6 kN.m"').replace('chi_R = "-0.1 rad"', "")
+    text = re.sub(r'M_sl *= "[^"]*"', 'M_sl = "0 kN.m"\nM_Bsl = "1e6 kN.m"', text)
+    (tmp_path / "crane.toml").write_text(re.sub(r'(omega_sl *= )"[^"]*"', r'\1"0 deg/s"', text), encoding="utf-8")
+    lemnis("fmu", tmp_path / "crane.toml", "--output", tmp_path)
+    speed = "v_R" if name.endswith("ramp") else "v_h"
+    run = simulate_fmu(str(tmp_path / "Crane_hoist.fmu"), fmi_type="ModelExchange", stop_time=4.0, output_interval=0.01,
+                       output=["S_R", "W_blow", "s_Q", speed, "omega_1"], input=signals, relative_tolerance=1e-10)
+    weight = 160e3
+    assert np.all(run["omega_1"] == 0.0) and np.any(run["S_R"] == 0.0)
+    power = run["S_R"] * run[speed]
+    given = -np.sum(np.diff(run["time"]) * (power[1:] + power[:-1]) / 2)
+    lifted = weight * (run["s_Q"][0] - run["s_Q"][-1])
+    exchanged = weight * np.ptp(run["s_Q"])
+    assert run["s_Q"][-1] == pytest.approx(10.0 + 0.64 - 0.96, abs=1e-8)
+    assert abs(given - run["W_blow"][-1] - lifted) <= 1e-6 * exchanged, (given, run["W_blow"][-1], lifted)

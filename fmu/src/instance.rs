@@ -527,7 +527,8 @@ impl Instance {
         Ok(())
     }
 
-    /// Sets real variables, all or none.
+    /// Sets real variables, all or none. What acts at events only may be set between them, as FMPy does, and acts at the
+    /// next one.
     ///
     /// # Errors
     /// A reference is not that of a real variable, the variable cannot be set now, or the model
@@ -746,7 +747,7 @@ impl Instance {
                 ("a parameter", "before the end of initialization")
             }
             Role::Tunable if self.now.state == CONTINUOUS => ("a parameter", "at events"),
-            Role::Input if variable.is_discrete() && between_events => ("discrete", "at events"),
+            Role::Input if variable.kind != Type::Real && between_events => ("discrete", "at events"),
             _ => return Ok(()),
         };
         refuse(format!("{variable} is {what}: it can be set {until} only"))

@@ -30,7 +30,8 @@ impl Both {
             winch,
         });
         let (mut flat, mut hung) = (MotionState::resting(1.3, 10.0), SlewingState::resting(1.3, 10.0));
-        (flat.wind(rate), hung.wind(rate));
+        flat.wind(rate);
+        hung.wind(rate);
         Both {
             plane: MovingLinkage {
                 dynamics: crane::dynamics(pendulum),

@@ -121,7 +121,8 @@ fn in_the_plane_it_is_the_crane_that_does_not_slew() {
         let mut flat = motion::MotionState::resting(75_f64.to_radians(), 10.0);
         flat.y[2] = swing;
         let mut state = at(75.0, 10.0, [swing, 0.0]);
-        (flat.wind(0.2), state.wind(0.2));
+        flat.wind(0.2);
+        state.wind(0.2);
         let flat_commands = motion::Commands {
             moment,
             brake: 0.0,

@@ -1089,6 +1089,19 @@ fn dimensions() {
     assert_eq!(rolled(&machine, &centre, 0.5).0[4].theta.to_bits(), theta.to_bits());
 }
 
+/// A place given in centimetres is the same axle line: 26.5705 m and 2657.05 cm differ by their last bit.
+#[test]
+fn the_unit_of_a_place_does_not_decide_which_group_commands() {
+    let (one, other) = (26.570_5, 2_657.05 * 0.01);
+    assert_ne!(one, other);
+    for (left, right) in [(one, other), (other, one), (one, one)] {
+        let places = [(one, 10.0), (one, -10.0), (-left, 10.0), (-right, -10.0)];
+        let groups = places.map(|(x, y)| Point::new(x, y));
+        let machine = Machine::new(&axes(&groups), &Footprint(None)).expect("apart");
+        assert_eq!(machine.rear_base, 2, "in line with the first");
+    }
+}
+
 /// What is refused, in words.
 #[test]
 fn refusals() {

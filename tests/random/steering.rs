@@ -299,7 +299,7 @@ fn line(mode: &str, at: &[Point<f64>]) -> Option<(f64, Point<f64>)> {
         "front_axle" => Some((rear, at[0])),
         "rear_axle" => {
             let aside = |p: &&Point<f64>| (p.y - at[0].y).abs();
-            let last = at.iter().filter(|p| p.x == rear);
+            let last = at.iter().filter(|p| p.x - rear <= 1e-9 * (front - rear));
             Some((front, *last.min_by(|a, b| aside(a).total_cmp(&aside(b)))?))
         }
         "all_wheel" => Some((f64::midpoint(front, rear), at[0])),

@@ -49,7 +49,7 @@ pub struct Variable {
     pub kind: Type,
     /// Smallest and greatest value, in SI; infinite where there is none.
     pub bounds: [f64; 2],
-    /// An input that is a real number and yet changes at events only.
+    /// An input that is a real number and yet acts at events only.
     pub at_events: bool,
 }
 

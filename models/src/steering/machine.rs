@@ -134,9 +134,15 @@ fn apart<C: Calc>(groups: &[Point<C>]) -> Result<(), Refusal> {
     Ok(())
 }
 
+/// Part of the machine's length by which groups of one axle line may differ: the unit in which a place was given must not
+/// decide which of them commands.
+const ALIKE: f64 = 1e-9;
+
 fn rear_base<C: Calc>(groups: &[Point<C>]) -> usize {
     let x = |i: usize| groups[i].x.value();
-    let aside = |i: usize| (groups[i].y - groups[0].y).value().abs();
-    let order = |a: &usize, b: &usize| x(*a).total_cmp(&x(*b)).then(aside(*a).total_cmp(&aside(*b)));
-    (0..groups.len()).min_by(order).unwrap_or(0)
+    let all = || (0..groups.len()).map(x);
+    let (front, rear) = (all().fold(f64::MIN, f64::max), all().fold(f64::MAX, f64::min));
+    let last = (0..groups.len()).filter(|i| x(*i) <= rear + ALIKE * (front - rear));
+    let aside = |i: &usize| (groups[*i].y - groups[0].y).value().abs();
+    last.min_by(|a, b| aside(a).total_cmp(&aside(b))).unwrap_or(0)
 }

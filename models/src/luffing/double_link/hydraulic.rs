@@ -318,7 +318,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
             Crane::Plane(motion) => {
                 let (own, y) = (modes.plane(y), part(y));
                 let rope = motion.slackening(&own, &r, &y, &self.in_plane(moment));
-                let hoist = modes.drum.reaching(y[7], C::of(self.hoist));
+                let hoist = modes.drum.reaching(y[7]);
                 [none, none, none, none, above_zero(rope), above_zero(hoist)]
             }
             Crane::Slewing(slewing) => {

@@ -74,7 +74,8 @@ impl Drum {
     }
 
     /// Falls below zero where it has come up to its command at a rate (m/s).
-    pub(crate) fn reaching<C: Calc>(self, rate: C, command: C) -> C {
+    pub(crate) fn reaching<C: Calc>(self, rate: C) -> C {
+        let command = C::constant(self.command);
         match self.way {
             Bar::Forward => command - rate,
             Bar::Backward => rate - command,
@@ -408,7 +409,7 @@ impl<P: Calc> MovingLinkage<P> {
             Bar::Backward => [-y[1], none, y[0] - low, high - y[0]],
             Bar::Loose => [none; 4],
         };
-        let hoist = state.drum.reaching(y[7], commands.hoist);
+        let hoist = state.drum.reaching(y[7]);
         Some([rest, loose, low, high, self.slackening(state, &r, y, commands), hoist].map(above_zero))
     }
 

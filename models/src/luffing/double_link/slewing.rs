@@ -370,7 +370,7 @@ impl<P: Calc> Slewing<P> {
             } else {
                 y[10] * C::constant(LOOSE) - distance(y)
             };
-            out[9] = state.drum.reaching(y[11], commands.hoist);
+            out[9] = state.drum.reaching(y[11]);
         }
         out.map(above_zero)
     }

@@ -573,13 +573,9 @@ impl Present {
                         (y[5], y[6]) = (0.93 * y[4], 0.57);
                         for bar in WAYS {
                             for (taut, drum) in HANGS {
-                                found.push(Present::Free(motion::MotionState {
-                                    y,
-                                    bar,
-                                    drum,
-                                    taut,
-                                    ..*state
-                                }));
+                                let mut now = *state;
+                                (now.y, now.bar, now.drum, now.taut) = (y, bar, drum, taut);
+                                found.push(Present::Free(now));
                             }
                         }
                     }
@@ -590,14 +586,8 @@ impl Present {
                         for luffing in WAYS {
                             for turning in WAYS {
                                 for (taut, drum) in HANGS {
-                                    let joints = [luffing, turning];
-                                    let now = slewing::SlewingState {
-                                        y,
-                                        joints,
-                                        drum,
-                                        taut,
-                                        ..*state
-                                    };
+                                    let mut now = *state;
+                                    (now.y, now.joints, now.drum, now.taut) = (y, [luffing, turning], drum, taut);
                                     found.push(Present::Slewing(now));
                                 }
                             }
@@ -627,12 +617,7 @@ impl Present {
                             for slewing in WAYS {
                                 for (taut, drum) in HANGS {
                                     let mut now = hydraulic::PresentCrane::new(y);
-                                    now.modes = Modes {
-                                        slewing,
-                                        drum,
-                                        taut,
-                                        ..present.modes
-                                    };
+                                    (now.modes.slewing, now.modes.drum, now.modes.taut) = (slewing, drum, taut);
                                     found.push(Present::Hanging(now));
                                 }
                             }

@@ -174,7 +174,7 @@ symbols! {
     W_P: "W_P" "W_P" J / KJ, "Work of the pump.", "derived";
     W_R: "W_R" "W_R" J / KJ, "Energy that friction and brakes have taken.", "derived";
     W_T: "W_T" "W_T" J / KJ, "Energy that edges, lines, relief valves and leakage have taken.", "derived";
-    W_BLOW: "W_blow" "W_\"blow\"" J / KJ, "Energy that blows at end stops and of the rope have taken so far; what a hoist gives by a blow counts negative.", "equations of motion";
+    W_BLOW: "W_blow" "W_\"blow\"" J / KJ, "Energy that blows at end stops and of the rope have taken, the hoist's share in them included: what it gives by a blow counts negative.", "equations of motion";
     W_E: "W_e" "W_e" J / KJ, "What is left over: error of the sums over the samples.", "derived";
 
     // Rates of the states.
