@@ -218,14 +218,14 @@ impl Results {
     }
 }
 
-/// The most inner steps of a default experiment: more take minutes.
-const MOST_STEPS: f64 = 1e7;
+/// The most inner steps of a default experiment, explicit or implicit: more take minutes.
+const MOST_STEPS: [f64; 2] = [1e7, 1e6];
 
 /// How long a scene's default experiment lasts, in s.
 ///
 /// # Errors
 ///
-/// Where it takes more than 1e7 inner or communication steps, at the speed that the scene gives.
+/// Where it takes more than 1e7 explicit or 1e6 implicit inner steps, at the speed that the scene gives.
 pub fn lasting(scene: &Scene) -> Result<f64, Box<Diagnostic>> {
     let speed = scene.given.of(&format!("{}.motion.speed", scene.table));
     let place = || speed.map_or(0..0, |given| given.place.clone());
@@ -233,11 +233,15 @@ pub fn lasting(scene: &Scene) -> Result<f64, Box<Diagnostic>> {
         .model()
         .map_err(|fault| Diagnostic::new(place(), fault.message, ""))?;
     let lasts = model.stop_time();
-    let steps = match scene.mechanism.solver() {
-        Some(solver) if model.states() > 0 => lasts / solver.longest.min(model.step_size()),
-        _ => 0.0,
+    let [explicit, implicit] = MOST_STEPS;
+    let (steps, most) = match scene.mechanism.solver() {
+        Some(solver) if model.states() > 0 => (
+            lasts / solver.longest.min(model.step_size()),
+            if solver.explicit { explicit } else { implicit },
+        ),
+        _ => (0.0, explicit),
     };
-    if steps <= MOST_STEPS {
+    if steps <= most {
         return Ok(lasts);
     }
     let message = format!(
@@ -245,6 +249,6 @@ pub fn lasting(scene: &Scene) -> Result<f64, Box<Diagnostic>> {
         short(lasts),
         short(steps.round())
     );
-    let help = format!("at most {} are run: raise the speed", short(MOST_STEPS));
+    let help = format!("at most {} are run: raise the speed", short(most));
     Err(Box::new(Diagnostic::new(place(), message, "too slow").help(help)))
 }

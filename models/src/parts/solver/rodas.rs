@@ -269,6 +269,8 @@ impl<const N: usize> Tolerance<N> {
 /// How often a step may be cut at a kink, and the least part of it that is worth it.
 const MOST_CUTS: u32 = 3;
 const MOST_HALVINGS: u32 = 50;
+/// Steps of one call that may lead to where the system does not exist: a motion that creeps along that edge ends there.
+const MOST_LOST: u32 = 1000;
 const LEAST_PART: f64 = 1e-2;
 
 /// How often a step may be solved again to end at an event, and how near to its end the event must be.
@@ -369,7 +371,7 @@ impl<const N: usize> Run<N> {
         longest: f64,
     ) -> Result<f64, Halt> {
         let mut left = duration;
-        let mut tried = 0_u32;
+        let (mut tried, mut lost) = (0_u32, 0_u32);
         while left > self.step.h - self.behind {
             left -= self.step.h - self.behind;
             self.behind = self.step.h;
@@ -397,6 +399,10 @@ impl<const N: usize> Run<N> {
                 self.count.rates += 6;
                 let Some(mut step) = SolverStep::with(system, &y, h, &rate, &jacobian) else {
                     self.count.rejected += 1;
+                    lost += 1;
+                    if lost > MOST_LOST {
+                        return Err(Halt::Outside);
+                    }
                     self.next = h / 4.0;
                     exists = false;
                     continue;
