@@ -56,7 +56,7 @@ pub struct Hydraulic<const N: usize, P = f64> {
     pub command: P,
     /// Pressure of the pump, in Pa.
     pub supply: P,
-    /// How fast the rope is paid out, in m/s.
+    /// How fast the hoist is to pay out the rope, in m/s.
     pub hoist: P,
     pub slewing: JointDrive<P>,
 }

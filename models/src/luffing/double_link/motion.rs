@@ -30,7 +30,7 @@ pub struct Commands<P = f64> {
     pub moment: P,
     /// Moment that the brake adds to the dry friction, in N·m; not negative.
     pub brake: P,
-    /// How fast the rope is paid out, in m/s.
+    /// How fast the hoist is to pay out the rope, in m/s.
     pub hoist: P,
 }
 

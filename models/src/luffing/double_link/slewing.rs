@@ -38,7 +38,7 @@ pub struct JointDrive<P = f64> {
 pub struct SlewingCommands<P = f64> {
     /// Of luffing and slewing.
     pub drives: [JointDrive<P>; 2],
-    /// How fast the rope is paid out, in m/s.
+    /// How fast the hoist is to pay out the rope, in m/s.
     pub hoist: P,
 }
 
