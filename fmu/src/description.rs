@@ -165,7 +165,7 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
             Type::Boolean => Kind::Boolean,
             Type::Enumeration(of) => Kind::Enumeration(of),
         };
-        let (text, place) = (variable.symbol.description(), reference(Place::Variable(index)));
+        let (text, place) = (variable.description(), reference(Place::Variable(index)));
         entries.push(Entry {
             role: Some(variable.role),
             is_discrete: variable.is_discrete(),
@@ -188,7 +188,7 @@ fn entries(scene: &Scene, standard: Standard) -> Result<Vec<Entry>, Fault> {
             let of = vector.components.clone();
             let first = &variables[of.start];
             let text = match first.number {
-                Some(_) => first.symbol.description(),
+                Some(_) => first.description(),
                 None => format!("The vector [{first}, {}].", variables[of.start + 1]),
             };
             let kind = Kind::Real(first.symbol.unit, first.symbol.display);

@@ -263,7 +263,7 @@ fn kinematics_pass() {
 }
 
 /// A crane in motion passes with the moment of its drive, its load on a rope or fixed to it: without friction it keeps its
-/// energy, and the moment of the drive is what the weights ask for. Forces in the pins are not finite there, and do not exist.
+/// energy, and its drive gives nothing. Forces in the pins are not finite there, and do not exist.
 #[test]
 fn motion_passes() {
     let text = PARALLEL.replace("X_8 = \"0 m\"", "X_8 = \"0 m\"\nQ = \"100 kN\"") + MOVING;
@@ -274,8 +274,7 @@ fn motion_passes() {
         for gone in ["N_3", "F_B.x", "F_O1.y"] {
             assert!(!ids(&model).contains(&gone), "{gone}");
         }
-        let [theta, omega, drive, load, weights] =
-            ["theta_1", "omega_1", "M_D", "M_Q", "M_G"].map(|id| index(&model, id));
+        let [theta, omega, drive] = ["theta_1", "omega_1", "M_D"].map(|id| index(&model, id));
         // From below the first change point, fast enough to go over the top and on through the second.
         model.set(theta, (-40_f64).to_radians()).expect("a state");
         model.set(omega, 4.0).expect("a state");
@@ -294,8 +293,7 @@ fn motion_passes() {
             model.advance(time, time + 1e-3).expect("closes");
             let now = state(&mut model);
             sound(&mut model, level);
-            let [m_d, m_q, m_g] = [drive, load, weights].map(|at| model.get(at).expect("defined"));
-            assert!((m_d - m_q - m_g).abs() <= 1e-15 * m_d.abs(), "{m_d} {m_q} {m_g}");
+            assert_eq!(model.get(drive), Ok(0.0));
             if now[1] == 0.0 {
                 break;
             }

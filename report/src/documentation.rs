@@ -120,7 +120,7 @@ pub fn page(scene: &Scene, book: Option<&str>) -> Result<String, Error> {
             Type::Enumeration(of) => numbered(of),
         },
         display: variable.symbol.display.name,
-        text: variable.symbol.description(),
+        text: variable.description(),
         source: variable.symbol.source,
         reference: layout::reference(variables.len(), Place::Variable(index)),
     };

@@ -185,8 +185,8 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
             .refused
             .extend(own.refused[part].iter().take(3).map(|message| (what, message.clone())));
     }
-    if own.reached > 0.0 {
-        outcome.work = Some(f64::from(own.rates) / f64::from(bodies) * case.scale[2] / own.reached);
+    if own.taken > 0.0 {
+        outcome.work = Some(f64::from(own.rates) / f64::from(bodies) * case.scale[2] / own.taken);
     }
     let fmu = Unpacked::new(scene.text());
     for second in [false, true] {

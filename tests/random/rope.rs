@@ -34,7 +34,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let tabulated = n.text("fidelity") == Some("table");
     n.keep("table", tabulated && n.has("table"));
     let mut tackle = n.child("tackle").expect("required");
-    for (name, low, high) in [("s_K", 0.3, 1.2), ("E_x", -0.5, -0.05), ("E_y", 0.1, 0.8)] {
+    for (name, low, high) in [("s_K", 0.3, 1.2), ("E_x", -0.5, -0.05), ("E_y", 0.12, 0.8)] {
         let value = l * tackle.draw.between(low, high);
         tackle.set(name, value);
     }

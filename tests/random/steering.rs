@@ -129,15 +129,24 @@ fn groups(n: &mut Node, moves: bool) -> Vec<Point<f64>> {
     let count = 4 + (f64::from(most - 4) * part.powi(4)).round() as usize;
     let scattered = n.draw.coin(0.3);
     let rows = count.div_ceil(2);
-    let mut places: Vec<[f64; 2]> = (0..count)
-        .map(|i| {
-            if scattered {
-                return [0.0; 2].map(|_| size * n.draw.between(-1.0, 1.0));
-            }
-            let row = (i / 2) as f64 / (rows - 1) as f64;
-            [size * (1.0 - 2.0 * row), size * if i % 2 == 0 { 0.4 } else { -0.4 }]
-        })
-        .collect();
+    let mut places: Vec<[f64; 2]> = Vec::new();
+    while places.len() < count {
+        let i = places.len();
+        let row = (i / 2) as f64 / (rows - 1) as f64;
+        let place = if scattered {
+            [0.0; 2].map(|_| size * n.draw.between(-1.0, 1.0))
+        } else {
+            [
+                size * (1.0 - 2.0 * row),
+                size * if i.is_multiple_of(2) { 0.4 } else { -0.4 },
+            ]
+        };
+        // Two groups stand apart.
+        let near = |other: &[f64; 2]| (0..2).all(|k| (place[k] - other[k]).abs() < 2e-3);
+        if !(scattered && places.iter().any(near)) {
+            places.push(place);
+        }
+    }
     places.sort_by(|a, b| b[0].total_cmp(&a[0]));
     let given = n.draw.coin(0.3);
     let mut list = Vec::new();

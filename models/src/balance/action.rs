@@ -30,3 +30,15 @@ pub struct LeverTurn<C> {
     /// Transmission angle, 0 to π/2 rad.
     pub gamma: C,
 }
+
+/// How a balance carries any force on its counterweight to the boom, by its rod or rope.
+#[derive(Clone, Copy, Debug)]
+pub struct RodLine<C> {
+    /// Force in the rod or rope, tension positive, for one newton on the counterweight, forward and upward.
+    pub per_force: Point<C>,
+    /// Direction of the force on the boom where the rod or rope pulls.
+    pub along: Point<C>,
+    /// Direction up the straight rail that its guide pulley pulls along; elsewhere the pivot or rail carries the force on
+    /// the counterweight itself.
+    pub rail: Option<Point<C>>,
+}

@@ -2,7 +2,7 @@
 //! the potential energy of boom and trolley stays what it is: the balance is
 //! exact, for any boom.
 
-use crate::balance::action::Action;
+use crate::balance::action::{Action, RodLine};
 use crate::balance::boom::{Load, joint};
 use crate::balance::symbols as s;
 use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, POSITIVE, check};
@@ -78,6 +78,18 @@ impl<C: Calc> CurvedRail<C> {
         }
         let w_r = square.sqrt().def(&s::W_R);
         Ok(Point::new((k.x - w_r).def(&s::C_5X), y))
+    }
+
+    /// How its rope carries a force on the trolley at `place` (m), which moves by `travel` (m) for one radian of the boom.
+    pub fn line(&self, phi: C, place: Point<C>, travel: Point<C>) -> RodLine<C> {
+        let d = &self.dimensions;
+        let k = joint(phi, d.r_1, d.alpha_1);
+        let along = (place - k) / d.l_r;
+        RodLine {
+            per_force: travel / plane::cross(k, along),
+            along,
+            rail: None,
+        }
     }
 
     /// At boom angle `phi` (rad): the trolley in equilibrium between its weight,

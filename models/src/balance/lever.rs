@@ -3,7 +3,7 @@
 
 use nalgebra::Scalar;
 
-use crate::balance::action::{Action, LeverTurn};
+use crate::balance::action::{Action, LeverTurn, RodLine};
 use crate::balance::symbols as s;
 use crate::kernel::allowed::{FINITE, OutOfRange, POSITIVE, check};
 use crate::kernel::calc::Calc;
@@ -110,6 +110,18 @@ impl<C: Calc> Lever<C> {
         let follower = Closure::new(&self.linkage, angle, &NAMES)?.follower;
         let ((sin, cos), s_5) = (self.psi(follower).sin_cos(), self.s_5?);
         Some(Point::new(self.pivot.x + s_5 * cos, self.pivot.y + s_5 * sin))
+    }
+
+    /// How its rod carries a force on the counterweight at `place` (m); `None` where the linkage does not close.
+    pub fn line(&self, phi: C, place: Point<C>) -> Option<RodLine<C>> {
+        let d = &self.dimensions;
+        let closed = Closure::new(&self.linkage, phi + d.alpha_1, &NAMES)?;
+        let (arm, h_5) = (place - self.pivot, closed.area / (C::constant(2.0) * d.l_1));
+        Some(RodLine {
+            per_force: Point::new(-arm.y, arm.x) / h_5,
+            along: closed.coupler / d.l_1,
+            rail: None,
+        })
     }
 
     /// At boom angle `phi` (rad). [Balance004, eq. 2]

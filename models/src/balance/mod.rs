@@ -51,7 +51,7 @@ pub mod symbols;
 pub mod tail;
 pub mod task;
 
-use crate::balance::action::Action;
+use crate::balance::action::{Action, RodLine};
 use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::Calc;
 use crate::parts::plane::Point;
@@ -103,6 +103,18 @@ impl<C: Calc> Balance<C> {
             Balance::Lever(it) => it.place(phi),
             Balance::StraightRail(it) => Some(it.place(phi)),
             Balance::CurvedRail(it) => it.rail(phi, u_0()).ok(),
+        }
+    }
+
+    /// How it carries a force on its counterweight, which is at `place` (m) and moves by `travel` (m) for one radian of
+    /// the boom, where the boom is at `phi` (rad); none where the counterweight is fixed to the boom.
+    pub fn line(&self, phi: C, place: Point<C>, travel: Point<C>) -> Option<RodLine<C>> {
+        match self {
+            Balance::Tail(_) => None,
+            Balance::Parallelogram(it) => Some(it.line(phi, place)),
+            Balance::Lever(it) => it.line(phi, place),
+            Balance::StraightRail(it) => Some(it.line(phi)),
+            Balance::CurvedRail(it) => Some(it.line(phi, place, travel)),
         }
     }
 

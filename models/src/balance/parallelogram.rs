@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use crate::balance::action::{Action, LeverTurn};
+use crate::balance::action::{Action, LeverTurn, RodLine};
 use crate::balance::boom::joint;
 use crate::balance::symbols as s;
 use crate::kernel::allowed::OutOfRange;
@@ -44,6 +44,19 @@ impl<C: Calc> Parallelogram<C> {
         let (sin_1, cos_1) = self.delta_1.sin_cos();
         let (sin, cos) = self.psi(phi).sin_cos();
         Point::new(self.d_1 * cos_1 + self.r_c * cos, self.d_1 * sin_1 + self.r_c * sin)
+    }
+
+    /// How its rod carries a force on the counterweight at `place` (m).
+    pub fn line(&self, phi: C, place: Point<C>) -> RodLine<C> {
+        let k = joint(phi, self.r_1, self.alpha_1);
+        let (sin, cos) = self.delta_1.sin_cos();
+        let along = Point::new(cos, sin);
+        let arm = place - along * self.d_1;
+        RodLine {
+            per_force: Point::new(-arm.y, arm.x) / plane::cross(k, along),
+            along,
+            rail: None,
+        }
     }
 
     /// At boom angle `phi` (rad). [Ports001, 2.1.2]

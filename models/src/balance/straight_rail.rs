@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::balance::action::Action;
+use crate::balance::action::{Action, RodLine};
 use crate::balance::boom::joint;
 use crate::balance::symbols as s;
 use crate::kernel::allowed::{OutOfRange, POSITIVE, check};
@@ -32,6 +32,18 @@ impl<C: Calc> StraightRail<C> {
         let s_r = plane::length(rope).def(&s::S_R);
         let (sin, cos) = self.lambda.sin_cos();
         Point::new(s_r * cos, s_r * sin)
+    }
+
+    /// How its rope carries a force on the counterweight.
+    pub fn line(&self, phi: C) -> RodLine<C> {
+        let rope = Point::new(self.h_x, self.h_y) - joint(phi, self.r_1, self.alpha_1);
+        let (sin, cos) = self.lambda.sin_cos();
+        let up = Point::new(cos, sin);
+        RodLine {
+            per_force: -up,
+            along: rope / plane::length(rope),
+            rail: Some(up),
+        }
     }
 
     /// At boom angle `phi` (rad). [Ports001, 2.1.4]

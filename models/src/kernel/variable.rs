@@ -51,6 +51,8 @@ pub struct Variable {
     pub bounds: [f64; 2],
     /// An input that is a real number and yet acts at events only.
     pub at_events: bool,
+    /// What its description says of it in this model besides, if anything.
+    pub remark: Option<&'static str>,
 }
 
 impl Variable {
@@ -64,6 +66,17 @@ impl Variable {
             kind: symbol.kind,
             bounds: [symbol.range.least, symbol.range.most],
             at_events: false,
+            remark: None,
+        }
+    }
+
+    /// Its meaning in this model, in English.
+    #[must_use]
+    pub fn description(&self) -> String {
+        let text = self.symbol.description();
+        match self.remark {
+            None => text,
+            Some(remark) => format!("{text} {remark}"),
         }
     }
 

@@ -155,7 +155,7 @@ pub const ANCHORS: Anchors<f64> = Anchors {
 
 pub fn hydraulic<const N: usize>(pendulum: Option<Pendulum>) -> Hydraulic<N> {
     oiled(Crane::Plane(MovingLinkage {
-        dynamics: dynamics(pendulum).with_drive(&ANCHORS),
+        dynamics: dynamics(pendulum).with_drive(&ANCHORS, true),
         friction: Friction {
             viscous: 2e4,
             coulomb: 0.0,
@@ -167,7 +167,7 @@ pub fn hydraulic<const N: usize>(pendulum: Option<Pendulum>) -> Hydraulic<N> {
 /// The same on a turntable without friction.
 pub fn hydraulic_slewing<const N: usize>(pendulum: Option<Pendulum>, inertia: f64) -> Hydraulic<N> {
     let mut crane = slewing(pendulum, inertia, [[2e4, 0.0], [0.0; 2]]);
-    crane.dynamics = crane.dynamics.with_drive(&ANCHORS);
+    crane.dynamics = crane.dynamics.with_drive(&ANCHORS, true);
     crane.joints[0].stops = [0.5, 2.5];
     oiled(Crane::Slewing(crane))
 }

@@ -306,6 +306,8 @@ enum Controller {
     Own(usize, f64),
     Moment {
         input: usize,
+        /// The mechanism at rest where it is, and the moment that holds it there.
+        still: Box<Model>,
         holding: usize,
         viscous: f64,
         dry: f64,
@@ -352,9 +354,11 @@ impl Controller {
         };
         if model.variables()[input].symbol.id == COMMANDS[0] {
             let (viscous, dry) = (value(model, "c_v")?, value(model, "M_F")?);
+            let still = scene.at("static").model()?;
             return Ok(Controller::Moment {
                 input,
-                holding: known(model, "M_D")?,
+                holding: known(&still, "M_D")?,
+                still: Box::new(still),
                 viscous,
                 dry,
             });
@@ -384,6 +388,7 @@ impl Controller {
             Controller::Own(input, value) => Ok(single(*input, *value)),
             Controller::Moment {
                 input,
+                still,
                 holding,
                 viscous,
                 dry,
@@ -394,7 +399,9 @@ impl Controller {
                     2.0 * MOMENT_LOOP * (wanted.rate - rate) + MOMENT_LOOP * MOMENT_LOOP * (wanted.angle - angle);
                 // Friction is overcome where the bar is to move.
                 let way = if wanted.rate == 0.0 { 0.0 } else { wanted.rate.signum() };
-                let moment = model.get(*holding)?
+                still.set(0, angle)?;
+                still.update()?;
+                let moment = still.get(*holding)?
                     + inertia * (wanted.acceleration + correction)
                     + *viscous * wanted.rate
                     + *dry * way;

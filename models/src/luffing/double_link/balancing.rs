@@ -83,7 +83,7 @@ pub fn balanced<C: Calc>(
 }
 
 /// Angle of the boom (rad) where the driven bar is at `theta` (rad).
-fn boom_angle<C: Calc>(p: &Position<C>, theta: C) -> C {
+pub fn boom_angle<C: Calc>(p: &Position<C>, theta: C) -> C {
     match p.driven {
         Driven::Boom => theta,
         Driven::Rocker => p.follower_angle(),

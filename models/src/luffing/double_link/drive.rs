@@ -4,8 +4,8 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
+use crate::luffing::double_link::held::Held;
 use crate::luffing::double_link::parameters::{Anchors, Bore, Driven, Lengths};
-use crate::luffing::double_link::pin_forces::Held;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::hydraulics::cylinder;
@@ -59,14 +59,19 @@ impl<C: Calc> Drive<C> {
     /// The force, in N and named `symbol`, that gives the moment `m_d` (N·m) about the foot. Where the drive points
     /// at the foot no force does: it is infinite there, but nothing where no moment is asked for.
     pub fn force(&self, m_d: C, symbol: &'static Symbol) -> C {
-        if self.h_d.value().abs() > 4.0 * f64::EPSILON * self.l_d.value() {
-            return (m_d / self.h_d).def(symbol);
-        }
-        C::constant(match m_d.value() {
-            0.0 => 0.0,
-            moment => f64::INFINITY.copysign(moment),
-        })
+        force(m_d, [self.l_d, self.h_d], symbol)
     }
+}
+
+/// The same for a drive of a length (m) and a lever arm (m).
+pub fn force<C: Calc>(m_d: C, [l_d, h_d]: [C; 2], symbol: &'static Symbol) -> C {
+    if h_d.value().abs() > 4.0 * f64::EPSILON * l_d.value() {
+        return (m_d / h_d).def(symbol);
+    }
+    C::constant(match m_d.value() {
+        0.0 => 0.0,
+        moment => f64::INFINITY.copysign(moment),
+    })
 }
 
 impl<C: Calc> Reaction<C> {

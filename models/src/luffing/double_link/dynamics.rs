@@ -197,18 +197,18 @@ pub struct Reduced<C> {
 
 /// Positions with their first and second derivatives by the driven angle.
 #[derive(Clone, Copy, Debug)]
-struct Positions<T> {
-    geometry: Geometry<Dual2<T>>,
-    counterweight: Option<Counterweight<T>>,
+pub(super) struct Positions<T> {
+    pub geometry: Geometry<Dual2<T>>,
+    pub counterweight: Option<Counterweight<T>>,
 }
 
 /// The counterweight of a balance: a body of its weight in its centre of gravity. A rope to it is taken as taut.
 #[derive(Clone, Copy, Debug)]
-struct Counterweight<T> {
-    balancing: Balancing<Dual2<T>>,
-    weights: Weights<Dual2<T>>,
+pub(super) struct Counterweight<T> {
+    pub balancing: Balancing<Dual2<T>>,
+    pub weights: Weights<Dual2<T>>,
     /// In kg.
-    mass: T,
+    pub mass: T,
 }
 
 impl<T: Calc + DualNum> Counterweight<T> {
@@ -251,16 +251,11 @@ impl<T: Calc + DualNum> Moves<T> {
     where
         T: Over<P>,
     {
-        let (bodies, push) = (&d.bodies, d.push.as_ref());
+        let (bodies, push) = (&d.bodies, d.push.as_ref().filter(|_| d.by_cylinder));
         let (zero, one) = (T::constant(0.0), T::constant(1.0));
         let (g, theta) = (&positions.geometry, Dual2::new(theta, one, zero));
         let p = Position::new(g, theta)?;
-        let foot = Point::new(Dual2::from_re(zero), Dual2::from_re(zero));
-        let bars = [
-            Bar::new(foot, p.x_1),
-            Bar::new(p.b, p.x_2),
-            Bar::new(g.lengths.o3(), p.x_3),
-        ];
+        let bars = bars(g, &p);
         let moved = |body: &Body<P>, bar: &Bar<T>| Moved {
             centre: bar.point(body.centre.map(T::of)),
             turn: [bar.turn, bar.turn_change],
@@ -279,12 +274,7 @@ impl<T: Calc + DualNum> Moves<T> {
             .as_ref()
             .map_or([zero; 2], |table| turned_inertia(table, bodies, &bars, counterweight));
         let drive = push.map_or([zero; 2], |push| {
-            let bar = match g.driven {
-                Driven::Boom => &bars[0],
-                Driven::Rocker => &bars[2],
-            };
-            let [r, d, _] = bar.point(push.to.map(T::of));
-            let line = r - push.from.map(T::of);
+            let [line, d] = push.line(g.driven, &bars);
             let length = plane::length(line);
             [length, dot(line, d) / length]
         });
@@ -353,11 +343,22 @@ impl<T: Calc + DualNum> Reduced<T> {
     }
 }
 
+/// Boom, jib and rocker.
+#[inline]
+pub(super) fn bars<T: Calc + DualNum>(g: &Geometry<Dual2<T>>, p: &Position<Dual2<T>>) -> [Bar<T>; 3] {
+    let zero = Dual2::from_re(T::constant(0.0));
+    [
+        Bar::new(Point::new(zero, zero), p.x_1),
+        Bar::new(p.b, p.x_2),
+        Bar::new(g.lengths.o3(), p.x_3),
+    ]
+}
+
 /// A bar with its derivatives by the driven angle.
-struct Bar<T> {
-    joint: [Point<T>; 3],
-    along: [Point<T>; 3],
-    length: T,
+pub(super) struct Bar<T> {
+    pub joint: [Point<T>; 3],
+    pub along: [Point<T>; 3],
+    pub length: T,
     /// Square of its turning by the driven angle, and half of how that changes.
     turn: T,
     turn_change: T,
@@ -388,7 +389,7 @@ impl<T: Calc + DualNum> Bar<T> {
 
     /// A point of the bar's frame: place, first and second derivative.
     #[inline]
-    fn point(&self, at: Point<T>) -> [Point<T>; 3] {
+    pub fn point(&self, at: Point<T>) -> [Point<T>; 3] {
         let (along, across) = (at.x / self.length, at.y / self.length);
         let of = |i: usize| self.joint[i] + plane::turned(self.along[i], along, across);
         [of(0), of(1), of(2)]
@@ -396,7 +397,7 @@ impl<T: Calc + DualNum> Bar<T> {
 }
 
 /// Value, first and second derivative.
-fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
+pub(super) fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
     [v.map(|x| x.re), v.map(|x| x.v1), v.map(|x| x.v2)]
 }
 
@@ -501,7 +502,7 @@ impl Coordinate<Rec> for Rec {
                 point(da, [&g::DA_X, &g::DA_Y]),
                 point(dda, [&s::DDA_X, &s::DDA_Y]),
             ],
-            drive: match d.push {
+            drive: match d.push.filter(|_| d.by_cylinder) {
                 Some(_) => [Rec::given(&g::L_D, moves.drive[0]), Rec::given(&g::H_D, moves.drive[1])],
                 None => [Rec::constant(0.0); 2],
             },
@@ -515,18 +516,33 @@ impl Coordinate<Rec> for Rec {
 #[derive(Clone, Copy, Debug)]
 pub struct Dynamics<P = f64> {
     /// For two and for three derivatives.
-    twice: Positions<f64>,
-    thrice: Positions<Dual64>,
-    push: Option<Push<P>>,
+    pub(super) twice: Positions<f64>,
+    pub(super) thrice: Positions<Dual64>,
+    pub(super) push: Option<Push<P>>,
+    /// The equations of motion ask for the drive.
+    by_cylinder: bool,
     turntable: Option<Turntable<P>>,
     bodies: Bodies<P>,
 }
 
 /// A drive's line from a point of the frame to one of the driven bar, in its frame, in m.
 #[derive(Clone, Copy, Debug)]
-struct Push<P> {
+pub(super) struct Push<P> {
     from: Point<P>,
     to: Point<P>,
+}
+
+impl<P: Calc> Push<P> {
+    /// The line, and how it changes with the driven angle.
+    #[inline]
+    pub fn line<T: Calc + DualNum + Over<P>>(&self, driven: Driven, bars: &[Bar<T>; 3]) -> [Point<T>; 2] {
+        let bar = match driven {
+            Driven::Boom => &bars[0],
+            Driven::Rocker => &bars[2],
+        };
+        let [r, d, _] = bar.point(self.to.map(T::of));
+        [r - self.from.map(T::of), d]
+    }
 }
 
 impl<P: Calc> Dynamics<P> {
@@ -545,6 +561,7 @@ impl<P: Calc> Dynamics<P> {
                 counterweight: None,
             },
             push: None,
+            by_cylinder: false,
             turntable: None,
             bodies,
         }
@@ -566,14 +583,16 @@ impl<P: Calc> Dynamics<P> {
         Ok(self)
     }
 
-    /// With a drive that pushes along a line from the frame to the driven bar.
+    /// With a drive that pushes along a line from the frame to the driven bar; where it is a cylinder, the equations of
+    /// motion ask for that line.
     #[must_use]
-    pub fn with_drive(mut self, anchors: &Anchors<P>) -> Dynamics<P> {
+    pub fn with_drive(mut self, anchors: &Anchors<P>, by_cylinder: bool) -> Dynamics<P> {
         let (sin, cos) = anchors.chi_d.sin_cos();
         self.push = Some(Push {
             from: Point::new(anchors.e_x, anchors.e_y),
             to: Point::new(anchors.s_d * cos, anchors.s_d * sin),
         });
+        self.by_cylinder = by_cylinder;
         self
     }
 

@@ -65,6 +65,12 @@ fn scaled<C: Calc>(v: Vector3<C>, by: C) -> Vector3<C> {
     v.map(|x| x * by)
 }
 
+/// Distance of the load from the head (m), and its direction.
+pub(crate) fn to_load<C: Calc>(place: Vector3<C>) -> (C, Vector3<C>) {
+    let length = squared(place).sqrt().def(&s::S_Q);
+    (length, named(place.map(|x| x / length), [&s::N_X, &s::N_Y, &s::N_Z]))
+}
+
 /// Where the rope points, and what it moves: the head's displacement by each joint, and how much of it
 /// goes along the rope.
 pub(crate) struct Rope<C> {
@@ -75,8 +81,7 @@ pub(crate) struct Rope<C> {
 
 impl<C: Calc> Rope<C> {
     pub fn new(place: Vector3<C>, head: &[Vector3<C>; 2]) -> Rope<C> {
-        let length = squared(place).sqrt().def(&s::S_Q);
-        let direction = named(place.map(|x| x / length), [&s::N_X, &s::N_Y, &s::N_Z]);
+        let (length, direction) = to_load(place);
         let [luffing, slewing] = head.map(|by| dot(direction, by));
         Rope {
             length,

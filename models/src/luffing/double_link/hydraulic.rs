@@ -8,6 +8,7 @@ use crate::kernel::calc::{Calc, Over};
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
 use crate::luffing::double_link::motion::{self, Bar, Drum, Friction, MOST_CHANGES, MovingLinkage, above_zero};
 use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::double_link::shares::Shares;
 use crate::luffing::double_link::slewing::{self, JointDrive, Slewing};
 use crate::luffing::double_link::symbols as g;
 use crate::parts::hydraulics::cylinder::{Cylinder, Oil};
@@ -213,12 +214,20 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
     /// Moment of friction and end stop on the driven bar, in N·m; positive turns it counter-clockwise.
     #[inline]
     pub fn reaction<C: Over<P>>(&self, theta: C, omega: C) -> C {
+        let (viscous, dry, stop) = self.resistances(theta, omega);
+        let moment = dry.map_or(viscous, |dry| viscous - dry);
+        stop.map_or(moment, |stop| moment + stop).def(&s::M_R)
+    }
+
+    /// What viscous friction gives, what dry friction takes, and what an end stop gives (N·m).
+    #[inline]
+    fn resistances<C: Over<P>>(&self, theta: C, omega: C) -> (C, Option<C>, Option<C>) {
         let (friction, stops) = self.joint();
-        let mut moment = -omega.times(friction.viscous);
-        if friction.coulomb.value() > 0.0 {
+        let dry = (friction.coulomb.value() > 0.0).then(|| {
             let smooth = (omega.square() + C::known(&s::OMEGA_C, CREEP).square()).sqrt();
-            moment -= omega.times(friction.coulomb) / smooth;
-        }
+            omega.times(friction.coulomb) / smooth
+        });
+        let mut stop = None;
         let nearest = theta.value().clamp(stops[0], stops[1]);
         if theta.value() != nearest {
             let end = if nearest == stops[0] { &g::FROM } else { &g::TO };
@@ -227,10 +236,25 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
             let push = -C::of(stiffness) * depth - C::of(damping) * omega;
             // A stop pushes, and never pulls.
             if push.value() * depth.value() < 0.0 {
-                moment += push;
+                stop = Some(push);
             }
         }
-        moment.def(&s::M_R)
+        (-omega.times(friction.viscous), dry, stop)
+    }
+
+    /// What turns the driven bar, told apart, with the lever arm of the cylinder (m).
+    pub fn shares<C: Over<P>>(&self, y: &[C; N], arm: C) -> Shares<C> {
+        let push = self.cylinder.force(&Self::oil(y)).def(&s::F_C);
+        let (viscous, dry, stop) = self.resistances(y[0], y[1]);
+        let zero = C::constant(0.0);
+        let shares = Shares {
+            drive: push * arm,
+            dry: dry.map_or(zero, |dry| -dry),
+            viscous,
+            stop: stop.unwrap_or(zero),
+            push: Some(push),
+        };
+        shares.named()
     }
 
     fn in_plane<C: Coordinate<P>>(&self, moment: C) -> motion::Commands<C> {

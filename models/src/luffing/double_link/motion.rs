@@ -634,7 +634,7 @@ pub(crate) fn above_zero<C: Calc>(z: C) -> C {
 }
 
 /// From the head to the load, and where it swings to, at an angle of the rope.
-fn directions<C: Calc>(swing: C) -> (Point<C>, Point<C>) {
+pub(crate) fn directions<C: Calc>(swing: C) -> (Point<C>, Point<C>) {
     let (sin, cos) = swing.sin_cos();
     (Point::new(sin, -cos), Point::new(cos, sin))
 }

@@ -1,110 +1,13 @@
 //! The forces in the pins by equilibrium of each body, and what the drive must give.
 
 use crate::balance::residual::Residual;
-use crate::component::stages::{Found, results};
 use crate::kernel::calc::Calc;
-use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::Fault;
-use crate::luffing::double_link::geometry::Geometry;
-use crate::luffing::double_link::parameters::{Choice, Driven, Weights};
+use crate::luffing::double_link::parameters::{Driven, Weights};
 use crate::luffing::double_link::position::Position;
-use crate::luffing::double_link::statics::{LoadMoment, Own};
+use crate::luffing::double_link::statics::Own;
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::double_link::velocity::Velocity;
-use crate::parts::motion::degrees;
 use crate::parts::plane::{self, Point};
-
-/// What the bars carry, by its power.
-#[derive(Clone, Copy, Debug)]
-pub struct Carried<C> {
-    q: C,
-    weights: Option<Weights<C>>,
-    m_q: C,
-    m_g: C,
-}
-
-impl<C: Calc> Carried<C> {
-    /// Of load and weights, less what a balance carries of the boom.
-    pub fn new(
-        v: &Velocity<C>,
-        load: &LoadMoment<C>,
-        q: &C,
-        weights: &Option<Weights<C>>,
-        own: Option<&Own<C>>,
-        balance: Option<&Residual<C>>,
-    ) -> Carried<C> {
-        let m_g = own.map_or(C::constant(0.0), |own| own.m_g);
-        Carried {
-            q: *q,
-            weights: *weights,
-            m_q: load.m_q,
-            m_g: balance.map_or(m_g, |balance| m_g - balance.action.m_b * v.of_boom),
-        }
-    }
-}
-
-/// What the drive must give, and forces in the pins where any finite ones carry load and weights.
-#[derive(Clone, Copy, Debug)]
-pub struct Held<C> {
-    /// Moment that the drive must give to the driven bar, in N·m.
-    pub m_d: C,
-    /// Or at which angle bars lie in one line.
-    pub pins: Result<PinForces<C>, (&'static Symbol, f64)>,
-}
-results! { Held as h => {
-    M_D: h.m_d;
-    F_BX: h.pins()?.b.x;
-    F_BY: h.pins()?.b.y;
-    F_CX: h.pins()?.c.x;
-    F_CY: h.pins()?.c.y;
-} }
-
-impl<C: Calc> Held<C> {
-    /// By equilibrium; where bars lie in one line, and where they do so somewhere in the working range, by virtual work.
-    pub fn new(
-        p: &Position<C>,
-        theta: &One<C>,
-        carried: &Carried<C>,
-        own: Option<&Own<C>>,
-        balance: Option<&Residual<C>>,
-        passes: &Passes,
-    ) -> Held<C> {
-        if passes.0 || p.is_in_line() {
-            return Held {
-                m_d: (carried.m_q + carried.m_g).def(&s::M_D),
-                pins: Err((theta.0, theta.1.value())),
-            };
-        }
-        let pins = PinForces::new(p, &carried.q, &carried.weights, own, balance);
-        Held {
-            m_d: pins.m_d,
-            pins: Ok(pins),
-        }
-    }
-
-    /// # Errors
-    /// Where bars lie in one line.
-    pub fn pins(&self) -> Found<&PinForces<C>> {
-        self.pins.as_ref().map_err(|(symbol, theta)| {
-            Box::new(Fault::outside(format!(
-                "{} = {}: bars lie in one line there, and no finite forces in the pins carry load and weights",
-                symbol.id,
-                degrees(*theta)
-            )))
-        })
-    }
-}
-
-/// Whether the linkage passes a change point in the working range.
-#[derive(Clone, Copy, Debug)]
-pub struct Passes(bool);
-
-impl Passes {
-    pub fn new<C: Calc>(g: &Geometry<C>, choice: &Choice) -> Passes {
-        Passes(g.change_point(&choice.range).is_some())
-    }
-}
 
 /// Forces of the bars on the jib, in N, and what the drive must give.
 #[derive(Clone, Copy, Debug)]
@@ -117,9 +20,30 @@ pub struct PinForces<C> {
     pub c: Point<C>,
 }
 
+/// What loads the jib: a force (N), downwards and, where there is any, forward; and its moment about B (N·m), clockwise
+/// positive.
+#[derive(Clone, Copy, Debug)]
+pub struct JibLoad<C> {
+    pub down: C,
+    pub forward: Option<C>,
+    pub about_b: C,
+}
+
+/// MomentNames of the jib's moment about B and about C, and of the moment on the driven bar.
+#[derive(Clone, Copy, Debug)]
+pub struct MomentNames {
+    pub about: [&'static Symbol; 2],
+    pub driven: &'static Symbol,
+}
+
+const AT_REST: MomentNames = MomentNames {
+    about: [&s::M_B, &s::M_C],
+    driven: &s::M_D,
+};
+
 impl<C: Calc> PinForces<C> {
-    /// Equilibrium of jib, driven-along bar and driven bar, in this order, under the load `q`. Without weights, and
-    /// their centres, the bars are weightless; a balance acts on the boom.
+    /// At rest, under the load `q`. Without weights, and their centres, the bars are weightless; a balance acts on the
+    /// boom.
     pub fn new(
         p: &Position<C>,
         q: &C,
@@ -127,10 +51,10 @@ impl<C: Calc> PinForces<C> {
         own: Option<&Own<C>>,
         balance: Option<&Residual<C>>,
     ) -> PinForces<C> {
-        let (half, q) = (p.k / C::constant(2.0), *q);
+        let q = *q;
         // Load on the jib, its moment about B, and the moments of boom and
         // rocker weight about their feet: all clockwise positive.
-        let (load, about_b, boom, rocker) = match weights.as_ref().zip(own) {
+        let (down, about_b, boom, rocker) = match weights.as_ref().zip(own) {
             Some((w, own)) => (
                 q + w.g_2,
                 q * p.x_4.x + w.g_2 * own.centres.jib.x,
@@ -144,10 +68,31 @@ impl<C: Calc> PinForces<C> {
             (Some(boom), Some(balance)) => Some(boom - balance.action.m_b),
             _ => boom,
         };
-        let minus = |force: Point<C>| Point::new(-force.x, load - force.y);
+        let jib = JibLoad {
+            down,
+            forward: None,
+            about_b,
+        };
+        PinForces::under(p, &jib, [boom, rocker], &AT_REST)
+    }
+
+    /// Equilibrium of jib, driven-along bar and driven bar, in this order, under loads on the jib and moments on boom
+    /// and rocker about their feet (N·m, clockwise positive).
+    pub fn under(
+        p: &Position<C>,
+        jib: &JibLoad<C>,
+        [boom, rocker]: [Option<C>; 2],
+        names: &MomentNames,
+    ) -> PinForces<C> {
+        let JibLoad { down, forward, about_b } = *jib;
+        let half = p.k / C::constant(2.0);
+        let other = |force: Point<C>| {
+            let across = forward.map_or(-force.x, |forward| -force.x - forward);
+            Point::new(across, down - force.y)
+        };
         match p.driven {
             Driven::Boom => {
-                let about_b = about_b.def(&s::M_B);
+                let about_b = about_b.def(names.about[0]);
                 // cross(x_2, F_C) = about_b, cross(x_3, F_C) = −rocker.
                 let along = |x_2: C, x_3: C| match rocker {
                     Some(rocker) => -((about_b * x_3 + rocker * x_2) / half),
@@ -157,14 +102,16 @@ impl<C: Calc> PinForces<C> {
                     Point::new(along(p.x_2.x, p.x_3.x), along(p.x_2.y, p.x_3.y)),
                     [&s::F_CX, &s::F_CY],
                 );
-                let b = plane::def(minus(c), [&s::F_BX, &s::F_BY]);
+                let b = plane::def(other(c), [&s::F_BX, &s::F_BY]);
                 let lift = plane::cross(p.x_1, b);
-                let m_d = boom.map_or(lift, |boom| lift + boom).def(&s::M_D);
+                let m_d = boom.map_or(lift, |boom| lift + boom).def(names.driven);
                 PinForces { m_d, b, c }
             }
             Driven::Rocker => {
-                // cross(x_2, F_B) = load · x_2 − about_b, cross(x_1, F_B) = −boom.
-                let about_c = (load * p.x_2.x - about_b).def(&s::M_C);
+                // cross(x_2, F_B) = down · x_2 − about_b, cross(x_1, F_B) = −boom.
+                let about_c = down * p.x_2.x - about_b;
+                let about_c = forward.map_or(about_c, |forward| about_c + forward * p.x_2.y);
+                let about_c = about_c.def(names.about[1]);
                 let along = |x_1: C, x_2: C| match boom {
                     Some(boom) => (about_c * x_1 + boom * x_2) / half,
                     None => about_c * x_1 / half,
@@ -173,9 +120,9 @@ impl<C: Calc> PinForces<C> {
                     Point::new(along(p.x_1.x, p.x_2.x), along(p.x_1.y, p.x_2.y)),
                     [&s::F_BX, &s::F_BY],
                 );
-                let c = plane::def(minus(b), [&s::F_CX, &s::F_CY]);
+                let c = plane::def(other(b), [&s::F_CX, &s::F_CY]);
                 let lift = plane::cross(p.x_3, c);
-                let m_d = rocker.map_or(lift, |rocker| lift + rocker).def(&s::M_D);
+                let m_d = rocker.map_or(lift, |rocker| lift + rocker).def(names.driven);
                 PinForces { m_d, b, c }
             }
         }

@@ -89,6 +89,26 @@ impl<C: Calc> Position<C> {
         })
     }
 
+    /// The same position over another scalar.
+    #[must_use]
+    pub fn map<D: Calc>(&self, f: fn(C) -> D) -> Position<D> {
+        Position {
+            driven: self.driven,
+            x_1: self.x_1.map(f),
+            x_2: self.x_2.map(f),
+            x_3: self.x_3.map(f),
+            x_4: self.x_4.map(f),
+            a: self.a.map(f),
+            b: self.b.map(f),
+            c: self.c.map(f),
+            r: f(self.r),
+            k: f(self.k),
+            passing: self.passing,
+            diagonal: f(self.diagonal),
+            epsilon_a: f(self.epsilon_a),
+        }
+    }
+
     /// Whether rear arm and driven-along bar lie in one line within rounding.
     #[must_use]
     pub fn is_in_line(&self) -> bool {

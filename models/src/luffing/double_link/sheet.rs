@@ -216,14 +216,16 @@ impl Described for LuffingScene {
 
     fn assumptions(this: &Luffing) -> Vec<&'static str> {
         let given = |known: bool, id: &'static str| known.then_some(id);
-        let forces = given(this.q.is_some(), "forces");
         let Some(moving) = &this.moving else {
             let level = if this.table.is_some() {
                 "level_table"
             } else {
                 "level_static"
             };
-            return [Some(level), forces].into_iter().flatten().collect();
+            return [Some(level), given(this.q.is_some(), "forces")]
+                .into_iter()
+                .flatten()
+                .collect();
         };
         let (oil, rope, slews) = (moving.oil.is_some(), moving.rope.is_some(), moving.slewing.is_some());
         [
@@ -243,7 +245,7 @@ impl Described for LuffingScene {
             given(oil, "oil"),
             Some(if oil { "creep" } else { "sticking" }),
             Some(if oil { "buffer" } else { "stops" }),
-            forces,
+            Some("forces_in_motion"),
             Some(if oil { "solver_rodas" } else { "solver_runge_kutta" }),
         ]
         .into_iter()

@@ -18,8 +18,8 @@ use crate::luffing::double_link::balancing::{self, analysis, balanced, residual}
 use crate::luffing::double_link::drive::{self, Drive, Reaction};
 use crate::luffing::double_link::feet::Feet;
 use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::held::{Carried, Held, Passes};
 use crate::luffing::double_link::parameters::{Anchors, Bore, Choice, Driven, Jib, Lengths, Parameters, Weights};
-use crate::luffing::double_link::pin_forces::{Carried, Held, Passes};
 use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;

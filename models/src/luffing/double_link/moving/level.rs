@@ -2,10 +2,17 @@
 //! steps. Each variant is a system of equations with all of its solver's state
 //! beside it.
 
+use nalgebra::Vector3;
+
 use crate::kernel::calc::Calc;
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics};
+use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, rope_on_head};
+use crate::luffing::double_link::hanging::to_load;
 use crate::luffing::double_link::hydraulic::{self, FIXED, Hydraulic, Modes};
-use crate::luffing::double_link::motion::{self, Bar, Commands, Drum, MovingLinkage};
+use crate::luffing::double_link::inertia_forces::Instant;
+use crate::luffing::double_link::motion::{self, Bar, Commands, Drum, MovingLinkage, directions};
+use crate::luffing::double_link::pose::Posing;
+use crate::luffing::double_link::shares::Shares;
 use crate::luffing::double_link::slewing::{self, JointDrive, Slewing};
 use crate::parts::hydraulics::cylinder::Oil;
 use crate::parts::hydraulics::oil::VACUUM;
@@ -253,6 +260,53 @@ impl<P: Coordinate<P>> Level<P> {
             (Level::Hanging(system), Present::Hanging(at), _) => oil_reaction(system, at.modes, first(y), reaction),
             _ => unreachable!("{OTHER}"),
         }
+    }
+}
+
+impl<P: Posing<P>> Level<P> {
+    /// Forces of the motion in states `y`; `None` where linkage or balance do not close.
+    pub fn forces(&self, present: &Present, inputs: &Inputs<P>, y: &[P; MOST_STATES]) -> Option<ForcesInMotion<P>> {
+        let dynamics = self.dynamics();
+        let mut rates = *y;
+        self.rates(present, inputs, y, &mut rates)?;
+        let pose = P::pose(dynamics, y[0])?;
+        // Where slewing and load begin, behind the angle, its rate and the oil.
+        let own = match present {
+            Present::Fixed(_) | Present::Hanging(_) => &y[FIXED..],
+            Present::Free(_) | Present::Slewing(_) => &y[2..],
+        };
+        let slews = dynamics.turntable().is_some();
+        let pull = match dynamics.bodies().pendulum {
+            Some(_) => {
+                let pull = self.reaction(present, inputs, y, MotionResult::Rope)?;
+                let direction = if slews {
+                    to_load(Vector3::new(own[2], own[3], own[4])).1.xy()
+                } else {
+                    directions(own[0]).0
+                };
+                Some(rope_on_head(pull, direction))
+            }
+            None => None,
+        };
+        let together = self.reaction(present, inputs, y, MotionResult::Friction)?;
+        let Commands { moment, brake, .. } = inputs.motion;
+        let shares = |bar, friction| Shares::new(bar, together, y[1], friction, [moment, brake]);
+        let by_oil = || pose.drive.map_or(P::constant(0.0), |(_, [_, arm])| arm);
+        let shares = match (self, present) {
+            (Level::Free(motion), Present::Free(state)) => shares(state.bar, &motion.friction),
+            (Level::Slewing(crane), Present::Slewing(state)) => shares(state.joints[0], &crane.joints[0].friction),
+            (Level::Fixed(system), _) => system.shares(first(y), by_oil()),
+            (Level::Hanging(system), _) => system.shares(first(y), by_oil()),
+            _ => unreachable!("{OTHER}"),
+        };
+        let at = Instant {
+            omega: y[1],
+            alpha: rates[1],
+            turning: slews.then(|| own[1]),
+            pull,
+            shares,
+        };
+        Some(ForcesInMotion::new(&pose, &at, P::of(dynamics.bodies().gravity)))
     }
 }
 

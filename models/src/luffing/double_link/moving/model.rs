@@ -12,11 +12,13 @@ use crate::component::standing::Standing;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::number::short;
 use crate::kernel::record::{self, Rec};
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::unit;
 use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
+use crate::luffing::double_link::forces_in_motion::RESULTS;
 use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::held::in_line;
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
 use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, MovingLinkage, REELED_IN};
 use crate::luffing::double_link::moving::level::{
@@ -43,6 +45,10 @@ const LEAST_PRESSURE: f64 = 20e5;
 /// Natural frequency, in rad/s, of the mechanism alone against an end stop of the hydraulic level;
 /// the stop is damped critically.
 const STOP: f64 = 100.0;
+
+/// What forces and moments of this model take into account.
+const MOVING: &str = "In motion: with the inertia of all bodies, and the rope as it hangs.";
+const AT_REST: &str = "As at rest: without inertia, the load hanging straight down.";
 
 /// In the place of a parameter that is zero where it is asked what depends on what.
 const TRACE: f64 = 1e-6;
@@ -111,6 +117,8 @@ enum Slot {
     SlewingMoment,
     SlewingBrake,
     Reaction(MotionResult),
+    /// One of the [results](forces_in_motion::RESULTS).
+    Force(usize),
     Cavitates,
     /// Index of a variable of the algebraic model.
     Algebraic(usize),
@@ -252,9 +260,18 @@ impl LuffingMotion {
         self.now.oil.map(|oil| oil.map(&mut constant));
         list.extend(self.reactions());
         for (index, variable) in self.algebraic.variables().iter().enumerate() {
-            if !coordinate.contains(&variable.symbol) {
-                list.push((*variable, Slot::Algebraic(index)));
+            if coordinate.contains(&variable.symbol) {
+                continue;
             }
+            let in_motion = RESULTS.iter().position(|symbol| *symbol == variable.symbol);
+            let (mut variable, mut slot) = (*variable, Slot::Algebraic(index));
+            let is_result = matches!(variable.role, Role::Output | Role::Calculated);
+            if let Some(force) = in_motion {
+                (variable.remark, slot) = (Some(MOVING), Slot::Force(force));
+            } else if is_result && variable.symbol.unit.dimension.kg != 0 {
+                variable.remark = Some(AT_REST);
+            }
+            list.push((variable, slot));
         }
         let rates = self.of_level(
             if boom {
@@ -293,6 +310,18 @@ impl LuffingMotion {
         if reeled {
             list.push(of(&m::S_R, MotionResult::Rope));
         }
+        let force = |symbol: &'static Symbol| {
+            let index = RESULTS.iter().position(|known| *known == symbol);
+            let slot = Slot::Force(index.expect("one of the forces"));
+            (Variable::new((symbol, None), Role::Output), slot)
+        };
+        let on_head: &[&Symbol] = if reeled { listed!(m: F_AX, F_AY) } else { &[] };
+        list.extend(
+            on_head
+                .iter()
+                .chain(listed!(m: M_RC, M_RV, M_RS))
+                .map(|symbol| force(symbol)),
+        );
         if !hydraulic || reeled || slews {
             list.push(of(&m::W_BLOW, MotionResult::Blows));
         }
@@ -422,17 +451,16 @@ impl LuffingMotion {
                 inertia: turning.j_sl,
             });
         }
+        if let Some(anchors) = &over.anchors {
+            dynamics = dynamics.with_drive(anchors, oil.is_some());
+        }
         let Some(oil) = oil else {
             return Ok(match crane(&dynamics, luffing, slewing) {
                 Crane::Plane(motion) => Level::Free(motion),
                 Crane::Slewing(slewing) => Level::Slewing(slewing),
             });
         };
-        let (anchors, bore) = over
-            .anchors
-            .zip(over.cylinder)
-            .expect("checked when the scene was read");
-        let dynamics = dynamics.with_drive(&anchors);
+        let bore = over.cylinder.expect("checked when the scene was read");
         let cylinder = Cylinder {
             areas: Cylinder::areas(bore.d_c, bore.d_r),
             lengths: [oil.l_min, oil.l_max],
@@ -618,6 +646,10 @@ impl LuffingMotion {
         ))
     }
 
+    fn in_line(&self) -> Fault {
+        in_line(self.variables[0].symbol, self.now.present.states()[0])
+    }
+
     /// The states over any scalar.
     fn states_over<P: Calc>(&self, of: &mut impl FnMut(&'static Symbol, f64) -> P) -> [P; MOST_STATES] {
         let states = self.now.present.states();
@@ -656,6 +688,13 @@ impl LuffingMotion {
         }
     }
 
+    /// How far the moment on the driven bar by equilibrium of the moving bodies is from that of drive, friction and end
+    /// stop, and the greatest of what they are made of, in N·m; `None` where there are no finite forces.
+    pub(crate) fn apart(&mut self) -> Option<[f64; 2]> {
+        let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
+        self.level().ok()?.forces(&present, &inputs, &y)?.apart()
+    }
+
     pub(crate) fn present(&self) -> &Present {
         &self.now.present
     }
@@ -672,6 +711,7 @@ impl LuffingMotion {
             if self.rope.is_some() {
                 let _ = level.reaction(present, &inputs, &y, MotionResult::Rope);
             }
+            let _ = level.forces(present, &inputs, &y);
         }
         assembled
     }
@@ -709,7 +749,12 @@ impl LuffingMotion {
                 let _ = lively.set(index, TRACE);
             }
         }
-        let moves = |slot: &Slot| matches!(slot, Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_));
+        let moves = |slot: &Slot| {
+            matches!(
+                slot,
+                Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_) | Slot::Force(_)
+            )
+        };
         let moving: Vec<usize> = (0..self.slots.len()).filter(|i| moves(&self.slots[*i])).collect();
         let given = |v: &&Variable| matches!(v.role, Role::Input | Role::Parameter | Role::Tunable | Role::State);
         let givens: Vec<Name> = self.variables.iter().filter(given).map(name).collect();
@@ -829,6 +874,11 @@ impl Running for LuffingMotion {
                 let found = self.level()?.reaction(&present, &inputs, &y, reaction);
                 found.ok_or_else(|| self.open())
             }
+            Slot::Force(i) => {
+                let (present, y) = (self.now.present, self.now.present.states());
+                let forces = self.level()?.forces(&present, &inputs, &y).ok_or_else(|| self.open())?;
+                forces.results()[i].ok_or_else(|| self.in_line())
+            }
             Slot::Cavitates => {
                 let mut rates = [0.0; MOST_STATES];
                 self.all_rates(&mut rates)?;
@@ -845,7 +895,7 @@ impl Running for LuffingMotion {
         let (slot, variable) = (self.slot(index)?, &self.variables[index]);
         match slot {
             Slot::Algebraic(inner) => self.algebraic.check(inner, value),
-            Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_) | Slot::Cavitates => {
+            Slot::Rate(_) | Slot::Indicator(_) | Slot::Reaction(_) | Slot::Force(_) | Slot::Cavitates => {
                 Err(Fault::new(format!("{variable} is a result and cannot be set")))
             }
             _ => variable.check(value),
@@ -1158,6 +1208,10 @@ impl Running for LuffingMotion {
                 level?.indicators(present, &inputs, &y, &mut all).map(|()| all[i])
             }
             Slot::Reaction(reaction) => level?.reaction(present, &inputs, &y, reaction),
+            Slot::Force(i) => match level?.forces(present, &inputs, &y) {
+                Some(forces) => Some(forces.results()[i].ok_or_else(|| self.in_line())?),
+                None => None,
+            },
             Slot::Cavitates => Some(Dual64::from_re(0.0)),
             _ => {
                 return Err(Fault::new(format!("{variable} is no result: it has no derivative")));

@@ -2,6 +2,7 @@
 
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Symbol, symbols};
+use crate::luffing::double_link::symbols as g;
 
 symbols! {
     // Given.
@@ -161,6 +162,43 @@ symbols! {
     KAPPA_R: "kappa_R" "kappa_R" ONE / ONE, "How much easier the load gives way along the rope as the head gives way too.", "Lagrange";
     A_R: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange";
 
+    // Forces of the motion: equilibrium of each body under its weight, its inertia and the rope.
+    F_AX: "F_A.x" "F_(A x)" N / KN, "Force of the rope on the head, forward.", "Newton and Euler";
+    F_AY: "F_A.y" "F_(A y)" N / KN, "Force of the rope on the head, upward.", "Newton and Euler";
+    M_RC: "M_Rc" "M_(R c)" N_M / KN_M, "Moment of dry friction in the pins on the driven bar; a bar at rest is held by brake and dry friction in proportion to what they can hold.", "equations of motion";
+    M_RV: "M_Rv" "M_(R v)" N_M / KN_M, "Moment of viscous friction on the driven bar.", "equations of motion";
+    M_RS: "M_Rs" "M_(R s)" N_M / KN_M, "Moment of the end stop on the driven bar.", "equations of motion";
+    F_1X: "F_1.x" "F_(1 x)" N / KN, "Inertia of the boom, forward.", "Newton and Euler";
+    F_1Y: "F_1.y" "F_(1 y)" N / KN, "Weight and inertia of the boom, upward.", "Newton and Euler";
+    F_2X: "F_2.x" "F_(2 x)" N / KN, "Inertia of the jib, forward. With the load where it hangs on no rope.", "Newton and Euler";
+    F_2Y: "F_2.y" "F_(2 y)" N / KN, "Weight and inertia of the jib, upward. With the load where it hangs on no rope.", "Newton and Euler";
+    F_3X: "F_3.x" "F_(3 x)" N / KN, "Inertia of the rocker, forward.", "Newton and Euler";
+    F_3Y: "F_3.y" "F_(3 y)" N / KN, "Weight and inertia of the rocker, upward.", "Newton and Euler";
+    F_5X: "F_5.x" "F_(5 x)" N / KN, "Inertia of the counterweight, forward.", "Newton and Euler";
+    F_5Y: "F_5.y" "F_(5 y)" N / KN, "Weight and inertia of the counterweight, upward.", "Newton and Euler";
+    M_I1: "M_i1" "M_(i 1)" N_M / KN_M, "Moment of the boom's weight and inertia, and of the balance, about O1; clockwise positive.", "Newton and Euler";
+    M_I3: "M_i3" "M_(i 3)" N_M / KN_M, "Moment of the rocker's weight and inertia about O3; clockwise positive.", "Newton and Euler";
+    M_IB: "M_iB" "M_(i B)" N_M / KN_M, "Moment of the rope and of the jib's weight and inertia about B; clockwise positive.", "Newton and Euler";
+    M_IC: "M_iC" "M_(i C)" N_M / KN_M, "Moment of the rope and of the jib's weight and inertia about C; counter-clockwise positive.", "Newton and Euler";
+    M_I5: "M_i5" "M_(i 5)" N_M / KN_M, "Moment of the balance in motion about the boom foot; positive raises the boom.", "Newton and Euler";
+    M_T: "M_T" "M_T" N_M / KN_M, "Moment on the driven bar that equilibrium of the moving bodies asks for: of drive, friction and end stop together.", "Newton and Euler";
+    R_2QX: "R_2Q.x" "x_(2 Q)" M / M, "Centre of gravity of the jib with the load, from B, forward.", "derived";
+    R_2QY: "R_2Q.y" "y_(2 Q)" M / M, "Centre of gravity of the jib with the load, from B, upward.", "derived";
+    DI_1: "di_1" "i'_1" ONE / ONE, "Change of the boom's ratio of angular velocities for one radian of the driven bar.", "dual numbers";
+    J_XY1: "J_xy1" "J_(x y 1)" KG_M2 / KG_M2, "Product of inertia of the boom about its centre of gravity, forward and upward.", "derived";
+    X_S1: "x_s1" "x_(s 1)" M / M, "Centre of gravity of the boom, forward of the slewing axis.", "derived";
+    DI_2: "di_2" "i'_2" ONE / ONE, "Change of the jib's ratio of angular velocities for one radian of the driven bar.", "dual numbers";
+    J_XY2: "J_xy2" "J_(x y 2)" KG_M2 / KG_M2, "Product of inertia of the jib about its centre of gravity, forward and upward.", "derived";
+    X_S2: "x_s2" "x_(s 2)" M / M, "Centre of gravity of the jib, forward of the slewing axis.", "derived";
+    DI_3: "di_3" "i'_3" ONE / ONE, "Change of the rocker's ratio of angular velocities for one radian of the driven bar.", "dual numbers";
+    J_XY3: "J_xy3" "J_(x y 3)" KG_M2 / KG_M2, "Product of inertia of the rocker about its centre of gravity, forward and upward.", "derived";
+    X_S3: "x_s3" "x_(s 3)" M / M, "Centre of gravity of the rocker, forward of the slewing axis.", "derived";
+    X_S5: "x_s5" "x_(s 5)" M / M, "Counterweight, forward of the slewing axis.", "derived";
+    N_5X: "n_5.x" "n_(5 x)" ONE / ONE, "Force in the balance's rod or rope for one newton forward on the counterweight.", "equilibrium";
+    N_5Y: "n_5.y" "n_(5 y)" ONE / ONE, "Force in the balance's rod or rope for one newton upward on the counterweight.", "equilibrium";
+    E_1X: "e_1.x" "e_(1 x)" ONE / ONE, "Direction in which the balance's rod or rope pulls the boom, forward.", "derived";
+    E_1Y: "e_1.y" "e_(1 y)" ONE / ONE, "Direction in which the balance's rod or rope pulls the boom, upward.", "derived";
+
     // A run.
     T: "t" "t" S / S, "Time from the start of the run.", "derived";
     P_MAX: "p_max" "p_\"max\"" PA / BAR, "Greatest pressure in ports and chambers during the run.", "equations of motion";
@@ -231,6 +269,14 @@ pub(crate) struct OfBody {
     pub turn_change: &'static Symbol,
     pub inertia: &'static Symbol,
     pub slope: &'static Symbol,
+    /// Centre of gravity from the bar's first joint.
+    pub place: [&'static Symbol; 2],
+    /// Turning, and how that changes.
+    pub ratio: &'static Symbol,
+    pub ratio_change: &'static Symbol,
+    /// Of a crane that slews: product of inertia, and centre of gravity from the axis.
+    pub deviation: &'static Symbol,
+    pub reach: &'static Symbol,
 }
 
 /// Boom, jib and rocker.
@@ -242,6 +288,11 @@ pub(crate) static OF_BODY: [OfBody; 3] = [
         turn_change: &TURN_CHANGE_1,
         inertia: &I_R1,
         slope: &DI_R1,
+        place: [&g::R_1X, &g::R_1Y],
+        ratio: &g::I_1,
+        ratio_change: &DI_1,
+        deviation: &J_XY1,
+        reach: &X_S1,
     },
     OfBody {
         mass: &MASS_2,
@@ -250,6 +301,11 @@ pub(crate) static OF_BODY: [OfBody; 3] = [
         turn_change: &TURN_CHANGE_2,
         inertia: &I_R2,
         slope: &DI_R2,
+        place: [&g::R_2X, &g::R_2Y],
+        ratio: &g::I_2,
+        ratio_change: &DI_2,
+        deviation: &J_XY2,
+        reach: &X_S2,
     },
     OfBody {
         mass: &MASS_3,
@@ -258,6 +314,11 @@ pub(crate) static OF_BODY: [OfBody; 3] = [
         turn_change: &TURN_CHANGE_3,
         inertia: &I_R3,
         slope: &DI_R3,
+        place: [&g::R_3X, &g::R_3Y],
+        ratio: &g::I_3,
+        ratio_change: &DI_3,
+        deviation: &J_XY3,
+        reach: &X_S3,
     },
 ];
 

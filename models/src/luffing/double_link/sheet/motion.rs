@@ -1,6 +1,7 @@
 //! The mechanism in motion: the equations at one instant, from the functions that the running model solves, and
 //! a run of that model on the scene's own motion.
 
+use crate::balance::symbols as b;
 use crate::component::running::{Running, State};
 use crate::component::sheet::{self, Check, Curve, InMotion, Section, Summary};
 use crate::kernel::calc::Calc;
@@ -40,7 +41,7 @@ const KINETIC: u32 = 16;
 const EVENTS: usize = 20;
 
 /// What the formulas of a section give; those of the assembled model stand among them.
-const SECTIONS: [(&str, &[&Symbol]); 6] = [
+const SECTIONS: [(&str, &[&Symbol]); 7] = [
     (
         "motion_bodies",
         listed! { m:
@@ -86,13 +87,53 @@ const SECTIONS: [(&str, &[&Symbol]); 6] = [
             D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, S_R
         },
     ),
+    (
+        "motion_forces",
+        &[
+            &m::F_AX,
+            &m::F_AY,
+            &m::M_RC,
+            &m::M_RV,
+            &m::M_RS,
+            &s::M_D,
+            &m::F_5X,
+            &m::F_5Y,
+            &m::M_I5,
+            &b::N_1,
+            &b::F_KX,
+            &b::F_KY,
+            &b::F_MX,
+            &b::F_MY,
+            &m::F_1X,
+            &m::F_1Y,
+            &m::F_2X,
+            &m::F_2Y,
+            &m::F_3X,
+            &m::F_3Y,
+            &m::M_I1,
+            &m::M_I3,
+            &m::M_IB,
+            &m::M_IC,
+            &s::F_BX,
+            &s::F_BY,
+            &s::F_CX,
+            &s::F_CY,
+            &m::M_T,
+            &s::F_D,
+            &s::F_O1X,
+            &s::F_O1Y,
+            &s::F_O3X,
+            &s::F_O3Y,
+            &s::N_3,
+        ],
+    ),
 ];
 
 /// What is found while the model is assembled, before it moves.
 const ASSEMBLED: [&Symbol; 4] = [&m::MASS_Q, &m::J_2Q, &h::A_A, &h::A_B];
 
 /// Curves over the time of the run.
-const CURVES: [(&str, &Symbol); 17] = [
+const CURVES: [(&str, &Symbol); 19] = [
     ("motion_angle", &s::THETA_1),
     ("motion_speed", &s::OMEGA_1),
     ("motion_angle", &s::THETA_3),
@@ -110,6 +151,8 @@ const CURVES: [(&str, &Symbol); 17] = [
     ("motion_force", &m::F_C),
     ("motion_spool", &m::X_V),
     ("motion_friction", &m::M_R),
+    ("motion_moment", &s::M_D),
+    ("motion_rocker", &s::N_3),
 ];
 
 /// What is warned of, with a quantity of the run and when it was so.
@@ -468,6 +511,9 @@ struct Run {
     /// With its time, in s.
     least_pressure: [f64; 2],
     greatest_swing: f64,
+    /// Of the moment on the driven bar by the moving bodies' equilibrium from that of drive, friction and stop, at most,
+    /// and the greatest of those moments (N·m).
+    apart: [f64; 2],
 }
 
 impl Run {
@@ -508,6 +554,7 @@ impl Run {
             greatest_pressure: pressure(model.present()),
             least_pressure: [model.present().least_pressure(), 0.0],
             greatest_swing: swing(moving, model.present()),
+            apart: [0.0; 2],
         };
         let mut most = None;
         let mut watch = Watch::new(luffing, moving, model.present(), sample);
@@ -531,6 +578,9 @@ impl Run {
             run.energy.blows = model.present().blown();
             if i % KINETIC == 0 {
                 run.energy.kinetic = run.energy.kinetic.max(model.kinetic().ok()?);
+                if let Some(apart) = model.apart() {
+                    run.apart = [0, 1].map(|k| run.apart[k].max(apart[k]));
+                }
             }
             run.events.extend(events.into_iter().map(|id| (to, id)));
             (watch, powers) = (next, now);
@@ -616,6 +666,11 @@ impl Run {
             self.greatest_swing,
             luffing.limit(&m::PHI_MAX),
         );
+        let [apart, greatest] = self.apart;
+        let apart = (greatest > 0.0).then(|| apart / greatest);
+        if let Some(apart) = apart {
+            at_most("motion_forces", &s::AGREEMENT, apart, Some(1e-9));
+        }
         let opening = moving.oil.map(|oil| oil.p_r);
         at_most("motion_pressure", &m::P_MAX, self.greatest_pressure, opening);
         let Powers {

@@ -1,0 +1,68 @@
+//! What turns the driven bar, told apart: drive and brake, friction in its pins, end stop.
+
+use crate::kernel::calc::{Calc, Over};
+use crate::luffing::double_link::motion::{Bar, Friction, LOOSE};
+use crate::luffing::double_link::moving::symbols as s;
+
+/// Moments on the driven bar, in N·m, in the direction of its angle.
+#[derive(Clone, Copy, Debug)]
+pub struct Shares<C> {
+    /// Of motor and brake, or of the cylinder: what the line of the drive carries.
+    pub drive: C,
+    /// Of dry and of viscous friction in its pins.
+    pub dry: C,
+    pub viscous: C,
+    pub stop: C,
+    /// Force of a cylinder, push positive, in N.
+    pub push: Option<C>,
+}
+
+impl<C: Calc> Shares<C> {
+    /// Of a motor's moment and of what friction, brake and end stop give `together` (N·m). A bar at rest is held by
+    /// brake and dry friction in proportion to what they can hold, and by an end stop with what is left.
+    pub fn new<P: Calc>(bar: Bar, together: C, omega: C, friction: &Friction<P>, [motor, brake]: [C; 2]) -> Shares<C>
+    where
+        C: Over<P>,
+    {
+        let (zero, coulomb) = (C::constant(0.0), C::of(friction.coulomb));
+        let moving = |drive, dry| Shares {
+            drive,
+            dry,
+            viscous: -(C::of(friction.viscous) * omega),
+            stop: zero,
+            push: None,
+        };
+        let shares = match bar {
+            Bar::Forward => moving(motor - brake, -coulomb),
+            Bar::Backward => moving(motor + brake, coulomb),
+            Bar::Held | Bar::Loose => {
+                let most = coulomb + brake;
+                let (held, stop) = if together.value().abs() <= LOOSE * most.value() {
+                    (together, zero)
+                } else {
+                    let held = if together.value() > 0.0 { most } else { -most };
+                    (held, together - held)
+                };
+                let by_brake = if most.value() == 0.0 { zero } else { held * brake / most };
+                Shares {
+                    drive: motor + by_brake,
+                    dry: held - by_brake,
+                    viscous: zero,
+                    stop,
+                    push: None,
+                }
+            }
+        };
+        shares.named()
+    }
+
+    /// For the book.
+    pub fn named(self) -> Shares<C> {
+        Shares {
+            dry: self.dry.def(&s::M_RC),
+            viscous: self.viscous.def(&s::M_RV),
+            stop: self.stop.def(&s::M_RS),
+            ..self
+        }
+    }
+}
