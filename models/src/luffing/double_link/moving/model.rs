@@ -16,7 +16,7 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::unit;
 use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
 use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
-use crate::luffing::double_link::forces_in_motion::RESULTS;
+use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, RESULTS};
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::in_line;
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
@@ -70,6 +70,8 @@ pub struct LuffingMotion {
     /// Follows from the parameters; `None` after one has changed.
     level: Option<Level>,
     now: Now,
+    /// Of the present states and inputs; found when first asked for.
+    forces: Option<ForcesInMotion<f64>>,
     /// Work of the solver so far; no part of the state.
     count: Count,
 }
@@ -101,6 +103,7 @@ struct Direction {
     y: [Dual64; MOST_STATES],
     /// Made when first asked for.
     rates: Option<[Dual64; MOST_STATES]>,
+    forces: Option<ForcesInMotion<Dual64>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -163,6 +166,7 @@ impl LuffingMotion {
             indicators: 0,
             count: Count::default(),
             level: None,
+            forces: None,
             now: Now {
                 time: 0.0,
                 present,
@@ -558,6 +562,7 @@ impl LuffingMotion {
 
     /// Brings the algebraic model to the present angle and angular velocity.
     fn follow(&mut self) -> Result<(), Fault> {
+        self.forces = None;
         let y = self.now.present.states();
         self.algebraic.set(0, y[0])?;
         self.algebraic.set(1, y[1])
@@ -631,6 +636,14 @@ impl LuffingMotion {
         rate * time + change.signum() * 0.5 * a_h * time * time + command * (size - time)
     }
 
+    fn forces(&mut self) -> Result<&ForcesInMotion<f64>, Fault> {
+        if self.forces.is_none() {
+            let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
+            self.forces = self.level()?.forces(&present, &inputs, &y);
+        }
+        self.forces.as_ref().ok_or_else(|| self.open())
+    }
+
     fn all_rates(&mut self, rates: &mut [f64; MOST_STATES]) -> Result<(), Fault> {
         let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
         let found = self.level()?.rates(&present, &inputs, &y, rates);
@@ -691,8 +704,7 @@ impl LuffingMotion {
     /// How far the moment on the driven bar by equilibrium of the moving bodies is from that of drive, friction and end
     /// stop, and the greatest of what they are made of, in N·m; `None` where there are no finite forces.
     pub(crate) fn apart(&mut self) -> Option<[f64; 2]> {
-        let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
-        self.level().ok()?.forces(&present, &inputs, &y)?.apart()
+        self.forces().ok()?.apart()
     }
 
     pub(crate) fn present(&self) -> &Present {
@@ -874,11 +886,7 @@ impl Running for LuffingMotion {
                 let found = self.level()?.reaction(&present, &inputs, &y, reaction);
                 found.ok_or_else(|| self.open())
             }
-            Slot::Force(i) => {
-                let (present, y) = (self.now.present, self.now.present.states());
-                let forces = self.level()?.forces(&present, &inputs, &y).ok_or_else(|| self.open())?;
-                forces.results()[i].ok_or_else(|| self.in_line())
-            }
+            Slot::Force(i) => self.forces()?.results()[i].ok_or_else(|| self.in_line()),
             Slot::Cavitates => {
                 let mut rates = [0.0; MOST_STATES];
                 self.all_rates(&mut rates)?;
@@ -904,6 +912,7 @@ impl Running for LuffingMotion {
 
     fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         self.check(index, value)?;
+        self.forces = None;
         let inputs = &mut self.now.inputs;
         match self.slots[index] {
             Slot::State(i) => {
@@ -1095,7 +1104,7 @@ impl Running for LuffingMotion {
         let Saved { now, algebraic } = state.own();
         self.now = *now;
         self.algebraic.set_state(algebraic);
-        self.level = None;
+        (self.level, self.forces) = (None, None);
     }
 
     fn numbers(&self, state: &State) -> Vec<f64> {
@@ -1170,6 +1179,7 @@ impl Running for LuffingMotion {
             inputs: self.inputs_over(&mut of),
             y: self.states_over(&mut of),
             rates: None,
+            forces: None,
         })
     }
 
@@ -1181,6 +1191,7 @@ impl Running for LuffingMotion {
         direction.inputs = self.inputs_over(&mut of);
         direction.y = self.states_over(&mut of);
         direction.rates = None;
+        direction.forces = None;
     }
 
     fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
@@ -1208,10 +1219,15 @@ impl Running for LuffingMotion {
                 level?.indicators(present, &inputs, &y, &mut all).map(|()| all[i])
             }
             Slot::Reaction(reaction) => level?.reaction(present, &inputs, &y, reaction),
-            Slot::Force(i) => match level?.forces(present, &inputs, &y) {
-                Some(forces) => Some(forces.results()[i].ok_or_else(|| self.in_line())?),
-                None => None,
-            },
+            Slot::Force(i) => {
+                if direction.forces.is_none() {
+                    direction.forces = level?.forces(present, &inputs, &y);
+                }
+                match &direction.forces {
+                    Some(forces) => Some(forces.results()[i].ok_or_else(|| self.in_line())?),
+                    None => None,
+                }
+            }
             Slot::Cavitates => Some(Dual64::from_re(0.0)),
             _ => {
                 return Err(Fault::new(format!("{variable} is no result: it has no derivative")));
