@@ -247,3 +247,42 @@ def test_kinematic_scene_has_no_forces(tmp_path):
     assert {"theta_1", "R", "V_AX"} <= names
     assert not {"Q", "M_Q", "M_D", "F_B.x", "G_1", "F_d", "L_d"} & names
     assert Path(tmp_path / "LemniscateCrane.fmi2.fmu").stat().st_size > 0
+
+
+@pytest.mark.parametrize("end", [".fmu", ".fmi2.fmu"], ids=["FMI 3.0", "FMI 2.0"])
+@pytest.mark.parametrize("scene, angle", [("lemniscate", "theta_1"), ("rope_luffing", "phi"), ("portal_004_tail", "theta_1")])
+def test_every_input_may_be_zero(scene, angle, end, tmp_path):
+    """A system of FMUs in which all connected inputs are zero in the first step, as FMPy's own systems do it."""
+    text = (ROOT / f"models/scenes/{scene}.toml").read_text(encoding="utf-8")
+    name = next(line.split('"')[1] for line in text.splitlines() if line.startswith("name"))
+    for alone in (False, True):
+        folder = tmp_path / str(alone)
+        folder.mkdir()
+        own = text.replace("[luffing.motion]", '[luffing.motion]\ninput = "s"') if alone else text
+        (folder / "crane.toml").write_text(own, encoding="utf-8")
+        lemnis("fmu", folder / "crane.toml", "--output", folder)
+        path = folder / f"{name}{end}"
+        assert validate_fmu(str(path)) == []
+        variables = {v.name: v for v in read_model_description(str(path)).modelVariables}
+        inputs = [v for v in variables.values() if v.causality == "input"]
+        assert (angle in [v.name for v in inputs]) != alone and variables["s"].start in ("0", "0.0")
+        slave = Slave(str(path), str(folder / "unpacked"))
+
+        def step(at, zero):
+            slave.set([v.valueReference for v in zero], [0.0] * len(zero))
+            slave.fmu.doStep(currentCommunicationPoint=at, communicationStepSize=0.1)
+
+        if not alone:
+            # The angle of zero is none of this mechanism's, and the part of the range set after it counts.
+            zero = [v for v in inputs if v.name != "s"] + [variables["s"]]
+            slave.set([v.valueReference for v in zero], [0.0] * len(zero))
+            slave.set([variables["s"].valueReference], [0.0])
+        step(0.0, inputs if alone else [variables["s"]])
+        start = slave.get([variables[angle].valueReference])[0]
+        slave.set([variables["s"].valueReference], [1.0])
+        slave.fmu.doStep(currentCommunicationPoint=0.1, communicationStepSize=0.1)
+        end_angle, part = slave.get([variables[n].valueReference for n in (angle, "s")])
+        table = {row.partition("=")[0].strip(): row.split('"')[1] for row in text.splitlines()
+                 if row.partition("=")[0].strip() in ("from", "to")}
+        expected = [math.radians(float(table[key].split()[0])) for key in ("from", "to")]
+        assert [start, end_angle] == pytest.approx(expected, abs=1e-15) and part == 1.0

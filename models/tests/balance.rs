@@ -616,6 +616,7 @@ fn results_carry_their_symbols() {
         to,
         step: 0.1,
         speed: 0.01,
+        by_part: false,
     };
     let found = Analysis::new(&boom(), &balance, [from, to]).expect("closes");
     let mut list = told(&at(rad(60.0)).expect("closes"));

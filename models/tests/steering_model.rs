@@ -76,7 +76,9 @@ fn dependencies_are_complete() {
                     continue;
                 }
                 for (output, (a, b)) in before.iter().zip(outputs(&mut moved)).enumerate() {
-                    if output != known && a.to_bits() != b.to_bits() && !(a.is_nan() && b.is_nan()) {
+                    // Of the angle and its part of the range each tells what the other has been set to.
+                    let result = at.variables()[output].role != Role::Input;
+                    if output != known && result && a.to_bits() != b.to_bits() && !(a.is_nan() && b.is_nan()) {
                         assert!(
                             dependencies[output].contains(&(variable.symbol.id, variable.number)),
                             "{} of {variable}",

@@ -3,7 +3,7 @@
 use lemnis_fmu::instance::strings;
 use lemnis_fmu::layout::{self, Place};
 use lemnis_models::component::model::Model;
-use lemnis_models::kernel::variable::{Enumeration, Role, TIME, Type, Variable};
+use lemnis_models::kernel::variable::{Enumeration, PART_OF_RANGE, Role, TIME, Type, Variable};
 use lemnis_models::scene::Scene;
 use minijinja::value::Serde;
 use minijinja::{Environment, HtmlEscape, UndefinedBehavior, context};
@@ -24,8 +24,8 @@ struct Experiment {
     /// In s.
     lasts: String,
     step: String,
-    /// Whether the coordinate is an input, and so runs by itself until it is set.
-    swept: bool,
+    /// Inputs for the coordinate: until one is set it runs by itself. None where it is a state.
+    set_by: Vec<String>,
     /// Whether something moves by equations of motion.
     solved: bool,
 }
@@ -34,13 +34,15 @@ fn experiment(scene: &Scene, model: &Model) -> Experiment {
     let coordinate = model.variables()[0];
     let range = scene.mechanism.motion();
     let second = |time: f64| TIME.written(time);
+    let inputs = model.variables().iter().filter(|variable| variable.role == Role::Input);
+    let set_by = inputs.filter(|variable| [coordinate.symbol, &PART_OF_RANGE].contains(&variable.symbol));
     Experiment {
         coordinate: coordinate.name(),
         from: coordinate.symbol.written(range.from),
         to: coordinate.symbol.written(range.to),
         lasts: second(model.stop_time()),
         step: second(model.step_size()),
-        swept: coordinate.role == Role::Input,
+        set_by: set_by.map(Variable::name).collect(),
         solved: model.states() > 0,
     }
 }

@@ -9,7 +9,7 @@ use crate::component::stages::{Slot, Source, Use};
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::calc::Calc;
 use crate::kernel::record::{Rec, record};
-use crate::kernel::variable::{Name, Quantity, TIME, Type};
+use crate::kernel::variable::{Name, PART_OF_RANGE, Quantity, TIME, Type};
 
 /// Makes a number of the recorder of each source.
 pub type Sources<'a> = &'a mut dyn FnMut(Source, Quantity, f64) -> Rec;
@@ -42,7 +42,7 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
     let mut found = traced.clone();
     let slot = |index: usize| match model.places()[index] {
         VariablePlace::Result(slot) => Some(slot),
-        VariablePlace::Source(_) | VariablePlace::Whole(_) => None,
+        VariablePlace::Source(_) | VariablePlace::Whole(_) | VariablePlace::Part => None,
     };
     let group = |name: &Name| {
         let of = |(_, (symbol, number)): &&(Source, Quantity)| (symbol.id, *number) == *name;
@@ -84,7 +84,34 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
             }
         }
     }
+    if model.has_part_of_range() {
+        with_part_of_range(model, &mut found);
+    }
     found
+}
+
+/// What follows from the coordinate follows from the part of the range, too, or in its place.
+fn with_part_of_range(model: &Standing, found: &mut [BTreeSet<Name>]) {
+    let at = model.coordinate_index();
+    let name = |index: usize| -> Name {
+        let (symbol, number) = model.variables()[index].quantity();
+        (symbol.id, number)
+    };
+    let coordinate = name(at);
+    for names in found.iter_mut().filter(|names| names.contains(&coordinate)) {
+        names.insert((PART_OF_RANGE.id, None));
+        if model.motion().by_part {
+            names.remove(&coordinate);
+        }
+    }
+    if model.motion().by_part {
+        let rate = model
+            .places()
+            .iter()
+            .position(|place| matches!(place, VariablePlace::Source(source) if *source == model.rate()));
+        found[at].extend([(PART_OF_RANGE.id, None), (TIME.id, None)]);
+        found[at].extend(rate.map(name));
+    }
 }
 
 /// What each variable's formula contains, as the recorder finds it.
@@ -132,7 +159,7 @@ fn traced(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>> {
                 };
                 let mut face = recorder(&*part, &mut of);
                 let mut result = |place: &VariablePlace| match place {
-                    VariablePlace::Source(_) | VariablePlace::Whole(_) => None,
+                    VariablePlace::Source(_) | VariablePlace::Whole(_) | VariablePlace::Part => None,
                     VariablePlace::Result(slot) => {
                         let mut value = Rec::constant(0.0);
                         face.result(slot, &mut value).ok().map(|()| value)

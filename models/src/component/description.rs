@@ -206,10 +206,16 @@ impl<T: Described> Description<T> {
             T::check(&described, v, found);
         }
         if found.len() == before
-            && let Some(Err(fault)) = T::moving(&described)
+            && let Some(moving) = T::moving(&described)
         {
-            let help = "begin elsewhere, or move what it names";
-            found.push(v.refuse("motion", fault.message, "the motion cannot begin here", help));
+            if let Err(fault) = moving {
+                let help = "begin elsewhere, or move what it names";
+                found.push(v.refuse("motion", fault.message, "the motion cannot begin here", help));
+            } else if let Some(table) = v.table("motion").filter(|_| described.motion.by_part) {
+                let what = "an input for an angle that moves by itself";
+                let help = "remove it: all inputs of a mechanism in motion may be zero";
+                found.push(table.refuse("input", what, "not used", help));
+            }
         }
         (found.len() == before).then_some(described)
     }
@@ -280,7 +286,10 @@ impl<T: Described> Mechanism for Description<T> {
     fn model(&self) -> Result<Model, Fault> {
         match T::moving(self) {
             Some(moving) => moving.map(Model::Moving),
-            None => self.at_level(self.table).map(Model::Standing),
+            None => {
+                let model = self.at_level(self.table);
+                model.map(|model| Model::Standing(model.with_part_of_range()))
+            }
         }
     }
 

@@ -15,7 +15,7 @@ use crate::component::stages::{Slot, Source, Use};
 use crate::component::table::{Axes, Interpolation};
 use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::{Fault, Quantity, Role, TIME, Type, Variable};
+use crate::kernel::variable::{Fault, PART_OF_RANGE, Quantity, Role, TIME, Type, Variable};
 use crate::parts::motion::Motion;
 
 /// Where a variable stands.
@@ -25,6 +25,8 @@ pub enum VariablePlace {
     Result(Slot),
     /// A result of the whole range, in their order.
     Whole(usize),
+    /// The coordinate, as a part of the working range.
+    Part,
 }
 
 /// A scene's component with its inputs, stepped by the FMU and by tables.
@@ -52,6 +54,8 @@ struct Now {
     time: f64,
     /// Whether the coordinate has been set. Until then it runs through its working range by itself.
     given: bool,
+    /// The part of the range, where that was set last.
+    at_part: Option<f64>,
     part: Box<dyn Part>,
     /// Results of the whole range, as far as they were asked for.
     spots: Vec<Option<Spot>>,
@@ -83,7 +87,7 @@ impl Direction {
 
 impl Now {
     fn follow(&mut self, other: &Now) {
-        (self.time, self.given) = (other.time, other.given);
+        (self.time, self.given, self.at_part) = (other.time, other.given, other.at_part);
         self.part.follow(&*other.part);
         self.spots.clone_from(&other.spots);
     }
@@ -101,8 +105,8 @@ impl Now {
 /// How fast each source changes in a direction.
 struct Seeds<'a> {
     seed: &'a dyn Fn(Quantity) -> f64,
-    /// The coordinate's own rate, where it follows from the time.
-    swept: Option<(Source, f64)>,
+    /// The coordinate, and how fast that changes.
+    moved: (Source, f64),
     clock: Option<Source>,
     part: &'a dyn Part,
     /// A source that changes and makes another component of this one.
@@ -111,8 +115,8 @@ struct Seeds<'a> {
 
 impl Seeds<'_> {
     fn of(&mut self, source: Source, quantity: Quantity) -> f64 {
-        let own = match self.swept {
-            Some((coordinate, rate)) if source == coordinate => rate,
+        let own = match self.moved {
+            (coordinate, rate) if source == coordinate => rate,
             _ if Some(source) == self.clock => (self.seed)((&TIME, None)),
             _ => (self.seed)(quantity),
         };
@@ -194,6 +198,7 @@ impl Standing {
             now: Now {
                 time: 0.0,
                 given: false,
+                at_part: None,
                 part,
                 spots: vec![None; wholes.len()],
             },
@@ -205,6 +210,38 @@ impl Standing {
         }
         model.update()?;
         Ok(model)
+    }
+
+    /// With the part of the range as an input beside the coordinate, or in its place.
+    #[must_use]
+    pub fn with_part_of_range(mut self) -> Standing {
+        self.variables.push(Variable {
+            bounds: [0.0, 1.0],
+            ..Variable::new((&PART_OF_RANGE, None), Role::Input)
+        });
+        self.places.push(VariablePlace::Part);
+        if self.motion.by_part {
+            let coordinate = self.coordinate_index();
+            self.variables[coordinate].role = Role::Output;
+        }
+        self
+    }
+
+    /// Whether the part of the range is an input.
+    #[must_use]
+    pub fn has_part_of_range(&self) -> bool {
+        matches!(self.places.last(), Some(VariablePlace::Part))
+    }
+
+    /// Which variable the coordinate is.
+    #[must_use]
+    pub fn coordinate_index(&self) -> usize {
+        let own =
+            |place: &VariablePlace| matches!(place, VariablePlace::Source(source) if *source == self.axes.coordinate);
+        self.places
+            .iter()
+            .position(own)
+            .expect("every component has a coordinate")
     }
 
     /// Puts a table in the place of the closed form: parameters cannot be set any more.
@@ -283,6 +320,11 @@ impl Standing {
         self.axes.coordinate
     }
 
+    #[must_use]
+    pub fn rate(&self) -> Source {
+        self.axes.rate
+    }
+
     #[inline]
     fn find(&self, index: usize) -> Result<VariablePlace, Fault> {
         let found = self.places.get(index).copied();
@@ -325,7 +367,9 @@ impl Standing {
         let mut value = Dual64::from_re(0.0);
         let slot = match self.find(index)? {
             VariablePlace::Result(slot) => slot,
-            VariablePlace::Source(_) => return none("is no result"),
+            // That which follows from the part of the range.
+            VariablePlace::Source(source) if variable.role == Role::Output => return Ok(direction.face.take(source)),
+            VariablePlace::Source(_) | VariablePlace::Part => return none("is no result"),
             VariablePlace::Whole(place) if self.wholes[place].sources & direction.moved == 0 => return Ok(value),
             VariablePlace::Whole(place) => {
                 let spot = self.spot(place)?;
@@ -354,10 +398,12 @@ impl Standing {
     /// Whether a result's stage follows from an input, a parameter or [`TIME`].
     #[must_use]
     pub fn follows(&self, index: usize, known: Quantity) -> bool {
-        let VariablePlace::Result(slot) = self.places[index] else {
-            return false;
+        let sources = match self.places[index] {
+            VariablePlace::Result(slot) => slot.sources,
+            VariablePlace::Source(source) if self.variables[index].role == Role::Output => 1 << source.group,
+            _ => return false,
         };
-        let from = |source: Source| slot.sources >> source.group & 1 == 1;
+        let from = |source: Source| sources >> source.group & 1 == 1;
         // The coordinate may follow from its rate and the time.
         let swept = from(self.axes.coordinate);
         let mut sources = self.variables.iter().zip(&self.places);
@@ -367,6 +413,7 @@ impl Standing {
         });
         match source {
             Some(source) => from(source) || (swept && source == self.axes.rate),
+            None if known.0 == &PART_OF_RANGE => swept,
             None => known == (&TIME, None) && (swept || self.clock.is_some_and(from)),
         }
     }
@@ -415,18 +462,25 @@ impl Standing {
     /// How fast each source changes in a direction.
     fn seeds<'a>(&'a self, seed: &'a dyn Fn(Quantity) -> f64) -> Seeds<'a> {
         let (coordinate, rate) = (self.axes.coordinate, self.axes.rate);
-        // A coordinate that was not set follows from its rate and the time.
-        let swept = (!self.now.given).then(|| {
-            let symbol = self.variables.iter().zip(&self.places);
-            let of_rate = symbol.filter(|(_, place)| matches!(place, VariablePlace::Source(source) if *source == rate));
-            let of_rate = of_rate.map(|(variable, _)| seed(variable.quantity())).next();
-            let speed = Dual64::new(self.now.part.take(rate), of_rate.unwrap_or(0.0));
+        // A coordinate that was not set follows from its rate and the time; one that was set changes with either input.
+        let of = |wanted: Source| {
+            let found = self
+                .places
+                .iter()
+                .position(|place| matches!(place, VariablePlace::Source(source) if *source == wanted));
+            found.map_or(0.0, |index| seed(self.variables[index].quantity()))
+        };
+        let moved = if self.now.given {
+            let [start, end] = [0.0, 1.0].map(|part| self.motion.at(part));
+            of(coordinate) + (end - start) * seed((&PART_OF_RANGE, None))
+        } else {
+            let speed = Dual64::new(self.now.part.take(rate), of(rate));
             let time = Dual64::new(self.now.time, seed((&TIME, None)));
-            (coordinate, self.motion.swept(speed, time).eps)
-        });
+            self.motion.swept(speed, time).eps
+        };
         Seeds {
             seed,
-            swept,
+            moved: (coordinate, moved),
             clock: self.clock,
             part: &*self.now.part,
             undoes: None,

@@ -11,6 +11,15 @@ use crate::kernel::unit;
 /// The independent variable.
 pub static TIME: Symbol = Symbol::new("time", "t", [&unit::S, &unit::S], "Simulation time.", "given");
 
+/// Where a coordinate is in its working range, as an input that may be zero.
+pub static PART_OF_RANGE: Symbol = Symbol::new(
+    "s",
+    "s",
+    [&unit::ONE, &unit::ONE],
+    "Part of the working range, from 0 at its start to 1 at its end; of this input and the coordinate the one set last counts.",
+    "given",
+);
+
 /// What a variable is to a simulator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {

@@ -27,6 +27,8 @@ pub struct Motion {
     pub to: f64,
     pub step: f64,
     pub speed: f64,
+    /// Whether the part of the range is the only input for the coordinate.
+    pub by_part: bool,
 }
 
 impl Motion {
@@ -36,12 +38,18 @@ impl Motion {
         ends: [&'static Symbol; 2],
         coordinate: &'static Symbol,
         (rate, what): (&'static Symbol, &'static str),
-    ) -> [Key; 5] {
+    ) -> [Key; 6] {
         [
             Key::quantity(ends[0], Sign::Any),
             Key::quantity(ends[1], Sign::Any),
             Key::named("step", coordinate, Sign::Positive, "Step of tables."),
             Key::named("speed", rate, Sign::Positive, what),
+            Key::choice(
+                "input",
+                &["s"],
+                "\"s\", the part of the working range from 0 to 1, as the only input for the coordinate: all inputs of the FMU \
+                 may be zero then.",
+            ),
             SOURCE,
         ]
     }
@@ -53,6 +61,7 @@ impl Motion {
             to: m.number("to")?,
             step: m.number("step")?,
             speed: m.number("speed")?,
+            by_part: m.text("input").is_some(),
         };
         let (from, to) = (degrees(motion.from), degrees(motion.to));
         if motion.from >= motion.to {
@@ -103,6 +112,20 @@ impl Motion {
             return Err((format!("{text} lies outside the working range {from} to {to}"), help));
         }
         Ok(Place::At(within))
+    }
+
+    /// The coordinate (rad) at a part of the range: exact at both ends.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, part: f64) -> f64 {
+        self.from * (1.0 - part) + self.to * part
+    }
+
+    /// The part of the range at which a value of the coordinate (rad) lies.
+    #[inline]
+    #[must_use]
+    pub fn part(&self, at: f64) -> f64 {
+        (at - self.from) / (self.to - self.from)
     }
 
     /// The values of tables: every step from the start, and the end.

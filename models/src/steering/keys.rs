@@ -89,8 +89,9 @@ static RANGE: &[Key] = &[
 const FORBIDDEN: Key = Key::new("forbidden", Kind::Texts(8), "Ranges through which a group must not turn, each by its two ends: \"20 deg, 25 deg\"; a group's own ones take the place of those of all.").optional();
 
 const MOTION: &[Key] = {
-    let [from, to, step, speed, source] = Motion::keys([&s::FROM, &s::TO], &s::THETA_B, (&s::OMEGA_S, s::OMEGA_S.text));
-    &[from, to, step, speed, Key::quantity(&s::V_T, Sign::Any), source]
+    let [from, to, step, speed, input, source] =
+        Motion::keys([&s::FROM, &s::TO], &s::THETA_B, (&s::OMEGA_S, s::OMEGA_S.text));
+    &[from, to, step, speed, Key::quantity(&s::V_T, Sign::Any), input, source]
 };
 
 static TYRE: &[Key] = keys! { s: F_T >= 0, P_T > 0, K_V > 0 };

@@ -9,7 +9,7 @@
 
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::number::short;
-use lemnis_models::kernel::variable::{Fault, Role, Variable};
+use lemnis_models::kernel::variable::{Fault, PART_OF_RANGE, Quantity, Role, Variable};
 use lemnis_models::parts::motion::Motion;
 use lemnis_models::scene::Scene;
 
@@ -300,8 +300,8 @@ fn rise(way: f64, speed: f64, time: f64) -> Wanted {
 
 /// What a level's inputs are told.
 enum Controller {
-    /// Angle and angular velocity, which are inputs.
-    Input([usize; 2]),
+    /// Angle, or the part of this range at which it is, and angular velocity, which are inputs.
+    Input([usize; 2], Option<Motion>),
     /// Nothing: the scene's command stands.
     Own(usize, f64),
     Moment {
@@ -334,12 +334,16 @@ impl Controller {
         };
         // A steering is commanded alike at every level.
         let coordinate = scene.at("static").model()?.variables()[..2].to_vec();
-        let inputs = coordinate.iter().filter_map(|wanted| {
-            let same = |v: &Variable| v.symbol == wanted.symbol && v.number == wanted.number && v.role == Role::Input;
+        let input = |wanted: Quantity| {
+            let same = |v: &Variable| v.quantity() == wanted && v.role == Role::Input;
             model.variables().iter().position(same)
-        });
-        if let [angle, rate] = inputs.collect::<Vec<_>>()[..] {
-            return Ok(Controller::Input([angle, rate]));
+        };
+        let [angle, rate] = [0, 1].map(|i| input(coordinate[i].quantity()));
+        if let (Some(angle), Some(rate)) = (angle, rate) {
+            return Ok(Controller::Input([angle, rate], None));
+        }
+        if let (Some(part), Some(rate)) = (input((&PART_OF_RANGE, None)), rate) {
+            return Ok(Controller::Input([part, rate], Some(*scene.mechanism.motion())));
         }
         if let Some(input) = experiment.own.and_then(|id| index(model, id)) {
             return Ok(Controller::Own(input, model.get(input)?));
@@ -384,7 +388,10 @@ impl Controller {
     fn command(&mut self, model: &mut Model, wanted: Wanted, sample: f64) -> Result<[(usize, f64); 2], Fault> {
         let single = |input: usize, value: f64| [(input, value); 2];
         match self {
-            Controller::Input([angle, rate]) => Ok([(*angle, wanted.angle), (*rate, wanted.rate)]),
+            Controller::Input([angle, rate], range) => {
+                let at = range.map_or(wanted.angle, |range| range.part(wanted.angle));
+                Ok([(*angle, at), (*rate, wanted.rate)])
+            }
             Controller::Own(input, value) => Ok(single(*input, *value)),
             Controller::Moment {
                 input,

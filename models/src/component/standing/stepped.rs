@@ -4,7 +4,10 @@ use crate::component::part::Port;
 use crate::component::running::{Running, State, Tangent};
 use crate::component::standing::{Direction, Now, Standing, VariablePlace};
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::{Fault, Quantity, Role, Terminal, Type, Variable};
+use crate::kernel::variable::{Fault, PART_OF_RANGE, Quantity, Role, Terminal, Type, Variable};
+
+/// How a saved state tells that the part of the range was set last.
+const BY_PART: f64 = 2.0;
 
 impl Running for Standing {
     #[inline]
@@ -63,6 +66,10 @@ impl Running for Standing {
         let mut value = 0.0;
         match place {
             VariablePlace::Source(source) => value = self.now.part.take(source),
+            VariablePlace::Part => {
+                let at = || self.motion.part(self.now.part.take(self.axes.coordinate));
+                value = self.now.at_part.unwrap_or_else(at);
+            }
             VariablePlace::Result(slot) => {
                 if self.table.is_some()
                     && let Some(value) = self.interpolated(index)?
@@ -86,6 +93,10 @@ impl Running for Standing {
             (VariablePlace::Result(_) | VariablePlace::Whole(_), _) => {
                 Err(Fault::new(format!("{variable} is a result and cannot be set")))
             }
+            (VariablePlace::Source(_), Role::Output) => Err(Fault::new(format!(
+                "{variable} follows from {} and cannot be set: leave out input = \"{}\" in the scene",
+                PART_OF_RANGE.id, PART_OF_RANGE.id
+            ))),
             (_, Role::Calculated) => Err(Fault::new(format!(
                 "{variable} is fixed in the table and cannot be set: set fidelity = \"static\" to change it"
             ))),
@@ -93,9 +104,20 @@ impl Running for Standing {
         }
     }
 
+    fn place(&mut self, value: f64) -> Result<(), Fault> {
+        self.variables[self.coordinate_index()].check(value)?;
+        self.now.part.put(self.axes.coordinate, value);
+        (self.now.given, self.now.at_part) = (true, None);
+        Ok(())
+    }
+
     fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         self.check(index, value)?;
         let VariablePlace::Source(source) = self.places[index] else {
+            if matches!(self.places[index], VariablePlace::Part) {
+                self.now.part.put(self.axes.coordinate, self.motion.at(value));
+                (self.now.given, self.now.at_part) = (true, Some(value));
+            }
             return Ok(());
         };
         let state = &mut self.now;
@@ -106,7 +128,9 @@ impl Running for Standing {
             state.forget(source, &self.wholes);
         }
         state.part.put(source, value);
-        state.given |= source == self.axes.coordinate;
+        if source == self.axes.coordinate {
+            (state.given, state.at_part) = (true, None);
+        }
         if source == self.axes.rate {
             self.sweep();
         }
@@ -161,8 +185,11 @@ impl Running for Standing {
 
     fn numbers(&self, state: &State) -> Vec<f64> {
         let now: &Now = state.own();
-        let head = [now.time, f64::from(now.given)];
-        head.into_iter()
+        let way = now.at_part.map_or(f64::from(now.given), |_| BY_PART);
+        let head = [now.time, way, now.at_part.unwrap_or(0.0)];
+        let head = &head[..2 + usize::from(self.has_part_of_range())];
+        head.iter()
+            .copied()
             .chain(self.saved().map(|source| now.part.take(source)))
             .collect()
     }
@@ -171,6 +198,11 @@ impl Running for Standing {
         let wrong = || Fault::new("a saved state does not belong to this model");
         let [time, given, values @ ..] = numbers else {
             return Err(wrong());
+        };
+        let (at_part, values) = match (self.has_part_of_range(), values) {
+            (true, [part, values @ ..]) => ((*given == BY_PART).then_some(*part), values),
+            (true, []) => return Err(wrong()),
+            (false, _) => (None, values),
         };
         if values.len() != self.saved().count() || !time.is_finite() {
             return Err(wrong());
@@ -181,7 +213,10 @@ impl Running for Standing {
             matches!(self.places[index], VariablePlace::Source(_)) && self.variables[index].role != Role::Calculated
         });
         for (index, &value) in settable.zip(values) {
-            model.check(index, value)?;
+            self.variables[index].check(value)?;
+        }
+        if let Some(part) = at_part {
+            PART_OF_RANGE.range.allows(part).then_some(()).ok_or_else(wrong)?;
         }
         for (source, &value) in self.saved().zip(remembered.iter().chain(values)) {
             model.now.part.put(source, value);
@@ -190,7 +225,7 @@ impl Running for Standing {
         if let Some(clock) = self.clock {
             model.now.part.put(clock, *time);
         }
-        (model.now.time, model.now.given) = (*time, *given != 0.0);
+        (model.now.time, model.now.given, model.now.at_part) = (*time, *given != 0.0, at_part);
         Ok(State::new(model.now))
     }
 
