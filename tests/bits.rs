@@ -11,7 +11,7 @@ mod balances;
 mod levels;
 
 use lemnis_fmu::description::{Standard, model_description};
-use lemnis_models::kernel::variable::{Name, Role, Variable};
+use lemnis_models::kernel::variable::{Name, PART_OF_RANGE, Role, Variable};
 use lemnis_models::registry::dependencies;
 use lemnis_models::scene::{DEFAULT, Scene};
 use std::fmt::Write;
@@ -121,7 +121,10 @@ fn pinned(scene: &Scene) -> String {
         if i % 3 != 0 || !model.has_derivatives() {
             continue;
         }
-        let given = |variable: &Variable, roles: &[Role]| roles.contains(&variable.role);
+        // The part of the range is the coordinate by another name.
+        let given = |variable: &Variable, roles: &[Role]| {
+            roles.contains(&variable.role) && variable.symbol != &PART_OF_RANGE
+        };
         let changing: &[Role] = &[Role::Input, Role::State];
         let fixed: &[Role] = &[Role::Parameter, Role::Tunable];
         for roles in [changing, fixed] {
