@@ -122,9 +122,8 @@ fn pinned(scene: &Scene) -> String {
             continue;
         }
         // The part of the range is the coordinate by another name.
-        let given = |variable: &Variable, roles: &[Role]| {
-            roles.contains(&variable.role) && variable.symbol != &PART_OF_RANGE
-        };
+        let given =
+            |variable: &Variable, roles: &[Role]| roles.contains(&variable.role) && variable.symbol != &PART_OF_RANGE;
         let changing: &[Role] = &[Role::Input, Role::State];
         let fixed: &[Role] = &[Role::Parameter, Role::Tunable];
         for roles in [changing, fixed] {

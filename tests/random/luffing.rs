@@ -397,7 +397,11 @@ pub fn working_range(n: &mut Node, [from, to]: [f64; 2]) {
         n.draw.rng.u32(30..2000)
     };
     let lasts = time * n.draw.decades(0, 2);
+    let stands = matches!(n.text("fidelity"), None | Some("static" | "table"));
     let mut motion = n.child("motion").expect("required");
+    if !stands {
+        motion.remove(&["input"]);
+    }
     let from = motion.set("from", from);
     let to = motion.set("to", from + part * size);
     motion.set("step", (to - from) / f64::from(rows));

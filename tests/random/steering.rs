@@ -323,7 +323,11 @@ fn swept(n: &mut Node, part: f64) -> [f64; 2] {
     let (low, high) = (n.draw.between(-most, most), n.draw.between(-most, most));
     let rows = f64::from(n.draw.rng.u32(1..20));
     let speed = n.draw.scale[0] * n.draw.between(-1.0, 1.0) * f64::from(n.draw.coin(0.9));
+    let stands = n.text("fidelity") == Some("kinematic");
     let mut motion = n.child("motion").expect("required");
+    if !stands {
+        motion.remove(&["input"]);
+    }
     let from = motion.set("from", low.min(high) - 0.01 * part);
     let to = motion.set("to", low.max(high) + 0.01 * part);
     motion.set("step", (to - from) / rows);
