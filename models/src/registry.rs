@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::balance::task::Search;
 use crate::component::dependencies::{dependencies as traced, recorded};
-use crate::component::description::Described;
+use crate::component::description::{Described, Vocabulary};
 use crate::component::mechanism::{Entry, Mechanism};
 use crate::component::model::Model;
 use crate::component::part::Runner;
@@ -51,6 +51,8 @@ pub fn tables() -> impl Iterator<Item = &'static str> {
 
 /// What books need of a mechanism.
 struct Teller {
+    id: &'static str,
+    vocabulary: &'static Vocabulary,
     sheet: fn(&dyn Mechanism, &Origins, &[Place]) -> Option<Sheet>,
     assumptions: fn(&dyn Mechanism) -> Option<Vec<&'static str>>,
     dependencies: fn(&Standing) -> Option<Vec<BTreeSet<Name>>>,
@@ -58,6 +60,8 @@ struct Teller {
 
 const fn teller<T: Described>() -> Teller {
     Teller {
+        id: T::ID,
+        vocabulary: T::VOCABULARY,
         sheet: |mechanism, origins, asked| Some(telling::sheet::<T>(mechanism.of()?, origins, asked)),
         assumptions: |mechanism| Some(T::assumptions(mechanism.of()?)),
         dependencies: |model| {
@@ -69,6 +73,11 @@ const fn teller<T: Described>() -> Teller {
 }
 
 static TELLERS: &[Teller] = &[teller::<LuffingScene>(), teller::<Rope>(), teller::<SteeringScene>()];
+
+/// The symbols of every mechanism, by its id.
+pub fn vocabularies() -> impl Iterator<Item = (&'static str, &'static Vocabulary)> {
+    TELLERS.iter().map(|teller| (teller.id, teller.vocabulary))
+}
 
 /// What the teller of a mechanism says.
 fn told<R>(of: impl Fn(&Teller) -> Option<R>) -> R {

@@ -7,44 +7,18 @@
 
 use std::collections::BTreeMap;
 
-use lemnis_models::balance;
-use lemnis_models::kernel::gravity;
+use lemnis_models::component::description::Vocabulary;
 use lemnis_models::kernel::number::Number;
 use lemnis_models::kernel::symbol::Symbol;
-use lemnis_models::luffing;
-use lemnis_models::luffing::double_link;
-use lemnis_models::parts::hydraulics;
-use lemnis_models::steering;
-use lemnis_models::steering::moving::scene::{GroupBody, GroupOil, Plc};
+use lemnis_models::registry::vocabularies;
 
 use crate::print::text::escape;
 
 pub(crate) const REFERENCES: &str = include_str!("../../templates/references.toml");
 
-/// The files of words of a language: what every book says, and what only one component does. A new component is one line
-/// here, the same for every language.
-macro_rules! words {
-    ($language:literal) => {
-        words![
-            $language:
-            "common",
-            "luffing",
-            "double_link",
-            "rope",
-            "motion",
-            "balance",
-            "synthesis",
-            "steering",
-            "trade",
-        ]
-    };
-    ($language:literal: $($component:literal),* $(,)?) => {
-        &[$((
-            concat!("words/", $language, "/", $component, ".toml"),
-            include_str!(concat!("../../templates/words/", $language, "/", $component, ".toml")),
-        )),*]
-    };
-}
+/// The files of words of every language, what every book says and what only one component does: paths among the
+/// templates, and texts.
+static WORDS: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/words.rs"));
 
 /// A language that books can be written in.
 #[derive(Debug)]
@@ -52,8 +26,6 @@ pub struct Language {
     /// ISO 639-1, as in scenes and on the command line.
     pub code: &'static str,
     decimal: char,
-    /// Its files of words: paths among the templates, and texts.
-    pub(crate) words: &'static [(&'static str, &'static str)],
 }
 
 /// Every language, the default first.
@@ -61,17 +33,14 @@ pub static LANGUAGES: [Language; 3] = [
     Language {
         code: "en",
         decimal: '.',
-        words: words!("en"),
     },
     Language {
         code: "zh",
         decimal: '.',
-        words: words!("zh"),
     },
     Language {
         code: "bg",
         decimal: ',',
-        words: words!("bg"),
     },
 ];
 
@@ -87,6 +56,11 @@ impl Language {
     #[must_use]
     pub fn find(code: &str) -> Option<&'static Language> {
         LANGUAGES.iter().find(|language| language.code == code)
+    }
+
+    /// Its files of words: paths among the templates, and texts.
+    pub(crate) fn words(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        WORDS.iter().copied().filter(|(path, _)| self.owns(path))
     }
 
     /// Whether a path among the templates is that of words of this language.
@@ -155,61 +129,17 @@ impl Language {
     }
 }
 
-/// The symbols of a mechanism.
-struct Symbols {
-    mechanism: &'static str,
-    /// Group of words for those of its own.
-    words: &'static str,
-    own: &'static [&'static [&'static Symbol]],
-    /// Those that it shares with the first mechanism, with their words.
-    shared: &'static [&'static [&'static Symbol]],
-}
-
-static SYMBOLS: [Symbols; 3] = [
-    Symbols {
-        mechanism: "luffing",
-        words: SHARED,
-        own: &[
-            double_link::symbols::ALL,
-            balance::symbols::ALL,
-            double_link::moving::symbols::ALL,
-            gravity::ALL,
-            hydraulics::symbols::ALL,
-        ],
-        shared: &[],
-    },
-    Symbols {
-        mechanism: "rope",
-        words: "rope_symbol",
-        own: &[luffing::rope::symbols::ALL],
-        shared: &[balance::symbols::ALL, gravity::ALL],
-    },
-    Symbols {
-        mechanism: "steering",
-        words: "steering_symbol",
-        own: &[
-            steering::symbols::ALL,
-            gravity::ALL,
-            GroupBody::<f64>::SYMBOLS,
-            GroupOil::<f64>::SYMBOLS,
-            Plc::<f64>::SYMBOLS,
-        ],
-        shared: &[],
-    },
-];
-
 /// Group of the words of symbols that mechanisms share.
 const SHARED: &str = "symbol";
 
-fn known(mechanism: &str) -> &'static Symbols {
-    let mut all = SYMBOLS.iter();
-    all.find(|symbols| symbols.mechanism == mechanism)
-        .expect("every mechanism has its symbols")
+fn known(mechanism: &str) -> &'static Vocabulary {
+    let found = vocabularies().find(|(id, _)| *id == mechanism);
+    found.expect("every mechanism has its symbols").1
 }
 
 /// The tables of symbols of a mechanism, by its id.
 pub(crate) fn symbol_tables(mechanism: &str) -> impl Iterator<Item = &'static [&'static Symbol]> {
-    let Symbols { own, shared, .. } = known(mechanism);
+    let Vocabulary { own, shared, .. } = known(mechanism);
     own.iter().chain(*shared).copied()
 }
 
@@ -234,9 +164,9 @@ impl Words {
         own: impl IntoIterator<Item = (&'a str, &'a str)>,
         own_references: Option<&str>,
     ) -> Result<Words, String> {
-        let mut words = merged(language.words.iter().copied())?;
+        let mut words = merged(language.words())?;
         if language.code == LANGUAGES[0].code {
-            for symbols in &SYMBOLS {
+            for (_, symbols) in vocabularies() {
                 let meanings = symbols
                     .own
                     .iter()
@@ -263,7 +193,7 @@ impl Words {
 
     pub(crate) fn get(&self, group: &str, id: &str) -> Result<&str, String> {
         let word = |group: &str| self.0.get(group)?.get(id);
-        let shared = || word(SHARED).filter(|_| SYMBOLS.iter().any(|symbols| symbols.words == group));
+        let shared = || word(SHARED).filter(|_| vocabularies().any(|(_, symbols)| symbols.words == group));
         let word = word(group).or_else(shared);
         word.and_then(toml::Value::as_str)
             .ok_or_else(|| format!("no words for {group}.{id}"))
@@ -339,7 +269,7 @@ mod tests {
     fn every_language_has_every_word_in_the_same_file() {
         let places = |language: &Language| {
             let mut places = BTreeSet::new();
-            for &(name, text) in language.words {
+            for (name, text) in language.words() {
                 let file = name.rsplit('/').next().expect("a file");
                 for (group, words) in merged([(name, text)]).expect("TOML") {
                     places.extend(words.keys().map(|id| (file, group.clone(), id.clone())));
@@ -367,7 +297,7 @@ mod tests {
     fn every_file_of_words_is_read() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../templates/");
         for language in &LANGUAGES {
-            let known: BTreeSet<_> = language.words.iter().map(|(name, _)| (*name).to_owned()).collect();
+            let known: BTreeSet<_> = language.words().map(|(name, _)| name.to_owned()).collect();
             let path = format!("words/{}/", language.code);
             let files = std::fs::read_dir(format!("{folder}{path}")).expect("a folder for each language");
             let files = files.map(|file| format!("{path}{}", file.expect("a file").file_name().display()));

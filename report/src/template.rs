@@ -59,9 +59,9 @@ const REFERENCES: &str = "references.toml";
 /// Everything that a user's folder can override, by its path in it.
 #[must_use]
 pub fn originals() -> Vec<(&'static str, &'static str)> {
-    let words = LANGUAGES.iter().flat_map(|language| language.words);
-    let references = &(REFERENCES, crate::language::REFERENCES);
-    TEMPLATES.iter().chain(words).chain([references]).copied().collect()
+    let words = LANGUAGES.iter().flat_map(Language::words);
+    let references = (REFERENCES, crate::language::REFERENCES);
+    TEMPLATES.iter().copied().chain(words).chain([references]).collect()
 }
 
 /// Why there is no book: a template or its words are wrong.

@@ -21,6 +21,16 @@ use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::parts::motion::{Motion, Place};
 
+/// The symbols of a mechanism, and the group of words for them.
+#[derive(Debug)]
+pub struct Vocabulary {
+    pub words: &'static str,
+    /// Tables of symbols of its own.
+    pub own: &'static [&'static [&'static Symbol]],
+    /// Those that it shares with others, with their words.
+    pub shared: &'static [&'static [&'static Symbol]],
+}
+
 /// What a scene says of a component besides its working range, and what its book tells besides its [`Outline`].
 pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     type Component: Component;
@@ -32,6 +42,8 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     const TABLE: &'static str;
 
     const OUTLINE: &'static Outline;
+
+    const VOCABULARY: &'static Vocabulary;
 
     /// Reads a checked table under the acceleration of gravity (m/s²), with its working range; mistakes go to the list.
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(Self, Motion)>;

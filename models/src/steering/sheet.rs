@@ -1,6 +1,6 @@
 //! The steering of a machine as scenes describe it and books tell it.
 
-use crate::component::description::{Described, Description};
+use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
@@ -8,6 +8,7 @@ use crate::component::running::Running;
 use crate::component::sheet::{Drawing, Input, Sheet};
 use crate::component::standing::Standing;
 use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::gravity;
 use crate::kernel::schema::Values;
 use crate::kernel::variable::Fault;
 use crate::parts::motion::Motion;
@@ -16,6 +17,7 @@ use crate::steering::checks::checks;
 use crate::steering::drawing::{Stance, lengths, swept, triangle};
 use crate::steering::keys::KEYS;
 use crate::steering::mode::Mode;
+use crate::steering::moving::scene::{GroupBody, GroupOil, Plc};
 use crate::steering::moving::{self, model::SteeringMotion};
 use crate::steering::parts::{Parts, demanded};
 use crate::steering::published::printed;
@@ -71,6 +73,17 @@ impl Described for SteeringScene {
     const ID: &'static str = "steering";
     const TABLE: &'static str = "steering";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const VOCABULARY: &'static Vocabulary = &Vocabulary {
+        words: "steering_symbol",
+        own: &[
+            s::ALL,
+            gravity::ALL,
+            GroupBody::<f64>::SYMBOLS,
+            GroupOil::<f64>::SYMBOLS,
+            Plc::<f64>::SYMBOLS,
+        ],
+        shared: &[],
+    };
 
     fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(SteeringScene, Motion)> {
         SteeringScene::new(v, found)

@@ -2,8 +2,9 @@
 
 pub mod motion;
 
+use crate::balance;
 use crate::balance::boom::Boom;
-use crate::component::description::{Described, Description};
+use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::outline::{Outline, Published};
 use crate::component::running::Running;
@@ -11,6 +12,7 @@ use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{compared, fine, sample};
 use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::schema::Values;
 use crate::kernel::variable::Fault;
@@ -32,6 +34,7 @@ use crate::luffing::double_link::statics::{LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::with_balance::{agreement, searched};
+use crate::parts::hydraulics;
 use crate::parts::motion::Motion;
 
 /// As scenes describe it.
@@ -42,6 +45,17 @@ impl Described for LuffingScene {
     const ID: &'static str = "luffing";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const VOCABULARY: &'static Vocabulary = &Vocabulary {
+        words: "symbol",
+        own: &[
+            s::ALL,
+            balance::symbols::ALL,
+            moving::symbols::ALL,
+            gravity::ALL,
+            hydraulics::symbols::ALL,
+        ],
+        shared: &[],
+    };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(LuffingScene, Motion)> {
         LuffingScene::new(v, gravity, found)

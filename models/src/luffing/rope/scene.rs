@@ -3,7 +3,7 @@
 use crate::balance::boom::Plain;
 use crate::balance::scene::{Form, KEYS as BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
-use crate::component::description::{Described, Description, TABLE};
+use crate::component::description::{Described, Description, TABLE, Vocabulary};
 use crate::component::draw::Draw;
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
@@ -12,6 +12,7 @@ use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
 use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Sign, Values};
@@ -87,6 +88,11 @@ impl Described for Rope {
     const ID: &'static str = "rope";
     const TABLE: &'static str = "luffing";
     const OUTLINE: &'static Outline = &OUTLINE;
+    const VOCABULARY: &'static Vocabulary = &Vocabulary {
+        words: "rope_symbol",
+        own: &[s::ALL],
+        shared: &[b::ALL, gravity::ALL],
+    };
 
     fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(Rope, Motion)> {
         let range = Motion::read(v.table("motion")?, found);
