@@ -1,5 +1,5 @@
-//! Forces of the motion: at rest those of statics; equilibrium of every body with accelerations from differences of its
-//! places along the motion; the moment on the driven bar by Newton and Euler against that of the drive, from which
+//! Forces of the motion: at rest those of statics; equilibrium of every body with accelerations of its places, as they
+//! change with the time; the moment on the driven bar by Newton and Euler against that of the drive, from which
 //! Lagrange's equations made the accelerations; a load that is hoisted up against a heavier one at rest.
 
 use lemnis_models::component::model::Model;
@@ -14,6 +14,7 @@ use lemnis_models::luffing::double_link::position::Position;
 use lemnis_models::luffing::double_link::slewing::{JointDrive, SlewingState};
 use lemnis_models::parts::plane::{Point, cross};
 use lemnis_models::scene::{DEFAULT, Scene};
+use num_dual::Dual2;
 use proptest::prelude::*;
 
 #[path = "common/balances.rs"]
@@ -156,23 +157,26 @@ fn pendulum(mass: f64) -> Pendulum {
     }
 }
 
-/// Places of the centres of gravity of boom, jib (with what is fixed to it) and rocker, and of joints B, C and head A.
-fn places(theta: f64, loaded: bool) -> [Point<f64>; 6] {
-    let g = crane::geometry();
-    let p = Position::new(&g, theta).expect("closes");
-    let jib = (p.c + p.a) / 2.0;
-    let jib = if loaded { (jib * 6e3 + p.a * 16e3) / 22e3 } else { jib };
-    [p.b / 2.0, jib, g.lengths.o3() + p.x_3 / 2.0, p.b, p.c, p.a]
-}
+/// A number with its first and second derivative by the time.
+type Moving = Dual2<f64>;
 
-/// Angular acceleration of a bar from its directions before, at and after an instant, h s apart.
-fn spin(before: Point<f64>, at: Point<f64>, after: Point<f64>, h: f64) -> f64 {
-    let turned = |a: Point<f64>, b: Point<f64>| Calc::asin(cross(a, b) / (a.norm() * b.norm()));
-    (turned(at, after) - turned(before, at)) / (h * h)
+/// Places of the centres of gravity of boom, jib (with what is fixed to it) and rocker, and of joints B, C and head A, as
+/// the boom's angle changes.
+fn places(theta: Moving, loaded: bool) -> [Point<Moving>; 6] {
+    let g = crane::geometry().map(Moving::from_re);
+    let p = Position::new(&g, theta).expect("closes");
+    let part = |point: Point<Moving>, of: f64| point.map(|x| x * of);
+    let jib = part(p.c + p.a, 0.5);
+    let jib = if loaded {
+        part(jib, 6.0 / 22.0) + part(p.a, 16.0 / 22.0)
+    } else {
+        jib
+    };
+    [part(p.b, 0.5), jib, g.lengths.o3() + part(p.x_3, 0.5), p.b, p.c, p.a]
 }
 
 proptest! {
-    /// Newton and Euler for every body, with accelerations from differences of its places along the motion.
+    /// Newton and Euler for every body, with the second derivatives of its places by the time.
     #[test]
     fn every_body_is_in_equilibrium_with_its_inertia(
         theta in 1.1..2.0_f64,
@@ -209,13 +213,9 @@ proptest! {
         let [drive, by_newton] = moments(&forces);
         prop_assert!((drive - by_newton).abs() < 1e-12 * size(&forces), "{drive} {by_newton}");
 
-        let h = 1e-3;
-        let along = |t: f64| places(theta + omega * t + 0.5 * rates[1] * t * t, !hangs);
-        let (before, at, after) = (along(-h), along(0.0), along(h));
-        let acceleration = |i: usize| {
-            let in_plane = (after[i] - at[i] * 2.0 + before[i]) / (h * h);
-            in_plane - Point::new((at[i].x + 5.2) * turning * turning, 0.0)
-        };
+        let all = places(Moving::new(theta, omega, rates[1]), !hangs);
+        let at = all.map(|point| point.map(|x| x.re));
+        let acceleration = |i: usize| all[i].map(|x| x.v2) - Point::new((at[i].x + 5.2) * turning * turning, 0.0);
         let pins = forces.pins.expect("not in line");
         let (b, c) = (pins.on_jib.b, pins.on_jib.c);
         let pull = level.reaction(&present, &inputs, &y, lemnis_models::luffing::double_link::moving::level::MotionResult::Rope);
@@ -239,22 +239,23 @@ proptest! {
             let sum: Point<f64> = acting.iter().map(|(force, _)| *force).sum::<Point<f64>>() + weight(mass);
             let needed = acceleration(i) * mass;
             let scale = acting.iter().map(|(force, _)| force.norm()).fold(mass * G, f64::max);
-            prop_assert!((sum - needed).norm() < 1e-6 * scale, "body {i}: {sum} {needed}");
+            prop_assert!((sum - needed).norm() < 1e-12 * scale, "body {i}: {sum} {needed}");
             // About the centre of gravity.
             let foot = if i == 2 { o3 } else { Point::new(0.0, 0.0) };
-            let end = |places: &[Point<f64>; 6], which: Option<usize>| which.map_or(foot, |which| places[which]);
-            let bar = |places: &[Point<f64>; 6]| end(places, last) - end(places, first);
-            let length = bar(&at).norm();
+            let end = |which: Option<usize>| which.map_or(foot.map(Moving::from_re), |which| all[which]);
+            let bar = end(last) - end(first);
+            let (bar, bend) = (bar.map(|x| x.re), bar.map(|x| x.v2));
+            let length = bar.norm();
             // A uniform bar; the load at the jib's head.
             let bar_mass = [20e3, 6e3, 4e3][i];
             let more = mass - bar_mass;
             let inertia = bar_mass * length * length / 12.0 + bar_mass * more / mass * (length / 2.0).powi(2);
-            let e = bar(&at) / length;
+            let e = bar / length;
             let deviation = inertia * e.x * e.y;
             let about: f64 = acting.iter().map(|(force, place)| cross(place - at[i], *force)).sum();
-            let spin = spin(bar(&before), bar(&at), bar(&after), h);
+            let spin = cross(bar, bend) / (length * length);
             let needed = inertia * spin + deviation * turning * turning - moment;
-            prop_assert!((about - needed).abs() < 1e-6 * scale * length, "body {i}: {about} {needed}");
+            prop_assert!((about - needed).abs() < 1e-12 * scale * length, "body {i}: {about} {needed}");
         }
     }
 
