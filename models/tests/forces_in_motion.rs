@@ -2,15 +2,22 @@
 //! change with the time; the moment on the driven bar by Newton and Euler against that of the drive, from which
 //! Lagrange's equations made the accelerations; a load that is hoisted up against a heavier one at rest.
 
+use std::collections::BTreeMap;
+
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::variable::Role;
-use lemnis_models::luffing::double_link::dynamics::Pendulum;
+use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Dynamics, Pendulum};
 use lemnis_models::luffing::double_link::forces_in_motion::{ForcesInMotion, RESULTS};
+use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::hydraulic::{self, PresentCrane};
+use lemnis_models::luffing::double_link::inertia_forces::Instant;
 use lemnis_models::luffing::double_link::motion::{Bar, Commands, Friction, MotionState, MovingLinkage};
 use lemnis_models::luffing::double_link::moving::level::{Inputs, Level, Present};
+use lemnis_models::luffing::double_link::pose::Posing;
 use lemnis_models::luffing::double_link::position::Position;
+use lemnis_models::luffing::double_link::scene::Luffing;
+use lemnis_models::luffing::double_link::shares::Shares;
 use lemnis_models::luffing::double_link::slewing::{JointDrive, SlewingState};
 use lemnis_models::parts::plane::{Point, cross};
 use lemnis_models::scene::{DEFAULT, Scene};
@@ -187,16 +194,22 @@ proptest! {
         hangs: bool,
         turning in -0.5..0.5_f64,
         slews: bool,
+        held: bool,
     ) {
+        let omega = if held { 0.0 } else { omega };
         let load = hangs.then(|| pendulum(16e3));
         let mut start = MotionState::resting(theta, 10.0);
         start.y[1..4].copy_from_slice(&[omega, swing, rate]);
-        let bar = if omega > 0.0 { Bar::Forward } else { Bar::Backward };
+        let bar = match omega {
+            0.0 => Bar::Held,
+            _ if omega > 0.0 => Bar::Forward,
+            _ => Bar::Backward,
+        };
         start.bar = bar;
         let mut seen = SlewingState::resting(theta, 10.0);
         seen.put_load([swing, 0.0]);
         (seen.y[1], seen.y[3]) = (omega, turning);
-        seen.joints = [bar; 2];
+        seen.joints = [bar, Bar::Forward];
         let friction = Friction { viscous: 3e4, coulomb: 2e4 };
         let (level, present, turning) = if slews {
             let crane = crane::slewing(load, 5e6, [[3e4, 2e4], [0.0; 2]]);
@@ -206,7 +219,7 @@ proptest! {
             let motion = MovingLinkage { dynamics, friction, stops: [1.0, 2.1] };
             (Level::Free(motion), Present::Free(start), 0.0)
         };
-        let (inputs, y) = (inputs(moment, 1e4), present.states());
+        let (inputs, y) = (inputs(moment, if held { 1e8 } else { 1e4 }), present.states());
         let mut rates = y;
         level.rates(&present, &inputs, &y, &mut rates).expect("closes");
         let forces = level.forces(&present, &inputs, &y).expect("closes");
@@ -311,6 +324,70 @@ fn moments(forces: &ForcesInMotion<f64>) -> [f64; 2] {
 fn size(forces: &ForcesInMotion<f64>) -> f64 {
     let pins = forces.pins.as_ref().expect("not in line");
     19.3 * pins.on_jib.b.norm().max(1e5)
+}
+
+/// Whatever its counterweight is accelerated by, a balance gives the boom by its rod or rope the moment of the same power,
+/// and frame, boom and counterweight keep each other in equilibrium.
+#[test]
+fn a_balance_in_motion_keeps_power_and_equilibrium() {
+    let mut kinds = 0;
+    for (text, _) in scenes() {
+        let scene = Scene::parse(&text).expect("sound");
+        let luffing = scene.mechanism.of::<Luffing>().expect("a luffing mechanism");
+        let p = luffing.parameters;
+        let Some(form) = &p.balance else { continue };
+        let g = Geometry::new(&p).expect("exists");
+        let nothing = Body::uniform(0.0, Point::new(0.0, 0.0), Point::new(1.0, 0.0));
+        let bodies = Bodies {
+            boom: nothing,
+            jib: nothing,
+            rocker: nothing,
+            pendulum: None,
+            gravity: G,
+        };
+        let dynamics = Dynamics::new(&g, bodies)
+            .with_balance(&p, &luffing.motion)
+            .expect("a balance");
+        for theta in luffing.motion.angles().into_iter().step_by(3) {
+            for (omega, alpha, turning) in [(0.0, 0.0, 0.0), (0.3, -0.7, 0.4), (-0.5, 1.1, 0.0), (0.1, 9.0, 0.9)] {
+                let pose = f64::pose(&dynamics, theta).expect("closes");
+                let none = Shares {
+                    drive: 0.0,
+                    dry: 0.0,
+                    viscous: 0.0,
+                    stop: 0.0,
+                    push: None,
+                };
+                let at = Instant {
+                    omega,
+                    alpha,
+                    turning: Some(turning),
+                    pull: None,
+                    shares: none,
+                };
+                let balance = ForcesInMotion::new(&pose, &at, G).balance.expect("there");
+                // The joint on the boom; a tail's counterweight is where it is itself.
+                let boom = pose.position.x_1;
+                let direction = f64::direction(boom.x, boom.y);
+                let joint = |r: f64, angle: f64| {
+                    let (sin, cos) = Calc::sin_cos(direction + angle);
+                    Point::new(r * cos, r * sin)
+                };
+                let mut sizes = BTreeMap::new();
+                form.map(&mut |symbol, value: f64| sizes.insert(symbol.id, value));
+                let place = match balance.rod {
+                    Some(_) => joint(sizes["r_1"], sizes["alpha_K"]),
+                    None => joint(sizes["r_c"], sizes["chi_c"] + std::f64::consts::PI),
+                };
+                let moment = cross(place, balance.on_boom);
+                let size = place.norm() * balance.on_boom.norm();
+                let near = (moment - balance.moment).abs() < 1e-10 * size;
+                assert!(near, "{} at {theta}: {moment} {}", form.kind(), balance.moment);
+                kinds += 1;
+            }
+        }
+    }
+    assert!(kinds > 500, "{kinds}");
 }
 
 /// Brake and dry friction hold a bar in proportion; a stop gives what is left; friction in motion is what it is.

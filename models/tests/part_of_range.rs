@@ -185,6 +185,26 @@ fn alone_it_leaves_the_angle_out() {
     }
 }
 
+/// Beyond its ends as far as the angle itself, and no number that is none.
+#[test]
+fn it_leads_to_no_angle_that_may_not_be_set() {
+    let (name, text) = SCENES[2];
+    let mut model = model(text);
+    let (angle, part) = (index(&model, name), index(&model, "s"));
+    let before = model.get(angle);
+    let refused = model.set(angle, 100.0).expect_err("beyond half a turn").message;
+    for beyond in [1e3, -1e3, 1e308, f64::NAN, f64::INFINITY] {
+        let fault = model.set(part, beyond).expect_err("beyond half a turn");
+        let (what, allowed) = (&fault.message, refused.rsplit(':').next().expect("what is allowed"));
+        assert!(
+            fault.outside && (what.ends_with(allowed) || what.starts_with("s = ")),
+            "{what}"
+        );
+        assert_eq!(model.get(angle), before);
+    }
+    model.set(part, 1.01).expect("just beyond the end");
+}
+
 #[test]
 fn a_mechanism_that_moves_by_itself_has_none() {
     let moving = include_str!("../scenes/portal_004_motion.toml");

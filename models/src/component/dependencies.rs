@@ -105,12 +105,8 @@ fn with_part_of_range(model: &Standing, found: &mut [BTreeSet<Name>]) {
         }
     }
     if model.motion().by_part {
-        let rate = model
-            .places()
-            .iter()
-            .position(|place| matches!(place, VariablePlace::Source(source) if *source == model.rate()));
         found[at].extend([(PART_OF_RANGE.id, None), (TIME.id, None)]);
-        found[at].extend(rate.map(name));
+        found[at].extend(model.index_of(model.rate()).map(name));
     }
 }
 

@@ -236,12 +236,15 @@ impl Standing {
     /// Which variable the coordinate is.
     #[must_use]
     pub fn coordinate_index(&self) -> usize {
-        let own =
-            |place: &VariablePlace| matches!(place, VariablePlace::Source(source) if *source == self.axes.coordinate);
-        self.places
-            .iter()
-            .position(own)
-            .expect("every component has a coordinate")
+        let found = self.index_of(self.axes.coordinate);
+        found.expect("every component has a coordinate")
+    }
+
+    /// Which variable a source is, if it is one.
+    #[must_use]
+    pub fn index_of(&self, source: Source) -> Option<usize> {
+        let own = |place: &VariablePlace| matches!(place, VariablePlace::Source(other) if *other == source);
+        self.places.iter().position(own)
     }
 
     /// Puts a table in the place of the closed form: parameters cannot be set any more.
@@ -463,11 +466,8 @@ impl Standing {
     fn seeds<'a>(&'a self, seed: &'a dyn Fn(Quantity) -> f64) -> Seeds<'a> {
         let (coordinate, rate) = (self.axes.coordinate, self.axes.rate);
         // A coordinate that was not set follows from its rate and the time; one that was set changes with either input.
-        let of = |wanted: Source| {
-            let found = self
-                .places
-                .iter()
-                .position(|place| matches!(place, VariablePlace::Source(source) if *source == wanted));
+        let of = |source: Source| {
+            let found = self.index_of(source);
             found.map_or(0.0, |index| seed(self.variables[index].quantity()))
         };
         let moved = if self.now.given {

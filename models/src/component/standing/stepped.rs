@@ -100,6 +100,10 @@ impl Running for Standing {
             (_, Role::Calculated) => Err(Fault::new(format!(
                 "{variable} is fixed in the table and cannot be set: set fidelity = \"static\" to change it"
             ))),
+            (VariablePlace::Part, _) => {
+                variable.check(value)?;
+                self.variables[self.coordinate_index()].check(self.motion.at(value))
+            }
             _ => variable.check(value),
         }
     }

@@ -48,6 +48,7 @@ const STOP: f64 = 100.0;
 
 /// What forces and moments of this model take into account.
 const MOVING: &str = "In motion: with the inertia of all bodies, and the rope as it hangs.";
+const GIVEN: &str = "In motion: what motor and brake, or the cylinder, give it.";
 const AT_REST: &str = "As at rest: without inertia, the load hanging straight down.";
 
 /// In the place of a parameter that is zero where it is asked what depends on what.
@@ -271,7 +272,8 @@ impl LuffingMotion {
             let (mut variable, mut slot) = (*variable, Slot::Algebraic(index));
             let is_result = matches!(variable.role, Role::Output | Role::Calculated);
             if let Some(force) = in_motion {
-                (variable.remark, slot) = (Some(MOVING), Slot::Force(force));
+                let remark = if variable.symbol == &s::M_D { GIVEN } else { MOVING };
+                (variable.remark, slot) = (Some(remark), Slot::Force(force));
             } else if is_result && variable.symbol.unit.dimension.kg != 0 {
                 variable.remark = Some(AT_REST);
             }
