@@ -9,6 +9,7 @@
 //!
 //! The equations are in [`dynamics`](crate::luffing::double_link::dynamics), [`motion`](crate::luffing::double_link::motion),
 //! [`hanging`](crate::luffing::double_link::hanging), [`slewing`](crate::luffing::double_link::slewing) and [`hydraulic`](crate::luffing::double_link::hydraulic).
+//! Forces of the motion follow from them in [`forces_in_motion`](crate::luffing::double_link::forces_in_motion).
 
 pub mod level;
 pub mod model;
