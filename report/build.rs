@@ -13,16 +13,18 @@ fn inside(folder: &Path) -> Vec<PathBuf> {
 }
 
 fn main() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../templates/words");
+    // Build scripts run in the folder of their package.
+    let root = Path::new("../templates/words");
     let mut list = String::from("&[");
-    for language in inside(&root) {
+    for language in inside(root) {
         for file in inside(&language) {
             let name = file
-                .strip_prefix(&root)
+                .strip_prefix(root)
                 .expect("inside")
                 .to_string_lossy()
                 .replace('\\', "/");
-            let _ = writeln!(list, "({:?}, include_str!({file:?})),", format!("words/{name}"));
+            let text = format!("include_str!(concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/../templates/words/{name}\"))");
+            let _ = writeln!(list, "(\"words/{name}\", {text}),");
         }
     }
     list.push(']');

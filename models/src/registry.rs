@@ -3,6 +3,7 @@
 use std::any::Any;
 use std::collections::BTreeSet;
 
+use crate::balance;
 use crate::balance::task::Search;
 use crate::component::dependencies::{dependencies as traced, recorded};
 use crate::component::description::{Described, Vocabulary};
@@ -43,6 +44,14 @@ pub const STEERING: Key = Key::part(
     steering::sheet::ENTRY.keys,
     "The steering of a machine on wheels.",
 );
+
+/// Parts of a crane that may stand beside its mechanism, at the top of the scene, as well as within it.
+pub const PARTS: [Key; 4] = [
+    balance::scene::BALANCE,
+    double_link::keys::DRIVE,
+    double_link::keys::HOISTING,
+    double_link::keys::SLEWING,
+];
 
 /// Their names.
 pub fn tables() -> impl Iterator<Item = &'static str> {

@@ -54,6 +54,10 @@ pub static KEYS: &[Key] = &[
     .optional(),
     registry::LUFFING,
     registry::STEERING,
+    registry::PARTS[0],
+    registry::PARTS[1],
+    registry::PARTS[2],
+    registry::PARTS[3],
 ];
 
 static PROJECT: &[Key] = &[
@@ -132,6 +136,7 @@ impl Scene {
                 "up to 60 letters, digits and _, beginning with a letter",
             ));
         }
+        gather(&mut values, &mut found);
         let gravity = gravity(text, &values, &mut found);
         values.weigh(gravity);
         let mechanism = mechanism(table.get_ref(), &values, gravity, &mut found);
@@ -333,6 +338,16 @@ fn revisions(project: &Values) -> Vec<Vec<String>> {
     let cell = |table: &Values, key: &Key| table.text(key.name).unwrap_or_default().to_owned();
     let row = |table: &Values| REVISION.iter().map(|key| cell(table, key)).collect();
     project.tables("revisions").iter().map(row).collect()
+}
+
+/// Parts that stand beside the scene's mechanism are those of its own table.
+fn gather(values: &mut Values, found: &mut Vec<Diagnostic>) {
+    let given: Vec<&'static str> = registry::tables().filter(|name| values.has(name)).collect();
+    if let [mechanism] = given.as_slice() {
+        for part in &registry::PARTS {
+            found.extend(values.adopt(part.name, mechanism).err());
+        }
+    }
 }
 
 /// Acceleration of gravity: that of the top of the scene or of its mechanism's dynamics, which must agree.

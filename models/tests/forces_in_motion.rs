@@ -12,13 +12,15 @@ use lemnis_models::luffing::double_link::forces_in_motion::{ForcesInMotion, RESU
 use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::hydraulic::{self, PresentCrane};
 use lemnis_models::luffing::double_link::inertia_forces::Instant;
-use lemnis_models::luffing::double_link::motion::{Bar, Commands, Friction, MotionState, MovingLinkage};
+use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
 use lemnis_models::luffing::double_link::moving::level::{Inputs, Level, Present};
 use lemnis_models::luffing::double_link::pose::Posing;
 use lemnis_models::luffing::double_link::position::Position;
 use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::luffing::double_link::shares::Shares;
-use lemnis_models::luffing::double_link::slewing::{JointDrive, SlewingState};
+use lemnis_models::luffing::double_link::slewing::SlewingState;
+use lemnis_models::parts::hoist::HoistCommand;
+use lemnis_models::parts::joint::{Bar, JointDrive};
 use lemnis_models::parts::plane::{Point, cross};
 use lemnis_models::scene::{DEFAULT, Scene};
 use num_dual::Dual2;
@@ -149,7 +151,7 @@ fn inputs(moment: f64, brake: f64) -> Inputs {
         motion: Commands {
             moment,
             brake,
-            hoist: 0.0,
+            hoist: HoistCommand::speed(0.0),
         },
         slewing: NOTHING,
         valve: 0.0,
@@ -455,7 +457,7 @@ fn descriptions_tell_rest_from_motion() {
 #[test]
 fn derivatives_are_those_of_differences() {
     let mut compared = 0;
-    for level in levels::LEVELS {
+    for level in levels::all() {
         let mut model = levels::model(level);
         let Some(omega) = index(&model, "der(omega_1)").and(index(&model, "omega_1")) else {
             continue;

@@ -3,7 +3,9 @@
 
 use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
 use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
-use lemnis_models::luffing::double_link::slewing::{JointDrive, Slewing, SlewingCommands, SlewingState};
+use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingCommands, SlewingState};
+use lemnis_models::parts::hoist::{Hoist, HoistCommand, Winch};
+use lemnis_models::parts::joint::JointDrive;
 
 #[path = "common/crane.rs"]
 mod crane;
@@ -27,7 +29,10 @@ impl Both {
         let pendulum = Some(Pendulum {
             mass: Q / G,
             length: 10.0,
-            winch,
+            hoist: Hoist {
+                winch: winch.map_or(Winch::AtOnce, Winch::Ramp),
+                rope: None,
+            },
         });
         let (mut flat, mut hung) = (MotionState::resting(1.3, 10.0), SlewingState::resting(1.3, 10.0));
         flat.wind(rate);
@@ -52,7 +57,7 @@ impl Both {
         let held = Commands {
             moment: 0.0,
             brake: 1e12,
-            hoist,
+            hoist: HoistCommand::speed(hoist),
         };
         let joint = JointDrive {
             moment: 0.0,
@@ -60,7 +65,7 @@ impl Both {
         };
         let both = SlewingCommands {
             drives: [joint; 2],
-            hoist,
+            hoist: HoistCommand::speed(hoist),
         };
         self.plane.advance(&mut self.flat, &held, STEP, STEP).expect("moves");
         self.space.advance(&mut self.hung, &both, STEP, STEP).expect("moves");
@@ -128,7 +133,7 @@ fn a_blow_is_shared_with_the_boom() {
     let commands = |hoist: f64| Commands {
         moment: 0.0,
         brake: 0.0,
-        hoist,
+        hoist: HoistCommand::speed(hoist),
     };
     let joint = JointDrive {
         moment: 0.0,
@@ -136,7 +141,7 @@ fn a_blow_is_shared_with_the_boom() {
     };
     let both_commands = |hoist: f64| SlewingCommands {
         drives: [joint; 2],
-        hoist,
+        hoist: HoistCommand::speed(hoist),
     };
     let mut both = Both::new(None, 0.0);
     // The boom moves, by next to nothing: nothing holds it.

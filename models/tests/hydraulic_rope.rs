@@ -4,9 +4,11 @@
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
 use lemnis_models::luffing::double_link::hydraulic::{Crane, FIXED, Hydraulic, MOST, Modes, PresentCrane};
-use lemnis_models::luffing::double_link::motion::{self, Bar};
+use lemnis_models::luffing::double_link::motion;
 use lemnis_models::luffing::double_link::slewing;
+use lemnis_models::parts::hoist::{Hoist, HoistCommand};
 use lemnis_models::parts::hydraulics::cylinder::Oil;
+use lemnis_models::parts::joint::Bar;
 use lemnis_models::parts::solver::rodas::Tolerance;
 use lemnis_models::scene::Scene;
 
@@ -18,7 +20,7 @@ const COMMANDS: [(u32, f64); 3] = [(0, 0.5), (60, -0.4), (90, 0.0)];
 const ROPE: Pendulum = Pendulum {
     mass: 16e3,
     length: 6.0,
-    winch: None,
+    hoist: Hoist::AT_ONCE,
 };
 const G: f64 = 9.81;
 
@@ -35,7 +37,7 @@ fn tolerance(system: &System, relative: f64) -> Tolerance<MOST> {
 /// In the plane, the load at an angle (rad) of the rope.
 fn plane(swing: f64, hoist: f64) -> (System, PresentCrane<MOST>) {
     let mut system = crane::hydraulic(Some(ROPE));
-    system.hoist = hoist;
+    system.hoist = HoistCommand::speed(hoist);
     let mut y = system.resting(65_f64.to_radians(), 20e5).expect("closes");
     y[8] = swing;
     let mut present = PresentCrane::new(y);
@@ -46,7 +48,7 @@ fn plane(swing: f64, hoist: f64) -> (System, PresentCrane<MOST>) {
 /// On a turntable, the load at angles (rad) of the rope, under a moment (N·m) on slewing.
 fn space(load: [f64; 2], hoist: f64, moment: f64) -> (System, PresentCrane<MOST>) {
     let mut system = crane::hydraulic_slewing(Some(ROPE), 5e6);
-    (system.hoist, system.slewing.moment) = (hoist, moment);
+    (system.hoist, system.slewing.moment) = (HoistCommand::speed(hoist), moment);
     let mut y = system.resting(65_f64.to_radians(), 20e5).expect("closes");
     let mut state = slewing::SlewingState::resting(y[0], ROPE.length);
     state.put_load(load);
@@ -216,7 +218,7 @@ fn powers(system: &System, modes: Modes, y: &[f64; MOST], [viscous, turning]: [f
     let pull = system.rope_force(modes, y).expect("closes");
     [
         // A rope that is paid out takes its load's force along.
-        system.supply * flows.valve[0] - pull * system.hoist + system.slewing.moment * rate,
+        system.supply * flows.valve[0] - pull * system.hoist.speed + system.slewing.moment * rate,
         compression + edges + lines + relief + leakage + viscous * y[1] * y[1] + turning * rate * rate,
     ]
 }
@@ -275,15 +277,15 @@ fn a_shorter_rope_swings_wider() {
     let mut system = crane::hydraulic(Some(Pendulum {
         mass: 1.0,
         length: 40.0,
-        winch: None,
+        hoist: Hoist::AT_ONCE,
     }));
-    system.hoist = -0.02;
+    system.hoist = HoistCommand::speed(-0.02);
     let mut y: [f64; MOST] = system.resting(90_f64.to_radians(), 20e5).expect("closes");
     y[8] = 0.01;
     // Nothing leaks: the boom stays where it is.
     system.cylinder.leakage = 0.0;
     let mut present = PresentCrane::new(y);
-    present.wind(system.hoist, FIXED + 5);
+    present.wind(system.hoist.speed, FIXED + 5);
     run(&system, &mut present, 1e-7, 1500.0);
     let y = present.run.states();
     assert!((y[10] - 10.0).abs() < 1e-9 && y[10] == y[11], "{}", y[10]);

@@ -2,7 +2,9 @@
 //! goes slack. Expectations from theory: balances of energy and of moments, free fall, symmetry.
 
 use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::motion::{Bar, Commands, Friction, MotionState, MovingLinkage};
+use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
+use lemnis_models::parts::hoist::HoistCommand;
+use lemnis_models::parts::joint::Bar;
 use lemnis_models::parts::solver::{Halt, runge_kutta};
 
 #[path = "common/crane.rs"]
@@ -11,7 +13,7 @@ mod crane;
 const STILL: Commands = Commands {
     moment: 0.0,
     brake: 0.0,
-    hoist: 0.0,
+    hoist: HoistCommand::speed(0.0),
 };
 
 fn motion(pendulum: Option<Pendulum>, viscous: f64, coulomb: f64) -> MovingLinkage {
@@ -300,7 +302,10 @@ fn a_shorter_rope_swings_wider() {
     };
     let mut state = at(90.0, 40.0);
     state.y[2] = 0.01;
-    let hoisting = Commands { hoist: -0.02, ..held };
+    let hoisting = Commands {
+        hoist: HoistCommand::speed(-0.02),
+        ..held
+    };
     m.advance(&mut state, &hoisting, 1500.0, 0.01).expect("hoists");
     assert!((state.y[4] - 10.0).abs() < 1e-9, "{}", state.y[4]);
     // Amplitude from angle and rate; adiabatic invariant E/omega, so amplitude ~ l^(-3/4).

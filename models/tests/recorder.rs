@@ -78,7 +78,7 @@ fn the_recorder_has_the_bits_of_the_model() {
 /// The formulas of motion are those that run: consistent, and with the bits of the model at the same instant.
 #[test]
 fn equations_of_motion_are_consistent_and_have_the_bits_of_the_model() {
-    for level in levels::LEVELS.into_iter().filter(|level| *level != "static") {
+    for level in levels::all().filter(|level| *level != "static") {
         let scene = levels::scene(level);
         let motion = scene.sheet().motion.expect("a chapter of motion");
         let mut model = scene.model().expect("built");
@@ -127,7 +127,7 @@ fn equations_of_motion_are_consistent_and_have_the_bits_of_the_model() {
 /// The accounts close: what went in is stored or taken, and only what the sums over samples miss is left over.
 #[test]
 fn the_energy_of_a_run_is_accounted_for() {
-    for level in levels::LEVELS.into_iter().filter(|level| *level != "static") {
+    for level in levels::all().filter(|level| *level != "static") {
         let sheet = levels::scene(level).sheet();
         let Energy { given, stored, taken } = &sheet.motion.as_ref().expect("a chapter of motion").energy;
         let sum = |list: &[(&Symbol, f64)]| list.iter().map(|(_, value)| value).sum::<f64>();

@@ -5,9 +5,11 @@ use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::variable::Role;
 use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
-use lemnis_models::luffing::double_link::hanging::{Free, HangingLoad};
-use lemnis_models::luffing::double_link::motion::{self, Bar, Friction, MovingLinkage};
-use lemnis_models::luffing::double_link::slewing::{JointDrive, Slewing, SlewingCommands, SlewingState, angles};
+use lemnis_models::luffing::double_link::hanging::HangingLoad;
+use lemnis_models::luffing::double_link::motion::{self, Friction, MovingLinkage};
+use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingCommands, SlewingState, angles};
+use lemnis_models::parts::hoist::{Hoist, HoistCommand, RopeAction};
+use lemnis_models::parts::joint::{Bar, JointDrive};
 use nalgebra::Vector3;
 
 #[path = "common/crane.rs"]
@@ -26,7 +28,7 @@ const HELD: JointDrive = JointDrive {
 };
 const BRAKED: SlewingCommands = SlewingCommands {
     drives: [HELD, HELD],
-    hoist: 0.0,
+    hoist: HoistCommand::speed(0.0),
 };
 const G: f64 = 9.81;
 const M: f64 = 16e3;
@@ -72,7 +74,7 @@ fn accelerations_agree_with_points_in_space() {
             Some(Pendulum {
                 mass: M,
                 length,
-                winch: None,
+                hoist: Hoist::AT_ONCE,
             }),
             5e6,
         );
@@ -85,12 +87,13 @@ fn accelerations_agree_with_points_in_space() {
             place: direction * length,
             rate,
         };
-        let free = Free {
-            joints: [true, true],
-            taut: true,
+        let line = RopeAction::Taut {
+            rate: hoist,
+            gain: None,
+            drum: None,
         };
         let r = f64::reduced(&d, theta).expect("closes");
-        let a = d.slewed(&r, [omega, turning], load, [m_1, m_2], (hoist, None), free);
+        let a = d.slewed(&r, [omega, turning], load, [m_1, m_2], line, [true; 2]);
         let found = [a.joints[0], a.joints[1], a.load.x, a.load.y, a.load.z, a.rope / M];
         for (i, (found, expected)) in found.iter().zip(&cells[12..]).enumerate() {
             let expected = if i == 5 { expected / M } else { *expected };
@@ -126,12 +129,12 @@ fn in_the_plane_it_is_the_crane_that_does_not_slew() {
         let flat_commands = motion::Commands {
             moment,
             brake: 0.0,
-            hoist: 0.2,
+            hoist: HoistCommand::speed(0.2),
         };
         let push = JointDrive { moment, brake: 0.0 };
         let commands = SlewingCommands {
             drives: [push, HELD],
-            hoist: 0.2,
+            hoist: HoistCommand::speed(0.2),
         };
         let mut slack = 0;
         for _ in 0..400 {
@@ -179,7 +182,7 @@ fn a_conical_pendulum_stands_still() {
     state.y[3] = 0.3;
     let commands = SlewingCommands {
         drives: [HELD, NONE],
-        hoist: 0.0,
+        hoist: HoistCommand::speed(0.0),
     };
     rigid.event(&mut state, &commands).expect("closes");
     let rates = rigid.rates(&state, &commands, &state.y).expect("closes");
@@ -203,7 +206,7 @@ fn angular_momentum_and_energy_are_conserved() {
     (state.y[3], state.y[9]) = (0.2, 1.5);
     let held = SlewingCommands {
         drives: [HELD, NONE],
-        hoist: 0.0,
+        hoist: HoistCommand::speed(0.0),
     };
     free.event(&mut state, &held).expect("closes");
     let momentum = |state: &SlewingState| free.angular_momentum(state).expect("closes");
@@ -232,7 +235,7 @@ fn angular_momentum_and_energy_are_conserved() {
             },
             NONE,
         ],
-        hoist: 0.0,
+        hoist: HoistCommand::speed(0.0),
     };
     free.event(&mut state, &commands).expect("closes");
     let (first, whole, from) = (momentum(&state), energy(&free, &state), state.y[0]);
@@ -281,7 +284,7 @@ fn slewing_truly_sticks() {
     ] {
         let commands = SlewingCommands {
             drives: [NONE, JointDrive { moment, brake: 0.0 }],
-            hoist: 0.0,
+            hoist: HoistCommand::speed(0.0),
         };
         let start = at(75.0, 10.0, [0.0; 2]);
         let mut state = start;
@@ -325,7 +328,7 @@ fn work_is_stored_or_dissipated() {
         let drive = |moment: f64| JointDrive { moment, brake: 0.0 };
         let commands = SlewingCommands {
             drives: [drive(hold + 3e5 * way), drive(6e5 * way)],
-            hoist: 0.0,
+            hoist: HoistCommand::speed(0.0),
         };
         let before = state;
         let mut half = state;
@@ -382,7 +385,7 @@ fn a_slack_rope_catches_its_load_sideways() {
             },
             NONE,
         ],
-        hoist: 0.0,
+        hoist: HoistCommand::speed(0.0),
     };
     let (mut last, mut blows) = (energy(&m, &state), 0);
     for _ in 0..4000 {
@@ -404,7 +407,7 @@ fn a_slewing_stop_catches_the_crane() {
     m.joints[1].stops = [-0.5, 0.5];
     let push = |moment: f64| SlewingCommands {
         drives: [NONE, JointDrive { moment, brake: 0.0 }],
-        hoist: 0.0,
+        hoist: HoistCommand::speed(0.0),
     };
     let mut state = at(75.0, 10.0, [0.0; 2]);
     let mut first = f64::INFINITY;
@@ -435,7 +438,7 @@ fn luffing_in_slews_faster() {
             },
             NONE,
         ],
-        hoist: 0.0,
+        hoist: HoistCommand::speed(0.0),
     };
     m.event(&mut state, &commands).expect("closes");
     let momentum = |s: &SlewingState| m.angular_momentum(s).expect("closes");
@@ -479,7 +482,7 @@ fn restored_and_irregular_steps_agree() {
                 brake: 0.0,
             },
         ],
-        hoist: 0.1,
+        hoist: HoistCommand::speed(0.1),
     };
     let start = at(75.0, 10.0, [0.1, 0.1]);
     let whole = || {
@@ -504,29 +507,32 @@ fn restored_and_irregular_steps_agree() {
 #[test]
 #[expect(clippy::too_many_lines, reason = "one case after the other")]
 fn derivatives_are_those_of_differences() {
-    for level in [
-        "rigid with slewing",
-        "swing with slewing",
-        "swing with slewing, balance",
-        "hydraulic with slewing",
-        "hydraulic with swing, slewing",
-    ] {
+    let slewing = levels::LEVELS.into_iter().filter(|level| level.contains("slewing"));
+    for level in slewing.chain(levels::HOISTS) {
         let mut model = levels::model(level);
         let index = |model: &Model, name: &str| {
             let mut variables = model.variables().iter();
             variables.position(|v| v.symbol.id == name).expect("exists")
         };
+        let (slews, elastic) = (level.contains("slewing"), level.contains("elastic"));
         let (swings, oil) = (level.contains("swing"), level.starts_with("hydraulic"));
-        let mut given = vec![
-            ("theta_1", 1.3),
-            ("omega_1", 0.11),
-            ("psi_sl", 0.4),
-            ("omega_sl", -0.17),
-        ];
-        if swings {
+        let mut given = vec![("theta_1", 1.3), ("omega_1", 0.11)];
+        if slews {
+            given.extend([("psi_sl", 0.4), ("omega_sl", -0.17)]);
+        }
+        if level.contains("motor") {
+            given.push(("v_R", -0.3));
+        }
+        if swings && !slews {
+            given.extend([("phi_R", 0.2), ("omega_R", 0.13)]);
+            // Stretched by 5 cm.
+            given.extend([("s_Q", 10.05), ("v_Q", -0.2)].into_iter().filter(|_| elastic));
+        }
+        if swings && slews {
             given.extend([
                 ("x_Q", 3.0),
-                ("y_Q", -9.0),
+                // Stretched by 2 cm where it gives way: √(3² + 9.41² + 1.7²) = 10.02 m.
+                ("y_Q", if elastic { -9.41 } else { -9.0 }),
                 ("z_Q", 1.7),
                 ("v_Qx", 0.4),
                 ("v_Qy", 0.3),
@@ -553,7 +559,9 @@ fn derivatives_are_those_of_differences() {
             .map(|i| (i, model.variables()[i].role))
             .collect();
         let moving = |id: &str| {
-            id.starts_with("der(") || id.starts_with("z.") || ["M_R", "M_Rsl", "S_R", "F_c", "phi_R"].contains(&id)
+            id.starts_with("der(")
+                || id.starts_with("z.")
+                || ["M_R", "M_Rsl", "M_Rh", "S_R", "F_c", "phi_R"].contains(&id)
         };
         let unknowns: Vec<usize> = (all.iter().map(|(i, _)| *i))
             .filter(|&i| moving(model.variables()[i].symbol.id))

@@ -75,6 +75,14 @@ fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
             // What weighs by it stays.
             document.insert(gravity::G.id, value(gravity::G.written(scene.gravity)));
         }
+        for (table, keys) in unused.iter().copied() {
+            // A part that stands beside its mechanism.
+            if keys.is_empty() {
+                document.remove(table);
+            } else if let Some(table) = document.get_mut(table).and_then(|item| item.as_table_like_mut()) {
+                keys.iter().for_each(|key| drop(table.remove(key)));
+            }
+        }
         let Some(mechanism) = document[scene.table].as_table_like_mut() else {
             return;
         };

@@ -1,6 +1,8 @@
 //! Denormal, huge and non-finite inputs; steps from 1e-9 to 1e3 s; friction without end and without any.
 
-use lemnis_models::luffing::double_link::motion::{Bar, Commands, Friction, MotionState, MovingLinkage};
+use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
+use lemnis_models::parts::hoist::HoistCommand;
+use lemnis_models::parts::joint::Bar;
 use lemnis_models::parts::solver::{Halt, MOST_STEPS};
 
 use super::crane;
@@ -8,7 +10,7 @@ use super::crane;
 const NONE: Commands = Commands {
     moment: 0.0,
     brake: 0.0,
-    hoist: 0.0,
+    hoist: HoistCommand::speed(0.0),
 };
 
 fn motion(viscous: f64, coulomb: f64) -> MovingLinkage {
@@ -32,12 +34,28 @@ fn denormal_huge_and_broken_inputs() {
     for tiny in [5e-324, -5e-324, 1e-310] {
         assert_eq!(run(Commands { moment: tiny, ..NONE }, 0.5), Ok(zero), "{tiny:e}");
         // The rate of the load's distance is the hoist's own; nothing else differs.
-        let hoisted = run(Commands { hoist: tiny, ..NONE }, 0.5).expect("moves");
+        let hoisted = run(
+            Commands {
+                hoist: HoistCommand::speed(tiny),
+                ..NONE
+            },
+            0.5,
+        )
+        .expect("moves");
         assert_eq!(hoisted.y[..6], zero.y[..6], "{tiny:e}");
     }
     for broken in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_eq!(run(Commands { moment: broken, ..NONE }, 0.5), Err(Halt::Outside));
-        assert_eq!(run(Commands { hoist: broken, ..NONE }, 0.5), Err(Halt::Outside));
+        assert_eq!(
+            run(
+                Commands {
+                    hoist: HoistCommand::speed(broken),
+                    ..NONE
+                },
+                0.5
+            ),
+            Err(Halt::Outside)
+        );
     }
     assert_eq!(
         run(

@@ -4,7 +4,9 @@
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::Pendulum;
 use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic, MOST, PresentCrane};
-use lemnis_models::luffing::double_link::slewing::{JointDrive, SlewingState};
+use lemnis_models::luffing::double_link::slewing::SlewingState;
+use lemnis_models::parts::hoist::{Hoist, HoistCommand};
+use lemnis_models::parts::joint::JointDrive;
 use lemnis_models::parts::solver::Halt;
 use lemnis_models::parts::solver::rodas::Tolerance;
 
@@ -18,7 +20,7 @@ fn hanging(length: f64, [swing, side]: [f64; 2], slews: bool) -> (Hydraulic<MOST
     let pendulum = Some(Pendulum {
         mass: 1e-3,
         length,
-        winch: None,
+        hoist: Hoist::AT_ONCE,
     });
     let mut system: Hydraulic<MOST> = if slews {
         crane::hydraulic_slewing(pendulum, 5e6)
@@ -126,7 +128,7 @@ fn a_rope_that_is_reeled_in_to_nothing() {
     for slews in [false, true] {
         for swing in [0.0, 0.01] {
             let (mut system, mut present) = hanging(0.5, [swing, 0.0], slews);
-            system.hoist = -1.0;
+            system.hoist = HoistCommand::speed(-1.0);
             // A load that swings does so ever faster: the tolerance may ask for too much first.
             let end = run(&system, &mut present, 1.0);
             let halts = [Halt::Outside, Halt::TooSmall];

@@ -1,6 +1,7 @@
 //! Positions, lengths and masses: `tests/oracles/dynamics_extremes.py`, 50 digits.
 
 use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Phase};
+use lemnis_models::parts::hoist::Hoist;
 use lemnis_models::parts::plane::Point;
 
 use crate::crane;
@@ -102,7 +103,7 @@ fn zero_inertia_and_zero_load() {
             pendulum: Some(Pendulum {
                 mass: 1e-300,
                 length: 10.0,
-                winch: None,
+                hoist: Hoist::AT_ONCE,
             }),
             ..full
         },

@@ -3,13 +3,14 @@
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::Pendulum;
 use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
+use lemnis_models::parts::hoist::{Hoist, HoistCommand};
 
 use super::crane;
 
 const HELD: Commands = Commands {
     moment: 0.0,
     brake: f64::INFINITY,
-    hoist: 0.0,
+    hoist: HoistCommand::speed(0.0),
 };
 
 fn motion(length: f64) -> MovingLinkage {
@@ -17,7 +18,7 @@ fn motion(length: f64) -> MovingLinkage {
         dynamics: crane::dynamics(Some(Pendulum {
             mass: 16e3,
             length,
-            winch: None,
+            hoist: Hoist::AT_ONCE,
         })),
         friction: Friction {
             viscous: 0.0,

@@ -2,7 +2,9 @@
 
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
-use lemnis_models::luffing::double_link::slewing::{JointDrive, Slewing, SlewingCommands, SlewingState, distance};
+use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingCommands, SlewingState, distance};
+use lemnis_models::parts::hoist::{Hoist, HoistCommand};
+use lemnis_models::parts::joint::JointDrive;
 use lemnis_models::parts::plane::Point;
 use lemnis_models::parts::solver::Halt;
 
@@ -19,13 +21,13 @@ const BRAKED: JointDrive = JointDrive {
 };
 const HELD: SlewingCommands = SlewingCommands {
     drives: [BRAKED, BRAKED],
-    hoist: 0.0,
+    hoist: HoistCommand::speed(0.0),
 };
 
 fn slews(moment: f64) -> SlewingCommands {
     SlewingCommands {
         drives: [BRAKED, JointDrive { moment, brake: 0.0 }],
-        hoist: 0.0,
+        hoist: HoistCommand::speed(0.0),
     }
 }
 
@@ -34,7 +36,7 @@ fn frictionless(mass: f64, length: f64, inertia: f64) -> Slewing {
         Some(Pendulum {
             mass,
             length,
-            winch: None,
+            hoist: Hoist::AT_ONCE,
         }),
         inertia,
         [[0.0; 2]; 2],
@@ -208,7 +210,7 @@ fn inputs_and_steps() {
     };
     let driven = |drive: JointDrive| SlewingCommands {
         drives: [NONE, drive],
-        hoist: 0.0,
+        hoist: HoistCommand::speed(0.0),
     };
     let zero = run(driven(NONE), 0.5).expect("moves");
     for tiny in [5e-324, -5e-324, 1e-310] {

@@ -18,8 +18,15 @@ use crate::parts::four_bar::Branch;
 
 const KINDS: &[&str] = &["tail", "parallelogram", "lever", "straight_rail", "curved_rail"];
 
+/// The table `[balance]`, also beside the mechanism that it balances.
+pub const BALANCE: Key = Key::part(
+    "balance",
+    KEYS,
+    "Counterweight that carries the boom system's own weights.",
+);
+
 /// Keys of `[luffing.balance]`; which quantities are needed depends on the kind.
-pub static KEYS: &[Key] = keys! { s:
+static KEYS: &[Key] = keys! { s:
     G_C [or_mass, optional], R_C >= 0 [optional], CHI_C [optional], D_1 > 0 [optional], DELTA_1 [optional],
     R_K > 0 [optional], ALPHA_K [optional], L_1 > 0 [optional], R_L > 0 [optional], CHI_5 [optional],
     M_5 >= 0 [optional], S_5 > 0 [optional], H_X [optional], H_Y [optional], LAMBDA >= 0 [optional],

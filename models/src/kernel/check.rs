@@ -46,7 +46,12 @@ pub fn check(
             found.push(missing(span.clone(), &place, key));
         }
     }
-    Values { entries, keys, span }
+    Values {
+        entries,
+        keys,
+        span,
+        beside: false,
+    }
 }
 
 /// A key that is needed in a table and not there; `place` as "in [luffing]".

@@ -8,7 +8,7 @@ use crate::kernel::symbol::Symbol;
 /// Where the scene gives a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Origin {
-    /// Key, such as `luffing.X_1`.
+    /// Key as the scene has it, such as `luffing.X_1`.
     pub key: String,
     /// Line of the scene, counted from 1.
     pub line: usize,
@@ -23,7 +23,7 @@ pub struct Origin {
 /// A quantity of a scene.
 #[derive(Clone, Debug)]
 pub struct Known {
-    /// As in an [`Origin`].
+    /// Key, such as `luffing.drive.E_x`, wherever the scene gives its table.
     pub key: String,
     pub symbol: &'static Symbol,
     /// In SI.
@@ -42,8 +42,8 @@ impl Origins {
         let mut found = Vec::new();
         values.quantities("", &mut found);
         let known = found.into_iter().map(|(key, symbol, value, placed)| Known {
-            given: placed.map(|(place, number)| Origin {
-                key: key.clone(),
+            given: placed.map(|(place, number, key)| Origin {
+                key,
                 line: line(text, &place),
                 place,
                 mass: number.mass,

@@ -8,7 +8,7 @@ use crate::kernel::symbol::{COARSEST, Symbol};
 use crate::kernel::unit::Unit;
 
 /// A key of a scene.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Key {
     pub name: &'static str,
     pub kind: Kind,
@@ -28,7 +28,7 @@ pub const SOURCE: Key = Key::text(
 pub const KIND: &str = "kind";
 
 /// What stands behind a key.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Kind {
     Text,
     /// A text of one line, not empty.
@@ -246,8 +246,8 @@ pub struct GivenNumber {
     pub source: Option<String>,
 }
 
-/// A quantity with its place.
-pub type Placed = (Range<usize>, GivenNumber);
+/// A quantity with its place and the key under which the scene gives it.
+pub type Placed = (Range<usize>, GivenNumber, String);
 
 /// A checked table: every value with its place.
 #[derive(Clone, Debug, Default)]
@@ -258,6 +258,8 @@ pub struct Values {
     pub(super) keys: &'static [Key],
     /// Place of the table itself.
     pub span: Range<usize>,
+    /// Whether it stands at the top of the scene, beside the table that it belongs to.
+    pub(super) beside: bool,
 }
 
 /// What scenes ask for hundreds of times is not inlined.
@@ -362,6 +364,44 @@ impl Values {
         }
     }
 
+    /// Moves a table from the top of the scene to the one that it is a part of.
+    ///
+    /// # Errors
+    /// There is no such part, or it stands there already.
+    pub fn adopt(&mut self, part: &'static str, of: &'static str) -> Result<(), Diagnostic> {
+        let Some(at) = self.entries.iter().position(|(name, ..)| *name == part) else {
+            return Ok(());
+        };
+        let (_, value, place) = self.entries.remove(at);
+        let (Value::Table(mut table), Some((_, Value::Table(whole), _))) =
+            (value, self.entries.iter_mut().find(|(name, ..)| *name == of))
+        else {
+            return Ok(());
+        };
+        let refused =
+            |what: String, label: &str, help: String| Err(Diagnostic::new(place.clone(), what, label).help(help));
+        if !whole.keys.iter().any(|key| key.name == part) {
+            let known = whole.keys.iter().filter(|key| matches!(key.kind, Kind::Table(_)));
+            let known: Vec<&str> = known.map(|key| key.name).collect();
+            return refused(
+                format!("[{part}] is no part of this [{of}]"),
+                "not used",
+                format!("remove it; parts here: {}", known.join(", ")),
+            );
+        }
+        if whole.has(part) {
+            return refused(
+                format!("[{part}] and [{of}.{part}] are one"),
+                "given twice",
+                "remove one of them".to_owned(),
+            );
+        }
+        table.beside = true;
+        let at = whole.entries.partition_point(|(before, ..)| *before < part);
+        whole.entries.insert(at, (part, Value::Table(table), place));
+        Ok(())
+    }
+
     /// Gives every mass of this table and of the tables in it its weight, by the acceleration of gravity (m/s²).
     pub fn weigh(&mut self, g: f64) {
         for (_, value, _) in &mut self.entries {
@@ -382,11 +422,16 @@ impl Values {
     /// its symbol, its value in SI, and its place, where it is not the usual one; it comes from what its own note says,
     /// or the `source` of its table.
     pub fn quantities(&self, path: &str, found: &mut Vec<(String, &'static Symbol, f64, Option<Placed>)>) {
+        self.within(path, path, found);
+    }
+
+    fn within(&self, path: &str, shown: &str, found: &mut Vec<(String, &'static Symbol, f64, Option<Placed>)>) {
+        let joined = |path: &str, key: &Key| match path {
+            "" => key.name.to_owned(),
+            _ => format!("{path}.{}", key.name),
+        };
         for key in self.keys {
-            let path = match path {
-                "" => key.name.to_owned(),
-                _ => format!("{path}.{}", key.name),
-            };
+            let (path, shown) = (joined(path, key), joined(shown, key));
             let mut add =
                 |value, placed| found.extend(key.number().map(|(symbol, _)| (path.clone(), symbol, value, placed)));
             let Some((value, place)) = self.entry(key.name) else {
@@ -399,13 +444,17 @@ impl Values {
                 Value::Number(number) => {
                     let mut number = number.clone();
                     number.source = number.source.or_else(|| self.text("source").map(str::to_owned));
-                    add(number.value, Some((place.clone(), number)));
+                    add(number.value, Some((place.clone(), number, shown)));
                 }
-                Value::Table(table) => table.quantities(&path, found),
+                Value::Table(table) => {
+                    let shown = if table.beside { key.name } else { &shown };
+                    table.within(&path, shown, found);
+                }
                 Value::Tables(tables) => {
                     for (number, table) in (1..).zip(tables) {
                         let number: usize = number;
-                        table.quantities(&format!("{path}[{number}]"), found);
+                        let numbered = |path: &str| format!("{path}[{number}]");
+                        table.within(&numbered(&path), &numbered(&shown), found);
                     }
                 }
                 _ => {}

@@ -149,6 +149,10 @@ units! {
     PER_MIN     = "1/min"    "1/min"   [0 0 -1 0]    1.0 / 60.0;
     M3_PER_SPA  = "m3/(s.Pa)" "m³/(s·Pa)" [4 -1 1 0] 1.0;
     M3_PER_S    = "m3/s"     "m³/s"    [3 0 -1 0]    1.0;
+    N_PER_M     = "N/m"      "N/m"     [0 1 -2 0]    1.0;
+    KN_PER_M    = "kN/m"     "kN/m"    [0 1 -2 0]    1e3;
+    N_S_PER_M   = "N.s/m"    "N·s/m"   [0 1 -1 0]    1.0;
+    KN_S_PER_M  = "kN.s/m"   "kN·s/m"  [0 1 -1 0]    1e3;
     L_PER_MIN   = "L/min"    "L/min"   [3 0 -1 0]    1e-3 / 60.0;
 }
 
@@ -192,6 +196,8 @@ impl Unit {
             (d, _) if d == N_M_S.dimension => ("RotationalDampingConstant", [1e-6, 1e18]),
             (d, _) if d == M_PER_S2.dimension => ("Acceleration", [1e-3, 1e3]),
             (d, _) if d == RAD_PER_S2.dimension => ("AngularAcceleration", [1e-9, 1e9]),
+            (d, _) if d == N_PER_M.dimension => ("TranslationalSpringConstant", [1e-3, 1e15]),
+            (d, _) if d == N_S_PER_M.dimension => ("TranslationalDampingConstant", [1e-6, 1e15]),
             (d, _) if d == M3_PER_S.dimension => ("VolumeFlowRate", [1e-12, 1e6]),
             _ => ("Ratio", [1e-9, 1e6]),
         }

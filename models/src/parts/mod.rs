@@ -1,10 +1,12 @@
-//! What several mechanisms are made of: plane geometry, a four-bar, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, a four-bar, joints, a hoist, motion over a range, oil, solvers.
 
 pub mod arcs;
 pub mod closure;
 mod dead_points;
 pub mod four_bar;
+pub mod hoist;
 pub mod hydraulics;
+pub mod joint;
 pub mod motion;
 pub mod plane;
 pub mod solver;

@@ -7,16 +7,18 @@ use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic};
 use lemnis_models::luffing::double_link::motion::{Friction, MovingLinkage};
 use lemnis_models::luffing::double_link::parameters::{Anchors, Driven, Jib, Lengths, Parameters};
-use lemnis_models::luffing::double_link::slewing::{Joint, JointDrive, Slewing};
+use lemnis_models::luffing::double_link::slewing::{Joint, Slewing};
 use lemnis_models::parts::four_bar::Branch;
+use lemnis_models::parts::hoist::{Hoist, HoistCommand};
 use lemnis_models::parts::hydraulics::cylinder::Cylinder;
 use lemnis_models::parts::hydraulics::valve::Valve;
+use lemnis_models::parts::joint::JointDrive;
 use lemnis_models::parts::plane::Point;
 
 pub const PENDULUM: Pendulum = Pendulum {
     mass: 16e3,
     length: 10.0,
-    winch: None,
+    hoist: Hoist::AT_ONCE,
 };
 
 /// Uniform bars of 20 t, 6 t and 4 t; with a load on a rope, or one of 16 t fixed to the head. `mass` multiplies all.
@@ -179,7 +181,7 @@ fn oiled<const N: usize>(crane: Crane) -> Hydraulic<N> {
         buffer: [0.0; 2],
         command: 0.0,
         supply: 250e5,
-        hoist: 0.0,
+        hoist: HoistCommand::speed(0.0),
         slewing: JointDrive {
             moment: 0.0,
             brake: 0.0,

@@ -25,6 +25,22 @@ pub const LEVELS: [&str; 11] = [
     "hydraulic with swing, slewing",
 ];
 
+/// Those with a motor on the hoist's drum, or a rope that gives way.
+pub const HOISTS: [&str; 7] = [
+    "swing with motor",
+    "swing with motor, elastic",
+    "swing with slewing, elastic",
+    "swing with slewing, motor",
+    "hydraulic with swing, elastic",
+    "hydraulic with swing, slewing, motor",
+    "hydraulic with swing, slewing, motor, elastic",
+];
+
+/// Every level, with every hoist.
+pub fn all() -> impl Iterator<Item = &'static str> {
+    LEVELS.into_iter().chain(HOISTS)
+}
+
 pub fn scene(level: &str) -> Scene {
     let text = text(level);
     Scene::parse(&text).unwrap_or_else(|mistakes| panic!("{level}: {mistakes:?}"))
@@ -40,8 +56,19 @@ pub fn text(level: &str) -> String {
     if matches!(fidelity, "rigid" | "swing") {
         extra.push_str("M_A = \"1800 kN.m\"\n");
     }
-    if has("swing") {
+    let hoisting = has("motor") || has("elastic");
+    if has("swing") && !hoisting {
         extra.push_str("l_R = \"10 m\"\n");
+    }
+    if hoisting {
+        extra.push_str("[luffing.hoisting]\nl_R = \"10 m\"\n");
+    }
+    if has("elastic") {
+        extra.push_str("c_R = \"3000 kN/m\"\nd_R = \"40 kN.s/m\"\n");
+    }
+    if has("motor") {
+        // The load needs 10 kN·m on this drum.
+        extra.push_str("J_h = \"60 kg.m2\"\nr_h = \"250 mm\"\nm_h = \"4\"\nM_Fh = \"0.3 kN.m\"\nM_Mh = \"10.6 kN.m\"\n");
     }
     for (part, table) in [("hydraulic", OIL), ("slewing", SLEWING), ("balance", BALANCE)] {
         if has(part) {

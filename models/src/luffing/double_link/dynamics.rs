@@ -18,6 +18,7 @@ use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Anchors, Driven, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::symbols as g;
+use crate::parts::hoist::Hoist;
 use crate::parts::motion::Motion as Range;
 use crate::parts::plane::{self, Point, dot, squared};
 use crate::parts::solver::{Gradient, runge_kutta};
@@ -100,8 +101,7 @@ pub struct Pendulum<P = f64> {
     pub mass: P,
     /// Length of the rope, in m.
     pub length: P,
-    /// How fast the hoist comes up to its command, in m/s²; `None` where it does so at once.
-    pub winch: Option<P>,
+    pub hoist: Hoist<P>,
 }
 
 /// Least mass of a load, in kg, by which an equation can be multiplied.

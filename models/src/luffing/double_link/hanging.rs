@@ -18,13 +18,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Reduced};
 use crate::luffing::double_link::moving::symbols as s;
-
-/// What may move.
-#[derive(Clone, Copy, Debug)]
-pub struct Free {
-    pub joints: [bool; 2],
-    pub taut: bool,
-}
+use crate::parts::hoist::RopeAction;
 
 /// Accelerations of the joints (rad/s²) and of the load from the head in the frame that slews (m/s²), and the
 /// force of the rope (N); `slackening` has its sign, that of an empty hook too.
@@ -91,6 +85,44 @@ impl<C: Calc> Rope<C> {
     }
 }
 
+impl<C: Calc> Rope<C> {
+    /// Force over the load's mass (m/s²) that keeps it at the rope's end: it moves at a rate (m/s), and would fall with
+    /// `fall` (m/s²) from joints which accelerate so without the rope, each with one over its inertia where it is free.
+    fn keeping(
+        &self,
+        line: RopeAction<C>,
+        rate: Vector3<C>,
+        fall: Vector3<C>,
+        mass: C,
+        (alone, ease): ([C; 2], [C; 2]),
+    ) -> C {
+        let mut need = dot(self.direction, fall);
+        let mut give = C::constant(1.0);
+        if let RopeAction::Taut {
+            rate: hoist,
+            gain,
+            drum,
+        } = line
+        {
+            // Away from the head by the speed across the rope; the joints give way to the rope's force.
+            let speed = squared(rate) - hoist.square();
+            need += speed / self.length;
+            if let Some(gain) = gain {
+                need -= gain;
+            }
+            if let Some([drum, pull]) = drum {
+                need += pull / drum;
+                give += mass / drum;
+            }
+        }
+        for i in 0..2 {
+            need -= self.arms[i] * alone[i];
+            give += mass * self.arms[i].square() * ease[i];
+        }
+        need.def(&s::A_N) / give.def(&s::KAPPA_R)
+    }
+}
+
 impl<C: Calc> HangingLoad<C> {
     /// On a taut rope: away from the head exactly as fast as the rope is paid out. The rate along the rope
     /// that numbers carry besides is left alone by the equations, so that it cannot grow.
@@ -113,16 +145,16 @@ impl<P: Calc> Dynamics<P> {
         [Vector3::new(d.x, d.y, zero), Vector3::new(zero, zero, a.x - axis)]
     }
 
-    /// Motion under moments on both joints (N·m) at rates of the joints (rad/s); the load only where there is
-    /// one on a rope, which is paid out at `hoist` (m/s); where that changes, by `gain` (m/s²).
+    /// Motion under moments on both joints (N·m) at rates of the joints (rad/s), of those that are free; the load only
+    /// where there is one on a rope, which acts on it as a line.
     pub fn slewed<C: Coordinate<P>>(
         &self,
         r: &Reduced<C>,
         [omega, turning]: [C; 2],
         load: HangingLoad<C>,
         moments: [C; 2],
-        (hoist, gain): (C, Option<C>),
-        free: Free,
+        line: RopeAction<C>,
+        free: [bool; 2],
     ) -> Accelerations<C> {
         let (zero, half, two) = (C::constant(0.0), C::constant(0.5), C::constant(2.0));
         let [inertia, slope] = r.turn;
@@ -131,11 +163,7 @@ impl<P: Calc> Dynamics<P> {
             (moments[1] - slope * omega * turning).def(&s::M_NET_SL),
         ];
         let ease = |i: usize, inertia: C| {
-            if free.joints[i] {
-                C::constant(1.0) / inertia
-            } else {
-                zero
-            }
+            if free[i] { C::constant(1.0) / inertia } else { zero }
         };
         let ease = [ease(0, r.inertia), ease(1, inertia)];
         let alone = [
@@ -151,8 +179,14 @@ impl<P: Calc> Dynamics<P> {
             };
         };
         let head = self.head(r);
-        let rope = free.taut.then(|| Rope::new(load.place, &head));
-        let load = rope.as_ref().map_or(load, |rope| load.on_rope(rope, hoist));
+        let rope = match line {
+            RopeAction::Slack => None,
+            RopeAction::Taut { .. } | RopeAction::Force(_) => Some(Rope::new(load.place, &head)),
+        };
+        let load = match (&rope, line) {
+            (Some(rope), RopeAction::Taut { rate, .. }) => load.on_rope(rope, rate),
+            _ => load,
+        };
         // From the slewing axis; how high does not matter to what slewing does.
         let from_axis = load.place + Vector3::new(head[1].z, zero, zero);
         let from_axis = Vector3::new(from_axis.x.def(&s::R_QX), from_axis.y, from_axis.z);
@@ -170,18 +204,11 @@ impl<P: Calc> Dynamics<P> {
         let (joints, pull) = match &rope {
             None => (alone, zero),
             Some(rope) => {
-                // Away from the head by the speed across the rope; the joints give way to the rope's force.
-                let speed = squared(load.rate) - hoist.square();
-                let mut need = dot(rope.direction, fall) + speed / rope.length;
-                if let Some(gain) = gain {
-                    need -= gain;
-                }
-                let mut give = C::constant(1.0);
-                for i in 0..2 {
-                    need -= rope.arms[i] * alone[i];
-                    give += mass * rope.arms[i].square() * ease[i];
-                }
-                let pull = (need.def(&s::A_N) / give.def(&s::KAPPA_R)).def(&s::A_R);
+                let pull = match line {
+                    RopeAction::Force(force) => force / mass,
+                    _ => rope.keeping(line, load.rate, fall, mass, (alone, ease)),
+                };
+                let pull = pull.def(&s::A_R);
                 let joint = |i: usize, symbol| (alone[i] + mass * pull * rope.arms[i] * ease[i]).def(symbol);
                 ([joint(0, self.acceleration()), joint(1, &s::D_OMEGA_SL)], pull)
             }
@@ -190,10 +217,14 @@ impl<P: Calc> Dynamics<P> {
         if let Some(rope) = &rope {
             relative -= scaled(rope.direction, pull);
         }
+        let force = match line {
+            RopeAction::Force(force) => force,
+            _ => (mass * pull).def(&s::S_R),
+        };
         Accelerations {
             joints,
             load: named(relative, [&s::D_V_QX, &s::D_V_QY, &s::D_V_QZ]),
-            rope: (mass * pull).def(&s::S_R),
+            rope: force,
             slackening: C::of(pendulum.cancelling()) * pull,
         }
     }

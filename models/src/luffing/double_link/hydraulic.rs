@@ -6,12 +6,14 @@
 
 use crate::kernel::calc::{Calc, Over};
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
-use crate::luffing::double_link::motion::{self, Bar, Drum, Friction, MOST_CHANGES, MovingLinkage, above_zero};
+use crate::luffing::double_link::motion::{self, Friction, MOST_CHANGES, MovingLinkage};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::shares::Shares;
-use crate::luffing::double_link::slewing::{self, JointDrive, Slewing};
+use crate::luffing::double_link::slewing::{self, Slewing};
 use crate::luffing::double_link::symbols as g;
+use crate::parts::hoist::{Drum, HoistCommand, HoistPowers, Winch};
 use crate::parts::hydraulics::cylinder::{Cylinder, Oil};
+use crate::parts::joint::{Bar, JointDrive, above_zero};
 use crate::parts::solver::rodas::{Run, Tolerance};
 use crate::parts::solver::{Gradient, Halt, MOST_KINKS, MOST_STEPS, System};
 
@@ -57,8 +59,7 @@ pub struct Hydraulic<const N: usize, P = f64> {
     pub command: P,
     /// Pressure of the pump, in Pa.
     pub supply: P,
-    /// How fast the hoist is to pay out the rope, in m/s.
-    pub hoist: P,
+    pub hoist: HoistCommand<P>,
     pub slewing: JointDrive<P>,
 }
 
@@ -188,6 +189,14 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         self.joint().1
     }
 
+    /// Whether there is a rope that keeps its length under any force.
+    fn keeps(&self) -> bool {
+        self.dynamics()
+            .bodies()
+            .pendulum
+            .is_some_and(|load| load.hoist.rope.is_none())
+    }
+
     /// How many states there are.
     #[must_use]
     pub fn states(&self) -> usize {
@@ -201,7 +210,9 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         };
         // A hoist that follows its command at once has no rate of its own.
         let hangs = self.dynamics().bodies().pendulum;
-        hangs.map_or(alone, |load| all - usize::from(load.winch.is_none()))
+        hangs.map_or(alone, |load| {
+            all - usize::from(matches!(load.hoist.winch, Winch::AtOnce))
+        })
     }
 
     /// Moment on the driven bar of cylinder, friction and stops, in N·m.
@@ -257,11 +268,23 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         shares.named()
     }
 
+    /// What is asked of the hoist.
+    fn asked<C: Over<P>>(&self) -> HoistCommand<C> {
+        let HoistCommand { speed, drive } = self.hoist;
+        HoistCommand {
+            speed: C::of(speed),
+            drive: JointDrive {
+                moment: C::of(drive.moment),
+                brake: C::of(drive.brake),
+            },
+        }
+    }
+
     fn in_plane<C: Coordinate<P>>(&self, moment: C) -> motion::Commands<C> {
         motion::Commands {
             moment,
             brake: C::constant(0.0),
-            hoist: C::of(self.hoist),
+            hoist: self.asked(),
         }
     }
 
@@ -278,7 +301,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
                     brake: C::of(brake),
                 },
             ],
-            hoist: C::of(self.hoist),
+            hoist: self.asked(),
         }
     }
 
@@ -330,20 +353,23 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
     }
 
     /// Numbers whose fall below zero ends a smooth piece: slewing comes to rest or (two) breaks loose, meets its
-    /// lower or upper stop; the rope becomes slack or taut; the hoist runs as commanded.
-    pub fn indicators<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; 6]> {
+    /// lower or upper stop; the rope becomes slack or taut; the hoist runs as commanded, or comes to rest or (two) breaks
+    /// loose.
+    pub fn indicators<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; 7]> {
         let none = C::constant(1.0);
         if N == FIXED {
-            return Some([none; 6]);
+            return Some([none; 7]);
         }
         let r = C::reduced(self.dynamics(), y[0])?;
         let moment = self.moment(&r, y);
         Some(match &self.crane {
             Crane::Plane(motion) => {
                 let (own, y) = (modes.plane(y), part(y));
-                let rope = motion.slackening(&own, &r, &y, &self.in_plane(moment));
-                let hoist = modes.drum.reaching(y[7]);
-                [none, none, none, none, above_zero(rope), above_zero(hoist)]
+                let commands = self.in_plane(moment);
+                let rope = motion.slackening(&own, &r, &y, &commands);
+                let [hoist, drum] = motion.reaching(&own, &r, &y, &commands);
+                let [rope, hoist, drum] = [rope, hoist, drum].map(above_zero);
+                [none, none, none, none, rope, hoist, drum]
             }
             Crane::Slewing(slewing) => {
                 let [_, _, _, _, all @ ..] =
@@ -366,6 +392,19 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
                 let commands = self.in_space(moment);
                 slewing.accelerations(&modes.space(y), &r, &part(y), &commands).rope
             }
+        })
+    }
+
+    /// Moment of brake and friction on the drum of a motor, in N·m; positive reels in.
+    pub fn drum_friction<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<C> {
+        if N == FIXED {
+            return Some(C::constant(0.0));
+        }
+        let r = C::reduced(self.dynamics(), y[0])?;
+        let moment = self.moment(&r, y);
+        Some(match &self.crane {
+            Crane::Plane(motion) => motion.drum_friction(&modes.plane(y), &r, &part(y), &self.in_plane(moment)),
+            Crane::Slewing(slewing) => slewing.drum_friction(&modes.space(y), &r, &part(y), &self.in_space(moment)),
         })
     }
 
@@ -395,6 +434,19 @@ impl<const N: usize> Hydraulic<N> {
                 swing: 0.0,
                 swing_rate: 0.0,
             }),
+        }
+    }
+
+    /// What the hoist gives and takes; `None` where the linkage does not close.
+    pub(crate) fn hoist_powers(&self, modes: Modes, y: &[f64; N]) -> Option<HoistPowers> {
+        if N == FIXED {
+            return Some(HoistPowers::default());
+        }
+        let r = f64::reduced(self.dynamics(), y[0])?;
+        let moment = self.moment(&r, y);
+        match &self.crane {
+            Crane::Plane(motion) => motion.hoist_powers(&modes.plane(y), &self.in_plane(moment)),
+            Crane::Slewing(slewing) => slewing.hoist_powers(&modes.space(y), &self.in_space(moment)),
         }
     }
 
@@ -453,8 +505,10 @@ impl<const N: usize> Hydraulic<N> {
                 Crane::Plane(motion) => {
                     let mut state = modes.plane(&y);
                     let changed = motion.event(&mut state, &self.in_plane(moment))?;
-                    // Located just beyond its end, the rope cannot be longer than it is.
-                    state.y[5] = state.y[5].min(state.y[4]);
+                    // Located just beyond its end, a rope that keeps its length cannot be longer than it is.
+                    if self.keeps() {
+                        state.y[5] = state.y[5].min(state.y[4]);
+                    }
                     put(&mut y, &state.y);
                     (modes.drum, modes.taut, modes.blown) = (state.drum, state.taut, state.blown);
                     changed
@@ -462,7 +516,9 @@ impl<const N: usize> Hydraulic<N> {
                 Crane::Slewing(slewing) => {
                     let mut state = modes.space(&y);
                     let changed = slewing.event(&mut state, &self.in_space(moment))?;
-                    state.shorten();
+                    if self.keeps() {
+                        state.shorten();
+                    }
                     put(&mut y, &state.y);
                     (modes.drum, modes.taut, modes.blown) = (state.drum, state.taut, state.blown);
                     modes.slewing = state.joints[1];
@@ -489,7 +545,7 @@ impl<const N: usize> Hydraulic<N> {
         longest: f64,
     ) -> Result<(), Halt> {
         let drive = self.slewing;
-        if !(self.hoist.is_finite() && drive.moment.is_finite() && drive.brake >= 0.0) {
+        if !(self.hoist.is_sound() && drive.is_sound()) {
             return Err(Halt::Outside);
         }
         if present.run.is_fresh() {
@@ -546,7 +602,7 @@ impl<const N: usize> System<N> for Piece<'_, N> {
 
     #[inline]
     fn ended(&self, y: &[f64; N]) -> bool {
-        let beyond = |z: &[f64; 6]| z.iter().any(|z| *z < 0.0);
+        let beyond = |z: &[f64; 7]| z.iter().any(|z| *z < 0.0);
         N > FIXED && self.crane.indicators(self.modes, y).is_some_and(|z| beyond(&z))
     }
 
@@ -557,7 +613,7 @@ impl<const N: usize> System<N> for Piece<'_, N> {
 
     #[inline]
     fn settle(&self, y: &mut [f64; N]) {
-        if N > FIXED && self.modes.taut && self.crane.dynamics().bodies().pendulum.is_some() {
+        if N > FIXED && self.modes.taut && self.crane.keeps() {
             match &self.crane.crane {
                 Crane::Plane(_) => {
                     let [.., length, distance, speed, rate] = &mut y[..FIXED + motion::STATES - 2] else {

@@ -1,7 +1,7 @@
 //! Keys of a double link in a scene.
 
 use crate::balance::asked::KEYS as SYNTHESIS;
-use crate::balance::scene::KEYS as BALANCE;
+use crate::balance::scene::BALANCE;
 use crate::component::description::TABLE;
 use crate::component::outline::Limit;
 use crate::kernel::keys::keys;
@@ -33,17 +33,31 @@ pub const KEYS: &[Key] = &[
     Key::new("fidelity", Kind::Choice(moving::scene::FIDELITIES), "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range, its dimensions fixed), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).").optional(),
     Key::table("motion", MOTION, "Working range of the driven bar."),
     Key::part("weights", WEIGHTS, "Own weights and their centres of gravity."),
-    Key::part("balance", BALANCE, "Counterweight that carries the boom system's own weights."),
-    Key::part("drive", DRIVE, "Cylinder or rack that turns the driven bar."),
+    BALANCE,
+    DRIVE,
     Key::part("synthesis", SYNTHESIS, "What `lemnis synth` finds."),
     Key::part("dynamics", moving::scene::KEYS, "Inertias, friction, drive and rope of a mechanism in motion."),
+    HOISTING,
     Key::part("hydraulics", moving::scene::OIL_KEYS, "Oil, valve and lines of the luffing cylinder in motion."),
     Key::part("table", TABLE, "Interpolation of the level \"table\"."),
-    Key::part("slewing", moving::scene::SLEWING_KEYS, "Inertia, friction and drive of a crane in motion that slews."),
+    SLEWING,
     Key::part("limits", LIMITS, "Limits that the book checks."),
     Key::part("published", PUBLISHED, "Published values to stand beside the computed ones."),
     SOURCE,
 ];
+
+/// Parts of a crane that may also stand beside `[luffing]`, at the top of the scene.
+pub const DRIVE: Key = Key::part("drive", DRIVE_KEYS, "Cylinder or rack that turns the driven bar.");
+pub const HOISTING: Key = Key::part(
+    "hoisting",
+    moving::scene::HOISTING_KEYS,
+    "Rope and hoist of a load that swings.",
+);
+pub const SLEWING: Key = Key::part(
+    "slewing",
+    moving::scene::SLEWING_KEYS,
+    "Inertia, friction and drive of a crane in motion that slews.",
+);
 
 const MOTION: &[Key] = &Motion::keys(
     [&s::FROM, &s::TO],
@@ -55,7 +69,7 @@ static WEIGHTS: &[Key] = keys! { s:
     G_1 [or_mass], S_1 >= 0, CHI_1, G_2 [or_mass], S_2 >= 0, CHI_2, G_3 [or_mass], S_3 >= 0, CHI_3
 };
 
-static DRIVE: &[Key] = keys! { s:
+static DRIVE_KEYS: &[Key] = keys! { s:
     E_X, E_Y, S_D > 0, CHI_D, D_C > 0 [optional], D_R >= 0 [optional];
     Key::new(
         "kind",

@@ -7,9 +7,11 @@
 //! below zero; what follows is decided by [`MovingLinkage::event`]. Blows (an end
 //! stop, a rope that becomes taut) are plastic: no bouncing, no energy gained.
 
-use crate::kernel::calc::{Calc, Over};
-use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Pendulum, Phase, Reduced, Reel};
-use crate::luffing::double_link::moving::symbols::S_R;
+use crate::kernel::calc::Calc;
+use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
+use crate::luffing::double_link::moving::symbols as s;
+use crate::parts::hoist::{Drum, Elastic, Hoist, HoistCommand, HoistPowers, RopeAction};
+use crate::parts::joint::{Bar, LOOSE, above_zero, capped};
 use crate::parts::plane::{Point, dot};
 use crate::parts::solver::pieces::{self, Pieces};
 use crate::parts::solver::{Count, Halt, finite};
@@ -30,103 +32,14 @@ pub struct Commands<P = f64> {
     pub moment: P,
     /// Moment that the brake adds to the dry friction, in N·m; not negative.
     pub brake: P,
-    /// How fast the hoist is to pay out the rope, in m/s.
-    pub hoist: P,
-}
-
-/// The driven bar between events.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bar {
-    Held,
-    Forward,
-    Backward,
-    /// Moved by a cylinder: friction and stops are a part of its moment, and it never comes to rest for good.
-    Loose,
-}
-
-/// The drum of the hoist.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drum {
-    /// Whether it runs as commanded, pays out ever faster, or reels in ever faster.
-    pub way: Bar,
-    /// What it was commanded when that was decided, in m/s.
-    pub command: f64,
-}
-
-impl Drum {
-    /// As commanded (m/s).
-    #[must_use]
-    pub fn at(command: f64) -> Drum {
-        Drum {
-            way: Bar::Held,
-            command,
-        }
-    }
-
-    /// How the rate at which it pays out changes, in m/s²; `None` where it does not.
-    pub(crate) fn gain<P: Calc, C: Over<P>>(self, load: &Pendulum<P>) -> Option<C> {
-        let gain = C::of(load.winch?);
-        match self.way {
-            Bar::Forward => Some(gain),
-            Bar::Backward => Some(-gain),
-            Bar::Held | Bar::Loose => None,
-        }
-    }
-
-    /// Falls below zero where it has come up to its command at a rate (m/s).
-    pub(crate) fn reaching<C: Calc>(self, rate: C) -> C {
-        let command = C::constant(self.command);
-        match self.way {
-            Bar::Forward => command - rate,
-            Bar::Backward => rate - command,
-            Bar::Held | Bar::Loose => C::constant(1.0),
-        }
-    }
-
-    /// What it does under a command at an instant at which it pays out at a rate (m/s), its rate then, and how much
-    /// that changed at once.
-    pub(crate) fn decided<P>(self, load: &Pendulum<P>, before: f64, command: f64) -> (Drum, f64, f64) {
-        let mut rate = before;
-        let reached = self.command == command
-            && match self.way {
-                Bar::Forward => rate >= command,
-                Bar::Backward => rate <= command,
-                Bar::Held | Bar::Loose => false,
-            };
-        if reached || load.winch.is_none() {
-            rate = command;
-        }
-        let way = if rate < command {
-            Bar::Forward
-        } else if rate > command {
-            Bar::Backward
-        } else {
-            Bar::Held
-        };
-        let jump = match load.winch {
-            None if (rate - before).abs() > FELT => rate - before,
-            _ => 0.0,
-        };
-        (Drum { way, command }, rate, jump)
-    }
-}
-
-impl Bar {
-    /// After a blow that leaves it a rate: what moves may turn round.
-    pub(crate) fn struck(self, rate: f64) -> Bar {
-        match self {
-            Bar::Forward | Bar::Backward if rate > 0.0 => Bar::Forward,
-            Bar::Forward | Bar::Backward if rate < 0.0 => Bar::Backward,
-            bar => bar,
-        }
-    }
+    pub hoist: HoistCommand<P>,
 }
 
 /// Number of states: angle and rate of the driven bar, of the rope, the rope's length, the distance
 /// of the load from the head and its rate, the rate at which the rope is paid out; rad, m, s.
 pub const STATES: usize = 8;
 /// Number of event indicators.
-pub const INDICATORS: usize = 6;
+pub const INDICATORS: usize = 7;
 
 /// A motion at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -173,6 +86,16 @@ fn phase<C: Calc>(y: &[C; STATES]) -> Phase<C> {
     }
 }
 
+/// Of bar and rope (rad/s²), and of the load away from the head (m/s²), between events.
+#[derive(Clone, Copy, Debug)]
+struct PlaneAccelerations<C> {
+    bar: C,
+    swing: C,
+    out: C,
+    /// Force of the rope over the load's mass, in m/s², where it does not follow from the others.
+    pull: Option<C>,
+}
+
 /// A luffing mechanism that moves.
 #[derive(Clone, Copy, Debug)]
 pub struct MovingLinkage<P = f64> {
@@ -182,26 +105,30 @@ pub struct MovingLinkage<P = f64> {
     pub stops: [f64; 2],
 }
 
-/// How far beyond the greatest hold the moment must be before the bar breaks loose, and how far beyond the rope's
-/// end a slack load before it is caught: rounding alone must do neither.
-pub(crate) const LOOSE: f64 = 1.0 + 1e-12;
 /// Length of a rope, in m, of which nothing is left.
 pub(crate) const REELED_IN: f64 = 1e-4;
-/// Least jump of the hoist's speed that is a blow, in m/s: a load follows less without anyone's notice.
-const FELT: f64 = 1e-12;
 /// Part of an energy that rounding may be.
 const ROUNDING: f64 = 1e-14;
 /// Changes at one instant.
 pub(crate) const MOST_CHANGES: u32 = 16;
 
 impl<P: Calc> MovingLinkage<P> {
+    fn hoist(&self) -> Option<&Hoist<P>> {
+        self.dynamics.bodies().pendulum.as_ref().map(|load| &load.hoist)
+    }
+
+    /// Whether the rope keeps the load at its end: it is taut, and keeps its length under any force.
+    pub(crate) fn is_kept(&self, state: &MotionState) -> bool {
+        state.taut && self.hoist().is_some_and(|hoist| hoist.rope.is_none())
+    }
+
     /// The load on its rope as it is now.
     fn reel<C: Coordinate<P>>(&self, state: &MotionState, y: &[C; STATES]) -> Reel<C> {
-        if state.taut {
+        if self.is_kept(state) {
             Reel {
                 length: y[4],
                 rate: y[7],
-                gain: self.gain(state),
+                gain: self.hoist().and_then(|hoist| state.drum.ramp(hoist)),
             }
         } else {
             Reel {
@@ -212,9 +139,24 @@ impl<P: Calc> MovingLinkage<P> {
         }
     }
 
-    /// How the rate at which the rope is paid out changes, in m/s², where it does.
-    fn gain<C: Coordinate<P>>(&self, state: &MotionState) -> Option<C> {
-        state.drum.gain(self.dynamics.bodies().pendulum.as_ref()?)
+    /// How the rope acts on the load.
+    fn line<C: Coordinate<P>>(&self, state: &MotionState, y: &[C; STATES], commands: &Commands<C>) -> RopeAction<C> {
+        match self.hoist().filter(|_| state.taut) {
+            None => RopeAction::Slack,
+            Some(hoist) => match &hoist.rope {
+                None => RopeAction::Taut {
+                    rate: y[7],
+                    gain: state.drum.ramp(hoist),
+                    drum: state.drum.turning(hoist, &commands.hoist),
+                },
+                Some(rope) => RopeAction::Force(Self::stretched(rope, y)[1].def(&s::S_R)),
+            },
+        }
+    }
+
+    /// Forces of a stretched rope, in N.
+    fn stretched<C: Coordinate<P>>(rope: &Elastic<P>, y: &[C; STATES]) -> [C; 2] {
+        rope.forces((y[5] - y[4]).def(&s::DELTA_R), y[6] - y[7])
     }
 
     /// Greatest moment of dry friction and brake, in N·m.
@@ -222,14 +164,13 @@ impl<P: Calc> MovingLinkage<P> {
         C::of(self.friction.coulomb) + commands.brake
     }
 
-    /// Accelerations of bar and rope (rad/s²), and of the load away from the head (m/s²).
     fn accelerations<C: Coordinate<P>>(
         &self,
         state: &MotionState,
         r: &Reduced<C>,
         y: &[C; STATES],
         commands: &Commands<C>,
-    ) -> [C; 3] {
+    ) -> PlaneAccelerations<C> {
         let (m, still) = (phase(y), C::constant(0.0));
         let viscous = || commands.moment - C::of(self.friction.viscous) * m.omega;
         let moment = match state.bar {
@@ -237,27 +178,82 @@ impl<P: Calc> MovingLinkage<P> {
             Bar::Forward => viscous() - self.dry(commands),
             Bar::Backward => viscous() + self.dry(commands),
         };
-        let reel = self.reel(state, y);
-        if state.taut {
-            let [alpha, swing] = match state.bar {
+        let line = self.line(state, y, commands);
+        let kept = match line {
+            RopeAction::Taut { drum, .. } => drum.is_none(),
+            RopeAction::Slack | RopeAction::Force(_) => self.hoist().is_none(),
+        };
+        if kept {
+            let reel = self.reel(state, y);
+            let [bar, swing] = match state.bar {
                 Bar::Held => [still, self.dynamics.hold(r, &m, reel)[1]],
                 _ => self.dynamics.motion(r, &m, moment, reel),
             };
-            return [alpha, swing, still];
+            return PlaneAccelerations {
+                bar,
+                swing,
+                out: still,
+                pull: None,
+            };
         }
-        let alpha = match state.bar {
-            Bar::Held => still,
-            _ => (moment - r.moment - C::constant(0.5) * r.slope * m.omega * m.omega) / r.inertia,
+        self.led(state, r, y, moment, line)
+    }
+
+    /// Accelerations of a load that flies free, or is pulled by a force that does not follow from the bar's alone.
+    fn led<C: Coordinate<P>>(
+        &self,
+        state: &MotionState,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        moment: C,
+        line: RopeAction<C>,
+    ) -> PlaneAccelerations<C> {
+        let (m, reel, still) = (phase(y), self.reel(state, y), C::constant(0.0));
+        let [_, d, dd] = r.head;
+        let (out, along) = directions(m.swing);
+        let bodies = self.dynamics.bodies();
+        let weight = Point::new(still, C::of(bodies.gravity));
+        let held = state.bar == Bar::Held;
+        let alone = if held {
+            still
+        } else {
+            ((moment - r.moment - C::constant(0.5) * r.slope * m.omega * m.omega) / r.inertia).def(&s::ALPHA_0)
+        };
+        let mass = bodies.pendulum.map_or(still, |load| C::of(load.mass));
+        let arm = dot(d, out).def(&s::H_1R);
+        let ease = if held { still } else { C::constant(1.0) / r.inertia };
+        let pull = match line {
+            RopeAction::Slack => None,
+            RopeAction::Force(force) => Some((force / mass).def(&s::A_R)),
+            RopeAction::Taut { drum, .. } => {
+                let bend = dot(dd * (m.omega * m.omega) + weight, out);
+                let mut need = reel.length * m.swing_rate.square() - bend - arm * alone;
+                let mut give = C::constant(1.0) + mass * arm.square() * ease;
+                if let Some([drum, pull]) = drum {
+                    need += pull / drum;
+                    give += mass / drum;
+                }
+                Some((need.def(&s::A_N) / give.def(&s::KAPPA_R)).def(&s::A_R))
+            }
+        };
+        let bar = match pull {
+            Some(pull) if !held => (alone + mass * pull * arm * ease).def(self.dynamics.acceleration()),
+            _ => alone,
         };
         // The load falls freely; seen from the head, which moves.
-        let [_, d, dd] = r.head;
-        let fall = -Point::new(still, C::of(self.dynamics.bodies().gravity)) - d * alpha - dd * (m.omega * m.omega);
-        let (out, along) = directions(m.swing);
-        [
-            alpha,
-            (dot(fall, along) - C::constant(2.0) * reel.rate * m.swing_rate) / reel.length,
-            dot(fall, out) + reel.length * m.swing_rate * m.swing_rate,
-        ]
+        let fall = -weight - d * bar - dd * (m.omega * m.omega);
+        let swing = (dot(fall, along) - C::constant(2.0) * reel.rate * m.swing_rate) / reel.length;
+        let free = || dot(fall, out) + reel.length * m.swing_rate * m.swing_rate;
+        PlaneAccelerations {
+            bar,
+            swing: swing.def(&s::D_OMEGA_R),
+            out: match (line, pull) {
+                (RopeAction::Taut { .. }, _) => still,
+                (_, Some(pull)) => (free() - pull).def(&s::D_V_Q),
+                (_, None) => free(),
+            },
+            pull,
+        }
     }
 
     /// Rates of all states between events; `None` where the linkage does not close or nothing is left of the rope.
@@ -290,14 +286,16 @@ impl<P: Calc> MovingLinkage<P> {
         y: &[C; STATES],
         commands: &Commands<C>,
     ) -> [C; STATES] {
-        let [alpha, swing, out] = self.accelerations(state, r, y, commands);
-        if self.dynamics.bodies().pendulum.is_none() {
-            let none = C::constant(0.0);
-            return [y[1], alpha, none, none, none, none, none, none];
-        }
-        let distance = if state.taut { y[7] } else { y[6] };
-        let gain = self.gain(state).unwrap_or_else(|| C::constant(0.0));
-        [y[1], alpha, y[3], swing, y[7], distance, out, gain]
+        let none = C::constant(0.0);
+        let a = self.accelerations(state, r, y, commands);
+        let Some(hoist) = self.hoist() else {
+            return [y[1], a.bar, none, none, none, none, none, none];
+        };
+        let kept = self.is_kept(state);
+        let rope = || self.tension_by(&a, state, r, y);
+        let gain = (state.drum.gain(hoist, &commands.hoist, rope)).map_or(none, |gain| gain.def(&s::D_V_R));
+        let distance = if kept { y[7] } else { y[6] };
+        [y[1], a.bar, y[3], a.swing, y[7], distance, a.out, gain]
     }
 
     /// Moment that friction, brake and stops must give to hold the bar at rest, in N·m, with the
@@ -309,14 +307,20 @@ impl<P: Calc> MovingLinkage<P> {
         y: &[C; STATES],
         commands: &Commands<C>,
     ) -> [C; 3] {
-        let hold = if state.taut {
-            let still = Phase {
-                omega: C::constant(0.0),
-                ..phase(y)
-            };
-            self.dynamics.hold(r, &still, self.reel(state, y))[0]
-        } else {
-            r.moment
+        let line = self.line(state, y, commands);
+        let hold = match line {
+            RopeAction::Slack => r.moment,
+            RopeAction::Taut { drum: None, .. } => {
+                let still = Phase {
+                    omega: C::constant(0.0),
+                    ..phase(y)
+                };
+                self.dynamics.hold(r, &still, self.reel(state, y))[0]
+            }
+            RopeAction::Taut { .. } | RopeAction::Force(_) => {
+                let arm = dot(r.head[1], directions(y[2]).0);
+                r.moment - self.tension(state, r, y, commands) * arm
+            }
         };
         let dry = self.dry(commands) * C::constant(LOOSE);
         let (theta, without_end) = (y[0].value(), C::constant(f64::INFINITY));
@@ -335,8 +339,22 @@ impl<P: Calc> MovingLinkage<P> {
         y: &[C; STATES],
         commands: &Commands<C>,
     ) -> C {
+        if self.hoist().is_none() || !state.taut {
+            return C::constant(0.0);
+        }
+        self.tension_by(&self.accelerations(state, r, y, commands), state, r, y)
+    }
+
+    /// The same where it is known how all accelerate.
+    fn tension_by<C: Coordinate<P>>(
+        &self,
+        a: &PlaneAccelerations<C>,
+        state: &MotionState,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+    ) -> C {
         match self.dynamics.bodies().pendulum.filter(|_| state.taut) {
-            Some(load) => self.pull(load.mass, state, r, y, commands).def(&S_R),
+            Some(load) => self.pull(load.mass, a, state, r, y).def(&s::S_R),
             None => C::constant(0.0),
         }
     }
@@ -345,15 +363,17 @@ impl<P: Calc> MovingLinkage<P> {
     fn pull<C: Coordinate<P>>(
         &self,
         mass: P,
+        a: &PlaneAccelerations<C>,
         state: &MotionState,
         r: &Reduced<C>,
         y: &[C; STATES],
-        commands: &Commands<C>,
     ) -> C {
-        let [alpha, _, _] = self.accelerations(state, r, y, commands);
+        if let Some(pull) = a.pull {
+            return C::of(mass) * pull;
+        }
         let [_, d, dd] = r.head;
         let (out, _) = directions(y[2]);
-        let head = d * alpha + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.bodies().gravity));
+        let head = d * a.bar + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.bodies().gravity));
         C::of(mass) * (self.reel(state, y).less_gain(y[4] * y[3] * y[3]) - dot(head, out))
     }
 
@@ -388,8 +408,8 @@ impl<P: Calc> MovingLinkage<P> {
     }
 
     /// Numbers whose fall below zero ends a smooth piece: the bar comes to rest or (two) breaks
-    /// loose; it meets its lower or upper stop; the rope becomes slack or taut; the hoist runs as commanded. After an
-    /// event all are above zero.
+    /// loose; it meets its lower or upper stop; the rope becomes slack or taut; the hoist runs as commanded, or comes to
+    /// rest or (two) breaks loose. After an event all are above zero.
     #[must_use]
     pub fn indicators<C: Coordinate<P>>(
         &self,
@@ -409,8 +429,9 @@ impl<P: Calc> MovingLinkage<P> {
             Bar::Backward => [-y[1], none, y[0] - low, high - y[0]],
             Bar::Loose => [none; 4],
         };
-        let hoist = state.drum.reaching(y[7]);
-        Some([rest, loose, low, high, self.slackening(state, &r, y, commands), hoist].map(above_zero))
+        let rope = self.slackening(state, &r, y, commands);
+        let [hoist, drum] = self.reaching(state, &r, y, commands);
+        Some([rest, loose, low, high, rope, hoist, drum].map(above_zero))
     }
 
     /// Falls below zero where the rope becomes slack or taut.
@@ -421,11 +442,43 @@ impl<P: Calc> MovingLinkage<P> {
         y: &[C; STATES],
         commands: &Commands<C>,
     ) -> C {
-        match self.dynamics.bodies().pendulum {
-            None => C::constant(1.0),
-            Some(load) if state.taut => self.pull(load.cancelling(), state, r, y, commands),
-            Some(_) => y[4] * C::constant(LOOSE) - y[5],
+        let Some(load) = self.dynamics.bodies().pendulum else {
+            return C::constant(1.0);
+        };
+        match &load.hoist.rope {
+            Some(rope) => Elastic::<P>::slackening(state.taut, Self::stretched(rope, y)),
+            None if state.taut => {
+                let a = self.accelerations(state, r, y, commands);
+                self.pull(load.cancelling(), &a, state, r, y)
+            }
+            None => y[4] * C::constant(LOOSE) - y[5],
         }
+    }
+
+    /// Fall below zero where the hoist runs as commanded, or its drum comes to rest or (two) breaks loose.
+    pub(crate) fn reaching<C: Coordinate<P>>(
+        &self,
+        state: &MotionState,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> [C; 2] {
+        let rope = || self.tension(state, r, y, commands);
+        let reaching = |hoist: &Hoist<P>| state.drum.reaching(hoist, &commands.hoist, y[7], rope);
+        self.hoist().map_or([C::constant(1.0); 2], reaching)
+    }
+
+    /// Moment of brake and friction on the drum of a motor, in N·m; positive reels in.
+    pub(crate) fn drum_friction<C: Coordinate<P>>(
+        &self,
+        state: &MotionState,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &Commands<C>,
+    ) -> C {
+        let rope = self.tension(state, r, y, commands);
+        let friction = |hoist: &Hoist<P>| state.drum.friction(hoist, &commands.hoist, rope);
+        self.hoist().map_or(C::constant(0.0), friction)
     }
 }
 
@@ -448,12 +501,13 @@ impl MovingLinkage {
             self.stop_bar(state, &r);
             self.switch_rope(state, &r, commands);
             if state.bar == Bar::Held {
-                let [hold, least, most] = self.held(state, &r, &state.y, commands);
-                if hold > most {
-                    state.bar = Bar::Backward;
-                } else if hold < least {
-                    state.bar = Bar::Forward;
-                }
+                state.bar = Bar::loosened(self.held(state, &r, &state.y, commands));
+            }
+            if let Some(hoist) = self.hoist() {
+                let rope = || self.tension(state, &r, &state.y, commands);
+                let mut drum = state.drum;
+                drum.loosen(hoist, &commands.hoist, rope);
+                state.drum = drum;
             }
             if *state == before {
                 break;
@@ -473,13 +527,13 @@ impl MovingLinkage {
     /// The hoist follows its command. Where it does so at once the load goes on as it did: the rope lets go, or gives
     /// it a blow.
     fn wind(&self, state: &mut MotionState, commands: &Commands) {
-        let Some(load) = &self.dynamics.bodies().pendulum else {
+        let Some(hoist) = self.hoist() else {
             return;
         };
         let before = state.y[7];
-        let (drum, rate, jump) = state.drum.decided(load, before, commands.hoist);
+        let (drum, rate, jump) = state.drum.decided(hoist, before, &commands.hoist);
         (state.drum, state.y[7]) = (drum, rate);
-        if state.taut && jump != 0.0 {
+        if self.is_kept(state) && jump != 0.0 {
             (state.y[5], state.y[6], state.taut) = (state.y[4], before, false);
         }
     }
@@ -498,13 +552,14 @@ impl MovingLinkage {
         };
         if at_stop {
             let (out, along) = directions(state.y[2]);
-            // A rope along which the head comes to rest would have to push: it lets go.
-            let hangs = state.taut && self.dynamics.bodies().pendulum.is_some();
-            if hangs && omega * r.head[1].dot(&out) < 0.0 {
+            // A rope along which the head comes to rest would have to push: it lets go. A drum that turns gives way, by
+            // what the load then pulls.
+            let gives = self.hoist().is_some_and(|hoist| state.drum.ease(hoist) > 0.0);
+            if self.is_kept(state) && (gives || omega * r.head[1].dot(&out) < 0.0) {
                 (state.y[5], state.y[6], state.taut) = (state.y[4], state.y[7], false);
             }
             let reel = self.reel(state, &state.y);
-            if state.taut {
+            if self.is_kept(state) || self.hoist().is_none() {
                 state.y[3] -= omega * self.dynamics.blow(r, &state.phase(), reel);
             } else {
                 state.y[3] += omega * r.head[1].dot(&along) / reel.length;
@@ -526,7 +581,9 @@ impl MovingLinkage {
         let Some(pendulum) = self.dynamics.bodies().pendulum else {
             return;
         };
-        if state.taut {
+        if let Some(rope) = &pendulum.hoist.rope {
+            state.taut = Elastic::<f64>::pulls(state.taut, Self::stretched(rope, &state.y));
+        } else if state.taut {
             state.y[5] = state.y[4];
             state.y[6] = state.y[7];
             state.taut = self.slackening(state, r, &state.y, commands) >= 0.0;
@@ -534,10 +591,15 @@ impl MovingLinkage {
             let (out, along) = directions(state.y[2]);
             let arm = r.head[1].dot(&out);
             let follow = if state.bar == Bar::Held { 0.0 } else { arm / r.inertia };
-            let blow = (state.y[6] - state.y[7]) / (1.0 / pendulum.mass + arm * follow);
+            let drum = state.drum.ease(&pendulum.hoist);
+            let blow = (state.y[6] - state.y[7]) / (1.0 / pendulum.mass + arm * follow + drum);
             state.y[1] += blow * follow;
             state.bar = state.bar.struck(state.y[1]);
             state.y[3] -= blow * follow * r.head[1].dot(&along) / state.y[4];
+            state.y[7] += blow * drum;
+            if drum > 0.0 {
+                state.drum.way = state.drum.way.struck(state.y[7]);
+            }
             state.y[5] = state.y[4];
             state.y[6] = state.y[7];
             state.taut = true;
@@ -557,7 +619,7 @@ impl MovingLinkage {
         longest: f64,
     ) -> Result<Count, Halt> {
         let Commands { moment, brake, hoist } = *commands;
-        if !(moment.is_finite() && hoist.is_finite() && brake >= 0.0) {
+        if !(moment.is_finite() && hoist.is_sound() && brake >= 0.0) {
             return Err(Halt::Outside);
         }
         pieces::advance(&Commanded { motion: self, commands }, state, duration, longest)
@@ -578,7 +640,20 @@ impl MovingLinkage {
         let (out, along) = directions(m.swing);
         let velocity = d * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;
         let height = a.y + out.y * reel.length;
-        Some(bars + pendulum.mass * (0.5 * velocity.norm_squared() + bodies.gravity * height))
+        let load = pendulum.mass * (0.5 * velocity.norm_squared() + bodies.gravity * height);
+        let hoist = pendulum.hoist.energy(state.y[7], state.y[5] - state.y[4]);
+        Some(bars + load + hoist)
+    }
+
+    /// What the hoist gives and takes; `None` where the linkage does not close.
+    pub(crate) fn hoist_powers(&self, state: &MotionState, commands: &Commands) -> Option<HoistPowers> {
+        let Some(hoist) = self.hoist() else {
+            return Some(HoistPowers::default());
+        };
+        let rope = self.rope_force(state, commands, &state.y)?;
+        let y = &state.y;
+        let stretch = [y[5] - y[4], y[6] - y[7]];
+        Some(hoist.powers(state.drum, &commands.hoist, y[7], stretch, rope))
     }
 }
 
@@ -619,18 +694,6 @@ pub(crate) fn lost(energies: Option<(f64, f64)>) -> f64 {
         }
     };
     energies.map_or(0.0, blow)
-}
-
-/// A greatest moment without end as the greatest number: an indicator must be finite.
-pub(crate) fn capped<C: Calc>(x: C) -> C {
-    if x.value() > f64::MAX { C::constant(f64::MAX) } else { x }
-}
-
-/// An indicator that an event leaves at zero, such as the rate of a bar that breaks loose, begins just above it: an
-/// importer that looks at signs sees the next crossing, even where it follows within one of its steps. Every other
-/// number keeps its bits.
-pub(crate) fn above_zero<C: Calc>(z: C) -> C {
-    z + C::constant(f64::MIN_POSITIVE)
 }
 
 /// From the head to the load, and where it swings to, at an angle of the rope.

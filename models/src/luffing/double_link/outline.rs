@@ -9,7 +9,7 @@ use crate::luffing::double_link::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
-        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", slewing, oil "hydraulics", limits
+        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, slewing, oil "hydraulics", limits
     },
     constants: &[
         ("geometry_constants", &[Stage("geometry")]),

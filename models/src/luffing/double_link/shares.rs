@@ -1,8 +1,9 @@
 //! What turns the driven bar, told apart: drive and brake, friction in its pins, end stop.
 
 use crate::kernel::calc::{Calc, Over};
-use crate::luffing::double_link::motion::{Bar, Friction, LOOSE};
+use crate::luffing::double_link::motion::Friction;
 use crate::luffing::double_link::moving::symbols as s;
+use crate::parts::joint::{Bar, LOOSE};
 
 /// Moments on the driven bar, in N·m, in the direction of its angle.
 #[derive(Clone, Copy, Debug)]

@@ -21,6 +21,7 @@ use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
+use crate::luffing::double_link::moving::scene::HoistKind;
 use crate::luffing::double_link::moving::{self, model::LuffingMotion};
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
@@ -132,7 +133,12 @@ impl Described for LuffingScene {
 
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         let mut unused: Vec<(&'static str, &'static [&'static str])> = match level {
-            "static" | "table" => vec![("dynamics", &[]), ("slewing", &[]), ("hydraulics", &[])],
+            "static" | "table" => vec![
+                ("dynamics", &[]),
+                ("hoisting", &[]),
+                ("slewing", &[]),
+                ("hydraulics", &[]),
+            ],
             "rigid" | "swing" => vec![("hydraulics", &[])],
             _ => Vec::new(),
         };
@@ -140,7 +146,8 @@ impl Described for LuffingScene {
         if !(rope && matches!(level, "swing" | "hydraulic")) {
             unused.extend([
                 ("slewing", &["chi_R"][..]),
-                ("dynamics", &["l_R", "phi_R", "v_h"][..]),
+                ("hoisting", &[]),
+                ("dynamics", &["l_R", "phi_R", "v_h", "a_h"][..]),
                 ("limits", &["phi_max"][..]),
             ]);
         }
@@ -250,11 +257,17 @@ impl Described for LuffingScene {
             }),
             Some("bodies"),
             given(this.parameters.balance.is_some(), "counterweight"),
-            Some(if rope { "rope" } else { "fixed_load" }),
-            given(rope, "slack"),
-            moving
-                .rope
-                .map(|rope| if rope.winch.is_some() { "hoist_ramp" } else { "hoist" }),
+            Some(match moving.rope.map(|rope| rope.give.is_some()) {
+                Some(true) => "elastic_rope",
+                Some(false) => "rope",
+                None => "fixed_load",
+            }),
+            moving.rope.filter(|rope| rope.give.is_none()).map(|_| "slack"),
+            moving.rope.map(|rope| match rope.hoist {
+                HoistKind::AtOnce => "hoist",
+                HoistKind::Ramp(_) => "hoist_ramp",
+                HoistKind::Motor(_) => "hoist_motor",
+            }),
             given(slews, "slewing"),
             given(oil, "oil"),
             Some(if oil { "creep" } else { "sticking" }),

@@ -8,11 +8,11 @@ use nalgebra::Vector3;
 
 use crate::kernel::calc::Calc;
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Reduced};
-use crate::luffing::double_link::hanging::{Accelerations, Free, HangingLoad, Rope, squared, turned};
-use crate::luffing::double_link::motion::{
-    Bar, Drum, Friction, LOOSE, MOST_CHANGES, REELED_IN, above_zero, capped, lost,
-};
+use crate::luffing::double_link::hanging::{Accelerations, HangingLoad, Rope, dot, squared, to_load, turned};
+use crate::luffing::double_link::motion::{Friction, MOST_CHANGES, REELED_IN, lost};
 use crate::luffing::double_link::moving::symbols as s;
+use crate::parts::hoist::{Drum, Elastic, Hoist, HoistCommand, HoistPowers, RopeAction};
+use crate::parts::joint::{Bar, JointDrive, LOOSE, above_zero, capped};
 use crate::parts::solver::pieces::{self, Pieces};
 use crate::parts::solver::{Count, Halt, finite};
 
@@ -22,24 +22,14 @@ pub const STATES: usize = 12;
 /// States without a load on a rope.
 pub const RIGID: usize = 4;
 /// Number of event indicators.
-pub const INDICATORS: usize = 10;
-
-/// What drives a joint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct JointDrive<P = f64> {
-    /// In N·m, in the direction of the angle.
-    pub moment: P,
-    /// Moment that the brake adds to the dry friction, in N·m; not negative.
-    pub brake: P,
-}
+pub const INDICATORS: usize = 11;
 
 /// What drives the motion; constant over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlewingCommands<P = f64> {
     /// Of luffing and slewing.
     pub drives: [JointDrive<P>; 2],
-    /// How fast the hoist is to pay out the rope, in m/s.
-    pub hoist: P,
+    pub hoist: HoistCommand<P>,
 }
 
 /// Luffing or slewing, at no particular angle.
@@ -141,6 +131,13 @@ pub fn distance<C: Calc>(y: &[C; STATES]) -> C {
     squared(load_of(y).place).sqrt()
 }
 
+/// Distance of the load from the head (m), and how fast it goes away from it (m/s).
+fn going<C: Calc>(y: &[C; STATES]) -> [C; 2] {
+    let load = load_of(y);
+    let (distance, direction) = to_load(load.place);
+    [distance, dot(direction, load.rate).def(&s::V_Q)]
+}
+
 /// A crane that luffs and slews.
 #[derive(Clone, Copy, Debug)]
 pub struct Slewing<P = f64> {
@@ -157,11 +154,39 @@ fn load_of<C: Calc>(y: &[C; STATES]) -> HangingLoad<C> {
 }
 
 impl<P: Calc> Slewing<P> {
-    fn free(state: &SlewingState) -> Free {
-        Free {
-            joints: state.joints.map(|joint| joint != Bar::Held),
-            taut: state.taut,
+    fn hoist(&self) -> Option<&Hoist<P>> {
+        self.dynamics.bodies().pendulum.as_ref().map(|load| &load.hoist)
+    }
+
+    /// Whether the rope keeps the load at its end: it is taut, and keeps its length under any force.
+    pub(crate) fn is_kept(&self, state: &SlewingState) -> bool {
+        state.taut && self.hoist().is_some_and(|hoist| hoist.rope.is_none())
+    }
+
+    /// How the rope acts on the load.
+    fn line<C: Coordinate<P>>(
+        &self,
+        state: &SlewingState,
+        y: &[C; STATES],
+        commands: &SlewingCommands<C>,
+    ) -> RopeAction<C> {
+        match self.hoist().filter(|_| state.taut) {
+            None => RopeAction::Slack,
+            Some(hoist) => match &hoist.rope {
+                None => RopeAction::Taut {
+                    rate: y[11],
+                    gain: state.drum.ramp(hoist),
+                    drum: state.drum.turning(hoist, &commands.hoist),
+                },
+                Some(rope) => RopeAction::Force(Self::stretched(rope, y)[1].def(&s::S_R)),
+            },
         }
+    }
+
+    /// Forces of a stretched rope, in N.
+    fn stretched<C: Coordinate<P>>(rope: &Elastic<P>, y: &[C; STATES]) -> [C; 2] {
+        let [distance, speed] = going(y);
+        rope.forces((distance - y[10]).def(&s::DELTA_R), speed - y[11])
     }
 
     /// Greatest moment of dry friction and brake of a joint, in N·m.
@@ -194,9 +219,9 @@ impl<P: Calc> Slewing<P> {
         commands: &SlewingCommands<C>,
     ) -> Accelerations<C> {
         let moments = [0, 1].map(|i| commands.drives[i].moment + self.resistance(i, state, y, commands));
-        let (rates, free) = ([y[1], y[3]], Self::free(state));
-        self.dynamics
-            .slewed(r, rates, load_of(y), moments, (y[11], self.gain(state)), free)
+        let free = state.joints.map(|joint| joint != Bar::Held);
+        let line = self.line(state, y, commands);
+        self.dynamics.slewed(r, [y[1], y[3]], load_of(y), moments, line, free)
     }
 
     /// Rates of all states between events; `None` where the linkage does not close or nothing is left of the rope.
@@ -230,24 +255,19 @@ impl<P: Calc> Slewing<P> {
         let a = self.accelerations(state, r, y, commands);
         let mut out = [C::constant(0.0); STATES];
         out[..RIGID].copy_from_slice(&[y[1], a.joints[0], y[3], a.joints[1]]);
-        if self.dynamics.bodies().pendulum.is_some() {
+        if let Some(hoist) = self.hoist() {
             let mut load = load_of(y);
-            if state.taut {
+            if self.is_kept(state) {
                 load = load.on_rope(&Rope::new(load.place, &self.dynamics.head(r)), y[11]);
             }
             out[4..7].copy_from_slice(load.rate.as_slice());
             out[7..10].copy_from_slice(a.load.as_slice());
             out[10] = y[11];
-            if let Some(gain) = self.gain(state) {
-                out[11] = gain;
+            if let Some(gain) = state.drum.gain(hoist, &commands.hoist, || a.rope) {
+                out[11] = gain.def(&s::D_V_R);
             }
         }
         out
-    }
-
-    /// How the rate at which the rope is paid out changes, in m/s², where it does.
-    fn gain<C: Coordinate<P>>(&self, state: &SlewingState) -> Option<C> {
-        state.drum.gain(self.dynamics.bodies().pendulum.as_ref()?)
     }
 
     /// Moment that friction, brake and stops must give to hold a joint at rest, in N·m, with the least and
@@ -320,9 +340,22 @@ impl<P: Calc> Slewing<P> {
         }
     }
 
+    /// Moment of brake and friction on the drum of a motor, in N·m; positive reels in.
+    pub(crate) fn drum_friction<C: Coordinate<P>>(
+        &self,
+        state: &SlewingState,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+        commands: &SlewingCommands<C>,
+    ) -> C {
+        let rope = || self.accelerations(state, r, y, commands).rope;
+        let friction = |hoist: &Hoist<P>| state.drum.friction(hoist, &commands.hoist, rope());
+        self.hoist().map_or(C::constant(0.0), friction)
+    }
+
     /// Numbers whose fall below zero ends a smooth piece: luffing comes to rest or (two) breaks loose, meets
-    /// its lower or upper stop; the same for slewing; the rope becomes slack or taut; the hoist runs as commanded. After
-    /// an event all are above zero.
+    /// its lower or upper stop; the same for slewing; the rope becomes slack or taut; the hoist runs as commanded, or comes
+    /// to rest or (two) breaks loose. After an event all are above zero.
     #[must_use]
     pub fn indicators<C: Coordinate<P>>(
         &self,
@@ -364,13 +397,14 @@ impl<P: Calc> Slewing<P> {
                 }
             }
         }
-        if self.dynamics.bodies().pendulum.is_some() {
-            out[8] = if state.taut {
-                self.accelerations(state, r, y, commands).slackening
-            } else {
-                y[10] * C::constant(LOOSE) - distance(y)
+        if let Some(hoist) = self.hoist() {
+            out[8] = match &hoist.rope {
+                Some(rope) => Elastic::<P>::slackening(state.taut, Self::stretched(rope, y)),
+                None if state.taut => self.accelerations(state, r, y, commands).slackening,
+                None => y[10] * C::constant(LOOSE) - distance(y),
             };
-            out[9] = state.drum.reaching(y[11]);
+            let rope = || self.accelerations(state, r, y, commands).rope;
+            [out[9], out[10]] = state.drum.reaching(hoist, &commands.hoist, y[11], rope);
         }
         out.map(above_zero)
     }
@@ -399,13 +433,14 @@ impl Slewing {
             self.switch_rope(state, &r, commands);
             for i in 0..2 {
                 if state.joints[i] == Bar::Held {
-                    let [hold, least, most] = self.held(i, state, &r, &state.y, commands);
-                    if hold > most {
-                        state.joints[i] = Bar::Backward;
-                    } else if hold < least {
-                        state.joints[i] = Bar::Forward;
-                    }
+                    state.joints[i] = Bar::loosened(self.held(i, state, &r, &state.y, commands));
                 }
+            }
+            if let Some(hoist) = self.hoist() {
+                let rope = || self.accelerations(state, &r, &state.y, commands).rope;
+                let mut drum = state.drum;
+                drum.loosen(hoist, &commands.hoist, rope);
+                state.drum = drum;
             }
             if *state == before {
                 break;
@@ -428,9 +463,9 @@ impl Slewing {
         let Some(load) = &self.dynamics.bodies().pendulum else {
             return Ok(());
         };
-        let (drum, rate, jump) = state.drum.decided(load, state.y[11], commands.hoist);
+        let (drum, rate, jump) = state.drum.decided(&load.hoist, state.y[11], &commands.hoist);
         (state.drum, state.y[11]) = (drum, rate);
-        if state.taut && jump != 0.0 {
+        if self.is_kept(state) && jump != 0.0 {
             state.taut = jump < 0.0;
             if state.taut {
                 let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
@@ -444,7 +479,7 @@ impl Slewing {
     fn catch(&self, state: &mut SlewingState, r: &Reduced<f64>, mass: f64, excess: f64) {
         let head = self.dynamics.head(r);
         let (rope, ease) = (Rope::new(load_of(&state.y).place, &head), self.ease(state, r));
-        let give = 1.0 + mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1]);
+        let give = self.giving(state, &rope, ease, mass);
         self.jerk(state, &head, &rope, ease, excess / give, mass, [0.0; 2]);
         state.taut = true;
     }
@@ -483,16 +518,22 @@ impl Slewing {
         let head = self.dynamics.head(r);
         let mut lost = [0.0; 2];
         lost[i] = -state.y[2 * i + 1];
-        if !state.taut {
+        if !self.is_kept(state) {
             self.shift(state, &head, lost, Vector3::zeros());
             return;
         }
         let rope = Rope::new(load_of(&state.y).place, &head);
         let ease = self.ease(state, r);
-        let give = 1.0 + pendulum.mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1]);
+        let give = self.giving(state, &rope, ease, pendulum.mass);
         let pull = -(rope.arms[i] * lost[i]) / give;
         state.taut = pull >= 0.0;
         self.jerk(state, &head, &rope, ease, pull.max(0.0), pendulum.mass, lost);
+    }
+
+    /// How much easier a load of a mass (kg) gives way along the rope than by itself, as joints and drum do too.
+    fn giving(&self, state: &SlewingState, rope: &Rope<f64>, ease: [f64; 2], mass: f64) -> f64 {
+        let drum = self.hoist().map_or(0.0, |hoist| state.drum.ease(hoist));
+        1.0 + mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1] + drum)
     }
 
     /// One over the inertia of each joint that moves.
@@ -523,6 +564,11 @@ impl Slewing {
             state.y[2 * i + 1] += more;
             state.joints[i] = state.joints[i].struck(state.y[2 * i + 1]);
         }
+        let drum = self.hoist().map_or(0.0, |hoist| state.drum.ease(hoist));
+        if drum > 0.0 {
+            state.y[11] += mass * pull * drum;
+            state.drum.way = state.drum.way.struck(state.y[11]);
+        }
         self.shift(state, head, change, -rope.direction * pull);
     }
 
@@ -540,6 +586,10 @@ impl Slewing {
         let Some(pendulum) = self.dynamics.bodies().pendulum else {
             return;
         };
+        if let Some(rope) = &pendulum.hoist.rope {
+            state.taut = Elastic::<f64>::pulls(state.taut, Self::stretched(rope, &state.y));
+            return;
+        }
         if !state.taut {
             let (load, head) = (load_of(&state.y), self.dynamics.head(r));
             let rope = Rope::new(load.place, &head);
@@ -565,8 +615,7 @@ impl Slewing {
         duration: f64,
         longest: f64,
     ) -> Result<Count, Halt> {
-        let sound = |drive: &JointDrive| drive.moment.is_finite() && drive.brake >= 0.0;
-        if !(commands.drives.iter().all(sound) && commands.hoist.is_finite()) {
+        if !(commands.drives.iter().all(JointDrive::is_sound) && commands.hoist.is_sound()) {
             return Err(Halt::Outside);
         }
         let commanded = Commanded { crane: self, commands };
@@ -583,7 +632,20 @@ impl Slewing {
             return Some(bars);
         };
         let (place, velocity) = self.velocity(state, &r);
-        Some(bars + pendulum.mass * (0.5 * velocity.norm_squared() + self.dynamics.bodies().gravity * place.y))
+        let load = pendulum.mass * (0.5 * velocity.norm_squared() + self.dynamics.bodies().gravity * place.y);
+        let stretch = distance(&state.y) - state.y[10];
+        Some(bars + load + pendulum.hoist.energy(state.y[11], stretch))
+    }
+
+    /// What the hoist gives and takes; `None` where the linkage does not close.
+    pub(crate) fn hoist_powers(&self, state: &SlewingState, commands: &SlewingCommands) -> Option<HoistPowers> {
+        let Some(hoist) = self.hoist() else {
+            return Some(HoistPowers::default());
+        };
+        let rope = self.rope_force(state, commands, &state.y)?;
+        let (y, [distance, speed]) = (&state.y, going(&state.y));
+        let stretch = [distance - y[10], speed - y[11]];
+        Some(hoist.powers(state.drum, &commands.hoist, y[11], stretch, rope))
     }
 
     /// Angular momentum about the slewing axis, in kg·m²/s; `None` where the linkage does not close.
@@ -602,7 +664,7 @@ impl Slewing {
     fn velocity(&self, state: &SlewingState, r: &Reduced<f64>) -> (Vector3<f64>, Vector3<f64>) {
         let head = self.dynamics.head(r);
         let mut load = load_of(&state.y);
-        if state.taut {
+        if self.is_kept(state) {
             load = load.on_rope(&Rope::new(load.place, &head), state.y[11]);
         }
         let place = load.place + Vector3::new(head[1].z, r.head[0].y, 0.0);

@@ -1,7 +1,7 @@
 //! The boom on a luffing rope as scenes describe it and books tell it.
 
 use crate::balance::boom::Plain;
-use crate::balance::scene::{Form, KEYS as BALANCE, PublishedBalance};
+use crate::balance::scene::{BALANCE, Form, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, TABLE, Vocabulary};
 use crate::component::draw::Draw;
@@ -45,7 +45,7 @@ pub const KEYS: &[Key] = &[
         "Hoist rope from the boom's head over a sheave of the frame.",
     ),
     Key::part("weights", WEIGHTS, "Own weight of the boom and its centre of gravity."),
-    Key::part("balance", BALANCE, "A balance of the boom."),
+    BALANCE,
     Key::part("table", TABLE, "Interpolation, with fidelity \"table\"."),
     Key::part(
         "limits",

@@ -10,19 +10,21 @@ use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, rope_on_head
 use crate::luffing::double_link::hanging::to_load;
 use crate::luffing::double_link::hydraulic::{self, FIXED, Hydraulic, Modes};
 use crate::luffing::double_link::inertia_forces::Instant;
-use crate::luffing::double_link::motion::{self, Bar, Commands, Drum, MovingLinkage, directions};
+use crate::luffing::double_link::motion::{self, Commands, MovingLinkage, directions};
 use crate::luffing::double_link::pose::Posing;
 use crate::luffing::double_link::shares::Shares;
-use crate::luffing::double_link::slewing::{self, JointDrive, Slewing};
+use crate::luffing::double_link::slewing::{self, Slewing};
+use crate::parts::hoist::Drum;
 use crate::parts::hydraulics::cylinder::Oil;
 use crate::parts::hydraulics::oil::VACUUM;
+use crate::parts::joint::{Bar, JointDrive};
 use crate::parts::solver::rodas::{Run, Tolerance};
 use crate::parts::solver::{Count, Halt};
 
 /// Most continuous states of any level.
 pub const MOST_STATES: usize = hydraulic::MOST;
 /// Most event indicators of any level.
-pub const MOST_INDICATORS: usize = 12;
+pub const MOST_INDICATORS: usize = 13;
 /// Event indicators of the oil.
 pub const OIL_INDICATORS: usize = 6;
 
@@ -81,6 +83,8 @@ pub enum MotionResult {
     /// The same on slewing.
     SlewingFriction,
     Rope,
+    /// Of brake and friction on the drum of a motor.
+    Drum,
     /// Energy that blows have taken.
     Blows,
     /// Angles of the rope of a crane that slews, in the mechanism's plane and from it.
@@ -139,6 +143,7 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
         MotionResult::Friction => Some(system.reaction(y[0], y[1])),
         MotionResult::SlewingFriction => system.slewing_friction(modes, y),
         MotionResult::Rope => system.rope_force(modes, y),
+        MotionResult::Drum => system.drum_friction(modes, y),
         MotionResult::Blows => Some(P::constant(modes.blown)),
         MotionResult::Swing | MotionResult::Side | MotionResult::Distance => Some(seen(&hydraulic::part(y), reaction)),
     }
@@ -244,12 +249,20 @@ impl<P: Coordinate<P>> Level<P> {
             (Level::Free(motion), Present::Free(state), MotionResult::Rope) => {
                 motion.rope_force(state, &inputs.motion, first(y))
             }
+            (Level::Free(motion), Present::Free(state), MotionResult::Drum) => {
+                let r = P::reduced(&motion.dynamics, y[0])?;
+                Some(motion.drum_friction(state, &r, first(y), &inputs.motion))
+            }
             (_, Present::Free(state), MotionResult::Blows) => Some(P::constant(state.blown)),
             (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(state, &inputs.motion, first(y)),
             (Level::Slewing(crane), Present::Slewing(state), reaction) => {
                 let (commands, y) = (inputs.of_both(), first(y));
                 match reaction {
                     MotionResult::Rope => crane.rope_force(state, &commands, y),
+                    MotionResult::Drum => {
+                        let r = P::reduced(&crane.dynamics, y[0])?;
+                        Some(crane.drum_friction(state, &r, y, &commands))
+                    }
                     MotionResult::Blows => Some(P::constant(state.blown)),
                     MotionResult::SlewingFriction => crane.friction_moment(1, state, &commands, y),
                     MotionResult::Swing | MotionResult::Side | MotionResult::Distance => Some(seen(y, reaction)),
@@ -392,14 +405,14 @@ pub(crate) struct Powers {
 impl Level {
     /// Powers, and the energy of all bodies (J); `None` where the linkage does not close.
     pub(crate) fn powers(&self, present: &Present, inputs: &Inputs) -> Option<(Powers, f64)> {
-        let hoist = present.paid_out(self.dynamics().turntable().is_some());
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => {
                 let (commands, y) = (&inputs.motion, &state.y);
+                let hoist = motion.hoist_powers(state, commands)?;
                 let powers = Powers {
                     drive: commands.moment * y[1],
-                    hoist: -motion.rope_force(state, commands, y)? * hoist,
-                    friction: -motion.friction_moment(state, commands, y)? * y[1],
+                    hoist: hoist.given,
+                    friction: -motion.friction_moment(state, commands, y)? * y[1] + hoist.lost,
                     ..Powers::default()
                 };
                 Some((powers, motion.energy(state)?))
@@ -407,27 +420,24 @@ impl Level {
             (Level::Slewing(crane), Present::Slewing(state)) => {
                 let (commands, y) = (inputs.of_both(), &state.y);
                 let friction = |i: usize| Some(-crane.friction_moment(i, state, &commands, y)? * y[2 * i + 1]);
+                let hoist = crane.hoist_powers(state, &commands)?;
                 let powers = Powers {
                     drive: commands.drives[0].moment * y[1],
                     slewing: commands.drives[1].moment * y[3],
-                    hoist: -crane.rope_force(state, &commands, y)? * hoist,
-                    friction: friction(0)? + friction(1)?,
+                    hoist: hoist.given,
+                    friction: friction(0)? + friction(1)? + hoist.lost,
                     ..Powers::default()
                 };
                 Some((powers, crane.energy(state)?))
             }
-            (Level::Fixed(system), Present::Fixed(at)) => oil_powers(system, at, hoist),
-            (Level::Hanging(system), Present::Hanging(at)) => oil_powers(system, at, hoist),
+            (Level::Fixed(system), Present::Fixed(at)) => oil_powers(system, at),
+            (Level::Hanging(system), Present::Hanging(at)) => oil_powers(system, at),
             _ => unreachable!("{OTHER}"),
         }
     }
 }
 
-fn oil_powers<const N: usize>(
-    system: &Hydraulic<N>,
-    at: &hydraulic::PresentCrane<N>,
-    hoist: f64,
-) -> Option<(Powers, f64)> {
+fn oil_powers<const N: usize>(system: &Hydraulic<N>, at: &hydraulic::PresentCrane<N>) -> Option<(Powers, f64)> {
     let (y, modes) = (at.run.states(), at.modes);
     let [_, arm] = f64::reduced(system.dynamics(), y[0])?.drive;
     let oil = Hydraulic::<N>::oil(&y);
@@ -437,13 +447,14 @@ fn oil_powers<const N: usize>(
         Some(_) => y[FIXED + 1],
         None => 0.0,
     };
+    let hoist = system.hoist_powers(modes, &y)?;
     let powers = Powers {
         slewing: system.slewing.moment * turning,
-        hoist: -system.rope_force(modes, &y)? * hoist,
+        hoist: hoist.given,
         pump,
         throttles,
         compression,
-        friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, &y)? * turning,
+        friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, &y)? * turning + hoist.lost,
         ..Powers::default()
     };
     Some((powers, system.energy(modes, &y)?))
@@ -585,6 +596,56 @@ impl Present {
             Present::Hanging(present) => present.modes.blown,
             Present::Fixed(_) => 0.0,
         }
+    }
+
+    /// The load hangs by the stretch (m) of a rope that carries it at rest.
+    pub fn stretch(&mut self, stretch: f64, slews: bool) {
+        let mut y = self.states();
+        let first = match self {
+            Present::Free(_) | Present::Slewing(_) => 2,
+            Present::Fixed(_) => return,
+            Present::Hanging(_) => FIXED,
+        };
+        if slews {
+            let (place, length) = (first + 2..first + 5, y[first + 8]);
+            // As much of its weight as lies along the rope.
+            let along = -y[first + 3] / length;
+            for y in &mut y[place] {
+                *y *= 1.0 + stretch * along / length;
+            }
+        } else {
+            y[first + 3] += stretch * directions(y[first]).1.x;
+        }
+        self.set_states(&y);
+    }
+
+    /// Which way a drum with a motor goes is decided again.
+    pub fn free_drum(&mut self) {
+        let drum = Drum::at(0.0);
+        match self {
+            Present::Free(state) => state.drum = drum,
+            Present::Slewing(state) => state.drum = drum,
+            Present::Hanging(present) => present.modes.drum = drum,
+            Present::Fixed(_) => {}
+        }
+    }
+
+    /// The load moves as fast along its rope as that is paid out.
+    pub fn follow(&mut self, slews: bool) {
+        let (mut y, rate) = (self.states(), self.paid_out(slews));
+        let first = match self {
+            Present::Free(_) | Present::Slewing(_) => 2,
+            Present::Fixed(_) => return,
+            Present::Hanging(_) => FIXED,
+        };
+        if slews {
+            let place = Vector3::new(y[first + 2], y[first + 3], y[first + 4]);
+            let along = to_load(place).1 * rate;
+            y[first + 5..first + 8].copy_from_slice(along.as_slice());
+        } else {
+            y[first + 4] = rate;
+        }
+        self.set_states(&y);
     }
 
     /// The hoist runs as commanded, at a rate of paying out (m/s).

@@ -20,21 +20,25 @@ use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, RESULTS};
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::in_line;
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
-use crate::luffing::double_link::motion::{self, Bar, Commands, Friction, MovingLinkage, REELED_IN};
+use crate::luffing::double_link::motion::{self, Commands, Friction, MovingLinkage, REELED_IN};
 use crate::luffing::double_link::moving::level::{
     Inputs, Level, MOST_INDICATORS, MOST_STATES, MotionResult, OIL_INDICATORS, Powers, Present,
 };
-use crate::luffing::double_link::moving::scene::{Constants, CylinderOil, LoadRope, Moving, Turning, Winch};
+use crate::luffing::double_link::moving::scene::{
+    Constants, CylinderOil, HoistKind, HoistMotor, HoistRamp, LoadRope, Moving, RopeGive, Turning,
+};
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::parameters::{Driven, Weights};
 use crate::luffing::double_link::scene::Luffing;
-use crate::luffing::double_link::slewing::{self, Joint, JointDrive, Slewing};
+use crate::luffing::double_link::slewing::{self, Joint, Slewing};
 use crate::luffing::double_link::stages::{DoubleLink, parameters};
 use crate::luffing::double_link::symbols as s;
+use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::hydraulics::oil::warning;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::valve::Valve;
+use crate::parts::joint::{Bar, JointDrive};
 use crate::parts::motion::Motion as Range;
 use crate::parts::plane::Point;
 use crate::parts::solver::{Count, Halt, MOST_STEPS};
@@ -85,7 +89,8 @@ struct Now {
     present: Present,
     inputs: Inputs,
     constants: Constants<f64>,
-    winch: Option<Winch<f64>>,
+    hoist: HoistKind,
+    give: Option<RopeGive<f64>>,
     turning: Option<Turning<f64>>,
     oil: Option<CylinderOil<f64>>,
 }
@@ -115,6 +120,8 @@ enum Slot {
     Moment,
     Brake,
     Hoist,
+    HoistMoment,
+    HoistBrake,
     Valve,
     Supply,
     Constant,
@@ -151,10 +158,10 @@ impl LuffingMotion {
                 Present::Slewing(start)
             }
         };
-        let hoist = if rope.is_some_and(|rope| rope.winch.is_some()) {
-            0.0
-        } else {
-            inputs.motion.hoist
+        let kind = rope.map_or(HoistKind::AtOnce, |rope| rope.hoist);
+        let speed = match kind {
+            HoistKind::AtOnce => inputs.motion.hoist.speed,
+            HoistKind::Ramp(_) | HoistKind::Motor(_) => 0.0,
         };
         let mut model = LuffingMotion {
             driven: luffing.parameters.driven,
@@ -173,7 +180,8 @@ impl LuffingMotion {
                 present,
                 inputs,
                 constants,
-                winch: rope.and_then(|rope| rope.winch),
+                hoist: kind,
+                give: rope.and_then(|rope| rope.give),
                 turning: slewing.map(|turn| turn.constants),
                 oil,
             },
@@ -182,8 +190,13 @@ impl LuffingMotion {
         if oil.is_some() {
             model.now.present = model.held_by_oil(&model.now.present)?;
         }
+        if let Some(give) = model.now.give {
+            let load = model.algebraic.of::<DoubleLink>().given().load;
+            let stretch = load.map_or(0.0, |load| load.1) / give.c_r;
+            model.now.present.stretch(stretch, slewing.is_some());
+        }
         if rope.is_some() {
-            model.now.present.wind(hoist, slewing.is_some());
+            model.wind(speed);
         }
         for (variable, slot) in model.list() {
             model.states += usize::from(variable.role == Role::State);
@@ -223,8 +236,6 @@ impl LuffingMotion {
         let mut list = Vec::new();
         let of = |symbol: &'static Symbol, role| Variable::new((symbol, None), role);
         let boom = self.driven == Driven::Boom;
-        let hydraulic = self.now.oil.is_some();
-        let (reeled, slews) = (self.rope.is_some(), self.slewing_stops.is_some());
         let coordinate = if boom {
             [&s::THETA_1, &s::OMEGA_1]
         } else {
@@ -241,26 +252,11 @@ impl LuffingMotion {
         for (i, symbol) in states.into_iter().enumerate() {
             list.push((of(symbol, Role::State), Slot::State(i)));
         }
-        let inputs = if hydraulic {
-            [(&m::U_V, Slot::Valve), (&m::P_P, Slot::Supply)]
-        } else {
-            [(&m::M_A, Slot::Moment), (&m::M_S, Slot::Brake)]
-        };
-        list.extend(inputs.map(|(symbol, slot)| (of(symbol, Role::Input), slot)));
-        if reeled {
-            let command = Variable {
-                at_events: true,
-                ..of(&m::V_H, Role::Input)
-            };
-            list.push((command, Slot::Hoist));
-        }
-        if slews {
-            list.push((of(&m::M_SL, Role::Input), Slot::SlewingMoment));
-            list.push((of(&m::M_B_SL, Role::Input), Slot::SlewingBrake));
-        }
+        list.extend(self.commands());
         let mut constant = |symbol, _| list.push((of(symbol, Role::Parameter), Slot::Constant));
         self.now.constants.map(&mut constant);
-        self.now.winch.map(|winch| winch.map(&mut constant));
+        self.now.hoist.map(&mut constant);
+        self.now.give.map(|give| give.map(&mut constant));
         self.now.turning.map(|turning| turning.map(&mut constant));
         self.now.oil.map(|oil| oil.map(&mut constant));
         list.extend(self.reactions());
@@ -300,6 +296,27 @@ impl LuffingMotion {
         list
     }
 
+    /// Inputs of drives, brakes and hoist.
+    fn commands(&self) -> Vec<(Variable, Slot)> {
+        let of = |symbol: &'static Symbol, slot| (Variable::new((symbol, None), Role::Input), slot);
+        let mut list = if self.now.oil.is_some() {
+            vec![of(&m::U_V, Slot::Valve), of(&m::P_P, Slot::Supply)]
+        } else {
+            vec![of(&m::M_A, Slot::Moment), of(&m::M_S, Slot::Brake)]
+        };
+        if self.has_motor() {
+            list.extend([of(&m::M_M_H, Slot::HoistMoment), of(&m::M_B_H, Slot::HoistBrake)]);
+        } else if self.rope.is_some() {
+            let (command, slot) = of(&m::V_H, Slot::Hoist);
+            let at_events = true;
+            list.push((Variable { at_events, ..command }, slot));
+        }
+        if self.slewing_stops.is_some() {
+            list.extend([of(&m::M_SL, Slot::SlewingMoment), of(&m::M_B_SL, Slot::SlewingBrake)]);
+        }
+        list
+    }
+
     /// Results that only motion has.
     fn reactions(&self) -> Vec<(Variable, Slot)> {
         let of = |symbol: &'static Symbol, reaction| {
@@ -315,6 +332,9 @@ impl LuffingMotion {
         list.push(of(&m::M_R, MotionResult::Friction));
         if reeled {
             list.push(of(&m::S_R, MotionResult::Rope));
+        }
+        if let HoistKind::Motor(_) = self.now.hoist {
+            list.push(of(&m::M_R_H, MotionResult::Drum));
         }
         let force = |symbol: &'static Symbol| {
             let index = RESULTS.iter().position(|known| *known == symbol);
@@ -369,8 +389,10 @@ impl LuffingMotion {
         if self.rope.is_some() {
             watched.push(&m::Z_ROPE);
         }
-        if self.now.winch.is_some() {
-            watched.push(&m::Z_HOIST);
+        match self.now.hoist {
+            HoistKind::AtOnce => {}
+            HoistKind::Ramp(_) => watched.push(&m::Z_HOIST),
+            HoistKind::Motor(_) => watched.extend([&m::Z_DRUM_REST, &m::Z_DRUM_LOOSE]),
         }
         watched
     }
@@ -404,10 +426,33 @@ impl LuffingMotion {
             }
             (_, false) => {}
         }
-        if self.now.winch.is_some() {
+        if !self.follows_at_once() {
             symbols.push(reel[3]);
         }
         symbols
+    }
+
+    /// The hoist runs at a rate of paying out (m/s), and so does the load.
+    fn wind(&mut self, rate: f64) {
+        let slews = self.slewing_stops.is_some();
+        self.now.present.wind(rate, slews);
+        if self.now.give.is_some() {
+            self.now.present.follow(slews);
+        }
+    }
+
+    fn has_motor(&self) -> bool {
+        matches!(self.now.hoist, HoistKind::Motor(_))
+    }
+
+    /// Whether the hoist comes up to its command with an acceleration.
+    fn is_ramp(&self) -> bool {
+        matches!(self.now.hoist, HoistKind::Ramp(_))
+    }
+
+    /// Whether the rope is paid out as commanded, at any instant.
+    fn follows_at_once(&self) -> bool {
+        matches!(self.now.hoist, HoistKind::AtOnce)
     }
 
     /// The equations of motion with the present parameters and inputs.
@@ -434,14 +479,19 @@ impl LuffingMotion {
         let inputs = self.inputs_over(of);
         let turning = self.now.turning.map(|turning| turning.map(of));
         let oil = self.now.oil.map(|oil| oil.map(of));
-        let winch = self.now.winch.map(|winch| winch.map(of));
+        let hoist = self.hoist_over(of);
         let over = parameters.map(of);
         let geometry = Geometry::new(&over).map_err(|misfit| {
             let words = parameters.describe(misfit);
             Fault::outside(format!("{}; {}", words.what, words.help))
         })?;
+        if hoist.rope.is_some() && load.value() == 0.0 {
+            return Err(Fault::outside(
+                "Q = 0 on an elastic rope: give it at least the weight of the hook block",
+            ));
+        }
         let weights = over.weights.expect("checked when the scene was read");
-        let bodies = self.bodies_over(&geometry, &weights, &constants, (load, winch.map(|winch| winch.a_h)));
+        let bodies = self.bodies_over(&geometry, &weights, &constants, (load, hoist));
         let mut dynamics = Dynamics::new(&geometry, bodies)
             .with_balance(&over, &self.range)
             .map_err(|fault| Fault::outside(fault.to_string()))?;
@@ -501,7 +551,7 @@ impl LuffingMotion {
         geometry: &Geometry<P>,
         weights: &Weights<P>,
         constants: &Constants<P>,
-        (load, winch): (P, Option<P>),
+        (load, hoist): (P, Hoist<P>),
     ) -> Bodies<P> {
         // Boom and rocker lie along their bars, the jib along the line from its tail to its head.
         let bar = Point::new(P::constant(1.0), P::constant(0.0));
@@ -516,7 +566,7 @@ impl LuffingMotion {
         let pendulum = self.rope.map(|rope| Pendulum {
             mass: load,
             length: P::known(&m::L_R, rope.length),
-            winch,
+            hoist,
         });
         Bodies {
             boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1, bar),
@@ -532,6 +582,30 @@ impl LuffingMotion {
             rocker: body(weights.g_3, constants.j_3, weights.s_3, weights.chi_3, bar),
             pendulum,
             gravity: constants.g,
+        }
+    }
+
+    /// Hoist and rope over any scalar.
+    fn hoist_over<P: Calc>(&self, of: &mut dyn FnMut(&'static Symbol, f64) -> P) -> Hoist<P> {
+        let winch = match self.now.hoist.map(of) {
+            HoistKind::AtOnce => Winch::AtOnce,
+            HoistKind::Ramp(HoistRamp { a_h }) => Winch::Ramp(a_h),
+            HoistKind::Motor(HoistMotor { j_h, r_h, m_h, m_f_h }) => {
+                let ratio = m_h / r_h;
+                Winch::Motor(WinchDrive {
+                    mass: (j_h * ratio.square()).def(&m::MASS_H),
+                    ratio,
+                    coulomb: m_f_h,
+                })
+            }
+        };
+        let give = self.now.give.map(|give| give.map(of));
+        Hoist {
+            winch,
+            rope: give.map(|RopeGive { c_r, d_r }| Elastic {
+                stiffness: c_r,
+                damping: d_r,
+            }),
         }
     }
 
@@ -551,7 +625,13 @@ impl LuffingMotion {
             motion: Commands {
                 moment: of(&m::M_A, motion.moment),
                 brake: of(&m::M_S, motion.brake),
-                hoist: of(&m::V_H, motion.hoist),
+                hoist: HoistCommand {
+                    speed: of(&m::V_H, motion.hoist.speed),
+                    drive: JointDrive {
+                        moment: of(&m::M_M_H, motion.hoist.drive.moment),
+                        brake: of(&m::M_B_H, motion.hoist.drive.brake),
+                    },
+                },
             },
             valve: of(&m::U_V, valve),
             supply: of(&m::P_P, supply),
@@ -617,7 +697,7 @@ impl LuffingMotion {
             Some((variable, length)) if length + hoist <= REELED_IN => Err(Fault::outside(format!(
                 "at {} = {} nothing is left of the rope of {} = {} within {} s: reel in less",
                 m::V_H.id,
-                m::V_H.written(self.now.inputs.motion.hoist),
+                m::V_H.written(self.now.inputs.motion.hoist.speed),
                 m::L_R.id,
                 variable.symbol.written(length),
                 short(size)
@@ -628,9 +708,12 @@ impl LuffingMotion {
 
     /// How much rope the hoist pays out within a time (s), in m.
     fn paying_out(&self, size: f64) -> f64 {
-        let command = self.now.inputs.motion.hoist;
-        let Some(Winch { a_h }) = self.now.winch else {
-            return command * size;
+        let command = self.now.inputs.motion.hoist.speed;
+        let a_h = match self.now.hoist {
+            HoistKind::AtOnce => return command * size,
+            HoistKind::Ramp(HoistRamp { a_h }) => a_h,
+            // Its load decides.
+            HoistKind::Motor(_) => return 0.0,
         };
         let rate = self.now.present.paid_out(self.slewing_stops.is_some());
         let change = command - rate;
@@ -670,7 +753,7 @@ impl LuffingMotion {
         let states = self.now.present.states();
         // A hoist that follows its command at once runs as commanded.
         let winding = self.now.present.winding(self.slewing_stops.is_some());
-        let commanded = (self.rope.is_some() && self.now.winch.is_none()).then_some(winding);
+        let commanded = (self.rope.is_some() && self.follows_at_once()).then_some(winding);
         std::array::from_fn(|i| match self.variables.get(i).filter(|_| i < self.states) {
             Some(variable) => of(variable.symbol, states[i]),
             None if Some(i) == commanded => of(&m::V_H, states[i]),
@@ -752,7 +835,9 @@ impl LuffingMotion {
             Slot::Cavitates => pressures(),
             Slot::Indicator(i) if i + 1 == OIL_INDICATORS && self.now.oil.is_some() => pressures(),
             // Decided at events.
-            Slot::Rate(i) if self.variables[i].symbol == &m::V_R => BTreeSet::from([(m::V_H.id, None)]),
+            Slot::Rate(i) if self.variables[i].symbol == &m::V_R && self.is_ramp() => {
+                BTreeSet::from([(m::V_H.id, None)])
+            }
             _ => BTreeSet::new(),
         };
         let mut found: Vec<BTreeSet<Name>> = self.slots.iter().map(of).collect();
@@ -865,7 +950,9 @@ impl Running for LuffingMotion {
             }
             Slot::Moment => Ok(inputs.motion.moment),
             Slot::Brake => Ok(inputs.motion.brake),
-            Slot::Hoist => Ok(inputs.motion.hoist),
+            Slot::Hoist => Ok(inputs.motion.hoist.speed),
+            Slot::HoistMoment => Ok(inputs.motion.hoist.drive.moment),
+            Slot::HoistBrake => Ok(inputs.motion.hoist.drive.brake),
             Slot::SlewingMoment => Ok(inputs.slewing.moment),
             Slot::SlewingBrake => Ok(inputs.slewing.brake),
             Slot::Valve => Ok(inputs.valve),
@@ -878,7 +965,8 @@ impl Running for LuffingMotion {
                     }
                 };
                 self.now.constants.map(&mut look);
-                self.now.winch.map(|winch| winch.map(&mut look));
+                self.now.hoist.map(&mut look);
+                self.now.give.map(|give| give.map(&mut look));
                 self.now.turning.map(|turning| turning.map(&mut look));
                 self.now.oil.map(|oil| oil.map(&mut look));
                 Ok(found)
@@ -922,7 +1010,8 @@ impl Running for LuffingMotion {
                 y[i] = value;
                 // A taut rope is as long as the load is far.
                 let length = self.variables[i].symbol == &m::L_R;
-                if length && self.slewing_stops.is_none() && self.now.present.is_taut() {
+                let kept = self.now.give.is_none() && self.now.present.is_taut();
+                if length && self.slewing_stops.is_none() && kept {
                     y[i + 1] = value;
                 }
                 self.now.present.set_states(&y[..self.states]);
@@ -935,12 +1024,23 @@ impl Running for LuffingMotion {
                     }
                     _ => {}
                 }
+                if self.variables[i].symbol == &m::V_R && self.has_motor() {
+                    self.now.present.free_drum();
+                }
                 self.follow()?;
             }
             Slot::Moment => inputs.motion.moment = value,
             Slot::Brake => inputs.motion.brake = value,
-            Slot::Hoist if inputs.motion.hoist != value => {
-                inputs.motion.hoist = value;
+            Slot::Hoist if inputs.motion.hoist.speed != value => {
+                inputs.motion.hoist.speed = value;
+                self.commanded();
+            }
+            Slot::HoistMoment if inputs.motion.hoist.drive.moment != value => {
+                inputs.motion.hoist.drive.moment = value;
+                self.commanded();
+            }
+            Slot::HoistBrake if inputs.motion.hoist.drive.brake != value => {
+                inputs.motion.hoist.drive.brake = value;
                 self.commanded();
             }
             Slot::SlewingMoment if inputs.slewing.moment != value => {
@@ -963,7 +1063,8 @@ impl Running for LuffingMotion {
                 let wanted = self.variables[index].symbol;
                 let mut change = |symbol, old| if symbol == wanted { value } else { old };
                 self.now.constants = self.now.constants.map(&mut change);
-                self.now.winch = self.now.winch.map(|winch| winch.map(&mut change));
+                self.now.hoist = self.now.hoist.map(&mut change);
+                self.now.give = self.now.give.map(|give| give.map(&mut change));
                 self.now.turning = self.now.turning.map(|turning| turning.map(&mut change));
                 self.now.oil = self.now.oil.map(|oil| oil.map(&mut change));
                 self.changed();
@@ -1003,10 +1104,9 @@ impl Running for LuffingMotion {
     }
 
     fn start(&mut self) -> Result<(), Fault> {
-        if self.rope.is_some() && self.now.winch.is_none() {
+        if self.rope.is_some() && self.follows_at_once() {
             // What is commanded at the start was so before.
-            let slews = self.slewing_stops.is_some();
-            self.now.present.wind(self.now.inputs.motion.hoist, slews);
+            self.wind(self.now.inputs.motion.hoist.speed);
         }
         self.update()
     }
@@ -1118,10 +1218,14 @@ impl Running for LuffingMotion {
             supply,
         } = now.inputs;
         let Commands { moment, brake, hoist } = motion;
-        let mut numbers = vec![now.time, moment, brake, hoist, valve, supply];
+        let mut numbers = vec![now.time, moment, brake, hoist.speed, valve, supply];
         now.present.numbers(&mut numbers);
         now.constants.map(&mut |_, value| numbers.push(value));
-        now.winch.map(|winch| winch.map(&mut |_, value| numbers.push(value)));
+        if let HoistKind::Motor(_) = now.hoist {
+            numbers.extend([hoist.drive.moment, hoist.drive.brake]);
+        }
+        now.hoist.map(&mut |_, value| numbers.push(value));
+        now.give.map(|give| give.map(&mut |_, value| numbers.push(value)));
         if let Some(turning) = now.turning {
             numbers.extend([slewing.moment, slewing.brake]);
             turning.map(&mut |_, value| numbers.push(value));
@@ -1133,7 +1237,7 @@ impl Running for LuffingMotion {
 
     fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
         let wrong = || Fault::new("a saved state does not belong to this model");
-        let (&[time, moment, brake, hoist, valve, supply], rest) =
+        let (&[time, moment, brake, speed, valve, supply], rest) =
             numbers.split_first_chunk::<6>().ok_or_else(wrong)?;
         let (present, rest) = self.now.present.of(rest).ok_or_else(wrong)?;
         let mut complete = numbers[..6].iter().all(|x| x.is_finite());
@@ -1144,7 +1248,12 @@ impl Running for LuffingMotion {
             value
         };
         let constants = self.now.constants.map(&mut next);
-        let winch = self.now.winch.map(|winch| winch.map(&mut next));
+        let mut drive = self.now.inputs.motion.hoist.drive;
+        if let HoistKind::Motor(_) = self.now.hoist {
+            (drive.moment, drive.brake) = (next(&m::M_M_H, 0.0), next(&m::M_B_H, 0.0));
+        }
+        let hoist = self.now.hoist.map(&mut next);
+        let give = self.now.give.map(|give| give.map(&mut next));
         let mut slewing = self.now.inputs.slewing;
         let turning = self.now.turning.map(|turning| {
             (slewing.moment, slewing.brake) = (next(&m::M_SL, 0.0), next(&m::M_B_SL, 0.0));
@@ -1159,13 +1268,18 @@ impl Running for LuffingMotion {
             time,
             present,
             inputs: Inputs {
-                motion: Commands { moment, brake, hoist },
+                motion: Commands {
+                    moment,
+                    brake,
+                    hoist: HoistCommand { speed, drive },
+                },
                 slewing,
                 valve,
                 supply,
             },
             constants,
-            winch,
+            hoist,
+            give,
             turning,
             oil,
         };

@@ -45,6 +45,16 @@ symbols! {
     V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head as commanded; positive lowers the load.", "input";
     A_H: "a_h" "a_h" M_PER_S2 / M_PER_S2 [positive], "Acceleration with which the hoist comes up to its command; without it a change of the command is a blow.", "input";
 
+    // A hoist with its rope, given.
+    C_R: "c_R" "c_R" N_PER_M / KN_PER_M [positive], "Stiffness of the rope from head to load: force over stretch.", "input";
+    D_R: "d_R" "d_R" N_S_PER_M / KN_S_PER_M [not_negative], "Damping of the rope from head to load: force over the rate of its stretch.", "input";
+    J_H: "J_h" "J_h" KG_M2 / KG_M2 [positive], "Inertia of the hoist's drum, and of all that turns with it, at the drum.", "input";
+    R_H: "r_h" "r_h" M / MM [positive], "Radius of the hoist's drum, at the middle of its rope.", "input";
+    M_H: "m_h" "m_h" ONE / ONE [positive], "Falls of the hoist tackle: how many times faster the rope runs at the drum than from the head.", "input";
+    M_F_H: "M_Fh" "M_\"F h\"" N_M / KN_M [not_negative], "Dry friction of the hoist's drum: the moment that it holds, and that it sets against motion.", "input";
+    M_M_H: "M_Mh" "M_(M h)" N_M / KN_M, "Moment of the hoist's motor on its drum; positive lifts the load.", "input";
+    M_B_H: "M_Bh" "M_\"B h\"" N_M / KN_M [not_negative], "Moment of the hoist's brake on its drum, added to its dry friction.", "input";
+
     // States.
     PHI_R: "phi_R" "phi_R" RAD / DEG, "Angle of the rope from the vertical; positive swings the load forward.", "equations of motion";
     OMEGA_R: "omega_R" "omega_R" RAD_PER_S / DEG_PER_S, "Angular velocity of the rope.", "equations of motion";
@@ -75,6 +85,9 @@ symbols! {
     M_R: "M_R" "M_R" N_M / KN_M, "Moment of friction, brake and end stop on the driven bar; positive turns it counter-clockwise.", "equations of motion";
     M_R_SL: "M_Rsl" "M_\"R sl\"" N_M / KN_M, "Moment of friction, brake and end stop on slewing; positive counter-clockwise, seen from above.", "equations of motion";
     CHI_R: "chi_R" "chi_R" RAD / DEG, "Angle of the rope from the mechanism's plane; positive swings the load to the left.", "equations of motion";
+    M_R_H: "M_Rh" "M_\"R h\"" N_M / KN_M, "Moment of brake and friction on the hoist's drum; positive reels in.", "equations of motion";
+    DELTA_R: "delta_R" "delta_R" M / MM, "Stretch of the rope.", "derived";
+    MASS_H: "mass_h" "m_\"h red\"" KG / T, "Mass of the hoist's drum and of all that turns with it, as the rope at the head feels it.", "derived";
     S_R: "S_R" "S_R" N / KN, "Force in the rope; zero where it is slack.", "equations of motion";
 
     // The equations of motion, from derivatives of the positions by the driven angle.
@@ -255,6 +268,8 @@ symbols! {
     Z_SL_HIGH: "z.sl_high" "z_12" ONE / ONE, "Falls below zero where slewing meets its left end stop.", "event";
     Z_ROPE: "z.rope" "z_5" ONE / ONE, "Falls below zero where the rope becomes slack or taut.", "event";
     Z_HOIST: "z.hoist" "z_13" ONE / ONE, "Falls below zero where the hoist has come up to its command.", "event";
+    Z_DRUM_REST: "z.drum_rest" "z_14" ONE / ONE, "Falls below zero where the hoist's drum comes to rest, or breaks loose paying out.", "event";
+    Z_DRUM_LOOSE: "z.drum_loose" "z_15" ONE / ONE, "Falls below zero where the hoist's drum breaks loose reeling in.", "event";
 }
 
 /// Travel forward and up by the driven angle, first and second derivative.

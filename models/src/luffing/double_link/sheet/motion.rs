@@ -9,7 +9,6 @@ use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
 use crate::luffing::double_link::hydraulic::FIXED;
-use crate::luffing::double_link::motion::Bar;
 use crate::luffing::double_link::moving::level::{Powers, Present};
 use crate::luffing::double_link::moving::model::LuffingMotion;
 use crate::luffing::double_link::moving::scene::Moving;
@@ -18,6 +17,7 @@ use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::hydraulics::oil::VACUUM;
 use crate::parts::hydraulics::symbols as h;
+use crate::parts::joint::Bar;
 
 /// Points of a drawn curve, besides its extremes.
 const CURVE: usize = 300;
@@ -83,8 +83,8 @@ const SECTIONS: [(&str, &[&Symbol]); 7] = [
     (
         "motion_equations",
         listed! { m:
-            F_C, M_R, M_R_SL, M_NET, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, D_OMEGA_1, D_OMEGA_3, D_OMEGA_SL,
-            D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, S_R
+            MASS_H, V_Q, DELTA_R, F_C, M_R, M_R_SL, M_NET, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, D_OMEGA_1, D_OMEGA_3, D_OMEGA_SL,
+            D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, D_V_Q, S_R, D_V_R
         },
     ),
     (
@@ -130,7 +130,7 @@ const SECTIONS: [(&str, &[&Symbol]); 7] = [
 ];
 
 /// What is found while the model is assembled, before it moves.
-const ASSEMBLED: [&Symbol; 4] = [&m::MASS_Q, &m::J_2Q, &h::A_A, &h::A_B];
+const ASSEMBLED: [&Symbol; 5] = [&m::MASS_Q, &m::J_2Q, &m::MASS_H, &h::A_A, &h::A_B];
 
 /// Curves over the time of the run.
 const CURVES: [(&str, &Symbol); 19] = [
@@ -384,7 +384,7 @@ impl Energy {
             given: there(&[
                 (!oil, &m::W_A, work.drive),
                 (slews, &m::W_SL, work.slewing),
-                (hangs && moving.inputs.motion.hoist != 0.0, &m::W_H, work.hoist),
+                (hangs && moving.hoists(), &m::W_H, work.hoist),
                 (oil, &m::W_P, work.pump),
             ]),
             stored: there(&[
@@ -475,19 +475,19 @@ fn advance(
     Some((sum(&[(&first, 1.0), (&second, 1.0)]), after))
 }
 
-/// The same, where blows make the powers jump within the step: their works are looked at more closely, and the model
-/// moves as it does without that.
+/// The same, where blows make the powers jump within the step, or a rope that gives way (`lively`) makes them swing: their
+/// works are looked at more closely, and the model moves as it does without that.
 fn stepped(
     model: &mut LuffingMotion,
     times: [f64; 2],
     before: &(Powers, f64),
     turned_over: f64,
     halvings: u32,
-    budget: &mut Budget,
+    (budget, lively): (&mut Budget, bool),
 ) -> Option<(Powers, (Powers, f64))> {
     let (start, blown) = (model.state(), model.present().blown());
     let (work, after) = advance(model, times, before, turned_over, halvings, budget)?;
-    if halvings > 0 || model.present().blown() == blown {
+    if halvings > 0 || model.present().blown() == blown && !lively {
         return Some((work, after));
     }
     let end = model.state();
@@ -536,6 +536,7 @@ impl Run {
         let (first, mut powers) = (look(model)?, model.powers().ok()?);
         // Steps of the explicit solver are those of the samples.
         let halvings = if moving.oil.is_some() { HALVINGS } else { 0 };
+        let lively = moving.rope.is_some_and(|rope| rope.give.is_some());
         let mut budget = Budget {
             halvings: samples,
             rates: RATES[0] * f64::from(samples) + RATES[1] * wanted,
@@ -567,7 +568,7 @@ impl Run {
         for i in 0..samples {
             let (from, to) = (f64::from(i) * sample, f64::from(i + 1) * sample);
             let turned_over = turnover(&run.energy.work);
-            let step = stepped(model, [from, to], &powers, turned_over, halvings, &mut budget);
+            let step = stepped(model, [from, to], &powers, turned_over, halvings, (&mut budget, lively));
             let Some(((work, now), values)) = step.zip(look(model)) else {
                 run.events.push((from, "run_ends"));
                 break;
