@@ -122,6 +122,22 @@ fn reach(linkage: &Linkage, from: f64, margins: &[Margin]) -> Option<[f64; 2]> {
     Some([end(-1.0)?, end(1.0)?])
 }
 
+/// The tables that a level has, or may have.
+fn parts(n: &mut Node, level: &str, [moves, oil, rope]: [bool; 3]) {
+    n.put("fidelity", level);
+    n.keep("dynamics", moves);
+    n.keep("hydraulics", oil);
+    let turns = n.draw.coin(0.5);
+    n.keep("slewing", moves && turns);
+    let hoists = n.draw.coin(0.5);
+    n.keep("hoisting", rope && hoists);
+    let tabulated = n.draw.coin(0.5);
+    n.keep("table", matches!(level, "table" | "auto") && tabulated);
+    if moves {
+        n.keep("weights", true);
+    }
+}
+
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let level = draw.pick(&[
         "static",
@@ -153,16 +169,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
-    n.put("fidelity", level);
-    n.keep("dynamics", moves);
-    n.keep("hydraulics", oil);
-    let turns = n.draw.coin(0.5);
-    n.keep("slewing", moves && turns);
-    let tabulated = n.draw.coin(0.5);
-    n.keep("table", matches!(level, "table" | "auto") && tabulated);
-    if moves {
-        n.keep("weights", true);
-    }
+    parts(&mut n, level, [moves, oil, rope]);
     if n.has("weights") {
         n.keep("Q", true);
     } else {
@@ -195,7 +202,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         n.remove(&["slewing"]);
     }
     if moves {
-        dynamics(&mut n, rope);
+        dynamics(&mut n, rope, level == "hydraulic");
     }
     if oil {
         hydraulics(&mut n, &linkage, bore, pressure);
@@ -408,7 +415,74 @@ pub fn working_range(n: &mut Node, [from, to]: [f64; 2]) {
     motion.set("speed", (to - from) / lasts);
 }
 
-fn dynamics(n: &mut Node, rope: bool) {
+/// A hoist with its rope under a load (N), for a run of a duration (s).
+fn hoisting(h: &mut Node, load: f64, lasts: f64) {
+    let motor = h.draw.coin(0.5);
+    reeled(h, true, lasts);
+    let drum = ["J_h", "r_h", "m_h", "M_Fh", "M_Mh", "M_Bh"];
+    if motor {
+        h.remove(&["v_h", "a_h"]);
+        let radius = h.draw.scale[0] * h.draw.between(0.005, 0.05);
+        let radius = h.set("r_h", radius.max(1e-4));
+        let falls = f64::from(h.draw.rng.u32(1..8));
+        let falls = h.set("m_h", falls);
+        // As heavy as the load, as the rope feels it, or a tenth.
+        let weight = load.max(1e-3 * h.draw.scale[1] * h.draw.g);
+        let inertia = weight / h.draw.g * (radius / falls).powi(2) * h.draw.between(0.1, 1.0);
+        h.set("J_h", inertia.max(1e-9));
+        let hold = weight * radius / falls;
+        for (name, part) in [("M_Mh", 1.0), ("M_Fh", 0.1), ("M_Bh", 0.5)] {
+            if h.has(name) {
+                let part = part * h.draw.between(0.5, 1.2) * f64::from(h.draw.coin(0.8));
+                h.set(name, hold * part);
+            }
+        }
+    } else {
+        h.remove(&drum);
+    }
+    let gives = load > 0.0 && h.draw.coin(0.5);
+    h.keep("c_R", gives);
+    let damped = h.draw.coin(0.5);
+    h.keep("d_R", gives && damped);
+    if gives {
+        let stretch = h.get("l_R") * h.draw.between(0.02, 0.2);
+        let stiffness = h.set("c_R", load / stretch);
+        if h.has("d_R") {
+            let damping = 2.0 * (stiffness * load / h.draw.g).sqrt() * h.draw.between(0.0, 0.3);
+            h.set("d_R", damping);
+        }
+    }
+}
+
+/// What is said of a rope, and how fast it is reeled, for a run of a duration (s).
+fn reeled(d: &mut Node, rope: bool, lasts: f64) {
+    let [length, _, time] = d.draw.scale;
+    d.keep("l_R", rope);
+    let reel = d.draw.coin(0.5);
+    d.keep("v_h", rope && reel);
+    let ramp = d.draw.coin(0.5);
+    d.keep("a_h", rope && ramp);
+    let aside = d.draw.coin(0.7);
+    d.keep("phi_R", rope && aside);
+    if !rope {
+        return;
+    }
+    let long = length * d.draw.between(0.3, 3.0);
+    let long = d.set("l_R", long);
+    if reel {
+        let speed = long / lasts * d.draw.between(-0.5, 0.3);
+        let speed = d.set("v_h", speed);
+        if ramp {
+            let gain = (speed.abs() / time * d.draw.between(0.1, 2.0)).clamp(1e-3, 1e3);
+            d.set("a_h", gain);
+        }
+    } else if ramp {
+        let gain = (long / time.powi(2) * d.draw.between(0.01, 0.5)).clamp(1e-3, 1e3);
+        d.set("a_h", gain);
+    }
+}
+
+fn dynamics(n: &mut Node, rope: bool, oil: bool) {
     let boom = n.text("driven") == Some("boom");
     let [length, mass, time] = n.draw.scale;
     let inertia = mass * length * length;
@@ -434,27 +508,16 @@ fn dynamics(n: &mut Node, rope: bool) {
             d.set(name, value);
         }
     }
-    d.keep("l_R", rope);
-    let reel = d.draw.coin(0.5);
-    d.keep("v_h", rope && reel);
-    let ramp = d.draw.coin(0.5);
-    d.keep("a_h", rope && ramp);
-    let aside = d.draw.coin(0.7);
-    d.keep("phi_R", rope && aside);
-    if rope {
-        let long = length * d.draw.between(0.3, 3.0);
-        let long = d.set("l_R", long);
-        if reel {
-            let speed = long / lasts * d.draw.between(-0.5, 0.3);
-            let speed = d.set("v_h", speed);
-            if ramp {
-                let gain = (speed.abs() / time * d.draw.between(0.1, 2.0)).clamp(1e-3, 1e3);
-                d.set("a_h", gain);
-            }
-        } else if ramp {
-            let gain = (long / time.powi(2) * d.draw.between(0.01, 0.5)).clamp(1e-3, 1e3);
-            d.set("a_h", gain);
-        }
+    if oil {
+        d.remove(&["M_A", "M_S"]);
+    }
+    if n.has("hoisting") {
+        let load = n.get("Q");
+        let mut dynamics = n.child("dynamics").expect("there");
+        dynamics.remove(&["l_R", "phi_R", "v_h", "a_h"]);
+        hoisting(&mut n.child("hoisting").expect("there"), load, lasts);
+    } else {
+        reeled(&mut n.child("dynamics").expect("there"), rope, lasts);
     }
     if let Some(mut turning) = n.child("slewing") {
         let inertia = inertia * turning.draw.between(0.3, 30.0);

@@ -290,10 +290,11 @@ impl Draw {
     }
 
     /// The scene around a mechanism's table, with an accuracy of one of its results.
-    fn around(&mut self, mechanism: &str, made: Table, result: Option<(&str, &Symbol)>) -> Table {
+    fn around(&mut self, mechanism: &str, mut made: Table, result: Option<(&str, &Symbol)>) -> Table {
         let others: Vec<&Key> = KEYS
             .iter()
             .filter(|key| registry::tables().all(|table| table != key.name))
+            .filter(|key| registry::PARTS.iter().all(|part| part.name != key.name))
             .collect();
         let mut table = Table::new();
         for key in others {
@@ -302,6 +303,15 @@ impl Draw {
             }
         }
         table.insert("name".to_owned(), "Random".into());
+        // Parts stand within the mechanism or beside it.
+        for part in &registry::PARTS {
+            if let Some(part_of) = made.get(part.name).cloned()
+                && self.coin(0.3)
+            {
+                made.remove(part.name);
+                table.insert(part.name.to_owned(), part_of);
+            }
+        }
         table.insert(mechanism.to_owned(), made.into());
         let mut top = Node::new(self, KEYS, &mut table);
         top.keep("g", false);

@@ -196,7 +196,7 @@ impl Unit {
             (d, _) if d == N_M_S.dimension => ("RotationalDampingConstant", [1e-6, 1e18]),
             (d, _) if d == M_PER_S2.dimension => ("Acceleration", [1e-3, 1e3]),
             (d, _) if d == RAD_PER_S2.dimension => ("AngularAcceleration", [1e-9, 1e9]),
-            (d, _) if d == N_PER_M.dimension => ("TranslationalSpringConstant", [1e-3, 1e15]),
+            (d, _) if d == N_PER_M.dimension => ("TranslationalSpringConstant", [1e-9, 1e15]),
             (d, _) if d == N_S_PER_M.dimension => ("TranslationalDampingConstant", [1e-6, 1e15]),
             (d, _) if d == M3_PER_S.dimension => ("VolumeFlowRate", [1e-12, 1e6]),
             _ => ("Ratio", [1e-9, 1e6]),

@@ -68,7 +68,8 @@ pub fn text(level: &str) -> String {
     }
     if has("motor") {
         // The load needs 10 kN·m on this drum.
-        extra.push_str("J_h = \"60 kg.m2\"\nr_h = \"250 mm\"\nm_h = \"4\"\nM_Fh = \"0.3 kN.m\"\nM_Mh = \"10.6 kN.m\"\n");
+        extra
+            .push_str("J_h = \"60 kg.m2\"\nr_h = \"250 mm\"\nm_h = \"4\"\nM_Fh = \"0.3 kN.m\"\nM_Mh = \"10.6 kN.m\"\n");
     }
     for (part, table) in [("hydraulic", OIL), ("slewing", SLEWING), ("balance", BALANCE)] {
         if has(part) {

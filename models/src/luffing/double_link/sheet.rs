@@ -140,7 +140,7 @@ impl Described for LuffingScene {
                 ("hydraulics", &[]),
             ],
             "rigid" | "swing" => vec![("hydraulics", &[])],
-            _ => Vec::new(),
+            _ => vec![("dynamics", &["M_A", "M_S"])],
         };
         let rope = self.moving.as_ref().is_some_and(|moving| moving.rope.is_some());
         if !(rope && matches!(level, "swing" | "hydraulic")) {

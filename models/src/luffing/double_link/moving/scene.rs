@@ -196,11 +196,20 @@ impl Moving {
 fn dynamics<'a>(v: &'a Values, fidelity: &str, loaded: bool) -> Result<Option<&'a Values>, Diagnostic> {
     let still = "add fidelity = \"rigid\" or \"swing\" to [luffing], or remove this table";
     let table = match (fidelity, v.table("dynamics")) {
-        ("static" | "table" | "auto", None) if v.has("slewing") => {
-            let what = "slewing of a mechanism that does not move by itself";
-            return Err(v.refuse("slewing", what, "not used", still));
+        ("static" | "table" | "auto", None) => {
+            let parts = [
+                ("slewing", "slewing"),
+                ("hoisting", "rope and hoist"),
+                ("hydraulics", "oil"),
+            ];
+            return match parts.into_iter().find(|(part, _)| v.has(part)) {
+                Some((part, name)) => {
+                    let what = format!("{name} of a mechanism that does not move by itself");
+                    Err(v.refuse(part, what, "not used", still))
+                }
+                None => Ok(None),
+            };
         }
-        ("static" | "table" | "auto", None) => return Ok(None),
         ("static" | "table", Some(_)) => {
             let what = "inertias and drive of a mechanism that does not move by itself";
             return Err(v.refuse("dynamics", what, "not used", still));
@@ -264,7 +273,7 @@ fn hoisting<'a>(v: &'a Values, dynamics: &'a Values, fidelity: &str) -> Result<&
             symbol.id,
             format!("{} beside a table of the hoist", symbol.id),
             "given elsewhere",
-            "rope and hoist stand in [luffing.hoisting] alone: move it there",
+            "rope and hoist stand in [hoisting] alone: move it there",
         )),
     }
 }
@@ -355,6 +364,7 @@ fn give(v: &Values, table: &Values) -> Result<Option<RopeGive<f64>>, Diagnostic>
 /// The oil where the level has one, the valve's command and the pump's pressure (Pa).
 fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<(Option<CylinderOil<f64>>, f64, f64)> {
     match (fidelity, v.table("hydraulics")) {
+        ("hydraulic", Some(_)) if motor_beside(v, found) => None,
         ("hydraulic" | "auto", Some(table)) => {
             let n = |symbol: &Symbol| table.number(symbol.id);
             let oil = oil(v, table, found)?;
@@ -380,6 +390,23 @@ fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<
         }
         _ => Some((None, 0.0, 0.0)),
     }
+}
+
+/// Whether a motor or a brake stands beside the cylinder that moves the driven bar; that goes to `found`.
+fn motor_beside(v: &Values, found: &mut Vec<Diagnostic>) -> bool {
+    let given = v.table("dynamics").and_then(|dynamics| {
+        let motor = [&s::M_A, &s::M_S].into_iter().find(|symbol| dynamics.has(symbol.id));
+        motor.map(|symbol| (dynamics, symbol))
+    });
+    if let Some((dynamics, symbol)) = given {
+        found.push(dynamics.refuse(
+            symbol.id,
+            format!("{} beside a cylinder: two drives on one bar", symbol.id),
+            "not used",
+            "remove it; at this level u_v and p_P command the cylinder",
+        ));
+    }
+    given.is_some()
 }
 
 /// Whether anything that the linkage moves has inertia; a weight in its bar's foot has none.

@@ -1,0 +1,137 @@
+"""A hoist with a motor on its drum, a rope that gives way, parts beside each other: their FMUs from outside."""
+
+import re
+
+import numpy as np
+import pytest
+from fmpy import read_model_description, simulate_fmu
+from fmpy.validation import validate_fmu
+
+from conftest import ROOT, lemnis
+from test_levels import SIZES, inside_and_outside, off, scene, signals
+
+ENDS = {"FMI 3.0": ".fmu", "FMI 2.0": ".fmi2.fmu"}
+ELASTIC = 'c_R = "3000 kN/m"\nd_R = "40 kN.s/m"\n'
+# The load of 160 kN needs 10 kN·m on this drum, which weighs as 16 t at the head; its brake holds 11 kN·m.
+MOTOR = 'J_h = "62.5 kg.m2"\nr_h = "250 mm"\nm_h = "4"\nM_Bh = "11 kN.m"\n'
+HOISTS = {
+    "swing_motor": MOTOR,
+    "swing_motor_elastic": MOTOR + ELASTIC,
+    "swing_slewing_motor": MOTOR,
+    "swing_slewing_motor_elastic": MOTOR + ELASTIC,
+    "hydraulic_swing_motor_elastic": MOTOR + ELASTIC,
+}
+# Lifted against the brake, stopped by it, lowered, stopped.
+COMMANDS = [(0.0, 0.0), (0.4, 26e3), (1.2, 0.0), (2.0, -6e3), (3.0, 0.0)]
+
+
+def crane(name, tmp_path, **replaced):
+    """The scene's FMUs; its load hangs straight down."""
+    level = re.sub("_motor|_elastic", "", name)
+    text = scene(level, **{'l_R = "10 m"\n': "", 'phi_R = "0.1 rad"\n': "", 'phi_R = "0.05 rad"\n': "",
+                           'v_h = "0.05 m/s"\n': "", 'chi_R = "-0.1 rad"\n': "", 'tol   = "1e-6"': 'tol   = "1e-8"'})
+    text = text.replace(f"Crane_{level}", "Crane_hoist") + f'\n[hoisting]\nl_R = "10 m"\n{HOISTS[name]}'
+    for old, new in replaced.items():
+        assert old in text, old
+        text = text.replace(old, new)
+    (tmp_path / "crane.toml").write_text(text, encoding="utf-8")
+    lemnis("fmu", tmp_path / "crane.toml", "--output", tmp_path)
+    return str(tmp_path / "Crane_hoist")
+
+
+@pytest.mark.parametrize("end", ENDS.values(), ids=ENDS)
+@pytest.mark.parametrize("name", HOISTS)
+def test_a_motor_inside_and_outside(name, end, tmp_path):
+    """The drum breaks loose, is stopped by its brake and held: the same events in Model Exchange as in Co-Simulation."""
+    path = crane(name, tmp_path) + end
+    assert not validate_fmu(path)
+    inside, outside = inside_and_outside(path, tmp_path, ["S_R", "v_R", "M_Rh"], "M_Mh", COMMANDS)
+    for i, row in enumerate(inside, 1):
+        if all(abs(0.05 * i - at) > 1e-9 for at, _ in COMMANDS):
+            assert max(off(row, outside, i).values()) <= 1e-4, (i, off(row, outside, i))
+    speeds = np.array([row["v_R"] for row in inside])
+    assert speeds.min() < -0.5 and speeds.max() > 0.05 and (speeds == 0.0).sum() > 10, "lifted, lowered, held"
+    assert min(row["S_R"] for row in inside) >= 0.0
+
+
+@pytest.mark.parametrize("name", [name for name in HOISTS if name.startswith("swing")])
+def test_the_motor_s_work_from_outside(name, tmp_path):
+    """The crane held by its brakes: what the motor gives, less what brake, rope and blows take, lifts and moves load and
+    drum and stretches the rope, to 1e-6 of what is exchanged."""
+    replaced = {'M_A = "1800 kN.m"': 'M_A = "0 kN.m"\nM_S = "1e6 kN.m"'}
+    slews = "slewing" in name
+    if slews:
+        replaced |= {'M_sl  = "400 kN.m"': 'M_sl = "0 kN.m"\nM_Bsl = "1e6 kN.m"'}
+    path = crane(name, tmp_path, **replaced) + ".fmu"
+    down = ["y_Q", "v_Qy"] if slews else ["s_Q", "v_Q"]
+    names = ["S_R", "v_R", "l_R", "M_Rh", "W_blow", "omega_1", *down]
+    # Short beside the rope's 80 ms of a radian: trapezia do.
+    h = 2e-4
+    run = simulate_fmu(path, fmi_type="ModelExchange", stop_time=4.0, output_interval=h, output=names,
+                       input=signals("M_Mh", COMMANDS), relative_tolerance=1e-10)
+    assert np.all(run["omega_1"] == 0.0)
+    way, speed = (-run["y_Q"], -run["v_Qy"]) if slews else (run["s_Q"], run["v_Q"])
+    ratio, weight, drum = 4 / 0.25, 160e3, 62.5 * 16 ** 2
+    mass = weight / 9.81
+    command = np.zeros_like(run["time"])
+    for at, value in COMMANDS:
+        command[run["time"] >= at - 1e-12] = value
+    # At an event there are two rows: the first one is before it.
+    for i in np.flatnonzero(np.diff(run["time"]) == 0.0):
+        command[i] = command[i - 1]
+    turning = -run["v_R"] * ratio
+    if "elastic" in name:
+        # What the rope's spring does not give back; all of it where it lets go while it is stretched.
+        stretch = np.maximum(way - run["l_R"], 0.0)
+        damped = (run["S_R"] - 3000e3 * stretch) * (speed - run["v_R"])
+        stored = 0.5 * 3000e3 * stretch ** 2
+    else:
+        damped, stored = 0.0, 0.0
+        speed = run["v_R"]
+    power = (command + run["M_Rh"]) * turning - damped
+    work = np.sum(np.diff(run["time"]) * (power[1:] + power[:-1]) / 2)
+    energy = 0.5 * mass * speed ** 2 - weight * way + 0.5 * drum * run["v_R"] ** 2 + stored
+    exchanged = weight * np.ptp(way)
+    gained = energy[-1] - energy[0] + run["W_blow"][-1]
+    print(name, work, gained, exchanged, (work - gained) / exchanged)
+    assert abs(work - gained) <= 1e-6 * exchanged
+
+
+def test_a_whole_crane(tmp_path):
+    """Luffing, hoisting and slewing at once, in both standards and both interfaces."""
+    lemnis("fmu", ROOT / "models/scenes/portal_crane.toml", "--output", tmp_path)
+    names = [name for name in SIZES if name not in ("p_A", "p_B", "phi_R", "omega_R")] + ["S_R", "v_R"]
+    runs = {}
+    for end in ENDS.values():
+        path = str(tmp_path / f"PortalCrane{end}")
+        assert not validate_fmu(path)
+        known = {variable.name for variable in read_model_description(path).modelVariables}
+        assert set(names) <= known
+        for kind in ("CoSimulation", "ModelExchange"):
+            runs[end, kind] = simulate_fmu(path, fmi_type=kind, stop_time=20.0, output_interval=0.05, output=names,
+                                           relative_tolerance=1e-9, record_events=False)
+    first = runs[".fmu", "CoSimulation"]
+    assert first["S_R"].min() > 0.9e5 and first["l_R"][-1] < 16.5 and abs(first["psi_sl"][-1]) > 0.1
+    for key, run in runs.items():
+        rows = {round(t, 6): i for i, t in enumerate(run["time"])}
+        common = [(i, rows[round(t, 6)]) for i, t in enumerate(first["time"]) if round(t, 6) in rows]
+        assert len(common) > 350
+        for column in names:
+            size = SIZES.get(column, 1e5 if column == "S_R" else 1.0)
+            worst = max(abs(first[column][i] - run[column][j]) for i, j in common)
+            limit = 0.0 if key[1] == "CoSimulation" else 1e-5 * size
+            assert worst <= limit, (key, column, worst)
+
+
+def test_parts_beside_and_within_are_one_crane(tmp_path):
+    """Tables at the top of a scene and within [luffing] give the same results, digit for digit."""
+    beside = (ROOT / "models/scenes/portal_crane.toml").read_text(encoding="utf-8")
+    within = beside
+    for part in ("balance", "drive", "hoisting", "slewing"):
+        assert f"\n[{part}]" in within
+        within = within.replace(f"\n[{part}]", f"\n[luffing.{part}]")
+    tables = {}
+    for name, text in (("beside", beside), ("within", within)):
+        (tmp_path / f"{name}.toml").write_text(text, encoding="utf-8")
+        tables[name] = lemnis("check", tmp_path / f"{name}.toml", "--csv")
+    assert tables["beside"] == tables["within"] and len(tables["beside"]) > 1000
