@@ -392,6 +392,18 @@ fn mechanism(
         [] if registry::tables().any(|name| scene.keys().any(|key| key.get_ref() == name)) => None,
         [] => {
             let tables: Vec<String> = registry::tables().map(|name| format!("[{name}]")).collect();
+            if let Some(part) = registry::PARTS
+                .iter()
+                .find_map(|part| values.table(part.name).map(|at| (part.name, at)))
+            {
+                let (name, table) = part;
+                let message = format!("[{name}] is a part of a crane, and there is none");
+                found.push(Diagnostic::new(table.span.clone(), message, "of nothing").help(format!(
+                    "add the table that it belongs to, one of {}",
+                    tables.join(", ")
+                )));
+                return None;
+            }
             found.push(
                 Diagnostic::new(values.span.clone(), "the scene has no mechanism", "needed here")
                     .help(format!("add a table {}", tables.join(" or "))),
