@@ -53,7 +53,7 @@ fn sensitivities_agree_with_differences() {
         let luffing = luffing(text);
         let (mut model, outline) = (luffing.standing(), OUTLINE);
         let found = governing(&model, outline);
-        let table = sensitivity(&mut model, outline, &found);
+        let table = sensitivity(&mut model, outline, outline.sensitivity, &found);
         for row in &table.rows {
             for (&(symbol, value), exact) in table.results.iter().zip(&row.by) {
                 let step = 1e-4 * row.value.abs().max(0.1);

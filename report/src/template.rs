@@ -52,6 +52,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "remarks.typ",
     "notation.typ",
     "references.typ",
+    "identities.typ",
 ];
 
 const REFERENCES: &str = "references.toml";

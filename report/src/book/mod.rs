@@ -9,6 +9,7 @@ mod steps;
 mod synthesis;
 mod tables;
 mod trade;
+mod verdict;
 
 use lemnis_fmu::instance::strings;
 use lemnis_models::book::CHAPTERS;
@@ -24,8 +25,9 @@ use crate::book::motion::Motion;
 use crate::book::notation::{Entry, Notation};
 use crate::book::steps::{Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
-use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Sensitivity, View, Warning};
+use crate::book::tables::{Changes, Chapter, Demand, Published, Sensitivity, View};
 use crate::book::trade::Trade;
+use crate::book::verdict::Verdict;
 use crate::language::{Language, symbols};
 use crate::print::drawing::{PAGE, drawing};
 use crate::template::{Error, Templates};
@@ -98,9 +100,8 @@ struct Book<'a> {
     symbols: &'static str,
     /// Ids of the chapters in their order.
     chapters: Vec<&'static str>,
-    passed: bool,
-    checks: Vec<Check>,
-    warnings: Vec<Warning>,
+    #[serde(flatten)]
+    verdict: Verdict,
     summary: Vec<Summary>,
     governing: Vec<Summary>,
     inputs: Vec<Chapter>,
@@ -143,6 +144,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "views" => !sheet.views.is_empty(),
         "sizing" => !sheet.sizing.is_empty(),
         "remarks" => !sheet.remarks.is_empty(),
+        "identities" => !sheet.identities.is_empty(),
         "balance" => sheet.balance.is_some(),
         "motion" => sheet.motion.is_some(),
         // Many runs: only a scene that lists the chapter gets it.
@@ -205,9 +207,7 @@ impl<'a> Book<'a> {
             mechanism: scene.mechanism.id(),
             symbols: symbols(scene.mechanism.id()),
             html: format == Format::Html,
-            passed: sheet.checks.iter().all(sheet::Check::passed),
-            checks: sheet.checks.iter().map(|c| tables::check(language, c)).collect(),
-            warnings: tables::warnings(language, sheet),
+            verdict: Verdict::new(language, scene, sheet),
             summary: sheet.summary.iter().map(summary).collect(),
             governing: sheet.governing.iter().map(summary).collect(),
             inputs,

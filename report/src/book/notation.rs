@@ -71,9 +71,13 @@ impl Notation {
 
     /// The symbols of results, tables, curves and the balance.
     pub(super) fn meet_results(&mut self, sheet: &Sheet, chapters: &[&str]) {
-        let results = sheet.checks.iter().map(|check| check.symbol);
-        let warnings = sheet.warnings.iter().map(|(_, summary)| summary.symbol);
-        let results = results.chain(warnings);
+        let checks = sheet
+            .requirements
+            .iter()
+            .chain(sheet.identities.iter().filter(|_| chapters.contains(&"identities")));
+        let results = checks.flat_map(|check| std::iter::once(check.symbol).chain(check.at.map(|(symbol, _)| symbol)));
+        let warnings = sheet.warnings.iter().map(|warning| warning.summary.symbol);
+        let results = results.chain(warnings).chain(sheet.unjudged.iter().copied());
         let results = results.chain(sheet.governing.iter().chain(&sheet.summary).map(|s| s.symbol));
         let balance = sheet.balance.iter().filter(|_| chapters.contains(&"balance"));
         let balance = balance.flat_map(|b| {
