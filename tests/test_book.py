@@ -171,6 +171,38 @@ def test_a_swing_beyond_its_limit_fails_the_verdict(tmp_path):
     assert "NOT ALL REQUIREMENTS ARE MET: 3 of 4." in page
 
 
+@pytest.mark.parametrize("language, boom, rocker", [
+    ("en", "Angle of the boom over time", "Angle of the rocker over time"),
+    ("zh", "臂架转角随时间的变化", "后摇杆转角随时间的变化"),
+    ("bg", "Ъгъл на стрелата във времето", "Ъгъл на оттяжката във времето"),
+])
+def test_figures_of_motion_say_whose_angle_they_show(language, boom, rocker, tmp_path):
+    text = (GOLDEN / f"motion_{language}.typ").read_text(encoding="utf-8")
+    for caption, symbol in [(boom, "theta_1"), (rocker, "theta_3")]:
+        [figure] = [line for line in text.splitlines() if line.startswith("  drawn(") and f"caption: [{caption}]" in line]
+        assert f'\\"text\\":\\"{symbol} ' in figure, (caption, figure[-300:])
+
+
+def test_a_balance_is_called_what_it_is(tmp_path):
+    """Rod or rope, pivot, pulley or rail: the scene knows."""
+    text = " ".join(ready(tmp_path, "portal_004_new"))
+    assert "rod or rope" not in text and "guide pulley" not in text
+    assert "Force of the frame on the lever’s pivot, forward component." in text
+    page = text_of(next(tmp_path.glob("*.pdf")))[0]
+    angles = ["Smallest transmission angle of the working range.", "Smallest transmission angle between rod and lever in the working range."]
+    assert all(page.count(angle) == 1 for angle in angles)
+    # Slewing axis and foot are one: what the reach is counted from is said.
+    assert "The slewing axis passes through the boom’s foot" in text
+    assert "The slewing axis passes through" not in " ".join(ready(tmp_path / "other", "lemniscate"))
+
+
+def test_the_greatest_flow_of_all_modes_is_no_result_of_the_working_range(tmp_path):
+    page = ready(tmp_path, "boat_hoist_003", "--level", "summary")[0]
+    governing, flow = page.split("Greatest oil flow of all cylinders together, of all modes")
+    assert "−26.75°" not in governing and "found to the last digit" in governing
+    assert re.search(r"inthemode“[A-Z][^”]+”at𝜃..?=−26\.75°", flow.replace(" ", "")), flow
+
+
 def test_a_crane_that_stands_as_commanded_has_no_chapter_of_motion(standard):
     text = " ".join(text_of(standard))
     assert "The mechanism in motion" not in text and "equations of motion" not in text.lower()

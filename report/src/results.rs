@@ -48,7 +48,8 @@ impl Results {
 
     /// The results of the whole range.
     fn results(&self) -> impl Iterator<Item = &Summary> {
-        self.sheet.governing.iter().chain(&self.sheet.summary)
+        let most = self.sheet.most_demanded.iter().map(|(_, most)| most);
+        self.sheet.governing.iter().chain(most).chain(&self.sheet.summary)
     }
 
     /// The limits of the scene that are not kept, one line each.

@@ -18,6 +18,8 @@ pub struct Sheet {
     pub views: Vec<View>,
     /// What each of these ways asks for at most: its id, how much, and where.
     pub demands: Vec<(&'static str, Summary)>,
+    /// The greatest of these, as a result of its own, and in which way.
+    pub most_demanded: Option<(&'static str, Summary)>,
     /// From each of these ways to each other one.
     pub changes: Option<Changes>,
     /// Formulas by which parts are chosen; empty where none are.
@@ -108,6 +110,9 @@ pub struct Energy {
 pub struct BalanceSheet {
     /// As in a scene: `tail`, `lever` and so on; worded in the templates.
     pub kind: &'static str,
+    /// Its parts, by which words speak of it alone: `rod` or `rope`, `pivot`, `pulley` or `rail`, and
+    /// `angle` where one of transmission matters.
+    pub parts: &'static [&'static str],
     pub drawing: Drawing,
     pub criteria: Vec<Measure>,
     /// Where the published criteria are printed.

@@ -3,7 +3,7 @@
 use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
 pub use crate::component::extreme::{between, fine};
-use crate::component::governing::governing;
+use crate::component::governing::{drawn, governing};
 use crate::component::outline::{Bound, Explained, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::running::Running;
@@ -304,8 +304,8 @@ pub fn curves<T: Described>(told: &Description<T>, model: &mut Standing) -> Vec<
         let xs = indices(model, x);
         let (mut pieces, mut numbers) = (Vec::new(), Vec::new());
         for index in indices(model, y) {
-            let places = fine(model.motion());
-            let points = values(model, &[xs[0], index], places);
+            let places = drawn(model, index);
+            let points = values(model, &[xs[0], index], places.into_iter());
             pieces.extend(told.pieces(id, points.into_iter().map(|point| [point[0], point[1]]).collect()));
             numbers.extend(model.variables()[index].number.map(usize::from));
         }

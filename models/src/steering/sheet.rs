@@ -204,9 +204,8 @@ impl Described for SteeringScene {
         sheet.demands = demands
             .map(|(mode, demand)| (mode.id(), demanded(&s::Q_MODE, demand)))
             .collect();
-        sheet
-            .governing
-            .extend(parts.greatest().map(|demand| demanded(&s::Q_MAX, demand)));
+        let most = parts.greatest();
+        sheet.most_demanded = most.map(|(mode, demand)| (mode.id(), demanded(&s::Q_MAX, demand)));
         sheet.summary = parts.summary(this, &built);
         let (asked, unjudged) = requirements(this, &parts, model, &sheet.governing);
         sheet.requirements.extend(asked);

@@ -98,6 +98,8 @@ struct Book<'a> {
     /// Names the words that speak of this mechanism alone, and those of its symbols.
     mechanism: &'static str,
     symbols: &'static str,
+    /// Parts of the machine that have words of their own.
+    parts: &'static [&'static str],
     /// Ids of the chapters in their order.
     chapters: Vec<&'static str>,
     #[serde(flatten)]
@@ -111,6 +113,8 @@ struct Book<'a> {
     positions: Vec<Position>,
     views: Vec<View>,
     demands: Vec<Demand>,
+    /// The greatest of them.
+    most_demanded: Option<Demand>,
     changes: Option<Changes>,
     sizing: Vec<Section>,
     range: Range,
@@ -191,6 +195,7 @@ impl<'a> Book<'a> {
         let drawing = drawing(&sheet.drawing, PAGE);
         let figure = |c: &sheet::Curve| Figure::new(language, c);
         let summary = |s: &sheet::Summary| blocks::summary(language, s);
+        let demand = |d: &(&'static str, sheet::Summary)| tables::demand(language, d);
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
         let date = scene.project().iter().find(|(key, _)| *key == "date");
@@ -206,6 +211,7 @@ impl<'a> Book<'a> {
             level: edition.level,
             mechanism: scene.mechanism.id(),
             symbols: symbols(scene.mechanism.id()),
+            parts: sheet.balance.as_ref().map_or(&[], |balance| balance.parts),
             html: format == Format::Html,
             verdict: Verdict::new(language, scene, sheet),
             summary: sheet.summary.iter().map(summary).collect(),
@@ -216,7 +222,8 @@ impl<'a> Book<'a> {
             constants,
             positions,
             views: sheet.views.iter().map(|view| tables::view(language, view)).collect(),
-            demands: tables::demands(language, sheet),
+            demands: sheet.demands.iter().map(demand).collect(),
+            most_demanded: sheet.most_demanded.as_ref().map(demand),
             changes: sheet.changes.as_ref().map(|changes| tables::changes(language, changes)),
             sizing,
             range: blocks::range(language, &sheet.range, full),

@@ -92,7 +92,8 @@ impl Notation {
         let nearest = sheet.views.iter().flat_map(|view| &view.nearest);
         let nearest = nearest.flat_map(|(_, command)| command.iter().map(|(symbol, _)| *symbol));
         let changes = sheet.changes.iter().flat_map(|changes| changes.columns);
-        let demands = sheet.demands.iter().map(|(_, demand)| demand.symbol);
+        let demands = sheet.demands.iter().chain(&sheet.most_demanded);
+        let demands = demands.map(|(_, demand)| demand.symbol);
         let results = results.chain(tables).chain(nearest).chain(changes).chain(demands);
         for symbol in results.chain(curves).chain(balance) {
             self.meet(symbol);

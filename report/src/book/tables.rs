@@ -223,12 +223,11 @@ pub(super) fn sensitivity(language: &Language, table: &sheet::Sensitivity) -> Se
     }
 }
 
-pub(super) fn demands(language: &Language, sheet: &Sheet) -> Vec<Demand> {
-    let demand = |(id, demand): &(&'static str, sheet::Summary)| Demand {
-        mode: id,
+pub(super) fn demand(language: &Language, (mode, demand): &(&'static str, sheet::Summary)) -> Demand {
+    Demand {
+        mode,
         summary: summary(language, demand),
-    };
-    sheet.demands.iter().map(demand).collect()
+    }
 }
 
 pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes {

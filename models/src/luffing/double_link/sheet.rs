@@ -231,13 +231,14 @@ impl Described for LuffingScene {
 
     fn assumptions(this: &Luffing) -> Vec<&'static str> {
         let given = |known: bool, id: &'static str| known.then_some(id);
+        let foot = given(this.parameters.lengths.x_8 == 0.0, "reach_from_foot");
         let Some(moving) = &this.moving else {
             let level = if this.table.is_some() {
                 "level_table"
             } else {
                 "level_static"
             };
-            return [Some(level), given(this.q.is_some(), "forces")]
+            return [Some(level), given(this.q.is_some(), "forces"), foot]
                 .into_iter()
                 .flatten()
                 .collect();
@@ -249,6 +250,7 @@ impl Described for LuffingScene {
                 (false, true) => "level_swing",
                 (false, false) => "level_rigid",
             }),
+            foot,
             Some("bodies"),
             given(this.parameters.balance.is_some(), "counterweight"),
             Some(if rope { "rope" } else { "fixed_load" }),

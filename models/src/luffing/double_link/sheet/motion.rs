@@ -134,10 +134,10 @@ const ASSEMBLED: [&Symbol; 4] = [&m::MASS_Q, &m::J_2Q, &h::A_A, &h::A_B];
 
 /// Curves over the time of the run.
 const CURVES: [(&str, &Symbol); 19] = [
-    ("motion_angle", &s::THETA_1),
-    ("motion_speed", &s::OMEGA_1),
-    ("motion_angle", &s::THETA_3),
-    ("motion_speed", &s::OMEGA_3),
+    ("motion_boom_angle", &s::THETA_1),
+    ("motion_boom_speed", &s::OMEGA_1),
+    ("motion_rocker_angle", &s::THETA_3),
+    ("motion_rocker_speed", &s::OMEGA_3),
     ("motion_reach", &s::R),
     ("motion_height", &s::A_Y),
     ("motion_slewing", &m::PSI_SL),
