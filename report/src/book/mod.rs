@@ -8,13 +8,13 @@ mod notation;
 mod steps;
 mod synthesis;
 mod tables;
+mod title;
 mod trade;
 mod verdict;
 
 use lemnis_fmu::instance::strings;
 use lemnis_models::book::CHAPTERS;
 use lemnis_models::component::sheet::{self, Sheet};
-use lemnis_models::kernel::check;
 use lemnis_models::scene::Scene;
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
@@ -26,6 +26,7 @@ use crate::book::notation::{Entry, Notation};
 use crate::book::steps::{Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
 use crate::book::tables::{Changes, Chapter, Demand, Published, Sensitivity, View};
+use crate::book::title::Title;
 use crate::book::trade::Trade;
 use crate::book::verdict::Verdict;
 use crate::language::{Language, symbols};
@@ -83,12 +84,8 @@ impl Edition<'_> {
 /// those of a step are in Typst's mathematics, others are text or ids.
 #[derive(Serialize)]
 struct Book<'a> {
-    title: &'a str,
-    name: &'a str,
-    project: &'a [(&'static str, String)],
-    revisions: &'a [Vec<String>],
-    /// Year, month and day, where the date of the book is written so.
-    date: Option<(u16, u8, u8)>,
+    #[serde(flatten)]
+    title: Title<'a>,
     hash: String,
     /// Name of the scene inside the PDF.
     attachment: String,
@@ -198,13 +195,8 @@ impl<'a> Book<'a> {
         let demand = |d: &(&'static str, sheet::Summary)| tables::demand(language, d);
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
-        let date = scene.project().iter().find(|(key, _)| *key == "date");
         Ok(Book {
-            title: scene.title(),
-            name: scene.name(),
-            project: scene.project(),
-            revisions: scene.revisions(),
-            date: date.and_then(|(_, date)| check::date(date)),
+            title: Title::new(scene),
             hash,
             attachment: format!("{}.toml", scene.name()),
             version,
