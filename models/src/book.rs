@@ -41,6 +41,7 @@ pub const CHAPTERS: &[&str] = &[
     "remarks",
     "notation",
     "references",
+    "identities",
 ];
 
 /// What the scene asks of its book.

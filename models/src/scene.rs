@@ -61,10 +61,12 @@ pub static KEYS: &[Key] = &[
 ];
 
 static PROJECT: &[Key] = &[
+    Key::text("document", "Number of the document."),
     Key::text("crane", "The crane."),
     Key::text("client", "For whom the book is made."),
     Key::text("author", "Who made the calculation."),
     Key::text("checker", "Who checked it."),
+    Key::text("approver", "Who approved it."),
     Key::new("date", Kind::Date, "Date of the book; for PDF/A as YYYY-MM-DD.").optional(),
     Key::text("revision", "Revision of the book."),
     Key::new(
@@ -327,7 +329,7 @@ impl Scene {
         &self.revisions
     }
 
-    /// Title block: what is given of crane, client, author, checker, date, revision.
+    /// Title block: what is given of document, crane, client, author, checker, approver, date, revision.
     #[must_use]
     pub fn project(&self) -> &[(&'static str, String)] {
         &self.project

@@ -53,7 +53,7 @@ fn sensitivities_agree_with_differences() {
         let luffing = luffing(text);
         let (mut model, outline) = (luffing.standing(), OUTLINE);
         let found = governing(&model, outline);
-        let table = sensitivity(&mut model, outline, &found);
+        let table = sensitivity(&mut model, outline, outline.sensitivity, &found);
         for row in &table.rows {
             for (&(symbol, value), exact) in table.results.iter().zip(&row.by) {
                 let step = 1e-4 * row.value.abs().max(0.1);
@@ -159,4 +159,50 @@ fn a_drive_through_the_foot_that_moves_nothing_needs_no_force() {
             assert_eq!(force.is_infinite(), greatest > 0.0 && degrees == 95.0);
         }
     }
+}
+
+/// No place of a fine grid has more, or less, than the curve that the book draws: its marked extremes are exact.
+#[test]
+fn a_drawn_curve_reaches_its_extremes() {
+    let scenes = [
+        DEFAULT,
+        include_str!("../scenes/portal_004_new.toml"),
+        include_str!("../scenes/ports_001.toml"),
+        include_str!("../scenes/boat_hoist_003.toml"),
+        include_str!("../scenes/rope_luffing.toml"),
+    ];
+    let mut looked = 0;
+    for text in scenes {
+        let scene = Scene::parse(text).expect("valid");
+        let (sheet, motion) = (scene.sheet(), *scene.mechanism.motion());
+        let mut model = scene.model().expect("a mechanism");
+        let balance = sheet.balance.iter().flat_map(|balance| &balance.curves);
+        for curve in sheet.curves.iter().chain(balance) {
+            let index = model.variables().iter().position(|v| v.symbol == curve.y);
+            let whole = curve.x == model.variables()[0].symbol && curve.pieces.len() == 1;
+            let Some(index) = index.filter(|_| whole) else { continue };
+            let drawn = curve.pieces[0].iter().map(|point| point[1]);
+            let [least, most] = drawn.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], y| {
+                [least.min(y), most.max(y)]
+            });
+            let rounding = 1e-13 * least.abs().max(most.abs());
+            for i in 0..=10_000 {
+                let theta = motion.from + (motion.to - motion.from) * f64::from(i) / 1e4;
+                model.set(0, theta).expect("an angle");
+                let value = model.get(index).expect("closes");
+                let within = (least - rounding..=most + rounding).contains(&value);
+                assert!(within, "{}: {} = {value}", scene.name(), curve.y.id);
+            }
+            looked += 1;
+            // Where rod and lever stand at a right angle the angle is 90°, between all samples.
+            if curve.id == "balance_gamma" {
+                assert!(
+                    (most - std::f64::consts::FRAC_PI_2).abs() < 1e-7,
+                    "{}: {most}",
+                    scene.name()
+                );
+            }
+        }
+    }
+    assert!(looked > 20, "{looked}");
 }

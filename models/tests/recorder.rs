@@ -149,7 +149,7 @@ fn the_energy_of_a_run_is_accounted_for() {
         assert!(of("W_blow") > -1e-6 * scale, "{level}: a blow gives no energy");
         assert!(
             sheet
-                .checks
+                .identities
                 .iter()
                 .all(|check| check.id != "motion_energy" || check.passed()),
             "{level}"

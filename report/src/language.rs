@@ -199,6 +199,16 @@ impl Words {
             .ok_or_else(|| format!("no words for {group}.{id}"))
     }
 
+    /// The words for an id where the machine has a part, if there are any of that part alone.
+    pub(crate) fn of_part(&self, group: &str, part: &str, id: &str) -> Option<&str> {
+        let group = if vocabularies().any(|(_, symbols)| symbols.words == group) {
+            SHARED
+        } else {
+            group
+        };
+        self.0.get(&format!("{group}_{part}"))?.get(id)?.as_str()
+    }
+
     #[cfg(test)]
     pub(crate) fn of(text: &str) -> Words {
         Words(merged([("words.toml", text)]).expect("groups of words"))
@@ -302,6 +312,32 @@ mod tests {
             let files = std::fs::read_dir(format!("{folder}{path}")).expect("a folder for each language");
             let files = files.map(|file| format!("{path}{}", file.expect("a file").file_name().display()));
             assert_eq!(files.collect::<BTreeSet<_>>(), known);
+        }
+    }
+
+    /// What stands right after a name is read as code: a semicolon would be lost.
+    #[test]
+    fn no_punctuation_of_a_word_is_eaten() {
+        let eaten = |word: &str| {
+            word.split('#').skip(1).any(|rest| {
+                let after = rest.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || "_-".contains(c));
+                let mut next = after.chars();
+                after.len() < rest.len()
+                    && match next.next() {
+                        Some(';' | '(' | '[') => true,
+                        Some('.') => next.next().is_some_and(|c| c.is_ascii_alphabetic()),
+                        _ => false,
+                    }
+            })
+        };
+        assert!(eaten("#deepest; numerical") && eaten("#at.x") && !eaten("#deepest\\; numerical, #at. Below"));
+        for language in &LANGUAGES {
+            for (group, words) in Words::new(language, [], None).expect("TOML").0 {
+                for (id, word) in words {
+                    let word = word.as_str().expect("a text");
+                    assert!(!eaten(word), "{}: {group}.{id}", language.code);
+                }
+            }
         }
     }
 

@@ -48,13 +48,14 @@ impl Results {
 
     /// The results of the whole range.
     fn results(&self) -> impl Iterator<Item = &Summary> {
-        self.sheet.governing.iter().chain(&self.sheet.summary)
+        let most = self.sheet.most_demanded.iter().map(|(_, most)| most);
+        self.sheet.governing.iter().chain(most).chain(&self.sheet.summary)
     }
 
     /// The limits of the scene that are not kept, one line each.
     #[must_use]
     pub fn broken_limits(&self) -> Vec<String> {
-        let failed = self.sheet.checks.iter().filter(|check| !check.passed());
+        let failed = self.sheet.checks().filter(|check| !check.passed());
         failed
             .map(|check| {
                 let symbol = check.symbol;
@@ -67,6 +68,30 @@ impl Results {
                 }
             })
             .collect()
+    }
+
+    /// In a line: which requirements are met, of what nothing is asked, and whether the identities hold.
+    fn verdict(&self) -> String {
+        let Sheet {
+            requirements,
+            unjudged,
+            identities,
+            ..
+        } = &self.sheet;
+        let failed = self.broken_limits();
+        if !failed.is_empty() {
+            return format!("checks failed: {}", failed.join("; "));
+        }
+        let met = match requirements.len() {
+            0 => "no requirements given".to_owned(),
+            count => format!("{count} of {count} requirements met"),
+        };
+        let unjudged: Vec<&str> = unjudged.iter().map(|symbol| symbol.id).collect();
+        let unjudged = match unjudged.as_slice() {
+            [] => String::new(),
+            ids => format!("; not judged: {}", ids.join(", ")),
+        };
+        format!("{met}{unjudged}; {} identities hold", identities.len())
     }
 
     /// A few lines: what the crane does.
@@ -87,11 +112,7 @@ impl Results {
         for [name, value, meaning] in &rows {
             let _ = writeln!(text, "  {name:<names$}  {value:<values$}  {meaning}");
         }
-        let failed = self.broken_limits();
-        let _ = match failed.as_slice() {
-            [] => writeln!(text, "  {} checks passed", self.sheet.checks.len()),
-            failed => writeln!(text, "  checks failed: {}", failed.join("; ")),
-        };
+        let _ = writeln!(text, "  {}", self.verdict());
         text
     }
 
@@ -190,8 +211,7 @@ impl Results {
             .collect();
         let checks: Vec<Value> = self
             .sheet
-            .checks
-            .iter()
+            .checks()
             .map(|check| {
                 json!({
                     "check": check.id, "symbol": check.symbol.id, "value": number(check.value),

@@ -52,6 +52,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "remarks.typ",
     "notation.typ",
     "references.typ",
+    "identities.typ",
 ];
 
 const REFERENCES: &str = "references.toml";
@@ -261,8 +262,15 @@ fn environment(words: Words) -> Environment<'static> {
     });
     let undefined = |detail| minijinja::Error::new(ErrorKind::UndefinedError, detail);
     let dictionary = words.clone();
-    environment.add_function("word", move |group: &str, id: &str| {
-        let word = dictionary.get(group, id).map_err(undefined)?;
+    // Of a part that the machine has, its own words: `symbol_rod` before `symbol`.
+    environment.add_function("word", move |state: &State, group: &str, id: &str| {
+        let book = state.lookup("book").unwrap_or_default();
+        let parts = book.get_attr("parts")?;
+        let own = parts.try_iter().into_iter().flatten().find_map(|part| {
+            let part = part.as_str()?;
+            dictionary.of_part(group, part, id)
+        });
+        let word = own.map_or_else(|| dictionary.get(group, id), Ok).map_err(undefined)?;
         Ok(Value::from_safe_string(word.to_owned()))
     });
     // "[Li2022, eq. 5]" with the language's own "eq.".

@@ -117,7 +117,7 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
     }
     // Two independent ways to one result. What is only nearly legal may stand at a dead point, where they lose digits;
     // the energy of a run is found from samples, and the book tells what they leave over: counted.
-    for check in &results.sheet.checks {
+    for check in &results.sheet.identities {
         if check.symbol.id == "agreement" && !check.passed() {
             let told = format!("{} by {:e}", check.id, check.value);
             if case.legal && check.id != "motion_energy" {

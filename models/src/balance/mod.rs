@@ -41,6 +41,7 @@ pub mod asked;
 pub mod boom;
 pub mod curved_rail;
 mod grid;
+pub mod kept;
 pub mod lever;
 pub mod parallelogram;
 pub mod published;

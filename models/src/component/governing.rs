@@ -2,13 +2,13 @@
 
 use num_dual::Dual64;
 
-use crate::component::extreme::{Extreme, greatest, greatest_amount, greatest_value};
+use crate::component::extreme::{Extreme, fine, greatest, greatest_amount, greatest_value};
 use crate::component::outline::{Greatest, Most, Outline};
 use crate::component::probe::{Probe, slot, slots};
 use crate::component::running::Running;
 use crate::component::sheet::Summary;
 use crate::component::stages::Slot;
-use crate::component::standing::Standing;
+use crate::component::standing::{Standing, VariablePlace};
 use crate::parts::motion::Motion;
 
 /// The extremes that exist in a scene.
@@ -43,6 +43,27 @@ pub fn most(model: &Standing, extreme: &Greatest) -> Option<Extreme> {
     let all: Vec<Extreme> = each.collect::<Option<_>>()?;
     let more = |a: Extreme, b: Extreme| if extreme.most.is_before(a.value, b.value) { b } else { a };
     all.into_iter().reduce(more)
+}
+
+/// Places at which a variable is drawn over the working range: those of a curve, and where it is greatest and least.
+#[must_use]
+pub fn drawn(model: &Standing, index: usize) -> Vec<f64> {
+    let mut places: Vec<f64> = fine(model.motion()).collect();
+    if let VariablePlace::Result(slot) = model.places()[index] {
+        let mut probe = Probe::new(model, &mut |_, _| 0.0);
+        let found = [Most::Greatest, Most::Least].map(|most| {
+            if model.part().stages()[usize::from(slot.stage)].searched {
+                searched(model, &slot, most)
+            } else {
+                search(&mut probe, &slot, most, model.motion())
+            }
+        });
+        let finite = found.into_iter().flatten().filter(|found| found.value.is_finite());
+        places.extend(finite.map(|found| found.at));
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+    }
+    places
 }
 
 /// The extreme of what has no derivative.

@@ -12,18 +12,24 @@ use crate::component::running::Running;
 use crate::component::sheet::{Sensitivity, Slope, Summary};
 use crate::component::stages::{Source, Use};
 use crate::component::standing::{Standing, VariablePlace};
+use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
 
 /// Reads a result and its derivative where it is held.
 type Reading = Box<dyn Fn(&mut Probe) -> Option<Dual64>>;
 
-/// How results change with each given quantity: derivatives in SI, exact. Those of the outline that the scene has, as
-/// results of the range or among the governing ones.
+/// How results change with each given quantity: derivatives in SI, exact. Those that the scene has of the symbols asked
+/// for, as results of the range or among the governing ones.
 #[must_use]
-pub fn sensitivity(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) -> Sensitivity {
+pub fn sensitivity(
+    model: &mut Standing,
+    outline: &'static Outline,
+    asked: &[&'static Symbol],
+    governing: &[Summary],
+) -> Sensitivity {
     let mut results = Vec::new();
     let mut found: Vec<Reading> = Vec::new();
-    for &symbol in outline.sensitivity {
+    for &symbol in asked {
         let extreme = outline.extremes.iter().find(|extreme| extreme.symbol == symbol);
         let held = extreme.and_then(|extreme| slot(model, extreme.of));
         let summary = governing.iter().find(|summary| summary.symbol == symbol);

@@ -18,6 +18,8 @@ pub struct Sheet {
     pub views: Vec<View>,
     /// What each of these ways asks for at most: its id, how much, and where.
     pub demands: Vec<(&'static str, Summary)>,
+    /// The greatest of these, as a result of its own, and in which way.
+    pub most_demanded: Option<(&'static str, Summary)>,
     /// From each of these ways to each other one.
     pub changes: Option<Changes>,
     /// Formulas by which parts are chosen; empty where none are.
@@ -29,9 +31,13 @@ pub struct Sheet {
     /// Curves over the working range, on a grid fine enough to draw.
     pub curves: Vec<Curve>,
     pub drawing: Drawing,
-    pub checks: Vec<Check>,
-    /// What must be known before any result is believed: id of the words, with a quantity and when it was so.
-    pub warnings: Vec<(&'static str, Summary)>,
+    /// What is asked of the results.
+    pub requirements: Vec<Check>,
+    /// Results of which the scene could ask something and does not.
+    pub unjudged: Vec<&'static Symbol>,
+    /// The calculation against itself: independent ways to one result.
+    pub identities: Vec<Check>,
+    pub warnings: Vec<Warning>,
     /// Published values beside the computed ones; empty where the scene gives none.
     pub published: Vec<Comparison>,
     /// Where they are printed.
@@ -50,6 +56,23 @@ pub struct Sheet {
     pub motion: Option<InMotion>,
     /// See [`Scene::assumptions`](crate::scene::Scene::assumptions).
     pub assumptions: Vec<&'static str>,
+}
+
+impl Sheet {
+    /// Requirements and identities.
+    pub fn checks(&self) -> impl Iterator<Item = &Check> {
+        self.requirements.iter().chain(&self.identities)
+    }
+}
+
+/// What must be known before any result is believed.
+pub struct Warning {
+    /// Id of the words.
+    pub id: &'static str,
+    /// A quantity, and when or where it was so first.
+    pub summary: Summary,
+    /// How many times it was so.
+    pub count: usize,
 }
 
 /// The mechanism in motion: its equations at one instant of a run, and the run.
@@ -87,6 +110,9 @@ pub struct Energy {
 pub struct BalanceSheet {
     /// As in a scene: `tail`, `lever` and so on; worded in the templates.
     pub kind: &'static str,
+    /// Its parts, by which words speak of it alone: `rod` or `rope`, `pivot`, `pulley` or `rail`, and
+    /// `angle` where one of transmission matters.
+    pub parts: &'static [&'static str],
     pub drawing: Drawing,
     pub criteria: Vec<Measure>,
     /// Where the published criteria are printed.
@@ -197,6 +223,7 @@ pub struct Worked {
 }
 
 /// A result of the whole range, with the coordinate where it occurs if it has one.
+#[derive(Clone, Copy)]
 pub struct Summary {
     pub symbol: &'static Symbol,
     pub value: f64,
@@ -265,6 +292,10 @@ pub struct Check {
     pub limit: f64,
     /// Whether the value must not be above (or not below) the limit.
     pub at_most: bool,
+    /// Where or when the value is so, which governs.
+    pub at: Option<(&'static Symbol, f64)>,
+    /// By how much the value may be off, to both sides, as far as that is known.
+    pub band: Option<f64>,
 }
 
 impl Check {
@@ -276,6 +307,22 @@ impl Check {
             value,
             limit,
             at_most: true,
+            at: None,
+            band: None,
+        }
+    }
+
+    /// Of a result with its place.
+    #[must_use]
+    pub const fn of(id: &'static str, result: &Summary, limit: f64, at_most: bool) -> Check {
+        Check {
+            id,
+            symbol: result.symbol,
+            value: result.value,
+            limit,
+            at_most,
+            at: result.at,
+            band: None,
         }
     }
 
@@ -292,10 +339,21 @@ impl Check {
 
     #[must_use]
     pub fn passed(&self) -> bool {
+        self.keeps(self.value)
+    }
+
+    /// Whether the value keeps to the limit, and somewhere in its band does not.
+    #[must_use]
+    pub fn is_doubtful(&self) -> bool {
+        let band = self.band.unwrap_or(0.0);
+        self.passed() && !(self.keeps(self.value - band) && self.keeps(self.value + band))
+    }
+
+    fn keeps(&self, value: f64) -> bool {
         if self.at_most {
-            self.value <= self.limit
+            value <= self.limit
         } else {
-            self.value >= self.limit
+            value >= self.limit
         }
     }
 }

@@ -3,12 +3,14 @@
 use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
 pub use crate::component::extreme::{between, fine};
-use crate::component::governing::governing;
-use crate::component::outline::{Bound, Explained, Limit, Outline, Published, SectionOutline};
+use crate::component::governing::{drawn, governing};
+use crate::component::outline::{Bound, Explained, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::running::Running;
 use crate::component::sensitivity::sensitivity;
-use crate::component::sheet::{Check, Comparison, Curve, Section, Sheet, Summary, Table, Worked};
+use crate::component::sheet::{
+    Check, Comparison, Curve, Input, Section, Sensitivity, Sheet, Slope, Summary, Table, Worked,
+};
 use crate::component::stages::{Found, Source, Stage, Use};
 use crate::component::standing::Standing;
 use crate::kernel::calc::Calc;
@@ -130,8 +132,7 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
     let mut governing = governing(&model, outline);
     governing.extend(T::searched(told, &model));
     let mut summary = summary(&mut model, outline.summary);
-    let mut checks = limits(told, governing.iter().chain(&summary));
-    checks.extend(T::identities(told, &mut model));
+    let (requirements, unjudged) = limits(told, governing.iter().chain(&summary));
     summary.extend(T::totals(told));
     let positions = positions(outline, model.motion(), asked, &governing);
     let of = body(&mut model, outline, &governing);
@@ -146,17 +147,26 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
         range: table(&mut model, outline.table),
         curves: curves(told, &mut model),
         drawing: T::drawing(told),
-        checks,
+        identities: T::identities(told, &mut model),
+        requirements,
+        unjudged,
         published: published(told.published(), &mut model),
         published_source: told.published().map(|published| published.source.clone()),
         summary,
-        sensitivity: sensitivity(&mut model, outline, &governing),
+        sensitivity: sensitivity(&mut model, outline, outline.sensitivity, &governing),
         governing,
         outputs: outputs(&model),
         remarks: told.remarks(),
         ..Sheet::default()
     };
     T::more(told, &mut model, &mut sheet);
+    let Sheet {
+        requirements,
+        governing,
+        inputs,
+        ..
+    } = &mut sheet;
+    banded(requirements, &mut model, outline, governing, inputs);
     sheet
 }
 
@@ -294,8 +304,8 @@ pub fn curves<T: Described>(told: &Description<T>, model: &mut Standing) -> Vec<
         let xs = indices(model, x);
         let (mut pieces, mut numbers) = (Vec::new(), Vec::new());
         for index in indices(model, y) {
-            let places = fine(model.motion());
-            let points = values(model, &[xs[0], index], places);
+            let places = drawn(model, index);
+            let points = values(model, &[xs[0], index], places.into_iter());
             pieces.extend(told.pieces(id, points.into_iter().map(|point| [point[0], point[1]]).collect()));
             numbers.extend(model.variables()[index].number.map(usize::from));
         }
@@ -312,27 +322,51 @@ pub fn curves<T: Described>(told: &Description<T>, model: &mut Standing) -> Vec<
     list
 }
 
-/// Results against what the scene allows.
+/// Results against what the scene allows, and those of which it allows anything.
 #[must_use]
 pub fn limits<'a, T: Described>(
     told: &Description<T>,
     results: impl Iterator<Item = &'a Summary> + Clone,
-) -> Vec<Check> {
-    let check = |limit: &Limit| {
-        let value = results.clone().find(|result| result.symbol == limit.symbol)?.value;
-        Some(Check {
-            id: limit.id,
-            symbol: limit.symbol,
-            value,
-            limit: match limit.bound {
-                Bound::Scene => told.limit(limit.symbol)?,
-                Bound::End => told.motion.to,
-                Bound::Fixed(value) => value,
-            },
-            at_most: limit.at_most,
-        })
+) -> (Vec<Check>, Vec<&'static Symbol>) {
+    let (mut asked, mut unjudged) = (Vec::new(), Vec::new());
+    for limit in T::OUTLINE.limits {
+        let Some(result) = results.clone().find(|result| result.symbol == limit.symbol) else {
+            continue;
+        };
+        let bound = match limit.bound {
+            Bound::Scene => told.limit(limit.symbol),
+            Bound::End => Some(told.motion.to),
+            Bound::Fixed(value) => Some(value),
+        };
+        match bound {
+            Some(bound) => asked.push(Check::of(limit.id, result, bound, limit.at_most)),
+            None => unjudged.push(limit.symbol),
+        }
+    }
+    (asked, unjudged)
+}
+
+/// How far the values of requirements are known: quantities that a publication has printed are known to half of their
+/// last digit, and each moves a result by its derivative; all of them to the same side.
+fn banded(
+    requirements: &mut [Check],
+    model: &mut Standing,
+    outline: &'static Outline,
+    governing: &[Summary],
+    inputs: &[Input],
+) {
+    let symbols: Vec<&'static Symbol> = requirements.iter().map(|check| check.symbol).collect();
+    let Sensitivity { results, rows } = sensitivity(model, outline, &symbols, governing);
+    let known = |row: &Slope| {
+        let input = inputs.iter().find(|input| input.symbol == row.symbol)?;
+        input.given.as_ref()?.rounding
     };
-    T::OUTLINE.limits.iter().filter_map(check).collect()
+    for (i, (symbol, _)) in results.iter().enumerate() {
+        let off = rows.iter().filter_map(|row| Some(row.by[i].abs() * known(row)?));
+        let band: f64 = off.sum();
+        let of = requirements.iter_mut().filter(|check| check.symbol == *symbol);
+        of.for_each(|check| check.band = (band > 0.0).then_some(band));
+    }
 }
 
 /// Results of the whole range.

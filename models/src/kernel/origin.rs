@@ -18,6 +18,8 @@ pub struct Origin {
     pub mass: Option<f64>,
     /// Where the scene says that it comes from.
     pub source: Option<String>,
+    /// Half of its last digit, in SI, where a publication has printed it: its source begins with a citation.
+    pub rounding: Option<f64>,
 }
 
 /// A quantity of a scene.
@@ -45,6 +47,7 @@ impl Origins {
             given: placed.map(|(place, number, key)| Origin {
                 key,
                 line: line(text, &place),
+                rounding: rounding(&text[place.clone()], value, number.source.as_deref()),
                 place,
                 mass: number.mass,
                 source: number.source,
@@ -81,6 +84,19 @@ impl Origins {
             .filter_map(|known| known.given.as_ref())
             .any(|origin| origin.mass.is_some())
     }
+}
+
+/// Half of the last digit of a value (in SI) as the scene writes it; `None` for zero, whose digits say nothing, and for
+/// what no publication has printed.
+fn rounding(written: &str, value: f64, source: Option<&str>) -> Option<f64> {
+    source?.strip_prefix('[')?;
+    let number = written.split('"').nth(1)?.trim();
+    let end = number.find(|c: char| !(c.is_ascii_digit() || "+-.".contains(c)));
+    let number = &number[..end.unwrap_or(number.len())];
+    let shown: f64 = number.parse().ok().filter(|shown| *shown != 0.0)?;
+    let decimals = number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let last = (0..decimals).fold(1.0, |last, _| last / 10.0);
+    Some(0.5 * last * (value / shown).abs())
 }
 
 /// Line of a place in the scene, counted from 1.

@@ -7,6 +7,7 @@ use crate::balance::scene::{Form, PublishedBalance};
 use crate::balance::{Balance, symbols as b};
 use crate::component::draw::{Draw, polar};
 use crate::component::extreme::Extreme;
+use crate::component::governing::drawn;
 use crate::component::running::Running;
 use crate::component::sheet::{BalanceSheet, Curve, Drawing, Measure, RestingPlace, Summary};
 use crate::component::standing::Standing;
@@ -68,6 +69,13 @@ impl BalancedBoom<'_> {
         };
         Some(BalanceSheet {
             kind: self.form.kind(),
+            parts: match self.form {
+                Form::Tail(_) => &[],
+                Form::Parallelogram(_) => &["rod", "pivot"],
+                Form::Lever(..) => &["rod", "pivot", "angle"],
+                Form::StraightRail(_) => &["rope", "pulley"],
+                Form::CurvedRail(_) => &["rope", "rail"],
+            },
             equilibria: equilibria.collect(),
             drawing: self.drawing()?,
             criteria: criteria(&self.found, coordinate)
@@ -119,7 +127,9 @@ impl BalancedBoom<'_> {
         let exact = self.found.dm_max.value <= 1e-9 * greatest;
         list.retain(|(_, _, y)| exists(model, y) && !(exact && *y == &b::DM));
         let curve = |(id, x, y): (&'static str, &'static Symbol, &'static Symbol)| {
-            let points = sample(model, &[x, y], fine(&self.motion));
+            let index = model.variables().iter().position(|variable| variable.symbol == y);
+            let places = drawn(model, index.expect("it exists"));
+            let points = sample(model, &[x, y], places.into_iter());
             Curve {
                 id,
                 x,

@@ -2,6 +2,7 @@
 
 use crate::component::governing::most;
 use crate::component::outline::{Greatest, Most};
+use crate::component::running::Running;
 use crate::component::sheet::{Check, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{between, fine};
@@ -20,29 +21,31 @@ use crate::steering::scene::Steering;
 use crate::steering::symbols as s;
 use crate::steering::views::example;
 
-/// Whether the axle lines meet, the parts suffice, the tyres roll.
-pub fn checks(
+/// Whether the axle lines meet, the angles are those of the publication, lever arms slopes of lengths.
+pub fn identities(steering: &Steering, built: &Built) -> Vec<Check> {
+    let lever = built.direct().map(|(linkage, _)| lever_arm(linkage, &built.limits[0]));
+    let found = [
+        ("axle_lines", &s::E_O, Some(astray(steering, built)), 1e-12),
+        ("published_angles", &s::AGREEMENT, printed(&built.machine), 1e-12),
+        ("lever_arm", &s::AGREEMENT, lever, 1e-9),
+    ];
+    let check = |(id, symbol, value, limit)| Some(Check::at_most(id, symbol, value?, limit));
+    found.into_iter().filter_map(check).collect()
+}
+
+/// Whether the parts suffice and the tyres roll; and what is not judged.
+pub fn requirements(
     steering: &Steering,
-    built: &Built,
     parts: &Parts,
     model: &Standing,
     governing: &[Summary],
-) -> Vec<Check> {
+) -> (Vec<Check>, Vec<&'static Symbol>) {
     let given = &steering.given;
-    let mut checks = Vec::new();
+    let (mut checks, mut unjudged) = (Vec::new(), Vec::new());
     let mut add = |id, symbol: &'static Symbol, value: Option<f64>, limit: f64, at_most| {
-        checks.extend(value.map(|value| Check {
-            id,
-            symbol,
-            value,
-            limit,
-            at_most,
-        }));
+        let check = |value| Check::of(id, &Summary::new(symbol, value), limit, at_most);
+        checks.extend(value.map(check));
     };
-    add("axle_lines", &s::E_O, Some(astray(steering, built)), 1e-12, true);
-    add("published_angles", &s::AGREEMENT, printed(&built.machine), 1e-12, true);
-    let lever = built.direct().map(|(linkage, _)| lever_arm(linkage, &built.limits[0]));
-    add("lever_arm", &s::AGREEMENT, lever, 1e-9, true);
     add("stroke_out", &s::M_OUT, parts.found(&s::M_OUT), 0.0, false);
     add("stroke_in", &s::M_IN, parts.found(&s::M_IN), 0.0, false);
     if let Some((least, piston)) = parts.found(&s::D_G_MIN).zip(given.piston) {
@@ -51,25 +54,30 @@ pub fn checks(
     if let Some(bears) = parts.found(&s::F_K) {
         add("buckling", &s::F_G_MAX, parts.found(&s::F_G_MAX), bears, true);
     }
-    if let Some(pace) = given.pace {
-        let fastest = most(model, &Greatest::new(&s::V_C_WORK, Most::Amount, &s::V_C));
-        add(
-            "cylinder_speed",
-            &s::V_C_WORK,
-            fastest.map(|found| found.value.abs()),
-            pace.speed,
-            true,
-        );
-    }
-    if let Some(limit) = steering.slip_limit {
-        let slip = governing.iter().find(|found| found.symbol == &s::SLIP_WORK);
-        add("slip", &s::SLIP_WORK, slip.map(|found| found.value), limit, true);
-    }
     if let Some([ring, bolts]) = ring(steering) {
         add("ring", &s::RING_USE, Some(ring), 1.0, true);
         add("bolts", &s::BOLT_USE, Some(bolts), 1.0, true);
+    } else if given.bearing.is_some() {
+        unjudged.extend([&s::RING_USE, &s::BOLT_USE]);
     }
-    checks
+    let coordinate = model.variables()[0].symbol;
+    let fastest = most(model, &Greatest::new(&s::V_C_WORK, Most::Amount, &s::V_C)).map(|mut found| {
+        found.value = found.value.abs();
+        Summary::at(&s::V_C_WORK, found, coordinate)
+    });
+    let slip = governing.iter().find(|found| found.symbol == &s::SLIP_WORK);
+    let asked = [
+        ("cylinder_speed", fastest.as_ref(), given.pace.map(|pace| pace.speed)),
+        ("slip", slip, steering.slip_limit),
+    ];
+    for (id, found, limit) in asked {
+        let Some(found) = found else { continue };
+        match limit {
+            Some(limit) => checks.push(Check::of(id, found, limit, true)),
+            None => unjudged.push(found.symbol),
+        }
+    }
+    (checks, unjudged)
 }
 
 /// Greatest distance, in m, at which an axle line passes the turning centre, over the working range and in every mode.

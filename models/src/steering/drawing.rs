@@ -1,11 +1,13 @@
 //! The machine from above, and the triangle of a cylinder, to scale.
 
 use crate::component::draw::Draw;
+use crate::component::extreme::greatest_value;
 use crate::component::sheet::{Curve, Drawing};
 use crate::component::stages::{Found, Stages};
 use crate::component::telling::between;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
+use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::cylinder::{Linkage, Pose};
@@ -38,16 +40,28 @@ pub fn triangle((linkage, limits): (&Linkage<f64>, &Limits)) -> Drawing {
 
 /// Length and lever arm of a cylinder over its group's range. [Zhang2016, Fig. 7]
 pub fn lengths((linkage, limits): (&Linkage<f64>, &Limits)) -> [Curve; 2] {
-    let curve = |id, y: &'static Symbol, of: fn(Pose<f64>) -> f64| Curve {
-        id,
-        x: &s::THETA,
-        y,
-        pieces: vec![
-            between(limits.min, limits.max)
-                .map(|theta| [theta, of(linkage.at_angle(theta))])
-                .collect(),
-        ],
-        numbers: Vec::new(),
+    let range = Motion {
+        from: limits.min,
+        to: limits.max,
+        step: limits.max - limits.min,
+        speed: 1.0,
+        by_part: false,
+    };
+    let curve = |id, y: &'static Symbol, of: fn(Pose<f64>) -> f64| {
+        let extremes = [1.0, -1.0].map(|sign| greatest_value(&range, &mut |at| Some(sign * of(linkage.at_angle(at)))));
+        let mut places: Vec<f64> = between(range.from, range.to)
+            .chain(extremes.into_iter().flatten().map(|found| found.at))
+            .collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let point = |theta| [theta, of(linkage.at_angle(theta))];
+        Curve {
+            id,
+            x: &s::THETA,
+            y,
+            pieces: vec![places.into_iter().map(point).collect()],
+            numbers: Vec::new(),
+        }
     };
     [
         curve("zhang2016_fig_7_length", &s::R, |pose| pose.l),

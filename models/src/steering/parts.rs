@@ -35,16 +35,15 @@ impl Parts {
 
     /// The greatest of all modes.
     #[must_use]
-    pub fn greatest(&self) -> Option<&Demand> {
-        let demands = self.demands.iter().map(|(_, demand)| demand);
-        demands.max_by(|a, b| a.flow.total_cmp(&b.flow))
+    pub fn greatest(&self) -> Option<&(Mode, Demand)> {
+        self.demands.iter().max_by(|(_, a), (_, b)| a.flow.total_cmp(&b.flow))
     }
 
     /// What the pump must deliver: the greatest flow of steering or, where that is more, of a change of mode.
     fn pumped(&self, changes: Option<&Changes>) -> Option<(&'static Symbol, f64)> {
         let changing = changes.into_iter().flat_map(|changes| &changes.rows);
         let changing = changing.filter_map(|change| Some((&s::Q_X_MAX, change.flow?)));
-        let steering = self.greatest().map(|demand| (&s::Q_MAX, demand.flow));
+        let steering = self.greatest().map(|(_, demand)| (&s::Q_MAX, demand.flow));
         let all = steering.into_iter().chain(changing);
         all.reduce(|a, b| if b.1 > a.1 { b } else { a })
     }

@@ -13,7 +13,7 @@ use crate::kernel::schema::Values;
 use crate::kernel::variable::Fault;
 use crate::parts::motion::Motion;
 use crate::steering::changes::changes;
-use crate::steering::checks::checks;
+use crate::steering::checks::{identities, requirements};
 use crate::steering::drawing::{Stance, lengths, swept, triangle};
 use crate::steering::keys::KEYS;
 use crate::steering::mode::Mode;
@@ -204,13 +204,13 @@ impl Described for SteeringScene {
         sheet.demands = demands
             .map(|(mode, demand)| (mode.id(), demanded(&s::Q_MODE, demand)))
             .collect();
-        sheet
-            .governing
-            .extend(parts.greatest().map(|demand| demanded(&s::Q_MAX, demand)));
+        let most = parts.greatest();
+        sheet.most_demanded = most.map(|(mode, demand)| (mode.id(), demanded(&s::Q_MAX, demand)));
         sheet.summary = parts.summary(this, &built);
-        sheet
-            .checks
-            .extend(checks(this, &built, &parts, model, &sheet.governing));
+        let (asked, unjudged) = requirements(this, &parts, model, &sheet.governing);
+        sheet.requirements.extend(asked);
+        sheet.unjudged.extend(unjudged);
+        sheet.identities = identities(this, &built);
         sheet.sizing = parts.sections;
         if let Some(linkage) = built.direct() {
             let section = sheet.constants.iter_mut().find(|section| section.id == "linkage");

@@ -8,12 +8,13 @@ mod notation;
 mod steps;
 mod synthesis;
 mod tables;
+mod title;
 mod trade;
+mod verdict;
 
 use lemnis_fmu::instance::strings;
 use lemnis_models::book::CHAPTERS;
 use lemnis_models::component::sheet::{self, Sheet};
-use lemnis_models::kernel::check;
 use lemnis_models::scene::Scene;
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
@@ -24,8 +25,10 @@ use crate::book::motion::Motion;
 use crate::book::notation::{Entry, Notation};
 use crate::book::steps::{Position, Section};
 use crate::book::synthesis::{Synthesis, synthesis};
-use crate::book::tables::{Changes, Chapter, Check, Demand, Published, Sensitivity, View, Warning};
+use crate::book::tables::{Changes, Chapter, Demand, Published, Sensitivity, View};
+use crate::book::title::Title;
 use crate::book::trade::Trade;
+use crate::book::verdict::Verdict;
 use crate::language::{Language, symbols};
 use crate::print::drawing::{PAGE, drawing};
 use crate::template::{Error, Templates};
@@ -81,12 +84,8 @@ impl Edition<'_> {
 /// those of a step are in Typst's mathematics, others are text or ids.
 #[derive(Serialize)]
 struct Book<'a> {
-    title: &'a str,
-    name: &'a str,
-    project: &'a [(&'static str, String)],
-    revisions: &'a [Vec<String>],
-    /// Year, month and day, where the date of the book is written so.
-    date: Option<(u16, u8, u8)>,
+    #[serde(flatten)]
+    title: Title<'a>,
     hash: String,
     /// Name of the scene inside the PDF.
     attachment: String,
@@ -96,11 +95,12 @@ struct Book<'a> {
     /// Names the words that speak of this mechanism alone, and those of its symbols.
     mechanism: &'static str,
     symbols: &'static str,
+    /// Parts of the machine that have words of their own.
+    parts: &'static [&'static str],
     /// Ids of the chapters in their order.
     chapters: Vec<&'static str>,
-    passed: bool,
-    checks: Vec<Check>,
-    warnings: Vec<Warning>,
+    #[serde(flatten)]
+    verdict: Verdict,
     summary: Vec<Summary>,
     governing: Vec<Summary>,
     inputs: Vec<Chapter>,
@@ -110,6 +110,8 @@ struct Book<'a> {
     positions: Vec<Position>,
     views: Vec<View>,
     demands: Vec<Demand>,
+    /// The greatest of them.
+    most_demanded: Option<Demand>,
     changes: Option<Changes>,
     sizing: Vec<Section>,
     range: Range,
@@ -143,6 +145,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "views" => !sheet.views.is_empty(),
         "sizing" => !sheet.sizing.is_empty(),
         "remarks" => !sheet.remarks.is_empty(),
+        "identities" => !sheet.identities.is_empty(),
         "balance" => sheet.balance.is_some(),
         "motion" => sheet.motion.is_some(),
         // Many runs: only a scene that lists the chapter gets it.
@@ -189,25 +192,20 @@ impl<'a> Book<'a> {
         let drawing = drawing(&sheet.drawing, PAGE);
         let figure = |c: &sheet::Curve| Figure::new(language, c);
         let summary = |s: &sheet::Summary| blocks::summary(language, s);
+        let demand = |d: &(&'static str, sheet::Summary)| tables::demand(language, d);
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
-        let date = scene.project().iter().find(|(key, _)| *key == "date");
         Ok(Book {
-            title: scene.title(),
-            name: scene.name(),
-            project: scene.project(),
-            revisions: scene.revisions(),
-            date: date.and_then(|(_, date)| check::date(date)),
+            title: Title::new(scene),
             hash,
             attachment: format!("{}.toml", scene.name()),
             version,
             level: edition.level,
             mechanism: scene.mechanism.id(),
             symbols: symbols(scene.mechanism.id()),
+            parts: sheet.balance.as_ref().map_or(&[], |balance| balance.parts),
             html: format == Format::Html,
-            passed: sheet.checks.iter().all(sheet::Check::passed),
-            checks: sheet.checks.iter().map(|c| tables::check(language, c)).collect(),
-            warnings: tables::warnings(language, sheet),
+            verdict: Verdict::new(language, scene, sheet),
             summary: sheet.summary.iter().map(summary).collect(),
             governing: sheet.governing.iter().map(summary).collect(),
             inputs,
@@ -216,7 +214,8 @@ impl<'a> Book<'a> {
             constants,
             positions,
             views: sheet.views.iter().map(|view| tables::view(language, view)).collect(),
-            demands: tables::demands(language, sheet),
+            demands: sheet.demands.iter().map(demand).collect(),
+            most_demanded: sheet.most_demanded.as_ref().map(demand),
             changes: sheet.changes.as_ref().map(|changes| tables::changes(language, changes)),
             sizing,
             range: blocks::range(language, &sheet.range, full),

@@ -71,9 +71,13 @@ impl Notation {
 
     /// The symbols of results, tables, curves and the balance.
     pub(super) fn meet_results(&mut self, sheet: &Sheet, chapters: &[&str]) {
-        let results = sheet.checks.iter().map(|check| check.symbol);
-        let warnings = sheet.warnings.iter().map(|(_, summary)| summary.symbol);
-        let results = results.chain(warnings);
+        let checks = sheet
+            .requirements
+            .iter()
+            .chain(sheet.identities.iter().filter(|_| chapters.contains(&"identities")));
+        let results = checks.flat_map(|check| std::iter::once(check.symbol).chain(check.at.map(|(symbol, _)| symbol)));
+        let warnings = sheet.warnings.iter().map(|warning| warning.summary.symbol);
+        let results = results.chain(warnings).chain(sheet.unjudged.iter().copied());
         let results = results.chain(sheet.governing.iter().chain(&sheet.summary).map(|s| s.symbol));
         let balance = sheet.balance.iter().filter(|_| chapters.contains(&"balance"));
         let balance = balance.flat_map(|b| {
@@ -88,7 +92,8 @@ impl Notation {
         let nearest = sheet.views.iter().flat_map(|view| &view.nearest);
         let nearest = nearest.flat_map(|(_, command)| command.iter().map(|(symbol, _)| *symbol));
         let changes = sheet.changes.iter().flat_map(|changes| changes.columns);
-        let demands = sheet.demands.iter().map(|(_, demand)| demand.symbol);
+        let demands = sheet.demands.iter().chain(&sheet.most_demanded);
+        let demands = demands.map(|(_, demand)| demand.symbol);
         let results = results.chain(tables).chain(nearest).chain(changes).chain(demands);
         for symbol in results.chain(curves).chain(balance) {
             self.meet(symbol);

@@ -135,11 +135,7 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         },
         objective: objective(task).into(),
         seed: task.seed,
-        state: match task.found {
-            Some(true) => "complete",
-            Some(false) => "broken",
-            None => "open",
-        },
+        state: unsearched(task).unwrap_or("complete"),
         builds: BUILDS,
         tolerances: [of(&s::T_L, t.length), of(&s::T_A, t.angle), of(&s::T_W, t.weight)],
         limits: limits.collect(),
@@ -159,6 +155,15 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
             .collect(),
         rows,
     })
+}
+
+/// `broken` or `open`, where the search has not come to its end.
+pub(super) fn unsearched(task: &Task) -> Option<&'static str> {
+    match task.found {
+        Some(true) => None,
+        Some(false) => Some("broken"),
+        None => Some("open"),
+    }
 }
 
 /// A front, with the levers on it.

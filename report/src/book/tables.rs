@@ -1,4 +1,4 @@
-//! Tables: checks, given quantities, views, changes, sensitivities, published values.
+//! Tables: given quantities, views, changes, sensitivities, published values.
 
 use lemnis_models::component::sheet::{self, Comparison, Sheet};
 use lemnis_models::kernel::gravity;
@@ -13,20 +13,6 @@ use crate::language::Language;
 use crate::print::drawing::{SMALL, drawing};
 use crate::print::number::{self, measured, quantity};
 use crate::print::plot;
-
-#[derive(Serialize)]
-pub(super) struct Check {
-    id: &'static str,
-    symbol: &'static str,
-    value: String,
-    limit: String,
-    at_most: bool,
-    passed: bool,
-    /// Part of what is allowed that is used, in percent; none of a limit of zero.
-    utilisation: Option<String>,
-    /// Names the words that say when the value is infinite, where it is.
-    infinite: Option<&'static str>,
-}
 
 #[derive(Serialize)]
 pub(super) struct Chapter {
@@ -73,14 +59,6 @@ struct Nearest {
 #[derive(Serialize)]
 pub(super) struct Demand {
     mode: &'static str,
-    #[serde(flatten)]
-    summary: Summary,
-}
-
-/// What must be known before any result is believed.
-#[derive(Serialize)]
-pub(super) struct Warning {
-    warning: &'static str,
     #[serde(flatten)]
     summary: Summary,
 }
@@ -245,33 +223,11 @@ pub(super) fn sensitivity(language: &Language, table: &sheet::Sensitivity) -> Se
     }
 }
 
-pub(super) fn check(language: &Language, check: &sheet::Check) -> Check {
-    Check {
-        id: check.id,
-        symbol: check.symbol.print,
-        value: quantity(language, check.symbol, check.value),
-        limit: quantity(language, check.symbol, check.limit),
-        at_most: check.at_most,
-        passed: check.passed(),
-        utilisation: (check.limit != 0.0).then(|| language.text(&fixed(100.0 * check.utilisation(), 1))),
-        infinite: (!check.value.is_finite()).then_some(check.symbol.id),
-    }
-}
-
-pub(super) fn demands(language: &Language, sheet: &Sheet) -> Vec<Demand> {
-    let demand = |(id, demand): &(&'static str, sheet::Summary)| Demand {
-        mode: id,
+pub(super) fn demand(language: &Language, (mode, demand): &(&'static str, sheet::Summary)) -> Demand {
+    Demand {
+        mode,
         summary: summary(language, demand),
-    };
-    sheet.demands.iter().map(demand).collect()
-}
-
-pub(super) fn warnings(language: &Language, sheet: &Sheet) -> Vec<Warning> {
-    let warning = |(id, quantity): &(&'static str, sheet::Summary)| Warning {
-        warning: id,
-        summary: summary(language, quantity),
-    };
-    sheet.warnings.iter().map(warning).collect()
+    }
 }
 
 pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes {
@@ -311,7 +267,7 @@ pub(super) fn view(language: &Language, view: &sheet::View) -> View {
     }
 }
 
-fn fixed(value: f64, decimals: usize) -> Number {
+pub(super) fn fixed(value: f64, decimals: usize) -> Number {
     Number::new(value, Digits::Decimals(decimals))
 }
 

@@ -12,6 +12,14 @@ pub fn quantity(language: &Language, symbol: &Symbol, value: f64) -> String {
     measured(language, symbol.shown(value), symbol.display)
 }
 
+/// How far a value (in SI) may be off, with two significant digits.
+#[must_use]
+pub fn rough(language: &Language, symbol: &Symbol, value: f64) -> String {
+    let shown = symbol.shown(value);
+    let unit = 10_f64.powi(exponent(shown) - 1);
+    measured(language, (shown / unit).round() * unit, symbol.display)
+}
+
 /// A symbol with its value (in SI).
 #[must_use]
 pub fn named(language: &Language, symbol: &Symbol, value: f64) -> String {

@@ -4,6 +4,7 @@ pub mod motion;
 
 use crate::balance;
 use crate::balance::boom::Boom;
+use crate::balance::kept::kept;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::outline::{Outline, Published};
@@ -28,7 +29,7 @@ use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
 use crate::luffing::double_link::pin_forces::PinForces;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::range::{Rise, rise_by_integration};
-use crate::luffing::double_link::scene::{Luffing, LuffingScene};
+use crate::luffing::double_link::scene::{Luffing, LuffingScene, search};
 use crate::luffing::double_link::sheet::motion::motion;
 use crate::luffing::double_link::stages::{DoubleLink, Given};
 use crate::luffing::double_link::statics::{LoadMoment, Own};
@@ -237,13 +238,14 @@ impl Described for LuffingScene {
 
     fn assumptions(this: &Luffing) -> Vec<&'static str> {
         let given = |known: bool, id: &'static str| known.then_some(id);
+        let foot = given(this.parameters.lengths.x_8 == 0.0, "reach_from_foot");
         let Some(moving) = &this.moving else {
             let level = if this.table.is_some() {
                 "level_table"
             } else {
                 "level_static"
             };
-            return [Some(level), given(this.q.is_some(), "forces")]
+            return [Some(level), given(this.q.is_some(), "forces"), foot]
                 .into_iter()
                 .flatten()
                 .collect();
@@ -255,6 +257,7 @@ impl Described for LuffingScene {
                 (false, true) => "level_swing",
                 (false, false) => "level_rigid",
             }),
+            foot,
             Some("bodies"),
             given(this.parameters.balance.is_some(), "counterweight"),
             Some(match moving.rope.map(|rope| rope.give.is_some()) {
@@ -316,10 +319,15 @@ impl Described for LuffingScene {
 
     fn more(this: &Luffing, model: &mut Standing, sheet: &mut Sheet) {
         sheet.balance = chapter::<DoubleLink>(model, this.published_balance.as_ref());
-        if let Some((found, checks, warned)) = this.moving.as_ref().and_then(|moving| motion(this, moving)) {
-            sheet.checks.extend(checks);
-            sheet.warnings.extend(warned);
-            sheet.motion = Some(found);
+        if let Some(search) = search(this) {
+            sheet.requirements.extend(kept(&search));
+        }
+        if let Some((chapter, found)) = this.moving.as_ref().and_then(|moving| motion(this, moving)) {
+            sheet.requirements.extend(found.requirements);
+            sheet.unjudged.extend(found.unjudged);
+            sheet.identities.extend(found.identities);
+            sheet.warnings.extend(found.warnings);
+            sheet.motion = Some(chapter);
         }
     }
 }

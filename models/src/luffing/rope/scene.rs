@@ -154,7 +154,8 @@ impl Described for Rope {
     fn assumptions(this: &Description<Rope>) -> Vec<&'static str> {
         let level = this.table.map_or("rope_level_static", |_| "rope_level_table");
         let forces = this.given.load.map(|_| "rope_forces");
-        [level].into_iter().chain(forces).collect()
+        let foot = (this.given.rig.x_8 == 0.0).then_some("reach_from_foot");
+        [level].into_iter().chain(forces).chain(foot).collect()
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with its ropes and the path of the load.

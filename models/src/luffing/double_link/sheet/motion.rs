@@ -3,7 +3,7 @@
 
 use crate::balance::symbols as b;
 use crate::component::running::{Running, State};
-use crate::component::sheet::{self, Check, Curve, InMotion, Section, Summary};
+use crate::component::sheet::{self, Check, Curve, InMotion, Section, Summary, Warning};
 use crate::kernel::calc::Calc;
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
@@ -134,10 +134,10 @@ const ASSEMBLED: [&Symbol; 5] = [&m::MASS_Q, &m::J_2Q, &m::MASS_H, &h::A_A, &h::
 
 /// Curves over the time of the run.
 const CURVES: [(&str, &Symbol); 19] = [
-    ("motion_angle", &s::THETA_1),
-    ("motion_speed", &s::OMEGA_1),
-    ("motion_angle", &s::THETA_3),
-    ("motion_speed", &s::OMEGA_3),
+    ("motion_boom_angle", &s::THETA_1),
+    ("motion_boom_speed", &s::OMEGA_1),
+    ("motion_rocker_angle", &s::THETA_3),
+    ("motion_rocker_speed", &s::OMEGA_3),
     ("motion_reach", &s::R),
     ("motion_height", &s::A_Y),
     ("motion_slewing", &m::PSI_SL),
@@ -155,12 +155,27 @@ const CURVES: [(&str, &Symbol); 19] = [
     ("motion_rocker", &s::N_3),
 ];
 
-/// What is warned of, with a quantity of the run and when it was so.
-type Warned = Option<(&'static str, Summary)>;
+/// Events that are warned of.
+const WARNED: [&str; 6] = [
+    "luffing_low",
+    "luffing_high",
+    "slewing_low",
+    "slewing_high",
+    "rope_slack",
+    "run_ends",
+];
 
-/// The chapter of a scene whose mechanism moves, with what is checked in it and warned of; `None` where the model cannot
+/// What a run says beside its chapter.
+pub(super) struct Found {
+    pub requirements: Vec<Check>,
+    pub unjudged: Vec<&'static Symbol>,
+    pub identities: Vec<Check>,
+    pub warnings: Vec<Warning>,
+}
+
+/// The chapter of a scene whose mechanism moves, with what is judged in it and warned of; `None` where the model cannot
 /// start.
-pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Vec<Check>, Warned)> {
+pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Found)> {
     let mut model = LuffingMotion::new(luffing, moving).ok()?;
     let drawn: Vec<(&'static str, &'static Symbol, usize)> = CURVES
         .into_iter()
@@ -200,12 +215,12 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
             !s::ALL.contains(symbol) || [&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3].contains(symbol)
         })
         .collect();
+    let found = run.found(luffing, moving);
     // The last one may be the end of the run.
     let more_events = run.events.len().saturating_sub(EVENTS);
     if more_events > 0 {
         run.events.drain(EVENTS - 1..run.events.len() - 1);
     }
-    let (checks, warned) = (run.checks(luffing, moving), run.warned());
     let motion = InMotion {
         time: &m::T,
         instant: (instant.0, run.instant),
@@ -219,7 +234,7 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Ve
         energy: run.energy.list(moving),
         events: run.events,
     };
-    Some((motion, checks, warned))
+    Some((motion, found))
 }
 
 /// The equations at the model's instant. Each section is recorded from the start and shows its own steps.
@@ -507,10 +522,10 @@ struct Run {
     /// When the formulas are worked out, and the model then.
     instant: f64,
     state: State,
-    greatest_pressure: f64,
-    /// With its time, in s.
+    /// Each with its time, in s.
+    greatest_pressure: [f64; 2],
     least_pressure: [f64; 2],
-    greatest_swing: f64,
+    greatest_swing: [f64; 2],
     /// Of the moment on the driven bar by the moving bodies' equilibrium from that of drive, friction and stop, at most,
     /// and the greatest of those moments (N·m).
     apart: [f64; 2],
@@ -552,9 +567,9 @@ impl Run {
             },
             instant: 0.0,
             state: model.state(),
-            greatest_pressure: pressure(model.present()),
+            greatest_pressure: [pressure(model.present()), 0.0],
             least_pressure: [model.present().least_pressure(), 0.0],
-            greatest_swing: swing(moving, model.present()),
+            greatest_swing: [swing(moving, model.present()), 0.0],
             apart: [0.0; 2],
         };
         let mut most = None;
@@ -590,12 +605,13 @@ impl Run {
             if moves && most.is_none_or(|most| values[lead].abs() > most) {
                 (most, run.instant, run.state) = (Some(values[lead].abs()), to, model.state());
             }
-            run.greatest_pressure = run.greatest_pressure.max(pressure(model.present()));
-            let least = model.present().least_pressure();
+            let now = model.present();
+            greater(&mut run.greatest_pressure, pressure(now), to);
+            greater(&mut run.greatest_swing, swing(moving, now), to);
+            let least = now.least_pressure();
             if least < run.least_pressure[0] {
                 run.least_pressure = [least, to];
             }
-            run.greatest_swing = run.greatest_swing.max(swing(moving, model.present()));
             for (series, value) in run.series.iter_mut().zip(values) {
                 series.push(value);
             }
@@ -647,33 +663,64 @@ impl Run {
             .collect()
     }
 
-    fn warned(&self) -> Warned {
-        let [value, at] = self.least_pressure;
-        let summary = Summary {
+    fn found(&self, luffing: &Luffing, moving: &Moving) -> Found {
+        let timed = |symbol, [value, at]: [f64; 2]| Summary {
             at: Some((&m::T, at)),
-            ..Summary::new(&m::P_MIN, value)
+            ..Summary::new(symbol, value)
         };
-        (value < VACUUM).then_some(("cavitation", summary))
+        let swing = moving.rope.map(|_| timed(&m::PHI_MAX, self.greatest_swing));
+        let allowed = luffing.limit(&m::PHI_MAX);
+        let opening = moving.oil.map(|oil| oil.p_r);
+        let most = timed(&m::P_MAX, self.greatest_pressure);
+        let asked = [
+            swing.zip(allowed).map(|(swing, most)| ("motion_swing", swing, most)),
+            opening.map(|opening| ("motion_pressure", most, opening)),
+        ];
+        let requirements = asked.iter().flatten();
+        let mut warnings = self.warnings();
+        let least = self.least_pressure;
+        if least[0] < VACUUM {
+            warnings.push(Warning {
+                id: "cavitation",
+                summary: timed(&m::P_MIN, least),
+                count: 1,
+            });
+        }
+        Found {
+            requirements: requirements
+                .map(|(id, found, limit)| Check::of(id, found, *limit, true))
+                .collect(),
+            unjudged: swing
+                .filter(|_| allowed.is_none())
+                .map(|swing| swing.symbol)
+                .into_iter()
+                .collect(),
+            identities: self.identities(),
+            warnings,
+        }
     }
 
-    fn checks(&self, luffing: &Luffing, moving: &Moving) -> Vec<Check> {
-        let mut checks = Vec::new();
-        let mut at_most = |id, symbol, value, limit: Option<f64>| {
-            checks.extend(limit.map(|limit| Check::at_most(id, symbol, value, limit)));
+    /// What happened that must not be overlooked: when first, and how often.
+    fn warnings(&self) -> Vec<Warning> {
+        let warning = |id: &'static str| {
+            let mut times = self.events.iter().filter(|(_, event)| *event == id);
+            let (at, _) = times.next()?;
+            Some(Warning {
+                id,
+                summary: Summary::new(&m::T, *at),
+                count: 1 + times.count(),
+            })
         };
-        at_most(
-            "motion_swing",
-            &m::PHI_MAX,
-            self.greatest_swing,
-            luffing.limit(&m::PHI_MAX),
-        );
+        WARNED.into_iter().filter_map(warning).collect()
+    }
+
+    fn identities(&self) -> Vec<Check> {
+        let mut checks = Vec::new();
+        let mut agree = |id, value, limit| checks.push(Check::at_most(id, &s::AGREEMENT, value, limit));
         let [apart, greatest] = self.apart;
-        let apart = (greatest > 0.0).then(|| apart / greatest);
-        if let Some(apart) = apart {
-            at_most("motion_forces", &s::AGREEMENT, apart, Some(1e-9));
+        if greatest > 0.0 {
+            agree("motion_forces", apart / greatest, 1e-9);
         }
-        let opening = moving.oil.map(|oil| oil.p_r);
-        at_most("motion_pressure", &m::P_MAX, self.greatest_pressure, opening);
         let Powers {
             drive,
             slewing,
@@ -694,13 +741,16 @@ impl Run {
             self.energy.kinetic,
         ];
         let scale = amounts.into_iter().map(f64::abs).fold(f64::MIN_POSITIVE, f64::max);
-        at_most(
-            "motion_energy",
-            &s::AGREEMENT,
-            (self.energy.rest.abs() - self.energy.rounding).max(0.0) / scale,
-            Some(1e-3),
-        );
+        let rest = (self.energy.rest.abs() - self.energy.rounding).max(0.0);
+        agree("motion_energy", rest / scale, 1e-3);
         checks
+    }
+}
+
+/// Keeps what is greater, with its time (s).
+fn greater(kept: &mut [f64; 2], value: f64, time: f64) {
+    if value > kept[0] {
+        *kept = [value, time];
     }
 }
 

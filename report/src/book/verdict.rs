@@ -1,0 +1,102 @@
+//! What is judged, and what must be known before any of it is believed.
+
+use lemnis_models::component::sheet::{self, Sheet};
+use lemnis_models::scene::Scene;
+use serde::Serialize;
+
+use crate::book::blocks::{Summary, summary};
+use crate::book::synthesis::unsearched;
+use crate::book::tables::fixed;
+use crate::language::Language;
+use crate::print::number::{self, quantity, rough};
+
+#[derive(Serialize)]
+pub(super) struct Verdict {
+    requirements: Vec<Check>,
+    /// How many of them are kept.
+    kept: usize,
+    /// Symbols of results that nothing is asked of.
+    unjudged: Vec<&'static str>,
+    identities: Vec<Check>,
+    /// How many of them do not hold.
+    apart: usize,
+    /// `open` or `broken` where the synthesis that the scene asks for has not come to its end.
+    unsearched: Option<&'static str>,
+    warnings: Vec<Warning>,
+}
+
+#[derive(Serialize)]
+struct Check {
+    id: &'static str,
+    symbol: &'static str,
+    value: String,
+    limit: String,
+    at_most: bool,
+    passed: bool,
+    /// Part of what is allowed that is used, in percent; none of a limit of zero.
+    utilisation: Option<String>,
+    /// Where or when it governs.
+    at: Option<String>,
+    /// How far the value is known, to both sides.
+    band: Option<String>,
+    /// Whether it keeps to its limit, and not all over its band.
+    doubtful: bool,
+    /// Names the words that say when the value is infinite, where it is.
+    infinite: Option<&'static str>,
+}
+
+/// What must be known before any result is believed.
+#[derive(Serialize)]
+struct Warning {
+    warning: &'static str,
+    count: usize,
+    #[serde(flatten)]
+    summary: Summary,
+}
+
+impl Verdict {
+    pub(super) fn new(language: &Language, scene: &Scene, sheet: &Sheet) -> Verdict {
+        let Sheet {
+            requirements,
+            unjudged,
+            identities,
+            ..
+        } = sheet;
+        let count = |list: &[sheet::Check], passed: bool| list.iter().filter(|check| check.passed() == passed).count();
+        let shown = |list: &[sheet::Check]| list.iter().map(|found| check(language, found)).collect();
+        Verdict {
+            kept: count(requirements, true),
+            requirements: shown(requirements),
+            unjudged: unjudged.iter().map(|symbol| symbol.print).collect(),
+            apart: count(identities, false),
+            identities: shown(identities),
+            unsearched: scene.search().and_then(|search| unsearched(search.task)),
+            warnings: warnings(language, sheet),
+        }
+    }
+}
+
+fn check(language: &Language, check: &sheet::Check) -> Check {
+    Check {
+        id: check.id,
+        symbol: check.symbol.print,
+        value: quantity(language, check.symbol, check.value),
+        limit: quantity(language, check.symbol, check.limit),
+        at_most: check.at_most,
+        passed: check.passed(),
+        utilisation: (check.limit != 0.0).then(|| language.text(&fixed(100.0 * check.utilisation(), 1))),
+        at: check.at.map(|(symbol, at)| number::named(language, symbol, at)),
+        band: check.band.map(|band| rough(language, check.symbol, band)),
+        doubtful: check.is_doubtful(),
+        infinite: (!check.value.is_finite()).then_some(check.symbol.id),
+    }
+}
+
+fn warnings(language: &Language, sheet: &Sheet) -> Vec<Warning> {
+    let warning = |warning: &sheet::Warning| Warning {
+        warning: warning.id,
+        count: warning.count,
+        summary: summary(language, &warning.summary),
+    };
+    sheet.warnings.iter().map(warning).collect()
+}
