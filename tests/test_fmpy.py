@@ -15,6 +15,7 @@ from fmpy import extract, read_model_description, simulate_fmu
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Slave
+from fmpy.ssp.simulation import simulate_ssp
 from fmpy.validation import validate_fmu
 
 from conftest import ROOT, lemnis
@@ -286,3 +287,41 @@ def test_every_input_may_be_zero(scene, angle, end, tmp_path):
                  if row.partition("=")[0].strip() in ("from", "to")}
         expected = [math.radians(float(table[key].split()[0])) for key in ("from", "to")]
         assert [start, end_angle] == pytest.approx(expected, abs=1e-15) and part == 1.0
+
+
+SYSTEM = """<?xml version="1.0" encoding="UTF-8"?>
+<ssd:SystemStructureDescription xmlns:ssd="http://ssp-standard.org/SSP1/SystemStructureDescription"
+    xmlns:ssc="http://ssp-standard.org/SSP1/SystemStructureCommon" version="1.0" name="Yard">
+  <ssd:System name="Yard">
+    <ssd:Connectors><ssd:Connector name="part" kind="input"><ssc:Real/></ssd:Connector></ssd:Connectors>
+    <ssd:Elements>
+      <ssd:Component name="crane" type="application/x-fmu-sharedlibrary" source="resources/crane.fmu">
+        <ssd:Connectors>
+          <ssd:Connector name="s" kind="input"><ssc:Real/></ssd:Connector>
+          <ssd:Connector name="theta_1" kind="output"><ssc:Real unit="rad"/></ssd:Connector>
+          <ssd:Connector name="M_Q" kind="output"><ssc:Real unit="N.m"/></ssd:Connector>
+        </ssd:Connectors>
+      </ssd:Component>
+    </ssd:Elements>
+    <ssd:Connections>
+      <ssd:Connection startConnector="part" endElement="crane" endConnector="s"/>
+    </ssd:Connections>
+  </ssd:System>
+</ssd:SystemStructureDescription>
+"""
+
+
+def test_a_system_of_fmus(tmp_path):
+    """An SSP package in FMPy, which holds all connected inputs at zero in the first step."""
+    text = (ROOT / "models/scenes/lemniscate.toml").read_text(encoding="utf-8")
+    (tmp_path / "crane.toml").write_text(text.replace("[luffing.motion]", '[luffing.motion]\ninput = "s"'), encoding="utf-8")
+    lemnis("fmu", tmp_path / "crane.toml", "--output", tmp_path)
+    with zipfile.ZipFile(tmp_path / "yard.ssp", "w") as package:
+        package.writestr("SystemStructure.ssd", SYSTEM)
+        package.write(tmp_path / "LemniscateCrane.fmi2.fmu", "resources/crane.fmu")
+    run = simulate_ssp(str(tmp_path / "yard.ssp"), stop_time=1.0, step_size=0.01, input={"part": lambda time: time + 0.01})
+    theta, part = np.degrees(run["crane.theta_1"]), run["crane.s"]
+    # From 60 to 120 deg; what was read in a step came of the part set before it.
+    assert theta[0] == pytest.approx(60.0, abs=1e-12) and part[1] > 0.0
+    assert theta[1:] == pytest.approx(60.0 + 60.0 * part[:-1], abs=1e-9)
+    assert abs(run["crane.M_Q"]).max() > 1e4
