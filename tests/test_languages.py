@@ -50,8 +50,8 @@ def test_numbers_have_the_decimal_sign_of_the_language(made):
     comma, point = "29,9766", "29.9766"
     assert (comma in text, point in text) == ((True, False) if language == "bg" else (False, True))
     if language == "bg":
-        # What has a point is no number: sections, versions, identifiers of publications.
-        rest = re.sub(r"doi:\S+|Lemnis [\d.]+|\[Li2022, [\d.]+\]|Фигура|\b\d{1,2}\.\d\b", "", text)
+        # What has a point is no number: sections, versions, identifiers of publications, numbers of formulas.
+        rest = re.sub(r"doi:\S+|Lemnis [\d.]+|\[Li2022, [\d.]+\]|Фигура|\(\d+\.\d+\)|\b\d{1,2}\.\d\b", "", text)
         assert not re.search(r"\d\.\d", rest), re.search(r".{20}\d\.\d.{20}", rest)
 
 

@@ -260,6 +260,22 @@ fn environment(words: Words) -> Environment<'static> {
         *count += 1;
         *count
     });
+    environment.add_function("table", |state: &mut State| {
+        let count = &mut state.get_or_insert_extension(Tables::default()).0;
+        *count += 1;
+        *count
+    });
+    // "6.12": by chapters.
+    environment.add_function("equation", |state: &mut State| {
+        let headings = &state.get_or_insert_extension(Headings::default()).0;
+        let chapter = headings.first().copied().unwrap_or_default();
+        let last = state.get_or_insert_extension(Equations::default());
+        if last.chapter != chapter {
+            *last = Equations { chapter, count: 0 };
+        }
+        last.count += 1;
+        Value::from_safe_string(format!("{chapter}.{}", last.count))
+    });
     let undefined = |detail| minijinja::Error::new(ErrorKind::UndefinedError, detail);
     let dictionary = words.clone();
     // Of a part that the machine has, its own words: `symbol_rod` before `symbol`.
@@ -291,6 +307,16 @@ struct Headings(Vec<usize>);
 
 #[derive(Default)]
 struct Figures(usize);
+
+#[derive(Default)]
+struct Tables(usize);
+
+/// How many formulas the chapter has so far.
+#[derive(Default)]
+struct Equations {
+    chapter: usize,
+    count: usize,
+}
 
 /// Template, line, and what is wrong with which variable. Templates of the user
 /// are named with their folder.

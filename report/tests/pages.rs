@@ -1,4 +1,4 @@
-//! No page of any book has anything in its margins or beyond, in any language and level.
+//! No page of any book has anything in its margins or beyond, in any language and level, but numbers of formulas.
 
 use lemnis::book::Edition;
 use lemnis::language::LANGUAGES;
@@ -14,6 +14,10 @@ const MARGINS: [f64; 4] = [24.0, 26.0, 20.0, 22.0];
 const HAIR: f64 = 1.0;
 /// How far header and footer reach into their margins.
 const HEADER: f64 = 11.0;
+
+/// How far numbers of formulas reach into the right one, and what of `templates/style.typ` puts them there.
+const NUMBERS: f64 = 12.0;
+const IN_MARGIN: &str = "dx: 12mm, ";
 
 /// What moves the crane by a cylinder with oil.
 const DYNAMICS: &str = include_str!("../../tests/levels/dynamics.toml");
@@ -53,7 +57,10 @@ fn nothing_stands_over_the_margin() {
                 typesetter: &Embedded,
             };
             let source = edition.source(&scene, &sheet, Format::Pdf).expect("a source");
-            for (page, number) in ink(&source.main, &source.files).expect("pages").into_iter().zip(1..) {
+            // With the numbers within the line all else is measured.
+            let inside = source.main.replace(IN_MARGIN, "");
+            assert_ne!(inside, source.main);
+            for (page, number) in ink(&inside, &source.files).expect("pages").into_iter().zip(1..) {
                 let [left, top, right, bottom] = MARGINS;
                 let place = format!("{} {} {level} page {number}: {page:?}", scene.name(), language.code);
                 assert!(
@@ -68,4 +75,23 @@ fn nothing_stands_over_the_margin() {
     }
     println!("{pages} pages");
     assert!(pages > 300, "{pages}");
+}
+
+#[test]
+fn numbers_of_formulas_keep_to_their_part_of_the_margin() {
+    let scene = Scene::parse(include_str!("../../models/scenes/portal_004_motion.toml")).expect("valid");
+    let edition = Edition {
+        language: &LANGUAGES[0],
+        level: "full",
+        templates: &Templates::embedded(),
+        typesetter: &Embedded,
+    };
+    let source = edition.source(&scene, &scene.sheet(), Format::Pdf).expect("a source");
+    let pages = ink(&source.main, &source.files).expect("pages");
+    let right = MARGINS[2];
+    let reaching = pages.iter().filter(|page| page.to[0] > page.size[0] - right + HAIR);
+    assert!(reaching.count() > 10);
+    for page in pages {
+        assert!(page.to[0] <= page.size[0] - right + NUMBERS + HAIR, "{page:?}");
+    }
 }

@@ -62,7 +62,7 @@ impl Balance {
                 .published
                 .map(|value| quantity(language, criterion.summary.symbol, value)),
         };
-        let drawing = drawing(&balance.drawing, [PAGE[0], 95.0]);
+        let drawing = drawing(&balance.drawing, [PAGE[0], 82.0]);
         Balance {
             kind: balance.kind,
             turns: balance.range.columns.contains(&&DM_5),

@@ -1,6 +1,6 @@
 //! The symbols that the book explains.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use lemnis_models::component::sheet::{self, Sheet};
 use lemnis_models::kernel::symbol::Symbol;
@@ -17,9 +17,9 @@ pub(super) struct Entry {
     defined: bool,
 }
 
-/// The symbols that the book uses, in the order of their ids.
+/// The symbols that the book uses.
 pub(super) struct Notation {
-    met: BTreeMap<String, &'static Symbol>,
+    met: Vec<&'static Symbol>,
     /// Typeset forms of the symbols that some place of the book defines, and
     /// that others can link to.
     pub defined: BTreeSet<&'static str>,
@@ -53,18 +53,16 @@ impl Notation {
             }
         }
         Notation {
-            met: BTreeMap::new(),
+            met: Vec::new(),
             defined,
         }
     }
 
     /// Whether the symbol is new; another way to one quantity has the same symbol.
     pub(super) fn meet(&mut self, symbol: &'static Symbol) -> bool {
-        let new = self.met.values().all(|known| known.print != symbol.print);
+        let new = self.met.iter().all(|known| known.print != symbol.print);
         if new {
-            // Capitals and small letters of one kind side by side, then by id.
-            self.met
-                .insert(format!("{} {}", symbol.id.to_lowercase(), symbol.id), symbol);
+            self.met.push(symbol);
         }
         new
     }
@@ -102,17 +100,106 @@ impl Notation {
 
     pub(super) fn references(&self) -> Vec<String> {
         let key = |symbol: &&Symbol| Some(symbol.source.strip_prefix('[')?.split_once(',')?.0.to_owned());
-        let mut keys: Vec<String> = self.met.values().filter_map(key).collect();
+        let mut keys: Vec<String> = self.met.iter().filter_map(key).collect();
         keys.sort();
         keys.dedup();
         keys
     }
 
+    /// As they are printed: Latin letters, then Greek ones.
     pub(super) fn entries(&self) -> Vec<Entry> {
+        let mut met = self.met.clone();
+        met.sort_by_cached_key(|symbol| (order(symbol.print), symbol.id));
         let entry = |symbol: &&'static Symbol| Entry {
             quantity: (*symbol).into(),
             defined: self.defined.contains(symbol.print),
         };
-        self.met.values().map(entry).collect()
+        met.iter().map(entry).collect()
+    }
+}
+
+/// The Greek alphabet as Typst's mathematics names it.
+const GREEK: [&str; 24] = [
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi",
+    "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega",
+];
+
+/// What stands around or before a letter and does not count.
+const AROUND: [&str; 7] = ["abs", "overline", "dot", "dif", "integral", "hat", "upright"];
+
+/// Where a symbol stands in the notation, from its typeset form: letter by letter, digits before Latin letters before
+/// Greek ones, a capital before the small one.
+fn order(print: &str) -> Vec<(u8, usize)> {
+    let mut key = Vec::new();
+    let mut rest = print;
+    while let Some(first) = rest.chars().next() {
+        let same = |c: char| match first {
+            '0'..='9' => c.is_ascii_digit(),
+            _ => first.is_alphabetic() && c.is_alphabetic(),
+        };
+        let end = rest.find(|c| !same(c)).unwrap_or(rest.len()).max(first.len_utf8());
+        let (token, after) = rest.split_at(end);
+        rest = after;
+        let small = token.to_lowercase();
+        if let Some(place) = GREEK.iter().position(|letter| **letter == small) {
+            key.push((2, 2 * place + usize::from(token == small)));
+        } else if let Ok(number) = token.parse() {
+            key.push((0, number));
+        } else if first.is_alphabetic() && !AROUND.contains(&token) {
+            let letter = |c: char| (1, 2 * (c.to_ascii_lowercase() as usize) + usize::from(c.is_lowercase()));
+            key.extend(token.chars().map(letter));
+        } else if first == '\'' {
+            key.push((3, 0));
+        }
+    }
+    key
+}
+
+#[cfg(test)]
+mod tests {
+    use super::order;
+
+    #[test]
+    fn symbols_stand_as_they_are_printed() {
+        let sorted = [
+            "abs(N_1)_max",
+            "A_d",
+            "b_s",
+            "b_(s,max)",
+            "F_(O 1 x)",
+            "F_(O 3 x)",
+            "G",
+            "G_1",
+            "k_2",
+            "M",
+            "M_2",
+            "M_11",
+            "M_D",
+            "overline(O C)",
+            "x_B",
+            "x'_B",
+            "alpha",
+            "beta_0",
+            "gamma_min",
+            "abs(Delta M)_max",
+            "Delta y_5",
+            "delta",
+            "theta_1",
+            "theta'_1",
+            "dot(phi)",
+            "psi",
+        ];
+        let mut anew = sorted.to_vec();
+        anew.reverse();
+        anew.sort_by_key(|print| order(print));
+        // The force's amount is that of N.
+        let mut expected = sorted.to_vec();
+        let force = expected.remove(0);
+        let place = expected
+            .iter()
+            .position(|print| *print == "overline(O C)")
+            .expect("there");
+        expected.insert(place, force);
+        assert_eq!(anew, expected);
     }
 }
