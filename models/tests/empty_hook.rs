@@ -163,3 +163,26 @@ fn derivatives_by_the_load_of_an_empty_hook() {
         }
     }
 }
+
+/// A rope that gives way needs something on it: refused with what to do, and gone on with as soon as there is.
+#[test]
+fn an_elastic_rope_is_never_empty() {
+    for level in levels::HOISTS.into_iter().filter(|level| level.contains("elastic")) {
+        let mut model = levels::model(level);
+        let load = (model.variables().iter())
+            .position(|variable| variable.symbol.id == "Q")
+            .expect("a load");
+        let weight = model.get(load).expect("a value");
+        model.advance(0.0, 0.1).expect("moves");
+        let mut before = vec![0.0; model.states()];
+        model.get_states(&mut before);
+        model.set(load, 0.0).expect("a weight may be zero");
+        let fault = model.advance(0.1, 0.2).expect_err("an empty rope");
+        assert!(fault.outside && fault.message.contains("hook block"), "{}", fault.message);
+        model.set(load, weight).expect("allowed");
+        let mut after = vec![0.0; model.states()];
+        model.get_states(&mut after);
+        assert_eq!(after, before, "{level}");
+        model.advance(0.1, 0.2).expect("goes on");
+    }
+}

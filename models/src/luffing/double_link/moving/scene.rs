@@ -137,8 +137,13 @@ impl Moving {
     /// Whether a hoist may do work in the scene's own motion.
     #[must_use]
     pub fn hoists(&self) -> bool {
-        let motor = self.rope.is_some_and(|rope| matches!(rope.hoist, HoistKind::Motor(_)));
-        motor || self.inputs.motion.hoist.speed != 0.0
+        self.has_motor() || self.inputs.motion.hoist.speed != 0.0
+    }
+
+    /// Whether a motor turns the hoist's drum.
+    #[must_use]
+    pub fn has_motor(&self) -> bool {
+        self.rope.is_some_and(|rope| matches!(rope.hoist, HoistKind::Motor(_)))
     }
 
     /// The checked table `[luffing]`; `None` at the static level, and where there are mistakes, which go to `found`.
