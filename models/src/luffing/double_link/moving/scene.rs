@@ -152,7 +152,7 @@ impl Moving {
         let mut told = |refused: Diagnostic| found.push(refused);
         let table = dynamics(v, fidelity, loaded).map_err(&mut told).ok()??;
         let hoisting = hoisting(v, table, fidelity).map_err(&mut told).ok()?;
-        let rope = load_rope(v, hoisting, fidelity).map_err(told).ok()?;
+        let rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
         let (oil, valve, supply) = oil_drive(v, fidelity, found)?;
         let n = |symbol: &Symbol| table.number(symbol.id);
         let slewing = match v.table("slewing") {
@@ -287,14 +287,14 @@ fn hoisting<'a>(v: &'a Values, dynamics: &'a Values, fidelity: &str) -> Result<&
 const OF_ROPE: [&Symbol; 4] = [&s::L_R, &s::PHI_R, &s::V_H, &s::A_H];
 
 /// The rope that the load hangs on, where the level has one; `table` says so.
-fn load_rope(v: &Values, table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Diagnostic> {
+fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Diagnostic> {
     let n = |symbol: &Symbol| table.number(symbol.id);
     match (fidelity, n(&s::L_R)) {
         ("swing" | "hydraulic" | "auto", Some(length)) => Ok(Some(LoadRope {
             length,
             swing: n(&s::PHI_R).unwrap_or(0.0),
             hoist: winch(table)?,
-            give: give(v, table)?,
+            give: give(table)?,
         })),
         ("swing", None) => {
             let what = "a swinging load without a rope";
@@ -345,7 +345,7 @@ fn winch(table: &Values) -> Result<HoistKind, Diagnostic> {
 }
 
 /// How the rope gives way, where the scene says that it does.
-fn give(v: &Values, table: &Values) -> Result<Option<RopeGive<f64>>, Diagnostic> {
+fn give(table: &Values) -> Result<Option<RopeGive<f64>>, Diagnostic> {
     let n = |symbol: &Symbol| table.number(symbol.id);
     match (n(&s::C_R), n(&s::D_R)) {
         (None, None) => Ok(None),
@@ -353,12 +353,6 @@ fn give(v: &Values, table: &Values) -> Result<Option<RopeGive<f64>>, Diagnostic>
             let what = "d_R of a rope that keeps its length";
             Err(table.refuse(s::D_R.id, what, "not used", "add c_R = \"... kN/m\", or remove it"))
         }
-        (Some(_), _) if v.number(l::Q.id) == Some(0.0) => Err(v.refuse(
-            l::Q.id,
-            "an elastic rope with nothing on it",
-            "Q = 0",
-            "give Q at least the weight of the hook block, or remove c_R",
-        )),
         (Some(c_r), d_r) => Ok(Some(RopeGive {
             c_r,
             d_r: d_r.unwrap_or(0.0),
