@@ -362,8 +362,10 @@ fn give(table: &Values) -> Result<Option<RopeGive<f64>>, Diagnostic> {
 
 /// The oil where the level has one, the valve's command and the pump's pressure (Pa).
 fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<(Option<CylinderOil<f64>>, f64, f64)> {
+    if fidelity == "hydraulic" {
+        found.extend(motor_beside(v));
+    }
     match (fidelity, v.table("hydraulics")) {
-        ("hydraulic", Some(_)) if motor_beside(v, found) => None,
         ("hydraulic" | "auto", Some(table)) => {
             let n = |symbol: &Symbol| table.number(symbol.id);
             let oil = oil(v, table, found)?;
@@ -391,21 +393,13 @@ fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<
     }
 }
 
-/// Whether a motor or a brake stands beside the cylinder that moves the driven bar; that goes to `found`.
-fn motor_beside(v: &Values, found: &mut Vec<Diagnostic>) -> bool {
-    let given = v.table("dynamics").and_then(|dynamics| {
-        let motor = [&s::M_A, &s::M_S].into_iter().find(|symbol| dynamics.has(symbol.id));
-        motor.map(|symbol| (dynamics, symbol))
-    });
-    if let Some((dynamics, symbol)) = given {
-        found.push(dynamics.refuse(
-            symbol.id,
-            format!("{} beside a cylinder: two drives on one bar", symbol.id),
-            "not used",
-            "remove it; at this level u_v and p_P command the cylinder",
-        ));
-    }
-    given.is_some()
+/// A motor or a brake beside the cylinder that moves the driven bar.
+fn motor_beside(v: &Values) -> Option<Diagnostic> {
+    let dynamics = v.table("dynamics")?;
+    let motor = [&s::M_A, &s::M_S].into_iter().find(|symbol| dynamics.has(symbol.id))?;
+    let what = format!("{} beside a cylinder: two drives on one bar", motor.id);
+    let help = "remove it; at this level u_v and p_P command the cylinder";
+    Some(dynamics.refuse(motor.id, what, "not used", help))
 }
 
 /// Whether anything that the linkage moves has inertia; a weight in its bar's foot has none.
