@@ -163,3 +163,32 @@ fn derivatives_by_the_load_of_an_empty_hook() {
         }
     }
 }
+
+/// With nothing on it a rope that gives way is not stretched, from the start and during a run; the load that is put on it
+/// then stretches it, to twice its hanging rest by its fall.
+#[test]
+fn an_elastic_rope_with_nothing_on_it() {
+    for level in ["swing with slewing, elastic", "hydraulic with swing, elastic"] {
+        let mut model = loaded(level, "0 kN", &[("d_R = \"40 kN.s/m\"", "")]);
+        let at = |id: &str| index(&levels::model(level), id).expect("a variable");
+        let [load, length, distance, rope] = ["Q", "l_R", "s_Q", "S_R"].map(at);
+        sound(&mut model, level);
+        run(&mut model, 0.0, 1.0);
+        sound(&mut model, level);
+        let apart = model.get(distance).expect("closes") - model.get(length).expect("a state");
+        assert!(apart.abs() < 1e-12, "{level}: {apart}");
+        let weight = 100e3;
+        model.set(load, weight).expect("allowed");
+        let mut most = 0.0_f64;
+        for step in 0..100 {
+            run(&mut model, 1.0 + 0.01 * f64::from(step), 0.01);
+            most = most.max(model.get(rope).expect("closes"));
+        }
+        // The boom gives way a little.
+        assert!((1.8..2.2).contains(&(most / weight)), "{level}: {most}");
+        model.set(load, 0.0).expect("allowed");
+        model.update().expect("closes");
+        sound(&mut model, level);
+        run(&mut model, 2.0, 1.0);
+    }
+}

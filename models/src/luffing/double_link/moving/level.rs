@@ -587,6 +587,17 @@ impl Present {
         }
     }
 
+    /// The drum of the hoist.
+    #[must_use]
+    pub fn drum(&self) -> Drum {
+        match self {
+            Present::Free(state) => state.drum,
+            Present::Slewing(state) => state.drum,
+            Present::Fixed(present) => present.modes.drum,
+            Present::Hanging(present) => present.modes.drum,
+        }
+    }
+
     /// Energy that blows have taken so far, in J.
     #[must_use]
     pub fn blown(&self) -> f64 {

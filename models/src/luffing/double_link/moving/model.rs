@@ -191,8 +191,7 @@ impl LuffingMotion {
             model.now.present = model.held_by_oil(&model.now.present)?;
         }
         if let Some(give) = model.now.give {
-            let load = model.algebraic.of::<DoubleLink>().given().load;
-            let stretch = load.map_or(0.0, |load| load.1) / give.c_r;
+            let stretch = model.weight() / give.c_r;
             model.now.present.stretch(stretch, slewing.is_some());
         }
         if rope.is_some() {
@@ -441,6 +440,12 @@ impl LuffingMotion {
         }
     }
 
+    /// Of the load, in N.
+    fn weight(&self) -> f64 {
+        let load = self.algebraic.of::<DoubleLink>().given().load;
+        load.map_or(0.0, |load| load.1)
+    }
+
     fn has_motor(&self) -> bool {
         matches!(self.now.hoist, HoistKind::Motor(_))
     }
@@ -475,21 +480,20 @@ impl LuffingMotion {
         let constants = self.now.constants.map(of);
         let given = self.algebraic.of::<DoubleLink>().given();
         let parameters = parameters(given);
-        let load = (of(&s::Q, given.load.map_or(0.0, |load| load.1)) / constants.g).def(&m::MASS_Q);
+        let load = (of(&s::Q, self.weight()) / constants.g).def(&m::MASS_Q);
         let inputs = self.inputs_over(of);
         let turning = self.now.turning.map(|turning| turning.map(of));
         let oil = self.now.oil.map(|oil| oil.map(of));
-        let hoist = self.hoist_over(of);
+        let mut hoist = self.hoist_over(of);
+        if load.value() == 0.0 {
+            // With nothing on it a rope is not stretched: the limit of ever lighter loads.
+            hoist.rope = None;
+        }
         let over = parameters.map(of);
         let geometry = Geometry::new(&over).map_err(|misfit| {
             let words = parameters.describe(misfit);
             Fault::outside(format!("{}; {}", words.what, words.help))
         })?;
-        if hoist.rope.is_some() && load.value() == 0.0 {
-            return Err(Fault::outside(
-                "Q = 0 on an elastic rope: give it at least the weight of the hook block",
-            ));
-        }
         let weights = over.weights.expect("checked when the scene was read");
         let bodies = self.bodies_over(&geometry, &weights, &constants, (load, hoist));
         let mut dynamics = Dynamics::new(&geometry, bodies)
@@ -1010,7 +1014,8 @@ impl Running for LuffingMotion {
                 y[i] = value;
                 // A taut rope is as long as the load is far.
                 let length = self.variables[i].symbol == &m::L_R;
-                let kept = self.now.give.is_none() && self.now.present.is_taut();
+                let empty = self.weight() == 0.0;
+                let kept = (self.now.give.is_none() || empty) && self.now.present.is_taut();
                 if length && self.slewing_stops.is_none() && kept {
                     y[i + 1] = value;
                 }

@@ -137,8 +137,13 @@ impl Moving {
     /// Whether a hoist may do work in the scene's own motion.
     #[must_use]
     pub fn hoists(&self) -> bool {
-        let motor = self.rope.is_some_and(|rope| matches!(rope.hoist, HoistKind::Motor(_)));
-        motor || self.inputs.motion.hoist.speed != 0.0
+        self.has_motor() || self.inputs.motion.hoist.speed != 0.0
+    }
+
+    /// Whether a motor turns the hoist's drum.
+    #[must_use]
+    pub fn has_motor(&self) -> bool {
+        self.rope.is_some_and(|rope| matches!(rope.hoist, HoistKind::Motor(_)))
     }
 
     /// The checked table `[luffing]`; `None` at the static level, and where there are mistakes, which go to `found`.
@@ -147,7 +152,7 @@ impl Moving {
         let mut told = |refused: Diagnostic| found.push(refused);
         let table = dynamics(v, fidelity, loaded).map_err(&mut told).ok()??;
         let hoisting = hoisting(v, table, fidelity).map_err(&mut told).ok()?;
-        let rope = load_rope(v, hoisting, fidelity).map_err(told).ok()?;
+        let rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
         let (oil, valve, supply) = oil_drive(v, fidelity, found)?;
         let n = |symbol: &Symbol| table.number(symbol.id);
         let slewing = match v.table("slewing") {
@@ -282,14 +287,14 @@ fn hoisting<'a>(v: &'a Values, dynamics: &'a Values, fidelity: &str) -> Result<&
 const OF_ROPE: [&Symbol; 4] = [&s::L_R, &s::PHI_R, &s::V_H, &s::A_H];
 
 /// The rope that the load hangs on, where the level has one; `table` says so.
-fn load_rope(v: &Values, table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Diagnostic> {
+fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Diagnostic> {
     let n = |symbol: &Symbol| table.number(symbol.id);
     match (fidelity, n(&s::L_R)) {
         ("swing" | "hydraulic" | "auto", Some(length)) => Ok(Some(LoadRope {
             length,
             swing: n(&s::PHI_R).unwrap_or(0.0),
             hoist: winch(table)?,
-            give: give(v, table)?,
+            give: give(table)?,
         })),
         ("swing", None) => {
             let what = "a swinging load without a rope";
@@ -340,7 +345,7 @@ fn winch(table: &Values) -> Result<HoistKind, Diagnostic> {
 }
 
 /// How the rope gives way, where the scene says that it does.
-fn give(v: &Values, table: &Values) -> Result<Option<RopeGive<f64>>, Diagnostic> {
+fn give(table: &Values) -> Result<Option<RopeGive<f64>>, Diagnostic> {
     let n = |symbol: &Symbol| table.number(symbol.id);
     match (n(&s::C_R), n(&s::D_R)) {
         (None, None) => Ok(None),
@@ -348,12 +353,6 @@ fn give(v: &Values, table: &Values) -> Result<Option<RopeGive<f64>>, Diagnostic>
             let what = "d_R of a rope that keeps its length";
             Err(table.refuse(s::D_R.id, what, "not used", "add c_R = \"... kN/m\", or remove it"))
         }
-        (Some(_), _) if v.number(l::Q.id) == Some(0.0) => Err(v.refuse(
-            l::Q.id,
-            "an elastic rope with nothing on it",
-            "Q = 0",
-            "give Q at least the weight of the hook block, or remove c_R",
-        )),
         (Some(c_r), d_r) => Ok(Some(RopeGive {
             c_r,
             d_r: d_r.unwrap_or(0.0),
@@ -363,8 +362,10 @@ fn give(v: &Values, table: &Values) -> Result<Option<RopeGive<f64>>, Diagnostic>
 
 /// The oil where the level has one, the valve's command and the pump's pressure (Pa).
 fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<(Option<CylinderOil<f64>>, f64, f64)> {
+    if fidelity == "hydraulic" {
+        found.extend(motor_beside(v));
+    }
     match (fidelity, v.table("hydraulics")) {
-        ("hydraulic", Some(_)) if motor_beside(v, found) => None,
         ("hydraulic" | "auto", Some(table)) => {
             let n = |symbol: &Symbol| table.number(symbol.id);
             let oil = oil(v, table, found)?;
@@ -392,21 +393,13 @@ fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<
     }
 }
 
-/// Whether a motor or a brake stands beside the cylinder that moves the driven bar; that goes to `found`.
-fn motor_beside(v: &Values, found: &mut Vec<Diagnostic>) -> bool {
-    let given = v.table("dynamics").and_then(|dynamics| {
-        let motor = [&s::M_A, &s::M_S].into_iter().find(|symbol| dynamics.has(symbol.id));
-        motor.map(|symbol| (dynamics, symbol))
-    });
-    if let Some((dynamics, symbol)) = given {
-        found.push(dynamics.refuse(
-            symbol.id,
-            format!("{} beside a cylinder: two drives on one bar", symbol.id),
-            "not used",
-            "remove it; at this level u_v and p_P command the cylinder",
-        ));
-    }
-    given.is_some()
+/// A motor or a brake beside the cylinder that moves the driven bar.
+fn motor_beside(v: &Values) -> Option<Diagnostic> {
+    let dynamics = v.table("dynamics")?;
+    let motor = [&s::M_A, &s::M_S].into_iter().find(|symbol| dynamics.has(symbol.id))?;
+    let what = format!("{} beside a cylinder: two drives on one bar", motor.id);
+    let help = "remove it; at this level u_v and p_P command the cylinder";
+    Some(dynamics.refuse(motor.id, what, "not used", help))
 }
 
 /// Whether anything that the linkage moves has inertia; a weight in its bar's foot has none.

@@ -133,7 +133,7 @@ const SECTIONS: [(&str, &[&Symbol]); 7] = [
 const ASSEMBLED: [&Symbol; 5] = [&m::MASS_Q, &m::J_2Q, &m::MASS_H, &h::A_A, &h::A_B];
 
 /// Curves over the time of the run.
-const CURVES: [(&str, &Symbol); 19] = [
+const CURVES: [(&str, &Symbol); 20] = [
     ("motion_boom_angle", &s::THETA_1),
     ("motion_boom_speed", &s::OMEGA_1),
     ("motion_rocker_angle", &s::THETA_3),
@@ -145,6 +145,7 @@ const CURVES: [(&str, &Symbol); 19] = [
     ("motion_swing", &m::PHI_R),
     ("motion_side", &m::CHI_R),
     ("motion_length", &m::L_R),
+    ("motion_hoist", &m::V_R),
     ("motion_rope", &m::S_R),
     ("motion_bore", &m::P_A),
     ("motion_annulus", &m::P_B),
@@ -270,11 +271,11 @@ fn sections(model: &LuffingMotion) -> Vec<Section> {
 /// What changes at an event.
 #[derive(Clone, PartialEq)]
 struct Watch {
-    /// Luffing and slewing; `None` where there is no such joint, or none that sticks.
-    joints: [Option<Bar>; 2],
+    /// Luffing, slewing and the hoist's drum; `None` where there is none of them, or none that sticks.
+    joints: [Option<Bar>; 3],
     /// At the lower and the upper stop, and beyond it after the next sample if it went on like this.
-    stops: [[bool; 2]; 2],
-    ahead: [[bool; 2]; 2],
+    stops: [[bool; 2]; 3],
+    ahead: [[bool; 2]; 3],
     taut: bool,
     relief: [bool; 2],
 }
@@ -290,9 +291,9 @@ impl Watch {
             .slewing
             .map_or([f64::NEG_INFINITY, f64::INFINITY], |turn| turn.stops);
         let mut watch = Watch {
-            joints: [None; 2],
-            stops: [at(y[0], ends), [false; 2]],
-            ahead: [at(y[0] + y[1] * sample, ends), [false; 2]],
+            joints: [None, None, moving.has_motor().then(|| present.drum().way)],
+            stops: [at(y[0], ends), [false; 2], [false; 2]],
+            ahead: [at(y[0] + y[1] * sample, ends), [false; 2], [false; 2]],
             taut: true,
             relief: [false; 2],
         };
@@ -302,7 +303,7 @@ impl Watch {
                 watch.taut = state.taut;
             }
             Present::Slewing(state) => {
-                watch.joints = state.joints.map(Some);
+                [watch.joints[0], watch.joints[1]] = state.joints.map(Some);
                 watch.taut = state.taut;
                 watch.stops[1] = at(y[2], turns);
                 watch.ahead[1] = at(y[2] + y[3] * sample, turns);
@@ -327,6 +328,8 @@ impl Watch {
         let names = [
             ["luffing_starts", "luffing_rests", "luffing_low", "luffing_high"],
             ["slewing_starts", "slewing_rests", "slewing_low", "slewing_high"],
+            // A drum has no stops.
+            ["hoist_starts", "hoist_rests", "", ""],
         ];
         for (i, [starts, rests, low, high]) in names.into_iter().enumerate() {
             // What turns round on the way to a stop has met it.
