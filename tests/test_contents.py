@@ -89,6 +89,7 @@ SAID = {
     "rigid": ({"level_rigid", "fixed_load", "sticking", "solver_runge_kutta", "forces_in_motion"}, {"rope", "hoist", "slewing"}),
     "hydraulic": ({"level_hydraulic", "oil", "creep", "buffer", "solver_rodas"}, {"rope", "sticking", "stops"}),
     "hydraulic_swing_slewing": ({"level_hydraulic", "rope", "hoist", "slewing"}, {"fixed_load", "stops"}),
+    "portal_crane": ({"level_swing", "elastic_rope", "hoist_ramp", "slewing"}, {"rope", "slack", "hoist", "hoist_motor"}),
     "boat_hoist_003": ({"level_kinematic", "resistance"}, {"level_turning", "forces"}),
     "boat_hoist_003_hydraulic": ({"level_turning", "resistance"}, {"level_kinematic"}),
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),
@@ -112,7 +113,8 @@ def test_the_first_page_says_what_this_fmu_is(name, tmp_path):
             page = Page()
             page.feed(archive.read("documentation/index.html").decode("utf-8"))
         whole = " ".join("".join(page.words).split())
-        names = {"$h$": "step", "$g$": "g", "$omega_c$": "omega_c", "$a_h$": "a_h", "$M_D$": "M_D", "$R$": "R", "$X_8 = 0$": "X_8 = 0"}
+        names = {"$h$": "step", "$g$": "g", "$omega_c$": "omega_c", "$a_h$": "a_h", "$c_R$": "c_R", "$d_R$": "d_R", "$M_D$": "M_D",
+                 "$R$": "R", "$X_8 = 0$": "X_8 = 0"}
         plain = {id: re.sub(r"\$.*?\$", lambda found: names[found.group()], words) for id, words in WORDS.items()}
         said, wrong = SAID[name]
         assert [id for id in said if plain[id] not in whole] == [] and [id for id in wrong if plain[id] in whole] == []

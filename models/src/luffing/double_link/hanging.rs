@@ -217,14 +217,13 @@ impl<P: Calc> Dynamics<P> {
         if let Some(rope) = &rope {
             relative -= scaled(rope.direction, pull);
         }
-        let force = match line {
-            RopeAction::Force(force) => force,
-            _ => (mass * pull).def(&s::S_R),
-        };
         Accelerations {
             joints,
             load: named(relative, [&s::D_V_QX, &s::D_V_QY, &s::D_V_QZ]),
-            rope: force,
+            rope: match line {
+                RopeAction::Force(force) => force,
+                _ => (mass * pull).def(&s::S_R),
+            },
             slackening: C::of(pendulum.cancelling()) * pull,
         }
     }

@@ -50,7 +50,7 @@ pub const KEYS: &[Key] = &[
 pub const DRIVE: Key = Key::part("drive", DRIVE_KEYS, "Cylinder or rack that turns the driven bar.");
 pub const HOISTING: Key = Key::part(
     "hoisting",
-    moving::scene::HOISTING_KEYS,
+    moving::hoisting::HOISTING_KEYS,
     "Rope and hoist of a load that swings.",
 );
 pub const SLEWING: Key = Key::part(

@@ -22,7 +22,7 @@ use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
-use crate::luffing::double_link::moving::scene::HoistKind;
+use crate::luffing::double_link::moving::hoisting::HoistKind;
 use crate::luffing::double_link::moving::{self, model::LuffingMotion};
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib};

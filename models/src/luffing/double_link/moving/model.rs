@@ -21,12 +21,11 @@ use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::in_line;
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
 use crate::luffing::double_link::motion::{self, Commands, Friction, MovingLinkage, REELED_IN};
+use crate::luffing::double_link::moving::hoisting::{HoistKind, HoistMotor, HoistRamp, LoadRope, RopeGive};
 use crate::luffing::double_link::moving::level::{
     Inputs, Level, MOST_INDICATORS, MOST_STATES, MotionResult, OIL_INDICATORS, Powers, Present,
 };
-use crate::luffing::double_link::moving::scene::{
-    Constants, CylinderOil, HoistKind, HoistMotor, HoistRamp, LoadRope, Moving, RopeGive, Turning,
-};
+use crate::luffing::double_link::moving::scene::{Constants, CylinderOil, Moving, Turning};
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::parameters::{Driven, Weights};
 use crate::luffing::double_link::scene::Luffing;

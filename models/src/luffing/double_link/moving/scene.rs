@@ -7,6 +7,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::motion::Commands;
+use crate::luffing::double_link::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
 use crate::luffing::double_link::moving::level::Inputs;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::symbols as l;
@@ -27,13 +28,6 @@ pub static KEYS: &[Key] = keys! { s:
 pub static SLEWING_KEYS: &[Key] = keys! { s:
     J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [optional], M_B_SL >= 0 [optional],
     PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]
-};
-
-/// Keys of `[luffing.hoisting]`.
-pub static HOISTING_KEYS: &[Key] = keys! { s:
-    L_R > 0, PHI_R [optional], C_R > 0 [optional], D_R >= 0 [optional], V_H [optional], A_H > 0 [optional],
-    J_H > 0 [optional], R_H > 0 [optional], M_H > 0 [optional], M_F_H >= 0 [optional], M_M_H [optional],
-    M_B_H >= 0 [optional]
 };
 
 /// Keys of `[luffing.hydraulics]`.
@@ -58,53 +52,6 @@ quantities! {
 quantities! {
     /// What is constant in motion, besides geometry and weights.
     Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_f: M_F, g: G, step: STEP }
-}
-
-quantities! {
-    /// A hoist that comes up to its command with an acceleration.
-    HoistRamp { a_h: A_H }
-}
-
-quantities! {
-    /// A drum under the moment of a motor.
-    HoistMotor { j_h: J_H, r_h: R_H, m_h: M_H, m_f_h: M_F_H }
-}
-
-quantities! {
-    /// How a rope gives way.
-    RopeGive { c_r: C_R, d_r: D_R }
-}
-
-/// How the hoist moves the rope.
-#[derive(Clone, Copy, Debug)]
-pub enum HoistKind<P = f64> {
-    /// It follows its command at once.
-    AtOnce,
-    Ramp(HoistRamp<P>),
-    Motor(HoistMotor<P>),
-}
-
-impl<P: Copy> HoistKind<P> {
-    /// Over another scalar.
-    pub fn map<C>(&self, of: &mut dyn FnMut(&'static Symbol, P) -> C) -> HoistKind<C> {
-        match self {
-            HoistKind::AtOnce => HoistKind::AtOnce,
-            HoistKind::Ramp(ramp) => HoistKind::Ramp(ramp.map(of)),
-            HoistKind::Motor(motor) => HoistKind::Motor(motor.map(of)),
-        }
-    }
-}
-
-/// The load's rope at the start.
-#[derive(Clone, Copy, Debug)]
-pub struct LoadRope {
-    /// In m.
-    pub length: f64,
-    /// From the vertical, in rad.
-    pub swing: f64,
-    pub hoist: HoistKind,
-    /// `None` where it keeps its length under any force.
-    pub give: Option<RopeGive<f64>>,
 }
 
 /// A crane that slews, at the start.
@@ -255,109 +202,6 @@ fn dynamics<'a>(v: &'a Values, fidelity: &str, loaded: bool) -> Result<Option<&'
         ));
     }
     Ok(Some(table))
-}
-
-/// The table that has the rope and its hoist: `[luffing.hoisting]`, or `[luffing.dynamics]`.
-fn hoisting<'a>(v: &'a Values, dynamics: &'a Values, fidelity: &str) -> Result<&'a Values, Diagnostic> {
-    let Some(table) = v.table("hoisting") else {
-        return Ok(dynamics);
-    };
-    if fidelity == "rigid" {
-        let what = "a hoist where the load is fixed to the head";
-        return Err(v.refuse(
-            "hoisting",
-            what,
-            "not used",
-            "set fidelity = \"swing\", or remove this table",
-        ));
-    }
-    let twice = OF_ROPE.into_iter().find(|symbol| dynamics.number(symbol.id).is_some());
-    match twice {
-        None => Ok(table),
-        Some(symbol) => Err(dynamics.refuse(
-            symbol.id,
-            format!("{} beside a table of the hoist", symbol.id),
-            "given elsewhere",
-            "rope and hoist stand in [hoisting] alone: move it there",
-        )),
-    }
-}
-
-/// What `[luffing.dynamics]` may say of the rope.
-const OF_ROPE: [&Symbol; 4] = [&s::L_R, &s::PHI_R, &s::V_H, &s::A_H];
-
-/// The rope that the load hangs on, where the level has one; `table` says so.
-fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Diagnostic> {
-    let n = |symbol: &Symbol| table.number(symbol.id);
-    match (fidelity, n(&s::L_R)) {
-        ("swing" | "hydraulic" | "auto", Some(length)) => Ok(Some(LoadRope {
-            length,
-            swing: n(&s::PHI_R).unwrap_or(0.0),
-            hoist: winch(table)?,
-            give: give(table)?,
-        })),
-        ("swing", None) => {
-            let what = "a swinging load without a rope";
-            let refused = Diagnostic::new(table.span.clone(), what, "l_R is needed here");
-            Err(refused.help("add l_R = \"... m\", the length of the rope at the start"))
-        }
-        _ => match OF_ROPE.into_iter().find(|symbol| n(symbol).is_some()) {
-            Some(symbol) => Err(table.refuse(
-                symbol.id,
-                format!("{} without a swinging load", symbol.id),
-                "not used",
-                "remove it, or set fidelity = \"swing\"",
-            )),
-            None => Ok(None),
-        },
-    }
-}
-
-/// How the hoist moves the rope.
-fn winch(table: &Values) -> Result<HoistKind, Diagnostic> {
-    let n = |symbol: &Symbol| table.number(symbol.id);
-    let of_motor = [&s::J_H, &s::R_H, &s::M_H, &s::M_F_H, &s::M_M_H, &s::M_B_H];
-    let Some(motor) = of_motor.into_iter().find(|symbol| n(symbol).is_some()) else {
-        return Ok(n(&s::A_H).map_or(HoistKind::AtOnce, |a_h| HoistKind::Ramp(HoistRamp { a_h })));
-    };
-    if let Some(speed) = [&s::V_H, &s::A_H].into_iter().find(|symbol| n(symbol).is_some()) {
-        return Err(table.refuse(
-            speed.id,
-            format!("{} beside {}: two drives on one drum", speed.id, motor.id),
-            "the motor decides its speed",
-            "remove it, or what belongs to the motor: J_h, r_h, m_h, M_Fh, M_Mh, M_Bh",
-        ));
-    }
-    match (n(&s::J_H), n(&s::R_H)) {
-        (Some(j_h), Some(r_h)) => Ok(HoistKind::Motor(HoistMotor {
-            j_h,
-            r_h,
-            m_h: n(&s::M_H).unwrap_or(1.0),
-            m_f_h: n(&s::M_F_H).unwrap_or(0.0),
-        })),
-        (j_h, _) => {
-            let missing = if j_h.is_none() { &s::J_H } else { &s::R_H };
-            let what = format!("{} without {}", motor.id, missing.id);
-            let help = "a drum with a motor needs its inertia J_h (kg.m2) and its radius r_h (mm)";
-            Err(table.refuse(motor.id, what, "the drum is not known", help))
-        }
-    }
-}
-
-/// How the rope gives way, where the scene says that it does.
-fn give(table: &Values) -> Result<Option<RopeGive<f64>>, Diagnostic> {
-    let n = |symbol: &Symbol| table.number(symbol.id);
-    match (n(&s::C_R), n(&s::D_R)) {
-        (None, None) => Ok(None),
-        (None, Some(_)) => {
-            let what = "d_R of a rope that keeps its length";
-            Err(table.refuse(s::D_R.id, what, "not used", "add c_R = \"... kN/m\", or remove it"))
-        }
-        (Some(c_r), d_r) => Ok(Some(RopeGive {
-            c_r,
-            d_r: d_r.unwrap_or(0.0),
-        })),
-    }
 }
 
 /// The oil where the level has one, the valve's command and the pump's pressure (Pa).
