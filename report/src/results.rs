@@ -91,7 +91,7 @@ impl Results {
             [] => String::new(),
             ids => format!("; not judged: {}", ids.join(", ")),
         };
-        format!("{met}{unjudged}; {} identities hold", identities.len())
+        format!("{met}{unjudged}; identities that hold: {}", identities.len())
     }
 
     /// A few lines: what the crane does.
