@@ -11,11 +11,15 @@ import re
 
 import pytest
 
-from conftest import lemnis
+from conftest import ROOT, lemnis
 
 UNITS = {
     "": 1, "%": 0.01, "m": 1, "mm": 1e-3, "m²": 1, "rad": 1, "°": math.pi / 180, "rad/s": 1, "°/s": math.pi / 180,
     "m/s": 1, "mm/s": 1e-3, "N": 1, "kN": 1e3, "N·m": 1, "kN·m": 1e3, "kJ": 1e3, "m³/s": 1, "L/min": 1e-3 / 60,
+    "kg": 1, "t": 1e3, "kg·m²": 1, "N·m·s": 1, "kN·m·s": 1e3, "m/s²": 1, "rad/s²": 1, "s": 1, "1/s": 1, "1/s²": 1,
+    "Pa": 1, "bar": 1e5, "MPa": 1e6, "m³": 1, "L": 1e-3, "cm³": 1e-6, "m³/(s·Pa)": 1, "bar/s": 1e5, "kN/m": 1e3,
+    "kN·s/m": 1e3, "N/m": 1, "N·s/m": 1, "ms": 1e-3, "1/min": 1 / 60, "m/min": 1 / 60, "cm": 1e-2, "kW": 1e3,
+    "1/rad": 1, "1/(rad·s)": 1,
 }
 LANGUAGES = ["en", "zh", "bg"]
 NUMBER = re.compile(r'(?<![\w.])(\d+(?:\.\d+)?)(?: times 10\^\(?(-?\d+)\)?)?(?:(?: ?thin)? ?"([^"]*)")?')
@@ -41,8 +45,11 @@ def read(text):
         roundings.append(half * factor)
         return f"v[{len(values) - 1}]"
 
-    text = text.replace("\\ &more", "").replace("^2", "**_2_")
-    text = NUMBER.sub(take, text.replace("**_2_", "**TWO")).replace("**TWO", "**2")
+    # Exponents are no numbers of their own.
+    text = re.sub(r"\^(\d)", lambda found: "**" + "ZERO ONE TWO THREE FOUR FIVE SIX".split()[int(found[1])], text.replace("\\ &more", ""))
+    text = NUMBER.sub(take, text)
+    for number, name in enumerate("ZERO ONE TWO THREE FOUR FIVE SIX".split()):
+        text = text.replace(f"**{name}", f"**{number}")
     text = text.replace(" dot ", "*").replace(" slash ", "/").replace("arctan2 vec(", "arctan2(").replace("infinity", "math.inf")
     # Factors without a sign between them: "2 pi".
     text = re.sub(r"(v\[\d+\]) pi", r"\1*pi", text)
@@ -51,22 +58,16 @@ def read(text):
     return (lambda v: eval(code, {"math": math}, {**FUNCTIONS, "v": v})), values, roundings
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_every_formula_gives_its_result(language, tmp_path, capsys):
-    lemnis("book", "--level", "full", "--language", language, "--format", "typ", "--output", tmp_path)
-    source = (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8")
-    # A decimal comma stands in quotes.
-    commas = re.findall(r'"\d+,\d+"', source)
-    assert (len(commas) > 100) == (language == "bg")
-    source = re.sub(r'"(\d+),(\d+)"', r"\1.\2", source)
-    recalculated, sharp = 0, 0
+def recalculated(source):
+    """How many printed formulas give their results, and how many of them to a thousandth."""
+    count, sharp = 0, 0
     for step in re.split(r"\n#step\([^)\n]*\)\[", source)[1:]:
         body = step[step.index("[$") + 2 : step.index("$]")]
         symbol, formula = body.split("&=", 1)
-        formula, *numbers, result = re.split(r"\n\s+(?:\\ &)?= ", formula)
-        if not numbers:  # a formula that only names another quantity
+        parts = re.split(r"\n\s+(?:\\ &)?= ", formula)
+        if len(parts) < 3:  # a formula that only names another quantity, or a number
             continue
-        [numbers] = numbers
+        formula, numbers, result = parts
         result = result.strip()
         evaluate, values, roundings = read(numbers)
         _, [value], [half] = read(result.lstrip("-"))
@@ -82,10 +83,31 @@ def test_every_formula_gives_its_result(language, tmp_path, capsys):
         if "arctan2" in numbers or "°" in result:
             difference = min(difference, abs(difference - 2 * math.pi))
         assert difference <= allowed, f"{symbol} = {formula} = {numbers} = {result}: {computed}"
-        recalculated += 1
+        count += 1
         sharp += allowed < 1e-3 * abs(value)
+    return count, sharp
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_formula_gives_its_result(language, tmp_path, capsys):
+    lemnis("book", "--level", "full", "--language", language, "--format", "typ", "--output", tmp_path)
+    source = (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8")
+    # A decimal comma stands in quotes.
+    commas = re.findall(r'"\d+,\d+"', source)
+    assert (len(commas) > 100) == (language == "bg")
+    count, sharp = recalculated(re.sub(r'"(\d+),(\d+)"', r"\1.\2", source))
     with capsys.disabled():
-        print(f"\n  {language}: {recalculated} printed formulas recalculated from their printed numbers")
-    assert recalculated > 60
+        print(f"\n  {language}: {count} printed formulas recalculated from their printed numbers")
+    assert count > 60
     # A result wrong by a thousandth would not pass, but for differences of nearly equal numbers.
-    assert sharp > 0.85 * recalculated, sharp
+    assert sharp > 0.85 * count, sharp
+
+
+@pytest.mark.parametrize("scene", sorted(path.stem for path in (ROOT / "models/scenes").glob("*.toml")))
+def test_every_formula_of_the_ready_scenes_gives_its_result(scene, tmp_path, capsys):
+    lemnis("book", ROOT / f"models/scenes/{scene}.toml", "--level", "full", "--format", "typ", "--output", tmp_path)
+    [book] = tmp_path.glob("*.typ")
+    count, sharp = recalculated(book.read_text(encoding="utf-8"))
+    with capsys.disabled():
+        print(f"\n  {scene}: {count} printed formulas recalculated, {sharp} to a thousandth")
+    assert count > 10

@@ -3,7 +3,7 @@
 //!
 //! The numeric form keeps to a small grammar, so that it can be read back and
 //! recalculated: numbers with their unit as `19.3 thin"m"`, `60"°"` or
-//! `1.2 times 10^(-5)`, with a decimal comma as `"19,3" thin"m"`, `pi`, `+`, `-`, `dot`, `slash`, `frac(a, b)`, `a^2`,
+//! `1.2 times 10^(-5)`, with a decimal comma as `"19,3" thin"m"`, `pi`, `+`, `-`, `dot`, `slash`, `frac(a, b)`, `a^2`, `a^3`,
 //! `sqrt(a)`, `abs(a)`, `sin(a)`, `cos(a)`, `arcsin(a)`, `arccos(a)`,
 //! `arctan2(y, x)`, also as `arctan2 vec(y, x)`, and parentheses. A long sum is broken with `\ &more` before
 //! a sign.
@@ -16,6 +16,7 @@ use lemnis_models::kernel::record::{Node, Op, Rec, Step, Trace};
 use serde::Serialize;
 
 use crate::language::Language;
+use crate::print::factors::{Product, tidier};
 use crate::print::number::quantity;
 use crate::print::text;
 
@@ -222,6 +223,11 @@ fn term(print: Print, nested: bool, rec: Rec) -> Term {
             Form::Symbols => Term::atom(symbol.print.to_owned(), name_width(symbol.print)),
             Form::Numbers => numeric(quantity(print.language, symbol, print.trace.value(rec))),
         },
+        Node::Unary(Op::Square, _) | Node::Binary(Op::Mul | Op::Div, ..)
+            if let Some(tidy) = tidier(print.trace, rec) =>
+        {
+            product(print, nested, &tidy)
+        }
         Node::Unary(op, inner) => unary(op, term(print, nested, inner)),
         Node::Binary(op, left, right) => {
             let nested_within = nested || op == Op::Div;
@@ -231,9 +237,40 @@ fn term(print: Print, nested: bool, rec: Rec) -> Term {
     }
 }
 
+/// A product of powers, those with exponents below zero under a fraction bar.
+fn product(print: Print, nested: bool, product: &Product) -> Term {
+    let parted = product.factors.iter().any(|(_, exponent)| *exponent < 0);
+    let side = |sign: i32| {
+        let factors = product.factors.iter().filter(|(_, exponent)| exponent.signum() == sign);
+        let powers = factors.map(|&(base, exponent)| power(term(print, nested || parted, base), exponent.abs()));
+        powers.reduce(|left, right| binary(print.form, nested, Op::Mul, left, right))
+    };
+    let above = side(1).unwrap_or_else(|| constant(print.language, 1.0));
+    let term = match side(-1) {
+        Some(below) => binary(print.form, nested, Op::Div, above, below),
+        None => above,
+    };
+    Term {
+        minus: term.minus != product.minus,
+        ..term
+    }
+}
+
+fn power(base: Term, exponent: i32) -> Term {
+    if exponent == 1 {
+        return base;
+    }
+    let base = Term {
+        minus: false,
+        ..base.whole().within(Level::Atom)
+    };
+    Term::product(false, format!("{}^{exponent}", base.text), base.width + 0.7)
+}
+
 fn constant(language: &Language, value: f64) -> Term {
     let named = [(PI, "pi"), (TAU, "2 pi"), (FRAC_PI_4, "frac(pi, 4)")];
     match named.into_iter().find(|&(named, _)| named == value) {
+        Some((_, text @ "pi")) => Term::atom(text.to_owned(), 2.0),
         Some((_, text)) => Term::product(false, text.to_owned(), 2.0),
         None => numeric(language.math(&short(value))),
     }
@@ -272,10 +309,7 @@ fn unary(op: Op, inner: Term) -> Term {
         Op::Asin => function("arcsin", inner.whole()),
         Op::Acos => function("arccos", inner.whole()),
         Op::Abs => function("abs", inner),
-        Op::Square => {
-            let base = inner.within(Level::Atom);
-            Term::product(false, base.text + "^2", base.width + 0.7)
-        }
+        Op::Square => power(Term { minus: false, ..inner }, 2),
         Op::Neg => {
             let inner = inner.within(Level::Product);
             Term {
@@ -454,6 +488,53 @@ mod tests {
                 |[a, b, _, _]| Rec::direction(a, b),
                 "arctan2(X_2, X_1)",
                 r#"arctan2(-2 thin"m", 3 thin"m")"#,
+            ),
+        ];
+        for (formula, in_symbols, in_numbers) in cases {
+            assert_eq!(printed(formula), (in_symbols.to_owned(), in_numbers.to_owned()));
+        }
+    }
+
+    #[test]
+    fn equal_factors_are_powers() {
+        type Formula = fn([Rec; 4]) -> Rec;
+        let cases: [(Formula, &str, &str); 8] = [
+            (|[a, b, ..]| a * b * a, "X_1^2 X_2", r#"(3 thin"m")^2 dot (-2 thin"m")"#),
+            (
+                |[a, _, c, _]| a * a.square() / c,
+                "frac(X_1^3, X_3)",
+                r#"frac((3 thin"m")^3, 0.5 thin"m")"#,
+            ),
+            (
+                |[a, b, ..]| a * (Rec::constant(1.0) / b),
+                "frac(X_1, X_2)",
+                r#"frac(3 thin"m", -2 thin"m")"#,
+            ),
+            (
+                |[a, b, ..]| -a * b * a,
+                "-X_1^2 X_2",
+                r#"-(3 thin"m")^2 dot (-2 thin"m")"#,
+            ),
+            (
+                |[a, b, c, _]| (a - b) * c * (a - b),
+                "(X_1 - X_2)^2 X_3",
+                r#"(3 thin"m" - (-2 thin"m"))^2 dot 0.5 thin"m""#,
+            ),
+            (
+                |[a, ..]| Rec::constant(PI) * a * Rec::constant(PI).square(),
+                "pi^3 X_1",
+                r#"pi^3 dot 3 thin"m""#,
+            ),
+            (
+                |[a, b, c, _]| a * b / (a * c),
+                "frac(X_2, X_3)",
+                r#"frac(-2 thin"m", 0.5 thin"m")"#,
+            ),
+            // Nothing is equal: as it is calculated.
+            (
+                |[a, b, c, _]| a / c * b,
+                "frac(X_1, X_3) X_2",
+                r#"frac(3 thin"m", 0.5 thin"m") dot (-2 thin"m")"#,
             ),
         ];
         for (formula, in_symbols, in_numbers) in cases {

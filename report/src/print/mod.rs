@@ -2,6 +2,7 @@
 
 pub mod diagram;
 pub mod drawing;
+mod factors;
 pub mod formula;
 pub mod number;
 pub mod picture;
