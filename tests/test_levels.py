@@ -250,7 +250,7 @@ def test_oil_below_vacuum_is_told_everywhere(tmp_path, monkeypatch):
     book = (tmp_path / "Crane_hydraulic.typ").read_text(encoding="utf-8")
     assert "*Warning:* In the run of the mechanism in motion the pressure of the oil falls to" in book
     lemnis("book", "--format", "typ", "--output", tmp_path)
-    assert "*Warning:*" not in (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8")
+    assert "the pressure of the oil falls" not in (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8")
 
 
 PARALLELOGRAM = """

@@ -4,15 +4,25 @@ import csv
 import io
 import json
 import re
+import subprocess
 
 import pytest
 
-from conftest import ROOT, lemnis
+from conftest import LEMNIS, ROOT, lemnis
 
+# Their levers do not keep to what their synthesis asks for.
+FAILING = ("portal_004_four", "portal_004_synthesis")
 READY = sorted((ROOT / "models/scenes").glob("*.toml"))
 
 # A number, not a part of a name such as ports_001 or theta_1.
 NUMBER = re.compile(r"(?<![\w.\[])[-−]?\d+(?:[.,]\d+)?(?:e-?\d+)?(?![\w\]])")
+
+
+def checked(path, *options):
+    """What `check` prints of a ready scene."""
+    done = subprocess.run([str(LEMNIS), "check", str(path), *options], capture_output=True, text=True, encoding="utf-8")
+    assert done.returncode == (4 if path.stem in FAILING else 0), done.stderr
+    return done.stdout
 
 
 def readable(text):
@@ -25,7 +35,7 @@ def readable(text):
 
 @pytest.mark.parametrize("path", READY, ids=lambda path: path.stem)
 def test_a_table_is_readable_and_aligned(path):
-    text = lemnis("check", path)
+    text = checked(path)
     readable(text)
     blocks = [block.splitlines() for block in text.split("\n\n")]
     tables = [block for block in blocks if block[0].rstrip().endswith("]") and " [" in block[0]]
@@ -36,10 +46,10 @@ def test_a_table_is_readable_and_aligned(path):
 
 @pytest.mark.parametrize("path", READY, ids=lambda path: path.stem)
 def test_numbers_for_programs_have_no_negative_zero(path):
-    for row in csv.reader(io.StringIO(lemnis("check", path, "--csv"))):
+    for row in csv.reader(io.StringIO(checked(path, "--csv"))):
         assert not [cell for cell in row if re.fullmatch(r"-0(?:\.0*)?", cell)], row[0]
         assert not [cell for cell in row if len(re.sub(r"\D", "", cell.split("e")[0]).lstrip("0")) > 17], row[0]
-    text = lemnis("check", path, "--json")
+    text = checked(path, "--json")
     json.loads(text)
     assert not re.search(r"-0\.0\b(?!\d)", text)
 
