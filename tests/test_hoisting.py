@@ -103,7 +103,7 @@ def test_a_whole_crane(tmp_path):
     names = [name for name in SIZES if name not in ("p_A", "p_B", "phi_R", "omega_R")] + ["S_R", "v_R"]
     runs = {}
     for end in ENDS.values():
-        path = str(tmp_path / f"PortalCrane{end}")
+        path = str(tmp_path / f"PortalCraneWhole{end}")
         assert not validate_fmu(path)
         known = {variable.name for variable in read_model_description(path).modelVariables}
         assert set(names) <= known
