@@ -12,15 +12,16 @@ use lemnis_models::luffing::double_link::forces_in_motion::{ForcesInMotion, RESU
 use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::hydraulic::{self, PresentCrane};
 use lemnis_models::luffing::double_link::inertia_forces::Instant;
-use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
-use lemnis_models::luffing::double_link::moving::level::{Inputs, Level, Present};
+use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
+use lemnis_models::luffing::double_link::moving::given::Inputs;
+use lemnis_models::luffing::double_link::moving::level::{Level, Present};
 use lemnis_models::luffing::double_link::pose::Posing;
 use lemnis_models::luffing::double_link::position::Position;
 use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::luffing::double_link::shares::Shares;
 use lemnis_models::luffing::double_link::slewing::SlewingState;
 use lemnis_models::parts::hoist::HoistCommand;
-use lemnis_models::parts::joint::{Bar, JointDrive};
+use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 use lemnis_models::parts::plane::{Point, cross};
 use lemnis_models::scene::{DEFAULT, Scene};
 use num_dual::Dual2;
@@ -148,12 +149,8 @@ fn a_hoisted_load_is_a_heavier_one() {
 
 fn inputs(moment: f64, brake: f64) -> Inputs {
     Inputs {
-        motion: Commands {
-            moment,
-            brake,
-            hoist: HoistCommand::speed(0.0),
-        },
-        slewing: NOTHING,
+        drives: [JointDrive { moment, brake }, NOTHING],
+        hoist: HoistCommand::speed(0.0),
         valve: 0.0,
         supply: 250e5,
     }
@@ -207,7 +204,7 @@ proptest! {
             _ if omega > 0.0 => Bar::Forward,
             _ => Bar::Backward,
         };
-        start.bar = bar;
+        start.joints[0] = bar;
         let mut seen = SlewingState::resting(theta, 10.0);
         seen.put_load([swing, 0.0]);
         (seen.y[1], seen.y[3]) = (omega, turning);
@@ -218,7 +215,7 @@ proptest! {
             (Level::Slewing(crane), Present::Slewing(seen), turning)
         } else {
             let dynamics = crane::dynamics(load);
-            let motion = MovingLinkage { dynamics, friction, stops: [1.0, 2.1] };
+            let motion = MovingLinkage { dynamics, joints: [Joint { friction, stops: [1.0, 2.1] }] };
             (Level::Free(motion), Present::Free(start), 0.0)
         };
         let (inputs, y) = (inputs(moment, if held { 1e8 } else { 1e4 }), present.states());
@@ -403,8 +400,7 @@ fn what_holds_a_bar_is_told_apart() {
     let level = |stops| {
         Level::Free(MovingLinkage {
             dynamics,
-            friction,
-            stops,
+            joints: [Joint { friction, stops }],
         })
     };
     let shares = |level: &Level, state: &MotionState, inputs: &Inputs| {
@@ -423,7 +419,7 @@ fn what_holds_a_bar_is_told_apart() {
     let [drive, dry, _, stop] = shares(&level([1.3, 2.0]), &state, &inputs(-1e7, 1e5));
     assert!(drive == -1e7 + 1e5 && dry == 1e6 && (drive + dry + stop - needed).abs() < 1e-5 * needed.abs());
     state.y[1] = -0.1;
-    state.bar = Bar::Backward;
+    state.joints[0] = Bar::Backward;
     assert_eq!(
         shares(&level([1.0, 2.0]), &state, &inputs(5.0, 7.0)),
         [12.0, 1e6, 3e3, 0.0]

@@ -1,11 +1,12 @@
 //! The hoist's dynamics by what theory says of a point on a rope whose head is held, and by balances of momentum and
 //! energy where it gives way.
 
+use lemnis_models::luffing::double_link::crane::Commands;
 use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
-use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
-use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingCommands, SlewingState};
+use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
+use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingState};
 use lemnis_models::parts::hoist::{Hoist, HoistCommand, Winch};
-use lemnis_models::parts::joint::JointDrive;
+use lemnis_models::parts::joint::{Friction, Joint, JointDrive};
 
 #[path = "common/crane.rs"]
 mod crane;
@@ -40,11 +41,13 @@ impl Both {
         Both {
             plane: MovingLinkage {
                 dynamics: crane::dynamics(pendulum),
-                friction: Friction {
-                    viscous: 0.0,
-                    coulomb: 0.0,
-                },
-                stops: [1.0, 2.0],
+                joints: [Joint {
+                    friction: Friction {
+                        viscous: 0.0,
+                        coulomb: 0.0,
+                    },
+                    stops: [1.0, 2.0],
+                }],
             },
             space: crane::slewing(pendulum, 5e6, [[0.0; 2]; 2]),
             flat,
@@ -55,15 +58,17 @@ impl Both {
     /// Moves on for a step under a command of the hoist, in m/s. Returns whether the rope pulls and with what force (N).
     fn step(&mut self, hoist: f64) -> [(bool, f64); 2] {
         let held = Commands {
-            moment: 0.0,
-            brake: 1e12,
+            drives: [JointDrive {
+                moment: 0.0,
+                brake: 1e12,
+            }],
             hoist: HoistCommand::speed(hoist),
         };
         let joint = JointDrive {
             moment: 0.0,
             brake: 1e12,
         };
-        let both = SlewingCommands {
+        let both = Commands {
             drives: [joint; 2],
             hoist: HoistCommand::speed(hoist),
         };
@@ -131,15 +136,17 @@ fn a_stop_faster_than_gravity_leaves_the_rope_slack() {
 #[test]
 fn a_blow_is_shared_with_the_boom() {
     let commands = |hoist: f64| Commands {
-        moment: 0.0,
-        brake: 0.0,
+        drives: [JointDrive {
+            moment: 0.0,
+            brake: 0.0,
+        }],
         hoist: HoistCommand::speed(hoist),
     };
     let joint = JointDrive {
         moment: 0.0,
         brake: 0.0,
     };
-    let both_commands = |hoist: f64| SlewingCommands {
+    let both_commands = |hoist: f64| Commands {
         drives: [joint; 2],
         hoist: HoistCommand::speed(hoist),
     };

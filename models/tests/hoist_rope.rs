@@ -4,11 +4,12 @@
 use std::f64::consts::{PI, TAU};
 
 use lemnis_models::kernel::calc::Calc;
+use lemnis_models::luffing::double_link::crane::Commands;
 use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
-use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingCommands, SlewingState};
+use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
+use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingState};
 use lemnis_models::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
-use lemnis_models::parts::joint::{Bar, JointDrive};
+use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 
 #[path = "common/crane.rs"]
 mod crane;
@@ -48,11 +49,13 @@ impl Both {
         Both {
             plane: MovingLinkage {
                 dynamics: crane::dynamics(pendulum),
-                friction: Friction {
-                    viscous: 0.0,
-                    coulomb: 0.0,
-                },
-                stops: [1.0, 2.0],
+                joints: [Joint {
+                    friction: Friction {
+                        viscous: 0.0,
+                        coulomb: 0.0,
+                    },
+                    stops: [1.0, 2.0],
+                }],
             },
             space: crane::slewing(pendulum, 5e6, [[0.0; 2]; 2]),
             flat: MotionState::resting(1.3, LENGTH),
@@ -70,11 +73,13 @@ impl Both {
     /// Moves on for a step. Returns the forces of the rope (N).
     fn step(&mut self, hoist: HoistCommand) -> [f64; 2] {
         let held = Commands {
-            moment: 0.0,
-            brake: HELD.brake,
+            drives: [JointDrive {
+                moment: 0.0,
+                brake: HELD.brake,
+            }],
             hoist,
         };
-        let both = SlewingCommands {
+        let both = Commands {
             drives: [HELD; 2],
             hoist,
         };
@@ -324,11 +329,13 @@ fn plane_and_space_agree_while_all_moves() {
         let stops = [PI / 3.0, 2.0 * PI / 3.0];
         let plane = MovingLinkage {
             dynamics: crane::dynamics(pendulum),
-            friction: Friction {
-                viscous: 1e5,
-                coulomb: 20e3,
-            },
-            stops,
+            joints: [Joint {
+                friction: Friction {
+                    viscous: 1e5,
+                    coulomb: 20e3,
+                },
+                stops,
+            }],
         };
         let mut space = crane::slewing(pendulum, 5e6, [[1e5, 20e3], [0.0; 2]]);
         space.joints[0].stops = stops;
@@ -344,11 +351,10 @@ fn plane_and_space_agree_while_all_moves() {
         for i in 0..3000 {
             let moment = if i < 1500 { 2.4e6 } else { 0.6e6 };
             let commands = Commands {
-                moment,
-                brake: 0.0,
+                drives: [JointDrive { moment, brake: 0.0 }],
                 hoist,
             };
-            let both = SlewingCommands {
+            let both = Commands {
                 drives: [JointDrive { moment, brake: 0.0 }, HELD],
                 hoist,
             };

@@ -186,7 +186,7 @@ fn energy(system: &System, present: &PresentCrane<MOST>) -> f64 {
             let mut state = motion::MotionState::resting(y[0], 0.0);
             state.y[1] = y[1];
             state.y[2..].copy_from_slice(&y[FIXED..FIXED + 6]);
-            (state.bar, state.taut) = (Bar::Loose, present.modes.taut);
+            (state.joints[0], state.taut) = (Bar::Loose, present.modes.taut);
             crane.energy(&state).expect("closes")
         }
         Crane::Slewing(crane) => {

@@ -1,26 +1,40 @@
 //! Levels `rigid` and `swing`: friction that sticks, brake, end stops, a rope that is reeled and
 //! goes slack. Expectations from theory: balances of energy and of moments, free fall, symmetry.
 
+use lemnis_models::luffing::double_link::crane::Commands;
 use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
+use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
 use lemnis_models::parts::hoist::HoistCommand;
-use lemnis_models::parts::joint::Bar;
+use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 use lemnis_models::parts::solver::{Halt, runge_kutta};
 
 #[path = "common/crane.rs"]
 mod crane;
 
-const STILL: Commands = Commands {
-    moment: 0.0,
-    brake: 0.0,
-    hoist: HoistCommand::speed(0.0),
-};
+const STILL: Commands<1> = commands(0.0, 0.0);
+
+const fn commands(moment: f64, brake: f64) -> Commands<1> {
+    Commands {
+        drives: [JointDrive { moment, brake }],
+        hoist: HoistCommand::speed(0.0),
+    }
+}
+
+fn driven(moment: f64) -> Commands<1> {
+    commands(moment, 0.0)
+}
+
+fn braked(brake: f64) -> Commands<1> {
+    commands(0.0, brake)
+}
 
 fn motion(pendulum: Option<Pendulum>, viscous: f64, coulomb: f64) -> MovingLinkage {
     MovingLinkage {
         dynamics: crane::dynamics(pendulum),
-        friction: Friction { viscous, coulomb },
-        stops: [60_f64.to_radians(), 120_f64.to_radians()],
+        joints: [Joint {
+            friction: Friction { viscous, coulomb },
+            stops: [60_f64.to_radians(), 120_f64.to_radians()],
+        }],
     }
 }
 
@@ -30,8 +44,8 @@ fn at(degrees: f64, length: f64) -> MotionState {
 
 /// Moment that holds the crane at rest.
 fn holding(m: &MovingLinkage, state: &MotionState) -> f64 {
-    let braked = Commands { brake: 1e12, ..STILL };
-    m.friction_moment(state, &braked, &state.y).expect("closes")
+    let held = braked(1e12);
+    m.friction_moment(0, state, &held, &state.y).expect("closes")
 }
 
 /// Below the limit of friction the bar does not move by one bit, whatever the step; just above it breaks loose.
@@ -47,16 +61,13 @@ fn friction_truly_sticks() {
         (1.000_001, true),
         (-1.000_001, true),
     ] {
-        let commands = Commands {
-            moment: hold + over * 50e3,
-            ..STILL
-        };
+        let commands = driven(hold + over * 50e3);
         let mut state = start;
         for size in [1e-9, 1e-3, 0.1, 1.0, 10.0] {
             m.advance(&mut state, &commands, size, 0.01).expect("stays");
         }
         assert_eq!(state.y[0] != start.y[0], moves, "{over}: {state:?}");
-        assert!(moves || (state.bar == Bar::Held && state.y == start.y));
+        assert!(moves || (state.joints[0] == Bar::Held && state.y == start.y));
     }
 }
 
@@ -67,10 +78,7 @@ fn no_friction_holds_nothing() {
     let start = at(75.0, 0.0);
     let hold = holding(&m, &start);
     for (extra, sign) in [(1.0, 1.0), (-1.0, -1.0)] {
-        let commands = Commands {
-            moment: hold + extra,
-            ..STILL
-        };
+        let commands = driven(hold + extra);
         let mut state = start;
         m.advance(&mut state, &commands, 0.1, 0.01).expect("stays");
         assert_eq!((state.y[0] - start.y[0]).signum(), sign);
@@ -82,12 +90,12 @@ fn no_friction_holds_nothing() {
 fn a_bar_at_rest_is_decided_again() {
     let m = motion(None, 0.0, 20e3);
     let mut state = at(60.0, 0.0);
-    let up = Commands { moment: 1e7, ..STILL };
+    let up = driven(1e7);
     m.event(&mut state, &up).expect("closes");
-    assert_eq!(state.bar, Bar::Forward);
+    assert_eq!(state.joints[0], Bar::Forward);
     // The lower stop holds it: without a moment it stays.
     m.event(&mut state, &STILL).expect("closes");
-    assert_eq!(state.bar, Bar::Held);
+    assert_eq!(state.joints[0], Bar::Held);
     let rates = m.rates(&state, &STILL, &state.y).expect("closes");
     assert_eq!(rates[..2], [0.0, 0.0]);
 }
@@ -98,31 +106,23 @@ fn a_bar_at_rest_is_decided_again() {
 fn a_brake_stops_the_fall_and_takes_its_energy() {
     let m = motion(None, 3e5, 20e3);
     let mut state = at(80.0, 0.0);
-    m.advance(
-        &mut state,
-        &Commands {
-            brake: f64::INFINITY,
-            ..STILL
-        },
-        100.0,
-        0.01,
-    )
-    .expect("holds");
+    m.advance(&mut state, &braked(f64::INFINITY), 100.0, 0.01)
+        .expect("holds");
     assert_eq!(state, at(80.0, 0.0));
 
     m.advance(&mut state, &STILL, 1.0, 0.01).expect("falls");
     let falling = state;
-    assert!(falling.y[1].abs() > 0.01 && falling.bar != Bar::Held);
-    let commands = Commands { brake: 6e6, ..STILL };
+    assert!(falling.y[1].abs() > 0.01 && falling.joints[0] != Bar::Held);
+    let commands = braked(6e6);
     let (first, mut work, mut steps) = (m.energy(&state).expect("closes"), 0.0, 0);
-    while state.bar != Bar::Held {
+    while state.joints[0] != Bar::Held {
         let before = state;
         m.advance(&mut state, &commands, 1e-4, 1e-4).expect("brakes");
         // Viscous work by Simpson's rule with the middle of the step, dry work exact over the way.
         let mut half = before;
         m.advance(&mut half, &commands, 5e-5, 5e-5).expect("brakes");
         let power = [before, half, state].map(|s| 3e5 * s.y[1] * s.y[1]);
-        let part = if state.bar == Bar::Held { 0.0 } else { 1e-4 };
+        let part = if state.joints[0] == Bar::Held { 0.0 } else { 1e-4 };
         work += (power[0] + 4.0 * power[1] + power[2]) / 6.0 * part + (20e3 + 6e6) * (state.y[0] - before.y[0]).abs();
         steps += 1;
         assert!(steps < 100_000);
@@ -152,19 +152,16 @@ fn work_is_stored_or_dissipated_with_a_swinging_load() {
     for i in 0..60_000 {
         // Up, down, up for two seconds each.
         let push = if (i / 20_000) % 2 == 0 { 3e5 } else { -3e5 };
-        let commands = Commands {
-            moment: hold + push,
-            ..STILL
-        };
+        let commands = driven(hold + push);
         let before = state;
         let mut half = state;
         m.advance(&mut half, &commands, h / 2.0, h).expect("moves");
         m.advance(&mut state, &commands, h, h).expect("moves");
         let way = state.y[0] - before.y[0];
-        work += commands.moment * way;
+        work += commands.drives[0].moment * way;
         let power = [before, half, state].map(|s| 2e5 * s.y[1] * s.y[1]);
         lost += (power[0] + 4.0 * power[1] + power[2]) / 6.0 * h + 40e3 * way.abs();
-        reversals += u32::from(before.bar != state.bar);
+        reversals += u32::from(before.joints[0] != state.joints[0]);
     }
     let gained = m.energy(&state).expect("closes") - first;
     println!("work {work:.3} J, stored {gained:.3} J, lost {lost:.3} J, {reversals} changes");
@@ -183,23 +180,23 @@ fn an_end_stop_catches_the_bar() {
     let m = motion(None, 0.0, 10e3);
     let mut state = at(100.0, 0.0);
     let hold = holding(&m, &state);
-    let up = Commands {
-        moment: hold + 2e6,
-        ..STILL
-    };
+    let up = driven(hold + 2e6);
     m.advance(&mut state, &up, 20.0, 0.01).expect("arrives");
-    assert_eq!((state.y[0], state.y[1], state.bar), (m.stops[1], 0.0, Bar::Held));
+    assert_eq!(
+        (state.y[0], state.y[1], state.joints[0]),
+        (m.joints[0].stops[1], 0.0, Bar::Held)
+    );
     let still = state;
-    m.advance(&mut state, &Commands { moment: 1e9, ..STILL }, 1.0, 0.01)
-        .expect("holds");
+    m.advance(&mut state, &driven(1e9), 1.0, 0.01).expect("holds");
     assert_eq!(state, still);
-    m.advance(&mut state, &Commands { moment: -1e7, ..STILL }, 0.1, 0.01)
-        .expect("leaves");
-    assert!(state.y[0] < m.stops[1] && state.y[1] < 0.0);
+    m.advance(&mut state, &driven(-1e7), 0.1, 0.01).expect("leaves");
+    assert!(state.y[0] < m.joints[0].stops[1] && state.y[1] < 0.0);
     // All the way down to the other one.
-    m.advance(&mut state, &Commands { moment: -1e7, ..STILL }, 20.0, 0.01)
-        .expect("arrives");
-    assert_eq!((state.y[0], state.y[1], state.bar), (m.stops[0], 0.0, Bar::Held));
+    m.advance(&mut state, &driven(-1e7), 20.0, 0.01).expect("arrives");
+    assert_eq!(
+        (state.y[0], state.y[1], state.joints[0]),
+        (m.joints[0].stops[0], 0.0, Bar::Held)
+    );
 }
 
 /// A held crane with a swinging load is a simple pendulum: T = 4 sqrt(l/g) K(sin(a/2)), here by the
@@ -207,10 +204,7 @@ fn an_end_stop_catches_the_bar() {
 #[test]
 fn the_period_of_the_swing_is_that_of_theory() {
     let m = motion(Some(crane::PENDULUM), 0.0, 0.0);
-    let held = Commands {
-        brake: f64::INFINITY,
-        ..STILL
-    };
+    let held = braked(f64::INFINITY);
     for degrees in [0.01_f64, 10.0, 60.0, 89.0] {
         let mut state = at(90.0, 10.0);
         state.y[2] = degrees.to_radians();
@@ -233,10 +227,7 @@ fn the_period_of_the_swing_is_that_of_theory() {
 #[test]
 fn a_slack_rope_lets_the_load_fall_freely_and_catches_it() {
     let m = motion(Some(crane::PENDULUM), 0.0, 0.0);
-    let held = Commands {
-        brake: f64::INFINITY,
-        ..STILL
-    };
+    let held = braked(f64::INFINITY);
     let mut state = at(90.0, 10.0);
     // 150 degrees from the hanging position: 8.66 m above the head, 5 m beside it.
     state.y[2] = 150_f64.to_radians();
@@ -277,7 +268,7 @@ fn a_blow_of_the_rope_gains_no_energy() {
     let mut state = at(90.0, 10.0);
     state.y[2] = 120_f64.to_radians();
     let hold = holding(&m, &at(90.0, 10.0));
-    let commands = Commands { moment: hold, ..STILL };
+    let commands = driven(hold);
     let mut energy = m.energy(&state).expect("closes");
     let mut blows = 0;
     for _ in 0..4000 {
@@ -296,10 +287,7 @@ fn a_blow_of_the_rope_gains_no_energy() {
 #[test]
 fn a_shorter_rope_swings_wider() {
     let m = motion(Some(crane::PENDULUM), 0.0, 0.0);
-    let held = Commands {
-        brake: f64::INFINITY,
-        ..STILL
-    };
+    let held = braked(f64::INFINITY);
     let mut state = at(90.0, 40.0);
     state.y[2] = 0.01;
     let hoisting = Commands {
@@ -320,10 +308,7 @@ fn a_shorter_rope_swings_wider() {
 fn restored_and_irregular_steps_agree() {
     let m = motion(Some(crane::PENDULUM), 1e5, 20e3);
     let hold = holding(&m, &at(75.0, 10.0));
-    let commands = Commands {
-        moment: hold + 4e5,
-        ..STILL
-    };
+    let commands = driven(hold + 4e5);
     let run = |sizes: &[f64]| {
         let mut state = at(75.0, 10.0);
         for size in sizes {
@@ -348,10 +333,7 @@ fn restored_and_irregular_steps_agree() {
 #[test]
 fn a_million_steps_are_allowed() {
     let m = motion(None, 0.0, 0.0);
-    let held = Commands {
-        brake: f64::INFINITY,
-        ..STILL
-    };
+    let held = braked(f64::INFINITY);
     for (duration, longest) in [(1e4, 0.01), (777.7, 7.777e-4)] {
         let mut state = at(90.0, 10.0);
         let count = m.advance(&mut state, &held, duration, longest);
@@ -362,9 +344,9 @@ fn a_million_steps_are_allowed() {
     // Where an event cuts a step in two, that is still one.
     let mut state = at(90.0, 10.0);
     state.y[1] = 0.1;
-    let count = m.advance(&mut state, &Commands { brake: 1e7, ..STILL }, 1e4, 0.01);
+    let count = m.advance(&mut state, &braked(1e7), 1e4, 0.01);
     assert_eq!(count.map(|count| count.steps), Ok(1_000_001));
-    assert_eq!(state.bar, Bar::Held);
+    assert_eq!(state.joints[0], Bar::Held);
 }
 
 /// Numbers that are none are refused, and nothing hangs: every loop is counted.
@@ -374,22 +356,19 @@ fn hopeless_steps_are_refused() {
     let mut state = at(75.0, 10.0);
     let before = state;
     for moment in [f64::NAN, f64::INFINITY, f64::MAX] {
-        let commands = Commands { moment, ..STILL };
+        let commands = driven(moment);
         assert!(m.advance(&mut state, &commands, 0.1, 0.01).is_err(), "{moment}");
         state = before;
     }
     assert_eq!(m.advance(&mut state, &STILL, 1e6, 1e-9), Err(Halt::TooMany));
     // The explicit method is fourth order: the reference of the pendulum, stepped by hand.
-    let free = MovingLinkage { stops: [0.0, 3.0], ..m };
-    let y = runge_kutta::step(&before.y, 1e-3, |y| {
-        free.rates(
-            &before,
-            &Commands {
-                moment: f64::NAN,
-                ..STILL
-            },
-            y,
-        )
-    });
+    let free = MovingLinkage {
+        joints: [Joint {
+            stops: [0.0, 3.0],
+            ..m.joints[0]
+        }],
+        ..m
+    };
+    let y = runge_kutta::step(&before.y, 1e-3, |y| free.rates(&before, &driven(f64::NAN), y));
     assert!(y.is_some(), "a held bar does not move, whatever pushes it");
 }

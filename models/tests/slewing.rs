@@ -4,12 +4,13 @@
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::variable::Role;
+use lemnis_models::luffing::double_link::crane::Commands;
 use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
 use lemnis_models::luffing::double_link::hanging::HangingLoad;
-use lemnis_models::luffing::double_link::motion::{self, Friction, MovingLinkage};
-use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingCommands, SlewingState, angles};
+use lemnis_models::luffing::double_link::motion::{self, MovingLinkage};
+use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingState, angles};
 use lemnis_models::parts::hoist::{Hoist, HoistCommand, RopeAction};
-use lemnis_models::parts::joint::{Bar, JointDrive};
+use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 use nalgebra::Vector3;
 
 #[path = "common/crane.rs"]
@@ -26,7 +27,7 @@ const HELD: JointDrive = JointDrive {
     moment: 0.0,
     brake: f64::INFINITY,
 };
-const BRAKED: SlewingCommands = SlewingCommands {
+const BRAKED: Commands<2> = Commands {
     drives: [HELD, HELD],
     hoist: HoistCommand::speed(0.0),
 };
@@ -39,7 +40,7 @@ fn at(degrees: f64, length: f64, load: [f64; 2]) -> SlewingState {
     state
 }
 
-fn run(crane: &Slewing, state: &mut SlewingState, commands: &SlewingCommands, duration: f64, h: f64) {
+fn run(crane: &Slewing, state: &mut SlewingState, commands: &Commands<2>, duration: f64, h: f64) {
     crane.advance(state, commands, duration, h).expect("moves");
 }
 
@@ -116,8 +117,10 @@ fn in_the_plane_it_is_the_crane_that_does_not_slew() {
     };
     let plane = MovingLinkage {
         dynamics: crane::dynamics(Some(crane::PENDULUM)),
-        friction,
-        stops: [60_f64.to_radians(), 120_f64.to_radians()],
+        joints: [Joint {
+            friction,
+            stops: [60_f64.to_radians(), 120_f64.to_radians()],
+        }],
     };
     let space = crane::slewing(Some(crane::PENDULUM), 5e6, [[1e5, 20e3], [0.0, 0.0]]);
     for (swing, moment) in [(0.3, 1.8e6), (125_f64.to_radians(), 1.5e6)] {
@@ -126,13 +129,12 @@ fn in_the_plane_it_is_the_crane_that_does_not_slew() {
         let mut state = at(75.0, 10.0, [swing, 0.0]);
         flat.wind(0.2);
         state.wind(0.2);
-        let flat_commands = motion::Commands {
-            moment,
-            brake: 0.0,
+        let flat_commands = Commands {
+            drives: [JointDrive { moment, brake: 0.0 }],
             hoist: HoistCommand::speed(0.2),
         };
         let push = JointDrive { moment, brake: 0.0 };
-        let commands = SlewingCommands {
+        let commands = Commands {
             drives: [push, HELD],
             hoist: HoistCommand::speed(0.2),
         };
@@ -151,7 +153,7 @@ fn in_the_plane_it_is_the_crane_that_does_not_slew() {
                 state.y[10] - flat.y[4],
             ];
             assert!(errors.iter().all(|e| e.abs() < 1e-8), "{errors:?} {state:?} {flat:?}");
-            assert_eq!((state.taut, state.joints[0]), (flat.taut, flat.bar));
+            assert_eq!((state.taut, state.joints[0]), (flat.taut, flat.joints[0]));
             assert_eq!((state.y[2], state.y[3], state.y[6]), (0.0, 0.0, 0.0));
             // Rates at this very state, to rounding.
             let [a, b] = [
@@ -180,7 +182,7 @@ fn a_conical_pendulum_stands_still() {
     }
     state.put_load([phi, 0.0]);
     state.y[3] = 0.3;
-    let commands = SlewingCommands {
+    let commands = Commands {
         drives: [HELD, NONE],
         hoist: HoistCommand::speed(0.0),
     };
@@ -204,7 +206,7 @@ fn angular_momentum_and_energy_are_conserved() {
     // The luffing drive carries the crane's own moment, as a spring would: a heavy tail does it without work.
     let mut state = at(75.0, 10.0, [0.4, 0.3]);
     (state.y[3], state.y[9]) = (0.2, 1.5);
-    let held = SlewingCommands {
+    let held = Commands {
         drives: [HELD, NONE],
         hoist: HoistCommand::speed(0.0),
     };
@@ -227,7 +229,7 @@ fn angular_momentum_and_energy_are_conserved() {
     // Luffing free as well, under a constant moment: its work is what the energy gains.
     let mut state = at(75.0, 10.0, [0.4, 0.3]);
     state.y[3] = 0.2;
-    let commands = SlewingCommands {
+    let commands = Commands {
         drives: [
             JointDrive {
                 moment: 2.2e6,
@@ -282,7 +284,7 @@ fn slewing_truly_sticks() {
         (50_001.0, true),
         (-50_001.0, true),
     ] {
-        let commands = SlewingCommands {
+        let commands = Commands {
             drives: [NONE, JointDrive { moment, brake: 0.0 }],
             hoist: HoistCommand::speed(0.0),
         };
@@ -326,7 +328,7 @@ fn work_is_stored_or_dissipated() {
     for i in 0..60_000 {
         let way = if (i / 20_000) % 2 == 0 { 1.0 } else { -1.0 };
         let drive = |moment: f64| JointDrive { moment, brake: 0.0 };
-        let commands = SlewingCommands {
+        let commands = Commands {
             drives: [drive(hold + 3e5 * way), drive(6e5 * way)],
             hoist: HoistCommand::speed(0.0),
         };
@@ -377,7 +379,7 @@ fn a_slack_rope_catches_its_load_sideways() {
     let length = Vector3::new(state.y[4], state.y[5], state.y[6]).norm();
     let scale = 10.0 / length;
     state.y[4..7].iter_mut().for_each(|x| *x *= scale);
-    let commands = SlewingCommands {
+    let commands = Commands {
         drives: [
             JointDrive {
                 moment: 3e6,
@@ -405,7 +407,7 @@ fn a_slack_rope_catches_its_load_sideways() {
 fn a_slewing_stop_catches_the_crane() {
     let mut m = crane::slewing(Some(crane::PENDULUM), 5e6, [[0.0, f64::INFINITY], [0.0, 1e4]]);
     m.joints[1].stops = [-0.5, 0.5];
-    let push = |moment: f64| SlewingCommands {
+    let push = |moment: f64| Commands {
         drives: [NONE, JointDrive { moment, brake: 0.0 }],
         hoist: HoistCommand::speed(0.0),
     };
@@ -430,7 +432,7 @@ fn luffing_in_slews_faster() {
     let m = crane::slewing(None, 1e6, [[0.0; 2]; 2]);
     let mut state = SlewingState::resting(70_f64.to_radians(), 0.0);
     state.y[3] = 0.2;
-    let commands = SlewingCommands {
+    let commands = Commands {
         drives: [
             JointDrive {
                 moment: 3.2e6,
@@ -471,7 +473,7 @@ fn angles_and_places_agree() {
 #[test]
 fn restored_and_irregular_steps_agree() {
     let m = crane::slewing(Some(crane::PENDULUM), 5e6, [[1e5, 20e3], [2e5, 20e3]]);
-    let commands = SlewingCommands {
+    let commands = Commands {
         drives: [
             JointDrive {
                 moment: 2.4e6,

@@ -1,23 +1,37 @@
 //! Denormal, huge and non-finite inputs; steps from 1e-9 to 1e3 s; friction without end and without any.
 
-use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
+use lemnis_models::luffing::double_link::crane::Commands;
+use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
 use lemnis_models::parts::hoist::HoistCommand;
-use lemnis_models::parts::joint::Bar;
+use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 use lemnis_models::parts::solver::{Halt, MOST_STEPS};
 
 use super::crane;
 
-const NONE: Commands = Commands {
-    moment: 0.0,
-    brake: 0.0,
-    hoist: HoistCommand::speed(0.0),
-};
+const NONE: Commands<1> = commands(0.0, 0.0);
+
+const fn commands(moment: f64, brake: f64) -> Commands<1> {
+    Commands {
+        drives: [JointDrive { moment, brake }],
+        hoist: HoistCommand::speed(0.0),
+    }
+}
+
+fn driven(moment: f64) -> Commands<1> {
+    commands(moment, 0.0)
+}
+
+fn braked(brake: f64) -> Commands<1> {
+    commands(0.0, brake)
+}
 
 fn motion(viscous: f64, coulomb: f64) -> MovingLinkage {
     MovingLinkage {
         dynamics: crane::dynamics(Some(crane::PENDULUM)),
-        friction: Friction { viscous, coulomb },
-        stops: [60_f64.to_radians(), 120_f64.to_radians()],
+        joints: [Joint {
+            friction: Friction { viscous, coulomb },
+            stops: [60_f64.to_radians(), 120_f64.to_radians()],
+        }],
     }
 }
 
@@ -26,13 +40,13 @@ fn motion(viscous: f64, coulomb: f64) -> MovingLinkage {
 fn denormal_huge_and_broken_inputs() {
     let m = motion(1e5, 1e3);
     let start = MotionState::resting(1.5, 10.0);
-    let run = |commands: Commands, duration: f64| {
+    let run = |commands: Commands<1>, duration: f64| {
         let mut state = start;
         m.advance(&mut state, &commands, duration, 0.01).map(|_| state)
     };
     let zero = run(NONE, 0.5).expect("moves");
     for tiny in [5e-324, -5e-324, 1e-310] {
-        assert_eq!(run(Commands { moment: tiny, ..NONE }, 0.5), Ok(zero), "{tiny:e}");
+        assert_eq!(run(driven(tiny), 0.5), Ok(zero), "{tiny:e}");
         // The rate of the load's distance is the hoist's own; nothing else differs.
         let hoisted = run(
             Commands {
@@ -45,7 +59,7 @@ fn denormal_huge_and_broken_inputs() {
         assert_eq!(hoisted.y[..6], zero.y[..6], "{tiny:e}");
     }
     for broken in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        assert_eq!(run(Commands { moment: broken, ..NONE }, 0.5), Err(Halt::Outside));
+        assert_eq!(run(driven(broken), 0.5), Err(Halt::Outside));
         assert_eq!(
             run(
                 Commands {
@@ -57,20 +71,11 @@ fn denormal_huge_and_broken_inputs() {
             Err(Halt::Outside)
         );
     }
-    assert_eq!(
-        run(
-            Commands {
-                brake: f64::NAN,
-                ..NONE
-            },
-            0.5
-        ),
-        Err(Halt::Outside)
-    );
-    assert_eq!(run(Commands { brake: -1.0, ..NONE }, 0.5), Err(Halt::Outside));
+    assert_eq!(run(braked(f64::NAN), 0.5), Err(Halt::Outside));
+    assert_eq!(run(braked(-1.0), 0.5), Err(Halt::Outside));
     // Huge but finite: refused, or at a stop with finite numbers.
     for huge in [1e15, -1e15, 1e300, f64::MAX] {
-        match run(Commands { moment: huge, ..NONE }, 0.5) {
+        match run(driven(huge), 0.5) {
             Ok(state) => assert!(state.y.iter().all(|x| x.is_finite()), "{huge:e} {state:?}"),
             Err(halt) => assert!(
                 matches!(halt, Halt::Outside | Halt::TooMany | Halt::TooFast),
@@ -89,7 +94,7 @@ fn steps_from_a_nanosecond_to_a_quarter_of_an_hour() {
         m.advance(&mut state, &NONE, size, 0.01).expect("rests");
     }
     assert_eq!(
-        (state.bar, state.y[0]),
+        (state.joints[0], state.y[0]),
         (Bar::Held, 1.5),
         "infinite friction holds for ever"
     );
@@ -105,10 +110,7 @@ fn steps_from_a_nanosecond_to_a_quarter_of_an_hour() {
 #[test]
 fn a_million_steps_of_the_swing() {
     let m = motion(0.0, 0.0);
-    let held = Commands {
-        brake: f64::INFINITY,
-        ..NONE
-    };
+    let held = braked(f64::INFINITY);
     let mut state = MotionState::resting(1.5, 10.0);
     state.y[2] = 1.0;
     let first = m.energy(&state).expect("closes");

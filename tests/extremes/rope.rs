@@ -1,15 +1,19 @@
 //! Ropes of 0.01 m and of 1 km, swing to 179 degrees.
 
 use lemnis_models::kernel::calc::Calc;
+use lemnis_models::luffing::double_link::crane::Commands;
 use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::motion::{Commands, Friction, MotionState, MovingLinkage};
+use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
 use lemnis_models::parts::hoist::{Hoist, HoistCommand};
+use lemnis_models::parts::joint::{Friction, Joint, JointDrive};
 
 use super::crane;
 
-const HELD: Commands = Commands {
-    moment: 0.0,
-    brake: f64::INFINITY,
+const HELD: Commands<1> = Commands {
+    drives: [JointDrive {
+        moment: 0.0,
+        brake: f64::INFINITY,
+    }],
     hoist: HoistCommand::speed(0.0),
 };
 
@@ -20,11 +24,13 @@ fn motion(length: f64) -> MovingLinkage {
             length,
             hoist: Hoist::AT_ONCE,
         })),
-        friction: Friction {
-            viscous: 0.0,
-            coulomb: 0.0,
-        },
-        stops: [60_f64.to_radians(), 120_f64.to_radians()],
+        joints: [Joint {
+            friction: Friction {
+                viscous: 0.0,
+                coulomb: 0.0,
+            },
+            stops: [60_f64.to_radians(), 120_f64.to_radians()],
+        }],
     }
 }
 

@@ -1,8 +1,9 @@
 //! A crane that slews: the load in every direction, no inertia and no end of it, no load, inputs that are none.
 
 use lemnis_models::kernel::calc::Calc;
+use lemnis_models::luffing::double_link::crane::Commands;
 use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
-use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingCommands, SlewingState, distance};
+use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingState, distance};
 use lemnis_models::parts::hoist::{Hoist, HoistCommand};
 use lemnis_models::parts::joint::JointDrive;
 use lemnis_models::parts::plane::Point;
@@ -19,13 +20,13 @@ const BRAKED: JointDrive = JointDrive {
     moment: 0.0,
     brake: f64::INFINITY,
 };
-const HELD: SlewingCommands = SlewingCommands {
+const HELD: Commands<2> = Commands {
     drives: [BRAKED, BRAKED],
     hoist: HoistCommand::speed(0.0),
 };
 
-fn slews(moment: f64) -> SlewingCommands {
-    SlewingCommands {
+fn slews(moment: f64) -> Commands<2> {
+    Commands {
         drives: [BRAKED, JointDrive { moment, brake: 0.0 }],
         hoist: HoistCommand::speed(0.0),
     }
@@ -204,11 +205,11 @@ fn no_inertia_at_all_is_refused() {
 fn inputs_and_steps() {
     let m = crane::slewing(Some(crane::PENDULUM), 5e6, [[1e5, 1e3], [1e5, 1e3]]);
     let start = leaning(10.0, 0.2, 0.7);
-    let run = |commands: SlewingCommands, duration: f64| {
+    let run = |commands: Commands<2>, duration: f64| {
         let mut state = start;
         m.advance(&mut state, &commands, duration, 0.01).map(|_| state)
     };
-    let driven = |drive: JointDrive| SlewingCommands {
+    let driven = |drive: JointDrive| Commands {
         drives: [NONE, drive],
         hoist: HoistCommand::speed(0.0),
     };

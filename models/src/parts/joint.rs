@@ -1,6 +1,6 @@
 //! What joints, drums and other shafts have in common that friction and brakes hold at rest.
 
-use crate::kernel::calc::Calc;
+use crate::kernel::calc::{Calc, Over};
 
 /// A bar, a joint or a drum between events.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +52,113 @@ impl JointDrive {
 
     pub(crate) fn is_sound(&self) -> bool {
         self.moment.is_finite() && self.brake >= 0.0
+    }
+}
+
+/// Friction of a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction<P = f64> {
+    /// In N·m·s/rad.
+    pub viscous: P,
+    /// In N·m: it holds the joint at rest up to this moment.
+    pub coulomb: P,
+}
+
+/// Luffing, slewing or another coordinate that is driven, at no particular angle.
+#[derive(Clone, Copy, Debug)]
+pub struct Joint<P = f64> {
+    pub friction: Friction<P>,
+    /// Least and greatest angle, in rad; infinite where there is no stop.
+    pub stops: [f64; 2],
+}
+
+/// What follows for a joint from its angle and rate alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Arrival {
+    /// It goes on as it did.
+    None,
+    /// At rest until now, it was set in motion from outside.
+    SetOff(Bar),
+    /// It has turned round, or met a stop, and is at rest.
+    Rest { at_stop: bool },
+}
+
+impl<P: Calc> Joint<P> {
+    /// Greatest moment of dry friction and brake, in N·m.
+    fn dry<C: Over<P>>(&self, drive: &JointDrive<C>) -> C {
+        C::of(self.friction.coulomb) + drive.brake
+    }
+
+    /// A moment (N·m) less what viscous friction at a rate (rad/s), dry friction and brake take of it.
+    pub(crate) fn resisted<C: Over<P>>(&self, moment: C, bar: Bar, rate: C, drive: &JointDrive<C>) -> C {
+        let viscous = C::of(self.friction.viscous) * rate;
+        match bar {
+            Bar::Held | Bar::Loose => moment,
+            Bar::Forward => moment - viscous - self.dry(drive),
+            Bar::Backward => moment - viscous + self.dry(drive),
+        }
+    }
+
+    /// Moment of friction and brake on a joint that moves at a rate (rad/s), in N·m.
+    pub(crate) fn resistance<C: Over<P>>(&self, bar: Bar, rate: C, drive: &JointDrive<C>) -> C {
+        let viscous = -C::of(self.friction.viscous) * rate;
+        match bar {
+            Bar::Held | Bar::Loose => C::constant(0.0),
+            Bar::Forward => viscous - self.dry(drive),
+            Bar::Backward => viscous + self.dry(drive),
+        }
+    }
+
+    /// Least and greatest moment that friction, brake and stops can give at rest at an angle (rad), in N·m.
+    pub(crate) fn holds<C: Over<P>>(&self, at: C, drive: &JointDrive<C>) -> [C; 2] {
+        let (dry, without_end) = (self.dry(drive) * C::constant(LOOSE), C::constant(f64::INFINITY));
+        let ([low, high], at) = (self.stops, at.value());
+        [
+            if at >= high { -without_end } else { -dry },
+            if at <= low { without_end } else { dry },
+        ]
+    }
+
+    /// Fall below zero where it comes to rest or (two) breaks loose, meets its lower or its upper stop. At rest `held` has
+    /// the moment that it needs, with the least and greatest that there is.
+    pub(crate) fn indicators<C: Over<P>>(&self, bar: Bar, [at, rate]: [C; 2], held: impl FnOnce() -> [C; 3]) -> [C; 4] {
+        let (none, [low, high]) = (C::constant(1.0), self.stops);
+        let rest = match bar {
+            Bar::Held => {
+                let [hold, least, most] = held();
+                // Where a stop gives any moment there is nothing to break.
+                return [capped(most - hold), capped(hold - least), none, none];
+            }
+            Bar::Forward => rate,
+            Bar::Backward => -rate,
+            Bar::Loose => return [none; 4],
+        };
+        let room = |end: f64, room: C| if end.is_finite() { room } else { none };
+        [
+            rest,
+            none,
+            room(low, at - C::constant(low)),
+            room(high, C::constant(high) - at),
+        ]
+    }
+
+    pub(crate) fn arrival(&self, bar: Bar, [at, rate]: [f64; 2]) -> Arrival {
+        let [low, high] = self.stops;
+        let at_stop = (at >= high && rate > 0.0) || (at <= low && rate < 0.0);
+        let turned = match bar {
+            Bar::Held => rate != 0.0,
+            // A joint that breaks loose is at rest: whether the rope lets go is decided as it moves.
+            Bar::Forward => rate < 0.0,
+            Bar::Backward => rate > 0.0,
+            Bar::Loose => false,
+        };
+        match (bar, at_stop) {
+            (Bar::Loose, _) => Arrival::None,
+            (Bar::Held, false) if rate > 0.0 => Arrival::SetOff(Bar::Forward),
+            (Bar::Held, false) if turned => Arrival::SetOff(Bar::Backward),
+            _ if at_stop || turned => Arrival::Rest { at_stop },
+            _ => Arrival::None,
+        }
     }
 }
 

@@ -5,14 +5,14 @@
 use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase, Turntable};
 use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic};
-use lemnis_models::luffing::double_link::motion::{Friction, MovingLinkage};
+use lemnis_models::luffing::double_link::motion::MovingLinkage;
 use lemnis_models::luffing::double_link::parameters::{Anchors, Driven, Jib, Lengths, Parameters};
-use lemnis_models::luffing::double_link::slewing::{Joint, Slewing};
+use lemnis_models::luffing::double_link::slewing::Slewing;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::parts::hoist::{Hoist, HoistCommand};
 use lemnis_models::parts::hydraulics::cylinder::Cylinder;
 use lemnis_models::parts::hydraulics::valve::Valve;
-use lemnis_models::parts::joint::JointDrive;
+use lemnis_models::parts::joint::{Friction, Joint, JointDrive};
 use lemnis_models::parts::plane::Point;
 
 pub const PENDULUM: Pendulum = Pendulum {
@@ -158,11 +158,13 @@ pub const ANCHORS: Anchors<f64> = Anchors {
 pub fn hydraulic<const N: usize>(pendulum: Option<Pendulum>) -> Hydraulic<N> {
     oiled(Crane::Plane(MovingLinkage {
         dynamics: dynamics(pendulum).with_drive(&ANCHORS, true),
-        friction: Friction {
-            viscous: 2e4,
-            coulomb: 0.0,
-        },
-        stops: [0.5, 2.5],
+        joints: [Joint {
+            friction: Friction {
+                viscous: 2e4,
+                coulomb: 0.0,
+            },
+            stops: [0.5, 2.5],
+        }],
     }))
 }
 

@@ -1,19 +1,20 @@
 //! Level `hydraulic`: the driven bar moved by a cylinder with its oil, ports
 //! and proportional valve. What else moves is as at the other levels: the load on
 //! its rope, reeled and slack at times, and a crane that slews, with friction that
-//! truly sticks. [`MovingLinkage`] and [`Slewing`] have their equations and decide their
-//! events; to them the cylinder is a moment on a bar that is [`Bar::Loose`].
+//! truly sticks. [`MovingCrane`](crate::luffing::double_link::crane::MovingCrane) has their equations and decides their
+//! events; to it the cylinder is a moment on a bar that is [`Bar::Loose`].
 
 use crate::kernel::calc::{Calc, Over};
+use crate::luffing::double_link::crane::{Commands, CraneState, MOST_CHANGES, Snapshot};
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
-use crate::luffing::double_link::motion::{self, Friction, MOST_CHANGES, MovingLinkage};
+use crate::luffing::double_link::motion::{self, MovingLinkage};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::shares::Shares;
 use crate::luffing::double_link::slewing::{self, Slewing};
 use crate::luffing::double_link::symbols as g;
 use crate::parts::hoist::{Drum, HoistCommand, HoistPowers, Winch};
 use crate::parts::hydraulics::cylinder::{Cylinder, Oil};
-use crate::parts::joint::{Bar, JointDrive, above_zero};
+use crate::parts::joint::{Bar, Joint, JointDrive};
 use crate::parts::solver::rodas::{Run, Tolerance};
 use crate::parts::solver::{Gradient, Halt, MOST_KINKS, MOST_STEPS, System};
 
@@ -126,23 +127,23 @@ impl Modes {
         blown: 0.0,
     };
 
-    fn plane<C: Calc, const N: usize>(self, y: &[C; N]) -> motion::MotionState {
-        motion::MotionState {
+    /// The crane's own state out of all.
+    fn of<C: Calc, const N: usize, const M: usize, const J: usize>(self, y: &[C; N]) -> CraneState<M, J> {
+        let joints = [Bar::Loose, self.slewing];
+        CraneState {
             y: part(y).map(C::value),
-            bar: Bar::Loose,
+            joints: std::array::from_fn(|i| joints[i]),
             drum: self.drum,
             taut: self.taut,
             blown: self.blown,
         }
     }
 
-    fn space<C: Calc, const N: usize>(self, y: &[C; N]) -> slewing::SlewingState {
-        slewing::SlewingState {
-            y: part(y).map(C::value),
-            joints: [Bar::Loose, self.slewing],
-            drum: self.drum,
-            taut: self.taut,
-            blown: self.blown,
+    /// As an event leaves it.
+    fn follow<const M: usize, const J: usize>(&mut self, state: &CraneState<M, J>) {
+        (self.drum, self.taut, self.blown) = (state.drum, state.taut, state.blown);
+        if let Some(slewing) = state.joints.get(1) {
+            self.slewing = *slewing;
         }
     }
 }
@@ -158,6 +159,16 @@ pub(crate) fn put<C: Calc, const N: usize, const M: usize>(y: &mut [C; N], part:
     y[FIXED..OIL + M].copy_from_slice(&part[2..]);
 }
 
+/// The same of a crane that moves in the plane or in space.
+macro_rules! either {
+    ($crane:expr, $one:ident => $call:expr) => {
+        match $crane {
+            Crane::Plane($one) => $call,
+            Crane::Slewing($one) => $call,
+        }
+    };
+}
+
 impl<const N: usize, P: Calc> Hydraulic<N, P> {
     pub fn oil<C: Calc>(y: &[C; N]) -> Oil<C> {
         Oil {
@@ -169,24 +180,18 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
     }
 
     pub fn dynamics(&self) -> &Dynamics<P> {
-        match &self.crane {
-            Crane::Plane(motion) => &motion.dynamics,
-            Crane::Slewing(slewing) => &slewing.dynamics,
-        }
+        either!(&self.crane, crane => &crane.dynamics)
     }
 
-    /// Friction and stops of the driven bar.
-    fn joint(&self) -> (Friction<P>, [f64; 2]) {
-        match &self.crane {
-            Crane::Plane(motion) => (motion.friction, motion.stops),
-            Crane::Slewing(slewing) => (slewing.joints[0].friction, slewing.joints[0].stops),
-        }
+    /// That of the driven bar.
+    fn joint(&self) -> &Joint<P> {
+        either!(&self.crane, crane => &crane.joints[0])
     }
 
     /// Least and greatest angle of the driven bar, in rad.
     #[must_use]
     pub fn stops(&self) -> [f64; 2] {
-        self.joint().1
+        self.joint().stops
     }
 
     /// Whether there is a rope that keeps its length under any force.
@@ -233,7 +238,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
     /// What viscous friction gives, what dry friction takes, and what an end stop gives (N·m).
     #[inline]
     fn resistances<C: Over<P>>(&self, theta: C, omega: C) -> (C, Option<C>, Option<C>) {
-        let (friction, stops) = self.joint();
+        let Joint { friction, stops } = *self.joint();
         let dry = (friction.coulomb.value() > 0.0).then(|| {
             let smooth = (omega.square() + C::known(&s::OMEGA_C, CREEP).square()).sqrt();
             omega.times(friction.coulomb) / smooth
@@ -268,40 +273,23 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         shares.named()
     }
 
-    /// What is asked of the hoist.
-    fn asked<C: Over<P>>(&self) -> HoistCommand<C> {
-        let HoistCommand { speed, drive } = self.hoist;
-        HoistCommand {
-            speed: C::of(speed),
-            drive: JointDrive {
-                moment: C::of(drive.moment),
-                brake: C::of(drive.brake),
-            },
-        }
-    }
-
-    fn in_plane<C: Coordinate<P>>(&self, moment: C) -> motion::Commands<C> {
-        motion::Commands {
+    /// What is asked of the crane whose luffing is driven by a moment (N·m).
+    fn asked<C: Over<P>, const J: usize>(&self, moment: C) -> Commands<J, C> {
+        let over = |drive: &JointDrive<P>| JointDrive {
+            moment: C::of(drive.moment),
+            brake: C::of(drive.brake),
+        };
+        let luffing = JointDrive {
             moment,
             brake: C::constant(0.0),
-            hoist: self.asked(),
-        }
-    }
-
-    fn in_space<C: Coordinate<P>>(&self, moment: C) -> slewing::SlewingCommands<C> {
-        let JointDrive { moment: slewing, brake } = self.slewing;
-        slewing::SlewingCommands {
-            drives: [
-                JointDrive {
-                    moment,
-                    brake: C::constant(0.0),
-                },
-                JointDrive {
-                    moment: C::of(slewing),
-                    brake: C::of(brake),
-                },
-            ],
-            hoist: self.asked(),
+        };
+        let drives = [luffing, over(&self.slewing)];
+        Commands {
+            drives: std::array::from_fn(|i| drives[i]),
+            hoist: HoistCommand {
+                speed: C::of(self.hoist.speed),
+                drive: over(&self.hoist.drive),
+            },
         }
     }
 
@@ -318,18 +306,13 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         let moment = self.moment(&r, y);
         let mut out = [C::constant(0.0); N];
         if N > FIXED {
-            match &self.crane {
-                Crane::Plane(motion) if motion.is_reeled_in(y[10]) => return None,
-                Crane::Slewing(slewing) if slewing.is_reeled_in(y[16]) => return None,
-                Crane::Plane(motion) => {
-                    let rates = motion.rates_at(&modes.plane(y), &r, &part(y), &self.in_plane(moment));
-                    put(&mut out, &rates);
+            either!(&self.crane, crane => {
+                let own = part(y);
+                if crane.is_reeled_in(&own) {
+                    return None;
                 }
-                Crane::Slewing(slewing) => {
-                    let rates = slewing.rates_at(&modes.space(y), &r, &part(y), &self.in_space(moment));
-                    put(&mut out, &rates);
-                }
-            }
+                put(&mut out, &crane.rates_at(&Snapshot { state: &modes.of(y), r: &r, y: &own, commands: &self.asked(moment) }));
+            });
         } else {
             let still = C::constant(0.0);
             let m = Phase {
@@ -362,21 +345,13 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         }
         let r = C::reduced(self.dynamics(), y[0])?;
         let moment = self.moment(&r, y);
-        Some(match &self.crane {
-            Crane::Plane(motion) => {
-                let (own, y) = (modes.plane(y), part(y));
-                let commands = self.in_plane(moment);
-                let rope = motion.slackening(&own, &r, &y, &commands);
-                let [hoist, drum] = motion.reaching(&own, &r, &y, &commands);
-                let [rope, hoist, drum] = [rope, hoist, drum].map(above_zero);
-                [none, none, none, none, rope, hoist, drum]
-            }
-            Crane::Slewing(slewing) => {
-                let [_, _, _, _, all @ ..] =
-                    slewing.indicators_at(&modes.space(y), &r, &part(y), &self.in_space(moment));
-                all
-            }
-        })
+        let all = either!(&self.crane, crane => {
+            let all = crane.indicators_at(&Snapshot { state: &modes.of(y), r: &r, y: &part(y), commands: &self.asked(moment) });
+            // Those of luffing, which is loose, stand first.
+            let joints = crane.joints.len();
+            std::array::from_fn(|i| all[i + 4 * joints - 4])
+        });
+        Some(all)
     }
 
     /// Force of the rope, in N; zero where it is slack or there is none.
@@ -386,13 +361,9 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         }
         let r = C::reduced(self.dynamics(), y[0])?;
         let moment = self.moment(&r, y);
-        Some(match &self.crane {
-            Crane::Plane(motion) => motion.tension(&modes.plane(y), &r, &part(y), &self.in_plane(moment)),
-            Crane::Slewing(slewing) => {
-                let commands = self.in_space(moment);
-                slewing.accelerations(&modes.space(y), &r, &part(y), &commands).rope
-            }
-        })
+        Some(
+            either!(&self.crane, crane => crane.tension(&Snapshot { state: &modes.of(y), r: &r, y: &part(y), commands: &self.asked(moment) })),
+        )
     }
 
     /// Moment of brake and friction on the drum of a motor, in N·m; positive reels in.
@@ -402,10 +373,9 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         }
         let r = C::reduced(self.dynamics(), y[0])?;
         let moment = self.moment(&r, y);
-        Some(match &self.crane {
-            Crane::Plane(motion) => motion.drum_friction(&modes.plane(y), &r, &part(y), &self.in_plane(moment)),
-            Crane::Slewing(slewing) => slewing.drum_friction(&modes.space(y), &r, &part(y), &self.in_space(moment)),
-        })
+        Some(
+            either!(&self.crane, crane => crane.drum_friction(&Snapshot { state: &modes.of(y), r: &r, y: &part(y), commands: &self.asked(moment) })),
+        )
     }
 
     /// Moment of friction, brake and end stop on slewing, in N·m, in the direction of the angle.
@@ -413,8 +383,17 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         match &self.crane {
             Crane::Slewing(slewing) if N > FIXED => {
                 let r = C::reduced(self.dynamics(), y[0])?;
-                let commands = self.in_space(self.moment(&r, y));
-                Some(slewing.friction_at(1, &modes.space(y), &r, &part(y), &commands))
+                let commands = &self.asked(self.moment(&r, y));
+                let (state, y) = (&modes.of(y), &part(y));
+                Some(slewing.friction_at(
+                    1,
+                    &Snapshot {
+                        state,
+                        r: &r,
+                        y,
+                        commands,
+                    },
+                ))
             }
             _ => Some(C::constant(0.0)),
         }
@@ -425,16 +404,15 @@ impl<const N: usize> Hydraulic<N> {
     /// Kinetic and potential energy of all bodies, in J; `None` where the linkage does not close.
     #[must_use]
     pub fn energy(&self, modes: Modes, y: &[f64; N]) -> Option<f64> {
-        match &self.crane {
-            Crane::Plane(motion) if N > FIXED => motion.energy(&modes.plane(y)),
-            Crane::Slewing(slewing) if N > FIXED => slewing.energy(&modes.space(y)),
-            _ => self.dynamics().energy(&Phase {
-                theta: y[0],
-                omega: y[1],
-                swing: 0.0,
-                swing_rate: 0.0,
-            }),
+        if N > FIXED {
+            return either!(&self.crane, crane => crane.energy(&modes.of(y)));
         }
+        self.dynamics().energy(&Phase {
+            theta: y[0],
+            omega: y[1],
+            swing: 0.0,
+            swing_rate: 0.0,
+        })
     }
 
     /// What the hoist gives and takes; `None` where the linkage does not close.
@@ -444,10 +422,7 @@ impl<const N: usize> Hydraulic<N> {
         }
         let r = f64::reduced(self.dynamics(), y[0])?;
         let moment = self.moment(&r, y);
-        match &self.crane {
-            Crane::Plane(motion) => motion.hoist_powers(&modes.plane(y), &self.in_plane(moment)),
-            Crane::Slewing(slewing) => slewing.hoist_powers(&modes.space(y), &self.in_space(moment)),
-        }
+        either!(&self.crane, crane => crane.hoist_powers(&modes.of(y), &self.asked(moment)))
     }
 
     /// The crane at rest at an angle (rad), its load hanging, the valve closed and the oil carrying it, both
@@ -501,30 +476,17 @@ impl<const N: usize> Hydraulic<N> {
             }
             let moment = self.moment(&r, &y);
             let modes = &mut present.modes;
-            let changed = match &self.crane {
-                Crane::Plane(motion) => {
-                    let mut state = modes.plane(&y);
-                    let changed = motion.event(&mut state, &self.in_plane(moment))?;
-                    // Located just beyond its end, a rope that keeps its length cannot be longer than it is.
-                    if self.keeps() {
-                        state.y[5] = state.y[5].min(state.y[4]);
-                    }
-                    put(&mut y, &state.y);
-                    (modes.drum, modes.taut, modes.blown) = (state.drum, state.taut, state.blown);
-                    changed
+            let changed = either!(&self.crane, crane => {
+                let mut state = modes.of(&y);
+                let changed = crane.event(&mut state, &self.asked(moment))?;
+                // Located just beyond its end, a rope that keeps its length cannot be longer than it is.
+                if self.keeps() {
+                    state.shorten();
                 }
-                Crane::Slewing(slewing) => {
-                    let mut state = modes.space(&y);
-                    let changed = slewing.event(&mut state, &self.in_space(moment))?;
-                    if self.keeps() {
-                        state.shorten();
-                    }
-                    put(&mut y, &state.y);
-                    (modes.drum, modes.taut, modes.blown) = (state.drum, state.taut, state.blown);
-                    modes.slewing = state.joints[1];
-                    changed
-                }
-            };
+                put(&mut y, &state.y);
+                modes.follow(&state);
+                changed
+            });
             if !changed {
                 break;
             }
@@ -590,7 +552,7 @@ impl<const N: usize> System<N> for Piece<'_, N> {
     fn kinks(&self, y: &[f64; N]) -> [f64; MOST_KINKS] {
         let opening = self.crane.cylinder.relief[0];
         let over = |port: f64| (port / opening - 1.0) / CRACK;
-        let (_, [low, high]) = self.crane.joint();
+        let [low, high] = self.crane.joint().stops;
         [
             y[6] / GAP,
             over(y[2]),
@@ -616,13 +578,12 @@ impl<const N: usize> System<N> for Piece<'_, N> {
         if N > FIXED && self.modes.taut && self.crane.keeps() {
             match &self.crane.crane {
                 Crane::Plane(_) => {
-                    let [.., length, distance, speed, rate] = &mut y[..FIXED + motion::STATES - 2] else {
-                        return;
-                    };
-                    (*distance, *speed) = (*length, *rate);
+                    let mut state: motion::MotionState = self.modes.of(y);
+                    state.straighten();
+                    put(y, &state.y);
                 }
                 Crane::Slewing(_) => {
-                    let mut state = self.modes.space(y);
+                    let mut state: slewing::SlewingState = self.modes.of(y);
                     state.straighten();
                     put(y, &state.y);
                 }

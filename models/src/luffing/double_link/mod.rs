@@ -35,6 +35,7 @@
 
 pub mod balance_in_motion;
 pub mod balancing;
+pub mod crane;
 pub mod drawing;
 pub mod drive;
 pub mod dynamics;

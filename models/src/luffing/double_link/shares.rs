@@ -1,9 +1,8 @@
 //! What turns the driven bar, told apart: drive and brake, friction in its pins, end stop.
 
 use crate::kernel::calc::{Calc, Over};
-use crate::luffing::double_link::motion::Friction;
 use crate::luffing::double_link::moving::symbols as s;
-use crate::parts::joint::{Bar, LOOSE};
+use crate::parts::joint::{Bar, Friction, LOOSE};
 
 /// Moments on the driven bar, in N·m, in the direction of its angle.
 #[derive(Clone, Copy, Debug)]

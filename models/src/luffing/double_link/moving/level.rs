@@ -5,12 +5,14 @@
 use nalgebra::Vector3;
 
 use crate::kernel::calc::Calc;
+use crate::luffing::double_link::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics};
 use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, rope_on_head};
 use crate::luffing::double_link::hanging::to_load;
 use crate::luffing::double_link::hydraulic::{self, FIXED, Hydraulic, Modes};
 use crate::luffing::double_link::inertia_forces::Instant;
-use crate::luffing::double_link::motion::{self, Commands, MovingLinkage, directions};
+use crate::luffing::double_link::motion::{self, MovingLinkage, directions};
+use crate::luffing::double_link::moving::given::Inputs;
 use crate::luffing::double_link::pose::Posing;
 use crate::luffing::double_link::shares::Shares;
 use crate::luffing::double_link::slewing::{self, Slewing};
@@ -27,29 +29,6 @@ pub const MOST_STATES: usize = hydraulic::MOST;
 pub const MOST_INDICATORS: usize = 13;
 /// Event indicators of the oil.
 pub const OIL_INDICATORS: usize = 6;
-
-/// Inputs, constant over a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inputs<P = f64> {
-    pub motion: Commands<P>,
-    /// Of slewing.
-    pub slewing: JointDrive<P>,
-    /// Command of the valve in [−1, 1], and pressure of the pump in Pa.
-    pub valve: P,
-    pub supply: P,
-}
-
-impl<P: Copy> Inputs<P> {
-    /// Of a crane that slews.
-    #[must_use]
-    pub fn of_both(&self) -> slewing::SlewingCommands<P> {
-        let Commands { moment, brake, hoist } = self.motion;
-        slewing::SlewingCommands {
-            drives: [JointDrive { moment, brake }, self.slewing],
-            hoist,
-        }
-    }
-}
 
 /// The equations of a level.
 #[derive(Copy, Debug)]
@@ -100,7 +79,7 @@ const OTHER: &str = "the state of another level";
 
 fn tell<const N: usize, P: Copy>(system: &mut Hydraulic<N, P>, inputs: &Inputs<P>) {
     (system.command, system.supply) = (inputs.valve, inputs.supply);
-    (system.hoist, system.slewing) = (inputs.motion.hoist, inputs.slewing);
+    (system.hoist, system.slewing) = (inputs.hoist, inputs.drives[1]);
 }
 
 /// Angles and rates, pressures, spool and its speed, load and rope; no more than there are. A spool that is
@@ -146,6 +125,29 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
         MotionResult::Drum => system.drum_friction(modes, y),
         MotionResult::Blows => Some(P::constant(modes.blown)),
         MotionResult::Swing | MotionResult::Side | MotionResult::Distance => Some(seen(&hydraulic::part(y), reaction)),
+    }
+}
+
+/// Of a crane without oil.
+fn reaction_of<const N: usize, const J: usize, P: Calc, C: Coordinate<P>>(
+    crane: &MovingCrane<N, J, P>,
+    state: &CraneState<N, J>,
+    commands: &Commands<J, C>,
+    y: &[C; N],
+    reaction: MotionResult,
+) -> Option<C>
+where
+    MovingCrane<N, J, P>: Hangs<N, J, P>,
+{
+    match reaction {
+        MotionResult::Rope => crane.rope_force(state, commands, y),
+        MotionResult::Drum => {
+            let r = &C::reduced(&crane.dynamics, y[0])?;
+            Some(crane.drum_friction(&Snapshot { state, r, y, commands }))
+        }
+        MotionResult::Blows => Some(C::constant(state.blown)),
+        MotionResult::SlewingFriction => crane.friction_moment(1, state, commands, y),
+        _ => crane.friction_moment(0, state, commands, y),
     }
 }
 
@@ -202,10 +204,10 @@ impl<P: Coordinate<P>> Level<P> {
     ) -> Option<()> {
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => {
-                put(rates, &motion.rates(state, &inputs.motion, first(y))?);
+                put(rates, &motion.rates(state, &inputs.of(), first(y))?);
             }
             (Level::Slewing(crane), Present::Slewing(state)) => {
-                put(rates, &crane.rates(state, &inputs.of_both(), first(y))?);
+                put(rates, &crane.rates(state, &inputs.of(), first(y))?);
             }
             (Level::Fixed(system), Present::Fixed(at)) => put(rates, &system.equations(at.modes, first(y))?),
             (Level::Hanging(system), Present::Hanging(at)) => put(rates, &system.equations(at.modes, first(y))?),
@@ -224,11 +226,10 @@ impl<P: Coordinate<P>> Level<P> {
     ) -> Option<()> {
         match (self, present) {
             (Level::Free(motion), Present::Free(state)) => {
-                put(indicators, &motion.indicators(state, &inputs.motion, first(y))?);
+                put(indicators, &motion.indicators(state, &inputs.of(), first(y))?);
             }
             (Level::Slewing(crane), Present::Slewing(state)) => {
-                let found = crane.indicators(state, &inputs.of_both(), first(y))?;
-                put(indicators, &found);
+                put(indicators, &crane.indicators(state, &inputs.of(), first(y))?);
             }
             (Level::Fixed(system), Present::Fixed(at)) => oil_indicators(system, at.modes, first(y), indicators)?,
             (Level::Hanging(system), Present::Hanging(at)) => oil_indicators(system, at.modes, first(y), indicators)?,
@@ -246,28 +247,14 @@ impl<P: Coordinate<P>> Level<P> {
         reaction: MotionResult,
     ) -> Option<P> {
         match (self, present, reaction) {
-            (Level::Free(motion), Present::Free(state), MotionResult::Rope) => {
-                motion.rope_force(state, &inputs.motion, first(y))
+            (Level::Slewing(_), _, MotionResult::Swing | MotionResult::Side | MotionResult::Distance) => {
+                Some(seen(first(y), reaction))
             }
-            (Level::Free(motion), Present::Free(state), MotionResult::Drum) => {
-                let r = P::reduced(&motion.dynamics, y[0])?;
-                Some(motion.drum_friction(state, &r, first(y), &inputs.motion))
+            (Level::Free(crane), Present::Free(state), _) => {
+                reaction_of(crane, state, &inputs.of(), first(y), reaction)
             }
-            (_, Present::Free(state), MotionResult::Blows) => Some(P::constant(state.blown)),
-            (Level::Free(motion), Present::Free(state), _) => motion.friction_moment(state, &inputs.motion, first(y)),
-            (Level::Slewing(crane), Present::Slewing(state), reaction) => {
-                let (commands, y) = (inputs.of_both(), first(y));
-                match reaction {
-                    MotionResult::Rope => crane.rope_force(state, &commands, y),
-                    MotionResult::Drum => {
-                        let r = P::reduced(&crane.dynamics, y[0])?;
-                        Some(crane.drum_friction(state, &r, y, &commands))
-                    }
-                    MotionResult::Blows => Some(P::constant(state.blown)),
-                    MotionResult::SlewingFriction => crane.friction_moment(1, state, &commands, y),
-                    MotionResult::Swing | MotionResult::Side | MotionResult::Distance => Some(seen(y, reaction)),
-                    _ => crane.friction_moment(0, state, &commands, y),
-                }
+            (Level::Slewing(crane), Present::Slewing(state), _) => {
+                reaction_of(crane, state, &inputs.of(), first(y), reaction)
             }
             (Level::Fixed(system), Present::Fixed(at), _) => oil_reaction(system, at.modes, first(y), reaction),
             (Level::Hanging(system), Present::Hanging(at), _) => oil_reaction(system, at.modes, first(y), reaction),
@@ -302,11 +289,11 @@ impl<P: Posing<P>> Level<P> {
             None => None,
         };
         let together = self.reaction(present, inputs, y, MotionResult::Friction)?;
-        let Commands { moment, brake, .. } = inputs.motion;
+        let JointDrive { moment, brake } = inputs.drives[0];
         let shares = |bar, friction| Shares::new(bar, together, y[1], friction, [moment, brake]);
         let by_oil = || pose.drive.map_or(P::constant(0.0), |(_, [_, arm])| arm);
         let shares = match (self, present) {
-            (Level::Free(motion), Present::Free(state)) => shares(state.bar, &motion.friction),
+            (Level::Free(motion), Present::Free(state)) => shares(state.joints[0], &motion.joints[0].friction),
             (Level::Slewing(crane), Present::Slewing(state)) => shares(state.joints[0], &crane.joints[0].friction),
             (Level::Fixed(system), _) => system.shares(first(y), by_oil()),
             (Level::Hanging(system), _) => system.shares(first(y), by_oil()),
@@ -331,8 +318,8 @@ impl Level {
     /// The linkage does not close.
     pub fn event(&self, present: &mut Present, inputs: &Inputs) -> Result<(), Halt> {
         match (self, present) {
-            (Level::Free(motion), Present::Free(state)) => motion.event(state, &inputs.motion).map(|_| ()),
-            (Level::Slewing(crane), Present::Slewing(state)) => crane.event(state, &inputs.of_both()).map(|_| ()),
+            (Level::Free(crane), Present::Free(state)) => crane.event(state, &inputs.of()).map(|_| ()),
+            (Level::Slewing(crane), Present::Slewing(state)) => crane.event(state, &inputs.of()).map(|_| ()),
             (Level::Fixed(system), Present::Fixed(present)) => oil_event(system, present),
             (Level::Hanging(system), Present::Hanging(present)) => oil_event(system, present),
             _ => unreachable!("{OTHER}"),
@@ -375,8 +362,8 @@ impl Level {
         relative: f64,
     ) -> Result<Count, Halt> {
         match (self, present) {
-            (Level::Free(motion), Present::Free(state)) => motion.advance(state, &inputs.motion, duration, step),
-            (Level::Slewing(crane), Present::Slewing(state)) => crane.advance(state, &inputs.of_both(), duration, step),
+            (Level::Free(crane), Present::Free(state)) => crane.advance(state, &inputs.of(), duration, step),
+            (Level::Slewing(crane), Present::Slewing(state)) => crane.advance(state, &inputs.of(), duration, step),
             (Level::Fixed(system), Present::Fixed(present)) => oil_advance(system, present, duration, step, relative),
             (Level::Hanging(system), Present::Hanging(present)) => {
                 oil_advance(system, present, duration, step, relative)
@@ -406,35 +393,38 @@ impl Level {
     /// Powers, and the energy of all bodies (J); `None` where the linkage does not close.
     pub(crate) fn powers(&self, present: &Present, inputs: &Inputs) -> Option<(Powers, f64)> {
         match (self, present) {
-            (Level::Free(motion), Present::Free(state)) => {
-                let (commands, y) = (&inputs.motion, &state.y);
-                let hoist = motion.hoist_powers(state, commands)?;
-                let powers = Powers {
-                    drive: commands.moment * y[1],
-                    hoist: hoist.given,
-                    friction: -motion.friction_moment(state, commands, y)? * y[1] + hoist.lost,
-                    ..Powers::default()
-                };
-                Some((powers, motion.energy(state)?))
-            }
-            (Level::Slewing(crane), Present::Slewing(state)) => {
-                let (commands, y) = (inputs.of_both(), &state.y);
-                let friction = |i: usize| Some(-crane.friction_moment(i, state, &commands, y)? * y[2 * i + 1]);
-                let hoist = crane.hoist_powers(state, &commands)?;
-                let powers = Powers {
-                    drive: commands.drives[0].moment * y[1],
-                    slewing: commands.drives[1].moment * y[3],
-                    hoist: hoist.given,
-                    friction: friction(0)? + friction(1)? + hoist.lost,
-                    ..Powers::default()
-                };
-                Some((powers, crane.energy(state)?))
-            }
+            (Level::Free(crane), Present::Free(state)) => powers_of(crane, state, &inputs.of()),
+            (Level::Slewing(crane), Present::Slewing(state)) => powers_of(crane, state, &inputs.of()),
             (Level::Fixed(system), Present::Fixed(at)) => oil_powers(system, at),
             (Level::Hanging(system), Present::Hanging(at)) => oil_powers(system, at),
             _ => unreachable!("{OTHER}"),
         }
     }
+}
+
+fn powers_of<const N: usize, const J: usize>(
+    crane: &MovingCrane<N, J>,
+    state: &CraneState<N, J>,
+    commands: &Commands<J>,
+) -> Option<(Powers, f64)>
+where
+    MovingCrane<N, J>: Struck<N, J>,
+{
+    let (y, hoist) = (&state.y, crane.hoist_powers(state, commands)?);
+    let (mut drives, mut friction) = ([0.0; 2], 0.0);
+    for (i, drive) in commands.drives.iter().enumerate() {
+        let rate = y[2 * i + 1];
+        drives[i] = drive.moment * rate;
+        friction += -crane.friction_moment(i, state, commands, y)? * rate;
+    }
+    let powers = Powers {
+        drive: drives[0],
+        slewing: drives[1],
+        hoist: hoist.given,
+        friction: friction + hoist.lost,
+        ..Powers::default()
+    };
+    Some((powers, crane.energy(state)?))
 }
 
 fn oil_powers<const N: usize>(system: &Hydraulic<N>, at: &hydraulic::PresentCrane<N>) -> Option<(Powers, f64)> {
@@ -494,6 +484,32 @@ fn bar_of(way: f64) -> Option<Bar> {
     [Bar::Held, Bar::Forward, Bar::Backward]
         .into_iter()
         .find(|bar| self::way(*bar) == way)
+}
+
+fn numbers_of<const N: usize, const J: usize>(state: &CraneState<N, J>, numbers: &mut Vec<f64>) {
+    numbers.extend(state.y);
+    numbers.extend(state.joints.map(way));
+    numbers.extend([f64::from(state.taut), way(state.drum.way), state.drum.command]);
+    numbers.push(state.blown);
+}
+
+fn state_of<const N: usize, const J: usize>(numbers: &[f64]) -> Option<CraneState<N, J>> {
+    let (y, modes) = numbers.split_first_chunk::<N>()?;
+    let (ways, modes) = modes.split_first_chunk::<J>()?;
+    let &[taut, drum, command, blown] = modes else {
+        return None;
+    };
+    let mut joints = [Bar::Held; J];
+    for (bar, way) in joints.iter_mut().zip(ways) {
+        *bar = bar_of(*way)?;
+    }
+    Some(CraneState {
+        y: *y,
+        joints,
+        drum: drum_of(drum, command)?,
+        taut: taut != 0.0,
+        blown,
+    })
 }
 
 fn drum_of(way: f64, command: f64) -> Option<Drum> {
@@ -700,7 +716,7 @@ impl Present {
                         for bar in WAYS {
                             for (taut, drum) in HANGS {
                                 let mut now = *state;
-                                (now.y, now.bar, now.drum, now.taut) = (y, bar, drum, taut);
+                                (now.y, now.joints, now.drum, now.taut) = (y, [bar], drum, taut);
                                 found.push(Present::Free(now));
                             }
                         }
@@ -767,17 +783,8 @@ impl Present {
     /// All of it as numbers.
     pub fn numbers(&self, numbers: &mut Vec<f64>) {
         match self {
-            Present::Free(state) => {
-                numbers.extend(state.y);
-                numbers.extend([way(state.bar), f64::from(state.taut), way(state.drum.way)]);
-                numbers.extend([state.drum.command, state.blown]);
-            }
-            Present::Slewing(state) => {
-                numbers.extend(state.y);
-                numbers.extend(state.joints.map(way));
-                numbers.extend([f64::from(state.taut), way(state.drum.way), state.drum.command]);
-                numbers.push(state.blown);
-            }
+            Present::Free(state) => numbers_of(state, numbers),
+            Present::Slewing(state) => numbers_of(state, numbers),
             Present::Fixed(present) => numbers.extend(present.run.numbers()),
             Present::Hanging(present) => {
                 numbers.extend(present.run.numbers());
@@ -805,32 +812,8 @@ impl Present {
             return None;
         }
         let found = match self {
-            Present::Free(_) => {
-                let (y, modes) = own.split_first_chunk::<{ motion::STATES }>()?;
-                let &[bar, taut, drum, command, blown] = modes else {
-                    return None;
-                };
-                Present::Free(motion::MotionState {
-                    y: *y,
-                    bar: bar_of(bar)?,
-                    drum: drum_of(drum, command)?,
-                    taut: taut != 0.0,
-                    blown,
-                })
-            }
-            Present::Slewing(_) => {
-                let (y, modes) = own.split_first_chunk::<{ slewing::STATES }>()?;
-                let &[luffing, turning, taut, drum, command, blown] = modes else {
-                    return None;
-                };
-                Present::Slewing(slewing::SlewingState {
-                    y: *y,
-                    joints: [bar_of(luffing)?, bar_of(turning)?],
-                    drum: drum_of(drum, command)?,
-                    taut: taut != 0.0,
-                    blown,
-                })
-            }
+            Present::Free(_) => Present::Free(state_of(own)?),
+            Present::Slewing(_) => Present::Slewing(state_of(own)?),
             Present::Fixed(_) => Present::Fixed(hydraulic::PresentCrane {
                 run: Run::of(own)?,
                 modes: Modes::AT_REST,

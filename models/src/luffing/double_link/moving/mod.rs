@@ -12,6 +12,7 @@
 //! [`hanging`](crate::luffing::double_link::hanging), [`slewing`](crate::luffing::double_link::slewing) and [`hydraulic`](crate::luffing::double_link::hydraulic).
 //! Forces of the motion follow from them in [`forces_in_motion`](crate::luffing::double_link::forces_in_motion).
 
+pub mod given;
 pub mod hoisting;
 pub mod level;
 pub mod model;

@@ -15,29 +15,31 @@ use crate::kernel::record::{self, Rec};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::unit;
 use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
+use crate::luffing::double_link::crane::REELED_IN;
 use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, RESULTS};
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::in_line;
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
-use crate::luffing::double_link::motion::{self, Commands, Friction, MovingLinkage, REELED_IN};
+use crate::luffing::double_link::motion::{self, MovingLinkage};
+use crate::luffing::double_link::moving::given::{Given, Inputs};
 use crate::luffing::double_link::moving::hoisting::{HoistKind, HoistMotor, HoistRamp, LoadRope, RopeGive};
 use crate::luffing::double_link::moving::level::{
-    Inputs, Level, MOST_INDICATORS, MOST_STATES, MotionResult, OIL_INDICATORS, Powers, Present,
+    Level, MOST_INDICATORS, MOST_STATES, MotionResult, OIL_INDICATORS, Powers, Present,
 };
-use crate::luffing::double_link::moving::scene::{Constants, CylinderOil, Moving, Turning};
+use crate::luffing::double_link::moving::scene::{Constants, Moving};
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::parameters::{Driven, Weights};
 use crate::luffing::double_link::scene::Luffing;
-use crate::luffing::double_link::slewing::{self, Joint, Slewing};
+use crate::luffing::double_link::slewing::{self, Slewing};
 use crate::luffing::double_link::stages::{DoubleLink, parameters};
 use crate::luffing::double_link::symbols as s;
-use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
+use crate::parts::hoist::{Elastic, Hoist, Winch, WinchDrive};
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::hydraulics::oil::warning;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::valve::Valve;
-use crate::parts::joint::{Bar, JointDrive};
+use crate::parts::joint::{Bar, Friction, Joint};
 use crate::parts::motion::Motion as Range;
 use crate::parts::plane::Point;
 use crate::parts::solver::{Count, Halt, MOST_STEPS};
@@ -86,12 +88,7 @@ struct Now {
     /// In s.
     time: f64,
     present: Present,
-    inputs: Inputs,
-    constants: Constants<f64>,
-    hoist: HoistKind,
-    give: Option<RopeGive<f64>>,
-    turning: Option<Turning<f64>>,
-    oil: Option<CylinderOil<f64>>,
+    given: Given,
 }
 
 /// All that changes while it runs.
@@ -104,7 +101,7 @@ struct Saved {
 struct Direction {
     algebraic: Tangent,
     level: Result<Level<Dual64>, Fault>,
-    inputs: Inputs<Dual64>,
+    given: Given<Dual64>,
     y: [Dual64; MOST_STATES],
     /// Made when first asked for.
     rates: Option<[Dual64; MOST_STATES]>,
@@ -116,16 +113,8 @@ enum Slot {
     State(usize),
     Rate(usize),
     Indicator(usize),
-    Moment,
-    Brake,
-    Hoist,
-    HoistMoment,
-    HoistBrake,
-    Valve,
-    Supply,
-    Constant,
-    SlewingMoment,
-    SlewingBrake,
+    /// Of what is [given](Given).
+    Given,
     Reaction(MotionResult),
     /// One of the [results](forces_in_motion::RESULTS).
     Force(usize),
@@ -159,7 +148,7 @@ impl LuffingMotion {
         };
         let kind = rope.map_or(HoistKind::AtOnce, |rope| rope.hoist);
         let speed = match kind {
-            HoistKind::AtOnce => inputs.motion.hoist.speed,
+            HoistKind::AtOnce => inputs.hoist.speed,
             HoistKind::Ramp(_) | HoistKind::Motor(_) => 0.0,
         };
         let mut model = LuffingMotion {
@@ -177,19 +166,21 @@ impl LuffingMotion {
             now: Now {
                 time: 0.0,
                 present,
-                inputs,
-                constants,
-                hoist: kind,
-                give: rope.and_then(|rope| rope.give),
-                turning: slewing.map(|turn| turn.constants),
-                oil,
+                given: Given {
+                    inputs,
+                    constants,
+                    hoist: kind,
+                    give: rope.and_then(|rope| rope.give),
+                    turning: slewing.map(|turn| turn.constants),
+                    oil,
+                },
             },
             algebraic,
         };
         if oil.is_some() {
             model.now.present = model.held_by_oil(&model.now.present)?;
         }
-        if let Some(give) = model.now.give {
+        if let Some(give) = model.now.given.give {
             let stretch = model.weight() / give.c_r;
             model.now.present.stretch(stretch, slewing.is_some());
         }
@@ -251,12 +242,14 @@ impl LuffingMotion {
             list.push((of(symbol, Role::State), Slot::State(i)));
         }
         list.extend(self.commands());
-        let mut constant = |symbol, _| list.push((of(symbol, Role::Parameter), Slot::Constant));
-        self.now.constants.map(&mut constant);
-        self.now.hoist.map(&mut constant);
-        self.now.give.map(|give| give.map(&mut constant));
-        self.now.turning.map(|turning| turning.map(&mut constant));
-        self.now.oil.map(|oil| oil.map(&mut constant));
+        let (given, mut constant) = (self.now.given, |symbol, _| {
+            list.push((of(symbol, Role::Parameter), Slot::Given));
+        });
+        given.constants.map(&mut constant);
+        given.hoist.map(&mut constant);
+        given.give.map(|give| give.map(&mut constant));
+        given.turning.map(|turning| turning.map(&mut constant));
+        given.oil.map(|oil| oil.map(&mut constant));
         list.extend(self.reactions());
         for (index, variable) in self.algebraic.variables().iter().enumerate() {
             if coordinate.contains(&variable.symbol) {
@@ -296,23 +289,27 @@ impl LuffingMotion {
 
     /// Inputs of drives, brakes and hoist.
     fn commands(&self) -> Vec<(Variable, Slot)> {
-        let of = |symbol: &'static Symbol, slot| (Variable::new((symbol, None), Role::Input), slot);
-        let mut list = if self.now.oil.is_some() {
-            vec![of(&m::U_V, Slot::Valve), of(&m::P_P, Slot::Supply)]
+        let mut inputs = if self.now.given.oil.is_some() {
+            listed!(m: U_V, P_P).to_vec()
         } else {
-            vec![of(&m::M_A, Slot::Moment), of(&m::M_S, Slot::Brake)]
+            listed!(m: M_A, M_S).to_vec()
         };
         if self.has_motor() {
-            list.extend([of(&m::M_M_H, Slot::HoistMoment), of(&m::M_B_H, Slot::HoistBrake)]);
+            inputs.extend(listed!(m: M_M_H, M_B_H));
         } else if self.rope.is_some() {
-            let (command, slot) = of(&m::V_H, Slot::Hoist);
-            let at_events = true;
-            list.push((Variable { at_events, ..command }, slot));
+            inputs.push(&m::V_H);
         }
         if self.slewing_stops.is_some() {
-            list.extend([of(&m::M_SL, Slot::SlewingMoment), of(&m::M_B_SL, Slot::SlewingBrake)]);
+            inputs.extend(listed!(m: M_SL, M_B_SL));
         }
-        list
+        let variable = |symbol: &'static Symbol| Variable {
+            at_events: symbol == &m::V_H,
+            ..Variable::new((symbol, None), Role::Input)
+        };
+        inputs
+            .into_iter()
+            .map(|symbol| (variable(symbol), Slot::Given))
+            .collect()
     }
 
     /// Results that only motion has.
@@ -321,7 +318,7 @@ impl LuffingMotion {
             let variable = Variable::new((symbol, None), Role::Output);
             (variable, Slot::Reaction(reaction))
         };
-        let hydraulic = self.now.oil.is_some();
+        let hydraulic = self.now.given.oil.is_some();
         let (reeled, slews) = (self.rope.is_some(), self.slewing_stops.is_some());
         let mut list = Vec::new();
         if hydraulic {
@@ -331,7 +328,7 @@ impl LuffingMotion {
         if reeled {
             list.push(of(&m::S_R, MotionResult::Rope));
         }
-        if let HoistKind::Motor(_) = self.now.hoist {
+        if let HoistKind::Motor(_) = self.now.given.hoist {
             list.push(of(&m::M_R_H, MotionResult::Drum));
         }
         let force = |symbol: &'static Symbol| {
@@ -369,7 +366,7 @@ impl LuffingMotion {
 
     /// Event indicators.
     fn watched(&self) -> Vec<&'static Symbol> {
-        let mut watched: Vec<&'static Symbol> = if self.now.oil.is_some() {
+        let mut watched: Vec<&'static Symbol> = if self.now.given.oil.is_some() {
             vec![
                 &m::Z_SPOOL,
                 &m::Z_RELIEF_1,
@@ -387,7 +384,7 @@ impl LuffingMotion {
         if self.rope.is_some() {
             watched.push(&m::Z_ROPE);
         }
-        match self.now.hoist {
+        match self.now.given.hoist {
             HoistKind::AtOnce => {}
             HoistKind::Ramp(_) => watched.push(&m::Z_HOIST),
             HoistKind::Motor(_) => watched.extend([&m::Z_DRUM_REST, &m::Z_DRUM_LOOSE]),
@@ -406,7 +403,7 @@ impl LuffingMotion {
         oil: [&'static Symbol; 6],
     ) -> Vec<&'static Symbol> {
         let mut symbols = coordinate.to_vec();
-        if self.now.oil.is_some() {
+        if self.now.given.oil.is_some() {
             symbols.extend(oil);
         }
         let (slews, reeled) = (self.slewing_stops.is_some(), self.rope.is_some());
@@ -434,7 +431,7 @@ impl LuffingMotion {
     fn wind(&mut self, rate: f64) {
         let slews = self.slewing_stops.is_some();
         self.now.present.wind(rate, slews);
-        if self.now.give.is_some() {
+        if self.now.given.give.is_some() {
             self.now.present.follow(slews);
         }
     }
@@ -446,17 +443,17 @@ impl LuffingMotion {
     }
 
     fn has_motor(&self) -> bool {
-        matches!(self.now.hoist, HoistKind::Motor(_))
+        matches!(self.now.given.hoist, HoistKind::Motor(_))
     }
 
     /// Whether the hoist comes up to its command with an acceleration.
     fn is_ramp(&self) -> bool {
-        matches!(self.now.hoist, HoistKind::Ramp(_))
+        matches!(self.now.given.hoist, HoistKind::Ramp(_))
     }
 
     /// Whether the rope is paid out as commanded, at any instant.
     fn follows_at_once(&self) -> bool {
-        matches!(self.now.hoist, HoistKind::AtOnce)
+        matches!(self.now.given.hoist, HoistKind::AtOnce)
     }
 
     /// The equations of motion with the present parameters and inputs.
@@ -476,14 +473,23 @@ impl LuffingMotion {
     where
         Dual64: Over<P>,
     {
-        let constants = self.now.constants.map(of);
-        let given = self.algebraic.of::<DoubleLink>().given();
-        let parameters = parameters(given);
+        let Given {
+            inputs,
+            constants,
+            hoist,
+            give,
+            turning,
+            oil,
+        } = self.now.given.map(of);
+        let parameters = parameters(self.algebraic.of::<DoubleLink>().given());
         let load = (of(&s::Q, self.weight()) / constants.g).def(&m::MASS_Q);
-        let inputs = self.inputs_over(of);
-        let turning = self.now.turning.map(|turning| turning.map(of));
-        let oil = self.now.oil.map(|oil| oil.map(of));
-        let mut hoist = self.hoist_over(of);
+        let mut hoist = Hoist {
+            winch: winch(&hoist),
+            rope: give.map(|RopeGive { c_r, d_r }| Elastic {
+                stiffness: c_r,
+                damping: d_r,
+            }),
+        };
         if load.value() == 0.0 {
             // With nothing on it a rope is not stretched: the limit of ever lighter loads.
             hoist.rope = None;
@@ -588,59 +594,6 @@ impl LuffingMotion {
         }
     }
 
-    /// Hoist and rope over any scalar.
-    fn hoist_over<P: Calc>(&self, of: &mut dyn FnMut(&'static Symbol, f64) -> P) -> Hoist<P> {
-        let winch = match self.now.hoist.map(of) {
-            HoistKind::AtOnce => Winch::AtOnce,
-            HoistKind::Ramp(HoistRamp { a_h }) => Winch::Ramp(a_h),
-            HoistKind::Motor(HoistMotor { j_h, r_h, m_h, m_f_h }) => {
-                let ratio = m_h / r_h;
-                Winch::Motor(WinchDrive {
-                    mass: (j_h * ratio.square()).def(&m::MASS_H),
-                    ratio,
-                    coulomb: m_f_h,
-                })
-            }
-        };
-        let give = self.now.give.map(|give| give.map(of));
-        Hoist {
-            winch,
-            rope: give.map(|RopeGive { c_r, d_r }| Elastic {
-                stiffness: c_r,
-                damping: d_r,
-            }),
-        }
-    }
-
-    /// The inputs over any scalar.
-    fn inputs_over<P>(&self, of: &mut dyn FnMut(&'static Symbol, f64) -> P) -> Inputs<P> {
-        let Inputs {
-            motion,
-            slewing,
-            valve,
-            supply,
-        } = self.now.inputs;
-        Inputs {
-            slewing: JointDrive {
-                moment: of(&m::M_SL, slewing.moment),
-                brake: of(&m::M_B_SL, slewing.brake),
-            },
-            motion: Commands {
-                moment: of(&m::M_A, motion.moment),
-                brake: of(&m::M_S, motion.brake),
-                hoist: HoistCommand {
-                    speed: of(&m::V_H, motion.hoist.speed),
-                    drive: JointDrive {
-                        moment: of(&m::M_M_H, motion.hoist.drive.moment),
-                        brake: of(&m::M_B_H, motion.hoist.drive.brake),
-                    },
-                },
-            },
-            valve: of(&m::U_V, valve),
-            supply: of(&m::P_P, supply),
-        }
-    }
-
     fn stops(&self) -> [f64; 2] {
         [self.range.from, self.range.to]
     }
@@ -663,14 +616,14 @@ impl LuffingMotion {
     fn commanded(&mut self) {
         self.now.present.interrupt();
         if let Some(level) = &mut self.level {
-            level.set_inputs(&self.now.inputs);
+            level.set_inputs(&self.now.given.inputs);
         }
     }
 
     fn refusal(&self, halt: Halt, size: f64) -> Fault {
         let (symbol, at) = (self.variables[0].symbol, self.now.present.states()[0]);
         let angle = format!("{} = {}", symbol.id, symbol.written(at));
-        let (size, step) = (short(size), short(self.now.constants.step));
+        let (size, step) = (short(size), short(self.now.given.constants.step));
         Fault::outside(match halt {
             Halt::Outside => format!(
                 "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
@@ -680,7 +633,7 @@ impl LuffingMotion {
             Halt::TooFast => format!(
                 "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
                  within one: set step below {} s, or make the rope longer or the friction less",
-                short(self.now.constants.step / 2.0)
+                short(self.now.given.constants.step / 2.0)
             ),
             Halt::TooSmall | Halt::TooMany => format!(
                 "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
@@ -700,7 +653,7 @@ impl LuffingMotion {
             Some((variable, length)) if length + hoist <= REELED_IN => Err(Fault::outside(format!(
                 "at {} = {} nothing is left of the rope of {} = {} within {} s: reel in less",
                 m::V_H.id,
-                m::V_H.written(self.now.inputs.motion.hoist.speed),
+                m::V_H.written(self.now.given.inputs.hoist.speed),
                 m::L_R.id,
                 variable.symbol.written(length),
                 short(size)
@@ -711,8 +664,8 @@ impl LuffingMotion {
 
     /// How much rope the hoist pays out within a time (s), in m.
     fn paying_out(&self, size: f64) -> f64 {
-        let command = self.now.inputs.motion.hoist.speed;
-        let a_h = match self.now.hoist {
+        let command = self.now.given.inputs.hoist.speed;
+        let a_h = match self.now.given.hoist {
             HoistKind::AtOnce => return command * size,
             HoistKind::Ramp(HoistRamp { a_h }) => a_h,
             // Its load decides.
@@ -726,14 +679,14 @@ impl LuffingMotion {
 
     fn forces(&mut self) -> Result<&ForcesInMotion<f64>, Fault> {
         if self.forces.is_none() {
-            let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
+            let (present, inputs, y) = (self.now.present, self.now.given.inputs, self.now.present.states());
             self.forces = self.level()?.forces(&present, &inputs, &y);
         }
         self.forces.as_ref().ok_or_else(|| self.open())
     }
 
     fn all_rates(&mut self, rates: &mut [f64; MOST_STATES]) -> Result<(), Fault> {
-        let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
+        let (present, inputs, y) = (self.now.present, self.now.given.inputs, self.now.present.states());
         let found = self.level()?.rates(&present, &inputs, &y, rates);
         found.ok_or_else(|| self.open())
     }
@@ -769,7 +722,7 @@ impl LuffingMotion {
     /// # Errors
     /// The linkage does not close.
     pub(crate) fn powers(&mut self) -> Result<(Powers, f64), Fault> {
-        let (present, inputs) = (self.now.present, self.now.inputs);
+        let (present, inputs) = (self.now.present, self.now.given.inputs);
         let found = self.level()?.powers(&present, &inputs);
         let (powers, energy) = found.ok_or_else(|| self.open())?;
         Ok((powers, energy + present.blown()))
@@ -780,7 +733,7 @@ impl LuffingMotion {
     /// # Errors
     /// The linkage does not close.
     pub(crate) fn kinetic(&mut self) -> Result<f64, Fault> {
-        let (present, inputs) = (self.now.present, self.now.inputs);
+        let (present, inputs) = (self.now.present, self.now.given.inputs);
         let level = self.level()?;
         let energies = [present, level.still(&present)].map(|present| Some(level.powers(&present, &inputs)?.1));
         match energies {
@@ -803,7 +756,10 @@ impl LuffingMotion {
     /// they were assembled.
     pub(crate) fn recorded(&self) -> usize {
         let level = self.assemble_over(&mut Rec::given);
-        let (inputs, y) = (self.inputs_over(&mut Rec::given), self.states_over(&mut Rec::given));
+        let (inputs, y) = (
+            self.now.given.inputs.map(&mut Rec::given),
+            self.states_over(&mut Rec::given),
+        );
         let assembled = record::steps();
         if let Ok(level) = level {
             let (present, mut rates) = (&self.now.present, y);
@@ -836,7 +792,7 @@ impl LuffingMotion {
             }
             // Any of them may be the least.
             Slot::Cavitates => pressures(),
-            Slot::Indicator(i) if i + 1 == OIL_INDICATORS && self.now.oil.is_some() => pressures(),
+            Slot::Indicator(i) if i + 1 == OIL_INDICATORS && self.now.given.oil.is_some() => pressures(),
             // Decided at events.
             Slot::Rate(i) if self.variables[i].symbol == &m::V_R && self.is_ramp() => {
                 BTreeSet::from([(m::V_H.id, None)])
@@ -860,7 +816,7 @@ impl LuffingMotion {
         let moving: Vec<usize> = (0..self.slots.len()).filter(|i| moves(&self.slots[*i])).collect();
         let given = |v: &&Variable| matches!(v.role, Role::Input | Role::Parameter | Role::Tunable | Role::State);
         let givens: Vec<Name> = self.variables.iter().filter(given).map(name).collect();
-        let opening = self.now.oil.map_or(0.0, |oil| oil.p_r);
+        let opening = self.now.given.oil.map_or(0.0, |oil| oil.p_r);
         let slews = self.slewing_stops.is_some();
         for present in self.now.present.lively(self.stops(), opening, slews) {
             lively.now.present = present;
@@ -896,6 +852,12 @@ impl LuffingMotion {
         })
     }
 
+    /// Whether it may be set from outside: what else stands among the [given](Given) numbers acts on nothing.
+    fn is_given(&self, symbol: &Symbol) -> bool {
+        let mut all = self.variables.iter().zip(&self.slots);
+        all.any(|(variable, slot)| matches!(slot, Slot::Given) && variable.symbol == symbol)
+    }
+
     fn slot(&self, index: usize) -> Result<Slot, Fault> {
         let found = self.slots.get(index).copied();
         found.ok_or_else(|| Fault::no_variable(index, self.slots.len()))
@@ -923,14 +885,14 @@ impl Running for LuffingMotion {
         // A thousandth of what a communication step may take: an importer sees that it goes on.
         self.algebraic
             .step_size()
-            .min(1e-3 * f64::from(MOST_STEPS) * self.now.constants.step)
+            .min(1e-3 * f64::from(MOST_STEPS) * self.now.given.constants.step)
     }
 
     fn place(&mut self, theta: f64) -> Result<(), Fault> {
         self.set(0, theta)?;
         self.set(1, self.range.speed)?;
         match &mut self.now.present {
-            Present::Free(state) => state.bar = Bar::Forward,
+            Present::Free(state) => state.joints[0] = Bar::Forward,
             Present::Slewing(state) => state.joints[0] = Bar::Forward,
             Present::Fixed(_) | Present::Hanging(_) => {}
         }
@@ -938,8 +900,7 @@ impl Running for LuffingMotion {
     }
 
     fn get(&mut self, index: usize) -> Result<f64, Fault> {
-        let (slot, inputs) = (self.slot(index)?, self.now.inputs);
-        match slot {
+        match self.slot(index)? {
             Slot::State(i) => Ok(self.now.present.states()[i]),
             Slot::Rate(i) => {
                 let mut rates = [0.0; MOST_STATES];
@@ -951,31 +912,17 @@ impl Running for LuffingMotion {
                 self.event_indicators(&mut indicators)?;
                 Ok(indicators[i])
             }
-            Slot::Moment => Ok(inputs.motion.moment),
-            Slot::Brake => Ok(inputs.motion.brake),
-            Slot::Hoist => Ok(inputs.motion.hoist.speed),
-            Slot::HoistMoment => Ok(inputs.motion.hoist.drive.moment),
-            Slot::HoistBrake => Ok(inputs.motion.hoist.drive.brake),
-            Slot::SlewingMoment => Ok(inputs.slewing.moment),
-            Slot::SlewingBrake => Ok(inputs.slewing.brake),
-            Slot::Valve => Ok(inputs.valve),
-            Slot::Supply => Ok(inputs.supply),
-            Slot::Constant => {
+            Slot::Given => {
                 let (wanted, mut found) = (self.variables[index].symbol, f64::NAN);
-                let mut look = |symbol, value| {
+                self.now.given.map(&mut |symbol, value| {
                     if symbol == wanted {
                         found = value;
                     }
-                };
-                self.now.constants.map(&mut look);
-                self.now.hoist.map(&mut look);
-                self.now.give.map(|give| give.map(&mut look));
-                self.now.turning.map(|turning| turning.map(&mut look));
-                self.now.oil.map(|oil| oil.map(&mut look));
+                });
                 Ok(found)
             }
             Slot::Reaction(reaction) => {
-                let (present, y) = (self.now.present, self.now.present.states());
+                let (present, inputs, y) = (self.now.present, self.now.given.inputs, self.now.present.states());
                 let found = self.level()?.reaction(&present, &inputs, &y, reaction);
                 found.ok_or_else(|| self.open())
             }
@@ -1006,22 +953,22 @@ impl Running for LuffingMotion {
     fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         self.check(index, value)?;
         self.forces = None;
-        let inputs = &mut self.now.inputs;
-        match self.slots[index] {
+        let slot = self.slots[index];
+        match slot {
             Slot::State(i) => {
                 let mut y = self.now.present.states();
                 y[i] = value;
                 // A taut rope is as long as the load is far.
                 let length = self.variables[i].symbol == &m::L_R;
                 let empty = self.weight() == 0.0;
-                let kept = (self.now.give.is_none() || empty) && self.now.present.is_taut();
+                let kept = (self.now.given.give.is_none() || empty) && self.now.present.is_taut();
                 if length && self.slewing_stops.is_none() && kept {
                     y[i + 1] = value;
                 }
                 self.now.present.set_states(&y[..self.states]);
                 // Which way a bar goes is decided again: it did not turn round, it was set.
                 match (&mut self.now.present, i) {
-                    (Present::Free(state), 1) => state.bar = Bar::Held,
+                    (Present::Free(state), 1) => state.joints[0] = Bar::Held,
                     (Present::Slewing(state), 1 | 3) => state.joints[i / 2] = Bar::Held,
                     (Present::Hanging(present), _) if self.variables[i].symbol == &m::OMEGA_SL => {
                         present.modes.slewing = Bar::Held;
@@ -1033,51 +980,19 @@ impl Running for LuffingMotion {
                 }
                 self.follow()?;
             }
-            Slot::Moment => inputs.motion.moment = value,
-            Slot::Brake => inputs.motion.brake = value,
-            Slot::Hoist if inputs.motion.hoist.speed != value => {
-                inputs.motion.hoist.speed = value;
-                self.commanded();
-            }
-            Slot::HoistMoment if inputs.motion.hoist.drive.moment != value => {
-                inputs.motion.hoist.drive.moment = value;
-                self.commanded();
-            }
-            Slot::HoistBrake if inputs.motion.hoist.drive.brake != value => {
-                inputs.motion.hoist.drive.brake = value;
-                self.commanded();
-            }
-            Slot::SlewingMoment if inputs.slewing.moment != value => {
-                inputs.slewing.moment = value;
-                self.commanded();
-            }
-            Slot::SlewingBrake if inputs.slewing.brake != value => {
-                inputs.slewing.brake = value;
-                self.commanded();
-            }
-            Slot::Valve if inputs.valve != value => {
-                inputs.valve = value;
-                self.commanded();
-            }
-            Slot::Supply if inputs.supply != value => {
-                inputs.supply = value;
-                self.commanded();
-            }
-            Slot::Constant => {
-                let wanted = self.variables[index].symbol;
-                let mut change = |symbol, old| if symbol == wanted { value } else { old };
-                self.now.constants = self.now.constants.map(&mut change);
-                self.now.hoist = self.now.hoist.map(&mut change);
-                self.now.give = self.now.give.map(|give| give.map(&mut change));
-                self.now.turning = self.now.turning.map(|turning| turning.map(&mut change));
-                self.now.oil = self.now.oil.map(|oil| oil.map(&mut change));
-                self.changed();
+            // An importer that repeats itself does not interrupt the solver.
+            Slot::Given if self.get(index) != Ok(value) => {
+                let Variable { symbol, role, .. } = self.variables[index];
+                self.now.given = (self.now.given).map(&mut |known, old| if known == symbol { value } else { old });
+                match role {
+                    Role::Input => self.commanded(),
+                    _ => self.changed(),
+                }
             }
             Slot::Algebraic(inner) if self.algebraic.get(inner) != Ok(value) => {
                 self.algebraic.set(inner, value)?;
                 self.changed();
             }
-            // An importer that repeats itself does not interrupt the solver.
             _ => {}
         }
         Ok(())
@@ -1088,8 +1003,8 @@ impl Running for LuffingMotion {
     }
 
     fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
-        let (before, inputs, step) = (self.now.present, self.now.inputs, self.now.constants.step);
-        let relative = self.now.oil.map_or(0.0, |oil| oil.tol);
+        let (before, inputs, step) = (self.now.present, self.now.given.inputs, self.now.given.constants.step);
+        let relative = self.now.given.oil.map_or(0.0, |oil| oil.tol);
         self.enough_rope(to - from)?;
         let mut present = before;
         let solved = self.level()?.advance(&mut present, &inputs, to - from, step, relative);
@@ -1110,7 +1025,7 @@ impl Running for LuffingMotion {
     fn start(&mut self) -> Result<(), Fault> {
         if self.rope.is_some() && self.follows_at_once() {
             // What is commanded at the start was so before.
-            self.wind(self.now.inputs.motion.hoist.speed);
+            self.wind(self.now.given.inputs.hoist.speed);
         }
         self.update()
     }
@@ -1121,7 +1036,7 @@ impl Running for LuffingMotion {
     }
 
     fn event(&mut self) -> Result<bool, Fault> {
-        let (before, inputs) = (self.now.present, self.now.inputs);
+        let (before, inputs) = (self.now.present, self.now.given.inputs);
         let mut present = before;
         let decided = self.level()?.event(&mut present, &inputs);
         decided.map_err(|_| self.open())?;
@@ -1178,7 +1093,7 @@ impl Running for LuffingMotion {
     }
 
     fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
-        let (present, inputs, y) = (self.now.present, self.now.inputs, self.now.present.states());
+        let (present, inputs, y) = (self.now.present, self.now.given.inputs, self.now.present.states());
         let mut all = [0.0; MOST_INDICATORS];
         let found = self.level()?.indicators(&present, &inputs, &y, &mut all);
         found.ok_or_else(|| self.open())?;
@@ -1215,78 +1130,35 @@ impl Running for LuffingMotion {
 
     fn numbers(&self, state: &State) -> Vec<f64> {
         let Saved { now, algebraic } = state.own();
-        let Inputs {
-            motion,
-            slewing,
-            valve,
-            supply,
-        } = now.inputs;
-        let Commands { moment, brake, hoist } = motion;
-        let mut numbers = vec![now.time, moment, brake, hoist.speed, valve, supply];
+        let mut numbers = vec![now.time];
         now.present.numbers(&mut numbers);
-        now.constants.map(&mut |_, value| numbers.push(value));
-        if let HoistKind::Motor(_) = now.hoist {
-            numbers.extend([hoist.drive.moment, hoist.drive.brake]);
-        }
-        now.hoist.map(&mut |_, value| numbers.push(value));
-        now.give.map(|give| give.map(&mut |_, value| numbers.push(value)));
-        if let Some(turning) = now.turning {
-            numbers.extend([slewing.moment, slewing.brake]);
-            turning.map(&mut |_, value| numbers.push(value));
-        }
-        now.oil.map(|oil| oil.map(&mut |_, value| numbers.push(value)));
+        now.given.map(&mut |symbol, value| {
+            if self.is_given(symbol) {
+                numbers.push(value);
+            }
+        });
         numbers.extend(self.algebraic.numbers(algebraic));
         numbers
     }
 
     fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
         let wrong = || Fault::new("a saved state does not belong to this model");
-        let (&[time, moment, brake, speed, valve, supply], rest) =
-            numbers.split_first_chunk::<6>().ok_or_else(wrong)?;
+        let (&time, rest) = numbers.split_first().ok_or_else(wrong)?;
         let (present, rest) = self.now.present.of(rest).ok_or_else(wrong)?;
-        let mut complete = numbers[..6].iter().all(|x| x.is_finite());
-        let mut values = rest.iter();
-        let mut next = |_: &'static Symbol, _: f64| {
+        let (mut complete, mut values) = (time.is_finite(), rest.iter());
+        let given = self.now.given.map(&mut |symbol, old| {
+            if !self.is_given(symbol) {
+                return old;
+            }
             let value = values.next().copied().unwrap_or(f64::NAN);
             complete &= value.is_finite();
             value
-        };
-        let constants = self.now.constants.map(&mut next);
-        let mut drive = self.now.inputs.motion.hoist.drive;
-        if let HoistKind::Motor(_) = self.now.hoist {
-            (drive.moment, drive.brake) = (next(&m::M_M_H, 0.0), next(&m::M_B_H, 0.0));
-        }
-        let hoist = self.now.hoist.map(&mut next);
-        let give = self.now.give.map(|give| give.map(&mut next));
-        let mut slewing = self.now.inputs.slewing;
-        let turning = self.now.turning.map(|turning| {
-            (slewing.moment, slewing.brake) = (next(&m::M_SL, 0.0), next(&m::M_B_SL, 0.0));
-            turning.map(&mut next)
         });
-        let oil = self.now.oil.map(|oil| oil.map(&mut next));
         if !complete {
             return Err(wrong());
         }
         let algebraic = self.algebraic.state_of(values.as_slice())?;
-        let now = Now {
-            time,
-            present,
-            inputs: Inputs {
-                motion: Commands {
-                    moment,
-                    brake,
-                    hoist: HoistCommand { speed, drive },
-                },
-                slewing,
-                valve,
-                supply,
-            },
-            constants,
-            hoist,
-            give,
-            turning,
-            oil,
-        };
+        let now = Now { time, present, given };
         Ok(State::new(Saved { now, algebraic }))
     }
 
@@ -1296,7 +1168,7 @@ impl Running for LuffingMotion {
         Tangent::new(Direction {
             algebraic,
             level: self.assemble_over(&mut of),
-            inputs: self.inputs_over(&mut of),
+            given: self.now.given.map(&mut of),
             y: self.states_over(&mut of),
             rates: None,
             forces: None,
@@ -1308,7 +1180,7 @@ impl Running for LuffingMotion {
         self.algebraic.tangent_into(seed, &mut direction.algebraic);
         let mut of = |symbol: &'static Symbol, value| Dual64::new(value, seed((symbol, None)));
         direction.level = self.assemble_over(&mut of);
-        direction.inputs = self.inputs_over(&mut of);
+        direction.given = self.now.given.map(&mut of);
         direction.y = self.states_over(&mut of);
         direction.rates = None;
         direction.forces = None;
@@ -1317,7 +1189,7 @@ impl Running for LuffingMotion {
     fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {
         let variable = &self.variables[index];
         let direction: &mut Direction = tangent.own_mut();
-        let Direction { inputs, y, .. } = *direction;
+        let (inputs, y) = (direction.given.inputs, direction.y);
         let present = &self.now.present;
         let level = direction.level.as_ref().map_err(Clone::clone);
         let slot = self.slot(index)?;
@@ -1361,6 +1233,22 @@ impl Running for LuffingMotion {
     }
 }
 
+/// A hoist as the rope at the head feels it.
+fn winch<P: Calc>(kind: &HoistKind<P>) -> Winch<P> {
+    match *kind {
+        HoistKind::AtOnce => Winch::AtOnce,
+        HoistKind::Ramp(HoistRamp { a_h }) => Winch::Ramp(a_h),
+        HoistKind::Motor(HoistMotor { j_h, r_h, m_h, m_f_h }) => {
+            let ratio = m_h / r_h;
+            Winch::Motor(WinchDrive {
+                mass: (j_h * ratio.square()).def(&m::MASS_H),
+                ratio,
+                coulomb: m_f_h,
+            })
+        }
+    }
+}
+
 /// A crane with its joints of luffing and, where it slews, slewing. A call, as its many numbers would be moved one
 /// by one.
 #[inline(never)]
@@ -1369,8 +1257,7 @@ fn crane<P: Copy>(dynamics: &Dynamics<P>, luffing: Joint<P>, slewing: Option<Joi
     match slewing {
         None => Crane::Plane(MovingLinkage {
             dynamics,
-            friction: luffing.friction,
-            stops: luffing.stops,
+            joints: [luffing],
         }),
         Some(slewing) => Crane::Slewing(Slewing {
             dynamics,
@@ -1393,7 +1280,7 @@ fn hydraulic<const N: usize, P: Copy>(
         buffer,
         command: inputs.valve,
         supply: inputs.supply,
-        hoist: inputs.motion.hoist,
-        slewing: inputs.slewing,
+        hoist: inputs.hoist,
+        slewing: inputs.drives[1],
     }
 }

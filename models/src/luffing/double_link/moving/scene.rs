@@ -6,9 +6,8 @@ use crate::kernel::group::quantities;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::motion::Commands;
+use crate::luffing::double_link::moving::given::Inputs;
 use crate::luffing::double_link::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
-use crate::luffing::double_link::moving::level::Inputs;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::symbols as l;
 use crate::parts::hoist::HoistCommand;
@@ -84,7 +83,7 @@ impl Moving {
     /// Whether a hoist may do work in the scene's own motion.
     #[must_use]
     pub fn hoists(&self) -> bool {
-        self.has_motor() || self.inputs.motion.hoist.speed != 0.0
+        self.has_motor() || self.inputs.hoist.speed != 0.0
     }
 
     /// Whether a motor turns the hoist's drum.
@@ -121,20 +120,22 @@ impl Moving {
                 step: n(&s::STEP).unwrap_or(0.01),
             },
             inputs: Inputs {
-                motion: Commands {
-                    moment: n(&s::M_A).unwrap_or(0.0),
-                    brake: n(&s::M_S).unwrap_or(0.0),
-                    hoist: HoistCommand {
-                        speed: hoist(&s::V_H),
-                        drive: JointDrive {
-                            moment: hoist(&s::M_M_H),
-                            brake: hoist(&s::M_B_H),
-                        },
+                drives: [
+                    JointDrive {
+                        moment: n(&s::M_A).unwrap_or(0.0),
+                        brake: n(&s::M_S).unwrap_or(0.0),
                     },
-                },
-                slewing: JointDrive {
-                    moment: turn(&s::M_SL).unwrap_or(0.0),
-                    brake: turn(&s::M_B_SL).unwrap_or(0.0),
+                    JointDrive {
+                        moment: turn(&s::M_SL).unwrap_or(0.0),
+                        brake: turn(&s::M_B_SL).unwrap_or(0.0),
+                    },
+                ],
+                hoist: HoistCommand {
+                    speed: hoist(&s::V_H),
+                    drive: JointDrive {
+                        moment: hoist(&s::M_M_H),
+                        brake: hoist(&s::M_B_H),
+                    },
                 },
                 valve,
                 supply,

@@ -299,7 +299,7 @@ impl Watch {
         };
         match present {
             Present::Free(state) => {
-                watch.joints[0] = Some(state.bar);
+                watch.joints[0] = Some(state.joints[0]);
                 watch.taut = state.taut;
             }
             Present::Slewing(state) => {

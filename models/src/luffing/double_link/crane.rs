@@ -1,0 +1,484 @@
+//! A crane that moves: joints with friction that truly sticks, brakes and end stops, and the load on a rope that is
+//! reeled in and out, and may go slack.
+//!
+//! Between events the motion is smooth and solved by the explicit Runge-Kutta method of fourth order. What ends a
+//! smooth piece is an [indicator](MovingCrane::indicators) below zero; what follows is decided by
+//! [`MovingCrane::event`]. Blows (an end stop, a rope that becomes taut) are plastic: no bouncing, no energy gained.
+//! How the load hangs is told by [`Hangs`] and [`Struck`]: in the mechanism's plane in
+//! [`motion`](crate::luffing::double_link::motion), in space in [`slewing`](crate::luffing::double_link::slewing).
+
+use crate::kernel::calc::Calc;
+use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Reduced};
+use crate::luffing::double_link::moving::symbols as s;
+use crate::parts::hoist::{Drum, Elastic, Hoist, HoistCommand, HoistPowers, RopeAction};
+use crate::parts::joint::{Arrival, Bar, Joint, JointDrive, LOOSE, above_zero};
+use crate::parts::solver::pieces::{self, Pieces};
+use crate::parts::solver::{Count, Halt, finite};
+
+/// What drives J joints and the hoist; constant over a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Commands<const J: usize, P = f64> {
+    /// Of luffing, then of slewing; a positive moment raises the driven bar.
+    pub drives: [JointDrive<P>; J],
+    pub hoist: HoistCommand<P>,
+}
+
+/// A motion at one instant: angle and rate of each joint, the load, the rope; the last of its N states is the rate at
+/// which the rope is paid out; rad, m, s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CraneState<const N: usize, const J: usize> {
+    pub y: [f64; N],
+    pub joints: [Bar; J],
+    pub drum: Drum,
+    /// The load hangs on the rope, or flies free.
+    pub taut: bool,
+    /// Energy that blows have taken so far, in J; what they gave counts negative.
+    pub blown: f64,
+}
+
+impl<const N: usize, const J: usize> CraneState<N, J> {
+    /// At rest, until it is decided what follows.
+    #[must_use]
+    pub fn held(y: [f64; N]) -> CraneState<N, J> {
+        CraneState {
+            y,
+            joints: [Bar::Held; J],
+            drum: Drum::at(0.0),
+            taut: true,
+            blown: 0.0,
+        }
+    }
+
+    /// With all else that there is to know of it.
+    pub(crate) fn at<'a>(&'a self, r: &'a Reduced<f64>, commands: &'a Commands<J>) -> Snapshot<'a, N, J, f64> {
+        Snapshot {
+            state: self,
+            r,
+            y: &self.y,
+            commands,
+        }
+    }
+
+    /// The hoist runs as commanded, at a rate of paying out (m/s).
+    pub fn wind(&mut self, rate: f64) {
+        (self.y[N - 1], self.drum) = (rate, Drum::at(rate));
+    }
+}
+
+/// A mechanism that moves by J joints, luffing first, with N states.
+#[derive(Clone, Copy, Debug)]
+pub struct MovingCrane<const N: usize, const J: usize, P = f64> {
+    pub dynamics: Dynamics<P>,
+    pub joints: [Joint<P>; J],
+}
+
+/// Length of a rope, in m, of which nothing is left.
+pub(crate) const REELED_IN: f64 = 1e-4;
+/// Part of an energy that rounding may be.
+const ROUNDING: f64 = 1e-14;
+/// Changes at one instant.
+pub(crate) const MOST_CHANGES: u32 = 16;
+/// Most event indicators: four for each of two joints, that of the rope, and two of the hoist.
+pub const MOST_INDICATORS: usize = 11;
+
+/// A crane over any scalar: how it moves between events, what the mechanism is at its angle, states and commands.
+#[derive(Clone, Copy, Debug)]
+pub struct Snapshot<'a, const N: usize, const J: usize, C> {
+    pub state: &'a CraneState<N, J>,
+    pub r: &'a Reduced<C>,
+    pub y: &'a [C; N],
+    pub commands: &'a Commands<J, C>,
+}
+
+/// How the load hangs and moves, between events.
+pub trait Hangs<const N: usize, const J: usize, P: Calc> {
+    /// Which of the states is the rope's length.
+    const LENGTH: usize;
+
+    /// How joints and load accelerate.
+    type Accelerations<C: Calc>;
+
+    /// Distance of the load from the head (m), and how fast it goes away from it (m/s).
+    fn reach<C: Calc>(y: &[C; N]) -> [C; 2];
+
+    fn accelerations<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> Self::Accelerations<C>;
+
+    /// Rates of all states but that of the hoist.
+    fn rates_by<C: Coordinate<P>>(&self, a: &Self::Accelerations<C>, at: &Snapshot<N, J, C>) -> [C; N];
+
+    /// Force of a taut rope, in N.
+    fn tension_by<C: Coordinate<P>>(&self, a: &Self::Accelerations<C>, at: &Snapshot<N, J, C>) -> C;
+
+    /// Its sign, that of an empty hook too.
+    fn slackening_by<C: Coordinate<P>>(&self, a: &Self::Accelerations<C>, at: &Snapshot<N, J, C>) -> C;
+
+    /// Moment that friction, brake and stops must give to hold joint `i` at rest, in N·m.
+    fn needs<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> C;
+}
+
+/// What changes at once.
+pub trait Struck<const N: usize, const J: usize>: Hangs<N, J, f64> {
+    /// Whether what moves has another rate than before.
+    fn jumped(before: &CraneState<N, J>, after: &CraneState<N, J>) -> bool;
+
+    /// The rate of a rope that keeps its length has jumped from `before` by `jump` (m/s): it lets go, or gives the load a
+    /// blow.
+    ///
+    /// # Errors
+    /// The linkage does not close.
+    fn wound(&self, state: &mut CraneState<N, J>, before: f64, jump: f64) -> Result<(), Halt>;
+
+    /// Joint `i` stops at once; the load goes on.
+    fn stopped(&self, i: usize, state: &mut CraneState<N, J>, r: &Reduced<f64>);
+
+    /// A rope that keeps its length lets go where it would push, and catches the load with a plastic blow along itself.
+    fn switched(&self, state: &mut CraneState<N, J>, r: &Reduced<f64>, commands: &Commands<J>);
+
+    /// The load's height above the foot (m), and the square of its speed against the ground (m²/s²).
+    fn height_and_speed(&self, state: &CraneState<N, J>, r: &Reduced<f64>) -> [f64; 2];
+}
+
+impl<const N: usize, const J: usize, P: Calc> MovingCrane<N, J, P>
+where
+    Self: Hangs<N, J, P>,
+{
+    pub(crate) fn hoist(&self) -> Option<&Hoist<P>> {
+        self.dynamics.bodies().pendulum.as_ref().map(|load| &load.hoist)
+    }
+
+    /// Whether the rope keeps the load at its end: it is taut, and keeps its length under any force.
+    pub(crate) fn is_kept(&self, state: &CraneState<N, J>) -> bool {
+        state.taut && self.hoist().is_some_and(|hoist| hoist.rope.is_none())
+    }
+
+    /// How the rope acts on the load.
+    pub(crate) fn line<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> RopeAction<C> {
+        match self.hoist().filter(|_| at.state.taut) {
+            None => RopeAction::Slack,
+            Some(hoist) => match &hoist.rope {
+                None => RopeAction::Taut {
+                    rate: at.y[N - 1],
+                    gain: at.state.drum.ramp(hoist),
+                    drum: at.state.drum.turning(hoist, &at.commands.hoist),
+                },
+                Some(rope) => RopeAction::Force(Self::stretched(rope, at.y)[1].def(&s::S_R)),
+            },
+        }
+    }
+
+    /// Forces of a stretched rope, in N.
+    fn stretched<C: Coordinate<P>>(rope: &Elastic<P>, y: &[C; N]) -> [C; 2] {
+        let [distance, speed] = Self::reach(y);
+        rope.forces((distance - y[Self::LENGTH]).def(&s::DELTA_R), speed - y[N - 1])
+    }
+
+    /// Rates of all states between events; `None` where the linkage does not close or nothing is left of the rope.
+    #[must_use]
+    #[inline]
+    pub fn rates<C: Coordinate<P>>(
+        &self,
+        state: &CraneState<N, J>,
+        commands: &Commands<J, C>,
+        y: &[C; N],
+    ) -> Option<[C; N]> {
+        if self.is_reeled_in(y) {
+            return None;
+        }
+        let r = &C::reduced(&self.dynamics, y[0])?;
+        Some(self.rates_at(&Snapshot { state, r, y, commands }))
+    }
+
+    /// Whether nothing is left of the rope.
+    pub(crate) fn is_reeled_in<C: Calc>(&self, y: &[C; N]) -> bool {
+        self.hoist().is_some() && y[Self::LENGTH].value() <= REELED_IN
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    #[inline]
+    pub(crate) fn rates_at<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> [C; N] {
+        let a = self.accelerations(at);
+        let mut out = self.rates_by(&a, at);
+        if let Some(hoist) = self.hoist() {
+            let rope = || match at.state.taut {
+                true => self.tension_by(&a, at),
+                false => C::constant(0.0),
+            };
+            if let Some(gain) = at.state.drum.gain(hoist, &at.commands.hoist, rope) {
+                out[N - 1] = gain.def(&s::D_V_R);
+            }
+        }
+        out
+    }
+
+    /// Moment that friction, brake and stops must give to hold a joint at rest, in N·m, with the least and
+    /// greatest that they can.
+    fn held<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> [C; 3] {
+        let hold = self.needs(i, at);
+        let [least, most] = self.joints[i].holds(at.y[2 * i], &at.commands.drives[i]);
+        [hold, least, most]
+    }
+
+    /// Force of the rope on the load towards the head, in N; zero where it is slack or there is none.
+    pub(crate) fn tension<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> C {
+        if self.hoist().is_none() || !at.state.taut {
+            return C::constant(0.0);
+        }
+        self.tension_by(&self.accelerations(at), at)
+    }
+
+    /// The same where only the states are known; `None` where the linkage does not close.
+    #[must_use]
+    pub fn rope_force<C: Coordinate<P>>(
+        &self,
+        state: &CraneState<N, J>,
+        commands: &Commands<J, C>,
+        y: &[C; N],
+    ) -> Option<C> {
+        let r = &C::reduced(&self.dynamics, y[0])?;
+        Some(self.tension(&Snapshot { state, r, y, commands }))
+    }
+
+    /// Moment of friction, brake and end stop on luffing (0) or slewing (1), in N·m, in the direction of the angle.
+    #[must_use]
+    pub fn friction_moment<C: Coordinate<P>>(
+        &self,
+        i: usize,
+        state: &CraneState<N, J>,
+        commands: &Commands<J, C>,
+        y: &[C; N],
+    ) -> Option<C> {
+        let r = &C::reduced(&self.dynamics, y[0])?;
+        Some(self.friction_at(i, &Snapshot { state, r, y, commands }))
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    pub(crate) fn friction_at<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> C {
+        match at.state.joints[i] {
+            Bar::Held => self.needs(i, at),
+            bar => {
+                let resistance = self.joints[i].resistance(bar, at.y[2 * i + 1], &at.commands.drives[i]);
+                resistance.def([&s::M_R, &s::M_R_SL][i])
+            }
+        }
+    }
+
+    /// Numbers whose fall below zero ends a smooth piece: each joint's [four](Joint::indicators); the rope becomes slack
+    /// or taut; the hoist runs as commanded, or comes to rest or (two) breaks loose. After an event all are above zero.
+    #[must_use]
+    pub fn indicators<C: Coordinate<P>>(
+        &self,
+        state: &CraneState<N, J>,
+        commands: &Commands<J, C>,
+        y: &[C; N],
+    ) -> Option<[C; MOST_INDICATORS]> {
+        let r = &C::reduced(&self.dynamics, y[0])?;
+        Some(self.indicators_at(&Snapshot { state, r, y, commands }))
+    }
+
+    /// The same where it is known what the mechanism is at this angle.
+    pub(crate) fn indicators_at<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> [C; MOST_INDICATORS] {
+        let Snapshot { state, y, commands, .. } = *at;
+        let mut out = [C::constant(1.0); MOST_INDICATORS];
+        for i in 0..J {
+            let held = || self.held(i, at);
+            let of_joint = self.joints[i].indicators(state.joints[i], [y[2 * i], y[2 * i + 1]], held);
+            out[4 * i..4 * i + 4].copy_from_slice(&of_joint);
+        }
+        if let Some(hoist) = self.hoist() {
+            out[4 * J] = self.slackening(hoist, at);
+            let reaching = (state.drum).reaching(hoist, &commands.hoist, y[N - 1], || self.tension(at));
+            out[4 * J + 1..4 * J + 3].copy_from_slice(&reaching);
+        }
+        out.map(above_zero)
+    }
+
+    /// Falls below zero where the rope becomes slack or taut.
+    fn slackening<C: Coordinate<P>>(&self, hoist: &Hoist<P>, at: &Snapshot<N, J, C>) -> C {
+        match &hoist.rope {
+            Some(rope) => Elastic::<P>::slackening(at.state.taut, Self::stretched(rope, at.y)),
+            None if at.state.taut => self.slackening_by(&self.accelerations(at), at),
+            None => at.y[Self::LENGTH] * C::constant(LOOSE) - Self::reach(at.y)[0],
+        }
+    }
+
+    /// Moment of brake and friction on the drum of a motor, in N·m; positive reels in.
+    pub(crate) fn drum_friction<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> C {
+        let friction = |hoist: &Hoist<P>| (at.state.drum).friction(hoist, &at.commands.hoist, self.tension(at));
+        self.hoist().map_or(C::constant(0.0), friction)
+    }
+}
+
+impl<const N: usize, const J: usize> MovingCrane<N, J>
+where
+    Self: Struck<N, J>,
+{
+    /// Decides what follows at an instant, as often as one event causes another. Returns whether anything changed.
+    ///
+    /// # Errors
+    /// The linkage does not close, or a number overflows.
+    pub fn event(&self, state: &mut CraneState<N, J>, commands: &Commands<J>) -> Result<bool, Halt> {
+        let first = *state;
+        for i in 0..J {
+            if state.y[2 * i + 1] == 0.0 && state.joints[i] != Bar::Loose {
+                // At rest it is decided again which way it goes, as the commands may have changed.
+                state.joints[i] = Bar::Held;
+            }
+        }
+        self.wind(state, commands)?;
+        for _ in 0..MOST_CHANGES {
+            let before = *state;
+            let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
+            for i in 0..J {
+                self.stop_joint(i, state, &r);
+            }
+            match self.hoist().map(|hoist| &hoist.rope) {
+                None => {}
+                Some(Some(rope)) => state.taut = Elastic::<f64>::pulls(state.taut, Self::stretched(rope, &state.y)),
+                Some(None) => self.switched(state, &r, commands),
+            }
+            for i in 0..J {
+                if state.joints[i] == Bar::Held {
+                    state.joints[i] = Bar::loosened(self.held(i, &state.at(&r, commands)));
+                }
+            }
+            if let Some(hoist) = self.hoist() {
+                let rope = || self.tension(&state.at(&r, commands));
+                let mut drum = state.drum;
+                drum.loosen(hoist, &commands.hoist, rope);
+                state.drum = drum;
+            }
+            if *state == before {
+                break;
+            }
+        }
+        // A rope without length has no direction.
+        if !finite(&state.y) {
+            return Err(Halt::Outside);
+        }
+        if Self::jumped(&first, state) {
+            state.blown += lost(self.energy(&first).zip(self.energy(state)));
+        }
+        Ok(*state != first)
+    }
+
+    /// The hoist follows its command. Where it does so at once the load goes on as it did.
+    fn wind(&self, state: &mut CraneState<N, J>, commands: &Commands<J>) -> Result<(), Halt> {
+        let Some(hoist) = self.hoist() else {
+            return Ok(());
+        };
+        let before = state.y[N - 1];
+        let (drum, rate, jump) = state.drum.decided(hoist, before, &commands.hoist);
+        (state.drum, state.y[N - 1]) = (drum, rate);
+        if self.is_kept(state) && jump != 0.0 {
+            self.wound(state, before, jump)?;
+        }
+        Ok(())
+    }
+
+    /// A joint that has reached a stop, or turned round, is at rest.
+    fn stop_joint(&self, i: usize, state: &mut CraneState<N, J>, r: &Reduced<f64>) {
+        let (joint, at) = (&self.joints[i], [state.y[2 * i], state.y[2 * i + 1]]);
+        match joint.arrival(state.joints[i], at) {
+            Arrival::None => {}
+            Arrival::SetOff(bar) => state.joints[i] = bar,
+            Arrival::Rest { at_stop } => {
+                state.joints[i] = Bar::Held;
+                if at_stop {
+                    let [low, high] = joint.stops;
+                    state.y[2 * i] = at[0].clamp(low, high);
+                    self.stopped(i, state, r);
+                }
+                state.y[2 * i + 1] = 0.0;
+            }
+        }
+    }
+
+    /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way
+    /// to the last bits of the step. Returns the work done.
+    ///
+    /// # Errors
+    /// See [`Halt`]; the state is that of the last step that succeeded.
+    pub fn advance(
+        &self,
+        state: &mut CraneState<N, J>,
+        commands: &Commands<J>,
+        duration: f64,
+        longest: f64,
+    ) -> Result<Count, Halt> {
+        if !(commands.drives.iter().all(JointDrive::is_sound) && commands.hoist.is_sound()) {
+            return Err(Halt::Outside);
+        }
+        let commanded = Commanded { crane: self, commands };
+        pieces::advance(&commanded, state, duration, longest)
+    }
+
+    /// Kinetic and potential energy, in J; `None` where the linkage does not close.
+    #[must_use]
+    pub fn energy(&self, state: &CraneState<N, J>) -> Option<f64> {
+        let (r, y) = (f64::reduced(&self.dynamics, state.y[0])?, &state.y);
+        let inertias = [r.inertia, r.turn[0]];
+        let moving: f64 = (0..J).map(|i| inertias[i] * y[2 * i + 1] * y[2 * i + 1]).sum();
+        let bars = 0.5 * moving + r.energy;
+        let bodies = self.dynamics.bodies();
+        let Some(pendulum) = bodies.pendulum else {
+            return Some(bars);
+        };
+        let [height, speed] = self.height_and_speed(state, &r);
+        let load = pendulum.mass * (0.5 * speed + bodies.gravity * height);
+        let stretch = Self::reach(y)[0] - y[Self::LENGTH];
+        Some(bars + load + pendulum.hoist.energy(y[N - 1], stretch))
+    }
+
+    /// What the hoist gives and takes; `None` where the linkage does not close.
+    pub(crate) fn hoist_powers(&self, state: &CraneState<N, J>, commands: &Commands<J>) -> Option<HoistPowers> {
+        let Some(hoist) = self.hoist() else {
+            return Some(HoistPowers::default());
+        };
+        let rope = self.rope_force(state, commands, &state.y)?;
+        let (y, [distance, speed]) = (&state.y, Self::reach(&state.y));
+        let stretch = [distance - y[Self::LENGTH], speed - y[N - 1]];
+        Some(hoist.powers(state.drum, &commands.hoist, y[N - 1], stretch, rope))
+    }
+}
+
+/// A crane under commands, for the solver.
+struct Commanded<'a, const N: usize, const J: usize> {
+    crane: &'a MovingCrane<N, J>,
+    commands: &'a Commands<J>,
+}
+
+impl<const N: usize, const J: usize> Pieces<N, CraneState<N, J>> for Commanded<'_, N, J>
+where
+    MovingCrane<N, J>: Struck<N, J>,
+{
+    fn states(state: &mut CraneState<N, J>) -> &mut [f64; N] {
+        &mut state.y
+    }
+
+    #[inline]
+    fn rates(&self, state: &CraneState<N, J>, y: &[f64; N]) -> Option<[f64; N]> {
+        self.crane.rates(state, self.commands, y)
+    }
+
+    #[inline]
+    fn crossed(&self, state: &CraneState<N, J>, y: &[f64; N]) -> bool {
+        pieces::crossed(self.crane.indicators(state, self.commands, y))
+    }
+
+    fn event(&self, state: &mut CraneState<N, J>) -> Result<(), Halt> {
+        self.crane.event(state, self.commands).map(|_| ())
+    }
+}
+
+/// What a blow takes (J), from the energy before and after it: nothing where that is rounding.
+fn lost(energies: Option<(f64, f64)>) -> f64 {
+    let blow = |(before, after): (f64, f64)| {
+        let lost = before - after;
+        if lost.abs() > ROUNDING * (before.abs() + after.abs()) {
+            lost
+        } else {
+            0.0
+        }
+    };
+    energies.map_or(0.0, blow)
+}
