@@ -104,6 +104,12 @@ impl SteeringScene {
             found.push(told(v, refusal));
             None
         });
+        let built_in = given.cylinder.zip(given.piston);
+        if let Some((moving, (mounting, piston))) = moving.zip(built_in)
+            && let Err(refusal) = moving.reasonable(&mounting, &piston)
+        {
+            found.push(told(v, refusal));
+        }
         if found.len() > before {
             return None;
         }

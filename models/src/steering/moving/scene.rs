@@ -1,10 +1,16 @@
 //! What a scene says about the groups in motion.
 
+use std::f64::consts::TAU;
+
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::quantities;
 use crate::kernel::keys::keys;
+use crate::kernel::number::short;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
+use crate::parts::hydraulics::cylinder::Cylinder;
+use crate::steering::cylinder::Mounting;
+use crate::steering::flow::Piston;
 use crate::steering::moving::symbols as s;
 use crate::steering::refusal::{Refusal, within};
 
@@ -33,6 +39,9 @@ const OIL_KEYS: &[Key] = keys! { s:
 
 /// Keys of `[steering.plc]`.
 const PLC_KEYS: &[Key] = keys! { s: T_C > 0, K_P >= 0, K_I >= 0 [optional], U_V_MAX > 0 [optional] };
+
+/// Most radians that a group may swing against its oil in a cycle of the PLC: machines have a few.
+const MOST_SWINGS: f64 = 1e4;
 
 quantities! {
     /// What moves, and how it is solved.
@@ -68,6 +77,36 @@ impl MovingGroups {
             oil: self.oil.map(f),
             plc: self.plc.map(f),
         }
+    }
+
+    /// Whether a group with this cylinder swings a reasonable number of times against its oil between two samples.
+    ///
+    /// # Errors
+    /// An inertia so small that every swing would have to be followed for nothing.
+    pub fn reasonable(&self, mounting: &Mounting<f64>, piston: &Piston<f64>) -> Result<(), Refusal> {
+        let Plc { t_c, .. } = self.plc;
+        let volume = |area: f64| area * mounting.l_x / 2.0 + self.oil.v_0;
+        let areas = Cylinder::areas(piston.d_g, piston.d);
+        let stiffness: f64 = (areas.into_iter())
+            .map(|area| self.oil.beta_e * (area * mounting.r).powi(2) / volume(area))
+            .sum();
+        let least = stiffness * (t_c / MOST_SWINGS).powi(2);
+        if self.body.j >= least {
+            return Ok(());
+        }
+        let swings = (stiffness / self.body.j).sqrt() * t_c / TAU;
+        Err(Refusal::new(
+            s::J.id,
+            format!(
+                "with J = {} a group swings {} times against its oil in one cycle of the PLC",
+                s::J.written(self.body.j),
+                short(swings.round())
+            ),
+            format!(
+                "give the inertia of the whole group about its axis, at least {}",
+                s::J.written(least)
+            ),
+        ))
     }
 
     /// The checked table `[steering]`; `None` where groups turn as commanded, and where there are
