@@ -111,6 +111,9 @@ pub fn assumptions(mechanism: &dyn Mechanism) -> Vec<&'static str> {
     told(|teller| (teller.assumptions)(mechanism))
 }
 
+/// How a scene asks for a synthesis.
+pub const ASK_FOR_SEARCH: &str = double_link::scene::ASK;
+
 /// The synthesis that a scene asks for.
 #[must_use]
 pub fn search(mechanism: &dyn Mechanism) -> Option<Search<'_>> {

@@ -69,9 +69,11 @@ fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
     notes.push(told);
     let level = row.setting.level;
     let unused = scene.mechanism.unused(level);
-    let own_gravity = format!("{}.dynamics.{}", scene.table, gravity::G.id);
+    let solver = scene.mechanism.solver();
+    let steps = solver.map_or("", |solver| solver.step.0);
+    let own_gravity = format!("{}.{steps}.{}", scene.table, gravity::G.id);
     scene_file::changed(scene, &format!("the scene at level {level}"), |document| {
-        if unused.contains(&("dynamics", &[])) && scene.given.of(&own_gravity).is_some() {
+        if unused.contains(&(steps, &[])) && scene.given.of(&own_gravity).is_some() {
             // What weighs by it stays.
             document.insert(gravity::G.id, value(gravity::G.written(scene.gravity)));
         }
@@ -94,19 +96,18 @@ fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
                 keys.iter().for_each(|key| drop(table.remove(key)));
             }
         }
-        if let Some(dynamics) = mechanism.get_mut("dynamics").and_then(|item| item.as_table_like_mut()) {
+        if let Some(table) = mechanism.get_mut(steps).and_then(|item| item.as_table_like_mut()) {
             let step = match row.setting.method {
                 Method::Explicit(step) => step,
                 Method::Closed | Method::Implicit(_) | Method::Interpolated(_) => traded.sample,
             };
-            dynamics.insert("step", value(milliseconds(step)));
+            table.insert("step", value(milliseconds(step)));
         }
-        if let (Some(solver), Method::Implicit(tolerance)) = (scene.mechanism.solver(), row.setting.method)
-            && let Some(table) = mechanism
-                .get_mut(solver.table)
-                .and_then(|item| item.as_table_like_mut())
+        if let (Some((table, symbol)), Method::Implicit(tolerance)) =
+            (solver.map(|solver| solver.tolerance), row.setting.method)
+            && let Some(table) = mechanism.get_mut(table).and_then(|item| item.as_table_like_mut())
         {
-            table.insert(solver.tolerance.id, value(format!("{tolerance:e}")));
+            table.insert(symbol.id, value(format!("{tolerance:e}")));
         }
         if let Method::Interpolated(tolerance) = row.setting.method {
             let mut table = toml_edit::Table::new();
@@ -130,20 +131,18 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
             found.fault.message
         )
     };
-    let inner = format!("{}.dynamics.step", scene.table);
     let given = |key: &str| scene.given.of(key).map(|given| given.place.clone());
     let lasts = lasting(&scene).map_err(|found| scene_file::failure(name, scene.text(), &[*found]))?;
     let Err(stopped) = run(&scene) else {
         return Ok(scene);
     };
     let own = scene.mechanism.solver().filter(|solver| solver.explicit);
-    for step in STEPS
-        .into_iter()
-        .filter(|step| own.is_some_and(|own| *step < own.longest))
-    {
+    let (longest, table) = own.map_or((0.0, ""), |own| (own.longest, own.step.0));
+    let inner = format!("{}.{table}.step", scene.table);
+    for step in STEPS.into_iter().filter(|step| *step < longest) {
         let milliseconds = milliseconds(step);
         let shorter = scene_file::changed(&scene, &format!("the scene at step = {milliseconds}"), |document| {
-            document[scene.table]["dynamics"]["step"] = value(milliseconds.as_str());
+            document[scene.table][table]["step"] = value(milliseconds.as_str());
         })?;
         if lasting(&shorter).is_err() || run(&shorter).is_err() {
             continue;

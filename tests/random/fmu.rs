@@ -316,7 +316,7 @@ pub fn tell(run: &mut dyn Run, model: &Model, draw: &mut Draw) -> Story {
     let mut value = |id: &str| variables.iter().position(|v| v.symbol.id == id).map(|at| run.get(at));
     let (least, tighter) = match (value("step"), value("tol")) {
         (Some(Ok(step)), None) => (step, 1.0),
-        (_, Some(Ok(tolerance))) => (0.0, (1e-5 / tolerance).max(1.0).powf(0.25)),
+        (_, Some(Ok(tolerance))) => (0.0, (1e-5 / tolerance).max(1.0).sqrt().sqrt()),
         _ => (0.0, 1.0),
     };
     let mut time = 0.0;

@@ -45,7 +45,7 @@ pub trait Mechanism: Any + Send + Sync {
     /// What a level has no use for: tables of the scene, each with some keys, or as a whole where none is named.
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])>;
 
-    /// Where it moves by itself: step (s) and tolerance of its solver, and the table that has the tolerance.
+    /// Where it moves by itself.
     fn solver(&self) -> Option<Solver>;
 
     /// A position as a scene writes it, for the book; on failure a message and help.
@@ -63,14 +63,16 @@ pub trait Mechanism: Any + Send + Sync {
 /// How a motion is solved.
 #[derive(Clone, Copy, Debug)]
 pub struct Solver {
-    pub step: &'static Symbol,
-    pub tolerance: &'static Symbol,
-    /// The scene's table in which the tolerance stands.
-    pub table: &'static str,
+    /// Longest step and tolerance, each behind the mechanism's table in which it stands.
+    pub step: (&'static str, &'static Symbol),
+    pub tolerance: (&'static str, &'static Symbol),
     /// Length of the longest inner step, in s.
     pub longest: f64,
     /// Whether that may be too long: explicit steps are all as long.
     pub explicit: bool,
+    /// What the rates of the states, and what these with their Jacobian and its factors cost, in s, measured once: a choice
+    /// by cost is the same on every machine, and only ratios matter.
+    pub cost: [f64; 2],
 }
 
 impl Clone for Box<dyn Mechanism> {

@@ -116,11 +116,11 @@ impl Described for SteeringScene {
 
     fn solver(&self) -> Option<Solver> {
         self.moving.as_ref().map(|moving| Solver {
-            step: &moving::symbols::STEP,
-            tolerance: &moving::symbols::TOL,
-            table: "oil",
+            step: ("dynamics", &moving::symbols::STEP),
+            tolerance: ("oil", &moving::symbols::TOL),
             longest: moving.body.step.min(moving.plc.t_c),
             explicit: false,
+            cost: [0.22e-6, 1.0e-6],
         })
     }
 

@@ -39,35 +39,16 @@ const FINE_STEP: f64 = 0.0005;
 const FINE_TOLERANCE: f64 = 1e-9;
 const FINE_INTERPOLATION: f64 = 1e-11;
 
-/// What a level's equations cost, in s, measured once: the position with some results, the rates of
-/// the states, and the rates with their Jacobian and its factors. They stand here so that a choice by cost is
-/// the same on every machine; only their ratios matter.
-struct Price {
-    position: f64,
-    rates: f64,
-    jacobian: f64,
-}
-
-fn price(level: &str) -> Price {
-    let (rates, jacobian) = match level {
-        "rigid" => (0.17e-6, 0.0),
-        "swing" => (0.20e-6, 0.0),
-        "hydraulic" => (0.22e-6, 1.0e-6),
-        _ => (0.0, 0.0),
-    };
-    Price {
-        position: if level == "table" { 0.03e-6 } else { 0.08e-6 },
-        rates,
-        jacobian,
-    }
-}
+/// What a position with some results costs by a table, and in closed form, in s, as the [cost of a solver's
+/// work](lemnis_models::component::mechanism::Solver::cost).
+const POSITION: [f64; 2] = [0.03e-6, 0.08e-6];
 
 impl Setting {
     /// All that apply at a level, from cheap to fine, with communication steps of `sample` s.
     #[must_use]
-    pub fn all(level: &'static str, sample: f64) -> Vec<Setting> {
+    pub fn all(scene: &Scene, level: &'static str, sample: f64) -> Vec<Setting> {
         let of = |method| Setting { level, method };
-        match Setting::fine(level).method {
+        match Setting::fine(scene, level).method {
             Method::Closed => vec![of(Method::Closed)],
             Method::Explicit(_) => STEPS
                 .into_iter()
@@ -81,12 +62,12 @@ impl Setting {
 
     /// As fine as the level's solution needs to be when others are compared with it.
     #[must_use]
-    pub fn fine(level: &'static str) -> Setting {
-        let method = match level {
-            "rigid" | "swing" => Method::Explicit(FINE_STEP),
-            "hydraulic" => Method::Implicit(FINE_TOLERANCE),
-            "table" => Method::Interpolated(FINE_INTERPOLATION),
-            _ => Method::Closed,
+    pub fn fine(scene: &Scene, level: &'static str) -> Setting {
+        let method = match scene.at(level).mechanism.solver() {
+            Some(solver) if solver.explicit => Method::Explicit(FINE_STEP),
+            Some(_) => Method::Implicit(FINE_TOLERANCE),
+            None if level == "table" => Method::Interpolated(FINE_INTERPOLATION),
+            None => Method::Closed,
         };
         Setting { level, method }
     }
@@ -119,11 +100,11 @@ impl Setting {
 
     /// What work costs, in s of the machine that the prices were measured on.
     #[must_use]
-    pub fn price(&self, work: &Count, positions: u32) -> f64 {
-        let price = price(self.level);
-        f64::from(positions) * price.position
-            + f64::from(work.rates) * price.rates
-            + f64::from(work.jacobians) * price.jacobian
+    pub fn price(&self, scene: &Scene, work: &Count, positions: u32) -> f64 {
+        let solver = scene.at(self.level).mechanism.solver();
+        let [rates, jacobian] = solver.map_or([0.0; 2], |solver| solver.cost);
+        let position = POSITION[usize::from(!matches!(self.method, Method::Interpolated(_)))];
+        f64::from(positions) * position + f64::from(work.rates) * rates + f64::from(work.jacobians) * jacobian
     }
 
     /// The key of the scene that says so, with its value.

@@ -203,7 +203,7 @@ impl Trade {
         }
         let mut rows = Vec::new();
         for reference in &references {
-            for setting in Setting::all(reference.level, sample) {
+            for setting in Setting::all(scene, reference.level, sample) {
                 rows.push(row(
                     scene,
                     &experiment,
@@ -233,7 +233,7 @@ impl Trade {
     /// How often [`new`](Trade::new) calls back.
     #[must_use]
     pub fn steps(scene: &Scene, sample: f64) -> usize {
-        let of = |level: &&'static str| 1 + Setting::all(level, sample).len();
+        let of = |level: &&'static str| 1 + Setting::all(scene, level, sample).len();
         scene.levels().iter().map(of).sum()
     }
 
@@ -309,7 +309,7 @@ fn reference(
     level: &'static str,
     names: &[String],
 ) -> Result<Reference, Failure> {
-    let setting = Setting::fine(level);
+    let setting = Setting::fine(scene, level);
     let mut model = setting.model(scene, experiment.sample)?;
     let solved = model.states() > 0;
     let seen = experiment.run(scene, &mut model, names, &mut |model, from, to| model.advance(from, to))?;
@@ -386,7 +386,7 @@ fn row(
     Ok(Row {
         setting,
         seconds: clocked.get(rounds / 2).map(|seconds| seconds / duration),
-        cost: setting.price(&work, experiment.samples) / duration,
+        cost: setting.price(scene, &work, experiment.samples) / duration,
         work,
         bytes,
         errors,

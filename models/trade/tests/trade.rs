@@ -137,7 +137,7 @@ fn a_command_of_the_scene_is_kept() {
 fn two_codes_that_part_are_named() {
     use lemnis_trade::library::Library;
     let scene = scene("hydraulic", "");
-    let setting = Setting::fine("hydraulic");
+    let setting = Setting::fine(&scene, "hydraulic");
     let mut coarse = Setting {
         method: Method::Implicit(0.1),
         ..setting

@@ -81,7 +81,7 @@ impl Trade {
     /// A scene of which there is no reference, or that the solvers refuse.
     pub(super) fn new(language: &Language, scene: &Scene, notation: &mut Notation) -> Result<Trade, Error> {
         let traded = traded(scene).map_err(|failure| Error(format!("the chapter of trade: {failure}")))?;
-        let names = scene.mechanism.solver().map(|solver| [solver.step, solver.tolerance]);
+        let names = scene.mechanism.solver().map(|own| [own.step.1, own.tolerance.1]);
         for symbol in traded
             .asked
             .iter()

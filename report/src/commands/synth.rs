@@ -12,6 +12,7 @@ use lemnis_models::kernel::allowed::OutOfRange;
 use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::number::{Digits, Number, short};
 use lemnis_models::parts::four_bar::Branch;
+use lemnis_models::registry::ASK_FOR_SEARCH;
 use lemnis_models::scene::{LONGEST_NAME, Scene};
 use lemnis_synthesis::comparison::{Compared, Comparison};
 use lemnis_synthesis::optimum::Watch;
@@ -42,8 +43,7 @@ impl Synth {
         let scene = scene_file::read(Some(&self.scene))?;
         let Some(search) = scene.search() else {
             return Err(Failure::Scene(format!(
-                "{} asks for no synthesis: add a table [luffing.synthesis], an empty one will do where [luffing.balance] \
-                 is a lever",
+                "{} asks for no synthesis: {ASK_FOR_SEARCH}",
                 scene_file::name(Some(&self.scene))
             )));
         };

@@ -52,6 +52,9 @@ impl LuffingScene {
     }
 }
 
+/// How a scene asks for a synthesis.
+pub const ASK: &str = "add a table [luffing.synthesis], an empty one will do where [luffing.balance] is a lever";
+
 /// The synthesis that the scene asks for.
 #[must_use]
 pub fn search(luffing: &Luffing) -> Option<Search<'_>> {

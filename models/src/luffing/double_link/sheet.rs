@@ -157,11 +157,15 @@ impl Described for LuffingScene {
 
     fn solver(&self) -> Option<Solver> {
         self.moving.as_ref().map(|moving| Solver {
-            step: &moving::symbols::STEP,
-            tolerance: &moving::symbols::TOL,
-            table: "hydraulics",
+            step: ("dynamics", &moving::symbols::STEP),
+            tolerance: ("hydraulics", &moving::symbols::TOL),
             longest: moving.constants.step,
             explicit: moving.oil.is_none(),
+            cost: match (&moving.oil, &moving.rope) {
+                (Some(_), _) => [0.22e-6, 1.0e-6],
+                (None, Some(_)) => [0.20e-6, 0.0],
+                (None, None) => [0.17e-6, 0.0],
+            },
         })
     }
 

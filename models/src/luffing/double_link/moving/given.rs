@@ -1,12 +1,30 @@
 //! What a mechanism in motion is given besides its algebraic model: inputs, and what is constant.
 
+use crate::kernel::group::quantities;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::crane::Commands;
 use crate::luffing::double_link::moving::hoisting::{HoistKind, RopeGive};
-use crate::luffing::double_link::moving::scene::{Constants, CylinderOil, Turning};
-use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::moving::symbols as s;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
+
+quantities! {
+    /// A luffing cylinder with its oil and valve, besides bore and rod.
+    CylinderOil {
+        l_min: L_MIN, l_max: L_MAX, v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, dp_l: DP_L, beta_e: BETA_E,
+        p_r: P_R, k_r: K_R, k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, tol: TOL
+    }
+}
+
+quantities! {
+    /// What slews besides the mechanism, and its friction.
+    Turning { j_sl: J_SL, c_sl: C_SL, m_f_sl: M_F_SL }
+}
+
+quantities! {
+    /// What is constant in motion, besides geometry and weights.
+    Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_f: M_F, g: G, step: STEP }
+}
 
 /// Inputs, constant over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,18 +54,18 @@ impl<P: Copy> Inputs<P> {
             brake: of(brake, drive.brake),
         };
         let drives = [
-            drive([&m::M_A, &m::M_S], &self.drives[0]),
-            drive([&m::M_SL, &m::M_B_SL], &self.drives[1]),
+            drive([&s::M_A, &s::M_S], &self.drives[0]),
+            drive([&s::M_SL, &s::M_B_SL], &self.drives[1]),
         ];
-        let drum = drive([&m::M_M_H, &m::M_B_H], &self.hoist.drive);
+        let drum = drive([&s::M_M_H, &s::M_B_H], &self.hoist.drive);
         Inputs {
             drives,
             hoist: HoistCommand {
-                speed: of(&m::V_H, self.hoist.speed),
+                speed: of(&s::V_H, self.hoist.speed),
                 drive: drum,
             },
-            valve: of(&m::U_V, self.valve),
-            supply: of(&m::P_P, self.supply),
+            valve: of(&s::U_V, self.valve),
+            supply: of(&s::P_P, self.supply),
         }
     }
 }

@@ -22,12 +22,12 @@ use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::in_line;
 use crate::luffing::double_link::hydraulic::{self, Crane, Hydraulic};
 use crate::luffing::double_link::motion::{self, MovingLinkage};
-use crate::luffing::double_link::moving::given::{Given, Inputs};
+use crate::luffing::double_link::moving::given::{Constants, Given, Inputs};
 use crate::luffing::double_link::moving::hoisting::{HoistKind, HoistMotor, HoistRamp, LoadRope, RopeGive};
 use crate::luffing::double_link::moving::level::{
     Level, MOST_INDICATORS, MOST_STATES, MotionResult, OIL_INDICATORS, Powers, Present,
 };
-use crate::luffing::double_link::moving::scene::{Constants, Moving};
+use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::parameters::{Driven, Weights};
 use crate::luffing::double_link::scene::Luffing;

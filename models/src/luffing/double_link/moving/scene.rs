@@ -2,11 +2,10 @@
 
 use crate::balance::symbols as b;
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::group::quantities;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::moving::given::Inputs;
+use crate::luffing::double_link::moving::given::{Constants, CylinderOil, Inputs, Turning};
 use crate::luffing::double_link::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::symbols as l;
@@ -34,24 +33,6 @@ pub static OIL_KEYS: &[Key] = keys! { s:
     L_MIN > 0, L_MAX > 0, V_0 > 0, V_1 > 0, Q_N > 0, DP_N > 0, DP_L > 0, BETA_E > 0, P_R > 0, K_R >= 0, K_L >= 0,
     OMEGA_V > 0, ZETA_V >= 0, TOL [tolerance, optional], P_P >= 0, U_V [optional]
 };
-
-quantities! {
-    /// A luffing cylinder with its oil and valve, besides bore and rod.
-    CylinderOil {
-        l_min: L_MIN, l_max: L_MAX, v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, dp_l: DP_L, beta_e: BETA_E,
-        p_r: P_R, k_r: K_R, k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, tol: TOL
-    }
-}
-
-quantities! {
-    /// What slews besides the mechanism, and its friction.
-    Turning { j_sl: J_SL, c_sl: C_SL, m_f_sl: M_F_SL }
-}
-
-quantities! {
-    /// What is constant in motion, besides geometry and weights.
-    Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_f: M_F, g: G, step: STEP }
-}
 
 /// A crane that slews, at the start.
 #[derive(Clone, Copy, Debug)]
