@@ -293,6 +293,16 @@ def test_notes_say_where_a_value_comes_from(tmp_path):
     assert text.count("offer of the #1 supplier") == 1
 
 
+def test_symbols_in_texts_are_mathematics_and_texts_speak_the_language(tmp_path):
+    hostile = "#read(1) $x$ *b* <l> @r \\\\ `c`; X_1 and Delta_12, portal_004"
+    path = scene(tmp_path, "crane.toml", ('X_1 = "19.3 m"', f'X_1 = {{ value = "19.3 m", source = {{ en = "{hostile}" }} }}'))
+    text = " ".join(text_of(book(tmp_path, path)))
+    assert "#read(1) $x$ *b* <l> @r \\ `c`; 𝑋1 and Δ12, portal_004" in text
+    assert "𝑋7 and 𝑋8 follow from the table" in text
+    text = " ".join(text_of(book(tmp_path, path, "--language", "bg")))
+    assert "𝑋1 and Δ12" in text and "𝑋7 и 𝑋8 следват от таблицата" in text
+
+
 def test_title_block_with_revisions(tmp_path):
     project = '''[project]
 client = "Port of #strong[Varna]"
@@ -398,7 +408,7 @@ def test_a_search_that_was_not_made_signs_nothing(tmp_path):
 def test_the_first_page_warns_of_stops_and_of_a_slack_rope(tmp_path):
     pages = ready(tmp_path, "portal_004_motion")
     events = " ".join(pages[1:])
-    for event in ["The driven bar meets its upper end stop.", "The rope becomes slack."]:
+    for event in ["The driving link meets its upper end stop.", "The rope becomes slack."]:
         times = re.findall(r"([\d.]+) s " + re.escape(event), events)
         warning = re.search(f"Warning: {re.escape(event)} .*?𝑡 = ([\\d.]+) s \\(number of times: (\\d+)\\)", pages[0])
         assert times and warning.groups() == (times[0], str(len(times))), event

@@ -4,17 +4,15 @@ use crate::component::mechanism::Mechanism;
 use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::{Key, Kind, Values};
+use crate::kernel::text::LANGUAGES;
 use crate::parts::motion::Place;
-
-/// The languages that a book can be in, by ISO 639-1; the first is the default.
-pub const LANGUAGES: [&str; 3] = ["en", "zh", "bg"];
 
 /// Keys of `[book]`.
 pub static BOOK: &[Key] = &[
     Key::new("language", Kind::Choice(&LANGUAGES), "Language of the book: English, Chinese or Bulgarian.").optional(),
     Key::choice("level", LEVELS, "Detail of the book: summary (a few pages), standard, or full (every step with its numbers)."),
     Key::new("chapters", Kind::Choices(CHAPTERS), "The chapters in their order; without it those of the level, and no trade, which needs many runs.").optional(),
-    Key::new("positions", Kind::Texts(10), "Positions at which the formulas are worked out: angles of the driven bar such as \"75 deg\", from, middle, to, \
+    Key::new("positions", Kind::Texts(10), "Positions at which the formulas are worked out: angles of the driving link such as \"75 deg\", from, middle, to, \
                or governing results such as M_Q_max; without it the governing one.").optional(),
     Key::choice("pdf_standard", &["a-3b", "a-3u", "a-3a"], "PDF/A standard that the PDF keeps to; needs project.date."),
 ];

@@ -2,6 +2,7 @@
 
 use crate::kernel::schema::{Key, SOURCE, Sign};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::text::Text;
 
 /// Results and formulas of a component, in the order in which a book tells them. What a scene does not model is left out.
 #[derive(Debug)]
@@ -181,7 +182,7 @@ impl Limit {
 /// Published values, as printed.
 #[derive(Clone, Debug)]
 pub struct Published {
-    pub source: String,
+    pub source: Text,
     pub columns: Vec<&'static Symbol>,
     pub rows: Vec<Vec<String>>,
 }

@@ -6,6 +6,7 @@ use crate::component::extreme::Extreme;
 use crate::kernel::origin::Origin;
 use crate::kernel::record::Trace;
 use crate::kernel::symbol::Symbol;
+use crate::kernel::text::Text;
 
 /// All that is known about a scene.
 #[derive(Default)]
@@ -41,7 +42,7 @@ pub struct Sheet {
     /// Published values beside the computed ones; empty where the scene gives none.
     pub published: Vec<Comparison>,
     /// Where they are printed.
-    pub published_source: Option<String>,
+    pub published_source: Option<Text>,
     /// Results of the whole range: level error, work.
     pub summary: Vec<Summary>,
     /// Results with the position where each is greatest (or least) in the whole range.
@@ -116,7 +117,7 @@ pub struct BalanceSheet {
     pub drawing: Drawing,
     pub criteria: Vec<Measure>,
     /// Where the published criteria are printed.
-    pub published_source: Option<String>,
+    pub published_source: Option<Text>,
     pub equilibria: Vec<RestingPlace>,
     pub curves: Vec<Curve>,
     pub range: Table,

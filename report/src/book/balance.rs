@@ -69,7 +69,10 @@ impl Balance {
             scale: drawing.scale,
             drawing: drawing.json(),
             criteria: balance.criteria.iter().map(criterion).collect(),
-            published_source: balance.published_source.clone(),
+            published_source: balance
+                .published_source
+                .as_ref()
+                .map(|source| source.of(language.code).to_owned()),
             equilibria: balance
                 .equilibria
                 .iter()

@@ -196,7 +196,7 @@ impl<'a> Book<'a> {
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
         Ok(Book {
-            title: Title::new(scene),
+            title: Title::new(scene, language),
             hash,
             attachment: format!("{}.toml", scene.name()),
             version,

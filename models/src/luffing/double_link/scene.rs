@@ -268,7 +268,7 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
             ),
             missing(&arcs, &motion),
         )
-        .help(format!("it closes for {} of the driven bar", closes(&geometry))),
+        .help(format!("it closes for {} of the driving link", closes(&geometry))),
     );
     None
 }
@@ -359,12 +359,12 @@ fn missing(arcs: &[Arc], motion: &Motion) -> String {
 /// Reads a published table over the coordinate; mistakes go to `found`.
 fn published(v: &Values, coordinate: &'static Symbol, found: &mut Vec<Diagnostic>) -> Option<Published> {
     let before = found.len();
-    let source = v.text("source")?;
+    let source = v.words("source")?;
     let wrong = |place: &Range<usize>, message: String, label: &str, help: &str| {
         Diagnostic::new(place.clone(), message, label).help(help)
     };
     let Some(((names, place), lines)) = v.texts("values").split_first() else {
-        let help = "begin with a line of names: the angle of the driven bar, then results";
+        let help = "begin with a line of names: the angle of the driving link, then results";
         wrong(
             &v.place("values"),
             "published values without a line".to_owned(),
@@ -385,7 +385,7 @@ fn published(v: &Values, coordinate: &'static Symbol, found: &mut Vec<Diagnostic
     }
     if found.len() == before && columns.first() != Some(&coordinate) {
         let message = format!("published values begin with {names}");
-        let help = format!("the first column is {}, the angle of the driven bar", coordinate.id);
+        let help = format!("the first column is {}, the angle of the driving link", coordinate.id);
         found.push(wrong(place, message, "not the angle", &help));
     }
     let mut rows = Vec::new();
@@ -400,7 +400,7 @@ fn published(v: &Values, coordinate: &'static Symbol, found: &mut Vec<Diagnostic
         rows.push(row);
     }
     (found.len() == before).then(|| Published {
-        source: source.to_owned(),
+        source: source.clone(),
         columns,
         rows,
     })

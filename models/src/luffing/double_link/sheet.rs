@@ -16,6 +16,7 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::schema::Values;
+use crate::kernel::text::Text;
 use crate::kernel::variable::Fault;
 use crate::luffing::counterweight::chapter;
 use crate::luffing::double_link::balancing::{self, boom};
@@ -289,7 +290,7 @@ impl Described for LuffingScene {
     }
 
     fn remarks(&self) -> Vec<&'static str> {
-        let from = |source: Option<&String>, key: &str| source.is_some_and(|source| source.starts_with(key));
+        let from = |source: Option<&Text>, key: &str| source.is_some_and(|source| source.english().starts_with(key));
         let mechanism = self.published.as_ref().map(|published| &published.source);
         let balance = self.published_balance.as_ref().map(|published| &published.source);
         let mut list = Vec::new();
