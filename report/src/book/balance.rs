@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::book::blocks::{Figure, Range, Summary, range, summary};
 use crate::book::tables::printed;
 use crate::language::Language;
-use crate::print::drawing::{PAGE, drawing};
+use crate::print::drawing::{SKETCH, drawing};
 use crate::print::number::{named, quantity};
 
 #[derive(Serialize)]
@@ -62,7 +62,7 @@ impl Balance {
                 .published
                 .map(|value| quantity(language, criterion.summary.symbol, value)),
         };
-        let drawing = drawing(&balance.drawing, [PAGE[0], 82.0]);
+        let drawing = drawing(&balance.drawing, [SKETCH[0], 82.0]);
         Balance {
             kind: balance.kind,
             turns: balance.range.columns.contains(&&DM_5),

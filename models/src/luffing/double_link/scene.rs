@@ -50,6 +50,17 @@ impl LuffingScene {
     pub fn has_pins(&self) -> bool {
         self.q.is_some() && self.change_point.is_none()
     }
+
+    /// Whether it is a plain boom: jib and rocker stand for none, since neither they nor a load weigh anything.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        let idle = self
+            .parameters
+            .weights
+            .as_ref()
+            .is_some_and(|w| w.g_1 > 0.0 && w.g_2 == 0.0 && w.g_3 == 0.0);
+        self.q == Some(0.0) && idle && self.parameters.driven == Driven::Boom
+    }
 }
 
 /// The synthesis that the scene asks for.
