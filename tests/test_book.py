@@ -24,7 +24,7 @@ DEFAULT = (ROOT / "models/scenes/lemniscate.toml").read_text(encoding="utf-8")
 GOLDEN = ROOT / "tests/golden"
 LEVELS = ["summary", "standard", "full"]
 LANGUAGES = ["en", "zh", "bg"]
-PAGES = {"summary": range(2, 5), "standard": range(15, 26), "full": range(20, 36)}
+PAGES = {"summary": range(2, 4), "standard": range(15, 26), "full": range(20, 36)}
 
 
 def text_of(path):
@@ -166,7 +166,7 @@ def test_a_swing_beyond_its_limit_fails_the_verdict(tmp_path):
     path = scene(tmp_path, "motion.toml", ("[luffing.limits]", '[luffing.limits]\nphi_max = "6 deg"'), text=MOTION)
     lemnis("book", path, "--level", "summary", "--output", tmp_path)
     page = text_of(tmp_path / "PortalCraneMotion.pdf")[0]
-    swing = re.search(r"= ([\d.]+)° ≤ 6° 𝑡 = ([\d.]+) s ([\d.]+) % FAILED", page)
+    swing = re.search(r"= ?([\d.]+)° ?≤ ?6° 𝑡 ?= ?([\d.]+) ?s ([\d.]+) % FAILED", page)
     assert swing and float(swing[1]) > 6
     assert "NOT ALL REQUIREMENTS ARE MET: 3 of 4." in page
 
@@ -184,7 +184,7 @@ def test_formulas_are_numbered_by_chapters(name):
     assert formulas > 25 and formulas == source.count("#step(")
 
 
-@pytest.mark.parametrize("name", ["zh_full", "en_summary", "steering_bg_standard", "motion_en", "trade_en"])
+@pytest.mark.parametrize("name", ["zh_full", "en_standard", "steering_bg_standard", "motion_en", "trade_en"])
 def test_tables_are_numbered_and_titled(name):
     source = (GOLDEN / f"{name}.typ").read_text(encoding="utf-8").split("#let column-head")[1]
     # The title block and the lists of symbols and publications need none.
@@ -247,7 +247,7 @@ def test_a_balance_is_called_what_it_is(tmp_path):
 
 
 def test_the_greatest_flow_of_all_modes_is_no_result_of_the_working_range(tmp_path):
-    page = " ".join(ready(tmp_path, "boat_hoist_003", "--level", "summary")[:2])
+    page = " ".join(ready(tmp_path, "boat_hoist_003")[:3])
     governing, flow = page.split("Greatest oil flow of all cylinders together, of all modes")
     assert "−26.75°" not in governing and "found to the last digit" in governing
     assert re.search(r"inthemode“[A-Z][^”]+”at𝜃..?=−26\.75°", flow.replace(" ", "")), flow
@@ -291,6 +291,16 @@ def test_notes_say_where_a_value_comes_from(tmp_path):
     # The note of one quantity beside those of its table; a note that all have is printed once.
     assert "drawing 4711, sheet 2" in text and text.count("[Li2022, Fig. 2 and Table 1]") == 7 + 1
     assert text.count("offer of the #1 supplier") == 1
+
+
+def test_symbols_in_texts_are_mathematics_and_texts_speak_the_language(tmp_path):
+    hostile = "#read(1) $x$ *b* <l> @r \\\\ `c`; X_1 and Delta_12, portal_004"
+    path = scene(tmp_path, "crane.toml", ('X_1 = "19.3 m"', f'X_1 = {{ value = "19.3 m", source = {{ en = "{hostile}" }} }}'))
+    text = " ".join(text_of(book(tmp_path, path)))
+    assert "#read(1) $x$ *b* <l> @r \\ `c`; 𝑋1 and Δ12, portal_004" in text
+    assert "𝑋7 and 𝑋8 follow from the table" in text
+    text = " ".join(text_of(book(tmp_path, path, "--language", "bg")))
+    assert "𝑋1 and Δ12" in text and "𝑋7 и 𝑋8 следват от таблицата" in text
 
 
 def test_title_block_with_revisions(tmp_path):
@@ -374,7 +384,7 @@ def test_without_a_limit_nothing_is_judged_and_the_headline_says_so(tmp_path):
 
 def test_the_command_says_the_same_as_the_first_page():
     check = lemnis("check", ROOT / "models/scenes/ports_001.toml")
-    assert "no requirements given; not judged: mu_min, epsilon_Y, dM_max, gamma_min, N_max; identities that hold: 5" in check
+    assert "no requirements given; not judged: mu_min, epsilon_Y, dM_max, gamma_min, N_max; identities that hold: 3" in check
     assert "2 of 2 requirements met; identities that hold: 3" in lemnis("check", ROOT / "models/scenes/lemniscate.toml")
     broken = lemnis("check", ROOT / "models/scenes/portal_004_synthesis.toml", expect=4)
     assert "synthesis_transmission: gamma_min = 22.0700 deg, at least 34.6 deg is allowed" in broken
@@ -398,7 +408,7 @@ def test_a_search_that_was_not_made_signs_nothing(tmp_path):
 def test_the_first_page_warns_of_stops_and_of_a_slack_rope(tmp_path):
     pages = ready(tmp_path, "portal_004_motion")
     events = " ".join(pages[1:])
-    for event in ["The driven bar meets its upper end stop.", "The rope becomes slack."]:
+    for event in ["The driving link meets its upper end stop.", "The rope becomes slack."]:
         times = re.findall(r"([\d.]+) s " + re.escape(event), events)
         warning = re.search(f"Warning: {re.escape(event)} .*?𝑡 = ([\\d.]+) s \\(number of times: (\\d+)\\)", pages[0])
         assert times and warning.groups() == (times[0], str(len(times))), event
@@ -444,7 +454,7 @@ def test_symbols_link_to_their_definition_and_the_index_knows_the_page(standard)
     links = [a for page in reader.pages for a in page.get("/Annots", []) if a.get_object()["/Subtype"] == "/Link"]
     assert len(links) > 300
     pages = text_of(standard)
-    start = max(i for i, page in enumerate(pages) if "10 Notation" in page)  # the first is the table of contents
+    start = max(i for i, page in enumerate(pages) if re.search(r"\d+ Notation", page))  # the first is the table of contents
     index = " ".join(pages[start:])
     number = int(re.search(r"Angle of the jib at B, counter-clockwise from BA to BC\. ° \[Li2022, eq\. 6\] (\d+)", index)[1])
     assert "Angle of the jib at B, counter-clockwise from BA to BC." in pages[number - 1]

@@ -62,7 +62,7 @@ def test_the_schema_accepts_what_the_program_accepts():
                 check(inner, schema["items"], path)
         elif schema["type"] == "object":
             assert isinstance(value, dict), path
-            assert set(schema["required"]) <= set(value) <= set(schema["properties"]), path
+            assert set(schema.get("required", [])) <= set(value) <= set(schema["properties"]), path
             for key, inner in value.items():
                 check(inner, schema["properties"][key], f"{path}.{key}")
         else:

@@ -4,19 +4,40 @@ use crate::component::mechanism::Mechanism;
 use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::{Key, Kind, Values};
+use crate::kernel::text::{LANGUAGES, Text};
 use crate::parts::motion::Place;
-
-/// The languages that a book can be in, by ISO 639-1; the first is the default.
-pub const LANGUAGES: [&str; 3] = ["en", "zh", "bg"];
 
 /// Keys of `[book]`.
 pub static BOOK: &[Key] = &[
     Key::new("language", Kind::Choice(&LANGUAGES), "Language of the book: English, Chinese or Bulgarian.").optional(),
     Key::choice("level", LEVELS, "Detail of the book: summary (a few pages), standard, or full (every step with its numbers)."),
     Key::new("chapters", Kind::Choices(CHAPTERS), "The chapters in their order; without it those of the level, and no trade, which needs many runs.").optional(),
-    Key::new("positions", Kind::Texts(10), "Positions at which the formulas are worked out: angles of the driven bar such as \"75 deg\", from, middle, to, \
+    Key::new("positions", Kind::Texts(10), "Positions at which the formulas are worked out: angles of the driving link such as \"75 deg\", from, middle, to, \
                or governing results such as M_Q_max; without it the governing one.").optional(),
+    Key::part("text", TEXT, "The engineer's own paragraphs at these places of the book; a blank line begins a new paragraph, and words such as X_4 are set as symbols."),
     Key::choice("pdf_standard", &["a-3b", "a-3u", "a-3a"], "PDF/A standard that the PDF keeps to; needs project.date."),
+];
+
+/// Places of the book that take the engineer's own paragraphs.
+pub static TEXT: &[Key] = &[
+    Key::text(
+        "task",
+        "What is calculated, and for what: before what the book says of its task.",
+    ),
+    Key::text(
+        "scope",
+        "What the calculation covers and what it does not: before what the book says of that.",
+    ),
+    Key::text(
+        "load_cases",
+        "Load cases and combinations, and the standard that they are of: at the end of the scope.",
+    ),
+    Key::text("method", "How it is calculated: before conventions and signs."),
+    Key::text(
+        "conclusion",
+        "What follows from the results: on the first page, below the requirements.",
+    ),
+    Key::text("remarks", "Remarks: before those on the publications."),
 ];
 
 /// Levels of detail, the least first.
@@ -25,19 +46,21 @@ pub const LEVELS: &[&str] = &["summary", "standard", "full"];
 /// Chapters of a book in their usual order.
 pub const CHAPTERS: &[&str] = &[
     "results",
+    "task",
     "inputs",
     "conventions",
     "views",
-    "sensitivity",
     "constants",
     "positions",
     "range",
+    "forces",
     "sizing",
     "balance",
     "motion",
     "synthesis",
     "trade",
     "published",
+    "sensitivity",
     "remarks",
     "notation",
     "references",
@@ -55,6 +78,8 @@ pub struct Book {
     pub chapters: Option<Vec<&'static str>>,
     /// Where the formulas are worked out; empty for the governing position.
     pub positions: Vec<Place>,
+    /// The engineer's own paragraphs, by their places among [`TEXT`].
+    pub text: Vec<(&'static str, Text)>,
     /// PDF/A standard, such as `a-3b`.
     pub pdf_standard: Option<String>,
 }
@@ -80,9 +105,14 @@ impl Book {
                 ),
             }
         }
+        let own = table.table("text");
         let chapters = table.texts("chapters").iter();
         let chapters: Vec<&'static str> = chapters.filter_map(|(text, _)| known(CHAPTERS, text)).collect();
-        if table.has("chapters") && !chapters.iter().any(|chapter| mechanism.has_chapter(chapter)) {
+        if table.has("chapters")
+            && !chapters
+                .iter()
+                .any(|chapter| mechanism.has_chapter(chapter) || own.is_some_and(|own| own.has(chapter)))
+        {
             let all = CHAPTERS
                 .iter()
                 .copied()
@@ -115,6 +145,10 @@ impl Book {
                 .unwrap_or("standard"),
             chapters: (!chapters.is_empty()).then_some(chapters),
             positions,
+            text: TEXT
+                .iter()
+                .filter_map(|key| Some((key.name, own?.words(key.name)?.clone())))
+                .collect(),
             pdf_standard: table.text("pdf_standard").map(str::to_owned),
         }
     }
@@ -127,6 +161,7 @@ impl Default for Book {
             level: "standard",
             chapters: None,
             positions: Vec::new(),
+            text: Vec::new(),
             pdf_standard: None,
         }
     }

@@ -14,6 +14,7 @@ use crate::kernel::json;
 use crate::kernel::measure;
 use crate::kernel::origin::{Origins, line};
 use crate::kernel::schema::{KIND, Key, Kind, Sign, Values};
+use crate::kernel::text::Text;
 use crate::kernel::variable::{Fault, Role, Type, Variable};
 use crate::registry;
 
@@ -33,7 +34,7 @@ const LOAD: &str = "load";
 pub static KEYS: &[Key] = &[
     Key::new(
         "name",
-        Kind::Text,
+        Kind::Name,
         "Name of the model and of its files: letters, digits and _.",
     ),
     Key::new("title", Kind::Line, "Title of the book, one line."),
@@ -89,9 +90,9 @@ static REVISION: &[Key] = &[
 pub struct Scene {
     text: String,
     name: String,
-    title: String,
-    project: Vec<(&'static str, String)>,
-    revisions: Vec<Vec<String>>,
+    title: Text,
+    project: Vec<(&'static str, Text)>,
+    revisions: Vec<Vec<Text>>,
     pub book: Book,
     /// Where its quantities stand.
     pub given: Origins,
@@ -150,10 +151,10 @@ impl Scene {
             Some(((table, mechanism), book)) if found.is_empty() => Scene {
                 text: text.to_owned(),
                 name,
-                title: values.text("title").unwrap_or_default().to_owned(),
+                title: values.words("title").cloned().unwrap_or_default(),
                 project: PROJECT
                     .iter()
-                    .filter_map(|key| Some((key.name, project?.text(key.name)?.to_owned())))
+                    .filter_map(|key| Some((key.name, project?.words(key.name)?.clone())))
                     .collect(),
                 revisions: project.map_or_else(Vec::new, revisions),
                 book,
@@ -317,27 +318,34 @@ impl Scene {
         &self.name
     }
 
+    /// In English, where the scene gives it in several languages.
     #[must_use]
     pub fn title(&self) -> &str {
+        self.title.english()
+    }
+
+    /// In every language that the scene gives it in.
+    #[must_use]
+    pub fn titles(&self) -> &Text {
         &self.title
     }
 
     /// Marks, dates, authors and texts of the revisions, the oldest first;
     /// empty texts where the scene gives none.
     #[must_use]
-    pub fn revisions(&self) -> &[Vec<String>] {
+    pub fn revisions(&self) -> &[Vec<Text>] {
         &self.revisions
     }
 
     /// Title block: what is given of document, crane, client, author, checker, approver, date, revision.
     #[must_use]
-    pub fn project(&self) -> &[(&'static str, String)] {
+    pub fn project(&self) -> &[(&'static str, Text)] {
         &self.project
     }
 }
 
-fn revisions(project: &Values) -> Vec<Vec<String>> {
-    let cell = |table: &Values, key: &Key| table.text(key.name).unwrap_or_default().to_owned();
+fn revisions(project: &Values) -> Vec<Vec<Text>> {
+    let cell = |table: &Values, key: &Key| table.words(key.name).cloned().unwrap_or_default();
     let row = |table: &Values| REVISION.iter().map(|key| cell(table, key)).collect();
     project.tables("revisions").iter().map(row).collect()
 }

@@ -2,6 +2,7 @@
 //! the line of every mistake.
 
 use lemnis_models::kernel::diagnostic::Diagnostic;
+use lemnis_models::kernel::text::Text;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 fn changed(changes: &[(&str, &str)]) -> String {
@@ -40,7 +41,10 @@ fn a_mass_weighs_by_the_scenes_gravity() {
     assert_eq!(value(&scene, "Q"), 16_000.0 * 9.81);
     assert_eq!(value(&scene, "G_1"), 20_000.0 * 9.81);
     let given = scene.given.of("luffing.weights.G_1").expect("given");
-    assert_eq!((given.mass, given.source.as_deref()), (Some(20_000.0), Some("scales")));
+    assert_eq!(
+        (given.mass, given.source.as_ref().map(Text::english)),
+        (Some(20_000.0), Some("scales"))
+    );
     assert_eq!(scene.given.of("luffing.weights.G_2").expect("given").mass, None);
     let on_the_moon = changed(&[masses[0], ("[project]", "g = \"1.62 m/s2\"\n[project]")]);
     assert_eq!(
@@ -141,7 +145,7 @@ fn published_rows_beyond_the_working_range_are_compared_at_every_level() {
 
 #[test]
 fn texts_can_be_printed() {
-    let title = r#"title = "Lemniscate level-luffing crane 16 t × 30 m""#;
+    let title = r#"title.en = "Lemniscate level-luffing crane 16 t × 30 m""#;
     for wrong in [
         "",
         "   ",
@@ -153,10 +157,10 @@ fn texts_can_be_printed() {
         r"a\uFEFFb",
         &"W".repeat(501),
     ] {
-        let text = changed(&[(title, &format!("title = \"{wrong}\""))]);
+        let text = changed(&[(title, &format!("title.en = \"{wrong}\""))]);
         assert_eq!(mistakes(&text).len(), 1, "{wrong}");
     }
-    let crane = r#"crane = "Lemniscate crane, 16 t at 30 m""#;
+    let crane = r#"crane.en = "Lemniscate crane, 16 t at 30 m""#;
     for (entry, right) in [
         (r#"date = "2026-02-30""#, false),
         (r#"date = "2026-13-01""#, false),
@@ -168,5 +172,43 @@ fn texts_can_be_printed() {
         (r#"client = "two\nlines""#, true),
     ] {
         assert_eq!(mistakes(&changed(&[(crane, entry)])).is_empty(), right, "{entry}");
+    }
+}
+
+#[test]
+fn a_text_stands_for_the_languages_that_it_has_none_for() {
+    let crane = r#"crane.en = "Lemniscate crane, 16 t at 30 m""#;
+    let with = |client: &str| changed(&[(crane, &format!("client = {client}"))]);
+    for (client, [en, zh, bg]) in [
+        (r#""Port""#, ["Port", "Port", "Port"]),
+        (
+            r#"{ zh = "港", en = "Port", bg = "Пристанище" }"#,
+            ["Port", "港", "Пристанище"],
+        ),
+        (r#"{ bg = "Пристанище", en = "Port" }"#, ["Port", "Port", "Пристанище"]),
+        (r#"{ zh = "港" }"#, ["港", "港", "港"]),
+    ] {
+        let scene = Scene::parse(&with(client)).expect("texts");
+        let (_, text) = scene.project().iter().find(|(key, _)| *key == "client").expect("given");
+        assert_eq!([text.of("en"), text.of("zh"), text.of("bg")], [en, zh, bg], "{client}");
+    }
+    for (client, message) in [
+        (r#"{ fr = "Port" }"#, "`project.client.fr` is in no language of books"),
+        (r#"{ en = "Port", zh = 7 }"#, "`project.client.zh` is not a text"),
+        (
+            r#"{ en = "a\u0001" }"#,
+            "`project.client.en` has a character that cannot be printed, U+0001",
+        ),
+        ("{}", "`project.client` is in no language"),
+        (
+            r#"["Port"]"#,
+            "`project.client` is not a text, or a table of it in several languages",
+        ),
+    ] {
+        let text = with(client);
+        let found: Vec<String> = mistakes(&text).into_iter().map(|mistake| mistake.message).collect();
+        assert_eq!(found, [message]);
+        let line = 1 + text[..text.find("client").expect("there")].matches('\n').count();
+        assert_eq!(lines(&text), [line]);
     }
 }

@@ -12,7 +12,7 @@ use lemnis_models::kernel::number::Number;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::registry::vocabularies;
 
-use crate::print::text::escape;
+use crate::print::prose::prose;
 
 pub(crate) const REFERENCES: &str = include_str!("../../templates/references.toml");
 
@@ -143,6 +143,16 @@ pub(crate) fn symbol_tables(mechanism: &str) -> impl Iterator<Item = &'static [&
     own.iter().chain(*shared).copied()
 }
 
+/// A symbol of a mechanism as it is printed.
+pub(crate) fn symbol(mechanism: &str, id: &str) -> Option<&'static str> {
+    find(known(mechanism), id)
+}
+
+fn find(vocabulary: &'static Vocabulary, id: &str) -> Option<&'static str> {
+    let mut symbols = vocabulary.own.iter().chain(vocabulary.shared).copied().flatten();
+    symbols.find(|symbol| symbol.id == id).map(|symbol| symbol.print)
+}
+
 /// The group of words for a mechanism's symbols.
 pub(crate) fn symbols(mechanism: &str) -> &'static str {
     known(mechanism).words
@@ -172,7 +182,7 @@ impl Words {
                     .iter()
                     .flat_map(|table| *table)
                     .filter(|symbol| !matches!(symbol.source, "event" | "state"))
-                    .map(|symbol| (symbol.id.to_owned(), escape(symbol.text).into()));
+                    .map(|symbol| (symbol.id.to_owned(), prose(symbol.text, |id| find(symbols, id)).into()));
                 words.insert(symbols.words.to_owned(), meanings.collect());
             }
             words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?);
@@ -359,7 +369,7 @@ mod tests {
     #[test]
     fn scenes_know_the_same_languages() {
         let codes: Vec<_> = LANGUAGES.iter().map(|language| language.code).collect();
-        assert_eq!(codes, lemnis_models::book::LANGUAGES);
+        assert_eq!(codes, lemnis_models::kernel::text::LANGUAGES);
     }
 
     #[test]

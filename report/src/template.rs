@@ -16,10 +16,11 @@ use minijinja::value::{Serde, Value};
 use minijinja::{Environment, ErrorKind, State, UndefinedBehavior, context};
 use serde::Serialize;
 
-use crate::language::{LANGUAGES, Language, Words};
+use crate::language::{LANGUAGES, Language, Words, symbol};
 use crate::print::picture::Picture;
+use crate::print::prose::prose;
 use crate::print::speech;
-use crate::print::text::{self, escape};
+use crate::print::text::{self, breakable, escape};
 
 macro_rules! embedded {
     ($($name:literal),* $(,)?) => {
@@ -35,7 +36,9 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "title.typ",
     "section.typ",
     "source.typ",
+    "own.typ",
     "results.typ",
+    "task.typ",
     "inputs.typ",
     "conventions.typ",
     "views.typ",
@@ -43,6 +46,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "constants.typ",
     "positions.typ",
     "range.typ",
+    "forces.typ",
     "sizing.typ",
     "balance.typ",
     "motion.typ",
@@ -243,8 +247,14 @@ fn environment(words: Words) -> Environment<'static> {
         }
     });
     environment.add_filter("string", |text: &str| Value::from_safe_string(text::string(text)));
-    environment.add_filter("breakable", breakable);
+    environment.add_filter("breakable", |text: &str| breakable(text));
     environment.add_filter("brief", brief);
+    environment.add_filter("prose", |state: &State, text: &str| {
+        let book = state.lookup("book").unwrap_or_default();
+        let mechanism = book.get_attr("mechanism")?;
+        let print = |id: &str| symbol(mechanism.as_str().unwrap_or_default(), id);
+        Ok::<_, minijinja::Error>(Value::from_safe_string(prose(text, print)))
+    });
     // "2.1" and so on. Typst's own numbers would come from counters, which cost a further pass over the document.
     environment.add_function("number", |state: &mut State, level: usize| {
         let counts = &mut state.get_or_insert_extension(Headings::default()).0;
@@ -336,25 +346,6 @@ fn describe(folder: Option<&Path>, error: &minijinja::Error) -> String {
     };
     let detail = error.detail().map_or_else(|| error.kind().to_string(), str::to_owned);
     format!("{place}{detail}")
-}
-
-/// Text whose words a line can always hold: one that is too long may be broken after every so many letters. Chinese is
-/// broken anywhere already.
-fn breakable(text: &str) -> String {
-    const LONGEST: usize = 22;
-    const PIECE: usize = 4;
-    let chinese = |c: char| c >= '\u{2e80}';
-    let mut broken = String::with_capacity(text.len());
-    for word in text.split_inclusive(|c: char| c.is_whitespace() || chinese(c)) {
-        let long = word.chars().count() > LONGEST;
-        for (i, c) in word.chars().enumerate() {
-            if long && i > 0 && i % PIECE == 0 {
-                broken.push('\u{200b}');
-            }
-            broken.push(c);
-        }
-    }
-    broken
 }
 
 /// The beginning of a text that is too long to stand in every header.

@@ -252,7 +252,12 @@ impl Draw {
             return Table::from_iter(noted.map(|(name, text)| (name.to_owned(), text.into()))).into();
         }
         match key.kind {
-            Kind::Text | Kind::Line | Kind::Lines => self.words().into(),
+            Kind::Text | Kind::Line => match self.words() {
+                // In two languages, neither of which is the default.
+                text @ "起重机" => Table::from_iter(["bg", "zh"].map(|code| (code.to_owned(), text.into()))).into(),
+                text => text.into(),
+            },
+            Kind::Name | Kind::Lines => self.words().into(),
             Kind::Date => "2026-02-28".into(),
             Kind::Choice(choices) => self.pick(choices).into(),
             Kind::Table(keys) => self.table(keys).into(),

@@ -13,6 +13,7 @@ use crate::kernel::group::Group;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Sign, Values};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::text::Text;
 use crate::kernel::variable::Quantity;
 use crate::parts::four_bar::Branch;
 
@@ -203,7 +204,7 @@ impl Form<f64> {
 /// Published results of a balance, in SI.
 #[derive(Clone, Debug)]
 pub struct PublishedBalance {
-    pub source: String,
+    pub source: Text,
     pub values: Vec<(&'static Symbol, f64)>,
 }
 
@@ -217,7 +218,7 @@ impl PublishedBalance {
             Some((symbol, table.number(key.name)?))
         };
         Some(PublishedBalance {
-            source: table.text("source")?.to_owned(),
+            source: table.words("source")?.clone(),
             values: PUBLISHED.iter().filter_map(value).collect(),
         })
     }

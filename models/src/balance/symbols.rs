@@ -70,7 +70,7 @@ symbols! {
     M_UR: "M_ur" "M_(u r)" N_M / KN_M, "Moment of the balance about the boom foot; positive raises the boom.", "[Balance004, eq. 2]";
     DM: "dM" "Delta M" N_M / KN_M, "Residual moment about the boom foot; positive raises the boom.", "[Balance004, eq. 3]";
     M_SUM: "M_sum" "M_Sigma" N_M / KN_M, "Total moment of load, weights and balance about the boom foot; positive raises the boom.", "equilibrium";
-    M_D_0: "M_D_0" "M_(D 0)" N_M / KN_M, "Moment that the drive would have to give to the driven bar without the balance.", "virtual work";
+    M_D_0: "M_D_0" "M_(D 0)" N_M / KN_M, "Moment that the drive would have to give to the driving link without the balance.", "virtual work";
     F_D_0: "F_d_0" "F_(d 0)" N / KN [infinite("where the drive points at the foot of its bar")], "Force that the drive would need without the balance, push positive.", "equilibrium";
     DM_5: "dM_5" "Delta M_5" N_M / KN_M [infinite("where the lever comes to rest")], "Residual moment about the lever's pivot, of the same power as the one about the boom foot.", "[Ports001, eq. 5.2.6]";
     F_KX: "F_K.x" "F_(K x)" N / KN, "Force of the balance on the boom, forward component.", "equilibrium";

@@ -11,6 +11,7 @@ use crate::balance::symbols as s;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
+use crate::kernel::text::Text;
 use crate::parts::four_bar::Branch;
 
 /// How a lever is found.
@@ -113,7 +114,7 @@ pub struct Candidate {
     pub role: CandidateRole,
     pub dimensions: Dimensions<f64>,
     pub branch: Branch,
-    pub source: Option<String>,
+    pub source: Option<Text>,
 }
 
 /// A synthesis as the scene describes it; SI.
@@ -455,7 +456,7 @@ fn candidate(v: &Values) -> Option<Candidate> {
         },
         dimensions: Dimensions::of(|symbol| v.number(symbol.id))?,
         branch: v.text("branch").map_or(Branch::Left, branch),
-        source: v.text("source").map(str::to_owned),
+        source: v.words("source").cloned(),
     })
 }
 

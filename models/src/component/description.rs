@@ -127,6 +127,14 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     /// Ids of its level and of what its model takes for granted, worded in the templates.
     fn assumptions(this: &Description<Self>) -> Vec<&'static str>;
 
+    /// Ids of what its book does not calculate, worded in the templates.
+    fn uncovered(this: &Description<Self>) -> Vec<&'static str>;
+
+    /// What it is in parts that have words of their own.
+    fn parts(_this: &Description<Self>) -> Vec<&'static str> {
+        Vec::new()
+    }
+
     fn drawing(this: &Description<Self>) -> Drawing;
 
     /// Ids of remarks, worded in the templates.

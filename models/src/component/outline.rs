@@ -2,6 +2,7 @@
 
 use crate::kernel::schema::{Key, SOURCE, Sign};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::text::Text;
 
 /// Results and formulas of a component, in the order in which a book tells them. What a scene does not model is left out.
 #[derive(Debug)]
@@ -24,9 +25,11 @@ pub struct Outline {
     pub sensitivity: &'static [&'static Symbol],
     /// What results are checked by.
     pub limits: &'static [Limit],
+    /// What other parts are designed for: least and greatest over the working range.
+    pub forces: &'static [&'static Symbol],
     /// Where the formulas are worked out if the scene does not say it: id of the position, and the result that is
-    /// greatest there.
-    pub worst: (&'static str, &'static Symbol),
+    /// greatest there, of the first one that the scene has.
+    pub worst: &'static [(&'static str, &'static Symbol)],
 }
 
 /// Id of a heading, and what its formulas explain.
@@ -181,7 +184,7 @@ impl Limit {
 /// Published values, as printed.
 #[derive(Clone, Debug)]
 pub struct Published {
-    pub source: String,
+    pub source: Text,
     pub columns: Vec<&'static Symbol>,
     pub rows: Vec<Vec<String>>,
 }

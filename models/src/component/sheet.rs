@@ -6,6 +6,7 @@ use crate::component::extreme::Extreme;
 use crate::kernel::origin::Origin;
 use crate::kernel::record::Trace;
 use crate::kernel::symbol::Symbol;
+use crate::kernel::text::Text;
 
 /// All that is known about a scene.
 #[derive(Default)]
@@ -41,7 +42,7 @@ pub struct Sheet {
     /// Published values beside the computed ones; empty where the scene gives none.
     pub published: Vec<Comparison>,
     /// Where they are printed.
-    pub published_source: Option<String>,
+    pub published_source: Option<Text>,
     /// Results of the whole range: level error, work.
     pub summary: Vec<Summary>,
     /// Results with the position where each is greatest (or least) in the whole range.
@@ -51,6 +52,12 @@ pub struct Sheet {
     pub outputs: Vec<&'static Symbol>,
     /// Ids of remarks on the publications, worded in the templates.
     pub remarks: Vec<&'static str>,
+    /// Least and greatest values, with their places, of what other parts are designed for.
+    pub forces: Vec<[Summary; 2]>,
+    /// Ids of what the book does not calculate.
+    pub uncovered: Vec<&'static str>,
+    /// What the machine is in parts that have words of their own.
+    pub parts: Vec<&'static str>,
     pub balance: Option<BalanceSheet>,
     /// The mechanism in motion; `None` where it stands as commanded.
     pub motion: Option<InMotion>,
@@ -59,6 +66,29 @@ pub struct Sheet {
 }
 
 impl Sheet {
+    /// Leaves out what weighs nothing anywhere, where loads or weights are zero: a book has no pages of zeros.
+    pub fn drop_nothing(&mut self) {
+        let something = |symbol: &Symbol, value: f64| value != 0.0 || symbol.unit.dimension.kg == 0;
+        self.governing.retain(|found| something(found.symbol, found.value));
+        self.summary.retain(|found| something(found.symbol, found.value));
+        self.forces
+            .retain(|ends| ends.iter().any(|end| something(end.symbol, end.value)));
+        let Table { columns, rows } = &mut self.range;
+        let kept: Vec<bool> = (0..columns.len())
+            .map(|i| rows.iter().any(|row| something(columns[i], row[i])))
+            .collect();
+        let mut kept_column = kept.iter();
+        columns.retain(|_| *kept_column.next().expect("one for each"));
+        for row in rows {
+            let mut kept_cell = kept.iter();
+            row.retain(|_| *kept_cell.next().expect("one for each"));
+        }
+        self.curves.retain(|curve| {
+            let mut points = curve.pieces.iter().flatten();
+            points.any(|point| something(curve.y, point[1]))
+        });
+    }
+
     /// Requirements and identities.
     pub fn checks(&self) -> impl Iterator<Item = &Check> {
         self.requirements.iter().chain(&self.identities)
@@ -116,7 +146,7 @@ pub struct BalanceSheet {
     pub drawing: Drawing,
     pub criteria: Vec<Measure>,
     /// Where the published criteria are printed.
-    pub published_source: Option<String>,
+    pub published_source: Option<Text>,
     pub equilibria: Vec<RestingPlace>,
     pub curves: Vec<Curve>,
     pub range: Table,

@@ -2,9 +2,10 @@
 
 use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
+use crate::component::extreme::Extreme;
 pub use crate::component::extreme::{between, fine};
-use crate::component::governing::{drawn, governing};
-use crate::component::outline::{Bound, Explained, Outline, Published, SectionOutline};
+use crate::component::governing::{drawn, governing, most};
+use crate::component::outline::{Bound, Explained, Greatest, Most, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::running::Running;
 use crate::component::sensitivity::sensitivity;
@@ -78,6 +79,8 @@ fn run<T: Described>(
         only(of.map(|number| number - 1));
         let mut of = |source: Source, (symbol, _): Quantity, value| match groups[usize::from(source.group)].1 {
             Use::Coordinate => Rec::given(symbol, at),
+            // What weighs nothing leaves no trace in the formulas.
+            _ if value == 0.0 && symbol.unit.dimension.kg != 0 => Rec::constant(0.0),
             _ => Rec::given(symbol, value),
         };
         let mut face = recorded::<T::Component>(part, &mut of);
@@ -134,6 +137,7 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
     let mut summary = summary(&mut model, outline.summary);
     let (requirements, unjudged) = limits(told, governing.iter().chain(&summary));
     summary.extend(T::totals(told));
+    let forces = forces(&model, outline);
     let positions = positions(outline, model.motion(), asked, &governing);
     let of = body(&mut model, outline, &governing);
     let mut sheet = Sheet {
@@ -157,9 +161,13 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
         governing,
         outputs: outputs(&model),
         remarks: told.remarks(),
+        forces,
+        uncovered: T::uncovered(told),
+        parts: T::parts(told),
         ..Sheet::default()
     };
     T::more(told, &mut model, &mut sheet);
+    sheet.drop_nothing();
     let Sheet {
         requirements,
         governing,
@@ -168,6 +176,32 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
     } = &mut sheet;
     banded(requirements, &mut model, outline, governing, inputs);
     sheet
+}
+
+/// Least and greatest values over the working range of what other parts are designed for.
+fn forces(model: &Standing, outline: &'static Outline) -> Vec<[Summary; 2]> {
+    let coordinate = model.variables()[0].symbol;
+    let of = |&symbol: &&'static Symbol| {
+        let known = outline.extremes.iter().find(|extreme| extreme.of == symbol);
+        let pole = known.and_then(|extreme| extreme.pole);
+        let end = |end: Most| {
+            let found = most(
+                model,
+                &Greatest {
+                    pole,
+                    ..Greatest::new(symbol, end, symbol)
+                },
+            )?;
+            let value = match end {
+                // It is so to both sides.
+                Most::Least if found.value == f64::INFINITY => -found.value,
+                _ => found.value,
+            };
+            Some(Summary::at(symbol, Extreme { value, ..found }, coordinate))
+        };
+        Some([end(Most::Least)?, end(Most::Greatest)?])
+    };
+    outline.forces.iter().filter_map(of).collect()
 }
 
 /// Published values beside the computed ones.
@@ -209,7 +243,7 @@ fn body(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) 
         .iter()
         .filter(|variable| variable.role == Role::Output);
     numbers.filter_map(|variable| variable.number).next()?;
-    let (_, symbol) = outline.worst;
+    let (_, symbol) = outline.worst[0];
     let found = governing
         .iter()
         .find(|found| found.symbol == symbol)
@@ -260,8 +294,12 @@ pub fn positions(
 ) -> Vec<(&'static str, f64)> {
     let middle = ("middle", f64::midpoint(motion.from, motion.to));
     let greatest = |id: &str| governing.iter().find(|g| g.symbol.id == id)?.at;
-    let (name, symbol) = outline.worst;
-    let worst = greatest(symbol.id).map_or(middle, |(_, at)| (name, at));
+    let known = |symbol: &Symbol| governing.iter().find(|g| g.symbol == symbol && g.value != 0.0)?.at;
+    let mut worst = outline
+        .worst
+        .iter()
+        .filter_map(|(name, symbol)| Some((*name, known(symbol)?.1)));
+    let worst = worst.next().unwrap_or(middle);
     let position = |place: &Place| match *place {
         Place::At(at) => ("chosen", at),
         Place::Named("governing") => worst,

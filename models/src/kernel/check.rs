@@ -10,6 +10,7 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::measure::{number, quantity};
 use crate::kernel::schema::{GivenNumber, KIND, Key, Kind, Sign, Value, Values};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::text::{LANGUAGES, Text};
 
 /// Checks a table of a scene with the text `source` against its keys. All mistakes are collected, not only the first.
 pub fn check(
@@ -91,19 +92,17 @@ fn check_value(
         None
     };
     match (&key.kind, value.get_ref()) {
-        (Kind::Text | Kind::Line | Kind::Date | Kind::Lines, DeValue::String(text)) => {
-            if let Some((message, help)) = unprintable(text, &key.kind) {
-                found.push(Diagnostic::new(value.span(), format!("`{path}` {message}"), "not this").help(help));
-                return None;
-            }
-            Some(match key.kind {
-                Kind::Lines => Value::Texts(lines(source, text, value.span())),
-                _ => Value::Text(text.to_string()),
-            })
+        (Kind::Lines, DeValue::String(text)) => {
+            let text = printable(text, value.span(), path, key, found)?;
+            Some(Value::Texts(lines(source, &text, value.span())))
         }
+        (Kind::Text | Kind::Line | Kind::Name | Kind::Date, DeValue::String(text)) => {
+            Some(Value::Text(printable(text, value.span(), path, key, found)?.into()))
+        }
+        (Kind::Text | Kind::Line, DeValue::Table(table)) => translated(table, value.span(), path, key, found),
         (Kind::Choice(choices), DeValue::String(text)) => {
             if choices.contains(&text.as_ref()) {
-                Some(Value::Text(text.to_string()))
+                Some(Value::Text(text.to_string().into()))
             } else {
                 wrong(format!("`{text}` is none of them"))
             }
@@ -268,6 +267,51 @@ fn named(table: &DeTable<'_>, path: &str, key: &'static Key, found: &mut Vec<Dia
     Value::Named(named)
 }
 
+/// A text in several languages.
+fn translated(
+    table: &DeTable<'_>,
+    span: Range<usize>,
+    path: &str,
+    key: &'static Key,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Value> {
+    let (before, mut texts) = (found.len(), Vec::new());
+    for (name, value) in table {
+        let path = format!("{path}.{}", name.get_ref());
+        let Some(code) = LANGUAGES.into_iter().find(|code| code == name.get_ref()) else {
+            let message = format!("`{path}` is in no language of books");
+            let help = format!("languages: {}", LANGUAGES.join(", "));
+            found.push(Diagnostic::new(name.span(), message, "not known").help(help));
+            continue;
+        };
+        match value.get_ref() {
+            DeValue::String(text) => {
+                texts.extend(printable(text, value.span(), &path, key, found).map(|text| (code, text)));
+            }
+            other => {
+                let label = format!("a TOML {}", other.type_str());
+                let help = format!("{code} = \"...\"");
+                found.push(Diagnostic::new(value.span(), format!("`{path}` is not a text"), label).help(help));
+            }
+        }
+    }
+    let text = Text::translated(texts).filter(|_| found.len() == before);
+    if text.is_none() && found.len() == before {
+        let message = format!("`{path}` is in no language");
+        found.push(Diagnostic::new(span, message, "empty").help(example(key)));
+    }
+    text.map(Value::Text)
+}
+
+/// A text that can be printed; what is wrong with another one goes to the list.
+fn printable(text: &str, span: Range<usize>, path: &str, key: &Key, found: &mut Vec<Diagnostic>) -> Option<String> {
+    let Some((message, help)) = unprintable(text, &key.kind) else {
+        return Some(text.to_owned());
+    };
+    found.push(Diagnostic::new(span, format!("`{path}` {message}"), "not this").help(help));
+    None
+}
+
 /// Most characters of a line.
 const LONGEST_LINE: usize = 500;
 
@@ -357,7 +401,7 @@ fn noted(
                 Some(Value::Number(value)) => number = Some(value),
                 _ => return None,
             },
-            ("source", DeValue::String(_)) => {
+            ("source", DeValue::String(_) | DeValue::Table(_)) => {
                 match check_value(scene, value, &format!("{path}.source"), &NOTE, found) {
                     Some(Value::Text(text)) => source = Some(text),
                     _ => return None,
@@ -377,7 +421,8 @@ fn noted(
 
 fn wanted(key: &Key) -> String {
     match key.kind {
-        Kind::Text | Kind::Line | Kind::Date | Kind::Lines => "a text".to_owned(),
+        Kind::Text | Kind::Line => "a text, or a table of it in several languages".to_owned(),
+        Kind::Name | Kind::Date | Kind::Lines => "a text".to_owned(),
         Kind::Choice(choices) => format!("one of {}", choices.join(", ")),
         Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
             format!("a number with a unit such as \"1 {}\"", symbol.display.name)
@@ -402,7 +447,7 @@ fn wanted(key: &Key) -> String {
 
 fn example(key: &Key) -> String {
     match key.kind {
-        Kind::Text | Kind::Line | Kind::Date | Kind::Lines => format!("{} = \"...\"", key.name),
+        Kind::Text | Kind::Line | Kind::Name | Kind::Date | Kind::Lines => format!("{} = \"...\"", key.name),
         Kind::Choice(choices) => format!("{} = \"{}\"", key.name, choices[0]),
         Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
             format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text)

@@ -5,6 +5,7 @@ use serde_json::{Map, Value as Json, json};
 use crate::kernel::number::short;
 use crate::kernel::schema::{KIND, Key, Kind};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::text::LANGUAGES;
 
 /// The JSON Schema of a table with these keys.
 #[must_use]
@@ -12,6 +13,16 @@ pub fn json_schema(keys: &'static [Key]) -> Json {
     let properties: Map<String, Json> = keys.iter().map(|key| (key.name.to_owned(), property(key))).collect();
     let required: Vec<&str> = keys.iter().filter(|key| key.required).map(|key| key.name).collect();
     json!({ "type": "object", "additionalProperties": false, "properties": properties, "required": required })
+}
+
+/// A text, or a table of it in several languages.
+fn translated(text: &Json) -> Json {
+    let own: Map<String, Json> = LANGUAGES
+        .map(|code| (code.to_owned(), text.clone()))
+        .into_iter()
+        .collect();
+    let table = json!({ "type": "object", "additionalProperties": false, "properties": own, "minProperties": 1 });
+    json!({ "anyOf": [text, table] })
 }
 
 fn property(key: &Key) -> Json {
@@ -28,8 +39,9 @@ fn property(key: &Key) -> Json {
         })
     };
     let mut schema = match key.kind {
-        Kind::Text | Kind::Date | Kind::Lines => json!({ "type": "string" }),
-        Kind::Line => json!({ "type": "string", "pattern": r"^.*\S.*$" }),
+        Kind::Name | Kind::Date | Kind::Lines => json!({ "type": "string" }),
+        Kind::Text => translated(&json!({ "type": "string" })),
+        Kind::Line => translated(&json!({ "type": "string", "pattern": r"^.*\S.*$" })),
         Kind::Count => json!({ "type": "integer", "minimum": 0 }),
         Kind::Named => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
         Kind::Quantities(symbol, _, [least, most]) => {
@@ -46,7 +58,7 @@ fn property(key: &Key) -> Json {
             let noted = json!({
                 "type": "object",
                 "additionalProperties": false,
-                "properties": { "value": value, "source": { "type": "string" } },
+                "properties": { "value": value, "source": translated(&json!({ "type": "string" })) },
                 "required": ["value"],
             });
             json!({ "anyOf": [value, noted] })

@@ -14,5 +14,6 @@ pub mod origin;
 pub mod record;
 pub mod schema;
 pub mod symbol;
+pub mod text;
 pub mod unit;
 pub mod variable;

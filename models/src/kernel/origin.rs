@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use crate::kernel::schema::Values;
+use crate::kernel::schema::{GivenNumber, Key, Value, Values};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::text::Text;
 
 /// Where the scene gives a quantity.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +18,7 @@ pub struct Origin {
     /// In kg, where it is a weight given as a mass.
     pub mass: Option<f64>,
     /// Where the scene says that it comes from.
-    pub source: Option<String>,
+    pub source: Option<Text>,
     /// Half of its last digit, in SI, where a publication has printed it: its source begins with a citation.
     pub rounding: Option<f64>,
 }
@@ -42,12 +43,12 @@ impl Origins {
     /// Of a scene's text with its values.
     pub fn read(text: &str, values: &Values) -> Origins {
         let mut found = Vec::new();
-        values.quantities("", &mut found);
+        quantities(values, "", "", &mut found);
         let known = found.into_iter().map(|(key, symbol, value, placed)| Known {
             given: placed.map(|(place, number, key)| Origin {
                 key,
                 line: line(text, &place),
-                rounding: rounding(&text[place.clone()], value, number.source.as_deref()),
+                rounding: rounding(&text[place.clone()], value, number.source.as_ref()),
                 place,
                 mass: number.mass,
                 source: number.source,
@@ -86,10 +87,58 @@ impl Origins {
     }
 }
 
+/// A quantity with its place and the key under which the scene gives it.
+type Placed = (Range<usize>, GivenNumber, String);
+
+/// Every quantity of a table and of those within it, in the order of the keys: its key from the top of the scene, its
+/// symbol, its value in SI, and its place, where it is not the usual one; it comes from what its own note says, or the
+/// `source` of its table. `path` leads to the table, `shown` as the scene writes it.
+fn quantities(
+    values: &Values,
+    path: &str,
+    shown: &str,
+    found: &mut Vec<(String, &'static Symbol, f64, Option<Placed>)>,
+) {
+    let joined = |path: &str, key: &Key| match path {
+        "" => key.name.to_owned(),
+        _ => format!("{path}.{}", key.name),
+    };
+    for key in values.keys {
+        let (path, shown) = (joined(path, key), joined(shown, key));
+        let mut add =
+            |value, placed| found.extend(key.number().map(|(symbol, _)| (path.clone(), symbol, value, placed)));
+        let Some((value, place)) = values.entry(key.name) else {
+            if let Some(value) = key.usual {
+                add(value, None);
+            }
+            continue;
+        };
+        match value {
+            Value::Number(number) => {
+                let mut number = number.clone();
+                number.source = number.source.or_else(|| values.words("source").cloned());
+                add(number.value, Some((place.clone(), number, shown)));
+            }
+            Value::Table(table) => {
+                let shown = if table.beside { key.name } else { &shown };
+                quantities(table, &path, shown, found);
+            }
+            Value::Tables(tables) => {
+                for (number, table) in (1..).zip(tables) {
+                    let number: usize = number;
+                    let numbered = |path: &str| format!("{path}[{number}]");
+                    quantities(table, &numbered(&path), &numbered(&shown), found);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
 /// Half of the last digit of a value (in SI) as the scene writes it; `None` for zero, whose digits say nothing, and for
 /// what no publication has printed.
-fn rounding(written: &str, value: f64, source: Option<&str>) -> Option<f64> {
-    source?.strip_prefix('[')?;
+fn rounding(written: &str, value: f64, source: Option<&Text>) -> Option<f64> {
+    source?.english().strip_prefix('[')?;
     let number = written.split('"').nth(1)?.trim();
     let end = number.find(|c: char| !(c.is_ascii_digit() || "+-.".contains(c)));
     let number = &number[..end.unwrap_or(number.len())];

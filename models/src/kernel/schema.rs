@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::symbol::{COARSEST, Symbol};
+use crate::kernel::text::Text;
 use crate::kernel::unit::Unit;
 
 /// A key of a scene.
@@ -30,9 +31,12 @@ pub const KIND: &str = "kind";
 /// What stands behind a key.
 #[derive(Clone, Copy, Debug)]
 pub enum Kind {
+    /// A text, or a table of it in several languages.
     Text,
-    /// A text of one line, not empty.
+    /// A text of one line, not empty, or a table of it in several languages.
     Line,
+    /// A text that is the same in every language.
+    Name,
     /// A date in any form; one that looks like `YYYY-MM-DD` exists.
     Date,
     /// A text of several lines, each with its place.
@@ -222,7 +226,7 @@ impl Sign {
 /// A checked part of a scene.
 #[derive(Clone, Debug)]
 pub enum Value {
-    Text(String),
+    Text(Text),
     Number(GivenNumber),
     Table(Values),
     /// With their places.
@@ -243,11 +247,8 @@ pub struct GivenNumber {
     /// In kg, where it is a weight given as a mass.
     pub mass: Option<f64>,
     /// Where the scene says that it comes from.
-    pub source: Option<String>,
+    pub source: Option<Text>,
 }
-
-/// A quantity with its place and the key under which the scene gives it.
-pub type Placed = (Range<usize>, GivenNumber, String);
 
 /// A checked table: every value with its place.
 #[derive(Clone, Debug, Default)]
@@ -264,7 +265,7 @@ pub struct Values {
 
 /// What scenes ask for hundreds of times is not inlined.
 impl Values {
-    fn entry(&self, name: &str) -> Option<(&Value, &Range<usize>)> {
+    pub(super) fn entry(&self, name: &str) -> Option<(&Value, &Range<usize>)> {
         let found = self.entries.iter().find(|(known, ..)| *known == name);
         found.map(|(_, value, place)| (value, place))
     }
@@ -294,9 +295,16 @@ impl Values {
         own.map_or_else(|| self.entries.iter().find_map(within), |key| self.number(key.name))
     }
 
+    /// In English, where the scene gives it in several languages.
+    #[must_use]
+    pub fn text(&self, name: &str) -> Option<&str> {
+        self.words(name).map(Text::english)
+    }
+
+    /// In every language that the scene gives it in.
     #[must_use]
     #[inline(never)]
-    pub fn text(&self, name: &str) -> Option<&str> {
+    pub fn words(&self, name: &str) -> Option<&Text> {
         match self.entry(name) {
             Some((Value::Text(text), _)) => Some(text),
             _ => None,
@@ -413,50 +421,6 @@ impl Values {
                 }
                 Value::Table(table) => table.weigh(g),
                 Value::Tables(tables) => tables.iter_mut().for_each(|table| table.weigh(g)),
-                _ => {}
-            }
-        }
-    }
-
-    /// Every quantity of this table and of those within it, in the order of the keys: its key from the top of the scene,
-    /// its symbol, its value in SI, and its place, where it is not the usual one; it comes from what its own note says,
-    /// or the `source` of its table.
-    pub fn quantities(&self, path: &str, found: &mut Vec<(String, &'static Symbol, f64, Option<Placed>)>) {
-        self.within(path, path, found);
-    }
-
-    fn within(&self, path: &str, shown: &str, found: &mut Vec<(String, &'static Symbol, f64, Option<Placed>)>) {
-        let joined = |path: &str, key: &Key| match path {
-            "" => key.name.to_owned(),
-            _ => format!("{path}.{}", key.name),
-        };
-        for key in self.keys {
-            let (path, shown) = (joined(path, key), joined(shown, key));
-            let mut add =
-                |value, placed| found.extend(key.number().map(|(symbol, _)| (path.clone(), symbol, value, placed)));
-            let Some((value, place)) = self.entry(key.name) else {
-                if let Some(value) = key.usual {
-                    add(value, None);
-                }
-                continue;
-            };
-            match value {
-                Value::Number(number) => {
-                    let mut number = number.clone();
-                    number.source = number.source.or_else(|| self.text("source").map(str::to_owned));
-                    add(number.value, Some((place.clone(), number, shown)));
-                }
-                Value::Table(table) => {
-                    let shown = if table.beside { key.name } else { &shown };
-                    table.within(&path, shown, found);
-                }
-                Value::Tables(tables) => {
-                    for (number, table) in (1..).zip(tables) {
-                        let number: usize = number;
-                        let numbered = |path: &str| format!("{path}[{number}]");
-                        table.within(&numbered(&path), &numbered(&shown), found);
-                    }
-                }
                 _ => {}
             }
         }

@@ -89,7 +89,7 @@ impl BalancedBoom<'_> {
             curves: self.curves(model),
             range: table(model, &self.columns()),
             table: match published {
-                Some(published) if published.source.starts_with("[Ports001") => table_5_2_1(),
+                Some(published) if published.source.english().starts_with("[Ports001") => table_5_2_1(),
                 _ => Vec::new(),
             },
         })

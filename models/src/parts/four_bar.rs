@@ -1,4 +1,4 @@
-//! The four-bar linkage: crank O–J (driven), coupler J–K, follower N–K, frame
+//! The four-bar linkage: crank O–J (driving), coupler J–K, follower N–K, frame
 //! O–N; any lengths, both branches of assembly.
 
 use std::f64::consts::{PI, TAU};

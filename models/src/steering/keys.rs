@@ -107,7 +107,7 @@ static RING: &[Key] = keys! { s:
 };
 
 static CATALOGUE: &[Key] = &[
-    Key::new("name", Kind::Text, "Name of the ring."),
+    Key::new("name", Kind::Name, "Name of the ring."),
     Key::quantity(&s::D_L, Sign::Positive),
     Key::new(
         "ring",

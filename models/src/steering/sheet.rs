@@ -62,7 +62,8 @@ const OUTLINE: Outline = Outline {
     summary: &[],
     sensitivity: &[],
     limits: &[Limit::not_negative("range", &s::MARGIN_MIN)],
-    worst: ("greatest_force", &s::F_G_WORK),
+    forces: &[&s::F_G, &s::T_G, &s::V_C, &s::Q_SUM],
+    worst: &[("greatest_force", &s::F_G_WORK)],
 };
 
 /// As scenes describe it.
@@ -170,6 +171,22 @@ impl Described for SteeringScene {
         };
         let resistance = this.given.tyre.map(|_| "resistance");
         std::iter::once(level).chain(resistance).collect()
+    }
+
+    fn uncovered(this: &Steering) -> Vec<&'static str> {
+        let oil = match this.moving {
+            Some(_) => "oil_in_motion",
+            None => "oil_dynamics",
+        };
+        vec![
+            oil,
+            "slope",
+            "side_forces",
+            "travel_drive",
+            "strength",
+            "fatigue",
+            "load_cases",
+        ]
     }
 
     fn drawing(this: &Steering) -> Drawing {

@@ -98,7 +98,7 @@ symbols! {
     TO: "to" "theta_e" RAD / DEG, "Commanded angle at the end of the working range.", "input";
     DELTA: "delta" "delta_i" RAD / DEG, "Greatest error of a group's angle.", "derived";
     RESOLUTION: "resolution" "q_e" RAD / DEG [from_to(0.0, 0.2)], "Step of the encoders of the groups' angles.", "input";
-    DEAD_BAND: "dead_band" "b_v" M / MM [from_to(0.0, 1.0)], "Stroke by which a cylinder may be wrong before its valve opens.", "input";
+    DEAD_BAND: "dead_band" "b_v" M / MM [from_to(0.0, 1.0)], "Dead band of a cylinder: its stroke before its valve opens.", "input";
     SLIP_LIMIT: "slip_limit" "sigma_lim" ONE / PERCENT, "Slip that is allowed.", "input";
     SLIP_ALONE: "slip_alone" "sigma_(0 i)" ONE / PERCENT, "Slip of a group by its own error alone, were the machine to keep its motion.", "derived";
     SLIP: "slip" "sigma_i" ONE / PERCENT, "Slip of a group: its greatest sideways speed over the travel speed, for all signs of the angle errors.", "least squares";
@@ -109,7 +109,7 @@ symbols! {
     THETA_BN: "theta_b_n" "theta_(b n)" RAD / DEG, "Angle that all groups can follow and that is nearest to the commanded one, or to the direction of travel of the modes straight and crosswise.", "derived";
     R_TN: "R_t_n" "R_(t n)" M / M, "Radius that all groups can follow and that is nearest to the commanded one.", "derived";
     X_C_N: "x_c_n" "x_(O n)" M / M, "Turning centre that all groups can follow and that is nearest to the commanded one, to the middle or to the corner, forward.", "derived";
-    Y_C_N: "y_c_n" "y_(O n)" M / M, "The same, to the left.", "derived";
+    Y_C_N: "y_c_n" "y_(O n)" M / M, "Turning centre that all groups can follow, nearest to the one commanded, to the middle or to the corner, to the left.", "derived";
     THETA_N: "theta_n" "theta_(n i)" RAD / DEG, "Heading of a group at the nearest command that all groups can follow; straight ahead where there is none.", "derived";
     V_C_MAX: "v_c_max" "v_(c,max)" M_PER_S / MM_PER_S [above_to(0.0, 10.0)], "Speed limit of the steering cylinders.", "input";
     V_C_WORK: "v_c_work" "v_(c,w)" M_PER_S / MM_PER_S, "Greatest speed of a cylinder in the working range at the steering speed.", "derived";
@@ -139,7 +139,7 @@ symbols! {
     G: "G" "G_i" N / KN [not_negative], "Vertical load of a group.", "[Zhang2016, 3]";
     F_T: "f_t" "f_t" ONE / ONE [from_to(0.0, 2.0), tunable], "Coefficient of sliding friction between tyre and ground.", "[Zhang2016, 3]";
     P_T: "p_t" "p_t" PA / MPA [above_to(0.0, 1e7), tunable], "Tyre pressure.", "[Zhang2016, 3]";
-    K_V: "k_v" "k_v" ONE / ONE [from_to(1.0, 10.0), tunable], "How many times the resistance to steering is smaller while travelling.", "[Zhang2016, 3]";
+    K_V: "k_v" "k_v" ONE / ONE [from_to(1.0, 10.0), tunable], "Ratio of the resistance to steering at standstill to that while travelling.", "[Zhang2016, 3]";
     T_R: "T_r" "T_(r i)" N_M / KN_M, "Resistance of a group to steering at standstill.", "[Zhang2016, 3]";
     T_RX: "T_rx" "T_(r x i)" N_M / KN_M, "Resistance of a group to steering while travelling.", "[Zhang2016, 3]";
 
@@ -179,7 +179,7 @@ symbols! {
 
     // Sizing.
     T_G: "T_g" "T_(g i)" N_M / KN_M, "Moment that a group's cylinder must overcome at standstill: resistance to steering and friction of the ring.", "[Zhang2016, 5.2]";
-    T_GX: "T_gx" "T_(g x i)" N_M / KN_M, "The same while travelling.", "[Zhang2016, 5.2]";
+    T_GX: "T_gx" "T_(g x i)" N_M / KN_M, "Moment that the group's cylinder overcomes while travelling.", "[Zhang2016, 5.2]";
     F_GX: "f_gx" "f_(g x i)" N / KN, "Force of a group's cylinder while travelling.", "[Zhang2016, 5.2]";
     V_C: "v_c" "v_(c i)" M_PER_S / MM_PER_S, "Speed of a group's cylinder, lengthening positive.", "derived";
     Q_SUM: "q_sum" "q" M3_PER_S / L_PER_MIN, "Oil flow of all cylinders together, by amount.", "derived";
@@ -211,5 +211,5 @@ symbols! {
     E: "E" "E" PA / MPA [above_to(0.0, 1e12)], "Young's modulus of the rod.", "input";
     L_K: "l_k" "l_k" M / M, "Buckling length of the cylinder.", "input";
     NU: "nu" "nu" ONE / ONE [from_to(1.0, 20.0)], "Safety against buckling.", "input";
-    F_K: "F_k" "F_k" N / KN, "Push that the rod bears with its safety against buckling.", "Euler";
+    F_K: "F_k" "F_k" N / KN, "Permissible buckling load of the rod, its safety included.", "Euler";
 }

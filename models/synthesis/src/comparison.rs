@@ -11,6 +11,7 @@ use lemnis_models::component::sheet::{Drawing, Shape};
 use lemnis_models::kernel::allowed::OutOfRange;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::kernel::text::Text;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::parts::plane::Point;
 use lemnis_models::scene::Scene;
@@ -38,7 +39,7 @@ pub struct Comparison {
 pub struct Compared {
     /// `found`, or the role of a candidate; `own` where nothing was searched for yet.
     pub role: &'static str,
-    pub source: Option<String>,
+    pub source: Option<Text>,
     pub branch: Branch,
     pub dimensions: Dimensions<f64>,
     /// `None` where it does not close over the whole range.
@@ -118,9 +119,9 @@ impl Comparison {
         let boom = &*boom;
         let positions = Positions::new(boom, range, 101).ok()?;
         let builds = Builds::new(&positions, task.tolerances, BUILDS, task.seed).ok()?;
-        let compared = |role, source: Option<&str>, dimensions, branch| Compared {
+        let compared = |role, source: Option<&Text>, dimensions, branch| Compared {
             role,
-            source: source.map(str::to_owned),
+            source: source.cloned(),
             branch,
             dimensions,
             worth: worth(boom, range, &positions, &builds, length, dimensions, branch).ok(),
@@ -129,7 +130,7 @@ impl Comparison {
         let candidates = task.candidates.iter();
         let mut levers: Vec<Compared> = candidates
             .filter(|candidate| !is_front(candidate.role))
-            .map(|c| compared(c.role.name(), c.source.as_deref(), c.dimensions, c.branch))
+            .map(|c| compared(c.role.name(), c.source.as_ref(), c.dimensions, c.branch))
             .collect();
         levers.sort_by_key(|lever| ORDER.iter().position(|role| role.name() == lever.role));
         if let Some(own) = &own {

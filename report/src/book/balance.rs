@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::book::blocks::{Figure, Range, Summary, range, summary};
 use crate::book::tables::printed;
 use crate::language::Language;
-use crate::print::drawing::{PAGE, drawing};
+use crate::print::drawing::{SKETCH, drawing};
 use crate::print::number::{named, quantity};
 
 #[derive(Serialize)]
@@ -62,14 +62,17 @@ impl Balance {
                 .published
                 .map(|value| quantity(language, criterion.summary.symbol, value)),
         };
-        let drawing = drawing(&balance.drawing, [PAGE[0], 82.0]);
+        let drawing = drawing(&balance.drawing, [SKETCH[0], 82.0]);
         Balance {
             kind: balance.kind,
             turns: balance.range.columns.contains(&&DM_5),
             scale: drawing.scale,
             drawing: drawing.json(),
             criteria: balance.criteria.iter().map(criterion).collect(),
-            published_source: balance.published_source.clone(),
+            published_source: balance
+                .published_source
+                .as_ref()
+                .map(|source| source.of(language.code).to_owned()),
             equilibria: balance
                 .equilibria
                 .iter()

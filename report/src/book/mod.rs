@@ -12,9 +12,12 @@ mod title;
 mod trade;
 mod verdict;
 
+use std::collections::BTreeMap;
+
 use lemnis_fmu::instance::strings;
-use lemnis_models::book::CHAPTERS;
+use lemnis_models::book::{CHAPTERS, TEXT};
 use lemnis_models::component::sheet::{self, Sheet};
+use lemnis_models::kernel::schema::Key;
 use lemnis_models::scene::Scene;
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
@@ -30,7 +33,7 @@ use crate::book::title::Title;
 use crate::book::trade::Trade;
 use crate::book::verdict::Verdict;
 use crate::language::{Language, symbols};
-use crate::print::drawing::{PAGE, drawing};
+use crate::print::drawing::{SKETCH, drawing};
 use crate::template::{Error, Templates};
 
 /// The file with the scene's hash. Headers read it while pages are laid out:
@@ -96,13 +99,18 @@ struct Book<'a> {
     mechanism: &'static str,
     symbols: &'static str,
     /// Parts of the machine that have words of their own.
-    parts: &'static [&'static str],
+    parts: Vec<&'static str>,
     /// Ids of the chapters in their order.
     chapters: Vec<&'static str>,
     #[serde(flatten)]
     verdict: Verdict,
     summary: Vec<Summary>,
     governing: Vec<Summary>,
+    /// The engineer's own paragraphs by their places.
+    text: BTreeMap<&'static str, Vec<String>>,
+    /// Least and greatest of each.
+    forces: Vec<[Summary; 2]>,
+    uncovered: &'a [&'static str],
     inputs: Vec<Chapter>,
     drawing: String,
     scale: u32,
@@ -132,7 +140,7 @@ struct Book<'a> {
 /// The chapters of a level; a chapter that has nothing to say is left out.
 fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
     let of_level = |chapter: &&'static str| match level {
-        "summary" => ["results", "inputs", "sensitivity"].contains(chapter),
+        "summary" => ["results", "task", "forces", "references"].contains(chapter),
         _ => true,
     };
     let chosen = match &scene.book.chapters {
@@ -144,7 +152,8 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "sensitivity" => !sheet.sensitivity.results.is_empty(),
         "views" => !sheet.views.is_empty(),
         "sizing" => !sheet.sizing.is_empty(),
-        "remarks" => !sheet.remarks.is_empty(),
+        "forces" => !sheet.forces.is_empty(),
+        "remarks" => !sheet.remarks.is_empty() || scene.book.text.iter().any(|(place, _)| *place == "remarks"),
         "identities" => !sheet.identities.is_empty(),
         "balance" => sheet.balance.is_some(),
         "motion" => sheet.motion.is_some(),
@@ -154,6 +163,21 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         _ => true,
     };
     chosen.into_iter().filter(has).collect()
+}
+
+/// The engineer's own paragraphs, with blank lines between them, by their places.
+fn paragraphs(language: &Language, scene: &Scene) -> BTreeMap<&'static str, Vec<String>> {
+    let own = |place: &str| scene.book.text.iter().find(|(known, _)| *known == place);
+    let of = |key: &Key| {
+        let lines: Vec<&str> = own(key.name)
+            .map_or("", |(_, text)| text.of(language.code))
+            .lines()
+            .map(str::trim)
+            .collect();
+        let paragraphs = lines.split(|line| line.is_empty()).filter(|lines| !lines.is_empty());
+        (key.name, paragraphs.map(|lines| lines.join(" ")).collect())
+    };
+    TEXT.iter().map(of).collect()
 }
 
 impl<'a> Book<'a> {
@@ -189,25 +213,34 @@ impl<'a> Book<'a> {
         let trade = measures
             .then(|| Trade::new(language, scene, &mut notation))
             .transpose()?;
-        let drawing = drawing(&sheet.drawing, PAGE);
+        let drawing = drawing(&sheet.drawing, SKETCH);
         let figure = |c: &sheet::Curve| Figure::new(language, c);
         let summary = |s: &sheet::Summary| blocks::summary(language, s);
         let demand = |d: &(&'static str, sheet::Summary)| tables::demand(language, d);
+        let balanced = sheet.balance.as_ref();
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
         Ok(Book {
-            title: Title::new(scene),
+            title: Title::new(scene, language),
             hash,
             attachment: format!("{}.toml", scene.name()),
             version,
             level: edition.level,
             mechanism: scene.mechanism.id(),
             symbols: symbols(scene.mechanism.id()),
-            parts: sheet.balance.as_ref().map_or(&[], |balance| balance.parts),
+            parts: balanced
+                .map_or(&[][..], |balance| balance.parts)
+                .iter()
+                .chain(&sheet.parts)
+                .copied()
+                .collect(),
             html: format == Format::Html,
             verdict: Verdict::new(language, scene, sheet),
             summary: sheet.summary.iter().map(summary).collect(),
             governing: sheet.governing.iter().map(summary).collect(),
+            text: paragraphs(language, scene),
+            forces: sheet.forces.iter().map(|ends| ends.each_ref().map(summary)).collect(),
+            uncovered: &sheet.uncovered,
             inputs,
             scale: drawing.scale,
             drawing: drawing.json(),

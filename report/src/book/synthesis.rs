@@ -150,7 +150,7 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
             .map(|(i, lever)| Lever {
                 number: i + 1,
                 role: lever.role,
-                source: lever.source.clone(),
+                source: lever.source.as_ref().map(|source| source.of(language.code).to_owned()),
             })
             .collect(),
         rows,

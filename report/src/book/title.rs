@@ -6,6 +6,8 @@ use lemnis_models::kernel::check;
 use lemnis_models::scene::Scene;
 use serde::Serialize;
 
+use crate::language::Language;
+
 /// Its fields.
 const FIELDS: [&str; 8] = [
     "document", "crane", "client", "author", "checker", "approver", "date", "revision",
@@ -17,22 +19,26 @@ pub(super) struct Title<'a> {
     name: &'a str,
     /// Fields by their keys; none where the scene gives nothing.
     project: BTreeMap<&'static str, Option<&'a str>>,
-    revisions: &'a [Vec<String>],
+    revisions: Vec<Vec<&'a str>>,
     /// Year, month and day, where the date of the book is written so.
     date: Option<(u16, u8, u8)>,
 }
 
 impl<'a> Title<'a> {
-    pub(super) fn new(scene: &'a Scene) -> Title<'a> {
+    pub(super) fn new(scene: &'a Scene, language: &Language) -> Title<'a> {
         let given = |key: &str| {
             let found = scene.project().iter().find(|(known, _)| *known == key);
-            found.map(|(_, text)| text.as_str())
+            found.map(|(_, text)| text.of(language.code))
         };
         Title {
-            title: scene.title(),
+            title: scene.titles().of(language.code),
             name: scene.name(),
             project: FIELDS.into_iter().map(|key| (key, given(key))).collect(),
-            revisions: scene.revisions(),
+            revisions: scene
+                .revisions()
+                .iter()
+                .map(|row| row.iter().map(|text| text.of(language.code)).collect())
+                .collect(),
             date: given("date").and_then(check::date),
         }
     }

@@ -19,8 +19,8 @@ fn scales() -> impl Iterator<Item = u32> {
 
 /// The smallest scale, 1 : n.
 const SMALLEST: u32 = 1_000_000_000;
-/// Largest size of a drawing on a page of its own.
-pub const PAGE: Point = [166.0, 190.0];
+/// Largest size of a drawing between paragraphs.
+pub const SKETCH: Point = [166.0, 110.0];
 /// Room around a drawing for labels and supports.
 const MARGIN: Point = [3.5, 7.0];
 /// Largest size of one of many.

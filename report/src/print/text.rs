@@ -26,6 +26,25 @@ pub(crate) fn escape(text: &str) -> String {
     escaped
 }
 
+/// Text whose words a line can always hold: one that is too long may be broken after every so many letters. Chinese is
+/// broken anywhere already.
+pub(crate) fn breakable(text: &str) -> String {
+    const LONGEST: usize = 22;
+    const PIECE: usize = 4;
+    let chinese = |c: char| c >= '\u{2e80}';
+    let mut broken = String::with_capacity(text.len());
+    for word in text.split_inclusive(|c: char| c.is_whitespace() || chinese(c)) {
+        let long = word.chars().count() > LONGEST;
+        for (i, c) in word.chars().enumerate() {
+            if long && i > 0 && i % PIECE == 0 {
+                broken.push('\u{200b}');
+            }
+            broken.push(c);
+        }
+    }
+    broken
+}
+
 /// A string literal of Typst, with no more escapes than it needs.
 pub(crate) fn string(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))

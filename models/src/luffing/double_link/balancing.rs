@@ -34,7 +34,7 @@ pub fn new<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Result<Option<Balanci
     Balancing::new(form, phi, u_0).map(Some).map_err(in_scene)
 }
 
-/// What it does at a position with `theta` (rad) of the driven bar.
+/// What it does at a position with `theta` (rad) of the driving link.
 ///
 /// # Errors
 /// As [`Balancing::at`].
@@ -82,7 +82,7 @@ pub fn balanced<C: Calc>(
     Balanced::new(residual, about_foot, [load.m_q, own.m_g], force)
 }
 
-/// Angle of the boom (rad) where the driven bar is at `theta` (rad).
+/// Angle of the boom (rad) where the driving link is at `theta` (rad).
 pub fn boom_angle<C: Calc>(p: &Position<C>, theta: C) -> C {
     match p.driven {
         Driven::Boom => theta,
@@ -90,7 +90,7 @@ pub fn boom_angle<C: Calc>(p: &Position<C>, theta: C) -> C {
     }
 }
 
-/// The residual over any scalar at an angle (rad) of the driven bar.
+/// The residual over any scalar at an angle (rad) of the driving link.
 ///
 /// # Errors
 /// As [`at`]; an angle at which the linkage does not close.
@@ -124,7 +124,7 @@ pub fn analysis(p: &Parameters<f64>, motion: &Motion) -> Result<Option<Analysis>
         .map_err(in_scene)
 }
 
-/// The same mechanism with its boom as the driven bar, assembled as in the middle of the range.
+/// The same mechanism with its boom as the driving link, assembled as in the middle of the range.
 fn by_boom<C: Calc>(p: &Parameters<C>, motion: &Motion) -> Parameters<C> {
     let branch = match p.driven {
         Driven::Boom => p.branch,

@@ -14,6 +14,9 @@ use crate::parts::plane::{self, Point};
 /// At the ends (faint) and in the middle of the working range, with the path of the head.
 #[must_use]
 pub fn drawing(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
+    if luffing.is_plain() {
+        return boom(g, luffing);
+    }
     let motion = &luffing.motion;
     let middle = f64::midpoint(motion.from, motion.to);
     let mut draw = Draw::default();
@@ -55,6 +58,27 @@ pub fn drawing(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
     draw.distance(below, o3, 2.6, &s::X_6);
     draw.distance(axis, o1, -4.1, &s::X_8);
     draw.done(g.lengths.x_1 + g.lengths.x_4)
+}
+
+/// A plain boom.
+fn boom(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
+    let motion = &luffing.motion;
+    let middle = f64::midpoint(motion.from, motion.to);
+    let mut draw = Draw::default();
+    let o1 = Point::zeros();
+    for (theta, faint) in [(motion.from, true), (motion.to, true), (middle, false)] {
+        let Some(p) = Position::new(g, theta) else { continue };
+        draw.bar(&[o1, p.b], faint);
+        draw.pin(p.b, false, faint);
+        if !faint {
+            drive(&mut draw, g, &p, luffing);
+            draw.label(p.b, "B");
+            draw.angle(o1, 4.0, theta, &s::THETA_1);
+            draw.distance(o1, p.b, -2.0, &s::X_1);
+        }
+    }
+    draw.joint(o1, "O_1", true, false);
+    draw.done(g.lengths.x_1)
 }
 
 /// The drive, where there is one, and the lug that carries its anchor beside the bar.

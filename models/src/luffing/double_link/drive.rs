@@ -1,5 +1,5 @@
 //! The drive: a cylinder or a rack that pushes along a line from an anchor on
-//! the frame to an anchor on the driven bar.
+//! the frame to an anchor on the driving link.
 
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
@@ -14,17 +14,17 @@ use crate::parts::plane::{self, Point};
 /// The drive at one position.
 #[derive(Clone, Copy, Debug)]
 pub struct Drive<C> {
-    /// From the anchor on the frame to the one on the driven bar, in m.
+    /// From the anchor on the frame to the one on the driving link, in m.
     line: Point<C>,
     /// Length between the anchors, in m.
     pub l_d: C,
-    /// Lever arm about the foot of the driven bar, in m; positive where a push
+    /// Lever arm about the foot of the driving link, in m; positive where a push
     /// turns it counter-clockwise. The derivative of the length by the angle.
     pub h_d: C,
 }
 results! { Drive as d => { L_D: d.l_d; H_D: d.h_d; } }
 
-/// Force of the drive on the driven bar.
+/// Force of the drive on the driving link.
 #[derive(Clone, Copy, Debug)]
 pub struct Reaction<C> {
     /// Push positive, in N.
@@ -75,7 +75,7 @@ pub fn force<C: Calc>(m_d: C, [l_d, h_d]: [C; 2], symbol: &'static Symbol) -> C 
 }
 
 impl<C: Calc> Reaction<C> {
-    /// The force that gives the moment that the driven bar needs.
+    /// The force that gives the moment that the driving link needs.
     pub fn new(drive: &Drive<C>, held: &Held<C>) -> Reaction<C> {
         let f_d = drive.force(held.m_d, &s::F_D);
         let along = |line: C| f_d * line / drive.l_d;
@@ -86,7 +86,7 @@ impl<C: Calc> Reaction<C> {
     }
 }
 
-/// Speed of the drive, in m/s, lengthening positive, at the driven bar's angular velocity (rad/s).
+/// Speed of the drive, in m/s, lengthening positive, at the driving link's angular velocity (rad/s).
 pub fn speed<C: Calc>(drive: &Drive<C>, omega: &C) -> C {
     (drive.h_d * *omega).def(&s::V_D)
 }

@@ -57,7 +57,7 @@ impl<C: Calc> Feet<C> {
             )
         };
         let o3 = || plane::def(by_drive(held(pins.c, g_3), Driven::Rocker), [&s::F_O3X, &s::F_O3Y]);
-        // The driven bar's foot first.
+        // The driving link's foot first.
         let (o1, o3) = match p.driven {
             Driven::Boom => (o1(), o3()),
             Driven::Rocker => {

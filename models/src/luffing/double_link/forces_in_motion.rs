@@ -65,7 +65,7 @@ impl<C: Calc> ForcesInMotion<C> {
         ForcesInMotion { pins, f_d, balance, at }
     }
 
-    /// How far the moment on the driven bar by equilibrium is from that of drive, friction and end stop, and the
+    /// How far the moment on the driving link by equilibrium is from that of drive, friction and end stop, and the
     /// greatest of what they are made of; `None` where bars lie in one line.
     pub fn apart(&self) -> Option<[f64; 2]> {
         let Shares {

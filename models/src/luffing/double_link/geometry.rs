@@ -55,7 +55,7 @@ impl<C: Calc> Geometry<C> {
 }
 
 impl<C: Calc> Geometry<C> {
-    /// The first angle of the driven bar (rad) within a range, ends included, at which the linkage has a change point.
+    /// The first angle of the driving link (rad) within a range, ends included, at which the linkage has a change point.
     #[must_use]
     pub fn change_point(&self, range: &Motion) -> Option<f64> {
         // A rounding of degrees is not an angle outside.

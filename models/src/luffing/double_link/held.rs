@@ -47,7 +47,7 @@ impl<C: Calc> Carried<C> {
 /// What the drive must give, and forces in the pins where any finite ones carry load and weights.
 #[derive(Clone, Copy, Debug)]
 pub struct Held<C> {
-    /// Moment that the drive must give to the driven bar, in N·m.
+    /// Moment that the drive must give to the driving link, in N·m.
     pub m_d: C,
     /// Or at which angle bars lie in one line.
     pub pins: Result<PinForces<C>, (&'static Symbol, f64)>,
@@ -92,7 +92,7 @@ impl<C: Calc> Held<C> {
     }
 }
 
-/// Bars lie in one line where the driven one, named by `symbol`, is at `theta` (rad).
+/// Bars lie in one line where the driving one, named by `symbol`, is at `theta` (rad).
 #[cold]
 pub fn in_line(symbol: &Symbol, theta: f64) -> Fault {
     Fault::outside(format!(

@@ -9,7 +9,7 @@ use crate::parts::plane::{self, Point, cross};
 /// How it moves at one instant, and what acts on it besides weights.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant<C> {
-    /// Of the driven bar, in rad/s and rad/s².
+    /// Of the driving link, in rad/s and rad/s².
     pub omega: C,
     pub alpha: C,
     /// Angular velocity of slewing, in rad/s, where the crane slews.

@@ -18,7 +18,7 @@ pub const KEYS: &[Key] = &[
         "A double link of boom, jib and rocker; the usual kind.",
     ),
     Key::new("driven", Kind::Choice(&["boom", "rocker"]), "Which bar the drive turns; its angle is the coordinate."),
-    Key::new("branch", Kind::Choice(&["left", "right"]), "Side of the line from the foot of the other bar to the driven bar's head on which the jib's other pin lies."),
+    Key::new("branch", Kind::Choice(&["left", "right"]), "Side of the line from the foot of the other bar to the driving link's head on which the jib's other pin lies."),
     Key::quantity(&s::X_1, Sign::Positive),
     Key::quantity(&s::X_2, Sign::Positive),
     Key::quantity(&s::X_3, Sign::Positive),
@@ -31,7 +31,7 @@ pub const KEYS: &[Key] = &[
     Key::quantity(&s::AC, Sign::Positive).optional(),
     Key::weight(&s::Q).optional(),
     Key::new("fidelity", Kind::Choice(moving::scene::FIDELITIES), "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range, its dimensions fixed), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope), \"hydraulic\" (a cylinder with oil and valve moves it), \"auto\" (the cheapest that keeps to `accuracy`).").optional(),
-    Key::table("motion", MOTION, "Working range of the driven bar."),
+    Key::table("motion", MOTION, "Working range of the driving link."),
     Key::part("weights", WEIGHTS, "Own weights and their centres of gravity."),
     BALANCE,
     DRIVE,
@@ -47,7 +47,7 @@ pub const KEYS: &[Key] = &[
 ];
 
 /// Parts of a crane that may also stand beside `[luffing]`, at the top of the scene.
-pub const DRIVE: Key = Key::part("drive", DRIVE_KEYS, "Cylinder or rack that turns the driven bar.");
+pub const DRIVE: Key = Key::part("drive", DRIVE_KEYS, "Cylinder or rack that turns the driving link.");
 pub const HOISTING: Key = Key::part(
     "hoisting",
     moving::hoisting::HOISTING_KEYS,
@@ -62,7 +62,7 @@ pub const SLEWING: Key = Key::part(
 const MOTION: &[Key] = &Motion::keys(
     [&s::FROM, &s::TO],
     &s::THETA_1,
-    (&s::OMEGA_1, "Angular velocity of the driven bar."),
+    (&s::OMEGA_1, "Angular velocity of the driving link."),
 );
 
 static WEIGHTS: &[Key] = keys! { s:
@@ -85,6 +85,6 @@ static PUBLISHED: &[Key] = &[
     Key::new(
         "values",
         Kind::Lines,
-        "A line of names, then lines of values in display units; the first column is the angle of the driven bar.",
+        "A line of names, then lines of values in display units; the first column is the angle of the driving link.",
     ),
 ];

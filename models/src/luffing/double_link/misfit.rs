@@ -73,7 +73,7 @@ impl Parameters<f64> {
                 };
                 Words {
                     key: other.0,
-                    what: "the linkage closes at no angle of the driven bar".to_owned(),
+                    what: "the linkage closes at no angle of the driving link".to_owned(),
                     help: format!(
                         "the diagonal opposite this bar lies between {} m and {} m ({} = {} m, distance of the feet {} m), \
                          X_2 and {} reach from {} m to {} m: change the lengths so that the two ranges overlap",

@@ -11,7 +11,7 @@
 //! ```
 //!
 //! Angles counter-clockwise from the horizontal, x towards the load, y up.
-//! Moments `M_Q`, `M_G` of loads are positive where they lower the driven bar
+//! Moments `M_Q`, `M_G` of loads are positive where they lower the driving link
 //! (make theta smaller), the drive's moment `M_D` where it raises it.
 //!
 //! | id | function | source |

@@ -14,7 +14,7 @@ use crate::parts::plane::Point;
 pub struct Choice {
     pub driven: Driven,
     pub branch: Branch,
-    /// Working range of the driven bar.
+    /// Working range of the driving link.
     pub range: Motion,
     /// Whether finite forces in the pins carry load and weights all over it.
     pub pins: bool,
@@ -29,7 +29,7 @@ pub enum Driven {
 }
 
 impl Driven {
-    /// Angle of the driven bar, the coordinate of the mechanism.
+    /// Angle of the driving link, the coordinate of the mechanism.
     #[must_use]
     pub fn coordinate(self) -> &'static Symbol {
         match self {
@@ -38,7 +38,7 @@ impl Driven {
         }
     }
 
-    /// Angular velocity of the driven bar.
+    /// Angular velocity of the driving link.
     #[must_use]
     pub fn rate(self) -> &'static Symbol {
         match self {
@@ -68,7 +68,7 @@ quantities! {
 }
 
 quantities! {
-    /// Anchors of a drive that pushes along a line from the frame to the driven bar.
+    /// Anchors of a drive that pushes along a line from the frame to the driving link.
     Anchors { e_x: E_X, e_y: E_Y, s_d: S_D, chi_d: CHI_D }
 }
 

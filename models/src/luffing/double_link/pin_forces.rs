@@ -12,7 +12,7 @@ use crate::parts::plane::{self, Point};
 /// Forces of the bars on the jib, in N, and what the drive must give.
 #[derive(Clone, Copy, Debug)]
 pub struct PinForces<C> {
-    /// Moment that the drive must give to the driven bar, in N·m.
+    /// Moment that the drive must give to the driving link, in N·m.
     pub m_d: C,
     /// Of the boom on the jib.
     pub b: Point<C>,
@@ -29,7 +29,7 @@ pub struct JibLoad<C> {
     pub about_b: C,
 }
 
-/// MomentNames of the jib's moment about B and about C, and of the moment on the driven bar.
+/// MomentNames of the jib's moment about B and about C, and of the moment on the driving link.
 #[derive(Clone, Copy, Debug)]
 pub struct MomentNames {
     pub about: [&'static Symbol; 2],
@@ -76,7 +76,7 @@ impl<C: Calc> PinForces<C> {
         PinForces::under(p, &jib, [boom, rocker], &AT_REST)
     }
 
-    /// Equilibrium of jib, driven-along bar and driven bar, in this order, under loads on the jib and moments on boom
+    /// Equilibrium of jib, driven link and driving link, in this order, under loads on the jib and moments on boom
     /// and rocker about their feet (N·m, clockwise positive).
     pub fn under(
         p: &Position<C>,

@@ -14,14 +14,14 @@ use crate::parts::plane::{self, Point, cross, dot};
 /// What the pins and the frame carry.
 #[derive(Clone, Copy, Debug)]
 pub struct PinsInMotion<C> {
-    /// On the jib; with the moment on the driven bar that equilibrium asks for.
+    /// On the jib; with the moment on the driving link that equilibrium asks for.
     pub on_jib: PinForces<C>,
     /// Of the frame on boom and rocker.
     pub o1: Point<C>,
     pub o3: Point<C>,
     /// Axial force in the rocker at C, tension positive.
     pub n_3: C,
-    /// Length of the driven bar times the force in its pin: what cancels to the moment on it, in N·m.
+    /// Length of the driving link times the force in its pin: what cancels to the moment on it, in N·m.
     pub lift: f64,
 }
 

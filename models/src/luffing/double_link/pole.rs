@@ -32,7 +32,7 @@ results! { Pole as c => {
 
 impl<C: Calc> Pole<C> {
     /// The lines of boom and rocker intersected. With change points these may be one line: there the centre is the
-    /// driven bar's point about which the jib turns by its ratio. [Li2022, eq. 1]
+    /// driving link's point about which the jib turns by its ratio. [Li2022, eq. 1]
     pub fn new(g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>) -> Pole<C> {
         if p.passing.is_some() {
             let (head, bar) = match p.driven {
@@ -89,12 +89,12 @@ impl<C: Calc> Pole<C> {
         }
     }
 
-    /// Luffing moment of the load Q (N) about the foot of the driven bar through
+    /// Luffing moment of the load Q (N) about the foot of the driving link through
     /// the instantaneous centre, in N·m; positive lowers the bar. With the
-    /// centre at infinity the jib moves along with the driven bar's head. [Li2022, eq. 11]
+    /// centre at infinity the jib moves along with the driving link's head. [Li2022, eq. 11]
     ///
     /// Signed distances: DA from the centre forward to A, PB from B to the
-    /// centre along the driven bar; eq. (11) with them has the opposite sign.
+    /// centre along the driving link; eq. (11) with them has the opposite sign.
     pub fn moment(&self, g: &Geometry<C>, p: &Position<C>, v: &Velocity<C>, q: C) -> C {
         match *self {
             Pole::AtInfinity(_) => q * v.head.y,

@@ -1,4 +1,4 @@
-//! Where every bar is and how it moves with the driven one, as the forces of motion want it: by derivatives of the
+//! Where every bar is and how it moves with the driving one, as the forces of motion want it: by derivatives of the
 //! positions, and in the book by their names.
 
 use num_dual::{Dual2, Dual64, DualNum};
@@ -16,7 +16,7 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::symbols as g;
 use crate::parts::plane::{self, Point, cross, dot};
 
-/// The mechanism at one angle of the driven bar; lengths in m, everything from O1.
+/// The mechanism at one angle of the driving link; lengths in m, everything from O1.
 #[derive(Clone, Copy, Debug)]
 pub struct PosedLinkage<C> {
     pub position: Position<C>,
@@ -25,7 +25,7 @@ pub struct PosedLinkage<C> {
     /// Boom, jib and rocker.
     pub bodies: [PosedBody<C>; 3],
     pub counterweight: Option<PosedCounterweight<C>>,
-    /// From the anchor on the frame to the one on the driven bar, its length, and its lever arm about that bar's foot.
+    /// From the anchor on the frame to the one on the driving link, its length, and its lever arm about that bar's foot.
     pub drive: Option<(Point<C>, [C; 2])>,
 }
 
@@ -40,7 +40,7 @@ pub struct PosedBody<C> {
     /// Centre of gravity from the bar's first joint and, forward, from the slewing axis, in m.
     pub place: Point<C>,
     pub reach: C,
-    /// Travel of the centre (m) and turning of the bar for one radian of the driven bar, and how they change.
+    /// Travel of the centre (m) and turning of the bar for one radian of the driving link, and how they change.
     pub travel: [Point<C>; 2],
     pub turn: [C; 2],
 }
@@ -52,9 +52,9 @@ pub struct PosedCounterweight<C> {
     pub mass: C,
     /// Forward of the slewing axis, in m.
     pub reach: C,
-    /// Travel (m) for one radian of the driven bar, and how it changes.
+    /// Travel (m) for one radian of the driving link, and how it changes.
     pub travel: [Point<C>; 2],
-    /// Turning of the boom for one radian of the driven bar.
+    /// Turning of the boom for one radian of the driving link.
     pub boom: C,
     /// None where it is fixed to the boom.
     pub line: Option<RodLine<C>>,
@@ -179,7 +179,7 @@ impl Posing<Rec> for Rec {
                 reach,
                 travel: [0, 1].map(|order| point(it.travel[order], names.centre[order])),
                 turn: match i == driven {
-                    // The driven bar turns with itself.
+                    // The driving link turns with itself.
                     true => [Rec::constant(1.0), Rec::constant(0.0)],
                     false => [
                         Rec::given(names.ratio, it.turn[0]),
@@ -222,7 +222,7 @@ impl Posing<Rec> for Rec {
 }
 
 impl<T: Calc + DualNum> Bar<T> {
-    /// Turning for one radian of the driven bar, and how it changes.
+    /// Turning for one radian of the driving link, and how it changes.
     fn turn(&self) -> [T; 2] {
         let [along, travel, bend] = self.along;
         let square = self.length * self.length;

@@ -1,4 +1,4 @@
-//! Positions: from the angle of the driven bar to every joint, angle and the reach.
+//! Positions: from the angle of the driving link to every joint, angle and the reach.
 
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
@@ -23,7 +23,7 @@ pub struct Position<C> {
     pub c: Point<C>,
     /// Reach. [Li2022, eq. 8]
     pub r: C,
-    /// ±4 × area of the triangle between diagonal, rear arm and driven-along bar.
+    /// ±4 × area of the triangle between diagonal, rear arm and driven link.
     pub k: C,
     /// How the linkage passes its change points, if it has any.
     pub passing: Option<Passing>,
@@ -50,7 +50,7 @@ results! { Position as p => {
 } }
 
 impl<C: Calc> Position<C> {
-    /// The position at `theta` (rad), the angle of the driven bar; `None` where
+    /// The position at `theta` (rad), the angle of the driving link; `None` where
     /// the linkage does not close. [Li2022, eq. 3-8]
     // Inlined where the angle's derivatives are plain: most of what is computed of them is then known.
     #[inline]
@@ -109,7 +109,7 @@ impl<C: Calc> Position<C> {
         }
     }
 
-    /// Whether rear arm and driven-along bar lie in one line within rounding.
+    /// Whether rear arm and driven link lie in one line within rounding.
     #[must_use]
     pub fn is_in_line(&self) -> bool {
         self.k.value().abs() <= 4.0 * f64::EPSILON * plane::dot(self.x_2, self.follower()).value().abs()
@@ -149,7 +149,7 @@ impl<C: Calc> Position<C> {
         }
     }
 
-    /// Transmission angle between rear arm and driven-along bar, 0 to π/2 rad.
+    /// Transmission angle between rear arm and driven link, 0 to π/2 rad.
     pub fn mu(&self) -> C {
         C::direction(
             plane::dot(self.x_2, self.follower()).abs(),
@@ -158,7 +158,7 @@ impl<C: Calc> Position<C> {
         .def(&s::MU)
     }
 
-    /// The driven-along bar.
+    /// The driven link.
     fn follower(&self) -> Point<C> {
         match self.driven {
             Driven::Boom => self.x_3,

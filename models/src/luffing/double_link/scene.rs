@@ -50,6 +50,17 @@ impl LuffingScene {
     pub fn has_pins(&self) -> bool {
         self.q.is_some() && self.change_point.is_none()
     }
+
+    /// Whether it is a plain boom: jib and rocker stand for none, since neither they nor a load weigh anything.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        let idle = self
+            .parameters
+            .weights
+            .as_ref()
+            .is_some_and(|w| w.g_1 > 0.0 && w.g_2 == 0.0 && w.g_3 == 0.0);
+        self.q == Some(0.0) && idle && self.parameters.driven == Driven::Boom
+    }
 }
 
 /// How a scene asks for a synthesis.
@@ -271,7 +282,7 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
             ),
             missing(&arcs, &motion),
         )
-        .help(format!("it closes for {} of the driven bar", closes(&geometry))),
+        .help(format!("it closes for {} of the driving link", closes(&geometry))),
     );
     None
 }
@@ -362,12 +373,12 @@ fn missing(arcs: &[Arc], motion: &Motion) -> String {
 /// Reads a published table over the coordinate; mistakes go to `found`.
 fn published(v: &Values, coordinate: &'static Symbol, found: &mut Vec<Diagnostic>) -> Option<Published> {
     let before = found.len();
-    let source = v.text("source")?;
+    let source = v.words("source")?;
     let wrong = |place: &Range<usize>, message: String, label: &str, help: &str| {
         Diagnostic::new(place.clone(), message, label).help(help)
     };
     let Some(((names, place), lines)) = v.texts("values").split_first() else {
-        let help = "begin with a line of names: the angle of the driven bar, then results";
+        let help = "begin with a line of names: the angle of the driving link, then results";
         wrong(
             &v.place("values"),
             "published values without a line".to_owned(),
@@ -388,7 +399,7 @@ fn published(v: &Values, coordinate: &'static Symbol, found: &mut Vec<Diagnostic
     }
     if found.len() == before && columns.first() != Some(&coordinate) {
         let message = format!("published values begin with {names}");
-        let help = format!("the first column is {}, the angle of the driven bar", coordinate.id);
+        let help = format!("the first column is {}, the angle of the driving link", coordinate.id);
         found.push(wrong(place, message, "not the angle", &help));
     }
     let mut rows = Vec::new();
@@ -403,7 +414,7 @@ fn published(v: &Values, coordinate: &'static Symbol, found: &mut Vec<Diagnostic
         rows.push(row);
     }
     (found.len() == before).then(|| Published {
-        source: source.to_owned(),
+        source: source.clone(),
         columns,
         rows,
     })

@@ -1,10 +1,10 @@
-//! What turns the driven bar, told apart: drive and brake, friction in its pins, end stop.
+//! What turns the driving link, told apart: drive and brake, friction in its pins, end stop.
 
 use crate::kernel::calc::{Calc, Over};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::parts::joint::{Bar, Friction, LOOSE};
 
-/// Moments on the driven bar, in N·m, in the direction of its angle.
+/// Moments on the driving link, in N·m, in the direction of its angle.
 #[derive(Clone, Copy, Debug)]
 pub struct Shares<C> {
     /// Of motor and brake, or of the cylinder: what the line of the drive carries.

@@ -10,7 +10,7 @@ use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::parts::plane::{self, Point};
 
-/// Luffing moment of the load about the foot of the driven bar, in N·m; positive lowers the bar.
+/// Luffing moment of the load about the foot of the driving link, in N·m; positive lowers the bar.
 #[derive(Clone, Copy, Debug)]
 pub struct LoadMoment<C> {
     pub m_q: C,
@@ -62,7 +62,7 @@ impl<C: Calc> Centres<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct Own<C> {
     pub centres: Centres<C>,
-    /// Moment about the foot of the driven bar, in N·m; positive lowers the bar.
+    /// Moment about the foot of the driving link, in N·m; positive lowers the bar.
     pub m_g: C,
 }
 results! { Own as w => { M_G: w.m_g; } }

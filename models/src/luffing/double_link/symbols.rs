@@ -26,13 +26,13 @@ symbols! {
 
     // Constants of the geometry.
     X_56: "X_56" "X_56" M / M, "Distance between the feet O1 and O3.", "[Li2022, eq. 1]";
-    THETA_56: "theta_56" "theta_56" RAD / DEG, "Direction of the frame from the foot of the driven bar to the other foot.", "[Li2022, Fig. 2]";
-    THETA_S: "theta_s" "theta_s" RAD / DEG, "Lower dead point: coupler and driven-along bar stretched in one line.", "derived";
-    THETA_S2: "theta_s2" "theta'_s" RAD / DEG, "Upper dead point: coupler and driven-along bar stretched in one line.", "derived";
-    THETA_F: "theta_f" "theta_f" RAD / DEG, "Dead point: coupler and driven-along bar folded in one line.", "derived";
-    THETA_F2: "theta_f2" "theta'_f" RAD / DEG, "Other dead point: coupler and driven-along bar folded in one line.", "derived";
-    KAPPA_X: "kappa.x" "kappa_x" ONE / ONE, "Front arm along the rear arm, as a ratio: X_4 cos(beta_0) / X_2.", "[Li2022, Fig. 2]";
-    KAPPA_Y: "kappa.y" "kappa_y" ONE / ONE, "Front arm across the rear arm, as a ratio: X_4 sin(beta_0) / X_2.", "[Li2022, Fig. 2]";
+    THETA_56: "theta_56" "theta_56" RAD / DEG, "Direction of the frame from the foot of the driving link to the other foot.", "[Li2022, Fig. 2]";
+    THETA_S: "theta_s" "theta_s" RAD / DEG, "Lower dead point: coupler and driven link stretched in one line.", "derived";
+    THETA_S2: "theta_s2" "theta'_s" RAD / DEG, "Upper dead point: coupler and driven link stretched in one line.", "derived";
+    THETA_F: "theta_f" "theta_f" RAD / DEG, "Dead point: coupler and driven link folded in one line.", "derived";
+    THETA_F2: "theta_f2" "theta'_f" RAD / DEG, "Other dead point: coupler and driven link folded in one line.", "derived";
+    KAPPA_X: "kappa.x" "kappa_x" ONE / ONE, "Component of the jib's front arm along its rear arm, over the rear arm's length.", "[Li2022, Fig. 2]";
+    KAPPA_Y: "kappa.y" "kappa_y" ONE / ONE, "Component of the jib's front arm across its rear arm, over the rear arm's length.", "[Li2022, Fig. 2]";
     EPSILON_A: "epsilon_A" "epsilon_A" RAD / DEG, "Angle from the jib's axis CA to its front arm BA.", "[Li2022, eq. 7]";
 
     // Position.
@@ -50,9 +50,9 @@ symbols! {
     Y_X: "Y.x" "Y_x" M / M, "Diagonal O1C, forward component.", "[Li2022, eq. 4]";
     Y_Y: "Y.y" "Y_y" M / M, "Diagonal O1C, upward component.", "[Li2022, eq. 4]";
     Y: "Y" "Y" M / M [not_negative], "Diagonal O1C.", "[Li2022, eq. 4]";
-    SIGMA_S: "sigma_s" "sigma_s" M2 / M2, "Margin to the stretched dead points: zero where coupler and driven-along bar are in one line.", "derived";
-    SIGMA_F: "sigma_f" "sigma_f" M2 / M2, "Margin to the folded dead points: zero where coupler and driven-along bar coincide in direction.", "derived";
-    K: "K" "K" M2 / M2, "Four times the area of the triangle of diagonal, coupler and driven-along bar; its sign is the branch of assembly.", "derived";
+    SIGMA_S: "sigma_s" "sigma_s" M2 / M2, "Margin to the stretched dead points: zero where coupler and driven link are in one line.", "derived";
+    SIGMA_F: "sigma_f" "sigma_f" M2 / M2, "Margin to the folded dead points: zero where coupler and driven link coincide in direction.", "derived";
+    K: "K" "K" M2 / M2, "Four times the area of the triangle of diagonal, coupler and driven link; its sign is the branch of assembly.", "derived";
     C_X: "C.x" "x_C" M / M, "Jib tail C, forward of O1.", "[Li2022, eq. 3]";
     C_Y: "C.y" "y_C" M / M, "Jib tail C, above O1.", "[Li2022, eq. 3]";
     A_X: "A.x" "x_A" M / M, "Jib head A, forward of O1.", "[Li2022, eq. 8]";
@@ -60,20 +60,20 @@ symbols! {
     R: "R" "R" M / M, "Reach: distance of A from the slewing axis.", "[Li2022, eq. 8]";
     ALPHA: "alpha" "alpha" RAD / DEG, "Angle of the jib's front arm BA above the horizontal.", "[Li2022, eq. 6]";
     ALPHA_1: "alpha_1" "alpha_1" RAD / DEG, "Angle of the jib's axis CA above the horizontal.", "[Li2022, eq. 7]";
-    MU: "mu" "mu" RAD / DEG [from_to(0.0, FRAC_PI_2)], "Transmission angle between coupler and driven-along bar, 0 to 90 degrees.", "derived";
+    MU: "mu" "mu" RAD / DEG [from_to(0.0, FRAC_PI_2)], "Transmission angle between coupler and driven link, 0 to 90 degrees.", "derived";
 
     // Velocity.
-    DK: "dK" "K'" M2 / M2, "Change of K for one radian of the driven bar.", "derived";
-    I_21: "i_21" "i_(2 1)" ONE / ONE, "Angular velocity of the jib, seen from the boom, over the driven rocker's.", "derived";
-    I_23: "i_23" "i_(2 3)" ONE / ONE, "Angular velocity of the jib, seen from the rocker, over the driven boom's.", "derived";
-    I_1: "i_1" "i_1" ONE / ONE, "Ratio of the boom's angular velocity to the driven rocker's.", "[Li2022, eq. 9]";
-    I_2: "i_2" "i_2" ONE / ONE, "Ratio of the jib's angular velocity to the driven bar's.", "[Li2022, eq. 9]";
-    I_3: "i_3" "i_3" ONE / ONE, "Ratio of the rocker's angular velocity to the driven boom's.", "[Li2022, eq. 9]";
-    DA_X: "dA.x" "x'_A" M / M, "Forward travel of A for one radian of the driven bar.", "[Li2022, eq. 10]";
-    DA_Y: "dA.y" "Y'_A" M / M, "Rise of A for one radian of the driven bar.", "[Li2022, eq. 10]";
+    DK: "dK" "K'" M2 / M2, "Change of K for one radian of the driving link.", "derived";
+    I_21: "i_21" "i_(2 1)" ONE / ONE, "Angular velocity of the jib, seen from the boom, over the driving rocker's.", "derived";
+    I_23: "i_23" "i_(2 3)" ONE / ONE, "Angular velocity of the jib, seen from the rocker, over the driving boom's.", "derived";
+    I_1: "i_1" "i_1" ONE / ONE, "Ratio of the boom's angular velocity to the driving rocker's.", "[Li2022, eq. 9]";
+    I_2: "i_2" "i_2" ONE / ONE, "Ratio of the jib's angular velocity to the driving link's.", "[Li2022, eq. 9]";
+    I_3: "i_3" "i_3" ONE / ONE, "Ratio of the rocker's angular velocity to the driving boom's.", "[Li2022, eq. 9]";
+    DA_X: "dA.x" "x'_A" M / M, "Forward travel of A for one radian of the driving link.", "[Li2022, eq. 10]";
+    DA_Y: "dA.y" "Y'_A" M / M, "Rise of A for one radian of the driving link.", "[Li2022, eq. 10]";
     V_AX: "V_AX" "V_(A X)" M_PER_S / M_PER_S, "Horizontal velocity of A, forward positive.", "[Li2022, eq. 10]";
     V_AY: "V_AY" "V_(A Y)" M_PER_S / M_PER_S, "Vertical velocity of A, upward positive.", "[Li2022, eq. 10]";
-    BETA: "beta" "beta" RAD / DEG, "Direction of A's velocity above the horizontal when the driven bar turns positively.", "[Li2022, eq. 10]";
+    BETA: "beta" "beta" RAD / DEG, "Direction of A's velocity above the horizontal when the driving link turns positively.", "[Li2022, eq. 10]";
     O1P: "O1P" "overline(O_1 P)" M / M [infinite("where boom and rocker are parallel")], "Distance of the instantaneous centre from O1 along the boom, towards B positive.", "[Li2022, eq. 1]";
     P_X: "P.x" "x_P" M / M [infinite("where boom and rocker are parallel")], "Instantaneous centre of the jib, forward of O1.", "[Li2022, eq. 1]";
     P_Y: "P.y" "y_P" M / M [infinite("where boom and rocker are parallel")], "Instantaneous centre of the jib, above O1.", "[Li2022, eq. 1]";
@@ -97,8 +97,8 @@ symbols! {
     R_2Y: "r_2.y" "y_(S 2)" M / M, "Centre of gravity of the jib, above B.", "[Balance004, Fig. 1]";
     R_3X: "r_3.x" "x_(S 3)" M / M, "Centre of gravity of the rocker, forward of O3.", "[Balance004, Fig. 1]";
     R_3Y: "r_3.y" "y_(S 3)" M / M, "Centre of gravity of the rocker, above O3.", "[Balance004, Fig. 1]";
-    M_G: "M_G" "M_G" N_M / KN_M, "Moment of the own weights about the foot of the driven bar; positive lowers it.", "[Balance004, eq. 1]";
-    M_D: "M_D" "M_D" N_M / KN_M, "Moment that the drive must give to the driven bar; positive turns it counter-clockwise.", "equilibrium";
+    M_G: "M_G" "M_G" N_M / KN_M, "Moment of the own weights about the foot of the driving link; positive lowers it.", "[Balance004, eq. 1]";
+    M_D: "M_D" "M_D" N_M / KN_M, "Moment that the drive must give to the driving link; positive turns it counter-clockwise.", "equilibrium";
     M_1: "M_1" "M_1" N_M / KN_M, "Moment of the boom's weight about O1, clockwise positive.", "equilibrium";
     M_3: "M_3" "M_3" N_M / KN_M, "Moment of the rocker's weight about O3, clockwise positive.", "equilibrium";
     M_B: "M_B" "M_B" N_M / KN_M, "Moment of load and jib weight about B, clockwise positive.", "equilibrium";
@@ -116,16 +116,16 @@ symbols! {
     // Drive.
     E_X: "E_x" "x_E" M / M, "Anchor of the drive on the frame, forward of O1.", "input";
     E_Y: "E_y" "y_E" M / M, "Anchor of the drive on the frame, above O1.", "input";
-    S_D: "s_d" "s_d" M / M [positive], "Anchor of the drive on the driven bar, from its foot.", "input";
-    CHI_D: "chi_d" "chi_d" RAD / DEG, "Anchor of the drive on the driven bar, counter-clockwise from the bar.", "input";
+    S_D: "s_d" "s_d" M / M [positive], "Anchor of the drive on the driving link, from its foot.", "input";
+    CHI_D: "chi_d" "chi_d" RAD / DEG, "Anchor of the drive on the driving link, counter-clockwise from the bar.", "input";
     D_C: "D_c" "D_c" M / MM [positive], "Bore of the luffing cylinder.", "input";
     D_R: "d_r" "d_r" M / MM [not_negative], "Rod diameter of the luffing cylinder.", "input";
-    R_DX: "r_d.x" "x_(r d)" M / M, "Anchor of the drive on the driven bar, forward of its foot.", "derived";
-    R_DY: "r_d.y" "y_(r d)" M / M, "Anchor of the drive on the driven bar, above its foot.", "derived";
-    L_DX: "L_d.x" "L_(d x)" M / M, "Drive from frame to driven bar, forward component.", "derived";
-    L_DY: "L_d.y" "L_(d y)" M / M, "Drive from frame to driven bar, upward component.", "derived";
+    R_DX: "r_d.x" "x_(r d)" M / M, "Anchor of the drive on the driving link, forward of its foot.", "derived";
+    R_DY: "r_d.y" "y_(r d)" M / M, "Anchor of the drive on the driving link, above its foot.", "derived";
+    L_DX: "L_d.x" "L_(d x)" M / M, "Drive from frame to driving link, forward component.", "derived";
+    L_DY: "L_d.y" "L_(d y)" M / M, "Drive from frame to driving link, upward component.", "derived";
     L_D: "L_d" "L_d" M / M [not_negative], "Length of the drive between its anchors.", "derived";
-    H_D: "h_d" "h_d" M / M, "Lever arm of the drive; positive where a push turns the driven bar counter-clockwise.", "derived";
+    H_D: "h_d" "h_d" M / M, "Lever arm of the drive; positive where a push turns the driving link counter-clockwise.", "derived";
     F_D: "F_d" "F_d" N / KN [infinite("where the drive points at the foot of its bar")], "Force of the drive, push positive.", "equilibrium";
     V_D: "v_d" "v_d" M_PER_S / MM_PER_S, "Speed of the drive, lengthening positive.", "derived";
     A_D: "A_d" "A_d" M2 / M2, "Working area of the cylinder: bore when it lengthens, annulus when it shortens.", "derived";
@@ -142,8 +142,8 @@ symbols! {
     M_D_MAX: "M_D_max" "M_(D,max)" N_M / KN_M, "Greatest moment of the drive in the working range, by amount.", "equilibrium";
     N_3_MAX: "N_3_max" "N_(3,max)" N / KN, "Greatest axial force in the rocker in the working range, by amount; tension positive.", "equilibrium";
     F_D_MAX: "F_d_max" "F_(d,max)" N / KN [infinite("where the drive points at the foot of its bar")], "Greatest force of the drive in the working range, by amount; push positive.", "equilibrium";
-    FROM: "from" "theta_a" RAD / DEG, "Angle of the driven bar at the start of the working range.", "input";
-    TO: "to" "theta_e" RAD / DEG, "Angle of the driven bar at the end of the working range.", "input";
+    FROM: "from" "theta_a" RAD / DEG, "Angle of the driving link at the start of the working range.", "input";
+    TO: "to" "theta_e" RAD / DEG, "Angle of the driving link at the end of the working range.", "input";
     W_Q: "W_Q" "W_Q" J / KJ, "Work of the luffing moment over the working range.", "virtual work";
     W_Y: "W_Y" "Q thin Delta Y" J / KJ, "Load times its rise over the working range.", "virtual work";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";

@@ -15,18 +15,18 @@ use crate::parts::closure::Passing;
 use crate::parts::four_bar::Branch;
 use crate::parts::plane::{self, Point};
 
-/// Velocities for one radian per second of the driven bar.
+/// Velocities for one radian per second of the driving link.
 #[derive(Clone, Copy, Debug)]
 pub struct Velocity<C> {
-    /// Jib's angular velocity over the driven bar's. [Li2022, eq. 9]
+    /// Jib's angular velocity over the driving link's. [Li2022, eq. 9]
     pub i_2: C,
-    /// Angular velocity of the bar that is not driven over the driven bar's.
+    /// Angular velocity of the bar that is not driven over the driving link's.
     pub i_follower: C,
-    /// Boom's angular velocity over the driven bar's.
+    /// Boom's angular velocity over the driving link's.
     pub of_boom: C,
-    /// Travel of A for one radian of the driven bar, in m. [Li2022, eq. 10]
+    /// Travel of A for one radian of the driving link, in m. [Li2022, eq. 10]
     pub da: Point<C>,
-    /// Travel of the driven bar's head, B or C, for one radian, in m.
+    /// Travel of the driving link's head, B or C, for one radian, in m.
     pub head: Point<C>,
 }
 
@@ -72,19 +72,19 @@ impl<C: Calc> Velocity<C> {
         }
     }
 
-    /// Velocity of A, in m/s, at the driven bar's angular velocity (rad/s). [Li2022, eq. 10]
+    /// Velocity of A, in m/s, at the driving link's angular velocity (rad/s). [Li2022, eq. 10]
     #[inline]
     pub fn v_a(&self, omega: &C) -> Point<C> {
         plane::def(Point::new(self.da.x * *omega, self.da.y * *omega), [&s::V_AX, &s::V_AY])
     }
 
-    /// Direction of A's velocity when the driven bar turns positively, in rad. [Li2022, eq. 10]
+    /// Direction of A's velocity when the driving link turns positively, in rad. [Li2022, eq. 10]
     pub fn beta(&self) -> C {
         C::direction(self.da.x, self.da.y).def(&s::BETA)
     }
 }
 
-/// Angular velocities of jib and driven-along bar over the driven bar's on the branch of a linkage with change points.
+/// Angular velocities of jib and driven link over the driving link's on the branch of a linkage with change points.
 ///
 /// Cross and dot product of the two bars both tell how fast one turns from the other: the first one nothing where they
 /// lie in one line, the second nothing where they stand at a right angle.

@@ -158,6 +158,21 @@ impl Described for Rope {
         [level].into_iter().chain(forces).chain(foot).collect()
     }
 
+    fn uncovered(_: &Description<Rope>) -> Vec<&'static str> {
+        vec![
+            "wind",
+            "sway",
+            "inertia",
+            "dynamic_coefficients",
+            "pin_friction",
+            "motor_brake",
+            "strength",
+            "buckling",
+            "stability",
+            "load_cases",
+        ]
+    }
+
     /// The boom at the ends (faint) and in the middle of the working range, with its ropes and the path of the load.
     fn drawing(this: &Description<Rope>) -> Drawing {
         let (rig, range) = (&this.given.rig, &this.motion);

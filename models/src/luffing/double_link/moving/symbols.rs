@@ -9,8 +9,8 @@ symbols! {
     J_1: "J_1" "J_1" KG_M2 / KG_M2 [not_negative], "Inertia of the boom about its centre of gravity.", "input";
     J_2: "J_2" "J_2" KG_M2 / KG_M2 [not_negative], "Inertia of the jib about its centre of gravity.", "input";
     J_3: "J_3" "J_3" KG_M2 / KG_M2 [not_negative], "Inertia of the rocker about its centre of gravity.", "input";
-    C_V: "c_v" "c_v" N_M_S / KN_M_S [not_negative], "Viscous friction at the driven bar: moment over angular velocity.", "input";
-    M_F: "M_F" "M_F" N_M / KN_M [not_negative], "Dry friction at the driven bar: the moment that it holds, and that it sets against motion.", "input";
+    C_V: "c_v" "c_v" N_M_S / KN_M_S [not_negative], "Viscous friction at the driving link: moment over angular velocity.", "input";
+    M_F: "M_F" "M_F" N_M / KN_M [not_negative], "Dry friction at the driving link: the moment that it holds, and that it sets against motion.", "input";
     STEP: "step" "h" S / MS [positive], "Longest step of the solver. An explicit one is refused where the motion changes by more than itself within it.", "input";
 
     L_MIN: "l_min" "l_min" M / M [positive], "Length of the cylinder retracted, between its anchors.", "input";
@@ -38,7 +38,7 @@ symbols! {
     // Commands.
     U_V: "u_v" "u_v" ONE / ONE, "Command of the valve from -1 to 1; positive lengthens the cylinder.", "input";
     P_P: "p_P" "p_P" PA / BAR [not_negative], "Pressure of the pump above the tank's.", "input";
-    M_A: "M_A" "M_A" N_M / KN_M, "Moment of the drive on the driven bar; positive turns it counter-clockwise.", "input";
+    M_A: "M_A" "M_A" N_M / KN_M, "Moment of the drive on the driving link; positive turns it counter-clockwise.", "input";
     M_S: "M_S" "M_S" N_M / KN_M [not_negative], "Moment of the brake, added to the dry friction.", "input";
     M_SL: "M_sl" "M_\"sl\"" N_M / KN_M, "Moment of the slewing drive; positive turns the crane counter-clockwise, seen from above.", "input";
     M_B_SL: "M_Bsl" "M_\"B sl\"" N_M / KN_M [not_negative], "Moment of the slewing brake, added to its dry friction.", "input";
@@ -82,7 +82,7 @@ symbols! {
 
     // Results.
     F_C: "F_c" "F_c" N / KN, "Force of the cylinder by its pressures; push positive.", "equations of motion";
-    M_R: "M_R" "M_R" N_M / KN_M, "Moment of friction, brake and end stop on the driven bar; positive turns it counter-clockwise.", "equations of motion";
+    M_R: "M_R" "M_R" N_M / KN_M, "Moment of friction, brake and end stop on the driving link; positive turns it counter-clockwise.", "equations of motion";
     M_R_SL: "M_Rsl" "M_\"R sl\"" N_M / KN_M, "Moment of friction, brake and end stop on slewing; positive counter-clockwise, seen from above.", "equations of motion";
     CHI_R: "chi_R" "chi_R" RAD / DEG, "Angle of the rope from the mechanism's plane; positive swings the load to the left.", "equations of motion";
     M_R_H: "M_Rh" "M_\"R h\"" N_M / KN_M, "Moment of brake and friction on the hoist's drum; positive reels in.", "equations of motion";
@@ -90,59 +90,59 @@ symbols! {
     MASS_H: "mass_h" "m_\"h red\"" KG / T, "Mass of the hoist's drum and of all that turns with it, as the rope at the head feels it.", "derived";
     S_R: "S_R" "S_R" N / KN, "Force in the rope; zero where it is slack.", "equations of motion";
 
-    // The equations of motion, from derivatives of the positions by the driven angle.
+    // The equations of motion, from derivatives of the positions by the driving angle.
     MASS_1: "mass_1" "m_1" KG / T, "Mass of the boom: weight over g.", "derived";
     MASS_2: "mass_2" "m_2" KG / T, "Mass of the jib, with the load where it hangs on no rope: weight over g.", "derived";
     MASS_3: "mass_3" "m_3" KG / T, "Mass of the rocker: weight over g.", "derived";
     MASS_5: "mass_5" "m_5" KG / T, "Mass of the counterweight: weight over g.", "derived";
     J_2Q: "J_2Q" "J_(2 Q)" KG_M2 / KG_M2, "Inertia of the jib with the load about their common centre of gravity.", "derived";
-    DX_1: "dx_1" "x'_1" M / M, "Forward travel of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DY_1: "dy_1" "y'_1" M / M, "Rise of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DDX_1: "ddx_1" "x''_1" M / M, "Change of the forward travel of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DDY_1: "ddy_1" "y''_1" M / M, "Change of the rise of the boom's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DX_2: "dx_2" "x'_2" M / M, "Forward travel of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DY_2: "dy_2" "y'_2" M / M, "Rise of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DDX_2: "ddx_2" "x''_2" M / M, "Change of the forward travel of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DDY_2: "ddy_2" "y''_2" M / M, "Change of the rise of the jib's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DX_3: "dx_3" "x'_3" M / M, "Forward travel of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DY_3: "dy_3" "y'_3" M / M, "Rise of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DDX_3: "ddx_3" "x''_3" M / M, "Change of the forward travel of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DDY_3: "ddy_3" "y''_3" M / M, "Change of the rise of the rocker's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DX_5: "dx_5" "x'_5" M / M, "Forward travel of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DY_5: "dy_5" "y'_5" M / M, "Rise of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DDX_5: "ddx_5" "x''_5" M / M, "Change of the forward travel of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
-    DDY_5: "ddy_5" "y''_5" M / M, "Change of the rise of the counterweight's centre of gravity for one radian of the driven bar.", "dual numbers";
-    TURN_1: "turn_1" "i_1^2" ONE / ONE, "Square of the ratio of the boom's angular velocity to the driven bar's.", "dual numbers";
-    TURN_CHANGE_1: "turn_change_1" "i_1 i'_1" ONE / ONE, "Half the change of the square of the boom's ratio for one radian of the driven bar.", "dual numbers";
-    TURN_2: "turn_2" "i_2^2" ONE / ONE, "Square of the ratio of the jib's angular velocity to the driven bar's.", "dual numbers";
-    TURN_CHANGE_2: "turn_change_2" "i_2 i'_2" ONE / ONE, "Half the change of the square of the jib's ratio for one radian of the driven bar.", "dual numbers";
-    TURN_3: "turn_3" "i_3^2" ONE / ONE, "Square of the ratio of the rocker's angular velocity to the driven bar's.", "dual numbers";
-    TURN_CHANGE_3: "turn_change_3" "i_3 i'_3" ONE / ONE, "Half the change of the square of the rocker's ratio for one radian of the driven bar.", "dual numbers";
-    I_R1: "I_r1" "I_1" KG_M2 / KG_M2, "Inertia of the boom, reduced to the driven bar.", "Lagrange";
-    DI_R1: "dI_r1" "I'_1" KG_M2 / KG_M2, "Change of the boom's reduced inertia for one radian of the driven bar.", "Lagrange";
-    I_R2: "I_r2" "I_2" KG_M2 / KG_M2, "Inertia of the jib, reduced to the driven bar.", "Lagrange";
-    DI_R2: "dI_r2" "I'_2" KG_M2 / KG_M2, "Change of the jib's reduced inertia for one radian of the driven bar.", "Lagrange";
-    I_R3: "I_r3" "I_3" KG_M2 / KG_M2, "Inertia of the rocker, reduced to the driven bar.", "Lagrange";
-    DI_R3: "dI_r3" "I'_3" KG_M2 / KG_M2, "Change of the rocker's reduced inertia for one radian of the driven bar.", "Lagrange";
-    I_R5: "I_r5" "I_5" KG_M2 / KG_M2, "Inertia of the counterweight, reduced to the driven bar.", "Lagrange";
-    DI_R5: "dI_r5" "I'_5" KG_M2 / KG_M2, "Change of the counterweight's reduced inertia for one radian of the driven bar.", "Lagrange";
-    I_R: "I_r" "I" KG_M2 / KG_M2, "Inertia of all bars and the counterweight, reduced to the driven bar.", "Lagrange";
-    DI_R: "dI_r" "I'" KG_M2 / KG_M2, "Change of the reduced inertia for one radian of the driven bar.", "Lagrange";
-    M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driven bar; positive lowers it.", "virtual work";
-    M_NET: "M_net" "M" N_M / KN_M, "Moment that accelerates the driven bar, the load on its rope left aside.", "Lagrange";
+    DX_1: "dx_1" "x'_1" M / M, "Forward travel of the boom's centre of gravity for one radian of the driving link.", "dual numbers";
+    DY_1: "dy_1" "y'_1" M / M, "Rise of the boom's centre of gravity for one radian of the driving link.", "dual numbers";
+    DDX_1: "ddx_1" "x''_1" M / M, "Change of the forward travel of the boom's centre of gravity for one radian of the driving link.", "dual numbers";
+    DDY_1: "ddy_1" "y''_1" M / M, "Change of the rise of the boom's centre of gravity for one radian of the driving link.", "dual numbers";
+    DX_2: "dx_2" "x'_2" M / M, "Forward travel of the jib's centre of gravity for one radian of the driving link.", "dual numbers";
+    DY_2: "dy_2" "y'_2" M / M, "Rise of the jib's centre of gravity for one radian of the driving link.", "dual numbers";
+    DDX_2: "ddx_2" "x''_2" M / M, "Change of the forward travel of the jib's centre of gravity for one radian of the driving link.", "dual numbers";
+    DDY_2: "ddy_2" "y''_2" M / M, "Change of the rise of the jib's centre of gravity for one radian of the driving link.", "dual numbers";
+    DX_3: "dx_3" "x'_3" M / M, "Forward travel of the rocker's centre of gravity for one radian of the driving link.", "dual numbers";
+    DY_3: "dy_3" "y'_3" M / M, "Rise of the rocker's centre of gravity for one radian of the driving link.", "dual numbers";
+    DDX_3: "ddx_3" "x''_3" M / M, "Change of the forward travel of the rocker's centre of gravity for one radian of the driving link.", "dual numbers";
+    DDY_3: "ddy_3" "y''_3" M / M, "Change of the rise of the rocker's centre of gravity for one radian of the driving link.", "dual numbers";
+    DX_5: "dx_5" "x'_5" M / M, "Forward travel of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
+    DY_5: "dy_5" "y'_5" M / M, "Rise of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
+    DDX_5: "ddx_5" "x''_5" M / M, "Change of the forward travel of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
+    DDY_5: "ddy_5" "y''_5" M / M, "Change of the rise of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
+    TURN_1: "turn_1" "i_1^2" ONE / ONE, "Square of the ratio of the boom's angular velocity to the driving link's.", "dual numbers";
+    TURN_CHANGE_1: "turn_change_1" "i_1 i'_1" ONE / ONE, "Half the change of the square of the boom's ratio for one radian of the driving link.", "dual numbers";
+    TURN_2: "turn_2" "i_2^2" ONE / ONE, "Square of the ratio of the jib's angular velocity to the driving link's.", "dual numbers";
+    TURN_CHANGE_2: "turn_change_2" "i_2 i'_2" ONE / ONE, "Half the change of the square of the jib's ratio for one radian of the driving link.", "dual numbers";
+    TURN_3: "turn_3" "i_3^2" ONE / ONE, "Square of the ratio of the rocker's angular velocity to the driving link's.", "dual numbers";
+    TURN_CHANGE_3: "turn_change_3" "i_3 i'_3" ONE / ONE, "Half the change of the square of the rocker's ratio for one radian of the driving link.", "dual numbers";
+    I_R1: "I_r1" "I_1" KG_M2 / KG_M2, "Inertia of the boom, reduced to the driving link.", "Lagrange";
+    DI_R1: "dI_r1" "I'_1" KG_M2 / KG_M2, "Change of the boom's reduced inertia for one radian of the driving link.", "Lagrange";
+    I_R2: "I_r2" "I_2" KG_M2 / KG_M2, "Inertia of the jib, reduced to the driving link.", "Lagrange";
+    DI_R2: "dI_r2" "I'_2" KG_M2 / KG_M2, "Change of the jib's reduced inertia for one radian of the driving link.", "Lagrange";
+    I_R3: "I_r3" "I_3" KG_M2 / KG_M2, "Inertia of the rocker, reduced to the driving link.", "Lagrange";
+    DI_R3: "dI_r3" "I'_3" KG_M2 / KG_M2, "Change of the rocker's reduced inertia for one radian of the driving link.", "Lagrange";
+    I_R5: "I_r5" "I_5" KG_M2 / KG_M2, "Inertia of the counterweight, reduced to the driving link.", "Lagrange";
+    DI_R5: "dI_r5" "I'_5" KG_M2 / KG_M2, "Change of the counterweight's reduced inertia for one radian of the driving link.", "Lagrange";
+    I_R: "I_r" "I" KG_M2 / KG_M2, "Inertia of all bars and the counterweight, reduced to the driving link.", "Lagrange";
+    DI_R: "dI_r" "I'" KG_M2 / KG_M2, "Change of the reduced inertia for one radian of the driving link.", "Lagrange";
+    M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driving link; positive lowers it.", "virtual work";
+    M_NET: "M_net" "M" N_M / KN_M, "Moment that accelerates the driving link, the load on its rope left aside.", "Lagrange";
     MASS_Q: "mass_Q" "m_Q" KG / T, "Mass of the load: weight over g.", "derived";
     MASS_E: "mass_e" "m_e" KG / T, "Mass in the place of an empty hook's load: it cancels from the rope's equation.", "Lagrange";
-    DDA_X: "ddA.x" "x''_A" M / M, "Change of the forward travel of A for one radian of the driven bar.", "dual numbers";
-    DDA_Y: "ddA.y" "Y''_A" M / M, "Change of the rise of A for one radian of the driven bar.", "dual numbers";
-    D_PHI: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driven bar.", "derived";
-    D_N: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driven bar.", "derived";
-    Q_A: "q_A" "q_A" M2 / M2, "Half the change of the square of A's travel for one radian of the driven bar.", "derived";
-    DD_PHI: "dd_phi" "d'_phi" M / M, "Change of A's travel, across the rope, for one radian of the driven bar.", "derived";
-    M_11: "m_11" "m_11" KG_M2 / KG_M2, "Inertia of the load at the driven bar.", "Lagrange";
-    M_12: "m_12" "m_12" KG_M2 / KG_M2, "Inertia that couples driven bar and rope.", "Lagrange";
-    M_21: "m_21" "m_21" KG_M2 / KG_M2, "Inertia that couples the rope of an empty hook and driven bar.", "Lagrange";
+    DDA_X: "ddA.x" "x''_A" M / M, "Change of the forward travel of A for one radian of the driving link.", "dual numbers";
+    DDA_Y: "ddA.y" "Y''_A" M / M, "Change of the rise of A for one radian of the driving link.", "dual numbers";
+    D_PHI: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driving link.", "derived";
+    D_N: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driving link.", "derived";
+    Q_A: "q_A" "q_A" M2 / M2, "Half the change of the square of A's travel for one radian of the driving link.", "derived";
+    DD_PHI: "dd_phi" "d'_phi" M / M, "Change of A's travel, across the rope, for one radian of the driving link.", "derived";
+    M_11: "m_11" "m_11" KG_M2 / KG_M2, "Inertia of the load at the driving link.", "Lagrange";
+    M_12: "m_12" "m_12" KG_M2 / KG_M2, "Inertia that couples driving link and rope.", "Lagrange";
+    M_21: "m_21" "m_21" KG_M2 / KG_M2, "Inertia that couples the rope of an empty hook and driving link.", "Lagrange";
     M_22: "m_22" "m_22" KG_M2 / KG_M2, "Inertia of the load about the head.", "Lagrange";
-    TAU_1: "tau_1" "tau_1" N_M / KN_M, "Moment of the load's weight and inertia on the driven bar.", "Lagrange";
+    TAU_1: "tau_1" "tau_1" N_M / KN_M, "Moment of the load's weight and inertia on the driving link.", "Lagrange";
     TAU_2: "tau_2" "tau_2" N_M / KN_M, "Moment of the load's weight and inertia on the rope.", "Lagrange";
 
     OMEGA_C: "omega_c" "omega_c" RAD_PER_S / RAD_PER_S, "Angular velocity below which dry friction is in proportion to it.", "assumption";
@@ -152,14 +152,14 @@ symbols! {
 
     // The same of a crane that slews.
     I_SL: "I_sl" "I_\"sl\"" KG_M2 / KG_M2, "Inertia of the whole crane about the slewing axis, without the load.", "dual numbers";
-    DI_SL: "dI_sl" "I'_\"sl\"" KG_M2 / KG_M2, "Change of the inertia about the slewing axis for one radian of the driven bar.", "dual numbers";
+    DI_SL: "dI_sl" "I'_\"sl\"" KG_M2 / KG_M2, "Change of the inertia about the slewing axis for one radian of the driving link.", "dual numbers";
     M_NET_SL: "M_netsl" "M_\"N sl\"" N_M / KN_M, "Moment that accelerates slewing, the load on its rope left aside.", "Lagrange";
-    ALPHA_0: "alpha_0" "dot(omega)_(0)" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the driven bar without the rope's force.", "Lagrange";
+    ALPHA_0: "alpha_0" "dot(omega)_(0)" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the driving link without the rope's force.", "Lagrange";
     ALPHA_0SL: "alpha_0sl" "dot(omega)_(0 \"sl\")" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing without the rope's force.", "Lagrange";
     N_X: "n_x" "n_x" ONE / ONE, "Direction of the rope from the head, forward component.", "derived";
     N_Y: "n_y" "n_y" ONE / ONE, "Direction of the rope from the head, upward component.", "derived";
     N_Z: "n_z" "n_z" ONE / ONE, "Direction of the rope from the head, component to the left.", "derived";
-    H_1R: "h_1R" "h_(1 R)" M / M, "Travel of the head along the rope for one radian of the driven bar.", "derived";
+    H_1R: "h_1R" "h_(1 R)" M / M, "Travel of the head along the rope for one radian of the driving link.", "derived";
     H_2R: "h_2R" "h_(2 R)" M / M, "Travel of the head along the rope for one radian of slewing.", "derived";
     V_E: "v_e" "v_e" M_PER_S / M_PER_S, "Speed along the rope beyond that of the hoist: rounding alone.", "derived";
     W_X: "w_x" "w_x" M_PER_S / M_PER_S, "Speed of the load across its rope, forward.", "derived";
@@ -172,15 +172,15 @@ symbols! {
     B_Y: "b_y" "b_y" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, up.", "Lagrange";
     B_Z: "b_z" "b_z" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, to the left.", "Lagrange";
     A_N: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange";
-    KAPPA_R: "kappa_R" "kappa_R" ONE / ONE, "How much easier the load gives way along the rope as the head gives way too.", "Lagrange";
+    KAPPA_R: "kappa_R" "kappa_R" ONE / ONE, "Effective-mass factor of the load along its rope: its mass over that which the rope's force feels, as the head gives way too.", "Lagrange";
     A_R: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange";
 
     // Forces of the motion: equilibrium of each body under its weight, its inertia and the rope.
     F_AX: "F_A.x" "F_(A x)" N / KN, "Force of the rope on the head, forward.", "Newton and Euler";
     F_AY: "F_A.y" "F_(A y)" N / KN, "Force of the rope on the head, upward.", "Newton and Euler";
-    M_RC: "M_Rc" "M_(R c)" N_M / KN_M, "Moment of dry friction in the pins on the driven bar; a bar at rest is held by brake and dry friction in proportion to what they can hold.", "equations of motion";
-    M_RV: "M_Rv" "M_(R v)" N_M / KN_M, "Moment of viscous friction on the driven bar.", "equations of motion";
-    M_RS: "M_Rs" "M_(R s)" N_M / KN_M, "Moment of the end stop on the driven bar.", "equations of motion";
+    M_RC: "M_Rc" "M_(R c)" N_M / KN_M, "Moment of dry friction in the pins on the driving link; a bar at rest is held by brake and dry friction in proportion to what they can hold.", "equations of motion";
+    M_RV: "M_Rv" "M_(R v)" N_M / KN_M, "Moment of viscous friction on the driving link.", "equations of motion";
+    M_RS: "M_Rs" "M_(R s)" N_M / KN_M, "Moment of the end stop on the driving link.", "equations of motion";
     F_1X: "F_1.x" "F_(1 x)" N / KN, "Inertia of the boom, forward.", "Newton and Euler";
     F_1Y: "F_1.y" "F_(1 y)" N / KN, "Weight and inertia of the boom, upward.", "Newton and Euler";
     F_2X: "F_2.x" "F_(2 x)" N / KN, "Inertia of the jib, forward. With the load where it hangs on no rope.", "Newton and Euler";
@@ -194,16 +194,16 @@ symbols! {
     M_IB: "M_iB" "M_(i B)" N_M / KN_M, "Moment of the rope and of the jib's weight and inertia about B; clockwise positive.", "Newton and Euler";
     M_IC: "M_iC" "M_(i C)" N_M / KN_M, "Moment of the rope and of the jib's weight and inertia about C; counter-clockwise positive.", "Newton and Euler";
     M_I5: "M_i5" "M_(i 5)" N_M / KN_M, "Moment of the balance in motion about the boom foot; positive raises the boom.", "Newton and Euler";
-    M_T: "M_T" "M_T" N_M / KN_M, "Moment on the driven bar that equilibrium of the moving bodies asks for: of drive, friction and end stop together.", "Newton and Euler";
+    M_T: "M_T" "M_T" N_M / KN_M, "Moment on the driving link that equilibrium of the moving bodies asks for: of drive, friction and end stop together.", "Newton and Euler";
     R_2QX: "R_2Q.x" "x_(2 Q)" M / M, "Centre of gravity of the jib with the load, from B, forward.", "derived";
     R_2QY: "R_2Q.y" "y_(2 Q)" M / M, "Centre of gravity of the jib with the load, from B, upward.", "derived";
-    DI_1: "di_1" "i'_1" ONE / ONE, "Change of the boom's ratio of angular velocities for one radian of the driven bar.", "dual numbers";
+    DI_1: "di_1" "i'_1" ONE / ONE, "Change of the boom's ratio of angular velocities for one radian of the driving link.", "dual numbers";
     J_XY1: "J_xy1" "J_(x y 1)" KG_M2 / KG_M2, "Product of inertia of the boom about its centre of gravity, forward and upward.", "derived";
     X_S1: "x_s1" "x_(s 1)" M / M, "Centre of gravity of the boom, forward of the slewing axis.", "derived";
-    DI_2: "di_2" "i'_2" ONE / ONE, "Change of the jib's ratio of angular velocities for one radian of the driven bar.", "dual numbers";
+    DI_2: "di_2" "i'_2" ONE / ONE, "Change of the jib's ratio of angular velocities for one radian of the driving link.", "dual numbers";
     J_XY2: "J_xy2" "J_(x y 2)" KG_M2 / KG_M2, "Product of inertia of the jib about its centre of gravity, forward and upward.", "derived";
     X_S2: "x_s2" "x_(s 2)" M / M, "Centre of gravity of the jib, forward of the slewing axis.", "derived";
-    DI_3: "di_3" "i'_3" ONE / ONE, "Change of the rocker's ratio of angular velocities for one radian of the driven bar.", "dual numbers";
+    DI_3: "di_3" "i'_3" ONE / ONE, "Change of the rocker's ratio of angular velocities for one radian of the driving link.", "dual numbers";
     J_XY3: "J_xy3" "J_(x y 3)" KG_M2 / KG_M2, "Product of inertia of the rocker about its centre of gravity, forward and upward.", "derived";
     X_S3: "x_s3" "x_(s 3)" M / M, "Centre of gravity of the rocker, forward of the slewing axis.", "derived";
     X_S5: "x_s5" "x_(s 5)" M / M, "Counterweight, forward of the slewing axis.", "derived";
@@ -255,10 +255,10 @@ symbols! {
     D_V_V: "der(v_v)" "dot(v)_v" PER_S2 / PER_S2, "Acceleration of the valve's spool.", "equations of motion";
 
     // Event indicators: an event is where one falls below zero.
-    Z_REST: "z.rest" "z_1" ONE / ONE, "Falls below zero where the driven bar comes to rest, or breaks loose backwards.", "event";
-    Z_LOOSE: "z.loose" "z_2" ONE / ONE, "Falls below zero where the driven bar breaks loose forwards.", "event";
-    Z_LOW: "z.low" "z_3" ONE / ONE, "Falls below zero where the driven bar meets its lower end stop.", "event";
-    Z_HIGH: "z.high" "z_4" ONE / ONE, "Falls below zero where the driven bar meets its upper end stop.", "event";
+    Z_REST: "z.rest" "z_1" ONE / ONE, "Falls below zero where the driving link comes to rest, or breaks loose backwards.", "event";
+    Z_LOOSE: "z.loose" "z_2" ONE / ONE, "Falls below zero where the driving link breaks loose forwards.", "event";
+    Z_LOW: "z.low" "z_3" ONE / ONE, "Falls below zero where the driving link meets its lower end stop.", "event";
+    Z_HIGH: "z.high" "z_4" ONE / ONE, "Falls below zero where the driving link meets its upper end stop.", "event";
     Z_SPOOL: "z.spool" "z_6" ONE / ONE, "Changes its sign where the valve's spool passes its middle.", "event";
     Z_RELIEF_1: "z.relief_1" "z_7" ONE / ONE, "Falls below zero where the relief valve on the side of the bore opens.", "event";
     Z_RELIEF_2: "z.relief_2" "z_8" ONE / ONE, "Falls below zero where the relief valve on the side of the annulus opens.", "event";
@@ -272,7 +272,7 @@ symbols! {
     Z_DRUM_LOOSE: "z.drum_loose" "z_15" ONE / ONE, "Falls below zero where the hoist's drum breaks loose reeling in.", "event";
 }
 
-/// Travel forward and up by the driven angle, first and second derivative.
+/// Travel forward and up by the driving angle, first and second derivative.
 pub(crate) type OfCentre = [[&'static Symbol; 2]; 2];
 
 /// What the equations of motion have for each body.

@@ -529,7 +529,7 @@ struct Run {
     greatest_pressure: [f64; 2],
     least_pressure: [f64; 2],
     greatest_swing: [f64; 2],
-    /// Of the moment on the driven bar by the moving bodies' equilibrium from that of drive, friction and stop, at most,
+    /// Of the moment on the driving link by the moving bodies' equilibrium from that of drive, friction and stop, at most,
     /// and the greatest of those moments (N·m).
     apart: [f64; 2],
 }

@@ -1,0 +1,147 @@
+"""The story of a book: its order, the engineer's own paragraphs, what is not covered, no pages of zeros, and the summary
+that a manager signs."""
+
+import json
+import re
+
+import pypdf
+import pytest
+
+from conftest import ROOT, lemnis, words
+from test_book import DEFAULT, LANGUAGES, scene, text_of
+
+SCENES = sorted(path.stem for path in (ROOT / "models/scenes").glob("*.toml"))
+ORDER = [
+    "results", "task", "inputs", "conventions", "views", "constants", "positions", "range", "forces", "sizing", "balance",
+    "motion", "synthesis", "published", "sensitivity", "remarks", "notation", "references", "identities",
+]
+
+
+def made(folder, path, *options):
+    lemnis("book", path, "--output", folder, *options)
+    [pdf] = folder.glob("*.pdf")
+    return pdf
+
+
+def ready(folder, name, *options):
+    return made(folder, ROOT / f"models/scenes/{name}.toml", *options)
+
+
+def plain(text):
+    """Markup of a word as the PDF has it, as far as words between two pieces of code go."""
+    return re.split(r"[#$*]", text)[0].strip().replace("'", "’")
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_chapters_stand_in_the_order_of_the_story(name, tmp_path):
+    outline = pypdf.PdfReader(ready(tmp_path, name)).outline
+    titles = [re.sub(r"^\d+ ", "", entry.title) for entry in outline if not isinstance(entry, list)]
+    known = {title: id for id, title in words("en")["chapter"].items()}
+    chapters = [known.get(title, "positions") for title in titles]
+    assert chapters == [chapter for chapter in ORDER if chapter in chapters]
+    assert {"results", "task", "inputs", "conventions", "range", "notation", "references"} <= set(chapters)
+
+
+OWN = """[book.text]
+task = "What the boom X_1 bears: #read(\\"/etc/passwd\\") $x$ *b* <l> @r \\\\ `c`."
+scope = { en = "Of the crane only the head.", bg = "Само върхът на крана." }
+load_cases = '''
+First of two.
+
+- Second of two.
+'''
+method = "By the angle theta_1."
+conclusion = { zh = "臂架 X_1 可用。", en = "The boom X_1 will do." }
+remarks = "= no heading of Delta_99"
+"""
+
+
+def test_the_engineers_paragraphs_stand_at_their_places(tmp_path):
+    path = scene(tmp_path, "crane.toml", ("[luffing]\n", OWN + "[luffing]\n"))
+    pages = text_of(made(tmp_path / "en", path))
+    assert "Conclusion: The boom 𝑋1 will do." in pages[0]
+    text = " ".join(pages)
+    said = [
+        "2 Task and scope What the boom 𝑋1 bears: #read(\"/etc/passwd\") $x$ *b* <l> @r \\ `c`. The calculation follows",
+        "Of the crane only the head. Not covered are wind;",
+        "of a standard. First of two. - Second of two. ",
+        "By the angle 𝜃1. • The plane of the mechanism",
+        "Remarks = no heading of Δ99 1. [Li2022]",
+    ]
+    places = [text.find(words) for words in said]
+    assert -1 not in places and places == sorted(places), places
+    text = " ".join(text_of(made(tmp_path / "zh", path, "--language", "zh")))
+    assert "结论： 臂架𝑋1可用。" in text.replace("臂架 ", "臂架").replace(" 可用", "可用") and "Of the crane only the head." in text
+    assert "Само върхът на крана." in " ".join(text_of(made(tmp_path / "bg", path, "--language", "bg")))
+
+
+@pytest.mark.parametrize("name, absent", [
+    # At rest nothing swings, accelerates or rubs; what moves by itself has a chapter of that.
+    ("lemniscate", set()),
+    ("portal_004_motion", {"sway", "inertia", "friction"}),
+    ("portal_crane", {"sway", "inertia", "friction"}),
+])
+def test_the_scope_says_what_is_not_covered(name, absent, tmp_path):
+    text = " ".join(text_of(ready(tmp_path, name, "--level", "summary")))
+    scope = text[text.index("Not covered are"):]
+    scope = scope[: scope.index(".")]
+    told = {id: plain(word) in scope for id, word in words("en")["uncovered"].items()}
+    at_rest = {"wind", "sway", "inertia", "friction", "dynamic_coefficients", "motor_brake", "strength", "buckling", "stability", "load_cases"}
+    assert {id for id, is_told in told.items() if is_told} == at_rest - absent
+
+
+def test_nothing_that_weighs_nothing_is_told(tmp_path):
+    """A plain boom without a load: jib and rocker stand for none."""
+    text = " ".join(text_of(ready(tmp_path, "ports_001", "--level", "full")))
+    # What the scene gives as nothing stands among the given quantities, and nowhere later.
+    results = text.rsplit("Constants of the mechanism", 1)[1]
+    assert "0 kN" in text.replace("0kN", "0 kN") and len(results) > 10_000
+    assert re.findall(r".{60}(?<![\w.,])[−-]?0 ?kN.{20}", results) == []
+    assert "Luffing moment of the load" not in results.split(" Remarks ")[0] and "Calculation of the balance of a plain boom" in text
+    assert "Positionofthegreatestresidualmomentabouttheboom’sfoot:𝜃1=50.5°" in text.replace(" ", "")
+    lemnis("book", ROOT / "models/scenes/ports_001.toml", "--format", "typ", "--output", tmp_path)
+    source = (tmp_path / "PortsLever.typ").read_text(encoding="utf-8")
+    drawing = next(line for line in source.splitlines() if line.strip().startswith("drawn(1,"))
+    labels = set(re.findall(r'\\"text\\":\\"([^"\\]+)', drawing))
+    assert labels == {"O_1", "B", "theta_1", "X_1"}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", SCENES)
+def test_the_summary_is_what_a_manager_signs(name, language, tmp_path):
+    """Requirements and warnings on the first page, task, sketch, design forces and references on two or three."""
+    pages = text_of(ready(tmp_path, name, "--level", "summary", "--language", language))
+    assert 2 <= len(pages) <= 3
+    text, said = " ".join(pages), words(language)
+    for chapter in ["task", "references"]:
+        assert said["chapter"][chapter] in text
+    assert said["text"]["task"][:20] in text and said["text"]["uncovered"] in text
+    assert not {said["chapter"][chapter] for chapter in ["inputs", "sensitivity", "notation", "remarks"]} & set(re.findall(r"\d (\w+)", text))
+    heads = [plain(said["text"][id]) for id in ["met", "not_met", "no_requirements"]]
+    assert any(head and head in pages[0] for head in heads), pages[0]
+    assert said["text"]["figure"].split("#")[0].strip("~ ") + " 1" in text
+
+
+def test_design_forces_are_the_greatest_of_the_whole_range(tmp_path):
+    """Beside the search by amount of the governing results."""
+    pages = " ".join(text_of(ready(tmp_path, "lemniscate", "--level", "summary")))
+    pages = pages.replace(" ", "")
+    unit = {"kN": 1e3, "kN·m": 1e3}
+    rows = {
+        name: [float(value.replace("−", "-")) * unit[of] for value, of in zip(found[1::2], found[2::2])]
+        for found in re.findall(r"(𝐹𝑑|𝑁3|𝑀𝐷):[A-Z][^:]*?\.(−?\d+\.?\d*)(kN·m|kN)𝜃1=[\d.]+°(−?\d+\.?\d*)(kN·m|kN)𝜃1=[\d.]+°", pages)
+        for name in [found[0]]
+    }
+    governing = json.loads(lemnis("check", "--json", ROOT / "models/scenes/lemniscate.toml"))["summary"]
+    assert set(rows) == {"𝐹𝑑", "𝑁3", "𝑀𝐷"}
+    for name, id in {"𝐹𝑑": "F_d_max", "𝑁3": "N_3_max", "𝑀𝐷": "M_D_max"}.items():
+        least, greatest = rows[name]
+        assert least < greatest
+        most = max(least, greatest, key=abs)
+        assert most == pytest.approx(governing[id]["value"], rel=1e-5)
+
+
+def test_without_loads_a_summary_has_the_results_instead(tmp_path):
+    text = " ".join(text_of(ready(tmp_path, "car_4x2", "--level", "summary")))
+    assert "Design forces" not in text and "Greatest and least results, with their positions" in text
+    assert "Greatest and least results" not in " ".join(text_of(made(tmp_path / "loaded", scene(tmp_path, text=DEFAULT), "--level", "summary")))
