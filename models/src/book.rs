@@ -16,8 +16,13 @@ pub static BOOK: &[Key] = &[
     Key::new("chapters", Kind::Choices(CHAPTERS), "The chapters in their order; without it those of the level, and no trade, which needs many runs.").optional(),
     Key::new("positions", Kind::Texts(10), "Positions at which the formulas are worked out: angles of the driven bar such as \"75 deg\", from, middle, to, \
                or governing results such as M_Q_max; without it the governing one.").optional(),
+    Key::new("digits", Kind::Count(DIGITS), "Significant digits of results and of tables, 3 to 9; 4 without it. Given quantities stand as \
+               they are given, formulas have six digits and more where their results need them.").optional(),
     Key::choice("pdf_standard", &["a-3b", "a-3u", "a-3a"], "PDF/A standard that the PDF keeps to; needs project.date."),
 ];
+
+/// Least and most significant digits of results.
+const DIGITS: [u64; 2] = [3, 9];
 
 /// Levels of detail, the least first.
 pub const LEVELS: &[&str] = &["summary", "standard", "full"];
@@ -55,6 +60,8 @@ pub struct Book {
     pub chapters: Option<Vec<&'static str>>,
     /// Where the formulas are worked out; empty for the governing position.
     pub positions: Vec<Place>,
+    /// Significant digits of results and tables, 3 to 9.
+    pub digits: usize,
     /// PDF/A standard, such as `a-3b`.
     pub pdf_standard: Option<String>,
 }
@@ -115,6 +122,10 @@ impl Book {
                 .unwrap_or("standard"),
             chapters: (!chapters.is_empty()).then_some(chapters),
             positions,
+            digits: table
+                .count("digits")
+                .and_then(|digits| digits.try_into().ok())
+                .unwrap_or(Book::default().digits),
             pdf_standard: table.text("pdf_standard").map(str::to_owned),
         }
     }
@@ -127,6 +138,7 @@ impl Default for Book {
             level: "standard",
             chapters: None,
             positions: Vec::new(),
+            digits: 4,
             pdf_standard: None,
         }
     }

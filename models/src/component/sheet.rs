@@ -59,6 +59,29 @@ pub struct Sheet {
 }
 
 impl Sheet {
+    /// All formulas.
+    pub fn sections(&self) -> impl Iterator<Item = &Section> {
+        let positions = self.positions.iter().flat_map(|position| &position.sections);
+        let motion = self.motion.iter().flat_map(|motion| &motion.sections);
+        self.constants.iter().chain(&self.sizing).chain(positions).chain(motion)
+    }
+
+    /// Tells of the quantities that are given, that formulas give, and of those over the range.
+    pub fn values(&self, tell: &mut dyn FnMut(&'static Symbol, f64)) {
+        self.inputs.iter().for_each(|input| tell(input.symbol, input.value));
+        let steps = self.sections().flat_map(|section| &section.trace.steps);
+        steps.for_each(|step| tell(step.symbol, step.value));
+        for row in &self.range.rows {
+            self.range
+                .columns
+                .iter()
+                .zip(row)
+                .for_each(|(symbol, value)| tell(symbol, *value));
+        }
+        let states = self.motion.iter().flat_map(|motion| &motion.state);
+        states.for_each(|(symbol, value)| tell(symbol, *value));
+    }
+
     /// Requirements and identities.
     pub fn checks(&self) -> impl Iterator<Item = &Check> {
         self.requirements.iter().chain(&self.identities)

@@ -30,7 +30,7 @@ fn property(key: &Key) -> Json {
     let mut schema = match key.kind {
         Kind::Text | Kind::Date | Kind::Lines => json!({ "type": "string" }),
         Kind::Line => json!({ "type": "string", "pattern": r"^.*\S.*$" }),
-        Kind::Count => json!({ "type": "integer", "minimum": 0 }),
+        Kind::Count([least, most]) => json!({ "type": "integer", "minimum": least, "maximum": most }),
         Kind::Named => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
         Kind::Quantities(symbol, _, [least, most]) => {
             let list = json!({ "type": "array", "items": text(symbol), "minItems": least, "maxItems": most });

@@ -7,10 +7,9 @@ use serde::Serialize;
 
 use crate::book::blocks::{self, Drawn, Quantity, Table};
 use crate::book::notation::Notation;
-use crate::language::Language;
 use crate::print::drawing::{self, SMALL};
 use crate::print::formula::{self, Layout, Printed};
-use crate::print::number::quantity;
+use crate::print::number::Numbers;
 
 #[derive(Serialize)]
 pub(super) struct Section {
@@ -45,7 +44,7 @@ pub(super) struct Position {
 
 impl Position {
     pub(super) fn new(
-        language: &Language,
+        numbers: &Numbers,
         position: &sheet::Worked,
         outputs: Option<&[&'static Symbol]>,
         notation: &mut Notation,
@@ -53,9 +52,9 @@ impl Position {
         Position {
             id: position.id,
             symbol: position.coordinate.print,
-            value: quantity(language, position.coordinate, position.value),
+            value: numbers.in_formula(position.coordinate, position.value),
             of: position.of,
-            sections: sections(language, &position.sections, outputs, notation),
+            sections: sections(numbers, &position.sections, outputs, notation),
         }
     }
 }
@@ -63,7 +62,7 @@ impl Position {
 /// Sections of formulas. With `outputs`, only these have their numbers put in;
 /// other steps are intermediate, with formula and result alone.
 pub(super) fn sections(
-    language: &Language,
+    numbers: &Numbers,
     sections: &[sheet::Section],
     outputs: Option<&[&'static Symbol]>,
     notation: &mut Notation,
@@ -74,23 +73,18 @@ pub(super) fn sections(
             .drawing
             .as_ref()
             .map(|drawing| drawing::drawing(drawing, SMALL).into()),
-        steps: steps(language, &section.trace, outputs, notation),
+        steps: steps(numbers, &section.trace, outputs, notation),
         table: section.table.as_ref().map(|table| {
             for symbol in &table.columns {
                 notation.meet(symbol);
             }
-            blocks::table(language, table)
+            blocks::table(numbers, table)
         }),
     };
     sections.iter().map(section).collect()
 }
 
-fn steps(
-    language: &Language,
-    trace: &Trace,
-    outputs: Option<&[&'static Symbol]>,
-    notation: &mut Notation,
-) -> Vec<Step> {
+fn steps(numbers: &Numbers, trace: &Trace, outputs: Option<&[&'static Symbol]>, notation: &mut Notation) -> Vec<Step> {
     let step = |step: &lemnis_models::kernel::record::Step| {
         let in_full = outputs.is_none_or(|outputs| outputs.contains(&step.symbol));
         let Printed {
@@ -99,7 +93,7 @@ fn steps(
             result,
             layout,
             size,
-        } = formula::step(language, &notation.defined, trace, step, in_full);
+        } = formula::step(numbers, &notation.defined, trace, step, in_full);
         Step {
             quantity: step.symbol.into(),
             first: notation.meet(step.symbol),

@@ -17,7 +17,7 @@ use serde::Serialize;
 
 use crate::language::Language;
 use crate::print::factors::{Product, tidier};
-use crate::print::number::quantity;
+use crate::print::number::Numbers;
 use crate::print::text;
 
 /// How tightly an expression holds together, loosest first.
@@ -104,7 +104,7 @@ enum Form {
 struct Print<'a> {
     trace: &'a Trace,
     form: Form,
-    language: &'a Language,
+    numbers: &'a Numbers,
     /// Typeset forms of the symbols that can be linked to where they are defined.
     defined: &'a BTreeSet<&'static str>,
 }
@@ -133,19 +133,13 @@ pub struct Printed {
 
 /// A step of a recorded calculation, with its numbers put in where `in_full`.
 #[must_use]
-pub fn step(
-    language: &Language,
-    defined: &BTreeSet<&'static str>,
-    trace: &Trace,
-    step: &Step,
-    in_full: bool,
-) -> Printed {
+pub fn step(numbers: &Numbers, defined: &BTreeSet<&'static str>, trace: &Trace, step: &Step, in_full: bool) -> Printed {
     let name = name_width(step.symbol.print) + 3.0;
-    let result = numeric(quantity(language, step.symbol, step.value));
+    let result = numeric(numbers.in_formula(step.symbol, step.value));
     let forms = [Form::Symbols, Form::Numbers].map(|form| Print {
         trace,
         form,
-        language,
+        numbers,
         defined,
     });
     let [symbols, numbers] = forms.map(|print| term(print, false, step.formula).whole());
@@ -214,14 +208,14 @@ fn signed(op: Op, right: Term) -> (&'static str, Term) {
 /// `nested` inside a fraction, where another fraction is written with a slash.
 fn term(print: Print, nested: bool, rec: Rec) -> Term {
     match print.trace.node(rec) {
-        Node::Constant(value) => constant(print.language, value),
+        Node::Constant(value) => constant(print.numbers.language, value),
         Node::Name(symbol) => match print.form {
             Form::Symbols if print.defined.contains(symbol.print) => {
                 let link = format!("go({}, {})", text::string(symbol.print), symbol.print);
                 Term::atom(link, name_width(symbol.print))
             }
             Form::Symbols => Term::atom(symbol.print.to_owned(), name_width(symbol.print)),
-            Form::Numbers => numeric(quantity(print.language, symbol, print.trace.value(rec))),
+            Form::Numbers => numeric(print.numbers.in_formula(symbol, print.trace.value(rec))),
         },
         Node::Unary(Op::Square, _) | Node::Binary(Op::Mul | Op::Div, ..)
             if let Some(tidy) = tidier(print.trace, rec) =>
@@ -245,7 +239,7 @@ fn product(print: Print, nested: bool, product: &Product) -> Term {
         let powers = factors.map(|&(base, exponent)| power(term(print, nested || parted, base), exponent.abs()));
         powers.reduce(|left, right| binary(print.form, nested, Op::Mul, left, right))
     };
-    let above = side(1).unwrap_or_else(|| constant(print.language, 1.0));
+    let above = side(1).unwrap_or_else(|| constant(print.numbers.language, 1.0));
     let term = match side(-1) {
         Some(below) => binary(print.form, nested, Op::Div, above, below),
         None => above,
@@ -409,7 +403,7 @@ mod tests {
             formula([a, b, c, Rec::given(&s::BETA_0, 30.0_f64.to_radians())])
         });
         let printed = step(
-            &LANGUAGES[0],
+            &Numbers::new(&LANGUAGES[0], 4),
             &BTreeSet::new(),
             &trace,
             &Step {

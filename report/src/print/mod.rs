@@ -7,5 +7,6 @@ pub mod formula;
 pub mod number;
 pub mod picture;
 pub mod plot;
+pub mod precision;
 pub(crate) mod speech;
 pub(crate) mod text;
