@@ -433,6 +433,24 @@ def test_rounding_is_printed_as_nothing(name, tmp_path):
     assert all(int(power) < 12 for power in results), results
 
 
+@pytest.mark.parametrize("limit, verdict", [("30 deg", "passed"), ("47.4 deg", "FAILED"), ("45 deg", "passed, its band not")])
+def test_a_requirement_stands_at_the_formula_that_it_judges(limit, verdict, tmp_path):
+    """Where the position that governs it is worked out, and nowhere else."""
+    own = '[book]\npositions = ["mu_min", "90 deg"]\n[project]'
+    path = scene(tmp_path, "crane.toml", ("[project]", own), ('mu_min    = "30 deg"', f'mu_min = "{limit}"'))
+    lemnis("book", path, "--format", "typ", "--output", tmp_path)
+    source = (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8")
+    [found] = re.findall(r'\n.*= (.*) >= (.*) quad "(.*)" \$\];\]', source)
+    assert found == ('47.3195"°"', limit.replace(" deg", '"°"'), verdict)
+    assert source.count("\n  mu &= ") == 2
+
+
+def test_what_judges_an_amount_says_so(tmp_path):
+    lemnis("book", ROOT / "models/scenes/portal_004_tail.toml", "--format", "typ", "--output", tmp_path)
+    source = (tmp_path / "PortalCraneTail.typ").read_text(encoding="utf-8")
+    assert re.search(r'\n.*= -440\.728 thin"kN", quad abs\(N_1\) <= 4000 thin"kN" quad "passed" \$\];\]', source)
+
+
 def test_a_value_beside_its_limit_has_the_digits_that_tell_them_apart(tmp_path):
     path = scene(tmp_path, "crane.toml", ('mu_min    = "30 deg"', 'mu_min = "47.3198 deg"'))
     page = text_of(book(tmp_path, path, "--level", "summary"))[0].replace(" ", "")

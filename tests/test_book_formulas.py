@@ -49,7 +49,7 @@ def read(text):
     text = NUMBER.sub(take, text)
     for number, name in enumerate(words):
         text = text.replace(f"**{name}", f"**{number}")
-    text = text.replace(" dot ", "*").replace(" slash ", "/").replace("arctan2 vec(", "arctan2(")
+    text = text.replace(" dot ", "*").replace(" slash ", "/")
     # Factors without a sign between them: "2 pi".
     text = re.sub(r"(v\[\d+\]) pi", r"\1*pi", text)
     assert re.fullmatch(r"[\w\s\[\]()+\-*/.,]*", text), text
@@ -63,7 +63,8 @@ def formulas(source):
         parts = re.split(r"\n\s+(?:\\ &)?= ", body)
         # One that only names another quantity, or a number, has none.
         if len(parts) == 3:
-            yield parts[0], parts[1], parts[2].strip()
+            # A requirement follows the result that it judges.
+            yield parts[0], parts[1], re.split(r", quad| [<>]= ", parts[2].strip())[0].strip()
 
 
 def check(formula, numbers, result):

@@ -251,6 +251,8 @@ pub struct Summary {
     pub symbol: &'static Symbol,
     pub value: f64,
     pub at: Option<(&'static Symbol, f64)>,
+    /// The result whose extreme it is.
+    pub of: Option<&'static Symbol>,
 }
 
 impl Summary {
@@ -260,6 +262,7 @@ impl Summary {
             symbol,
             value,
             at: None,
+            of: None,
         }
     }
 
@@ -270,6 +273,13 @@ impl Summary {
             at: Some((coordinate, extreme.at)),
             ..Summary::new(symbol, extreme.value)
         }
+    }
+
+    /// Of the result whose extreme it is.
+    #[must_use]
+    pub const fn of(mut self, result: &'static Symbol) -> Summary {
+        self.of = Some(result);
+        self
     }
 }
 
@@ -317,6 +327,8 @@ pub struct Check {
     pub at_most: bool,
     /// Where or when the value is so, which governs.
     pub at: Option<(&'static Symbol, f64)>,
+    /// The result whose extreme the value is; its own symbol where it is none.
+    pub of: &'static Symbol,
     /// By how much the value may be off, to both sides, as far as that is known.
     pub band: Option<f64>,
 }
@@ -331,6 +343,7 @@ impl Check {
             limit,
             at_most: true,
             at: None,
+            of: symbol,
             band: None,
         }
     }
@@ -345,8 +358,19 @@ impl Check {
             limit,
             at_most,
             at: result.at,
+            of: match result.of {
+                Some(of) => of,
+                None => result.symbol,
+            },
             band: None,
         }
+    }
+
+    /// Whether it judges a value of a quantity (in SI), or the value's amount.
+    #[must_use]
+    pub fn judges(&self, symbol: &'static Symbol, value: f64) -> bool {
+        let is = |value: f64| (value - self.value).abs() <= 1e-9 * self.value.abs().max(1e-3);
+        [self.of, self.symbol].contains(&symbol) && (is(value) || self.at_most && is(value.abs()))
     }
 
     /// Part of what is allowed that is used: value over limit where the value

@@ -167,19 +167,20 @@ impl<'a> Book<'a> {
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
         let (mut sizing, mut motion) = (Vec::new(), None);
+        let judged = sheet.requirements.as_slice();
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
             match *chapter {
                 "inputs" => inputs = tables::inputs(numbers, sheet, &mut notation),
-                "constants" => constants = steps::sections(numbers, &sheet.constants, None, &mut notation),
-                "sizing" => sizing = steps::sections(numbers, &sheet.sizing, None, &mut notation),
+                "constants" => constants = steps::sections(numbers, &sheet.constants, None, judged, &mut notation),
+                "sizing" => sizing = steps::sections(numbers, &sheet.sizing, None, judged, &mut notation),
                 "positions" => {
                     let outputs = (!full).then_some(sheet.outputs.as_slice());
-                    let position = |position| Position::new(numbers, position, outputs, &mut notation);
+                    let position = |position| Position::new(numbers, position, outputs, judged, &mut notation);
                     positions = sheet.positions.iter().map(position).collect();
                 }
                 "motion" => {
-                    let of = |motion| Motion::new(numbers, motion, &mut notation);
+                    let of = |motion| Motion::new(numbers, motion, judged, &mut notation);
                     motion = sheet.motion.as_ref().map(of);
                 }
                 _ => {}

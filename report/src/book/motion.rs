@@ -58,7 +58,12 @@ struct Energy {
 }
 
 impl Motion {
-    pub(super) fn new(numbers: &Numbers, motion: &InMotion, notation: &mut Notation) -> Motion {
+    pub(super) fn new(
+        numbers: &Numbers,
+        motion: &InMotion,
+        requirements: &[sheet::Check],
+        notation: &mut Notation,
+    ) -> Motion {
         let value = |&(symbol, value): &(&'static Symbol, f64)| Value {
             quantity: symbol.into(),
             value: numbers.in_formula(symbol, value),
@@ -67,7 +72,7 @@ impl Motion {
         for (symbol, _) in &motion.state {
             notation.meet(symbol);
         }
-        let sections = sections(numbers, &motion.sections, None, notation);
+        let sections = sections(numbers, &motion.sections, None, requirements, notation);
         let energy = Energy::new(numbers, &motion.energy);
         let sheet::Energy { given, stored, taken } = &motion.energy;
         let accounts = given.iter().chain(stored).chain(taken).map(|(symbol, _)| *symbol);

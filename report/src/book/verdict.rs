@@ -32,6 +32,8 @@ struct Check {
     limit: String,
     at_most: bool,
     passed: bool,
+    /// Id of the word.
+    verdict: &'static str,
     /// Part of what is allowed that is used, in percent; none of a limit of zero.
     utilisation: Option<String>,
     /// Where or when it governs.
@@ -75,12 +77,22 @@ impl Verdict {
     }
 }
 
+/// Id of the word for whether a requirement is met.
+pub(super) fn verdict(check: &sheet::Check) -> &'static str {
+    match check.passed() {
+        false => "failed",
+        true if check.is_doubtful() => "doubtful",
+        true => "passed",
+    }
+}
+
 fn check(numbers: &Numbers, check: &sheet::Check) -> Check {
     Check {
+        verdict: verdict(check),
         id: check.id,
         symbol: check.symbol.print,
         value: numbers.judged(check.symbol, check.value, check.limit),
-        limit: numbers.given(check.symbol, check.limit),
+        limit: numbers.limit(check.symbol, check.limit),
         at_most: check.at_most,
         passed: check.passed(),
         utilisation: (check.limit != 0.0).then(|| numbers.language.text(&fixed(100.0 * check.utilisation(), 1))),

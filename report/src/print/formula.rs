@@ -5,8 +5,7 @@
 //! recalculated: numbers with their unit as `19.3 thin"m"`, `60"°"` or
 //! `1.2 times 10^(-5)`, with a decimal comma as `"19,3" thin"m"`, `pi`, `+`, `-`, `dot`, `slash`, `frac(a, b)`, `a^2`, `a^3`,
 //! `sqrt(a)`, `abs(a)`, `sin(a)`, `cos(a)`, `arcsin(a)`, `arccos(a)`,
-//! `arctan2(y, x)`, also as `arctan2 vec(y, x)`, and parentheses. A long sum is broken with `\ &more` before
-//! a sign.
+//! `arctan2(y, x)`, and parentheses. A long sum is broken with `\ &more` before a sign, a long `arctan2` after its comma.
 
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
@@ -131,9 +130,19 @@ pub struct Printed {
     pub size: u32,
 }
 
-/// A step of a recorded calculation, with its numbers put in where `in_full`.
+/// Width of a requirement that stands after the result.
+const JUDGED: f64 = 30.0;
+
+/// A step of a recorded calculation, with its numbers put in where `in_full`; so many requirements follow its result.
 #[must_use]
-pub fn step(numbers: &Numbers, defined: &BTreeSet<&'static str>, trace: &Trace, step: &Step, in_full: bool) -> Printed {
+pub fn step(
+    numbers: &Numbers,
+    defined: &BTreeSet<&'static str>,
+    trace: &Trace,
+    step: &Step,
+    in_full: bool,
+    judged: usize,
+) -> Printed {
     let name = name_width(step.symbol.print) + 3.0;
     let result = numeric(numbers.in_formula(step.symbol, step.value));
     let forms = [Form::Symbols, Form::Numbers].map(|form| Print {
@@ -144,7 +153,8 @@ pub fn step(numbers: &Numbers, defined: &BTreeSet<&'static str>, trace: &Trace, 
     });
     let [symbols, numbers] = forms.map(|print| term(print, false, step.formula).whole());
     let repeats = !in_full || numbers.text == result.text;
-    let line = name + symbols.width + result.width + 3.0 + if repeats { 0.0 } else { numbers.width + 3.0 };
+    let after = JUDGED * judged as f64;
+    let line = name + symbols.width + result.width + after + 3.0 + if repeats { 0.0 } else { numbers.width + 3.0 };
     if line <= LINE - SOURCE {
         let numbers = (!repeats).then_some(numbers.text);
         return Printed {
@@ -157,7 +167,8 @@ pub fn step(numbers: &Numbers, defined: &BTreeSet<&'static str>, trace: &Trace, 
     }
     let (formula, formula_width) = broken(forms[0], step.formula, LINE - SOURCE - name);
     let (numbers, numbers_width) = broken(forms[1], step.formula, LINE - name);
-    let widest = name + (formula_width + SOURCE).max(if repeats { 0.0 } else { numbers_width });
+    let widest = (formula_width + SOURCE).max(if repeats { 0.0 } else { numbers_width });
+    let widest = name + widest.max(result.width + after);
     Printed {
         formula,
         numbers: (!repeats).then_some(numbers),
@@ -353,17 +364,16 @@ fn binary(form: Form, nested: bool, op: Op, left: Term, right: Term) -> Term {
             let text = format!("frac({}, {})", left.text, right.text);
             Term::product(left.minus != right.minus, text, left.width.max(right.width) + 0.5)
         }
-        // The angle of the vector (x, y) is written with y first, as in arctan
-        // y/x; long components stand one above the other.
+        // The angle of the vector (x, y) is written with y first, as in arctan y/x; a long one is broken after its comma.
         _ => {
             let (x, y) = (left.whole(), right.whole());
-            let (beside, above) = (x.width + y.width + 9.5, x.width.max(y.width) + 9.5);
-            let (stack, width) = if beside > LINE / 2.0 {
-                (" vec", above)
+            let width = x.width + y.width + 9.5;
+            let (space, width) = if nested || width <= LINE - SOURCE {
+                (" ", width)
             } else {
-                ("", beside)
+                (" \\ &more ", 9.5 + x.width.max(y.width))
             };
-            Term::atom(format!("arctan2{stack}({}, {})", y.text, x.text), width)
+            Term::atom(format!("arctan2({},{space}{})", y.text, x.text), width)
         }
     }
 }
@@ -413,6 +423,7 @@ mod tests {
                 name: formula,
             },
             true,
+            0,
         );
         (printed.formula, printed.numbers.unwrap_or(printed.result))
     }
@@ -552,6 +563,16 @@ mod tests {
         assert_eq!(text(PI), "X_1 pi");
         assert_eq!(text(FRAC_PI_4), "X_1 frac(pi, 4)");
         assert_eq!(text(2.0), "X_1 dot 2");
+    }
+
+    #[test]
+    fn a_long_angle_is_broken_after_its_comma() {
+        let long = |a: Rec, b: Rec| (0..5).fold(a, |sum, _| sum + a * b);
+        let (symbols, numbers) = printed(|[a, b, c, _]| Rec::direction(long(a, b), long(b, c)));
+        assert!(
+            !symbols.contains("more") && numbers.matches(", \\ &more ").count() == 1,
+            "{symbols} {numbers}"
+        );
     }
 
     #[test]

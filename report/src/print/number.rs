@@ -64,12 +64,23 @@ impl Numbers {
         with_unit(self.language, &number, symbol.display)
     }
 
+    /// A limit: given, or a result of its own.
+    #[must_use]
+    pub fn limit(&self, symbol: &Symbol, limit: f64) -> String {
+        with_unit(self.language, &self.number_of_limit(symbol, limit), symbol.display)
+    }
+
+    fn number_of_limit(&self, symbol: &Symbol, limit: f64) -> Number {
+        Number::new(symbol.shown(limit), Digits::Short(EXACT, self.digits))
+    }
+
     /// A result that is judged: with more digits where it would look like its limit, or beyond it, and is not.
     #[must_use]
     pub fn judged(&self, symbol: &Symbol, value: f64, limit: f64) -> String {
-        let [value, limit] = [self.shown(symbol, value), symbol.shown(limit)];
+        let (value, printed) = (self.shown(symbol, value), self.number_of_limit(symbol, limit).value());
+        let limit = symbol.shown(limit);
         let number = |digits: usize| Number::new(value, Digits::Short(digits, digits));
-        let tells = |digits: &usize| number(*digits).value().partial_cmp(&limit) == value.partial_cmp(&limit);
+        let tells = |digits: &usize| number(*digits).value().partial_cmp(&printed) == value.partial_cmp(&limit);
         let digits = (self.digits..MOST).find(tells).unwrap_or(self.digits);
         with_unit(self.language, &number(digits), symbol.display)
     }
