@@ -395,7 +395,7 @@ def test_a_search_that_was_not_made_signs_nothing(tmp_path):
     assert "The search has not been made" in page and "nothing in it is the least that can be had" in page
     assert "NOT ALL REQUIREMENTS ARE MET: 5 of 6." in page
     # The scene's limit and the constraint of its synthesis, of one value.
-    limits = re.findall(r"𝛾min=22.07\d+°±[\d.]+°≥([\d.]+)°.{1,4}=82°[\d.]+%(passed|FAILED)", page.replace(" ", ""))
+    limits = re.findall(r"𝛾min=22\.07°±[\d.]+°≥([\d.]+)°.{1,4}=82°[\d.]+%(passed|FAILED)", page.replace(" ", ""))
     assert limits == [("20", "passed"), ("34.6", "FAILED")]
     # What the lever of a search that came to its end says of itself has no such words.
     text = (ROOT / "models/scenes/portal_004_synthesis.toml").read_text(encoding="utf-8")
@@ -413,6 +413,58 @@ def test_the_first_page_warns_of_stops_and_of_a_slack_rope(tmp_path):
         warning = re.search(f"Warning: {re.escape(event)} .*?𝑡 = ([\\d.]+) s \\(number of times: (\\d+)\\)", pages[0])
         assert times and warning.groups() == (times[0], str(len(times))), event
     assert re.search(r"Not judged, as the scene gives no limit: .*𝜑 ?max", pages[0])
+
+
+@pytest.mark.parametrize("digits", [None, 3, 7])
+def test_results_have_the_digits_that_the_scene_asks_for(digits, tmp_path):
+    """But for whole numbers before the decimal point, and for what fewer digits make exact."""
+    own = f"[book]\ndigits = {digits}\n[project]" if digits else "[project]"
+    path = scene(tmp_path, "crane.toml", ("[project]", own))
+    lemnis("book", path, "--format", "typ", "--output", tmp_path)
+    source = (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8").split("#let column-head")[1]
+    results = source[: source.index("\n= 2 ")]
+    # What is given stands as it is given: the limits, the ends of the range.
+    values = re.findall(r'= -?(\d+\.\d+)(?: thin"|"°"|\$)', re.sub(r'#say\("[^"]*"\)', "", results))
+    significant = {len(value.replace(".", "").lstrip("0")) for value in values}
+    assert len(values) > 8 and max(significant) == (digits or 4), values
+    assert ('R_"max"' in results or "R_max" in results) and '= 160 thin"kN"' not in results
+    # The same in the table over the range: the decimals of the greatest number.
+    reach = re.findall(r"(?m)^  \[[\d.]+\],\[[\d.]+\],\[([\d.]+)\],", source)
+    assert {len(value.split(".")[1]) for value in reach} == {min((digits or 4) - 2, max(4, (digits or 4) - 2))}
+    # Formulas keep theirs.
+    assert '11.4143 thin"m"' in source and '= 254.347 thin"kN·m"' in source
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in (ROOT / "models/scenes").glob("*.toml")))
+def test_rounding_is_printed_as_nothing(name, tmp_path):
+    lemnis("book", ROOT / f"models/scenes/{name}.toml", "--format", "typ", "--output", tmp_path)
+    [path] = tmp_path.glob("*.typ")
+    results = re.findall(r'(?<!<)= -?[\d.]+ times 10\^\(-(\d+)\)', path.read_text(encoding="utf-8"))
+    assert all(int(power) < 12 for power in results), results
+
+
+@pytest.mark.parametrize("limit, verdict", [("30 deg", "passed"), ("47.4 deg", "FAILED"), ("45 deg", "passed, its band not")])
+def test_a_requirement_stands_at_the_formula_that_it_judges(limit, verdict, tmp_path):
+    """Where the position that governs it is worked out, and nowhere else."""
+    own = '[book]\npositions = ["mu_min", "90 deg"]\n[project]'
+    path = scene(tmp_path, "crane.toml", ("[project]", own), ('mu_min    = "30 deg"', f'mu_min = "{limit}"'))
+    lemnis("book", path, "--format", "typ", "--output", tmp_path)
+    source = (tmp_path / "LemniscateCrane.typ").read_text(encoding="utf-8")
+    [found] = re.findall(r'\n.*= (.*) >= (.*) quad "(.*)" \$\];\]', source)
+    assert found == ('47.3195"°"', limit.replace(" deg", '"°"'), verdict)
+    assert source.count("\n  mu &= ") == 2
+
+
+def test_what_judges_an_amount_says_so(tmp_path):
+    lemnis("book", ROOT / "models/scenes/portal_004_tail.toml", "--format", "typ", "--output", tmp_path)
+    source = (tmp_path / "PortalCraneTail.typ").read_text(encoding="utf-8")
+    assert re.search(r'\n.*= -440\.728 thin"kN", quad abs\(N_1\) <= 4000 thin"kN" quad "passed" \$\];\]', source)
+
+
+def test_a_value_beside_its_limit_has_the_digits_that_tell_them_apart(tmp_path):
+    path = scene(tmp_path, "crane.toml", ('mu_min    = "30 deg"', 'mu_min = "47.3198 deg"'))
+    page = text_of(book(tmp_path, path, "--level", "summary"))[0].replace(" ", "")
+    assert re.search(r"=47\.319°±[\d.]+°≥47\.3198°", page), page
 
 
 def test_a_value_within_its_limit_is_doubted_where_its_band_is_not(tmp_path):

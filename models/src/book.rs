@@ -15,6 +15,8 @@ pub static BOOK: &[Key] = &[
     Key::new("positions", Kind::Texts(10), "Positions at which the formulas are worked out: angles of the driving link such as \"75 deg\", from, middle, to, \
                or governing results such as M_Q_max; without it the governing one.").optional(),
     Key::part("text", TEXT, "The engineer's own paragraphs at these places of the book; a blank line begins a new paragraph, and words such as X_4 are set as symbols."),
+    Key::new("digits", Kind::Count(DIGITS), "Significant digits of results and of tables, 3 to 9; 4 without it. Given quantities stand as \
+               they are given, formulas have six digits and more where their results need them.").optional(),
     Key::choice("pdf_standard", &["a-3b", "a-3u", "a-3a"], "PDF/A standard that the PDF keeps to; needs project.date."),
 ];
 
@@ -39,6 +41,9 @@ pub static TEXT: &[Key] = &[
     ),
     Key::text("remarks", "Remarks: before those on the publications."),
 ];
+
+/// Least and most significant digits of results.
+const DIGITS: [u64; 2] = [3, 9];
 
 /// Levels of detail, the least first.
 pub const LEVELS: &[&str] = &["summary", "standard", "full"];
@@ -80,6 +85,8 @@ pub struct Book {
     pub positions: Vec<Place>,
     /// The engineer's own paragraphs, by their places among [`TEXT`].
     pub text: Vec<(&'static str, Text)>,
+    /// Significant digits of results and tables, 3 to 9.
+    pub digits: usize,
     /// PDF/A standard, such as `a-3b`.
     pub pdf_standard: Option<String>,
 }
@@ -149,6 +156,10 @@ impl Book {
                 .iter()
                 .filter_map(|key| Some((key.name, own?.words(key.name)?.clone())))
                 .collect(),
+            digits: table
+                .count("digits")
+                .and_then(|digits| digits.try_into().ok())
+                .unwrap_or(Book::default().digits),
             pdf_standard: table.text("pdf_standard").map(str::to_owned),
         }
     }
@@ -162,6 +173,7 @@ impl Default for Book {
             chapters: None,
             positions: Vec::new(),
             text: Vec::new(),
+            digits: 4,
             pdf_standard: None,
         }
     }

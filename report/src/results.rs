@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use lemnis_models::component::sheet::{Sheet, Summary};
 use lemnis_models::kernel::diagnostic::Diagnostic;
-use lemnis_models::kernel::number::{Number, column, short};
+use lemnis_models::kernel::number::{Number, SIGNIFICANT, column, short};
 use lemnis_models::kernel::variable::{Fault, Role, Variable};
 use lemnis_models::scene::Scene;
 use serde_json::{Map, Value, json};
@@ -128,7 +128,7 @@ impl Results {
             let values: Vec<f64> = self.rows.iter().map(|row| variable.symbol.shown(row[i])).collect();
             let head = format!("{variable} [{}]", variable.symbol.display.name);
             std::iter::once(head)
-                .chain(column(&values).iter().map(Number::to_string))
+                .chain(column(&values, SIGNIFICANT).iter().map(Number::to_string))
                 .collect()
         };
         let cells: Vec<Vec<String>> = self.columns.iter().enumerate().map(cells).collect();

@@ -277,7 +277,10 @@ impl Draw {
                 list.sort_by(|a, b| a.1.total_cmp(&b.1));
                 Value::Array(list.into_iter().map(|(text, _)| text.into()).collect())
             }
-            Kind::Count => i64::from(self.rng.u16(..)).into(),
+            Kind::Count([least, most]) => {
+                let count = self.rng.u64(least..=most.min(u16::MAX.into()));
+                i64::try_from(count).expect("small").into()
+            }
             Kind::Quantity(..) | Kind::Weight(_) | Kind::Named => Value::Table(Table::new()),
         }
     }

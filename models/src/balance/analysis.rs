@@ -181,12 +181,12 @@ impl Analysis {
     #[must_use]
     pub fn extremes(&self, coordinate: &'static Symbol) -> Vec<Summary> {
         let all = [
-            (&s::DM_MAX, Some(self.dm_max)),
-            (&s::DM_5_MAX, self.dm_5_max),
-            (&s::N_MAX, self.n_max),
-            (&s::GAMMA_MIN, self.gamma_min),
+            (&s::DM_MAX, &s::DM, Some(self.dm_max)),
+            (&s::DM_5_MAX, &s::DM_5, self.dm_5_max),
+            (&s::N_MAX, &s::N_1, self.n_max),
+            (&s::GAMMA_MIN, &s::GAMMA, self.gamma_min),
         ];
-        let found = all.map(|(symbol, extreme)| extreme.map(|found| Summary::at(symbol, found, coordinate)));
+        let found = all.map(|(symbol, of, extreme)| extreme.map(|found| Summary::at(symbol, found, coordinate).of(of)));
         found.into_iter().flatten().collect()
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::balance::symbols as s;
 use crate::kernel::keys::keys;
-use crate::kernel::schema::{Key, Kind, SOURCE, Sign};
+use crate::kernel::schema::{COUNTLESS, Key, Kind, SOURCE, Sign};
 use crate::kernel::symbol::Symbol;
 
 /// Keys of `[luffing.synthesis]`.
@@ -25,7 +25,7 @@ pub static KEYS: &[Key] = &[
     ),
     Key::new(
         "seed",
-        Kind::Count,
+        Kind::Count([0, COUNTLESS]),
         "Seed of the search: the same seed gives the same lever.",
     )
     .optional(),

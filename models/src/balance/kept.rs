@@ -18,12 +18,19 @@ pub fn kept(search: &Search) -> Vec<Check> {
     let Ok(whole) = Analysis::new(&*search.boom, &Balance::Lever(*own), search.range) else {
         return Vec::new();
     };
-    let at = |symbol, extreme: Extreme| Summary::at(symbol, extreme, &s::PHI);
+    let at = |symbol, of, extreme: Extreme| Summary::at(symbol, extreme, &s::PHI).of(of);
     let least = constraints.gamma_min;
     let mut checks: Vec<Check> = whole
         .gamma_min
         .filter(|_| least > 0.0)
-        .map(|found| Check::of("synthesis_transmission", &at(&s::GAMMA_MIN, found), least, false))
+        .map(|found| {
+            Check::of(
+                "synthesis_transmission",
+                &at(&s::GAMMA_MIN, &s::GAMMA, found),
+                least,
+                false,
+            )
+        })
         .into_iter()
         .collect();
     if let Some(least) = constraints.m_plus {
@@ -33,21 +40,26 @@ pub fn kept(search: &Search) -> Vec<Check> {
             [_, last] => (high, -last),
         };
         let found = Extreme { value, at: place };
-        checks.push(Check::of("synthesis_ends", &at(&s::M_PLUS, found), least, false));
+        checks.push(Check::of(
+            "synthesis_ends",
+            &Summary::at(&s::M_PLUS, found, &s::PHI),
+            least,
+            false,
+        ));
     }
     if let Some((most, found)) = constraints.n_max.zip(whole.n_max) {
-        checks.push(Check::of("synthesis_rod", &at(&s::N_MAX, found), most, true));
+        checks.push(Check::of("synthesis_rod", &at(&s::N_MAX, &s::N_1, found), most, true));
     }
     if let Some(most) = constraints.dm_max {
         checks.push(Check::of(
             "synthesis_residual",
-            &at(&s::DM_MAX, whole.dm_max),
+            &at(&s::DM_MAX, &s::DM, whole.dm_max),
             most,
             true,
         ));
     }
     if let Some(found) = rearward(own, search.range).filter(|_| constraints.rearward) {
-        let angle = at(&s::PSI, found);
+        let angle = at(&s::PSI, &s::PSI, found);
         checks.push(Check::of(
             "synthesis_rearward",
             &angle,

@@ -126,13 +126,13 @@ pub fn greatest_value(motion: &Motion, f: &mut dyn FnMut(f64) -> Option<f64>) ->
             low = a;
         }
     }
-    // At a corner straight ahead the search stops one rounding beside it.
-    let inside = f64::midpoint(low, high);
-    let inside = if inside.abs() < 1e-9 { 0.0 } else { inside };
-    let (value, at) = (f(inside)?, inside);
+    // At a corner straight ahead the search stops one rounding beside it, and so may a place of the grid.
+    let straight = |at: f64| if at.abs() < 1e-9 { 0.0 } else { at };
+    let at = straight(f64::midpoint(low, high));
+    let value = f(at)?;
     let on_grid = Extreme {
         value: values[best],
-        at: places[best],
+        at: straight(places[best]),
     };
     Some(if value > on_grid.value {
         Extreme { value, at }

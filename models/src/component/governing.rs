@@ -24,7 +24,9 @@ pub fn extremes<'a>(
 #[must_use]
 pub fn governing(model: &Standing, outline: &'static Outline) -> Vec<Summary> {
     let coordinate = model.variables()[0].symbol;
-    let summary = |extreme: &'static Greatest| Some(Summary::at(extreme.symbol, most(model, extreme)?, coordinate));
+    let summary = |extreme: &'static Greatest| {
+        Some(Summary::at(extreme.symbol, most(model, extreme)?, coordinate).of(extreme.of))
+    };
     outline.extremes.iter().filter_map(summary).collect()
 }
 

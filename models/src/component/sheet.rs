@@ -89,6 +89,29 @@ impl Sheet {
         });
     }
 
+    /// All formulas.
+    pub fn sections(&self) -> impl Iterator<Item = &Section> {
+        let positions = self.positions.iter().flat_map(|position| &position.sections);
+        let motion = self.motion.iter().flat_map(|motion| &motion.sections);
+        self.constants.iter().chain(&self.sizing).chain(positions).chain(motion)
+    }
+
+    /// Tells of the quantities that are given, that formulas give, and of those over the range.
+    pub fn values(&self, tell: &mut dyn FnMut(&'static Symbol, f64)) {
+        self.inputs.iter().for_each(|input| tell(input.symbol, input.value));
+        let steps = self.sections().flat_map(|section| &section.trace.steps);
+        steps.for_each(|step| tell(step.symbol, step.value));
+        for row in &self.range.rows {
+            self.range
+                .columns
+                .iter()
+                .zip(row)
+                .for_each(|(symbol, value)| tell(symbol, *value));
+        }
+        let states = self.motion.iter().flat_map(|motion| &motion.state);
+        states.for_each(|(symbol, value)| tell(symbol, *value));
+    }
+
     /// Requirements and identities.
     pub fn checks(&self) -> impl Iterator<Item = &Check> {
         self.requirements.iter().chain(&self.identities)
@@ -258,6 +281,8 @@ pub struct Summary {
     pub symbol: &'static Symbol,
     pub value: f64,
     pub at: Option<(&'static Symbol, f64)>,
+    /// The result whose extreme it is.
+    pub of: Option<&'static Symbol>,
 }
 
 impl Summary {
@@ -267,6 +292,7 @@ impl Summary {
             symbol,
             value,
             at: None,
+            of: None,
         }
     }
 
@@ -277,6 +303,13 @@ impl Summary {
             at: Some((coordinate, extreme.at)),
             ..Summary::new(symbol, extreme.value)
         }
+    }
+
+    /// Of the result whose extreme it is.
+    #[must_use]
+    pub const fn of(mut self, result: &'static Symbol) -> Summary {
+        self.of = Some(result);
+        self
     }
 }
 
@@ -324,6 +357,8 @@ pub struct Check {
     pub at_most: bool,
     /// Where or when the value is so, which governs.
     pub at: Option<(&'static Symbol, f64)>,
+    /// The result whose extreme the value is; its own symbol where it is none.
+    pub of: &'static Symbol,
     /// By how much the value may be off, to both sides, as far as that is known.
     pub band: Option<f64>,
 }
@@ -338,6 +373,7 @@ impl Check {
             limit,
             at_most: true,
             at: None,
+            of: symbol,
             band: None,
         }
     }
@@ -352,8 +388,19 @@ impl Check {
             limit,
             at_most,
             at: result.at,
+            of: match result.of {
+                Some(of) => of,
+                None => result.symbol,
+            },
             band: None,
         }
+    }
+
+    /// Whether it judges a value of a quantity (in SI), or the value's amount.
+    #[must_use]
+    pub fn judges(&self, symbol: &'static Symbol, value: f64) -> bool {
+        let is = |value: f64| (value - self.value).abs() <= 1e-9 * self.value.abs().max(1e-3);
+        [self.of, self.symbol].contains(&symbol) && (is(value) || self.at_most && is(value.abs()))
     }
 
     /// Part of what is allowed that is used: value over limit where the value

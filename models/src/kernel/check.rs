@@ -8,7 +8,7 @@ use toml::value::Datetime;
 
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::measure::{number, quantity};
-use crate::kernel::schema::{GivenNumber, KIND, Key, Kind, Sign, Value, Values};
+use crate::kernel::schema::{COUNTLESS, GivenNumber, KIND, Key, Kind, Sign, Value, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::{LANGUAGES, Text};
 
@@ -140,8 +140,8 @@ fn check_value(
             }
             numbers(&items, symbol, *sign, path, key, found)
         }
-        (Kind::Count, DeValue::Integer(number)) => match number.as_str().parse::<i64>().map(u64::try_from) {
-            Ok(Ok(count)) => Some(Value::Count(count)),
+        (Kind::Count([least, most]), DeValue::Integer(number)) => match number.as_str().parse() {
+            Ok(count) if (*least..=*most).contains(&count) => Some(Value::Count(count)),
             _ => wrong(format!("`{}` is none", number.as_str())),
         },
         (Kind::Named, DeValue::Table(table)) => Some(named(table, path, key, found)),
@@ -440,7 +440,8 @@ fn wanted(key: &Key) -> String {
             };
             format!("a list of {count} numbers with units such as \"1 {unit}\"")
         }
-        Kind::Count => "a whole number, zero or greater".to_owned(),
+        Kind::Count([0, COUNTLESS]) => "a whole number, zero or greater".to_owned(),
+        Kind::Count([least, most]) => format!("a whole number, {least} to {most}"),
         Kind::Named => "a table of quantities by the names of results".to_owned(),
     }
 }
@@ -460,7 +461,7 @@ fn example(key: &Key) -> String {
             let each = vec![format!("\"... {}\"", symbol.display.name); most];
             format!("{} = [{}]  ({})", key.name, each.join(", "), key.text)
         }
-        Kind::Count => format!("{} = 1  ({})", key.name, key.text),
+        Kind::Count([least, _]) => format!("{} = {}  ({})", key.name, least.max(1), key.text),
         Kind::Named => format!("{} = {{ \"...\" = \"...\" }}  ({})", key.name, key.text),
     }
 }

@@ -42,7 +42,7 @@ fn property(key: &Key) -> Json {
         Kind::Name | Kind::Date | Kind::Lines => json!({ "type": "string" }),
         Kind::Text => translated(&json!({ "type": "string" })),
         Kind::Line => translated(&json!({ "type": "string", "pattern": r"^.*\S.*$" })),
-        Kind::Count => json!({ "type": "integer", "minimum": 0 }),
+        Kind::Count([least, most]) => json!({ "type": "integer", "minimum": least, "maximum": most }),
         Kind::Named => json!({ "type": "object", "additionalProperties": { "type": "string" } }),
         Kind::Quantities(symbol, _, [least, most]) => {
             let list = json!({ "type": "array", "items": text(symbol), "minItems": least, "maxItems": most });

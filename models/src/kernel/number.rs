@@ -6,8 +6,8 @@ use std::fmt;
 /// How many digits a number is printed with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Digits {
-    /// As many as make it exact where nine are enough, otherwise six significant ones.
-    Few,
+    /// As many as make it exact where the first number of them is enough, otherwise the second number of significant ones.
+    Short(usize, usize),
     /// Significant ones.
     Significant(usize),
     /// So many after the decimal point.
@@ -33,10 +33,13 @@ pub enum Number {
 }
 
 /// Significant digits of a number that is not short by itself.
-const SIGNIFICANT: usize = 6;
+pub const SIGNIFICANT: usize = 6;
 
 /// Most digits of a number that is printed exactly.
-const EXACT: usize = 9;
+pub const EXACT: usize = 9;
+
+/// What is below this part of a number, or of the scale of what it measures, is rounding.
+pub const NOISE: f64 = 1e-12;
 
 /// Most digits altogether: more than these a number in double precision does not have.
 const MOST: usize = 15;
@@ -56,17 +59,10 @@ impl Number {
         }
         let whole = usize::try_from(exponent(amount)).unwrap_or(0) + 1;
         let (digits, power) = match digits {
-            Digits::Few | Digits::Significant(_) if amount == 0.0 => ("0".to_owned(), 0),
+            Digits::Short(..) | Digits::Significant(_) if amount == 0.0 => ("0".to_owned(), 0),
             Digits::Decimals(decimals) if whole <= MOST => (format!("{amount:.*}", decimals.min(MOST - whole)), 0),
-            Digits::Few | Digits::Decimals(_) => {
-                let found = (0..EXACT)
-                    .map(|decimals| format!("{amount:.decimals$e}"))
-                    .find(|text| is_exact(text, amount));
-                placed(
-                    &found.unwrap_or_else(|| format!("{amount:.*e}", SIGNIFICANT - 1)),
-                    amount,
-                )
-            }
+            Digits::Decimals(_) => placed(&brief(amount, EXACT, SIGNIFICANT), amount),
+            Digits::Short(exact, significant) => placed(&brief(amount, exact, significant), amount),
             Digits::Significant(count) => placed(&format!("{amount:.*e}", count.clamp(1, MOST) - 1), amount),
             Digits::All => placed(&format!("{amount:e}"), amount),
         };
@@ -77,6 +73,41 @@ impl Number {
             power,
         }
     }
+
+    /// The number that the digits say.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        match self {
+            Number::Finite { .. } => self.to_string().parse().unwrap_or(f64::NAN),
+            Number::Infinite { negative: false } => f64::INFINITY,
+            Number::Infinite { negative: true } => f64::NEG_INFINITY,
+            Number::Undefined => f64::NAN,
+        }
+    }
+
+    /// Half of its last digit, by which it may be off where it has [`SIGNIFICANT`] digits or more; with fewer it is exact,
+    /// as [`short`] writes numbers.
+    #[must_use]
+    pub fn rounding(&self) -> f64 {
+        let Number::Finite { digits, power, .. } = self else {
+            return 0.0;
+        };
+        let significant = digits.trim_start_matches(['0', '.']).bytes().filter(u8::is_ascii_digit);
+        if significant.count() < SIGNIFICANT {
+            return 0.0;
+        }
+        let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        let decimals = i32::try_from(decimals).unwrap_or(0);
+        format!("0.5e{}", power - decimals).parse().unwrap_or(0.0)
+    }
+}
+
+/// In scientific notation: exact where so many digits are enough for that, otherwise with so many significant ones.
+fn brief(amount: f64, exact: usize, significant: usize) -> String {
+    let found = (0..exact.min(MOST))
+        .map(|decimals| format!("{amount:.decimals$e}"))
+        .find(|text| is_exact(text, amount));
+    found.unwrap_or_else(|| format!("{amount:.*e}", significant.clamp(1, MOST) - 1))
 }
 
 /// Digits and power of ten of a number in scientific notation.
@@ -103,11 +134,11 @@ pub fn exponent(value: f64) -> i32 {
     parts(&format!("{:.9e}", value.abs())).1
 }
 
-/// Whether digits give the value back, but for the rounding of a conversion of units.
+/// Whether digits give the value back, but for rounding.
 fn is_exact(digits: &str, value: f64) -> bool {
     digits
         .parse()
-        .is_ok_and(|back: f64| back == value || (back - value).abs() <= 4.0 * f64::EPSILON * value.abs())
+        .is_ok_and(|back: f64| back == value || (back - value).abs() <= NOISE * value.abs())
 }
 
 impl fmt::Display for Number {
@@ -136,7 +167,7 @@ impl fmt::Display for Number {
 /// A number for messages and the terminal.
 #[must_use]
 pub fn short(value: f64) -> Number {
-    Number::new(value, Digits::Few)
+    Number::new(value, Digits::Short(EXACT, SIGNIFICANT))
 }
 
 /// A number with all its digits.
@@ -153,16 +184,19 @@ pub fn rough(value: f64) -> Number {
     Number::new(value, Digits::Significant(if plain { 3 } else { 2 }))
 }
 
-/// The numbers of a column, all with the same decimals: six significant digits for the largest, but not more than four
-/// decimals unless all of them are below a tenth, and no more than make all of them exact.
+/// The numbers of a column, all with the same decimals: so many significant digits for the largest, but not more than
+/// four decimals (two less than the digits, where that is more) unless all of them are below one, and no more than make all
+/// of them exact.
 #[must_use]
-pub fn column(values: &[f64]) -> Vec<Number> {
+pub fn column(values: &[f64], digits: usize) -> Vec<Number> {
+    let digits = i32::try_from(digits.clamp(1, MOST)).unwrap_or(1);
     let finite = values.iter().copied().filter(|value| value.is_finite());
     let largest = finite.clone().map(f64::abs).fold(0.0, f64::max);
     let digits = match exponent(largest) {
         power if PLAIN.contains(&power) || largest == 0.0 => {
-            let least = if power < 0 { 3 - power } else { 4 };
-            let most = (SIGNIFICANT as i32 - 1 - power).clamp(0, least) as usize;
+            let least = 4.max(digits - 2);
+            let least = if power < 0 { least - 1 - power } else { least };
+            let most = (digits - 1 - power).clamp(0, least) as usize;
             let enough = |decimals: &usize| {
                 finite
                     .clone()
@@ -170,7 +204,7 @@ pub fn column(values: &[f64]) -> Vec<Number> {
             };
             Digits::Decimals((0..most).find(enough).unwrap_or(most))
         }
-        _ => Digits::Significant(SIGNIFICANT),
+        _ => Digits::Significant(digits as usize),
     };
     values.iter().map(|&value| Number::new(value, digits)).collect()
 }
@@ -212,6 +246,12 @@ mod tests {
             (1e300, Digits::Decimals(3), "1e300"),
             (1e14, Digits::Decimals(9), "100000000000000"),
             (0.001_234_5, Digits::Significant(3), "0.00123"),
+            (47.319_512, Digits::Short(4, 4), "47.32"),
+            (19.999_999, Digits::Short(4, 4), "20.00"),
+            (20.000_000_000_000_01, Digits::Short(4, 4), "20"),
+            (12_345.6, Digits::Short(4, 4), "12346"),
+            (-2.127_708_31, Digits::Short(9, 8), "-2.12770831"),
+            (-2.127_708_312, Digits::Short(9, 8), "-2.1277083"),
             (9.996, Digits::Significant(3), "10.0"),
             (-98_765.4, Digits::Significant(3), "-98765"),
             (1.0 / 3.0, Digits::All, "0.3333333333333333"),
@@ -223,14 +263,34 @@ mod tests {
     }
 
     #[test]
+    fn a_number_with_six_digits_is_rounded_and_a_shorter_one_exact() {
+        for (value, printed, half) in [
+            (22.0 / 7.0, 3.14286, 5e-6),
+            (-2.0 / 3.0 * 1e-4, -6.66667e-5, 5e-11),
+            (9_605_594.3, 9_605_594.0, 0.5),
+            (15.000_000_1, 15.0, 5e-5),
+            (19.3, 19.3, 0.0),
+            (0.0, 0.0, 0.0),
+        ] {
+            let number = short(value);
+            assert_eq!((number.value(), number.rounding()), (printed, half));
+        }
+    }
+
+    #[test]
     fn a_column_has_one_number_of_decimals() {
-        let texts = |values: &[f64]| -> Vec<String> { column(values).iter().map(Number::to_string).collect() };
+        let texts =
+            |values: &[f64]| -> Vec<String> { column(values, SIGNIFICANT).iter().map(Number::to_string).collect() };
         assert_eq!(texts(&[254.346_5, -3.0, 1.18e-15]), ["254.346", "-3.000", "0.000"]);
         assert_eq!(texts(&[1.0 / 3.0, f64::INFINITY]), ["0.3333", "infinite"]);
         assert_eq!(texts(&[60.0, 60.5]), ["60.0", "60.5"]);
         assert_eq!(texts(&[0.0, -0.0]), ["0", "0"]);
         assert_eq!(texts(&[0.012_345_6, 0.0]), ["0.01235", "0.00000"]);
         assert_eq!(texts(&[1e-9, 2.5e-10]), ["1.00000e-9", "2.50000e-10"]);
+        let four = |values: &[f64]| column(values, 4).iter().map(Number::to_string).collect::<Vec<_>>();
+        assert_eq!(four(&[254.346_5, -3.0, 1.18e-15]), ["254.3", "-3.0", "0.0"]);
+        assert_eq!(four(&[5.123_46, 0.012_345_6]), ["5.123", "0.012"]);
+        assert_eq!(four(&[60.0, 62.5]), ["60.0", "62.5"]);
     }
 
     proptest::proptest! {
@@ -238,11 +298,11 @@ mod tests {
         #[test]
         fn every_number_can_be_read(bits: u64, count in 0_usize..400, others: Vec<u64>) {
             let value = f64::from_bits(bits);
-            let mut all: Vec<Number> = [Digits::Few, Digits::Significant(count), Digits::Decimals(count), Digits::All]
+            let mut all: Vec<Number> = [Digits::Short(count, count), Digits::Significant(count), Digits::Decimals(count), Digits::All]
                 .map(|digits| Number::new(value, digits))
                 .into();
             let others: Vec<f64> = others.into_iter().chain([bits]).map(f64::from_bits).collect();
-            all.extend(column(&others));
+            all.extend(column(&others, count));
             for number in all {
                 let text = number.to_string();
                 let mantissa = text.split('e').next().unwrap_or_default().trim_start_matches(['-', '0', '.']);

@@ -1,5 +1,4 @@
-//! What a scene may say, as data: the one place behind reading, checking and the JSON Schema for editors; and what it says,
-//! checked.
+//! What a scene may say, as data, for reading, checking and the JSON Schema of editors; and what it says, checked.
 
 use std::ops::Range;
 
@@ -27,6 +26,9 @@ pub const SOURCE: Key = Key::text(
 
 /// Key that says of which kind a table is.
 pub const KIND: &str = "kind";
+
+/// The greatest whole number of a scene.
+pub const COUNTLESS: u64 = i64::MAX.cast_unsigned();
 
 /// What stands behind a key.
 #[derive(Clone, Copy, Debug)]
@@ -58,8 +60,8 @@ pub enum Kind {
     Tables(&'static [Key], usize),
     /// A list of at least and at most so many quantities; one may stand without brackets.
     Quantities(&'static Symbol, Sign, [usize; 2]),
-    /// A whole number, zero or greater.
-    Count,
+    /// A whole number, the least and the greatest.
+    Count([u64; 2]),
     /// A table of quantities by the names of variables: `{ "A.x" = "1 mm" }`.
     Named,
 }

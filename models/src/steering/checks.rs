@@ -63,7 +63,7 @@ pub fn requirements(
     let coordinate = model.variables()[0].symbol;
     let fastest = most(model, &Greatest::new(&s::V_C_WORK, Most::Amount, &s::V_C)).map(|mut found| {
         found.value = found.value.abs();
-        Summary::at(&s::V_C_WORK, found, coordinate)
+        Summary::at(&s::V_C_WORK, found, coordinate).of(&s::V_C)
     });
     let slip = governing.iter().find(|found| found.symbol == &s::SLIP_WORK);
     let asked = [

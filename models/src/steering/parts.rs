@@ -141,9 +141,8 @@ impl Parts {
 #[must_use]
 pub fn demanded(symbol: &'static Symbol, demand: &Demand) -> Summary {
     Summary {
-        symbol,
-        value: demand.flow,
         at: Some((&s::THETA_B, demand.at)),
+        ..Summary::new(symbol, demand.flow)
     }
 }
 

@@ -7,9 +7,8 @@ use serde::Serialize;
 
 use crate::book::blocks::{Figure, Range, Summary, range, summary};
 use crate::book::tables::printed;
-use crate::language::Language;
 use crate::print::drawing::{SKETCH, drawing};
-use crate::print::number::{named, quantity};
+use crate::print::number::Numbers;
 
 #[derive(Serialize)]
 pub(super) struct Balance {
@@ -55,12 +54,12 @@ struct Equilibrium {
 }
 
 impl Balance {
-    pub(super) fn new(language: &Language, balance: &sheet::BalanceSheet) -> Balance {
+    pub(super) fn new(numbers: &Numbers, balance: &sheet::BalanceSheet) -> Balance {
         let criterion = |criterion: &sheet::Measure| Criterion {
-            summary: summary(language, &criterion.summary),
+            summary: summary(numbers, &criterion.summary),
             published: criterion
                 .published
-                .map(|value| quantity(language, criterion.summary.symbol, value)),
+                .map(|value| numbers.given(criterion.summary.symbol, value)),
         };
         let drawing = drawing(&balance.drawing, [SKETCH[0], 82.0]);
         Balance {
@@ -77,28 +76,24 @@ impl Balance {
                 .equilibria
                 .iter()
                 .map(|e| Equilibrium {
-                    at: named(language, e.coordinate, e.at),
-                    reach: named(language, e.reach.0, e.reach.1),
+                    at: numbers.named(e.coordinate, e.at),
+                    reach: numbers.named(e.reach.0, e.reach.1),
                     stable: e.stable,
                 })
                 .collect(),
-            curves: balance
-                .curves
-                .iter()
-                .map(|curve| Figure::new(language, curve))
-                .collect(),
-            range: range(language, &balance.range, true),
-            table: balance.table.iter().map(|row| Row::new(language, row)).collect(),
+            curves: balance.curves.iter().map(|curve| Figure::new(numbers, curve)).collect(),
+            range: range(numbers, &balance.range, true),
+            table: balance.table.iter().map(|row| Row::new(numbers, row)).collect(),
         }
     }
 }
 
 impl Row {
-    fn new(language: &Language, row: &sheet::PublishedRow) -> Row {
-        let text = |given: &str| language.text(&printed(given));
+    fn new(numbers: &Numbers, row: &sheet::PublishedRow) -> Row {
+        let text = |given: &str| numbers.language.text(&printed(given));
         let cell = |cell: &sheet::PublishedCell| Cell {
             printed: text(cell.printed),
-            computed: language.text(&Number::new(cell.computed, Digits::Decimals(3))),
+            computed: numbers.language.text(&Number::new(cell.computed, Digits::Decimals(3))),
             misprint: cell.misprint,
         };
         Row {

@@ -1,12 +1,10 @@
 //! What chapters are made of.
 
 use lemnis_models::component::sheet;
-use lemnis_models::kernel::number::{Number, column};
 use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
-use crate::language::Language;
-use crate::print::number::{named, quantity};
+use crate::print::number::Numbers;
 use crate::print::picture::Picture;
 use crate::print::plot;
 
@@ -37,10 +35,10 @@ pub(super) struct Figure {
 }
 
 impl Figure {
-    pub(super) fn new(language: &Language, curve: &sheet::Curve) -> Figure {
+    pub(super) fn new(numbers: &Numbers, curve: &sheet::Curve) -> Figure {
         Figure {
             id: curve.id,
-            picture: plot::curve(language, curve).json(),
+            picture: plot::curve(numbers.language, curve).json(),
         }
     }
 }
@@ -69,11 +67,11 @@ pub(super) struct Summary {
     at: Option<String>,
 }
 
-pub(super) fn summary(language: &Language, summary: &sheet::Summary) -> Summary {
+pub(super) fn summary(numbers: &Numbers, summary: &sheet::Summary) -> Summary {
     Summary {
         quantity: summary.symbol.into(),
-        value: quantity(language, summary.symbol, summary.value),
-        at: summary.at.map(|(symbol, at)| named(language, symbol, at)),
+        value: numbers.result(summary.symbol, summary.value),
+        at: summary.at.map(|(symbol, at)| numbers.named(symbol, at)),
     }
 }
 
@@ -83,13 +81,10 @@ pub(super) struct Table {
     rows: Vec<Vec<String>>,
 }
 
-pub(super) fn table(language: &Language, table: &sheet::Table) -> Table {
-    let of = |(i, symbol): (usize, &&'static Symbol)| {
-        let values: Vec<f64> = table.rows.iter().map(|row| symbol.shown(row[i])).collect();
-        column(&values)
-    };
-    let columns: Vec<Vec<Number>> = table.columns.iter().enumerate().map(of).collect();
-    let row = |i: usize| columns.iter().map(|column| language.text(&column[i])).collect();
+pub(super) fn table(numbers: &Numbers, table: &sheet::Table) -> Table {
+    let of = |(i, symbol): (usize, &&'static Symbol)| numbers.column(symbol, table.rows.iter().map(|row| row[i]));
+    let columns: Vec<Vec<String>> = table.columns.iter().enumerate().map(of).collect();
+    let row = |i: usize| columns.iter().map(|column| column[i].clone()).collect();
     Table {
         columns: table.columns.iter().map(|&symbol| symbol.into()).collect(),
         rows: (0..table.rows.len()).map(row).collect(),
@@ -124,8 +119,8 @@ pub(super) fn sparse<T>(rows: Vec<T>, full: bool) -> (Vec<T>, Option<usize>) {
     (rows.map(|(_, row)| row).collect(), Some(one_in))
 }
 
-pub(super) fn range(language: &Language, table: &sheet::Table, full: bool) -> Range {
-    let mut table = self::table(language, table);
+pub(super) fn range(numbers: &Numbers, table: &sheet::Table, full: bool) -> Range {
+    let mut table = self::table(numbers, table);
     let one_in;
     (table.rows, one_in) = sparse(table.rows, full);
     Range { table, one_in }

@@ -34,6 +34,7 @@ use crate::book::trade::Trade;
 use crate::book::verdict::Verdict;
 use crate::language::{Language, symbols};
 use crate::print::drawing::{SKETCH, drawing};
+use crate::print::precision;
 use crate::template::{Error, Templates};
 
 /// The file with the scene's hash. Headers read it while pages are laid out:
@@ -94,6 +95,8 @@ struct Book<'a> {
     attachment: String,
     version: String,
     level: &'a str,
+    /// Significant digits of results.
+    digits: usize,
     html: bool,
     /// Names the words that speak of this mechanism alone, and those of its symbols.
     mechanism: &'static str,
@@ -182,25 +185,26 @@ fn paragraphs(language: &Language, scene: &Scene) -> BTreeMap<&'static str, Vec<
 
 impl<'a> Book<'a> {
     fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Result<Book<'a>, Error> {
-        let language = edition.language;
+        let numbers = &precision::numbers(edition.language, scene.book.digits, sheet);
         let chapters = chapters(scene, sheet, edition.level);
         let mut notation = Notation::new(sheet, &chapters);
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
         let (mut sizing, mut motion) = (Vec::new(), None);
+        let judged = sheet.requirements.as_slice();
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
             match *chapter {
-                "inputs" => inputs = tables::inputs(language, sheet, &mut notation),
-                "constants" => constants = steps::sections(language, &sheet.constants, None, &mut notation),
-                "sizing" => sizing = steps::sections(language, &sheet.sizing, None, &mut notation),
+                "inputs" => inputs = tables::inputs(numbers, sheet, &mut notation),
+                "constants" => constants = steps::sections(numbers, &sheet.constants, None, judged, &mut notation),
+                "sizing" => sizing = steps::sections(numbers, &sheet.sizing, None, judged, &mut notation),
                 "positions" => {
                     let outputs = (!full).then_some(sheet.outputs.as_slice());
-                    let position = |position| Position::new(language, position, outputs, &mut notation);
+                    let position = |position| Position::new(numbers, position, outputs, judged, &mut notation);
                     positions = sheet.positions.iter().map(position).collect();
                 }
                 "motion" => {
-                    let of = |motion| Motion::new(language, motion, &mut notation);
+                    let of = |motion| Motion::new(numbers, motion, judged, &mut notation);
                     motion = sheet.motion.as_ref().map(of);
                 }
                 _ => {}
@@ -208,15 +212,15 @@ impl<'a> Book<'a> {
         }
         notation.meet_results(sheet, &chapters);
         let compares = chapters.contains(&"synthesis");
-        let synthesis = compares.then(|| synthesis(language, scene, &mut notation)).flatten();
+        let synthesis = compares.then(|| synthesis(numbers, scene, &mut notation)).flatten();
         let measures = chapters.contains(&"trade");
         let trade = measures
-            .then(|| Trade::new(language, scene, &mut notation))
+            .then(|| Trade::new(numbers, scene, &mut notation))
             .transpose()?;
         let drawing = drawing(&sheet.drawing, SKETCH);
-        let figure = |c: &sheet::Curve| Figure::new(language, c);
-        let summary = |s: &sheet::Summary| blocks::summary(language, s);
-        let demand = |d: &(&'static str, sheet::Summary)| tables::demand(language, d);
+        let figure = |c: &sheet::Curve| Figure::new(numbers, c);
+        let summary = |s: &sheet::Summary| blocks::summary(numbers, s);
+        let demand = |d: &(&'static str, sheet::Summary)| tables::demand(numbers, d);
         let balanced = sheet.balance.as_ref();
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
@@ -226,6 +230,7 @@ impl<'a> Book<'a> {
             attachment: format!("{}.toml", scene.name()),
             version,
             level: edition.level,
+            digits: scene.book.digits,
             mechanism: scene.mechanism.id(),
             symbols: symbols(scene.mechanism.id()),
             parts: balanced
@@ -235,7 +240,7 @@ impl<'a> Book<'a> {
                 .copied()
                 .collect(),
             html: format == Format::Html,
-            verdict: Verdict::new(language, scene, sheet),
+            verdict: Verdict::new(numbers, scene, sheet),
             summary: sheet.summary.iter().map(summary).collect(),
             governing: sheet.governing.iter().map(summary).collect(),
             text: paragraphs(language, scene),
@@ -246,20 +251,20 @@ impl<'a> Book<'a> {
             drawing: drawing.json(),
             constants,
             positions,
-            views: sheet.views.iter().map(|view| tables::view(language, view)).collect(),
+            views: sheet.views.iter().map(|view| tables::view(numbers, view)).collect(),
             demands: sheet.demands.iter().map(demand).collect(),
             most_demanded: sheet.most_demanded.as_ref().map(demand),
-            changes: sheet.changes.as_ref().map(|changes| tables::changes(language, changes)),
+            changes: sheet.changes.as_ref().map(|changes| tables::changes(numbers, changes)),
             sizing,
-            range: blocks::range(language, &sheet.range, full),
+            range: blocks::range(numbers, &sheet.range, full),
             curves: sheet.curves.iter().map(figure).collect(),
-            balance: sheet.balance.as_ref().map(|b| Balance::new(language, b)),
+            balance: sheet.balance.as_ref().map(|b| Balance::new(numbers, b)),
             motion,
             assumptions: &sheet.assumptions,
-            sensitivity: tables::sensitivity(language, &sheet.sensitivity),
+            sensitivity: tables::sensitivity(numbers, &sheet.sensitivity),
             synthesis,
             trade,
-            published: tables::published(language, sheet, full),
+            published: tables::published(numbers, sheet, full),
             remarks: &sheet.remarks,
             references: notation.references(),
             notation: notation.entries(),

@@ -7,8 +7,7 @@ use serde::Serialize;
 use crate::book::blocks::{Figure, Quantity};
 use crate::book::notation::Notation;
 use crate::book::steps::{Section, sections};
-use crate::language::Language;
-use crate::print::number::quantity;
+use crate::print::number::Numbers;
 
 #[derive(Serialize)]
 pub(super) struct Motion {
@@ -59,17 +58,22 @@ struct Energy {
 }
 
 impl Motion {
-    pub(super) fn new(language: &Language, motion: &InMotion, notation: &mut Notation) -> Motion {
+    pub(super) fn new(
+        numbers: &Numbers,
+        motion: &InMotion,
+        requirements: &[sheet::Check],
+        notation: &mut Notation,
+    ) -> Motion {
         let value = |&(symbol, value): &(&'static Symbol, f64)| Value {
             quantity: symbol.into(),
-            value: quantity(language, symbol, value),
+            value: numbers.in_formula(symbol, value),
         };
-        let time = |at: f64| quantity(language, motion.time, at);
+        let time = |at: f64| numbers.result(motion.time, at);
         for (symbol, _) in &motion.state {
             notation.meet(symbol);
         }
-        let sections = sections(language, &motion.sections, None, notation);
-        let energy = Energy::new(language, &motion.energy, &value);
+        let sections = sections(numbers, &motion.sections, None, requirements, notation);
+        let energy = Energy::new(numbers, &motion.energy);
         let sheet::Energy { given, stored, taken } = &motion.energy;
         let accounts = given.iter().chain(stored).chain(taken).map(|(symbol, _)| *symbol);
         let drawn = motion.extremes.iter().map(|(symbol, _)| *symbol);
@@ -82,14 +86,14 @@ impl Motion {
             of: motion.of,
             state: motion.state.iter().map(value).collect(),
             sections,
-            duration: time(motion.run[0]),
-            sample: time(motion.run[1]),
-            curves: motion.curves.iter().map(|curve| Figure::new(language, curve)).collect(),
+            duration: numbers.given(motion.time, motion.run[0]),
+            sample: numbers.given(motion.time, motion.run[1]),
+            curves: motion.curves.iter().map(|curve| Figure::new(numbers, curve)).collect(),
             extremes: motion
                 .extremes
                 .iter()
                 .map(|(symbol, extremes)| {
-                    let [least, greatest] = extremes.map(|[value, at]| [quantity(language, symbol, value), time(at)]);
+                    let [least, greatest] = extremes.map(|[value, at]| [numbers.result(symbol, value), time(at)]);
                     Extreme {
                         quantity: (*symbol).into(),
                         least,
@@ -109,22 +113,27 @@ impl Motion {
 }
 
 impl Energy {
-    fn new(language: &Language, energy: &sheet::Energy, value: &impl Fn(&(&'static Symbol, f64)) -> Value) -> Energy {
+    fn new(numbers: &Numbers, energy: &sheet::Energy) -> Energy {
         let sheet::Energy { given, stored, taken } = energy;
-        let used: Vec<_> = stored.iter().chain(taken).copied().collect();
-        let sum = |list: &[(&'static Symbol, f64)]| {
-            let symbols: Vec<&str> = list.iter().map(|(symbol, _)| symbol.print).collect();
-            let number = |(symbol, value): &(&'static Symbol, f64)| match *value < 0.0 {
-                true => format!("({})", quantity(language, symbol, *value)),
-                false => quantity(language, symbol, *value),
+        let all: Vec<_> = [given, stored, taken].into_iter().flatten().copied().collect();
+        let texts = numbers.account(&all);
+        let sum = |part: std::ops::Range<usize>| {
+            let symbols: Vec<&str> = all[part.clone()].iter().map(|(symbol, _)| symbol.print).collect();
+            let number = |text: &String| match text.starts_with('-') {
+                true => format!("({text})"),
+                false => text.clone(),
             };
-            let numbers: Vec<String> = list.iter().map(number).collect();
+            let numbers: Vec<String> = texts[part].iter().map(number).collect();
             [symbols.join(" + "), numbers.join(" + ")]
         };
+        let value = |((symbol, _), text): (&(&'static Symbol, f64), &String)| Value {
+            quantity: (*symbol).into(),
+            value: text.clone(),
+        };
         Energy {
-            values: given.iter().chain(&used).map(value).collect(),
-            given: sum(given),
-            used: sum(&used),
+            values: all.iter().zip(&texts).map(value).collect(),
+            given: sum(0..given.len()),
+            used: sum(given.len()..all.len()),
         }
     }
 }

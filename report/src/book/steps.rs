@@ -7,10 +7,10 @@ use serde::Serialize;
 
 use crate::book::blocks::{self, Drawn, Quantity, Table};
 use crate::book::notation::Notation;
-use crate::language::Language;
+use crate::book::verdict::verdict;
 use crate::print::drawing::{self, SMALL};
 use crate::print::formula::{self, Layout, Printed};
-use crate::print::number::quantity;
+use crate::print::number::Numbers;
 
 #[derive(Serialize)]
 pub(super) struct Section {
@@ -29,8 +29,21 @@ struct Step {
     formula: String,
     numbers: Option<String>,
     result: String,
+    /// What judges the result.
+    checks: Vec<Judged>,
     layout: Layout,
     size: u32,
+}
+
+/// A requirement at the formula whose result it judges.
+#[derive(Serialize)]
+struct Judged {
+    /// Whether it judges the result's amount.
+    amount: bool,
+    at_most: bool,
+    limit: String,
+    /// Id of the word.
+    verdict: &'static str,
 }
 
 #[derive(Serialize)]
@@ -45,17 +58,18 @@ pub(super) struct Position {
 
 impl Position {
     pub(super) fn new(
-        language: &Language,
+        numbers: &Numbers,
         position: &sheet::Worked,
         outputs: Option<&[&'static Symbol]>,
+        requirements: &[sheet::Check],
         notation: &mut Notation,
     ) -> Position {
         Position {
             id: position.id,
             symbol: position.coordinate.print,
-            value: quantity(language, position.coordinate, position.value),
+            value: numbers.in_formula(position.coordinate, position.value),
             of: position.of,
-            sections: sections(language, &position.sections, outputs, notation),
+            sections: sections(numbers, &position.sections, outputs, requirements, notation),
         }
     }
 }
@@ -63,9 +77,10 @@ impl Position {
 /// Sections of formulas. With `outputs`, only these have their numbers put in;
 /// other steps are intermediate, with formula and result alone.
 pub(super) fn sections(
-    language: &Language,
+    numbers: &Numbers,
     sections: &[sheet::Section],
     outputs: Option<&[&'static Symbol]>,
+    requirements: &[sheet::Check],
     notation: &mut Notation,
 ) -> Vec<Section> {
     let section = |section: &sheet::Section| Section {
@@ -74,24 +89,33 @@ pub(super) fn sections(
             .drawing
             .as_ref()
             .map(|drawing| drawing::drawing(drawing, SMALL).into()),
-        steps: steps(language, &section.trace, outputs, notation),
+        steps: steps(numbers, &section.trace, outputs, requirements, notation),
         table: section.table.as_ref().map(|table| {
             for symbol in &table.columns {
                 notation.meet(symbol);
             }
-            blocks::table(language, table)
+            blocks::table(numbers, table)
         }),
     };
     sections.iter().map(section).collect()
 }
 
 fn steps(
-    language: &Language,
+    numbers: &Numbers,
     trace: &Trace,
     outputs: Option<&[&'static Symbol]>,
+    requirements: &[sheet::Check],
     notation: &mut Notation,
 ) -> Vec<Step> {
     let step = |step: &lemnis_models::kernel::record::Step| {
+        let judges = |check: &&sheet::Check| check.judges(step.symbol, step.value);
+        let judged = |check: &sheet::Check| Judged {
+            amount: (check.value < 0.0) != (step.value < 0.0),
+            at_most: check.at_most,
+            limit: numbers.limit(check.symbol, check.limit),
+            verdict: verdict(check),
+        };
+        let checks: Vec<Judged> = requirements.iter().filter(judges).map(judged).collect();
         let in_full = outputs.is_none_or(|outputs| outputs.contains(&step.symbol));
         let Printed {
             formula,
@@ -99,13 +123,14 @@ fn steps(
             result,
             layout,
             size,
-        } = formula::step(language, &notation.defined, trace, step, in_full);
+        } = formula::step(numbers, &notation.defined, trace, step, in_full, checks.len());
         Step {
             quantity: step.symbol.into(),
             first: notation.meet(step.symbol),
             formula,
             numbers,
             result,
+            checks,
             layout,
             size,
         }

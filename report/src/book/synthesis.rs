@@ -9,9 +9,8 @@ use serde::Serialize;
 
 use crate::book::blocks::{Drawn, Figure, Quantity};
 use crate::book::notation::Notation;
-use crate::language::Language;
 use crate::print::drawing::{HALF, drawing};
-use crate::print::number::quantity;
+use crate::print::number::Numbers;
 use crate::print::plot::{self, Line};
 
 #[derive(Serialize)]
@@ -80,7 +79,7 @@ struct Nodes {
 }
 
 /// `None` for a scene that asks for no synthesis.
-pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notation) -> Option<Synthesis> {
+pub(super) fn synthesis(numbers: &Numbers, scene: &Scene, notation: &mut Notation) -> Option<Synthesis> {
     let task = scene.search()?.task;
     let comparison = Comparison::new(scene)?;
     let levers = &comparison.levers;
@@ -90,7 +89,7 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         quantity: symbol.into(),
         cells: columns
             .iter()
-            .map(|column| column[i].1.map(|value| quantity(language, symbol, value)))
+            .map(|column| column[i].1.map(|value| numbers.result(symbol, value)))
             .collect(),
     };
     let symbols: Vec<&'static Symbol> = columns
@@ -121,10 +120,10 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         role: lever.role,
         drawn: drawing(&worth.drawing, HALF).into(),
     });
-    let fronts = comparison.fronts.iter().map(|front| figure(language, front, &worths));
+    let fronts = comparison.fronts.iter().map(|front| figure(numbers, front, &worths));
     let limits = comparison.bounds.iter().filter(|bound| bound.low < bound.high);
-    let limits = limits.chain(&comparison.limits).map(|bound| limit(language, bound));
-    let of = |symbol, value| quantity(language, symbol, value);
+    let limits = limits.chain(&comparison.limits).map(|bound| limit(numbers, bound));
+    let of = |symbol, value| numbers.given(symbol, value);
     let t = task.tolerances;
     let last = levers.last().map(|last| last.dimensions.alpha_1.abs());
     Some(Synthesis {
@@ -139,10 +138,10 @@ pub(super) fn synthesis(language: &Language, scene: &Scene, notation: &mut Notat
         builds: BUILDS,
         tolerances: [of(&s::T_L, t.length), of(&s::T_A, t.angle), of(&s::T_W, t.weight)],
         limits: limits.collect(),
-        residual: plot::lines(language, [&s::PHI, &s::DM], &residuals).json(),
+        residual: plot::lines(numbers.language, [&s::PHI, &s::DM], &residuals).json(),
         drawings: drawings.collect(),
         fronts: fronts.collect(),
-        nodes: comparison.nodes.as_ref().map(|nodes| at_nodes(language, nodes)),
+        nodes: comparison.nodes.as_ref().map(|nodes| at_nodes(numbers, nodes)),
         tail: last.is_some_and(|angle| angle > std::f64::consts::FRAC_PI_2),
         levers: levers
             .iter()
@@ -167,7 +166,7 @@ pub(super) fn unsearched(task: &Task) -> Option<&'static str> {
 }
 
 /// A front, with the levers on it.
-fn figure(language: &Language, front: &Front, worths: &[(usize, &Compared, &Worth)]) -> Figure {
+fn figure(numbers: &Numbers, front: &Front, worths: &[(usize, &Compared, &Worth)]) -> Figure {
     let mut lines = vec![Line {
         label: String::new(),
         points: front.points.clone(),
@@ -187,13 +186,13 @@ fn figure(language: &Language, front: &Front, worths: &[(usize, &Compared, &Wort
     }));
     Figure {
         id: front.symbol.id,
-        picture: plot::lines(language, [front.symbol, &s::DM_MAX], &lines).json(),
+        picture: plot::lines(numbers.language, [front.symbol, &s::DM_MAX], &lines).json(),
     }
 }
 
-fn at_nodes(language: &Language, nodes: &comparison::Nodes) -> Nodes {
+fn at_nodes(numbers: &Numbers, nodes: &comparison::Nodes) -> Nodes {
     let columns = [&s::PHI, &s::PSI, &s::DM];
-    let of = |symbol, value| quantity(language, symbol, value);
+    let of = |symbol, value| numbers.in_formula(symbol, value);
     // Dimensions are rounded so that a residual is known to the newton metre.
     let row = |row: &[f64; 3]| {
         let [phi, psi, dm] = *row;
@@ -216,13 +215,14 @@ fn objective(task: &Task) -> &'static Symbol {
     }
 }
 
-fn limit(language: &Language, bound: &Bound) -> Limit {
-    let of = |value: f64| value.is_finite().then(|| quantity(language, bound.symbol, value));
+fn limit(numbers: &Numbers, bound: &Bound) -> Limit {
+    let given = |value: f64| value.is_finite().then(|| numbers.given(bound.symbol, value));
+    let found = |value: f64| value.is_finite().then(|| numbers.result(bound.symbol, value));
     Limit {
         quantity: bound.symbol.into(),
-        low: of(bound.low),
-        value: bound.value.and_then(of),
-        high: of(bound.high),
+        low: given(bound.low),
+        value: bound.value.and_then(found),
+        high: given(bound.high),
         binds: bound.binds,
         missed: bound.missed(),
     }

@@ -9,9 +9,8 @@ use serde::Serialize;
 
 use crate::book::blocks::{Drawn, Figure, Quantity, Summary, Table, sparse, summary, table};
 use crate::book::notation::Notation;
-use crate::language::Language;
 use crate::print::drawing::{SMALL, drawing};
-use crate::print::number::{self, measured, quantity};
+use crate::print::number::{self, Numbers, measured};
 use crate::print::plot;
 
 #[derive(Serialize)]
@@ -127,12 +126,12 @@ struct ComparedRow {
     values: Vec<[String; 2]>,
 }
 
-pub(super) fn inputs(language: &Language, sheet: &Sheet, notation: &mut Notation) -> Vec<Chapter> {
+pub(super) fn inputs(numbers: &Numbers, sheet: &Sheet, notation: &mut Notation) -> Vec<Chapter> {
     let chapter = |inputs: &[sheet::Input]| {
         let mut chapter = Chapter {
             id: inputs[0].chapter,
             note: None,
-            inputs: inputs.iter().map(|given| input(language, given, notation)).collect(),
+            inputs: inputs.iter().map(|given| input(numbers, given, notation)).collect(),
         };
         // What all have in common is said once.
         if chapter.inputs.iter().all(|input| input.note == chapter.inputs[0].note) {
@@ -148,7 +147,7 @@ pub(super) fn inputs(language: &Language, sheet: &Sheet, notation: &mut Notation
         .collect()
 }
 
-fn input(language: &Language, input: &sheet::Input, notation: &mut Notation) -> Input {
+fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> Input {
     let given = input.given.as_ref();
     Input {
         quantity: input.symbol.into(),
@@ -159,14 +158,14 @@ fn input(language: &Language, input: &sheet::Input, notation: &mut Notation) -> 
         },
         value: match given.and_then(|given| given.mass) {
             Some(mass) => {
-                let mass = measured(language, mass / unit::T.factor, &unit::T);
+                let mass = measured(numbers.language, mass / unit::T.factor, &unit::T);
                 format!(
                     "{mass} dot {} = {}",
                     gravity::G.print,
-                    quantity(language, input.symbol, input.value)
+                    numbers.given(input.symbol, input.value)
                 )
             }
-            None => quantity(language, input.symbol, input.value),
+            None => numbers.given(input.symbol, input.value),
         },
         key: given.map(|given| given.key.clone()),
         line: given.map_or(0, |given| given.line),
@@ -184,16 +183,20 @@ fn step(symbol: &Symbol) -> (f64, &'static Unit) {
     }
 }
 
-pub(super) fn sensitivity(language: &Language, table: &sheet::Sensitivity) -> Sensitivity {
+pub(super) fn sensitivity(numbers: &Numbers, table: &sheet::Sensitivity) -> Sensitivity {
     let change = |row: &sheet::Slope| {
         let (count, unit) = step(row.symbol);
         let cell = |(i, slope): (usize, &f64)| {
-            let shown = |by: f64| language.text(&number::change(table.results[i].0.shown(slope * by)));
+            let shown = |by: f64| {
+                numbers
+                    .language
+                    .text(&number::change(table.results[i].0.shown(slope * by)))
+            };
             [shown(count * unit.factor), shown(0.01 * row.value)]
         };
         Change {
             symbol: row.symbol.print,
-            step: measured(language, count, unit),
+            step: measured(numbers.language, count, unit),
             cells: row.by.iter().enumerate().map(cell).collect(),
         }
     };
@@ -207,7 +210,7 @@ pub(super) fn sensitivity(language: &Language, table: &sheet::Sensitivity) -> Se
             quantity: symbol.into(),
             figure: Figure {
                 id: symbol.id,
-                picture: plot::bars(language, bars.collect()).json(),
+                picture: plot::bars(numbers.language, bars.collect()).json(),
             },
         }
     };
@@ -223,16 +226,16 @@ pub(super) fn sensitivity(language: &Language, table: &sheet::Sensitivity) -> Se
     }
 }
 
-pub(super) fn demand(language: &Language, (mode, demand): &(&'static str, sheet::Summary)) -> Demand {
+pub(super) fn demand(numbers: &Numbers, (mode, demand): &(&'static str, sheet::Summary)) -> Demand {
     Demand {
         mode,
-        summary: summary(language, demand),
+        summary: summary(numbers, demand),
     }
 }
 
-pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes {
+pub(super) fn changes(numbers: &Numbers, changes: &sheet::Changes) -> Changes {
     let [duration, flow] = changes.columns;
-    let shown = |symbol: &Symbol, value: f64| language.text(&fixed(symbol.shown(value), 1));
+    let shown = |symbol: &Symbol, value: f64| numbers.language.text(&fixed(symbol.shown(value), 1));
     let row = |row: &sheet::Changeover| ChangeRow {
         between: row.between,
         plan: row
@@ -246,14 +249,14 @@ pub(super) fn changes(language: &Language, changes: &sheet::Changes) -> Changes 
         flow: flows.then(|| flow.into()),
         rows: changes.rows.iter().map(row).collect(),
         drawn: changes.drawn.as_ref().map(|(between, curves)| {
-            let figures = curves.iter().map(|curve| Figure::new(language, curve));
+            let figures = curves.iter().map(|curve| Figure::new(numbers, curve));
             (*between, figures.collect())
         }),
     }
 }
 
-pub(super) fn view(language: &Language, view: &sheet::View) -> View {
-    let named = |(symbol, value)| number::named(language, symbol, value);
+pub(super) fn view(numbers: &Numbers, view: &sheet::View) -> View {
+    let named = |(symbol, value)| numbers.named(symbol, value);
     View {
         id: view.id,
         command: view.command.map(named),
@@ -263,7 +266,7 @@ pub(super) fn view(language: &Language, view: &sheet::View) -> View {
             command: command.iter().copied().map(named).collect::<Vec<_>>().join(", "),
         }),
         drawn: drawing(&view.drawing, SMALL).into(),
-        table: table(language, &view.table),
+        table: table(numbers, &view.table),
     }
 }
 
@@ -281,14 +284,14 @@ pub(super) fn printed(text: &str) -> Number {
     fixed(text.parse().unwrap_or(f64::NAN), after_point(text))
 }
 
-pub(super) fn published(language: &Language, sheet: &Sheet, full: bool) -> Option<Published> {
+pub(super) fn published(numbers: &Numbers, sheet: &Sheet, full: bool) -> Option<Published> {
     let coordinate = sheet.positions.first()?.coordinate;
     let source = sheet.published_source.as_ref()?.of(language.code).to_owned();
     let rows: Vec<&[Comparison]> = sheet.published.chunk_by(|a, b| a.coordinate == b.coordinate).collect();
     let columns: Vec<&'static Symbol> = rows.first()?.iter().map(|value| value.symbol).collect();
     let compared = |value: &Comparison| {
         let computed = fixed(value.symbol.shown(value.value), after_point(&value.printed) + 1);
-        [printed(&value.printed), computed].map(|number| language.text(&number))
+        [printed(&value.printed), computed].map(|number| numbers.language.text(&number))
     };
     // In units of the last printed digit.
     let deviation = |value: &Comparison| {
@@ -298,10 +301,12 @@ pub(super) fn published(language: &Language, sheet: &Sheet, full: bool) -> Optio
     };
     let deviations = columns.iter().map(|&symbol| {
         let column = sheet.published.iter().filter(|value| value.symbol == symbol);
-        language.text(&fixed(column.map(deviation).fold(0.0, f64::max), 2))
+        numbers
+            .language
+            .text(&fixed(column.map(deviation).fold(0.0, f64::max), 2))
     });
     let row = |row: &&[Comparison]| ComparedRow {
-        coordinate: language.text(&short(coordinate.shown(row[0].coordinate))),
+        coordinate: numbers.language.text(&short(coordinate.shown(row[0].coordinate))),
         values: row.iter().map(compared).collect(),
     };
     let (rows, one_in) = sparse(rows, full);

@@ -10,9 +10,8 @@ use serde::Serialize;
 
 use crate::book::blocks::Quantity;
 use crate::book::notation::Notation;
-use crate::language::Language;
 use crate::print::diagram::diagram;
-use crate::print::number::{named, quantity};
+use crate::print::number::Numbers;
 use crate::template::Error;
 
 #[derive(Serialize)]
@@ -79,7 +78,7 @@ const SAMPLES: [f64; 4] = [SAMPLE, 0.05, 0.02, 0.01];
 impl Trade {
     /// # Errors
     /// A scene of which there is no reference, or that the solvers refuse.
-    pub(super) fn new(language: &Language, scene: &Scene, notation: &mut Notation) -> Result<Trade, Error> {
+    pub(super) fn new(numbers: &Numbers, scene: &Scene, notation: &mut Notation) -> Result<Trade, Error> {
         let traded = traded(scene).map_err(|failure| Error(format!("the chapter of trade: {failure}")))?;
         let names = scene.mechanism.solver().map(|own| [own.step.1, own.tolerance.1]);
         for symbol in traded
@@ -90,16 +89,16 @@ impl Trade {
         {
             notation.meet(symbol);
         }
-        let second = |value: f64| format!("{} thin \"s\"", language.math(&short(value)));
+        let second = |value: f64| format!("{} thin \"s\"", numbers.language.math(&short(value)));
         // A dash for what is not modelled.
         let digits = |value: f64| match value.is_finite() {
-            true => language.math(&rough(value)),
+            true => numbers.language.math(&rough(value)),
             false => "–".to_owned(),
         };
         let asks = traded.asked.iter().any(|asked| asked.allowed.is_some());
         let over = |asked: &Asked| asked.allowed.unwrap_or(asked.range);
         let results = traded.asked.iter().enumerate();
-        let results = results.map(|(i, asked)| compared(language, &traded, i, asked, &digits));
+        let results = results.map(|(i, asked)| compared(numbers, &traded, i, asked, &digits));
         let references = traded.references.iter().map(|reference| Reference {
             level: reference.level,
             apart: reference.apart.as_ref().map(|apart| {
@@ -118,11 +117,15 @@ impl Trade {
                 });
                 digits(parts.fold(0.0, f64::max))
             };
-            let per_second = |count: u32| language.text(&short((f64::from(count) / traded.duration).round()));
+            let per_second = |count: u32| {
+                numbers
+                    .language
+                    .text(&short((f64::from(count) / traded.duration).round()))
+            };
             Row {
                 level: row.setting.level,
                 solver: solver(&row.setting),
-                setting: setting(language, names, &row.setting),
+                setting: setting(numbers, names, &row.setting),
                 cost: digits(1e6 * row.cost),
                 rates: per_second(row.work.rates),
                 steps: per_second(row.work.steps),
@@ -156,7 +159,7 @@ impl Trade {
             deepest: traded.references.last().map_or("static", |reference| reference.level),
             references: references.collect(),
             asks,
-            picture: diagram(language, axes, &traded, |row| row.cost).json(),
+            picture: diagram(numbers.language, axes, &traded, |row| row.cost).json(),
             results: results.collect(),
             choice: traded.rows.iter().position(|row| row.holds == Some(true)),
             rows: rows.collect(),
@@ -165,14 +168,14 @@ impl Trade {
 }
 
 /// One of the results that are compared, with how far off the choice is.
-fn compared(language: &Language, traded: &Traded, i: usize, asked: &Asked, digits: &dyn Fn(f64) -> String) -> Compared {
+fn compared(numbers: &Numbers, traded: &Traded, i: usize, asked: &Asked, digits: &dyn Fn(f64) -> String) -> Compared {
     let symbol = asked.variable.symbol;
     let off = traded.choice().and_then(|row| row.errors[i]);
     Compared {
         quantity: symbol.into(),
         shown: shown(&asked.variable),
-        allowed: asked.allowed.map(|allowed| quantity(language, symbol, allowed)),
-        range: quantity(language, symbol, asked.range),
+        allowed: asked.allowed.map(|allowed| numbers.given(symbol, allowed)),
+        range: numbers.result(symbol, asked.range),
         off: off.map(|errors| {
             let off = digits(symbol.shown(errors.total.max));
             format!("{off} thin \"{}\"", symbol.display.print)
@@ -215,12 +218,12 @@ fn solver(setting: &Setting) -> &'static str {
     }
 }
 
-fn setting(language: &Language, names: Option<[&'static Symbol; 2]>, setting: &Setting) -> Option<String> {
+fn setting(numbers: &Numbers, names: Option<[&'static Symbol; 2]>, setting: &Setting) -> Option<String> {
     let [step, tolerance] = names?;
     let (symbol, value) = match setting.method {
         Method::Closed => return None,
         Method::Explicit(value) => (step, value),
         Method::Implicit(value) | Method::Interpolated(value) => (tolerance, value),
     };
-    Some(named(language, symbol, value))
+    Some(format!("{} = {}", symbol.print, numbers.given(symbol, value)))
 }

@@ -7,8 +7,7 @@ use serde::Serialize;
 use crate::book::blocks::{Summary, summary};
 use crate::book::synthesis::unsearched;
 use crate::book::tables::fixed;
-use crate::language::Language;
-use crate::print::number::{self, quantity, rough};
+use crate::print::number::Numbers;
 
 #[derive(Serialize)]
 pub(super) struct Verdict {
@@ -33,6 +32,8 @@ struct Check {
     limit: String,
     at_most: bool,
     passed: bool,
+    /// Id of the word.
+    verdict: &'static str,
     /// Part of what is allowed that is used, in percent; none of a limit of zero.
     utilisation: Option<String>,
     /// Where or when it governs.
@@ -55,7 +56,7 @@ struct Warning {
 }
 
 impl Verdict {
-    pub(super) fn new(language: &Language, scene: &Scene, sheet: &Sheet) -> Verdict {
+    pub(super) fn new(numbers: &Numbers, scene: &Scene, sheet: &Sheet) -> Verdict {
         let Sheet {
             requirements,
             unjudged,
@@ -63,7 +64,7 @@ impl Verdict {
             ..
         } = sheet;
         let count = |list: &[sheet::Check], passed: bool| list.iter().filter(|check| check.passed() == passed).count();
-        let shown = |list: &[sheet::Check]| list.iter().map(|found| check(language, found)).collect();
+        let shown = |list: &[sheet::Check]| list.iter().map(|found| check(numbers, found)).collect();
         Verdict {
             kept: count(requirements, true),
             requirements: shown(requirements),
@@ -71,32 +72,42 @@ impl Verdict {
             apart: count(identities, false),
             identities: shown(identities),
             unsearched: scene.search().and_then(|search| unsearched(search.task)),
-            warnings: warnings(language, sheet),
+            warnings: warnings(numbers, sheet),
         }
     }
 }
 
-fn check(language: &Language, check: &sheet::Check) -> Check {
+/// Id of the word for whether a requirement is met.
+pub(super) fn verdict(check: &sheet::Check) -> &'static str {
+    match check.passed() {
+        false => "failed",
+        true if check.is_doubtful() => "doubtful",
+        true => "passed",
+    }
+}
+
+fn check(numbers: &Numbers, check: &sheet::Check) -> Check {
     Check {
+        verdict: verdict(check),
         id: check.id,
         symbol: check.symbol.print,
-        value: quantity(language, check.symbol, check.value),
-        limit: quantity(language, check.symbol, check.limit),
+        value: numbers.judged(check.symbol, check.value, check.limit),
+        limit: numbers.limit(check.symbol, check.limit),
         at_most: check.at_most,
         passed: check.passed(),
-        utilisation: (check.limit != 0.0).then(|| language.text(&fixed(100.0 * check.utilisation(), 1))),
-        at: check.at.map(|(symbol, at)| number::named(language, symbol, at)),
-        band: check.band.map(|band| rough(language, check.symbol, band)),
+        utilisation: (check.limit != 0.0).then(|| numbers.language.text(&fixed(100.0 * check.utilisation(), 1))),
+        at: check.at.map(|(symbol, at)| numbers.named(symbol, at)),
+        band: check.band.map(|band| numbers.rough(check.symbol, band)),
         doubtful: check.is_doubtful(),
         infinite: (!check.value.is_finite()).then_some(check.symbol.id),
     }
 }
 
-fn warnings(language: &Language, sheet: &Sheet) -> Vec<Warning> {
+fn warnings(numbers: &Numbers, sheet: &Sheet) -> Vec<Warning> {
     let warning = |warning: &sheet::Warning| Warning {
         warning: warning.id,
         count: warning.count,
-        summary: summary(language, &warning.summary),
+        summary: summary(numbers, &warning.summary),
     };
     sheet.warnings.iter().map(warning).collect()
 }

@@ -5,8 +5,7 @@
 //! recalculated: numbers with their unit as `19.3 thin"m"`, `60"°"` or
 //! `1.2 times 10^(-5)`, with a decimal comma as `"19,3" thin"m"`, `pi`, `+`, `-`, `dot`, `slash`, `frac(a, b)`, `a^2`, `a^3`,
 //! `sqrt(a)`, `abs(a)`, `sin(a)`, `cos(a)`, `arcsin(a)`, `arccos(a)`,
-//! `arctan2(y, x)`, also as `arctan2 vec(y, x)`, and parentheses. A long sum is broken with `\ &more` before
-//! a sign.
+//! `arctan2(y, x)`, and parentheses. A long sum is broken with `\ &more` before a sign, a long `arctan2` after its comma.
 
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
@@ -17,7 +16,7 @@ use serde::Serialize;
 
 use crate::language::Language;
 use crate::print::factors::{Product, tidier};
-use crate::print::number::quantity;
+use crate::print::number::Numbers;
 use crate::print::text;
 
 /// How tightly an expression holds together, loosest first.
@@ -104,7 +103,7 @@ enum Form {
 struct Print<'a> {
     trace: &'a Trace,
     form: Form,
-    language: &'a Language,
+    numbers: &'a Numbers,
     /// Typeset forms of the symbols that can be linked to where they are defined.
     defined: &'a BTreeSet<&'static str>,
 }
@@ -131,26 +130,31 @@ pub struct Printed {
     pub size: u32,
 }
 
-/// A step of a recorded calculation, with its numbers put in where `in_full`.
+/// Width of a requirement that stands after the result.
+const JUDGED: f64 = 30.0;
+
+/// A step of a recorded calculation, with its numbers put in where `in_full`; so many requirements follow its result.
 #[must_use]
 pub fn step(
-    language: &Language,
+    numbers: &Numbers,
     defined: &BTreeSet<&'static str>,
     trace: &Trace,
     step: &Step,
     in_full: bool,
+    judged: usize,
 ) -> Printed {
     let name = name_width(step.symbol.print) + 3.0;
-    let result = numeric(quantity(language, step.symbol, step.value));
+    let result = numeric(numbers.in_formula(step.symbol, step.value));
     let forms = [Form::Symbols, Form::Numbers].map(|form| Print {
         trace,
         form,
-        language,
+        numbers,
         defined,
     });
     let [symbols, numbers] = forms.map(|print| term(print, false, step.formula).whole());
     let repeats = !in_full || numbers.text == result.text;
-    let line = name + symbols.width + result.width + 3.0 + if repeats { 0.0 } else { numbers.width + 3.0 };
+    let after = JUDGED * judged as f64;
+    let line = name + symbols.width + result.width + after + 3.0 + if repeats { 0.0 } else { numbers.width + 3.0 };
     if line <= LINE - SOURCE {
         let numbers = (!repeats).then_some(numbers.text);
         return Printed {
@@ -163,7 +167,8 @@ pub fn step(
     }
     let (formula, formula_width) = broken(forms[0], step.formula, LINE - SOURCE - name);
     let (numbers, numbers_width) = broken(forms[1], step.formula, LINE - name);
-    let widest = name + (formula_width + SOURCE).max(if repeats { 0.0 } else { numbers_width });
+    let widest = (formula_width + SOURCE).max(if repeats { 0.0 } else { numbers_width });
+    let widest = name + widest.max(result.width + after);
     Printed {
         formula,
         numbers: (!repeats).then_some(numbers),
@@ -214,14 +219,14 @@ fn signed(op: Op, right: Term) -> (&'static str, Term) {
 /// `nested` inside a fraction, where another fraction is written with a slash.
 fn term(print: Print, nested: bool, rec: Rec) -> Term {
     match print.trace.node(rec) {
-        Node::Constant(value) => constant(print.language, value),
+        Node::Constant(value) => constant(print.numbers.language, value),
         Node::Name(symbol) => match print.form {
             Form::Symbols if print.defined.contains(symbol.print) => {
                 let link = format!("go({}, {})", text::string(symbol.print), symbol.print);
                 Term::atom(link, name_width(symbol.print))
             }
             Form::Symbols => Term::atom(symbol.print.to_owned(), name_width(symbol.print)),
-            Form::Numbers => numeric(quantity(print.language, symbol, print.trace.value(rec))),
+            Form::Numbers => numeric(print.numbers.in_formula(symbol, print.trace.value(rec))),
         },
         Node::Unary(Op::Square, _) | Node::Binary(Op::Mul | Op::Div, ..)
             if let Some(tidy) = tidier(print.trace, rec) =>
@@ -245,7 +250,7 @@ fn product(print: Print, nested: bool, product: &Product) -> Term {
         let powers = factors.map(|&(base, exponent)| power(term(print, nested || parted, base), exponent.abs()));
         powers.reduce(|left, right| binary(print.form, nested, Op::Mul, left, right))
     };
-    let above = side(1).unwrap_or_else(|| constant(print.language, 1.0));
+    let above = side(1).unwrap_or_else(|| constant(print.numbers.language, 1.0));
     let term = match side(-1) {
         Some(below) => binary(print.form, nested, Op::Div, above, below),
         None => above,
@@ -359,17 +364,16 @@ fn binary(form: Form, nested: bool, op: Op, left: Term, right: Term) -> Term {
             let text = format!("frac({}, {})", left.text, right.text);
             Term::product(left.minus != right.minus, text, left.width.max(right.width) + 0.5)
         }
-        // The angle of the vector (x, y) is written with y first, as in arctan
-        // y/x; long components stand one above the other.
+        // The angle of the vector (x, y) is written with y first, as in arctan y/x; a long one is broken after its comma.
         _ => {
             let (x, y) = (left.whole(), right.whole());
-            let (beside, above) = (x.width + y.width + 9.5, x.width.max(y.width) + 9.5);
-            let (stack, width) = if beside > LINE / 2.0 {
-                (" vec", above)
+            let width = x.width + y.width + 9.5;
+            let (space, width) = if nested || width <= LINE - SOURCE {
+                (" ", width)
             } else {
-                ("", beside)
+                (" \\ &more ", 9.5 + x.width.max(y.width))
             };
-            Term::atom(format!("arctan2{stack}({}, {})", y.text, x.text), width)
+            Term::atom(format!("arctan2({},{space}{})", y.text, x.text), width)
         }
     }
 }
@@ -409,7 +413,7 @@ mod tests {
             formula([a, b, c, Rec::given(&s::BETA_0, 30.0_f64.to_radians())])
         });
         let printed = step(
-            &LANGUAGES[0],
+            &Numbers::new(&LANGUAGES[0], 4),
             &BTreeSet::new(),
             &trace,
             &Step {
@@ -419,6 +423,7 @@ mod tests {
                 name: formula,
             },
             true,
+            0,
         );
         (printed.formula, printed.numbers.unwrap_or(printed.result))
     }
@@ -558,6 +563,16 @@ mod tests {
         assert_eq!(text(PI), "X_1 pi");
         assert_eq!(text(FRAC_PI_4), "X_1 frac(pi, 4)");
         assert_eq!(text(2.0), "X_1 dot 2");
+    }
+
+    #[test]
+    fn a_long_angle_is_broken_after_its_comma() {
+        let long = |a: Rec, b: Rec| (0..5).fold(a, |sum, _| sum + a * b);
+        let (symbols, numbers) = printed(|[a, b, c, _]| Rec::direction(long(a, b), long(b, c)));
+        assert!(
+            !symbols.contains("more") && numbers.matches(", \\ &more ").count() == 1,
+            "{symbols} {numbers}"
+        );
     }
 
     #[test]

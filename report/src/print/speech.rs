@@ -73,14 +73,7 @@ fn sequence(node: &SyntaxNode, words: &Words) -> Result<String, String> {
         if after_factor {
             spoken.push(words.get("speech", "times")?.to_owned());
         }
-        if source == "arctan2" {
-            // Its components stand one above the other in what follows.
-            let components = children.find(|child| child.kind() == SyntaxKind::MathCall);
-            let components = components.map_or(Ok(Vec::new()), |call| arguments(call, words))?;
-            spoken.push(fill(words.get("speech", "arctan2")?, &components));
-        } else {
-            spoken.push(term(child, words)?);
-        }
+        spoken.push(term(child, words)?);
         after_factor = !matches!(source.as_str(), "dif" | "Delta" | "sin" | "cos");
     }
     Ok(spoken.join(" "))
@@ -106,7 +99,7 @@ fn operator(kind: SyntaxKind, source: &str) -> Option<&'static str> {
         "slash" | "\\/" | "/" => "over",
         "<=" => "at_most",
         ">=" => "at_least",
-        "thin" | "more" => "",
+        "thin" | "more" | "quad" => "",
         _ if silent.contains(&kind) => "",
         _ => return None,
     })
@@ -290,8 +283,9 @@ mod tests {
                 "sqrt(x_B^2 + L_(2 x)^2)",
                 "square root of open parenthesis x B squared plus L 2 x squared close parenthesis",
             ),
-            ("arctan2 vec(y_B, x_B)", "arc tangent of y B over x B"),
+            (r#"30"°" >= 20"°" quad "passed""#, "30 ° at least 20 ° passed"),
             ("arctan2(y_B, x_B)", "arc tangent of y B over x B"),
+            (r"arctan2(y_B, \ &more x_B)", "arc tangent of y B over x B"),
             ("a/b", "a over b"),
             ("2 pi overline(O_1 P)", "2 times pi times distance O 1 P"),
             ("1.5 times 10^(-5)", "1.5 times 10 to the power of minus 5"),
