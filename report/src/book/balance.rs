@@ -71,7 +71,7 @@ impl Balance {
             published_source: balance
                 .published_source
                 .as_ref()
-                .map(|source| source.of(language.code).to_owned()),
+                .map(|source| source.of(numbers.language.code).to_owned()),
             equilibria: balance
                 .equilibria
                 .iter()

@@ -211,12 +211,9 @@ impl<'a> Book<'a> {
             }
         }
         notation.meet_results(sheet, &chapters);
-        let compares = chapters.contains(&"synthesis");
-        let synthesis = compares.then(|| synthesis(numbers, scene, &mut notation)).flatten();
-        let measures = chapters.contains(&"trade");
-        let trade = measures
-            .then(|| Trade::new(numbers, scene, &mut notation))
-            .transpose()?;
+        let has = |chapter| chapters.contains(&chapter);
+        let synthesis = (has("synthesis").then(|| synthesis(numbers, scene, &mut notation))).flatten();
+        let trade = (has("trade").then(|| Trade::new(numbers, scene, &mut notation))).transpose()?;
         let drawing = drawing(&sheet.drawing, SKETCH);
         let figure = |c: &sheet::Curve| Figure::new(numbers, c);
         let summary = |s: &sheet::Summary| blocks::summary(numbers, s);
@@ -225,7 +222,7 @@ impl<'a> Book<'a> {
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
         Ok(Book {
-            title: Title::new(scene, language),
+            title: Title::new(scene, numbers.language),
             hash,
             attachment: format!("{}.toml", scene.name()),
             version,
@@ -243,7 +240,7 @@ impl<'a> Book<'a> {
             verdict: Verdict::new(numbers, scene, sheet),
             summary: sheet.summary.iter().map(summary).collect(),
             governing: sheet.governing.iter().map(summary).collect(),
-            text: paragraphs(language, scene),
+            text: paragraphs(numbers.language, scene),
             forces: sheet.forces.iter().map(|ends| ends.each_ref().map(summary)).collect(),
             uncovered: &sheet.uncovered,
             inputs,

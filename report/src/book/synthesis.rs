@@ -149,7 +149,10 @@ pub(super) fn synthesis(numbers: &Numbers, scene: &Scene, notation: &mut Notatio
             .map(|(i, lever)| Lever {
                 number: i + 1,
                 role: lever.role,
-                source: lever.source.as_ref().map(|source| source.of(language.code).to_owned()),
+                source: lever
+                    .source
+                    .as_ref()
+                    .map(|source| source.of(numbers.language.code).to_owned()),
             })
             .collect(),
         rows,

@@ -169,7 +169,7 @@ fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> In
         },
         key: given.map(|given| given.key.clone()),
         line: given.map_or(0, |given| given.line),
-        note: given.and_then(|given| Some(given.source.as_ref()?.of(language.code).to_owned())),
+        note: given.and_then(|given| Some(given.source.as_ref()?.of(numbers.language.code).to_owned())),
     }
 }
 
@@ -286,7 +286,7 @@ pub(super) fn printed(text: &str) -> Number {
 
 pub(super) fn published(numbers: &Numbers, sheet: &Sheet, full: bool) -> Option<Published> {
     let coordinate = sheet.positions.first()?.coordinate;
-    let source = sheet.published_source.as_ref()?.of(language.code).to_owned();
+    let source = sheet.published_source.as_ref()?.of(numbers.language.code).to_owned();
     let rows: Vec<&[Comparison]> = sheet.published.chunk_by(|a, b| a.coordinate == b.coordinate).collect();
     let columns: Vec<&'static Symbol> = rows.first()?.iter().map(|value| value.symbol).collect();
     let compared = |value: &Comparison| {

@@ -81,12 +81,8 @@ impl Trade {
     pub(super) fn new(numbers: &Numbers, scene: &Scene, notation: &mut Notation) -> Result<Trade, Error> {
         let traded = traded(scene).map_err(|failure| Error(format!("the chapter of trade: {failure}")))?;
         let names = scene.mechanism.solver().map(|own| [own.step.1, own.tolerance.1]);
-        for symbol in traded
-            .asked
-            .iter()
-            .map(|asked| asked.variable.symbol)
-            .chain(names.into_iter().flatten())
-        {
+        let asked = traded.asked.iter().map(|asked| asked.variable.symbol);
+        for symbol in asked.chain(names.into_iter().flatten()) {
             notation.meet(symbol);
         }
         let second = |value: f64| format!("{} thin \"s\"", numbers.language.math(&short(value)));
@@ -117,11 +113,8 @@ impl Trade {
                 });
                 digits(parts.fold(0.0, f64::max))
             };
-            let per_second = |count: u32| {
-                numbers
-                    .language
-                    .text(&short((f64::from(count) / traded.duration).round()))
-            };
+            let rate = |count: u32| short((f64::from(count) / traded.duration).round());
+            let per_second = |count: u32| numbers.language.text(&rate(count));
             Row {
                 level: row.setting.level,
                 solver: solver(&row.setting),

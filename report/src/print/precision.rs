@@ -166,7 +166,7 @@ fn unary(op: Op, inner: Known, value: f64) -> Known {
 
 /// The cosine of an angle less `zero`, over an interval.
 fn turned(Known { low, high, .. }: Known, zero: f64, scale: f64) -> Known {
-    if !(high - low < TAU) {
+    if high - low >= TAU || (high - low).is_nan() {
         return Known::around([-1.0, 1.0], scale);
     }
     let [from, to] = [low - zero, high - zero];
