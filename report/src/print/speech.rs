@@ -214,9 +214,10 @@ fn parts(call: &SyntaxNode) -> Vec<&SyntaxNode> {
 /// Whether nothing can be misunderstood without parentheses.
 fn is_simple(part: &SyntaxNode) -> bool {
     let is_operand = |child: &&SyntaxNode| {
-        // A number and its unit are one.
-        let silent = matches!(child.kind(), SyntaxKind::Space | SyntaxKind::Str);
-        !silent && !matches!(child.full_text().as_str(), "thin" | "°")
+        // A number and its unit are one, and a line's end is nothing.
+        let source = child.full_text();
+        let silent = child.kind() == SyntaxKind::Str || operator(child.kind(), &source) == Some("");
+        !silent && source != "°"
     };
     part.kind() != SyntaxKind::Math || part.children().filter(is_operand).count() <= 1
 }
