@@ -53,7 +53,7 @@ mod tests {
     fn symbols_are_set_and_all_else_is_plain() {
         let print = |id: &str| (id == "M_ur").then_some("M_\"ur\"^0");
         for (text, set) in [
-            ("X_4, beta_0 and X_5", "$X_4$, $beta_0$ and $X_5$"),
+            ("X_4, beta_0 and X_5", "$X_4$\\u{2c} $beta_0$ and $X_5$"),
             ("M_ur is known", "$M_\"ur\"^0$ is known"),
             ("由X_12求得", "由$X_(12)$求得"),
             ("d_o_min", "$d_\"o,min\"$"),
