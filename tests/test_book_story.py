@@ -145,3 +145,13 @@ def test_without_loads_a_summary_has_the_results_instead(tmp_path):
     text = " ".join(text_of(ready(tmp_path, "car_4x2", "--level", "summary")))
     assert "Design forces" not in text and "Greatest and least results, with their positions" in text
     assert "Greatest and least results" not in " ".join(text_of(made(tmp_path / "loaded", scene(tmp_path, text=DEFAULT), "--level", "summary")))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", SCENES)
+def test_every_source_that_is_cited_is_among_the_references(name, language, tmp_path):
+    text = " ".join(text_of(ready(tmp_path, name, "--language", language)))
+    text, listed = text.rsplit(words(language)["chapter"]["references"], 1)
+    key = r"\[((?:[A-Z][A-Za-z]+\d+|ISO \d[\d-]*))"
+    cited, known = set(re.findall(key + r"[,\]]", text)), re.findall(key + r"\]", listed)
+    assert cited and cited == set(known) and len(known) == len(cited)

@@ -79,4 +79,4 @@ def test_publications_are_cited_and_listed():
 
     listed = tomllib.loads((ROOT / "templates/references.toml").read_text(encoding="utf-8"))
     sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "models/src").rglob("*.rs"))
-    assert set(re.findall(r"\[([A-Z][A-Za-z]+\d{3,4})\b", sources)) == set(listed)
+    assert set(re.findall(r"\[([A-Z][A-Za-z]+\d{3,4}|ISO \d+)\b", sources)) == set(listed)

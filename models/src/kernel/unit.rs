@@ -146,7 +146,7 @@ units! {
     BAR_PER_S   = "bar/s"    "bar/s"   [-1 1 -3 0]   1e5;
     PER_RAD     = "1/rad"    "1/rad"   [0 0 0 -1]    1.0;
     PER_RAD_S   = "1/(rad.s)" "1/(rad·s)" [0 0 -1 -1] 1.0;
-    PER_MIN     = "1/min"    "1/min"   [0 0 -1 0]    1.0 / 60.0;
+    PER_MIN     = "1/min"    "r/min"   [0 0 -1 0]    1.0 / 60.0;
     M3_PER_SPA  = "m3/(s.Pa)" "m³/(s·Pa)" [4 -1 1 0] 1.0;
     M3_PER_S    = "m3/s"     "m³/s"    [3 0 -1 0]    1.0;
     N_PER_M     = "N/m"      "N/m"     [0 1 -2 0]    1.0;

@@ -168,6 +168,12 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
     chosen.into_iter().filter(has).collect()
 }
 
+/// Parts of the machine that have words of their own.
+fn parts(sheet: &Sheet) -> Vec<&'static str> {
+    let balance = sheet.balance.iter().flat_map(|balance| balance.parts);
+    balance.chain(&sheet.parts).copied().collect()
+}
+
 /// The engineer's own paragraphs, with blank lines between them, by their places.
 fn paragraphs(language: &Language, scene: &Scene) -> BTreeMap<&'static str, Vec<String>> {
     let own = |place: &str| scene.book.text.iter().find(|(known, _)| *known == place);
@@ -218,7 +224,6 @@ impl<'a> Book<'a> {
         let figure = |c: &sheet::Curve| Figure::new(numbers, c);
         let summary = |s: &sheet::Summary| blocks::summary(numbers, s);
         let demand = |d: &(&'static str, sheet::Summary)| tables::demand(numbers, d);
-        let balanced = sheet.balance.as_ref();
         // The FMU of the same scene tells the same.
         let [version, hash] = strings(scene);
         Ok(Book {
@@ -230,12 +235,7 @@ impl<'a> Book<'a> {
             digits: scene.book.digits,
             mechanism: scene.mechanism.id(),
             symbols: symbols(scene.mechanism.id()),
-            parts: balanced
-                .map_or(&[][..], |balance| balance.parts)
-                .iter()
-                .chain(&sheet.parts)
-                .copied()
-                .collect(),
+            parts: parts(sheet),
             html: format == Format::Html,
             verdict: Verdict::new(numbers, scene, sheet),
             summary: sheet.summary.iter().map(summary).collect(),

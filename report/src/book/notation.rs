@@ -99,7 +99,7 @@ impl Notation {
     }
 
     pub(super) fn references(&self) -> Vec<String> {
-        let key = |symbol: &&Symbol| Some(symbol.source.strip_prefix('[')?.split_once(',')?.0.to_owned());
+        let key = |symbol: &&Symbol| Some(symbol.source.strip_prefix('[')?.split([',', ']']).next()?.to_owned());
         let mut keys: Vec<String> = self.met.iter().filter_map(key).collect();
         keys.sort();
         keys.dedup();
