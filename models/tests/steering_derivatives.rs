@@ -155,14 +155,9 @@ fn what_has_a_derivative_is_a_dependency() {
 /// along the wheels is turned by the lag. The margin knows that its range is the cylinder's, where no other is given.
 #[test]
 fn results_of_the_command_are_those_of_the_kinematic_level() {
-    let text = SCENE
-        .replacen("min = \"-57 deg\"\nmax = \"57 deg\"\n", "", 1)
-        .replacen("[steering.range]\n", "", 1);
-    let text = text.replacen(
-        "source = \"[Zhang2016, 5.1]: the angle of turning on the spot, and a little more.\"\n",
-        "",
-        1,
-    );
+    let (before, range) = SCENE.split_once("[steering.range]\n").expect("a range");
+    let (_, after) = range.split_once("\n\n").expect("another table");
+    let text = format!("{before}{after}");
     let text = text.replacen("l_x   = \"1250 mm\"", "l_x   = \"900 mm\"", 1);
     let scene = Scene::parse(&text).unwrap_or_else(|found| panic!("{found:?}"));
     let mut moving = scene.model().expect("built");
