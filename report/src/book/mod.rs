@@ -187,6 +187,7 @@ impl<'a> Book<'a> {
             }
         }
         notation.meet_results(sheet, &chapters);
+        notation.meet_formulas(sheet, &chapters);
         let compares = chapters.contains(&"synthesis");
         let synthesis = compares.then(|| synthesis(numbers, scene, &mut notation)).flatten();
         let measures = chapters.contains(&"trade");

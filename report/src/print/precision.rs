@@ -37,7 +37,7 @@ pub fn numbers(language: &'static Language, digits: usize, sheet: &Sheet) -> Num
 /// to half a percent.
 fn digits_needed(numbers: &mut Numbers, trace: &Trace, step: &Step) {
     let mut names = Vec::new();
-    collect(trace, step.formula, &mut names);
+    trace.names(step.formula, &mut names);
     let off = |numbers: &Numbers| {
         let Known { low, high, scale } = known(numbers, trace, step.formula);
         let reference = if step.value.abs() < CANCELLED * scale {
@@ -68,17 +68,6 @@ fn digits_needed(numbers: &mut Numbers, trace: &Trace, step: &Step) {
             Some((_, name)) => numbers.refine(name, 1),
             None => return,
         };
-    }
-}
-
-/// The quantities that a formula names.
-fn collect(trace: &Trace, rec: Rec, names: &mut Vec<&'static Symbol>) {
-    match trace.node(rec) {
-        Node::Constant(_) => {}
-        Node::Name(symbol) if names.contains(&symbol) => {}
-        Node::Name(symbol) => names.push(symbol),
-        Node::Unary(_, inner) => collect(trace, inner, names),
-        Node::Binary(_, left, right) => [left, right].into_iter().for_each(|side| collect(trace, side, names)),
     }
 }
 
@@ -166,7 +155,7 @@ fn unary(op: Op, inner: Known, value: f64) -> Known {
 
 /// The cosine of an angle less `zero`, over an interval.
 fn turned(Known { low, high, .. }: Known, zero: f64, scale: f64) -> Known {
-    if !(high - low < TAU) {
+    if high - low >= TAU {
         return Known::around([-1.0, 1.0], scale);
     }
     let [from, to] = [low - zero, high - zero];

@@ -40,8 +40,7 @@ fn rewrite(node: &SyntaxNode, in_markup: bool, words: &Words, text: &mut String)
 fn sequence(node: &SyntaxNode, words: &Words) -> Result<String, String> {
     let mut spoken: Vec<String> = Vec::new();
     let mut after_factor = false;
-    let mut children = node.children().peekable();
-    while let Some(child) = children.next() {
+    for child in node.children() {
         let source = child.full_text();
         if let Some(operator) = operator(child.kind(), &source) {
             if !operator.is_empty() {
