@@ -217,10 +217,10 @@ mod tests {
         assert_eq!(printed(|a, b| a + b, A, -6.512_345_678_9), ["19.3025", "-6.51235"]);
     }
 
-    /// Of 2 mm beside 19 m half a percent is 10 µm: 19.3025 is known to 50 µm, 19.30247 to 5 µm.
+    /// Of 2.1 mm beside 19 m half a percent is 10.5 µm: 19.3025 is known to 50 µm, 19.30247 to 5 µm, two of these to 10 µm.
     #[test]
     fn a_small_difference_gives_its_terms_more_digits() {
-        let [a, b] = printed(|a, b| a - b, A, A - 0.002);
+        let [a, b] = printed(|a, b| a - b, A, A - 0.0021);
         assert_eq!([a.len(), b.len()], [8, 8], "{a} {b}");
         // A given quantity that is short is exact.
         assert_eq!(printed(|a, b| a - b, A, 19.3), ["19.30247", "19.3"]);
