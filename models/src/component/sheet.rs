@@ -13,6 +13,8 @@ use crate::kernel::text::Text;
 pub struct Sheet {
     /// Inputs in the order of the scene's chapters.
     pub inputs: Vec<Input>,
+    /// Chapters of inputs that only levels in motion use, which this sheet does not calculate.
+    pub uncalculated: Vec<&'static str>,
     /// Formulas that do not depend on the position.
     pub constants: Vec<Section>,
     /// The mechanism in each of its ways of working; empty where it has one.

@@ -175,6 +175,9 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
         ..
     } = &mut sheet;
     banded(requirements, &mut model, outline, governing, inputs);
+    if sheet.motion.is_none() {
+        sheet.uncalculated = in_motion_only(told);
+    }
     sheet
 }
 
@@ -202,6 +205,15 @@ fn forces(model: &Standing, outline: &'static Outline) -> Vec<[Summary; 2]> {
         Some([end(Most::Least)?, end(Most::Greatest)?])
     };
     outline.forces.iter().filter_map(of).collect()
+}
+
+/// Chapters of inputs whose tables are of no use to the level that stands still.
+fn in_motion_only<T: Described>(told: &Description<T>) -> Vec<&'static str> {
+    let standing = told.own.levels().first().copied().unwrap_or_default();
+    let unused = told.own.unused(standing);
+    let whole = |table: &str| unused.iter().any(|(name, keys)| *name == table && keys.is_empty());
+    let chapters = T::OUTLINE.inputs.iter().filter(|(_, table)| whole(table));
+    chapters.map(|(chapter, _)| *chapter).collect()
 }
 
 /// Published values beside the computed ones.

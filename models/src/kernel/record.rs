@@ -183,6 +183,17 @@ impl Trace {
         }
     }
 
+    /// Adds the quantities that an expression names, each once.
+    pub fn names(&self, rec: Rec, found: &mut Vec<&'static Symbol>) {
+        match self.node(rec) {
+            Node::Constant(_) => {}
+            Node::Name(symbol) if found.contains(&symbol) => {}
+            Node::Name(symbol) => found.push(symbol),
+            Node::Unary(_, inner) => self.names(inner, found),
+            Node::Binary(_, left, right) => [left, right].into_iter().for_each(|side| self.names(side, found)),
+        }
+    }
+
     fn is(&self, rec: Rec, number: f64) -> bool {
         self.node(rec) == Node::Constant(number)
     }

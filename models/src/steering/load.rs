@@ -1,9 +1,12 @@
 //! Vertical load of the groups and their resistance to steering. [Zhang2016, 3]
 
+use crate::component::sheet::{Section, Table};
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
 use crate::kernel::number::short;
+use crate::kernel::record::{Rec, record};
+use crate::kernel::symbol::Symbol;
 use crate::parts::plane::{self, Point};
 use crate::steering::cylinder::Pose;
 use crate::steering::machine::Machine;
@@ -91,30 +94,90 @@ pub fn travelling<C: Calc>(drag: &Drag<C>, pose: &Pose<C>) -> C {
     force(moment, pose.od).def(&s::F_GX)
 }
 
+/// All groups as equal springs under a rigid frame: how many, the mean of their axes (m), and the sums of the squares and
+/// products of their distances from it (m²).
+struct Springs<C> {
+    n: C,
+    mean: Point<C>,
+    xx: C,
+    xy: C,
+    yy: C,
+}
+
+impl Springs<f64> {
+    fn new(machine: &Machine<f64>) -> Springs<f64> {
+        let n = machine.groups.len() as f64;
+        let mean = machine.groups.iter().sum::<Point<f64>>() / n;
+        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+        for p in &machine.groups {
+            let d = p - mean;
+            xx += d.x * d.x;
+            xy += d.x * d.y;
+            yy += d.y * d.y;
+        }
+        Springs { n, mean, xx, xy, yy }
+    }
+}
+
+impl<C: Calc> Springs<C> {
+    /// Load of the group at `p` (m), in N, of a weight (N) at `centre` (m).
+    fn carry(&self, weight: C, centre: Point<C>, p: Point<C>) -> C {
+        let Springs { n, mean, xx, xy, yy } = *self;
+        let e = Point::new((centre.x - mean.x).def(&s::E_SX), (centre.y - mean.y).def(&s::E_SY));
+        let d = Point::new((p.x - mean.x).def(&s::D_SX), (p.y - mean.y).def(&s::D_SY));
+        let determinant = xx * yy - xy * xy;
+        let slope = Point::new((e.x * yy - e.y * xy) / determinant, (e.y * xx - e.x * xy) / determinant);
+        weight * (C::constant(1.0) / n + plane::dot(slope, d))
+    }
+}
+
+/// How the load of the most heavily loaded group follows from a weight (N) at `centre` (m), for the book.
+pub fn told(machine: &Machine<f64>, weight: f64, centre: Point<f64>) -> Section {
+    let springs = Springs::new(machine);
+    let loads = machine.groups.iter().map(|p| springs.carry(weight, centre, *p));
+    let rows = (1..).zip(&machine.groups).zip(loads);
+    let rows: Vec<Vec<f64>> = rows.map(|((i, p), load)| vec![f64::from(i), p.x, p.y, load]).collect();
+    let heaviest = rows.iter().max_by(|a, b| a[3].total_cmp(&b[3]));
+    let at = |[x, y]: [&'static Symbol; 2], p: Point<f64>| Point::new(Rec::given(x, p.x), Rec::given(y, p.y));
+    let (trace, ()) = record(|| {
+        let springs = Springs {
+            n: Rec::given(&s::N_G, springs.n),
+            mean: at([&s::X_S, &s::Y_S], springs.mean),
+            xx: Rec::given(&s::S_XX, springs.xx),
+            xy: Rec::given(&s::S_XY, springs.xy),
+            yy: Rec::given(&s::S_YY, springs.yy),
+        };
+        let centre = at([&s::X_G, &s::Y_G], centre);
+        if let Some(row) = heaviest {
+            let p = at([&s::X, &s::Y], Point::new(row[1], row[2]));
+            let _ = springs.carry(Rec::given(&s::W, weight), centre, p).def(&s::G_MAX);
+        }
+    });
+    Section {
+        id: "loads",
+        trace,
+        drawing: None,
+        table: Some(Table {
+            columns: vec![&s::NUMBER, &s::X, &s::Y, &s::G],
+            rows,
+        }),
+    }
+}
+
 /// Load of each group, in N, for a weight (N) whose centre of gravity is at
 /// `centre` (m), on a rigid frame over equal springs.
 pub fn share(machine: &Machine<f64>, weight: f64, centre: Point<f64>, loads: &mut [f64]) -> Result<(), Refusal> {
-    let n = machine.groups.len() as f64;
-    let mean = machine.groups.iter().sum::<Point<f64>>() / n;
-    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-    for p in &machine.groups {
-        let d = p - mean;
-        xx += d.x * d.x;
-        xy += d.x * d.y;
-        yy += d.y * d.y;
-    }
-    let determinant = xx * yy - xy * xy;
-    if determinant <= 1e-12 * (xx + yy) * (xx + yy) {
+    let springs = Springs::new(machine);
+    let Springs { mean, xx, xy, yy, .. } = springs;
+    if xx * yy - xy * xy <= 1e-12 * (xx + yy) * (xx + yy) {
         return Err(Refusal::new(
             "groups",
             "all groups stand on one line: their loads do not follow from the centre of gravity",
             "give the load of each group",
         ));
     }
-    let e = centre - mean;
-    let (bx, by) = ((e.x * yy - e.y * xy) / determinant, (e.y * xx - e.x * xy) / determinant);
     for (i, (p, load)) in machine.groups.iter().zip(loads.iter_mut()).enumerate() {
-        *load = weight * (1.0 / n + plane::dot(Point::new(bx, by), p - mean));
+        *load = springs.carry(weight, centre, *p);
         if *load < 0.0 {
             return Err(Refusal::new(
                 format!("G[{}]", i + 1),

@@ -12,10 +12,12 @@ use crate::kernel::gravity;
 use crate::kernel::schema::Values;
 use crate::kernel::variable::Fault;
 use crate::parts::motion::Motion;
+use crate::parts::plane::Point;
 use crate::steering::changes::changes;
 use crate::steering::checks::{identities, requirements};
 use crate::steering::drawing::{Stance, lengths, swept, triangle};
 use crate::steering::keys::KEYS;
+use crate::steering::load::told;
 use crate::steering::mode::Mode;
 use crate::steering::moving::scene::{GroupBody, GroupOil, Plc};
 use crate::steering::moving::{self, model::SteeringMotion};
@@ -229,6 +231,16 @@ impl Described for SteeringScene {
         sheet.unjudged.extend(unjudged);
         sheet.identities = identities(this, &built);
         sheet.sizing = parts.sections;
+        let given = |symbol| {
+            sheet
+                .inputs
+                .iter()
+                .find(|input| input.symbol == symbol)
+                .map(|input| input.value)
+        };
+        if let [Some(weight), Some(x), Some(y)] = [&s::W, &s::X_G, &s::Y_G].map(given) {
+            sheet.constants.push(told(&built.machine, weight, Point::new(x, y)));
+        }
         if let Some(linkage) = built.direct() {
             let section = sheet.constants.iter_mut().find(|section| section.id == "linkage");
             section

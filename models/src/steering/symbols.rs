@@ -186,6 +186,16 @@ symbols! {
     F_G: "f_g" "f_(g i)" N / KN, "Force of a group's cylinder against the resistance at standstill, by amount.", "[Zhang2016, 5.2]";
     P: "p" "p" PA / MPA [above_to(0.0, 1e8)], "Oil pressure.", "[Zhang2016, 5.3]";
     D: "d" "d" M / MM, "Diameter of the piston rod.", "[Zhang2016, 5.3]";
+    N_G: "n_G" "n_G" ONE / ONE, "Number of steered groups.", "derived";
+    X_S: "x_S" "x_S" M / M, "Mean of the axes of all groups, forward.", "derived";
+    Y_S: "y_S" "y_S" M / M, "Mean of the axes of all groups, to the left.", "derived";
+    S_XX: "S_xx" "S_(x x)" M2 / M2, "Sum of the squares of the groups' distances from their mean, forward.", "derived";
+    S_YY: "S_yy" "S_(y y)" M2 / M2, "Sum of the squares of the groups' distances from their mean, to the left.", "derived";
+    S_XY: "S_xy" "S_(x y)" M2 / M2, "Sum of the products of the groups' distances from their mean, forward and to the left.", "derived";
+    E_SX: "e_sx" "e_x" M / M, "Centre of gravity, forward of the mean of the axes.", "derived";
+    E_SY: "e_sy" "e_y" M / M, "Centre of gravity, to the left of the mean of the axes.", "derived";
+    D_SX: "d_sx" "d_x" M / M, "Axis of a group, forward of the mean of the axes.", "derived";
+    D_SY: "d_sy" "d_y" M / M, "Axis of a group, to the left of the mean of the axes.", "derived";
     G_MAX: "G_max" "G_max" N / KN, "Greatest vertical load of a group.", "derived";
     T_G_MAX: "T_g_max" "T_(g,max)" N_M / KN_M, "Greatest moment that a cylinder must overcome at standstill.", "[Zhang2016, 5.2]";
     F_G_MAX: "f_g_max" "f_(g,max)" N / KN, "Greatest force of a cylinder: at the smallest lever arm, at standstill.", "[Zhang2016, 5.2]";

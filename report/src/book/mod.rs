@@ -217,6 +217,7 @@ impl<'a> Book<'a> {
             }
         }
         notation.meet_results(sheet, &chapters);
+        notation.meet_formulas(sheet, &chapters);
         let has = |chapter| chapters.contains(&chapter);
         let synthesis = (has("synthesis").then(|| synthesis(numbers, scene, &mut notation))).flatten();
         let trade = (has("trade").then(|| Trade::new(numbers, scene, &mut notation))).transpose()?;

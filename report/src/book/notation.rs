@@ -27,30 +27,10 @@ pub(super) struct Notation {
 
 impl Notation {
     pub(super) fn new(sheet: &Sheet, chapters: &[&str]) -> Notation {
-        let steps = |section: &sheet::Section| {
-            section
-                .trace
-                .steps
-                .iter()
-                .map(|step| step.symbol.print)
-                .collect::<Vec<_>>()
-        };
-        let mut defined = BTreeSet::new();
-        for chapter in chapters {
-            match *chapter {
-                "inputs" => defined.extend(sheet.inputs.iter().map(|input| input.symbol.print)),
-                "constants" => defined.extend(sheet.constants.iter().flat_map(steps)),
-                "sizing" => defined.extend(sheet.sizing.iter().flat_map(steps)),
-                "positions" => {
-                    let sections = sheet.positions.iter().flat_map(|position| &position.sections);
-                    defined.extend(sections.flat_map(steps));
-                }
-                "motion" => {
-                    let sections = sheet.motion.iter().flat_map(|motion| &motion.sections);
-                    defined.extend(sections.flat_map(steps));
-                }
-                _ => {}
-            }
+        let steps = sections(sheet, chapters).flat_map(|section| &section.trace.steps);
+        let mut defined: BTreeSet<&'static str> = steps.map(|step| step.symbol.print).collect();
+        if chapters.contains(&"inputs") {
+            defined.extend(sheet.inputs.iter().map(|input| input.symbol.print));
         }
         Notation {
             met: Vec::new(),
@@ -65,6 +45,21 @@ impl Notation {
             self.met.push(symbol);
         }
         new
+    }
+
+    /// The symbols of all printed formulas.
+    pub(super) fn meet_formulas(&mut self, sheet: &Sheet, chapters: &[&str]) {
+        let mut names = Vec::new();
+        for section in sections(sheet, chapters) {
+            let trace = &section.trace;
+            trace
+                .steps
+                .iter()
+                .for_each(|step| trace.names(step.formula, &mut names));
+        }
+        for symbol in names {
+            self.meet(symbol);
+        }
     }
 
     /// The symbols of results, tables, curves and the balance.
@@ -116,6 +111,19 @@ impl Notation {
         };
         met.iter().map(entry).collect()
     }
+}
+
+/// The formulas of some chapters.
+fn sections<'a>(sheet: &'a Sheet, chapters: &[&str]) -> impl Iterator<Item = &'a sheet::Section> + use<'a> {
+    let [constants, sizing, positions, motion] =
+        ["constants", "sizing", "positions", "motion"].map(|chapter| chapters.contains(&chapter));
+    let positions = sheet.positions.iter().filter(move |_| positions);
+    let motion = sheet.motion.iter().filter(move |_| motion);
+    let constants = sheet.constants.iter().filter(move |_| constants);
+    constants
+        .chain(sheet.sizing.iter().filter(move |_| sizing))
+        .chain(positions.flat_map(|position| &position.sections))
+        .chain(motion.flat_map(|motion| &motion.sections))
 }
 
 /// The Greek alphabet as Typst's mathematics names it.

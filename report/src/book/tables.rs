@@ -16,6 +16,8 @@ use crate::print::plot;
 #[derive(Serialize)]
 pub(super) struct Chapter {
     id: &'static str,
+    /// Whether only levels in motion use them, which the book does not calculate.
+    uncalculated: bool,
     /// Where the scene says that all these quantities come from.
     note: Option<String>,
     inputs: Vec<Input>,
@@ -130,6 +132,7 @@ pub(super) fn inputs(numbers: &Numbers, sheet: &Sheet, notation: &mut Notation) 
     let chapter = |inputs: &[sheet::Input]| {
         let mut chapter = Chapter {
             id: inputs[0].chapter,
+            uncalculated: sheet.uncalculated.contains(&inputs[0].chapter),
             note: None,
             inputs: inputs.iter().map(|given| input(numbers, given, notation)).collect(),
         };

@@ -113,15 +113,13 @@ impl Trade {
                 });
                 digits(parts.fold(0.0, f64::max))
             };
-            let rate = |count: u32| short((f64::from(count) / traded.duration).round());
-            let per_second = |count: u32| numbers.language.text(&rate(count));
             Row {
                 level: row.setting.level,
                 solver: solver(&row.setting),
                 setting: setting(numbers, names, &row.setting),
                 cost: digits(1e6 * row.cost),
-                rates: per_second(row.work.rates),
-                steps: per_second(row.work.steps),
+                rates: per_second(numbers, row.work.rates, traded.duration),
+                steps: per_second(numbers, row.work.steps, traded.duration),
                 bytes: row.bytes,
                 numerical: worst(|e| e.numerical.max),
                 modelling: worst(|e| e.modelling.max),
@@ -158,6 +156,11 @@ impl Trade {
             rows: rows.collect(),
         })
     }
+}
+
+/// How many for each of so many seconds.
+fn per_second(numbers: &Numbers, count: u32, duration: f64) -> String {
+    numbers.language.text(&short((f64::from(count) / duration).round()))
 }
 
 /// One of the results that are compared, with how far off the choice is.

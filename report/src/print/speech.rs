@@ -285,7 +285,10 @@ mod tests {
             ),
             (r#"30"°" >= 20"°" quad "passed""#, "30 ° at least 20 ° passed"),
             ("arctan2(y_B, x_B)", "arc tangent of y B over x B"),
-            (r"arctan2(y_B, \ &more x_B)", "arc tangent of y B over x B"),
+            (
+                r"arctan2(y_B, \ &more x_B + x_C)",
+                "arc tangent of y B over open parenthesis x B plus x C close parenthesis",
+            ),
             ("a/b", "a over b"),
             ("2 pi overline(O_1 P)", "2 times pi times distance O 1 P"),
             ("1.5 times 10^(-5)", "1.5 times 10 to the power of minus 5"),
