@@ -243,7 +243,7 @@ def test_oil_below_vacuum_is_told_everywhere(tmp_path, monkeypatch):
             assert ((least < -1e5) == (run["cavitates"] != 0))[sure].all(), kinds
             assert 0 < run["cavitates"].sum() < len(run)
             assert [category for category, _ in told] == [b"logStatusWarning"], told
-            assert b"below -1 bar" in told[0][1]
+            assert b"below -0.1 MPa" in told[0][1]
         with zipfile.ZipFile(path) as archive:
             assert "absolute vacuum, cavitates" in archive.read("documentation/index.html").decode("utf-8")
     lemnis("book", "--format", "typ", tmp_path / "crane.toml", "--output", tmp_path)

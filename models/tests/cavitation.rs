@@ -52,7 +52,7 @@ fn cranes() -> Vec<(&'static str, Model)> {
         .collect()
 }
 
-/// The truth value is true exactly while a pressure is below -1 bar, and its indicator has that margin.
+/// The truth value is true exactly while a pressure is below -0.1 MPa, and its indicator has that margin.
 #[test]
 fn oil_below_vacuum_is_told() {
     for (name, mut model) in cranes() {
@@ -83,7 +83,7 @@ fn oil_below_vacuum_is_told() {
         println!("{name} at {time} s: {words}");
         // A step of the solver may have met it between two of these.
         assert!(
-            below <= 1 && words.contains("-1 bar") && words.contains("cavitates"),
+            below <= 1 && words.contains("-0.1 MPa") && words.contains("cavitates"),
             "{words}"
         );
     }

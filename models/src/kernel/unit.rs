@@ -143,7 +143,7 @@ units! {
     PER_S       = "1/s"      "1/s"     [0 0 -1 0]    1.0;
     PER_S2      = "1/s2"     "1/s²"    [0 0 -2 0]    1.0;
     PA_PER_S    = "Pa/s"     "Pa/s"    [-1 1 -3 0]   1.0;
-    BAR_PER_S   = "bar/s"    "bar/s"   [-1 1 -3 0]   1e5;
+    MPA_PER_S   = "MPa/s"    "MPa/s"   [-1 1 -3 0]   1e6;
     PER_RAD     = "1/rad"    "1/rad"   [0 0 0 -1]    1.0;
     PER_RAD_S   = "1/(rad.s)" "1/(rad·s)" [0 0 -1 -1] 1.0;
     PER_MIN     = "1/min"    "r/min"   [0 0 -1 0]    1.0 / 60.0;

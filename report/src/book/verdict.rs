@@ -1,6 +1,7 @@
 //! What is judged, and what must be known before any of it is believed.
 
 use lemnis_models::component::sheet::{self, Sheet};
+use lemnis_models::kernel::number::Number;
 use lemnis_models::scene::Scene;
 use serde::Serialize;
 
@@ -95,12 +96,22 @@ fn check(numbers: &Numbers, check: &sheet::Check) -> Check {
         limit: numbers.limit(check.symbol, check.limit),
         at_most: check.at_most,
         passed: check.passed(),
-        utilisation: (check.limit != 0.0).then(|| numbers.language.text(&fixed(100.0 * check.utilisation(), 1))),
+        utilisation: (check.limit != 0.0).then(|| numbers.language.text(&utilisation(check))),
         at: check.at.map(|(symbol, at)| numbers.named(symbol, at)),
         band: check.band.map(|band| numbers.rough(check.symbol, band)),
         doubtful: check.is_doubtful(),
         infinite: (!check.value.is_finite()).then_some(check.symbol.id),
     }
+}
+
+/// In percent; of a limit that is not kept above 100, however little.
+fn utilisation(check: &sheet::Check) -> Number {
+    let part = 100.0 * check.utilisation();
+    let beyond = |decimals: &u32| {
+        let unit = f64::from(10_u32.pow(*decimals));
+        check.passed() || (part * unit).round() > 100.0 * unit
+    };
+    fixed(part, (1..6).find(beyond).unwrap_or(6) as usize)
 }
 
 fn warnings(numbers: &Numbers, sheet: &Sheet) -> Vec<Warning> {

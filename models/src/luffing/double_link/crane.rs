@@ -262,8 +262,9 @@ where
         }
     }
 
-    /// Numbers whose fall below zero ends a smooth piece: each joint's [four](Joint::indicators); the rope becomes slack
-    /// or taut; the hoist runs as commanded, or comes to rest or (two) breaks loose. After an event all are above zero.
+    /// Numbers whose fall below zero ends a smooth piece: each joint comes to rest or (two) breaks loose, meets its lower or
+    /// its upper stop; the rope becomes slack or taut; the hoist runs as commanded, or comes to rest or (two) breaks loose.
+    /// After an event all are above zero.
     #[must_use]
     pub fn indicators<C: Coordinate<P>>(
         &self,

@@ -9,7 +9,7 @@ pub const VACUUM: f64 = -1e5;
 #[must_use]
 pub fn warning(least: f64) -> Option<&'static str> {
     (least < VACUUM).then_some(
-        "the oil has fallen below -1 bar, absolute vacuum, where it cavitates and this model's does not: forces and \
+        "the oil has fallen below -0.1 MPa, absolute vacuum, where it cavitates and this model's does not: forces and \
          pressures are not those of a machine while cavitates is true",
     )
 }

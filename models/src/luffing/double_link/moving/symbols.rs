@@ -18,10 +18,10 @@ symbols! {
     V_0: "V_0" "V_0" M3 / L [positive], "Oil left in a chamber at the piston's end.", "input";
     V_1: "V_1" "V_1" M3 / L [positive], "Oil in each port of the valve.", "input";
     Q_N: "Q_N" "Q_N" M3_PER_S / L_PER_MIN [positive], "Rated flow of the valve, fully open.", "input";
-    DP_N: "dp_N" "Delta p_N" PA / BAR [positive], "Pressure difference over one edge of the valve at the rated flow.", "input";
-    DP_L: "dp_L" "Delta p_L" PA / BAR [positive], "Pressure difference over each line from valve to cylinder at the rated flow.", "input";
+    DP_N: "dp_N" "Delta p_N" PA / MPA [positive], "Pressure difference over one edge of the valve at the rated flow.", "input";
+    DP_L: "dp_L" "Delta p_L" PA / MPA [positive], "Pressure difference over each line from valve to cylinder at the rated flow.", "input";
     BETA_E: "beta_E" "beta_E" PA / MPA [positive], "Bulk modulus of the oil with its walls.", "input";
-    P_R: "p_R" "p_R" PA / BAR [positive], "Opening pressure of the relief valves.", "input";
+    P_R: "p_R" "p_R" PA / MPA [positive], "Opening pressure of the relief valves.", "input";
     K_R: "k_R" "k_R" M3_PER_SPA / M3_PER_SPA [not_negative], "Flow of a relief valve over the excess of pressure.", "input";
     K_L: "k_L" "k_L" M3_PER_SPA / M3_PER_SPA [not_negative], "Leakage past the piston over the difference of pressure.", "input";
     OMEGA_V: "omega_v" "omega_v" RAD_PER_S / RAD_PER_S [positive], "Natural frequency of the valve's spool.", "input";
@@ -37,7 +37,7 @@ symbols! {
 
     // Commands.
     U_V: "u_v" "u_v" ONE / ONE, "Command of the valve from -1 to 1; positive lengthens the cylinder.", "input";
-    P_P: "p_P" "p_P" PA / BAR [not_negative], "Pressure of the pump above the tank's.", "input";
+    P_P: "p_P" "p_P" PA / MPA [not_negative], "Pressure of the pump above the tank's.", "input";
     M_A: "M_A" "M_A" N_M / KN_M, "Moment of the drive on the driving link; positive turns it counter-clockwise.", "input";
     M_S: "M_S" "M_S" N_M / KN_M [not_negative], "Moment of the brake, added to the dry friction.", "input";
     M_SL: "M_sl" "M_\"sl\"" N_M / KN_M, "Moment of the slewing drive; positive turns the crane counter-clockwise, seen from above.", "input";
@@ -73,10 +73,10 @@ symbols! {
     V_QY: "v_Qy" "v_(Q y)" M_PER_S / M_PER_S, "Speed of the load up, from the head.", "equations of motion";
     V_QZ: "v_Qz" "v_(Q z)" M_PER_S / M_PER_S, "Speed of the load to the left, from the head.", "equations of motion";
 
-    P_1: "p_1" "p_1" PA / BAR, "Pressure in the valve's port on the side of the bore.", "equations of motion";
-    P_2: "p_2" "p_2" PA / BAR, "Pressure in the valve's port on the side of the annulus.", "equations of motion";
-    P_A: "p_A" "p_A" PA / BAR, "Pressure in the chamber of the bore.", "equations of motion";
-    P_B: "p_B" "p_B" PA / BAR, "Pressure in the chamber of the annulus.", "equations of motion";
+    P_1: "p_1" "p_1" PA / MPA, "Pressure in the valve's port on the side of the bore.", "equations of motion";
+    P_2: "p_2" "p_2" PA / MPA, "Pressure in the valve's port on the side of the annulus.", "equations of motion";
+    P_A: "p_A" "p_A" PA / MPA, "Pressure in the chamber of the bore.", "equations of motion";
+    P_B: "p_B" "p_B" PA / MPA, "Pressure in the chamber of the annulus.", "equations of motion";
     X_V: "x_v" "x_v" ONE / ONE, "Spool of the valve, from -1 to 1 of its stroke.", "equations of motion";
     V_V: "v_v" "v_v" PER_S / PER_S, "Speed of the valve's spool, over its stroke.", "equations of motion";
 
@@ -214,8 +214,8 @@ symbols! {
 
     // A run.
     T: "t" "t" S / S, "Time from the start of the run.", "derived";
-    P_MAX: "p_max" "p_\"max\"" PA / BAR, "Greatest pressure in ports and chambers during the run.", "equations of motion";
-    P_MIN: "p_min" "p_\"min\"" PA / BAR, "Least pressure in ports and chambers during the run.", "equations of motion";
+    P_MAX: "p_max" "p_\"max\"" PA / MPA, "Greatest pressure in ports and chambers during the run.", "equations of motion";
+    P_MIN: "p_min" "p_\"min\"" PA / MPA, "Least pressure in ports and chambers during the run.", "equations of motion";
     PHI_MAX: "phi_max" "phi_\"max\"" RAD / DEG, "Greatest angle of the rope from the vertical during the run.", "equations of motion";
     DELTA_E: "Delta_E" "Delta E" J / KJ, "Change of the kinetic and potential energy of all bodies.", "derived";
     E_OIL: "E_oil" "Delta E_\"oil\"" J / KJ, "Change of the energy in the compressed oil.", "derived";
@@ -247,10 +247,10 @@ symbols! {
     D_V_QX: "der(v_Qx)" "dot(v)_(Q x)" M_PER_S2 / M_PER_S2, "Acceleration of the load forward, from the head.", "equations of motion";
     D_V_QY: "der(v_Qy)" "dot(v)_(Q y)" M_PER_S2 / M_PER_S2, "Acceleration of the load up, from the head.", "equations of motion";
     D_V_QZ: "der(v_Qz)" "dot(v)_(Q z)" M_PER_S2 / M_PER_S2, "Acceleration of the load to the left, from the head.", "equations of motion";
-    D_P_1: "der(p_1)" "dot(p)_1" PA_PER_S / BAR_PER_S, "Rate of the pressure in the port of the bore.", "equations of motion";
-    D_P_2: "der(p_2)" "dot(p)_2" PA_PER_S / BAR_PER_S, "Rate of the pressure in the port of the annulus.", "equations of motion";
-    D_P_A: "der(p_A)" "dot(p)_A" PA_PER_S / BAR_PER_S, "Rate of the pressure in the chamber of the bore.", "equations of motion";
-    D_P_B: "der(p_B)" "dot(p)_B" PA_PER_S / BAR_PER_S, "Rate of the pressure in the chamber of the annulus.", "equations of motion";
+    D_P_1: "der(p_1)" "dot(p)_1" PA_PER_S / MPA_PER_S, "Rate of the pressure in the port of the bore.", "equations of motion";
+    D_P_2: "der(p_2)" "dot(p)_2" PA_PER_S / MPA_PER_S, "Rate of the pressure in the port of the annulus.", "equations of motion";
+    D_P_A: "der(p_A)" "dot(p)_A" PA_PER_S / MPA_PER_S, "Rate of the pressure in the chamber of the bore.", "equations of motion";
+    D_P_B: "der(p_B)" "dot(p)_B" PA_PER_S / MPA_PER_S, "Rate of the pressure in the chamber of the annulus.", "equations of motion";
     D_X_V: "der(x_v)" "dot(x)_v" PER_S / PER_S, "Rate of the valve's spool.", "state";
     D_V_V: "der(v_v)" "dot(v)_v" PER_S2 / PER_S2, "Acceleration of the valve's spool.", "equations of motion";
 
