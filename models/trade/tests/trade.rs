@@ -171,7 +171,7 @@ fn two_codes_that_part_are_named() {
     let symbol = levels::model("hydraulic").variables()[pressure].symbol;
     let message = Failure::Apart("hydraulic", apart, symbol).to_string();
     assert!(
-        message.contains("p_A at 0.1 s is 1 bar by our solver and 2 bar"),
+        message.contains("p_A at 0.1 s is 0.1 MPa by our solver and 0.2 MPa"),
         "{message}"
     );
 }
