@@ -80,7 +80,8 @@ def test_every_symbol_of_a_formula_is_in_the_notation(scene, level, tmp_path):
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_every_given_quantity_is_used(scene, tmp_path):
-    """By a formula, or for what is known; or its table says that the book does not calculate with it."""
+    """By a formula, or for what is known; or its table says that the book does not calculate with it. Weights of zero, as the
+    chapter says, are in no formula."""
     text = source(scene, "full", tmp_path)
     notation = set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", chapter(text, "Notation")))
     used = set().union(*(symbols(formula, notation)[0] for _, formula in formulas(text)))
@@ -91,7 +92,8 @@ def test_every_given_quantity_is_used(scene, tmp_path):
         # Of several groups the formulas speak of one: x_2 is x_i.
         names = [(name or shown).replace('\\"', '"') for name, shown in given]
         numbered = [re.sub(r"^([xyG])_[2-9]$", r"\1_i", name) for name in names]
-        idle = [name for name, other in zip(names, numbered) if not {name, other} & used]
+        nothing = set(re.findall(r'\$(\S*)\$\],\n.*\n  \[\$0 thin"kN"\$\]', table))
+        idle = [name for name, other in zip(names, numbered) if not {name, other} & used and name not in nothing]
         if "this book does not calculate with them" in table:
             assert idle == names, table
         else:

@@ -138,7 +138,8 @@ def test_design_forces_are_the_greatest_of_the_whole_range(tmp_path):
         least, greatest = rows[name]
         assert least < greatest
         most = max(least, greatest, key=abs)
-        assert most == pytest.approx(governing[id]["value"], rel=1e-5)
+        # Printed with four digits.
+        assert most == pytest.approx(governing[id]["value"], rel=5e-4)
 
 
 def test_without_loads_a_summary_has_the_results_instead(tmp_path):

@@ -158,7 +158,9 @@ def test_nothing_is_written_on_failure(tmp_path):
 @pytest.mark.parametrize(("language", "decimal"), [("en", "."), ("zh", "."), ("bg", ",")])
 def test_the_chapter_computes_anew(tmp_path, language, decimal):
     """What the book prints of a lever is the model's result, not the search's word."""
-    path = SCENES / "portal_004_tail.toml"
+    path = tmp_path / "scene.toml"
+    given = (SCENES / "portal_004_tail.toml").read_text(encoding="utf-8")
+    path.write_text(given + "\n[book]\ndigits = 6\n", encoding="utf-8")
     lemnis("book", path, "--language", language, "--format", "typ", "--output", tmp_path)
     text = (tmp_path / "PortalCraneTail.typ").read_text(encoding="utf-8")
     result = criteria(path)
