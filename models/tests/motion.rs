@@ -5,28 +5,13 @@ use lemnis_models::luffing::double_link::crane::Commands;
 use lemnis_models::luffing::double_link::dynamics::Pendulum;
 use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
 use lemnis_models::parts::hoist::HoistCommand;
-use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
+use lemnis_models::parts::joint::{Bar, Friction, Joint};
 use lemnis_models::parts::solver::{Halt, runge_kutta};
 
 #[path = "common/crane.rs"]
 mod crane;
 
-const STILL: Commands<1> = commands(0.0, 0.0);
-
-const fn commands(moment: f64, brake: f64) -> Commands<1> {
-    Commands {
-        drives: [JointDrive { moment, brake }],
-        hoist: HoistCommand::speed(0.0),
-    }
-}
-
-fn driven(moment: f64) -> Commands<1> {
-    commands(moment, 0.0)
-}
-
-fn braked(brake: f64) -> Commands<1> {
-    commands(0.0, brake)
-}
+const STILL: Commands<1> = crane::commands(0.0, 0.0);
 
 fn motion(pendulum: Option<Pendulum>, viscous: f64, coulomb: f64) -> MovingLinkage {
     MovingLinkage {
@@ -44,7 +29,7 @@ fn at(degrees: f64, length: f64) -> MotionState {
 
 /// Moment that holds the crane at rest.
 fn holding(m: &MovingLinkage, state: &MotionState) -> f64 {
-    let held = braked(1e12);
+    let held = crane::braked(1e12);
     m.friction_moment(0, state, &held, &state.y).expect("closes")
 }
 
@@ -61,7 +46,7 @@ fn friction_truly_sticks() {
         (1.000_001, true),
         (-1.000_001, true),
     ] {
-        let commands = driven(hold + over * 50e3);
+        let commands = crane::driven(hold + over * 50e3);
         let mut state = start;
         for size in [1e-9, 1e-3, 0.1, 1.0, 10.0] {
             m.advance(&mut state, &commands, size, 0.01).expect("stays");
@@ -78,7 +63,7 @@ fn no_friction_holds_nothing() {
     let start = at(75.0, 0.0);
     let hold = holding(&m, &start);
     for (extra, sign) in [(1.0, 1.0), (-1.0, -1.0)] {
-        let commands = driven(hold + extra);
+        let commands = crane::driven(hold + extra);
         let mut state = start;
         m.advance(&mut state, &commands, 0.1, 0.01).expect("stays");
         assert_eq!((state.y[0] - start.y[0]).signum(), sign);
@@ -90,7 +75,7 @@ fn no_friction_holds_nothing() {
 fn a_bar_at_rest_is_decided_again() {
     let m = motion(None, 0.0, 20e3);
     let mut state = at(60.0, 0.0);
-    let up = driven(1e7);
+    let up = crane::driven(1e7);
     m.event(&mut state, &up).expect("closes");
     assert_eq!(state.joints[0], Bar::Forward);
     // The lower stop holds it: without a moment it stays.
@@ -106,14 +91,14 @@ fn a_bar_at_rest_is_decided_again() {
 fn a_brake_stops_the_fall_and_takes_its_energy() {
     let m = motion(None, 3e5, 20e3);
     let mut state = at(80.0, 0.0);
-    m.advance(&mut state, &braked(f64::INFINITY), 100.0, 0.01)
+    m.advance(&mut state, &crane::braked(f64::INFINITY), 100.0, 0.01)
         .expect("holds");
     assert_eq!(state, at(80.0, 0.0));
 
     m.advance(&mut state, &STILL, 1.0, 0.01).expect("falls");
     let falling = state;
     assert!(falling.y[1].abs() > 0.01 && falling.joints[0] != Bar::Held);
-    let commands = braked(6e6);
+    let commands = crane::braked(6e6);
     let (first, mut work, mut steps) = (m.energy(&state).expect("closes"), 0.0, 0);
     while state.joints[0] != Bar::Held {
         let before = state;
@@ -152,7 +137,7 @@ fn work_is_stored_or_dissipated_with_a_swinging_load() {
     for i in 0..60_000 {
         // Up, down, up for two seconds each.
         let push = if (i / 20_000) % 2 == 0 { 3e5 } else { -3e5 };
-        let commands = driven(hold + push);
+        let commands = crane::driven(hold + push);
         let before = state;
         let mut half = state;
         m.advance(&mut half, &commands, h / 2.0, h).expect("moves");
@@ -180,19 +165,20 @@ fn an_end_stop_catches_the_bar() {
     let m = motion(None, 0.0, 10e3);
     let mut state = at(100.0, 0.0);
     let hold = holding(&m, &state);
-    let up = driven(hold + 2e6);
+    let up = crane::driven(hold + 2e6);
     m.advance(&mut state, &up, 20.0, 0.01).expect("arrives");
     assert_eq!(
         (state.y[0], state.y[1], state.joints[0]),
         (m.joints[0].stops[1], 0.0, Bar::Held)
     );
     let still = state;
-    m.advance(&mut state, &driven(1e9), 1.0, 0.01).expect("holds");
+    m.advance(&mut state, &crane::driven(1e9), 1.0, 0.01).expect("holds");
     assert_eq!(state, still);
-    m.advance(&mut state, &driven(-1e7), 0.1, 0.01).expect("leaves");
+    m.advance(&mut state, &crane::driven(-1e7), 0.1, 0.01).expect("leaves");
     assert!(state.y[0] < m.joints[0].stops[1] && state.y[1] < 0.0);
     // All the way down to the other one.
-    m.advance(&mut state, &driven(-1e7), 20.0, 0.01).expect("arrives");
+    m.advance(&mut state, &crane::driven(-1e7), 20.0, 0.01)
+        .expect("arrives");
     assert_eq!(
         (state.y[0], state.y[1], state.joints[0]),
         (m.joints[0].stops[0], 0.0, Bar::Held)
@@ -204,7 +190,7 @@ fn an_end_stop_catches_the_bar() {
 #[test]
 fn the_period_of_the_swing_is_that_of_theory() {
     let m = motion(Some(crane::PENDULUM), 0.0, 0.0);
-    let held = braked(f64::INFINITY);
+    let held = crane::braked(f64::INFINITY);
     for degrees in [0.01_f64, 10.0, 60.0, 89.0] {
         let mut state = at(90.0, 10.0);
         state.y[2] = degrees.to_radians();
@@ -227,7 +213,7 @@ fn the_period_of_the_swing_is_that_of_theory() {
 #[test]
 fn a_slack_rope_lets_the_load_fall_freely_and_catches_it() {
     let m = motion(Some(crane::PENDULUM), 0.0, 0.0);
-    let held = braked(f64::INFINITY);
+    let held = crane::braked(f64::INFINITY);
     let mut state = at(90.0, 10.0);
     // 150 degrees from the hanging position: 8.66 m above the head, 5 m beside it.
     state.y[2] = 150_f64.to_radians();
@@ -268,7 +254,7 @@ fn a_blow_of_the_rope_gains_no_energy() {
     let mut state = at(90.0, 10.0);
     state.y[2] = 120_f64.to_radians();
     let hold = holding(&m, &at(90.0, 10.0));
-    let commands = driven(hold);
+    let commands = crane::driven(hold);
     let mut energy = m.energy(&state).expect("closes");
     let mut blows = 0;
     for _ in 0..4000 {
@@ -287,7 +273,7 @@ fn a_blow_of_the_rope_gains_no_energy() {
 #[test]
 fn a_shorter_rope_swings_wider() {
     let m = motion(Some(crane::PENDULUM), 0.0, 0.0);
-    let held = braked(f64::INFINITY);
+    let held = crane::braked(f64::INFINITY);
     let mut state = at(90.0, 40.0);
     state.y[2] = 0.01;
     let hoisting = Commands {
@@ -308,7 +294,7 @@ fn a_shorter_rope_swings_wider() {
 fn restored_and_irregular_steps_agree() {
     let m = motion(Some(crane::PENDULUM), 1e5, 20e3);
     let hold = holding(&m, &at(75.0, 10.0));
-    let commands = driven(hold + 4e5);
+    let commands = crane::driven(hold + 4e5);
     let run = |sizes: &[f64]| {
         let mut state = at(75.0, 10.0);
         for size in sizes {
@@ -333,7 +319,7 @@ fn restored_and_irregular_steps_agree() {
 #[test]
 fn a_million_steps_are_allowed() {
     let m = motion(None, 0.0, 0.0);
-    let held = braked(f64::INFINITY);
+    let held = crane::braked(f64::INFINITY);
     for (duration, longest) in [(1e4, 0.01), (777.7, 7.777e-4)] {
         let mut state = at(90.0, 10.0);
         let count = m.advance(&mut state, &held, duration, longest);
@@ -344,7 +330,7 @@ fn a_million_steps_are_allowed() {
     // Where an event cuts a step in two, that is still one.
     let mut state = at(90.0, 10.0);
     state.y[1] = 0.1;
-    let count = m.advance(&mut state, &braked(1e7), 1e4, 0.01);
+    let count = m.advance(&mut state, &crane::braked(1e7), 1e4, 0.01);
     assert_eq!(count.map(|count| count.steps), Ok(1_000_001));
     assert_eq!(state.joints[0], Bar::Held);
 }
@@ -356,7 +342,7 @@ fn hopeless_steps_are_refused() {
     let mut state = at(75.0, 10.0);
     let before = state;
     for moment in [f64::NAN, f64::INFINITY, f64::MAX] {
-        let commands = driven(moment);
+        let commands = crane::driven(moment);
         assert!(m.advance(&mut state, &commands, 0.1, 0.01).is_err(), "{moment}");
         state = before;
     }
@@ -369,6 +355,6 @@ fn hopeless_steps_are_refused() {
         }],
         ..m
     };
-    let y = runge_kutta::step(&before.y, 1e-3, |y| free.rates(&before, &driven(f64::NAN), y));
+    let y = runge_kutta::step(&before.y, 1e-3, |y| free.rates(&before, &crane::driven(f64::NAN), y));
     assert!(y.is_some(), "a held bar does not move, whatever pushes it");
 }

@@ -3,27 +3,12 @@
 use lemnis_models::luffing::double_link::crane::Commands;
 use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
 use lemnis_models::parts::hoist::HoistCommand;
-use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
+use lemnis_models::parts::joint::{Bar, Friction, Joint};
 use lemnis_models::parts::solver::{Halt, MOST_STEPS};
 
 use super::crane;
 
-const NONE: Commands<1> = commands(0.0, 0.0);
-
-const fn commands(moment: f64, brake: f64) -> Commands<1> {
-    Commands {
-        drives: [JointDrive { moment, brake }],
-        hoist: HoistCommand::speed(0.0),
-    }
-}
-
-fn driven(moment: f64) -> Commands<1> {
-    commands(moment, 0.0)
-}
-
-fn braked(brake: f64) -> Commands<1> {
-    commands(0.0, brake)
-}
+const NONE: Commands<1> = crane::commands(0.0, 0.0);
 
 fn motion(viscous: f64, coulomb: f64) -> MovingLinkage {
     MovingLinkage {
@@ -46,7 +31,7 @@ fn denormal_huge_and_broken_inputs() {
     };
     let zero = run(NONE, 0.5).expect("moves");
     for tiny in [5e-324, -5e-324, 1e-310] {
-        assert_eq!(run(driven(tiny), 0.5), Ok(zero), "{tiny:e}");
+        assert_eq!(run(crane::driven(tiny), 0.5), Ok(zero), "{tiny:e}");
         // The rate of the load's distance is the hoist's own; nothing else differs.
         let hoisted = run(
             Commands {
@@ -59,7 +44,7 @@ fn denormal_huge_and_broken_inputs() {
         assert_eq!(hoisted.y[..6], zero.y[..6], "{tiny:e}");
     }
     for broken in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        assert_eq!(run(driven(broken), 0.5), Err(Halt::Outside));
+        assert_eq!(run(crane::driven(broken), 0.5), Err(Halt::Outside));
         assert_eq!(
             run(
                 Commands {
@@ -71,11 +56,11 @@ fn denormal_huge_and_broken_inputs() {
             Err(Halt::Outside)
         );
     }
-    assert_eq!(run(braked(f64::NAN), 0.5), Err(Halt::Outside));
-    assert_eq!(run(braked(-1.0), 0.5), Err(Halt::Outside));
+    assert_eq!(run(crane::braked(f64::NAN), 0.5), Err(Halt::Outside));
+    assert_eq!(run(crane::braked(-1.0), 0.5), Err(Halt::Outside));
     // Huge but finite: refused, or at a stop with finite numbers.
     for huge in [1e15, -1e15, 1e300, f64::MAX] {
-        match run(driven(huge), 0.5) {
+        match run(crane::driven(huge), 0.5) {
             Ok(state) => assert!(state.y.iter().all(|x| x.is_finite()), "{huge:e} {state:?}"),
             Err(halt) => assert!(
                 matches!(halt, Halt::Outside | Halt::TooMany | Halt::TooFast),
@@ -110,7 +95,7 @@ fn steps_from_a_nanosecond_to_a_quarter_of_an_hour() {
 #[test]
 fn a_million_steps_of_the_swing() {
     let m = motion(0.0, 0.0);
-    let held = braked(f64::INFINITY);
+    let held = crane::braked(f64::INFINITY);
     let mut state = MotionState::resting(1.5, 10.0);
     state.y[2] = 1.0;
     let first = m.energy(&state).expect("closes");

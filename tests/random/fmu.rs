@@ -281,8 +281,7 @@ pub struct Story {
     /// What was refused: first in the default experiment, then with other inputs.
     pub refused: [Vec<String>; 2],
     /// Time that the default experiment has taken, in s; a communication step as one inner step of an explicit solver at
-    /// least, which it costs however short it is. Longer by as much as the scene asks for more than usual: shorter steps, a
-    /// tighter tolerance of a method of fourth order, more samples of a PLC.
+    /// least, which it costs however short it is.
     pub taken: f64,
     /// Evaluations of the right-hand side until then.
     pub rates: u32,
@@ -314,15 +313,9 @@ pub fn tell(run: &mut dyn Run, model: &Model, draw: &mut Draw) -> Story {
     look(run, &mut story, 0);
     let own = f64::from(STEPS[0]) * size;
     let mut value = |id: &str| variables.iter().position(|v| v.symbol.id == id).map(|at| run.get(at));
-    let mut shorter = |id: &str, usual: f64| match value(id) {
-        Some(Ok(own)) => (usual / own).max(1.0),
-        _ => 1.0,
-    };
-    let natural = draw.scale[2];
-    let finer = shorter("T_c", 0.05 * natural) * shorter("tol", 1e-5).sqrt().sqrt();
-    let (least, finer) = match (value("step"), value("tol")) {
-        (Some(Ok(step)), None) => (step, (0.01 * natural / step).max(1.0)),
-        _ => (0.0, finer),
+    let least = match (value("step"), value("tol")) {
+        (Some(Ok(step)), None) => step,
+        _ => 0.0,
     };
     let mut time = 0.0;
     while time < stop && story.refused[0].is_empty() {
@@ -334,7 +327,7 @@ pub fn tell(run: &mut dyn Run, model: &Model, draw: &mut Draw) -> Story {
         match run.step(time, size) {
             Ok(()) => {
                 time += size;
-                story.taken += size.max(least) * finer;
+                story.taken += size.max(least);
             }
             Err(message) => story.refused[0].push(message),
         }

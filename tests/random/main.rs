@@ -45,8 +45,6 @@ const QUICK: f64 = 20.0;
 const LONGEST: Duration = Duration::from_secs(60);
 /// Most work for each simulated second over the median of the level.
 const MOST_WORK: f64 = 20.0;
-/// A run counts for as many natural times of the machine at least.
-const SHORTEST: f64 = 0.01;
 
 /// What became of a scene.
 #[derive(Default)]
@@ -188,9 +186,7 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
             .extend(own.refused[part].iter().take(3).map(|message| (what, message.clone())));
     }
     if own.taken > 0.0 {
-        // A run that ends at once costs its start.
-        let taken = (own.taken / case.scale[2]).max(SHORTEST);
-        outcome.work = Some(f64::from(own.rates) / f64::from(bodies) / taken);
+        outcome.work = Some(f64::from(own.rates) / f64::from(bodies) * case.scale[2] / own.taken);
     }
     let fmu = Unpacked::new(scene.text());
     for second in [false, true] {

@@ -2,6 +2,7 @@
 
 #![allow(dead_code, reason = "not every test uses all of it")]
 
+use lemnis_models::luffing::double_link::crane::Commands;
 use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase, Turntable};
 use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic};
@@ -110,6 +111,22 @@ pub fn rock(steps: u32) -> ([f64; 2], f64) {
 /// The crane on a turntable whose axis lies X_8 behind O1.
 pub fn turning(pendulum: Option<Pendulum>, inertia: f64) -> Dynamics {
     dynamics(pendulum).with_slewing(Turntable { axis: -5.2, inertia })
+}
+
+/// What drives a crane that luffs: a moment, and a brake's beside the dry friction (N·m).
+pub const fn commands(moment: f64, brake: f64) -> Commands<1> {
+    Commands {
+        drives: [JointDrive { moment, brake }],
+        hoist: HoistCommand::speed(0.0),
+    }
+}
+
+pub fn driven(moment: f64) -> Commands<1> {
+    commands(moment, 0.0)
+}
+
+pub fn braked(brake: f64) -> Commands<1> {
+    commands(0.0, brake)
 }
 
 /// Luffing between 60 and 120 deg, slewing without end; both with viscous (N·m·s/rad) and dry friction (N·m).
