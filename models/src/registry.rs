@@ -9,6 +9,7 @@ use crate::component::dependencies::{dependencies as traced, recorded};
 use crate::component::description::{Described, Vocabulary};
 use crate::component::mechanism::{Entry, Mechanism};
 use crate::component::model::Model;
+use crate::component::moving::Moving;
 use crate::component::part::Runner;
 use crate::component::sheet::Sheet;
 use crate::component::standing::Standing;
@@ -21,6 +22,8 @@ use crate::luffing::double_link;
 use crate::luffing::double_link::scene::LuffingScene;
 use crate::luffing::rope::scene::Rope;
 use crate::parts::motion::Place;
+use crate::slewing;
+use crate::slewing::scene::Slewing;
 use crate::steering;
 use crate::steering::scene::SteeringScene;
 
@@ -28,6 +31,7 @@ pub static MECHANISMS: &[Entry] = &[
     double_link::sheet::ENTRY,
     luffing::rope::scene::ENTRY,
     steering::sheet::ENTRY,
+    slewing::scene::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
@@ -50,12 +54,23 @@ pub const PARTS: [Key; 4] = [
     balance::scene::BALANCE,
     double_link::keys::DRIVE,
     double_link::keys::HOISTING,
-    double_link::keys::SLEWING,
+    Key::part(
+        "slewing",
+        slewing::scene::KEYS,
+        "Slewing of a crane, or by itself.",
+    ),
 ];
 
-/// Their names.
+/// The scene's tables that a mechanism may stand in; what may be a part of another one comes last.
 pub fn tables() -> impl Iterator<Item = &'static str> {
-    [LUFFING.name, STEERING.name].into_iter()
+    [LUFFING.name, STEERING.name, PARTS[3].name].into_iter()
+}
+
+/// Those of these tables that describe the mechanism of a scene: a part of a crane does where it stands alone.
+pub fn mechanisms(given: impl Fn(&'static str) -> bool) -> Vec<&'static str> {
+    let is_part = |name: &&str| PARTS.iter().any(|part| part.name == *name);
+    let (parts, whole): (Vec<_>, Vec<_>) = tables().filter(|name| given(name)).partition(is_part);
+    if whole.is_empty() { parts } else { whole }
 }
 
 /// What books need of a mechanism.
@@ -81,7 +96,12 @@ const fn teller<T: Described>() -> Teller {
     }
 }
 
-static TELLERS: &[Teller] = &[teller::<LuffingScene>(), teller::<Rope>(), teller::<SteeringScene>()];
+static TELLERS: &[Teller] = &[
+    teller::<LuffingScene>(),
+    teller::<Rope>(),
+    teller::<SteeringScene>(),
+    teller::<Slewing>(),
+];
 
 /// The symbols of every mechanism, by its id.
 pub fn vocabularies() -> impl Iterator<Item = (&'static str, &'static Vocabulary)> {
@@ -130,6 +150,9 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
         Model::Standing(model) => told(|teller| (teller.dependencies)(model)),
         Model::Moving(moving) => {
             let moving = &**moving as &dyn Any;
+            if let Some(model) = moving.downcast_ref::<Moving>() {
+                return told(|teller| (teller.dependencies)(model.standing()));
+            }
             if let Some(model) = moving.downcast_ref::<double_link::moving::model::LuffingMotion>() {
                 return model.dependencies();
             }

@@ -352,9 +352,9 @@ fn revisions(project: &Values) -> Vec<Vec<Text>> {
 
 /// Parts that stand beside the scene's mechanism are those of its own table.
 fn gather(values: &mut Values, found: &mut Vec<Diagnostic>) {
-    let given: Vec<&'static str> = registry::tables().filter(|name| values.has(name)).collect();
+    let given = registry::mechanisms(|name| values.has(name));
     if let [mechanism] = given.as_slice() {
-        for part in &registry::PARTS {
+        for part in registry::PARTS.iter().filter(|part| part.name != *mechanism) {
             found.extend(values.adopt(part.name, mechanism).err());
         }
     }
@@ -388,7 +388,8 @@ fn mechanism(
     gravity: f64,
     found: &mut Vec<Diagnostic>,
 ) -> Option<(&'static str, Box<dyn Mechanism>)> {
-    let given: Vec<(&'static str, &Values)> = registry::tables()
+    let given: Vec<(&'static str, &Values)> = registry::mechanisms(|name| values.has(name))
+        .into_iter()
         .filter_map(|name| Some((name, values.table(name)?)))
         .collect();
     match given.as_slice() {

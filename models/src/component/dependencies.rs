@@ -176,7 +176,7 @@ fn traced(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>> {
         }
     }
     // Until the coordinate is set, it follows from its rate and the time.
-    if let (Some(coordinate), Some(rate)) = (find(Use::Coordinate), find(Use::Rate)) {
+    if let (Some(coordinate), Some(rate), false) = (find(Use::Coordinate), find(Use::Rate), model.has_states()) {
         for traced in traced.iter_mut().filter(|traced| traced[coordinate]) {
             traced[rate] = true;
             traced[sources.len()] = true;

@@ -8,6 +8,7 @@ pub mod extreme;
 pub mod governing;
 pub mod mechanism;
 pub mod model;
+pub mod moving;
 pub mod outline;
 pub mod part;
 mod probe;

@@ -21,10 +21,27 @@ pub trait Component: Stages {
     /// Where other components meet it.
     const PORTS: &'static [Port] = &[];
 
+    /// Sources that are states where the component moves by itself, each with the result that is its rate.
+    const STATES: &'static [[&'static Symbol; 2]] = &[];
+
     /// Whether a result of a stage that exists is one of this scene.
     #[must_use]
     fn has(_: &Self::Given<f64>, _: &'static Symbol) -> bool {
         true
+    }
+
+    /// Whether a parameter is an input in this scene.
+    #[must_use]
+    fn is_input(_: &Self::Given<f64>, _: &'static Symbol) -> bool {
+        false
+    }
+
+    /// Decides what follows at an event of its motion; whether a state jumped.
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    fn decide(_: &mut Self::Known<f64>) -> Found<bool> {
+        Ok(false)
     }
 
     /// Brings the component to the present sources: what must be possible at any time.
@@ -105,6 +122,15 @@ pub trait Part: Face<f64> {
     fn results(&self) -> Vec<(Slot, Quantity)>;
     /// Of [`Component::INDICATORS`].
     fn indicators(&self) -> &'static [&'static Symbol];
+    /// Of [`Component::STATES`].
+    fn states(&self) -> &'static [[&'static Symbol; 2]];
+    /// As [`Component::is_input`].
+    fn is_input(&self, symbol: &'static Symbol) -> bool;
+    /// As [`Component::decide`].
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    fn decide(&mut self) -> Found<bool>;
     /// Of [`Component::WHOLE`].
     fn whole(&self) -> &'static [Whole];
     /// Of [`Component::PORTS`].
@@ -233,6 +259,18 @@ impl<T: Component> Part for Runner<T, f64> {
 
     fn indicators(&self) -> &'static [&'static Symbol] {
         T::INDICATORS
+    }
+
+    fn states(&self) -> &'static [[&'static Symbol; 2]] {
+        T::STATES
+    }
+
+    fn is_input(&self, symbol: &'static Symbol) -> bool {
+        T::is_input(self.given(), symbol)
+    }
+
+    fn decide(&mut self) -> Found<bool> {
+        T::decide(&mut self.0)
     }
 
     fn whole(&self) -> &'static [Whole] {

@@ -144,6 +144,7 @@ impl Standing {
         for &(source, quantity) in &sources {
             let role = match used(source) {
                 Use::Fixed | Use::Time | Use::Memory => continue,
+                Use::Parameter if part.is_input(quantity.0) => Role::Input,
                 Use::Parameter if quantity.0.tunable => Role::Tunable,
                 Use::Parameter => Role::Parameter,
                 Use::Input | Use::Load | Use::Coordinate | Use::Rate => Role::Input,
@@ -155,9 +156,11 @@ impl Standing {
             variables.push(variable);
             places.push(VariablePlace::Source(source));
         }
+        let inputs = sources.iter().filter(|(_, (symbol, _))| part.is_input(symbol));
+        let inputs = inputs.fold(0, |mask, (source, _)| mask | 1_u64 << source.group);
         let role = |sources: u64| {
             let varies = |(group, (_, of)): (u64, &(_, Use))| sources >> group & 1 == 1 && of.varies();
-            match (0..).zip(groups).any(varies) {
+            match sources & inputs != 0 || (0..).zip(groups).any(varies) {
                 true => Role::Output,
                 false => Role::Calculated,
             }
@@ -225,6 +228,29 @@ impl Standing {
             self.variables[coordinate].role = Role::Output;
         }
         self
+    }
+
+    /// With the states of its motion, and their rates, in the place of inputs and results.
+    #[must_use]
+    pub fn with_states(mut self) -> Standing {
+        for &[state, rate] in self.now.part.states() {
+            for variable in &mut self.variables {
+                match variable.symbol {
+                    symbol if symbol == state => variable.role = Role::State,
+                    symbol if symbol == rate => variable.role = Role::Rate,
+                    _ => {}
+                }
+            }
+        }
+        // It does not run by itself through its working range.
+        self.now.given = true;
+        self
+    }
+
+    /// Whether it moves by itself.
+    #[must_use]
+    pub fn has_states(&self) -> bool {
+        self.variables.iter().any(|variable| variable.role == Role::State)
     }
 
     /// Whether the part of the range is an input.
@@ -295,6 +321,16 @@ impl Standing {
     #[must_use]
     pub fn wholes(&self) -> &[Spread] {
         &self.wholes
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn part_mut(&mut self) -> &mut dyn Part {
+        &mut *self.now.part
+    }
+
+    /// What happened before, where results follow from it.
+    pub(crate) fn memory(&self) -> &[Source] {
+        &self.memory
     }
 
     /// The component that runs.
@@ -370,8 +406,10 @@ impl Standing {
         let mut value = Dual64::from_re(0.0);
         let slot = match self.find(index)? {
             VariablePlace::Result(slot) => slot,
-            // That which follows from the part of the range.
-            VariablePlace::Source(source) if variable.role == Role::Output => return Ok(direction.face.take(source)),
+            // That which follows from the part of the range, and states.
+            VariablePlace::Source(source) if matches!(variable.role, Role::Output | Role::State) => {
+                return Ok(direction.face.take(source));
+            }
             VariablePlace::Source(_) | VariablePlace::Part => return none("is no result"),
             VariablePlace::Whole(place) if self.wholes[place].sources & direction.moved == 0 => return Ok(value),
             VariablePlace::Whole(place) => {

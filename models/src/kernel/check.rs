@@ -397,10 +397,15 @@ fn noted(
     let (mut number, mut source): (Option<GivenNumber>, _) = (None, None);
     for (name, value) in table {
         match (name.get_ref().as_ref(), value.get_ref()) {
-            ("value", DeValue::String(_)) => match check_value(scene, value, path, key, found) {
-                Some(Value::Number(value)) => number = Some(value),
-                _ => return None,
-            },
+            (name @ ("value" | "input"), DeValue::String(_)) if number.is_none() && (key.input || name == "value") => {
+                match check_value(scene, value, path, key, found) {
+                    Some(Value::Number(value)) => {
+                        let input = name == "input";
+                        number = Some(GivenNumber { input, ..value });
+                    }
+                    _ => return None,
+                }
+            }
             ("source", DeValue::String(_) | DeValue::Table(_)) => {
                 match check_value(scene, value, &format!("{path}.source"), &NOTE, found) {
                     Some(Value::Text(text)) => source = Some(text),
@@ -408,7 +413,8 @@ fn noted(
                 }
             }
             _ => {
-                let message = format!("`{path}` has `value` and `source`, both texts, and nothing else");
+                let value = if key.input { "`value` or `input`" } else { "`value`" };
+                let message = format!("`{path}` has {value} and `source`, both texts, and nothing else");
                 found.push(Diagnostic::new(name.span(), message, "not this").help(example(key)));
             }
         }

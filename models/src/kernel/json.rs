@@ -55,13 +55,17 @@ fn property(key: &Key) -> Json {
         Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
         Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
             let value = text(symbol);
-            let noted = json!({
-                "type": "object",
-                "additionalProperties": false,
-                "properties": { "value": value, "source": translated(&json!({ "type": "string" })) },
-                "required": ["value"],
-            });
-            json!({ "anyOf": [value, noted] })
+            let noted = |name: &str| {
+                json!({
+                    "type": "object",
+                    "additionalProperties": false,
+                    "properties": { name: value, "source": translated(&json!({ "type": "string" })) },
+                    "required": [name],
+                })
+            };
+            let input = key.input.then(|| noted("input"));
+            let all: Vec<Json> = [value.clone(), noted("value")].into_iter().chain(input).collect();
+            json!({ "anyOf": all })
         }
         Kind::Texts(most) => json!({ "type": "array", "items": { "type": "string" }, "maxItems": most }),
         Kind::Choices(choices) => {

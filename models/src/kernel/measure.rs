@@ -13,6 +13,7 @@ pub fn number(text: &str, key: &Key) -> Result<GivenNumber, Problem> {
     let given = |value, mass| GivenNumber {
         value,
         mass,
+        input: false,
         source: None,
     };
     match key.kind {

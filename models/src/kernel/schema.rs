@@ -15,6 +15,8 @@ pub struct Key {
     pub required: bool,
     /// Of a quantity that a scene leaves out, in SI.
     pub usual: Option<f64>,
+    /// Whether a scene may make an input of it.
+    pub input: bool,
     pub text: &'static str,
 }
 
@@ -87,6 +89,7 @@ impl Key {
             kind,
             required: true,
             usual: None,
+            input: false,
             text,
         }
     }
@@ -120,6 +123,13 @@ impl Key {
         if let Kind::Quantity(symbol, _) = self.kind {
             self.kind = Kind::Weight(symbol);
         }
+        self
+    }
+
+    /// What a scene may leave open: `{ input = "20 m" }` is an input that starts there.
+    #[must_use]
+    pub const fn or_input(mut self) -> Key {
+        self.input = true;
         self
     }
 
@@ -248,6 +258,8 @@ pub struct GivenNumber {
     pub value: f64,
     /// In kg, where it is a weight given as a mass.
     pub mass: Option<f64>,
+    /// Whether it is where an input starts.
+    pub input: bool,
     /// Where the scene says that it comes from.
     pub source: Option<Text>,
 }
@@ -281,6 +293,12 @@ impl Values {
             Some(_) => None,
             None => self.keys.iter().find(|key| key.name == name)?.usual,
         }
+    }
+
+    /// Whether the scene makes an input of a quantity.
+    #[must_use]
+    pub fn is_input(&self, name: &str) -> bool {
+        matches!(self.entry(name), Some((Value::Number(number), _)) if number.input)
     }
 
     /// The quantity of a symbol, from this table or one within it, in SI.
@@ -406,6 +424,17 @@ impl Values {
                 "remove one of them".to_owned(),
             );
         }
+        let Some(Kind::Table(keys)) = whole.keys.iter().find(|key| key.name == part).map(|key| key.kind) else {
+            return Ok(());
+        };
+        // What a part needs by itself its mechanism gives.
+        let own = |name: &str| keys.iter().any(|key| key.name == name);
+        if let Some((name, _, place)) = table.entries.iter().find(|(name, ..)| !own(name)) {
+            let message = format!("`{part}.{name}` beside [{of}]: that gives it, or has no use for it");
+            let refused = Diagnostic::new(place.clone(), message, "not used here");
+            return Err(refused.help(format!("remove it, or [{of}]")));
+        }
+        table.keys = keys;
         table.beside = true;
         let at = whole.entries.partition_point(|(before, ..)| *before < part);
         whole.entries.insert(at, (part, Value::Table(table), place));

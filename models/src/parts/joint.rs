@@ -83,15 +83,30 @@ pub(crate) enum Arrival {
     Rest { at_stop: bool },
 }
 
-impl<P: Calc> Joint<P> {
+impl<P: Copy> Joint<P> {
+    /// The same over the scalar of the states.
+    #[inline]
+    pub(crate) fn over<C: Over<P>>(&self) -> Joint<C> {
+        let Friction { viscous, coulomb } = self.friction;
+        Joint {
+            friction: Friction {
+                viscous: C::of(viscous),
+                coulomb: C::of(coulomb),
+            },
+            stops: self.stops,
+        }
+    }
+}
+
+impl<C: Calc> Joint<C> {
     /// Greatest moment of dry friction and brake, in N·m.
-    fn dry<C: Over<P>>(&self, drive: &JointDrive<C>) -> C {
-        C::of(self.friction.coulomb) + drive.brake
+    fn dry(&self, drive: &JointDrive<C>) -> C {
+        self.friction.coulomb + drive.brake
     }
 
     /// A moment (N·m) less what viscous friction at a rate (rad/s), dry friction and brake take of it.
-    pub(crate) fn resisted<C: Over<P>>(&self, moment: C, bar: Bar, rate: C, drive: &JointDrive<C>) -> C {
-        let viscous = C::of(self.friction.viscous) * rate;
+    pub(crate) fn resisted(&self, moment: C, bar: Bar, rate: C, drive: &JointDrive<C>) -> C {
+        let viscous = self.friction.viscous * rate;
         match bar {
             Bar::Held | Bar::Loose => moment,
             Bar::Forward => moment - viscous - self.dry(drive),
@@ -100,8 +115,8 @@ impl<P: Calc> Joint<P> {
     }
 
     /// Moment of friction and brake on a joint that moves at a rate (rad/s), in N·m.
-    pub(crate) fn resistance<C: Over<P>>(&self, bar: Bar, rate: C, drive: &JointDrive<C>) -> C {
-        let viscous = -C::of(self.friction.viscous) * rate;
+    pub(crate) fn resistance(&self, bar: Bar, rate: C, drive: &JointDrive<C>) -> C {
+        let viscous = -self.friction.viscous * rate;
         match bar {
             Bar::Held | Bar::Loose => C::constant(0.0),
             Bar::Forward => viscous - self.dry(drive),
@@ -110,7 +125,7 @@ impl<P: Calc> Joint<P> {
     }
 
     /// Least and greatest moment that friction, brake and stops can give at rest at an angle (rad), in N·m.
-    pub(crate) fn holds<C: Over<P>>(&self, at: C, drive: &JointDrive<C>) -> [C; 2] {
+    pub(crate) fn holds(&self, at: C, drive: &JointDrive<C>) -> [C; 2] {
         let (dry, without_end) = (self.dry(drive) * C::constant(LOOSE), C::constant(f64::INFINITY));
         let ([low, high], at) = (self.stops, at.value());
         [
@@ -121,7 +136,7 @@ impl<P: Calc> Joint<P> {
 
     /// Fall below zero where it comes to rest or (two) breaks loose, meets its lower or its upper stop. At rest `held` has
     /// the moment that it needs, with the least and greatest that there is.
-    pub(crate) fn indicators<C: Over<P>>(&self, bar: Bar, [at, rate]: [C; 2], held: impl FnOnce() -> [C; 3]) -> [C; 4] {
+    pub(crate) fn indicators(&self, bar: Bar, [at, rate]: [C; 2], held: impl FnOnce() -> [C; 3]) -> [C; 4] {
         let (none, [low, high]) = (C::constant(1.0), self.stops);
         let rest = match bar {
             Bar::Held => {

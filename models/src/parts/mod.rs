@@ -1,4 +1,4 @@
-//! What several mechanisms are made of: plane geometry, a four-bar, joints, a hoist, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, a four-bar, joints, slewing, a hoist, motion over a range, oil, solvers.
 
 pub mod arcs;
 pub mod closure;
@@ -9,4 +9,5 @@ pub mod hydraulics;
 pub mod joint;
 pub mod motion;
 pub mod plane;
+pub mod slewing;
 pub mod solver;

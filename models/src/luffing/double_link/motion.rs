@@ -157,7 +157,7 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
         let Snapshot { state, r, y, commands } = *at;
         let (m, still) = (phase(y), C::constant(0.0));
         let (bar, drive) = (state.joints[0], &commands.drives[0]);
-        let moment = self.joints[0].resisted(drive.moment, bar, m.omega, drive);
+        let moment = self.joints[0].over().resisted(drive.moment, bar, m.omega, drive);
         let line = self.line(at);
         let kept = match line {
             RopeAction::Taut { drum, .. } => drum.is_none(),

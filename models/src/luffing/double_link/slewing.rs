@@ -115,7 +115,7 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
         let Snapshot { state, r, y, commands } = *at;
         let moment = |i: usize| {
             let drive = &commands.drives[i];
-            let resistance = self.joints[i].resistance(state.joints[i], y[2 * i + 1], drive);
+            let resistance = self.joints[i].over().resistance(state.joints[i], y[2 * i + 1], drive);
             drive.moment + resistance.def([&s::M_R, &s::M_R_SL][i])
         };
         let free = state.joints.map(|joint| joint != Bar::Held);

@@ -7,6 +7,7 @@ use crate::luffing::double_link::moving::hoisting::{HoistKind, RopeGive};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
+use crate::parts::slewing::Turning;
 
 quantities! {
     /// A luffing cylinder with its oil and valve, besides bore and rod.
@@ -14,11 +15,6 @@ quantities! {
         l_min: L_MIN, l_max: L_MAX, v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, dp_l: DP_L, beta_e: BETA_E,
         p_r: P_R, k_r: K_R, k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, tol: TOL
     }
-}
-
-quantities! {
-    /// What slews besides the mechanism, and its friction.
-    Turning { j_sl: J_SL, c_sl: C_SL, m_f_sl: M_F_SL }
 }
 
 quantities! {

@@ -142,7 +142,7 @@ impl LuffingMotion {
             Some(turn) => {
                 let mut start = slewing::SlewingState::resting(start.y[0], start.y[4]);
                 start.put_load([rope.map_or(0.0, |rope| rope.swing), turn.side]);
-                start.y[2..4].copy_from_slice(&turn.start);
+                start.y[2..4].copy_from_slice(&turn.joint.start);
                 Present::Slewing(start)
             }
         };
@@ -155,7 +155,7 @@ impl LuffingMotion {
             driven: luffing.parameters.driven,
             range: luffing.motion,
             rope,
-            slewing_stops: slewing.map(|turn| turn.stops),
+            slewing_stops: slewing.map(|turn| turn.joint.stops),
             variables: Vec::new(),
             slots: Vec::new(),
             states: 0,
@@ -171,7 +171,7 @@ impl LuffingMotion {
                     constants,
                     hoist: kind,
                     give: rope.and_then(|rope| rope.give),
-                    turning: slewing.map(|turn| turn.constants),
+                    turning: slewing.map(|turn| turn.joint.turning),
                     oil,
                 },
             },

@@ -5,13 +5,13 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::moving::given::{Constants, CylinderOil, Inputs, Turning};
+use crate::luffing::double_link::moving::given::{Constants, CylinderOil, Inputs};
 use crate::luffing::double_link::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::symbols as l;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
-use crate::parts::motion::degrees;
+use crate::parts::slewing::SlewingJoint;
 
 /// How deep the mechanism is modelled.
 pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydraulic", "auto"];
@@ -37,11 +37,7 @@ pub static OIL_KEYS: &[Key] = keys! { s:
 /// A crane that slews, at the start.
 #[derive(Clone, Copy, Debug)]
 pub struct SlewingStart {
-    pub constants: Turning<f64>,
-    /// Angle (rad) and angular velocity (rad/s).
-    pub start: [f64; 2],
-    /// End stops, in rad; infinite where there are none.
-    pub stops: [f64; 2],
+    pub joint: SlewingJoint,
     /// Angle of the rope from the mechanism's plane, in rad.
     pub side: f64,
 }
@@ -268,49 +264,10 @@ fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>
         );
         return None;
     }
-    let stops = [
-        n(&s::PSI_MIN).unwrap_or(f64::NEG_INFINITY),
-        n(&s::PSI_MAX).unwrap_or(f64::INFINITY),
-    ];
-    let start = n(&s::PSI_SL).unwrap_or(0.0);
-    if stops[0] >= stops[1] {
-        let [low, high] = stops.map(degrees);
-        mistake(
-            table.place(s::PSI_MAX.id),
-            format!("the slewing stops are at {low} and {high}"),
-            "not above psi_min",
-            "psi_max must be greater than psi_min",
-        );
-        return None;
-    }
-    let beyond = match start {
-        _ if start < stops[0] => Some((&s::PSI_MIN, stops[0])),
-        _ if start > stops[1] => Some((&s::PSI_MAX, stops[1])),
-        _ => None,
-    };
-    if let Some((stop, at)) = beyond {
-        mistake(
-            table.place(stop.id),
-            format!(
-                "slewing starts at {}, beyond its stop {} = {}",
-                degrees(start),
-                stop.id,
-                degrees(at)
-            ),
-            "not between the stops",
-            "let psi_sl, the angle at the start, lie between psi_min and psi_max",
-        );
-        return None;
-    }
+    let joint = SlewingJoint::read(table, found)?;
     Some(SlewingStart {
-        constants: Turning {
-            j_sl: n(&s::J_SL)?,
-            c_sl: n(&s::C_SL).unwrap_or(0.0),
-            m_f_sl: n(&s::M_F_SL).unwrap_or(0.0),
-        },
-        start: [start, n(&s::OMEGA_SL).unwrap_or(0.0)],
-        stops,
-        side: n(&s::CHI_R).unwrap_or(0.0),
+        joint,
+        side: table.number(s::CHI_R.id).unwrap_or(0.0),
     })
 }
 

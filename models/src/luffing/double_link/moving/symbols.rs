@@ -3,6 +3,10 @@
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Symbol, symbols};
 use crate::luffing::double_link::symbols as g;
+pub use crate::parts::slewing::{
+    C_SL, CHI_R, D_OMEGA_SL, D_PSI_SL, J_SL, M_B_SL, M_F_SL, M_R_SL, M_SL, OMEGA_SL, PSI_MAX, PSI_MIN, PSI_SL, Z_SL_HIGH,
+    Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
+};
 
 symbols! {
     // Given.
@@ -28,20 +32,11 @@ symbols! {
     ZETA_V: "zeta_v" "zeta_v" ONE / ONE [not_negative], "Damping ratio of the valve's spool.", "input";
     TOL: "tol" "epsilon" ONE / ONE [tolerance], "Relative tolerance of the implicit solver.", "input";
 
-    // Slewing, given.
-    J_SL: "J_sl" "J_\"sl\"" KG_M2 / KG_M2 [not_negative], "Inertia about the slewing axis of all that slews besides boom, jib, rocker, counterweight and load.", "input";
-    C_SL: "c_sl" "c_\"sl\"" N_M_S / KN_M_S [not_negative], "Viscous friction of slewing: moment over angular velocity.", "input";
-    M_F_SL: "M_Fsl" "M_\"F sl\"" N_M / KN_M [not_negative], "Dry friction of slewing: the moment that it holds, and that it sets against motion.", "input";
-    PSI_MIN: "psi_min" "psi_\"min\"" RAD / DEG, "Slewing angle of the right end stop.", "input";
-    PSI_MAX: "psi_max" "psi_\"max\"" RAD / DEG, "Slewing angle of the left end stop.", "input";
-
     // Commands.
     U_V: "u_v" "u_v" ONE / ONE, "Command of the valve from -1 to 1; positive lengthens the cylinder.", "input";
     P_P: "p_P" "p_P" PA / MPA [not_negative], "Pressure of the pump above the tank's.", "input";
     M_A: "M_A" "M_A" N_M / KN_M, "Moment of the drive on the driving link; positive turns it counter-clockwise.", "input";
     M_S: "M_S" "M_S" N_M / KN_M [not_negative], "Moment of the brake, added to the dry friction.", "input";
-    M_SL: "M_sl" "M_\"sl\"" N_M / KN_M, "Moment of the slewing drive; positive turns the crane counter-clockwise, seen from above.", "input";
-    M_B_SL: "M_Bsl" "M_\"B sl\"" N_M / KN_M [not_negative], "Moment of the slewing brake, added to its dry friction.", "input";
     V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head as commanded; positive lowers the load.", "input";
     A_H: "a_h" "a_h" M_PER_S2 / M_PER_S2 [positive], "Acceleration with which the hoist comes up to its command; without it a change of the command is a blow.", "input";
 
@@ -64,8 +59,6 @@ symbols! {
     V_R: "v_R" "v_R" M_PER_S / M_PER_S, "Speed at which the hoist pays out the rope; positive lowers the load.", "equations of motion";
 
     // States of slewing, seen from the frame that slews.
-    PSI_SL: "psi_sl" "psi_\"sl\"" RAD / DEG, "Slewing angle; positive counter-clockwise, seen from above.", "equations of motion";
-    OMEGA_SL: "omega_sl" "omega_\"sl\"" RAD_PER_S / DEG_PER_S, "Angular velocity of slewing.", "equations of motion";
     X_Q: "x_Q" "x_Q" M / M, "Load, forward of the head.", "equations of motion";
     Y_Q: "y_Q" "y_Q" M / M, "Load, above the head.", "equations of motion";
     Z_Q: "z_Q" "z_Q" M / M, "Load, to the left of the head.", "equations of motion";
@@ -83,8 +76,6 @@ symbols! {
     // Results.
     F_C: "F_c" "F_c" N / KN, "Force of the cylinder by its pressures; push positive.", "equations of motion";
     M_R: "M_R" "M_R" N_M / KN_M, "Moment of friction, brake and end stop on the driving link; positive turns it counter-clockwise.", "equations of motion";
-    M_R_SL: "M_Rsl" "M_\"R sl\"" N_M / KN_M, "Moment of friction, brake and end stop on slewing; positive counter-clockwise, seen from above.", "equations of motion";
-    CHI_R: "chi_R" "chi_R" RAD / DEG, "Angle of the rope from the mechanism's plane; positive swings the load to the left.", "equations of motion";
     M_R_H: "M_Rh" "M_\"R h\"" N_M / KN_M, "Moment of brake and friction on the hoist's drum; positive reels in.", "equations of motion";
     DELTA_R: "delta_R" "delta_R" M / MM, "Stretch of the rope.", "derived";
     MASS_H: "mass_h" "m_\"h red\"" KG / T, "Mass of the hoist's drum and of all that turns with it, as the rope at the head feels it.", "derived";
@@ -239,8 +230,6 @@ symbols! {
     D_S_Q: "der(s_Q)" "dot(s)_Q" M_PER_S / M_PER_S, "Rate of the load's distance from the head.", "state";
     D_V_Q: "der(v_Q)" "dot(v)_Q" M_PER_S2 / M_PER_S2, "Acceleration of the load away from the head.", "equations of motion";
     D_V_R: "der(v_R)" "dot(v)_R" M_PER_S2 / M_PER_S2, "Acceleration with which the hoist pays out the rope.", "state";
-    D_PSI_SL: "der(psi_sl)" "dot(psi)_\"sl\"" RAD_PER_S / DEG_PER_S, "Rate of the slewing angle.", "state";
-    D_OMEGA_SL: "der(omega_sl)" "dot(omega)_\"sl\"" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing.", "equations of motion";
     D_X_Q: "der(x_Q)" "dot(x)_Q" M_PER_S / M_PER_S, "Rate of the load's place forward of the head.", "state";
     D_Y_Q: "der(y_Q)" "dot(y)_Q" M_PER_S / M_PER_S, "Rate of the load's place above the head.", "state";
     D_Z_Q: "der(z_Q)" "dot(z)_Q" M_PER_S / M_PER_S, "Rate of the load's place to the left of the head.", "state";
@@ -262,10 +251,6 @@ symbols! {
     Z_SPOOL: "z.spool" "z_6" ONE / ONE, "Changes its sign where the valve's spool passes its middle.", "event";
     Z_RELIEF_1: "z.relief_1" "z_7" ONE / ONE, "Falls below zero where the relief valve on the side of the bore opens.", "event";
     Z_RELIEF_2: "z.relief_2" "z_8" ONE / ONE, "Falls below zero where the relief valve on the side of the annulus opens.", "event";
-    Z_SL_REST: "z.sl_rest" "z_9" ONE / ONE, "Falls below zero where slewing comes to rest, or breaks loose to the right.", "event";
-    Z_SL_LOOSE: "z.sl_loose" "z_10" ONE / ONE, "Falls below zero where slewing breaks loose to the left.", "event";
-    Z_SL_LOW: "z.sl_low" "z_11" ONE / ONE, "Falls below zero where slewing meets its right end stop.", "event";
-    Z_SL_HIGH: "z.sl_high" "z_12" ONE / ONE, "Falls below zero where slewing meets its left end stop.", "event";
     Z_ROPE: "z.rope" "z_5" ONE / ONE, "Falls below zero where the rope becomes slack or taut.", "event";
     Z_HOIST: "z.hoist" "z_13" ONE / ONE, "Falls below zero where the hoist has come up to its command.", "event";
     Z_DRUM_REST: "z.drum_rest" "z_14" ONE / ONE, "Falls below zero where the hoist's drum comes to rest, or breaks loose paying out.", "event";

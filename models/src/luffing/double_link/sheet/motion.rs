@@ -289,7 +289,7 @@ impl Watch {
         let ends = [luffing.motion.from, luffing.motion.to];
         let turns = moving
             .slewing
-            .map_or([f64::NEG_INFINITY, f64::INFINITY], |turn| turn.stops);
+            .map_or([f64::NEG_INFINITY, f64::INFINITY], |turn| turn.joint.stops);
         let mut watch = Watch {
             joints: [None, None, moving.has_motor().then(|| present.drum().way)],
             stops: [at(y[0], ends), [false; 2], [false; 2]],

@@ -1,0 +1,29 @@
+//! A crane that slews under its load, whatever holds the load: its reach is given.
+//!
+//! ```text
+//!           axis
+//!            |        R
+//!   r_u      |----------------o head
+//!  G_u o-----|                |
+//!            |  J_sl          Q
+//!   ~~~~~~~~~+~~~~~~~~~  slope gamma_s, downhill at psi_sl = 0
+//! ```
+//!
+//! Angles and moments are positive counter-clockwise, seen from above. The load keeps its place under the head.
+//!
+//! | id | function | source |
+//! |---|---|---|
+//! | `slewing.load` | [`turning::SlewedLoad::new`] | geometry |
+//! | `slewing.inertia` | [`turning::total`] | Ports001, 6.5 |
+//! | `slewing.slope` | [`turning::tilt`] | Ports001, 6.4, by virtual work |
+//! | `slewing.steady` | [`turning::Steady::new`] | Ports001, 6.4 |
+//! | `slewing.circle` | [`turning::Circling::new`] | mechanics |
+//! | `slewing.friction` | [`turning::resisting`] | Ports001, 6.5 |
+//! | `slewing.motion` | [`turning::Turned::new`] | Ports001, 6.5 |
+//! | `slewing.events` | [`turning::Ends::new`] | events |
+
+mod outline;
+pub mod scene;
+pub mod stages;
+pub mod symbols;
+pub mod turning;

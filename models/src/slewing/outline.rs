@@ -1,0 +1,36 @@
+//! What the book tells of slewing, in its order.
+
+use crate::component::outline::Explained::Stage;
+use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::kernel::symbol::listed;
+use crate::slewing::symbols as s;
+
+pub const OUTLINE: Outline = Outline {
+    inputs: chapters!(slewing "", slope, motion, limits),
+    constants: &[("slewing_inertia", &[Stage("carried"), Stage("total")])],
+    sections: &[
+        ("slewing_slope", &[Stage("tilt")]),
+        ("slewing_steady", &[Stage("steady")]),
+        ("slewing_circle", &[Stage("circling")]),
+        ("slewing_motion", &[Stage("resisting"), Stage("turned")]),
+    ],
+    table: listed!(s: M_GAMMA, M_ST, P_ST, F_N, M_R_SL, D_OMEGA_SL, F_T),
+    curves: &[
+        ("slewing_slope", None, &s::M_GAMMA),
+        ("slewing_steady", None, &s::M_ST),
+        ("slewing_acceleration", None, &s::D_OMEGA_SL),
+    ],
+    extremes: &[
+        Greatest::new(&s::M_GAMMA_MAX, Most::Amount, &s::M_GAMMA),
+        Greatest::new(&s::M_ST_MAX, Most::Amount, &s::M_ST),
+        Greatest::new(&s::P_ST_MAX, Most::Amount, &s::P_ST),
+    ],
+    summary: &[],
+    sensitivity: &[&s::M_ST_MAX, &s::P_ST_MAX],
+    limits: &[
+        Limit::at_most("slewing_moment", &s::M_ST_MAX),
+        Limit::at_most("slewing_power", &s::P_ST_MAX),
+    ],
+    forces: listed!(s: M_ST, F_N, F_T),
+    worst: &[("greatest_moment", &s::M_ST_MAX)],
+};

@@ -1,0 +1,238 @@
+//! Slewing by itself as scenes describe it and books tell it.
+
+use crate::component::description::{Described, Description, Vocabulary};
+use crate::component::draw::{Draw, polar};
+use crate::component::mechanism::{Entry, Solver};
+use crate::component::moving::Moving;
+use crate::component::outline::{Limit, Outline};
+use crate::component::running::Running;
+use crate::component::sheet::{Check, Drawing};
+use crate::component::standing::Standing;
+use crate::component::telling::{fine, sample};
+use crate::kernel::calc::Calc;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::gravity;
+use crate::kernel::group::One;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Sign, Values};
+use crate::kernel::variable::Fault;
+use crate::parts::motion::Motion;
+use crate::parts::plane::Point;
+use crate::parts::slewing::{self as joint, SlewingJoint};
+use crate::slewing::outline::OUTLINE;
+use crate::slewing::stages::{Given, Inputs, SlewingCrane};
+use crate::slewing::symbols as s;
+use crate::slewing::turning::{Driven, Hung, Past, Slope, Stops};
+
+/// Keys of `[slewing]`: those of the joint, as every crane that slews has them, and what nothing else gives.
+pub const KEYS: &[Key] = keys! { joint:
+    J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [optional], M_B_SL >= 0 [optional], PSI_SL [optional],
+    OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional];
+    Key::choice(
+        "fidelity",
+        &["static", "rigid"],
+        "How deep slewing by itself is modelled: \"static\" (angle and speed are inputs), \"rigid\" (it moves under a moment).",
+    ),
+    Key::quantity(&s::R, Sign::NotNegative).or_input().optional(),
+    Key::weight(&s::Q).or_input().optional(),
+    Key::part("dynamics", DYNAMICS, "How slewing by itself is solved."),
+    Key::part("motion", MOTION, "Working range of slewing by itself."),
+    Key::part("slope", SLOPE, "The ground that is not level, and what stands on it."),
+    Key::part("limits", LIMITS, "What results may come to at most.")
+};
+
+const MOTION: &[Key] = &Motion::keys(
+    [&s::FROM, &s::TO],
+    &s::PSI_SL,
+    (&s::OMEGA_SL, "Angular velocity of slewing."),
+);
+
+static SLOPE: &[Key] = keys! { s: GAMMA_S >= 0, G_U [or_mass], R_U };
+
+const LIMITS: &[Key] = &Limit::keys::<3>(OUTLINE.limits);
+
+static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
+
+/// Keys that say something of a motion alone.
+const MOVING: [&str; 7] = ["M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics"];
+
+/// What the rates cost, in s.
+const COST: [f64; 2] = [0.1e-6, 0.0];
+
+/// Longest step of the solver where the scene gives none, in s.
+const LONGEST: f64 = 0.01;
+
+/// Slewing by itself as the scene describes it; SI.
+#[derive(Clone, Debug)]
+pub struct Slewing {
+    /// At the start of the working range, at its speed.
+    given: Given<f64>,
+    /// Angle (rad) and angular velocity (rad/s) at the start of its motion.
+    start: [f64; 2],
+    /// Longest step of the solver, in s.
+    step: f64,
+}
+
+/// As scenes describe it.
+pub const ENTRY: Entry = Description::<Slewing>::entry("", KEYS);
+
+impl Described for Slewing {
+    type Component = SlewingCrane;
+    const ID: &'static str = "slewing";
+    const TABLE: &'static str = "slewing";
+    const OUTLINE: &'static Outline = &OUTLINE;
+    const VOCABULARY: &'static Vocabulary = &Vocabulary {
+        words: "slewing_symbol",
+        own: &[s::ALL],
+        shared: &[joint::ALL, gravity::ALL],
+    };
+
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(Slewing, Motion)> {
+        let before = found.len();
+        for (symbol, example) in [(&s::R, "20 m"), (&s::Q, "100 kN")] {
+            if !v.has(symbol.id) {
+                let id = symbol.id;
+                let help = format!(
+                    "add {id} = \"{example}\", or {id} = {{ input = \"{example}\" }} for an input that starts there, or a \
+                     [luffing] that gives it"
+                );
+                found.push(v.refuse(id, format!("`{id}` is missing in [slewing]"), "nothing gives it", help));
+            }
+        }
+        if !v.has("motion") {
+            let help = "add from, to, step and speed in [slewing.motion], or a [luffing]";
+            found.push(v.refuse("motion", "`motion` is missing in [slewing]", "needed here", help));
+        }
+        if v.has(joint::CHI_R.id) {
+            let what = "chi_R without a swinging load";
+            found.push(v.refuse(joint::CHI_R.id, what, "not used", "remove it: the load keeps its place under the head"));
+        }
+        let rigid = v.text("fidelity") == Some("rigid");
+        if let (false, Some(key)) = (rigid, MOVING.iter().find(|key| v.has(key))) {
+            let what = format!("`{key}` of slewing that is set in its place");
+            found.push(v.refuse(key, what, "not used", "set fidelity = \"rigid\", or remove it"));
+        }
+        let range = Motion::read(v.table("motion")?, found);
+        let joint = SlewingJoint::read(v, found);
+        let slope = v.part("slope", Slope::read)?;
+        let (range, joint) = range.zip(joint).filter(|_| found.len() == before)?;
+        let n = |key: &str| v.number(key).unwrap_or(0.0);
+        let given = Given {
+            psi: One(&s::PSI_SL, range.from),
+            omega: One(&s::OMEGA_SL, range.speed),
+            hung: Hung {
+                q: v.of(&s::Q)?,
+                r: v.of(&s::R)?,
+                g: gravity,
+            },
+            turning: joint.turning,
+            slope,
+            driven: rigid.then(|| Driven {
+                m_sl: n(s::M_SL.id),
+                m_b_sl: n(s::M_B_SL.id),
+            }),
+            past: Past { way: 1.0, blown: 0.0 },
+            stops: Stops(joint.stops),
+            inputs: Inputs([&s::R, &s::Q].into_iter().filter(|symbol| v.is_input(symbol.id)).collect()),
+        };
+        let step = v.of(&s::STEP).unwrap_or(LONGEST);
+        Some((
+            Slewing {
+                given,
+                start: joint.start,
+                step,
+            },
+            range,
+        ))
+    }
+
+    fn given(this: &Description<Slewing>) -> Given<f64> {
+        this.given.clone()
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        let moves = self.given.driven.map(|_| "rigid");
+        std::iter::once("static").chain(moves).collect()
+    }
+
+    fn set_level(&mut self, level: &str) {
+        if level != "rigid" {
+            self.given.driven = None;
+        }
+    }
+
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        match level {
+            "rigid" => Vec::new(),
+            _ => vec![("dynamics", &[])],
+        }
+    }
+
+    fn moving(this: &Description<Slewing>) -> Option<Result<Box<dyn Running>, Fault>> {
+        this.given.driven?;
+        let moving = Moving::new(this.standing(), &this.start, this.step);
+        Some(moving.map(|moving| Box::new(moving) as Box<dyn Running>))
+    }
+
+    fn solver(&self) -> Option<Solver> {
+        self.given.driven.map(|_| Solver {
+            step: ("dynamics", &s::STEP),
+            tolerance: ("dynamics", &s::STEP),
+            longest: self.step,
+            explicit: true,
+            cost: COST,
+        })
+    }
+
+    /// The slope's moment against the change of the weights' height.
+    fn identities(this: &Description<Slewing>, model: &mut Standing) -> Vec<Check> {
+        let Some(slope) = this.given.slope else {
+            return Vec::new();
+        };
+        let Hung { q, r, .. } = this.given.hung;
+        let whole = (slope.g_u * slope.r_u + q * r) * Calc::sin_cos(slope.gamma_s).0;
+        let (near, height) = (1e-4, |psi: f64| -whole * Calc::sin_cos(psi).1);
+        let mut worst = 0.0_f64;
+        for (psi, row) in fine(&this.motion).zip(sample(model, &[&s::M_GAMMA], fine(&this.motion))) {
+            let work = (height(psi - near) - height(psi + near)) / (2.0 * near);
+            worst = worst.max((row[0] - work).abs());
+        }
+        let scale = whole.abs().max(f64::MIN_POSITIVE);
+        vec![Check::at_most("slewing_slope", &s::AGREEMENT, worst / scale, 1e-8)]
+    }
+
+    fn assumptions(this: &Description<Slewing>) -> Vec<&'static str> {
+        let level = this.given.driven.map_or("slewing_level_static", |_| "slewing_level_rigid");
+        vec![level, "slewing_load"]
+    }
+
+    fn uncovered(_: &Description<Slewing>) -> Vec<&'static str> {
+        vec![
+            "wind",
+            "sway",
+            "dynamic_coefficients",
+            "motor_brake",
+            "strength",
+            "stability",
+            "load_cases",
+        ]
+    }
+
+    /// From above: the ends of the working range (faint) and its middle, with the load's circle.
+    fn drawing(this: &Description<Slewing>) -> Drawing {
+        let (reach, range) = (this.given.hung.r.max(1e-3), &this.motion);
+        let middle = f64::midpoint(range.from, range.to);
+        let head = |psi: f64| polar(reach, psi);
+        let mut draw = Draw::default();
+        let axis = Point::zeros();
+        draw.path(fine(range).map(head));
+        for (psi, faint) in [(range.from, true), (range.to, true), (middle, false)] {
+            draw.bar(&[axis, head(psi)], faint);
+            draw.pin(head(psi), false, faint);
+        }
+        draw.angle(axis, 0.3 * reach, middle, &s::PSI_SL);
+        draw.distance(axis, head(middle), 0.06 * reach, &s::R);
+        draw.joint(axis, "O", true, false);
+        draw.done(reach)
+    }
+}

@@ -1,0 +1,40 @@
+//! Every quantity of slewing by itself, besides those of its joint.
+
+pub use crate::kernel::gravity::G;
+use crate::kernel::symbol::symbols;
+pub use crate::parts::slewing::{
+    D_OMEGA_SL, D_PSI_SL, M_B_SL, M_R_SL, M_SL, OMEGA_SL, PSI_SL, Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
+};
+
+symbols! {
+    // Given.
+    FROM: "from" "psi_a" RAD / DEG, "Slewing angle at the start of the working range.", "input";
+    TO: "to" "psi_e" RAD / DEG, "Slewing angle at the end of the working range.", "input";
+    R: "R" "R" M / M [not_negative], "Reach: distance of the load from the slewing axis.", "input";
+    Q: "Q" "Q" N / KN [not_negative], "Weight of the load on its hook.", "input";
+    GAMMA_S: "gamma_s" "gamma_\"s\"" RAD / DEG [from_to(0.0, 0.5)], "Slope on which the crane stands; the slewing angle counts from its downhill direction.", "input";
+    G_U: "G_u" "G_u" N / KN [not_negative], "Weight of all that slews, without the load.", "input";
+    R_U: "r_u" "r_u" M / M, "Distance of the centre of gravity of all that slews from the slewing axis, without the load; positive on the load's side.", "input";
+    STEP: "step" "h" S / MS [positive], "Longest step of the solver.", "input";
+
+    // Results at any angle.
+    MASS_Q: "mass_Q" "m_Q" KG / T [not_negative], "Mass of the load: weight over g.", "derived";
+    J_Q: "J_Q" "J_Q" KG_M2 / KG_M2 [not_negative], "Inertia of the load about the slewing axis.", "derived";
+    J_TOT: "J_tot" "J_\"tot\"" KG_M2 / KG_M2 [not_negative], "Inertia of all that slews about the slewing axis, with the load.", "[Ports001, 6.5]";
+    M_GAMMA: "M_gamma" "M_gamma" N_M / KN_M, "Moment of the weights on the slope about the slewing axis; positive counter-clockwise, seen from above.", "virtual work";
+    M_ST: "M_st" "M_\"st\"" N_M / KN_M, "Moment that the drive must give to slew steadily counter-clockwise.", "[Ports001, 6.4]";
+    P_ST: "P_st" "P_\"st\"" W / KW, "Power of the drive while the crane slews steadily; negative where the slope drives it.", "derived";
+    F_N: "F_n" "F_n" N / KN [not_negative], "Horizontal force towards the axis that keeps the load on its circle.", "mechanics";
+    E_SL: "E_sl" "E_\"sl\"" J / KJ [not_negative], "Kinetic energy of slewing.", "mechanics";
+
+    // Results in motion.
+    F_T: "F_t" "F_t" N / KN, "Horizontal force along its circle that accelerates the load; positive counter-clockwise.", "mechanics";
+    W_BLOW: "W_blow" "W_\"blow\"" J / KJ [not_negative], "Energy that blows at end stops have taken.", "mechanics";
+    WAY: "way" "w" ONE / ONE, "Whether slewing rests (0), or which way it turns (1, -1).", "state";
+
+    // The whole range.
+    M_GAMMA_MAX: "M_gamma_max" "M_(gamma,max)" N_M / KN_M, "Greatest moment of the slope in the working range, by amount.", "derived";
+    M_ST_MAX: "M_st_max" "M_(\"st\",max)" N_M / KN_M, "Greatest moment of steady slewing in the working range, by amount.", "derived";
+    P_ST_MAX: "P_st_max" "P_(\"st\",max)" W / KW, "Greatest power of steady slewing in the working range, by amount.", "derived";
+    AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
+}
