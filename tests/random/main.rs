@@ -8,6 +8,7 @@ mod fmu;
 mod luffing;
 mod rope;
 mod scene;
+mod slewing;
 mod steering;
 
 use std::any::Any;

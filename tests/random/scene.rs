@@ -12,7 +12,7 @@ use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
 
-use crate::{luffing, rope, steering};
+use crate::{luffing, rope, slewing, steering};
 
 /// What a mechanism adds: a legal table, one that lies on an edge, and a result that every level has.
 struct Maker {
@@ -38,6 +38,11 @@ fn maker(mechanism: &str) -> Option<Maker> {
             legal: steering::legal,
             edge: steering::edge,
             result: steering::RESULT,
+        }),
+        "platform" => Some(Maker {
+            legal: slewing::legal,
+            edge: slewing::edge,
+            result: slewing::RESULT,
         }),
         _ => None,
     }
@@ -248,7 +253,8 @@ impl Draw {
             if self.coin(0.9) {
                 return text.into();
             }
-            let noted = [("value", text), ("source", self.words().to_owned())];
+            let value = if key.input && self.coin(0.5) { "input" } else { "value" };
+            let noted = [(value, text), ("source", self.words().to_owned())];
             return Table::from_iter(noted.map(|(name, text)| (name.to_owned(), text.into()))).into();
         }
         match key.kind {

@@ -247,10 +247,11 @@ impl Running for Moving {
         Ok(())
     }
 
+    /// Passed at the speed of the working range, all other states as they are.
     fn place(&mut self, value: f64) -> Result<(), Fault> {
-        let mut start = [0.0; MOST];
-        start[0] = value;
-        self.set_states(&start[..self.states.len()])?;
+        let mut states = self.instant().y;
+        (states[0], states[1]) = (value, self.standing.motion().speed);
+        self.set_states(&states[..self.states.len()])?;
         self.event().map(|_| ())
     }
 

@@ -74,7 +74,7 @@ pub struct Slewing {
 }
 
 /// As scenes describe it.
-pub const ENTRY: Entry = Description::<Slewing>::entry("", KEYS);
+pub const ENTRY: Entry = Description::<Slewing>::entry("platform", KEYS);
 
 impl Described for Slewing {
     type Component = SlewingCrane;

@@ -24,12 +24,12 @@ symbols! {
     M_GAMMA: "M_gamma" "M_gamma" N_M / KN_M, "Moment of the weights on the slope about the slewing axis; positive counter-clockwise, seen from above.", "virtual work";
     M_ST: "M_st" "M_\"st\"" N_M / KN_M, "Moment that the drive must give to slew steadily counter-clockwise.", "[Ports001, 6.4]";
     P_ST: "P_st" "P_\"st\"" W / KW, "Power of the drive while the crane slews steadily; negative where the slope drives it.", "derived";
-    F_N: "F_n" "F_n" N / KN [not_negative], "Horizontal force towards the axis that keeps the load on its circle.", "mechanics";
-    E_SL: "E_sl" "E_\"sl\"" J / KJ [not_negative], "Kinetic energy of slewing.", "mechanics";
+    F_N: "F_n" "F_n" N / KN [not_negative], "Horizontal force towards the axis that keeps the load on its circle.", "Newton and Euler";
+    E_SL: "E_sl" "E_\"sl\"" J / KJ [not_negative], "Kinetic energy of slewing.", "Newton and Euler";
 
     // Results in motion.
-    F_T: "F_t" "F_t" N / KN, "Horizontal force along its circle that accelerates the load; positive counter-clockwise.", "mechanics";
-    W_BLOW: "W_blow" "W_\"blow\"" J / KJ [not_negative], "Energy that blows at end stops have taken.", "mechanics";
+    F_T: "F_t" "F_t" N / KN, "Horizontal force along its circle that accelerates the load; positive counter-clockwise.", "Newton and Euler";
+    W_BLOW: "W_blow" "W_\"blow\"" J / KJ [not_negative], "Energy that blows at end stops have taken.", "Newton and Euler";
     WAY: "way" "w" ONE / ONE, "Whether slewing rests (0), or which way it turns (1, -1).", "state";
 
     // The whole range.

@@ -1,0 +1,67 @@
+//! What makes a scene of slewing by itself legal: something that has inertia, stops around its start, and no key of a
+//! motion where it does not move.
+
+use std::f64::consts::PI;
+
+use lemnis_models::kernel::schema::Key;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::slewing::symbols as s;
+use toml::Table;
+
+use crate::luffing::working_range;
+use crate::scene::{Draw, Node};
+
+/// A result that every level has.
+pub const RESULT: (&str, &Symbol) = ("J_tot", &s::J_TOT);
+
+pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
+    let mut table = draw.table(keys);
+    let mut n = Node::new(draw, keys, &mut table);
+    for name in ["R", "Q", "motion"] {
+        n.keep(name, true);
+    }
+    let inertia = n.draw.natural(&s::J_TOT) * n.draw.between(0.2, 5.0);
+    n.set("J_sl", inertia);
+    n.remove(&["chi_R"]);
+    let start = n.draw.between(-PI, PI);
+    if n.text("fidelity") == Some("rigid") {
+        for (name, angle) in [("psi_sl", start), ("psi_min", start - 0.5), ("psi_max", start + 1.0)] {
+            if n.has(name) {
+                n.set(name, angle);
+            }
+        }
+        if !n.has("psi_sl") {
+            n.remove(&["psi_min", "psi_max"]);
+        }
+        // Viscous friction that stops it in a natural time or later, and a step that sees it.
+        if n.has("c_sl") {
+            let friction = inertia / n.draw.scale[2] * n.draw.between(0.0, 1.0);
+            n.set("c_sl", friction);
+        }
+        let step = n.draw.scale[2] * n.draw.between(0.01, 0.05);
+        if let Some(mut dynamics) = n.child("dynamics") {
+            dynamics.set("step", step);
+        }
+    } else {
+        n.remove(&["M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics"]);
+    }
+    if let Some(mut slope) = n.child("slope") {
+        let steep = slope.draw.between(0.0, 0.2);
+        slope.set("gamma_s", steep);
+    }
+    working_range(&mut n, [-PI, PI]);
+    table
+}
+
+/// Next to what cannot be: nothing that slews, a reach of nothing, a start at a stop, a range of no width.
+pub fn edge(n: &mut Node) {
+    let values: &[(&str, f64)] = match n.draw.rng.u8(0..4) {
+        0 => &[("J_sl", 0.0), ("R", 0.0)],
+        1 => &[("Q", 0.0)],
+        2 => &[("psi_sl", 0.3), ("psi_max", 0.3)],
+        _ => &[("psi_min", 0.3), ("psi_max", 0.3)],
+    };
+    for (name, value) in values {
+        n.set(name, *value);
+    }
+}
