@@ -54,11 +54,7 @@ pub const PARTS: [Key; 4] = [
     balance::scene::BALANCE,
     double_link::keys::DRIVE,
     double_link::keys::HOISTING,
-    Key::part(
-        "slewing",
-        slewing::scene::KEYS,
-        "Slewing of a crane, or by itself.",
-    ),
+    Key::part("slewing", slewing::scene::KEYS, "Slewing of a crane, or by itself."),
 ];
 
 /// The scene's tables that a mechanism may stand in; what may be a part of another one comes last.

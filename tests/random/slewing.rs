@@ -12,7 +12,7 @@ use crate::luffing::working_range;
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
-pub const RESULT: (&str, &Symbol) = ("J_tot", &s::J_TOT);
+pub const RESULT: (&str, &Symbol) = ("M_st", &s::M_ST);
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let mut table = draw.table(keys);

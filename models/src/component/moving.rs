@@ -22,8 +22,8 @@ pub struct Moving {
     /// Each with the variable that it is, and with its rate.
     states: Vec<(Source, usize, Slot)>,
     indicators: Vec<Slot>,
-    /// What happened before.
-    memory: Vec<Source>,
+    /// What happened before, and what that is at the start.
+    memory: Vec<(Source, f64)>,
     /// Longest step of the solver, in s.
     longest: f64,
     count: Count,
@@ -41,14 +41,14 @@ struct Equations<'a> {
     part: RefCell<&'a mut dyn Part>,
     states: &'a [(Source, usize, Slot)],
     indicators: &'a [Slot],
-    memory: &'a [Source],
+    memory: &'a [(Source, f64)],
 }
 
 impl Equations<'_> {
     /// The component at an instant.
     fn with<R>(&self, state: &Instant, y: &[f64; MOST], of: impl FnOnce(&mut dyn Part) -> Option<R>) -> Option<R> {
         let mut part = self.part.borrow_mut();
-        for (source, past) in self.memory.iter().zip(state.past) {
+        for ((source, _), past) in self.memory.iter().zip(state.past) {
             part.put(*source, past);
         }
         for ((source, ..), y) in self.states.iter().zip(y) {
@@ -94,7 +94,7 @@ impl Pieces<MOST, Instant> for Equations<'_> {
             for ((source, ..), y) in self.states.iter().zip(&mut after.y) {
                 *y = part.take(*source);
             }
-            for (source, past) in self.memory.iter().zip(&mut after.past) {
+            for ((source, _), past) in self.memory.iter().zip(&mut after.past) {
                 *past = part.take(*source);
             }
             Some(after)
@@ -133,7 +133,11 @@ impl Moving {
         let mut model = Moving {
             states,
             indicators: of(Role::Indicator).map(slot).collect(),
-            memory: standing.memory().to_vec(),
+            memory: standing
+                .memory()
+                .iter()
+                .map(|source| (*source, standing.part().take(*source)))
+                .collect(),
             standing,
             longest,
             count: Count::default(),
@@ -158,7 +162,7 @@ impl Moving {
         for ((source, ..), y) in self.states.iter().zip(&mut instant.y) {
             *y = part.take(*source);
         }
-        for (source, past) in self.memory.iter().zip(&mut instant.past) {
+        for ((source, _), past) in self.memory.iter().zip(&mut instant.past) {
             *past = part.take(*source);
         }
         instant
@@ -247,8 +251,11 @@ impl Running for Moving {
         Ok(())
     }
 
-    /// Passed at the speed of the working range, all other states as they are.
+    /// Passed at the speed of the working range, all other states as they are, and nothing has happened before.
     fn place(&mut self, value: f64) -> Result<(), Fault> {
+        for (source, start) in &self.memory {
+            self.standing.part_mut().put(*source, *start);
+        }
         let mut states = self.instant().y;
         (states[0], states[1]) = (value, self.standing.motion().speed);
         self.set_states(&states[..self.states.len()])?;

@@ -413,8 +413,13 @@ fn noted(
                 }
             }
             _ => {
-                let value = if key.input { "`value` or `input`" } else { "`value`" };
-                let message = format!("`{path}` has {value} and `source`, both texts, and nothing else");
+                let message = match name.get_ref().as_ref() {
+                    "input" if !key.input => format!("`{path}` cannot be an input: it has a `value`"),
+                    _ => {
+                        let value = if key.input { "`value` or `input`" } else { "`value`" };
+                        format!("`{path}` has {value} and `source`, both texts, and nothing else")
+                    }
+                };
                 found.push(Diagnostic::new(name.span(), message, "not this").help(example(key)));
             }
         }

@@ -59,8 +59,9 @@ const MOVING: [&str; 7] = ["M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "ps
 /// What the rates cost, in s.
 const COST: [f64; 2] = [0.1e-6, 0.0];
 
-/// Longest step of the solver where the scene gives none, in s.
-const LONGEST: f64 = 0.01;
+/// Longest step of the solver where the scene gives none: parts of the time in which friction slows it, of that in which it
+/// swings on its slope, and of the run through the working range.
+const LONGEST: [f64; 3] = [0.25, 0.05, 0.002];
 
 /// Slewing by itself as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -75,6 +76,24 @@ pub struct Slewing {
 
 /// As scenes describe it.
 pub const ENTRY: Entry = Description::<Slewing>::entry("platform", KEYS);
+
+/// A step (s) that sees all that the motion does; see [`LONGEST`].
+fn longest(given: &Given<f64>, range: &Motion) -> f64 {
+    let Given {
+        hung, turning, slope, ..
+    } = given;
+    let inertia = turning.j_sl + hung.q / hung.g * hung.r * hung.r;
+    let stiffness = slope.map_or(0.0, |slope| {
+        (slope.g_u * slope.r_u + hung.q * hung.r) * Calc::sin_cos(slope.gamma_s).0
+    });
+    let times = [
+        inertia / turning.c_sl,
+        (inertia / stiffness.abs()).sqrt(),
+        (range.to - range.from) / range.speed,
+    ];
+    let steps = times.iter().zip(LONGEST).map(|(time, part)| time * part);
+    steps.fold(f64::INFINITY, f64::min)
+}
 
 impl Described for Slewing {
     type Component = SlewingCrane;
@@ -105,7 +124,12 @@ impl Described for Slewing {
         }
         if v.has(joint::CHI_R.id) {
             let what = "chi_R without a swinging load";
-            found.push(v.refuse(joint::CHI_R.id, what, "not used", "remove it: the load keeps its place under the head"));
+            found.push(v.refuse(
+                joint::CHI_R.id,
+                what,
+                "not used",
+                "remove it: the load keeps its place under the head",
+            ));
         }
         let rigid = v.text("fidelity") == Some("rigid");
         if let (false, Some(key)) = (rigid, MOVING.iter().find(|key| v.has(key))) {
@@ -117,6 +141,12 @@ impl Described for Slewing {
         let slope = v.part("slope", Slope::read)?;
         let (range, joint) = range.zip(joint).filter(|_| found.len() == before)?;
         let n = |key: &str| v.number(key).unwrap_or(0.0);
+        if joint.turning.j_sl + n(s::Q.id) * n(s::R.id) <= 0.0 {
+            let what = "nothing that slews has an inertia";
+            let help = "make J_sl greater than zero, or let a load hang at a reach";
+            found.push(v.refuse(joint::J_SL.id, what, "nothing to turn", help));
+            return None;
+        }
         let given = Given {
             psi: One(&s::PSI_SL, range.from),
             omega: One(&s::OMEGA_SL, range.speed),
@@ -133,9 +163,14 @@ impl Described for Slewing {
             }),
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
-            inputs: Inputs([&s::R, &s::Q].into_iter().filter(|symbol| v.is_input(symbol.id)).collect()),
+            inputs: Inputs(
+                [&s::R, &s::Q]
+                    .into_iter()
+                    .filter(|symbol| v.is_input(symbol.id))
+                    .collect(),
+            ),
         };
-        let step = v.of(&s::STEP).unwrap_or(LONGEST);
+        let step = v.of(&s::STEP).unwrap_or_else(|| longest(&given, &range));
         Some((
             Slewing {
                 given,
@@ -170,7 +205,9 @@ impl Described for Slewing {
 
     fn moving(this: &Description<Slewing>) -> Option<Result<Box<dyn Running>, Fault>> {
         this.given.driven?;
-        let moving = Moving::new(this.standing(), &this.start, this.step);
+        let mut resting = this.clone();
+        resting.own.given.past.way = 0.0;
+        let moving = Moving::new(resting.standing(), &this.start, this.step);
         Some(moving.map(|moving| Box::new(moving) as Box<dyn Running>))
     }
 
@@ -202,7 +239,10 @@ impl Described for Slewing {
     }
 
     fn assumptions(this: &Description<Slewing>) -> Vec<&'static str> {
-        let level = this.given.driven.map_or("slewing_level_static", |_| "slewing_level_rigid");
+        let level = this
+            .given
+            .driven
+            .map_or("slewing_level_static", |_| "slewing_level_rigid");
         vec![level, "slewing_load"]
     }
 

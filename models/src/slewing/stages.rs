@@ -8,7 +8,8 @@ use crate::parts::joint::{Arrival, Bar};
 use crate::parts::slewing::Turning;
 use crate::slewing::symbols as s;
 use crate::slewing::turning::{
-    Circling, Driven, Ends, Hung, Past, SlewedLoad, Slope, Steady, Stops, Turned, held, joint, resisting, struck, tilt, total,
+    Circling, Driven, Ends, Hung, Past, SlewedLoad, Slope, Steady, Stops, Turned, held, joint, resisting, struck, tilt,
+    total,
 };
 
 stages! {

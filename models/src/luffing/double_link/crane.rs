@@ -256,7 +256,9 @@ where
         match at.state.joints[i] {
             Bar::Held => self.needs(i, at),
             bar => {
-                let resistance = self.joints[i].over().resistance(bar, at.y[2 * i + 1], &at.commands.drives[i]);
+                let resistance = self.joints[i]
+                    .over()
+                    .resistance(bar, at.y[2 * i + 1], &at.commands.drives[i]);
                 resistance.def([&s::M_R, &s::M_R_SL][i])
             }
         }
@@ -282,7 +284,9 @@ where
         let mut out = [C::constant(1.0); MOST_INDICATORS];
         for i in 0..J {
             let held = || self.held(i, at);
-            let of_joint = self.joints[i].over().indicators(state.joints[i], [y[2 * i], y[2 * i + 1]], held);
+            let of_joint = self.joints[i]
+                .over()
+                .indicators(state.joints[i], [y[2 * i], y[2 * i + 1]], held);
             out[4 * i..4 * i + 4].copy_from_slice(&of_joint);
         }
         if let Some(hoist) = self.hoist() {
