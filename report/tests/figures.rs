@@ -35,8 +35,13 @@ fn scenes() -> Vec<(String, Scene)> {
         })
         .collect();
     texts.sort();
-    let motion = texts.iter().find(|(name, _)| name == "portal_004_motion").expect("there");
-    let trade = motion.1.replacen("[luffing]\n", "[book]\nchapters = [\"trade\"]\n[luffing]\n", 1);
+    let motion = texts
+        .iter()
+        .find(|(name, _)| name == "portal_004_motion")
+        .expect("there");
+    let trade = motion
+        .1
+        .replacen("[luffing]\n", "[book]\nchapters = [\"trade\"]\n[luffing]\n", 1);
     texts.push(("trade".to_owned(), trade));
     let parsed = |(name, text): (String, String)| (name, Scene::parse(&text).expect("a ready scene"));
     texts.into_iter().map(parsed).collect()
@@ -50,7 +55,10 @@ fn figures(scene: &Scene, language: usize) -> Vec<Value> {
         templates: &Templates::embedded(),
         typesetter: &Embedded,
     };
-    let source = edition.source(scene, &scene.sheet(), Format::Pdf).expect("a source").main;
+    let source = edition
+        .source(scene, &scene.sheet(), Format::Pdf)
+        .expect("a source")
+        .main;
     let figures = source.split("drawn(").skip(2).map(|rest| {
         let (_, text) = rest.split_once(", ").expect("a picture");
         let text = serde_json::Deserializer::from_str(text).into_iter::<String>().next();
@@ -67,7 +75,8 @@ fn extents(figures: &[Value]) -> BTreeMap<(String, String), Ink> {
         _ => format!("${text}$"),
     };
     let pages: Vec<String> = labels.iter().map(|label| format!("#box[{}]", set(label))).collect();
-    let page = "#set page(width: auto, height: auto, margin: 0pt)\n#set text(font: \"New Computer Modern\", size: 8.5pt)\n";
+    let page =
+        "#set page(width: auto, height: auto, margin: 0pt)\n#set text(font: \"New Computer Modern\", size: 8.5pt)\n";
     let pages = ink(&(page.to_owned() + &pages.join("\n#pagebreak()\n")), &[]).expect("pages");
     assert_eq!(pages.len(), labels.len());
     labels.into_iter().zip(pages).collect()
@@ -84,7 +93,7 @@ fn labels(figure: &Value) -> impl Iterator<Item = (String, String)> {
 fn placed<'a>(item: &'a Value, extents: &BTreeMap<(String, String), Ink>) -> Option<Label<'a>> {
     let text = item["text"].as_str()?;
     let kind = item["kind"].as_str()?;
-    let ink = extents[&(kind.to_owned(), text.to_owned())];
+    let ink = &extents[&(kind.to_owned(), text.to_owned())];
     let [x, y] = point(&item["at"]);
     // As `templates/picture.typ` aligns it.
     let corner = match item["anchor"].as_str()? {
@@ -165,7 +174,10 @@ fn no_label_crosses_anything() {
             let extents = extents(&figures);
             for (number, figure) in (1..).zip(&figures) {
                 let met = met(figure, &extents);
-                bad.extend(met.into_iter().map(|met| format!("{name} {} {number}: {met}", LANGUAGES[language].code)));
+                bad.extend(
+                    met.into_iter()
+                        .map(|met| format!("{name} {} {number}: {met}", LANGUAGES[language].code)),
+                );
                 count += figure["items"].as_array().expect("items").len();
             }
         }

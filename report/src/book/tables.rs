@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::book::blocks::{Drawn, Figure, Quantity, Summary, Table, sparse, summary, table};
 use crate::book::notation::Notation;
-use crate::print::drawing::{SMALL, drawing};
+use crate::print::drawing::{HALF, drawing};
 use crate::print::number::{self, Numbers, measured};
 use crate::print::plot;
 
@@ -268,7 +268,7 @@ pub(super) fn view(numbers: &Numbers, view: &sheet::View) -> View {
             id,
             command: command.iter().copied().map(named).collect::<Vec<_>>().join(", "),
         }),
-        drawn: drawing(&view.drawing, SMALL).into(),
+        drawn: drawing(&view.drawing, HALF).into(),
         table: table(numbers, &view.table),
     }
 }

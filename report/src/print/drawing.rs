@@ -22,11 +22,8 @@ const SMALLEST: u32 = 1_000_000_000;
 pub const SKETCH: Point = [166.0, 110.0];
 /// Room around a drawing for labels and supports.
 const MARGIN: Point = [3.5, 7.0];
-/// Largest size of one of many.
-pub const SMALL: Point = [80.0, 100.0];
-
-/// Largest size of one of two drawings side by side.
-pub const HALF: Point = [80.0, 80.0];
+/// Largest size of one of two side by side, or beside a table.
+pub const HALF: Point = [80.0, 66.0];
 
 /// The mechanism to the largest usual scale that fits into `largest` mm.
 #[must_use]

@@ -12,7 +12,7 @@ use crate::print::number::change;
 use crate::print::picture::{Picture, Point};
 
 /// Size of a curve's picture, and the room around its field for numbers and names.
-const CHART: Point = [80.0, 62.0];
+const CHART: Point = [80.0, 54.0];
 const LEFT: f64 = 13.0;
 const RIGHT: f64 = 3.0;
 /// The same with names of curves at their ends.
