@@ -165,6 +165,69 @@ fn met(figure: &Value, extents: &BTreeMap<(String, String), Ink>) -> Vec<String>
     met
 }
 
+/// Strokes of curves in `report/src/print/plot.rs`.
+const CURVES: [&str; 8] = [
+    "curve", "dashed", "dotted", "dotdash", "long", "double", "sparse", "longdot",
+];
+
+#[test]
+fn curves_of_one_figure_are_told_apart_without_colours() {
+    let mut several = 0;
+    for (name, scene) in scenes() {
+        for (number, figure) in (1..).zip(figures(&scene, 0)) {
+            let items = figure["items"].as_array().expect("items");
+            let curves = |item: &&Value| item["style"].as_str().is_some_and(|style| CURVES.contains(&style));
+            let curves: Vec<&Value> = items.iter().filter(curves).collect();
+            if curves.len() < 2 {
+                continue;
+            }
+            several += 1;
+            let place = format!("{name} {number}");
+            // A curve that is broken has its stroke in all its pieces, and its name once.
+            let strokes: BTreeSet<&str> = curves.iter().filter_map(|curve| curve["style"].as_str()).collect();
+            let right = |item: &&Value| item["text"].is_string() && item["at"][0].as_f64() > Some(73.0);
+            let names: Vec<&Value> = items
+                .iter()
+                .filter(|item| item["anchor"] == "left")
+                .filter(right)
+                .collect();
+            if name == "trade" {
+                // Each level beside its points.
+                let levels = items
+                    .iter()
+                    .filter(|item| item["kind"] == "number" && item["anchor"] == "centre");
+                assert_eq!(levels.count(), strokes.len(), "{place}");
+                continue;
+            }
+            assert_eq!(names.len(), strokes.len(), "{place}");
+            assert!(curves.len() == strokes.len() || curves.len() > CURVES.len(), "{place}");
+            // From every name a line to the end of a curve.
+            let ends = |item: &&Value| item["kind"] == "line" && item["style"] == "thin" && item["closed"] == false;
+            let paths = items
+                .iter()
+                .filter(ends)
+                .flat_map(|item| item["paths"].as_array().expect("paths"));
+            let ends: Vec<[Point; 2]> = paths.map(|path| [0, 1].map(|end| point(&path[end]))).collect();
+            for name in names {
+                let at = point(&name["at"]);
+                let leader = ends
+                    .iter()
+                    .find(|[_, to]| (to[0] - at[0]).abs() < 1.0 && (to[1] - at[1]).abs() < 0.02);
+                let from = leader.unwrap_or_else(|| panic!("{place}: {name} has no line"))[0];
+                let reached = curves
+                    .iter()
+                    .flat_map(|curve| curve["paths"].as_array().expect("paths"))
+                    .any(|path| {
+                        let end = point(path.as_array().expect("points").last().expect("an end"));
+                        (end[0] - from[0]).hypot(end[1] - from[1]) < 0.02
+                    });
+                assert!(reached, "{place}: {name}");
+            }
+        }
+    }
+    assert!(several > 10, "{several}");
+}
+
 #[test]
 fn no_label_crosses_anything() {
     let (mut bad, mut count) = (Vec::new(), 0);
@@ -183,5 +246,16 @@ fn no_label_crosses_anything() {
         }
     }
     println!("{count} items");
+    // The measure sees a label on a curve: one in the middle of every figure would meet something in most of them.
+    let (mut figures, mut seen) = (figures(&scenes()[3].1, 0), 0);
+    for figure in &mut figures {
+        let label = serde_json::json!({ "kind": "number", "anchor": "centre", "text": "8888888888", "at": [45, 25] });
+        figure["items"].as_array_mut().expect("items").push(label);
+    }
+    let extents = extents(&figures);
+    for figure in &figures {
+        seen += usize::from(!met(figure, &extents).is_empty());
+    }
+    assert!(2 * seen > figures.len(), "{seen} of {}", figures.len());
     assert!(bad.is_empty(), "{} of {count}:\n{}", bad.len(), bad.join("\n"));
 }
