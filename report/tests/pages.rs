@@ -91,7 +91,7 @@ fn numbers_of_formulas_keep_to_their_part_of_the_margin() {
     let right = MARGINS[2];
     let reaching = pages.iter().filter(|page| page.to[0] > page.size[0] - right + HAIR);
     assert!(reaching.count() > 10);
-    for page in pages {
+    for page in &pages {
         assert!(page.to[0] <= page.size[0] - right + NUMBERS + HAIR, "{page:?}");
     }
 }

@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::book::blocks::{self, Drawn, Quantity, Table};
 use crate::book::notation::Notation;
 use crate::book::verdict::verdict;
-use crate::print::drawing::{self, SMALL};
+use crate::print::drawing::{self, HALF};
 use crate::print::formula::{self, Layout, Printed};
 use crate::print::number::Numbers;
 
@@ -88,7 +88,7 @@ pub(super) fn sections(
         picture: section
             .drawing
             .as_ref()
-            .map(|drawing| drawing::drawing(drawing, SMALL).into()),
+            .map(|drawing| drawing::drawing(drawing, HALF).into()),
         steps: steps(numbers, &section.trace, outputs, requirements, notation),
         table: section.table.as_ref().map(|table| {
             for symbol in &table.columns {

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::book::blocks::{Drawn, Figure, Quantity, Summary, Table, sparse, summary, table};
 use crate::book::notation::Notation;
-use crate::print::drawing::{SMALL, drawing};
+use crate::print::drawing::{HALF, drawing};
 use crate::print::number::{self, Numbers, measured};
 use crate::print::plot;
 
@@ -114,6 +114,8 @@ pub(super) struct Published {
     coordinate: Quantity,
     columns: Vec<Quantity>,
     rows: Vec<ComparedRow>,
+    /// Most characters of a value in each column, printed and computed.
+    widths: Vec<[usize; 2]>,
     one_in: Option<usize>,
     /// Of all values that are compared, printed or not.
     count: usize,
@@ -268,7 +270,7 @@ pub(super) fn view(numbers: &Numbers, view: &sheet::View) -> View {
             id,
             command: command.iter().copied().map(named).collect::<Vec<_>>().join(", "),
         }),
-        drawn: drawing(&view.drawing, SMALL).into(),
+        drawn: drawing(&view.drawing, HALF).into(),
         table: table(numbers, &view.table),
     }
 }
@@ -313,10 +315,14 @@ pub(super) fn published(numbers: &Numbers, sheet: &Sheet, full: bool) -> Option<
         values: row.iter().map(compared).collect(),
     };
     let (rows, one_in) = sparse(rows, full);
+    let rows: Vec<ComparedRow> = rows.iter().map(row).collect();
+    let widest = |i: usize, j: usize| rows.iter().map(|row| row.values[i][j].chars().count()).max();
+    let widths = (0..columns.len()).map(|i| [0, 1].map(|j| widest(i, j).unwrap_or(1)));
     Some(Published {
         source,
         coordinate: coordinate.into(),
-        rows: rows.iter().map(row).collect(),
+        widths: widths.collect(),
+        rows,
         one_in,
         count: sheet.published.len(),
         deviations: deviations.collect(),

@@ -14,7 +14,7 @@ pub fn diagram(language: &Language, names: [&str; 2], trade: &Trade, cost: impl 
         let rows = rows.filter(|row| row.setting.level == reference.level && !row.follows);
         let points = rows.map(|row| ([relative(row, &trade.asked), 1e6 * cost(row)], row.front));
         Series {
-            label: format!("\"{}\"", reference.level),
+            label: reference.level.to_owned(),
             points: points.filter(|(p, _)| p[0].is_finite()).collect(),
         }
     });

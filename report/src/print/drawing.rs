@@ -1,10 +1,9 @@
 //! Mechanisms to scale.
 
-use std::f64::consts::{FRAC_PI_2, PI};
-
 use lemnis_models::component::sheet::{Drawing, Shape};
 use lemnis_models::kernel::calc::Calc;
 
+use crate::print::label::Label;
 use crate::print::picture::{Picture, Point, hundredths, unit};
 
 /// Usual scales of drawings, 1 : n.
@@ -23,11 +22,8 @@ const SMALLEST: u32 = 1_000_000_000;
 pub const SKETCH: Point = [166.0, 110.0];
 /// Room around a drawing for labels and supports.
 const MARGIN: Point = [3.5, 7.0];
-/// Largest size of one of many.
-pub const SMALL: Point = [80.0, 100.0];
-
-/// Largest size of one of two drawings side by side.
-pub const HALF: Point = [80.0, 80.0];
+/// Largest size of one of two side by side, or beside a table.
+pub const HALF: Point = [80.0, 66.0];
 
 /// The mechanism to the largest usual scale that fits into `largest` mm.
 #[must_use]
@@ -48,7 +44,13 @@ pub fn drawing(drawing: &Drawing, largest: Point) -> Picture {
     };
     let mut picture = Picture::new(size(scale).map(hundredths), scale);
     for shape in &drawing.shapes {
-        draw(&mut picture, drawing, shape, &place, millimetres);
+        draw(&mut picture, shape, &place, millimetres);
+    }
+    // When all lines are drawn, so that labels keep clear of them: first those that belong to a line.
+    let own_line = |shape: &&Shape| matches!(shape, Shape::Distance { .. } | Shape::Angle { .. } | Shape::Load { .. });
+    let (of_lines, of_points): (Vec<&Shape>, Vec<&Shape>) = drawing.shapes.iter().partition(own_line);
+    for shape in of_lines.into_iter().chain(of_points) {
+        name(&mut picture, shape, &place, millimetres);
     }
     picture
 }
@@ -71,7 +73,7 @@ fn extent(shape: &Shape) -> Vec<Point> {
     }
 }
 
-fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(Point) -> Point, millimetres: f64) {
+fn draw(picture: &mut Picture, shape: &Shape, place: &impl Fn(Point) -> Point, millimetres: f64) {
     match shape {
         Shape::Body { points, closed, faint } => {
             let points: Vec<Point> = points.iter().copied().map(place).collect();
@@ -94,11 +96,6 @@ fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(P
             }
             picture.circle(if *faint { "faint" } else { "pin" }, at, if *faint { 0.5 } else { 0.9 });
         }
-        Shape::Label { at, text } => {
-            let [x, y] = free_side(whole, *at);
-            let [left, top] = place(*at);
-            picture.text([left + 3.8 * x, top - 3.8 * y], "centre", *text);
-        }
         Shape::Path { points } => {
             let points: Vec<Point> = points.iter().copied().map(place).collect();
             picture.line("path", &points);
@@ -109,17 +106,80 @@ fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(P
             picture.line("thin", &[from, to]);
             picture.arrow(from, to);
         }
-        Shape::Number { at, number } => picture.text(place(*at), "centre", number.to_string()),
         Shape::CentreLine { x, from, to } => picture.line("axis", &[place([*x, *from]), place([*x, *to])]),
-        Shape::Load { at, text } => {
+        Shape::Load { at, .. } => {
             let [x, y] = place(*at);
-            let tip = [x, y + 12.0];
+            let tip = [x, y + LOAD];
             picture.line("medium", &[[x, y + 0.9], tip]);
             picture.arrow([x, y], tip);
-            picture.text([x + 1.5, y + 8.0], "left", *text);
+        }
+        Shape::Distance { from, to, offset, .. } => {
+            let (from, to) = (place(*from), place(*to));
+            let (a, b) = measured(from, to, offset * millimetres);
+            for (start, end) in [(from, a), (to, b)] {
+                let out = unit(start, end);
+                picture.line("thin", &[start, [end[0] + out[0] * 1.5, end[1] + out[1] * 1.5]]);
+            }
+            picture.line("thin", &[a, b]);
+            picture.arrow(b, a);
+            picture.arrow(a, b);
+        }
+        Shape::Angle {
+            at, radius, from, to, ..
+        } => {
+            let (at, radius) = (place(*at), radius * millimetres);
+            let arc: Vec<Point> = (0..=32)
+                .map(|i| polar(at, radius, from + (to - from) * f64::from(i) / 32.0))
+                .collect();
+            picture.line("thin", &[polar(at, 1.0, *from), polar(at, radius + 4.0, *from)]);
+            picture.line("thin", &arc);
+            picture.arrow(arc[30], arc[32]);
+        }
+        Shape::Label { .. } | Shape::Number { .. } => {}
+    }
+}
+
+/// Length of the arrow of a weight, in mm.
+const LOAD: f64 = 12.0;
+
+/// Where on a line its name may stand, the best part first.
+const PARTS: [f64; 9] = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9];
+
+/// The names of what was drawn.
+fn name(picture: &mut Picture, shape: &Shape, place: &impl Fn(Point) -> Point, millimetres: f64) {
+    let (label, places) = match shape {
+        Shape::Label { at, text } => {
+            let label = Label::symbol(text);
+            let places = label.around(place(*at), false);
+            (label, places)
+        }
+        Shape::Number { at, number } => {
+            let (label, at) = (Label::plain(number.to_string()), place(*at));
+            let mut places = vec![at];
+            places.extend(label.around(at, false));
+            (label, places)
+        }
+        Shape::Load { at, text } => {
+            let (label, [x, y]) = (Label::symbol(text), place(*at));
+            let beside = |part: f64| {
+                let middle = [x, y + LOAD * (0.2 + 0.9 * part)];
+                [1.0, -1.0].map(|side| label.beside(middle, [side, 0.0], 1.0))
+            };
+            let mut places: Vec<Point> = PARTS.into_iter().flat_map(beside).collect();
+            places.extend(label.around([x, y + LOAD], true));
+            (label, places)
         }
         Shape::Distance { from, to, offset, text } => {
-            distance(picture, place(*from), place(*to), offset * millimetres, text);
+            let label = Label::symbol(text);
+            let (a, b) = measured(place(*from), place(*to), offset * millimetres);
+            let [x, y] = unit(a, b);
+            let beside = |part: f64| {
+                let middle = [0, 1].map(|i| a[i] + part * (b[i] - a[i]));
+                [[y, -x], [-y, x]].map(|side| label.beside(middle, side, 0.9))
+            };
+            let mut places: Vec<Point> = PARTS.into_iter().flat_map(beside).collect();
+            places.extend(label.around([0, 1].map(|i| f64::midpoint(a[i], b[i])), false));
+            (label, places)
         }
         Shape::Angle {
             at,
@@ -128,44 +188,33 @@ fn draw(picture: &mut Picture, whole: &Drawing, shape: &Shape, place: &impl Fn(P
             to,
             text,
         } => {
-            angle(picture, place(*at), radius * millimetres, [*from, *to], text);
+            let label = Label::symbol(text);
+            let (at, radius) = (place(*at), radius * millimetres);
+            let on = |part: f64| polar(at, radius, from + (to - from) * part);
+            let beside = |part: f64| {
+                let out = unit(at, on(part));
+                [out, out.map(|x| -x)].map(|side| label.beside(on(part), side, 0.9))
+            };
+            let mut places: Vec<Point> = PARTS.into_iter().flat_map(beside).collect();
+            places.extend(label.around(on(0.5), false));
+            (label, places)
         }
-    }
-}
-
-/// A distance between two places of the picture, drawn so far to the left of their line, in mm.
-fn distance(picture: &mut Picture, from: Point, to: Point, d: f64, text: &'static str) {
-    let [x, y] = unit(from, to);
-    // To the left of the line as seen on paper, where y runs downwards.
-    let aside = |p: Point, d: f64| [p[0] + y * d, p[1] - x * d];
-    let (a, b) = (aside(from, d), aside(to, d));
-    for (start, end) in [(from, a), (to, b)] {
-        let out = unit(start, end);
-        picture.line("thin", &[start, [end[0] + out[0] * 1.5, end[1] + out[1] * 1.5]]);
-    }
-    picture.line("thin", &[a, b]);
-    picture.arrow(b, a);
-    picture.arrow(a, b);
-    picture.text(
-        aside([f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])], 2.2),
-        "centre",
-        text,
-    );
-}
-
-/// An angle about a place of the picture, at a radius in mm.
-fn angle(picture: &mut Picture, centre: Point, radius: f64, [from, to]: [f64; 2], text: &'static str) {
-    let on = |angle: f64, radius: f64| {
-        let (sin, cos) = Calc::sin_cos(angle);
-        [centre[0] + radius * cos, centre[1] - radius * sin]
+        _ => return,
     };
-    let arc: Vec<Point> = (0..=32)
-        .map(|i| on(from + (to - from) * f64::from(i) / 32.0, radius))
-        .collect();
-    picture.line("thin", &[on(from, 1.0), on(from, radius + 4.0)]);
-    picture.line("thin", &arc);
-    picture.arrow(arc[30], arc[32]);
-    picture.text(on(from + (to - from) * 0.4, radius + 3.2), "centre", text);
+    picture.label(label, &places);
+}
+
+/// The ends of a distance that is drawn so far (in mm) to the left of its line as seen on paper, where y runs downwards.
+fn measured(from: Point, to: Point, d: f64) -> (Point, Point) {
+    let [x, y] = unit(from, to);
+    let aside = |p: Point| [p[0] + y * d, p[1] - x * d];
+    (aside(from), aside(to))
+}
+
+/// At a radius (in mm) and an angle about a place of the picture.
+fn polar([x, y]: Point, radius: f64, angle: f64) -> Point {
+    let (sin, cos) = Calc::sin_cos(angle);
+    [x + radius * cos, y - radius * sin]
 }
 
 /// A joint held by the ground, which is hatched.
@@ -177,49 +226,4 @@ fn support(picture: &mut Picture, [x, y]: Point) {
         let start = x - 3.0 + 1.2 * f64::from(i);
         picture.line("thin", &[[start, ground], [start - 1.2, ground + 1.4]]);
     }
-}
-
-/// The direction, y upwards, in which most room is left beside a point: away
-/// from the bars and the angles that start there.
-fn free_side(drawing: &Drawing, at: Point) -> Point {
-    let mut taken: Vec<Point> = Vec::new();
-    for shape in &drawing.shapes {
-        match shape {
-            Shape::Body {
-                points,
-                closed,
-                faint: false,
-            } if points.contains(&at) => {
-                taken.extend(points.iter().filter(|&&p| p != at).map(|&p| unit(at, p)));
-                if *closed {
-                    // The body lies between its neighbours in the polygon.
-                    let ends = points.iter().filter(|&&p| p != at).collect::<Vec<_>>();
-                    taken.extend(ends.windows(2).flat_map(|pair| {
-                        (1..16).map(|n| {
-                            let part = f64::from(n) / 16.0;
-                            unit(at, [0, 1].map(|i| pair[0][i] + part * (pair[1][i] - pair[0][i])))
-                        })
-                    }));
-                }
-            }
-            Shape::Angle { at: centre, .. } if *centre == at => taken.push([1.0, 0.0]),
-            Shape::Axis { from, to } if *to == at => taken.push(unit(at, *from)),
-            Shape::Pin {
-                at: pin, fixed: true, ..
-            }
-            | Shape::Load { at: pin, .. }
-                if *pin == at =>
-            {
-                taken.push([0.0, -1.0])
-            }
-            _ => {}
-        }
-    }
-    let room = |angle: f64| {
-        let (sin, cos) = Calc::sin_cos(angle);
-        let nearest = taken.iter().map(|p| p[0] * cos + p[1] * sin).fold(-1.0, f64::max);
-        (nearest, [cos, sin])
-    };
-    let sides = (0..16).map(|i| room(FRAC_PI_2 + PI / 8.0 * f64::from(i)));
-    sides.min_by(|a, b| a.0.total_cmp(&b.0)).expect("sixteen sides").1
 }

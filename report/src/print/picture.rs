@@ -12,13 +12,13 @@ pub struct Picture {
     pub height: f64,
     /// The picture is 1 : `scale`; 0 where it is not to scale.
     pub scale: u32,
-    items: Vec<Item>,
+    pub(super) items: Vec<Item>,
 }
 
 /// Styles and anchors are the template's words for stroke, fill and alignment.
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
-enum Item {
+pub(super) enum Item {
     /// One path, or several open ones of the same style.
     Line {
         paths: Vec<Vec<Point>>,
@@ -88,16 +88,26 @@ impl Picture {
     }
 
     pub(super) fn text(&mut self, at: Point, anchor: &'static str, text: impl Into<String>) {
-        self.items.push(Item::Text {
-            at: at.map(hundredths),
+        self.put(
+            |at, anchor, text| Item::Text { at, anchor, text },
+            at,
             anchor,
-            text: text.into(),
-        });
+            text.into(),
+        );
     }
 
     pub(super) fn number(&mut self, at: Point, anchor: &'static str, text: String) {
-        let at = at.map(hundredths);
-        self.items.push(Item::Number { at, anchor, text });
+        self.put(|at, anchor, text| Item::Number { at, anchor, text }, at, anchor, text);
+    }
+
+    pub(super) fn put(
+        &mut self,
+        item: fn(Point, &'static str, String) -> Item,
+        at: Point,
+        anchor: &'static str,
+        text: String,
+    ) {
+        self.items.push(item(at.map(hundredths), anchor, text));
     }
 
     /// A slender arrow head with its tip at `tip`, pointing away from `from`.

@@ -1,17 +1,22 @@
 //! Curves, rankings and diagrams.
 
+use std::collections::BTreeMap;
+
 use lemnis_models::component::sheet::Curve;
 use lemnis_models::kernel::number::{Digits, Number, exponent};
 use lemnis_models::kernel::symbol::Symbol;
 
 use crate::language::Language;
+use crate::print::label::Label;
 use crate::print::number::change;
-use crate::print::picture::{Picture, Point, length};
+use crate::print::picture::{Picture, Point};
 
 /// Size of a curve's picture, and the room around its field for numbers and names.
-const CHART: Point = [80.0, 62.0];
+const CHART: Point = [80.0, 54.0];
 const LEFT: f64 = 13.0;
 const RIGHT: f64 = 3.0;
+/// The same with names of curves at their ends.
+const NAMES: f64 = 9.0;
 const TOP: f64 = 7.0;
 const BOTTOM: f64 = 10.0;
 
@@ -77,17 +82,21 @@ struct Field {
     y: Axis,
     /// The axes are of decimal logarithms.
     powers: bool,
+    /// Its right edge, in mm.
+    right: f64,
 }
 
-/// Right and lower edge of the field, in mm.
-const EDGE: Point = [CHART[0] - RIGHT, CHART[1] - BOTTOM];
+/// Lower edge of the field, in mm.
+const EDGE: f64 = CHART[1] - BOTTOM;
 
 impl Field {
-    fn around(points: impl Iterator<Item = Point> + Clone) -> Field {
+    /// Around the points; `named` with room for names at the ends of curves.
+    fn around(points: impl Iterator<Item = Point> + Clone, named: bool) -> Field {
         Field {
             x: Axis::new(points.clone().map(|p| p[0])),
             y: Axis::new(points.map(|p| p[1])),
             powers: false,
+            right: CHART[0] - if named { NAMES } else { RIGHT },
         }
     }
 
@@ -110,13 +119,20 @@ impl Field {
 
     /// On paper, in mm.
     fn place(&self, p: Point) -> Point {
-        let [width, height] = [EDGE[0] - LEFT, EDGE[1] - TOP];
-        [LEFT + width * self.x.part(p[0]), EDGE[1] - height * self.y.part(p[1])]
+        let [width, height] = [self.right - LEFT, EDGE - TOP];
+        [LEFT + width * self.x.part(p[0]), EDGE - height * self.y.part(p[1])]
+    }
+
+    /// Those of the places at which a label is wholly within.
+    fn inside(&self, label: &Label, mut places: Vec<Point>) -> Vec<Point> {
+        let [half, low] = label.half;
+        places.retain(|[x, y]| (LEFT + half..self.right - half).contains(x) && (TOP + low..EDGE - low).contains(y));
+        places
     }
 
     /// Grid, numbers and border.
     fn picture(&self, language: &Language) -> Picture {
-        let [right, bottom] = EDGE;
+        let (right, bottom) = (self.right, EDGE);
         let mut picture = Picture::new(CHART, 0);
         let left = |tick: f64| self.place([tick, self.y.from])[0];
         let top = |tick: f64| self.place([self.x.from, tick])[1];
@@ -136,7 +152,7 @@ impl Field {
                 language,
                 &self.x,
                 tick,
-                [left(tick), bottom + 1.2],
+                [left(tick), bottom + 1.7],
                 "above",
             );
         }
@@ -152,80 +168,90 @@ impl Field {
     }
 }
 
-/// The axes' names, last, so that no line crosses them.
-fn name_axes(picture: &mut Picture, [x, y]: [&Symbol; 2]) {
-    picture.text([LEFT - 8.0, TOP - 3.6], "left", axis_name(y));
-    picture.text([EDGE[0], EDGE[1] + 7.2], "right", axis_name(x));
+/// The axes' names in Typst's mathematics.
+fn name_axes(picture: &mut Picture, [x, y]: [&str; 2]) {
+    picture.text([LEFT - 8.0, TOP - 3.6], "left", y);
+    picture.text([CHART[0] - RIGHT, EDGE + 7.2], "right", x);
 }
 
 /// A line of a diagram with several, in SI.
 pub struct Line {
-    /// In Typst's mathematics; empty for none.
+    /// Empty for none.
     pub label: String,
     pub points: Vec<Point>,
     /// Points are marked.
     pub marked: bool,
 }
 
-/// Strokes of lines that must be told apart, the last line's first.
-const STROKES: [&str; 4] = ["curve", "path", "axis", "thin"];
+/// Strokes of curves that must be told apart, also in a copy without colours.
+const STROKES: [&str; 8] = [
+    "curve", "dashed", "dotted", "dotdash", "long", "double", "sparse", "longdot",
+];
 
-/// Several lines in one diagram, each with its label; the last is the most prominent.
+fn stroke(number: usize) -> &'static str {
+    STROKES[number % STROKES.len()]
+}
+
+/// Least distance of names at the ends of curves, and how far they stand from the field, in mm.
+const APART: f64 = 3.0;
+const BEYOND: f64 = 3.5;
+
+/// Names of curves to the right of the field, each with a line from its curve's end, one below the other in the order of
+/// the ends.
+fn name_ends(picture: &mut Picture, field: &Field, mut ends: Vec<(Point, String)>) {
+    ends.sort_by(|a, b| a.0[1].total_cmp(&b.0[1]));
+    // As near to their ends as the others leave room: from above, and where that goes too far, from below.
+    let apart = APART.min((EDGE - TOP) / ends.len() as f64);
+    let mut heights: Vec<f64> = ends.iter().map(|(end, _)| end[1]).collect();
+    for i in 1..heights.len() {
+        heights[i] = heights[i].max(heights[i - 1] + apart);
+    }
+    let mut lowest = EDGE + 1.0;
+    for height in heights.iter_mut().rev() {
+        *height = height.min(lowest);
+        lowest = *height - apart;
+    }
+    for ((end, name), height) in ends.into_iter().zip(heights) {
+        let label = Label::plain(name);
+        let at = [field.right + BEYOND, height];
+        picture.line("thin", &[end, [at[0] - 0.5, height]]);
+        picture.label_at(label, at);
+    }
+}
+
+/// Several lines in one diagram, each with its name.
 #[must_use]
 pub fn lines(language: &Language, [x, y]: [&Symbol; 2], lines: &[Line]) -> Picture {
     let shown = |p: &Point| [x.shown(p[0]), y.shown(p[1])];
-    let field = Field::around(lines.iter().flat_map(|line| line.points.iter().map(shown)));
+    let of_curve = |line: &&Line| line.points.len() > 1 && !line.label.is_empty();
+    let points = lines.iter().flat_map(|line| line.points.iter().map(shown));
+    let field = Field::around(points, lines.iter().any(|line| of_curve(&line)));
     let mut picture = field.picture(language);
-    let placed: Vec<Vec<Point>> = lines
-        .iter()
-        .map(|line| line.points.iter().map(|p| field.place(shown(p))).collect())
-        .collect();
-    for (i, (line, points)) in lines.iter().zip(&placed).enumerate() {
-        let style = STROKES[(lines.len() - 1 - i).min(STROKES.len() - 1)];
+    let place = |p: &Point| field.place(shown(p));
+    for (i, line) in lines.iter().enumerate() {
+        let points: Vec<Point> = line.points.iter().map(place).collect();
         if points.len() > 1 {
-            picture.line(if line.marked { "medium" } else { style }, points);
+            picture.line(if line.marked { "medium" } else { stroke(i) }, &points);
         }
         if line.marked {
             points.iter().for_each(|&at| picture.circle("solid", at, 0.7));
         }
     }
-    for (i, (line, points)) in lines.iter().zip(&placed).enumerate() {
-        if line.label.is_empty() {
-            continue;
-        }
-        // Beside the point that is farthest from every other line, on its freer side.
-        let others: Vec<Point> = placed
-            .iter()
-            .enumerate()
-            .filter(|(j, _)| *j != i)
-            .flat_map(|(_, points)| points.iter().copied())
-            .collect();
-        let room = |p: Point| {
-            let gap = |q: &Point| length([p[0] - q[0], p[1] - q[1]]);
-            others.iter().map(gap).fold(20.0, f64::min)
-        };
-        let sides = |p: Point| [[0.0, -3.0], [0.0, 3.0], [3.0, 0.0], [-3.0, 0.0]].map(|d| [p[0] + d[0], p[1] + d[1]]);
-        let inside =
-            |p: &Point| (LEFT + 2.0..EDGE[0] - 2.0).contains(&p[0]) && (TOP + 2.0..EDGE[1] - 2.0).contains(&p[1]);
-        let free = |p: Point| {
-            let own = |q: &Point| length([p[0] - q[0], p[1] - q[1]]);
-            room(p) + 3.0 * points.iter().map(own).fold(3.0, f64::min)
-        };
-        let places = points.iter().flat_map(|&p| sides(p)).filter(inside);
-        let best = places
-            .map(|p| (free(p), p))
-            .reduce(|a, b| if b.0 > a.0 { b } else { a });
-        if let Some((_, at)) = best {
-            picture.text(at, "centre", line.label.as_str());
-        }
+    let (curves, others): (Vec<&Line>, Vec<&Line>) = lines.iter().partition(of_curve);
+    let end = |line: &Line| line.points.last().map(|end| (place(end), line.label.clone()));
+    name_ends(&mut picture, &field, curves.into_iter().filter_map(end).collect());
+    for line in others.into_iter().filter(|line| !line.label.is_empty()) {
+        let label = Label::plain(line.label.as_str());
+        let places = line.points.iter().flat_map(|p| label.around(place(p), false)).collect();
+        let places = field.inside(&label, places);
+        picture.label(label, &places);
     }
-    name_axes(&mut picture, [x, y]);
+    name_axes(&mut picture, [&axis_name(x), &axis_name(y)]);
     picture
 }
 
 /// Settings of one level in a work-precision diagram: error and cost of each, and whether it lies on the front.
 pub struct Series {
-    /// In Typst's mathematics.
     pub label: String,
     pub points: Vec<(Point, bool)>,
 }
@@ -260,55 +286,32 @@ pub fn work_precision(language: &Language, names: [&str; 2], levels: &[Series], 
         x: extent(0, &points),
         y: extent(1, &points[..count]),
         powers: true,
+        right: CHART[0] - RIGHT,
     };
     let mut picture = field.picture(language);
     if let Some(allowed) = allowed {
         let at = field.place([logarithm([allowed, 1.0])[0], field.y.from])[0];
-        picture.line("path", &[[at, TOP], [at, EDGE[1]]]);
+        picture.line("path", &[[at, TOP], [at, EDGE]]);
     }
-    for level in levels {
+    for (i, level) in levels.iter().enumerate() {
         let placed: Vec<Point> = level.points.iter().map(|(p, _)| field.place(logarithm(*p))).collect();
         if placed.len() > 1 {
-            picture.line("medium", &placed);
+            picture.line(stroke(i), &placed);
         }
         for (at, (_, front)) in placed.iter().zip(&level.points) {
             picture.circle(if *front { "solid" } else { "pin" }, *at, 0.8);
         }
     }
-    let placed = levels
-        .iter()
-        .flat_map(|level| level.points.iter().map(|(p, _)| field.place(logarithm(*p))));
-    let mut taken: Vec<Point> = placed.collect();
     for level in levels {
-        let placed: Vec<Point> = level.points.iter().map(|(p, _)| field.place(logarithm(*p))).collect();
-        let half = 0.9 * level.label.chars().count() as f64;
-        // At one of the line's ends, where most room is.
-        let ends = placed.last().into_iter().chain(placed.first());
-        let sides = ends.flat_map(|[x, y]| {
-            let sides = [[0.0, -3.4], [half + 2.0, 0.0], [-half - 2.0, 0.0], [0.0, 3.4]];
-            sides.map(|[right, down]| [x + right, y + down])
-        });
-        let inside = |p: &Point| {
-            (LEFT + half + 1.0..EDGE[0] - half - 1.0).contains(&p[0]) && (TOP + 2.0..EDGE[1] - 2.0).contains(&p[1])
-        };
-        let room = |p: &Point| {
-            let gap = |q: &Point| {
-                length([
-                    ((p[0] - q[0]).abs() - half).max(0.0),
-                    ((p[1] - q[1]).abs() - 1.6).max(0.0),
-                ])
-            };
-            taken.iter().map(gap).fold(1.5, f64::min)
-        };
-        let best = sides.filter(inside).map(|p| (room(&p), p));
-        if let Some((_, at)) = best.reduce(|a, b| if b.0 > a.0 { b } else { a }) {
-            picture.text(at, "centre", level.label.as_str());
-            // A label takes room from the next ones.
-            taken.extend([-1.0, 0.0, 1.0].map(|part| [at[0] + part * half, at[1]]));
-        }
+        let label = Label::plain(level.label.as_str());
+        let places = level
+            .points
+            .iter()
+            .flat_map(|(p, _)| label.around(field.place(logarithm(*p)), false));
+        let places = field.inside(&label, places.collect());
+        picture.label(label, &places);
     }
-    picture.text([LEFT - 8.0, TOP - 3.6], "left", names[1]);
-    picture.text([EDGE[0], EDGE[1] + 7.2], "right", names[0]);
+    name_axes(&mut picture, names);
     picture
 }
 
@@ -321,20 +324,21 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
         .iter()
         .map(|piece| piece.iter().map(shown).collect())
         .collect();
-    let field = Field::around(pieces.iter().flatten().copied());
+    let field = Field::around(pieces.iter().flatten().copied(), !curve.numbers.is_empty());
     let mut picture = field.picture(language);
     let place = |p: Point| field.place(p);
-    for piece in &pieces {
-        picture.line("curve", &piece.iter().copied().map(place).collect::<Vec<_>>());
+    for (i, piece) in pieces.iter().enumerate() {
+        let style = curve.numbers.get(i).map_or(STROKES[0], |number| stroke(number - 1));
+        picture.line(style, &piece.iter().copied().map(place).collect::<Vec<_>>());
     }
-    // Where they end, every other one further in.
-    for (piece, number) in pieces.iter().zip(&curve.numbers) {
-        let at = piece.len() - 1 - if number % 2 == 0 { piece.len() / 12 } else { 0 };
-        if let Some(point) = piece.get(at) {
-            let [x, y] = place(*point);
-            picture.text([x - 1.6, y], "centre", number.to_string());
-        }
-    }
+    let ends: BTreeMap<usize, Point> = curve
+        .numbers
+        .iter()
+        .zip(&pieces)
+        .filter_map(|(&number, piece)| piece.last().map(|&end| (number, place(end))))
+        .collect();
+    let ends = ends.into_iter().map(|(number, end)| (end, number.to_string()));
+    name_ends(&mut picture, &field, ends.collect());
     // A curve that is broken runs to infinity between its pieces: no extremes.
     if let ([piece], []) = (pieces.as_slice(), curve.numbers.as_slice()) {
         let extreme = |sign: f64| {
@@ -343,16 +347,20 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
                 .copied()
                 .max_by(|a, b| (sign * a[1]).total_cmp(&(sign * b[1])))
         };
-        let curve: Vec<Point> = piece.iter().copied().map(place).collect();
-        for (point, outside) in [(extreme(1.0), -1.0), (extreme(-1.0), 1.0)] {
+        let extremes = [(extreme(1.0), false), (extreme(-1.0), true)];
+        for (point, _) in extremes {
+            if let Some(point) = point {
+                picture.circle("solid", place(point), 0.7);
+            }
+        }
+        for (point, below) in extremes {
             let Some(point) = point else { continue };
-            picture.circle("solid", place(point), 0.7);
-            let text = language.text(&four_digits(point[1]));
-            let at = beside(place(point), outside, &text, &curve);
-            picture.number(at, "centre", text);
+            let label = Label::plain(language.text(&four_digits(point[1])));
+            let places = field.inside(&label, label.around(place(point), below));
+            picture.label(label, &places);
         }
     }
-    name_axes(&mut picture, [curve.x, curve.y]);
+    name_axes(&mut picture, [&axis_name(curve.x), &axis_name(curve.y)]);
     picture
 }
 
@@ -381,31 +389,6 @@ pub fn bars(language: &Language, mut effects: Vec<(&str, f64)>) -> Picture {
     }
     picture.line("thin", &[[LEFT, 0.0], [LEFT, picture.height]]);
     picture
-}
-
-/// Where a number beside a point of a curve is farthest from the curve, within
-/// the field; `outside` (up or down) where there is a choice.
-fn beside([x, y]: Point, outside: f64, text: &str, curve: &[Point]) -> Point {
-    let [right, bottom] = EDGE;
-    let half = [0.85 * text.chars().count() as f64, 1.5];
-    let sides = [[0.0, outside], [1.0, outside], [-1.0, outside], [1.0, 0.0], [-1.0, 0.0]];
-    let places = sides
-        .into_iter()
-        .chain([[1.0, -outside], [-1.0, -outside], [0.0, -outside]]);
-    let places = places.map(|[i, j]| [x + i * (half[0] + 1.5), y + j * (half[1] + 1.5)]);
-    let inside = |p: &Point| {
-        (LEFT + half[0]..right - half[0]).contains(&p[0]) && (TOP + half[1]..bottom - half[1]).contains(&p[1])
-    };
-    let room = |p: &Point| {
-        let gap = |q: &Point| length([0, 1].map(|i| ((p[i] - q[i]).abs() - half[i]).max(0.0)));
-        // Beyond a millimetre all places are equally good, and the first is taken.
-        curve.iter().map(gap).fold(1.0, f64::min)
-    };
-    let best = places
-        .filter(inside)
-        .map(|p| (room(&p), p))
-        .reduce(|a, b| if b.0 > a.0 { b } else { a });
-    best.map_or([x, y], |(_, p)| p)
 }
 
 fn power_of_ten(value: f64) -> f64 {

@@ -1,5 +1,5 @@
 //! The fonts: Typst's own for Latin, Greek, Cyrillic and mathematics, a subset
-//! of Noto Sans CJK for Chinese (`fonts/`), and the system's where asked for.
+//! of Noto Serif SC, a Song face, for Chinese (`fonts/`), and the system's where asked for.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
@@ -20,8 +20,8 @@ pub struct Fonts {
 
 /// Characters of Chinese: `fonts/subset.py` made them.
 pub const CHINESE: [&[u8]; 2] = [
-    include_bytes!("../fonts/NotoSansCJKsc-Regular.otf"),
-    include_bytes!("../fonts/NotoSansCJKsc-Bold.otf"),
+    include_bytes!("../fonts/NotoSerifSC-Regular.ttf"),
+    include_bytes!("../fonts/NotoSerifSC-Bold.ttf"),
 ];
 
 static EMBEDDED: LazyLock<Fonts> = LazyLock::new(|| {
@@ -126,7 +126,7 @@ mod tests {
     #[test]
     fn a_font_of_the_system_is_taken_where_it_has_what_is_missing() {
         let mut database = Database::new();
-        database.load_font_data(include_bytes!("../fonts/one_character.otf").to_vec());
+        database.load_font_data(include_bytes!("../fonts/one_character.ttf").to_vec());
         let embedded = Fonts::embedded();
         assert!(!embedded.have('龘'));
         assert!(embedded.with(&database, &['龘']).have('龘'));

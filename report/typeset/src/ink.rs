@@ -1,4 +1,4 @@
-//! What a page is printed on: for tests that nothing stands in a margin or beyond.
+//! What a page is printed on: for tests of margins, of empty pages and of what stands alone.
 
 use typst::layout::{Abs, Frame, FrameItem, Point, Transform};
 
@@ -6,11 +6,21 @@ use crate::embedded::pages;
 use crate::typesetter::{Error, Files};
 
 /// Where a page is printed on, in mm from its left and upper edge.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Ink {
     pub size: [f64; 2],
     pub from: [f64; 2],
     pub to: [f64; 2],
+    pub marks: Vec<Mark>,
+}
+
+/// A text, a line or a picture on a page.
+#[derive(Clone, Debug)]
+pub struct Mark {
+    pub from: [f64; 2],
+    pub to: [f64; 2],
+    /// With the size of its type in pt.
+    pub text: Option<(String, f64)>,
 }
 
 /// What is printed on of each page.
@@ -25,6 +35,7 @@ pub fn ink(source: &str, files: &Files) -> Result<Vec<Ink>, Error> {
             size: [size.x.to_mm(), size.y.to_mm()],
             from: [f64::INFINITY; 2],
             to: [f64::NEG_INFINITY; 2],
+            marks: Vec::new(),
         };
         print(&page.frame, Transform::identity(), &mut ink);
         ink
@@ -51,13 +62,22 @@ fn print(frame: &Frame, by: Transform, ink: &mut Ink) {
             FrameItem::Image(_, size, _) => [Point::zero(), size.to_point()],
             _ => continue,
         };
-        for corner in corners {
-            let corner = corner.transform(by);
-            for (axis, value) in [corner.x, corner.y].map(Abs::to_mm).into_iter().enumerate() {
-                ink.from[axis] = ink.from[axis].min(value);
-                ink.to[axis] = ink.to[axis].max(value);
-            }
+        let corners = corners.map(|corner| corner.transform(by));
+        let corners = corners.map(|corner| [corner.x, corner.y].map(Abs::to_mm));
+        let ends = |end: fn(f64, f64) -> f64| [0, 1].map(|axis| end(corners[0][axis], corners[1][axis]));
+        let mark = Mark {
+            from: ends(f64::min),
+            to: ends(f64::max),
+            text: match item {
+                FrameItem::Text(text) => Some((text.text.to_string(), text.size.to_pt())),
+                _ => None,
+            },
+        };
+        for axis in 0..2 {
+            ink.from[axis] = ink.from[axis].min(mark.from[axis]);
+            ink.to[axis] = ink.to[axis].max(mark.to[axis]);
         }
+        ink.marks.push(mark);
     }
 }
 
@@ -69,11 +89,12 @@ mod tests {
     fn ink_is_measured_where_it_is() {
         let page = "#set page(width: 100mm, height: 50mm, margin: 10mm)\n";
         let place = "#place(dx: 60mm, dy: 5mm, rotate(180deg, origin: top + left, rect(width: 20mm, height: 2mm, stroke: none, fill: black)))";
-        let [ink] = ink(&format!("{page}{place}"), &[]).unwrap()[..] else {
+        let pages = ink(&format!("{page}{place}"), &[]).unwrap();
+        let [ink] = pages.as_slice() else {
             panic!("one page");
         };
         assert_eq!(ink.size.map(f64::round), [100.0, 50.0]);
-        for (value, wanted) in ink.from.into_iter().chain(ink.to).zip([50.0, 13.0, 70.0, 15.0]) {
+        for (value, wanted) in ink.from.iter().chain(&ink.to).zip([50.0, 13.0, 70.0, 15.0]) {
             assert!((value - wanted).abs() < 1e-6, "{ink:?}");
         }
     }

@@ -14,5 +14,5 @@ mod typesetter;
 pub use crate::attachment::attached;
 pub use crate::embedded::Embedded;
 pub use crate::external::External;
-pub use crate::ink::{Ink, ink};
+pub use crate::ink::{Ink, Mark, ink};
 pub use crate::typesetter::{Error, Files, Format, Typeset, Typesetter};
