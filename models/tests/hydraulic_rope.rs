@@ -298,6 +298,7 @@ fn a_shorter_rope_swings_wider() {
 #[test]
 fn a_manoeuvre_without_enough_rope_ends_early() {
     let text = include_str!("../../tests/levels/drawn_in.toml")
+        .replace("-0.0124044 m/s", "-0.2 m/s")
         .replace("[luffing.dynamics]", "[luffing.dynamics]\na_h = \"1 m/s2\"");
     let scene = Scene::parse(&text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
     let motion = scene.sheet().motion.expect("it moves");
@@ -306,5 +307,10 @@ fn a_manoeuvre_without_enough_rope_ends_early() {
         .iter()
         .find(|manoeuvre| manoeuvre.id == "hoist_and_stop")
         .expect("it hoists");
-    println!("{:?} {:?}", hoist.events, hoist.run);
+    let (time, last) = hoist.events.last().expect("the run ends early");
+    let [duration, sample] = hoist.run;
+    assert_eq!(*last, "run_ends");
+    assert!((time - duration).abs() < sample, "{time} {duration}");
+    // With 0.2 m/s, reached in 0.2 s, the rope of 0.66 m is gone 0.1 s after 3.31 s.
+    assert!((3.3..3.42).contains(time), "{time}");
 }

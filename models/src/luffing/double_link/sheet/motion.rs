@@ -200,13 +200,11 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]])
         .enumerate()
         .max_by(|(_, a), (_, b)| a.most.total_cmp(&b.most))?;
     model.set_state(&shown.state);
-    if moving.oil.is_some() {
-        // A taut rope is straight: read between two steps of the implicit solver it is off by rounding.
-        let mut states = vec![0.0; model.states()];
-        model.get_states(&mut states);
-        model.set_states(&states).ok()?;
-        model.update().ok()?;
-    }
+    // A taut rope is straight: at the end of a step it is off by rounding.
+    let mut states = vec![0.0; model.states()];
+    model.get_states(&mut states);
+    model.set_states(&states).ok()?;
+    model.update().ok()?;
     let envelope = |&(symbol, index): &(&'static Symbol, usize)| {
         let at_rest = still.iter().find(|ends| ends[0].symbol == symbol).copied();
         Envelope {
@@ -225,7 +223,7 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]])
         of: None,
         state: state(&mut model),
         sections: sections(&model),
-        ramp: (&m::T_A, moving.ramp),
+        ramp: (&m::T_S, moving.ramp),
         rules: rules(moving),
         envelope: designed.iter().map(envelope).collect(),
         manoeuvres,
