@@ -247,3 +247,19 @@ fn commands_over_time_give_the_same_motion_in_the_model_of_the_fmu() {
         }
     }
 }
+
+/// A manoeuvre ends where the model refuses to go on, and tells so: before a hoist has reeled in all of its rope.
+#[test]
+fn a_manoeuvre_without_enough_rope_ends_early() {
+    let text = READY[1]
+        .replace("l_R = \"18 m\"", "l_R = \"1 m\"")
+        .replace("v_h = \"-0.1 m/s\"", "v_h = \"-0.5 m/s\"");
+    let motion = motion(&parsed(&text));
+    let hoist = named(&motion, "hoist_and_stop");
+    let (time, last) = hoist.events.last().expect("the run ends early");
+    let [duration, sample] = hoist.run;
+    assert_eq!(*last, "run_ends");
+    assert!((time - duration).abs() < sample, "{time} {duration}");
+    // 0.5 m/s is reached after 1.25 s and 0.3125 m; 0.6875 m more take 1.375 s.
+    assert!((2.5..2.625).contains(time), "{time}");
+}
