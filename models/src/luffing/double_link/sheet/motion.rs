@@ -634,18 +634,22 @@ impl Run {
             if moves && values[&lead].abs() > run.most {
                 (run.most, run.instant, run.state) = (values[&lead].abs(), to, model.state());
             }
-            let now = model.present();
-            greater(&mut run.greatest_pressure, pressure(now), to);
-            greater(&mut run.greatest_swing, swing(moving, now), to);
-            let least = now.least_pressure();
-            if least < run.least_pressure[0] {
-                run.least_pressure = [least, to];
-            }
-            for (index, value) in values {
-                run.series.entry(index).or_default().push(value);
-            }
+            run.keep(moving, model.present(), values, to);
         }
         Some(run)
+    }
+
+    /// What is looked at, at a time (s).
+    fn keep(&mut self, moving: &Moving, present: &Present, values: BTreeMap<usize, f64>, time: f64) {
+        greater(&mut self.greatest_pressure, pressure(present), time);
+        greater(&mut self.greatest_swing, swing(moving, present), time);
+        let least = present.least_pressure();
+        if least < self.least_pressure[0] {
+            self.least_pressure = [least, time];
+        }
+        for (index, value) in values {
+            self.series.entry(index).or_default().push(value);
+        }
     }
 
     fn duration(&self) -> f64 {
