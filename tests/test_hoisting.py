@@ -97,6 +97,28 @@ def test_the_motor_s_work_from_outside(name, tmp_path):
     assert abs(work - gained) <= 1e-6 * exchanged
 
 
+def test_the_book_s_hoisting_and_stop_is_that_of_the_fmu(tmp_path):
+    """The same command from outside, the crane held by its brakes: the least and the greatest force that the book has."""
+    path = ROOT / "models/scenes/portal_crane.toml"
+    lemnis("fmu", path, "--output", tmp_path)
+    lemnis("book", path, "--format", "typ", "--output", tmp_path)
+    source = (tmp_path / "PortalCraneWhole.typ").read_text(encoding="utf-8")
+    *_, start = re.findall(r"theta_1 = ([\d.]+)", source.split("[*Hoisting and stop*")[0])
+    [row] = re.findall(r"breakable: false\)\[[^\n]*S_R[^\n]*\n(.*?)table.cell\(rowspan", source, re.S)
+    forces = [float(force) for force in re.findall(r'\[\$([\d.]+) thin"kN"\$', row)]
+    # At rest and in five manoeuvres, the least and the greatest.
+    assert len(forces) == 12
+    printed = [forces[4], forces[10]]
+    # 0.1 m/s is reached with 0.4 m/s2, and kept for 4 s.
+    run = simulate_fmu(str(tmp_path / "PortalCraneWhole.fmu"), fmi_type="CoSimulation", stop_time=12.5, output_interval=2.5e-3,
+                       output=["S_R", "theta_1", "psi_sl"], input=signals("v_h", [(0.0, -0.1), (4.25, 0.0)]),
+                       start_values={"theta_1": np.radians(float(start)), "M_A": 0.0, "M_S": 1e9, "M_sl": 0.0, "M_Bsl": 1e9})
+    assert np.ptp(run["theta_1"]) == 0.0 and np.ptp(run["psi_sl"]) == 0.0
+    found = [run["S_R"].min() / 1e3, run["S_R"].max() / 1e3]
+    print(start, printed, found)
+    assert np.allclose(found, printed, rtol=5e-4)
+
+
 def test_a_whole_crane(tmp_path):
     """Luffing, hoisting and slewing at once, in both standards and both interfaces."""
     lemnis("fmu", ROOT / "models/scenes/portal_crane.toml", "--output", tmp_path)

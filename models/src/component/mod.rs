@@ -4,6 +4,7 @@
 pub mod dependencies;
 pub mod description;
 pub mod draw;
+pub mod drawing;
 pub mod extreme;
 pub mod governing;
 pub mod mechanism;

@@ -2,6 +2,7 @@
 //! in SI. It is made from the same functions that the FMU runs; words, units
 //! of print and layout are added later, elsewhere.
 
+pub use crate::component::drawing::{Drawing, Shape};
 use crate::component::extreme::Extreme;
 use crate::kernel::origin::Origin;
 use crate::kernel::record::Trace;
@@ -124,33 +125,68 @@ impl Sheet {
 pub struct Warning {
     /// Id of the words.
     pub id: &'static str,
+    /// Id of the manoeuvre in which it was so, if it was in one.
+    pub manoeuvre: Option<&'static str>,
     /// A quantity, and when or where it was so first.
     pub summary: Summary,
     /// How many times it was so.
     pub count: usize,
 }
 
-/// The mechanism in motion: its equations at one instant of a run, and the run.
+/// The mechanism in motion: manoeuvres, what they ask of its parts, and its equations at one instant of them.
 pub struct InMotion {
-    /// Time from the start of the run.
+    /// Time from the start of a manoeuvre.
     pub time: &'static Symbol,
-    /// At which instant the formulas are worked out: id of what makes it one, and when it is, in s.
-    pub instant: (&'static str, f64),
+    /// What moves the mechanism.
+    pub coordinate: &'static Symbol,
+    /// The time in which drives come up to their speed, in s.
+    pub ramp: (&'static Symbol, f64),
+    /// Ids of the sentences that say how the commands of manoeuvres are chosen.
+    pub rules: Vec<&'static str>,
+    /// At which instant the formulas are worked out: ids of what makes it one and of the manoeuvre, and when it is, in s.
+    pub instant: (&'static str, &'static str, f64),
     /// Which of several bodies the formulas speak of, numbered from 1.
     pub of: Option<usize>,
     /// States and commands at that instant.
     pub state: Vec<(&'static Symbol, f64)>,
     pub sections: Vec<Section>,
+    pub manoeuvres: Vec<Manoeuvre>,
+    pub envelope: Vec<Envelope>,
+}
+
+/// A named sequence of commands, and a run of the model under it.
+pub struct Manoeuvre {
+    /// Of its name, and of the sentence that says how its commands are chosen.
+    pub id: &'static str,
+    /// Of the coordinate.
+    pub start: f64,
+    /// Inputs with their values, each from its time (s) until the next one's.
+    pub commands: Vec<(&'static Symbol, Vec<[f64; 2]>)>,
     /// Duration of the run, and the time between its samples, in s.
     pub run: [f64; 2],
     pub curves: Vec<Curve>,
-    /// Of each drawn quantity the least and the greatest value with their times, in s.
-    pub extremes: Vec<(&'static Symbol, [[f64; 2]; 2])>,
     /// What happened: when (s), and its id.
     pub events: Vec<(f64, &'static str)>,
     /// How many more events there were.
     pub more_events: usize,
     pub energy: Energy,
+}
+
+/// Between what values a result lies.
+pub struct Envelope {
+    pub symbol: &'static Symbol,
+    /// At rest over the working range, where it is known.
+    pub still: Option<[Summary; 2]>,
+    /// In each of the manoeuvres.
+    pub moving: Vec<[Stand; 2]>,
+}
+
+/// A value with its time (s) and the coordinate then.
+#[derive(Clone, Copy)]
+pub struct Stand {
+    pub value: f64,
+    pub time: f64,
+    pub at: f64,
 }
 
 /// Where energy came from, what stores it and what took it, in J: what was given is what is stored and taken.
@@ -445,51 +481,4 @@ pub struct Comparison {
     pub printed: String,
     /// Computed, in SI.
     pub value: f64,
-}
-
-/// The mechanism to scale, in metres, y upwards.
-#[derive(Debug, Default)]
-pub struct Drawing {
-    pub shapes: Vec<Shape>,
-}
-
-#[derive(Debug)]
-pub enum Shape {
-    /// A bar or a polygon of one body. `faint` for the positions beside the main one.
-    Body {
-        points: Vec<[f64; 2]>,
-        closed: bool,
-        faint: bool,
-    },
-    /// A pin; `fixed` where it is held by the frame.
-    Pin { at: [f64; 2], fixed: bool, faint: bool },
-    /// A name beside a point, in Typst's mathematics.
-    Label { at: [f64; 2], text: &'static str },
-    /// The path of a point.
-    Path { points: Vec<[f64; 2]> },
-    /// A vertical centre line through `x`.
-    CentreLine { x: f64, from: f64, to: f64 },
-    /// A line through a point and its axis, dash-dotted.
-    Axis { from: [f64; 2], to: [f64; 2] },
-    /// A motion from one point towards another.
-    Arrow { from: [f64; 2], to: [f64; 2] },
-    /// The number of a body.
-    Number { at: [f64; 2], number: usize },
-    /// A weight hanging at a point.
-    Load { at: [f64; 2], text: &'static str },
-    /// A distance with arrows at both ends, `offset` metres beside the line it measures.
-    Distance {
-        from: [f64; 2],
-        to: [f64; 2],
-        offset: f64,
-        text: &'static str,
-    },
-    /// An angle at a point, counter-clockwise from `from` to `to`, in rad.
-    Angle {
-        at: [f64; 2],
-        radius: f64,
-        from: f64,
-        to: f64,
-        text: &'static str,
-    },
 }

@@ -1,4 +1,4 @@
-//! The mechanism in motion: what is modelled, the equations at one instant, and the run.
+//! The mechanism in motion: what is modelled, its manoeuvres, and the equations at one instant.
 
 use lemnis_models::component::sheet::{self, InMotion};
 use lemnis_models::kernel::symbol::Symbol;
@@ -11,20 +11,19 @@ use crate::print::number::Numbers;
 
 #[derive(Serialize)]
 pub(super) struct Motion {
-    /// What makes the instant one, and when it is.
+    /// Ids of what makes the instant one and of its manoeuvre, and when it is.
     instant: &'static str,
+    during: &'static str,
     at: String,
     /// Number of the body that the formulas speak of.
     of: Option<usize>,
     state: Vec<Value>,
     sections: Vec<Section>,
-    duration: String,
-    sample: String,
-    curves: Vec<Figure>,
-    extremes: Vec<Extreme>,
-    events: Vec<Event>,
-    more_events: usize,
-    energy: Energy,
+    ramp: String,
+    rules: Vec<&'static str>,
+    manoeuvres: Vec<Manoeuvre>,
+    envelope: Vec<Envelope>,
+    energy: Account,
 }
 
 #[derive(Serialize)]
@@ -34,13 +33,15 @@ struct Value {
     value: String,
 }
 
-/// A value and its time, the least and the greatest.
 #[derive(Serialize)]
-struct Extreme {
-    #[serde(flatten)]
-    quantity: Quantity,
-    least: [String; 2],
-    greatest: [String; 2],
+struct Manoeuvre {
+    id: &'static str,
+    start: String,
+    duration: String,
+    sample: String,
+    curves: Vec<Figure>,
+    events: Vec<Event>,
+    more_events: usize,
 }
 
 #[derive(Serialize)]
@@ -49,12 +50,46 @@ struct Event {
     id: &'static str,
 }
 
-/// What was given is what is stored and taken: all with its value, and the account in symbols and numbers.
+/// Least and greatest values of a result.
 #[derive(Serialize)]
-struct Energy {
-    values: Vec<Value>,
-    given: [String; 2],
-    used: [String; 2],
+struct Envelope {
+    #[serde(flatten)]
+    quantity: Quantity,
+    ends: [End; 2],
+}
+
+#[derive(Serialize)]
+struct End {
+    /// At rest, with its place if it has one.
+    still: Option<(String, Option<String>)>,
+    moving: Vec<Cell>,
+}
+
+/// A value, when it is so, and where.
+#[derive(Serialize)]
+struct Cell {
+    value: String,
+    time: String,
+    at: String,
+    /// Whether no other manoeuvre goes farther.
+    governs: bool,
+}
+
+/// What was given is what is stored and taken: a column for each manoeuvre, and the account in symbols.
+#[derive(Serialize)]
+struct Account {
+    rows: Vec<AccountRow>,
+    given: String,
+    used: String,
+}
+
+#[derive(Serialize)]
+struct AccountRow {
+    #[serde(skip)]
+    symbol: &'static Symbol,
+    #[serde(flatten)]
+    quantity: Quantity,
+    values: Vec<String>,
 }
 
 impl Motion {
@@ -73,67 +108,103 @@ impl Motion {
             notation.meet(symbol);
         }
         let sections = sections(numbers, &motion.sections, None, requirements, notation);
-        let energy = Energy::new(numbers, &motion.energy);
-        let sheet::Energy { given, stored, taken } = &motion.energy;
-        let accounts = given.iter().chain(stored).chain(taken).map(|(symbol, _)| *symbol);
-        let drawn = motion.extremes.iter().map(|(symbol, _)| *symbol);
+        let energies = motion.manoeuvres.iter().map(|manoeuvre| &manoeuvre.energy);
+        let energy = Account::new(numbers, energies.collect());
+        let drawn = motion.manoeuvres.iter().flat_map(|manoeuvre| &manoeuvre.curves);
+        let drawn = drawn
+            .map(|curve| curve.y)
+            .chain(motion.envelope.iter().map(|row| row.symbol));
+        let accounts = energy.rows.iter().map(|row| row.symbol);
         for symbol in drawn.chain(accounts).chain([motion.time]) {
             notation.meet(symbol);
         }
+        let manoeuvre = |manoeuvre: &sheet::Manoeuvre| Manoeuvre {
+            id: manoeuvre.id,
+            start: numbers.named(motion.coordinate, manoeuvre.start),
+            duration: numbers.given(motion.time, manoeuvre.run[0]),
+            sample: numbers.given(motion.time, manoeuvre.run[1]),
+            curves: manoeuvre
+                .curves
+                .iter()
+                .map(|curve| Figure::new(numbers, curve))
+                .collect(),
+            events: (manoeuvre.events.iter())
+                .map(|&(at, id)| Event { at: time(at), id })
+                .collect(),
+            more_events: manoeuvre.more_events,
+        };
         Motion {
             instant: motion.instant.0,
-            at: time(motion.instant.1),
+            during: motion.instant.1,
+            at: time(motion.instant.2),
             of: motion.of,
             state: motion.state.iter().map(value).collect(),
             sections,
-            duration: numbers.given(motion.time, motion.run[0]),
-            sample: numbers.given(motion.time, motion.run[1]),
-            curves: motion.curves.iter().map(|curve| Figure::new(numbers, curve)).collect(),
-            extremes: motion
-                .extremes
+            rules: motion.rules.clone(),
+            ramp: numbers.named(motion.ramp.0, motion.ramp.1),
+            manoeuvres: motion.manoeuvres.iter().map(manoeuvre).collect(),
+            envelope: motion
+                .envelope
                 .iter()
-                .map(|(symbol, extremes)| {
-                    let [least, greatest] = extremes.map(|[value, at]| [numbers.result(symbol, value), time(at)]);
-                    Extreme {
-                        quantity: (*symbol).into(),
-                        least,
-                        greatest,
-                    }
-                })
+                .map(|row| Envelope::new(numbers, motion, row))
                 .collect(),
-            events: motion
-                .events
-                .iter()
-                .map(|&(at, id)| Event { at: time(at), id })
-                .collect(),
-            more_events: motion.more_events,
             energy,
         }
     }
 }
 
-impl Energy {
-    fn new(numbers: &Numbers, energy: &sheet::Energy) -> Energy {
-        let sheet::Energy { given, stored, taken } = energy;
-        let all: Vec<_> = [given, stored, taken].into_iter().flatten().copied().collect();
-        let texts = numbers.account(&all);
-        let sum = |part: std::ops::Range<usize>| {
-            let symbols: Vec<&str> = all[part.clone()].iter().map(|(symbol, _)| symbol.print).collect();
-            let number = |text: &String| match text.starts_with('-') {
-                true => format!("({text})"),
-                false => text.clone(),
+impl Envelope {
+    fn new(numbers: &Numbers, motion: &InMotion, row: &sheet::Envelope) -> Envelope {
+        let end = |i: usize| {
+            let sign = [-1.0, 1.0][i];
+            let most = row
+                .moving
+                .iter()
+                .map(|ends| sign * ends[i].value)
+                .fold(f64::NEG_INFINITY, f64::max);
+            let cell = |ends: &[sheet::Stand; 2]| Cell {
+                value: numbers.result(row.symbol, ends[i].value),
+                time: numbers.result(motion.time, ends[i].time),
+                at: numbers.result(motion.coordinate, ends[i].at),
+                governs: sign * ends[i].value == most,
             };
-            let numbers: Vec<String> = texts[part].iter().map(number).collect();
-            [symbols.join(" + "), numbers.join(" + ")]
+            let still = row.still.map(|ends| {
+                let place = ends[i].at.map(|(symbol, at)| numbers.result(symbol, at));
+                (numbers.result(row.symbol, ends[i].value), place)
+            });
+            End {
+                still,
+                moving: row.moving.iter().map(cell).collect(),
+            }
         };
-        let value = |((symbol, _), text): (&(&'static Symbol, f64), &String)| Value {
+        Envelope {
+            quantity: row.symbol.into(),
+            ends: [end(0), end(1)],
+        }
+    }
+}
+
+impl Account {
+    fn new(numbers: &Numbers, energies: Vec<&sheet::Energy>) -> Account {
+        let all = |energy: &sheet::Energy| {
+            let parts = [&energy.given, &energy.stored, &energy.taken];
+            parts.into_iter().flatten().copied().collect::<Vec<_>>()
+        };
+        let columns: Vec<Vec<String>> = energies.iter().map(|energy| numbers.account(&all(energy))).collect();
+        let symbols: Vec<&'static Symbol> = energies.first().map_or(Vec::new(), |energy| {
+            all(energy).into_iter().map(|(symbol, _)| symbol).collect()
+        });
+        let given = energies.first().map_or(0, |energy| energy.given.len());
+        let sum = |part: &[&'static Symbol]| part.iter().map(|symbol| symbol.print).collect::<Vec<_>>().join(" + ");
+        let row = |(i, symbol): (usize, &&'static Symbol)| AccountRow {
+            symbol,
             quantity: (*symbol).into(),
-            value: text.clone(),
+            values: columns.iter().map(|column| column[i].clone()).collect(),
         };
-        Energy {
-            values: all.iter().zip(&texts).map(value).collect(),
-            given: sum(0..given.len()),
-            used: sum(given.len()..all.len()),
+        Account {
+            rows: symbols.iter().enumerate().map(row).collect(),
+            given: sum(&symbols[..given]),
+            used: sum(&symbols[given..]),
         }
     }
 }

@@ -51,6 +51,7 @@ struct Check {
 #[derive(Serialize)]
 struct Warning {
     warning: &'static str,
+    manoeuvre: Option<&'static str>,
     count: usize,
     #[serde(flatten)]
     summary: Summary,
@@ -117,6 +118,7 @@ fn utilisation(check: &sheet::Check) -> Number {
 fn warnings(numbers: &Numbers, sheet: &Sheet) -> Vec<Warning> {
     let warning = |warning: &sheet::Warning| Warning {
         warning: warning.id,
+        manoeuvre: warning.manoeuvre,
         count: warning.count,
         summary: summary(numbers, &warning.summary),
     };

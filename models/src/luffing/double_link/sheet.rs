@@ -1,5 +1,6 @@
 //! The double link as scenes describe it and books tell it.
 
+mod manoeuvres;
 pub mod motion;
 
 use crate::balance;
@@ -354,7 +355,11 @@ impl Described for LuffingScene {
         if let Some(search) = search(this) {
             sheet.requirements.extend(kept(&search));
         }
-        if let Some((chapter, found)) = this.moving.as_ref().and_then(|moving| motion(this, moving)) {
+        if let Some((chapter, found)) = this
+            .moving
+            .as_ref()
+            .and_then(|moving| motion(this, moving, &sheet.forces))
+        {
             sheet.requirements.extend(found.requirements);
             sheet.unjudged.extend(found.unjudged);
             sheet.identities.extend(found.identities);

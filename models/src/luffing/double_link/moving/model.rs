@@ -127,6 +127,14 @@ impl LuffingMotion {
     /// # Errors
     /// The cylinder cannot hold the crane at the start. A scene that was read has a mechanism.
     pub fn new(luffing: &Luffing, moving: &Moving) -> Result<LuffingMotion, Fault> {
+        LuffingMotion::starting(luffing, moving, luffing.motion.from)
+    }
+
+    /// At rest at an angle of the driven bar, in rad.
+    ///
+    /// # Errors
+    /// As [`new`](LuffingMotion::new).
+    pub(crate) fn starting(luffing: &Luffing, moving: &Moving, theta: f64) -> Result<LuffingMotion, Fault> {
         let algebraic = luffing.standing();
         let Moving {
             rope,
@@ -134,8 +142,9 @@ impl LuffingMotion {
             inputs,
             constants,
             slewing,
+            ramp: _,
         } = *moving;
-        let mut start = motion::MotionState::resting(luffing.motion.from, rope.map_or(0.0, |rope| rope.length));
+        let mut start = motion::MotionState::resting(theta, rope.map_or(0.0, |rope| rope.length));
         start.y[2] = rope.map_or(0.0, |rope| rope.swing);
         let present = match slewing {
             None => Present::Free(start),
@@ -178,7 +187,7 @@ impl LuffingMotion {
             algebraic,
         };
         if oil.is_some() {
-            model.now.present = model.held_by_oil(&model.now.present)?;
+            model.now.present = model.held_by_oil(&model.now.present, theta)?;
         }
         if let Some(give) = model.now.given.give {
             let stretch = model.weight() / give.c_r;
@@ -198,8 +207,7 @@ impl LuffingMotion {
     }
 
     /// A cylinder's start: the valve closed, the oil carrying the crane, which else stands and hangs as without oil.
-    fn held_by_oil(&self, crane: &Present) -> Result<Present, Fault> {
-        let theta = self.range.from;
+    fn held_by_oil(&self, crane: &Present, theta: f64) -> Result<Present, Fault> {
         let present = match self.assemble()? {
             Level::Fixed(system) => {
                 (system.resting(theta, LEAST_PRESSURE)).map(|y| Present::Fixed(hydraulic::PresentCrane::new(y)))

@@ -19,7 +19,7 @@ pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydrauli
 /// Keys of `[luffing.dynamics]`.
 pub static KEYS: &[Key] = keys! { s:
     J_1 >= 0, J_2 >= 0, J_3 >= 0, C_V >= 0 [optional], M_F >= 0 [optional], G > 0 [optional], STEP > 0 [optional],
-    M_A [optional], M_S >= 0 [optional], V_H [optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional]
+    M_A [optional], M_S >= 0 [optional], T_S > 0 [optional], V_H [optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional]
 };
 
 /// Keys of `[luffing.slewing]`.
@@ -54,6 +54,8 @@ pub struct Moving {
     pub oil: Option<CylinderOil<f64>>,
     /// Where the crane slews.
     pub slewing: Option<SlewingStart>,
+    /// In which drives come up to their speed in the book's manoeuvres, in s.
+    pub ramp: f64,
 }
 
 impl Moving {
@@ -87,6 +89,7 @@ impl Moving {
         Some(Moving {
             slewing,
             oil,
+            ramp: n(&s::T_S).unwrap_or(4.0),
             constants: Constants {
                 j_1: n(&s::J_1)?,
                 j_2: n(&s::J_2)?,

@@ -37,6 +37,7 @@ symbols! {
     P_P: "p_P" "p_P" PA / MPA [not_negative], "Pressure of the pump above the tank's.", "input";
     M_A: "M_A" "M_A" N_M / KN_M, "Moment of the drive on the driving link; positive turns it counter-clockwise.", "input";
     M_S: "M_S" "M_S" N_M / KN_M [not_negative], "Moment of the brake, added to the dry friction.", "input";
+    T_S: "t_s" "t_s" S / S [positive], "Time in which drives come up to their speed, and stop, in the manoeuvres of the book.", "input";
     V_H: "v_h" "v_h" M_PER_S / M_PER_S, "Speed of the hoist rope at the head as commanded; positive lowers the load.", "input";
     A_H: "a_h" "a_h" M_PER_S2 / M_PER_S2 [positive], "Acceleration with which the hoist comes up to its command; without it a change of the command is a blow.", "input";
 

@@ -1,19 +1,23 @@
 //! The mechanism in motion: the equations at one instant, from the functions that the running model solves, and
-//! a run of that model on the scene's own motion.
+//! runs of that model through manoeuvres.
+
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::balance::symbols as b;
 use crate::component::running::{Running, State};
-use crate::component::sheet::{self, Check, Curve, InMotion, Section, Summary, Warning};
+use crate::component::sheet::{self, Check, Curve, Envelope, InMotion, Manoeuvre, Section, Stand, Summary, Warning};
 use crate::kernel::calc::Calc;
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::kernel::variable::Role;
+use crate::kernel::variable::{Fault, Role};
 use crate::luffing::double_link::hydraulic::FIXED;
 use crate::luffing::double_link::moving::level::{Powers, Present};
 use crate::luffing::double_link::moving::model::LuffingMotion;
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::scene::Luffing;
+use crate::luffing::double_link::sheet::manoeuvres::{Pilot, Planned, at_rest, designed, drawn, planned, rules};
 use crate::luffing::double_link::symbols as s;
 use crate::parts::hydraulics::oil::VACUUM;
 use crate::parts::hydraulics::symbols as h;
@@ -132,30 +136,6 @@ const SECTIONS: [(&str, &[&Symbol]); 7] = [
 /// What is found while the model is assembled, before it moves.
 const ASSEMBLED: [&Symbol; 5] = [&m::MASS_Q, &m::J_2Q, &m::MASS_H, &h::A_A, &h::A_B];
 
-/// Curves over the time of the run.
-const CURVES: [(&str, &Symbol); 20] = [
-    ("motion_boom_angle", &s::THETA_1),
-    ("motion_boom_speed", &s::OMEGA_1),
-    ("motion_rocker_angle", &s::THETA_3),
-    ("motion_rocker_speed", &s::OMEGA_3),
-    ("motion_reach", &s::R),
-    ("motion_height", &s::A_Y),
-    ("motion_slewing", &m::PSI_SL),
-    ("motion_slewing_speed", &m::OMEGA_SL),
-    ("motion_swing", &m::PHI_R),
-    ("motion_side", &m::CHI_R),
-    ("motion_length", &m::L_R),
-    ("motion_hoist", &m::V_R),
-    ("motion_rope", &m::S_R),
-    ("motion_bore", &m::P_A),
-    ("motion_annulus", &m::P_B),
-    ("motion_force", &m::F_C),
-    ("motion_spool", &m::X_V),
-    ("motion_friction", &m::M_R),
-    ("motion_moment", &s::M_D),
-    ("motion_rocker", &s::N_3),
-];
-
 /// Events that are warned of.
 const WARNED: [&str; 6] = [
     "luffing_low",
@@ -174,68 +154,99 @@ pub(super) struct Found {
     pub warnings: Vec<Warning>,
 }
 
-/// The chapter of a scene whose mechanism moves, with what is judged in it and warned of; `None` where the model cannot
-/// start.
-pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<(InMotion, Found)> {
-    let mut model = LuffingMotion::new(luffing, moving).ok()?;
-    let drawn: Vec<(&'static str, &'static Symbol, usize)> = CURVES
-        .into_iter()
-        .filter_map(|(id, symbol)| {
-            let index = model
-                .variables()
-                .iter()
-                .position(|variable| variable.symbol == symbol)?;
-            // What an importer gives stands still by itself.
-            (model.variables()[index].role != Role::Input).then_some((id, symbol, index))
-        })
-        .collect();
+/// The chapter of a scene whose mechanism moves, with what is judged in it and warned of, beside the least and greatest
+/// forces at rest; `None` where the model cannot start.
+pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]]) -> Option<(InMotion, Found)> {
+    let (rest, plans) = (at_rest(moving), planned(luffing, moving));
+    let starting = |plan: &Planned| LuffingMotion::starting(luffing, &rest, plan.start).ok();
+    let mut model = starting(plans.first()?)?;
+    let [coordinate, rate] = [0, 1].map(|index| model.variables()[index].symbol);
     let instant = match (moving.oil, moving.rope) {
         (Some(_), _) => ("greatest_pressure", &m::P_A),
         (None, Some(_)) => ("greatest_rope_force", &m::S_R),
-        (None, None) => ("greatest_speed", drawn[1].1),
+        (None, None) => ("greatest_speed", rate),
     };
-    let mut run = Run::new(luffing, moving, &mut model, &drawn, instant.1)?;
-    model.set_state(&run.state);
-    if moving.oil.is_some() {
-        // A taut rope is straight: read between two steps of the implicit solver it is off by rounding.
-        let mut states = vec![0.0; model.states()];
-        model.get_states(&mut states);
-        model.set_states(&states).ok()?;
-        model.update().ok()?;
+    let designed = designed(OUTLINE.forces, &model);
+    let (mut manoeuvres, mut runs) = (Vec::new(), Vec::new());
+    for plan in &plans {
+        let mut model = starting(plan)?;
+        let mut pilot = Pilot::new(plan, luffing, moving, &model)?;
+        let drawn = drawn(plan, &model);
+        let lead = model
+            .variables()
+            .iter()
+            .position(|variable| variable.symbol == instant.1)?;
+        let seen = [0, lead].into_iter().chain(drawn.iter().map(|(_, index)| *index));
+        let seen = seen.chain(designed.iter().map(|(_, index)| *index)).collect();
+        let run = Run::new(luffing, &rest, &mut model, (lead, &seen), &mut pilot)?;
+        let told = |(index, table): (usize, _)| (model.variables()[index].symbol, table);
+        manoeuvres.push(Manoeuvre {
+            id: plan.id,
+            start: plan.start,
+            commands: pilot.told.into_iter().map(told).collect(),
+            run: [run.duration(), run.sample],
+            curves: drawn
+                .iter()
+                .filter_map(|&(id, index)| run.curve(id, model.variables()[index].symbol, index))
+                .collect(),
+            events: run.listed(),
+            more_events: run.events.len().saturating_sub(EVENTS),
+            energy: run.energy.list(moving),
+        });
+        runs.push(run);
     }
+    let (of, shown) = runs
+        .iter()
+        .enumerate()
+        .max_by(|(_, a), (_, b)| a.most.total_cmp(&b.most))?;
+    model.set_state(&shown.state);
+    // A taut rope is straight: at the end of a step it is off by rounding.
+    let mut states = vec![0.0; model.states()];
+    model.get_states(&mut states);
+    model.set_states(&states).ok()?;
+    model.update().ok()?;
+    let envelope = |&(symbol, index): &(&'static Symbol, usize)| {
+        let at_rest = still.iter().find(|ends| ends[0].symbol == symbol).copied();
+        Envelope {
+            symbol,
+            still: match luffing.q.filter(|_| symbol == &m::S_R) {
+                Some(weight) => Some([Summary::new(symbol, weight); 2]),
+                None => at_rest,
+            },
+            moving: runs.iter().map(|run| run.stands(index)).collect(),
+        }
+    };
+    let motion = InMotion {
+        time: &m::T,
+        coordinate,
+        instant: (instant.0, manoeuvres[of].id, shown.instant),
+        of: None,
+        state: state(&mut model),
+        sections: sections(&model),
+        ramp: (&m::T_S, moving.ramp),
+        rules: rules(moving),
+        envelope: designed.iter().map(envelope).collect(),
+        manoeuvres,
+    };
+    let found = Found::new(luffing, moving, &motion.manoeuvres, &runs);
+    Some((motion, found))
+}
+
+/// States and commands as they are now, without those of the position alone.
+fn state(model: &mut LuffingMotion) -> Vec<(&'static Symbol, f64)> {
     let indices = |role: Role| {
         let all = model.variables().iter().enumerate();
         let of = all.filter(move |(_, variable)| variable.role == role);
         of.map(|(index, variable)| (index, variable.symbol)).collect::<Vec<_>>()
     };
     let listed: Vec<_> = indices(Role::State).into_iter().chain(indices(Role::Input)).collect();
-    let state = listed
+    listed
         .into_iter()
         .filter_map(|(index, symbol)| Some((symbol, model.get(index).ok()?)))
         .filter(|(symbol, _)| {
             !s::ALL.contains(symbol) || [&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3].contains(symbol)
         })
-        .collect();
-    let found = run.found(luffing, moving);
-    // The last one may be the end of the run.
-    let more_events = run.events.len().saturating_sub(EVENTS);
-    if more_events > 0 {
-        run.events.drain(EVENTS - 1..run.events.len() - 1);
-    }
-    let motion = InMotion {
-        time: &m::T,
-        instant: (instant.0, run.instant),
-        of: None,
-        state,
-        sections: sections(&model),
-        run: [run.duration(), run.sample],
-        curves: run.curves(&drawn),
-        extremes: run.extremes(&drawn),
-        more_events,
-        energy: run.energy.list(moving),
-        events: run.events,
-    };
-    Some((motion, found))
+        .collect()
 }
 
 /// The equations at the model's instant. Each section is recorded from the start and shows its own steps.
@@ -518,12 +529,13 @@ fn stepped(
 /// A run of the model, sampled.
 struct Run {
     sample: f64,
-    /// Of each drawn quantity.
-    series: Vec<Vec<f64>>,
+    /// Of each variable that is looked at, by its index.
+    series: BTreeMap<usize, Vec<f64>>,
     events: Vec<(f64, &'static str)>,
     energy: Energy,
-    /// When the formulas are worked out, and the model then.
+    /// When what leads is greatest while luffing moves, how great (zero where it never moves), and the model then.
     instant: f64,
+    most: f64,
     state: State,
     /// Each with its time, in s.
     greatest_pressure: [f64; 2],
@@ -535,22 +547,31 @@ struct Run {
 }
 
 impl Run {
+    /// Looks at variables by their indices, one of which leads.
     fn new(
         luffing: &Luffing,
         moving: &Moving,
         model: &mut LuffingMotion,
-        drawn: &[(&'static str, &'static Symbol, usize)],
-        greatest: &Symbol,
+        (lead, seen): (usize, &BTreeSet<usize>),
+        pilot: &mut Pilot<'_>,
     ) -> Option<Run> {
-        let duration = model.stop_time();
-        let wanted = (duration / moving.constants.step).ceil();
-        let samples = wanted.clamp(SAMPLES[0], SAMPLES[1]) as u32;
-        let sample = duration / f64::from(samples);
-        let lead = drawn.iter().position(|(_, symbol, _)| *symbol == greatest)?;
-        let look = |model: &mut LuffingMotion| {
-            let values = drawn.iter().map(|(_, _, index)| model.get(*index));
-            values.collect::<Result<Vec<f64>, _>>().ok()
+        let (duration, step) = (pilot.duration(), moving.constants.step);
+        let wanted = (duration / step).ceil();
+        // Whole parts, or multiples, of the solver's longest step.
+        let sample = match wanted {
+            few if few < SAMPLES[0] => step / (SAMPLES[0] / wanted).ceil(),
+            many => step * (many / SAMPLES[1]).ceil(),
         };
+        let samples = (duration / sample).ceil() as u32;
+        let look = |model: &mut LuffingMotion| {
+            let values = seen.iter().map(|&index| Ok((index, model.get(index)?)));
+            values.collect::<Result<BTreeMap<usize, f64>, Fault>>().ok()
+        };
+        // With nothing told the crane was about to sag: braked it is at rest, and what holds it can be told.
+        for _ in 0..2 {
+            pilot.tell(model, [0.0, sample]).ok()?;
+            model.update().ok()?;
+        }
         let (first, mut powers) = (look(model)?, model.powers().ok()?);
         // Steps of the explicit solver are those of the samples.
         let halvings = if moving.oil.is_some() { HALVINGS } else { 0 };
@@ -561,7 +582,7 @@ impl Run {
         };
         let mut run = Run {
             sample,
-            series: first.iter().map(|&value| vec![value]).collect(),
+            series: first.iter().map(|(&index, &value)| (index, vec![value])).collect(),
             events: Vec::new(),
             energy: Energy {
                 start: powers.1,
@@ -569,13 +590,13 @@ impl Run {
                 ..Energy::default()
             },
             instant: 0.0,
+            most: 0.0,
             state: model.state(),
             greatest_pressure: [pressure(model.present()), 0.0],
             least_pressure: [model.present().least_pressure(), 0.0],
             greatest_swing: [swing(moving, model.present()), 0.0],
             apart: [0.0; 2],
         };
-        let mut most = None;
         let mut watch = Watch::new(luffing, moving, model.present(), sample);
         // The crane was at rest before.
         let rest = Watch {
@@ -585,6 +606,11 @@ impl Run {
         run.events.extend(watch.since(&rest).into_iter().map(|id| (0.0, id)));
         for i in 0..samples {
             let (from, to) = (f64::from(i) * sample, f64::from(i + 1) * sample);
+            if i > 0 {
+                // Nothing is told that the model refuses: what it refuses next ends the run.
+                let _ = pilot.tell(model, [from, to]);
+                powers = model.powers().ok()?;
+            }
             let turned_over = turnover(&run.energy.work);
             let step = stepped(model, [from, to], &powers, turned_over, halvings, (&mut budget, lively));
             let Some(((work, now), values)) = step.zip(look(model)) else {
@@ -605,125 +631,98 @@ impl Run {
             (watch, powers) = (next, now);
             // Where luffing is held it has no equation, and at a stop it tells little.
             let moves = watch.joints[0] != Some(Bar::Held) && !(moving.oil.is_some() && watch.stops[0] != [false; 2]);
-            if moves && most.is_none_or(|most| values[lead].abs() > most) {
-                (most, run.instant, run.state) = (Some(values[lead].abs()), to, model.state());
+            if moves && values[&lead].abs() > run.most {
+                (run.most, run.instant, run.state) = (values[&lead].abs(), to, model.state());
             }
-            let now = model.present();
-            greater(&mut run.greatest_pressure, pressure(now), to);
-            greater(&mut run.greatest_swing, swing(moving, now), to);
-            let least = now.least_pressure();
-            if least < run.least_pressure[0] {
-                run.least_pressure = [least, to];
-            }
-            for (series, value) in run.series.iter_mut().zip(values) {
-                series.push(value);
-            }
+            run.keep(moving, model.present(), values, to);
         }
         Some(run)
     }
 
-    fn duration(&self) -> f64 {
-        self.sample * (self.series[0].len() - 1) as f64
+    /// What is looked at, at a time (s).
+    fn keep(&mut self, moving: &Moving, present: &Present, values: BTreeMap<usize, f64>, time: f64) {
+        greater(&mut self.greatest_pressure, pressure(present), time);
+        greater(&mut self.greatest_swing, swing(moving, present), time);
+        let least = present.least_pressure();
+        if least < self.least_pressure[0] {
+            self.least_pressure = [least, time];
+        }
+        for (index, value) in values {
+            self.series.entry(index).or_default().push(value);
+        }
     }
 
-    /// Least and greatest value, each with its time.
-    fn extremes_of(&self, series: &[f64]) -> [[f64; 2]; 2] {
-        let place = |sign: f64| {
+    fn duration(&self) -> f64 {
+        self.sample * (self.series[&0].len() - 1) as f64
+    }
+
+    /// Places of the least and of the greatest value.
+    fn ends(series: &[f64]) -> [usize; 2] {
+        [-1.0, 1.0].map(|sign: f64| {
             let places = 0..series.len();
             let best = places.reduce(|a, b| if sign * series[b] > sign * series[a] { b } else { a });
-            let best = best.expect("a run has its start");
-            [series[best], best as f64 * self.sample]
-        };
-        [place(-1.0), place(1.0)]
+            best.expect("a run has its start")
+        })
     }
 
-    /// What does not stay as it was.
-    fn extremes(&self, drawn: &[(&'static str, &'static Symbol, usize)]) -> Vec<(&'static Symbol, [[f64; 2]; 2])> {
-        let all = drawn.iter().zip(&self.series);
-        all.filter(|(_, series)| changes(series))
-            .map(|((_, symbol, _), series)| (*symbol, self.extremes_of(series)))
-            .collect()
+    /// Least and greatest value of a variable, each with its time and where the driven bar is then.
+    fn stands(&self, index: usize) -> [Stand; 2] {
+        let series = &self.series[&index];
+        Run::ends(series).map(|i| Stand {
+            value: series[i],
+            time: i as f64 * self.sample,
+            at: self.series[&0][i],
+        })
     }
 
-    fn curves(&self, drawn: &[(&'static str, &'static Symbol, usize)]) -> Vec<Curve> {
-        let all = drawn.iter().zip(&self.series);
-        all.filter(|(_, series)| changes(series))
-            .map(|(&(id, y, _), series)| {
-                let [least, most] = self
-                    .extremes_of(series)
-                    .map(|[_, time]| (time / self.sample).round() as usize);
-                let last = series.len() - 1;
-                let stride = (last / CURVE).max(1);
-                let shown = (0..=last).filter(|&i| i % stride == 0 || [last, least, most].contains(&i));
-                Curve {
-                    id,
-                    x: &m::T,
-                    y,
-                    pieces: vec![shown.map(|i| [i as f64 * self.sample, series[i]]).collect()],
-                    numbers: Vec::new(),
-                }
-            })
-            .collect()
-    }
-
-    fn found(&self, luffing: &Luffing, moving: &Moving) -> Found {
-        let timed = |symbol, [value, at]: [f64; 2]| Summary {
-            at: Some((&m::T, at)),
-            ..Summary::new(symbol, value)
-        };
-        let swing = moving.rope.map(|_| timed(&m::PHI_MAX, self.greatest_swing));
-        let allowed = luffing.limit(&m::PHI_MAX);
-        let opening = moving.oil.map(|oil| oil.p_r);
-        let most = timed(&m::P_MAX, self.greatest_pressure);
-        let asked = [
-            swing.zip(allowed).map(|(swing, most)| ("motion_swing", swing, most)),
-            opening.map(|opening| ("motion_pressure", most, opening)),
-        ];
-        let requirements = asked.iter().flatten();
-        let mut warnings = self.warnings();
-        let least = self.least_pressure;
-        if least[0] < VACUUM {
-            warnings.push(Warning {
-                id: "cavitation",
-                summary: timed(&m::P_MIN, least),
-                count: 1,
-            });
+    /// Of a variable over time, where it does not stay as it was.
+    fn curve(&self, id: &'static str, y: &'static Symbol, index: usize) -> Option<Curve> {
+        let series = &self.series[&index];
+        if series.iter().all(|value| *value == series[0]) {
+            return None;
         }
-        Found {
-            requirements: requirements
-                .map(|(id, found, limit)| Check::of(id, found, *limit, true))
-                .collect(),
-            unjudged: swing
-                .filter(|_| allowed.is_none())
-                .map(|swing| swing.symbol)
-                .into_iter()
-                .collect(),
-            identities: self.identities(),
-            warnings,
+        let ([least, most], last) = (Run::ends(series), series.len() - 1);
+        let stride = (last / CURVE).max(1);
+        let shown = (0..=last).filter(|&i| i % stride == 0 || [last, least, most].contains(&i));
+        Some(Curve {
+            id,
+            x: &m::T,
+            y,
+            pieces: vec![shown.map(|i| [i as f64 * self.sample, series[i]]).collect()],
+            numbers: Vec::new(),
+        })
+    }
+
+    /// The first events, and the last one, which may be the end of the run.
+    fn listed(&self) -> Vec<(f64, &'static str)> {
+        let mut listed = self.events.clone();
+        if listed.len() > EVENTS {
+            listed.drain(EVENTS - 1..listed.len() - 1);
         }
+        listed
     }
 
     /// What happened that must not be overlooked: when first, and how often.
-    fn warnings(&self) -> Vec<Warning> {
-        let warning = |id: &'static str| {
+    fn warnings(&self, manoeuvre: &'static str) -> Vec<Warning> {
+        let warning = |id, summary, count| Warning {
+            id,
+            manoeuvre: Some(manoeuvre),
+            summary,
+            count,
+        };
+        let happened = WARNED.into_iter().filter_map(|id| {
             let mut times = self.events.iter().filter(|(_, event)| *event == id);
             let (at, _) = times.next()?;
-            Some(Warning {
-                id,
-                summary: Summary::new(&m::T, *at),
-                count: 1 + times.count(),
-            })
-        };
-        WARNED.into_iter().filter_map(warning).collect()
+            Some(warning(id, Summary::new(&m::T, *at), 1 + times.count()))
+        });
+        let cavitates = self.least_pressure[0] < VACUUM;
+        let oil = cavitates.then(|| warning("cavitation", timed(&m::P_MIN, self.least_pressure), 1));
+        happened.chain(oil).collect()
     }
 
-    fn identities(&self) -> Vec<Check> {
-        let mut checks = Vec::new();
-        let mut agree = |id, value, limit| checks.push(Check::at_most(id, &s::AGREEMENT, value, limit));
+    /// How far apart two ways to one moment are, and how much energy is left over, relative.
+    fn apart(&self) -> [f64; 2] {
         let [apart, greatest] = self.apart;
-        if greatest > 0.0 {
-            agree("motion_forces", apart / greatest, 1e-9);
-        }
         let Powers {
             drive,
             slewing,
@@ -745,8 +744,48 @@ impl Run {
         ];
         let scale = amounts.into_iter().map(f64::abs).fold(f64::MIN_POSITIVE, f64::max);
         let rest = (self.energy.rest.abs() - self.energy.rounding).max(0.0);
-        agree("motion_energy", rest / scale, 1e-3);
-        checks
+        [if greatest > 0.0 { apart / greatest } else { 0.0 }, rest / scale]
+    }
+}
+
+fn timed(symbol: &'static Symbol, [value, at]: [f64; 2]) -> Summary {
+    Summary {
+        at: Some((&m::T, at)),
+        ..Summary::new(symbol, value)
+    }
+}
+
+impl Found {
+    /// Of all runs, each of a manoeuvre.
+    fn new(luffing: &Luffing, moving: &Moving, manoeuvres: &[Manoeuvre], runs: &[Run]) -> Found {
+        let most = |of: fn(&Run) -> [f64; 2]| {
+            runs.iter()
+                .map(of)
+                .fold([0.0; 2], |a, b| if b[0] > a[0] { b } else { a })
+        };
+        let swing = moving.rope.map(|_| timed(&m::PHI_MAX, most(|run| run.greatest_swing)));
+        let allowed = luffing.limit(&m::PHI_MAX);
+        let pressure = timed(&m::P_MAX, most(|run| run.greatest_pressure));
+        let asked = [
+            swing.zip(allowed).map(|(swing, most)| ("motion_swing", swing, most)),
+            moving.oil.map(|oil| ("motion_pressure", pressure, oil.p_r)),
+        ];
+        let checked = asked.iter().flatten();
+        let named = runs.iter().zip(manoeuvres);
+        let apart = |i: usize| runs.iter().map(|run| run.apart()[i]).fold(0.0, f64::max);
+        let agree = |id, i, limit| Check::at_most(id, &s::AGREEMENT, apart(i), limit);
+        Found {
+            requirements: checked
+                .map(|(id, found, limit)| Check::of(id, found, *limit, true))
+                .collect(),
+            unjudged: swing
+                .filter(|_| allowed.is_none())
+                .map(|swing| swing.symbol)
+                .into_iter()
+                .collect(),
+            identities: vec![agree("motion_forces", 0, 1e-9), agree("motion_energy", 1, 1e-3)],
+            warnings: named.flat_map(|(run, manoeuvre)| run.warnings(manoeuvre.id)).collect(),
+        }
     }
 }
 
@@ -755,10 +794,6 @@ fn greater(kept: &mut [f64; 2], value: f64, time: f64) {
     if value > kept[0] {
         *kept = [value, time];
     }
-}
-
-fn changes(series: &[f64]) -> bool {
-    series.iter().any(|value| *value != series[0])
 }
 
 /// Greatest pressure of the oil, in Pa; zero without oil.

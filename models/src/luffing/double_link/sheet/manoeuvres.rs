@@ -1,0 +1,481 @@
+//! The manoeuvres of a crane in motion: which there are, and what its inputs are told in each.
+//!
+//! A drive follows a speed over time. At every sample its moment is the one that gives the acceleration to that speed by
+//! the next sample: by the model's own equations, which are linear in it, so that weights, friction and the swinging load
+//! are met whatever there is of them; it gives no more than the scene's. A valve opens in proportion to the cylinder's
+//! speed, with what corrects its length. What is told is kept: commands over time, which any run of the model may follow.
+
+use crate::component::running::Running;
+use crate::component::standing::Standing;
+use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::{Fault, Role};
+use crate::luffing::double_link::moving::given::CylinderOil;
+use crate::luffing::double_link::moving::hoisting::HoistKind;
+use crate::luffing::double_link::moving::model::LuffingMotion;
+use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::scene::Luffing;
+use crate::luffing::double_link::symbols as s;
+use crate::parts::hydraulics::cylinder::Cylinder;
+use crate::parts::joint::JointDrive;
+
+/// Part of the working range that luffing keeps away from each of its end stops.
+const MARGIN: f64 = 0.02;
+
+/// Correction of the cylinder's length by the valve, in 1/s.
+const CORRECTION: f64 = 1.0;
+
+/// By how much more than what holds it a drive sets a joint going.
+const BREAKAWAY: f64 = 1e-6;
+
+/// A manoeuvre before it is run.
+pub(super) struct Planned {
+    pub id: &'static str,
+    /// Of the driven bar at the start, in rad.
+    pub start: f64,
+    /// In s.
+    pub duration: f64,
+    luffing: Travel,
+    /// When the drive of luffing lets go and its brake falls on, or the valve shuts; in s.
+    emergency: f64,
+    slews: bool,
+    hoists: bool,
+}
+
+/// Ids of the sentences that say how commands are chosen.
+pub(super) fn rules(moving: &Moving) -> Vec<&'static str> {
+    let oil = moving.oil.is_some();
+    let motors = !oil || moving.slewing.is_some();
+    let rules = [(oil, "valve"), (motors, "drive"), (motors, "brake")];
+    rules.into_iter().filter(|(said, _)| *said).map(|(_, id)| id).collect()
+}
+
+/// Those that the crane's parts allow.
+pub(super) fn planned(luffing: &Luffing, moving: &Moving) -> Vec<Planned> {
+    let (range, ramp) = (&luffing.motion, moving.ramp);
+    let margin = MARGIN * (range.to - range.from);
+    let [low, high] = [range.from + margin, range.to - margin];
+    let mut standing = luffing.standing();
+    let index = standing
+        .variables()
+        .iter()
+        .position(|variable| variable.symbol == &s::R);
+    let mut reach = |at: f64| standing.set(0, at).and_then(|()| standing.get(index.unwrap_or(0)));
+    let [near, far] = match (reach(low), reach(high)) {
+        (Ok(one), Ok(other)) if one > other => [high, low],
+        _ => [low, high],
+    };
+    let way = |from: f64, to: f64| Travel::new([from, to], range.speed, ramp);
+    let still = |at: f64| way(at, at);
+    let of = |id, luffing: Travel, duration: f64| Planned {
+        id,
+        start: luffing.from,
+        duration,
+        luffing,
+        emergency: f64::INFINITY,
+        slews: false,
+        hoists: false,
+    };
+    let swings = ramp;
+    let [inward, outward] = [way(far, near), way(near, far)];
+    let mut all = vec![
+        of("luff_in", inward, inward.duration() + swings),
+        of("luff_out", outward, outward.duration() + swings),
+    ];
+    if moving.slewing.is_some() && moving.inputs.drives[1].moment != 0.0 {
+        all.push(Planned {
+            slews: true,
+            ..of("slew_and_stop", still(far), 3.0 * ramp + 2.0 * swings)
+        });
+    }
+    if let Some(lifting) = lifting(moving) {
+        all.push(Planned {
+            hoists: true,
+            ..of("hoist_and_stop", still(far), 2.0 * lifting + swings)
+        });
+    }
+    if moving.oil.is_some() || braking(moving.inputs.drives[0]) > 0.0 {
+        let luffing = way(f64::midpoint(low, high), far);
+        let emergency = (2.0 * ramp).min(0.5 * luffing.duration());
+        all.push(Planned {
+            emergency,
+            ..of("emergency_stop", luffing, emergency + 2.0 * swings)
+        });
+    }
+    all
+}
+
+/// How long a hoist that comes up to its speed is told to lift, in s.
+fn lifting(moving: &Moving) -> Option<f64> {
+    match moving.rope?.hoist {
+        HoistKind::Ramp(ramp) if moving.inputs.hoist.speed != 0.0 => {
+            Some(moving.inputs.hoist.speed.abs() / ramp.a_h + moving.ramp)
+        }
+        _ => None,
+    }
+}
+
+/// A brake's moment: where the scene has none, as much as the drive gives, in N·m.
+fn braking(JointDrive { moment, brake }: JointDrive) -> f64 {
+    if brake > 0.0 { brake } else { moment.abs() }
+}
+
+/// The scene's crane at rest, its load hanging straight down, nothing commanded.
+pub(super) fn at_rest(moving: &Moving) -> Moving {
+    let mut rest = *moving;
+    rest.inputs.drives = [JointDrive::NONE; 2];
+    (rest.inputs.hoist.speed, rest.inputs.hoist.drive, rest.inputs.valve) = (0.0, JointDrive::NONE, 0.0);
+    if let Some(rope) = &mut rest.rope {
+        rope.swing = 0.0;
+    }
+    if let Some(slewing) = &mut rest.slewing {
+        (slewing.joint.start[1], slewing.side) = (0.0, 0.0);
+    }
+    rest
+}
+
+/// From rest to rest: the speed rises evenly, stays, and falls as it rose.
+#[derive(Clone, Copy)]
+struct Travel {
+    from: f64,
+    way: f64,
+    speed: f64,
+    /// In s; infinite where there is no way.
+    ramp: f64,
+}
+
+impl Travel {
+    /// At most at a speed that is reached in a time (s).
+    fn new([from, to]: [f64; 2], speed: f64, ramp: f64) -> Travel {
+        let way = to - from;
+        let most = (way.abs() * speed / ramp).sqrt().min(speed);
+        Travel {
+            from,
+            way,
+            speed: most,
+            ramp: ramp * most / speed,
+        }
+    }
+
+    fn duration(&self) -> f64 {
+        if self.way == 0.0 {
+            0.0
+        } else {
+            self.way.abs() / self.speed + self.ramp
+        }
+    }
+
+    /// Place and rate at a time (s).
+    fn at(&self, time: f64) -> [f64; 2] {
+        let whole = self.duration();
+        if time >= whole {
+            return [self.from + self.way, 0.0];
+        }
+        let sign = self.way.signum();
+        let begun = |time: f64| {
+            let risen = time.clamp(0.0, self.ramp);
+            let rate = self.speed * risen / self.ramp;
+            [0.5 * rate * risen + self.speed * (time - risen), rate]
+        };
+        if time <= 0.5 * whole {
+            let [gone, rate] = begun(time);
+            return [self.from + sign * gone, sign * rate];
+        }
+        let [left, rate] = begun(whole - time);
+        [self.from + self.way - sign * left, sign * rate]
+    }
+}
+
+/// What tells a model's inputs what to do, sample after sample.
+pub(super) struct Pilot<'a> {
+    planned: &'a Planned,
+    ramp: f64,
+    luffing: Drive,
+    slewing: Option<JointMotor>,
+    /// Rate of slewing that was reached, in rad/s.
+    reached: f64,
+    /// Input, speed (m/s), and how long it is told so, in s.
+    hoist: Option<(usize, f64, f64)>,
+    /// Each input with when (s) it was told what.
+    pub told: Vec<(usize, Vec<[f64; 2]>)>,
+}
+
+enum Drive {
+    Motor(JointMotor),
+    Valve(Box<LengthValve>),
+}
+
+/// A drive whose moment is found from the rate that it is to reach, with a brake.
+#[derive(Clone, Copy)]
+struct JointMotor {
+    /// Inputs of drive and brake.
+    inputs: [usize; 2],
+    rate: usize,
+    acceleration: usize,
+    /// Fall below zero where it breaks loose backwards and forwards.
+    margins: [usize; 2],
+    /// Least, greatest moment of the drive, and that of the brake, in N·m.
+    most: f64,
+    braking: f64,
+    /// Which way the scene's own moment turns it.
+    way: f64,
+}
+
+/// The valve of a luffing cylinder.
+struct LengthValve {
+    input: usize,
+    length: usize,
+    /// The crane where it should be, and its cylinder's length and speed there.
+    shadow: Standing,
+    planned: [usize; 2],
+    /// Speed of the cylinder with the valve fully open, in m/s.
+    open: f64,
+}
+
+fn place(model: &dyn Running, symbol: &Symbol) -> Option<usize> {
+    model.variables().iter().position(|variable| variable.symbol == symbol)
+}
+
+impl JointMotor {
+    fn new(model: &LuffingMotion, symbols: [&Symbol; 6], drive: JointDrive) -> Option<JointMotor> {
+        let [input, brake, rate, acceleration, back, forth] = symbols.map(|symbol| place(model, symbol));
+        let moment = drive.moment;
+        Some(JointMotor {
+            inputs: [input?, brake?],
+            rate: rate?,
+            acceleration: acceleration?,
+            margins: [back?, forth?],
+            most: if moment == 0.0 { f64::INFINITY } else { moment.abs() },
+            braking: braking(drive),
+            way: moment.signum(),
+        })
+    }
+
+    /// The moment (N·m) with which the joint has a rate (rad/s) after a time (s); of one that is braked, what holds it at
+    /// rest.
+    fn moment(&self, model: &mut LuffingMotion, wanted: f64, time: f64, braked: bool) -> Result<f64, Fault> {
+        let [input, _] = self.inputs;
+        let (now, acceleration) = (model.get(input)?, model.get(self.acceleration)?);
+        let unit = if self.most.is_finite() { self.most } else { 1e3 };
+        model.set(input, now + unit)?;
+        let slope = (model.get(self.acceleration)? - acceleration) / unit;
+        model.set(input, now)?;
+        let moment = if slope == 0.0 {
+            // Held: in the middle of what friction holds, or just beyond it.
+            let [back, forth] = [model.get(self.margins[0])?, model.get(self.margins[1])?];
+            let way = if wanted == 0.0 { 0.0 } else { wanted.signum() };
+            now + 0.5 * (forth - back) + way * (0.5 + BREAKAWAY) * (forth + back)
+        } else if braked {
+            now
+        } else {
+            now + ((wanted - model.get(self.rate)?) / time - acceleration) / slope
+        };
+        Ok(moment.clamp(-self.most, self.most))
+    }
+
+    /// Brakes a joint whose rates (rad/s) at the start and the end of a time (s) are zero, and drives it to the latter.
+    fn follow(&self, model: &mut LuffingMotion, rates: [f64; 2], time: f64) -> Result<[f64; 2], Fault> {
+        let braked = rates == [0.0; 2] && self.braking > 0.0;
+        let brake = if braked { self.braking } else { 0.0 };
+        model.set(self.inputs[1], brake)?;
+        Ok([self.moment(model, rates[1], time, braked)?, brake])
+    }
+}
+
+impl LengthValve {
+    fn new(luffing: &Luffing, moving: &Moving, oil: &CylinderOil<f64>, model: &LuffingMotion) -> Option<LengthValve> {
+        let bore = luffing.parameters.cylinder?;
+        let [area, _] = Cylinder::areas(bore.d_c, bore.d_r);
+        let shadow = luffing.standing();
+        Some(LengthValve {
+            input: place(model, &m::U_V)?,
+            length: place(model, &s::L_D)?,
+            planned: [place(&shadow, &s::L_D)?, place(&shadow, &s::V_D)?],
+            shadow,
+            open: oil.q_n / area * (0.5 * moving.inputs.supply / oil.dp_n).sqrt(),
+        })
+    }
+
+    fn command(&mut self, model: &mut LuffingMotion, [angle, rate]: [f64; 2]) -> Result<f64, Fault> {
+        self.shadow.set(0, angle)?;
+        self.shadow.set(1, rate)?;
+        let [length, speed] = [self.shadow.get(self.planned[0])?, self.shadow.get(self.planned[1])?];
+        let opening = (speed + CORRECTION * (length - model.get(self.length)?)) / self.open;
+        Ok(opening.clamp(-1.0, 1.0))
+    }
+}
+
+impl<'a> Pilot<'a> {
+    pub(super) fn new(
+        planned: &'a Planned,
+        luffing: &Luffing,
+        moving: &Moving,
+        model: &LuffingMotion,
+    ) -> Option<Pilot<'a>> {
+        let [drive, turning] = moving.inputs.drives;
+        let boom = model.variables()[1].symbol == &s::OMEGA_1;
+        let (rate, acceleration) = if boom {
+            (&s::OMEGA_1, &m::D_OMEGA_1)
+        } else {
+            (&s::OMEGA_3, &m::D_OMEGA_3)
+        };
+        let motor = [&m::M_A, &m::M_S, rate, acceleration, &m::Z_REST, &m::Z_LOOSE];
+        let slewing = [
+            &m::M_SL,
+            &m::M_B_SL,
+            &m::OMEGA_SL,
+            &m::D_OMEGA_SL,
+            &m::Z_SL_REST,
+            &m::Z_SL_LOOSE,
+        ];
+        Some(Pilot {
+            planned,
+            ramp: moving.ramp,
+            luffing: match &moving.oil {
+                Some(oil) => Drive::Valve(Box::new(LengthValve::new(luffing, moving, oil, model)?)),
+                None => Drive::Motor(JointMotor::new(model, motor, drive)?),
+            },
+            slewing: JointMotor::new(model, slewing, turning),
+            reached: 0.0,
+            hoist: place(model, &m::V_H)
+                .zip(lifting(moving).filter(|_| planned.hoists))
+                .map(|(input, time)| (input, -moving.inputs.hoist.speed.abs(), time)),
+            told: Vec::new(),
+        })
+    }
+
+    /// In s.
+    pub(super) fn duration(&self) -> f64 {
+        self.planned.duration
+    }
+
+    /// What the inputs are from a time on, until another one; both in s.
+    pub(super) fn tell(&mut self, model: &mut LuffingMotion, [from, to]: [f64; 2]) -> Result<(), Fault> {
+        let stopped = from >= self.planned.emergency;
+        let target = self.planned.luffing;
+        match &mut self.luffing {
+            Drive::Motor(motor) => {
+                let told = match stopped {
+                    true => [0.0, motor.braking],
+                    false => motor.follow(model, [from, to].map(|time| target.at(time)[1]), to - from)?,
+                };
+                let inputs = motor.inputs;
+                self.set_both(model, inputs, from, told)?;
+            }
+            Drive::Valve(valve) => {
+                let opening = match stopped {
+                    true => 0.0,
+                    false => valve.command(model, target.at(f64::midpoint(from, to)))?,
+                };
+                let input = valve.input;
+                self.set(model, input, from, opening)?;
+            }
+        }
+        if let Some(motor) = self.slewing {
+            let told = if self.planned.slews && from < self.ramp {
+                self.reached = model.get(motor.rate)?;
+                [motor.way * motor.most, 0.0]
+            } else {
+                let left = |time: f64| {
+                    if self.planned.slews {
+                        (3.0 - time / self.ramp).clamp(0.0, 1.0)
+                    } else {
+                        0.0
+                    }
+                };
+                motor.follow(model, [from, to].map(|time| self.reached * left(time)), to - from)?
+            };
+            self.set_both(model, motor.inputs, from, told)?;
+        }
+        if let Some((input, speed, time)) = self.hoist {
+            self.set(model, input, from, if from < time { speed } else { 0.0 })?;
+        }
+        Ok(())
+    }
+
+    fn set_both(
+        &mut self,
+        model: &mut LuffingMotion,
+        inputs: [usize; 2],
+        from: f64,
+        values: [f64; 2],
+    ) -> Result<(), Fault> {
+        let [drive, brake] = inputs;
+        self.set(model, drive, from, values[0])?;
+        self.set(model, brake, from, values[1])
+    }
+
+    fn set(&mut self, model: &mut LuffingMotion, input: usize, from: f64, value: f64) -> Result<(), Fault> {
+        let place = self
+            .told
+            .iter()
+            .position(|(known, _)| *known == input)
+            .unwrap_or_else(|| {
+                self.told.push((input, Vec::new()));
+                self.told.len() - 1
+            });
+        let told = &mut self.told[place].1;
+        match told.last_mut() {
+            Some([time, last]) if *time == from => *last = value,
+            Some([_, last]) if *last == value => {}
+            _ => told.push([from, value]),
+        }
+        model.set(input, value)
+    }
+}
+
+/// What is drawn of a manoeuvre: ids of curves, and where their quantities stand among the variables. What the scene does not have is left out.
+pub(super) fn drawn(planned: &Planned, model: &LuffingMotion) -> Vec<(&'static str, usize)> {
+    let boom = model.variables()[0].symbol == &s::THETA_1;
+    let [angle, speed] = if boom {
+        [("motion_boom_angle", &s::THETA_1), ("motion_boom_speed", &s::OMEGA_1)]
+    } else {
+        [
+            ("motion_rocker_angle", &s::THETA_3),
+            ("motion_rocker_speed", &s::OMEGA_3),
+        ]
+    };
+    let wanted = if planned.slews {
+        [
+            ("motion_slewing", &m::PSI_SL),
+            ("motion_slewing_speed", &m::OMEGA_SL),
+            ("motion_slewing_moment", &m::M_SL),
+            ("motion_side", &m::CHI_R),
+        ]
+    } else if planned.hoists {
+        [
+            ("motion_length", &m::L_R),
+            ("motion_hoist", &m::V_R),
+            ("motion_rope", &m::S_R),
+            ("motion_rocker", &s::N_3),
+        ]
+    } else {
+        let last = if place(model, &m::S_R).is_some() {
+            ("motion_rope", &m::S_R)
+        } else {
+            ("motion_rocker", &s::N_3)
+        };
+        let drive = if place(model, &m::P_A).is_some() {
+            ("motion_bore", &m::P_A)
+        } else {
+            ("motion_moment", &s::M_D)
+        };
+        [angle, speed, drive, last]
+    };
+    let there = |(id, symbol): (&'static str, &'static Symbol)| Some((id, place(model, symbol)?));
+    wanted.into_iter().filter_map(there).collect()
+}
+
+/// Where the forces that other parts are designed for, and what the rope does, stand among the variables.
+pub(super) fn designed(forces: &[&'static Symbol], model: &LuffingMotion) -> Vec<(&'static Symbol, usize)> {
+    let own = [&m::S_R, &m::PHI_R, &m::CHI_R, &m::P_A, &m::P_B];
+    let there = |symbol: &'static Symbol| {
+        let variables = model.variables().iter();
+        let known = |role: Role| matches!(role, Role::Output | Role::State | Role::Calculated);
+        let mut places = variables
+            .enumerate()
+            .filter(|(_, v)| v.symbol == symbol && known(v.role));
+        places.next().map(|(index, _)| (symbol, index))
+    };
+    forces.iter().copied().chain(own).filter_map(there).collect()
+}

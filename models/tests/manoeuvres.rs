@@ -1,0 +1,265 @@
+//! The book's manoeuvres: their commands, what the model makes of them, and what follows in closed form.
+
+use lemnis_models::component::model::Model;
+use lemnis_models::component::sheet::{InMotion, Manoeuvre};
+use lemnis_models::scene::Scene;
+
+#[path = "common/levels.rs"]
+mod levels;
+
+const READY: [&str; 2] = [
+    include_str!("../scenes/portal_004_motion.toml"),
+    include_str!("../scenes/portal_crane.toml"),
+];
+
+fn parsed(text: &str) -> Scene {
+    Scene::parse(text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"))
+}
+
+fn motion(scene: &Scene) -> InMotion {
+    scene.sheet().motion.expect("a chapter of motion")
+}
+
+fn named<'a>(motion: &'a InMotion, id: &str) -> &'a Manoeuvre {
+    let mut all = motion.manoeuvres.iter();
+    all.find(|manoeuvre| manoeuvre.id == id).expect("this scene has it")
+}
+
+/// Least and greatest value of a result in a manoeuvre.
+fn ends(motion: &InMotion, symbol: &str, id: &str) -> [f64; 2] {
+    let row = motion
+        .envelope
+        .iter()
+        .find(|row| row.symbol.id == symbol)
+        .expect("a row");
+    let place = motion.manoeuvres.iter().position(|manoeuvre| manoeuvre.id == id);
+    row.moving[place.expect("this scene has it")].map(|end| end.value)
+}
+
+fn index(model: &Model, id: &str) -> usize {
+    let found = model.variables().iter().position(|variable| variable.symbol.id == id);
+    found.unwrap_or_else(|| panic!("{id} is a variable"))
+}
+
+fn value(model: &mut Model, id: &str) -> f64 {
+    let index = index(model, id);
+    model.get(index).expect("closes")
+}
+
+fn moving() -> impl Iterator<Item = (String, Scene)> {
+    let ready = READY
+        .into_iter()
+        .map(|text| (text.lines().next().unwrap_or_default().to_owned(), parsed(text)));
+    let levels = levels::all().filter(|level| *level != "static");
+    ready.chain(levels.map(|level| (level.to_owned(), levels::scene(level))))
+}
+
+/// Every part that moves has its manoeuvres; luffing goes from one end of its range to the other and meets neither, and
+/// what a brake holds is at rest at the end.
+#[test]
+fn manoeuvres_end_at_rest_within_the_range() {
+    for (name, scene) in moving() {
+        let (motion, range) = (motion(&scene), *scene.mechanism.motion());
+        let model = scene.model().expect("built");
+        let has = |id: &str| model.variables().iter().any(|variable| variable.symbol.id == id);
+        let mut expected = vec!["luff_in", "luff_out"];
+        expected.extend(has("M_sl").then_some("slew_and_stop"));
+        expected.extend(has("a_h").then_some("hoist_and_stop"));
+        expected.push("emergency_stop");
+        let found: Vec<&str> = motion.manoeuvres.iter().map(|manoeuvre| manoeuvre.id).collect();
+        assert_eq!(found, expected, "{name}");
+        let far = if has("theta_1") { range.to - range.from } else { 0.0 };
+        let mut reached = Vec::new();
+        for manoeuvre in &motion.manoeuvres {
+            let stops = ["luffing_low", "luffing_high", "slewing_low", "slewing_high", "run_ends"];
+            assert!(
+                !manoeuvre.events.iter().any(|(_, id)| stops.contains(id)),
+                "{name}, {}",
+                manoeuvre.id
+            );
+            for curve in &manoeuvre.curves {
+                let points = &curve.pieces[0];
+                let [first, last] = [points[0][1], points[points.len() - 1][1]];
+                match curve.y.id {
+                    "theta_1" => {
+                        assert!(
+                            points.iter().all(|[_, at]| (range.from..=range.to).contains(at)),
+                            "{name}"
+                        );
+                        reached.push((manoeuvre.id, first, last));
+                    }
+                    "omega_1" if has("M_A") => assert_eq!(last, 0.0, "{name}, {}", manoeuvre.id),
+                    "omega_sl" | "v_R" => assert_eq!(last, 0.0, "{name}, {}", manoeuvre.id),
+                    _ => {}
+                }
+            }
+        }
+        // Oil gives way, and a crane that it carries swings on it.
+        let near = if has("M_A") { 1e-4 } else { 2e-2 } * far;
+        for (id, sign) in [("luff_in", 1.0), ("luff_out", -1.0)] {
+            let (_, first, last) = reached.iter().find(|(known, _, _)| *known == id).expect("drawn");
+            assert!(
+                (sign * (last - first) - 0.96 * far).abs() < near,
+                "{name}, {id}: {first} {last}"
+            );
+        }
+    }
+}
+
+/// At the start a crane at rest is held by the moment that its weights and its load ask for at rest, as the table of
+/// forces at rest has it; in no manoeuvre does the drive give more than the scene's moment, and brake and drive no more
+/// than both.
+#[test]
+fn a_drive_holds_what_rests_and_gives_no_more_than_it_has() {
+    for text in READY {
+        let scene = parsed(text);
+        let motion = motion(&scene);
+        let mut still = scene.at("static").model().expect("built");
+        let slew = named(&motion, "slew_and_stop");
+        still.set(0, slew.start).expect("in the range");
+        still.update().expect("closes");
+        let holding = value(&mut still, "M_D");
+        let (_, told) = slew
+            .commands
+            .iter()
+            .find(|(symbol, _)| symbol.id == "M_A")
+            .expect("told");
+        assert!((told[0][1] / holding - 1.0).abs() < 1e-9, "{} {holding}", told[0][1]);
+        let most = value(&mut scene.model().expect("built"), "M_A");
+        for manoeuvre in &motion.manoeuvres {
+            for (symbol, told) in &manoeuvre.commands {
+                let amounts = told.iter().map(|[_, value]| value.abs());
+                assert!(!["M_A", "M_S"].contains(&symbol.id) || amounts.fold(0.0, f64::max) <= most);
+            }
+        }
+    }
+}
+
+/// A rope that keeps its length pulls the load up with Q (1 + a/g), and lets it come to rest with Q (1 - a/g), as the
+/// crane is held meanwhile.
+#[test]
+fn a_hoist_pulls_by_its_acceleration() {
+    let text = READY[1]
+        .replace("c_R = \"2500 kN/m\"", "")
+        .replace("d_R = \"30 kN.s/m\"", "");
+    let text: String = text
+        .lines()
+        .filter(|line| !line.starts_with("c_R") && !line.starts_with("d_R"))
+        .collect::<Vec<_>>()
+        .join("\n");
+    let scene = parsed(&text);
+    let motion = motion(&scene);
+    let mut model = scene.model().expect("built");
+    let [weight, gain, g] = ["Q", "a_h", "g"].map(|id| value(&mut model, id));
+    let [least, most] = ends(&motion, "S_R", "hoist_and_stop");
+    assert!((most / (weight * (1.0 + gain / g)) - 1.0).abs() < 1e-9, "{most}");
+    assert!((least / (weight * (1.0 - gain / g)) - 1.0).abs() < 1e-9, "{least}");
+}
+
+/// From the brake's fall to rest the energy of motion goes into brake, friction and weights: over a way so short that
+/// inertia and weights' moment hardly change.
+#[test]
+fn a_brake_takes_the_energy_of_motion() {
+    for level in ["rigid", "rigid with balance"] {
+        let scene = levels::scene(level);
+        let motion = motion(&scene);
+        let stop = named(&motion, "emergency_stop");
+        let (_, brake) = stop
+            .commands
+            .iter()
+            .find(|(symbol, _)| symbol.id == "M_S")
+            .expect("told");
+        let &[time, brake] = brake.iter().find(|[_, moment]| *moment > 0.0).expect("it falls on");
+        let curve = |id: &str| &stop.curves.iter().find(|curve| curve.y.id == id).expect("drawn").pieces[0];
+        let after = |id: &str| {
+            curve(id)
+                .iter()
+                .find(|[t, _]| *t >= time - 1e-9)
+                .expect("drawn then")
+                .to_owned()
+        };
+        let ([at, angle], [_, rate]) = (after("theta_1"), after("omega_1"));
+        let rest = curve("theta_1").last().expect("drawn")[1];
+        let mut model = scene.model().expect("built");
+        model.set(0, f64::midpoint(angle, rest)).expect("in the range");
+        let inertia = model.inertia().expect("closes");
+        let [viscous, dry] = ["c_v", "M_F"].map(|id| value(&mut model, id));
+        let mut still = scene.at("static").model().expect("built");
+        still.set(0, f64::midpoint(angle, rest)).expect("in the range");
+        still.update().expect("closes");
+        let holding = value(&mut still, "M_D");
+        // Under an even moment the rate is on average two thirds of the first one over the way.
+        let moment = brake + dry + holding * rate.signum() + viscous * rate.abs() * 2.0 / 3.0;
+        let (way, expected) = (rest - angle, 0.5 * inertia * rate * rate / moment * rate.signum());
+        println!("{level}: at {at} s, {rate} rad/s: {way} {expected}");
+        assert!((way / expected - 1.0).abs() < 0.02, "{level}: {way} {expected}");
+    }
+}
+
+/// The model of the FMU moves so under the same commands, set from outside between its steps.
+#[test]
+fn commands_over_time_give_the_same_motion_in_the_model_of_the_fmu() {
+    for text in READY {
+        let scene = parsed(text);
+        for manoeuvre in &motion(&scene).manoeuvres {
+            let mut model = scene.model().expect("built");
+            for id in ["M_A", "M_S", "M_sl", "M_Bsl", "v_h"] {
+                let index = index(&model, id);
+                model.set(index, 0.0).expect("an input");
+            }
+            model.set(0, manoeuvre.start).expect("in the range");
+            let [duration, sample] = manoeuvre.run;
+            let samples = (duration / sample).round() as u32;
+            let mut places: Vec<_> = manoeuvre
+                .commands
+                .iter()
+                .map(|(symbol, told)| (index(&model, symbol.id), told.iter().peekable()))
+                .collect();
+            let curves: Vec<_> = manoeuvre
+                .curves
+                .iter()
+                .map(|curve| (index(&model, curve.y.id), &curve.pieces[0]))
+                .collect();
+            let mut compared = 0;
+            for i in 0..=samples {
+                let time = f64::from(i) * sample;
+                for (index, points) in &curves {
+                    if let Some([_, seen]) = points.iter().find(|[t, _]| *t == time).filter(|_| i > 0) {
+                        let found = model.get(*index).expect("closes");
+                        let scale = points.iter().map(|[_, value]| value.abs()).fold(0.0, f64::max);
+                        assert!(
+                            (found - seen).abs() <= 1e-6 * scale,
+                            "{}: {} at {time}: {found} {seen}",
+                            manoeuvre.id,
+                            model.variables()[*index].symbol.id
+                        );
+                        compared += 1;
+                    }
+                }
+                for (input, told) in &mut places {
+                    while let Some([_, value]) = told.next_if(|[from, _]| *from <= time) {
+                        model.set(*input, *value).expect("an input");
+                    }
+                }
+                model.advance(time, f64::from(i + 1) * sample).expect("as in the book");
+            }
+            assert!(compared > 500, "{compared}");
+        }
+    }
+}
+
+/// A manoeuvre ends where the model refuses to go on, and tells so: before a hoist has reeled in all of its rope.
+#[test]
+fn a_manoeuvre_without_enough_rope_ends_early() {
+    let text = READY[1]
+        .replace("l_R = \"18 m\"", "l_R = \"1 m\"")
+        .replace("v_h = \"-0.1 m/s\"", "v_h = \"-0.5 m/s\"");
+    let motion = motion(&parsed(&text));
+    let hoist = named(&motion, "hoist_and_stop");
+    let (time, last) = hoist.events.last().expect("the run ends early");
+    let [duration, sample] = hoist.run;
+    assert_eq!(*last, "run_ends");
+    assert!((time - duration).abs() < sample, "{time} {duration}");
+    // 0.5 m/s is reached after 1.25 s and 0.3125 m; 0.6875 m more take 1.375 s.
+    assert!((2.5..2.625).contains(time), "{time}");
+}
