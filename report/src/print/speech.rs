@@ -94,6 +94,7 @@ fn operator(kind: SyntaxKind, source: &str) -> Option<&'static str> {
         "=" => "equals",
         "+" => "plus",
         "-" | "−" => "minus",
+        "plus.minus" => "plus_minus",
         "dot" | "times" => "times",
         "slash" | "\\/" | "/" => "over",
         "<=" => "at_most",
