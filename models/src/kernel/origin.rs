@@ -117,7 +117,7 @@ type Placed = (Range<usize>, GivenNumber, String);
 
 /// Every quantity of a table and of those within it, in the order of the keys: its key from the top of the scene, its
 /// symbol, its value in SI, and its place, where it is not the usual one; it comes from what its own note says, or the
-/// `source` of its table. `path` leads to the table, `shown` as the scene writes it.
+/// `source` of its table, or of the one that has a list of such tables. `path` leads to the table, `shown` as the scene writes it.
 fn quantities(
     values: &Values,
     path: &str,
@@ -149,10 +149,15 @@ fn quantities(
                 quantities(table, &path, shown, found);
             }
             Value::Tables(tables) => {
+                let from = found.len();
                 for (number, table) in (1..).zip(tables) {
                     let number: usize = number;
                     let numbered = |path: &str| format!("{path}[{number}]");
                     quantities(table, &numbered(&path), &numbered(&shown), found);
+                }
+                let given = found[from..].iter_mut().filter_map(|(.., placed)| placed.as_mut());
+                for (_, number, _) in given.filter(|(_, number, _)| number.source.is_none()) {
+                    number.source = values.words("source").cloned();
                 }
             }
             _ => {}

@@ -198,19 +198,6 @@ impl Trace {
         }
     }
 
-    /// Whether numbers in the places of all names say what the expression says: neither of how one changes with another
-    /// nor of many bodies.
-    #[must_use]
-    pub fn is_arithmetic(&self, rec: Rec) -> bool {
-        match self.node(rec) {
-            Node::Constant(_) | Node::Name(_) => true,
-            Node::Unary(Op::Among(which), _) => matches!(which, Among::Of(_)),
-            Node::Binary(Op::Derivative, ..) => false,
-            Node::Unary(_, inner) => self.is_arithmetic(inner),
-            Node::Binary(_, left, right) => self.is_arithmetic(left) && self.is_arithmetic(right),
-        }
-    }
-
     fn is(&self, rec: Rec, number: f64) -> bool {
         self.node(rec) == Node::Constant(number)
     }
@@ -275,6 +262,15 @@ impl Rec {
     #[must_use]
     pub fn derivative(self, by: Rec, value: f64) -> Rec {
         self.binary(Op::Derivative, by, value)
+    }
+
+    /// The same formula with the bits of the running model, which has them from dual numbers: another rounding.
+    #[must_use]
+    pub fn rounded_as(self, value: f64) -> Rec {
+        TRACE.with_borrow_mut(|trace| {
+            let same = trace.entries[self.0 as usize];
+            trace.push(same.node, value, same.dimension)
+        })
     }
 
     fn unary(self, op: Op, value: f64) -> Rec {

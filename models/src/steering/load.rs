@@ -119,11 +119,8 @@ impl<C: Calc> Springs<C> {
             (total(groups.iter().map(|p| p.y)) / n).def(&s::Y_S),
         );
         // In the book by their names.
-        let apart = |p: &Point<C>| {
-            let d = p - mean;
-            Point::new(C::known(&s::D_SX, d.x.value()), C::known(&s::D_SY, d.y.value()))
-        };
-        let apart: Vec<Point<C>> = groups.iter().map(apart).collect();
+        let named = |d: Point<C>| Point::new(C::known(&s::D_SX, d.x.value()), C::known(&s::D_SY, d.y.value()));
+        let apart: Vec<Point<C>> = groups.iter().map(|p| named(p - mean)).collect();
         Springs {
             n,
             mean,

@@ -41,7 +41,7 @@ impl<C: Calc> Duty<C> {
 }
 
 /// Friction moment of a ring under a vertical force (N) at its greatest arm, in
-/// N·m. Form of makers' catalogues, without radial load.
+/// N·m. A maker's formula for ball bearings, without radial load. [Rothe Erde]
 #[inline]
 pub fn friction<C: Calc>(ring: &Bearing<C>, f_a: C) -> C {
     let load = C::constant(4.4) * f_a * ring.l_max + f_a * ring.d_l;

@@ -159,7 +159,7 @@ symbols! {
     M_BOLTS: "M_bolts" "M_(c b)" N_M / KN_M, "Moment that the bolts bear with their force.", "[Zhang2016, 4]";
     MU_R: "mu_r" "mu_r" ONE / ONE [from_to(0.0, 1.0)], "Coefficient of friction of the slewing ring.", "input";
     D_L: "D_L" "D_L" M / MM [above_to(0.0, 100.0)], "Diameter of the slewing ring's raceway.", "input";
-    M_F: "M_f" "M_(f i)" N_M / KN_M, "Friction moment of a group's slewing ring.", "[RotheErde, frictional torque]";
+    M_F: "M_f" "M_(f i)" N_M / KN_M, "Friction moment of a group's slewing ring.", "[Rothe Erde]";
 
     // Cylinder.
     R_C: "R_c" "overline(o c)" M / M [above_to(0.0, 10.0)], "Arm of the cylinder on its group.", "[Zhang2016, Fig. 5]";

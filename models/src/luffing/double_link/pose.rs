@@ -169,6 +169,14 @@ fn directed(d: &Dynamics<Rec>, p: &Position<Rec>) -> [(Point<Rec>, Point<Rec>); 
     ]
 }
 
+/// Which of them is the driving link.
+fn driven(d: &Dynamics<Rec>) -> usize {
+    match d.driven() {
+        Driven::Boom => 0,
+        Driven::Rocker => 2,
+    }
+}
+
 /// Potential energy of boom, jib and rocker, in J, at an angle (rad) of the driving link.
 fn potential(d: &Dynamics<Rec>, theta: f64) -> f64 {
     let (geometry, counterweight) = (&d.twice.geometry, d.twice.counterweight.as_ref());
@@ -187,11 +195,18 @@ impl Coordinate<Rec> for Rec {
         let bodies = [&d.bodies().boom, &d.bodies().jib, &d.bodies().rocker];
         // Heights are those of the energy, which no formula of the book has.
         let nowhere = Point::new(Rec::constant(0.0), Rec::constant(0.0));
-        let moved = |it: &PosedBody<Rec>| {
-            let ([travel, bend], [ratio, change]) = (it.travel, it.turn);
+        let moved = |i: usize| {
+            let PosedBody { travel, turn, .. } = posed.bodies[i];
+            let [ratio, change] = turn;
             Moved {
-                centre: [nowhere, travel, bend],
-                turn: [ratio * ratio, ratio * change],
+                centre: [nowhere, travel[0], travel[1]],
+                turn: match i == driven(d) {
+                    true => turn,
+                    false => {
+                        let [square, half] = values.bodies[i].turn;
+                        [(ratio * ratio).rounded_as(square), (ratio * change).rounded_as(half)]
+                    }
+                },
             }
         };
         let turn = d.turntable().map(|table| {
@@ -199,7 +214,8 @@ impl Coordinate<Rec> for Rec {
             let each = posed.bodies.iter().zip(bodies).zip(bars);
             let each = each.map(|((it, body), (_, along))| (it.mass, it.reach, Some(spread(body.spread, along))));
             let counterweight = posed.counterweight.iter().map(|it| (it.mass, it.reach, None));
-            let whole = about_axis(table.inertia, each.chain(counterweight)).def(&s::I_SL);
+            let whole = about_axis(table.inertia, each.chain(counterweight));
+            let whole = whole.rounded_as(values.turn[0]).def(&s::I_SL);
             [whole, whole.derivative(theta, values.turn[1]).def(&s::DI_SL)]
         });
         let [_, travel, bend] = values.head;
@@ -213,7 +229,7 @@ impl Coordinate<Rec> for Rec {
             None => second,
         };
         let moves = Moves {
-            bodies: posed.bodies.each_ref().map(moved),
+            bodies: [moved(0), moved(1), moved(2)],
             counterweight: posed
                 .counterweight
                 .as_ref()
@@ -244,15 +260,12 @@ impl Posing<Rec> for Rec {
         position.x_3 = point(p.x_3, [&g::X_3X, &g::X_3Y]);
         (position.a, position.b) = (point(p.a, [&g::A_X, &g::A_Y]), position.x_1);
         position.k = Rec::given(&g::K, p.k);
-        let driven = match p.driven {
-            Driven::Boom => 0,
-            Driven::Rocker => 2,
-        };
         let sources = [&d.bodies().boom, &d.bodies().jib, &d.bodies().rocker];
         let loaded = d.bodies().pendulum.is_none();
         let bars = directed(d, &position);
         let axis = d.turntable().map(|table| table.axis);
-        let from_axis = |x: Rec, name| axis.map_or(x, |axis| (x - axis).def(name));
+        let from_axis =
+            |x: Rec, value, name| axis.map_or(x, |axis| (x - axis).rounded_as(value).def(name));
         let body = |i: usize| {
             let (it, names, (joint, along)) = (&values.bodies[i], &s::OF_BODY[i], bars[i]);
             let place = match (i, loaded) {
@@ -264,14 +277,16 @@ impl Posing<Rec> for Rec {
                 mass: sources[i].mass.def(names.mass),
                 inertia: sources[i].inertia,
                 deviation: match axis {
-                    Some(_) => deviation(sources[i].spread, along).def(names.deviation),
-                    None => deviation(sources[i].spread, along),
+                    Some(_) => deviation(sources[i].spread, along)
+                        .rounded_as(it.deviation)
+                        .def(names.deviation),
+                    None => Rec::constant(it.deviation),
                 },
                 place,
-                reach: from_axis(joint.x + place.x, names.reach),
+                reach: from_axis(joint.x + place.x, it.reach, names.reach),
                 // A foot on the frame stays where it is.
                 travel: changes(if i == 1 { joint + place } else { place }, theta, it.travel, names.centre),
-                turn: match i == driven {
+                turn: match i == driven(d) {
                     // The driving link turns with itself.
                     true => [Rec::constant(1.0), Rec::constant(0.0)],
                     false => {
@@ -295,15 +310,20 @@ impl Posing<Rec> for Rec {
                 Driven::Boom => Rec::constant(1.0),
                 Driven::Rocker => Rec::given(&g::I_1, it.boom),
             };
-            let line = balancing.balance.line(phi, place, travel[0] / boom);
+            let line = balancing.balance.line(phi, place, travel[0] / boom).zip(it.line);
+            let named = |of: Point<Rec>, value: Point<f64>, names| {
+                plane::def(Point::new(of.x.rounded_as(value.x), of.y.rounded_as(value.y)), names)
+            };
             Some(PosedCounterweight {
-                mass: (balancing.balance.weight()? / d.bodies().gravity).def(&s::MASS_5),
-                reach: from_axis(place.x, &s::X_S5),
+                mass: (balancing.balance.weight()? / d.bodies().gravity)
+                    .rounded_as(it.mass)
+                    .def(&s::MASS_5),
+                reach: from_axis(place.x, it.reach, &s::X_S5),
                 travel,
                 boom,
-                line: line.map(|line| RodLine {
-                    per_force: plane::def(line.per_force, [&s::N_5X, &s::N_5Y]),
-                    along: plane::def(line.along, [&s::E_1X, &s::E_1Y]),
+                line: line.map(|(line, values)| RodLine {
+                    per_force: named(line.per_force, values.per_force, [&s::N_5X, &s::N_5Y]),
+                    along: named(line.along, values.along, [&s::E_1X, &s::E_1Y]),
                     rail: line.rail,
                 }),
             })
