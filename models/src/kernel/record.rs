@@ -30,7 +30,6 @@ pub enum Op {
     Direction,
     /// How the first operand changes with the second.
     Derivative,
-    /// Of all bodies, each with the operand's formula.
     Among(Among),
 }
 

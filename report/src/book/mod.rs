@@ -145,6 +145,8 @@ struct Book<'a> {
 fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
     let of_level = |chapter: &&'static str| match level {
         "summary" => ["results", "task", "forces", "references"].contains(chapter),
+        // The PDF has it inside.
+        "standard" => *chapter != "scene",
         _ => true,
     };
     let chosen = match &scene.book.chapters {
