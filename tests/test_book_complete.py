@@ -1,4 +1,5 @@
-"""Nothing from nowhere: every symbol of a printed formula is in the notation, and every given quantity has its use.
+"""Nothing from nowhere: every symbol of a printed formula is in the notation and has its origin, and every given quantity
+has its use.
 
 The book's Typst source is read, in its full and its standard level, for every ready scene.
 """
@@ -13,7 +14,9 @@ from conftest import ROOT, lemnis
 
 SCENES = sorted(path.stem for path in (ROOT / "models/scenes").glob("*.toml"))
 # What a formula has beside symbols.
-FUNCTIONS = {"frac", "sqrt", "abs", "sin", "cos", "arcsin", "arccos", "arctan2", "pi", "slash", "more", "dot"}
+FUNCTIONS = {
+    "frac", "sqrt", "abs", "sin", "cos", "arcsin", "arccos", "arctan2", "pi", "slash", "more", "dot", "max", "min", "sum_i", "dif",
+}
 # What is given and stands in no formula, and what it is used for.
 USES = {
     "ends of the working range, which tables and curves run over": ["theta_a", "theta_e", "phi_a", "phi_e"],
@@ -23,7 +26,7 @@ USES = {
     "ranges of the groups, which the margins of the tables are counted to": ["theta_min", "theta_max"],
     "outline, of which the width of the swept lane is a result": ["x_(e F)", "x_(e R)", "y_(e L)", "y_(e R)"],
     "annulus of a cylinder that shortens": ["d_r"],
-    "gravity, by which masses are weighed": ["g"],
+    "gravity, by which the tables weigh masses": ["g"],
     "start of the run": ["l_R"],
     "hoist of the run": ["a_h", "v_h"],
     "slewing's inertia within that of the whole": ['J_"sl"'],
@@ -57,11 +60,13 @@ def symbols(formula, known):
     found = {name.replace('\\"', '"') for name in linked}
     for name in linked:
         formula = formula.replace(f'go("{name}", ' + name.replace('\\"', '"') + ")", " ")
-    for name in sorted(known, key=len, reverse=True):
+    # One of several, x_1, is x_i.
+    several = {re.sub(r"i(\)?)$", rf"{number}\1", name): name for name in known if name[-2:] in ("_i", "i)") for number in range(1, 10)}
+    for name in sorted({*known, *several}, key=len, reverse=True):
         pattern = rf"(?<![\w'])" + re.escape(name) + r"(?![\w'])"
         formula, count = re.subn(pattern, " ", formula)
         if count:
-            found.add(name)
+            found.add(name if name in known else several[name])
     return found, set(re.findall(r"[A-Za-z][\w']*", formula)) - FUNCTIONS
 
 
@@ -78,6 +83,37 @@ def test_every_symbol_of_a_formula_is_in_the_notation(scene, level, tmp_path):
     assert count > 10
 
 
+def given(text):
+    """The symbols of each table of given quantities: as defined and as shown, with the table."""
+    for table in re.split(r"(?m)^== ", chapter(text, "Given quantities"))[1:]:
+        symbols = re.findall(r'(?m)^  \[(?:#define\("(.*?)"\))?\$(.*?)\$\],(?=\n  \[[^$#])', table)
+        yield table, [((name or shown).replace('\\"', '"'), shown) for name, shown in symbols]
+
+
+def tabled(text, caption):
+    """The symbols of the first column of a table, if the book has it."""
+    found = re.search(rf"(?s)#titled\(\d+\)\[{caption}\]\n(.*?)\n\)\n", text)
+    return set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", found[1])) if found else set()
+
+
+@pytest.mark.parametrize("level", ["standard", "full"])
+@pytest.mark.parametrize("scene", SCENES)
+def test_every_symbol_of_a_formula_has_its_origin(scene, level, tmp_path):
+    """It is given, stands on the left of a formula, is the coordinate of the position, one of the states and commands at the
+    instant or a result of the run, which are tabled, or a point of the curves that a table lists."""
+    text = source(scene, level, tmp_path)
+    notation = set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", chapter(text, "Notation")))
+    known = {name for _, symbols in given(text) for pair in symbols for name in pair}
+    known |= {result for result, _ in formulas(text)}
+    known |= set(re.findall(r"(?m)^= \d+ [^\n]*?: \$(.*?) = ", text))
+    known |= tabled(text, "States and commands at the instant") | tabled(text, "Energy of the run")
+    # Points of the ring's curves stand in a table of their own.
+    known |= set(re.findall(r"column-head\[\$(\S*\(c i\))\$\]", text))
+    for result, formula in formulas(text):
+        nowhere = symbols(formula, notation)[0] - known
+        assert not nowhere, (result, formula, nowhere)
+
+
 @pytest.mark.parametrize("scene", SCENES)
 def test_every_given_quantity_is_used(scene, tmp_path):
     """By a formula, or for what is known; or its table says that the book does not calculate with it. Weights of zero, as the
@@ -87,10 +123,9 @@ def test_every_given_quantity_is_used(scene, tmp_path):
     used = set().union(*(symbols(formula, notation)[0] for _, formula in formulas(text)))
     used |= {symbol for symbols in USES.values() for symbol in symbols}
     unused = []
-    for table in re.split(r"(?m)^== ", chapter(text, "Given quantities"))[1:]:
-        given = re.findall(r'(?m)^  \[(?:#define\("(.*?)"\))?\$(.*?)\$\],$', table)
+    for table, pairs in given(text):
         # Of several groups the formulas speak of one: x_2 is x_i.
-        names = [(name or shown).replace('\\"', '"') for name, shown in given]
+        names = [name for name, _ in pairs]
         numbered = [re.sub(r"^([xyG])_[2-9]$", r"\1_i", name) for name in names]
         nothing = set(re.findall(r'\$(\S*)\$\],\n.*\n  \[\$0 thin"kN"\$\]', table))
         idle = [name for name, other in zip(names, numbered) if not {name, other} & used and name not in nothing]
@@ -111,10 +146,10 @@ def test_the_oil_of_a_steering_is_said_not_to_be_calculated(tmp_path):
 
 def test_the_loads_of_the_groups_follow_from_the_weight(tmp_path):
     """A plane over the groups, by least squares, whose sum and moments are those of the weight."""
-    given = tomllib.loads((ROOT / "models/scenes/boat_hoist_003.toml").read_text(encoding="utf-8"))["steering"]
+    scene = tomllib.loads((ROOT / "models/scenes/boat_hoist_003.toml").read_text(encoding="utf-8"))["steering"]
     number = lambda text: float(text.split()[0])
-    x, y = (numpy.array([number(group[axis]) for group in given["groups"]]) for axis in "xy")
-    load = given["load"]
+    x, y = (numpy.array([number(group[axis]) for group in scene["groups"]]) for axis in "xy")
+    load = scene["load"]
     weight, x_g, y_g = (number(load[key]) for key in ["W", "x_G", "y_G"])
     plane = numpy.array([numpy.ones_like(x), x, y])
     moments = weight * numpy.array([1, x_g, y_g])
@@ -125,5 +160,24 @@ def test_the_loads_of_the_groups_follow_from_the_weight(tmp_path):
     table = numpy.array([[float(cell.replace("−", "-")) for cell in row] for row in rows])
     assert (table[:, 1] == x).all() and (table[:, 2] == y).all()
     assert abs(table[:, 3] - expected).max() <= 0.5
-    printed = re.search(r'(?s)G_max &= .*?\\ &= ([\d.]+) thin"kN" \$\]', section)[1]
-    assert abs(float(printed) - expected.max()) <= 0.005
+    # The formula is that of the most heavily loaded group.
+    for symbol in ["G_i", "G_max"]:
+        printed = re.search(rf'(?s)\n  {symbol} &= .*?= ([\d.]+) thin"kN" \$\]', section)[1]
+        assert abs(float(printed) - expected.max()) <= 0.005, symbol
+
+
+def test_the_ring_bears_what_its_curve_says(tmp_path):
+    """Moment over the one that the scene's curve allows with the force, by interpolation of the scene's own points."""
+    scene = tomllib.loads((ROOT / "models/scenes/boat_hoist_003.toml").read_text(encoding="utf-8"))["steering"]
+    [ring] = [ring for ring in scene["ring"]["catalogue"] if ring["D_L"] == scene["ring"]["D_L"]]
+    text = source("boat_hoist_003", "full", tmp_path)
+
+    def value(symbol):
+        step = re.search(rf"(?s)\n  {re.escape(symbol)} &= (.*?) \$\]", text)[1]
+        return float(re.split(r"(?<!<)= ", step.split(" <= ")[0])[-1].split()[0])
+
+    for curve, force, moment, allowed, use in [("ring", "F'_a", "M'", "M_(c r)", "k_1"), ("bolts", "F_b", "M_b", "M_(c b)", "k_2")]:
+        points = [[float(number.split()[0]) for number in point.split(", ")] for point in ring[curve]]
+        expected = numpy.interp(value(force), *zip(*points))
+        assert value(allowed) == pytest.approx(expected, rel=1e-5)
+        assert value(use) == pytest.approx(100 * value(moment) / expected, rel=1e-5)

@@ -70,6 +70,7 @@ pub const CHAPTERS: &[&str] = &[
     "notation",
     "references",
     "identities",
+    "scene",
 ];
 
 /// What the scene asks of its book.

@@ -236,24 +236,25 @@ impl Scene {
     pub fn sheet(&self) -> Sheet {
         let mut sheet = registry::sheet(&*self.mechanism, &self.given, &self.book.positions);
         let loads = sheet.inputs.iter().rposition(|input| input.chapter == LOAD);
-        if let Some((last, gravity)) = loads.zip(self.weighs()) {
+        if let Some((last, gravity)) = loads.zip(self.weighs(sheet.motion.is_some())) {
             sheet.inputs.insert(last + 1, gravity);
         }
         sheet
     }
 
-    /// The acceleration of gravity, where the top of a scene gives it, or where masses weigh by it that no other table
-    /// gives.
-    fn weighs(&self) -> Option<Input> {
+    /// The acceleration of gravity, where the top of a scene gives it, or where masses weigh by it, or weights have masses
+    /// as they `move`, and no other table gives it.
+    fn weighs(&self, moves: bool) -> Option<Input> {
         let id = gravity::G.id;
         let given = self.given.of(id);
         let elsewhere = self.given.of(&format!("{}.dynamics.{id}", self.table)).is_some();
-        let shown = given.is_some() || self.given.has_masses() && !elsewhere;
+        let shown = given.is_some() || (moves || self.given.has_masses()) && !elsewhere;
         shown.then(|| Input {
             symbol: &gravity::G,
             value: self.gravity,
             number: None,
             chapter: LOAD,
+            usual: given.is_none(),
             given: given.cloned(),
         })
     }

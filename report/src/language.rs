@@ -209,6 +209,12 @@ impl Words {
             .ok_or_else(|| format!("no words for {group}.{id}"))
     }
 
+    /// Keys of the publications.
+    pub(crate) fn references(&self) -> Vec<String> {
+        let all = self.0.get("reference");
+        all.into_iter().flat_map(toml::Table::keys).cloned().collect()
+    }
+
     /// The words for an id where the machine has a part, if there are any of that part alone.
     pub(crate) fn of_part(&self, group: &str, part: &str, id: &str) -> Option<&str> {
         let group = if vocabularies().any(|(_, symbols)| symbols.words == group) {

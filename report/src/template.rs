@@ -6,7 +6,7 @@
 //! included or extended as `lemnis/NAME`. All other files of the folder, such as
 //! a logo, can be read by the templates.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -57,6 +57,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "notation.typ",
     "references.typ",
     "identities.typ",
+    "scene.typ",
 ];
 
 const REFERENCES: &str = "references.toml";
@@ -249,7 +250,9 @@ fn environment(words: Words) -> Environment<'static> {
     environment.add_filter("string", |text: &str| Value::from_safe_string(text::string(text)));
     environment.add_filter("breakable", |text: &str| breakable(text));
     environment.add_filter("brief", brief);
-    environment.add_filter("prose", |state: &State, text: &str| {
+    let keys = words.references();
+    environment.add_filter("prose", move |state: &mut State, text: &str| {
+        cite(state, &keys, text);
         let book = state.lookup("book").unwrap_or_default();
         let mechanism = book.get_attr("mechanism")?;
         let print = |id: &str| symbol(mechanism.as_str().unwrap_or_default(), id);
@@ -289,7 +292,8 @@ fn environment(words: Words) -> Environment<'static> {
     let undefined = |detail| minijinja::Error::new(ErrorKind::UndefinedError, detail);
     let dictionary = words.clone();
     // Of a part that the machine has, its own words: `symbol_rod` before `symbol`.
-    environment.add_function("word", move |state: &State, group: &str, id: &str| {
+    let keys = words.references();
+    environment.add_function("word", move |state: &mut State, group: &str, id: &str| {
         let book = state.lookup("book").unwrap_or_default();
         let parts = book.get_attr("parts")?;
         let own = parts.try_iter().into_iter().flatten().find_map(|part| {
@@ -297,10 +301,13 @@ fn environment(words: Words) -> Environment<'static> {
             dictionary.of_part(group, part, id)
         });
         let word = own.map_or_else(|| dictionary.get(group, id), Ok).map_err(undefined)?;
+        cite(state, &keys, word);
         Ok(Value::from_safe_string(word.to_owned()))
     });
     // "[Li2022, eq. 5]" with the language's own "eq.".
-    environment.add_filter("citation", move |source: &str| {
+    let keys = words.references();
+    environment.add_filter("citation", move |state: &mut State, source: &str| {
+        cite(state, &keys, source);
         ["eq.", "Fig.", "Table"]
             .iter()
             .try_fold(source.to_owned(), |source, &place| {
@@ -308,8 +315,26 @@ fn environment(words: Words) -> Environment<'static> {
                 Ok::<_, minijinja::Error>(source.replace(place, word))
             })
     });
+    environment.add_function("cited", |state: &mut State| {
+        let cited = &state.get_or_insert_extension(Cited::default()).0;
+        cited.iter().cloned().collect::<Value>()
+    });
     environment
 }
+
+/// Keeps the publications that a text cites, as `[Li2022]` or `[Li2022, eq. 5]`, out of those with these keys.
+fn cite(state: &mut State, keys: &[String], text: &str) {
+    let cites = |key: &&String| {
+        let mut after = text.split('[').filter_map(|rest| rest.strip_prefix(key.as_str()));
+        after.any(|rest| rest.starts_with([',', ']', ';']))
+    };
+    let found = keys.iter().filter(cites).cloned();
+    state.get_or_insert_extension(Cited::default()).0.extend(found);
+}
+
+/// Keys of the publications that a book has cited so far.
+#[derive(Default)]
+struct Cited(BTreeSet<String>);
 
 /// How many headings of each level a book has so far, since the last one of a level above.
 #[derive(Default)]

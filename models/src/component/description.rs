@@ -289,6 +289,7 @@ impl<T: Described> Description<T> {
                     number,
                     value: known.value,
                     chapter,
+                    usual: known.given.is_none(),
                     given: known.given.clone(),
                 });
             }

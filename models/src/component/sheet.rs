@@ -255,15 +255,20 @@ pub struct Input {
     pub chapter: &'static str,
     /// Where the scene gives it.
     pub given: Option<Origin>,
+    /// Whether the scene leaves it at what is usual.
+    pub usual: bool,
 }
 
 /// Formulas under one heading.
+#[derive(Default)]
 pub struct Section {
     /// Id of the heading, worded in the templates.
     pub id: &'static str,
     pub trace: Trace,
     /// What the formulas speak of, to scale.
     pub drawing: Option<Drawing>,
+    /// What they read a value from.
+    pub curve: Option<Curve>,
     /// What they give for each of several bodies.
     pub table: Option<Table>,
 }

@@ -105,8 +105,7 @@ fn run<T: Described>(
     told.map(|(id, range)| Section {
         id,
         trace: trace.part(range),
-        drawing: None,
-        table: None,
+        ..Section::default()
     })
     .collect()
 }

@@ -69,9 +69,9 @@ pub trait Calc:
         self
     }
 
-    /// Names a value whose formula the book does not tell.
+    /// This number, which was found among the values of many bodies; the second one is what it was of each of them.
     #[must_use]
-    fn named(self, _: &'static Symbol) -> Self {
+    fn among(self, _: Among, _: Self) -> Self {
         self
     }
 
@@ -109,6 +109,16 @@ pub trait Calc:
     fn body<T>(_: usize, equations: impl FnOnce() -> T) -> T {
         equations()
     }
+}
+
+/// What is found among the values of many bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Among {
+    Greatest,
+    Least,
+    Sum,
+    /// That of the body with this number, from 1.
+    Of(u16),
 }
 
 /// A scalar that equations run on while their parameters are known as `P`: plain numbers are constants,

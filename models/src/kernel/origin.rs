@@ -35,9 +35,20 @@ pub struct Known {
     pub given: Option<Origin>,
 }
 
-/// All quantities of a scene, in the order of the keys, and where they are given.
+/// A value of a scene as it is written there.
 #[derive(Clone, Debug)]
-pub struct Origins(Vec<Known>);
+pub struct Written {
+    /// Key as the scene has it.
+    pub key: String,
+    /// Line of the scene, counted from 1.
+    pub line: usize,
+    pub text: String,
+}
+
+/// All quantities of a scene, in the order of the keys, and where they are given; and everything that it says, in the
+/// order of its lines.
+#[derive(Clone, Debug)]
+pub struct Origins(Vec<Known>, Vec<Written>);
 
 impl Origins {
     /// Of a scene's text with its values.
@@ -57,7 +68,21 @@ impl Origins {
             symbol,
             value,
         });
-        Origins(known.collect())
+        let mut places = Vec::new();
+        everything(values, "", &mut places);
+        places.sort_by_key(|(_, place)| place.start);
+        let written = places.into_iter().map(|(key, place)| Written {
+            key,
+            line: line(text, &place),
+            text: shortened(&text[place]),
+        });
+        Origins(known.collect(), written.collect())
+    }
+
+    /// What the scene says, in the order of its lines.
+    #[must_use]
+    pub fn written(&self) -> &[Written] {
+        &self.1
     }
 
     /// Where the scene gives the quantity with a key such as `luffing.X_1`.
@@ -92,7 +117,7 @@ type Placed = (Range<usize>, GivenNumber, String);
 
 /// Every quantity of a table and of those within it, in the order of the keys: its key from the top of the scene, its
 /// symbol, its value in SI, and its place, where it is not the usual one; it comes from what its own note says, or the
-/// `source` of its table. `path` leads to the table, `shown` as the scene writes it.
+/// `source` of its table, or of the one that has a list of such tables. `path` leads to the table, `shown` as the scene writes it.
 fn quantities(
     values: &Values,
     path: &str,
@@ -124,14 +149,45 @@ fn quantities(
                 quantities(table, &path, shown, found);
             }
             Value::Tables(tables) => {
+                let from = found.len();
                 for (number, table) in (1..).zip(tables) {
                     let number: usize = number;
                     let numbered = |path: &str| format!("{path}[{number}]");
                     quantities(table, &numbered(&path), &numbered(&shown), found);
                 }
+                let given = found[from..].iter_mut().filter_map(|(.., placed)| placed.as_mut());
+                for (_, number, _) in given.filter(|(_, number, _)| number.source.is_none()) {
+                    number.source = values.words("source").cloned();
+                }
             }
             _ => {}
         }
+    }
+}
+
+/// Every value of a table and of those within it: its key as the scene has it, and its place.
+fn everything(values: &Values, shown: &str, found: &mut Vec<(String, Range<usize>)>) {
+    for (name, value, place) in &values.entries {
+        let key = match shown {
+            "" => (*name).to_owned(),
+            _ => format!("{shown}.{name}"),
+        };
+        match value {
+            Value::Table(table) => everything(table, if table.beside { name } else { &key }, found),
+            Value::Tables(tables) => {
+                let numbered = (1..).zip(tables);
+                numbered.for_each(|(number, table): (usize, _)| everything(table, &format!("{key}[{number}]"), found));
+            }
+            _ => found.push((key, place.clone())),
+        }
+    }
+}
+
+/// The first line of what a scene says, and whether more follows.
+fn shortened(text: &str) -> String {
+    match text.trim_matches('"').trim().split_once('\n') {
+        Some((first, _)) => format!("{} …", first.trim_end()),
+        None => text.trim_matches('"').to_owned(),
     }
 }
 

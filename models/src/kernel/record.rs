@@ -7,7 +7,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use num_dual::Dual64;
 
-use crate::kernel::calc::{Calc, Over};
+use crate::kernel::calc::{Among, Calc, Over};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::unit::Dimension;
 
@@ -28,6 +28,9 @@ pub enum Op {
     Acos,
     /// Angle of a vector: the second operand is y.
     Direction,
+    /// How the first operand changes with the second.
+    Derivative,
+    Among(Among),
 }
 
 /// A formula as a tree; a name stands for the formula that defined it.
@@ -254,6 +257,21 @@ impl Rec {
         TRACE.with_borrow_mut(|trace| trace.push(Node::Name(symbol), value, dimension))
     }
 
+    /// How this changes with an angle, where that was found by dual numbers.
+    #[must_use]
+    pub fn derivative(self, by: Rec, value: f64) -> Rec {
+        self.binary(Op::Derivative, by, value)
+    }
+
+    /// The same formula with the bits of the running model, which has them from dual numbers: another rounding.
+    #[must_use]
+    pub fn rounded_as(self, value: f64) -> Rec {
+        TRACE.with_borrow_mut(|trace| {
+            let same = trace.entries[self.0 as usize];
+            trace.push(same.node, value, same.dimension)
+        })
+    }
+
     fn unary(self, op: Op, value: f64) -> Rec {
         TRACE.with_borrow_mut(|trace| {
             if trace.is(self, 0.0) && matches!(op, Op::Neg | Op::Abs | Op::Square | Op::Sqrt) {
@@ -261,7 +279,7 @@ impl Rec {
             }
             let given = trace.entries[self.0 as usize].dimension;
             let dimension = match op {
-                Op::Neg | Op::Abs => given,
+                Op::Neg | Op::Abs | Op::Among(_) => given,
                 Op::Square => given.times(given),
                 Op::Sqrt => Powers(given.0.root().unwrap_or_else(|| {
                     trace.fault(format!("square root of {given}"));
@@ -300,7 +318,7 @@ impl Rec {
             );
             let dimension = match op {
                 Op::Mul => left.times(right),
-                Op::Div => left.over(right),
+                Op::Div | Op::Derivative => left.over(right),
                 _ => {
                     if left != right {
                         trace.fault(format!("{op:?} of {left} and {right}"));
@@ -415,15 +433,10 @@ impl Calc for Rec {
             name
         })
     }
-    fn named(self, symbol: &'static Symbol) -> Rec {
-        TRACE.with_borrow_mut(|trace| {
-            if trace.is(self, 0.0) {
-                return self;
-            }
-            let name = trace.name(self, symbol);
-            trace.behind.push((name, self));
-            name
-        })
+    fn among(self, which: Among, one: Rec) -> Rec {
+        let found = one.unary(Op::Among(which), self.value());
+        TRACE.with_borrow_mut(|trace| trace.behind.push((found, self)));
+        found
     }
     fn over(self, other: Rec) -> Rec {
         TRACE.with_borrow_mut(|trace| {

@@ -14,9 +14,8 @@ use crate::steering::cylinder::Linkage;
 use crate::steering::drawing::Stance;
 use crate::steering::limits::Limits;
 use crate::steering::mode::Mode;
-use crate::steering::parts::{Parts, heaviest};
+use crate::steering::parts::Parts;
 use crate::steering::published::printed;
-use crate::steering::ring::Duty;
 use crate::steering::scene::Steering;
 use crate::steering::symbols as s;
 use crate::steering::views::example;
@@ -54,9 +53,11 @@ pub fn requirements(
     if let Some(bears) = parts.found(&s::F_K) {
         add("buckling", &s::F_G_MAX, parts.found(&s::F_G_MAX), bears, true);
     }
-    if let Some([ring, bolts]) = ring(steering) {
-        add("ring", &s::RING_USE, Some(ring), 1.0, true);
-        add("bolts", &s::BOLT_USE, Some(bolts), 1.0, true);
+    if parts.ring {
+        // A force alone that is too great leaves no moment.
+        let used = |symbol| Some(parts.found(symbol).unwrap_or(f64::INFINITY));
+        add("ring", &s::RING_USE, used(&s::RING_USE), 1.0, true);
+        add("bolts", &s::BOLT_USE, used(&s::BOLT_USE), 1.0, true);
     } else if given.bearing.is_some() {
         unjudged.extend([&s::RING_USE, &s::BOLT_USE]);
     }
@@ -108,16 +109,4 @@ fn lever_arm(linkage: &Linkage<f64>, limits: &Limits) -> f64 {
         (slope - linkage.at_angle(theta).od).abs() / plane::length(linkage.c)
     };
     between(limits.min, limits.max).map(difference).fold(0.0, f64::max)
-}
-
-/// How far the ring of the scene's catalogue with the scene's raceway is used, and
-/// its bolts; the first that bears the load where none has this raceway.
-fn ring(steering: &Steering) -> Option<[f64; 2]> {
-    let (catalogue, bearing) = (steering.catalogue.as_ref()?, steering.given.bearing?);
-    let duty = Duty::new(&bearing, &steering.safety?, heaviest(steering)?);
-    let chosen = catalogue.rings.iter().find(|ring| ring.d_l == bearing.d_l);
-    let chosen = chosen
-        .or_else(|| catalogue.choose(&duty).ok())
-        .or(catalogue.rings.last())?;
-    Some(chosen.use_of(&duty).unwrap_or([f64::INFINITY; 2]))
 }

@@ -1,6 +1,6 @@
 //! The turning centre that a command means.
 
-use crate::kernel::calc::Calc;
+use crate::kernel::calc::{Among, Calc};
 use crate::kernel::number::short;
 use crate::parts::plane::Point;
 use crate::steering::centre::Centre;
@@ -31,8 +31,11 @@ impl<C: Calc> Machine<C> {
 
     /// The group that commands.
     pub(super) fn commanding(&self, base: usize) -> Point<C> {
-        let at = self.groups[base];
-        Point::new(at.x.named(&s::X_B), at.y.named(&s::Y_B))
+        let (at, which) = (self.groups[base], Among::Of(base as u16 + 1));
+        Point::new(
+            at.x.among(which, at.x).def(&s::X_B),
+            at.y.among(which, at.y).def(&s::Y_B),
+        )
     }
 }
 

@@ -1,6 +1,6 @@
 //! Speed of the steering cylinders, and the oil that they take.
 
-use crate::kernel::calc::Calc;
+use crate::kernel::calc::{Among, Calc};
 use crate::kernel::group::quantities;
 use crate::parts::hydraulics::cylinder;
 use crate::steering::cylinder::Pose;
@@ -23,5 +23,7 @@ pub fn flow<C: Calc>(piston: &Piston<C>, speed: &C) -> C {
 
 /// Oil flow of all cylinders together, by amount.
 pub fn total<C: Calc>(flows: &[C]) -> C {
-    flows.iter().fold(C::constant(0.0), |sum, flow| sum + flow.abs())
+    let sum = flows.iter().fold(C::constant(0.0), |sum, flow| sum + flow.abs());
+    let one = C::known(&s::Q_G, flows[0].value()).abs();
+    sum.among(Among::Sum, one).def(&s::Q_SUM)
 }

@@ -2,7 +2,7 @@
 
 use crate::component::sheet::{Section, Table};
 use crate::component::stages::results;
-use crate::kernel::calc::Calc;
+use crate::kernel::calc::{Among, Calc};
 use crate::kernel::group::quantities;
 use crate::kernel::number::short;
 use crate::kernel::record::{Rec, record};
@@ -104,22 +104,32 @@ struct Springs<C> {
     yy: C,
 }
 
-impl Springs<f64> {
-    fn new(machine: &Machine<f64>) -> Springs<f64> {
-        let n = machine.groups.len() as f64;
-        let mean = machine.groups.iter().sum::<Point<f64>>() / n;
-        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-        for p in &machine.groups {
-            let d = p - mean;
-            xx += d.x * d.x;
-            xy += d.x * d.y;
-            yy += d.y * d.y;
-        }
-        Springs { n, mean, xx, xy, yy }
-    }
+/// A sum over all groups, of what each adds to it.
+fn total<C: Calc>(each: impl Iterator<Item = C>) -> C {
+    let sums = each.map(|one| (one, one)).reduce(|(first, sum), (_, one)| (first, sum + one));
+    let (first, sum) = sums.expect("at least four groups");
+    sum.among(Among::Sum, first)
 }
 
 impl<C: Calc> Springs<C> {
+    fn new(groups: &[Point<C>]) -> Springs<C> {
+        let n = total(groups.iter().map(|_| C::constant(1.0))).def(&s::N_G);
+        let mean = Point::new(
+            (total(groups.iter().map(|p| p.x)) / n).def(&s::X_S),
+            (total(groups.iter().map(|p| p.y)) / n).def(&s::Y_S),
+        );
+        // In the book by their names.
+        let named = |d: Point<C>| Point::new(C::known(&s::D_SX, d.x.value()), C::known(&s::D_SY, d.y.value()));
+        let apart: Vec<Point<C>> = groups.iter().map(|p| named(p - mean)).collect();
+        Springs {
+            n,
+            mean,
+            xx: total(apart.iter().map(|d| d.x * d.x)).def(&s::S_XX),
+            xy: total(apart.iter().map(|d| d.x * d.y)).def(&s::S_XY),
+            yy: total(apart.iter().map(|d| d.y * d.y)).def(&s::S_YY),
+        }
+    }
+
     /// Load of the group at `p` (m), in N, of a weight (N) at `centre` (m).
     fn carry(&self, weight: C, centre: Point<C>, p: Point<C>) -> C {
         let Springs { n, mean, xx, xy, yy } = *self;
@@ -133,41 +143,34 @@ impl<C: Calc> Springs<C> {
 
 /// How the load of the most heavily loaded group follows from a weight (N) at `centre` (m), for the book.
 pub fn told(machine: &Machine<f64>, weight: f64, centre: Point<f64>) -> Section {
-    let springs = Springs::new(machine);
+    let springs = Springs::new(&machine.groups);
     let loads = machine.groups.iter().map(|p| springs.carry(weight, centre, *p));
     let rows = (1..).zip(&machine.groups).zip(loads);
     let rows: Vec<Vec<f64>> = rows.map(|((i, p), load)| vec![f64::from(i), p.x, p.y, load]).collect();
-    let heaviest = rows.iter().max_by(|a, b| a[3].total_cmp(&b[3]));
-    let at = |[x, y]: [&'static Symbol; 2], p: Point<f64>| Point::new(Rec::given(x, p.x), Rec::given(y, p.y));
+    let heaviest = (0..rows.len()).max_by(|i, j| rows[*i][3].total_cmp(&rows[*j][3]));
+    let at = |[x, y]: [&'static Symbol; 2], p: &Point<f64>| Point::new(Rec::given(x, p.x), Rec::given(y, p.y));
     let (trace, ()) = record(|| {
-        let springs = Springs {
-            n: Rec::given(&s::N_G, springs.n),
-            mean: at([&s::X_S, &s::Y_S], springs.mean),
-            xx: Rec::given(&s::S_XX, springs.xx),
-            xy: Rec::given(&s::S_XY, springs.xy),
-            yy: Rec::given(&s::S_YY, springs.yy),
-        };
-        let centre = at([&s::X_G, &s::Y_G], centre);
-        if let Some(row) = heaviest {
-            let p = at([&s::X, &s::Y], Point::new(row[1], row[2]));
-            let _ = springs.carry(Rec::given(&s::W, weight), centre, p).def(&s::G_MAX);
+        let groups: Vec<Point<Rec>> = machine.groups.iter().map(|p| at([&s::X, &s::Y], p)).collect();
+        let (springs, centre) = (Springs::new(&groups), at([&s::X_G, &s::Y_G], &centre));
+        if let Some(i) = heaviest {
+            let _ = springs.carry(Rec::given(&s::W, weight), centre, groups[i]).def(&s::G);
         }
     });
     Section {
         id: "loads",
         trace,
-        drawing: None,
         table: Some(Table {
             columns: vec![&s::NUMBER, &s::X, &s::Y, &s::G],
             rows,
         }),
+        ..Section::default()
     }
 }
 
 /// Load of each group, in N, for a weight (N) whose centre of gravity is at
 /// `centre` (m), on a rigid frame over equal springs.
 pub fn share(machine: &Machine<f64>, weight: f64, centre: Point<f64>, loads: &mut [f64]) -> Result<(), Refusal> {
-    let springs = Springs::new(machine);
+    let springs = Springs::new(&machine.groups);
     let Springs { mean, xx, xy, yy, .. } = springs;
     if xx * yy - xy * xy <= 1e-12 * (xx + yy) * (xx + yy) {
         return Err(Refusal::new(

@@ -1,6 +1,6 @@
 //! Where the steered groups stand.
 
-use crate::kernel::calc::Calc;
+use crate::kernel::calc::{Among, Calc};
 use crate::kernel::group::{group, quantities};
 use crate::kernel::number::short;
 use crate::parts::plane::{self, Point};
@@ -53,14 +53,15 @@ impl<C: Calc> Machine<C> {
     pub fn new(axes: &[Axis<C>], outline: &Footprint) -> Result<Machine<C>, Refusal> {
         let groups: Vec<Point<C>> = axes.iter().map(Axis::point).collect();
         apart(&groups)?;
-        let outermost = |pick: fn(&Point<C>) -> C, of_two: fn(C, C) -> C| {
+        let outermost = |pick: fn(&Point<C>) -> C, end: Among, symbol| {
+            let of_two = if end == Among::Greatest { C::greater } else { C::smaller };
             let all = groups.iter().map(pick).reduce(of_two);
-            all.expect("at least four")
+            all.expect("at least four").among(end, pick(&groups[0])).def(symbol)
         };
-        let front = outermost(|p| p.x, C::greater).named(&s::X_F);
-        let rear = outermost(|p| p.x, C::smaller).named(&s::X_R);
-        let left = outermost(|p| p.y, C::greater).named(&s::Y_L);
-        let right = outermost(|p| p.y, C::smaller).named(&s::Y_R);
+        let front = outermost(|p| p.x, Among::Greatest, &s::X_F);
+        let rear = outermost(|p| p.x, Among::Least, &s::X_R);
+        let left = outermost(|p| p.y, Among::Greatest, &s::Y_L);
+        let right = outermost(|p| p.y, Among::Least, &s::Y_R);
         let two = C::constant(2.0);
         let middle = Point::new(((front + rear) / two).def(&s::M_X), ((left + right) / two).def(&s::M_Y));
         let [e_f, e_r, e_left, e_right] = match outline.0 {

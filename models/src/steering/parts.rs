@@ -1,7 +1,7 @@
 //! How the parts of the steering are chosen, in the book. [Zhang2016, 4-6]
 
 use crate::component::sheet::{Changes, Section, Summary};
-use crate::kernel::calc::Calc;
+use crate::kernel::calc::{Among, Calc};
 use crate::kernel::record::{Rec, record};
 use crate::kernel::symbol::Symbol;
 use crate::steering::built::Built;
@@ -19,6 +19,8 @@ pub struct Parts {
     pub demands: Vec<(Mode, Demand)>,
     /// Formulas of what is chosen.
     pub sections: Vec<Section>,
+    /// Whether the scene has load curves of rings.
+    pub ring: bool,
 }
 
 impl Parts {
@@ -27,6 +29,7 @@ impl Parts {
         let mut parts = Parts {
             demands: demands(steering, built),
             sections: Vec::new(),
+            ring: false,
         };
         let pumped = parts.pumped(changes);
         parts.choose(steering, built, pumped);
@@ -40,10 +43,10 @@ impl Parts {
     }
 
     /// What the pump must deliver: the greatest flow of steering or, where that is more, of a change of mode.
-    fn pumped(&self, changes: Option<&Changes>) -> Option<(&'static Symbol, f64)> {
+    fn pumped(&self, changes: Option<&Changes>) -> Option<([&'static Symbol; 2], f64)> {
         let changing = changes.into_iter().flat_map(|changes| &changes.rows);
-        let changing = changing.filter_map(|change| Some((&s::Q_X_MAX, change.flow?)));
-        let steering = self.greatest().map(|(_, demand)| (&s::Q_MAX, demand.flow));
+        let changing = changing.filter_map(|change| Some((FLOWS[1], change.flow?)));
+        let steering = self.greatest().map(|(_, demand)| (FLOWS[0], demand.flow));
         let all = steering.into_iter().chain(changing);
         all.reduce(|a, b| if b.1 > a.1 { b } else { a })
     }
@@ -53,8 +56,7 @@ impl Parts {
         self.sections.push(Section {
             id,
             trace,
-            drawing: None,
-            table: None,
+            ..Section::default()
         });
     }
 
@@ -69,33 +71,60 @@ impl Parts {
         steps.find(|step| step.symbol == symbol).map(|step| step.value)
     }
 
-    fn choose(&mut self, steering: &Steering, built: &Built, pumped: Option<(&'static Symbol, f64)>) {
+    /// The ring, if the scene has one, and the point of its duty on its load curves.
+    fn bear(&mut self, steering: &Steering, load: f64) {
+        let Some((bearing, safety)) = steering.given.bearing.zip(steering.safety) else {
+            return;
+        };
+        let duty = Duty::new(&bearing, &safety, load);
+        let catalogue = steering.catalogue.as_ref();
+        let ring = catalogue.and_then(|catalogue| catalogue.chosen(&bearing, &duty));
+        self.section("ring", || {
+            let of = &mut Rec::given;
+            let load = among(&s::G, load, Among::Greatest).def(&s::G_MAX);
+            let duty = Duty::new(&bearing.map(of), &safety.map(of), load);
+            let _ = ring.map(|ring| ring.use_of(&duty));
+        });
+        if let (Some(ring), Some(section)) = (ring, self.sections.last_mut()) {
+            (section.table, section.curve) = (Some(ring.points()), Some(ring.curves(&duty)));
+            self.ring = true;
+        }
+    }
+
+    fn choose(&mut self, steering: &Steering, built: &Built, pumped: Option<([&'static Symbol; 2], f64)>) {
         let of = Rec::given;
         let given = &steering.given;
         let load = heaviest(steering);
-        if let Some(((load, bearing), safety)) = load.zip(given.bearing).zip(steering.safety) {
-            self.section("ring", || {
-                let _ = Duty::new(&bearing.map(&mut { of }), &safety.map(&mut { of }), of(&s::G_MAX, load));
-            });
+        if let Some(load) = load {
+            self.bear(steering, load);
         }
         let Some(([longest, shortest, od_min], cylinder)) = extremes(built).zip(given.cylinder) else {
             return;
         };
         self.section("stroke", || {
             let cylinder = cylinder.map(&mut { of });
-            let _ = cylinder.stroke_margins(of(&s::R_MAX, longest), of(&s::R_MIN, shortest));
+            let longest = among(&s::R, longest, Among::Greatest).def(&s::R_MAX);
+            let shortest = among(&s::R, shortest, Among::Least).def(&s::R_MIN);
+            let _ = cylinder.stroke_margins(longest, shortest);
         });
         let Some((load, tyre)) = load.zip(given.tyre) else {
             return;
         };
+        let told = self.found(&s::G_MAX).is_some();
         self.section("force", || {
-            let load = of(&s::G_MAX, load);
+            let load = if told {
+                of(&s::G_MAX, load)
+            } else {
+                among(&s::G, load, Among::Greatest).def(&s::G_MAX)
+            };
             let standing = resistance(&tyre.map(&mut { of }), load).standing;
             let moment = match given.bearing {
                 Some(bearing) => standing + friction(&bearing.map(&mut { of }), load),
                 None => standing,
             };
-            let _ = (moment.def(&s::T_G_MAX) / of(&s::OD_MIN, od_min)).def(&s::F_G_MAX);
+            let arm = of(&s::OD, od_min);
+            let least = arm.among(Among::Least, arm.abs()).def(&s::OD_MIN);
+            let _ = (moment.def(&s::T_G_MAX) / least).def(&s::F_G_MAX);
         });
         let force = self.found(&s::F_G_MAX).unwrap_or(0.0);
         let Some((h, piston)) = steering.hydraulics.zip(given.piston) else {
@@ -104,9 +133,10 @@ impl Parts {
         self.section("bore", || {
             let _ = bore(of(&s::F_G_MAX, force), of(&s::P, h.p), of(&s::D, piston.d));
         });
-        if let Some((symbol, flow)) = pumped {
+        if let Some(([each, most], flow)) = pumped {
             self.section("pump", || {
-                let _ = pump(of(symbol, flow), of(&s::N, h.n), of(&s::ETA_V, h.eta));
+                let flow = among(each, flow, Among::Greatest).def(most);
+                let _ = pump(flow, of(&s::N, h.n), of(&s::ETA_V, h.eta));
                 let _ = relief(of(&s::P, h.p), of(&s::K_R, h.k_r));
             });
         }
@@ -135,6 +165,15 @@ impl Parts {
         let summary = found.filter_map(|(symbol, value)| Some(Summary::new(symbol, value?)));
         summary.collect()
     }
+}
+
+/// Oil flow of steering and of a change of mode, and the greatest of each.
+const FLOWS: [[&Symbol; 2]; 2] = [[&s::Q_MODE, &s::Q_MAX], [&s::Q_SUM, &s::Q_X_MAX]];
+
+/// A value found among those of all bodies, for the book.
+fn among(each: &'static Symbol, value: f64, which: Among) -> Rec {
+    let each = Rec::given(each, value);
+    each.among(which, each)
 }
 
 /// A flow with the commanded angle at which it is asked for.

@@ -1,6 +1,7 @@
 //! The slewing ring of a group, chosen from a maker's load curves. [Zhang2016, 4]
 
-use crate::kernel::calc::Calc;
+use crate::component::sheet::{Curve, Table};
+use crate::kernel::calc::{Among, Calc};
 use crate::kernel::group::quantities;
 use crate::kernel::number::short;
 use crate::steering::refusal::Refusal;
@@ -40,7 +41,7 @@ impl<C: Calc> Duty<C> {
 }
 
 /// Friction moment of a ring under a vertical force (N) at its greatest arm, in
-/// N·m. Form of makers' catalogues, without radial load.
+/// N·m. A maker's formula for ball bearings, without radial load. [Rothe Erde]
 #[inline]
 pub fn friction<C: Calc>(ring: &Bearing<C>, f_a: C) -> C {
     let load = C::constant(4.4) * f_a * ring.l_max + f_a * ring.d_l;
@@ -52,12 +53,22 @@ pub fn friction<C: Calc>(ring: &Bearing<C>, f_a: C) -> C {
 pub struct LoadCurve(pub Vec<[f64; 2]>);
 
 impl LoadCurve {
-    /// The moment that may act with a force, in N·m; `None` beyond the curve.
+    /// The moment that may act with a force, in N·m, on the straight line between two points, which have numbers after
+    /// `before` others; `None` beyond the curve.
     #[must_use]
-    pub fn limit(&self, f: f64) -> Option<f64> {
-        self.0.windows(2).find_map(|pair| {
-            let ([f_1, m_1], [f_2, m_2]) = (pair[0], pair[1]);
-            (f >= f_1 && f <= f_2 && f_2 > f_1).then(|| m_1 + (m_2 - m_1) * (f - f_1) / (f_2 - f_1))
+    pub fn limit<C: Calc>(&self, f: C, before: u16) -> Option<C> {
+        let point = |number: u16, [f, m]: [f64; 2]| {
+            [(&s::F_CURVE, f), (&s::M_CURVE, m)].map(|(symbol, value)| {
+                let value = C::known(symbol, value);
+                value.among(Among::Of(number), value)
+            })
+        };
+        (before + 1..).zip(self.0.windows(2)).find_map(|(number, pair)| {
+            let within = f.value() >= pair[0][0] && f.value() <= pair[1][0] && pair[1][0] > pair[0][0];
+            within.then(|| {
+                let ([f_1, m_1], [f_2, m_2]) = (point(number, pair[0]), point(number + 1, pair[1]));
+                m_1 + (m_2 - m_1) * (f - f_1) / (f_2 - f_1)
+            })
         })
     }
 }
@@ -75,11 +86,42 @@ pub struct Ring {
 impl Ring {
     /// Moment over the moment allowed, of the ring and of its bolts; `None` where the force alone is too great.
     #[must_use]
-    pub fn use_of(&self, duty: &Duty<f64>) -> Option<[f64; 2]> {
+    pub fn use_of<C: Calc>(&self, duty: &Duty<C>) -> Option<[C; 2]> {
+        let ring = self.ring.limit(duty.f, 0)?.def(&s::M_RING);
+        let bolts = self.bolts.limit(duty.f_bolt, self.ring.0.len() as u16)?.def(&s::M_BOLTS);
         Some([
-            duty.m / self.ring.limit(duty.f)?,
-            duty.m_bolt / self.bolts.limit(duty.f_bolt)?,
+            (duty.m / ring).def(&s::RING_USE),
+            (duty.m_bolt / bolts).def(&s::BOLT_USE),
         ])
+    }
+
+    /// The points of both curves, numbered one after the other.
+    #[must_use]
+    pub fn points(&self) -> Table {
+        let all = self.ring.0.iter().chain(&self.bolts.0);
+        Table {
+            columns: vec![&s::POINT, &s::F_CURVE, &s::M_CURVE],
+            rows: (1..).zip(all).map(|(i, [f, m])| vec![f64::from(i), *f, *m]).collect(),
+        }
+    }
+
+    /// The curves of ring and bolts, 1 and 2, and the duty of both, the corners of 3 and 4.
+    #[must_use]
+    pub fn curves(&self, duty: &Duty<f64>) -> Curve {
+        // To the point and back, so that the number stands there.
+        let to = |f: f64, m: f64| vec![[0.0, m], [f, m], [f, 0.0], [f, m]];
+        Curve {
+            id: "ring",
+            x: &s::F_CURVE,
+            y: &s::M_CURVE,
+            pieces: vec![
+                self.ring.0.clone(),
+                self.bolts.0.clone(),
+                to(duty.f, duty.m),
+                to(duty.f_bolt, duty.m_bolt),
+            ],
+            numbers: vec![1, 2, 3, 4],
+        }
     }
 }
 
@@ -90,6 +132,13 @@ pub struct Catalogue {
 }
 
 impl Catalogue {
+    /// The ring with the raceway of a bearing; the first that bears the duty where none has it.
+    #[must_use]
+    pub fn chosen(&self, bearing: &Bearing<f64>, duty: &Duty<f64>) -> Option<&Ring> {
+        let same = self.rings.iter().find(|ring| ring.d_l == bearing.d_l);
+        same.or_else(|| self.choose(duty).ok()).or(self.rings.last())
+    }
+
     /// The first ring whose curves lie above the duty of ring and bolts.
     pub fn choose(&self, duty: &Duty<f64>) -> Result<&Ring, Refusal> {
         let fits = |ring: &&Ring| {

@@ -43,7 +43,7 @@ const OUTLINE: Outline = Outline {
         ("rates", &[Stage("rates")]),
         ("cylinder", &[Stage("poses")]),
         ("forces", &[Stage("drags"), Stage("forces"), Stage("travelling")]),
-        ("flow", &[Stage("strokes"), Stage("flows")]),
+        ("flow", &[Stage("strokes"), Stage("flows"), Stage("total")]),
         ("slip", &[Stage("errors"), Stage("alone")]),
     ],
     table: &[&s::O_X, &s::O_Y, &s::R_O, &s::OMEGA, &s::B_S, &s::MARGIN, &s::Q_SUM],
@@ -155,6 +155,7 @@ impl Described for SteeringScene {
                 value: *value,
                 chapter: "range",
                 given: None,
+                usual: false,
             })
         });
         let loads: Vec<Input> = inputs.extract_if(.., |input| input.symbol == &s::G).collect();

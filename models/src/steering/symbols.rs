@@ -152,9 +152,14 @@ symbols! {
     M_REF: "M_ref" "M'" N_M / KN_M, "Static reference moment of the slewing ring.", "[Zhang2016, 4]";
     F_BOLT: "F_bolt" "F_b" N / KN, "Total force on the bolts of the slewing ring.", "[Zhang2016, 4]";
     M_BOLT: "M_bolt" "M_b" N_M / KN_M, "Total moment on the bolts of the slewing ring.", "[Zhang2016, 4]";
+    POINT: "point" "i" ONE / ONE, "Number of a point of the load curves, of the ring and then of its bolts.", "input";
+    F_CURVE: "F_curve" "F_(c i)" N / KN, "Force at a point of a load curve of the slewing ring.", "input";
+    M_CURVE: "M_curve" "M_(c i)" N_M / KN_M, "Moment that may act with this force.", "input";
+    M_RING: "M_ring" "M_(c r)" N_M / KN_M, "Moment that the ring bears with its reference force.", "[Zhang2016, 4]";
+    M_BOLTS: "M_bolts" "M_(c b)" N_M / KN_M, "Moment that the bolts bear with their force.", "[Zhang2016, 4]";
     MU_R: "mu_r" "mu_r" ONE / ONE [from_to(0.0, 1.0)], "Coefficient of friction of the slewing ring.", "input";
     D_L: "D_L" "D_L" M / MM [above_to(0.0, 100.0)], "Diameter of the slewing ring's raceway.", "input";
-    M_F: "M_f" "M_(f i)" N_M / KN_M, "Friction moment of a group's slewing ring.", "makers' catalogues";
+    M_F: "M_f" "M_(f i)" N_M / KN_M, "Friction moment of a group's slewing ring.", "[Rothe Erde]";
 
     // Cylinder.
     R_C: "R_c" "overline(o c)" M / M [above_to(0.0, 10.0)], "Arm of the cylinder on its group.", "[Zhang2016, Fig. 5]";

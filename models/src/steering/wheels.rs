@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use crate::component::stages::results;
-use crate::kernel::calc::Calc;
+use crate::kernel::calc::{Among, Calc};
 use crate::parts::plane::{self, Point};
 use crate::steering::centre::Centre;
 use crate::steering::limits::Limits;
@@ -50,7 +50,8 @@ pub fn scale<C: Calc>(centre: &Centre<C>, rollings: &[Rolling<C>], v_t: &C) -> C
     *v_t / if centre.is_far() {
         fastest
     } else {
-        fastest.named(&s::U_MAX)
+        let one = C::known(&s::U, fastest.value());
+        fastest.among(Among::Greatest, one).def(&s::U_MAX)
     }
 }
 

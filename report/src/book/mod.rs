@@ -19,6 +19,7 @@ use lemnis_models::book::{CHAPTERS, TEXT};
 use lemnis_models::component::sheet::{self, Sheet};
 use lemnis_models::kernel::schema::Key;
 use lemnis_models::scene::Scene;
+use lemnis_synthesis::comparison::Comparison;
 use lemnis_typeset::{Format, Typeset, Typesetter};
 use serde::Serialize;
 
@@ -27,8 +28,8 @@ use crate::book::blocks::{Figure, Range, Summary};
 use crate::book::motion::Motion;
 use crate::book::notation::{Entry, Notation};
 use crate::book::steps::{Position, Section};
-use crate::book::synthesis::{Synthesis, synthesis};
-use crate::book::tables::{Changes, Chapter, Demand, Published, Sensitivity, View};
+use crate::book::synthesis::{Synthesis, spread, synthesis};
+use crate::book::tables::{Changes, Chapter, Demand, Published, Sensitivity, View, Written};
 use crate::book::title::Title;
 use crate::book::trade::Trade;
 use crate::book::verdict::Verdict;
@@ -136,14 +137,16 @@ struct Book<'a> {
     published: Option<Published>,
     remarks: &'a [&'static str],
     notation: Vec<Entry>,
-    /// Keys of the publications that are cited.
-    references: Vec<String>,
+    /// What the scene says.
+    written: Vec<Written<'a>>,
 }
 
 /// The chapters of a level; a chapter that has nothing to say is left out.
 fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
     let of_level = |chapter: &&'static str| match level {
         "summary" => ["results", "task", "forces", "references"].contains(chapter),
+        // The PDF has it inside.
+        "standard" => *chapter != "scene",
         _ => true,
     };
     let chosen = match &scene.book.chapters {
@@ -219,7 +222,10 @@ impl<'a> Book<'a> {
         notation.meet_results(sheet, &chapters);
         notation.meet_formulas(sheet, &chapters);
         let has = |chapter| chapters.contains(&chapter);
-        let synthesis = (has("synthesis").then(|| synthesis(numbers, scene, &mut notation))).flatten();
+        let comparison = Comparison::new(scene);
+        let spread = comparison.as_ref().and_then(|comparison| spread(numbers, comparison));
+        let comparison = comparison.filter(|_| has("synthesis"));
+        let synthesis = comparison.and_then(|comparison| synthesis(numbers, scene, &comparison, &mut notation));
         let trade = (has("trade").then(|| Trade::new(numbers, scene, &mut notation))).transpose()?;
         let drawing = drawing(&sheet.drawing, SKETCH);
         let figure = |c: &sheet::Curve| Figure::new(numbers, c);
@@ -238,7 +244,7 @@ impl<'a> Book<'a> {
             symbols: symbols(scene.mechanism.id()),
             parts: parts(sheet),
             html: format == Format::Html,
-            verdict: Verdict::new(numbers, scene, sheet),
+            verdict: Verdict::new(numbers, scene, sheet, spread),
             summary: sheet.summary.iter().map(summary).collect(),
             governing: sheet.governing.iter().map(summary).collect(),
             text: paragraphs(numbers.language, scene),
@@ -264,7 +270,7 @@ impl<'a> Book<'a> {
             trade,
             published: tables::published(numbers, sheet, full),
             remarks: &sheet.remarks,
-            references: notation.references(),
+            written: tables::written(&scene.given),
             notation: notation.entries(),
             chapters,
         })

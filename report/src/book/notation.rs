@@ -93,14 +93,6 @@ impl Notation {
         }
     }
 
-    pub(super) fn references(&self) -> Vec<String> {
-        let key = |symbol: &&Symbol| Some(symbol.source.strip_prefix('[')?.split([',', ']']).next()?.to_owned());
-        let mut keys: Vec<String> = self.met.iter().filter_map(key).collect();
-        keys.sort();
-        keys.dedup();
-        keys
-    }
-
     /// As they are printed: Latin letters, then Greek ones.
     pub(super) fn entries(&self) -> Vec<Entry> {
         let mut met = self.met.clone();

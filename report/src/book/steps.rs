@@ -5,7 +5,7 @@ use lemnis_models::kernel::record::Trace;
 use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
-use crate::book::blocks::{self, Drawn, Quantity, Table};
+use crate::book::blocks::{self, Drawn, Figure, Quantity, Table};
 use crate::book::notation::Notation;
 use crate::book::verdict::verdict;
 use crate::print::drawing::{self, HALF};
@@ -17,6 +17,7 @@ pub(super) struct Section {
     id: &'static str,
     picture: Option<Drawn>,
     steps: Vec<Step>,
+    curve: Option<Figure>,
     table: Option<Table>,
 }
 
@@ -90,6 +91,7 @@ pub(super) fn sections(
             .as_ref()
             .map(|drawing| drawing::drawing(drawing, HALF).into()),
         steps: steps(numbers, &section.trace, outputs, requirements, notation),
+        curve: section.curve.as_ref().map(|curve| Figure::new(numbers, curve)),
         table: section.table.as_ref().map(|table| {
             for symbol in &table.columns {
                 notation.meet(symbol);

@@ -78,10 +78,34 @@ struct Nodes {
     contradicted: bool,
 }
 
+/// What the scene's own balance is with its tolerances.
+#[derive(Serialize)]
+pub(super) struct Spread {
+    #[serde(skip)]
+    pub dm_95: f64,
+    builds: usize,
+    /// Of all these builds, half and 95 % stay below.
+    most: [String; 2],
+}
+
+/// Of the lever that is the scene's own: the last.
+pub(super) fn spread(numbers: &Numbers, comparison: &Comparison) -> Option<Spread> {
+    let found = comparison.levers.last()?.worth.as_ref()?.spread?;
+    Some(Spread {
+        dm_95: found.dm_95,
+        builds: BUILDS,
+        most: [(&s::DM_50, found.median), (&s::DM_95, found.dm_95)].map(|(symbol, value)| numbers.named(symbol, value)),
+    })
+}
+
 /// `None` for a scene that asks for no synthesis.
-pub(super) fn synthesis(numbers: &Numbers, scene: &Scene, notation: &mut Notation) -> Option<Synthesis> {
+pub(super) fn synthesis(
+    numbers: &Numbers,
+    scene: &Scene,
+    comparison: &Comparison,
+    notation: &mut Notation,
+) -> Option<Synthesis> {
     let task = scene.search()?.task;
-    let comparison = Comparison::new(scene)?;
     let levers = &comparison.levers;
     let number = |i: usize| (i + 1).to_string();
     let columns: Vec<_> = levers.iter().map(Compared::criteria).collect();

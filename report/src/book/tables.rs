@@ -3,6 +3,7 @@
 use lemnis_models::component::sheet::{self, Comparison, Sheet};
 use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::number::{Digits, Number, short};
+use lemnis_models::kernel::origin::Origins;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::kernel::unit::{self, Unit};
 use serde::Serialize;
@@ -18,8 +19,10 @@ pub(super) struct Chapter {
     id: &'static str,
     /// Whether only levels in motion use them, which the book does not calculate.
     uncalculated: bool,
-    /// Where the scene says that all these quantities come from.
+    /// Where the scene says that these quantities come from, if it says one thing of all that it gives.
     note: Option<String>,
+    /// Whether some come from elsewhere.
+    mixed: bool,
     inputs: Vec<Input>,
 }
 
@@ -32,10 +35,18 @@ struct Input {
     /// The symbol, with the number of the one among several.
     shown: String,
     value: String,
-    /// Key and line of the scene, and where the scene says that the value comes from.
-    key: Option<String>,
-    line: usize,
+    /// Where the value comes from: what the scene says of that; else its line of the scene; else what is usual.
     note: Option<String>,
+    line: Option<usize>,
+    usual: bool,
+}
+
+/// A value of the scene, as it is written there.
+#[derive(Serialize)]
+pub(super) struct Written<'a> {
+    key: &'a str,
+    line: usize,
+    text: &'a str,
 }
 
 /// A way in which the mechanism works.
@@ -136,12 +147,19 @@ pub(super) fn inputs(numbers: &Numbers, sheet: &Sheet, notation: &mut Notation) 
             id: inputs[0].chapter,
             uncalculated: sheet.uncalculated.contains(&inputs[0].chapter),
             note: None,
+            mixed: true,
             inputs: inputs.iter().map(|given| input(numbers, given, notation)).collect(),
         };
         // What all have in common is said once.
-        if chapter.inputs.iter().all(|input| input.note == chapter.inputs[0].note) {
-            chapter.note = chapter.inputs[0].note.clone();
-            chapter.inputs.iter_mut().for_each(|input| input.note = None);
+        let mut given = chapter.inputs.iter().filter(|input| !input.usual);
+        if let Some(first) = given.next().filter(|first| first.note.is_some())
+            && given.all(|input| input.note == first.note)
+        {
+            chapter.note = first.note.clone();
+            chapter.mixed = chapter.inputs.iter().any(|input| input.usual);
+            for input in &mut chapter.inputs {
+                (input.note, input.line) = (None, None);
+            }
         }
         chapter
     };
@@ -172,10 +190,19 @@ fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> In
             }
             None => numbers.given(input.symbol, input.value),
         },
-        key: given.map(|given| given.key.clone()),
-        line: given.map_or(0, |given| given.line),
+        usual: input.usual,
+        line: given.map(|given| given.line),
         note: given.and_then(|given| Some(given.source.as_ref()?.of(numbers.language.code).to_owned())),
     }
+}
+
+pub(super) fn written(origins: &Origins) -> Vec<Written<'_>> {
+    let all = origins.written().iter().map(|written| Written {
+        key: &written.key,
+        line: written.line,
+        text: &written.text,
+    });
+    all.collect()
 }
 
 /// A small change of a quantity: how many of which unit.

@@ -1,12 +1,13 @@
 //! What is judged, and what must be known before any of it is believed.
 
+use lemnis_models::balance::symbols::DM_MAX;
 use lemnis_models::component::sheet::{self, Sheet};
 use lemnis_models::kernel::number::Number;
 use lemnis_models::scene::Scene;
 use serde::Serialize;
 
 use crate::book::blocks::{Summary, summary};
-use crate::book::synthesis::unsearched;
+use crate::book::synthesis::{Spread, unsearched};
 use crate::book::tables::fixed;
 use crate::print::number::Numbers;
 
@@ -23,6 +24,8 @@ pub(super) struct Verdict {
     /// `open` or `broken` where the synthesis that the scene asks for has not come to its end.
     unsearched: Option<&'static str>,
     warnings: Vec<Warning>,
+    /// What the residual moment is with the scene's tolerances.
+    spread: Option<Spread>,
 }
 
 #[derive(Serialize)]
@@ -45,6 +48,9 @@ struct Check {
     doubtful: bool,
     /// Names the words that say when the value is infinite, where it is.
     infinite: Option<&'static str>,
+    /// Whether what builds within the tolerances come to belongs to it, and does not keep to the limit where it does.
+    spread: bool,
+    exceeded: bool,
 }
 
 /// What must be known before any result is believed.
@@ -58,7 +64,7 @@ struct Warning {
 }
 
 impl Verdict {
-    pub(super) fn new(numbers: &Numbers, scene: &Scene, sheet: &Sheet) -> Verdict {
+    pub(super) fn new(numbers: &Numbers, scene: &Scene, sheet: &Sheet, spread: Option<Spread>) -> Verdict {
         let Sheet {
             requirements,
             unjudged,
@@ -66,7 +72,8 @@ impl Verdict {
             ..
         } = sheet;
         let count = |list: &[sheet::Check], passed: bool| list.iter().filter(|check| check.passed() == passed).count();
-        let shown = |list: &[sheet::Check]| list.iter().map(|found| check(numbers, found)).collect();
+        let dm_95 = spread.as_ref().map(|spread| spread.dm_95);
+        let shown = |list: &[sheet::Check]| list.iter().map(|found| check(numbers, found, dm_95)).collect();
         Verdict {
             kept: count(requirements, true),
             requirements: shown(requirements),
@@ -75,6 +82,7 @@ impl Verdict {
             identities: shown(identities),
             unsearched: scene.search().and_then(|search| unsearched(search.task)),
             warnings: warnings(numbers, sheet),
+            spread,
         }
     }
 }
@@ -88,9 +96,13 @@ pub(super) fn verdict(check: &sheet::Check) -> &'static str {
     }
 }
 
-fn check(numbers: &Numbers, check: &sheet::Check) -> Check {
+fn check(numbers: &Numbers, check: &sheet::Check, dm_95: Option<f64>) -> Check {
+    let spread = dm_95.filter(|_| check.symbol == &DM_MAX);
+    let exceeded = check.passed() && spread.is_some_and(|spread| spread > check.limit);
     Check {
-        verdict: verdict(check),
+        verdict: if exceeded { "doubtful" } else { verdict(check) },
+        spread: spread.is_some(),
+        exceeded,
         id: check.id,
         symbol: check.symbol.print,
         value: numbers.judged(check.symbol, check.value, check.limit),

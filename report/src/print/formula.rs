@@ -9,6 +9,7 @@
 
 use std::collections::BTreeSet;
 
+use lemnis_models::kernel::calc::Among;
 use lemnis_models::kernel::record::{Node, Op, Rec, Step, Trace};
 use serde::Serialize;
 
@@ -63,7 +64,7 @@ pub fn step(
         defined,
     });
     let [symbols, numbers] = forms.map(|print| term(print, false, step.formula).whole());
-    let repeats = !in_full || numbers.text == result.text;
+    let repeats = !in_full || numbers.text == result.text || !is_arithmetic(trace, step.formula);
     let after = JUDGED * judged as f64;
     let line = name + symbols.width + result.width + after + 3.0 + if repeats { 0.0 } else { numbers.width + 3.0 };
     if line <= LINE - SOURCE {
@@ -86,6 +87,18 @@ pub fn step(
         result: result.text,
         layout: Layout::Lines,
         size: (100.0 * WIDE * LINE / widest).min(100.0) as u32,
+    }
+}
+
+/// Whether numbers in the places of all names say what the expression says: neither of how one changes with another nor
+/// of many bodies.
+fn is_arithmetic(trace: &Trace, rec: Rec) -> bool {
+    match trace.node(rec) {
+        Node::Constant(_) | Node::Name(_) => true,
+        Node::Unary(Op::Among(which), _) => matches!(which, Among::Of(_)),
+        Node::Binary(Op::Derivative, ..) => false,
+        Node::Unary(_, inner) => is_arithmetic(trace, inner),
+        Node::Binary(_, left, right) => is_arithmetic(trace, left) && is_arithmetic(trace, right),
     }
 }
 

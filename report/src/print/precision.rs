@@ -124,6 +124,8 @@ fn known(numbers: &Numbers, trace: &Trace, rec: Rec) -> Known {
             let half = number.rounding() * symbol.display.factor;
             Known::around([printed - half, printed + half], printed.abs())
         }
+        // No numbers are printed for what it is made of.
+        Node::Unary(Op::Among(_), _) | Node::Binary(Op::Derivative, ..) => Known::around([value], value.abs()),
         Node::Unary(op, inner) => unary(op, known(numbers, trace, inner), value),
         Node::Binary(op, left, right) => {
             let [left, right] = [left, right].map(|side| known(numbers, trace, side));

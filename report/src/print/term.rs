@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
+use lemnis_models::kernel::calc::Among;
 use lemnis_models::kernel::number::short;
 use lemnis_models::kernel::record::{Node, Op, Rec, Trace};
 
@@ -124,6 +125,10 @@ pub(super) fn term(print: Print, nested: bool, rec: Rec) -> Term {
         {
             product(print, nested, &tidy)
         }
+        Node::Unary(Op::Among(Among::Of(number)), inner) => match (print.form, print.trace.node(inner)) {
+            (Form::Symbols, Node::Name(symbol)) => Term::atom(symbol.numbered(number), width::name(symbol.print)),
+            _ => term(print, nested, inner),
+        },
         Node::Unary(op, inner) => unary(op, term(print, nested, inner)),
         Node::Binary(op, left, right) => {
             let nested_within = nested || op == Op::Div;
@@ -209,7 +214,19 @@ fn unary(op: Op, inner: Term) -> Term {
                 ..inner
             }
         }
-        Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Direction => unreachable!("{op:?} has two operands"),
+        Op::Among(which) => {
+            let sign = match which {
+                Among::Greatest => "max",
+                Among::Least => "min",
+                Among::Sum => "sum_i",
+                Among::Of(_) => "",
+            };
+            let inner = inner.within(Level::Product);
+            Term::product(inner.minus, format!("{sign} {}", inner.text), inner.width + 3.0)
+        }
+        Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Direction | Op::Derivative => {
+            unreachable!("{op:?} has two operands")
+        }
     }
 }
 
@@ -250,6 +267,15 @@ fn binary(form: Form, nested: bool, op: Op, left: Term, right: Term) -> Term {
         Op::Div => {
             let text = format!("frac({}, {})", left.text, right.text);
             Term::product(left.minus != right.minus, text, left.width.max(right.width) + 0.5)
+        }
+        Op::Derivative => {
+            let (what, by) = (left.whole(), right.whole());
+            let (above, beside) = match what.level {
+                Level::Atom => (format!("dif {}", what.text), String::new()),
+                _ => ("dif".to_owned(), format!(" ({})", what.text)),
+            };
+            let width = what.width.max(by.width) + 2.0;
+            Term::product(false, format!("frac({above}, dif {}){beside}", by.text), width)
         }
         // The angle of the vector (x, y) is written with y first, as in arctan y/x; a long one is broken after its comma.
         _ => {

@@ -9,7 +9,6 @@ use num_dual::{Dual2, Dual64, DualNum};
 
 use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::{Calc, Over};
-use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::balancing::Balancing;
 use crate::luffing::double_link::balancing;
@@ -17,7 +16,6 @@ use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Anchors, Driven, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
-use crate::luffing::double_link::symbols as g;
 use crate::parts::hoist::Hoist;
 use crate::parts::motion::Motion as Range;
 use crate::parts::plane::{self, Point, dot, squared};
@@ -227,27 +225,27 @@ impl<T: Calc + DualNum> Counterweight<T> {
 
 /// How bodies, head and drive move with the driven bar, by derivatives of the positions.
 #[derive(Clone, Copy)]
-struct Moves<C> {
+pub(super) struct Moves<C> {
     /// Boom, jib and rocker.
-    bodies: [Moved<C>; 3],
+    pub bodies: [Moved<C>; 3],
     /// Mass (kg) and place of the counterweight.
-    counterweight: Option<(C, [Point<C>; 3])>,
-    head: [Point<C>; 3],
-    drive: [C; 2],
-    turn: [C; 2],
+    pub counterweight: Option<(C, [Point<C>; 3])>,
+    pub head: [Point<C>; 3],
+    pub drive: [C; 2],
+    pub turn: [C; 2],
 }
 
 /// A body's centre of gravity: place, first and second derivative by the driven angle, in m; square of the body's
 /// turning by it, and half of how that changes.
 #[derive(Clone, Copy)]
-struct Moved<C> {
-    centre: [Point<C>; 3],
-    turn: [C; 2],
+pub(super) struct Moved<C> {
+    pub centre: [Point<C>; 3],
+    pub turn: [C; 2],
 }
 
 impl<T: Calc + DualNum> Moves<T> {
     #[inline]
-    fn new<P: Calc>(d: &Dynamics<P>, positions: &Positions<T>, theta: T) -> Option<Self>
+    pub(super) fn new<P: Calc>(d: &Dynamics<P>, positions: &Positions<T>, theta: T) -> Option<Self>
     where
         T: Over<P>,
     {
@@ -295,7 +293,7 @@ impl<T: Calc + DualNum> Moves<T> {
 impl<C: Calc> Reduced<C> {
     /// The sum over all bodies.
     #[inline]
-    fn of<P: Calc>(bodies: &Bodies<P>, moves: Moves<C>) -> Self
+    pub(super) fn of<P: Calc>(bodies: &Bodies<P>, moves: Moves<C>) -> Self
     where
         C: Over<P>,
     {
@@ -380,11 +378,10 @@ impl<T: Calc + DualNum> Bar<T> {
     }
 
     /// Inertia about a vertical axis through the centre of a body that lies in the bar's frame as `spread` says.
-    fn spread(&self, spread: [T; 3]) -> Dual2<T> {
+    fn spread(&self, of: [T; 3]) -> Dual2<T> {
         let [e, d, dd] = self.along.map(|x| x / self.length);
-        let (along, across) = (Dual2::new(e.x, d.x, dd.x), -Dual2::new(e.y, d.y, dd.y));
-        let [xx, xy, yy] = spread.map(Dual2::from_re);
-        xx * along * along + xy * along * across * Dual2::constant(2.0) + yy * across * across
+        let along = Point::new(Dual2::new(e.x, d.x, dd.x), Dual2::new(e.y, d.y, dd.y));
+        spread(of.map(Dual2::from_re), along)
     }
 
     /// A point of the bar's frame: place, first and second derivative.
@@ -394,6 +391,13 @@ impl<T: Calc + DualNum> Bar<T> {
         let of = |i: usize| self.joint[i] + plane::turned(self.along[i], along, across);
         [of(0), of(1), of(2)]
     }
+}
+
+/// Inertia about a vertical axis through the centre of a body that lies as [`Body::spread`] says in the frame of a bar
+/// along a unit vector.
+pub(super) fn spread<C: Calc>([xx, xy, yy]: [C; 3], along: Point<C>) -> C {
+    let (along, across) = (along.x, -along.y);
+    xx * along * along + xy * along * across * C::constant(2.0) + yy * across * across
 }
 
 /// Value, first and second derivative.
@@ -410,16 +414,24 @@ fn turned_inertia<P: Calc, T: Calc + DualNum + Over<P>>(
     counterweight: Option<(T, Point<Dual2<T>>)>,
 ) -> [T; 2] {
     let axis = Dual2::from_re(T::of(table.axis));
-    let about = |mass: T, x: Dual2<T>| Dual2::from_re(mass) * (x - axis) * (x - axis);
-    let mut sum = Dual2::from_re(T::of(table.inertia));
-    for (body, bar) in [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(bars) {
+    let bodies = [&bodies.boom, &bodies.jib, &bodies.rocker].into_iter().zip(bars);
+    let bodies = bodies.map(|(body, bar)| {
         let [r, v, a] = bar.point(body.centre.map(T::of));
-        sum += about(T::of(body.mass), Dual2::new(r.x, v.x, a.x)) + bar.spread(body.spread.map(T::of));
-    }
-    if let Some((mass, place)) = counterweight {
-        sum += about(mass, place.x);
-    }
+        let mass = Dual2::from_re(T::of(body.mass));
+        let spread = bar.spread(body.spread.map(T::of));
+        (mass, Dual2::new(r.x, v.x, a.x) - axis, Some(spread))
+    });
+    let counterweight = counterweight.map(|(mass, place)| (Dual2::from_re(mass), place.x - axis, None));
+    let sum = about_axis(Dual2::from_re(T::of(table.inertia)), bodies.chain(counterweight));
     [sum.re, sum.v1]
+}
+
+/// An inertia (kg·m²) with bodies: mass (kg), distance from the axis (m), inertia about the centre where it has one.
+pub(super) fn about_axis<C: Calc>(inertia: C, bodies: impl Iterator<Item = (C, C, Option<C>)>) -> C {
+    bodies.fold(inertia, |sum, (mass, reach, spread)| {
+        let about = mass * reach * reach;
+        sum + spread.map_or(about, |spread| about + spread)
+    })
 }
 
 /// A scalar that the equations of motion run on, with parameters known as `P`: a number, one with its
@@ -458,69 +470,17 @@ impl<const N: usize> Coordinate for Gradient<N> {
     }
 }
 
-/// For the book: the derivatives by their names, and what follows from them as formulas.
-impl Coordinate<Rec> for Rec {
-    fn reduced(d: &Dynamics<Rec>, theta: Rec) -> Option<Reduced<Rec>> {
-        let moves = Moves::new(d, &d.twice, theta.value())?;
-        let point = |p: Point<f64>, [x, y]: [&'static Symbol; 2]| Point::new(Rec::given(x, p.x), Rec::given(y, p.y));
-        // Heights are those of the energy, which no formula of the book has.
-        let nowhere = Point::new(Rec::constant(0.0), Rec::constant(0.0));
-        let centre =
-            |[_, v, a]: [Point<f64>; 3], [first, second]: &s::OfCentre| [nowhere, point(v, *first), point(a, *second)];
-        let driven = match d.driven() {
-            Driven::Boom => 0,
-            Driven::Rocker => 2,
-        };
-        let body = |i: usize| {
-            let (moved, names) = (moves.bodies[i], &s::OF_BODY[i]);
-            let [turn, change] = moved.turn;
-            Moved {
-                centre: centre(moved.centre, &names.centre),
-                // The driven bar turns with itself.
-                turn: match i == driven {
-                    true => [Rec::constant(1.0), Rec::constant(0.0)],
-                    false => [Rec::given(names.turn, turn), Rec::given(names.turn_change, change)],
-                },
-            }
-        };
-        let turn = match d.turntable {
-            Some(_) => [
-                Rec::given(&s::I_SL, moves.turn[0]),
-                Rec::given(&s::DI_SL, moves.turn[1]),
-            ],
-            None => [Rec::constant(0.0); 2],
-        };
-        let [a, da, dda] = moves.head;
-        let moves = Moves {
-            bodies: [body(0), body(1), body(2)],
-            counterweight: moves.counterweight.map(|(mass, place)| {
-                let mass = Rec::given(&s::MASS_5, mass);
-                (mass, centre(place, &s::OF_COUNTERWEIGHT))
-            }),
-            head: [
-                point(a, [&g::A_X, &g::A_Y]),
-                point(da, [&g::DA_X, &g::DA_Y]),
-                point(dda, [&s::DDA_X, &s::DDA_Y]),
-            ],
-            drive: match d.push.filter(|_| d.by_cylinder) {
-                Some(_) => [Rec::given(&g::L_D, moves.drive[0]), Rec::given(&g::H_D, moves.drive[1])],
-                None => [Rec::constant(0.0); 2],
-            },
-            turn,
-        };
-        Some(Reduced::of(&d.bodies, moves))
-    }
-}
-
 /// The mechanism with its bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct Dynamics<P = f64> {
     /// For two and for three derivatives.
     pub(super) twice: Positions<f64>,
     pub(super) thrice: Positions<Dual64>,
+    /// What its balance is made from, for the book.
+    pub(super) quantities: Option<(Parameters<P>, Range)>,
     pub(super) push: Option<Push<P>>,
     /// The equations of motion ask for the drive.
-    by_cylinder: bool,
+    pub(super) by_cylinder: bool,
     turntable: Option<Turntable<P>>,
     bodies: Bodies<P>,
 }
@@ -560,6 +520,7 @@ impl<P: Calc> Dynamics<P> {
                 geometry: geometry.map(|x| Dual2::from_re(Dual64::of(x))),
                 counterweight: None,
             },
+            quantities: None,
             push: None,
             by_cylinder: false,
             turntable: None,
@@ -575,6 +536,7 @@ impl<P: Calc> Dynamics<P> {
     where
         Dual64: Over<P>,
     {
+        self.quantities = Some((*p, *range));
         let gravity = self.bodies.gravity;
         let values = p.values();
         self.twice.counterweight = Counterweight::new(&values, range, gravity.value())?;

@@ -8,12 +8,16 @@ use crate::balance::symbols as b;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::balancing::{boom_angle, place};
-use crate::luffing::double_link::dynamics::{Bar, Body, Coordinate, Dynamics, Positions, bars, parts};
+use crate::luffing::double_link::balancing::{self, boom_angle, place};
+use crate::luffing::double_link::dynamics::{
+    Bar, Body, Coordinate, Dynamics, Moved, Moves, Positions, Reduced, about_axis, bars, parts, spread,
+};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::Driven;
 use crate::luffing::double_link::position::Position;
+use crate::luffing::double_link::statics::Centres;
 use crate::luffing::double_link::symbols as g;
+use crate::luffing::double_link::system::height;
 use crate::parts::plane::{self, Point, cross, dot};
 
 /// The mechanism at one angle of the driving link; lengths in m, everything from O1.
@@ -139,6 +143,108 @@ impl<T: Calc + DualNum> PosedBody<T> {
     }
 }
 
+/// How something at an angle of the driving link changes with it, as dual numbers have found: two coordinates, once and
+/// once more.
+fn changes(of: Point<Rec>, theta: Rec, values: [Point<f64>; 2], names: [[&'static Symbol; 2]; 2]) -> [Point<Rec>; 2] {
+    let once = |of: Point<Rec>, value: Point<f64>, [x, y]: [&'static Symbol; 2]| {
+        Point::new(
+            of.x.derivative(theta, value.x).def(x),
+            of.y.derivative(theta, value.y).def(y),
+        )
+    };
+    let first = once(of, values[0], names[0]);
+    [first, once(first, values[1], names[1])]
+}
+
+/// First joint and direction of boom, jib and rocker.
+fn directed(d: &Dynamics<Rec>, p: &Position<Rec>) -> [(Point<Rec>, Point<Rec>); 3] {
+    let lengths = &d.twice.geometry.lengths;
+    let given = |symbol, length: Dual2<f64>| Rec::given(symbol, length.re);
+    let foot = Point::new(Rec::constant(0.0), Rec::constant(0.0));
+    let o3 = Point::new(-given(&g::X_5, lengths.x_5), given(&g::X_6, lengths.x_6));
+    [
+        (foot, p.x_1 / given(&g::X_1, lengths.x_1)),
+        (p.b, p.x_2 / given(&g::X_2, lengths.x_2)),
+        (o3, p.x_3 / given(&g::X_3, lengths.x_3)),
+    ]
+}
+
+/// Which of them is the driving link.
+fn driven(d: &Dynamics<Rec>) -> usize {
+    match d.driven() {
+        Driven::Boom => 0,
+        Driven::Rocker => 2,
+    }
+}
+
+/// Potential energy of boom, jib and rocker, in J, at an angle (rad) of the driving link.
+fn potential(d: &Dynamics<Rec>, theta: f64) -> f64 {
+    let (geometry, counterweight) = (&d.twice.geometry, d.twice.counterweight.as_ref());
+    let position = Position::new(geometry, Dual2::from_re(theta));
+    let energy = counterweight.zip(position).map(|(it, p)| {
+        let centres = Centres::new(&p, &geometry.lengths, &it.weights);
+        height(geometry, &it.weights, &p, &centres).re
+    });
+    energy.expect("it was assembled at this angle")
+}
+
+/// The equations of motion ask for the same, and for inertias.
+impl Coordinate<Rec> for Rec {
+    fn reduced(d: &Dynamics<Rec>, theta: Rec) -> Option<Reduced<Rec>> {
+        let (values, posed) = (Moves::new(d, &d.twice, theta.value())?, Rec::pose(d, theta)?);
+        let bodies = [&d.bodies().boom, &d.bodies().jib, &d.bodies().rocker];
+        // Heights are those of the energy, which no formula of the book has.
+        let nowhere = Point::new(Rec::constant(0.0), Rec::constant(0.0));
+        let moved = |i: usize| {
+            let PosedBody { travel, turn, .. } = posed.bodies[i];
+            let [ratio, change] = turn;
+            Moved {
+                centre: [nowhere, travel[0], travel[1]],
+                turn: match i == driven(d) {
+                    true => turn,
+                    false => {
+                        let [square, half] = values.bodies[i].turn;
+                        [(ratio * ratio).rounded_as(square), (ratio * change).rounded_as(half)]
+                    }
+                },
+            }
+        };
+        let turn = d.turntable().map(|table| {
+            let bars = directed(d, &posed.position);
+            let each = posed.bodies.iter().zip(bodies).zip(bars);
+            let each = each.map(|((it, body), (_, along))| (it.mass, it.reach, Some(spread(body.spread, along))));
+            let counterweight = posed.counterweight.iter().map(|it| (it.mass, it.reach, None));
+            let whole = about_axis(table.inertia, each.chain(counterweight));
+            let whole = whole.rounded_as(values.turn[0]).def(&s::I_SL);
+            [whole, whole.derivative(theta, values.turn[1]).def(&s::DI_SL)]
+        });
+        let [_, travel, bend] = values.head;
+        let first = Point::new(Rec::given(&g::DA_X, travel.x), Rec::given(&g::DA_Y, travel.y));
+        let second = Point::new(
+            first.x.derivative(theta, bend.x),
+            first.y.derivative(theta, bend.y),
+        );
+        let second = match d.bodies().pendulum {
+            Some(_) => plane::def(second, [&s::DDA_X, &s::DDA_Y]),
+            None => second,
+        };
+        let moves = Moves {
+            bodies: [moved(0), moved(1), moved(2)],
+            counterweight: posed
+                .counterweight
+                .as_ref()
+                .map(|it| (it.mass, [nowhere, it.travel[0], it.travel[1]])),
+            head: [posed.position.a, first, second],
+            drive: match posed.drive.filter(|_| d.by_cylinder) {
+                Some((_, sizes)) => sizes,
+                None => [Rec::constant(0.0); 2],
+            },
+            turn: turn.unwrap_or([Rec::constant(0.0); 2]),
+        };
+        Some(Reduced::of(d.bodies(), moves))
+    }
+}
+
 /// For the book: what derivatives give has names, and what follows from it is a formula.
 impl Posing<Rec> for Rec {
     fn pose(d: &Dynamics<Rec>, theta: Rec) -> Option<PosedLinkage<Rec>> {
@@ -154,65 +260,79 @@ impl Posing<Rec> for Rec {
         position.x_3 = point(p.x_3, [&g::X_3X, &g::X_3Y]);
         (position.a, position.b) = (point(p.a, [&g::A_X, &g::A_Y]), position.x_1);
         position.k = Rec::given(&g::K, p.k);
-        let turns = d.turntable().is_some();
-        let driven = match p.driven {
-            Driven::Boom => 0,
-            Driven::Rocker => 2,
-        };
         let sources = [&d.bodies().boom, &d.bodies().jib, &d.bodies().rocker];
         let loaded = d.bodies().pendulum.is_none();
+        let bars = directed(d, &position);
+        let axis = d.turntable().map(|table| table.axis);
+        let from_axis =
+            |x: Rec, value, name| axis.map_or(x, |axis| (x - axis).rounded_as(value).def(name));
         let body = |i: usize| {
-            let (it, names) = (&values.bodies[i], &s::OF_BODY[i]);
+            let (it, names, (joint, along)) = (&values.bodies[i], &s::OF_BODY[i], bars[i]);
             let place = match (i, loaded) {
                 (1, true) => [&s::R_2QX, &s::R_2QY],
                 _ => names.place,
             };
-            let reach = match turns {
-                true => Rec::given(names.reach, it.reach),
-                false => Rec::constant(it.reach),
-            };
+            let place = point(it.place, place);
             PosedBody {
                 mass: sources[i].mass.def(names.mass),
                 inertia: sources[i].inertia,
-                deviation: Rec::given(names.deviation, it.deviation),
-                place: point(it.place, place),
-                reach,
-                travel: [0, 1].map(|order| point(it.travel[order], names.centre[order])),
-                turn: match i == driven {
+                deviation: match axis {
+                    Some(_) => deviation(sources[i].spread, along)
+                        .rounded_as(it.deviation)
+                        .def(names.deviation),
+                    None => Rec::constant(it.deviation),
+                },
+                place,
+                reach: from_axis(joint.x + place.x, it.reach, names.reach),
+                // A foot on the frame stays where it is.
+                travel: changes(if i == 1 { joint + place } else { place }, theta, it.travel, names.centre),
+                turn: match i == driven(d) {
                     // The driving link turns with itself.
                     true => [Rec::constant(1.0), Rec::constant(0.0)],
-                    false => [
-                        Rec::given(names.ratio, it.turn[0]),
-                        Rec::given(names.ratio_change, it.turn[1]),
-                    ],
+                    false => {
+                        let ratio = Rec::given(names.ratio, it.turn[0]);
+                        [ratio, ratio.derivative(theta, it.turn[1]).def(names.ratio_change)]
+                    }
                 },
             }
+        };
+        let counterweight = |it: PosedCounterweight<f64>| {
+            let (parameters, range) = d.quantities.as_ref()?;
+            let balancing = balancing::new(parameters, range).ok()??;
+            let phi = match p.driven {
+                Driven::Boom => theta,
+                Driven::Rocker => Rec::given(&g::THETA_1, p.follower_angle()),
+            };
+            let place = balancing.place(phi, || Rec::given(&b::U_0, potential(d, theta.value())))?;
+            let place = plane::def(place, [&b::C_5X, &b::C_5Y]);
+            let travel = changes(place, theta, it.travel, s::OF_COUNTERWEIGHT);
+            let boom = match p.driven {
+                Driven::Boom => Rec::constant(1.0),
+                Driven::Rocker => Rec::given(&g::I_1, it.boom),
+            };
+            let line = balancing.balance.line(phi, place, travel[0] / boom).zip(it.line);
+            let named = |of: Point<Rec>, value: Point<f64>, names| {
+                plane::def(Point::new(of.x.rounded_as(value.x), of.y.rounded_as(value.y)), names)
+            };
+            Some(PosedCounterweight {
+                mass: (balancing.balance.weight()? / d.bodies().gravity)
+                    .rounded_as(it.mass)
+                    .def(&s::MASS_5),
+                reach: from_axis(place.x, it.reach, &s::X_S5),
+                travel,
+                boom,
+                line: line.map(|(line, values)| RodLine {
+                    per_force: named(line.per_force, values.per_force, [&s::N_5X, &s::N_5Y]),
+                    along: named(line.along, values.along, [&s::E_1X, &s::E_1Y]),
+                    rail: line.rail,
+                }),
+            })
         };
         Some(PosedLinkage {
             position,
             x_3: Rec::given(&g::X_3, values.x_3),
             bodies: [body(0), body(1), body(2)],
-            counterweight: values.counterweight.map(|it| PosedCounterweight {
-                mass: Rec::given(&s::MASS_5, it.mass),
-                reach: match turns {
-                    true => Rec::given(&s::X_S5, it.reach),
-                    false => Rec::constant(it.reach),
-                },
-                travel: [0, 1].map(|order| point(it.travel[order], s::OF_COUNTERWEIGHT[order])),
-                boom: match p.driven {
-                    Driven::Boom => Rec::constant(1.0),
-                    Driven::Rocker => Rec::given(&g::I_1, it.boom),
-                },
-                line: it.line.map(|line| RodLine {
-                    per_force: point(line.per_force, [&s::N_5X, &s::N_5Y]),
-                    along: point(line.along, [&s::E_1X, &s::E_1Y]),
-                    rail: line.rail.map(|up| {
-                        let lambda = Rec::given(&b::LAMBDA, f64::direction(up.x, up.y));
-                        let (sin, cos) = lambda.sin_cos();
-                        Point::new(cos, sin)
-                    }),
-                }),
-            }),
+            counterweight: values.counterweight.and_then(counterweight),
             drive: values.drive.map(|(line, [length, arm])| {
                 let sizes = [Rec::given(&g::L_D, length), Rec::given(&g::H_D, arm)];
                 (point(line, [&g::L_DX, &g::L_DY]), sizes)
@@ -229,9 +349,13 @@ impl<T: Calc + DualNum> Bar<T> {
         [cross(along, travel) / square, cross(along, bend) / square]
     }
 
-    /// Mass times forward and upward distance from the centre of a body that lies in the bar's frame as `spread` says.
-    fn deviation(&self, [xx, xy, yy]: [T; 3]) -> T {
-        let e = self.along[0].map(|x| x / self.length);
-        (xx - yy) * e.x * e.y + xy * (e.x * e.x - e.y * e.y)
+    fn deviation(&self, spread: [T; 3]) -> T {
+        deviation(spread, self.along[0].map(|x| x / self.length))
     }
+}
+
+/// Mass times forward and upward distance from the centre of a body that lies as [`Body::spread`] says in the frame of
+/// a bar along a unit vector.
+fn deviation<C: Calc>([xx, xy, yy]: [C; 3], e: Point<C>) -> C {
+    (xx - yy) * e.x * e.y + xy * (e.x * e.x - e.y * e.y)
 }

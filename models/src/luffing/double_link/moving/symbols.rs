@@ -104,12 +104,6 @@ symbols! {
     DY_5: "dy_5" "y'_5" M / M, "Rise of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
     DDX_5: "ddx_5" "x''_5" M / M, "Change of the forward travel of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
     DDY_5: "ddy_5" "y''_5" M / M, "Change of the rise of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
-    TURN_1: "turn_1" "i_1^2" ONE / ONE, "Square of the ratio of the boom's angular velocity to the driving link's.", "dual numbers";
-    TURN_CHANGE_1: "turn_change_1" "i_1 i'_1" ONE / ONE, "Half the change of the square of the boom's ratio for one radian of the driving link.", "dual numbers";
-    TURN_2: "turn_2" "i_2^2" ONE / ONE, "Square of the ratio of the jib's angular velocity to the driving link's.", "dual numbers";
-    TURN_CHANGE_2: "turn_change_2" "i_2 i'_2" ONE / ONE, "Half the change of the square of the jib's ratio for one radian of the driving link.", "dual numbers";
-    TURN_3: "turn_3" "i_3^2" ONE / ONE, "Square of the ratio of the rocker's angular velocity to the driving link's.", "dual numbers";
-    TURN_CHANGE_3: "turn_change_3" "i_3 i'_3" ONE / ONE, "Half the change of the square of the rocker's ratio for one radian of the driving link.", "dual numbers";
     I_R1: "I_r1" "I_1" KG_M2 / KG_M2, "Inertia of the boom, reduced to the driving link.", "Lagrange";
     DI_R1: "dI_r1" "I'_1" KG_M2 / KG_M2, "Change of the boom's reduced inertia for one radian of the driving link.", "Lagrange";
     I_R2: "I_r2" "I_2" KG_M2 / KG_M2, "Inertia of the jib, reduced to the driving link.", "Lagrange";
@@ -265,9 +259,6 @@ pub(crate) type OfCentre = [[&'static Symbol; 2]; 2];
 pub(crate) struct OfBody {
     pub mass: &'static Symbol,
     pub centre: OfCentre,
-    /// Square of the turning, and half of how that changes.
-    pub turn: &'static Symbol,
-    pub turn_change: &'static Symbol,
     pub inertia: &'static Symbol,
     pub slope: &'static Symbol,
     /// Centre of gravity from the bar's first joint.
@@ -285,8 +276,6 @@ pub(crate) static OF_BODY: [OfBody; 3] = [
     OfBody {
         mass: &MASS_1,
         centre: [[&DX_1, &DY_1], [&DDX_1, &DDY_1]],
-        turn: &TURN_1,
-        turn_change: &TURN_CHANGE_1,
         inertia: &I_R1,
         slope: &DI_R1,
         place: [&g::R_1X, &g::R_1Y],
@@ -298,8 +287,6 @@ pub(crate) static OF_BODY: [OfBody; 3] = [
     OfBody {
         mass: &MASS_2,
         centre: [[&DX_2, &DY_2], [&DDX_2, &DDY_2]],
-        turn: &TURN_2,
-        turn_change: &TURN_CHANGE_2,
         inertia: &I_R2,
         slope: &DI_R2,
         place: [&g::R_2X, &g::R_2Y],
@@ -311,8 +298,6 @@ pub(crate) static OF_BODY: [OfBody; 3] = [
     OfBody {
         mass: &MASS_3,
         centre: [[&DX_3, &DY_3], [&DDX_3, &DDY_3]],
-        turn: &TURN_3,
-        turn_change: &TURN_CHANGE_3,
         inertia: &I_R3,
         slope: &DI_R3,
         place: [&g::R_3X, &g::R_3Y],

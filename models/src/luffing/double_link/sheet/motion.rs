@@ -45,12 +45,21 @@ const KINETIC: u32 = 16;
 const EVENTS: usize = 20;
 
 /// What the formulas of a section give; those of the assembled model stand among them.
-const SECTIONS: [(&str, &[&Symbol]); 7] = [
+const SECTIONS: [(&str, &[&Symbol]); 9] = [
+    (
+        "motion_counterweight",
+        &[&m::MASS_5, &b::C_5X, &b::C_5Y, &m::DX_5, &m::DY_5, &m::DDX_5, &m::DDY_5],
+    ),
     (
         "motion_bodies",
         listed! { m:
-            MASS_Q, J_2Q, MASS_1, I_R1, DI_R1, MASS_2, I_R2, DI_R2, MASS_3, I_R3, DI_R3, I_R5, DI_R5, I_R, DI_R, M_W
+            MASS_Q, J_2Q, MASS_1, DX_1, DY_1, DDX_1, DDY_1, DI_1, I_R1, DI_R1, MASS_2, DX_2, DY_2, DDX_2, DDY_2, DI_2,
+            I_R2, DI_R2, MASS_3, DX_3, DY_3, DDX_3, DDY_3, DI_3, I_R3, DI_R3, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y
         },
+    ),
+    (
+        "motion_slewing",
+        listed! { m: X_S1, X_S2, X_S3, X_S5, I_SL, DI_SL },
     ),
     (
         "motion_oil",
@@ -103,7 +112,11 @@ const SECTIONS: [(&str, &[&Symbol]); 7] = [
             &m::F_5X,
             &m::F_5Y,
             &m::M_I5,
+            &m::N_5X,
+            &m::N_5Y,
             &b::N_1,
+            &m::E_1X,
+            &m::E_1Y,
             &b::F_KX,
             &b::F_KY,
             &b::F_MX,
@@ -114,6 +127,9 @@ const SECTIONS: [(&str, &[&Symbol]); 7] = [
             &m::F_2Y,
             &m::F_3X,
             &m::F_3Y,
+            &m::J_XY1,
+            &m::J_XY2,
+            &m::J_XY3,
             &m::M_I1,
             &m::M_I3,
             &m::M_IB,
@@ -268,8 +284,7 @@ fn sections(model: &LuffingMotion) -> Vec<Section> {
         Section {
             id,
             trace,
-            drawing: None,
-            table: None,
+            ..Section::default()
         }
     };
     SECTIONS
