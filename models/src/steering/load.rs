@@ -106,7 +106,9 @@ struct Springs<C> {
 
 /// A sum over all groups, of what each adds to it.
 fn total<C: Calc>(each: impl Iterator<Item = C>) -> C {
-    let sums = each.map(|one| (one, one)).reduce(|(first, sum), (_, one)| (first, sum + one));
+    let sums = each
+        .map(|one| (one, one))
+        .reduce(|(first, sum), (_, one)| (first, sum + one));
     let (first, sum) = sums.expect("at least four groups");
     sum.among(Among::Sum, first)
 }

@@ -88,7 +88,10 @@ impl Ring {
     #[must_use]
     pub fn use_of<C: Calc>(&self, duty: &Duty<C>) -> Option<[C; 2]> {
         let ring = self.ring.limit(duty.f, 0)?.def(&s::M_RING);
-        let bolts = self.bolts.limit(duty.f_bolt, self.ring.0.len() as u16)?.def(&s::M_BOLTS);
+        let bolts = self
+            .bolts
+            .limit(duty.f_bolt, self.ring.0.len() as u16)?
+            .def(&s::M_BOLTS);
         Some([
             (duty.m / ring).def(&s::RING_USE),
             (duty.m_bolt / bolts).def(&s::BOLT_USE),

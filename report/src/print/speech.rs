@@ -299,7 +299,7 @@ mod tests {
             (r#"dot(omega)_"sl" = x''_1"#, "omega dot sl equals x prime prime 1"),
             (r"Q thin dif Y_A \/ dif theta_1", "Q times d Y A over d theta 1"),
             ("u_max = max u_i", "u max equals maximum of u i"),
-            (r#"x = 2 plus.minus 1 "m""#, "x equals 2 plus or minus 1 times m"),
+            (r#"x = 2 plus.minus 1 "m""#, "x equals 2 plus or minus 1 m"),
         ] {
             let source = accessible(&format!("${equation}$"), &words).expect("words");
             assert_eq!(source, format!("#say({})[${equation}$];", string(spoken)));

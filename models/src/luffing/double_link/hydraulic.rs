@@ -16,7 +16,7 @@ use crate::parts::hoist::{Drum, HoistCommand, HoistPowers, Winch};
 use crate::parts::hydraulics::cylinder::{Cylinder, Oil};
 use crate::parts::joint::{Bar, Joint, JointDrive};
 use crate::parts::solver::rodas::{Run, Tolerance};
-use crate::parts::solver::{Gradient, Halt, MOST_KINKS, MOST_STEPS, System};
+use crate::parts::solver::{Gradient, Halt, MOST_IMPLICIT, MOST_KINKS, System};
 
 /// Angular velocity, in rad/s, below which dry friction at the driven bar is in proportion to it.
 pub const CREEP: f64 = 1e-4;
@@ -521,7 +521,7 @@ impl<const N: usize> Hydraulic<N> {
             }
             self.event(present)?;
             let work = present.run.count.since(before);
-            if work.steps + work.rejected > MOST_STEPS {
+            if work.steps + work.rejected > MOST_IMPLICIT {
                 break;
             }
         }

@@ -220,10 +220,7 @@ impl Coordinate<Rec> for Rec {
         });
         let [_, travel, bend] = values.head;
         let first = Point::new(Rec::given(&g::DA_X, travel.x), Rec::given(&g::DA_Y, travel.y));
-        let second = Point::new(
-            first.x.derivative(theta, bend.x),
-            first.y.derivative(theta, bend.y),
-        );
+        let second = Point::new(first.x.derivative(theta, bend.x), first.y.derivative(theta, bend.y));
         let second = match d.bodies().pendulum {
             Some(_) => plane::def(second, [&s::DDA_X, &s::DDA_Y]),
             None => second,
@@ -264,8 +261,7 @@ impl Posing<Rec> for Rec {
         let loaded = d.bodies().pendulum.is_none();
         let bars = directed(d, &position);
         let axis = d.turntable().map(|table| table.axis);
-        let from_axis =
-            |x: Rec, value, name| axis.map_or(x, |axis| (x - axis).rounded_as(value).def(name));
+        let from_axis = |x: Rec, value, name| axis.map_or(x, |axis| (x - axis).rounded_as(value).def(name));
         let body = |i: usize| {
             let (it, names, (joint, along)) = (&values.bodies[i], &s::OF_BODY[i], bars[i]);
             let place = match (i, loaded) {
@@ -285,7 +281,12 @@ impl Posing<Rec> for Rec {
                 place,
                 reach: from_axis(joint.x + place.x, it.reach, names.reach),
                 // A foot on the frame stays where it is.
-                travel: changes(if i == 1 { joint + place } else { place }, theta, it.travel, names.centre),
+                travel: changes(
+                    if i == 1 { joint + place } else { place },
+                    theta,
+                    it.travel,
+                    names.centre,
+                ),
                 turn: match i == driven(d) {
                     // The driving link turns with itself.
                     true => [Rec::constant(1.0), Rec::constant(0.0)],

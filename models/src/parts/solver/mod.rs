@@ -105,8 +105,11 @@ impl Count {
     }
 }
 
-/// Steps that one call may take, tried ones included.
+/// Steps that one call of an explicit solver may take.
 pub const MOST_STEPS: u32 = 1_000_000;
+/// Steps that one call of the implicit solver may take, tried ones included: each costs as much as some ten explicit ones, and
+/// a motion that creeps towards where it does not exist would take them all.
+pub const MOST_IMPLICIT: u32 = 200_000;
 
 /// Whether every number is finite.
 #[must_use]

@@ -8,7 +8,7 @@
 //! communication step costs an interpolation. When an input changes, the rest
 //! of the step is thrown away.
 
-use crate::parts::solver::{Count, Halt, MOST_KINKS, MOST_STEPS, System, finite};
+use crate::parts::solver::{Count, Halt, MOST_IMPLICIT, MOST_KINKS, System, finite};
 
 const GAMMA: f64 = 0.25;
 
@@ -389,7 +389,7 @@ impl<const N: usize> Run<N> {
             let (mut over, mut misses) = (0.0, 0);
             loop {
                 tried += 1;
-                if tried > MOST_STEPS {
+                if tried > MOST_IMPLICIT {
                     return Err(Halt::TooMany);
                 }
                 let h = self.next.min(longest);

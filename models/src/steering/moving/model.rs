@@ -18,7 +18,7 @@ use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::hydraulics::oil::{VACUUM, warning};
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::valve::Valve;
-use crate::parts::solver::{Count, Halt, MOST_STEPS};
+use crate::parts::solver::{Count, Halt, MOST_IMPLICIT};
 use crate::steering::built::Built;
 use crate::steering::flow::flow;
 use crate::steering::hydraulic::{Control, INDICATORS, STATES, WorkingGroup};
@@ -493,7 +493,7 @@ impl SteeringMotion {
         let control = self.level()?.control;
         let MovingGroups { body, oil, .. } = self.now.given;
         let samples = (to - from) / control.period * self.now.groups.len() as f64;
-        if samples > f64::from(MOST_STEPS) {
+        if samples > f64::from(MOST_IMPLICIT) {
             return Err(self.refusal(Halt::TooMany, 0, to - from));
         }
         let mut time = from;
@@ -527,7 +527,7 @@ impl SteeringMotion {
             ),
             // Its solver is implicit, for which no step is too fast.
             Halt::TooSmall | Halt::TooMany | Halt::TooFast => format!(
-                "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
+                "the step of {size} s from {angle} needs more than the {MOST_IMPLICIT} inner steps that are allowed, \
                  at T_c = {} s: take smaller communication steps, a longer cycle or a coarser tolerance",
                 short(self.now.given.plc.t_c)
             ),

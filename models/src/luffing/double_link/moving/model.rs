@@ -42,7 +42,7 @@ use crate::parts::hydraulics::valve::Valve;
 use crate::parts::joint::{Bar, Friction, Joint};
 use crate::parts::motion::Motion as Range;
 use crate::parts::plane::Point;
-use crate::parts::solver::{Count, Halt, MOST_STEPS};
+use crate::parts::solver::{Count, Halt, MOST_IMPLICIT, MOST_STEPS};
 
 /// Least pressure of the chambers at the start, in Pa.
 const LEAST_PRESSURE: f64 = 20e5;
@@ -632,6 +632,11 @@ impl LuffingMotion {
         let (symbol, at) = (self.variables[0].symbol, self.now.present.states()[0]);
         let angle = format!("{} = {}", symbol.id, symbol.written(at));
         let (size, step) = (short(size), short(self.now.given.constants.step));
+        let most = if self.now.given.oil.is_some() {
+            MOST_IMPLICIT
+        } else {
+            MOST_STEPS
+        };
         Fault::outside(match halt {
             Halt::Outside => format!(
                 "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
@@ -644,7 +649,7 @@ impl LuffingMotion {
                 short(self.now.given.constants.step / 2.0)
             ),
             Halt::TooSmall | Halt::TooMany => format!(
-                "the step of {size} s from {angle} needs more than the {MOST_STEPS} inner steps that are allowed, \
+                "the step of {size} s from {angle} needs more than the {most} inner steps that are allowed, \
                  at step = {step} s: take smaller communication steps, a longer step or a coarser tolerance"
             ),
         })

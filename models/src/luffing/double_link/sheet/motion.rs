@@ -57,10 +57,7 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
             I_R2, DI_R2, MASS_3, DX_3, DY_3, DDX_3, DDY_3, DI_3, I_R3, DI_R3, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y
         },
     ),
-    (
-        "motion_slewing",
-        listed! { m: X_S1, X_S2, X_S3, X_S5, I_SL, DI_SL },
-    ),
+    ("motion_slewing", listed! { m: X_S1, X_S2, X_S3, X_S5, I_SL, DI_SL }),
     (
         "motion_oil",
         &[
