@@ -19,9 +19,9 @@ FUNCTIONS = {
 }
 # What is given and stands in no formula, and what it is used for.
 USES = {
-    "ends of the working range, which tables and curves run over": ["theta_a", "theta_e", "phi_a", "phi_e"],
+    "ends of the working range, which tables and curves run over": ["theta_a", "theta_e", "phi_a", "phi_e", "psi_a", "psi_e"],
     "limits, which requirements are judged by": [
-        "abs(Delta M)_max", "abs(N_1)_max", "gamma_min", "mu_min", "epsilon_Y", "sigma_lim", "v_(c,max)", "T_max",
+        "abs(Delta M)_max", "abs(N_1)_max", "gamma_min", "mu_min", "epsilon_Y", "sigma_lim", "v_(c,max)", "T_max", 'M_("st",max)', 'P_("st",max)',
     ],
     "ranges of the groups, which the margins of the tables are counted to": ["theta_min", "theta_max"],
     "outline, of which the width of the swept lane is a result": ["x_(e F)", "x_(e R)", "y_(e L)", "y_(e R)"],
@@ -29,6 +29,8 @@ USES = {
     "gravity, by which the tables weigh masses": ["g"],
     "start of the run": ["l_R"],
     "hoist of the run": ["a_h", "v_h"],
+    "end stops of slewing, which events and manoeuvres are told by": ['psi_"min"', 'psi_"max"'],
+    "friction of slewing, of which the governing instant has none where it rests": ['c_"sl"', 'M_"F sl"'],
     "slewing's inertia within that of the whole": ['J_"sl"'],
 }
 
@@ -106,7 +108,7 @@ def test_every_symbol_of_a_formula_has_its_origin(scene, level, tmp_path):
     known = {name for _, symbols in given(text) for pair in symbols for name in pair}
     known |= {result for result, _ in formulas(text)}
     known |= set(re.findall(r"(?m)^= \d+ [^\n]*?: \$(.*?) = ", text))
-    known |= tabled(text, "States and commands at the instant") | tabled(text, "Energy of the run")
+    known |= tabled(text, "States and commands at the instant") | tabled(text, "Energy")
     # Points of the ring's curves stand in a table of their own.
     known |= set(re.findall(r"column-head\[\$(\S*\(c i\))\$\]", text))
     for result, formula in formulas(text):

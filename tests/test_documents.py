@@ -78,5 +78,6 @@ def test_publications_are_cited_and_listed():
     import tomllib
 
     listed = tomllib.loads((ROOT / "templates/references.toml").read_text(encoding="utf-8"))
-    sources = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "models/src").rglob("*.rs"))
-    assert set(re.findall(r"\[([A-Z][A-Za-z]+\d{3,4}|ISO \d+)\b", sources)) == set(listed)
+    paths = [*(ROOT / "models/src").rglob("*.rs"), *(ROOT / "models/scenes").glob("*.toml"), *(ROOT / "templates/words/en").glob("*.toml")]
+    sources = "".join(path.read_text(encoding="utf-8") for path in paths)
+    assert set(re.findall(r"\[([A-Z][A-Za-z]+\d{3,4}|ISO \d+(?:-\d)?|Rothe Erde)\b", sources)) == set(listed)

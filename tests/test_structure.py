@@ -146,7 +146,7 @@ FLOORS = [
     ["parts"],
     ["component"],
     ["balance"],
-    ["luffing", "steering"],
+    ["luffing", "slewing", "steering"],
     ["registry", "book"],
     ["scene"],
 ]

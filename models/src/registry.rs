@@ -9,7 +9,7 @@ use crate::component::dependencies::{dependencies as traced, recorded};
 use crate::component::description::{Described, Vocabulary};
 use crate::component::mechanism::{Entry, Mechanism};
 use crate::component::model::Model;
-use crate::component::moving::Moving;
+use crate::component::moving::MovingComponent;
 use crate::component::part::Runner;
 use crate::component::sheet::Sheet;
 use crate::component::standing::Standing;
@@ -23,7 +23,7 @@ use crate::luffing::double_link::scene::LuffingScene;
 use crate::luffing::rope::scene::Rope;
 use crate::parts::motion::Place;
 use crate::slewing;
-use crate::slewing::scene::Slewing;
+use crate::slewing::scene::SlewingScene;
 use crate::steering;
 use crate::steering::scene::SteeringScene;
 
@@ -96,7 +96,7 @@ static TELLERS: &[Teller] = &[
     teller::<LuffingScene>(),
     teller::<Rope>(),
     teller::<SteeringScene>(),
-    teller::<Slewing>(),
+    teller::<SlewingScene>(),
 ];
 
 /// The symbols of every mechanism, by its id.
@@ -146,7 +146,7 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
         Model::Standing(model) => told(|teller| (teller.dependencies)(model)),
         Model::Moving(moving) => {
             let moving = &**moving as &dyn Any;
-            if let Some(model) = moving.downcast_ref::<Moving>() {
+            if let Some(model) = moving.downcast_ref::<MovingComponent>() {
                 return told(|teller| (teller.dependencies)(model.standing()));
             }
             if let Some(model) = moving.downcast_ref::<double_link::moving::model::LuffingMotion>() {

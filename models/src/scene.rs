@@ -236,7 +236,9 @@ impl Scene {
     pub fn sheet(&self) -> Sheet {
         let mut sheet = registry::sheet(&*self.mechanism, &self.given, &self.book.positions);
         let loads = sheet.inputs.iter().rposition(|input| input.chapter == LOAD);
-        if let Some((last, gravity)) = loads.zip(self.weighs(sheet.motion.is_some())) {
+        let by_it = |variable: &Variable| variable.symbol == &gravity::G;
+        let moves = sheet.motion.is_some() || self.model().is_ok_and(|model| model.variables().iter().any(by_it));
+        if let Some((last, gravity)) = loads.zip(self.weighs(moves)) {
             sheet.inputs.insert(last + 1, gravity);
         }
         sheet

@@ -17,7 +17,7 @@ const MOST: usize = 8;
 
 /// A scene's component in motion.
 #[derive(Clone)]
-pub struct Moving {
+pub struct MovingComponent {
     standing: Standing,
     /// Each with the variable that it is, and with its rate.
     states: Vec<(Source, usize, Slot)>,
@@ -104,7 +104,7 @@ impl Pieces<MOST, Instant> for Equations<'_> {
     }
 }
 
-impl Moving {
+impl MovingComponent {
     /// From the start of its states, with the longest step of the solver (s).
     ///
     /// # Errors
@@ -112,7 +112,7 @@ impl Moving {
     ///
     /// # Panics
     /// For a component with more states or memory than there is room for, or without the rate of a state.
-    pub fn new(standing: Standing, start: &[f64], longest: f64) -> Result<Moving, Fault> {
+    pub fn new(standing: Standing, start: &[f64], longest: f64) -> Result<MovingComponent, Fault> {
         let standing = standing.with_states();
         let slot = |index: usize| match standing.places()[index] {
             VariablePlace::Result(slot) => slot,
@@ -130,7 +130,7 @@ impl Moving {
         let pairs = of(Role::State).zip(of(Role::Rate));
         let states: Vec<_> = pairs.map(|(state, rate)| (source(state), state, slot(rate))).collect();
         assert!(states.len().max(standing.memory().len()) <= MOST, "no room");
-        let mut model = Moving {
+        let mut model = MovingComponent {
             states,
             indicators: of(Role::Indicator).map(slot).collect(),
             memory: standing
@@ -194,7 +194,7 @@ impl Moving {
     }
 }
 
-impl Running for Moving {
+impl Running for MovingComponent {
     fn variables(&self) -> &[Variable] {
         self.standing.variables()
     }

@@ -9,5 +9,5 @@ pub mod hydraulics;
 pub mod joint;
 pub mod motion;
 pub mod plane;
-pub mod slewing;
 pub mod solver;
+pub mod turntable;

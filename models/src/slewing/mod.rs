@@ -18,10 +18,11 @@
 //! | `slewing.slope` | [`turning::tilt`] | Ports001, 6.4, by virtual work |
 //! | `slewing.steady` | [`turning::Steady::new`] | Ports001, 6.4 |
 //! | `slewing.circle` | [`turning::Circling::new`] | mechanics |
-//! | `slewing.friction` | [`turning::resisting`] | Ports001, 6.5 |
-//! | `slewing.motion` | [`turning::Turned::new`] | Ports001, 6.5 |
-//! | `slewing.events` | [`turning::Ends::new`] | events |
+//! | `slewing.friction` | [`motion::resisting`] | Ports001, 6.5 |
+//! | `slewing.motion` | [`motion::Turned::new`] | Ports001, 6.5 |
+//! | `slewing.events` | [`motion::SlewingEvents::new`] | events |
 
+pub mod motion;
 mod outline;
 pub mod scene;
 pub mod stages;

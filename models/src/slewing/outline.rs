@@ -6,7 +6,7 @@ use crate::kernel::symbol::listed;
 use crate::slewing::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(slewing "", slope, motion, limits),
+    inputs: chapters!(slewing "", slope, load "Q", motion, limits),
     constants: &[("slewing_inertia", &[Stage("carried"), Stage("total")])],
     sections: &[
         ("slewing_slope", &[Stage("tilt")]),

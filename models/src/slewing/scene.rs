@@ -3,7 +3,7 @@
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, polar};
 use crate::component::mechanism::{Entry, Solver};
-use crate::component::moving::Moving;
+use crate::component::moving::MovingComponent;
 use crate::component::outline::{Limit, Outline};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing};
@@ -18,11 +18,12 @@ use crate::kernel::schema::{Key, Sign, Values};
 use crate::kernel::variable::Fault;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
-use crate::parts::slewing::{self as joint, SlewingJoint};
+use crate::parts::turntable::{self as joint, SlewingJoint};
+use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
-use crate::slewing::stages::{Given, Inputs, SlewingCrane};
+use crate::slewing::stages::{Given, Open, SlewingCrane};
 use crate::slewing::symbols as s;
-use crate::slewing::turning::{Driven, Hung, Past, Slope, Stops};
+use crate::slewing::turning::{Ground, Hung};
 
 /// Keys of `[slewing]`: those of the joint, as every crane that slews has them, and what nothing else gives.
 pub const KEYS: &[Key] = keys! { joint:
@@ -65,7 +66,7 @@ const LONGEST: [f64; 3] = [0.25, 0.05, 0.002];
 
 /// Slewing by itself as the scene describes it; SI.
 #[derive(Clone, Debug)]
-pub struct Slewing {
+pub struct SlewingScene {
     /// At the start of the working range, at its speed.
     given: Given<f64>,
     /// Angle (rad) and angular velocity (rad/s) at the start of its motion.
@@ -75,7 +76,7 @@ pub struct Slewing {
 }
 
 /// As scenes describe it.
-pub const ENTRY: Entry = Description::<Slewing>::entry("platform", KEYS);
+pub const ENTRY: Entry = Description::<SlewingScene>::entry("platform", KEYS);
 
 /// A step (s) that sees all that the motion does; see [`LONGEST`].
 fn longest(given: &Given<f64>, range: &Motion) -> f64 {
@@ -95,7 +96,7 @@ fn longest(given: &Given<f64>, range: &Motion) -> f64 {
     steps.fold(f64::INFINITY, f64::min)
 }
 
-impl Described for Slewing {
+impl Described for SlewingScene {
     type Component = SlewingCrane;
     const ID: &'static str = "slewing";
     const TABLE: &'static str = "slewing";
@@ -106,7 +107,7 @@ impl Described for Slewing {
         shared: &[joint::ALL, gravity::ALL],
     };
 
-    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(Slewing, Motion)> {
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(SlewingScene, Motion)> {
         let before = found.len();
         for (symbol, example) in [(&s::R, "20 m"), (&s::Q, "100 kN")] {
             if !v.has(symbol.id) {
@@ -138,7 +139,7 @@ impl Described for Slewing {
         }
         let range = Motion::read(v.table("motion")?, found);
         let joint = SlewingJoint::read(v, found);
-        let slope = v.part("slope", Slope::read)?;
+        let slope = v.part("slope", Ground::read)?;
         let (range, joint) = range.zip(joint).filter(|_| found.len() == before)?;
         let n = |key: &str| v.number(key).unwrap_or(0.0);
         if joint.turning.j_sl + n(s::Q.id) * n(s::R.id) <= 0.0 {
@@ -157,13 +158,13 @@ impl Described for Slewing {
             },
             turning: joint.turning,
             slope,
-            driven: rigid.then(|| Driven {
+            driven: rigid.then(|| SlewingDrive {
                 m_sl: n(s::M_SL.id),
                 m_b_sl: n(s::M_B_SL.id),
             }),
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
-            inputs: Inputs(
+            open: Open(
                 [&s::R, &s::Q]
                     .into_iter()
                     .filter(|symbol| v.is_input(symbol.id))
@@ -172,7 +173,7 @@ impl Described for Slewing {
         };
         let step = v.of(&s::STEP).unwrap_or_else(|| longest(&given, &range));
         Some((
-            Slewing {
+            SlewingScene {
                 given,
                 start: joint.start,
                 step,
@@ -181,7 +182,7 @@ impl Described for Slewing {
         ))
     }
 
-    fn given(this: &Description<Slewing>) -> Given<f64> {
+    fn given(this: &Description<SlewingScene>) -> Given<f64> {
         this.given.clone()
     }
 
@@ -203,11 +204,11 @@ impl Described for Slewing {
         }
     }
 
-    fn moving(this: &Description<Slewing>) -> Option<Result<Box<dyn Running>, Fault>> {
+    fn moving(this: &Description<SlewingScene>) -> Option<Result<Box<dyn Running>, Fault>> {
         this.given.driven?;
         let mut resting = this.clone();
         resting.own.given.past.way = 0.0;
-        let moving = Moving::new(resting.standing(), &this.start, this.step);
+        let moving = MovingComponent::new(resting.standing(), &this.start, this.step);
         Some(moving.map(|moving| Box::new(moving) as Box<dyn Running>))
     }
 
@@ -222,7 +223,7 @@ impl Described for Slewing {
     }
 
     /// The slope's moment against the change of the weights' height.
-    fn identities(this: &Description<Slewing>, model: &mut Standing) -> Vec<Check> {
+    fn identities(this: &Description<SlewingScene>, model: &mut Standing) -> Vec<Check> {
         let Some(slope) = this.given.slope else {
             return Vec::new();
         };
@@ -238,7 +239,7 @@ impl Described for Slewing {
         vec![Check::at_most("slewing_slope", &s::AGREEMENT, worst / scale, 1e-8)]
     }
 
-    fn assumptions(this: &Description<Slewing>) -> Vec<&'static str> {
+    fn assumptions(this: &Description<SlewingScene>) -> Vec<&'static str> {
         let level = this
             .given
             .driven
@@ -246,7 +247,7 @@ impl Described for Slewing {
         vec![level, "slewing_load"]
     }
 
-    fn uncovered(_: &Description<Slewing>) -> Vec<&'static str> {
+    fn uncovered(_: &Description<SlewingScene>) -> Vec<&'static str> {
         vec![
             "wind",
             "sway",
@@ -259,7 +260,7 @@ impl Described for Slewing {
     }
 
     /// From above: the ends of the working range (faint) and its middle, with the load's circle.
-    fn drawing(this: &Description<Slewing>) -> Drawing {
+    fn drawing(this: &Description<SlewingScene>) -> Drawing {
         let (reach, range) = (this.given.hung.r.max(1e-3), &this.motion);
         let middle = f64::midpoint(range.from, range.to);
         let head = |psi: f64| polar(reach, psi);

@@ -5,12 +5,10 @@ use crate::component::stages::{Found, stages};
 use crate::kernel::group::{One, group};
 use crate::kernel::symbol::Symbol;
 use crate::parts::joint::{Arrival, Bar};
-use crate::parts::slewing::Turning;
+use crate::parts::turntable::Turning;
+use crate::slewing::motion::{Past, SlewingDrive, SlewingEvents, Stops, Turned, held, joint, resisting, struck};
 use crate::slewing::symbols as s;
-use crate::slewing::turning::{
-    Circling, Driven, Ends, Hung, Past, SlewedLoad, Slope, Steady, Stops, Turned, held, joint, resisting, struck, tilt,
-    total,
-};
+use crate::slewing::turning::{Circling, Ground, Hung, SlewedLoad, Steady, tilt, total};
 
 stages! {
     /// A crane that slews.
@@ -19,11 +17,11 @@ stages! {
         Rate omega: One<C>,
         Parameter hung: Hung<C>,
         Parameter turning: Turning<C>,
-        Parameter slope: Option<Slope<C>>,
-        Input driven: Option<Driven<C>>,
+        Parameter slope: Option<Ground<C>>,
+        Input driven: Option<SlewingDrive<C>>,
         Memory past: Past<C>,
         Fixed stops: Stops,
-        Fixed inputs: Inputs,
+        Fixed open: Open,
     } find {
         carried: SlewedLoad<C> = SlewedLoad::new(hung);
         total: C = total(turning, carried) => J_TOT;
@@ -33,14 +31,14 @@ stages! {
         resisting: C = resisting(turning, driven[!], past, stops, tilt[?], omega) => M_R_SL;
         turned: Turned<C> = Turned::new(driven[!], past, tilt[?], resisting, total, carried, hung, omega);
         struck: C = struck(driven[!], past) => W_BLOW;
-        ends: Ends<C> = Ends::new(turning, driven[!], past, stops, tilt[?], psi, omega);
+        events: SlewingEvents<C> = SlewingEvents::new(turning, driven[!], past, stops, tilt[?], psi, omega);
     }
 }
 
 /// Quantities that are inputs although they are given.
 #[derive(Clone, Debug)]
-pub struct Inputs(pub Vec<&'static Symbol>);
-group!(Inputs);
+pub struct Open(pub Vec<&'static Symbol>);
+group!(Open);
 
 /// Changes at one instant.
 const MOST_CHANGES: u32 = 4;
@@ -55,7 +53,7 @@ impl Component for SlewingCrane {
     };
 
     fn is_input(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        given.inputs.0.contains(&symbol)
+        given.open.0.contains(&symbol)
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {

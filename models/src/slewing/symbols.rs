@@ -2,7 +2,7 @@
 
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::symbols;
-pub use crate::parts::slewing::{
+pub use crate::parts::turntable::{
     D_OMEGA_SL, D_PSI_SL, M_B_SL, M_R_SL, M_SL, OMEGA_SL, PSI_SL, Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
 };
 

@@ -131,7 +131,6 @@ impl<C: Calc> Springs<C> {
             yy: total(apart.iter().map(|d| d.y * d.y)).def(&s::S_YY),
         }
     }
-
     /// Load of the group at `p` (m), in N, of a weight (N) at `centre` (m).
     fn carry(&self, weight: C, centre: Point<C>, p: Point<C>) -> C {
         let Springs { n, mean, xx, xy, yy } = *self;

@@ -1,5 +1,7 @@
 //! Tables: given quantities, views, changes, sensitivities, published values.
 
+use std::borrow::Cow;
+
 use lemnis_models::component::sheet::{self, Comparison, Sheet};
 use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::number::{Digits, Number, short};
@@ -46,7 +48,7 @@ struct Input {
 pub(super) struct Written<'a> {
     key: &'a str,
     line: usize,
-    text: &'a str,
+    text: Cow<'a, str>,
 }
 
 /// A way in which the mechanism works.
@@ -196,11 +198,17 @@ fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> In
     }
 }
 
+/// Most characters of a value in the appendix: lists of a hundred points stand in tables of their own.
+const LONGEST: usize = 160;
+
 pub(super) fn written(origins: &Origins) -> Vec<Written<'_>> {
     let all = origins.written().iter().map(|written| Written {
         key: &written.key,
         line: written.line,
-        text: &written.text,
+        text: match written.text.char_indices().nth(LONGEST) {
+            Some((end, _)) => Cow::Owned(format!("{} …", &written.text[..end])),
+            None => Cow::Borrowed(&written.text),
+        },
     });
     all.collect()
 }

@@ -9,6 +9,52 @@ use crate::kernel::variable::{Fault, PART_OF_RANGE, Quantity, Role, Terminal, Ty
 /// How a saved state tells that the part of the range was set last.
 const BY_PART: f64 = 2.0;
 
+impl Standing {
+    /// With the part of the range as an input beside the coordinate, or in its place.
+    #[must_use]
+    pub fn with_part_of_range(mut self) -> Standing {
+        self.variables.push(Variable {
+            bounds: [0.0, 1.0],
+            ..Variable::new((&PART_OF_RANGE, None), Role::Input)
+        });
+        self.places.push(VariablePlace::Part);
+        if self.motion.by_part {
+            let coordinate = self.coordinate_index();
+            self.variables[coordinate].role = Role::Output;
+        }
+        self
+    }
+
+    /// With the states of its motion, and their rates, in the place of inputs and results.
+    #[must_use]
+    pub fn with_states(mut self) -> Standing {
+        for &[state, rate] in self.now.part.states() {
+            for variable in &mut self.variables {
+                match variable.symbol {
+                    symbol if symbol == state => variable.role = Role::State,
+                    symbol if symbol == rate => variable.role = Role::Rate,
+                    _ => {}
+                }
+            }
+        }
+        // It does not run by itself through its working range.
+        self.now.given = true;
+        self
+    }
+
+    /// Whether it moves by itself.
+    #[must_use]
+    pub fn has_states(&self) -> bool {
+        self.variables.iter().any(|variable| variable.role == Role::State)
+    }
+
+    /// Whether the part of the range is an input.
+    #[must_use]
+    pub fn has_part_of_range(&self) -> bool {
+        matches!(self.places.last(), Some(VariablePlace::Part))
+    }
+}
+
 impl Running for Standing {
     #[inline]
     fn variables(&self) -> &[Variable] {

@@ -40,7 +40,7 @@ use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::with_balance::{agreement, searched};
 use crate::parts::hydraulics;
 use crate::parts::motion::Motion;
-use crate::parts::slewing;
+use crate::parts::turntable;
 
 /// As scenes describe it.
 pub const ENTRY: Entry = Description::<LuffingScene>::entry("double_link", KEYS);
@@ -56,7 +56,7 @@ impl Described for LuffingScene {
             s::ALL,
             balance::symbols::ALL,
             moving::symbols::ALL,
-            slewing::ALL,
+            turntable::ALL,
             gravity::ALL,
             hydraulics::symbols::ALL,
         ],

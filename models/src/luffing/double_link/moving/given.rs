@@ -7,7 +7,7 @@ use crate::luffing::double_link::moving::hoisting::{HoistKind, RopeGive};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
-use crate::parts::slewing::Turning;
+use crate::parts::turntable::Turning;
 
 quantities! {
     /// A luffing cylinder with its oil and valve, besides bore and rod.

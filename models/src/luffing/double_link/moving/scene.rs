@@ -11,7 +11,7 @@ use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::symbols as l;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
-use crate::parts::slewing::SlewingJoint;
+use crate::parts::turntable::SlewingJoint;
 
 /// How deep the mechanism is modelled.
 pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydraulic", "auto"];

@@ -3,7 +3,7 @@
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Symbol, symbols};
 use crate::luffing::double_link::symbols as g;
-pub use crate::parts::slewing::{
+pub use crate::parts::turntable::{
     C_SL, CHI_R, D_OMEGA_SL, D_PSI_SL, J_SL, M_B_SL, M_F_SL, M_R_SL, M_SL, OMEGA_SL, PSI_MAX, PSI_MIN, PSI_SL,
     Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
 };

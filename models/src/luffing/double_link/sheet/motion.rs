@@ -585,8 +585,6 @@ impl Run {
             model.update().ok()?;
         }
         let (first, mut powers) = (look(model)?, model.powers().ok()?);
-        // Steps of the explicit solver are those of the samples.
-        let halvings = if moving.oil.is_some() { HALVINGS } else { 0 };
         let lively = moving.rope.is_some_and(|rope| rope.give.is_some());
         let mut budget = Budget {
             halvings: samples,
@@ -624,7 +622,7 @@ impl Run {
                 powers = model.powers().ok()?;
             }
             let turned_over = turnover(&run.energy.work);
-            let step = stepped(model, [from, to], &powers, turned_over, halvings, (&mut budget, lively));
+            let step = stepped(model, [from, to], &powers, turned_over, HALVINGS, (&mut budget, lively));
             let Some(((work, now), values)) = step.zip(look(model)) else {
                 run.events.push((from, "run_ends"));
                 break;

@@ -5,7 +5,7 @@ use crate::kernel::group::quantities;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::{Symbol, symbols};
 use crate::parts::motion::degrees;
-use crate::parts::slewing as s;
+use crate::parts::turntable as s;
 
 symbols! {
     J_SL: "J_sl" "J_\"sl\"" KG_M2 / KG_M2 [not_negative], "Inertia about the slewing axis of all that slews but the bodies of a luffing mechanism beside it and the load.", "input";
