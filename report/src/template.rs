@@ -258,37 +258,7 @@ fn environment(words: Words) -> Environment<'static> {
         let print = |id: &str| symbol(mechanism.as_str().unwrap_or_default(), id);
         Ok::<_, minijinja::Error>(Value::from_safe_string(prose(text, print)))
     });
-    // "2.1" and so on. Typst's own numbers would come from counters, which cost a further pass over the document.
-    environment.add_function("number", |state: &mut State, level: usize| {
-        let counts = &mut state.get_or_insert_extension(Headings::default()).0;
-        counts.resize(level, 0);
-        if let Some(count) = counts.last_mut() {
-            *count += 1;
-        }
-        let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
-        Value::from_safe_string(counts.join("."))
-    });
-    environment.add_function("figure", |state: &mut State| {
-        let count = &mut state.get_or_insert_extension(Figures::default()).0;
-        *count += 1;
-        *count
-    });
-    environment.add_function("table", |state: &mut State| {
-        let count = &mut state.get_or_insert_extension(Tables::default()).0;
-        *count += 1;
-        *count
-    });
-    // "6.12": by chapters.
-    environment.add_function("equation", |state: &mut State| {
-        let headings = &state.get_or_insert_extension(Headings::default()).0;
-        let chapter = headings.first().copied().unwrap_or_default();
-        let last = state.get_or_insert_extension(Equations::default());
-        if last.chapter != chapter {
-            *last = Equations { chapter, count: 0 };
-        }
-        last.count += 1;
-        Value::from_safe_string(format!("{chapter}.{}", last.count))
-    });
+    counting(&mut environment);
     let undefined = |detail| minijinja::Error::new(ErrorKind::UndefinedError, detail);
     let dictionary = words.clone();
     // Of a part that the machine has, its own words: `symbol_rod` before `symbol`.
@@ -320,6 +290,41 @@ fn environment(words: Words) -> Environment<'static> {
         cited.iter().cloned().collect::<Value>()
     });
     environment
+}
+
+/// Numbers of headings, figures, tables and equations.
+fn counting(environment: &mut Environment<'static>) {
+    // "2.1" and so on. Typst's own numbers would come from counters, which cost a further pass over the document.
+    environment.add_function("number", |state: &mut State, level: usize| {
+        let counts = &mut state.get_or_insert_extension(Headings::default()).0;
+        counts.resize(level, 0);
+        if let Some(count) = counts.last_mut() {
+            *count += 1;
+        }
+        let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
+        Value::from_safe_string(counts.join("."))
+    });
+    environment.add_function("figure", |state: &mut State| {
+        let count = &mut state.get_or_insert_extension(Figures::default()).0;
+        *count += 1;
+        *count
+    });
+    environment.add_function("table", |state: &mut State| {
+        let count = &mut state.get_or_insert_extension(Tables::default()).0;
+        *count += 1;
+        *count
+    });
+    // "6.12": by chapters.
+    environment.add_function("equation", |state: &mut State| {
+        let headings = &state.get_or_insert_extension(Headings::default()).0;
+        let chapter = headings.first().copied().unwrap_or_default();
+        let last = state.get_or_insert_extension(Equations::default());
+        if last.chapter != chapter {
+            *last = Equations { chapter, count: 0 };
+        }
+        last.count += 1;
+        Value::from_safe_string(format!("{chapter}.{}", last.count))
+    });
 }
 
 /// Keeps the publications that a text cites, as `[Li2022]` or `[Li2022, eq. 5]`, out of those with these keys.

@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use lemnis::book::Edition;
 use lemnis::language::LANGUAGES;
 use lemnis::template::Templates;
+use lemnis_models::parts::plane;
 use lemnis_models::scene::Scene;
 use lemnis_typeset::{Embedded, Format, Ink, ink};
 use serde_json::Value;
@@ -112,7 +113,7 @@ fn placed<'a>(item: &'a Value, extents: &BTreeMap<(String, String), Ink>) -> Opt
 /// Whether a line passes through a rectangle.
 fn crosses(from: Point, to: Point, middle: Point, half: Point) -> bool {
     // In small steps: the part that is inside of any label is longer than a tenth of a millimetre.
-    let long = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let long = plane::length(plane::Point::new(to[0] - from[0], to[1] - from[1]));
     let steps = (long / 0.1).ceil().max(1.0) as usize;
     (0..=steps).any(|i| {
         let part = i as f64 / steps as f64;
@@ -154,7 +155,7 @@ fn met(figure: &Value, extents: &BTreeMap<(String, String), Ink>) -> Vec<String>
                 "circle" => {
                     let (at, radius) = (point(&item["at"]), item["radius"].as_f64().expect("a radius"));
                     let away = [0, 1].map(|axis| ((at[axis] - middle[axis]).abs() - half[axis]).max(0.0));
-                    if away[0].hypot(away[1]) < radius {
+                    if plane::length(plane::Point::new(away[0], away[1])) < radius {
                         meet("a circle".to_owned());
                     }
                 }
@@ -219,7 +220,7 @@ fn curves_of_one_figure_are_told_apart_without_colours() {
                     .flat_map(|curve| curve["paths"].as_array().expect("paths"))
                     .any(|path| {
                         let end = point(path.as_array().expect("points").last().expect("an end"));
-                        (end[0] - from[0]).hypot(end[1] - from[1]) < 0.02
+                        plane::length(plane::Point::new(end[0] - from[0], end[1] - from[1])) < 0.02
                     });
                 assert!(reached, "{place}: {name}");
             }
@@ -232,7 +233,7 @@ fn curves_of_one_figure_are_told_apart_without_colours() {
 fn no_label_crosses_anything() {
     let (mut bad, mut count) = (Vec::new(), 0);
     for (name, scene) in scenes() {
-        for language in 0..LANGUAGES.len() {
+        for (language, _) in LANGUAGES.iter().enumerate() {
             let figures = figures(&scene, language);
             let extents = extents(&figures);
             for (number, figure) in (1..).zip(&figures) {

@@ -297,49 +297,59 @@ impl Posing<Rec> for Rec {
                 },
             }
         };
-        let counterweight = |it: PosedCounterweight<f64>| {
-            let (parameters, range) = d.quantities.as_ref()?;
-            let balancing = balancing::new(parameters, range).ok()??;
-            let phi = match p.driven {
-                Driven::Boom => theta,
-                Driven::Rocker => Rec::given(&g::THETA_1, p.follower_angle()),
-            };
-            let place = balancing.place(phi, || Rec::given(&b::U_0, potential(d, theta.value())))?;
-            let place = plane::def(place, [&b::C_5X, &b::C_5Y]);
-            let travel = changes(place, theta, it.travel, s::OF_COUNTERWEIGHT);
-            let boom = match p.driven {
-                Driven::Boom => Rec::constant(1.0),
-                Driven::Rocker => Rec::given(&g::I_1, it.boom),
-            };
-            let line = balancing.balance.line(phi, place, travel[0] / boom).zip(it.line);
-            let named = |of: Point<Rec>, value: Point<f64>, names| {
-                plane::def(Point::new(of.x.rounded_as(value.x), of.y.rounded_as(value.y)), names)
-            };
-            Some(PosedCounterweight {
-                mass: (balancing.balance.weight()? / d.bodies().gravity)
-                    .rounded_as(it.mass)
-                    .def(&s::MASS_5),
-                reach: from_axis(place.x, it.reach, &s::X_S5),
-                travel,
-                boom,
-                line: line.map(|(line, values)| RodLine {
-                    per_force: named(line.per_force, values.per_force, [&s::N_5X, &s::N_5Y]),
-                    along: named(line.along, values.along, [&s::E_1X, &s::E_1Y]),
-                    rail: line.rail,
-                }),
-            })
-        };
         Some(PosedLinkage {
             position,
             x_3: Rec::given(&g::X_3, values.x_3),
             bodies: [body(0), body(1), body(2)],
-            counterweight: values.counterweight.and_then(counterweight),
+            counterweight: values
+                .counterweight
+                .and_then(|it| counterweight(d, p, theta, &it, &from_axis)),
             drive: values.drive.map(|(line, [length, arm])| {
                 let sizes = [Rec::given(&g::L_D, length), Rec::given(&g::H_D, arm)];
                 (point(line, [&g::L_DX, &g::L_DY]), sizes)
             }),
         })
     }
+}
+
+/// A counterweight's place, and what follows from it, where a linkage stands.
+fn counterweight(
+    d: &Dynamics<Rec>,
+    p: &Position<f64>,
+    theta: Rec,
+    it: &PosedCounterweight<f64>,
+    from_axis: &dyn Fn(Rec, f64, &'static Symbol) -> Rec,
+) -> Option<PosedCounterweight<Rec>> {
+    let (parameters, range) = d.quantities.as_ref()?;
+    let balancing = balancing::new(parameters, range).ok()??;
+    let phi = match p.driven {
+        Driven::Boom => theta,
+        Driven::Rocker => Rec::given(&g::THETA_1, p.follower_angle()),
+    };
+    let place = balancing.place(phi, || Rec::given(&b::U_0, potential(d, theta.value())))?;
+    let place = plane::def(place, [&b::C_5X, &b::C_5Y]);
+    let travel = changes(place, theta, it.travel, s::OF_COUNTERWEIGHT);
+    let boom = match p.driven {
+        Driven::Boom => Rec::constant(1.0),
+        Driven::Rocker => Rec::given(&g::I_1, it.boom),
+    };
+    let line = balancing.balance.line(phi, place, travel[0] / boom).zip(it.line);
+    let named = |of: Point<Rec>, value: Point<f64>, names| {
+        plane::def(Point::new(of.x.rounded_as(value.x), of.y.rounded_as(value.y)), names)
+    };
+    Some(PosedCounterweight {
+        mass: (balancing.balance.weight()? / d.bodies().gravity)
+            .rounded_as(it.mass)
+            .def(&s::MASS_5),
+        reach: from_axis(place.x, it.reach, &s::X_S5),
+        travel,
+        boom,
+        line: line.map(|(line, values)| RodLine {
+            per_force: named(line.per_force, values.per_force, [&s::N_5X, &s::N_5Y]),
+            along: named(line.along, values.along, [&s::E_1X, &s::E_1Y]),
+            rail: line.rail,
+        }),
+    })
 }
 
 impl<T: Calc + DualNum> Bar<T> {
