@@ -8,17 +8,21 @@ use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
 use lemnis_models::luffing::double_link;
-use lemnis_models::parts::hydraulics;
+use lemnis_models::parts::{hydraulics, turntable};
+use lemnis_models::registry;
+use lemnis_models::slewing;
 use lemnis_models::steering;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 8] = [
+const TABLES: [(&str, &[&Symbol]); 10] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
         double_link::moving::symbols::ALL,
     ),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
+    ("The joint by which a crane slews", turntable::ALL),
+    ("Slewing by itself", slewing::symbols::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
     ("A cylinder with oil and valve", hydraulics::symbols::ALL),
@@ -66,6 +70,16 @@ fn the_notation_page_is_up_to_date() {
         written == page(),
         "docs/notation.md is stale: LEMNIS_WRITE=1 cargo test -p lemnis-models --test notation"
     );
+}
+
+#[test]
+fn every_symbol_of_a_mechanism_is_on_the_page() {
+    let listed = |symbol: &Symbol| TABLES.iter().any(|(_, table)| table.contains(&symbol));
+    for (mechanism, vocabulary) in registry::vocabularies() {
+        for symbol in vocabulary.own.iter().chain(vocabulary.shared).copied().flatten() {
+            assert!(listed(symbol), "{mechanism}: {}", symbol.id);
+        }
+    }
 }
 
 #[test]
