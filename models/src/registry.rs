@@ -30,6 +30,7 @@ use crate::steering::scene::SteeringScene;
 pub static MECHANISMS: &[Entry] = &[
     double_link::sheet::ENTRY,
     luffing::rope::scene::ENTRY,
+    luffing::rope::scene::COMPENSATED,
     steering::sheet::ENTRY,
     slewing::scene::ENTRY,
 ];
@@ -40,6 +41,10 @@ pub const LUFFING: Key = Key::kinds(
     &[
         (double_link::sheet::ENTRY.kind, double_link::sheet::ENTRY.keys),
         (luffing::rope::scene::ENTRY.kind, luffing::rope::scene::ENTRY.keys),
+        (
+            luffing::rope::scene::COMPENSATED.kind,
+            luffing::rope::scene::COMPENSATED.keys,
+        ),
     ],
     "A luffing mechanism.",
 );

@@ -1,4 +1,4 @@
-//! The plain boom on a luffing rope: a hand calculation, virtual work against equilibrium at random, and limits.
+//! The plain boom on a luffing rope, with and without rope compensation: hand calculations, virtual work against equilibrium at random, and limits.
 
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
@@ -6,6 +6,7 @@ use lemnis_models::scene::Scene;
 use proptest::prelude::*;
 
 const READY: &str = include_str!("../scenes/rope_luffing.toml");
+const COMPENSATED: &str = include_str!("../scenes/rope_compensation.toml");
 
 /// A boom of 30 m whose head lies on its line, over round numbers.
 fn text(change: &[(&str, &str)]) -> String {
@@ -28,9 +29,15 @@ fn text(change: &[(&str, &str)]) -> String {
         ("from", "30 deg"),
         ("to", "75 deg"),
     ];
+    let mut kind = "rope";
     for (name, value) in change {
-        let key = keys.iter_mut().find(|(known, _)| known == name).expect("a key");
-        key.1 = value;
+        match keys.iter_mut().find(|(known, _)| known == name) {
+            Some(key) => key.1 = value,
+            None => {
+                keys.push((name, value));
+                kind = "rope_compensation";
+            }
+        }
     }
     let line = |names: &[&str]| -> String {
         let given = keys
@@ -39,11 +46,11 @@ fn text(change: &[(&str, &str)]) -> String {
         given.map(|(name, value)| format!("{name} = \"{value}\"\n")).collect()
     };
     format!(
-        "name = \"Rope\"\ntitle = \"Rope\"\n[luffing]\nkind = \"rope\"\n{}[luffing.tackle]\n{}[luffing.hoist_rope]\n{}\
+        "name = \"Rope\"\ntitle = \"Rope\"\n[luffing]\nkind = \"{kind}\"\n{}[luffing.tackle]\n{}[luffing.hoist_rope]\n{}\
          [luffing.weights]\n{}[luffing.motion]\n{}step = \"1 deg\"\nspeed = \"1 deg/s\"\n",
         line(&["l", "X_8", "Q"]),
         line(&["E_x", "E_y", "s_K", "m_l", "eta_l"]),
-        line(&["B_x", "B_y", "m_h", "eta_h", "h_Q"]),
+        line(&["B_x", "B_y", "m_k", "eta_k", "m_h", "eta_h", "h_Q"]),
         line(&["G_b", "r_b"]),
         line(&["from", "to"])
     )
@@ -163,12 +170,93 @@ fn what_cannot_be_is_refused() {
 }
 
 #[test]
-fn every_check_of_the_ready_scene_passes() {
-    let scene = Scene::parse(READY).unwrap_or_else(|found| panic!("{found:?}"));
-    let sheet = scene.sheet();
-    assert!(sheet.requirements.len() >= 3 && !sheet.identities.is_empty());
-    for check in sheet.checks() {
-        assert!(check.passed(), "{} {}", check.id, check.value);
+fn every_check_of_the_ready_scenes_passes() {
+    for ready in [READY, COMPENSATED] {
+        let scene = Scene::parse(ready).unwrap_or_else(|found| panic!("{found:?}"));
+        let sheet = scene.sheet();
+        assert!(sheet.requirements.len() >= 3 && !sheet.identities.is_empty());
+        for check in sheet.checks() {
+            assert!(check.passed(), "{} {}", check.id, check.value);
+        }
+    }
+}
+
+/// Three parts, two falls, at 60°, over the numbers of `by_hand`: A = (15, 25.980762), |AB| = 21.917681 m, h_S = 6.843790 m,
+/// h_T = 12.699892 m; at the start, 30°, |AB| = 26.457513 m.
+#[test]
+fn compensation_by_hand() {
+    let mut model = scene(&[("m_k", "3"), ("eta_k", "0.9")]).model().expect("exists");
+    // y_Q = 25.980762 + (21.917681 − 26.457513) · 3/2 − 15 = 4.171014 m.
+    // y' = 15 − 6.843790 · 3/2 = 4.734315 m, M_Q = 473.431560 kN·m. S_h = 50 kN, F_k = 150 kN.
+    // T = (420 + 1500 − 150 · 6.843790) / 12.699892 = (1920 − 1026.568440) / 12.699892 = 70.349540 kN.
+    // Raised, the rope runs out: S_h = 47.5, F_k = 3 · 47.5 · 0.9 = 128.25 kN,
+    //   T = (1920 − 128.25 · 6.843790) / 12.699892 = (1920 − 877.716016) / 12.699892 = 82.070303 kN.
+    // Lowered: S_h = 52.631579, F_k = 3 · 52.631579 / 0.9 = 175.438596 kN,
+    //   T = (1920 − 175.438596 · 6.843790) / 12.699892 = (1920 − 1200.664842) / 12.699892 = 56.641046 kN.
+    for (name, expected) in [
+        ("Y_Q", 4.171_014),
+        ("M_Q", 473_431.56),
+        ("F_k", 150_000.0),
+        ("T", 70_349.54),
+        ("F_k.up", 128_250.0),
+        ("T.up", 82_070.30),
+        ("F_k.down", 175_438.596),
+        ("T.down", 56_641.05),
+    ] {
+        let found = at(&mut model, 60.0, name);
+        assert!(
+            (found - expected).abs() <= 1e-6 * expected,
+            "{name}: {found} {expected}"
+        );
+    }
+}
+
+/// One part is the plain rope, to the bit.
+#[test]
+fn one_part_is_the_plain_rope() {
+    let mut plain = scene(&[]).model().expect("exists");
+    let mut one = scene(&[("m_k", "1")]).model().expect("exists");
+    let names: Vec<String> = plain.variables().iter().map(|variable| variable.name()).collect();
+    for degrees in [30.0, 47.3, 75.0] {
+        for name in &names[1..] {
+            let (a, b) = (at(&mut plain, degrees, name), at(&mut one, degrees, name));
+            assert_eq!(a.to_bits(), b.to_bits(), "{name} at {degrees}");
+        }
+        assert_eq!(
+            at(&mut one, degrees, "F_k").to_bits(),
+            at(&mut one, degrees, "S_h").to_bits()
+        );
+    }
+}
+
+/// Without parts the load hangs from the head; with as many parts as falls the level error falls as 1/H with the height H of
+/// B above the foot: |AB| = H − y_A + x_A² / (2H) + …, so that y_Q goes by x_A² / (2H).
+#[test]
+fn limits_of_the_compensation() {
+    let mut none = scene(&[("m_k", "0")]).model().expect("exists");
+    for degrees in [30.0, 52.5, 75.0] {
+        let below = at(&mut none, degrees, "A.y") - at(&mut none, degrees, "Y_Q");
+        assert!((below - 15.0).abs() <= 1e-13, "{below}");
+        assert_eq!(at(&mut none, degrees, "F_k"), 0.0);
+    }
+    let mut ends = scene(&[]).model().expect("exists");
+    let [out, inside] = [30.0, 75.0].map(|degrees| at(&mut ends, degrees, "A.x"));
+    let limit = (out * out - inside * inside) / 2.0;
+    let mut last = f64::INFINITY;
+    for height in [1e3, 1e4, 1e5, 1e6] {
+        let high = format!("{height:e} m");
+        let mut model = scene(&[("m_k", "2"), ("B_y", &high)]).model().expect("exists");
+        let error = at(&mut model, 30.0, "Delta_Y") * height / limit - 1.0;
+        // What is left of it goes by 1/H too, down to the rounding of H².
+        assert!(
+            error.abs() <= last / 9.0 + 1e-16 * height * height / limit,
+            "{height}: {error}"
+        );
+        assert!(
+            error.abs() <= 40.0 / height + 1e-16 * height * height / limit,
+            "{height}: {error}"
+        );
+        last = error.abs();
     }
 }
 
@@ -179,33 +267,33 @@ proptest! {
     #[test]
     fn virtual_work_is_equilibrium(
         l in 5.0..60.0_f64, e_x in -20.0..0.0_f64, e_y in 1.0..30.0_f64, s_k in 0.3..1.0_f64,
-        b_x in -10.0..-0.5_f64, b_y in 0.0..30.0_f64, m_h in 1.0..6.0_f64, q in 0.0..500.0_f64, g in 0.0..300.0_f64,
+        b_x in -10.0..-0.5_f64, b_y in 0.0..30.0_f64, m_k in 0.0..6.0_f64, m_h in 1.0..6.0_f64, q in 0.0..500.0_f64, g in 0.0..300.0_f64,
         degrees in 15.0..70.0_f64,
     ) {
         let number = |value: f64, unit: &str| format!("{value:?} {unit}");
         let (l, s_k) = (number(l, "m"), number(s_k * l, "m"));
         let (e_x, e_y) = (number(e_x, "m"), number(e_y, "m"));
         let (b_x, b_y) = (number(b_x, "m"), number(b_y, "m"));
-        let (m_h, q, g) = (format!("{m_h:?}"), number(q, "kN"), number(g, "kN"));
+        let (m_k, m_h, q, g) = (format!("{m_k:?}"), format!("{m_h:?}"), number(q, "kN"), number(g, "kN"));
         let change = [
             ("l", &*l), ("s_K", &*s_k), ("E_x", &*e_x), ("E_y", &*e_y), ("B_x", &*b_x), ("B_y", &*b_y),
-            ("m_h", &*m_h), ("Q", &*q), ("G_b", &*g), ("r_b", "2 m"), ("from", "10 deg"), ("to", "72 deg"),
+            ("m_k", &*m_k), ("m_h", &*m_h), ("Q", &*q), ("G_b", &*g), ("r_b", "2 m"), ("from", "10 deg"), ("to", "72 deg"),
         ];
         // Where the tackle would have to push there is nothing to compare.
         if let Ok(scene) = Scene::parse(&text(&change)) {
             let mut model = scene.model().expect("exists");
             let mut get = |name| at(&mut model, degrees, name);
             let (m_d, m_q, m_g) = (get("M_D"), get("M_Q"), get("M_G"));
-            let scale = m_q.abs().max(m_g.abs()).max((get("S_h") * get("h_S")).abs()).max(1.0);
+            let scale = m_q.abs().max(m_g.abs()).max((get("F_k") * get("h_S")).abs()).max(1.0);
             prop_assert!((m_d - m_q - m_g).abs() <= 1e-12 * scale, "{m_d} {m_q} {m_g}");
             let power = m_d * get("omega");
             prop_assert!((get("P_l") - power).abs() <= 1e-12 * scale, "{power}");
             // The foot carries what hangs on the boom, less what its ropes carry.
-            let (t, s_h) = (get("T"), get("S_h"));
+            let (t, f_k) = (get("T"), get("F_k"));
             let fall = get("E_y") - get("s_K") * Calc::sin(degrees.to_radians());
-            let up = get("F_O1.y") + t * fall / get("L_T") + s_h * (get("B_y") - get("A.y")) / get("L_S");
+            let up = get("F_O1.y") + t * fall / get("L_T") + f_k * (get("B_y") - get("A.y")) / get("L_S");
             let down = get("Q") + get("G_b");
-            prop_assert!((up - down).abs() <= 1e-11 * (down + t.abs() + s_h), "{up} {down}");
+            prop_assert!((up - down).abs() <= 1e-11 * (down + t.abs() + f_k), "{up} {down}");
         }
     }
 }
@@ -217,7 +305,10 @@ fn a_kind_that_there_is_not() {
         let wrong = READY.replace("kind = \"rope\"", &format!("kind = {kind}"));
         let found = Scene::parse(&wrong).expect_err("no such kind");
         let [one] = found.as_slice() else { panic!("{found:?}") };
-        assert_eq!(one.message, "`luffing.kind` is not one of double_link, rope");
+        assert_eq!(
+            one.message,
+            "`luffing.kind` is not one of double_link, rope, rope_compensation"
+        );
         assert_eq!(one.label, label);
         assert_eq!(&wrong[one.span.clone()], kind);
     }

@@ -1,4 +1,4 @@
-//! What makes a scene of a boom on a luffing rope legal: a tackle above the boom, whose line does not meet the foot, and
+//! What makes a scene of a boom on a luffing rope legal, with or without rope compensation: a tackle above the boom, whose line does not meet the foot, and
 //! a sheave behind the boom.
 
 use lemnis_models::kernel::calc::Calc;
@@ -34,7 +34,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let tabulated = n.text("fidelity") == Some("table");
     n.keep("table", tabulated && n.has("table"));
     let mut tackle = n.child("tackle").expect("required");
-    for (name, low, high) in [("s_K", 0.3, 1.2), ("E_x", -0.5, -0.05), ("E_y", 0.12, 0.8)] {
+    for (name, low, high) in [("s_K", 0.3, 1.2), ("E_x", -0.5, -0.05), ("E_y", 0.17, 0.8)] {
         let value = l * tackle.draw.between(low, high);
         tackle.set(name, value);
     }
@@ -49,6 +49,9 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         rope.set(name, value);
     }
     falls(&mut rope, ["m_h", "eta_h"]);
+    if rope.has("m_k") {
+        falls(&mut rope, ["m_k", "eta_k"]);
+    }
     if let Some(mut balance) = n.child("balance") {
         balance.put("kind", "tail");
         balance_keys(&mut balance, &["G_c", "r_c", "chi_c"]);

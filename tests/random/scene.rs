@@ -29,7 +29,7 @@ fn maker(mechanism: &str) -> Option<Maker> {
             edge: luffing::edge,
             result: luffing::RESULT,
         }),
-        "rope" => Some(Maker {
+        "rope" | "rope_compensation" => Some(Maker {
             legal: rope::legal,
             edge: rope::edge,
             result: rope::RESULT,

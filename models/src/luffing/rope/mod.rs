@@ -9,14 +9,15 @@
 //! ```
 //!
 //! Angles counter-clockwise from the horizontal, x towards the load, y up. Moments of loads are positive where they lower
-//! the boom, the tackle's moment `M_D` where it raises it. The hoist drum rests while the boom luffs.
+//! the boom, the tackle's moment `M_D` where it raises it. The hoist drum rests while the boom luffs. A rope compensation has
+//! `m_k` parts of the hoist rope between A and B, all counted; without it there is one.
 //!
 //! | id | function | source |
 //! |---|---|---|
 //! | `rope.position` | [`position::BoomPosition::new`] | geometry |
 //! | `rope.tackle` | [`position::Falls::new`] | Ports001, 5.1 |
-//! | `rope.load_path` | [`position::Path::new`] | Ports001, 5.2.3 |
-//! | `rope.velocity` | [`velocity::RopeTravel::new`] | Ports001, 5.2.3 |
+//! | `rope.load_path` | [`position::Path::new`] | Ports001, 5.2.3, 5.2.3.1 |
+//! | `rope.velocity` | [`velocity::RopeTravel::new`] | Ports001, 5.2.3, 5.2.3.1 |
 //! | `rope.load_moment` | [`statics::Hanging::new`] | Ports001, 5.2.3, by virtual work |
 //! | `rope.pull` | [`statics::Pull::new`] | Ports001, 5.1, by equilibrium |
 //! | `rope.losses` | [`losses::Losses::new`] | Ports001, 5.1 |

@@ -26,6 +26,11 @@ quantities! {
     }
 }
 
+quantities! {
+    /// Hoist rope that runs several times between head and sheave.
+    Compensation { m_k: M_K, eta_k: ETA_K }
+}
+
 /// The boom at one angle.
 #[derive(Clone, Copy, Debug)]
 pub struct BoomPosition<C> {
@@ -119,17 +124,26 @@ impl<C: Calc> Falls<C> {
     }
 }
 
-/// The hoist rope between head and sheave.
+/// The hoist rope between head and sheave: once, or in several parts.
 #[derive(Clone, Copy, Debug)]
-pub struct Stretch<C>(pub TautRope<C>);
-results! { Stretch as r => { L_S: r.0.length; H_S: r.0.arm; } }
+pub struct Stretch<C> {
+    pub line: TautRope<C>,
+    pub parts: Option<Compensation<C>>,
+}
+results! { Stretch as r => { L_S: r.line.length; H_S: r.line.arm; } }
 
 impl<C: Calc> Stretch<C> {
     /// # Errors
     /// The head in the sheave.
-    pub fn new(rig: &Rig<C>, position: &BoomPosition<C>) -> Found<Stretch<C>> {
+    pub fn new(rig: &Rig<C>, parts: &Option<Compensation<C>>, position: &BoomPosition<C>) -> Found<Stretch<C>> {
         let names = [&s::L_SX, &s::L_SY, &s::L_S, &s::H_S];
-        TautRope::new(position.a, Point::new(rig.b_x, rig.b_y), names).map(Stretch)
+        let line = TautRope::new(position.a, Point::new(rig.b_x, rig.b_y), names)?;
+        Ok(Stretch { line, parts: *parts })
+    }
+
+    /// In all parts, what one has: length, lever arm or pull.
+    pub fn all(&self, one: C) -> C {
+        self.parts.map_or(one, |parts| parts.m_k * one)
     }
 }
 
@@ -148,11 +162,11 @@ impl<C: Calc> LoadLevel<C> {
     ///
     /// # Errors
     /// As [`Stretch::new`].
-    pub fn new(rig: &Rig<C>, choice: &BoomChoice) -> Found<LoadLevel<C>> {
+    pub fn new(rig: &Rig<C>, parts: &Option<Compensation<C>>, choice: &BoomChoice) -> Found<LoadLevel<C>> {
         let there = BoomPosition::new(rig, &C::constant(choice.range.from));
-        let stretch = Stretch::new(rig, &there)?;
+        let stretch = Stretch::new(rig, parts, &there)?;
         Ok(LoadLevel {
-            c_q: (-rig.h_q - stretch.0.length / rig.m_h).def(&s::C_Q),
+            c_q: (-rig.h_q - stretch.all(stretch.line.length) / rig.m_h).def(&s::C_Q),
             start: (there.a.y - rig.h_q).def(&s::Y_Q),
         })
     }
@@ -169,9 +183,9 @@ pub struct Path<C> {
 results! { Path as p => { Y_Q: p.y_q; L_H: p.l_h; } }
 
 impl<C: Calc> Path<C> {
-    /// y_Q = y_A + |A − B| / m_h + const. [Ports001, 5.2.3]
+    /// y_Q = y_A + |A − B| m_k / m_h + const. [Ports001, 5.2.3.1]
     pub fn new(rig: &Rig<C>, level: &LoadLevel<C>, position: &BoomPosition<C>, stretch: &Stretch<C>) -> Path<C> {
-        let y_q = (position.a.y + stretch.0.length / rig.m_h + level.c_q).def(&s::Y_Q);
+        let y_q = (position.a.y + stretch.all(stretch.line.length) / rig.m_h + level.c_q).def(&s::Y_Q);
         Path {
             y_q,
             l_h: (rig.m_h * (level.start - y_q)).def(&s::L_H),

@@ -18,42 +18,56 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Sign, Values};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::rope::outline::OUTLINE;
-use crate::luffing::rope::position::{BoomChoice, BoomPosition, Rig};
+use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Rig};
 use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::with_balance::{agreement, complete, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
 
-/// Keys of `[luffing]` with `kind = "rope"`.
-pub const KEYS: &[Key] = &[
-    Key::kind(&["rope"], "A plain boom on a luffing rope."),
-    Key::quantity(&s::L, Sign::Positive),
-    Key::quantity(&s::F_A, Sign::Any).usually(0.0),
-    Key::quantity(&s::X_8, Sign::Any),
-    Key::weight(&s::Q).optional(),
-    Key::choice(
-        "fidelity",
-        &["static", "table"],
-        "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range).",
+/// Keys of `[luffing]` with one of the two kinds.
+const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 14] {
+    [
+        kind,
+        Key::quantity(&s::L, Sign::Positive),
+        Key::quantity(&s::F_A, Sign::Any).usually(0.0),
+        Key::quantity(&s::X_8, Sign::Any),
+        Key::weight(&s::Q).optional(),
+        Key::choice(
+            "fidelity",
+            &["static", "table"],
+            "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range).",
+        ),
+        Key::table("motion", MOTION, "Working range of the boom."),
+        Key::table("tackle", TACKLE, "Luffing tackle between boom and frame."),
+        Key::table(
+            "hoist_rope",
+            hoist_rope,
+            "Hoist rope from the boom's head over a sheave of the frame.",
+        ),
+        Key::part("weights", WEIGHTS, "Own weight of the boom and its centre of gravity."),
+        BALANCE,
+        Key::part("table", TABLE, "Interpolation, with fidelity \"table\"."),
+        Key::part(
+            "limits",
+            LIMITS,
+            "What results may come to at most or must come to at least.",
+        ),
+        SOURCE,
+    ]
+}
+
+/// With `kind = "rope"`.
+pub const KEYS: &[Key] = &keys(Key::kind(&["rope"], "A plain boom on a luffing rope."), HOIST_ROPE);
+
+/// With `kind = "rope_compensation"`.
+pub const COMPENSATED_KEYS: &[Key] = &keys(
+    Key::kind(
+        &["rope_compensation"],
+        "A plain boom on a luffing rope, its hoist rope in several parts between head and frame.",
     ),
-    Key::table("motion", MOTION, "Working range of the boom."),
-    Key::table("tackle", TACKLE, "Luffing tackle between boom and frame."),
-    Key::table(
-        "hoist_rope",
-        HOIST_ROPE,
-        "Hoist rope from the boom's head over a sheave of the frame.",
-    ),
-    Key::part("weights", WEIGHTS, "Own weight of the boom and its centre of gravity."),
-    BALANCE,
-    Key::part("table", TABLE, "Interpolation, with fidelity \"table\"."),
-    Key::part(
-        "limits",
-        LIMITS,
-        "What results may come to at most or must come to at least.",
-    ),
-    SOURCE,
-];
+    COMPENSATED_ROPE,
+);
 
 const MOTION: &[Key] = &Motion::keys(
     [&s::FROM, &s::TO],
@@ -66,6 +80,10 @@ const TACKLE: &[Key] = keys! { s:
 };
 
 const HOIST_ROPE: &[Key] = keys! { s: B_X, B_Y, M_H > 0, ETA_H > 0 [usually(1.0)], H_Q >= 0 };
+
+const COMPENSATED_ROPE: &[Key] = keys! { s:
+    B_X, B_Y, M_K >= 0, ETA_K > 0 [usually(1.0)], M_H > 0, ETA_H > 0 [usually(1.0)], H_Q >= 0
+};
 
 const WEIGHTS: &[Key] = keys! { b: G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)] };
 
@@ -82,6 +100,8 @@ pub struct Rope {
 
 /// As scenes describe it.
 pub const ENTRY: Entry = Description::<Rope>::entry("rope", KEYS);
+/// The same with the hoist rope in several parts.
+pub const COMPENSATED: Entry = Description::<Rope>::entry("rope_compensation", COMPENSATED_KEYS);
 
 impl Described for Rope {
     type Component = RopeBoom;
@@ -104,6 +124,7 @@ impl Described for Rope {
             omega: One(&s::OMEGA, range.speed),
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
             rig: Rig::read(v)?,
+            compensation: Compensation::read(v),
             weights: v.part("weights", Plain::read)?,
             balance,
             choice: BoomChoice { range },

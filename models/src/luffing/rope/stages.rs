@@ -15,7 +15,7 @@ use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
-use crate::luffing::rope::position::{BoomChoice, BoomPosition, Falls, LoadLevel, Path, Rig, Stretch};
+use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Falls, LoadLevel, Path, Rig, Stretch};
 use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, power};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::rope::velocity::{RopeTravel, Speeds};
@@ -29,18 +29,19 @@ stages! {
         Rate omega: One<C>,
         Load load: Option<One<C>>,
         Parameter rig: Rig<C>,
+        Parameter compensation: Option<Compensation<C>>,
         Parameter weights: Option<Plain<C>>,
         Parameter balance: Option<Form<C>>,
         Fixed choice: BoomChoice,
     } find {
-        level: LoadLevel<C> = LoadLevel::new(rig, choice);
+        level: LoadLevel<C> = LoadLevel::new(rig, compensation, choice);
         position: BoomPosition<C> = BoomPosition::new(rig, phi);
         falls: Falls<C> = Falls::new(rig, position, phi);
-        stretch: Stretch<C> = Stretch::new(rig, position);
+        stretch: Stretch<C> = Stretch::new(rig, compensation, position);
         path: Path<C> = Path::new(rig, level, position, stretch);
         travel: RopeTravel<C> = RopeTravel::new(rig, position, stretch) => _;
         speeds: Speeds<C> = Speeds::new(rig, travel, falls, omega);
-        hanging: Hanging<C> = Hanging::new(rig, load[!], travel);
+        hanging: Hanging<C> = Hanging::new(rig, load[!], stretch, travel);
         own: OwnMoment<C> = OwnMoment::new(weights[!], phi);
         balancing: Balancing<C> = balancing(weights[!], balance[!], choice) => _;
         residual: Residual<C> = residual(balancing, own, phi);
@@ -71,9 +72,12 @@ impl Component for RopeBoom {
         drum "Drum of the luffing rope.": v V_L, f S_L_UP, p P_L;
     };
 
-    /// A balance has what its kind has, and the tackle's force is told otherwise.
+    /// A balance has what its kind has, the tackle's force is told otherwise, and one part of a rope has its pull.
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        symbol != &b::F_D_0 && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+        let in_parts = [&s::F_K, &s::F_K_UP, &s::F_K_DOWN].contains(&symbol);
+        (!in_parts || given.compensation.is_some())
+            && symbol != &b::F_D_0
+            && given.balance.as_ref().is_none_or(|form| form.has(symbol))
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {

@@ -16,15 +16,19 @@ pub struct Hanging<C> {
     pub m_q: C,
     /// Pull of the hoist rope, in N.
     s_h: C,
+    /// Pull of all its parts between head and sheave, in N.
+    f_k: C,
 }
-results! { Hanging as h => { M_Q: h.m_q; S_H: h.s_h; } }
+results! { Hanging as h => { M_Q: h.m_q; S_H: h.s_h; F_K: h.f_k; } }
 
 impl<C: Calc> Hanging<C> {
-    /// M_Q = Q dy_Q/dphi [Ports001, 5.2.3]; S_h = Q / m_h [Ports001, 5.1]
-    pub fn new(rig: &Rig<C>, q: &C, travel: &RopeTravel<C>) -> Hanging<C> {
+    /// M_Q = Q dy_Q/dphi [Ports001, 5.2.3]; S_h = Q / m_h [Ports001, 5.1]; F_k = m_k S_h [Ports001, 5.2.4.1]
+    pub fn new(rig: &Rig<C>, q: &C, stretch: &Stretch<C>, travel: &RopeTravel<C>) -> Hanging<C> {
+        let s_h = (*q / rig.m_h).def(&s::S_H);
         Hanging {
             m_q: (*q * travel.y_q).def(&s::M_Q),
-            s_h: (*q / rig.m_h).def(&s::S_H),
+            s_h,
+            f_k: stretch.parts.map_or(s_h, |_| stretch.all(s_h).def(&s::F_K)),
         }
     }
 }
@@ -78,9 +82,9 @@ impl<C: Calc> RopePulls<C> {
         }
     }
 
-    /// Moment that is left for the luffing tackle, in N·m, with a pull `s_h` (N) of the hoist rope.
-    pub fn left(&self, stretch: &Stretch<C>, s_h: C) -> C {
-        self.m_w - s_h * stretch.0.arm
+    /// Moment that is left for the luffing tackle, in N·m, with a pull `f_k` (N) of all parts of the hoist rope.
+    pub fn left(&self, stretch: &Stretch<C>, f_k: C) -> C {
+        self.m_w - f_k * stretch.line.arm
     }
 }
 
@@ -105,7 +109,7 @@ results! { Pull as p => {
 } }
 
 impl<C: Calc> Pull<C> {
-    /// Equilibrium of the boom: T h_T = G_b r_b cos phi + Q x_A − S_h h_S. [Ports001, 5.1]
+    /// Equilibrium of the boom: T h_T = G_b r_b cos phi + Q x_A − F_k h_S. [Ports001, 5.1]
     pub fn new(
         carried: &RopePulls<C>,
         hanging: &Hanging<C>,
@@ -113,9 +117,9 @@ impl<C: Calc> Pull<C> {
         falls: &Falls<C>,
         stretch: &Stretch<C>,
     ) -> Pull<C> {
-        let m_d = carried.left(stretch, hanging.s_h).def(&s::M_D);
+        let m_d = carried.left(stretch, hanging.f_k).def(&s::M_D);
         let t = (m_d / falls.line.arm).def(&s::T);
-        let ropes = falls.line.force(t) + stretch.0.force(hanging.s_h);
+        let ropes = falls.line.force(t) + stretch.line.force(hanging.f_k);
         let foot = plane::def(-(carried.force + ropes), [&s::F_O1X, &s::F_O1Y]);
         let n_b = (-plane::dot(foot, position.along)).def(&s::N_B);
         Pull { m_d, t, foot, n_b }

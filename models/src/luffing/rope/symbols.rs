@@ -22,6 +22,8 @@ symbols! {
     B_Y: "B_y" "y_B" M / M, "Sheave B of the hoist rope on the frame, above O1.", "[Ports001, 5.1]";
     M_H: "m_h" "m_h" ONE / ONE [positive], "Falls of the hoist tackle.", "[Ports001, 5.1]";
     ETA_H: "eta_h" "eta_h" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of the whole hoist tackle.", "[Ports001, 5.1]";
+    M_K: "m_k" "m_k" ONE / ONE [not_negative], "Parts of the hoist rope between the head A and the sheaves at B, all that run there.", "[Ports001, 5.2.3.1]";
+    ETA_K: "eta_k" "eta_k" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of all parts of the hoist rope between A and B.", "[Ports001, 5.2.3.1]";
     H_Q: "h_Q" "h_Q" M / M [not_negative], "Height of the head A above the load at the start of the working range.", "[Ports001, 5.1]";
 
     // Position.
@@ -54,6 +56,7 @@ symbols! {
 
     // Forces without losses.
     S_H: "S_h" "S_h" N / KN, "Pull of the hoist rope, without losses.", "[Ports001, 5.1]";
+    F_K: "F_k" "F_k" N / KN, "Pull of all parts of the hoist rope between A and B, without losses.", "[Ports001, 5.2.4.1]";
     M_Q: "M_Q" "M_Q" N_M / KN_M, "Moment of the load about O1 by virtual work; positive lowers the boom.", "[Ports001, 5.2.3]";
     M_G: "M_G" "M_G" N_M / KN_M, "Moment of the boom's weight about O1; positive lowers the boom.", "[Ports001, 5.1]";
     M_W: "M_w" "M_w" N_M / KN_M, "Moment of load, own weight and balance about O1, without the pull of the hoist rope; positive lowers the boom.", "[Ports001, 5.1]";
@@ -67,6 +70,8 @@ symbols! {
     // With losses.
     S_H_UP: "S_h.up" "S_(h, arrow.t)" N / KN, "Pull of the hoist rope, with losses, while the boom is raised.", "[Ports001, 5.1]";
     S_H_DOWN: "S_h.down" "S_(h, arrow.b)" N / KN, "Pull of the hoist rope, with losses, while the boom is lowered.", "[Ports001, 5.1]";
+    F_K_UP: "F_k.up" "F_(k, arrow.t)" N / KN, "Pull of all parts of the hoist rope between A and B, with losses, while the boom is raised.", "[Ports001, 5.2.4.1]";
+    F_K_DOWN: "F_k.down" "F_(k, arrow.b)" N / KN, "Pull of all parts of the hoist rope between A and B, with losses, while the boom is lowered.", "[Ports001, 5.2.4.1]";
     T_UP: "T.up" "T_(arrow.t)" N / KN, "Pull of the luffing tackle, with losses in the hoist rope, while the boom is raised.", "[Ports001, 5.1]";
     T_DOWN: "T.down" "T_(arrow.b)" N / KN, "Pull of the luffing tackle, with losses in the hoist rope, while the boom is lowered.", "[Ports001, 5.1]";
     S_L_UP: "S_l.up" "S_(l, arrow.t)" N / KN, "Pull of the luffing rope at its drum, with losses, while the boom is raised.", "[Ports001, 5.1]";

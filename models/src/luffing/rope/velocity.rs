@@ -16,12 +16,12 @@ pub struct RopeTravel<C> {
 }
 
 impl<C: Calc> RopeTravel<C> {
-    /// y_Q' = x_A − h_S / m_h. [Ports001, 5.2.3]
+    /// y_Q' = x_A − h_S m_k / m_h. [Ports001, 5.2.3.1]
     pub fn new(rig: &Rig<C>, position: &BoomPosition<C>, stretch: &Stretch<C>) -> RopeTravel<C> {
         let a = plane::def(Point::new(-position.a.y, position.a.x), [&s::DA_X, &s::DA_Y]);
         RopeTravel {
             a,
-            y_q: (a.y - stretch.0.arm / rig.m_h).def(&s::DY_Q),
+            y_q: (a.y - stretch.all(stretch.line.arm) / rig.m_h).def(&s::DY_Q),
         }
     }
 }
