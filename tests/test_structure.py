@@ -145,7 +145,7 @@ FLOORS = [
     ["kernel"],
     ["parts"],
     ["component"],
-    ["balance"],
+    ["balance", "drive"],
     ["luffing", "slewing", "steering"],
     ["registry", "book"],
     ["scene"],

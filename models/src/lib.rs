@@ -1,7 +1,7 @@
 //! Equations, symbols and scenes of Lemnis. No I/O, no FMI, no templates.
 //!
 //! A scene's text ([`scene`]) is checked against its keys ([`kernel::schema`]) and
-//! becomes a mechanism of the [`registry`]: [`luffing`] with its [`balance`], [`slewing`], [`steering`]. Its equations, over
+//! becomes a mechanism of the [`registry`]: [`luffing`] with its [`balance`] and [`drive`], [`slewing`], [`steering`]. Its equations, over
 //! [`parts`], run on any scalar ([`kernel::calc`]): on `f64` in a model, which the
 //! FMU steps, on the recorder ([`kernel::record`]) for the book's sheet; both are made in [`component`].
 //! The synthesis of a balance is searches without FMU.
@@ -11,6 +11,7 @@
 pub mod balance;
 pub mod book;
 pub mod component;
+pub mod drive;
 pub mod kernel;
 pub mod luffing;
 pub mod parts;

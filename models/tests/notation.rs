@@ -4,6 +4,7 @@
 use std::fmt::Write as _;
 
 use lemnis_models::balance;
+use lemnis_models::drive;
 use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
@@ -14,7 +15,7 @@ use lemnis_models::slewing;
 use lemnis_models::steering;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 10] = [
+const TABLES: [(&str, &[&Symbol]); 11] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -25,6 +26,7 @@ const TABLES: [(&str, &[&Symbol]); 10] = [
     ("Slewing by itself", slewing::symbols::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
+    ("Screw or pinion of a drive", drive::symbols::ALL),
     ("A cylinder with oil and valve", hydraulics::symbols::ALL),
     (
         "Steering, seen from above: x forward, y to the left, angles counter-clockwise from straight ahead",

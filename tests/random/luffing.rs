@@ -180,12 +180,21 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     if let Some(mut drive) = n.child("drive") {
         let cylinder = oil || drive.draw.coin(0.5);
-        drive.put("kind", if cylinder { "cylinder" } else { "rack" });
-        drive.remove(&["D_c", "d_r"]);
+        let kind = match cylinder {
+            true => "cylinder",
+            false if moves || drive.draw.coin(0.5) => "rack",
+            false => "screw",
+        };
+        drive.put("kind", kind);
+        drive.remove(&["D_c", "d_r", "r_z", "eta_d", "d_2", "p_h", "mu_d", "beta_d"]);
         if cylinder {
             let thick = drive.draw.between(0.0, 0.8) * f64::from(drive.draw.coin(0.9));
             let bore = drive.set("D_c", bore);
             drive.set("d_r", bore * thick);
+        }
+        let screw = kind == "screw";
+        if screw || kind == "rack" && !moves && drive.draw.coin(0.5) {
+            shaft(&mut drive, bore, screw);
         }
     }
     let (linkage, range) = built(&mut n);
@@ -238,6 +247,24 @@ fn built(n: &mut Node) -> (Linkage, [f64; 2]) {
         }
     }
     unreachable!("one of many fits")
+}
+
+/// A screw, or a pinion, for a drive as thick as this (m).
+fn shaft(drive: &mut Node, thick: f64, screw: bool) {
+    if !screw {
+        let radius = thick * drive.draw.between(0.5, 3.0);
+        drive.set("r_z", radius);
+        let efficiency = drive.draw.between(0.5, 1.0);
+        drive.set("eta_d", efficiency);
+        return;
+    }
+    let diameter = drive.set("d_2", thick);
+    let lead = diameter * drive.draw.between(0.05, 1.5);
+    drive.set("p_h", lead);
+    let friction = drive.draw.between(0.0, 0.5);
+    drive.set("mu_d", friction);
+    let flank = drive.draw.between(0.0, 0.5);
+    drive.set("beta_d", flank);
 }
 
 /// A frame and bars of any size.
@@ -498,6 +525,10 @@ fn dynamics(n: &mut Node, rope: bool, oil: bool) {
     d.keep("step", true);
     let step = time * d.draw.between(0.004, 0.02);
     d.set("step", step);
+    if d.has("t_s") {
+        let ramp = lasts * d.draw.decades(-2, 1);
+        d.set("t_s", ramp);
+    }
     for (name, size) in [
         ("c_v", own / time),
         ("M_F", own / time.powi(2)),
@@ -597,7 +628,15 @@ fn limits(n: &mut Node, rope: bool) {
         .child("balance")
         .and_then(|balance| balance.text("kind").map(str::to_owned));
     let level = n.text("fidelity").map(str::to_owned);
+    let screw = n.child("drive").is_some_and(|drive| drive.has("d_2"));
+    let torque = n.has("Q") && (screw || n.child("drive").is_some_and(|drive| drive.has("r_z")));
     let Some(mut limits) = n.child("limits") else { return };
+    if !torque {
+        limits.remove(&["T_d_out_max", "T_d_in_max"]);
+    }
+    if !screw {
+        limits.remove(&["lock_d"]);
+    }
     let none: &[&str] = match kind.as_deref() {
         None => &["dM_max", "gamma_min", "N_max"],
         Some("tail") => &["gamma_min", "N_max"],

@@ -2,6 +2,7 @@
 //! the frame to an anchor on the driving link.
 
 use crate::component::stages::results;
+use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::held::Held;
@@ -84,6 +85,11 @@ impl<C: Calc> Reaction<C> {
             force: (f_d.value().is_finite()).then(|| Point::new(along(drive.line.x), along(drive.line.y))),
         }
     }
+}
+
+/// Its shaft under the force that it gives.
+pub fn shaft<C: Calc>(gearing: &Gearing<C>, push: &Reaction<C>, speed: &C) -> Shaft<C> {
+    Shaft::new(gearing, push.f_d, *speed)
 }
 
 /// Speed of the drive, in m/s, lengthening positive, at the driving link's angular velocity (rad/s).

@@ -4,6 +4,7 @@ use crate::balance::asked::KEYS as SYNTHESIS;
 use crate::balance::scene::BALANCE;
 use crate::component::description::TABLE;
 use crate::component::outline::Limit;
+use crate::drive::symbols as d;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Sign};
 use crate::luffing::double_link::moving;
@@ -47,7 +48,11 @@ pub const KEYS: &[Key] = &[
 ];
 
 /// Parts of a crane that may also stand beside `[luffing]`, at the top of the scene.
-pub const DRIVE: Key = Key::part("drive", DRIVE_KEYS, "Cylinder or rack that turns the driving link.");
+pub const DRIVE: Key = Key::part(
+    "drive",
+    DRIVE_KEYS,
+    "Cylinder, rack or screw that turns the driving link.",
+);
 pub const HOISTING: Key = Key::part(
     "hoisting",
     moving::hoisting::HOISTING_KEYS,
@@ -73,12 +78,18 @@ static DRIVE_KEYS: &[Key] = keys! { s:
     E_X, E_Y, S_D > 0, CHI_D, D_C > 0 [optional], D_R >= 0 [optional];
     Key::new(
         "kind",
-        Kind::Choice(&["cylinder", "rack"]),
-        "A hydraulic cylinder, or a rack that a pinion on the frame pushes.",
-    )
+        Kind::Choice(&["cylinder", "rack", "screw"]),
+        "A hydraulic cylinder, a rack that a pinion on the frame pushes, or a screw with its nut.",
+    ),
+    Key::quantity(&d::R_Z, Sign::Positive).optional(),
+    Key::quantity(&d::ETA_D, Sign::Positive).usually(1.0),
+    Key::quantity(&d::D_2, Sign::Positive).optional(),
+    Key::quantity(&d::P_H, Sign::Positive).optional(),
+    Key::quantity(&d::MU_D, Sign::NotNegative).optional(),
+    Key::quantity(&d::BETA_D, Sign::NotNegative).usually(0.0)
 };
 
-const LIMITS: &[Key] = &Limit::keys::<7>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<10>(OUTLINE.limits);
 
 static PUBLISHED: &[Key] = &[
     Key::new("source", Kind::Text, "Where the values are printed."),

@@ -38,6 +38,7 @@ pub mod balancing;
 pub mod crane;
 pub mod drawing;
 pub mod drive;
+pub mod driving;
 pub mod dynamics;
 pub mod feet;
 pub mod forces_in_motion;

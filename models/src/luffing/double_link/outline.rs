@@ -3,6 +3,7 @@
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::{Rows, Stage};
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::drive::symbols as d;
 use crate::kernel::symbol::listed;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
@@ -14,6 +15,7 @@ pub const OUTLINE: Outline = Outline {
     constants: &[
         ("geometry_constants", &[Stage("geometry")]),
         ("balance_constants", &[Stage("balancing")]),
+        ("drive_constants", &[Stage("gearing")]),
     ],
     sections: &[
         ("position", &[Stage("position")]),
@@ -25,6 +27,7 @@ pub const OUTLINE: Outline = Outline {
         ("drive", &[Stage("drive"), Stage("stroke"), Stage("flow")]),
         ("balance", &[Stage("residual"), Stage("balanced")]),
         ("pin_forces", &[Stage("held"), Stage("push"), Stage("feet")]),
+        ("drive_shaft", &[Stage("shaft")]),
         ("published_forms", &[Stage("published")]),
     ],
     table: listed!(s: THETA_3, THETA_1, R, A_Y, ALPHA, ALPHA_1, MU, V_AX, M_Q, M_D, F_D),
@@ -46,8 +49,10 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
         Greatest::new(&s::N_3_MAX, Most::Amount, &s::N_3),
         Greatest::new(&s::F_D_MAX, Most::Amount, &s::F_D).with_pole(&s::H_D),
+        Greatest::new(&d::T_D_OUT_MAX, Most::Amount, &d::T_D_OUT).with_pole(&s::H_D),
+        Greatest::new(&d::T_D_IN_MAX, Most::Amount, &d::T_D_IN).with_pole(&s::H_D),
     ],
-    summary: &[&s::DELTA_Y, &s::EPSILON_Y],
+    summary: &[&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
     sensitivity: &[
         &s::MU_MIN,
         &s::EPSILON_Y,
@@ -63,6 +68,9 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("balance_residual", &b::DM_MAX),
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
+        Limit::at_least("drive_lock", &d::LOCK_D),
+        Limit::at_most("drive_torque_out", &d::T_D_OUT_MAX),
+        Limit::at_most("drive_torque_in", &d::T_D_IN_MAX),
         Limit::at_most("motion_swing", &m::PHI_MAX),
     ],
     forces: &[

@@ -5,14 +5,16 @@ use crate::balance::scene::{Form, PublishedBalance};
 use crate::balance::task::{Search, Task};
 use crate::component::description::Description;
 use crate::component::outline::Published;
+use crate::drive::gear::Gear;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::balancing::{analysis, boom};
+use crate::luffing::double_link::driving;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::misfit::Misfit;
 use crate::luffing::double_link::moving;
-use crate::luffing::double_link::parameters::{Anchors, Bore, Driven, Jib, Lengths, Parameters, Weights};
+use crate::luffing::double_link::parameters::{Anchors, Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::stages::closes;
 use crate::luffing::double_link::symbols as s;
@@ -31,6 +33,8 @@ pub type Luffing = Description<LuffingScene>;
 #[derive(Clone, Debug)]
 pub struct LuffingScene {
     pub parameters: Parameters<f64>,
+    /// What turns the drive, where its torque is asked for.
+    pub gear: Option<Gear<f64>>,
     /// Weight of the load; `None` models no forces.
     pub q: Option<f64>,
     /// First angle of the range, in rad, at which all bars lie in one line: no finite forces in the pins carry a load there.
@@ -98,7 +102,7 @@ impl LuffingScene {
         let jib = jib(v, found)?;
         let weights = v.part("weights", Weights::read)?;
         let anchors = v.part("drive", Anchors::read)?;
-        let cylinder = v.table("drive").and_then(|table| cylinder(table, found));
+        let (cylinder, gear) = driving::read(v, found)?;
         let q = n(&s::Q);
         // A load that cannot be read is not one that is missing.
         let loaded = q.is_some() || !found.is_empty();
@@ -119,6 +123,14 @@ impl LuffingScene {
         if let Some((table, motion)) = v.table("balance").filter(|_| weights.is_some()).zip(motion) {
             balanced(v, table, &parameters, &motion, found);
         }
+        if let Some((moving, motion)) = moving.as_ref().zip(motion.as_ref()) {
+            moving::scene::brisk(v, moving, motion, found);
+            let weight = q.unwrap_or(0.0) + weights.map_or(0.0, |w| w.g_1 + w.g_2 + w.g_3);
+            let reach = lengths.x_1 + lengths.x_4 + lengths.x_8.abs();
+            let most = [reach, weight / gravity];
+            moving::scene::outlasts(v, moving, motion, most, found);
+        }
+        driving::fits(v, gear.as_ref(), [moving.is_some(), loaded], found);
         let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());
         let id = moving::symbols::PHI_MAX.id;
         if let Some(table) = v.table("limits").filter(|table| table.has(id) && !swings) {
@@ -134,6 +146,7 @@ impl LuffingScene {
             .and_then(|table| synthesis(table, &parameters, &motion, found));
         let luffing = LuffingScene {
             parameters,
+            gear,
             q,
             change_point,
             moving,
@@ -207,40 +220,6 @@ fn balanced(v: &Values, table: &Values, p: &Parameters<f64>, motion: &Motion, fo
     };
     let label = format!("{} is not possible", fault.quantity.id);
     found.push(Diagnostic::new(place, fault.what.clone(), label).help(fault.range()));
-}
-
-fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
-    let (bore, rod) = (d.number(s::D_C.id), d.number(s::D_R.id));
-    match (d.text("kind")?, bore, rod) {
-        ("cylinder", Some(d_c), Some(d_r)) if d_r < d_c => Some(Bore { d_c, d_r }),
-        ("rack", None, None) => None,
-        ("cylinder", Some(d_c), Some(d_r)) => {
-            let (d_c, d_r) = (s::D_C.written(d_c), s::D_R.written(d_r));
-            found.push(d.refuse(
-                "d_r",
-                format!("the rod d_r = {d_r} does not fit the bore D_c = {d_c}"),
-                "too thick",
-                "the rod must be thinner than the bore",
-            ));
-            None
-        }
-        ("cylinder", ..) => {
-            found.push(
-                Diagnostic::new(
-                    d.span.clone(),
-                    "a cylinder without bore or rod",
-                    "D_c and d_r are needed here",
-                )
-                .help("add D_c = \"... mm\" and d_r = \"... mm\", or make it a rack"),
-            );
-            None
-        }
-        _ => {
-            let key = if bore.is_some() { "D_c" } else { "d_r" };
-            found.push(d.refuse(key, "a rack has no bore and no rod", "not used", "remove it"));
-            None
-        }
-    }
 }
 
 /// Checks that the mechanism exists and closes over the whole working range.

@@ -13,6 +13,7 @@ use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{compared, fine, sample};
+use crate::drive;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
@@ -55,6 +56,7 @@ impl Described for LuffingScene {
         own: &[
             s::ALL,
             balance::symbols::ALL,
+            drive::symbols::ALL,
             moving::symbols::ALL,
             turntable::ALL,
             gravity::ALL,
@@ -82,6 +84,7 @@ impl Described for LuffingScene {
             weights: p.weights,
             anchors: p.anchors,
             cylinder: p.cylinder,
+            gear: this.gear,
             balance: p.balance,
             choice: Choice {
                 driven: p.driven,

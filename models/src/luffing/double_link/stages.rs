@@ -7,6 +7,8 @@ use crate::balance::symbols as b;
 use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, absent, stages};
 use crate::component::whole::{How, Whole};
+use crate::drive::gear::Gear;
+use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::number::exact;
@@ -41,6 +43,7 @@ stages! {
         Parameter weights: Option<Weights<C>>,
         Parameter anchors: Option<Anchors<C>>,
         Parameter cylinder: Option<Bore<C>>,
+        Parameter gear: Option<Gear<C>>,
         Parameter balance: Option<Form<C>>,
         Fixed choice: Choice,
     } find {
@@ -62,6 +65,8 @@ stages! {
         carried: Carried<C> = Carried::new(velocity, load_moment, load[!], weights, own[?], residual[?]) => _;
         held: Held<C> = Held::new(position, theta, carried, own[?], residual[?], passes);
         push: Reaction<C> = Reaction::new(drive, held);
+        gearing: Gearing<C> = Gearing::new(gear[!]);
+        shaft: Shaft<C> = drive::shaft(gearing, push, stroke);
         feet: Feet<C> = Feet::new(position, lengths, weights, residual[?], held, push[?]);
         analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
@@ -82,7 +87,7 @@ impl Component for DoubleLink {
         head "Head A of the jib, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
         shaft "Foot of the driving link, where a moment drives it." [phi w]:
             phi THETA_1, w OMEGA_1, phi THETA_3, w OMEGA_3, tau M_D;
-        drive "Cylinder or rack between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
+        drive "Cylinder, rack or screw between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
@@ -95,6 +100,7 @@ impl Component for DoubleLink {
         !own.contains(&symbol)
             && (given.choice.pins || !forces.contains(&symbol))
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+            && given.gear.as_ref().is_none_or(|gear| gear.has(symbol))
             && (symbol != &b::F_D_0 || given.anchors.is_some())
     }
 

@@ -3,6 +3,7 @@
 use crate::balance::symbols as b;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::keys::keys;
+use crate::kernel::number::short;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::moving::given::{Constants, CylinderOil, Inputs};
@@ -11,7 +12,8 @@ use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::symbols as l;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
-use crate::parts::turntable::SlewingJoint;
+use crate::parts::motion::Motion;
+use crate::parts::turntable::{self as t, SlewingJoint};
 
 /// How deep the mechanism is modelled.
 pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydraulic", "auto"];
@@ -122,6 +124,52 @@ impl Moving {
             },
             rope,
         })
+    }
+}
+
+/// Most that `t_s` may be, over the time that the working range takes at its speed.
+const MOST_HASTE: f64 = 100.0;
+
+/// Refuses a time of starting and stopping in which no drive would ever come near its speed.
+pub fn brisk(v: &Values, moving: &Moving, motion: &Motion, found: &mut Vec<Diagnostic>) {
+    let Some(table) = v.table("dynamics").filter(|table| table.has(s::T_S.id)) else {
+        return;
+    };
+    let most = MOST_HASTE * (motion.to - motion.from) / motion.speed.abs();
+    if moving.ramp > most {
+        let what = format!(
+            "t_s = {} is more than {MOST_HASTE} times what the working range takes at its speed",
+            s::T_S.written(moving.ramp)
+        );
+        let help = format!(
+            "the drive would not come up to a tenth of it; give t_s up to {}",
+            s::T_S.written(most)
+        );
+        found.push(table.refuse(s::T_S.id, what, "too long", help));
+    }
+}
+
+/// Most centrifugal acceleration of the head that a slewing drive may lead to, over that of gravity.
+const MOST_SPIN: f64 = 100.0;
+
+/// Refuses a slewing moment that no crane would outlast: the speed is that at which friction holds it, or to which it
+/// brings all that slews, at most `reach` (m) from the axis and as heavy as `mass` (kg), while the range is luffed.
+pub fn outlasts(v: &Values, moving: &Moving, motion: &Motion, [reach, mass]: [f64; 2], found: &mut Vec<Diagnostic>) {
+    let Some((table, slewing)) = v.table("slewing").zip(moving.slewing) else { return };
+    let (turning, moment) = (slewing.joint.turning, moving.inputs.drives[1].moment.abs());
+    let lasts = (motion.to - motion.from) / motion.speed.abs();
+    let held = moment / turning.c_sl;
+    let omega = held.min(moment * lasts / (turning.j_sl + mass * reach * reach));
+    let spin = omega * omega * reach / moving.constants.g;
+    if spin > MOST_SPIN {
+        let what = format!(
+            "M_sl = {} brings the crane to {}, and its head to {} times the acceleration of gravity",
+            t::M_SL.written(moment),
+            t::OMEGA_SL.written(omega),
+            short(spin)
+        );
+        let help = format!("give a smaller M_sl or more friction c_sl: at most {MOST_SPIN} times it is modelled");
+        found.push(table.refuse(t::M_SL.id, what, "too much", help));
     }
 }
 

@@ -1,0 +1,94 @@
+//! Torque and speed of what turns the drive.
+//!
+//! Friction is against the motion: a force that the drive pushes against costs more torque while it lengthens, and gives
+//! back less while it shortens; a force that pulls is the other way round. Between the two torques the shaft stands still.
+
+use std::f64::consts::TAU;
+
+use crate::component::stages::results;
+use crate::drive::gear::{Gear, Pinion};
+use crate::drive::screw::Thread;
+use crate::drive::symbols as s;
+use crate::kernel::calc::Calc;
+use crate::kernel::symbol::Symbol;
+
+/// How a force along the drive's line becomes a torque.
+#[derive(Clone, Copy, Debug)]
+pub struct Gearing<C> {
+    /// Travel of the drive in one turn, in m.
+    turn: C,
+    /// Torque, in N·m, for one newton: without friction, one that the motion works against, one that drives it.
+    arms: [C; 3],
+    /// A pinion has none.
+    thread: Option<Thread<C>>,
+}
+results! { Gearing as g => {
+    LAMBDA_D: g.thread.map_or(C::constant(0.0), |thread| thread.lambda);
+    RHO_D: g.thread.map_or(C::constant(0.0), |thread| thread.rho);
+    LOCK_D: g.thread.map_or(C::constant(0.0), |thread| thread.lock);
+} }
+
+impl<C: Calc> Gearing<C> {
+    /// T = F p_h / (2 π) without friction, T = F r for a pinion. [Ports001, 5.3]
+    pub fn new(gear: &Gear<C>) -> Gearing<C> {
+        let tau = C::constant(TAU);
+        match gear {
+            Gear::Screw(screw) => {
+                let thread = Thread::new(screw);
+                let [against, with] = screw.arms(&thread);
+                Gearing {
+                    turn: screw.p_h,
+                    arms: [screw.p_h / tau, against, with],
+                    thread: Some(thread),
+                }
+            }
+            Gear::Pinion(Pinion { r_z, eta_d }) => Gearing {
+                turn: tau * *r_z,
+                arms: [*r_z, *r_z / *eta_d, *r_z * *eta_d],
+                thread: None,
+            },
+        }
+    }
+}
+
+/// The drive's shaft under the force of one position.
+#[derive(Clone, Copy, Debug)]
+pub struct Shaft<C> {
+    n: C,
+    /// Without friction, while the drive lengthens and while it shortens, in N·m.
+    torques: [C; 3],
+}
+results! { Shaft as t => {
+    N_D: t.n;
+    T_D: t.torques[0];
+    T_D_OUT: t.torques[1];
+    T_D_IN: t.torques[2];
+} }
+
+impl<C: Calc> Shaft<C> {
+    /// Under a force `f_d` (N, push positive) at a speed `v_d` (m/s, lengthening positive): T_d ω_d = F_d v_d without
+    /// friction; with it each sense of motion has its own torque. [Ports001, 5.3]
+    pub fn new(gearing: &Gearing<C>, f_d: C, v_d: C) -> Shaft<C> {
+        let [free, against, with] = gearing.arms;
+        let torque = |arm: C, symbol: &'static Symbol| {
+            if f_d.value().is_finite() {
+                (f_d * arm).def(symbol)
+            } else {
+                f_d
+            }
+        };
+        let (out, back) = if f_d.value() < 0.0 {
+            (with, against)
+        } else {
+            (against, with)
+        };
+        Shaft {
+            n: (v_d / gearing.turn).def(&s::N_D),
+            torques: [
+                torque(free, &s::T_D),
+                torque(out, &s::T_D_OUT),
+                torque(back, &s::T_D_IN),
+            ],
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! What a scene says about the drive.
+
+use crate::drive::gear::Gear;
+use crate::drive::symbols as t;
+use crate::kernel::check::missing;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::schema::{Key, Sign, Values};
+use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::double_link::parameters::Bore;
+use crate::luffing::double_link::symbols as s;
+
+/// What only one kind of drive has.
+const OWN: [(&str, &[&Symbol]); 3] = [
+    ("cylinder", listed!(s: D_C, D_R)),
+    ("rack", listed!(t: R_Z, ETA_D)),
+    ("screw", listed!(t: D_2, P_H, MU_D, BETA_D)),
+];
+
+/// Bore and rod of a cylinder, and what turns another drive, as far as the scene has them; `None` with mistakes, which go
+/// to `found`.
+pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<(Option<Bore<f64>>, Option<Gear<f64>>)> {
+    let Some(d) = v.table("drive") else {
+        return Some((None, None));
+    };
+    let before = found.len();
+    only_its_own(d, found);
+    let read = (cylinder(d, found), gear(d, found));
+    (found.len() == before).then_some(read)
+}
+
+/// Refuses what is of a drive of another kind.
+fn only_its_own(d: &Values, found: &mut Vec<Diagnostic>) {
+    let kind = d.text("kind").unwrap_or_default();
+    for (other, symbols) in OWN.iter().filter(|(other, _)| *other != kind) {
+        for symbol in symbols.iter().filter(|symbol| d.has(symbol.id)) {
+            let what = format!("a {kind} has no {}, which is of a {other}", symbol.id);
+            found.push(d.refuse(symbol.id, what, "not used", "remove it"));
+        }
+    }
+}
+
+/// Bore and rod of a cylinder; mistakes go to `found`.
+fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
+    let (bore, rod) = (d.number(s::D_C.id), d.number(s::D_R.id));
+    match (d.text("kind")?, bore, rod) {
+        ("cylinder", Some(d_c), Some(d_r)) if d_r < d_c => Some(Bore { d_c, d_r }),
+        ("cylinder", Some(d_c), Some(d_r)) => {
+            let (d_c, d_r) = (s::D_C.written(d_c), s::D_R.written(d_r));
+            found.push(d.refuse(
+                "d_r",
+                format!("the rod d_r = {d_r} does not fit the bore D_c = {d_c}"),
+                "too thick",
+                "the rod must be thinner than the bore",
+            ));
+            None
+        }
+        ("cylinder", ..) => {
+            found.push(
+                Diagnostic::new(
+                    d.span.clone(),
+                    "a cylinder without bore or rod",
+                    "D_c and d_r are needed here",
+                )
+                .help("add D_c = \"... mm\" and d_r = \"... mm\", or make it a rack"),
+            );
+            None
+        }
+        _ => None,
+    }
+}
+
+/// Screw, or pinion of a rack whose radius is given; mistakes go to `found`.
+fn gear(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Gear<f64>> {
+    let kind = d.text("kind")?;
+    let needed: &[&Symbol] = match kind {
+        "screw" => listed!(t: D_2, P_H, MU_D),
+        "rack" if d.has(t::ETA_D.id) => listed!(t: R_Z),
+        _ => &[],
+    };
+    let before = found.len();
+    for symbol in needed.iter().filter(|symbol| !d.has(symbol.id)) {
+        let key = Key::quantity(symbol, Sign::Positive);
+        found.push(missing(
+            d.span.clone(),
+            &format!("in [luffing.drive] of the kind \"{kind}\""),
+            &key,
+        ));
+    }
+    (found.len() == before).then(|| Gear::read(d, kind, found)).flatten()
+}
+
+/// Refuses a torque in a mechanism that `moves`, and limits of what the drive has not, with or without `forces`.
+pub fn fits(v: &Values, gear: Option<&Gear<f64>>, [moves, forces]: [bool; 2], found: &mut Vec<Diagnostic>) {
+    if let Some(d) = v.table("drive").filter(|_| moves && gear.is_some()) {
+        let key = if d.text("kind") == Some("screw") {
+            "kind"
+        } else {
+            t::R_Z.id
+        };
+        let what = "the torque of screw or pinion is calculated at rest alone, and this mechanism moves by itself";
+        let help = "set fidelity = \"static\" or \"table\" in [luffing] and leave out what moves, or make it a rack without r_z";
+        found.push(d.refuse(key, what, "not at this level", help));
+    }
+    let Some(limits) = v.table("limits") else { return };
+    let torques = listed!(t: T_D_OUT_MAX, T_D_IN_MAX);
+    for symbol in listed!(t: LOCK_D, T_D_OUT_MAX, T_D_IN_MAX)
+        .iter()
+        .filter(|symbol| limits.has(symbol.id))
+    {
+        let has = gear.is_some_and(|gear| gear.has(symbol)) && (forces || !torques.contains(symbol));
+        if !has {
+            let what = format!("a limit {} that this drive has no result for", symbol.id);
+            found.push(limits.refuse(symbol.id, what, "nothing to check", "remove the limit"));
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Screw and pinion of a drive that pushes along a line.
+
+use lemnis_models::component::model::Model;
+use lemnis_models::component::stages::Rows;
+use lemnis_models::drive::gear::{Gear, Pinion};
+use lemnis_models::drive::screw::Screw;
+use lemnis_models::drive::shaft::{Gearing, Shaft};
+use lemnis_models::drive::symbols as s;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::scene::Scene;
+use proptest::prelude::*;
+
+const READY: &str = include_str!("../scenes/portal_004_screw.toml");
+
+fn index(model: &Model, name: &str) -> usize {
+    let found = model.variables().iter().position(|variable| variable.name() == name);
+    found.unwrap_or_else(|| panic!("no {name}"))
+}
+
+fn at(model: &mut Model, angle: f64, name: &str) -> f64 {
+    model.set(0, angle).expect("an angle");
+    let index = index(model, name);
+    model.get(index).expect("exists")
+}
+
+fn of<T: Rows<f64>>(made: &T, symbol: &'static Symbol) -> f64 {
+    let row = T::ROWS.iter().position(|known| *known == symbol).expect("a result");
+    made.row(row as u8, 0).expect("exists")
+}
+
+/// Torque without friction, lengthening, shortening, in N·m under a force (N).
+fn torques(gear: Gear<f64>, f_d: f64) -> [f64; 3] {
+    let shaft = Shaft::new(&Gearing::new(&gear), f_d, 0.0);
+    [&s::T_D, &s::T_D_OUT, &s::T_D_IN].map(|symbol| of(&shaft, symbol))
+}
+
+/// A screw jack's calculator on the Web, with a square thread: d_2 = 50 mm, lead 10 mm, μ = 0.12, 10 kN: λ = 3.643°,
+/// ρ = 6.843°, T = 46.269 N·m, efficiency 34.4 %.
+#[test]
+fn a_screw_jack() {
+    let screw = Screw {
+        d_2: 0.05,
+        p_h: 0.01,
+        mu_d: 0.12,
+        beta_d: 0.0,
+    };
+    let gearing = Gearing::new(&Gear::Screw(screw));
+    let angle = |symbol| of(&gearing, symbol).to_degrees();
+    assert!((angle(&s::LAMBDA_D) - 3.643).abs() < 5e-4);
+    assert!((angle(&s::RHO_D) - 6.843).abs() < 5e-4);
+    assert!((angle(&s::LOCK_D) - (6.843 - 3.643)).abs() < 1e-3);
+    let [free, out, back] = torques(Gear::Screw(screw), 10e3);
+    assert!((out - 46.269).abs() < 5e-4, "{out}");
+    assert!((free / out - 0.344).abs() < 5e-4, "{}", free / out);
+    // It locks itself: the load must be gear down, 10 kN · 25 mm · tan(3.643° − 6.843°).
+    assert!(
+        (back - 250.0 * (3.643_f64 - 6.843).to_radians().tan()).abs() < 5e-3,
+        "{back}"
+    );
+}
+
+/// A trapezoidal thread, by hand: cos 15° = 0.965926, tan ρ′ = 0.12 / 0.965926 = 0.124233, ρ′ = 7.0818°.
+#[test]
+fn a_flank_adds_friction() {
+    let screw = Screw {
+        d_2: 0.112,
+        p_h: 0.014,
+        mu_d: 0.12,
+        beta_d: 15_f64.to_radians(),
+    };
+    let found = of(&Gearing::new(&Gear::Screw(screw)), &s::RHO_D);
+    assert!((found.to_degrees() - 7.0818).abs() < 5e-5, "{}", found.to_degrees());
+}
+
+proptest! {
+    /// Friction takes work in each sense of the motion, whichever way the force acts; with none all three are one, and a
+    /// force the other way round asks for the torques of the other sense.
+    #[test]
+    fn friction_takes_work(
+        d_2 in 0.01..0.5_f64, lead in 0.02..1.5_f64, mu in 0.0..0.5_f64, flank in 0.0..0.6_f64, eta in 0.3..1.0_f64,
+        force in -1e6..1e6_f64,
+    ) {
+        let screw = |mu_d| Gear::Screw(Screw { d_2, p_h: lead * d_2, mu_d, beta_d: flank });
+        let pinion = |eta_d| Gear::Pinion(Pinion { r_z: d_2, eta_d });
+        for (gear, smooth) in [(screw(mu), screw(0.0)), (pinion(eta), pinion(1.0))] {
+            let [free, out, back] = torques(gear, force);
+            let scale = 1e-12 * free.abs().max(1.0);
+            prop_assert!(out >= free - scale && back <= free + scale, "{free} {out} {back}");
+            for torque in torques(smooth, force) {
+                prop_assert!((torque - free).abs() <= scale, "{torque} {free}");
+            }
+            let other = torques(gear, -force);
+            prop_assert!((other[0] + free).abs() <= scale && (other[1] + back).abs() <= scale);
+        }
+    }
+}
+
+/// Over the whole stroke the screw's work without friction is that of the drive's moment, ∫ T dα = ∫ F ds = ∫ M_D dθ by
+/// Simpson's rule; each of its positions turns by what the drive lengthens.
+#[test]
+fn its_work_is_that_of_the_moment() {
+    let mut model = Scene::parse(READY).expect("legal").model().expect("exists");
+    const PARTS: u32 = 2000;
+    let [from, to] = [44_f64, 82.0].map(f64::to_radians);
+    let step = (to - from) / f64::from(PARTS);
+    let (mut by_screw, mut by_moment, mut turns) = (0.0, 0.0, 0.0);
+    for i in 0..=PARTS {
+        let angle = from + f64::from(i) * step;
+        let weight = step / 3.0
+            * match i {
+                0 | PARTS => 1.0,
+                i if i % 2 == 1 => 4.0,
+                _ => 2.0,
+            };
+        let omega = at(&mut model, angle, "omega_1");
+        let speed = at(&mut model, angle, "n_d") * std::f64::consts::TAU / omega;
+        by_screw += weight * at(&mut model, angle, "T_d") * speed;
+        by_moment += weight * at(&mut model, angle, "M_D");
+        turns += weight * speed / std::f64::consts::TAU;
+    }
+    assert!(
+        (by_screw - by_moment).abs() <= 1e-12 * by_moment.abs(),
+        "{by_screw} {by_moment}"
+    );
+    let stroke = at(&mut model, to, "L_d") - at(&mut model, from, "L_d");
+    assert!((turns * 0.014 - stroke).abs() <= 1e-10, "{turns} {stroke}");
+}
+
+/// What a drive has too much or too little, what cannot turn, and what no level has.
+#[test]
+fn what_cannot_be_is_refused() {
+    let moving = include_str!("../scenes/portal_004_motion.toml");
+    let with_pinion = moving.replacen("kind   = \"rack\"", "kind = \"rack\"\nr_z = \"200 mm\"", 1);
+    let slow = moving.replacen("[luffing.dynamics]", "[luffing.dynamics]\nt_s = \"10000 s\"", 1);
+    for (text, said) in [
+        (READY.replace("\"screw\"", "\"rack\""), "a rack has no d_2"),
+        (
+            READY.replace("mu_d   = \"0.12\"", ""),
+            "`mu_d` is missing in [luffing.drive]",
+        ),
+        (
+            READY.replace("\"14 mm\"", "\"140 mm\"").replace("\"0.12\"", "\"90\""),
+            "no torque turns the screw",
+        ),
+        (with_pinion, "at rest alone"),
+        (slow, "t_s = 10000 s is more than 100 times"),
+        (
+            READY
+                .replace("\"screw\"", "\"rack\"")
+                .replace("d_2 ", "#")
+                .replace("p_h ", "#")
+                .replace("mu_d ", "#")
+                .replace("beta_d ", "#"),
+            "a limit lock_d",
+        ),
+    ] {
+        let found = Scene::parse(&text).expect_err(said);
+        assert!(
+            found
+                .iter()
+                .any(|told| told.message.contains(said) && told.help.is_some()),
+            "{said}: {found:?}"
+        );
+    }
+}
