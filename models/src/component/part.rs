@@ -24,10 +24,20 @@ pub trait Component: Stages {
     /// Sources that are states where the component moves by itself, each with the result that is its rate.
     const STATES: &'static [[&'static Symbol; 2]] = &[];
 
+    /// Results of which values decide, which leaves no trace in a formula: all of these follow from all parameters, those of
+    /// the second list also from states and inputs as the last rate does, of several bodies from those of their own.
+    const DECIDED: [&'static [&'static Symbol]; 2] = [&[]; 2];
+
     /// Whether a result of a stage that exists is one of this scene.
     #[must_use]
     fn has(_: &Self::Given<f64>, _: &'static Symbol) -> bool {
         true
+    }
+
+    /// Results that stand before all others, in this order.
+    #[must_use]
+    fn first(_: &Self::Given<f64>) -> &'static [&'static Symbol] {
+        &[]
     }
 
     /// Whether a parameter is an input in this scene.
@@ -131,6 +141,8 @@ pub trait Part: Face<f64> {
     /// # Errors
     /// A configuration that does not exist.
     fn decide(&mut self) -> Found<bool>;
+    /// Of [`Component::DECIDED`].
+    fn decided(&self) -> [&'static [&'static Symbol]; 2];
     /// Of [`Component::WHOLE`].
     fn whole(&self) -> &'static [Whole];
     /// Of [`Component::PORTS`].
@@ -138,8 +150,13 @@ pub trait Part: Face<f64> {
     /// The same on dual numbers, each source with the derivative that `seed` gives it, and the groups that change, a bit
     /// for each. What does not change is taken over from the plain numbers where `lifted`.
     fn dual(&self, lifted: bool, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> (Box<dyn Face<Dual64>>, u64);
-    /// As [`dual`](Part::dual), lifted, into one that exists.
-    fn dual_into(&self, dual: &mut dyn Face<Dual64>, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> u64;
+    /// As [`dual`](Part::dual), lifted, into one that exists, with all `sources`.
+    fn dual_into(
+        &self,
+        dual: &mut dyn Face<Dual64>,
+        sources: &[(Source, Quantity)],
+        seed: &mut dyn FnMut(Source, Quantity) -> f64,
+    ) -> u64;
     /// As [`Component::update`].
     ///
     /// # Errors
@@ -235,9 +252,15 @@ impl<T: Component> Part for Runner<T, f64> {
         together(&all)
     }
 
+    /// What a later stage finds again takes the place of what was found first; a state is no result.
     fn results(&self) -> Vec<(Slot, Quantity)> {
         let given = self.given();
-        let mut all = Vec::new();
+        let sources = self.sources().into_iter();
+        let is_state = |source: Source| T::GROUPS[usize::from(source.group)].1 == Use::State;
+        let states: Vec<Quantity> = sources
+            .filter_map(|(source, quantity)| is_state(source).then_some(quantity))
+            .collect();
+        let mut all: Vec<(Slot, Quantity)> = Vec::new();
         for (stage, what) in (0..).zip(T::STAGES) {
             let Some(count) = T::count(&self.0, stage) else {
                 continue;
@@ -250,10 +273,18 @@ impl<T: Component> Part for Runner<T, f64> {
                         of,
                         sources: what.sources,
                     };
-                    all.push((slot, (symbol, count.map(|_| of + 1))));
+                    let quantity = (symbol, count.map(|_| of + 1));
+                    match all.iter_mut().find(|(_, known)| *known == quantity) {
+                        Some((first, _)) => *first = slot,
+                        None if states.contains(&quantity) => {}
+                        None => all.push((slot, quantity)),
+                    }
                 }
             }
         }
+        let first = T::first(given);
+        let place = |symbol| first.iter().position(|known| *known == symbol);
+        all.sort_by_key(|(_, (symbol, _))| place(*symbol).unwrap_or(first.len()));
         all
     }
 
@@ -273,6 +304,10 @@ impl<T: Component> Part for Runner<T, f64> {
         T::decide(&mut self.0)
     }
 
+    fn decided(&self) -> [&'static [&'static Symbol]; 2] {
+        T::DECIDED
+    }
+
     fn whole(&self) -> &'static [Whole] {
         T::WHOLE
     }
@@ -286,11 +321,21 @@ impl<T: Component> Part for Runner<T, f64> {
         (Box::new(dual), moved)
     }
 
-    fn dual_into(&self, dual: &mut dyn Face<Dual64>, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> u64 {
+    fn dual_into(
+        &self,
+        dual: &mut dyn Face<Dual64>,
+        sources: &[(Source, Quantity)],
+        seed: &mut dyn FnMut(Source, Quantity) -> f64,
+    ) -> u64 {
         let dual: &mut dyn Any = dual;
         let dual: &mut Runner<T, Dual64> = dual.downcast_mut().expect("the same component");
-        let moved;
-        (*dual, moved) = self.dual(true, seed);
+        let mut moved = 0;
+        for &(source, quantity) in sources {
+            let rate = seed(source, quantity);
+            moved |= u64::from(rate != 0.0) << source.group;
+            T::put(&mut dual.0, source, Dual64::new(self.take(source), rate));
+        }
+        T::lift(&self.0, &mut dual.0, moved);
         moved
     }
 

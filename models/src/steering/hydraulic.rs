@@ -20,7 +20,7 @@ pub const STATES: usize = 8;
 pub const INDICATORS: usize = 6;
 
 /// One group at work: angle, rate, pressures of ports and chambers, spool and its speed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkingGroup<P = f64> {
     pub linkage: Linkage<P>,
     pub cylinder: Cylinder<P>,

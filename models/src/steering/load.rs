@@ -71,6 +71,17 @@ impl<C: Calc> Drag<C> {
     }
 }
 
+impl<C: Calc> Drag<C> {
+    /// With the slewing ring's friction, which stays while travelling.
+    #[inline]
+    pub fn steering(&self) -> Resistance<C> {
+        Resistance {
+            standing: self.moment,
+            travelling: self.moment - self.tyres.standing + self.tyres.travelling,
+        }
+    }
+}
+
 fn with<C: Calc>(tyres: C, friction: Option<C>) -> C {
     friction.map_or(tyres, |friction| tyres + friction)
 }

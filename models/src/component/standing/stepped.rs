@@ -37,15 +37,15 @@ impl Standing {
                 }
             }
         }
-        // It does not run by itself through its working range.
-        self.now.given = true;
+        // Then it does not run by itself through its working range.
+        self.now.given = self.has_moving_coordinate();
         self
     }
 
-    /// Whether it moves by itself.
+    /// Whether the coordinate is a state.
     #[must_use]
-    pub fn has_states(&self) -> bool {
-        self.variables.iter().any(|variable| variable.role == Role::State)
+    pub fn has_moving_coordinate(&self) -> bool {
+        self.variables[self.coordinate_index()].role == Role::State
     }
 
     /// Whether the part of the range is an input.
@@ -258,6 +258,9 @@ impl Running for Standing {
             return Err(wrong());
         }
         let (remembered, values) = values.split_at(self.memory.len());
+        if remembered.iter().any(|value| value.is_nan()) {
+            return Err(wrong());
+        }
         let mut model = self.clone();
         let settable = (0..self.places.len()).filter(|&index| {
             matches!(self.places[index], VariablePlace::Source(_)) && self.variables[index].role != Role::Calculated
@@ -297,7 +300,9 @@ impl Running for Standing {
         let mut seeds = self.seeds(seed);
         let Direction { face, moved, undoes } = tangent.own_mut();
         let part = &self.now.part;
-        *moved = part.dual_into(&mut **face, &mut |source, quantity| seeds.of(source, quantity));
+        *moved = part.dual_into(&mut **face, &self.sources, &mut |source, quantity| {
+            seeds.of(source, quantity)
+        });
         *undoes = seeds.undoes;
     }
 

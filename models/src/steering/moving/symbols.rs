@@ -1,6 +1,11 @@
 //! Quantities of the groups in motion.
 
 use crate::kernel::symbol::{COARSEST, symbols};
+pub use crate::parts::hydraulics::symbols::{CAVITATES, Z_VACUUM};
+pub use crate::steering::symbols::{
+    DELTA, F_G, F_GX, G, MARGIN, OD, OMEGA, Q_G, Q_SUM, R, SLIP, SLIP_MAX, T_LEFT, THETA, THETA_DOT, THETA_N, THETA_S,
+    V, V_C, V_MX, V_MY, V_S,
+};
 
 symbols! {
     // Given. Beyond its range a number is a slip of the pen; a shorter cycle would be an endless run of samples.
