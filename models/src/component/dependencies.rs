@@ -102,24 +102,26 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
     found
 }
 
-/// What [leaves no trace](Component::DECIDED) because values decide.
+/// What leaves no trace because values decide: all parameters, and of what is not searched for the states and inputs from
+/// which the last rate follows, of several bodies those of their own.
 fn decided(model: &Standing, found: &mut [BTreeSet<Name>]) {
-    let [parameters, motion] = model.part().decided();
     let all = || model.variables().iter().zip(model.places());
     let rate = all().rfind(|(variable, _)| variable.role == Role::Rate);
     let Some((_, VariablePlace::Result(Slot { sources: acting, .. }))) = rate else {
         return;
     };
-    for (variable, found) in model.variables().iter().zip(found) {
-        let moves = motion.contains(&variable.symbol);
-        if !moves && !parameters.contains(&variable.symbol) {
+    let stages = model.part().stages();
+    for ((variable, place), found) in all().zip(found) {
+        let VariablePlace::Result(slot) = place else { continue };
+        let stage = &stages[usize::from(slot.stage)];
+        if !stage.decided {
             continue;
         }
         let follows = |(known, place): &(&Variable, &VariablePlace)| match (known.role, place) {
             (Role::Parameter | Role::Tunable, _) => known.number.is_none(),
             (Role::Input | Role::State, VariablePlace::Source(source)) => {
                 let own = known.number.is_none() || variable.number.is_none() || known.number == variable.number;
-                moves && own && acting >> source.group & 1 == 1
+                !stage.searched && own && acting >> source.group & 1 == 1
             }
             _ => false,
         };

@@ -15,7 +15,7 @@ use crate::kernel::variable::{Fault, Quantity, Role, Terminal, Variable};
 use crate::parts::solver::Count;
 
 /// How the states of a component are carried on in time, with all that its solver keeps.
-pub trait Carried: Any + Send + Sync {
+pub trait Carrier: Any + Send + Sync {
     /// Moves from one time to another, both in s; what fails changes nothing.
     ///
     /// # Errors
@@ -76,13 +76,13 @@ pub trait Carried: Any + Send + Sync {
     }
 
     /// Becomes what another one of the same component is, as far as it belongs to the state.
-    fn follow(&mut self, _: &dyn Carried) {}
+    fn follow(&mut self, _: &dyn Carrier) {}
 
-    fn duplicate(&self) -> Box<dyn Carried>;
+    fn duplicate(&self) -> Box<dyn Carrier>;
 }
 
-impl Clone for Box<dyn Carried> {
-    fn clone(&self) -> Box<dyn Carried> {
+impl Clone for Box<dyn Carrier> {
+    fn clone(&self) -> Box<dyn Carrier> {
         self.duplicate()
     }
 }
@@ -93,13 +93,13 @@ pub struct MovingComponent {
     standing: Standing,
     /// Each with the variable that it is, and with its rate.
     states: Vec<(Source, usize, Slot)>,
-    carried: Box<dyn Carried>,
+    carrier: Box<dyn Carrier>,
 }
 
 /// All that changes while it runs.
 struct Saved {
     standing: State,
-    carried: Box<dyn Carried>,
+    carrier: Box<dyn Carrier>,
 }
 
 /// The results of a role, as variables and in the component.
@@ -131,13 +131,13 @@ impl MovingComponent {
     ///
     /// # Errors
     /// A motion that cannot begin there.
-    pub fn new<T: Carried>(
+    pub fn new<T: Carrier>(
         standing: Standing,
-        carried: impl FnOnce(&mut Standing) -> Result<T, Fault>,
+        carrier: impl FnOnce(&mut Standing) -> Result<T, Fault>,
     ) -> Result<MovingComponent, Fault> {
         let mut standing = standing.with_states();
         Ok(MovingComponent {
-            carried: Box::new(carried(&mut standing)?),
+            carrier: Box::new(carrier(&mut standing)?),
             states: states(&standing),
             standing,
         })
@@ -168,7 +168,7 @@ impl Running for MovingComponent {
     }
 
     fn step_size(&self) -> f64 {
-        self.carried.step_size(&self.standing)
+        self.carrier.step_size(&self.standing)
     }
 
     fn get(&mut self, index: usize) -> Result<f64, Fault> {
@@ -182,7 +182,7 @@ impl Running for MovingComponent {
     fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         self.standing.set(index, value)?;
         let is_state = self.standing.variables()[index].role == Role::State;
-        self.carried.changed(&mut self.standing, is_state);
+        self.carrier.changed(&mut self.standing, is_state);
         Ok(())
     }
 
@@ -191,16 +191,16 @@ impl Running for MovingComponent {
     }
 
     fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
-        self.carried.advance(&mut self.standing, from, to)
+        self.carrier.advance(&mut self.standing, from, to)
     }
 
     fn place(&mut self, value: f64) -> Result<(), Fault> {
-        self.carried.place(&mut self.standing, value)
+        self.carrier.place(&mut self.standing, value)
     }
 
     fn start(&mut self) -> Result<(), Fault> {
         self.standing.start()?;
-        self.carried.start(&mut self.standing)
+        self.carrier.start(&mut self.standing)
     }
 
     fn update(&mut self) -> Result<(), Fault> {
@@ -208,15 +208,15 @@ impl Running for MovingComponent {
     }
 
     fn event(&mut self) -> Result<bool, Fault> {
-        self.carried.event(&mut self.standing)
+        self.carrier.event(&mut self.standing)
     }
 
     fn next_event(&self) -> Option<f64> {
-        self.carried.next_event(&self.standing)
+        self.carrier.next_event(&self.standing)
     }
 
     fn warning(&self) -> Option<&'static str> {
-        self.carried.warning()
+        self.carrier.warning()
     }
 
     fn states(&self) -> usize {
@@ -224,7 +224,7 @@ impl Running for MovingComponent {
     }
 
     fn count(&self) -> Count {
-        self.carried.count()
+        self.carrier.count()
     }
 
     fn get_states(&self, states: &mut [f64]) {
@@ -240,7 +240,7 @@ impl Running for MovingComponent {
         for ((source, ..), value) in self.states.iter().zip(states) {
             self.standing.part_mut().put(*source, *value);
         }
-        self.carried.changed(&mut self.standing, true);
+        self.carrier.changed(&mut self.standing, true);
         Ok(())
     }
 
@@ -274,39 +274,39 @@ impl Running for MovingComponent {
     fn state(&self) -> State {
         State::new(Saved {
             standing: self.standing.state(),
-            carried: self.carried.duplicate(),
+            carrier: self.carrier.duplicate(),
         })
     }
 
     fn state_into(&self, state: &mut State) {
         let saved: &mut Saved = state.own_mut();
         self.standing.state_into(&mut saved.standing);
-        saved.carried.follow(&*self.carried);
+        saved.carrier.follow(&*self.carrier);
     }
 
     fn set_state(&mut self, state: &State) {
         let saved: &Saved = state.own();
         self.standing.set_state(&saved.standing);
-        self.carried.follow(&*saved.carried);
-        self.carried.resume(&mut self.standing);
+        self.carrier.follow(&*saved.carrier);
+        self.carrier.resume(&mut self.standing);
     }
 
     fn numbers(&self, state: &State) -> Vec<f64> {
-        let Saved { standing, carried } = state.own();
+        let Saved { standing, carrier } = state.own();
         let mut numbers = self.standing.numbers(standing);
-        numbers.extend(carried.numbers());
+        numbers.extend(carrier.numbers());
         numbers
     }
 
     fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
         let wrong = || Fault::new("a saved state does not belong to this model");
-        let mut carried = self.carried.duplicate();
-        let standing = numbers.len().checked_sub(carried.numbers().len()).ok_or_else(wrong)?;
+        let mut carrier = self.carrier.duplicate();
+        let standing = numbers.len().checked_sub(carrier.numbers().len()).ok_or_else(wrong)?;
         let (standing, own) = numbers.split_at(standing);
-        carried.take(own).ok_or_else(wrong)?;
+        carrier.take(own).ok_or_else(wrong)?;
         Ok(State::new(Saved {
             standing: self.standing.state_of(standing)?,
-            carried,
+            carrier,
         }))
     }
 

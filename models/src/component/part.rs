@@ -21,12 +21,8 @@ pub trait Component: Stages {
     /// Where other components meet it.
     const PORTS: &'static [Port] = &[];
 
-    /// Sources that are states where the component moves by itself, each with the result that is its rate.
-    const STATES: &'static [[&'static Symbol; 2]] = &[];
-
-    /// Results of which values decide, which leaves no trace in a formula: all of these follow from all parameters, those of
-    /// the second list also from states and inputs as the last rate does, of several bodies from those of their own.
-    const DECIDED: [&'static [&'static Symbol]; 2] = [&[]; 2];
+    /// Coordinate and rate that are states where the component moves by itself, and the rates of all states.
+    const STATES: [&'static [&'static Symbol]; 2] = [&[]; 2];
 
     /// Whether a result of a stage that exists is one of this scene.
     #[must_use]
@@ -133,7 +129,7 @@ pub trait Part: Face<f64> {
     /// Of [`Component::INDICATORS`].
     fn indicators(&self) -> &'static [&'static Symbol];
     /// Of [`Component::STATES`].
-    fn states(&self) -> &'static [[&'static Symbol; 2]];
+    fn states(&self) -> [&'static [&'static Symbol]; 2];
     /// As [`Component::is_input`].
     fn is_input(&self, symbol: &'static Symbol) -> bool;
     /// As [`Component::decide`].
@@ -141,8 +137,6 @@ pub trait Part: Face<f64> {
     /// # Errors
     /// A configuration that does not exist.
     fn decide(&mut self) -> Found<bool>;
-    /// Of [`Component::DECIDED`].
-    fn decided(&self) -> [&'static [&'static Symbol]; 2];
     /// Of [`Component::WHOLE`].
     fn whole(&self) -> &'static [Whole];
     /// Of [`Component::PORTS`].
@@ -292,7 +286,7 @@ impl<T: Component> Part for Runner<T, f64> {
         T::INDICATORS
     }
 
-    fn states(&self) -> &'static [[&'static Symbol; 2]] {
+    fn states(&self) -> [&'static [&'static Symbol]; 2] {
         T::STATES
     }
 
@@ -302,10 +296,6 @@ impl<T: Component> Part for Runner<T, f64> {
 
     fn decide(&mut self) -> Found<bool> {
         T::decide(&mut self.0)
-    }
-
-    fn decided(&self) -> [&'static [&'static Symbol]; 2] {
-        T::DECIDED
     }
 
     fn whole(&self) -> &'static [Whole] {

@@ -89,6 +89,8 @@ pub struct Stage {
     pub rows: &'static [&'static Symbol],
     /// Found by a search: no derivative.
     pub searched: bool,
+    /// Values decide in it, which leaves no trace in a formula.
+    pub decided: bool,
 }
 
 /// What a component knows, over any scalar. `stages!` implements it.
@@ -185,7 +187,8 @@ pub(crate) use results;
 ///
 /// After a stage: `, lifted` where derivatives take it over from plain numbers (it has a `map`), `, plain` where it has
 /// no scalars at all, `, searched` where it is found with plain numbers only, `, settled` where a list of them is and
-/// other stages go on with it: derivatives take it over where it does not change.
+/// other stages go on with it: derivatives take it over where it does not change; `, decided` where states decide which
+/// formula holds, so that its results follow from all parameters and from what the rates follow from.
 ///
 /// `stage[each group]: Vec<Kind>` is numbered like the group: its function finds one of them, `argument[each]` being the
 /// one of the same number. `stage[group]: Vec<Kind>` likewise, with a function that fills all. Both are put where the
@@ -276,6 +279,9 @@ macro_rules! stages {
     (@searched [searched]) => { true };
     (@searched [settled]) => { true };
     (@searched [$($mark:ident)?]) => { false };
+    (@decided [settled]) => { true };
+    (@decided [decided]) => { true };
+    (@decided [$($mark:ident)?]) => { false };
     (@count [] $given:ident) => { None };
     (@count [each $of:ident] $given:ident) => { Some($crate::kernel::group::Group::<f64>::count(&$given.$of)) };
     (@count [$of:ident] $given:ident) => { Some($crate::kernel::group::Group::<f64>::count(&$given.$of)) };
@@ -386,6 +392,7 @@ macro_rules! stages {
                         sources: (UP[Bit::$stage as usize] & ((1 << GROUPS) - 1)) as u64,
                         rows: $crate::component::stages::stages!(@rows [$($row)?] $c $kind),
                         searched: $crate::component::stages::stages!(@searched [$($mark)?]),
+                        decided: $crate::component::stages::stages!(@decided [$($mark)?]),
                     }),*]
                 };
                 fn new<$c: Calc>(given: Given<$c>) -> Known<$c> {

@@ -173,11 +173,7 @@ impl Standing {
             variables.push(Variable::new(quantity, role));
             places.push(VariablePlace::Result(slot));
         }
-        let only = |wanted| {
-            of(wanted)
-                .next()
-                .expect("every component has a coordinate and its rate")
-        };
+        let only = |wanted| of(wanted).next().expect("every component has it");
         let mut wholes = Vec::new();
         for whole in part.whole() {
             if let Some(spread) = Spread::new(whole, &*part, only(Use::Coordinate), only(Use::Rate)) {
@@ -421,33 +417,9 @@ impl Standing {
     }
 
     /// Whether a variable is searched for, and so has no derivative by what it follows from.
-    #[must_use]
-    pub fn is_searched(&self, index: usize) -> bool {
+    fn is_searched(&self, index: usize) -> bool {
         let stages = self.now.part.stages();
         matches!(self.places[index], VariablePlace::Result(slot) if stages[usize::from(slot.stage)].searched)
-    }
-
-    /// Whether a result's stage follows from an input, a parameter or [`TIME`].
-    #[must_use]
-    pub fn follows(&self, index: usize, known: Quantity) -> bool {
-        let sources = match self.places[index] {
-            VariablePlace::Result(slot) => slot.sources,
-            VariablePlace::Source(source) if self.variables[index].role == Role::Output => 1 << source.group,
-            _ => return false,
-        };
-        let from = |source: Source| sources >> source.group & 1 == 1;
-        // The coordinate may follow from its rate and the time.
-        let swept = from(self.axes.coordinate);
-        let mut sources = self.variables.iter().zip(&self.places);
-        let source = sources.find_map(|(variable, place)| match place {
-            VariablePlace::Source(source) if variable.quantity() == known => Some(*source),
-            _ => None,
-        });
-        match source {
-            Some(source) => from(source) || (swept && source == self.axes.rate),
-            None if known.0 == &PART_OF_RANGE => swept,
-            None => known == (&TIME, None) && (swept || self.clock.is_some_and(from)),
-        }
     }
 
     /// Whether the coordinate lies in the table.

@@ -46,11 +46,11 @@ pub fn resistance<C: Calc>(tyre: &Tyre<C>, g: C) -> Resistance<C> {
 /// What a group's cylinder works against, in N·m.
 #[derive(Clone, Copy, Debug)]
 pub struct Drag<C> {
-    tyres: Resistance<C>,
+    pub tyres: Resistance<C>,
     /// Of the slewing ring, where there is one; it stays while travelling.
     friction: Option<C>,
     /// At standstill.
-    moment: C,
+    pub moment: C,
 }
 results! { each Drag as d => {
     T_R: d.tyres.standing;
@@ -67,17 +67,6 @@ impl<C: Calc> Drag<C> {
             tyres,
             friction,
             moment: with(tyres.standing, friction).def(&s::T_G),
-        }
-    }
-}
-
-impl<C: Calc> Drag<C> {
-    /// With the slewing ring's friction, which stays while travelling.
-    #[inline]
-    pub fn steering(&self) -> Resistance<C> {
-        Resistance {
-            standing: self.moment,
-            travelling: self.moment - self.tyres.standing + self.tyres.travelling,
         }
     }
 }

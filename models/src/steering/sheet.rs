@@ -129,8 +129,8 @@ impl Described for SteeringScene {
         let mut turning = this.clone();
         let (own, groups) = (&mut turning.own, this.given.axes.len());
         own.given.moving = Some(own.moving?);
-        own.given.moved = vec![GroupState::new([0.0; STATES]); groups];
-        own.given.held = vec![Sampled::default(); groups];
+        own.given.moved = vec![GroupState::of(|_| Some(0.0))?; groups];
+        own.given.held = vec![Sampled::of(|_| Some(0.0))?; groups];
         let moving = MovingComponent::new(turning.standing(), SampledBodies::<SteeredGroups, STATES>::new);
         Some(moving.map(|model| Box::new(model) as Box<dyn Running>))
     }

@@ -56,7 +56,7 @@ stages! {
         Fixed outline: Footprint,
         Time clock: One<C>,
         Memory change: Change,
-        Memory held: Vec<Sampled>,
+        Memory held: Vec<Sampled<C>>,
     } find {
         machine: Machine<C> = Machine::new(axes, outline) => _;
         limits[axes]: Vec<Limits> = limits(mounts, cylinder) => _, plain;
@@ -97,16 +97,16 @@ stages! {
             set_points::headings(machine, linkages, headings, way, planned[way], change) => THETA_S, searched;
         set_speeds[each axes]: Vec<C> = set_points::speed(axes[each], points[each], way, v_t) => V_S, searched;
         wants[axes]: Vec<C> = motion::wanted(ends, headings, points[?]) => THETA_W, settled;
-        lacks[each axes]: Vec<C> = motion::lack(wants[each], moved[each]) => E;
+        lacks[each axes]: Vec<C> = motion::lack(wants[each], moved[each]) => E, decided;
         commands[each axes]: Vec<Commanded<C>> = Commanded::new(held[each]);
         working[axes]: Vec<WorkingGroup<C>> =
             motion::working(moving[!], linkages, ends, cylinder[!], piston[!], drags[?], v_t, held) => _;
         headed[each axes]: Vec<C> = motion::rate(moved[each]) => D_THETA;
-        turned[each axes]: Vec<TurnedGroup<C>> = TurnedGroup::new(working[each], moved[each], piston[!]);
-        rolled[each axes]: Vec<C> = motion::rolled(wheels[each], speeds[each], moved[each]) => V;
-        pushes[each loads]: Vec<Push<C>> = Push::new(drags[each], turned[each]);
+        turned[each axes]: Vec<TurnedGroup<C>> = TurnedGroup::new(working[each], moved[each], piston[!]), decided;
+        rolled[each axes]: Vec<C> = motion::rolled(wheels[each], speeds[each], moved[each]) => V, decided;
+        pushes[each loads]: Vec<Push<C>> = Push::new(drags[each], turned[each]), decided;
         lowest: LowestOil<C> = LowestOil::new(turned);
-        demand: C = motion::demand(turned) => Q_P;
+        demand: C = motion::demand(turned) => Q_P, decided;
     }
 }
 
@@ -126,28 +126,14 @@ impl Given<f64> {
 }
 
 impl Component for SteeredGroups {
-    const STATES: &'static [[&'static Symbol; 2]] = &[
-        [&s::THETA, &s::D_THETA],
-        [&s::OMEGA_G, &s::D_OMEGA_G],
-        [&s::P_1, &s::D_P_1],
-        [&s::P_2, &s::D_P_2],
-        [&s::P_A, &s::D_P_A],
-        [&s::P_B, &s::D_P_B],
-        [&s::X_V, &s::D_X_V],
-        [&s::V_V, &s::D_V_V],
+    const STATES: [&'static [&'static Symbol]; 2] = [
+        &[],
+        listed!(s: D_THETA, D_OMEGA_G, D_P_1, D_P_2, D_P_A, D_P_B, D_X_V, D_V_V),
     ];
 
     const INDICATORS: &'static [&'static Symbol] = listed!(
         s: Z_OPEN_1, Z_OPEN_2, Z_RELIEF_1, Z_RELIEF_2, Z_MIN, Z_MAX, MARGIN, Z_VACUUM
     );
-
-    const DECIDED: [&'static [&'static Symbol]; 2] = [
-        &[&s::THETA_W],
-        listed!(
-            s: E, F_C, M_R, Q_V, D_OMEGA_G, D_P_1, D_P_2, D_P_A, D_P_B, D_X_V, D_V_V, Z_OPEN_1, Z_OPEN_2, Z_RELIEF_1,
-            Z_RELIEF_2, Z_MIN, Z_MAX, Q_P, V, R, OD, V_C, Q_G, F_G, F_GX
-        ),
-    ];
 
     const PORTS: &'static [Port] = ports! { s:
         machine "Motion of the machine's middle.": v_x V_MX, v_y V_MY, w OMEGA;

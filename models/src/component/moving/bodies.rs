@@ -2,11 +2,11 @@
 
 use std::any::Any;
 
-use crate::component::moving::Carried;
+use crate::component::moving::Carrier;
 use crate::component::moving::clock::Clock;
 use crate::component::part::Component;
 use crate::component::running::Running;
-use crate::component::stages::{Found, Source};
+use crate::component::stages::{Found, Source, Use};
 use crate::component::standing::Standing;
 use crate::kernel::variable::Fault;
 use crate::parts::solver::rodas::{Run, Tolerance};
@@ -17,7 +17,7 @@ const FIRST: f64 = 1e-3;
 const FIRST_PART: f64 = 0.1;
 
 /// A component of bodies with N states each, under samples.
-pub trait Bodies<const N: usize>: Component + Clone {
+pub trait BodiesInMotion<const N: usize>: Component + Clone {
     /// The equations of a body under present sources.
     type Body: System<N> + Copy + PartialEq + Send + Sync;
 
@@ -27,24 +27,19 @@ pub trait Bodies<const N: usize>: Component + Clone {
 
     fn schedule(given: &Self::Given<f64>) -> Schedule<N>;
 
-    /// The present states of a body.
-    fn states(given: &Self::Given<f64>, body: usize) -> [f64; N];
-
-    fn put_states(known: &mut Self::Known<f64>, body: usize, y: [f64; N]);
-
     /// Whether states are such as a body can have.
     fn is_possible(body: &Self::Body, y: &[f64; N]) -> bool;
 
-    /// Puts every body at rest where the inputs want it; nothing has been sampled.
+    /// The states of a body at rest where the inputs want it.
     ///
     /// # Errors
     /// Inputs with which there is no such place.
-    fn stand(known: &mut Self::Known<f64>) -> Found<()>;
+    fn resting(known: &mut Self::Known<f64>, body: usize) -> Found<[f64; N]>;
 
     /// A sample: commands follow from states and inputs.
     ///
     /// # Errors
-    /// As [`stand`](Bodies::stand).
+    /// As [`resting`](BodiesInMotion::resting).
     fn sample(known: &mut Self::Known<f64>) -> Found<()>;
 
     /// Why a step of a size (s) from the present states could not be made.
@@ -66,28 +61,31 @@ pub struct Schedule<const N: usize> {
 
 /// All bodies with the solver's state beside them. The component has the states themselves.
 #[derive(Clone)]
-pub struct SampledBodies<T: Bodies<N>, const N: usize> {
+pub struct SampledBodies<T: BodiesInMotion<N>, const N: usize> {
     clock: Clock,
     runs: Vec<Run<N>>,
     /// Under which they were solved so far.
     bodies: Vec<T::Body>,
-    /// How all was before a step that may fail, and what the component remembers.
+    /// How all was before a step that may fail; what the component remembers, with that before the step and at the start.
     before: Vec<Run<N>>,
-    memory: Vec<(Source, f64)>,
+    memory: Vec<(Source, [f64; 2])>,
 }
 
-impl<T: Bodies<N>, const N: usize> SampledBodies<T, N> {
+impl<T: BodiesInMotion<N>, const N: usize> SampledBodies<T, N> {
     /// At rest where the inputs want them.
     ///
     /// # Errors
-    /// As [`Bodies::stand`].
+    /// As [`BodiesInMotion::resting`].
     pub fn new(model: &mut Standing) -> Result<SampledBodies<T, N>, Fault> {
+        let memory = model.memory().iter();
         let mut own = SampledBodies {
             clock: Clock::STOPPED,
             runs: Vec::new(),
             bodies: Vec::new(),
             before: Vec::new(),
-            memory: model.memory().iter().map(|source| (*source, 0.0)).collect(),
+            memory: memory
+                .map(|source| (*source, [model.part().take(*source); 2]))
+                .collect(),
         };
         own.stand(model)?;
         Ok(own)
@@ -103,11 +101,17 @@ impl<T: Bodies<N>, const N: usize> SampledBodies<T, N> {
 
     fn stand(&mut self, model: &mut Standing) -> Result<(), Fault> {
         let first = first(Self::schedule(model).period);
+        for (source, [_, start]) in &self.memory {
+            model.part_mut().put(*source, *start);
+        }
         let known = Self::known(model);
-        T::stand(known).map_err(|fault| *fault)?;
         self.bodies = T::bodies(known).map_err(|fault| *fault)?.to_vec();
-        let run = |i: usize| Run::new(T::states(T::given(known), i), first);
-        self.runs = (0..self.bodies.len()).map(run).collect();
+        self.runs.clear();
+        for i in 0..self.bodies.len() {
+            let y = T::resting(known, i).map_err(|fault| *fault)?;
+            put_states::<T, N>(known, i, &y);
+            self.runs.push(Run::new(y, first));
+        }
         (self.clock, self.before) = (Clock::STOPPED, self.runs.clone());
         Ok(())
     }
@@ -138,7 +142,7 @@ impl<T: Bodies<N>, const N: usize> SampledBodies<T, N> {
             for (i, (run, body)) in self.runs.iter_mut().zip(&self.bodies).enumerate() {
                 let solved = run.advance(body, &tolerance, end - time, longest);
                 let y = run.states();
-                T::put_states(Self::known(model), i, y);
+                put_states::<T, N>(Self::known(model), i, &y);
                 let possible = T::is_possible(body, &y).then_some(()).ok_or(Halt::Outside);
                 solved.and(possible).map_err(|halt| refusal(model, halt, i))?;
             }
@@ -149,27 +153,48 @@ impl<T: Bodies<N>, const N: usize> SampledBodies<T, N> {
     }
 }
 
+/// A state of a body.
+fn state<T: BodiesInMotion<N>, const N: usize>(body: usize, state: usize) -> Source {
+    let group = const {
+        let mut group = 0;
+        while !matches!(T::GROUPS[group].1, Use::State) {
+            group += 1;
+        }
+        group as u8
+    };
+    Source {
+        group,
+        place: (body * N + state) as u16,
+    }
+}
+
+fn put_states<T: BodiesInMotion<N>, const N: usize>(known: &mut T::Known<f64>, body: usize, y: &[f64; N]) {
+    for (k, y) in y.iter().enumerate() {
+        T::put(known, state::<T, N>(body, k), *y);
+    }
+}
+
 /// First step of the solver after a change from outside, in s, at a cycle (s).
 fn first(period: f64) -> f64 {
     FIRST.min(period * FIRST_PART)
 }
 
-impl<T: Bodies<N>, const N: usize> Carried for SampledBodies<T, N> {
+impl<T: BodiesInMotion<N>, const N: usize> Carrier for SampledBodies<T, N> {
     fn advance(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault> {
         let clock = self.clock;
         self.before.copy_from_slice(&self.runs);
-        for (source, value) in &mut self.memory {
-            *value = model.part().take(*source);
+        for (source, [before, _]) in &mut self.memory {
+            *before = model.part().take(*source);
         }
         let solved = self.solve(model, from, to);
         if solved.is_err() {
             self.clock = clock;
             self.runs.copy_from_slice(&self.before);
-            for (source, value) in &self.memory {
-                model.part_mut().put(*source, *value);
+            for (source, [before, _]) in &self.memory {
+                model.part_mut().put(*source, *before);
             }
             for (i, run) in self.runs.iter().enumerate() {
-                T::put_states(Self::known(model), i, run.states());
+                put_states::<T, N>(Self::known(model), i, &run.states());
             }
             model.set_time(from);
             self.resume(model);
@@ -207,7 +232,7 @@ impl<T: Bodies<N>, const N: usize> Carried for SampledBodies<T, N> {
         let known = Self::known(model);
         if is_state {
             for (i, run) in self.runs.iter_mut().enumerate() {
-                let y = T::states(T::given(known), i);
+                let y = std::array::from_fn(|k| T::take(known, state::<T, N>(i, k)));
                 if y != run.states() {
                     *run = Run::new(y, first);
                 }
@@ -252,14 +277,14 @@ impl<T: Bodies<N>, const N: usize> Carried for SampledBodies<T, N> {
         Some(())
     }
 
-    fn follow(&mut self, other: &dyn Carried) {
+    fn follow(&mut self, other: &dyn Carrier) {
         let other: &dyn Any = other;
         let other: &SampledBodies<T, N> = other.downcast_ref().expect("the same component");
         self.clock = other.clock;
         self.runs.copy_from_slice(&other.runs);
     }
 
-    fn duplicate(&self) -> Box<dyn Carried> {
+    fn duplicate(&self) -> Box<dyn Carrier> {
         Box::new(self.clone())
     }
 }

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use crate::component::moving::{Carried, results, states};
+use crate::component::moving::{Carrier, results, states};
 use crate::component::part::Part;
 use crate::component::running::Running;
 use crate::component::stages::{Slot, Source};
@@ -37,19 +37,17 @@ struct Instant {
 /// The component under present inputs, for the solver.
 struct Equations<'a> {
     part: RefCell<&'a mut dyn Part>,
-    states: &'a [(Source, usize, Slot)],
-    indicators: &'a [Slot],
-    memory: &'a [(Source, f64)],
+    own: &'a SmoothPieces,
 }
 
 impl Equations<'_> {
     /// The component at an instant.
     fn with<R>(&self, state: &Instant, y: &[f64; MOST], of: impl FnOnce(&mut dyn Part) -> Option<R>) -> Option<R> {
         let mut part = self.part.borrow_mut();
-        for ((source, _), past) in self.memory.iter().zip(state.past) {
+        for ((source, _), past) in self.own.memory.iter().zip(state.past) {
             part.put(*source, past);
         }
-        for ((source, ..), y) in self.states.iter().zip(y) {
+        for ((source, ..), y) in self.own.states.iter().zip(y) {
             part.put(*source, *y);
         }
         part.update().ok()?;
@@ -65,7 +63,7 @@ impl Pieces<MOST, Instant> for Equations<'_> {
     fn rates(&self, state: &Instant, y: &[f64; MOST]) -> Option<[f64; MOST]> {
         self.with(state, y, |part| {
             let mut rates = [0.0; MOST];
-            for ((_, _, slot), rate) in self.states.iter().zip(&mut rates) {
+            for ((_, _, slot), rate) in self.own.states.iter().zip(&mut rates) {
                 part.result(slot, rate).ok()?;
             }
             Some(rates)
@@ -75,7 +73,7 @@ impl Pieces<MOST, Instant> for Equations<'_> {
     fn crossed(&self, state: &Instant, y: &[f64; MOST]) -> bool {
         let fallen = self.with(state, y, |part| {
             let mut fallen = false;
-            for slot in self.indicators {
+            for slot in &self.own.indicators {
                 let mut z = 0.0;
                 part.result(slot, &mut z).ok()?;
                 fallen |= z.is_nan() || z < 0.0;
@@ -88,14 +86,7 @@ impl Pieces<MOST, Instant> for Equations<'_> {
     fn event(&self, state: &mut Instant) -> Result<(), Halt> {
         let decided = self.with(state, &state.y, |part| {
             part.decide().ok()?;
-            let mut after = *state;
-            for ((source, ..), y) in self.states.iter().zip(&mut after.y) {
-                *y = part.take(*source);
-            }
-            for ((source, _), past) in self.memory.iter().zip(&mut after.past) {
-                *past = part.take(*source);
-            }
-            Some(after)
+            Some(self.own.instant(part))
         });
         *state = decided.ok_or(Halt::Outside)?;
         Ok(())
@@ -180,16 +171,14 @@ fn decide(model: &mut Standing) -> Result<bool, Fault> {
     model.part_mut().decide().map_err(|fault| *fault)
 }
 
-impl Carried for SmoothPieces {
+impl Carrier for SmoothPieces {
     fn advance(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault> {
         model.update()?;
         let before = self.instant(model.part());
         let mut state = before;
         let equations = Equations {
-            memory: &self.memory,
             part: RefCell::new(model.part_mut()),
-            states: &self.states,
-            indicators: &self.indicators,
+            own: self,
         };
         let solved = pieces::advance(&equations, &mut state, to - from, self.longest);
         let end = if solved.is_ok() { &state } else { &before };
@@ -224,7 +213,7 @@ impl Carried for SmoothPieces {
         self.count
     }
 
-    fn duplicate(&self) -> Box<dyn Carried> {
+    fn duplicate(&self) -> Box<dyn Carrier> {
         Box::new(self.clone())
     }
 }

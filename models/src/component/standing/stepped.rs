@@ -28,13 +28,12 @@ impl Standing {
     /// With the states of its motion, and their rates, in the place of inputs and results.
     #[must_use]
     pub fn with_states(mut self) -> Standing {
-        for &[state, rate] in self.now.part.states() {
-            for variable in &mut self.variables {
-                match variable.symbol {
-                    symbol if symbol == state => variable.role = Role::State,
-                    symbol if symbol == rate => variable.role = Role::Rate,
-                    _ => {}
-                }
+        let [states, rates] = self.now.part.states();
+        for variable in &mut self.variables {
+            if states.contains(&variable.symbol) {
+                variable.role = Role::State;
+            } else if rates.contains(&variable.symbol) {
+                variable.role = Role::Rate;
             }
         }
         // Then it does not run by itself through its working range.

@@ -3,9 +3,6 @@
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{Group, quantities};
-use crate::kernel::symbol::Symbol;
-use crate::kernel::unit::ONE;
-use crate::kernel::variable::Quantity;
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::hydraulics::oil::VACUUM;
 use crate::parts::hydraulics::valve::Valve;
@@ -13,7 +10,7 @@ use crate::steering::cylinder::{Linkage, Mounting, Pose};
 use crate::steering::flow::{Piston, flow};
 use crate::steering::frame::Ends;
 use crate::steering::hydraulic::{INDICATORS, STATES, Sampled, WorkingGroup};
-use crate::steering::load::{Drag, force};
+use crate::steering::load::{Drag, Resistance, force};
 use crate::steering::moving::scene::MovingGroups;
 use crate::steering::moving::symbols as s;
 use crate::steering::wheels::Wheel;
@@ -26,44 +23,11 @@ quantities! {
     GroupState { theta: THETA, omega: OMEGA_G, p_1: P_1, p_2: P_2, p_a: P_A, p_b: P_B, x_v: X_V, v_v: V_V }
 }
 
-impl<C: Calc> GroupState<C> {
-    pub fn new([theta, omega, p_1, p_2, p_a, p_b, x_v, v_v]: [C; STATES]) -> GroupState<C> {
-        GroupState {
-            theta,
-            omega,
-            p_1,
-            p_2,
-            p_a,
-            p_b,
-            x_v,
-            v_v,
-        }
-    }
-
-    pub fn numbers(&self) -> [C; STATES] {
-        [
-            self.theta, self.omega, self.p_1, self.p_2, self.p_a, self.p_b, self.x_v, self.v_v,
-        ]
-    }
-}
-
-static HELD: Symbol = Symbol::new("held", "", [&ONE, &ONE], "What the PLC holds of a group.", "derived");
-
-impl<C: Calc> Group<C> for Sampled {
-    type Over<D: Calc> = Sampled;
-    const SIZE: usize = 2;
-    fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> Sampled {
-        let mut of = |value| f((&HELD, None), C::constant(value)).value();
-        Sampled {
-            integral: of(self.integral),
-            command: of(self.command),
-        }
-    }
-    fn take(&self, place: usize) -> C {
-        C::constant([self.integral, self.command][place])
-    }
-    fn put(&mut self, place: usize, value: C) {
-        *[&mut self.integral, &mut self.command][place] = value.value();
+/// What a group resists, in N·m: the slewing ring's friction stays while travelling.
+fn resistance<C: Calc>(drag: &Drag<C>) -> Resistance<C> {
+    Resistance {
+        standing: drag.moment,
+        travelling: drag.moment - drag.tyres.standing + drag.tyres.travelling,
     }
 }
 
@@ -77,7 +41,7 @@ pub fn working<C: Calc>(
     piston: &Piston<C>,
     drags: Option<&Vec<Drag<C>>>,
     v_t: &C,
-    held: &[Sampled],
+    held: &[Sampled<C>],
     groups: &mut Vec<WorkingGroup<C>>,
 ) {
     let cylinder = Cylinder {
@@ -99,26 +63,21 @@ pub fn working<C: Calc>(
             damping: moving.zeta_v,
         },
     };
-    let resistance = |i: usize| {
-        let found = drags.map(|drags| drags[i].steering());
-        found.map_or(C::constant(0.0), |drag| {
-            if v_t.value() == 0.0 {
-                drag.standing
-            } else {
-                drag.travelling
-            }
-        })
+    let against = |i: usize| match drags.map(|drags| resistance(&drags[i])) {
+        None => C::constant(0.0),
+        Some(drag) if v_t.value() == 0.0 => drag.standing,
+        Some(drag) => drag.travelling,
     };
     groups.clear();
     groups.extend((0..held.len()).map(|i| WorkingGroup {
         linkage: linkages[i],
         cylinder,
         inertia: moving.j,
-        resistance: resistance(i),
+        resistance: against(i),
         stops: ends[i].0,
         buffer: [STOP * STOP, 2.0 * STOP].map(|factor| moving.j * C::constant(factor)),
         supply: moving.p_p,
-        command: C::constant(held[i].command),
+        command: held[i].command,
     }));
 }
 
@@ -155,7 +114,7 @@ results! { each TurnedGroup as t => {
 
 impl<C: Calc> TurnedGroup<C> {
     pub fn new(group: &WorkingGroup<C>, state: &GroupState<C>, piston: &Piston<C>) -> TurnedGroup<C> {
-        let y = state.numbers();
+        let y = std::array::from_fn(|k| Group::take(state, k));
         TurnedGroup {
             group: *group,
             piston: *piston,
@@ -180,7 +139,7 @@ results! { each Push as p => { F_G: p.0[0]; F_GX: p.0[1]; } }
 
 impl<C: Calc> Push<C> {
     pub fn new(drag: &Drag<C>, turned: &TurnedGroup<C>) -> Push<C> {
-        let (drag, arm) = (drag.steering(), turned.pose().od);
+        let (drag, arm) = (resistance(drag), turned.pose().od);
         Push([force(drag.standing, arm), force(drag.travelling, arm)])
     }
 }
@@ -253,7 +212,7 @@ pub struct Commanded<C>(C);
 results! { each Commanded as c => { U_V: c.0; } }
 
 impl<C: Calc> Commanded<C> {
-    pub fn new(held: &Sampled) -> Commanded<C> {
-        Commanded(C::constant(held.command))
+    pub fn new(held: &Sampled<C>) -> Commanded<C> {
+        Commanded(held.command)
     }
 }

@@ -1,14 +1,13 @@
 //! How the groups are carried on: what the PLC decides at a sample, and what the solver is to keep.
 
-use crate::component::moving::bodies::{Bodies, Schedule};
+use crate::component::moving::bodies::{BodiesInMotion, Schedule};
 use crate::component::stages::{Found, Stages};
 use crate::kernel::number::short;
 use crate::kernel::variable::Fault;
 use crate::parts::hydraulics::oil;
 use crate::parts::solver::rodas::Tolerance;
 use crate::parts::solver::{Halt, MOST_IMPLICIT};
-use crate::steering::hydraulic::{Control, STATES, Sampled, WorkingGroup};
-use crate::steering::moving::motion::GroupState;
+use crate::steering::hydraulic::{Control, STATES, WorkingGroup};
 use crate::steering::moving::scene::MovingGroups;
 use crate::steering::stages::{Given, Known, SteeredGroups};
 use crate::steering::symbols as s;
@@ -32,7 +31,7 @@ fn control(given: &Given<f64>) -> Control {
     }
 }
 
-impl Bodies<STATES> for SteeredGroups {
+impl BodiesInMotion<STATES> for SteeredGroups {
     type Body = WorkingGroup;
 
     fn bodies(known: &mut Known<f64>) -> Found<&[WorkingGroup]> {
@@ -53,14 +52,6 @@ impl Bodies<STATES> for SteeredGroups {
         }
     }
 
-    fn states(given: &Given<f64>, body: usize) -> [f64; STATES] {
-        given.moved[body].numbers()
-    }
-
-    fn put_states(known: &mut Known<f64>, body: usize, y: [f64; STATES]) {
-        known.moved()[body] = GroupState::new(y);
-    }
-
     /// Bounded numbers, and oil in both chambers.
     fn is_possible(group: &WorkingGroup, y: &[f64; STATES]) -> bool {
         let volumes = group.cylinder.volumes(group.pose(y[0]).l);
@@ -70,14 +61,9 @@ impl Bodies<STATES> for SteeredGroups {
             && y.iter().all(|x| x.is_finite())
     }
 
-    fn stand(known: &mut Known<f64>) -> Found<()> {
-        for i in 0..SteeredGroups::given(known).held.len() {
-            let wanted = known.wants()?[i];
-            let y = known.working()?[i].resting(wanted, RESTING_PRESSURE);
-            known.moved()[i] = GroupState::new(y);
-            known.held()[i] = Sampled::default();
-        }
-        Ok(())
+    fn resting(known: &mut Known<f64>, body: usize) -> Found<[f64; STATES]> {
+        let wanted = known.wants()?[body];
+        Ok(known.working()?[body].resting(wanted, RESTING_PRESSURE))
     }
 
     /// The PLC reads all encoders and sets all valves.
