@@ -466,7 +466,8 @@ impl Standing {
     /// How fast each source changes in a direction.
     fn seeds<'a>(&'a self, seed: &'a dyn Fn(Quantity) -> f64) -> Seeds<'a> {
         let (coordinate, rate) = (self.axes.coordinate, self.axes.rate);
-        // A coordinate that was not set follows from its rate and the time; one that was set changes with either input.
+        // A coordinate that was not set follows from its rate and the time as well; one that was set changes with either
+        // input.
         let of = |source: Source| {
             let found = self.index_of(source);
             found.map_or(0.0, |index| seed(self.variables[index].quantity()))
@@ -477,7 +478,7 @@ impl Standing {
         } else {
             let speed = Dual64::new(self.now.part.take(rate), of(rate));
             let time = Dual64::new(self.now.time, seed((&TIME, None)));
-            self.motion.swept(speed, time).eps
+            self.motion.swept(speed, time).eps + of(coordinate)
         };
         Seeds {
             seed,
