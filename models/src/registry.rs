@@ -154,11 +154,8 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
             if let Some(model) = moving.downcast_ref::<MovingComponent>() {
                 return told(|teller| (teller.dependencies)(model.standing()));
             }
-            if let Some(model) = moving.downcast_ref::<double_link::moving::model::LuffingMotion>() {
-                return model.dependencies();
-            }
-            let steering = moving.downcast_ref::<steering::moving::model::SteeringMotion>();
-            steering.expect("what moves has its line").dependencies()
+            let luffing = moving.downcast_ref::<double_link::moving::model::LuffingMotion>();
+            luffing.expect("what moves has its line").dependencies()
         }
     }
 }

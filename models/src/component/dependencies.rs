@@ -9,7 +9,7 @@ use crate::component::stages::{Slot, Source, Use};
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::calc::Calc;
 use crate::kernel::record::{Rec, record};
-use crate::kernel::variable::{Name, PART_OF_RANGE, Quantity, TIME, Type};
+use crate::kernel::variable::{Name, PART_OF_RANGE, Quantity, Role, TIME, Type, Variable};
 
 /// Makes a number of the recorder of each source.
 pub type Sources<'a> = &'a mut dyn FnMut(Source, Quantity, f64) -> Rec;
@@ -38,12 +38,14 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
     let groups = part.groups();
     let sources = part.sources();
     let used = |source: Source| groups[usize::from(source.group)].1;
-    let traced = traced(model, recorder);
+    let (traced, told) = traced(model, recorder);
     let mut found = traced.clone();
     let slot = |index: usize| match model.places()[index] {
         VariablePlace::Result(slot) => Some(slot),
         VariablePlace::Source(_) | VariablePlace::Whole(_) | VariablePlace::Part => None,
     };
+    let is =
+        |index: usize, state: Source| matches!(model.places()[index], VariablePlace::Source(source) if source == state);
     let group = |name: &Name| {
         let of = |(_, (symbol, number)): &&(Source, Quantity)| (symbol.id, *number) == *name;
         sources.iter().find(of).map_or(63, |(source, _)| source.group)
@@ -57,7 +59,13 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
             found.extend(of.filter(|name| spread.sources >> group(name) & 1 == 1).copied());
             continue;
         }
-        let Some(slot) = slot(index) else { continue };
+        let Some(slot) = slot(index) else {
+            let of = sources
+                .iter()
+                .find(|(source, _)| used(*source) == Use::State && is(index, *source));
+            found.extend(of.map(|(_, (symbol, number))| (symbol.id, *number)));
+            continue;
+        };
         if model.variables()[index].kind == Type::Boolean {
             let same = |other: &usize| same(&slot, model, *other);
             found.extend(
@@ -66,7 +74,8 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
                     .flat_map(|other| traced[other].iter().copied()),
             );
         }
-        let searched = part.stages()[usize::from(slot.stage)].searched;
+        // What goes on with what is searched has no formula either.
+        let searched = !told[index] || part.stages()[usize::from(slot.stage)].searched;
         for &(source, (symbol, number)) in &sources {
             let decides = symbol.kind != Type::Real;
             if slot.sources >> source.group & 1 == 0 || !(searched || decides) {
@@ -75,6 +84,8 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
             match used(source) {
                 Use::Time => found.extend([(TIME.id, None)]),
                 Use::Memory => {}
+                // Of several bodies each follows from itself.
+                Use::State if number != model.variables()[index].number => {}
                 Use::Coordinate => {
                     let rate = sources.iter().find(|(source, _)| used(*source) == Use::Rate);
                     let rate = rate.map(|(_, (symbol, number))| (symbol.id, *number));
@@ -87,7 +98,35 @@ pub fn dependencies(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>>
     if model.has_part_of_range() {
         with_part_of_range(model, &mut found);
     }
+    decided(model, &mut found);
     found
+}
+
+/// What leaves no trace because values decide: all parameters, and of what is not searched for the states and inputs from
+/// which the last rate follows, of several bodies those of their own.
+fn decided(model: &Standing, found: &mut [BTreeSet<Name>]) {
+    let all = || model.variables().iter().zip(model.places());
+    let rate = all().rfind(|(variable, _)| variable.role == Role::Rate);
+    let Some((_, VariablePlace::Result(Slot { sources: acting, .. }))) = rate else {
+        return;
+    };
+    let stages = model.part().stages();
+    for ((variable, place), found) in all().zip(found) {
+        let VariablePlace::Result(slot) = place else { continue };
+        let stage = &stages[usize::from(slot.stage)];
+        if !stage.decided {
+            continue;
+        }
+        let follows = |(known, place): &(&Variable, &VariablePlace)| match (known.role, place) {
+            (Role::Parameter | Role::Tunable, _) => known.number.is_none(),
+            (Role::Input | Role::State, VariablePlace::Source(source)) => {
+                let own = known.number.is_none() || variable.number.is_none() || known.number == variable.number;
+                !stage.searched && own && acting >> source.group & 1 == 1
+            }
+            _ => false,
+        };
+        found.extend(all().filter(follows).map(|(known, _)| (known.symbol.id, known.number)));
+    }
 }
 
 /// What follows from the coordinate follows from the part of the range, too, or in its place.
@@ -110,8 +149,8 @@ fn with_part_of_range(model: &Standing, found: &mut [BTreeSet<Name>]) {
     }
 }
 
-/// What each variable's formula contains, as the recorder finds it.
-fn traced(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>> {
+/// What each variable's formula contains, as the recorder finds it, and whether it has one.
+fn traced(model: &Standing, recorder: Recorder) -> (Vec<BTreeSet<Name>>, Vec<bool>) {
     let part = model.part();
     let groups = part.groups();
     let sources = part.sources();
@@ -126,6 +165,7 @@ fn traced(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>> {
     names.push((TIME.id, None));
     // Of each variable: which of the names its formula contains.
     let mut traced = vec![vec![false; names.len()]; model.places().len()];
+    let mut told = vec![false; traced.len()];
     for choice in choices(&sources) {
         for (at, way) in [(motion.from, 1.0), (middle, 1.0), (middle, -1.0), (motion.to, 1.0)] {
             let mut part = part.duplicate();
@@ -167,7 +207,8 @@ fn traced(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>> {
             let givens = trace.givens();
             let known = |leaf| recs.iter().find(|(rec, _)| *rec == leaf).map(|(_, index)| *index);
             let known: Vec<Option<usize>> = givens.all().map(known).collect();
-            for (traced, result) in traced.iter_mut().zip(results) {
+            for ((traced, told), result) in traced.iter_mut().zip(&mut told).zip(results) {
+                *told |= result.is_some();
                 let leaves = result.into_iter().flat_map(|result| givens.of(result));
                 for index in leaves.filter_map(|leaf| known[leaf]) {
                     traced[index] = true;
@@ -176,19 +217,19 @@ fn traced(model: &Standing, recorder: Recorder) -> Vec<BTreeSet<Name>> {
         }
     }
     // Until the coordinate is set, it follows from its rate and the time.
-    if let (Some(coordinate), Some(rate), false) = (find(Use::Coordinate), find(Use::Rate), model.has_states()) {
+    if let (Some(coordinate), Some(rate), false) =
+        (find(Use::Coordinate), find(Use::Rate), model.has_moving_coordinate())
+    {
         for traced in traced.iter_mut().filter(|traced| traced[coordinate]) {
             traced[rate] = true;
             traced[sources.len()] = true;
         }
     }
-    traced
-        .iter()
-        .map(|traced| {
-            let those = names.iter().zip(traced).filter(|(_, found)| **found);
-            those.map(|(name, _)| *name).collect()
-        })
-        .collect()
+    let named = traced.iter().map(|traced| {
+        let those = names.iter().zip(traced).filter(|(_, found)| **found);
+        those.map(|(name, _)| *name).collect()
+    });
+    (named.collect(), told)
 }
 
 /// Whether a variable is a result of the same stage.

@@ -1,19 +1,91 @@
 //! A component that moves by itself: states are sources of its equations, their rates and what ends a smooth piece of
 //! the motion are results of them, and what follows at an event the component decides.
 
-use std::cell::RefCell;
+pub mod bodies;
+pub mod clock;
+pub mod smooth;
 
-use crate::component::part::Part;
+use std::any::Any;
+
 use crate::component::running::{Running, State, Tangent};
 use crate::component::stages::{Slot, Source};
 use crate::component::standing::{Standing, VariablePlace};
-use crate::kernel::number::short;
+use crate::kernel::unit;
 use crate::kernel::variable::{Fault, Quantity, Role, Terminal, Variable};
-use crate::parts::solver::pieces::{self, Pieces};
-use crate::parts::solver::{Count, Halt, MOST_STEPS};
+use crate::parts::solver::Count;
 
-/// Most states of a component, and most numbers that it remembers.
-const MOST: usize = 8;
+/// How the states of a component are carried on in time, with all that its solver keeps.
+pub trait Carrier: Any + Send + Sync {
+    /// Moves from one time to another, both in s; what fails changes nothing.
+    ///
+    /// # Errors
+    /// As [`Running::advance`].
+    fn advance(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault>;
+
+    /// Brings the component to a value of its coordinate; nothing has happened before.
+    ///
+    /// # Errors
+    /// As [`Running::place`].
+    fn place(&mut self, model: &mut Standing, value: f64) -> Result<(), Fault>;
+
+    /// Begins the motion.
+    ///
+    /// # Errors
+    /// As [`Running::start`].
+    fn start(&mut self, _: &mut Standing) -> Result<(), Fault> {
+        Ok(())
+    }
+
+    /// As [`Running::event`].
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    fn event(&mut self, model: &mut Standing) -> Result<bool, Fault>;
+
+    /// As [`Running::next_event`].
+    fn next_event(&self, _: &Standing) -> Option<f64> {
+        None
+    }
+
+    /// As [`Running::warning`].
+    fn warning(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// A source, or a state, has been set.
+    fn changed(&mut self, _: &mut Standing, _is_state: bool) {}
+
+    /// The component was brought to where it was when this was kept.
+    fn resume(&mut self, _: &mut Standing) {}
+
+    /// As [`Running::step_size`].
+    fn step_size(&self, model: &Standing) -> f64 {
+        model.step_size()
+    }
+
+    fn count(&self) -> Count;
+
+    /// What is saved besides the component's own state.
+    fn numbers(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Takes back as many numbers; `None` where they cannot be.
+    fn take(&mut self, _: &[f64]) -> Option<()> {
+        Some(())
+    }
+
+    /// Becomes what another one of the same component is, as far as it belongs to the state.
+    fn follow(&mut self, _: &dyn Carrier) {}
+
+    fn duplicate(&self) -> Box<dyn Carrier>;
+}
+
+impl Clone for Box<dyn Carrier> {
+    fn clone(&self) -> Box<dyn Carrier> {
+        self.duplicate()
+    }
+}
 
 /// A scene's component in motion.
 #[derive(Clone)]
@@ -21,176 +93,60 @@ pub struct MovingComponent {
     standing: Standing,
     /// Each with the variable that it is, and with its rate.
     states: Vec<(Source, usize, Slot)>,
-    indicators: Vec<Slot>,
-    /// What happened before, and what that is at the start.
-    memory: Vec<(Source, f64)>,
-    /// Longest step of the solver, in s.
-    longest: f64,
-    count: Count,
+    carrier: Box<dyn Carrier>,
 }
 
-/// States, and what happened before.
-#[derive(Clone, Copy)]
-struct Instant {
-    y: [f64; MOST],
-    past: [f64; MOST],
+/// All that changes while it runs.
+struct Saved {
+    standing: State,
+    carrier: Box<dyn Carrier>,
 }
 
-/// The component under present inputs, for the solver.
-struct Equations<'a> {
-    part: RefCell<&'a mut dyn Part>,
-    states: &'a [(Source, usize, Slot)],
-    indicators: &'a [Slot],
-    memory: &'a [(Source, f64)],
-}
-
-impl Equations<'_> {
-    /// The component at an instant.
-    fn with<R>(&self, state: &Instant, y: &[f64; MOST], of: impl FnOnce(&mut dyn Part) -> Option<R>) -> Option<R> {
-        let mut part = self.part.borrow_mut();
-        for ((source, _), past) in self.memory.iter().zip(state.past) {
-            part.put(*source, past);
-        }
-        for ((source, ..), y) in self.states.iter().zip(y) {
-            part.put(*source, *y);
-        }
-        part.update().ok()?;
-        of(&mut **part)
-    }
-}
-
-impl Pieces<MOST, Instant> for Equations<'_> {
-    fn states(state: &mut Instant) -> &mut [f64; MOST] {
-        &mut state.y
-    }
-
-    fn rates(&self, state: &Instant, y: &[f64; MOST]) -> Option<[f64; MOST]> {
-        self.with(state, y, |part| {
-            let mut rates = [0.0; MOST];
-            for ((_, _, slot), rate) in self.states.iter().zip(&mut rates) {
-                part.result(slot, rate).ok()?;
-            }
-            Some(rates)
+/// The results of a role, as variables and in the component.
+fn results(standing: &Standing, role: Role) -> impl Iterator<Item = Slot> {
+    let all = standing.variables().iter().zip(standing.places());
+    all.filter(move |(variable, _)| variable.role == role)
+        .map(|(_, place)| match place {
+            VariablePlace::Result(slot) => *slot,
+            _ => unreachable!("rates and indicators are results"),
         })
-    }
+}
 
-    fn crossed(&self, state: &Instant, y: &[f64; MOST]) -> bool {
-        let fallen = self.with(state, y, |part| {
-            let mut fallen = false;
-            for slot in self.indicators {
-                let mut z = 0.0;
-                part.result(slot, &mut z).ok()?;
-                fallen |= z.is_nan() || z < 0.0;
-            }
-            Some(fallen)
-        });
-        fallen.unwrap_or(true)
-    }
-
-    fn event(&self, state: &mut Instant) -> Result<(), Halt> {
-        let decided = self.with(state, &state.y, |part| {
-            part.decide().ok()?;
-            let mut after = *state;
-            for ((source, ..), y) in self.states.iter().zip(&mut after.y) {
-                *y = part.take(*source);
-            }
-            for ((source, _), past) in self.memory.iter().zip(&mut after.past) {
-                *past = part.take(*source);
-            }
-            Some(after)
-        });
-        *state = decided.ok_or(Halt::Outside)?;
-        Ok(())
-    }
+/// The states, each with the variable that it is and with its rate.
+fn states(standing: &Standing) -> Vec<(Source, usize, Slot)> {
+    let all = standing.variables().iter().zip(standing.places()).enumerate();
+    let states = all.filter_map(|(index, (variable, place))| match place {
+        VariablePlace::Source(source) if variable.role == Role::State => Some((*source, index)),
+        _ => None,
+    });
+    let rates = results(standing, Role::Rate);
+    states
+        .zip(rates)
+        .map(|((source, index), slot)| (source, index, slot))
+        .collect()
 }
 
 impl MovingComponent {
-    /// From the start of its states, with the longest step of the solver (s).
+    /// With what carries it on, made where it begins.
     ///
     /// # Errors
     /// A motion that cannot begin there.
-    ///
-    /// # Panics
-    /// For a component with more states or memory than there is room for, or without the rate of a state.
-    pub fn new(standing: Standing, start: &[f64], longest: f64) -> Result<MovingComponent, Fault> {
-        let standing = standing.with_states();
-        let slot = |index: usize| match standing.places()[index] {
-            VariablePlace::Result(slot) => slot,
-            _ => unreachable!("rates and indicators are results"),
-        };
-        let of = |role: Role| {
-            let variables = standing.variables().iter();
-            let found = variables.enumerate().filter(move |(_, variable)| variable.role == role);
-            found.map(|(index, _)| index)
-        };
-        let source = |index: usize| match standing.places()[index] {
-            VariablePlace::Source(source) => source,
-            _ => unreachable!("states are sources"),
-        };
-        let pairs = of(Role::State).zip(of(Role::Rate));
-        let states: Vec<_> = pairs.map(|(state, rate)| (source(state), state, slot(rate))).collect();
-        assert!(states.len().max(standing.memory().len()) <= MOST, "no room");
-        let mut model = MovingComponent {
-            states,
-            indicators: of(Role::Indicator).map(slot).collect(),
-            memory: standing
-                .memory()
-                .iter()
-                .map(|source| (*source, standing.part().take(*source)))
-                .collect(),
+    pub fn new<T: Carrier>(
+        standing: Standing,
+        carrier: impl FnOnce(&mut Standing) -> Result<T, Fault>,
+    ) -> Result<MovingComponent, Fault> {
+        let mut standing = standing.with_states();
+        Ok(MovingComponent {
+            carrier: Box::new(carrier(&mut standing)?),
+            states: states(&standing),
             standing,
-            longest,
-            count: Count::default(),
-        };
-        model.set_states(start)?;
-        model.start()?;
-        Ok(model)
+        })
     }
 
     /// As it stands.
     #[must_use]
     pub fn standing(&self) -> &Standing {
         &self.standing
-    }
-
-    fn instant(&self) -> Instant {
-        let part = self.standing.part();
-        let mut instant = Instant {
-            y: [0.0; MOST],
-            past: [0.0; MOST],
-        };
-        for ((source, ..), y) in self.states.iter().zip(&mut instant.y) {
-            *y = part.take(*source);
-        }
-        for ((source, _), past) in self.memory.iter().zip(&mut instant.past) {
-            *past = part.take(*source);
-        }
-        instant
-    }
-
-    fn refusal(&self, halt: Halt, size: f64) -> Fault {
-        let coordinate = self.standing.coordinate_index();
-        let at = self.standing.part().take(self.standing.coordinate());
-        let symbol = self.standing.variables()[coordinate].symbol;
-        let (from, size, step) = (
-            format!("{} = {}", symbol.id, symbol.written(at)),
-            short(size),
-            short(self.longest),
-        );
-        Fault::outside(match halt {
-            Halt::Outside => format!(
-                "the motion from {from} ends within {size} s beyond all reasonable numbers: command less, or limit it"
-            ),
-            Halt::TooFast => format!(
-                "inner steps of {step} s are too long for the motion from {from}, which changes by more than itself \
-                 within one: set step below {} s, or make the friction less",
-                short(self.longest / 2.0)
-            ),
-            Halt::TooSmall | Halt::TooMany => format!(
-                "the step of {size} s from {from} needs more than the {MOST_STEPS} inner steps that are allowed, at \
-                 step = {step} s: take smaller communication steps, or a longer step"
-            ),
-        })
     }
 }
 
@@ -212,7 +168,7 @@ impl Running for MovingComponent {
     }
 
     fn step_size(&self) -> f64 {
-        self.standing.step_size()
+        self.carrier.step_size(&self.standing)
     }
 
     fn get(&mut self, index: usize) -> Result<f64, Fault> {
@@ -224,7 +180,10 @@ impl Running for MovingComponent {
     }
 
     fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
-        self.standing.set(index, value)
+        self.standing.set(index, value)?;
+        let is_state = self.standing.variables()[index].role == Role::State;
+        self.carrier.changed(&mut self.standing, is_state);
+        Ok(())
     }
 
     fn set_time(&mut self, time: f64) {
@@ -232,39 +191,16 @@ impl Running for MovingComponent {
     }
 
     fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
-        self.standing.update()?;
-        let before = self.instant();
-        let mut state = before;
-        let equations = Equations {
-            memory: &self.memory,
-            part: RefCell::new(self.standing.part_mut()),
-            states: &self.states,
-            indicators: &self.indicators,
-        };
-        let solved = pieces::advance(&equations, &mut state, to - from, self.longest);
-        let end = if solved.is_ok() { &state } else { &before };
-        // Where it was, it can be again.
-        let _ = equations.with(end, &end.y, |_| Some(()));
-        let count = solved.map_err(|halt| self.refusal(halt, to - from))?;
-        self.count = self.count.and(count);
-        self.set_time(to);
-        Ok(())
+        self.carrier.advance(&mut self.standing, from, to)
     }
 
-    /// Passed at the speed of the working range, all other states as they are, and nothing has happened before.
     fn place(&mut self, value: f64) -> Result<(), Fault> {
-        for (source, start) in &self.memory {
-            self.standing.part_mut().put(*source, *start);
-        }
-        let mut states = self.instant().y;
-        (states[0], states[1]) = (value, self.standing.motion().speed);
-        self.set_states(&states[..self.states.len()])?;
-        self.event().map(|_| ())
+        self.carrier.place(&mut self.standing, value)
     }
 
     fn start(&mut self) -> Result<(), Fault> {
         self.standing.start()?;
-        self.event().map(|_| ())
+        self.carrier.start(&mut self.standing)
     }
 
     fn update(&mut self) -> Result<(), Fault> {
@@ -272,7 +208,15 @@ impl Running for MovingComponent {
     }
 
     fn event(&mut self) -> Result<bool, Fault> {
-        self.standing.part_mut().decide().map_err(|fault| *fault)
+        self.carrier.event(&mut self.standing)
+    }
+
+    fn next_event(&self) -> Option<f64> {
+        self.carrier.next_event(&self.standing)
+    }
+
+    fn warning(&self) -> Option<&'static str> {
+        self.carrier.warning()
     }
 
     fn states(&self) -> usize {
@@ -280,11 +224,13 @@ impl Running for MovingComponent {
     }
 
     fn count(&self) -> Count {
-        self.count
+        self.carrier.count()
     }
 
     fn get_states(&self, states: &mut [f64]) {
-        states.copy_from_slice(&self.instant().y[..self.states.len()]);
+        for ((source, ..), y) in self.states.iter().zip(states) {
+            *y = self.standing.part().take(*source);
+        }
     }
 
     fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
@@ -294,11 +240,19 @@ impl Running for MovingComponent {
         for ((source, ..), value) in self.states.iter().zip(states) {
             self.standing.part_mut().put(*source, *value);
         }
+        self.carrier.changed(&mut self.standing, true);
         Ok(())
     }
 
     fn nominals(&self, nominals: &mut [f64]) {
-        nominals.fill(1.0);
+        for ((_, index, _), nominal) in self.states.iter().zip(nominals) {
+            let unit = self.standing.variables()[*index].symbol.unit;
+            *nominal = match unit.name {
+                name if name == unit::PA.name => 1e5,
+                name if name == unit::PER_S.name => 1e2,
+                _ => 1.0,
+            };
+        }
     }
 
     fn rates(&mut self, rates: &mut [f64]) -> Result<(), Fault> {
@@ -318,27 +272,42 @@ impl Running for MovingComponent {
     }
 
     fn state(&self) -> State {
-        self.standing.state()
+        State::new(Saved {
+            standing: self.standing.state(),
+            carrier: self.carrier.duplicate(),
+        })
     }
 
     fn state_into(&self, state: &mut State) {
-        self.standing.state_into(state);
+        let saved: &mut Saved = state.own_mut();
+        self.standing.state_into(&mut saved.standing);
+        saved.carrier.follow(&*self.carrier);
     }
 
     fn set_state(&mut self, state: &State) {
-        self.standing.set_state(state);
+        let saved: &Saved = state.own();
+        self.standing.set_state(&saved.standing);
+        self.carrier.follow(&*saved.carrier);
+        self.carrier.resume(&mut self.standing);
     }
 
     fn numbers(&self, state: &State) -> Vec<f64> {
-        self.standing.numbers(state)
+        let Saved { standing, carrier } = state.own();
+        let mut numbers = self.standing.numbers(standing);
+        numbers.extend(carrier.numbers());
+        numbers
     }
 
     fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
-        self.standing.state_of(numbers)
-    }
-
-    fn has_derivatives(&self) -> bool {
-        self.standing.has_derivatives()
+        let wrong = || Fault::new("a saved state does not belong to this model");
+        let mut carrier = self.carrier.duplicate();
+        let standing = numbers.len().checked_sub(carrier.numbers().len()).ok_or_else(wrong)?;
+        let (standing, own) = numbers.split_at(standing);
+        carrier.take(own).ok_or_else(wrong)?;
+        Ok(State::new(Saved {
+            standing: self.standing.state_of(standing)?,
+            carrier,
+        }))
     }
 
     fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {

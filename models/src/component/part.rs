@@ -21,13 +21,19 @@ pub trait Component: Stages {
     /// Where other components meet it.
     const PORTS: &'static [Port] = &[];
 
-    /// Sources that are states where the component moves by itself, each with the result that is its rate.
-    const STATES: &'static [[&'static Symbol; 2]] = &[];
+    /// Coordinate and rate that are states where the component moves by itself, and the rates of all states.
+    const STATES: [&'static [&'static Symbol]; 2] = [&[]; 2];
 
     /// Whether a result of a stage that exists is one of this scene.
     #[must_use]
     fn has(_: &Self::Given<f64>, _: &'static Symbol) -> bool {
         true
+    }
+
+    /// Results that stand before all others, in this order.
+    #[must_use]
+    fn first(_: &Self::Given<f64>) -> &'static [&'static Symbol] {
+        &[]
     }
 
     /// Whether a parameter is an input in this scene.
@@ -123,7 +129,7 @@ pub trait Part: Face<f64> {
     /// Of [`Component::INDICATORS`].
     fn indicators(&self) -> &'static [&'static Symbol];
     /// Of [`Component::STATES`].
-    fn states(&self) -> &'static [[&'static Symbol; 2]];
+    fn states(&self) -> [&'static [&'static Symbol]; 2];
     /// As [`Component::is_input`].
     fn is_input(&self, symbol: &'static Symbol) -> bool;
     /// As [`Component::decide`].
@@ -138,8 +144,13 @@ pub trait Part: Face<f64> {
     /// The same on dual numbers, each source with the derivative that `seed` gives it, and the groups that change, a bit
     /// for each. What does not change is taken over from the plain numbers where `lifted`.
     fn dual(&self, lifted: bool, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> (Box<dyn Face<Dual64>>, u64);
-    /// As [`dual`](Part::dual), lifted, into one that exists.
-    fn dual_into(&self, dual: &mut dyn Face<Dual64>, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> u64;
+    /// As [`dual`](Part::dual), lifted, into one that exists, with all `sources`.
+    fn dual_into(
+        &self,
+        dual: &mut dyn Face<Dual64>,
+        sources: &[(Source, Quantity)],
+        seed: &mut dyn FnMut(Source, Quantity) -> f64,
+    ) -> u64;
     /// As [`Component::update`].
     ///
     /// # Errors
@@ -235,9 +246,15 @@ impl<T: Component> Part for Runner<T, f64> {
         together(&all)
     }
 
+    /// What a later stage finds again takes the place of what was found first; a state is no result.
     fn results(&self) -> Vec<(Slot, Quantity)> {
         let given = self.given();
-        let mut all = Vec::new();
+        let sources = self.sources().into_iter();
+        let is_state = |source: Source| T::GROUPS[usize::from(source.group)].1 == Use::State;
+        let states: Vec<Quantity> = sources
+            .filter_map(|(source, quantity)| is_state(source).then_some(quantity))
+            .collect();
+        let mut all: Vec<(Slot, Quantity)> = Vec::new();
         for (stage, what) in (0..).zip(T::STAGES) {
             let Some(count) = T::count(&self.0, stage) else {
                 continue;
@@ -250,10 +267,18 @@ impl<T: Component> Part for Runner<T, f64> {
                         of,
                         sources: what.sources,
                     };
-                    all.push((slot, (symbol, count.map(|_| of + 1))));
+                    let quantity = (symbol, count.map(|_| of + 1));
+                    match all.iter_mut().find(|(_, known)| *known == quantity) {
+                        Some((first, _)) => *first = slot,
+                        None if states.contains(&quantity) => {}
+                        None => all.push((slot, quantity)),
+                    }
                 }
             }
         }
+        let first = T::first(given);
+        let place = |symbol| first.iter().position(|known| *known == symbol);
+        all.sort_by_key(|(_, (symbol, _))| place(*symbol).unwrap_or(first.len()));
         all
     }
 
@@ -261,7 +286,7 @@ impl<T: Component> Part for Runner<T, f64> {
         T::INDICATORS
     }
 
-    fn states(&self) -> &'static [[&'static Symbol; 2]] {
+    fn states(&self) -> [&'static [&'static Symbol]; 2] {
         T::STATES
     }
 
@@ -286,11 +311,21 @@ impl<T: Component> Part for Runner<T, f64> {
         (Box::new(dual), moved)
     }
 
-    fn dual_into(&self, dual: &mut dyn Face<Dual64>, seed: &mut dyn FnMut(Source, Quantity) -> f64) -> u64 {
+    fn dual_into(
+        &self,
+        dual: &mut dyn Face<Dual64>,
+        sources: &[(Source, Quantity)],
+        seed: &mut dyn FnMut(Source, Quantity) -> f64,
+    ) -> u64 {
         let dual: &mut dyn Any = dual;
         let dual: &mut Runner<T, Dual64> = dual.downcast_mut().expect("the same component");
-        let moved;
-        (*dual, moved) = self.dual(true, seed);
+        let mut moved = 0;
+        for &(source, quantity) in sources {
+            let rate = seed(source, quantity);
+            moved |= u64::from(rate != 0.0) << source.group;
+            T::put(&mut dual.0, source, Dual64::new(self.take(source), rate));
+        }
+        T::lift(&self.0, &mut dual.0, moved);
         moved
     }
 

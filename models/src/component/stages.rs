@@ -56,6 +56,8 @@ pub enum Use {
     Coordinate,
     /// Its rate.
     Rate,
+    /// States of a motion, besides a coordinate and a rate that are states.
+    State,
     /// The time: no variable of the component.
     Time,
     /// What happened before, where results follow from it: saved with the state, no variable.
@@ -87,6 +89,8 @@ pub struct Stage {
     pub rows: &'static [&'static Symbol],
     /// Found by a search: no derivative.
     pub searched: bool,
+    /// Values decide in it, which leaves no trace in a formula.
+    pub decided: bool,
 }
 
 /// What a component knows, over any scalar. `stages!` implements it.
@@ -182,7 +186,9 @@ pub(crate) use results;
 /// has its rows.
 ///
 /// After a stage: `, lifted` where derivatives take it over from plain numbers (it has a `map`), `, plain` where it has
-/// no scalars at all, `, searched` where it is found with plain numbers only.
+/// no scalars at all, `, searched` where it is found with plain numbers only, `, settled` where a list of them is and
+/// other stages go on with it: derivatives take it over where it does not change; `, decided` where states decide which
+/// formula holds, so that its results follow from all parameters and from what the rates follow from.
 ///
 /// `stage[each group]: Vec<Kind>` is numbered like the group: its function finds one of them, `argument[each]` being the
 /// one of the same number. `stage[group]: Vec<Kind>` likewise, with a function that fills all. Both are put where the
@@ -222,6 +228,7 @@ macro_rules! stages {
             None => return Err(Box::new($crate::component::stages::searched())),
         }
     };
+    (@on [settled] $known:ident) => { $crate::component::stages::stages!(@on [searched] $known) };
     (@on [$($mark:ident)?] $known:ident) => { &mut *$known };
     (@make [] $known:ident $arg:ident) => { Make::$arg($known)? };
     (@make [!] $known:ident $arg:ident) => { () };
@@ -244,7 +251,15 @@ macro_rules! stages {
         $fixed && { $dual.$stage = $value.$stage.as_ref().map(|known| known.map(Calc::constant)); true }
     };
     (@lift [plain] $value:ident $dual:ident $stage:ident $fixed:expr) => {
-        { $dual.$stage = $value.$stage.clone(); true }
+        { $dual.$stage.clone_from(&$value.$stage); true }
+    };
+    (@lift [settled] $value:ident $dual:ident $stage:ident $fixed:expr) => {
+        $fixed && {
+            let room = $dual.$stage.get_or_insert_default();
+            room.clear();
+            room.extend($value.$stage.iter().flatten().map(|known| Other::constant(*known)));
+            true
+        }
     };
     (@lift [$($mark:ident)?] $value:ident $dual:ident $stage:ident $fixed:expr) => { false };
     (@room [] $c:ident $given:ident) => { None };
@@ -262,7 +277,11 @@ macro_rules! stages {
     (@row [$symbol:ident] [] $found:expr, $slot:ident) => { *$found };
     (@row [$symbol:ident] [$($of:ident)+] $found:expr, $slot:ident) => { $found[usize::from($slot.of)] };
     (@searched [searched]) => { true };
+    (@searched [settled]) => { true };
     (@searched [$($mark:ident)?]) => { false };
+    (@decided [settled]) => { true };
+    (@decided [decided]) => { true };
+    (@decided [$($mark:ident)?]) => { false };
     (@count [] $given:ident) => { None };
     (@count [each $of:ident] $given:ident) => { Some($crate::kernel::group::Group::<f64>::count(&$given.$of)) };
     (@count [$of:ident] $given:ident) => { Some($crate::kernel::group::Group::<f64>::count(&$given.$of)) };
@@ -283,7 +302,7 @@ macro_rules! stages {
             given: Given<$c>,
             /// Groups that the scene has.
             there: u64,
-            known: u64,
+            known: u128,
             $($stage: Option<$kind>),*
         }
 
@@ -300,14 +319,14 @@ macro_rules! stages {
             enum At { $($stage,)* End }
             const GROUPS: usize = [$(Bit::$source as usize),*].len();
             const BITS: usize = Bit::End as usize;
-            const _: () = assert!(BITS <= 64, "more groups and stages than bits");
+            const _: () = assert!(GROUPS <= 64 && BITS <= 128, "more groups and stages than bits");
             /// Of each group and stage: itself and all that it follows from.
-            const UP: [u64; BITS] = {
+            const UP: [u128; BITS] = {
                 let mut up = [0; BITS];
-                $(up[Bit::$source as usize] = 1 << Bit::$source as u64;)*
+                $(up[Bit::$source as usize] = 1 << Bit::$source as u32;)*
                 $(
                     $(assert!((Bit::$arg as u64) < Bit::$stage as u64, "a stage before what it follows from");)*
-                    up[Bit::$stage as usize] = 1 << Bit::$stage as u64 $(| up[Bit::$arg as usize])*;
+                    up[Bit::$stage as usize] = 1 << Bit::$stage as u32 $(| up[Bit::$arg as usize])*;
                 )*
                 up
             };
@@ -318,7 +337,7 @@ macro_rules! stages {
                 need
             };
             /// Of each group: all stages but those that follow from it.
-            const KEEP: [u64; GROUPS] = {
+            const KEEP: [u128; GROUPS] = {
                 let mut keep = [!0; GROUPS];
                 let mut group = 0;
                 while group < GROUPS {
@@ -340,11 +359,11 @@ macro_rules! stages {
             impl Make {
                 $(#[inline(always)] fn $source<$c: Calc>(_: &mut Known<$c>) -> Found<()> { Ok(()) })*
                 $(#[inline] fn $stage<$c: Calc>(known: &mut Known<$c>) -> Found<()> {
-                    if known.known >> Bit::$stage as u64 & 1 == 0 {
+                    if known.known >> Bit::$stage as u32 & 1 == 0 {
                         let known = $crate::component::stages::stages!(@on [$($mark)?] known);
                         $($crate::component::stages::stages!(@make [$($how)?] known $arg);)*
                         $crate::component::stages::stages!(@found [$($($of)+)?] $c known $stage $($f)::+ ($($arg $([$how])?),*));
-                        known.known |= 1 << Bit::$stage as u64;
+                        known.known |= 1 << Bit::$stage as u32;
                     }
                     Ok(())
                 })*
@@ -370,9 +389,10 @@ macro_rules! stages {
                     type $c = f64;
                     &[$(Stage {
                         id: stringify!($stage),
-                        sources: UP[Bit::$stage as usize] & ((1 << GROUPS) - 1),
+                        sources: (UP[Bit::$stage as usize] & ((1 << GROUPS) - 1)) as u64,
                         rows: $crate::component::stages::stages!(@rows [$($row)?] $c $kind),
                         searched: $crate::component::stages::stages!(@searched [$($mark)?]),
+                        decided: $crate::component::stages::stages!(@decided [$($mark)?]),
                     }),*]
                 };
                 fn new<$c: Calc>(given: Given<$c>) -> Known<$c> {
@@ -409,7 +429,7 @@ macro_rules! stages {
                 fn result<$c: Calc>(known: &mut Known<$c>, slot: &Slot, into: &mut $c) -> Found<()> {
                     $(if slot.stage == At::$stage as u8 {
                         // Out of the way of what is known.
-                        if known.known >> Bit::$stage as u64 & 1 == 0 { Self::make(known, slot.stage)?; }
+                        if known.known >> Bit::$stage as u32 & 1 == 0 { Self::make(known, slot.stage)?; }
                         *into = $crate::component::stages::stages!(@row [$($row)?] [$($($of)+)?] See::$stage(known), slot);
                         return Ok(());
                     })*
@@ -423,15 +443,15 @@ macro_rules! stages {
                 fn follow<$c: Calc>(known: &mut Known<$c>, other: &Known<$c>) {
                     (known.there, known.known) = (other.there, other.known);
                     $(known.given.$source.clone_from(&other.given.$source);)*
-                    $(if other.known >> Bit::$stage as u64 & 1 == 1 { known.$stage.clone_from(&other.$stage); })*
+                    $(if other.known >> Bit::$stage as u32 & 1 == 1 { known.$stage.clone_from(&other.$stage); })*
                 }
                 #[allow(unused_variables, reason = "a component may have nothing to lift")]
                 fn lift<Other: Calc>(value: &Known<f64>, dual: &mut Known<Other>, moved: u64) {
                     let _ = moved;
                     $({
-                        let bit = 1 << Bit::$stage as u64;
+                        let bit = 1 << Bit::$stage as u32;
                         if value.known & bit != 0
-                            && $crate::component::stages::stages!(@lift [$($mark)?] value dual $stage (UP[Bit::$stage as usize] & moved == 0)) {
+                            && $crate::component::stages::stages!(@lift [$($mark)?] value dual $stage (UP[Bit::$stage as usize] & u128::from(moved) == 0)) {
                             dual.known |= bit;
                         }
                     })*

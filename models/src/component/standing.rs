@@ -11,7 +11,7 @@ use num_dual::Dual64;
 use crate::component::part::{Component, Face, Part, Runner};
 use crate::component::running::{Running, Tangent};
 use crate::component::spread::{Spot, Spread};
-use crate::component::stages::{Slot, Source, Use};
+use crate::component::stages::{Slot, Source, Use, searched};
 use crate::component::table::{Axes, Interpolation};
 use crate::kernel::number::short;
 use crate::kernel::symbol::Symbol;
@@ -34,6 +34,7 @@ pub enum VariablePlace {
 pub struct Standing {
     variables: Vec<Variable>,
     places: Vec<VariablePlace>,
+    sources: Vec<(Source, Quantity)>,
     indicators: Vec<usize>,
     motion: Motion,
     axes: Axes,
@@ -148,6 +149,7 @@ impl Standing {
                 Use::Parameter if quantity.0.tunable => Role::Tunable,
                 Use::Parameter => Role::Parameter,
                 Use::Input | Use::Load | Use::Coordinate | Use::Rate => Role::Input,
+                Use::State => Role::State,
             };
             let mut variable = Variable::new(quantity, role);
             if used(source) == Use::Coordinate {
@@ -171,11 +173,7 @@ impl Standing {
             variables.push(Variable::new(quantity, role));
             places.push(VariablePlace::Result(slot));
         }
-        let only = |wanted| {
-            of(wanted)
-                .next()
-                .expect("every component has a coordinate and its rate")
-        };
+        let only = |wanted| of(wanted).next().expect("every component has it");
         let mut wholes = Vec::new();
         for whole in part.whole() {
             if let Some(spread) = Spread::new(whole, &*part, only(Use::Coordinate), only(Use::Rate)) {
@@ -194,6 +192,7 @@ impl Standing {
             },
             clock: of(Use::Time).next(),
             memory: of(Use::Memory).collect(),
+            sources,
             variables,
             places,
             motion,
@@ -299,6 +298,18 @@ impl Standing {
         part.downcast_ref().expect("the component of this mechanism")
     }
 
+    /// The same, to be changed.
+    pub(crate) fn of_mut<T: Component>(&mut self) -> &mut Runner<T, f64> {
+        let part: &mut dyn Any = self.part_mut();
+        part.downcast_mut().expect("the component of this mechanism")
+    }
+
+    /// The present time, in s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.now.time
+    }
+
     /// Where each variable stands.
     #[must_use]
     pub fn places(&self) -> &[VariablePlace] {
@@ -357,7 +368,7 @@ impl Standing {
     pub fn with_derivative(&self, tangent: &mut Tangent, index: usize) -> Result<Dual64, Fault> {
         let direction: &mut Direction = tangent.own_mut();
         let variable = &self.variables[index];
-        let none = |why: &str| Err(Fault::new(format!("{variable} {why}: it has no derivative")));
+        let none = || Err(Fault::new(format!("{variable} is no result: it has no derivative")));
         direction.smooth()?;
         let mut value = Dual64::from_re(0.0);
         let slot = match self.find(index)? {
@@ -366,7 +377,7 @@ impl Standing {
             VariablePlace::Source(source) if matches!(variable.role, Role::Output | Role::State) => {
                 return Ok(direction.face.take(source));
             }
-            VariablePlace::Source(_) | VariablePlace::Part => return none("is no result"),
+            VariablePlace::Source(_) | VariablePlace::Part => return none(),
             VariablePlace::Whole(place) if self.wholes[place].sources & direction.moved == 0 => return Ok(value),
             VariablePlace::Whole(place) => {
                 let spot = self.spot(place)?;
@@ -374,45 +385,41 @@ impl Standing {
                 return value.map_err(|fault| *fault);
             }
         };
-        if self.is_searched(index) {
-            // What it does not follow from does not change it.
-            return match slot.sources & direction.moved {
-                0 => Ok(value),
-                _ => none("is searched for"),
-            };
+        if self.is_searched(index) && slot.sources & direction.moved != 0 {
+            return Err(self.searched(direction, variable, &slot));
         }
-        direction.face.result(&slot, &mut value).map_err(|fault| *fault)?;
-        Ok(value)
+        // What it does not follow from does not change it.
+        if self.is_searched(index) || direction.face.result(&slot, &mut value).is_ok() {
+            return Ok(value);
+        }
+        // It goes on with what a search has not found yet.
+        let mut part = self.now.part.duplicate();
+        part.result(&slot, &mut value.re).map_err(|fault| *fault)?;
+        direction.face = part.dual(true, &mut |source, _| direction.face.take(source).eps).0;
+        match direction.face.result(&slot, &mut value) {
+            Err(fault) if *fault == searched() => Err(self.searched(direction, variable, &slot)),
+            found => found.map(|()| value).map_err(|fault| *fault),
+        }
+    }
+
+    /// A result that a search finds changes with what moves in this direction.
+    #[cold]
+    fn searched(&self, direction: &Direction, variable: &Variable, slot: &Slot) -> Fault {
+        let moves = |place: &VariablePlace| match place {
+            VariablePlace::Source(source) => {
+                slot.sources >> source.group & 1 == 1 && direction.face.take(*source).eps != 0.0
+            }
+            _ => false,
+        };
+        let by = self.places.iter().position(moves);
+        let by = by.map_or(TIME.id.to_owned(), |index| self.variables[index].name());
+        Fault::new(format!("{variable} is searched for: it has no derivative by {by}"))
     }
 
     /// Whether a variable is searched for, and so has no derivative by what it follows from.
-    #[must_use]
-    pub fn is_searched(&self, index: usize) -> bool {
+    fn is_searched(&self, index: usize) -> bool {
         let stages = self.now.part.stages();
         matches!(self.places[index], VariablePlace::Result(slot) if stages[usize::from(slot.stage)].searched)
-    }
-
-    /// Whether a result's stage follows from an input, a parameter or [`TIME`].
-    #[must_use]
-    pub fn follows(&self, index: usize, known: Quantity) -> bool {
-        let sources = match self.places[index] {
-            VariablePlace::Result(slot) => slot.sources,
-            VariablePlace::Source(source) if self.variables[index].role == Role::Output => 1 << source.group,
-            _ => return false,
-        };
-        let from = |source: Source| sources >> source.group & 1 == 1;
-        // The coordinate may follow from its rate and the time.
-        let swept = from(self.axes.coordinate);
-        let mut sources = self.variables.iter().zip(&self.places);
-        let source = sources.find_map(|(variable, place)| match place {
-            VariablePlace::Source(source) if variable.quantity() == known => Some(*source),
-            _ => None,
-        });
-        match source {
-            Some(source) => from(source) || (swept && source == self.axes.rate),
-            None if known.0 == &PART_OF_RANGE => swept,
-            None => known == (&TIME, None) && (swept || self.clock.is_some_and(from)),
-        }
     }
 
     /// Whether the coordinate lies in the table.
@@ -459,7 +466,8 @@ impl Standing {
     /// How fast each source changes in a direction.
     fn seeds<'a>(&'a self, seed: &'a dyn Fn(Quantity) -> f64) -> Seeds<'a> {
         let (coordinate, rate) = (self.axes.coordinate, self.axes.rate);
-        // A coordinate that was not set follows from its rate and the time; one that was set changes with either input.
+        // A coordinate that was not set follows from its rate and the time as well; one that was set changes with either
+        // input.
         let of = |source: Source| {
             let found = self.index_of(source);
             found.map_or(0.0, |index| seed(self.variables[index].quantity()))
@@ -470,7 +478,7 @@ impl Standing {
         } else {
             let speed = Dual64::new(self.now.part.take(rate), of(rate));
             let time = Dual64::new(self.now.time, seed((&TIME, None)));
-            self.motion.swept(speed, time).eps
+            self.motion.swept(speed, time).eps + of(coordinate)
         };
         Seeds {
             seed,

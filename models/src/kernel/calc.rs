@@ -8,13 +8,22 @@
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_dual::{Dual2, Dual64, DualNum};
 use std::f64::consts::{FRAC_PI_2, TAU};
-use std::ops::Neg;
+use std::ops::{Mul, Neg};
 
 use crate::kernel::symbol::Symbol;
 
 /// A number that mechanism equations can be evaluated with.
 pub trait Calc:
-    Scalar + Copy + Send + Sync + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>
+    Scalar
+    + Copy
+    + Send
+    + Sync
+    + ClosedAddAssign
+    + ClosedSubAssign
+    + ClosedMulAssign
+    + ClosedDivAssign
+    + Neg<Output = Self>
+    + Takes<Self>
 {
     /// A plain number without dimension.
     fn constant(value: f64) -> Self;
@@ -121,9 +130,8 @@ pub enum Among {
     Of(u16),
 }
 
-/// A scalar that equations run on while their parameters are known as `P`: plain numbers are constants,
-/// dual numbers bring derivatives of their own.
-pub trait Over<P>: Calc {
+/// What a number known as `P` is in this scalar.
+pub trait Takes<P>: Sized + Mul<Output = Self> {
     fn of(parameter: P) -> Self;
 
     /// The product with a parameter.
@@ -134,12 +142,18 @@ pub trait Over<P>: Calc {
     }
 }
 
+/// A scalar that equations run on while their parameters are known as `P`: plain numbers are constants,
+/// dual numbers bring derivatives of their own.
+pub trait Over<P>: Calc + Takes<P> {}
+
+impl<P, C: Calc + Takes<P>> Over<P> for C {}
+
 /// A function of one number, over any scalar.
 pub trait Function {
     fn at<C: Calc>(&self, x: C) -> C;
 }
 
-impl<C: Calc> Over<f64> for C {
+impl<C: Calc> Takes<f64> for C {
     #[inline]
     fn of(parameter: f64) -> C {
         C::constant(parameter)
@@ -150,7 +164,7 @@ impl<C: Calc> Over<f64> for C {
     }
 }
 
-impl Over<Dual64> for Dual64 {
+impl Takes<Dual64> for Dual64 {
     #[inline]
     fn of(parameter: Dual64) -> Dual64 {
         parameter
@@ -246,6 +260,12 @@ impl Calc for Dual64 {
 /// A function of one scalar by its value and two derivatives.
 fn chain<T: Calc + DualNum>(x: Dual2<T>, [value, first, second]: [T; 3]) -> Dual2<T> {
     Dual2::new(value, first * x.v1, first * x.v2 + second * x.v1 * x.v1)
+}
+
+impl<T: Calc + DualNum> Takes<Dual2<T>> for Dual2<T> {
+    fn of(parameter: Dual2<T>) -> Dual2<T> {
+        parameter
+    }
 }
 
 /// Second derivatives over any scalar: over `Dual64` they are derived once more.

@@ -7,7 +7,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use num_dual::Dual64;
 
-use crate::kernel::calc::{Among, Calc, Over};
+use crate::kernel::calc::{Among, Calc, Takes};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::unit::Dimension;
 
@@ -361,20 +361,20 @@ impl Neg for Rec {
     }
 }
 
-impl Over<Rec> for Rec {
+impl Takes<Rec> for Rec {
     fn of(parameter: Rec) -> Rec {
         parameter
     }
 }
 
 /// What no formula is written of: the values alone.
-impl Over<Rec> for f64 {
+impl Takes<Rec> for f64 {
     fn of(parameter: Rec) -> f64 {
         parameter.value()
     }
 }
 
-impl Over<Rec> for Dual64 {
+impl Takes<Rec> for Dual64 {
     fn of(parameter: Rec) -> Dual64 {
         Dual64::constant(parameter.value())
     }

@@ -4,6 +4,7 @@ use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, polar};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
+use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing};
@@ -208,7 +209,9 @@ impl Described for SlewingScene {
         this.given.driven?;
         let mut resting = this.clone();
         resting.own.given.past.way = 0.0;
-        let moving = MovingComponent::new(resting.standing(), &this.start, this.step);
+        let moving = MovingComponent::new(resting.standing(), |model| {
+            SmoothPieces::new(model, &this.start, this.step)
+        });
         Some(moving.map(|moving| Box::new(moving) as Box<dyn Running>))
     }
 

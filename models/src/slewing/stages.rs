@@ -44,7 +44,7 @@ group!(Open);
 const MOST_CHANGES: u32 = 4;
 
 impl Component for SlewingCrane {
-    const STATES: &'static [[&'static Symbol; 2]] = &[[&s::PSI_SL, &s::D_PSI_SL], [&s::OMEGA_SL, &s::D_OMEGA_SL]];
+    const STATES: [&'static [&'static Symbol]; 2] = [&[&s::PSI_SL, &s::OMEGA_SL], &[&s::D_PSI_SL, &s::D_OMEGA_SL]];
 
     const INDICATORS: &'static [&'static Symbol] = &[&s::Z_SL_REST, &s::Z_SL_LOOSE, &s::Z_SL_LOW, &s::Z_SL_HIGH];
 

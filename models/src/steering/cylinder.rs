@@ -19,7 +19,7 @@ quantities! {
 }
 
 /// A cylinder on its frame, o being the axis of the group.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Linkage<C> {
     /// The arm straight ahead.
     pub c: Point<C>,

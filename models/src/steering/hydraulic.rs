@@ -5,10 +5,12 @@
 //! each other: each is a system of its own with 8 states.
 
 use crate::kernel::calc::{Calc, Over};
+use crate::kernel::group::quantities;
 use crate::parts::hydraulics::cylinder::{Cylinder, Oil};
 use crate::parts::plane::Point;
 use crate::parts::solver::{Gradient, System};
 use crate::steering::cylinder::{Linkage, Pose};
+use crate::steering::moving::symbols as s;
 
 /// Angular velocity, in rad/s, below which the resistance is in proportion to it: tyres creep.
 pub const CREEP: f64 = 1e-3;
@@ -20,7 +22,7 @@ pub const STATES: usize = 8;
 pub const INDICATORS: usize = 6;
 
 /// One group at work: angle, rate, pressures of ports and chambers, spool and its speed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkingGroup<P = f64> {
     pub linkage: Linkage<P>,
     pub cylinder: Cylinder<P>,
@@ -174,20 +176,16 @@ pub struct Control {
     pub limit: f64,
 }
 
-/// What the PLC holds of a group from one sample to the next.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sampled {
-    /// Of the error, in rad·s.
-    pub integral: f64,
-    /// Of the valve.
-    pub command: f64,
+quantities! {
+    /// What the PLC holds of a group from one sample to the next: integral of the error, in rad·s, and the valve's command.
+    Sampled { integral: INTEGRAL, command: U_V }
 }
 
 impl Control {
     /// One sample: reads the encoder at an angle (rad) and sets the valve for the angle wanted (rad);
     /// `mirrored` where the cylinder shortens for a positive angle.
     #[must_use]
-    pub fn sample(&self, held: &Sampled, wanted: f64, theta: f64, mirrored: bool) -> Sampled {
+    pub fn sample(&self, held: &Sampled<f64>, wanted: f64, theta: f64, mirrored: bool) -> Sampled<f64> {
         let seen = match self.resolution {
             0.0 => theta,
             step => (theta / step).round() * step,

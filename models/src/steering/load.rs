@@ -46,11 +46,11 @@ pub fn resistance<C: Calc>(tyre: &Tyre<C>, g: C) -> Resistance<C> {
 /// What a group's cylinder works against, in N·m.
 #[derive(Clone, Copy, Debug)]
 pub struct Drag<C> {
-    tyres: Resistance<C>,
+    pub tyres: Resistance<C>,
     /// Of the slewing ring, where there is one; it stays while travelling.
     friction: Option<C>,
     /// At standstill.
-    moment: C,
+    pub moment: C,
 }
 results! { each Drag as d => {
     T_R: d.tyres.standing;

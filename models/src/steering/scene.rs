@@ -50,7 +50,7 @@ pub struct SteeringScene {
     pub drawn: [Option<Mode>; 2],
     pub catalogue: Option<Catalogue>,
     /// With `fidelity = "hydraulic"`; with `auto` where the scene's tables allow it.
-    pub moving: Option<MovingGroups>,
+    pub moving: Option<MovingGroups<f64>>,
 }
 
 impl SteeringScene {
@@ -210,10 +210,13 @@ fn given(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Given<f64>> {
         piston: v.part("cylinder", Piston::read)?,
         accuracy: v.part("accuracy", Accuracy::read)?,
         pace: v.part("transition", Pace::read)?,
+        moving: None,
+        moved: Vec::new(),
         mounts: mounts(v, found),
         outline: Footprint(outline),
         clock: One(&TIME, 0.0),
         change: Change::new(v.tables("groups").len()),
+        held: Vec::new(),
     })
 }
 

@@ -2,6 +2,8 @@
 
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
+use crate::component::moving::MovingComponent;
+use crate::component::moving::bodies::SampledBodies;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::component::running::Running;
@@ -16,11 +18,13 @@ use crate::parts::plane::Point;
 use crate::steering::changes::changes;
 use crate::steering::checks::{identities, requirements};
 use crate::steering::drawing::{Stance, lengths, swept, triangle};
+use crate::steering::hydraulic::{STATES, Sampled};
 use crate::steering::keys::KEYS;
 use crate::steering::load::told;
 use crate::steering::mode::Mode;
-use crate::steering::moving::scene::{GroupBody, GroupOil, Plc};
-use crate::steering::moving::{self, model::SteeringMotion};
+use crate::steering::moving;
+use crate::steering::moving::motion::GroupState;
+use crate::steering::moving::scene::MovingGroups;
 use crate::steering::parts::{Parts, demanded};
 use crate::steering::published::printed;
 use crate::steering::scene::{Steering, SteeringScene};
@@ -78,13 +82,7 @@ impl Described for SteeringScene {
     const OUTLINE: &'static Outline = &OUTLINE;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "steering_symbol",
-        own: &[
-            s::ALL,
-            gravity::ALL,
-            GroupBody::<f64>::SYMBOLS,
-            GroupOil::<f64>::SYMBOLS,
-            Plc::<f64>::SYMBOLS,
-        ],
+        own: &[s::ALL, gravity::ALL, MovingGroups::<f64>::SYMBOLS],
         shared: &[],
     };
 
@@ -121,14 +119,19 @@ impl Described for SteeringScene {
         self.moving.as_ref().map(|moving| Solver {
             step: ("dynamics", &moving::symbols::STEP),
             tolerance: ("oil", &moving::symbols::TOL),
-            longest: moving.body.step.min(moving.plc.t_c),
+            longest: moving.step.min(moving.t_c),
             explicit: false,
             cost: [0.22e-6, 1.0e-6],
         })
     }
 
     fn moving(this: &Steering) -> Option<Result<Box<dyn Running>, Fault>> {
-        let moving = SteeringMotion::new(this, this.moving.as_ref()?);
+        let mut turning = this.clone();
+        let (own, groups) = (&mut turning.own, this.given.axes.len());
+        own.given.moving = Some(own.moving?);
+        own.given.moved = vec![GroupState::of(|_| Some(0.0))?; groups];
+        own.given.held = vec![Sampled::of(|_| Some(0.0))?; groups];
+        let moving = MovingComponent::new(turning.standing(), SampledBodies::<SteeredGroups, STATES>::new);
         Some(moving.map(|model| Box::new(model) as Box<dyn Running>))
     }
 

@@ -4,7 +4,7 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::parts::plane::Point;
 use crate::steering::accuracy::Accuracy;
 use crate::steering::centre::{Centre, TurningPole};
@@ -13,11 +13,15 @@ use crate::steering::cylinder::{Linkage, Mounting, Pose};
 use crate::steering::flow::Piston;
 use crate::steering::followed::Followed;
 use crate::steering::frame::{Ends, Mount, limits};
+use crate::steering::hydraulic::{Sampled, WorkingGroup};
 use crate::steering::limits::Limits;
 use crate::steering::load::{Drag, GroupLoad, Tyre};
 use crate::steering::machine::{Axis, Footprint, Machine};
 use crate::steering::margin::Margin;
 use crate::steering::mode::{By, Command, Corner, Mode, Wanted};
+use crate::steering::moving::motion::{Commanded, GroupState, LowestOil, Push, TurnedGroup};
+use crate::steering::moving::scene::MovingGroups;
+use crate::steering::moving::{motion, symbols as s};
 use crate::steering::nearest::Nearest;
 use crate::steering::refusal::Refusal;
 use crate::steering::ring::Bearing;
@@ -25,7 +29,7 @@ use crate::steering::set_points::{Planned, UnderWay, Way};
 use crate::steering::swept::Swept;
 use crate::steering::transition::Pace;
 use crate::steering::wheels::{Rolling, Wheel};
-use crate::steering::{accuracy, flow, followed, load, set_points, slope, symbols as s, travel, wheels};
+use crate::steering::{accuracy, flow, followed, load, set_points, slope, travel, wheels};
 
 stages! {
     /// Steering of a machine on many steered wheel groups.
@@ -46,10 +50,13 @@ stages! {
         Parameter piston: Option<Piston<C>>,
         Parameter accuracy: Option<Accuracy<C>>,
         Parameter pace: Option<Pace<C>>,
+        Parameter moving: Option<MovingGroups<C>>,
+        State moved: Vec<GroupState<C>>,
         Fixed mounts: Vec<Mount>,
         Fixed outline: Footprint,
         Time clock: One<C>,
         Memory change: Change,
+        Memory held: Vec<Sampled<C>>,
     } find {
         machine: Machine<C> = Machine::new(axes, outline) => _;
         limits[axes]: Vec<Limits> = limits(mounts, cylinder) => _, plain;
@@ -89,6 +96,17 @@ stages! {
         points[axes]: Vec<C> =
             set_points::headings(machine, linkages, headings, way, planned[way], change) => THETA_S, searched;
         set_speeds[each axes]: Vec<C> = set_points::speed(axes[each], points[each], way, v_t) => V_S, searched;
+        wants[axes]: Vec<C> = motion::wanted(ends, headings, points[?]) => THETA_W, settled;
+        lacks[each axes]: Vec<C> = motion::lack(wants[each], moved[each]) => E, decided;
+        commands[each axes]: Vec<Commanded<C>> = Commanded::new(held[each]);
+        working[axes]: Vec<WorkingGroup<C>> =
+            motion::working(moving[!], linkages, ends, cylinder[!], piston[!], drags[?], v_t, held) => _;
+        headed[each axes]: Vec<C> = motion::rate(moved[each]) => D_THETA;
+        turned[each axes]: Vec<TurnedGroup<C>> = TurnedGroup::new(working[each], moved[each], piston[!]), decided;
+        rolled[each axes]: Vec<C> = motion::rolled(wheels[each], speeds[each], moved[each]) => V, decided;
+        pushes[each loads]: Vec<Push<C>> = Push::new(drags[each], turned[each]), decided;
+        lowest: LowestOil<C> = LowestOil::new(turned);
+        demand: C = motion::demand(turned) => Q_P, decided;
     }
 }
 
@@ -108,16 +126,48 @@ impl Given<f64> {
 }
 
 impl Component for SteeredGroups {
-    const INDICATORS: &'static [&'static Symbol] = &[&s::MARGIN];
+    const STATES: [&'static [&'static Symbol]; 2] = [
+        &[],
+        listed!(s: D_THETA, D_OMEGA_G, D_P_1, D_P_2, D_P_A, D_P_B, D_X_V, D_V_V),
+    ];
+
+    const INDICATORS: &'static [&'static Symbol] = listed!(
+        s: Z_OPEN_1, Z_OPEN_2, Z_RELIEF_1, Z_RELIEF_2, Z_MIN, Z_MAX, MARGIN, Z_VACUUM
+    );
 
     const PORTS: &'static [Port] = ports! { s:
         machine "Motion of the machine's middle.": v_x V_MX, v_y V_MY, w OMEGA;
         group "A steered group, and the cylinder that turns it.":
-            phi THETA, phi_set THETA_S, w THETA_DOT, v_roll V, v_roll_set V_S, f_z G, s R, v V_C, f F_G, q Q_G;
+            phi THETA, phi_set THETA_S, w THETA_DOT, v_roll V, v_roll_set V_S, f_z G, s R, v V_C, f F_G, q Q_G,
+            w OMEGA_G;
     };
 
+    /// In motion the rate of a group's angle is a state, and the pump's flow takes the place of what cylinders take.
+    fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        match given.moving {
+            None => symbol != &s::THETA_W,
+            Some(_) => ![&s::THETA_DOT, &s::Q_SUM].contains(&symbol),
+        }
+    }
+
+    fn first(given: &Given<f64>) -> &'static [&'static Symbol] {
+        const MOVING: &[&Symbol] = listed!(
+            s: THETA_W, E, U_V, F_C, M_R, Q_V, D_THETA, D_OMEGA_G, D_P_1, D_P_2, D_P_A, D_P_B, D_X_V, D_V_V, Z_OPEN_1,
+            Z_OPEN_2, Z_RELIEF_1, Z_RELIEF_2, Z_MIN, Z_MAX, MARGIN, Z_VACUUM, CAVITATES, Q_P
+        );
+        given.moving.map_or(&[], |_| MOVING)
+    }
+
+    fn is_input(_: &Given<f64>, symbol: &'static Symbol) -> bool {
+        symbol == &s::P_P
+    }
+
     fn update(known: &mut Known<f64>) -> Found<()> {
-        known.wheels().map(|_| ())
+        known.wheels()?;
+        if known.given.moving.is_some() {
+            known.working()?;
+        }
+        Ok(())
     }
 
     /// The set points of this moment are where a change of mode starts.

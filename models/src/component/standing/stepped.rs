@@ -28,24 +28,23 @@ impl Standing {
     /// With the states of its motion, and their rates, in the place of inputs and results.
     #[must_use]
     pub fn with_states(mut self) -> Standing {
-        for &[state, rate] in self.now.part.states() {
-            for variable in &mut self.variables {
-                match variable.symbol {
-                    symbol if symbol == state => variable.role = Role::State,
-                    symbol if symbol == rate => variable.role = Role::Rate,
-                    _ => {}
-                }
+        let [states, rates] = self.now.part.states();
+        for variable in &mut self.variables {
+            if states.contains(&variable.symbol) {
+                variable.role = Role::State;
+            } else if rates.contains(&variable.symbol) {
+                variable.role = Role::Rate;
             }
         }
-        // It does not run by itself through its working range.
-        self.now.given = true;
+        // Then it does not run by itself through its working range.
+        self.now.given = self.has_moving_coordinate();
         self
     }
 
-    /// Whether it moves by itself.
+    /// Whether the coordinate is a state.
     #[must_use]
-    pub fn has_states(&self) -> bool {
-        self.variables.iter().any(|variable| variable.role == Role::State)
+    pub fn has_moving_coordinate(&self) -> bool {
+        self.variables[self.coordinate_index()].role == Role::State
     }
 
     /// Whether the part of the range is an input.
@@ -258,6 +257,9 @@ impl Running for Standing {
             return Err(wrong());
         }
         let (remembered, values) = values.split_at(self.memory.len());
+        if remembered.iter().any(|value| value.is_nan()) {
+            return Err(wrong());
+        }
         let mut model = self.clone();
         let settable = (0..self.places.len()).filter(|&index| {
             matches!(self.places[index], VariablePlace::Source(_)) && self.variables[index].role != Role::Calculated
@@ -297,7 +299,9 @@ impl Running for Standing {
         let mut seeds = self.seeds(seed);
         let Direction { face, moved, undoes } = tangent.own_mut();
         let part = &self.now.part;
-        *moved = part.dual_into(&mut **face, &mut |source, quantity| seeds.of(source, quantity));
+        *moved = part.dual_into(&mut **face, &self.sources, &mut |source, quantity| {
+            seeds.of(source, quantity)
+        });
         *undoes = seeds.undoes;
     }
 

@@ -8,7 +8,7 @@
 use num_dual::{Dual2, Dual64, DualNum};
 
 use crate::kernel::allowed::OutOfRange;
-use crate::kernel::calc::{Calc, Over};
+use crate::kernel::calc::{Calc, Over, Takes};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::balancing::Balancing;
 use crate::luffing::double_link::balancing;

@@ -59,7 +59,13 @@ impl<C: Calc> Oil<C> {
     pub fn least(&self) -> (usize, C) {
         let ([p_1, p_2], [p_a, p_b]) = (self.ports, self.chambers);
         let all = [(0, p_1), (1, p_2), (2, p_a), (3, p_b)];
-        let less = |a: (usize, C), b: (usize, C)| if b.1.value() < a.1.value() { b } else { a };
+        let less = |a: (usize, C), b: (usize, C)| {
+            if b.1.value() < a.1.value() {
+                (b.0, b.1.over(a.1))
+            } else {
+                (a.0, a.1.over(b.1))
+            }
+        };
         less(less(all[0], all[1]), less(all[2], all[3]))
     }
 }

@@ -16,6 +16,6 @@ symbols! {
     Q_LEAK: "Q_leak" "Q_L" M3_PER_S / L_PER_MIN, "Leakage from bore to annulus.", "continuity of flow";
     V_A: "V_A" "V_A" M3 / L, "Oil in the chamber of the bore.", "derived";
     V_B: "V_B" "V_B" M3 / L, "Oil in the chamber of the annulus.", "derived";
-    CAVITATES: "cavitates" "\"cavitates\"" ONE / ONE, "True while the oil somewhere is below -0.1 MPa, absolute vacuum: it would cavitate, which this model does not have, so that forces and pressures are not those of a machine.", "assumption";
+    CAVITATES: "cavitates" "\"cavitates\"" ONE / ONE [boolean], "True while the oil somewhere is below -0.1 MPa, absolute vacuum: it would cavitate, which this model does not have, so that forces and pressures are not those of a machine.", "assumption";
     Z_VACUUM: "z.vacuum" "z_v" PA / MPA, "Changes its sign where the least pressure of the oil passes -0.1 MPa, absolute vacuum.", "event";
 }

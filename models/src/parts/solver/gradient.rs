@@ -7,7 +7,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use num_dual::Dual64;
 
-use crate::kernel::calc::{Calc, Function};
+use crate::kernel::calc::{Calc, Function, Takes};
 
 /// Most derivatives that operations are written out for; of more, each is a call: the equations of a crane that
 /// slews on its oil would take a quarter of a megabyte otherwise.
@@ -124,6 +124,13 @@ macro_rules! assign {
     )*};
 }
 assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /);
+
+impl<const N: usize> Takes<Gradient<N>> for Gradient<N> {
+    #[inline]
+    fn of(parameter: Gradient<N>) -> Gradient<N> {
+        parameter
+    }
+}
 
 impl<const N: usize> Calc for Gradient<N> {
     #[inline]

@@ -4,12 +4,12 @@
 //! |---|---|
 //! | `symbols` | quantities that exist in motion only |
 //! | `scene` | keys of `[steering.dynamics]`, `[steering.oil]` and `[steering.plc]` |
-//! | `level` | equations of all groups, the solver's and the PLC's state of each |
-//! | `model` | the running model: states, rates, samples, steps; everything else from the algebraic model |
+//! | `motion` | stages: the equations of all groups under present inputs, what follows from their states |
+//! | `sampled` | how they are carried on: samples of the PLC, what the solver keeps |
 //!
 //! The equations are in [`hydraulic`](crate::steering::hydraulic).
 
-pub mod level;
-pub mod model;
+pub mod motion;
+mod sampled;
 pub mod scene;
 pub mod symbols;

@@ -44,62 +44,36 @@ const PLC_KEYS: &[Key] = keys! { s: T_C > 0, K_P >= 0, K_I >= 0 [optional], U_V_
 const MOST_SWINGS: f64 = 1e4;
 
 quantities! {
-    /// What moves, and how it is solved.
-    GroupBody { j: J, step: STEP }
-}
-
-quantities! {
-    /// Oil and valve of each cylinder.
-    GroupOil {
-        v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, x_0: X_0, dp_l: DP_L, beta_e: BETA_E, p_r: P_R, k_r: K_R,
-        k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, p_p: P_P, tol: TOL
+    /// The groups in motion as the scene describes them: what moves, oil and valve of each cylinder, the control loop.
+    MovingGroups {
+        j: J, step: STEP, v_0: V_0, v_1: V_1, q_n: Q_N, dp_n: DP_N, x_0: X_0, dp_l: DP_L, beta_e: BETA_E, p_r: P_R,
+        k_r: K_R, k_l: K_L, omega_v: OMEGA_V, zeta_v: ZETA_V, p_p: P_P, tol: TOL, t_c: T_C, k_p: K_P, k_i: K_I,
+        u_max: U_V_MAX
     }
 }
 
-quantities! {
-    /// The control loop.
-    Plc { t_c: T_C, k_p: K_P, k_i: K_I, u_max: U_V_MAX }
-}
-
-/// The groups in motion as the scene describes them; SI.
-#[derive(Clone, Copy, Debug)]
-pub struct MovingGroups {
-    pub body: GroupBody<f64>,
-    pub oil: GroupOil<f64>,
-    pub plc: Plc<f64>,
-}
-
-impl MovingGroups {
-    /// The same with each quantity changed, by its symbol.
-    pub fn map(&self, f: &mut dyn FnMut(&'static Symbol, f64) -> f64) -> MovingGroups {
-        MovingGroups {
-            body: self.body.map(f),
-            oil: self.oil.map(f),
-            plc: self.plc.map(f),
-        }
-    }
-
+impl MovingGroups<f64> {
     /// Whether a group with this cylinder swings a reasonable number of times against its oil between two samples.
     ///
     /// # Errors
     /// An inertia so small that every swing would have to be followed for nothing.
     pub fn reasonable(&self, mounting: &Mounting<f64>, piston: &Piston<f64>) -> Result<(), Refusal> {
-        let Plc { t_c, .. } = self.plc;
-        let volume = |area: f64| area * mounting.l_x / 2.0 + self.oil.v_0;
+        let (j, t_c) = (self.j, self.t_c);
+        let volume = |area: f64| area * mounting.l_x / 2.0 + self.v_0;
         let areas = Cylinder::areas(piston.d_g, piston.d);
         let stiffness: f64 = (areas.into_iter())
-            .map(|area| self.oil.beta_e * (area * mounting.r).powi(2) / volume(area))
+            .map(|area| self.beta_e * (area * mounting.r).powi(2) / volume(area))
             .sum();
         let least = stiffness * (t_c / MOST_SWINGS).powi(2);
-        if self.body.j >= least {
+        if j >= least {
             return Ok(());
         }
-        let swings = (stiffness / self.body.j).sqrt() * t_c / TAU;
+        let swings = (stiffness / j).sqrt() * t_c / TAU;
         Err(Refusal::new(
             s::J.id,
             format!(
                 "with J = {} a group swings {} times against its oil in one cycle of the PLC",
-                s::J.written(self.body.j),
+                s::J.written(j),
                 short(swings.round())
             ),
             format!(
@@ -114,7 +88,7 @@ impl MovingGroups {
     ///
     /// # Errors
     /// A quantity that is out of its range.
-    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Result<Option<MovingGroups>, Refusal> {
+    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Result<Option<MovingGroups<f64>>, Refusal> {
         let names = TABLES.map(|(name, ..)| name);
         let fidelity = v.text("fidelity").unwrap_or(FIDELITIES[0]);
         if fidelity == "auto" && !names.iter().any(|name| v.has(name)) {
@@ -144,10 +118,11 @@ impl MovingGroups {
                 ));
             }
         }
-        let [Some(dynamics), Some(oil), Some(plc)] = names.map(|name| v.table(name)) else {
+        let tables = names.map(|name| v.table(name));
+        if tables.iter().any(Option::is_none) {
             return Ok(None);
-        };
-        let given = |table: &Values, symbol: &Symbol| {
+        }
+        let given = |symbol: &Symbol| {
             let default = match symbol {
                 symbol if *symbol == s::STEP => Some(0.01),
                 symbol if *symbol == s::TOL => Some(1e-5),
@@ -155,17 +130,12 @@ impl MovingGroups {
                 symbol if *symbol == s::X_0 || *symbol == s::K_I => Some(0.0),
                 _ => None,
             };
-            table.number(symbol.id).or(default)
+            let mut tables = tables.iter().flatten();
+            tables.find_map(|table| table.number(symbol.id)).or(default)
         };
-        let all = (
-            GroupBody::of(|symbol| given(dynamics, symbol)),
-            GroupOil::of(|symbol| given(oil, symbol)),
-            Plc::of(|symbol| given(plc, symbol)),
-        );
-        let (Some(body), Some(oil), Some(plc)) = all else {
+        let Some(moving) = MovingGroups::of(|symbol| given(symbol)) else {
             return Ok(None);
         };
-        let moving = MovingGroups { body, oil, plc };
         let mut outside = None;
         moving.map(&mut |symbol, value| {
             if let Err(refusal) = within(symbol, value) {

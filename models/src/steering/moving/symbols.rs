@@ -1,6 +1,21 @@
 //! Quantities of the groups in motion.
 
-use crate::kernel::symbol::{COARSEST, symbols};
+use crate::kernel::symbol::{COARSEST, Symbol, symbols};
+use crate::kernel::unit::ONE;
+pub use crate::parts::hydraulics::symbols::{CAVITATES, Z_VACUUM};
+pub use crate::steering::symbols::{
+    DELTA, F_G, F_GX, G, MARGIN, OD, OMEGA, Q_G, Q_SUM, R, SLIP, SLIP_MAX, T_LEFT, THETA, THETA_DOT, THETA_N, THETA_S,
+    V, V_C, V_MX, V_MY, V_S,
+};
+
+/// What the PLC remembers of a group's error; no variable.
+pub static INTEGRAL: Symbol = Symbol::new(
+    "integral",
+    "",
+    [&ONE, &ONE],
+    "Integral of the error of a group.",
+    "derived",
+);
 
 symbols! {
     // Given. Beyond its range a number is a slip of the pen; a shorter cycle would be an endless run of samples.

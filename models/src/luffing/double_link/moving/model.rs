@@ -14,7 +14,7 @@ use crate::kernel::number::short;
 use crate::kernel::record::{self, Rec};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::unit;
-use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
+use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Variable};
 use crate::luffing::double_link::crane::REELED_IN;
 use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, RESULTS};
@@ -363,11 +363,7 @@ impl LuffingMotion {
             }
         }
         if hydraulic {
-            let flag = Variable {
-                kind: Type::Boolean,
-                ..Variable::new((&h::CAVITATES, None), Role::Output)
-            };
-            list.push((flag, Slot::Cavitates));
+            list.push((Variable::new((&h::CAVITATES, None), Role::Output), Slot::Cavitates));
         }
         list
     }
