@@ -301,7 +301,7 @@ fn instances_in_many_threads_give_the_same_bits() {
     // One instance, each call from another thread.
     let address = c as usize;
     for _ in 0..4 {
-        let bits = std::thread::scope(|scope| scope.spawn(|| run(address as *mut Component, &fmu)).join());
+        let bits = std::thread::spawn(move || run(address as *mut Component, &Unpacked::new())).join();
         assert_eq!(bits.expect("no panic"), expected);
     }
     // SAFETY: freed once.
@@ -311,7 +311,7 @@ fn instances_in_many_threads_give_the_same_bits() {
         let threads: Vec<_> = (0..8)
             .map(|_| {
                 scope.spawn(|| {
-                    let mut messages = Messages::new();
+                    let (fmu, mut messages) = (Unpacked::new(), Messages::new());
                     for _ in 0..25 {
                         let c = instantiate2(&fmu, 1, &mut messages);
                         assert_eq!(run(c, &fmu), expected);

@@ -1,6 +1,6 @@
 //! The mechanism in motion, against references that two independent codes agreed on, and by its energy.
 
-use lemnis_models::luffing::double_link::dynamics::{Dynamics, Phase};
+use lemnis_models::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase};
 
 #[path = "common/crane.rs"]
 mod common;
@@ -19,6 +19,23 @@ const START: Phase = Phase {
 
 fn run(crane: &Dynamics, moment: f64, h: f64, steps: u32) -> Phase {
     (0..steps).fold(START, |m, _| crane.step(&m, moment, h).expect("closes on the way"))
+}
+
+/// What was asked before, at another angle or of a crane that did not slew yet, leaves no trace.
+#[test]
+fn every_angle_is_answered_as_by_a_crane_that_was_never_asked() {
+    let of = |crane: &Dynamics, theta: f64| {
+        let r = f64::reduced(crane, theta).map(|r| [r.inertia, r.slope, r.moment, r.energy, r.turn[0], r.turn[1]]);
+        r.map(|r| r.map(f64::to_bits))
+    };
+    let asked = common::turning(None, 1e6);
+    for theta in [1.1, 1.2, 1.1, 1.1, 0.0, -0.0, f64::NAN, 1.2] {
+        assert_eq!(of(&asked, theta), of(&common::turning(None, 1e6), theta), "{theta}");
+    }
+    let later = common::dynamics(None);
+    assert_eq!(of(&later, 1.1).expect("closes")[4], 0);
+    let turntable = asked.turntable().expect("it slews");
+    assert_eq!(of(&later.with_slewing(turntable), 1.1), of(&asked, 1.1));
 }
 
 /// Luffing with a swinging load under 1.8 MN·m for 5 s: the reference of the measurements.

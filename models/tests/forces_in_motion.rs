@@ -399,7 +399,7 @@ fn what_holds_a_bar_is_told_apart() {
     };
     let level = |stops| {
         Level::Free(MovingLinkage {
-            dynamics,
+            dynamics: dynamics.clone(),
             joints: [Joint { friction, stops }],
         })
     };

@@ -94,7 +94,7 @@ fn a_load_that_falls_and_is_caught_meets_its_reference() {
             (1e-7, [1e-8, 1e-4, 1e-6]),
             (1e-9, [1e-10, 1e-6, 1e-8]),
         ] {
-            let (mut system, mut present) = (system, start);
+            let (mut system, mut present) = (system.clone(), start);
             let (mut worst, mut slack) = ([0.0_f64; 3], 0);
             for (i, row) in (0..).zip(&rows) {
                 if let Some(&(_, command)) = COMMANDS.iter().find(|(at, _)| *at == i) {

@@ -20,24 +20,36 @@ pub struct Results {
     rows: Vec<Vec<f64>>,
 }
 
+/// The variables that differ from position to position, and their values at one after the other.
+fn rows(scene: &Scene) -> Result<(Vec<Variable>, impl Iterator<Item = Result<Vec<f64>, Fault>>), Fault> {
+    let mut model = scene.model()?;
+    let varies = |role: Role| matches!(role, Role::Input | Role::State | Role::Output);
+    let indices: Vec<usize> = (0..model.variables().len())
+        .filter(|&i| varies(model.variables()[i].role))
+        .collect();
+    let columns = indices.iter().map(|&i| model.variables()[i]).collect();
+    let rows = model.positions().into_iter().map(move |value| {
+        model.place(value)?;
+        indices.iter().map(|&i| model.get(i)).collect()
+    });
+    Ok((columns, rows))
+}
+
+/// What its book says of a scene.
+///
+/// # Errors
+/// As [`Results::new`].
+pub fn sheet(scene: &Scene) -> Result<Sheet, Fault> {
+    rows(scene)?.1.try_for_each(|row| row.map(drop))?;
+    Ok(scene.sheet())
+}
+
 impl Results {
     /// # Errors
     /// The scene's model cannot be built, or a position of its range does not exist.
     pub fn new(scene: &Scene) -> Result<Results, Fault> {
-        let mut model = scene.model()?;
-        let varies = |role: Role| matches!(role, Role::Input | Role::State | Role::Output);
-        let indices: Vec<usize> = (0..model.variables().len())
-            .filter(|&i| varies(model.variables()[i].role))
-            .collect();
-        let columns = indices.iter().map(|&i| model.variables()[i]).collect();
-        let rows: Result<Vec<Vec<f64>>, Fault> = model
-            .positions()
-            .into_iter()
-            .map(|value| {
-                model.place(value)?;
-                indices.iter().map(|&i| model.get(i)).collect()
-            })
-            .collect();
+        let (columns, rows) = rows(scene)?;
+        let rows: Result<Vec<Vec<f64>>, Fault> = rows.collect();
         Ok(Results {
             rows: rows?,
             scene: scene.clone(),

@@ -7,7 +7,7 @@ use crate::kernel::variable::{Fault, Quantity, Terminal, Variable};
 use crate::parts::solver::Count;
 
 /// A mechanism that runs, whether it stands where it is commanded or moves by itself.
-pub trait Running: Any + Send + Sync {
+pub trait Running: Any + Send {
     /// What exists in this scene; an index into it names a variable. The first one is the coordinate, over which tables
     /// and the default experiment run.
     fn variables(&self) -> &[Variable];
@@ -196,15 +196,15 @@ pub struct State(Box<dyn Kept>);
 /// A model's results with their derivatives in one direction.
 pub struct Tangent(Box<dyn Kept>);
 
-trait Kept: Any + Send + Sync {}
+trait Kept: Any + Send {}
 
-impl<T: Any + Send + Sync> Kept for T {}
+impl<T: Any + Send> Kept for T {}
 
 /// What only the model that made it can read.
 macro_rules! kept {
     ($name:ident) => {
         impl $name {
-            pub fn new<T: Any + Send + Sync>(own: T) -> $name {
+            pub fn new<T: Any + Send>(own: T) -> $name {
                 $name(Box::new(own))
             }
 

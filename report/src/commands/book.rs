@@ -11,9 +11,10 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use lemnis::book::Edition;
 use lemnis::language::Language;
-use lemnis::results::Results;
+use lemnis::results;
 use lemnis::template::Templates;
 use lemnis_models::book::LEVELS;
+use lemnis_models::component::sheet::Sheet;
 use lemnis_models::kernel::text::LANGUAGES;
 use lemnis_models::scene::Scene;
 use lemnis_typeset::{Embedded, External, Typesetter};
@@ -123,18 +124,18 @@ impl Making {
     }
 
     /// The PDF of one scene.
-    pub fn pdf(&self, scene: &Scene, results: &Results) -> Result<Output, Failure> {
+    pub fn pdf(&self, scene: &Scene, sheet: &Sheet) -> Result<Output, Failure> {
         let (templates, typesetter) = (self.templates()?, self.typesetter()?);
         let edition = self.edition(scene, &templates, &*typesetter);
         let made = busy(format!("typesetting {}", scene.name()), || {
-            book(&edition, scene, results, Format::Pdf)
+            book(&edition, scene, sheet, Format::Pdf)
         });
         Ok(made?.remove(0))
     }
 }
 
 /// A book in one format: one file, or one for each page, or the source with what it reads.
-fn book(edition: &Edition<'_>, scene: &Scene, results: &Results, format: Format) -> Result<Vec<Output>, Failure> {
+fn book(edition: &Edition<'_>, scene: &Scene, sheet: &Sheet, format: Format) -> Result<Vec<Output>, Failure> {
     let name = scene.name();
     let wrong = |error: lemnis::template::Error| Failure::Program(error.to_string());
     let format = match format {
@@ -144,13 +145,13 @@ fn book(edition: &Edition<'_>, scene: &Scene, results: &Results, format: Format)
         Format::Html => lemnis_typeset::Format::Html,
         Format::Typ => {
             let pdf = lemnis_typeset::Format::Pdf;
-            let source = edition.source(scene, &results.sheet, pdf).map_err(wrong)?;
+            let source = edition.source(scene, sheet, pdf).map_err(wrong)?;
             let main = (format!("{name}.typ"), source.main.into_bytes());
             let outputs = std::iter::once(main).chain(source.files);
             return Ok(outputs.map(|(name, bytes)| Output { name, bytes }).collect());
         }
     };
-    let made = edition.typeset(scene, &results.sheet, format).map_err(wrong)?;
+    let made = edition.typeset(scene, sheet, format).map_err(wrong)?;
     for warning in made.warnings {
         eprintln!("warning: {warning}");
     }
@@ -220,8 +221,8 @@ impl Books {
         let (templates, typesetter) = (self.making.templates()?, self.making.typesetter()?);
         let make = |scene: &Scene| {
             let edition = self.making.edition(scene, &templates, &*typesetter);
-            let results = Results::new(scene).map_err(Failure::of_scene)?;
-            output::complete(&self.output, &book(&edition, scene, &results, self.format)?)
+            let sheet = results::sheet(scene).map_err(Failure::of_scene)?;
+            output::complete(&self.output, &book(&edition, scene, &sheet, self.format)?)
         };
         scenes.iter().map(make).collect()
     }

@@ -22,7 +22,7 @@ impl Build {
         let Pack { make, platforms } = &self.pack;
         let scene = to_build(make.scene.as_deref())?.announced()?;
         let results = Results::new(&scene).map_err(Failure::of_scene)?;
-        let pdf = self.making.pdf(&scene, &results)?;
+        let pdf = self.making.pdf(&scene, &results.sheet)?;
         let documentation = documentation(&scene, Some(&pdf))?;
         let mut outputs = fmus(&scene, platforms.as_deref(), &documentation)?;
         outputs.push(pdf);

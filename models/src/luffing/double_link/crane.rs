@@ -66,7 +66,7 @@ impl<const N: usize, const J: usize> CraneState<N, J> {
 }
 
 /// A mechanism that moves by J joints, luffing first, with N states.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct MovingCrane<const N: usize, const J: usize, P = f64> {
     pub dynamics: Dynamics<P>,
     pub joints: [Joint<P>; J],

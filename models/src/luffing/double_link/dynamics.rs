@@ -5,6 +5,8 @@
 //! second-order dual numbers, and reduced inertia, its change and the moment of
 //! the weights follow from their derivatives. [virtual work; Lagrange]
 
+use std::cell::Cell;
+
 use num_dual::{Dual2, Dual64, DualNum};
 
 use crate::kernel::allowed::OutOfRange;
@@ -443,7 +445,7 @@ pub trait Coordinate<P = f64>: Over<P> {
 
 impl Coordinate for f64 {
     fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
-        Reduced::new(d, &d.twice, theta)
+        d.latest.at(theta, || Reduced::new(d, &d.twice, theta))
     }
 }
 
@@ -470,8 +472,27 @@ impl<const N: usize> Coordinate for Gradient<N> {
     }
 }
 
+/// What the mechanism was at the angle (rad) that was asked for last: rates, events, powers and forces of one instant
+/// all ask.
+#[derive(Clone, Debug, Default)]
+struct Latest(Cell<Option<(f64, Reduced<f64>)>>);
+
+impl Latest {
+    #[inline]
+    fn at(&self, theta: f64, find: impl FnOnce() -> Option<Reduced<f64>>) -> Option<Reduced<f64>> {
+        match self.0.get() {
+            Some((at, found)) if at.to_bits() == theta.to_bits() => Some(found),
+            _ => {
+                let found = find()?;
+                self.0.set(Some((theta, found)));
+                Some(found)
+            }
+        }
+    }
+}
+
 /// The mechanism with its bodies.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Dynamics<P = f64> {
     /// For two and for three derivatives.
     pub(super) twice: Positions<f64>,
@@ -483,6 +504,7 @@ pub struct Dynamics<P = f64> {
     pub(super) by_cylinder: bool,
     turntable: Option<Turntable<P>>,
     bodies: Bodies<P>,
+    latest: Latest,
 }
 
 /// A drive's line from a point of the frame to one of the driven bar, in its frame, in m.
@@ -525,6 +547,7 @@ impl<P: Calc> Dynamics<P> {
             by_cylinder: false,
             turntable: None,
             bodies,
+            latest: Latest::default(),
         }
     }
 
@@ -542,6 +565,7 @@ impl<P: Calc> Dynamics<P> {
         self.twice.counterweight = Counterweight::new(&values, range, gravity.value())?;
         let dual = p.map(&mut |_, value| Dual64::of(value));
         self.thrice.counterweight = Counterweight::new(&dual, range, Dual64::of(gravity))?;
+        self.latest = Latest::default();
         Ok(self)
     }
 
@@ -555,6 +579,7 @@ impl<P: Calc> Dynamics<P> {
             to: Point::new(anchors.s_d * cos, anchors.s_d * sin),
         });
         self.by_cylinder = by_cylinder;
+        self.latest = Latest::default();
         self
     }
 
@@ -562,6 +587,7 @@ impl<P: Calc> Dynamics<P> {
     #[must_use]
     pub fn with_slewing(mut self, turntable: Turntable<P>) -> Dynamics<P> {
         self.turntable = Some(turntable);
+        self.latest = Latest::default();
         self
     }
 

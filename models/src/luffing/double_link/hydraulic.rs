@@ -41,7 +41,7 @@ const MOST_EVENTS: u32 = 10_000;
 
 /// What the cylinder moves, its luffing joint with friction and stops of the hydraulic level: below
 /// [`CREEP`] the bar creeps, and a stop is a stiff buffer.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum Crane<P = f64> {
     Plane(MovingLinkage<P>),
     Slewing(Slewing<P>),
@@ -50,7 +50,7 @@ pub enum Crane<P = f64> {
 /// A luffing cylinder at work, as a system of at most N states: angle and rate of the driven bar, pressures of
 /// ports and chambers, spool and its speed, then the other states of [`MovingLinkage`] or [`Slewing`] in their order, as
 /// many as there are.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Hydraulic<const N: usize, P = f64> {
     pub crane: Crane<P>,
     pub cylinder: Cylinder<P>,

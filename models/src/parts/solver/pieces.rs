@@ -56,7 +56,8 @@ pub fn advance<const N: usize, S: Copy, P: Pieces<N, S>>(
         // The last of equal steps ends exactly.
         left = if part == 1.0 && h >= left { 0.0 } else { left - part * h };
         equal -= 1.0;
-        if part < 1.0 || system.crossed(state, &end) {
+        // A step that was tried again ends at an event.
+        if tried > 1 {
             events += 1;
             if events > MOST_EVENTS {
                 return Err(Halt::TooMany);

@@ -31,7 +31,7 @@ pub const MOST_INDICATORS: usize = 13;
 pub const OIL_INDICATORS: usize = 6;
 
 /// The equations of a level.
-#[derive(Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum Level<P = f64> {
     Free(MovingLinkage<P>),
     Slewing(Slewing<P>),
@@ -164,13 +164,6 @@ fn seen<C: Calc>(y: &[C; slewing::STATES], reaction: MotionResult) -> C {
 fn possible<const N: usize>(system: &Hydraulic<N>, present: &hydraulic::PresentCrane<N>) -> bool {
     let y = present.run.states();
     y[2..6].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3 && system.equations(present.modes, &y).is_some()
-}
-
-impl<P: Copy> Clone for Level<P> {
-    /// As one block: derived, it would go through every field.
-    fn clone(&self) -> Level<P> {
-        *self
-    }
 }
 
 impl<P: Calc> Level<P> {

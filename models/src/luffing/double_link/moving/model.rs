@@ -524,7 +524,7 @@ impl LuffingMotion {
             dynamics = dynamics.with_drive(anchors, oil.is_some());
         }
         let Some(oil) = oil else {
-            return Ok(match crane(&dynamics, luffing, slewing) {
+            return Ok(match crane(dynamics, luffing, slewing) {
                 Crane::Plane(motion) => Level::Free(motion),
                 Crane::Slewing(slewing) => Level::Slewing(slewing),
             });
@@ -551,7 +551,7 @@ impl LuffingMotion {
         let stop = P::known(&m::OMEGA_S, STOP);
         let (stiffness, damping) = (inertia * stop.square(), inertia * P::constant(2.0) * stop);
         let buffer = [stiffness.def(&m::K_S), damping.def(&m::D_S)];
-        let crane = crane(&dynamics, luffing, slewing);
+        let crane = crane(dynamics, luffing, slewing);
         if self.rope.is_some() || self.slewing_stops.is_some() {
             Ok(Level::Hanging(hydraulic(crane, cylinder, buffer, &inputs)))
         } else {
@@ -1261,8 +1261,7 @@ fn winch<P: Calc>(kind: &HoistKind<P>) -> Winch<P> {
 /// A crane with its joints of luffing and, where it slews, slewing. A call, as its many numbers would be moved one
 /// by one.
 #[inline(never)]
-fn crane<P: Copy>(dynamics: &Dynamics<P>, luffing: Joint<P>, slewing: Option<Joint<P>>) -> Crane<P> {
-    let dynamics = *dynamics;
+fn crane<P: Copy>(dynamics: Dynamics<P>, luffing: Joint<P>, slewing: Option<Joint<P>>) -> Crane<P> {
     match slewing {
         None => Crane::Plane(MovingLinkage {
             dynamics,

@@ -2,6 +2,8 @@
 //! runs of that model through manoeuvres.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::panic::resume_unwind;
+use std::thread::ScopedJoinHandle;
 
 use crate::balance::symbols as b;
 use crate::component::running::{Running, State};
@@ -171,8 +173,7 @@ pub(super) struct Found {
 /// forces at rest; `None` where the model cannot start.
 pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]]) -> Option<(InMotion, Found)> {
     let (rest, plans) = (at_rest(moving), planned(luffing, moving));
-    let starting = |plan: &Planned| LuffingMotion::starting(luffing, &rest, plan.start).ok();
-    let mut model = starting(plans.first()?)?;
+    let mut model = LuffingMotion::starting(luffing, &rest, plans.first()?.start).ok()?;
     let [coordinate, rate] = [0, 1].map(|index| model.variables()[index].symbol);
     let instant = match (moving.oil, moving.rope) {
         (Some(_), _) => ("greatest_pressure", &m::P_A),
@@ -180,34 +181,15 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]])
         (None, None) => ("greatest_speed", rate),
     };
     let designed = designed(OUTLINE.forces, &model);
-    let (mut manoeuvres, mut runs) = (Vec::new(), Vec::new());
-    for plan in &plans {
-        let mut model = starting(plan)?;
-        let mut pilot = Pilot::new(plan, luffing, moving, &model)?;
-        let drawn = drawn(plan, &model);
-        let lead = model
-            .variables()
-            .iter()
-            .position(|variable| variable.symbol == instant.1)?;
-        let seen = [0, lead].into_iter().chain(drawn.iter().map(|(_, index)| *index));
-        let seen = seen.chain(designed.iter().map(|(_, index)| *index)).collect();
-        let run = Run::new(luffing, &rest, &mut model, (lead, &seen), &mut pilot)?;
-        let told = |(index, table): (usize, _)| (model.variables()[index].symbol, table);
-        manoeuvres.push(Manoeuvre {
-            id: plan.id,
-            start: plan.start,
-            commands: pilot.told.into_iter().map(told).collect(),
-            run: [run.duration(), run.sample],
-            curves: drawn
-                .iter()
-                .filter_map(|&(id, index)| run.curve(id, model.variables()[index].symbol, index))
-                .collect(),
-            events: run.listed(),
-            more_events: run.events.len().saturating_sub(EVENTS),
-            energy: run.energy.list(moving),
-        });
-        runs.push(run);
-    }
+    let run = |plan| ran(luffing, moving, &rest, plan, instant.1, &designed);
+    let ran = std::thread::scope(|scope| {
+        let threads: Vec<_> = plans.iter().map(|plan| scope.spawn(|| run(plan))).collect();
+        let ended = threads.into_iter().map(ScopedJoinHandle::join);
+        ended
+            .map(|ran| ran.unwrap_or_else(|panic| resume_unwind(panic)))
+            .collect::<Option<Vec<_>>>()
+    });
+    let (manoeuvres, runs): (Vec<_>, Vec<_>) = ran?.into_iter().unzip();
     let (of, shown) = runs
         .iter()
         .enumerate()
@@ -243,6 +225,43 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]])
     };
     let found = Found::new(luffing, moving, &motion.manoeuvres, &runs);
     Some((motion, found))
+}
+
+/// One of them, with what is told of it; `lead` says which instant is shown.
+fn ran(
+    luffing: &Luffing,
+    moving: &Moving,
+    rest: &Moving,
+    plan: &Planned,
+    lead: &Symbol,
+    designed: &[(&'static Symbol, usize)],
+) -> Option<(Manoeuvre, Run)> {
+    let mut model = LuffingMotion::starting(luffing, rest, plan.start).ok()?;
+    let mut pilot = Pilot::new(plan, luffing, moving, &model)?;
+    let drawn = drawn(plan, &model);
+    let lead = model.variables().iter().position(|variable| variable.symbol == lead)?;
+    let seen = [0, lead].into_iter().chain(drawn.iter().map(|(_, index)| *index));
+    let seen = seen.chain(designed.iter().map(|(_, index)| *index)).collect();
+    let run = Run::new(luffing, rest, &mut model, (lead, &seen), &mut pilot)?;
+    let symbol = |index: usize| model.variables()[index].symbol;
+    let manoeuvre = Manoeuvre {
+        id: plan.id,
+        start: plan.start,
+        commands: pilot
+            .told
+            .into_iter()
+            .map(|(index, table)| (symbol(index), table))
+            .collect(),
+        run: [run.duration(), run.sample],
+        curves: drawn
+            .iter()
+            .filter_map(|&(id, index)| run.curve(id, symbol(index), index))
+            .collect(),
+        events: run.listed(),
+        more_events: run.events.len().saturating_sub(EVENTS),
+        energy: run.energy.list(moving),
+    };
+    Some((manoeuvre, run))
 }
 
 /// States and commands as they are now, without those of the position alone.
