@@ -15,6 +15,7 @@ pub mod part;
 mod probe;
 pub mod running;
 pub mod sensitivity;
+pub mod series;
 pub mod sheet;
 pub mod spread;
 pub mod stages;

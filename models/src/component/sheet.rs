@@ -16,6 +16,8 @@ pub struct Sheet {
     pub inputs: Vec<Input>,
     /// Chapters of inputs that only levels in motion use, which this sheet does not calculate.
     pub uncalculated: Vec<&'static str>,
+    /// What given quantities that are in no formula are for: see [`Outline`](crate::component::outline::Outline).
+    pub uses: &'static [(&'static str, &'static [&'static Symbol])],
     /// Formulas that do not depend on the position.
     pub constants: Vec<Section>,
     /// The mechanism in each of its ways of working; empty where it has one.
@@ -139,8 +141,8 @@ pub struct InMotion {
     pub time: &'static Symbol,
     /// What moves the mechanism.
     pub coordinate: &'static Symbol,
-    /// The time in which drives come up to their speed, in s.
-    pub ramp: (&'static Symbol, f64),
+    /// The time in which drives come up to their speed, in s, where they have one.
+    pub ramp: Option<(&'static Symbol, f64)>,
     /// Ids of the sentences that say how the commands of manoeuvres are chosen.
     pub rules: Vec<&'static str>,
     /// At which instant the formulas are worked out: ids of what makes it one and of the manoeuvre, and when it is, in s.
@@ -152,6 +154,21 @@ pub struct InMotion {
     pub sections: Vec<Section>,
     pub manoeuvres: Vec<Manoeuvre>,
     pub envelope: Vec<Envelope>,
+    /// What amounts of the energy are sums of over the time of a manoeuvre.
+    pub integrals: Vec<Integral>,
+}
+
+/// An amount of energy: the integral of powers over time.
+pub struct Integral {
+    pub symbol: &'static Symbol,
+    pub of: Vec<Power>,
+}
+
+/// A product, over another quantity or not.
+pub struct Power {
+    pub negative: bool,
+    pub factors: Vec<&'static Symbol>,
+    pub over: Option<&'static Symbol>,
 }
 
 /// A named sequence of commands, and a run of the model under it.
@@ -189,7 +206,9 @@ pub struct Stand {
     pub at: f64,
 }
 
-/// Where energy came from, what stores it and what took it, in J: what was given is what is stored and taken.
+/// Where energy came from, what stores it and what took it, in J: what was given is what is stored and taken; empty where
+/// nobody counts it.
+#[derive(Default)]
 pub struct Energy {
     pub given: Vec<(&'static Symbol, f64)>,
     pub stored: Vec<(&'static Symbol, f64)>,

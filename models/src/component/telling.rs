@@ -142,6 +142,7 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
     let mut sheet = Sheet {
         assumptions: T::assumptions(told),
         inputs: told.inputs(origins),
+        uses: outline.uses,
         constants: constants::<T>(&model, of),
         positions: positions
             .into_iter()

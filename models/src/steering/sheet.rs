@@ -11,6 +11,7 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::schema::Values;
 use crate::kernel::variable::Fault;
+use crate::parts::hydraulics::symbols as h;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::steering::changes::changes;
@@ -19,7 +20,7 @@ use crate::steering::drawing::{Stance, lengths, swept, triangle};
 use crate::steering::keys::KEYS;
 use crate::steering::load::told;
 use crate::steering::mode::Mode;
-use crate::steering::moving::scene::{GroupBody, GroupOil, Plc};
+use crate::steering::moving::told::motion;
 use crate::steering::moving::{self, model::SteeringMotion};
 use crate::steering::parts::{Parts, demanded};
 use crate::steering::published::printed;
@@ -64,6 +65,11 @@ const OUTLINE: Outline = Outline {
     summary: &[],
     sensitivity: &[],
     limits: &[Limit::not_negative("range", &s::MARGIN_MIN)],
+    uses: &[
+        ("swept_lane", &[&s::E_F, &s::E_R, &s::E_LEFT, &s::E_RIGHT]),
+        ("group_range", &[&s::THETA_MIN, &s::THETA_MAX]),
+        ("limit", &[&s::SLIP_LIMIT, &s::V_C_MAX]),
+    ],
     forces: &[&s::F_G, &s::T_G, &s::V_C, &s::Q_SUM],
     worst: &[("greatest_force", &s::F_G_WORK)],
 };
@@ -81,11 +87,9 @@ impl Described for SteeringScene {
         own: &[
             s::ALL,
             gravity::ALL,
-            GroupBody::<f64>::SYMBOLS,
-            GroupOil::<f64>::SYMBOLS,
-            Plc::<f64>::SYMBOLS,
+            moving::symbols::ALL,
         ],
-        shared: &[],
+        shared: &[h::ALL],
     };
 
     fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(SteeringScene, Motion)> {
@@ -134,7 +138,8 @@ impl Described for SteeringScene {
 
     fn chapters(&self) -> Vec<&'static str> {
         let sizing = self.given.bearing.is_some() || self.given.cylinder.is_some();
-        ["views"].into_iter().chain(sizing.then_some("sizing")).collect()
+        let moving = self.moving.as_ref().map(|_| "motion");
+        ["views"].into_iter().chain(sizing.then_some("sizing")).chain(moving).collect()
     }
 
     /// Loads of the groups stand with the loads, and what is forbidden to each group with the ranges: once where it is
@@ -177,19 +182,9 @@ impl Described for SteeringScene {
     }
 
     fn uncovered(this: &Steering) -> Vec<&'static str> {
-        let oil = match this.moving {
-            Some(_) => "oil_in_motion",
-            None => "oil_dynamics",
-        };
-        vec![
-            oil,
-            "slope",
-            "side_forces",
-            "travel_drive",
-            "strength",
-            "fatigue",
-            "load_cases",
-        ]
+        let oil = this.moving.is_none().then_some("oil_dynamics");
+        let others = ["slope", "side_forces", "travel_drive", "strength", "fatigue", "load_cases"];
+        oil.into_iter().chain(others).collect()
     }
 
     fn drawing(this: &Steering) -> Drawing {
@@ -254,6 +249,10 @@ impl Described for SteeringScene {
             section
                 .into_iter()
                 .for_each(|section| section.table = Some(slip_table(model, worked.value)));
+        }
+        if let Some((chapter, warning)) = this.moving.as_ref().and_then(|moving| motion(this, moving)) {
+            sheet.warnings.extend(warning);
+            sheet.motion = Some(chapter);
         }
     }
 }

@@ -6,6 +6,7 @@ use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
+use crate::parts::turntable;
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
@@ -64,6 +65,13 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
         Limit::at_most("motion_swing", &m::PHI_MAX),
+    ],
+    uses: &[
+        ("annulus", &[&s::D_R]),
+        ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
+        ("hoist", &[&m::V_H, &m::A_H]),
+        ("friction", listed!(turntable: C_SL, M_F_SL)),
+        ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
     ],
     forces: &[
         &s::F_O1X,

@@ -11,6 +11,7 @@ use crate::component::running::{Running, State, Tangent};
 use crate::component::standing::Standing;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::number::short;
+use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::unit;
 use crate::kernel::variable::{Fault, Name, Quantity, Role, TIME, Terminal, Type, Variable};
@@ -24,7 +25,7 @@ use crate::steering::flow::flow;
 use crate::steering::hydraulic::{Control, INDICATORS, STATES, WorkingGroup};
 use crate::steering::load::{Resistance, force, resistance};
 use crate::steering::moving::level::{Clock, Groups, PresentGroup};
-use crate::steering::moving::scene::MovingGroups;
+use crate::steering::moving::scene::{MovingGroups, Plc};
 use crate::steering::moving::symbols as m;
 use crate::steering::refusal::within;
 use crate::steering::ring::friction;
@@ -297,12 +298,7 @@ impl SteeringMotion {
         for i in 0..self.now.groups.len() {
             groups.push(self.group(i, &mut |_, value| value)?);
         }
-        let control = Control {
-            period: plc.t_c,
-            resolution: accuracy.step,
-            gains: [plc.k_p, plc.k_i],
-            limit: plc.u_max,
-        };
+        let control = control(&plc, accuracy.step);
         Ok(Groups { groups, control })
     }
 
@@ -365,10 +361,42 @@ impl SteeringMotion {
         let tyres = resistance(&given.tyre?.map(&mut alone), load);
         let ring = given.bearing.map(|bearing| friction(&bearing.map(&mut alone), load));
         let standing = tyres.standing + ring.unwrap_or(P::constant(0.0));
+        let standing = standing.def(&s::T_G);
         Some(Resistance {
             standing,
-            travelling: standing - tyres.standing + tyres.travelling,
+            travelling: (standing - tyres.standing + tyres.travelling).def(&s::T_GX),
         })
+    }
+
+    /// Whether a group is between its end stops.
+    pub(crate) fn moves_freely(&mut self, i: usize) -> Result<bool, Fault> {
+        let theta = self.now.groups[i].run.states()[0];
+        let [low, high] = self.level()?.groups[i].stops;
+        Ok(theta >= low && theta <= high)
+    }
+
+    /// Runs the equations of one group as they are now under the recorder, and those of a sample of the PLC. Returns what
+    /// they begin from besides what is given.
+    pub(crate) fn recorded(&mut self, i: usize) -> Result<Vec<(&'static Symbol, f64)>, Fault> {
+        let (present, wanted) = (self.now.groups[i], self.wanted(i)?);
+        let (states, Groups { groups, control: plc }) = (present.run.states(), self.level()?);
+        let (mirrored, steps, step) = (groups[i].linkage.mirrored, plc.steps(states[0]), plc.resolution);
+        let mut group = self.group(i, &mut |(symbol, _), value| Rec::given(symbol, value))?;
+        let mut begun: Vec<(&'static Symbol, f64)> = OF_GROUP.iter().map(|(symbol, _)| *symbol).zip(states).collect();
+        begun.extend([(&m::U_V, present.held.command), (&m::THETA_W, wanted)]);
+        begun.extend([(&m::I_E, present.held.integral), (&m::STEPS, steps)]);
+        // Without loads nothing resists.
+        let drag = self.drag(i, &mut |_, value| value);
+        begun.extend(drag.is_none().then_some((&s::T_G, 0.0)));
+        let all: Vec<Rec> = begun.iter().map(|&(symbol, value)| Rec::given(symbol, value)).collect();
+        let y: [Rec; STATES] = std::array::from_fn(|k| all[k]);
+        let [command, wanted, held, steps] = std::array::from_fn(|k| all[STATES + k]);
+        group.command = command;
+        group.resistance = all.get(STATES + 4).copied().unwrap_or(group.resistance);
+        group.equations(&y);
+        let plc = control(&self.now.given.plc.map(&mut Rec::given), Rec::given(&s::RESOLUTION, step));
+        plc.asked(held, wanted, [y[0], steps], mirrored);
+        Ok(begun)
     }
 
     /// A parameter has changed.
@@ -1021,6 +1049,15 @@ impl Running for SteeringMotion {
 
     fn duplicate(&self) -> Box<dyn Running> {
         Box::new(self.clone())
+    }
+}
+
+fn control<P: Calc>(plc: &Plc<P>, resolution: P) -> Control<P> {
+    Control {
+        period: plc.t_c,
+        resolution,
+        gains: [plc.k_p, plc.k_i],
+        limit: plc.u_max,
     }
 }
 
