@@ -237,7 +237,8 @@ impl Scene {
         let mut sheet = registry::sheet(&*self.mechanism, &self.given, &self.book.positions);
         let loads = sheet.inputs.iter().rposition(|input| input.chapter == LOAD);
         let by_it = |variable: &Variable| variable.symbol == &gravity::G;
-        let moves = sheet.motion.as_ref().is_some_and(weighs) || self.model().is_ok_and(|model| model.variables().iter().any(by_it));
+        let moves = sheet.motion.as_ref().is_some_and(weighs)
+            || self.model().is_ok_and(|model| model.variables().iter().any(by_it));
         if let Some((last, gravity)) = loads.zip(self.weighs(moves)) {
             sheet.inputs.insert(last + 1, gravity);
         }

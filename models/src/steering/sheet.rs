@@ -69,6 +69,7 @@ const OUTLINE: Outline = Outline {
         ("swept_lane", &[&s::E_F, &s::E_R, &s::E_LEFT, &s::E_RIGHT]),
         ("group_range", &[&s::THETA_MIN, &s::THETA_MAX]),
         ("limit", &[&s::SLIP_LIMIT, &s::V_C_MAX]),
+        ("relief", &[&moving::symbols::P_R, &moving::symbols::K_R]),
     ],
     forces: &[&s::F_G, &s::T_G, &s::V_C, &s::Q_SUM],
     worst: &[("greatest_force", &s::F_G_WORK)],
@@ -84,11 +85,7 @@ impl Described for SteeringScene {
     const OUTLINE: &'static Outline = &OUTLINE;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "steering_symbol",
-        own: &[
-            s::ALL,
-            gravity::ALL,
-            moving::symbols::ALL,
-        ],
+        own: &[s::ALL, gravity::ALL, moving::symbols::ALL],
         shared: &[h::ALL],
     };
 
@@ -139,7 +136,11 @@ impl Described for SteeringScene {
     fn chapters(&self) -> Vec<&'static str> {
         let sizing = self.given.bearing.is_some() || self.given.cylinder.is_some();
         let moving = self.moving.as_ref().map(|_| "motion");
-        ["views"].into_iter().chain(sizing.then_some("sizing")).chain(moving).collect()
+        ["views"]
+            .into_iter()
+            .chain(sizing.then_some("sizing"))
+            .chain(moving)
+            .collect()
     }
 
     /// Loads of the groups stand with the loads, and what is forbidden to each group with the ranges: once where it is
@@ -183,7 +184,14 @@ impl Described for SteeringScene {
 
     fn uncovered(this: &Steering) -> Vec<&'static str> {
         let oil = this.moving.is_none().then_some("oil_dynamics");
-        let others = ["slope", "side_forces", "travel_drive", "strength", "fatigue", "load_cases"];
+        let others = [
+            "slope",
+            "side_forces",
+            "travel_drive",
+            "strength",
+            "fatigue",
+            "load_cases",
+        ];
         oil.into_iter().chain(others).collect()
     }
 

@@ -70,6 +70,7 @@ pub const OUTLINE: Outline = Outline {
         ("annulus", &[&s::D_R]),
         ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
         ("hoist", &[&m::V_H, &m::A_H]),
+        ("relief", listed!(m: P_R, K_R)),
         ("friction", listed!(turntable: C_SL, M_F_SL)),
         ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
     ],

@@ -394,7 +394,10 @@ impl SteeringMotion {
         group.command = command;
         group.resistance = all.get(STATES + 4).copied().unwrap_or(group.resistance);
         group.equations(&y);
-        let plc = control(&self.now.given.plc.map(&mut Rec::given), Rec::given(&s::RESOLUTION, step));
+        let plc = control(
+            &self.now.given.plc.map(&mut Rec::given),
+            Rec::given(&s::RESOLUTION, step),
+        );
         plc.asked(held, wanted, [y[0], steps], mirrored);
         Ok(begun)
     }

@@ -42,7 +42,10 @@ const DESIGNED: [&Symbol; 7] = [&m::E, &m::U_V, &m::P_A, &m::P_B, &m::F_C, &m::M
 /// What the formulas of a section give.
 const SECTIONS: [(&str, &[&Symbol]); 6] = [
     ("motion_plc", listed! { m: THETA_E, E_E, I_N, U_F, U_N }),
-    ("motion_oil", listed! { h: A_A, A_B, Y_V, Q_1, Q_2, Q_0, Q_LA, Q_LB, Q_R1, Q_R2, Q_LEAK }),
+    (
+        "motion_oil",
+        listed! { h: A_A, A_B, Y_V, Q_1, Q_2, Q_0, Q_LA, Q_LB, Q_R1, Q_R2, Q_LEAK },
+    ),
     ("cylinder", listed! { s: CT_X, CT_Y, R, OD, V_C }),
     (
         "motion_pressures",
@@ -150,8 +153,14 @@ impl Movement {
 /// The chapter, with what is warned of; `None` where the movement is refused.
 pub fn motion(this: &Steering, moving: &MovingGroups) -> Option<(InMotion, Option<Warning>)> {
     let mut model = SteeringMotion::new(this, moving).ok()?;
-    let (drawn, designed) = (places(&model, &DRAWN.map(|(_, symbol)| symbol)), places(&model, &DESIGNED));
-    let looked = drawn.iter().chain(&designed).flat_map(|(_, groups)| groups.iter().copied());
+    let (drawn, designed) = (
+        places(&model, &DRAWN.map(|(_, symbol)| symbol)),
+        places(&model, &DESIGNED),
+    );
+    let looked = drawn
+        .iter()
+        .chain(&designed)
+        .flat_map(|(_, groups)| groups.iter().copied());
     let seen: Vec<usize> = std::iter::once(0).chain(looked).collect();
     let coordinate = model.variables()[0].symbol;
     let found = Movement::new(this, &mut model, moving.plc.t_c, &seen).ok()?;
@@ -169,7 +178,8 @@ pub fn motion(this: &Steering, moving: &MovingGroups) -> Option<(InMotion, Optio
         }
     };
     let sections = SECTIONS.into_iter().map(section);
-    let curve = |(id, (symbol, groups)): (&'static str, &(&'static Symbol, Vec<usize>))| found.curve(id, symbol, groups);
+    let curve =
+        |(id, (symbol, groups)): (&'static str, &(&'static Symbol, Vec<usize>))| found.curve(id, symbol, groups);
     let ids = DRAWN.iter().map(|(id, _)| *id);
     let [least, at] = found.least;
     let warning = (least < VACUUM).then(|| Warning {
@@ -190,7 +200,10 @@ pub fn motion(this: &Steering, moving: &MovingGroups) -> Option<(InMotion, Optio
         sections: sections.filter(|section| !section.trace.steps.is_empty()).collect(),
         ramp: None,
         rules: vec!["command"],
-        envelope: designed.iter().filter_map(|(symbol, groups)| found.envelope(symbol, groups)).collect(),
+        envelope: designed
+            .iter()
+            .filter_map(|(symbol, groups)| found.envelope(symbol, groups))
+            .collect(),
         integrals: Vec::new(),
         manoeuvres: vec![Manoeuvre {
             id: STEER,

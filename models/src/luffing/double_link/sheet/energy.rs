@@ -116,7 +116,12 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
         [&h::V_A, &m::P_A, &m::D_P_A],
         [&h::V_B, &m::P_B, &m::D_P_B],
     ];
-    let compression = |negative: bool| stored.iter().map(|factors| of(negative, factors, Some(&m::BETA_E))).collect();
+    let compression = |negative: bool| {
+        stored
+            .iter()
+            .map(|factors| of(negative, factors, Some(&m::BETA_E)))
+            .collect()
+    };
     // What the pump gives, the oil does not store and the rod does not take.
     let mut resisted = vec![
         of(false, &[&m::P_P, &h::Q_0], None),

@@ -175,7 +175,14 @@ impl Lift {
         let lifting = lifting(moving).filter(|_| lifts);
         match moving.rope?.hoist {
             HoistKind::Motor(_) => {
-                let drum = [&m::M_M_H, &m::M_B_H, &m::V_R, &m::D_V_R, &m::Z_DRUM_REST, &m::Z_DRUM_LOOSE];
+                let drum = [
+                    &m::M_M_H,
+                    &m::M_B_H,
+                    &m::V_R,
+                    &m::D_V_R,
+                    &m::Z_DRUM_REST,
+                    &m::Z_DRUM_LOOSE,
+                ];
                 let motor = JointMotor::new(model, drum, moving.inputs.hoist.drive, -1.0)?;
                 Some(Lift::Motor(motor, lifting.unwrap_or_default()))
             }
@@ -301,7 +308,8 @@ impl<'a> Pilot<'a> {
         }
         // A positive rate lowers.
         let ramp = self.ramp;
-        let led = |[speed, time]: [f64; 2], at: f64| -speed * (at / ramp).min((time + ramp - at) / ramp).clamp(0.0, 1.0);
+        let led =
+            |[speed, time]: [f64; 2], at: f64| -speed * (at / ramp).min((time + ramp - at) / ramp).clamp(0.0, 1.0);
         match self.hoist {
             None => {}
             Some(Lift::Told(input, [speed, time])) => {
