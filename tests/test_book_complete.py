@@ -93,7 +93,7 @@ def test_every_symbol_of_a_formula_has_its_origin(scene, level, tmp_path):
     known = {name for _, symbols in given(text) for pair in symbols for name in pair}
     known |= {result for result, _ in formulas(text)}
     known |= set(re.findall(r"(?m)^= \d+ [^\n]*?: \$(.*?) = ", text))
-    known |= tabled(text, "States and commands at the instant") | tabled(text, "Energy")
+    known |= tabled(text, "States and commands at the instant") | tabled(text, "Energy") | tabled(text, "Envelope of forces")
     # Points of the ring's curves stand in a table of their own.
     known |= set(re.findall(r"column-head\[\$(\S*\(c i\))\$\]", text))
     for result, formula in formulas(text):

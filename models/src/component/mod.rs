@@ -7,6 +7,7 @@ pub mod draw;
 pub mod drawing;
 pub mod extreme;
 pub mod governing;
+pub mod in_motion;
 pub mod mechanism;
 pub mod model;
 pub mod moving;

@@ -188,17 +188,17 @@ fn uses(sheet: &Sheet, inputs: &[sheet::Input], named: &[&Symbol]) -> Vec<Use> {
     let mut uses: Vec<Use> = Vec::new();
     let is_idle = |input: &&sheet::Input| named.iter().all(|symbol| symbol.print != input.symbol.print);
     for input in inputs.iter().filter(is_idle) {
-        let told = |(_, symbols): &&(_, &[&Symbol])| symbols.contains(&input.symbol);
+        let told = |(_, symbols): &&(_, Vec<&Symbol>)| symbols.contains(&input.symbol);
         let id = match sheet.uses.iter().find(told) {
             _ if input.value == 0.0 && input.symbol.unit.dimension.kg != 0 => "nothing",
             Some((id, _)) => id,
             None if input.chapter == "motion" => "range_ends",
-            None if input.chapter == "limits" => "limit",
             None if input.symbol == &gravity::G => "masses",
             None => "none",
         };
         let symbol = shown(input);
         match uses.iter_mut().find(|known| known.id == id) {
+            Some(known) if known.symbols.contains(&symbol) => {}
             Some(known) => known.symbols.push(symbol),
             None => uses.push(Use {
                 id,

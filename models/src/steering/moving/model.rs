@@ -384,7 +384,7 @@ impl SteeringMotion {
         let mut group = self.group(i, &mut |(symbol, _), value| Rec::given(symbol, value))?;
         let mut begun: Vec<(&'static Symbol, f64)> = OF_GROUP.iter().map(|(symbol, _)| *symbol).zip(states).collect();
         begun.extend([(&m::U_V, present.held.command), (&m::THETA_W, wanted)]);
-        begun.extend([(&m::I_E, present.held.integral), (&m::STEPS, steps)]);
+        begun.extend([(&m::I_E, present.held.integral), (&m::N_E, steps)]);
         // Without loads nothing resists.
         let drag = self.drag(i, &mut |_, value| value);
         begun.extend(drag.is_none().then_some((&s::T_G, 0.0)));

@@ -46,7 +46,7 @@ symbols! {
     // What the book tells besides.
     TAU: "tau" "tau" S / S, "Time from the start of the movement.", "derived";
     OMEGA_C: "omega_c" "omega_c" RAD_PER_S / RAD_PER_S, "Angular velocity of a group below which its resistance is in proportion to it.", "assumption";
-    STEPS: "n_e" "n_(e i)" ONE / ONE, "Whole steps that the encoder of a group counts, rounded to the nearest.", "derived";
+    N_E: "n_e" "n_(e i)" ONE / ONE, "Whole steps that the encoder of a group counts, rounded to the nearest.", "derived";
     THETA_E: "theta_e" "theta_(e i)" RAD / DEG, "Heading of a group as the PLC reads it.", "derived";
     E_E: "e_e" "e_(e i)" RAD / DEG, "What a group lacks of the heading wanted, as the PLC reads it.", "derived";
     I_E: "I_e" "I_(e i)" RAD_S / RAD_S, "Sum of the errors times the cycle that the PLC holds of a group.", "[Zhang2016, 7]";

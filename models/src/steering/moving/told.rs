@@ -11,6 +11,8 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::{Fault, Role};
 use crate::parts::hydraulics::oil::VACUUM;
 use crate::parts::hydraulics::symbols as h;
+use crate::parts::hydraulics::throttle::LAMINAR;
+use crate::steering::hydraulic::CREEP;
 use crate::steering::moving::model::SteeringMotion;
 use crate::steering::moving::scene::MovingGroups;
 use crate::steering::moving::symbols as m;
@@ -167,7 +169,8 @@ pub fn motion(this: &Steering, moving: &MovingGroups) -> Option<(InMotion, Optio
     let (_, instant, group) = found.greatest;
     model.set_state(&found.state);
     let (trace, told) = record(|| model.recorded(group));
-    let state = told.ok()?;
+    let mut state = told.ok()?;
+    state.extend([(&h::DP_LAM, LAMINAR), (&m::OMEGA_C, CREEP)]);
     let section = |(id, symbols): (&'static str, &[&Symbol])| {
         let mut trace = trace.clone();
         trace.steps.retain(|step| symbols.contains(&step.symbol));

@@ -7,6 +7,7 @@ use crate::component::sheet::{Check, Envelope, InMotion, Manoeuvre, Section, Sum
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
+use crate::luffing::double_link::hydraulic::CREEP;
 use crate::luffing::double_link::moving::model::LuffingMotion;
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::moving::symbols as m;
@@ -17,6 +18,7 @@ use crate::luffing::double_link::sheet::manoeuvres::{Pilot, Planned, at_rest, de
 use crate::luffing::double_link::sheet::run::{EVENTS, Run, timed};
 use crate::luffing::double_link::symbols as s;
 use crate::parts::hydraulics::symbols as h;
+use crate::parts::hydraulics::throttle::LAMINAR;
 
 /// What the formulas of a section give; those of the assembled model stand among them.
 const SECTIONS: [(&str, &[&Symbol]); 9] = [
@@ -199,7 +201,7 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]])
         coordinate,
         instant: (instant.0, manoeuvres[of].id, shown.instant),
         of: None,
-        state: state(&mut model),
+        state: state(&mut model, moving),
         sections: sections(&model),
         ramp: Some((&m::T_S, moving.ramp)),
         rules: rules(moving),
@@ -212,7 +214,7 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]])
 }
 
 /// States and commands as they are now, without those of the position alone.
-fn state(model: &mut LuffingMotion) -> Vec<(&'static Symbol, f64)> {
+fn state(model: &mut LuffingMotion, moving: &Moving) -> Vec<(&'static Symbol, f64)> {
     let indices = |role: Role| {
         let all = model.variables().iter().enumerate();
         let of = all.filter(move |(_, variable)| variable.role == role);
@@ -225,6 +227,12 @@ fn state(model: &mut LuffingMotion) -> Vec<(&'static Symbol, f64)> {
         .filter(|(symbol, _)| {
             !s::ALL.contains(symbol) || [&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3].contains(symbol)
         })
+        // What the oil's equations have besides.
+        .chain(
+            [(&h::DP_LAM, LAMINAR), (&m::OMEGA_C, CREEP)]
+                .into_iter()
+                .filter(|_| moving.oil.is_some()),
+        )
         .collect()
 }
 
