@@ -1,13 +1,13 @@
 //! What every mechanism gets from its equations: a component writes groups, stages and rows, and everything else is
 //! made here once.
 
+pub mod account;
 pub mod dependencies;
 pub mod description;
 pub mod draw;
 pub mod drawing;
 pub mod extreme;
 pub mod governing;
-pub mod in_motion;
 pub mod mechanism;
 pub mod model;
 pub mod moving;
