@@ -48,15 +48,12 @@ pub(super) struct Planned {
 pub(super) fn rules(moving: &Moving) -> Vec<&'static str> {
     let oil = moving.oil.is_some();
     let motors = !oil || moving.slewing.is_some() || moving.has_motor();
-    let hoists = lifting(moving).is_some();
-    let at_once = moving.rope.is_some_and(|rope| matches!(rope.hoist, HoistKind::AtOnce));
     let rules = [
         (true, "manoeuvres"),
         (oil, "valve"),
         (motors, "drive"),
         (motors, "brake"),
         (moving.has_motor(), "lift_motor"),
-        (hoists && at_once, "lift_at_once"),
     ];
     rules.into_iter().filter(|(said, _)| *said).map(|(_, id)| id).collect()
 }
@@ -124,7 +121,8 @@ fn lifting(moving: &Moving) -> Option<[f64; 2]> {
         HoistKind::Motor(_) => Some([LIFTED * rope.length / moving.ramp, 2.0 * moving.ramp]),
         _ if speed == 0.0 => None,
         HoistKind::Ramp(ramp) => Some([speed, speed / ramp.a_h + moving.ramp]),
-        HoistKind::AtOnce => Some([speed, 2.0 * moving.ramp]),
+        // What jumps gives blows and no forces to design for.
+        HoistKind::AtOnce => None,
     }
 }
 
@@ -165,8 +163,7 @@ enum Drive {
 enum Lift {
     /// The input, and what it is told (m/s) for how long (s): it comes up to that by itself.
     Told(usize, [f64; 2]),
-    /// The same of one that does not.
-    Led(usize, [f64; 2]),
+    /// Led to a speed (m/s), from which it is led back at a time (s).
     Motor(JointMotor, [f64; 2]),
 }
 
@@ -187,7 +184,7 @@ impl Lift {
                 Some(Lift::Motor(motor, lifting.unwrap_or_default()))
             }
             HoistKind::Ramp(_) => Some(Lift::Told(place(model, &m::V_H)?, lifting?)),
-            HoistKind::AtOnce => Some(Lift::Led(place(model, &m::V_H)?, lifting?)),
+            HoistKind::AtOnce => None,
         }
     }
 }
@@ -315,7 +312,6 @@ impl<'a> Pilot<'a> {
             Some(Lift::Told(input, [speed, time])) => {
                 self.set(model, input, from, if from < time { -speed } else { 0.0 })?;
             }
-            Some(Lift::Led(input, lifting)) => self.set(model, input, from, led(lifting, to))?,
             Some(Lift::Motor(motor, lifting)) => {
                 let told = motor.follow(model, [from, to].map(|time| led(lifting, time)), to - from)?;
                 self.set_both(model, motor.inputs, from, told)?;
