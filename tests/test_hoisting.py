@@ -137,7 +137,7 @@ def test_the_book_lifts_with_a_motor(tmp_path):
     least, greatest = forces[:, 4] - 100
     assert -2 * part < least < -part and part < greatest < 2 * part, (part, forces)
     assert abs(np.delete(forces, 4, axis=1) - 100).max() < part
-    [lifted] = re.findall(r'(?m)^  \[#say\("W h"\)\[\$W_h\$\];\],(.*)$', source)
+    [lifted] = re.findall(r'(?m)^  \[#say\("W h"\)\[\$W_h\$\];\],(.* thin"kJ".*)$', source)
     works = [float(work) for work in re.findall(r'\$(-?[\d.]+) thin"kJ"', lifted)]
     assert np.allclose(works, [0, 0, 0, 900, 0], atol=0.05)
 
