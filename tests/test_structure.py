@@ -255,7 +255,6 @@ LONG = {
     "models/src/luffing/double_link/hydraulic.rs",
     "models/src/luffing/double_link/moving/level.rs",
     "models/src/luffing/double_link/moving/model.rs",
-    "models/src/luffing/double_link/sheet/motion.rs",
 }
 
 

@@ -6,7 +6,7 @@ use crate::balance::task::Search;
 use crate::book::{BOOK, Book};
 use crate::component::mechanism::Mechanism;
 use crate::component::model::Model;
-use crate::component::sheet::{Input, Sheet};
+use crate::component::sheet::{InMotion, Input, Sheet};
 use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
@@ -237,7 +237,8 @@ impl Scene {
         let mut sheet = registry::sheet(&*self.mechanism, &self.given, &self.book.positions);
         let loads = sheet.inputs.iter().rposition(|input| input.chapter == LOAD);
         let by_it = |variable: &Variable| variable.symbol == &gravity::G;
-        let moves = sheet.motion.is_some() || self.model().is_ok_and(|model| model.variables().iter().any(by_it));
+        let moves = sheet.motion.as_ref().is_some_and(weighs)
+            || self.model().is_ok_and(|model| model.variables().iter().any(by_it));
         if let Some((last, gravity)) = loads.zip(self.weighs(moves)) {
             sheet.inputs.insert(last + 1, gravity);
         }
@@ -447,4 +448,17 @@ pub fn json_schema() -> serde_json::Value {
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema".into();
     schema["title"] = "Lemnis scene".into();
     schema
+}
+
+/// Whether the formulas have the acceleration of gravity.
+fn weighs(motion: &InMotion) -> bool {
+    let mut names = Vec::new();
+    for section in &motion.sections {
+        let trace = &section.trace;
+        trace
+            .steps
+            .iter()
+            .for_each(|step| trace.names(step.formula, &mut names));
+    }
+    names.iter().any(|symbol| symbol.id == gravity::G.id)
 }

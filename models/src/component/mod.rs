@@ -1,6 +1,7 @@
 //! What every mechanism gets from its equations: a component writes groups, stages and rows, and everything else is
 //! made here once.
 
+pub mod account;
 pub mod dependencies;
 pub mod description;
 pub mod draw;
@@ -15,6 +16,7 @@ pub mod part;
 mod probe;
 pub mod running;
 pub mod sensitivity;
+pub mod series;
 pub mod sheet;
 pub mod spread;
 pub mod stages;

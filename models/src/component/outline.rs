@@ -25,6 +25,9 @@ pub struct Outline {
     pub sensitivity: &'static [&'static Symbol],
     /// What results are checked by.
     pub limits: &'static [Limit],
+    /// What given quantities are for besides formulas: ids of the words, and the quantities. The book says it of those that
+    /// none of its formulas has; of the ends of the working range and of limits it is known.
+    pub uses: &'static [(&'static str, &'static [&'static Symbol])],
     /// What other parts are designed for: least and greatest over the working range.
     pub forces: &'static [&'static Symbol],
     /// Where the formulas are worked out if the scene does not say it: id of the position, and the result that is

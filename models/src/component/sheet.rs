@@ -2,8 +2,10 @@
 //! in SI. It is made from the same functions that the FMU runs; words, units
 //! of print and layout are added later, elsewhere.
 
+pub use crate::component::account::{Energy, Integral, Power};
 pub use crate::component::drawing::{Drawing, Shape};
 use crate::component::extreme::Extreme;
+
 use crate::kernel::origin::Origin;
 use crate::kernel::record::Trace;
 use crate::kernel::symbol::Symbol;
@@ -16,6 +18,8 @@ pub struct Sheet {
     pub inputs: Vec<Input>,
     /// Chapters of inputs that only levels in motion use, which this sheet does not calculate.
     pub uncalculated: Vec<&'static str>,
+    /// What given quantities that are in no formula are for: see [`Outline`](crate::component::outline::Outline).
+    pub uses: Vec<(&'static str, Vec<&'static Symbol>)>,
     /// Formulas that do not depend on the position.
     pub constants: Vec<Section>,
     /// The mechanism in each of its ways of working; empty where it has one.
@@ -139,8 +143,8 @@ pub struct InMotion {
     pub time: &'static Symbol,
     /// What moves the mechanism.
     pub coordinate: &'static Symbol,
-    /// The time in which drives come up to their speed, in s.
-    pub ramp: (&'static Symbol, f64),
+    /// The time in which drives come up to their speed, in s, where they have one.
+    pub ramp: Option<(&'static Symbol, f64)>,
     /// Ids of the sentences that say how the commands of manoeuvres are chosen.
     pub rules: Vec<&'static str>,
     /// At which instant the formulas are worked out: ids of what makes it one and of the manoeuvre, and when it is, in s.
@@ -152,6 +156,8 @@ pub struct InMotion {
     pub sections: Vec<Section>,
     pub manoeuvres: Vec<Manoeuvre>,
     pub envelope: Vec<Envelope>,
+    /// What amounts of the energy are sums of over the time of a manoeuvre.
+    pub integrals: Vec<Integral>,
 }
 
 /// A named sequence of commands, and a run of the model under it.
@@ -187,14 +193,6 @@ pub struct Stand {
     pub value: f64,
     pub time: f64,
     pub at: f64,
-}
-
-/// Where energy came from, what stores it and what took it, in J: what was given is what is stored and taken.
-pub struct Energy {
-    pub given: Vec<(&'static Symbol, f64)>,
-    pub stored: Vec<(&'static Symbol, f64)>,
-    /// With what is left over, last.
-    pub taken: Vec<(&'static Symbol, f64)>,
 }
 
 /// The balance of the boom system over the working range.

@@ -142,6 +142,7 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
     let mut sheet = Sheet {
         assumptions: T::assumptions(told),
         inputs: told.inputs(origins),
+        uses: uses(outline),
         constants: constants::<T>(&model, of),
         positions: positions
             .into_iter()
@@ -178,6 +179,13 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
         sheet.uncalculated = in_motion_only(told);
     }
     sheet
+}
+
+/// What given quantities are for besides formulas.
+fn uses(outline: &Outline) -> Vec<(&'static str, Vec<&'static Symbol>)> {
+    let told = outline.uses.iter().map(|(id, symbols)| (*id, symbols.to_vec()));
+    let limits = outline.limits.iter().map(|limit| limit.symbol).collect();
+    told.chain([("limit", limits)]).collect()
 }
 
 /// Least and greatest values over the working range of what other parts are designed for.

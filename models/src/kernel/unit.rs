@@ -111,6 +111,7 @@ units! {
     RAD         = "rad"      "rad"     [0 0 0 1]     1.0;
     DEG         = "deg"      "°"       [0 0 0 1]     DEGREE;
     S           = "s"        "s"       [0 0 1 0]     1.0;
+    RAD_S       = "rad.s"    "rad·s"   [0 0 1 1]     1.0;
     MS          = "ms"       "ms"      [0 0 1 0]     1e-3;
     MIN         = "min"      "min"     [0 0 1 0]     60.0;
     RAD_PER_S   = "rad/s"    "rad/s"   [0 0 -1 1]    1.0;

@@ -3,6 +3,7 @@
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
+use crate::parts::turntable;
 use crate::slewing::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
@@ -31,6 +32,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("slewing_moment", &s::M_ST_MAX),
         Limit::at_most("slewing_power", &s::P_ST_MAX),
     ],
+    uses: &[("stops", listed!(turntable: PSI_MIN, PSI_MAX))],
     forces: listed!(s: M_ST, F_N, F_T),
     worst: &[("greatest_moment", &s::M_ST_MAX)],
 };

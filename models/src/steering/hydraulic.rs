@@ -78,7 +78,7 @@ impl<P: Calc> WorkingGroup<P> {
     /// Moment of tyres, slewing ring and end stop on the group, in N·m; positive turns it counter-clockwise.
     #[inline]
     pub fn reaction<C: Over<P>>(&self, theta: C, omega: C) -> C {
-        let smooth = (omega.square() + C::constant(CREEP * CREEP)).sqrt();
+        let smooth = (omega.square() + C::known(&s::OMEGA_C, CREEP).square()).sqrt();
         let tyres = C::of(-self.resistance) * omega / smooth;
         let [low, high] = self.stops;
         let depth = if theta.value() < low.value() {
@@ -104,19 +104,19 @@ impl<P: Calc> WorkingGroup<P> {
         let [theta, omega, ..] = *y;
         let oil = WorkingGroup::oil(y);
         let pose = self.pose(theta);
-        let rates = self
-            .cylinder
-            .rates(&oil, pose.l, pose.od * omega, self.command, self.supply);
-        let moment = self.cylinder.force(&oil) * pose.od + self.reaction(theta, omega);
+        let speed = (pose.od * omega).def(&s::V_C);
+        let rates = self.cylinder.rates(&oil, pose.l, speed, self.command, self.supply);
+        let (force, reaction) = (self.cylinder.force(&oil), self.reaction(theta, omega));
+        let moment = force.def(&s::F_C) * pose.od + reaction.def(&s::M_R);
         [
             omega,
-            moment / C::of(self.inertia),
-            rates.ports[0],
-            rates.ports[1],
-            rates.chambers[0],
-            rates.chambers[1],
+            (moment / C::of(self.inertia)).def(&s::D_OMEGA_G),
+            rates.ports[0].def(&s::D_P_1),
+            rates.ports[1].def(&s::D_P_2),
+            rates.chambers[0].def(&s::D_P_A),
+            rates.chambers[1].def(&s::D_P_B),
             rates.spool,
-            rates.spool_speed,
+            rates.spool_speed.def(&s::D_V_V),
         ]
     }
 
@@ -165,39 +165,60 @@ impl System<STATES> for WorkingGroup {
 
 /// The PLC's control loop of one group: proportional and integral, sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Control {
+pub struct Control<P = f64> {
     /// Of the PLC's cycle, in s.
-    pub period: f64,
+    pub period: P,
     /// Of the encoder, in rad: it tells whole steps; with zero every angle.
-    pub resolution: f64,
+    pub resolution: P,
     /// Command for an error, in 1/rad, and for its integral, in 1/(rad·s).
-    pub gains: [f64; 2],
+    pub gains: [P; 2],
     /// Greatest command by amount, up to 1.
-    pub limit: f64,
+    pub limit: P,
 }
 
 quantities! {
     /// What the PLC holds of a group from one sample to the next: integral of the error, in rad·s, and the valve's command.
-    Sampled { integral: INTEGRAL, command: U_V }
+    Sampled { integral: I_E, command: U_V }
+}
+
+impl<P: Calc> Control<P> {
+    /// Sum of the errors (rad·s) and command that follow from the sum held, the angle wanted (rad), the angle (rad) and
+    /// the encoder's whole steps in it; `mirrored` where the cylinder shortens for a positive angle.
+    pub fn asked(&self, held: P, wanted: P, [theta, steps]: [P; 2], mirrored: bool) -> [P; 2] {
+        let seen = match self.resolution.value() {
+            0.0 => theta,
+            _ => steps * self.resolution,
+        };
+        let error = (wanted - seen.def(&s::THETA_E)).def(&s::E_E);
+        let sum = (held + error * self.period).def(&s::I_N);
+        let command = (self.gains[0] * error + self.gains[1] * sum).def(&s::U_F);
+        let limited = match command.value() {
+            asked if asked > self.limit.value() => self.limit,
+            asked if asked < -self.limit.value() => -self.limit,
+            _ => command,
+        };
+        let told = if mirrored { -limited } else { limited };
+        // The sum waits while the command is at its limit.
+        let free = command.value().abs() < self.limit.value();
+        [if free { sum } else { held }, told.def(&s::U_N)]
+    }
 }
 
 impl Control {
+    /// Whole steps of the encoder at an angle, in rad; none where it tells every angle.
+    #[must_use]
+    pub fn steps(&self, theta: f64) -> f64 {
+        match self.resolution {
+            0.0 => 0.0,
+            step => (theta / step).round(),
+        }
+    }
+
     /// One sample: reads the encoder at an angle (rad) and sets the valve for the angle wanted (rad);
     /// `mirrored` where the cylinder shortens for a positive angle.
     #[must_use]
     pub fn sample(&self, held: &Sampled<f64>, wanted: f64, theta: f64, mirrored: bool) -> Sampled<f64> {
-        let seen = match self.resolution {
-            0.0 => theta,
-            step => (theta / step).round() * step,
-        };
-        let error = wanted - seen;
-        let sum = held.integral + error * self.period;
-        let command = self.gains[0] * error + self.gains[1] * sum;
-        let sense = if mirrored { -1.0 } else { 1.0 };
-        Sampled {
-            // The integral waits while the command is at its limit.
-            integral: if command.abs() < self.limit { sum } else { held.integral },
-            command: sense * command.clamp(-self.limit, self.limit),
-        }
+        let [integral, command] = self.asked(held.integral, wanted, [theta, self.steps(theta)], mirrored);
+        Sampled { integral, command }
     }
 }

@@ -2,8 +2,6 @@
 
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
-use crate::component::moving::MovingComponent;
-use crate::component::moving::bodies::SampledBodies;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::component::running::Running;
@@ -13,18 +11,18 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::schema::Values;
 use crate::kernel::variable::Fault;
+use crate::parts::hydraulics::symbols as h;
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::steering::changes::changes;
 use crate::steering::checks::{identities, requirements};
 use crate::steering::drawing::{Stance, lengths, swept, triangle};
-use crate::steering::hydraulic::{STATES, Sampled};
 use crate::steering::keys::KEYS;
 use crate::steering::load::told;
 use crate::steering::mode::Mode;
 use crate::steering::moving;
-use crate::steering::moving::motion::GroupState;
-use crate::steering::moving::scene::MovingGroups;
+use crate::steering::moving::sampled::in_motion;
+use crate::steering::moving::told::motion;
 use crate::steering::parts::{Parts, demanded};
 use crate::steering::published::printed;
 use crate::steering::scene::{Steering, SteeringScene};
@@ -68,6 +66,12 @@ const OUTLINE: Outline = Outline {
     summary: &[],
     sensitivity: &[],
     limits: &[Limit::not_negative("range", &s::MARGIN_MIN)],
+    uses: &[
+        ("swept_lane", &[&s::E_F, &s::E_R, &s::E_LEFT, &s::E_RIGHT]),
+        ("group_range", &[&s::THETA_MIN, &s::THETA_MAX]),
+        ("limit", &[&s::SLIP_LIMIT, &s::V_C_MAX]),
+        ("relief", &[&moving::symbols::P_R, &moving::symbols::K_R]),
+    ],
     forces: &[&s::F_G, &s::T_G, &s::V_C, &s::Q_SUM],
     worst: &[("greatest_force", &s::F_G_WORK)],
 };
@@ -82,8 +86,8 @@ impl Described for SteeringScene {
     const OUTLINE: &'static Outline = &OUTLINE;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "steering_symbol",
-        own: &[s::ALL, gravity::ALL, MovingGroups::<f64>::SYMBOLS],
-        shared: &[],
+own: &[s::ALL, gravity::ALL, moving::symbols::ALL],
+        shared: &[h::ALL],
     };
 
     fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(SteeringScene, Motion)> {
@@ -126,18 +130,18 @@ impl Described for SteeringScene {
     }
 
     fn moving(this: &Steering) -> Option<Result<Box<dyn Running>, Fault>> {
-        let mut turning = this.clone();
-        let (own, groups) = (&mut turning.own, this.given.axes.len());
-        own.given.moving = Some(own.moving?);
-        own.given.moved = vec![GroupState::of(|_| Some(0.0))?; groups];
-        own.given.held = vec![Sampled::of(|_| Some(0.0))?; groups];
-        let moving = MovingComponent::new(turning.standing(), SampledBodies::<SteeredGroups, STATES>::new);
+        let moving = in_motion(this)?;
         Some(moving.map(|model| Box::new(model) as Box<dyn Running>))
     }
 
     fn chapters(&self) -> Vec<&'static str> {
         let sizing = self.given.bearing.is_some() || self.given.cylinder.is_some();
-        ["views"].into_iter().chain(sizing.then_some("sizing")).collect()
+        let moving = self.moving.as_ref().map(|_| "motion");
+        ["views"]
+            .into_iter()
+            .chain(sizing.then_some("sizing"))
+            .chain(moving)
+            .collect()
     }
 
     /// Loads of the groups stand with the loads, and what is forbidden to each group with the ranges: once where it is
@@ -180,19 +184,16 @@ impl Described for SteeringScene {
     }
 
     fn uncovered(this: &Steering) -> Vec<&'static str> {
-        let oil = match this.moving {
-            Some(_) => "oil_in_motion",
-            None => "oil_dynamics",
-        };
-        vec![
-            oil,
+        let oil = this.moving.is_none().then_some("oil_dynamics");
+        let others = [
             "slope",
             "side_forces",
             "travel_drive",
             "strength",
             "fatigue",
             "load_cases",
-        ]
+        ];
+        oil.into_iter().chain(others).collect()
     }
 
     fn drawing(this: &Steering) -> Drawing {
@@ -257,6 +258,10 @@ impl Described for SteeringScene {
             section
                 .into_iter()
                 .for_each(|section| section.table = Some(slip_table(model, worked.value)));
+        }
+        if let Some((chapter, warning)) = this.moving.as_ref().and_then(|moving| motion(this, moving)) {
+            sheet.warnings.extend(warning);
+            sheet.motion = Some(chapter);
         }
     }
 }

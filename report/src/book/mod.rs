@@ -204,7 +204,7 @@ impl<'a> Book<'a> {
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
             match *chapter {
-                "inputs" => inputs = tables::inputs(numbers, sheet, &mut notation),
+                "inputs" => inputs = tables::inputs(numbers, sheet, &chapters, &mut notation),
                 "constants" => constants = steps::sections(numbers, &sheet.constants, None, judged, &mut notation),
                 "sizing" => sizing = steps::sections(numbers, &sheet.sizing, None, judged, &mut notation),
                 "positions" => {

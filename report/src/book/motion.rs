@@ -1,6 +1,7 @@
 //! The mechanism in motion: what is modelled, its manoeuvres, and the equations at one instant.
 
 use lemnis_models::component::sheet::{self, InMotion};
+use lemnis_models::kernel::record::{Node, Op};
 use lemnis_models::kernel::symbol::Symbol;
 use serde::Serialize;
 
@@ -19,10 +20,16 @@ pub(super) struct Motion {
     of: Option<usize>,
     state: Vec<Value>,
     sections: Vec<Section>,
-    ramp: String,
+    ramp: Option<String>,
     rules: Vec<&'static str>,
     manoeuvres: Vec<Manoeuvre>,
     envelope: Vec<Envelope>,
+    /// Whether it is known of any of these what it is at rest.
+    still: bool,
+    /// Whether anything happened.
+    eventful: bool,
+    /// Whether derivatives by the coordinate come from dual numbers.
+    duals: bool,
     energy: Account,
 }
 
@@ -79,6 +86,8 @@ struct Cell {
 #[derive(Serialize)]
 struct Account {
     rows: Vec<AccountRow>,
+    /// Amounts that are sums of powers: what, and of what.
+    integrals: Vec<[String; 2]>,
     given: String,
     used: String,
 }
@@ -109,7 +118,12 @@ impl Motion {
         }
         let sections = sections(numbers, &motion.sections, None, requirements, notation);
         let energies = motion.manoeuvres.iter().map(|manoeuvre| &manoeuvre.energy);
-        let energy = Account::new(numbers, energies.collect());
+        let energy = Account::new(numbers, energies.collect(), &motion.integrals);
+        let powers = motion.integrals.iter().flat_map(|integral| &integral.of);
+        let powers = powers.flat_map(|power| power.factors.iter().copied().chain(power.over));
+        for symbol in powers {
+            notation.meet(symbol);
+        }
         let drawn = motion.manoeuvres.iter().flat_map(|manoeuvre| &manoeuvre.curves);
         let drawn = drawn
             .map(|curve| curve.y)
@@ -136,20 +150,41 @@ impl Motion {
         Motion {
             instant: motion.instant.0,
             during: motion.instant.1,
-            at: time(motion.instant.2),
+            at: numbers.named(motion.time, motion.instant.2),
             of: motion.of,
             state: motion.state.iter().map(value).collect(),
             sections,
             rules: motion.rules.clone(),
-            ramp: numbers.named(motion.ramp.0, motion.ramp.1),
+            ramp: motion.ramp.map(|(symbol, time)| numbers.named(symbol, time)),
             manoeuvres: motion.manoeuvres.iter().map(manoeuvre).collect(),
             envelope: motion
                 .envelope
                 .iter()
                 .map(|row| Envelope::new(numbers, motion, row))
                 .collect(),
+            still: motion.envelope.iter().any(|row| row.still.is_some()),
+            eventful: motion.manoeuvres.iter().any(|run| !run.events.is_empty()),
+            duals: motion.sections.iter().any(has_derivatives),
             energy,
         }
+    }
+}
+
+/// Whether a formula is the derivative of another one.
+fn has_derivatives(section: &sheet::Section) -> bool {
+    let trace = &section.trace;
+    let mut nodes = trace.steps.iter().map(|step| trace.node(step.formula));
+    nodes.any(|node| matches!(node, Node::Binary(Op::Derivative, ..)))
+}
+
+/// A term of a sum of powers, with its sign.
+fn power(power: &sheet::Power) -> String {
+    let sign = if power.negative { "-" } else { "+" };
+    let factors: Vec<&str> = power.factors.iter().map(|symbol| symbol.print).collect();
+    let product = factors.join(" ");
+    match power.over {
+        Some(over) => format!("{sign} frac({product}, {})", over.print),
+        None => format!("{sign} {product}"),
     }
 }
 
@@ -185,7 +220,7 @@ impl Envelope {
 }
 
 impl Account {
-    fn new(numbers: &Numbers, energies: Vec<&sheet::Energy>) -> Account {
+    fn new(numbers: &Numbers, energies: Vec<&sheet::Energy>, integrals: &[sheet::Integral]) -> Account {
         let all = |energy: &sheet::Energy| {
             let parts = [&energy.given, &energy.stored, &energy.taken];
             parts.into_iter().flatten().copied().collect::<Vec<_>>()
@@ -201,7 +236,14 @@ impl Account {
             quantity: (*symbol).into(),
             values: columns.iter().map(|column| column[i].clone()).collect(),
         };
+        let of = |integral: &sheet::Integral| {
+            let powers = integral.of.iter().map(power).collect::<Vec<_>>().join(" ");
+            // The first one needs no plus.
+            let powers = powers.strip_prefix("+ ").unwrap_or(&powers).to_owned();
+            [integral.symbol.print.to_owned(), powers]
+        };
         Account {
+            integrals: integrals.iter().map(of).collect(),
             rows: symbols.iter().enumerate().map(row).collect(),
             given: sum(&symbols[..given]),
             used: sum(&symbols[given..]),

@@ -49,15 +49,7 @@ impl Notation {
 
     /// The symbols of all printed formulas.
     pub(super) fn meet_formulas(&mut self, sheet: &Sheet, chapters: &[&str]) {
-        let mut names = Vec::new();
-        for section in sections(sheet, chapters) {
-            let trace = &section.trace;
-            trace
-                .steps
-                .iter()
-                .for_each(|step| trace.names(step.formula, &mut names));
-        }
-        for symbol in names {
+        for symbol in named(sheet, chapters) {
             self.meet(symbol);
         }
     }
@@ -103,6 +95,19 @@ impl Notation {
         };
         met.iter().map(entry).collect()
     }
+}
+
+/// What the formulas of some chapters name.
+pub(super) fn named(sheet: &Sheet, chapters: &[&str]) -> Vec<&'static Symbol> {
+    let mut names = Vec::new();
+    for section in sections(sheet, chapters) {
+        let trace = &section.trace;
+        trace
+            .steps
+            .iter()
+            .for_each(|step| trace.names(step.formula, &mut names));
+    }
+    names
 }
 
 /// The formulas of some chapters.

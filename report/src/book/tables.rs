@@ -11,7 +11,7 @@ use lemnis_models::kernel::unit::{self, Unit};
 use serde::Serialize;
 
 use crate::book::blocks::{Drawn, Figure, Quantity, Summary, Table, sparse, summary, table};
-use crate::book::notation::Notation;
+use crate::book::notation::{Notation, named};
 use crate::print::drawing::{HALF, drawing};
 use crate::print::number::{self, Numbers, measured};
 use crate::print::plot;
@@ -26,6 +26,15 @@ pub(super) struct Chapter {
     /// Whether some come from elsewhere.
     mixed: bool,
     inputs: Vec<Input>,
+    /// Those that no formula has.
+    uses: Vec<Use>,
+}
+
+/// What quantities are for that no formula has.
+#[derive(Serialize)]
+struct Use {
+    id: &'static str,
+    symbols: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -143,7 +152,8 @@ struct ComparedRow {
     values: Vec<[String; 2]>,
 }
 
-pub(super) fn inputs(numbers: &Numbers, sheet: &Sheet, notation: &mut Notation) -> Vec<Chapter> {
+pub(super) fn inputs(numbers: &Numbers, sheet: &Sheet, chapters: &[&str], notation: &mut Notation) -> Vec<Chapter> {
+    let named = named(sheet, chapters);
     let chapter = |inputs: &[sheet::Input]| {
         let mut chapter = Chapter {
             id: inputs[0].chapter,
@@ -151,6 +161,7 @@ pub(super) fn inputs(numbers: &Numbers, sheet: &Sheet, notation: &mut Notation) 
             note: None,
             mixed: true,
             inputs: inputs.iter().map(|given| input(numbers, given, notation)).collect(),
+            uses: uses(sheet, inputs, &named),
         };
         // What all have in common is said once.
         let mut given = chapter.inputs.iter().filter(|input| !input.usual);
@@ -172,15 +183,46 @@ pub(super) fn inputs(numbers: &Numbers, sheet: &Sheet, notation: &mut Notation) 
         .collect()
 }
 
+/// What those of some given quantities are for that no formula has.
+fn uses(sheet: &Sheet, inputs: &[sheet::Input], named: &[&Symbol]) -> Vec<Use> {
+    let mut uses: Vec<Use> = Vec::new();
+    let is_idle = |input: &&sheet::Input| named.iter().all(|symbol| symbol.print != input.symbol.print);
+    for input in inputs.iter().filter(is_idle) {
+        let told = |(_, symbols): &&(_, Vec<&Symbol>)| symbols.contains(&input.symbol);
+        let id = match sheet.uses.iter().find(told) {
+            _ if input.value == 0.0 && input.symbol.unit.dimension.kg != 0 => "nothing",
+            Some((id, _)) => id,
+            None if input.chapter == "motion" => "range_ends",
+            None if input.symbol == &gravity::G => "masses",
+            None => "none",
+        };
+        let symbol = shown(input);
+        match uses.iter_mut().find(|known| known.id == id) {
+            Some(known) if known.symbols.contains(&symbol) => {}
+            Some(known) => known.symbols.push(symbol),
+            None => uses.push(Use {
+                id,
+                symbols: vec![symbol],
+            }),
+        }
+    }
+    uses
+}
+
+/// As it is printed, with the number of the one among several.
+fn shown(input: &sheet::Input) -> String {
+    match input.number {
+        Some(number) => input.symbol.numbered(number),
+        None => input.symbol.print.to_owned(),
+    }
+}
+
 fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> Input {
     let given = input.given.as_ref();
     Input {
         quantity: input.symbol.into(),
         first: notation.meet(input.symbol),
-        shown: match input.number {
-            Some(number) => input.symbol.numbered(number),
-            None => input.symbol.print.to_owned(),
-        },
+        shown: shown(input),
         value: match given.and_then(|given| given.mass) {
             Some(mass) => {
                 let mass = measured(numbers.language, mass / unit::T.factor, &unit::T);

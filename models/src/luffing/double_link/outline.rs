@@ -7,6 +7,7 @@ use crate::drive::symbols as d;
 use crate::kernel::symbol::listed;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
+use crate::parts::turntable;
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
@@ -72,6 +73,14 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("drive_torque_out", &d::T_D_OUT_MAX),
         Limit::at_most("drive_torque_in", &d::T_D_IN_MAX),
         Limit::at_most("motion_swing", &m::PHI_MAX),
+    ],
+    uses: &[
+        ("annulus", &[&s::D_R]),
+        ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
+        ("hoist", &[&m::V_H, &m::A_H]),
+        ("relief", listed!(m: P_R, K_R)),
+        ("friction", listed!(turntable: C_SL, M_F_SL)),
+        ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
     ],
     forces: &[
         &s::F_O1X,

@@ -1,7 +1,12 @@
 //! The double link as scenes describe it and books tell it.
 
+mod energy;
+mod events;
 mod manoeuvres;
 pub mod motion;
+mod motor;
+mod run;
+mod travel;
 
 use crate::balance;
 use crate::balance::boom::Boom;

@@ -58,6 +58,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
     ],
+    uses: &[],
     forces: listed!(s: F_O1X, F_O1Y, N_B, T, T_UP, S_L_UP, S_H_UP, M_D),
     worst: &[("greatest_pull", &s::T_MAX)],
 };

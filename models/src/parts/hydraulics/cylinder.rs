@@ -89,8 +89,9 @@ impl Oil<f64> {
 /// Flows of one cylinder, in m³/s.
 #[derive(Clone, Copy, Debug)]
 pub struct Flows<C> {
-    /// From the valve into the ports, and on into the chambers.
+    /// From the valve into the ports, and on into the chambers; the pump's is one of the former.
     pub valve: [C; 2],
+    pub pump: C,
     pub line: [C; 2],
     /// From the ports to the tank.
     pub relief: [C; 2],
@@ -120,8 +121,10 @@ impl<P: Calc> Cylinder<P> {
         let line = |i: usize| root(oil.ports[i] - oil.chambers[i]).times(self.line);
         let relief = |i: usize| relief(oil.ports[i], self.relief[0], self.relief[1]);
         let [a, b] = self.valve.flows(oil.spool, supply, oil.ports);
+        let [a, b] = [a.def(&s::Q_1), b.def(&s::Q_2)];
         Flows {
-            valve: [a.def(&s::Q_1), b.def(&s::Q_2)],
+            valve: [a, b],
+            pump: if oil.spool.value() >= 0.0 { a } else { b }.def(&s::Q_0),
             line: [line(0).def(&s::Q_LA), line(1).def(&s::Q_LB)],
             relief: [relief(0).def(&s::Q_R1), relief(1).def(&s::Q_R2)],
             leakage: (oil.chambers[0] - oil.chambers[1]).times(self.leakage).def(&s::Q_LEAK),
@@ -168,7 +171,7 @@ impl Cylinder {
         let (fed, other) = if oil.spool >= 0.0 { (0, 1) } else { (1, 0) };
         let growth = [speed * self.areas[0], -speed * self.areas[1]];
         let gain = [-f.leakage, f.leakage];
-        let mut throttles = (supply - oil.ports[fed]) * f.valve[fed] - oil.ports[other] * f.valve[other];
+        let mut throttles = (supply - oil.ports[fed]) * f.pump - oil.ports[other] * f.valve[other];
         throttles += (oil.chambers[0] - oil.chambers[1]) * f.leakage;
         let mut compression = 0.0;
         for i in 0..2 {
@@ -177,6 +180,6 @@ impl Cylinder {
             compression += port * (f.valve[i] - f.line[i] - f.relief[i]);
             compression += chamber * (f.line[i] + gain[i] - growth[i]);
         }
-        [supply * f.valve[fed], throttles, compression]
+        [supply * f.pump, throttles, compression]
     }
 }

@@ -9,6 +9,7 @@ symbols! {
     Y_V: "y_v" "y_v" ONE / ONE, "Part of the valve's edges that is open, with the sign of the spool.", "derived";
     Q_1: "Q_1" "Q_1" M3_PER_S / L_PER_MIN, "Flow from the valve into the port on the side of the bore.", "continuity of flow";
     Q_2: "Q_2" "Q_2" M3_PER_S / L_PER_MIN, "Flow from the valve into the port on the side of the annulus.", "continuity of flow";
+    Q_0: "Q_0" "Q_0" M3_PER_S / L_PER_MIN, "Flow from the pump: into the port with which the valve connects it.", "continuity of flow";
     Q_LA: "Q_lA" "Q_A" M3_PER_S / L_PER_MIN, "Flow through the line into the chamber of the bore.", "continuity of flow";
     Q_LB: "Q_lB" "Q_B" M3_PER_S / L_PER_MIN, "Flow through the line into the chamber of the annulus.", "continuity of flow";
     Q_R1: "Q_r1" "Q_(r 1)" M3_PER_S / L_PER_MIN, "Flow through the relief valve on the side of the bore.", "continuity of flow";

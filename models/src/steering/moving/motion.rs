@@ -27,7 +27,7 @@ quantities! {
 fn resistance<C: Calc>(drag: &Drag<C>) -> Resistance<C> {
     Resistance {
         standing: drag.moment,
-        travelling: drag.moment - drag.tyres.standing + drag.tyres.travelling,
+        travelling: (drag.moment - drag.tyres.standing + drag.tyres.travelling).def(&s::T_GX),
     }
 }
 

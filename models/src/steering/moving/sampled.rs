@@ -1,14 +1,18 @@
 //! How the groups are carried on: what the PLC decides at a sample, and what the solver is to keep.
 
-use crate::component::moving::bodies::{BodiesInMotion, Schedule};
+use crate::component::moving::MovingComponent;
+use crate::component::moving::bodies::{BodiesInMotion, SampledBodies, Schedule};
 use crate::component::stages::{Found, Stages};
+use crate::kernel::calc::Calc;
 use crate::kernel::number::short;
 use crate::kernel::variable::Fault;
 use crate::parts::hydraulics::oil;
 use crate::parts::solver::rodas::Tolerance;
 use crate::parts::solver::{Halt, MOST_IMPLICIT};
-use crate::steering::hydraulic::{Control, STATES, WorkingGroup};
+use crate::steering::hydraulic::{Control, STATES, Sampled, WorkingGroup};
+use crate::steering::moving::motion::GroupState;
 use crate::steering::moving::scene::MovingGroups;
+use crate::steering::scene::Steering;
 use crate::steering::stages::{Given, Known, SteeredGroups};
 use crate::steering::symbols as s;
 
@@ -19,16 +23,27 @@ fn moving(given: &Given<f64>) -> MovingGroups<f64> {
     given.moving.expect("in motion")
 }
 
-fn control(given: &Given<f64>) -> Control {
-    let MovingGroups {
-        t_c, k_p, k_i, u_max, ..
-    } = moving(given);
+/// The control loop, with an encoder of a resolution (rad).
+pub(super) fn control<P: Calc>(moving: &MovingGroups<P>, resolution: P) -> Control<P> {
     Control {
-        period: t_c,
-        resolution: given.accuracy.expect("checked when the scene was read").step,
-        gains: [k_p, k_i],
-        limit: u_max,
+        period: moving.t_c,
+        resolution,
+        gains: [moving.k_p, moving.k_i],
+        limit: moving.u_max,
     }
+}
+
+/// The steering in motion, at the start of its range; `None` where the scene has none.
+pub fn in_motion(this: &Steering) -> Option<Result<MovingComponent, Fault>> {
+    let mut turning = this.clone();
+    let (own, groups) = (&mut turning.own, this.given.axes.len());
+    own.given.moving = Some(own.moving?);
+    own.given.moved = vec![GroupState::of(|_| Some(0.0))?; groups];
+    own.given.held = vec![Sampled::of(|_| Some(0.0))?; groups];
+    Some(MovingComponent::new(
+        turning.standing(),
+        SampledBodies::<SteeredGroups, STATES>::new,
+    ))
 }
 
 impl BodiesInMotion<STATES> for SteeredGroups {
@@ -68,7 +83,9 @@ impl BodiesInMotion<STATES> for SteeredGroups {
 
     /// The PLC reads all encoders and sets all valves.
     fn sample(known: &mut Known<f64>) -> Found<()> {
-        let control = control(SteeredGroups::given(known));
+        let given = SteeredGroups::given(known);
+        let resolution = given.accuracy.expect("checked when the scene was read").step;
+        let control = control(&moving(given), resolution);
         for i in 0..SteeredGroups::given(known).held.len() {
             let wanted = known.wants()?[i];
             let Given {

@@ -1,21 +1,11 @@
 //! Quantities of the groups in motion.
 
-use crate::kernel::symbol::{COARSEST, Symbol, symbols};
-use crate::kernel::unit::ONE;
+use crate::kernel::symbol::{COARSEST, symbols};
 pub use crate::parts::hydraulics::symbols::{CAVITATES, Z_VACUUM};
 pub use crate::steering::symbols::{
-    DELTA, F_G, F_GX, G, MARGIN, OD, OMEGA, Q_G, Q_SUM, R, SLIP, SLIP_MAX, T_LEFT, THETA, THETA_DOT, THETA_N, THETA_S,
+    DELTA, F_G, F_GX, G, MARGIN, OD, OMEGA, Q_G, Q_SUM, R, SLIP, SLIP_MAX, T_GX, T_LEFT, THETA, THETA_DOT, THETA_N, THETA_S,
     V, V_C, V_MX, V_MY, V_S,
 };
-
-/// What the PLC remembers of a group's error; no variable.
-pub static INTEGRAL: Symbol = Symbol::new(
-    "integral",
-    "",
-    [&ONE, &ONE],
-    "Integral of the error of a group.",
-    "derived",
-);
 
 symbols! {
     // Given. Beyond its range a number is a slip of the pen; a shorter cycle would be an endless run of samples.
@@ -57,6 +47,18 @@ symbols! {
     F_C: "f_c" "f_(c i)" N / KN, "Force of a group's cylinder by its pressures; push positive.", "equations of motion";
     M_R: "M_R" "M_(R i)" N_M / KN_M, "Moment of tyres, slewing ring and end stop on a group; positive turns it counter-clockwise.", "equations of motion";
     Q_V: "q_v" "q_(v i)" M3_PER_S / L_PER_MIN, "Oil flow from the pump through a group's valve.", "equations of motion";
+
+    // What the book tells besides.
+    TAU: "tau" "tau" S / S, "Time from the start of the movement.", "derived";
+    OMEGA_C: "omega_c" "omega_c" RAD_PER_S / RAD_PER_S, "Angular velocity of a group below which its resistance is in proportion to it.", "assumption";
+    N_E: "n_e" "n_(e i)" ONE / ONE, "Whole steps that the encoder of a group counts, rounded to the nearest.", "derived";
+    THETA_E: "theta_e" "theta_(e i)" RAD / DEG, "Heading of a group as the PLC reads it.", "derived";
+    E_E: "e_e" "e_(e i)" RAD / DEG, "What a group lacks of the heading wanted, as the PLC reads it.", "derived";
+    I_E: "I_e" "I_(e i)" RAD_S / RAD_S, "Sum of the errors times the cycle that the PLC holds of a group.", "[Zhang2016, 7]";
+    I_N: "I_n" "I_(n i)" RAD_S / RAD_S, "The same after this sample, unless the command is at its limit.", "[Zhang2016, 7]";
+    U_F: "u_f" "u_(f i)" ONE / ONE, "What the control loop asks for, without limit.", "[Zhang2016, 7]";
+    U_N: "u_n" "u_(n i)" ONE / ONE, "Command of a group's valve from this sample to the next.", "[Zhang2016, 7]";
+    P_MIN: "p_min" "p_min" PA / MPA, "Least pressure of the oil.", "derived";
 
     // Rates of the states.
     D_THETA: "der(theta)" "dot(theta)_i" RAD_PER_S / DEG_PER_S, "Rate of a group's heading.", "equations of motion";

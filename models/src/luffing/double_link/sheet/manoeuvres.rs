@@ -15,6 +15,8 @@ use crate::luffing::double_link::moving::model::LuffingMotion;
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::scene::Luffing;
+use crate::luffing::double_link::sheet::motor::{JointMotor, braking, place};
+use crate::luffing::double_link::sheet::travel::Travel;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::joint::JointDrive;
@@ -25,8 +27,8 @@ const MARGIN: f64 = 0.02;
 /// Correction of the cylinder's length by the valve, in 1/s.
 const CORRECTION: f64 = 1.0;
 
-/// By how much more than what holds it a drive sets a joint going.
-const BREAKAWAY: f64 = 1e-6;
+/// Part of the rope's length that a hoist with a motor, to which a scene gives no speed, would lift in the ramp's time.
+const LIFTED: f64 = 0.25;
 
 /// A manoeuvre before it is run.
 pub(super) struct Planned {
@@ -45,8 +47,14 @@ pub(super) struct Planned {
 /// Ids of the sentences that say how commands are chosen.
 pub(super) fn rules(moving: &Moving) -> Vec<&'static str> {
     let oil = moving.oil.is_some();
-    let motors = !oil || moving.slewing.is_some();
-    let rules = [(oil, "valve"), (motors, "drive"), (motors, "brake")];
+    let motors = !oil || moving.slewing.is_some() || moving.has_motor();
+    let rules = [
+        (true, "manoeuvres"),
+        (oil, "valve"),
+        (motors, "drive"),
+        (motors, "brake"),
+        (moving.has_motor(), "lift_motor"),
+    ];
     rules.into_iter().filter(|(said, _)| *said).map(|(_, id)| id).collect()
 }
 
@@ -88,10 +96,11 @@ pub(super) fn planned(luffing: &Luffing, moving: &Moving) -> Vec<Planned> {
             ..of("slew_and_stop", still(far), 3.0 * ramp + 2.0 * swings)
         });
     }
-    if let Some(lifting) = lifting(moving) {
+    if let Some([_, time]) = lifting(moving) {
+        // As long as it takes to come up to the speed it takes to stop.
         all.push(Planned {
             hoists: true,
-            ..of("hoist_and_stop", still(far), 2.0 * lifting + swings)
+            ..of("hoist_and_stop", still(far), 2.0 * time + swings)
         });
     }
     if moving.oil.is_some() || braking(moving.inputs.drives[0]) > 0.0 {
@@ -105,19 +114,16 @@ pub(super) fn planned(luffing: &Luffing, moving: &Moving) -> Vec<Planned> {
     all
 }
 
-/// How long a hoist that comes up to its speed is told to lift, in s.
-fn lifting(moving: &Moving) -> Option<f64> {
-    match moving.rope?.hoist {
-        HoistKind::Ramp(ramp) if moving.inputs.hoist.speed != 0.0 => {
-            Some(moving.inputs.hoist.speed.abs() / ramp.a_h + moving.ramp)
-        }
-        _ => None,
+/// How a hoist lifts: at a speed (m/s), from the command to the one that stops it (s).
+fn lifting(moving: &Moving) -> Option<[f64; 2]> {
+    let (rope, speed) = (moving.rope?, moving.inputs.hoist.speed.abs());
+    match rope.hoist {
+        HoistKind::Motor(_) => Some([LIFTED * rope.length / moving.ramp, 2.0 * moving.ramp]),
+        _ if speed == 0.0 => None,
+        HoistKind::Ramp(ramp) => Some([speed, speed / ramp.a_h + moving.ramp]),
+        // What jumps gives blows and no forces to design for.
+        HoistKind::AtOnce => None,
     }
-}
-
-/// A brake's moment: where the scene has none, as much as the drive gives, in N·m.
-fn braking(JointDrive { moment, brake }: JointDrive) -> f64 {
-    if brake > 0.0 { brake } else { moment.abs() }
 }
 
 /// The scene's crane at rest, its load hanging straight down, nothing commanded.
@@ -134,58 +140,6 @@ pub(super) fn at_rest(moving: &Moving) -> Moving {
     rest
 }
 
-/// From rest to rest: the speed rises evenly, stays, and falls as it rose.
-#[derive(Clone, Copy)]
-struct Travel {
-    from: f64,
-    way: f64,
-    speed: f64,
-    /// In s; infinite where there is no way.
-    ramp: f64,
-}
-
-impl Travel {
-    /// At most at a speed that is reached in a time (s).
-    fn new([from, to]: [f64; 2], speed: f64, ramp: f64) -> Travel {
-        let way = to - from;
-        let most = (way.abs() * speed / ramp).sqrt().min(speed);
-        Travel {
-            from,
-            way,
-            speed: most,
-            ramp: ramp * most / speed,
-        }
-    }
-
-    fn duration(&self) -> f64 {
-        if self.way == 0.0 {
-            0.0
-        } else {
-            self.way.abs() / self.speed + self.ramp
-        }
-    }
-
-    /// Place and rate at a time (s).
-    fn at(&self, time: f64) -> [f64; 2] {
-        let whole = self.duration();
-        if time >= whole {
-            return [self.from + self.way, 0.0];
-        }
-        let sign = self.way.signum();
-        let begun = |time: f64| {
-            let risen = time.clamp(0.0, self.ramp);
-            let rate = self.speed * risen / self.ramp;
-            [0.5 * rate * risen + self.speed * (time - risen), rate]
-        };
-        if time <= 0.5 * whole {
-            let [gone, rate] = begun(time);
-            return [self.from + sign * gone, sign * rate];
-        }
-        let [left, rate] = begun(whole - time);
-        [self.from + self.way - sign * left, sign * rate]
-    }
-}
-
 /// What tells a model's inputs what to do, sample after sample.
 pub(super) struct Pilot<'a> {
     planned: &'a Planned,
@@ -194,8 +148,7 @@ pub(super) struct Pilot<'a> {
     slewing: Option<JointMotor>,
     /// Rate of slewing that was reached, in rad/s.
     reached: f64,
-    /// Input, speed (m/s), and how long it is told so, in s.
-    hoist: Option<(usize, f64, f64)>,
+    hoist: Option<Lift>,
     /// Each input with when (s) it was told what.
     pub told: Vec<(usize, Vec<[f64; 2]>)>,
 }
@@ -205,20 +158,35 @@ enum Drive {
     Valve(Box<LengthValve>),
 }
 
-/// A drive whose moment is found from the rate that it is to reach, with a brake.
+/// What the hoist is told.
 #[derive(Clone, Copy)]
-struct JointMotor {
-    /// Inputs of drive and brake.
-    inputs: [usize; 2],
-    rate: usize,
-    acceleration: usize,
-    /// Fall below zero where it breaks loose backwards and forwards.
-    margins: [usize; 2],
-    /// Least, greatest moment of the drive, and that of the brake, in N·m.
-    most: f64,
-    braking: f64,
-    /// Which way the scene's own moment turns it.
-    way: f64,
+enum Lift {
+    /// The input, and what it is told (m/s) for how long (s): it comes up to that by itself.
+    Told(usize, [f64; 2]),
+    /// Led to a speed (m/s), from which it is led back at a time (s).
+    Motor(JointMotor, [f64; 2]),
+}
+
+impl Lift {
+    fn new(moving: &Moving, model: &LuffingMotion, lifts: bool) -> Option<Lift> {
+        let lifting = lifting(moving).filter(|_| lifts);
+        match moving.rope?.hoist {
+            HoistKind::Motor(_) => {
+                let drum = [
+                    &m::M_M_H,
+                    &m::M_B_H,
+                    &m::V_R,
+                    &m::D_V_R,
+                    &m::Z_DRUM_REST,
+                    &m::Z_DRUM_LOOSE,
+                ];
+                let motor = JointMotor::new(model, drum, moving.inputs.hoist.drive, -1.0)?;
+                Some(Lift::Motor(motor, lifting.unwrap_or_default()))
+            }
+            HoistKind::Ramp(_) => Some(Lift::Told(place(model, &m::V_H)?, lifting?)),
+            HoistKind::AtOnce => None,
+        }
+    }
 }
 
 /// The valve of a luffing cylinder.
@@ -230,56 +198,6 @@ struct LengthValve {
     planned: [usize; 2],
     /// Speed of the cylinder with the valve fully open, in m/s.
     open: f64,
-}
-
-fn place(model: &dyn Running, symbol: &Symbol) -> Option<usize> {
-    model.variables().iter().position(|variable| variable.symbol == symbol)
-}
-
-impl JointMotor {
-    fn new(model: &LuffingMotion, symbols: [&Symbol; 6], drive: JointDrive) -> Option<JointMotor> {
-        let [input, brake, rate, acceleration, back, forth] = symbols.map(|symbol| place(model, symbol));
-        let moment = drive.moment;
-        Some(JointMotor {
-            inputs: [input?, brake?],
-            rate: rate?,
-            acceleration: acceleration?,
-            margins: [back?, forth?],
-            most: if moment == 0.0 { f64::INFINITY } else { moment.abs() },
-            braking: braking(drive),
-            way: moment.signum(),
-        })
-    }
-
-    /// The moment (N·m) with which the joint has a rate (rad/s) after a time (s); of one that is braked, what holds it at
-    /// rest.
-    fn moment(&self, model: &mut LuffingMotion, wanted: f64, time: f64, braked: bool) -> Result<f64, Fault> {
-        let [input, _] = self.inputs;
-        let (now, acceleration) = (model.get(input)?, model.get(self.acceleration)?);
-        let unit = if self.most.is_finite() { self.most } else { 1e3 };
-        model.set(input, now + unit)?;
-        let slope = (model.get(self.acceleration)? - acceleration) / unit;
-        model.set(input, now)?;
-        let moment = if slope == 0.0 {
-            // Held: in the middle of what friction holds, or just beyond it.
-            let [back, forth] = [model.get(self.margins[0])?, model.get(self.margins[1])?];
-            let way = if wanted == 0.0 { 0.0 } else { wanted.signum() };
-            now + 0.5 * (forth - back) + way * (0.5 + BREAKAWAY) * (forth + back)
-        } else if braked {
-            now
-        } else {
-            now + ((wanted - model.get(self.rate)?) / time - acceleration) / slope
-        };
-        Ok(moment.clamp(-self.most, self.most))
-    }
-
-    /// Brakes a joint whose rates (rad/s) at the start and the end of a time (s) are zero, and drives it to the latter.
-    fn follow(&self, model: &mut LuffingMotion, rates: [f64; 2], time: f64) -> Result<[f64; 2], Fault> {
-        let braked = rates == [0.0; 2] && self.braking > 0.0;
-        let brake = if braked { self.braking } else { 0.0 };
-        model.set(self.inputs[1], brake)?;
-        Ok([self.moment(model, rates[1], time, braked)?, brake])
-    }
 }
 
 impl LengthValve {
@@ -333,13 +251,11 @@ impl<'a> Pilot<'a> {
             ramp: moving.ramp,
             luffing: match &moving.oil {
                 Some(oil) => Drive::Valve(Box::new(LengthValve::new(luffing, moving, oil, model)?)),
-                None => Drive::Motor(JointMotor::new(model, motor, drive)?),
+                None => Drive::Motor(JointMotor::new(model, motor, drive, 1.0)?),
             },
-            slewing: JointMotor::new(model, slewing, turning),
+            slewing: JointMotor::new(model, slewing, turning, 1.0),
             reached: 0.0,
-            hoist: place(model, &m::V_H)
-                .zip(lifting(moving).filter(|_| planned.hoists))
-                .map(|(input, time)| (input, -moving.inputs.hoist.speed.abs(), time)),
+            hoist: Lift::new(moving, model, planned.hoists),
             told: Vec::new(),
         })
     }
@@ -387,8 +303,19 @@ impl<'a> Pilot<'a> {
             };
             self.set_both(model, motor.inputs, from, told)?;
         }
-        if let Some((input, speed, time)) = self.hoist {
-            self.set(model, input, from, if from < time { speed } else { 0.0 })?;
+        // A positive rate lowers.
+        let ramp = self.ramp;
+        let led =
+            |[speed, time]: [f64; 2], at: f64| -speed * (at / ramp).min((time + ramp - at) / ramp).clamp(0.0, 1.0);
+        match self.hoist {
+            None => {}
+            Some(Lift::Told(input, [speed, time])) => {
+                self.set(model, input, from, if from < time { -speed } else { 0.0 })?;
+            }
+            Some(Lift::Motor(motor, lifting)) => {
+                let told = motor.follow(model, [from, to].map(|time| led(lifting, time)), to - from)?;
+                self.set_both(model, motor.inputs, from, told)?;
+            }
         }
         Ok(())
     }
@@ -468,7 +395,7 @@ pub(super) fn drawn(planned: &Planned, model: &LuffingMotion) -> Vec<(&'static s
 
 /// Where the forces that other parts are designed for, and what the rope does, stand among the variables.
 pub(super) fn designed(forces: &[&'static Symbol], model: &LuffingMotion) -> Vec<(&'static Symbol, usize)> {
-    let own = [&m::S_R, &m::PHI_R, &m::CHI_R, &m::P_A, &m::P_B];
+    let own = [&m::S_R, &m::PHI_R, &m::CHI_R, &m::P_A, &m::P_B, &m::M_R_SL, &m::M_R_H];
     let there = |symbol: &'static Symbol| {
         let variables = model.variables().iter();
         let known = |role: Role| matches!(role, Role::Output | Role::State | Role::Calculated);

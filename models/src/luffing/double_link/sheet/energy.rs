@@ -1,0 +1,142 @@
+//! Where the energy of a run came from and went.
+
+use crate::component::sheet::{self, Integral, Power};
+use crate::kernel::symbol::Symbol;
+use crate::luffing::double_link::moving::hoisting::HoistKind;
+use crate::luffing::double_link::moving::level::Powers;
+use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::symbols as s;
+use crate::parts::hydraulics::symbols as h;
+
+/// Where energy came from and went, in J.
+#[derive(Default)]
+pub(super) struct Energy {
+    pub start: f64,
+    pub end: f64,
+    pub work: Powers,
+    pub blows: f64,
+    pub rest: f64,
+    /// How much of the rest rounding may be: all of it where nothing moves.
+    pub rounding: f64,
+    /// Of the bodies' motion, at most: a load that swings by itself turns over nothing else.
+    pub kinetic: f64,
+}
+
+impl Energy {
+    /// A step of the run to a next energy (J), with what blows have taken.
+    pub(super) fn add(&mut self, step: &Powers, after: f64) {
+        self.rest += net(step) - (after - self.end);
+        self.rounding += rounding(self.end, after);
+        self.end = after;
+        self.work = sum(&[(&self.work, 1.0), (step, 1.0)]);
+    }
+
+    pub(super) fn list(&self, moving: &Moving) -> sheet::Energy {
+        let (oil, work) = (moving.oil.is_some(), &self.work);
+        let (slews, hangs) = (moving.slewing.is_some(), moving.rope.is_some());
+        let there = |lines: &[(bool, &'static Symbol, f64)]| {
+            let lines = lines.iter().filter(|(there, _, _)| *there);
+            lines.map(|&(_, symbol, value)| (symbol, value)).collect()
+        };
+        sheet::Energy {
+            given: there(&[
+                (!oil, &m::W_A, work.drive),
+                (slews, &m::W_SL, work.slewing),
+                (hangs && moving.hoists(), &m::W_H, work.hoist),
+                (oil, &m::W_P, work.pump),
+            ]),
+            stored: there(&[
+                (true, &m::DELTA_E, self.end - self.start - self.blows),
+                (oil, &m::E_OIL, work.compression),
+            ]),
+            taken: there(&[
+                (true, &m::W_R, work.friction),
+                (oil, &m::W_T, work.throttles),
+                (!oil || slews || hangs, &m::W_BLOW, self.blows),
+                (true, &m::W_E, self.rest),
+            ]),
+        }
+    }
+}
+
+/// What is left of the powers for the bodies.
+pub(super) fn net(p: &Powers) -> f64 {
+    p.drive + p.slewing + p.hoist + p.pump - p.friction - p.throttles - p.compression
+}
+
+/// What rounding may leave between two energies.
+pub(super) fn rounding(before: f64, after: f64) -> f64 {
+    f64::EPSILON * (before.abs() + after.abs())
+}
+
+/// What was given and taken.
+pub(super) fn turnover(work: &Powers) -> f64 {
+    let given = work.pump.abs() + work.slewing.abs() + work.hoist.abs();
+    given + work.throttles + work.friction + work.compression.abs()
+}
+
+/// Powers, each times a number.
+pub(super) fn sum(parts: &[(&Powers, f64)]) -> Powers {
+    let of = |power: fn(&Powers) -> f64| parts.iter().map(|(powers, factor)| power(powers) * factor).sum();
+    Powers {
+        drive: of(|p| p.drive),
+        slewing: of(|p| p.slewing),
+        hoist: of(|p| p.hoist),
+        pump: of(|p| p.pump),
+        friction: of(|p| p.friction),
+        throttles: of(|p| p.throttles),
+        compression: of(|p| p.compression),
+    }
+}
+
+/// What the works are sums of, with the rate of the driving link. Of a rope that gives way, whose damping takes energy too,
+/// there is no formula of what is lost.
+pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral> {
+    let of = |negative: bool, factors: &[&'static Symbol], over: Option<&'static Symbol>| Power {
+        negative,
+        factors: factors.to_vec(),
+        over,
+    };
+    let integral = |there: bool, symbol: &'static Symbol, of: Vec<Power>| there.then_some(Integral { symbol, of });
+    let (oil, slews, hangs) = (moving.oil.is_some(), moving.slewing.is_some(), moving.rope.is_some());
+    let motor = moving.has_motor();
+    let hoist = match moving.rope.map(|rope| rope.hoist) {
+        Some(HoistKind::Motor(_)) => of(true, &[&m::M_M_H, &m::M_H, &m::V_R], Some(&m::R_H)),
+        _ => of(true, &[&m::S_R, &m::V_R], None),
+    };
+    let friction = [
+        Some(of(true, &[&m::M_R, rate], None)),
+        slews.then(|| of(true, &[&m::M_R_SL, &m::OMEGA_SL], None)),
+        motor.then(|| of(false, &[&m::M_R_H, &m::M_H, &m::V_R], Some(&m::R_H))),
+    ];
+    let stored = [
+        [&m::V_1, &m::P_1, &m::D_P_1],
+        [&m::V_1, &m::P_2, &m::D_P_2],
+        [&h::V_A, &m::P_A, &m::D_P_A],
+        [&h::V_B, &m::P_B, &m::D_P_B],
+    ];
+    let compression = |negative: bool| {
+        stored
+            .iter()
+            .map(|factors| of(negative, factors, Some(&m::BETA_E)))
+            .collect()
+    };
+    // What the pump gives, the oil does not store and the rod does not take.
+    let mut resisted = vec![
+        of(false, &[&m::P_P, &h::Q_0], None),
+        of(true, &[&m::F_C, &s::V_D], None),
+    ];
+    resisted.extend(compression(true));
+    let elastic = moving.rope.is_some_and(|rope| rope.give.is_some());
+    let all = [
+        integral(!oil, &m::W_A, vec![of(false, &[&m::M_A, rate], None)]),
+        integral(slews, &m::W_SL, vec![of(false, &[&m::M_SL, &m::OMEGA_SL], None)]),
+        integral(hangs && moving.hoists(), &m::W_H, vec![hoist]),
+        integral(oil, &m::W_P, vec![of(false, &[&m::P_P, &h::Q_0], None)]),
+        integral(oil, &m::E_OIL, compression(false)),
+        integral(!elastic, &m::W_R, friction.into_iter().flatten().collect()),
+        integral(oil, &m::W_T, resisted),
+    ];
+    all.into_iter().flatten().collect()
+}

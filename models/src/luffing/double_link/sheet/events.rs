@@ -1,0 +1,107 @@
+//! What happens to a crane in motion, seen from sample to sample.
+
+use crate::luffing::double_link::hydraulic::FIXED;
+use crate::luffing::double_link::moving::level::Present;
+use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::scene::Luffing;
+use crate::parts::joint::Bar;
+
+/// What changes at an event.
+#[derive(Clone, PartialEq)]
+pub(super) struct Watch {
+    /// Luffing, slewing and the hoist's drum; `None` where there is none of them, or none that sticks.
+    pub joints: [Option<Bar>; 3],
+    /// At the lower and the upper stop, and beyond it after the next sample if it went on like this.
+    pub stops: [[bool; 2]; 3],
+    ahead: [[bool; 2]; 3],
+    taut: bool,
+    relief: [bool; 2],
+}
+
+impl Watch {
+    /// With the time between two samples, in s.
+    pub(super) fn new(luffing: &Luffing, moving: &Moving, present: &Present, sample: f64) -> Watch {
+        let y = present.states();
+        let opening = moving.oil.map_or(f64::INFINITY, |oil| oil.p_r);
+        let at = |x: f64, [low, high]: [f64; 2]| [x <= low, x >= high];
+        let ends = [luffing.motion.from, luffing.motion.to];
+        let turns = moving
+            .slewing
+            .map_or([f64::NEG_INFINITY, f64::INFINITY], |turn| turn.joint.stops);
+        let mut watch = Watch {
+            joints: [None, None, moving.has_motor().then(|| present.drum().way)],
+            stops: [at(y[0], ends), [false; 2], [false; 2]],
+            ahead: [at(y[0] + y[1] * sample, ends), [false; 2], [false; 2]],
+            taut: true,
+            relief: [false; 2],
+        };
+        match present {
+            Present::Free(state) => {
+                watch.joints[0] = Some(state.joints[0]);
+                watch.taut = state.taut;
+            }
+            Present::Slewing(state) => {
+                [watch.joints[0], watch.joints[1]] = state.joints.map(Some);
+                watch.taut = state.taut;
+                watch.stops[1] = at(y[2], turns);
+                watch.ahead[1] = at(y[2] + y[3] * sample, turns);
+            }
+            Present::Fixed(_) => watch.relief = [y[2] > opening, y[3] > opening],
+            Present::Hanging(now) => {
+                watch.relief = [y[2] > opening, y[3] > opening];
+                watch.taut = now.modes.taut;
+                if moving.slewing.is_some() {
+                    watch.joints[1] = Some(now.modes.slewing);
+                    watch.stops[1] = at(y[FIXED], turns);
+                    watch.ahead[1] = at(y[FIXED] + y[FIXED + 1] * sample, turns);
+                }
+            }
+        }
+        watch
+    }
+
+    /// What has happened since.
+    pub(super) fn since(&self, before: &Watch) -> Vec<&'static str> {
+        let mut found = Vec::new();
+        let names = [
+            ["luffing_starts", "luffing_rests", "luffing_low", "luffing_high"],
+            ["slewing_starts", "slewing_rests", "slewing_low", "slewing_high"],
+            // A drum has no stops.
+            ["hoist_starts", "hoist_rests", "", ""],
+        ];
+        for (i, [starts, rests, low, high]) in names.into_iter().enumerate() {
+            // What turns round on the way to a stop has met it.
+            let turned = matches!(
+                (before.joints[i], self.joints[i]),
+                (Some(Bar::Forward), Some(Bar::Backward)) | (Some(Bar::Backward), Some(Bar::Forward))
+            );
+            let met = [0, 1].map(|end| {
+                let there = self.stops[i][end] || turned && before.ahead[i][end];
+                there && !before.stops[i][end]
+            });
+            let stopped = match met {
+                [true, _] => Some(low),
+                [_, true] => Some(high),
+                _ => None,
+            };
+            match (before.joints[i], self.joints[i]) {
+                (Some(Bar::Held), Some(Bar::Forward | Bar::Backward)) => found.push(starts),
+                (Some(Bar::Forward | Bar::Backward), Some(Bar::Held)) => found.push(stopped.unwrap_or(rests)),
+                (None, None) => found.extend(stopped),
+                _ if turned => found.extend(stopped),
+                _ => {}
+            }
+        }
+        let switches = [
+            (before.taut, self.taut, "rope_taut", "rope_slack"),
+            (before.relief[0], self.relief[0], "relief_1_opens", "relief_1_closes"),
+            (before.relief[1], self.relief[1], "relief_2_opens", "relief_2_closes"),
+        ];
+        for (before, now, on, off) in switches {
+            if before != now {
+                found.push(if now { on } else { off });
+            }
+        }
+        found
+    }
+}
