@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use lemnis_models::component::model::Model;
 use lemnis_models::component::sheet::{Sheet, Summary};
 use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::number::{Number, SIGNIFICANT, column, short};
@@ -20,19 +21,21 @@ pub struct Results {
     rows: Vec<Vec<f64>>,
 }
 
-/// The variables that differ from position to position, and their values at one after the other.
-fn rows(scene: &Scene) -> Result<(Vec<Variable>, impl Iterator<Item = Result<Vec<f64>, Fault>>), Fault> {
-    let mut model = scene.model()?;
+/// Which variables differ from position to position.
+fn varying(model: &Model) -> Vec<usize> {
     let varies = |role: Role| matches!(role, Role::Input | Role::State | Role::Output);
-    let indices: Vec<usize> = (0..model.variables().len())
-        .filter(|&i| varies(model.variables()[i].role))
-        .collect();
-    let columns = indices.iter().map(|&i| model.variables()[i]).collect();
-    let rows = model.positions().into_iter().map(move |value| {
+    let all = model.variables().iter().enumerate();
+    all.filter(|(_, variable)| varies(variable.role))
+        .map(|(index, _)| index)
+        .collect()
+}
+
+/// Their values at one position after the other.
+fn rows(mut model: Model, varying: Vec<usize>) -> impl Iterator<Item = Result<Vec<f64>, Fault>> {
+    model.positions().into_iter().map(move |value| {
         model.place(value)?;
-        indices.iter().map(|&i| model.get(i)).collect()
-    });
-    Ok((columns, rows))
+        varying.iter().map(|&index| model.get(index)).collect()
+    })
 }
 
 /// What its book says of a scene.
@@ -40,7 +43,9 @@ fn rows(scene: &Scene) -> Result<(Vec<Variable>, impl Iterator<Item = Result<Vec
 /// # Errors
 /// As [`Results::new`].
 pub fn sheet(scene: &Scene) -> Result<Sheet, Fault> {
-    rows(scene)?.1.try_for_each(|row| row.map(drop))?;
+    let model = scene.model()?;
+    let varying = varying(&model);
+    rows(model, varying).try_for_each(|row| row.map(drop))?;
     Ok(scene.sheet())
 }
 
@@ -48,10 +53,11 @@ impl Results {
     /// # Errors
     /// The scene's model cannot be built, or a position of its range does not exist.
     pub fn new(scene: &Scene) -> Result<Results, Fault> {
-        let (columns, rows) = rows(scene)?;
-        let rows: Result<Vec<Vec<f64>>, Fault> = rows.collect();
+        let model = scene.model()?;
+        let varying = varying(&model);
+        let columns = varying.iter().map(|&index| model.variables()[index]).collect();
         Ok(Results {
-            rows: rows?,
+            rows: rows(model, varying).collect::<Result<_, Fault>>()?,
             scene: scene.clone(),
             sheet: scene.sheet(),
             columns,

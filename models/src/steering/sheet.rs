@@ -86,7 +86,7 @@ impl Described for SteeringScene {
     const OUTLINE: &'static Outline = &OUTLINE;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "steering_symbol",
-own: &[s::ALL, gravity::ALL, moving::symbols::ALL],
+        own: &[s::ALL, gravity::ALL, moving::symbols::ALL],
         shared: &[h::ALL],
     };
 

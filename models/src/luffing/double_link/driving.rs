@@ -16,15 +16,24 @@ const OWN: [(&str, &[&Symbol]); 3] = [
     ("screw", listed!(t: D_2, P_H, MU_D, BETA_D)),
 ];
 
-/// Bore and rod of a cylinder, and what turns another drive, as far as the scene has them; `None` with mistakes, which go
-/// to `found`.
-pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<(Option<Bore<f64>>, Option<Gear<f64>>)> {
+/// How a drive is driven, as far as the scene says it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Driving {
+    pub cylinder: Option<Bore<f64>>,
+    pub gear: Option<Gear<f64>>,
+}
+
+/// `None` with mistakes, which go to `found`.
+pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Driving> {
     let Some(d) = v.table("drive") else {
-        return Some((None, None));
+        return Some(Driving::default());
     };
     let before = found.len();
     only_its_own(d, found);
-    let read = (cylinder(d, found), gear(d, found));
+    let read = Driving {
+        cylinder: cylinder(d, found),
+        gear: gear(d, found),
+    };
     (found.len() == before).then_some(read)
 }
 

@@ -10,7 +10,7 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::balancing::{analysis, boom};
-use crate::luffing::double_link::driving;
+use crate::luffing::double_link::driving::{self, Driving};
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::misfit::Misfit;
 use crate::luffing::double_link::moving;
@@ -102,7 +102,7 @@ impl LuffingScene {
         let jib = jib(v, found)?;
         let weights = v.part("weights", Weights::read)?;
         let anchors = v.part("drive", Anchors::read)?;
-        let (cylinder, gear) = driving::read(v, found)?;
+        let Driving { cylinder, gear } = driving::read(v, found)?;
         let q = n(&s::Q);
         // A load that cannot be read is not one that is missing.
         let loaded = q.is_some() || !found.is_empty();

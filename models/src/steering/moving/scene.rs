@@ -133,7 +133,7 @@ impl MovingGroups<f64> {
             let mut tables = tables.iter().flatten();
             tables.find_map(|table| table.number(symbol.id)).or(default)
         };
-        let Some(moving) = MovingGroups::of(|symbol| given(symbol)) else {
+        let Some(moving) = MovingGroups::of(given) else {
             return Ok(None);
         };
         let mut outside = None;

@@ -3,8 +3,8 @@
 use crate::kernel::symbol::{COARSEST, symbols};
 pub use crate::parts::hydraulics::symbols::{CAVITATES, Z_VACUUM};
 pub use crate::steering::symbols::{
-    DELTA, F_G, F_GX, G, MARGIN, OD, OMEGA, Q_G, Q_SUM, R, SLIP, SLIP_MAX, T_GX, T_LEFT, THETA, THETA_DOT, THETA_N, THETA_S,
-    V, V_C, V_MX, V_MY, V_S,
+    DELTA, F_G, F_GX, G, MARGIN, OD, OMEGA, Q_G, Q_SUM, R, SLIP, SLIP_MAX, T_GX, T_LEFT, THETA, THETA_DOT, THETA_N,
+    THETA_S, V, V_C, V_MX, V_MY, V_S,
 };
 
 symbols! {

@@ -190,7 +190,17 @@ fn recorded(model: &MovingComponent, i: usize, wanted: f64) -> Option<Vec<(&'sta
     let ends = Ends([f64::NEG_INFINITY, f64::INFINITY].map(Rec::constant));
     let mut group = Vec::new();
     let linkage = mounting.linkage(mount.mirrored);
-    motion::working(&moving, &[linkage], &[ends], &mounting, &piston, drags.as_ref(), &speed, &[held], &mut group);
+    motion::working(
+        &moving,
+        &[linkage],
+        &[ends],
+        &mounting,
+        &piston,
+        drags.as_ref(),
+        &speed,
+        &[held],
+        &mut group,
+    );
     // Without loads nothing resists.
     if drags.is_none() {
         group[0].resistance = begin(&s::T_G, 0.0);
@@ -215,7 +225,7 @@ pub fn motion(this: &Steering, moving: &MovingGroups<f64>) -> Option<(InMotion, 
         .flat_map(|(_, groups)| groups.iter().copied());
     let seen: Vec<usize> = std::iter::once(0).chain(looked).collect();
     let coordinate = model.variables()[0].symbol;
-    let found = Movement::new(this, &mut model, moving.plc.t_c, &seen).ok()?;
+    let found = Movement::new(this, &mut model, moving.t_c, &seen).ok()?;
     let (_, instant, group) = found.greatest;
     model.set_state(&found.state);
     let wanted = model.get(places(&model, &[&m::THETA_W])[0].1[group]).ok()?;

@@ -155,7 +155,9 @@ const MOST_SPIN: f64 = 100.0;
 /// Refuses a slewing moment that no crane would outlast: the speed is that at which friction holds it, or to which it
 /// brings all that slews, at most `reach` (m) from the axis and as heavy as `mass` (kg), while the range is luffed.
 pub fn outlasts(v: &Values, moving: &Moving, motion: &Motion, [reach, mass]: [f64; 2], found: &mut Vec<Diagnostic>) {
-    let Some((table, slewing)) = v.table("slewing").zip(moving.slewing) else { return };
+    let Some((table, slewing)) = v.table("slewing").zip(moving.slewing) else {
+        return;
+    };
     let (turning, moment) = (slewing.joint.turning, moving.inputs.drives[1].moment.abs());
     let lasts = (motion.to - motion.from) / motion.speed.abs();
     let held = moment / turning.c_sl;
