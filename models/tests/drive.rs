@@ -127,7 +127,11 @@ fn its_work_is_that_of_the_moment() {
 #[test]
 fn what_cannot_be_is_refused() {
     let moving = include_str!("../scenes/portal_004_motion.toml");
-    let with_pinion = moving.replacen("kind   = \"rack\"", "kind = \"rack\"\nr_z = \"200 mm\"", 1);
+    let with_pinion = moving.replacen(
+        "kind   = \"rack\"",
+        "kind = \"rack\"\nr_z = \"200 mm\"\neta_d = \"0.9\"",
+        1,
+    );
     let slow = moving.replacen("[luffing.dynamics]", "[luffing.dynamics]\nt_s = \"10000 s\"", 1);
     for (text, said) in [
         (READY.replace("\"screw\"", "\"rack\""), "a rack has no d_2"),

@@ -64,7 +64,7 @@ fn manoeuvres_end_at_rest_within_the_range() {
         let has = |id: &str| model.variables().iter().any(|variable| variable.symbol.id == id);
         let mut expected = vec!["luff_in", "luff_out"];
         expected.extend(has("M_sl").then_some("slew_and_stop"));
-        expected.extend(has("a_h").then_some("hoist_and_stop"));
+        expected.extend((has("a_h") || has("M_Mh")).then_some("hoist_and_stop"));
         expected.push("emergency_stop");
         let found: Vec<&str> = motion.manoeuvres.iter().map(|manoeuvre| manoeuvre.id).collect();
         assert_eq!(found, expected, "{name}");

@@ -7,6 +7,8 @@ use crate::kernel::symbol::Symbol;
 
 /// Points of a drawn curve, besides its extremes.
 const CURVE: usize = 300;
+/// Curves of one figure, each with all these points.
+const FEW: usize = 8;
 
 /// Values of variables, by their indices, at the end of every sample; the first variable is the coordinate.
 pub struct Series {
@@ -64,18 +66,19 @@ impl Series {
         })
     }
 
-    /// A variable over time, without most of the points that no eye could tell; nothing where it stays as it was.
+    /// A variable over time, drawn as one of so many, without most of the points that no eye could tell; nothing where it
+    /// stays as it was.
     ///
     /// # Panics
     /// For a variable that nobody looked at.
     #[must_use]
-    pub fn piece(&self, index: usize) -> Option<Vec<[f64; 2]>> {
+    pub fn piece(&self, index: usize, of: usize) -> Option<Vec<[f64; 2]>> {
         let series = &self.values[&index];
         if series.iter().all(|value| *value == series[0]) {
             return None;
         }
         let ([least, most], last) = (Series::ends(series), series.len() - 1);
-        let stride = (last / CURVE).max(1);
+        let stride = (last * of.max(FEW) / (CURVE * FEW)).max(1);
         let shown = (0..=last).filter(|&i| i % stride == 0 || [last, least, most].contains(&i));
         Some(shown.map(|i| [i as f64 * self.sample, series[i]]).collect())
     }
@@ -88,7 +91,7 @@ impl Series {
             id,
             x,
             y,
-            pieces: vec![self.piece(index)?],
+            pieces: vec![self.piece(index, 1)?],
             numbers: Vec::new(),
         })
     }

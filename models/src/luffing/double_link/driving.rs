@@ -78,12 +78,12 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
     }
 }
 
-/// Screw, or pinion of a rack whose radius is given; mistakes go to `found`.
+/// Screw, or pinion of a rack that is told; mistakes go to `found`.
 fn gear(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Gear<f64>> {
     let kind = d.text("kind")?;
     let needed: &[&Symbol] = match kind {
-        "screw" => listed!(t: D_2, P_H, MU_D),
-        "rack" if d.has(t::ETA_D.id) => listed!(t: R_Z),
+        "screw" => listed!(t: D_2, P_H, MU_D, BETA_D),
+        "rack" if d.has(t::R_Z.id) || d.has(t::ETA_D.id) => listed!(t: R_Z, ETA_D),
         _ => &[],
     };
     let before = found.len();

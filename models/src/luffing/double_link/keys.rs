@@ -82,11 +82,11 @@ static DRIVE_KEYS: &[Key] = keys! { s:
         "A hydraulic cylinder, a rack that a pinion on the frame pushes, or a screw with its nut.",
     ),
     Key::quantity(&d::R_Z, Sign::Positive).optional(),
-    Key::quantity(&d::ETA_D, Sign::Positive).usually(1.0),
+    Key::quantity(&d::ETA_D, Sign::Positive).optional(),
     Key::quantity(&d::D_2, Sign::Positive).optional(),
     Key::quantity(&d::P_H, Sign::Positive).optional(),
     Key::quantity(&d::MU_D, Sign::NotNegative).optional(),
-    Key::quantity(&d::BETA_D, Sign::NotNegative).usually(0.0)
+    Key::quantity(&d::BETA_D, Sign::NotNegative).optional()
 };
 
 const LIMITS: &[Key] = &Limit::keys::<10>(OUTLINE.limits);

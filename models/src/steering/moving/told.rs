@@ -139,7 +139,7 @@ impl Movement {
     /// Of all groups.
     fn curve(&self, id: &'static str, y: &'static Symbol, groups: &[usize]) -> Option<Curve> {
         let all = (1..).zip(groups);
-        let drawn = all.filter_map(|(number, &index)| Some((number, self.series.piece(index)?)));
+        let drawn = all.filter_map(|(number, &index)| Some((number, self.series.piece(index, groups.len())?)));
         let (numbers, pieces): (Vec<usize>, Vec<_>) = drawn.unzip();
         (!pieces.is_empty()).then_some(Curve {
             id,
