@@ -13,7 +13,7 @@ use crate::luffing::double_link::symbols as l;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
 use crate::parts::motion::Motion;
-use crate::parts::turntable::{self as t, SlewingJoint};
+use crate::parts::turntable::SlewingJoint;
 
 /// How deep the mechanism is modelled.
 pub const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing", "hydraulic", "auto"];
@@ -128,17 +128,17 @@ impl Moving {
 }
 
 /// Most that `t_s` may be, over the time that the working range takes at its speed.
-const MOST_HASTE: f64 = 100.0;
+const MOST_RAMP: f64 = 100.0;
 
 /// Refuses a time of starting and stopping in which no drive would ever come near its speed.
 pub fn brisk(v: &Values, moving: &Moving, motion: &Motion, found: &mut Vec<Diagnostic>) {
     let Some(table) = v.table("dynamics").filter(|table| table.has(s::T_S.id)) else {
         return;
     };
-    let most = MOST_HASTE * (motion.to - motion.from) / motion.speed.abs();
+    let most = MOST_RAMP * (motion.to - motion.from) / motion.speed.abs();
     if moving.ramp > most {
         let what = format!(
-            "t_s = {} is more than {MOST_HASTE} times what the working range takes at its speed",
+            "t_s = {} is more than {MOST_RAMP} times what the working range takes at its speed",
             s::T_S.written(moving.ramp)
         );
         let help = format!(
@@ -166,12 +166,12 @@ pub fn outlasts(v: &Values, moving: &Moving, motion: &Motion, [reach, mass]: [f6
     if spin > MOST_SPIN {
         let what = format!(
             "M_sl = {} brings the crane to {}, and its head to {} times the acceleration of gravity",
-            t::M_SL.written(moment),
-            t::OMEGA_SL.written(omega),
+            s::M_SL.written(moment),
+            s::OMEGA_SL.written(omega),
             short(spin)
         );
         let help = format!("give a smaller M_sl or more friction c_sl: at most {MOST_SPIN} times it is modelled");
-        found.push(table.refuse(t::M_SL.id, what, "too much", help));
+        found.push(table.refuse(s::M_SL.id, what, "too much", help));
     }
 }
 
