@@ -1,14 +1,18 @@
 //! Slewing by itself, against closed forms of one shaft: a drive against friction, a pendulum on a slope, a brake, an end
 //! stop; inputs instead of what nothing else gives.
 
+#[path = "common/named.rs"]
+mod named;
+
 use std::f64::consts::TAU;
 
-use lemnis_models::component::model::Model;
 use lemnis_models::kernel::variable::Role;
 use lemnis_models::registry::dependencies;
-use lemnis_models::scene::Scene;
+
+use named::{get, index, model, near, set};
 
 const READY: &str = include_str!("../scenes/slewing.toml");
+const SWINGING: &str = include_str!("../scenes/slewing_swing.toml");
 
 /// Inertia of what slews, in kg·m², and the load's, which is 10 t at 20 m.
 const J: f64 = 5e6 + 10e3 * 400.0;
@@ -18,30 +22,6 @@ fn scene(keys: &str, slope: &str) -> String {
         "name = \"Test\"\ntitle = \"Test\"\n[slewing]\nfidelity = \"rigid\"\nR = \"20 m\"\nQ = \"10 t\"\nJ_sl = \"5e6 kg.m2\"\n\
          {keys}\n[slewing.motion]\nfrom = \"0 deg\"\nto = \"90 deg\"\nstep = \"5 deg\"\nspeed = \"6 deg/s\"\n{slope}\n"
     )
-}
-
-fn model(text: &str) -> Model {
-    let scene = Scene::parse(text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
-    scene.model().expect("built")
-}
-
-fn index(model: &Model, name: &str) -> usize {
-    let found = model.variables().iter().position(|v| v.name() == name);
-    found.unwrap_or_else(|| panic!("{name}"))
-}
-
-fn get(model: &mut Model, name: &str) -> f64 {
-    let at = index(model, name);
-    model.get(at).unwrap_or_else(|fault| panic!("{name}: {fault:?}"))
-}
-
-fn set(model: &mut Model, name: &str, value: f64) {
-    let at = index(model, name);
-    model.set(at, value).unwrap_or_else(|fault| panic!("{name}: {fault:?}"));
-}
-
-fn near(found: f64, wanted: f64, within: f64) {
-    assert!((found - wanted).abs() <= within, "{found} is not {wanted}");
 }
 
 /// ω = (M − M_F)/c (1 − e^(−c t/J)).
@@ -154,15 +134,15 @@ fn what_nothing_gives_is_an_input() {
         assert!(known.contains(&(name, None)), "{name}: {known:?}");
     }
     let fixed = READY.replace("{ input = \"25 m\" }", "\"25 m\"");
-    let model = self::model(&fixed);
+    let model = named::model(&fixed);
     assert_eq!(model.variables()[index(&model, "R")].role, Role::Parameter);
 }
 
 /// Every derivative of rates and results by states and inputs, against differences; at rest and in motion.
 #[test]
 fn derivatives() {
-    for turning in [true, false] {
-        let mut model = model(READY);
+    for (text, turning) in [(READY, true), (READY, false), (SWINGING, true), (SWINGING, false)] {
+        let mut model = model(text);
         if turning {
             set(&mut model, "M_Bsl", 1e3);
             model.advance(0.0, 3.0).expect("runs");
@@ -210,11 +190,17 @@ fn derivatives() {
 /// A state that was written out goes on in another model with the same bits.
 #[test]
 fn states_go_on() {
-    let mut model = model(READY);
+    for text in [READY, SWINGING] {
+        goes_on(text);
+    }
+}
+
+fn goes_on(text: &str) {
+    let mut model = model(text);
     model.advance(0.0, 4.0).expect("runs");
     let state = model.state();
     let numbers = model.numbers(&state);
-    let mut other = self::model(READY);
+    let mut other = named::model(text);
     let restored = other.state_of(&numbers).expect("its own");
     other.set_state(&restored);
     for model in [&mut model, &mut other] {

@@ -22,9 +22,21 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     let inertia = n.draw.natural(&s::J_TOT) * n.draw.between(0.2, 5.0);
     n.set("J_sl", inertia);
-    n.remove(&["chi_R"]);
+    if n.text("fidelity") == Some("swing") {
+        n.keep("l_R", true);
+        let rope = n.draw.natural(&s::L_R) * n.draw.between(0.2, 2.0);
+        n.set("l_R", rope);
+        for name in ["phi_R", "chi_R"] {
+            if n.has(name) {
+                let angle = n.draw.between(-1.5, 1.5);
+                n.set(name, angle);
+            }
+        }
+    } else {
+        n.remove(&["l_R", "phi_R", "chi_R"]);
+    }
     let start = n.draw.between(-PI, PI);
-    if n.text("fidelity") == Some("rigid") {
+    if matches!(n.text("fidelity"), Some("rigid" | "swing")) {
         for (name, angle) in [("psi_sl", start), ("psi_min", start - 0.5), ("psi_max", start + 1.0)] {
             if n.has(name) {
                 n.set(name, angle);

@@ -1,9 +1,10 @@
-//! What several mechanisms are made of: plane geometry, a four-bar, joints, slewing, a hoist, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, a four-bar, joints, slewing, a load on its rope, a hoist, motion over a range, oil, solvers.
 
 pub mod arcs;
 pub mod closure;
 mod dead_points;
 pub mod four_bar;
+pub mod hanging;
 pub mod hoist;
 pub mod hydraulics;
 pub mod joint;

@@ -2,6 +2,7 @@
 
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::group::quantities;
+use crate::kernel::number::short;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::{Symbol, symbols};
 use crate::parts::motion::degrees;
@@ -41,6 +42,9 @@ pub struct SlewingJoint {
     /// End stops, in rad; infinite where there are none.
     pub stops: [f64; 2],
 }
+
+/// Most centrifugal acceleration of the head that a slewing drive may lead to, over that of gravity.
+const MOST_SPIN: f64 = 100.0;
 
 impl SlewingJoint {
     /// Reads a checked table `[slewing]`; mistakes go to the list.
@@ -85,5 +89,32 @@ impl SlewingJoint {
             start: [start, n(&OMEGA_SL).unwrap_or(0.0)],
             stops,
         })
+    }
+
+    /// Refuses a moment (N·m) that no crane would outlast: the speed is that at which friction holds it, or to which it
+    /// brings all that slews, with a mass (kg) at a reach (m), while it lasts (s), under gravity (m/s²).
+    pub fn outlasts(
+        &self,
+        table: &Values,
+        moment: f64,
+        [reach, mass]: [f64; 2],
+        lasts: f64,
+        g: f64,
+        found: &mut Vec<Diagnostic>,
+    ) {
+        let (turning, moment) = (self.turning, moment.abs());
+        let held = moment / turning.c_sl;
+        let omega = held.min(moment * lasts / (turning.j_sl + mass * reach * reach));
+        let spin = omega * omega * reach / g;
+        if spin > MOST_SPIN {
+            let what = format!(
+                "M_sl = {} brings the crane to {}, and its head to {} times the acceleration of gravity",
+                M_SL.written(moment),
+                OMEGA_SL.written(omega),
+                short(spin)
+            );
+            let help = format!("give a smaller M_sl or more friction c_sl: at most {MOST_SPIN} times it is modelled");
+            found.push(table.refuse(M_SL.id, what, "too much", help));
+        }
     }
 }

@@ -9,7 +9,8 @@
 //!   ~~~~~~~~~+~~~~~~~~~  slope gamma_s, downhill at psi_sl = 0
 //! ```
 //!
-//! Angles and moments are positive counter-clockwise, seen from above. The load keeps its place under the head.
+//! Angles and moments are positive counter-clockwise, seen from above. The load keeps its place under the head, or
+//! swings on its rope.
 //!
 //! | id | function | source |
 //! |---|---|---|
@@ -20,11 +21,13 @@
 //! | `slewing.circle` | [`turning::Circling::new`] | mechanics |
 //! | `slewing.friction` | [`motion::resisting`] | Ports001, 6.5 |
 //! | `slewing.motion` | [`motion::Turned::new`] | Ports001, 6.5 |
-//! | `slewing.events` | [`motion::SlewingEvents::new`] | events |
+//! | `slewing.swing` | [`swinging::Swinging::new`] | Lagrange, first kind |
+//! | `slewing.events` | [`motion::SlewingEvents::new`], [`swinging::slackening`] | events |
 
 pub mod motion;
 mod outline;
 pub mod scene;
 pub mod stages;
+pub mod swinging;
 pub mod symbols;
 pub mod turning;

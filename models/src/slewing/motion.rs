@@ -46,21 +46,42 @@ pub fn joint<C: Calc>(turning: &Turning<C>, stops: &Stops) -> Joint<C> {
 }
 
 /// What the drive and the slope give together, in N·m.
-fn driving<C: Calc>(driven: &SlewingDrive<C>, tilt: Option<&C>) -> C {
+pub(super) fn driving<C: Calc>(driven: &SlewingDrive<C>, tilt: Option<&C>) -> C {
     tilt.map_or(driven.m_sl, |tilt| driven.m_sl + *tilt)
 }
 
-fn drive<C: Calc>(driven: &SlewingDrive<C>) -> JointDrive<C> {
+pub(super) fn drive<C: Calc>(driven: &SlewingDrive<C>) -> JointDrive<C> {
     JointDrive {
         moment: driven.m_sl,
         brake: driven.m_b_sl,
     }
 }
 
+/// What a load that swings makes of slewing.
+#[derive(Clone, Copy, Debug)]
+pub struct Led<C> {
+    /// Moment that friction, brake and stops must give to hold it at rest, in N·m.
+    pub needs: C,
+    /// Moment of friction and brake while it turns, in N·m.
+    pub rubbing: C,
+    /// In rad/s².
+    pub acceleration: C,
+}
+
 /// Moment that friction, brake and stops must give at rest, with the least and the greatest that they can, in N·m.
-pub fn held<C: Calc>(joint: &Joint<C>, driven: &SlewingDrive<C>, tilt: Option<&C>, psi: &C) -> [C; 3] {
+pub fn held<C: Calc>(
+    joint: &Joint<C>,
+    driven: &SlewingDrive<C>,
+    tilt: Option<&C>,
+    led: Option<&Led<C>>,
+    psi: &C,
+) -> [C; 3] {
     let [least, most] = joint.holds(*psi, &drive(driven));
-    [-driving(driven, tilt), least, most]
+    [needed(driven, tilt, led), least, most]
+}
+
+fn needed<C: Calc>(driven: &SlewingDrive<C>, tilt: Option<&C>, led: Option<&Led<C>>) -> C {
+    led.map_or_else(|| -driving(driven, tilt), |led| led.needs)
 }
 
 /// M_R: −c ω − (M_F + M_B) while it turns to the left, what it needs at rest, in N·m. [Ports001, 6.5]
@@ -70,11 +91,13 @@ pub fn resisting<C: Calc>(
     past: &Past<C>,
     stops: &Stops,
     tilt: Option<&C>,
+    led: Option<&Led<C>>,
     omega: &C,
 ) -> C {
-    let moment = match past.bar() {
-        Bar::Held => -driving(driven, tilt),
-        bar => joint(turning, stops).resistance(bar, *omega, &drive(driven)),
+    let moment = match (past.bar(), led) {
+        (Bar::Held, _) => needed(driven, tilt, led),
+        (_, Some(led)) => return led.rubbing,
+        (bar, None) => joint(turning, stops).resistance(bar, *omega, &drive(driven)),
     };
     moment.def(&s::M_R_SL)
 }
@@ -96,13 +119,15 @@ impl<C: Calc> Turned<C> {
         past: &Past<C>,
         tilt: Option<&C>,
         resisting: &C,
+        led: Option<&Led<C>>,
         total: &C,
         carried: &SlewedLoad<C>,
         hung: &Hung<C>,
         omega: &C,
     ) -> Turned<C> {
-        let acceleration = match past.bar() {
-            Bar::Held => C::constant(0.0),
+        let acceleration = match (past.bar(), led) {
+            (Bar::Held, _) => C::constant(0.0),
+            (_, Some(led)) => led.acceleration,
             _ => ((driving(driven, tilt) + *resisting) / *total).def(&s::D_OMEGA_SL),
         };
         Turned {
@@ -124,17 +149,19 @@ pub struct SlewingEvents<C>([C; 4]);
 results! { SlewingEvents as e => { Z_SL_REST: e.0[0]; Z_SL_LOOSE: e.0[1]; Z_SL_LOW: e.0[2]; Z_SL_HIGH: e.0[3]; } }
 
 impl<C: Calc> SlewingEvents<C> {
+    #[expect(clippy::too_many_arguments, reason = "all that may end it")]
     pub fn new(
         turning: &Turning<C>,
         driven: &SlewingDrive<C>,
         past: &Past<C>,
         stops: &Stops,
         tilt: Option<&C>,
+        led: Option<&Led<C>>,
         psi: &C,
         omega: &C,
     ) -> SlewingEvents<C> {
         let joint = joint(turning, stops);
-        let needs = || held(&joint, driven, tilt, psi);
+        let needs = || held(&joint, driven, tilt, led, psi);
         SlewingEvents(joint.indicators(past.bar(), [*psi, *omega], needs).map(above_zero))
     }
 }

@@ -13,9 +13,10 @@ pub const OUTLINE: Outline = Outline {
         ("slewing_slope", &[Stage("tilt")]),
         ("slewing_steady", &[Stage("steady")]),
         ("slewing_circle", &[Stage("circling")]),
+        ("slewing_swing", &[Stage("leaning"), Stage("swinging")]),
         ("slewing_motion", &[Stage("resisting"), Stage("turned")]),
     ],
-    table: listed!(s: M_GAMMA, M_ST, P_ST, F_N, M_R_SL, D_OMEGA_SL, F_T),
+    table: listed!(s: M_GAMMA, M_ST, P_ST, F_N, M_R_SL, D_OMEGA_SL, F_T, S_R),
     curves: &[
         ("slewing_slope", None, &s::M_GAMMA),
         ("slewing_steady", None, &s::M_ST),
@@ -33,6 +34,6 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("slewing_power", &s::P_ST_MAX),
     ],
     uses: &[("stops", listed!(turntable: PSI_MIN, PSI_MAX))],
-    forces: listed!(s: M_ST, F_N, F_T),
+    forces: listed!(s: M_ST, F_N, F_T, S_R),
     worst: &[("greatest_moment", &s::M_ST_MAX)],
 };

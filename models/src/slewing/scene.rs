@@ -17,12 +17,14 @@ use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Sign, Values};
 use crate::kernel::variable::Fault;
+use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::parts::turntable::{self as joint, SlewingJoint};
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
 use crate::slewing::stages::{Given, Open, SlewingCrane};
+use crate::slewing::swinging::{LoadRope, Slackness};
 use crate::slewing::symbols as s;
 use crate::slewing::turning::{Ground, Hung};
 
@@ -32,9 +34,12 @@ pub const KEYS: &[Key] = keys! { joint:
     OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional];
     Key::choice(
         "fidelity",
-        &["static", "rigid"],
-        "How deep slewing by itself is modelled: \"static\" (angle and speed are inputs), \"rigid\" (it moves under a moment).",
+        &["static", "rigid", "swing"],
+        "How deep slewing by itself is modelled: \"static\" (angle and speed are inputs), \"rigid\" (it moves under a \
+         moment), \"swing\" (its load swings on a rope besides).",
     ),
+    Key::quantity(&s::L_R, Sign::Positive).optional(),
+    Key::quantity(&s::PHI_R, Sign::Any).optional(),
     Key::quantity(&s::R, Sign::NotNegative).or_input().optional(),
     Key::weight(&s::Q).or_input().optional(),
     Key::part("dynamics", DYNAMICS, "How slewing by itself is solved."),
@@ -55,15 +60,19 @@ const LIMITS: &[Key] = &Limit::keys::<3>(OUTLINE.limits);
 
 static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 
-/// Keys that say something of a motion alone.
+/// Keys that say something of a motion alone, and of a load that swings.
 const MOVING: [&str; 7] = ["M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics"];
+const SWINGING: [&str; 3] = ["l_R", "phi_R", "chi_R"];
 
-/// What the rates cost, in s.
-const COST: [f64; 2] = [0.1e-6, 0.0];
+/// Least time in which friction stops what slews, as a part of that which the working range takes.
+const BRISKEST: f64 = 1e-4;
 
-/// Longest step of the solver where the scene gives none: parts of the time in which friction slows it, of that in which it
-/// swings on its slope, and of the run through the working range.
-const LONGEST: [f64; 3] = [0.25, 0.05, 0.002];
+/// What the rates cost, in s, without a load that swings and with it.
+const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.4e-6, 0.0]];
+
+/// Longest step of the solver where the scene gives none: parts of the time in which friction slows it, of those in which it
+/// swings on its slope and its load on the rope, and of the run through the working range.
+const LONGEST: [f64; 4] = [0.25, 0.05, 0.05, 0.002];
 
 /// Slewing by itself as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -82,19 +91,88 @@ pub const ENTRY: Entry = Description::<SlewingScene>::entry("platform", KEYS);
 /// A step (s) that sees all that the motion does; see [`LONGEST`].
 fn longest(given: &Given<f64>, range: &Motion) -> f64 {
     let Given {
-        hung, turning, slope, ..
+        hung,
+        turning,
+        slope,
+        rope,
+        ..
     } = given;
-    let inertia = turning.j_sl + hung.q / hung.g * hung.r * hung.r;
+    let load = hung.q / hung.g * hung.r * hung.r;
+    // A load that swings leaves slewing by itself, and pulls it back the harder the heavier it is.
+    let (inertia, swing) = rope.map_or((turning.j_sl + load, f64::INFINITY), |rope| {
+        let heavy = 1.0 + load / turning.j_sl;
+        (turning.j_sl, (rope.l_r / (hung.g * heavy)).sqrt())
+    });
     let stiffness = slope.map_or(0.0, |slope| {
         (slope.g_u * slope.r_u + hung.q * hung.r) * Calc::sin_cos(slope.gamma_s).0
     });
     let times = [
         inertia / turning.c_sl,
         (inertia / stiffness.abs()).sqrt(),
+        swing,
         (range.to - range.from) / range.speed,
     ];
     let steps = times.iter().zip(LONGEST).map(|(time, part)| time * part);
     steps.fold(f64::INFINITY, f64::min)
+}
+
+/// Whether it moves, and whether its load swings; refuses what is missing for that, and what has no use then.
+fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
+    let swings = v.text("fidelity") == Some("swing");
+    let moves = swings || v.text("fidelity") == Some("rigid");
+    for (symbol, example) in [(&s::R, "20 m"), (&s::Q, "100 kN")] {
+        if !v.has(symbol.id) {
+            let id = symbol.id;
+            let help = format!(
+                "add {id} = \"{example}\", or {id} = {{ input = \"{example}\" }} for an input that starts there, or a \
+                 [luffing] that gives it"
+            );
+            found.push(v.refuse(id, format!("`{id}` is missing in [slewing]"), "nothing gives it", help));
+        }
+    }
+    if !v.has("motion") {
+        let help = "add from, to, step and speed in [slewing.motion], or a [luffing]";
+        found.push(v.refuse("motion", "`motion` is missing in [slewing]", "needed here", help));
+    }
+    if let (false, Some(key)) = (moves, MOVING.iter().find(|key| v.has(key))) {
+        let what = format!("`{key}` of slewing that is set in its place");
+        found.push(v.refuse(
+            key,
+            what,
+            "not used",
+            "set fidelity = \"rigid\" or \"swing\", or remove it",
+        ));
+    }
+    if let (false, Some(key)) = (swings, SWINGING.iter().find(|key| v.has(key))) {
+        let what = format!("`{key}` without a swinging load");
+        let help = "remove it: the load keeps its place under the head; or set fidelity = \"swing\"";
+        found.push(v.refuse(key, what, "not used", help));
+    }
+    if swings && !v.has(s::L_R.id) {
+        let what = "a swinging load without a rope";
+        let help = "add l_R = \"15 m\", the length of the rope from head to load";
+        found.push(v.refuse(s::L_R.id, what, "l_R is missing in [slewing]", help));
+    }
+    [moves, swings]
+}
+
+/// Refuses friction that stops all that slews, with a mass (kg) at a reach (m), in next to nothing of the time (s) that the
+/// working range takes: the solver would follow it in ever smaller steps.
+fn brisk(v: &Values, joint: &SlewingJoint, [reach, mass]: [f64; 2], lasts: f64, found: &mut Vec<Diagnostic>) {
+    let turning = joint.turning;
+    let time = (turning.j_sl + mass * reach * reach) / turning.c_sl;
+    if v.text("fidelity") != Some("static") && time < BRISKEST * lasts {
+        let what = format!(
+            "c_sl = {} stops all that slews within {}, where the working range takes {}",
+            joint::C_SL.written(turning.c_sl),
+            s::STEP.written(time),
+            s::STEP.written(lasts)
+        );
+        let help = format!(
+            "give less friction, more inertia or a faster range: at least {BRISKEST:e} of that time is modelled"
+        );
+        found.push(v.refuse(joint::C_SL.id, what, "too much", help));
+    }
 }
 
 impl Described for SlewingScene {
@@ -105,48 +183,29 @@ impl Described for SlewingScene {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "slewing_symbol",
         own: &[s::ALL],
-        shared: &[joint::ALL, gravity::ALL],
+        shared: &[joint::ALL, hanging::ALL, gravity::ALL],
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(SlewingScene, Motion)> {
         let before = found.len();
-        for (symbol, example) in [(&s::R, "20 m"), (&s::Q, "100 kN")] {
-            if !v.has(symbol.id) {
-                let id = symbol.id;
-                let help = format!(
-                    "add {id} = \"{example}\", or {id} = {{ input = \"{example}\" }} for an input that starts there, or a \
-                     [luffing] that gives it"
-                );
-                found.push(v.refuse(id, format!("`{id}` is missing in [slewing]"), "nothing gives it", help));
-            }
-        }
-        if !v.has("motion") {
-            let help = "add from, to, step and speed in [slewing.motion], or a [luffing]";
-            found.push(v.refuse("motion", "`motion` is missing in [slewing]", "needed here", help));
-        }
-        if v.has(joint::CHI_R.id) {
-            let what = "chi_R without a swinging load";
-            found.push(v.refuse(
-                joint::CHI_R.id,
-                what,
-                "not used",
-                "remove it: the load keeps its place under the head",
-            ));
-        }
-        let rigid = v.text("fidelity") == Some("rigid");
-        if let (false, Some(key)) = (rigid, MOVING.iter().find(|key| v.has(key))) {
-            let what = format!("`{key}` of slewing that is set in its place");
-            found.push(v.refuse(key, what, "not used", "set fidelity = \"rigid\", or remove it"));
-        }
+        let [moves, swings] = suits(v, found);
         let range = Motion::read(v.table("motion")?, found);
         let joint = SlewingJoint::read(v, found);
         let slope = v.part("slope", Ground::read)?;
         let (range, joint) = range.zip(joint).filter(|_| found.len() == before)?;
         let n = |key: &str| v.number(key).unwrap_or(0.0);
-        if joint.turning.j_sl + n(s::Q.id) * n(s::R.id) <= 0.0 {
+        let carried = if swings { 0.0 } else { n(s::Q.id) * n(s::R.id) };
+        if joint.turning.j_sl + carried <= 0.0 {
             let what = "nothing that slews has an inertia";
-            let help = "make J_sl greater than zero, or let a load hang at a reach";
+            let help = "make J_sl greater than zero, or let a load hang at a reach that does not swing";
             found.push(v.refuse(joint::J_SL.id, what, "nothing to turn", help));
+            return None;
+        }
+        let lasts = (range.to - range.from) / range.speed.abs();
+        let load = [n(s::R.id), n(s::Q.id) / gravity];
+        joint.outlasts(v, n(s::M_SL.id), load, lasts, gravity, found);
+        brisk(v, &joint, load, lasts, found);
+        if found.len() > before {
             return None;
         }
         let given = Given {
@@ -159,10 +218,16 @@ impl Described for SlewingScene {
             },
             turning: joint.turning,
             slope,
-            driven: rigid.then(|| SlewingDrive {
+            driven: moves.then(|| SlewingDrive {
                 m_sl: n(s::M_SL.id),
                 m_b_sl: n(s::M_B_SL.id),
             }),
+            swung: swings.then(|| {
+                let angles = [n(s::PHI_R.id), n(s::CHI_R.id)];
+                HangingLoad::resting(n(s::L_R.id), angles).into()
+            }),
+            rope: LoadRope::read(v).filter(|_| swings),
+            slackness: swings.then_some(Slackness { slack: 0.0 }),
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
             open: Open(
@@ -189,19 +254,24 @@ impl Described for SlewingScene {
 
     fn levels(&self) -> Vec<&'static str> {
         let moves = self.given.driven.map(|_| "rigid");
-        std::iter::once("static").chain(moves).collect()
+        let swings = self.given.swung.map(|_| "swing");
+        std::iter::once("static").chain(moves).chain(swings).collect()
     }
 
     fn set_level(&mut self, level: &str) {
-        if level != "rigid" {
+        if level != "swing" {
+            (self.given.swung, self.given.rope, self.given.slackness) = (None, None, None);
+        }
+        if level == "static" {
             self.given.driven = None;
         }
     }
 
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
         match level {
-            "rigid" => Vec::new(),
-            _ => vec![("dynamics", &[])],
+            "swing" => Vec::new(),
+            "rigid" => vec![("slewing", &SWINGING)],
+            _ => vec![("dynamics", &[]), ("slewing", &SWINGING)],
         }
     }
 
@@ -221,7 +291,7 @@ impl Described for SlewingScene {
             tolerance: ("dynamics", &s::STEP),
             longest: self.step,
             explicit: true,
-            cost: COST,
+            cost: COST[usize::from(self.given.swung.is_some())],
         })
     }
 
@@ -243,23 +313,23 @@ impl Described for SlewingScene {
     }
 
     fn assumptions(this: &Description<SlewingScene>) -> Vec<&'static str> {
-        let level = this
-            .given
-            .driven
-            .map_or("slewing_level_static", |_| "slewing_level_rigid");
-        vec![level, "slewing_load"]
+        match (this.given.driven, this.given.swung) {
+            (None, _) => vec!["slewing_level_static", "slewing_load"],
+            (_, None) => vec!["slewing_level_rigid", "slewing_load"],
+            (_, Some(_)) => vec!["slewing_level_swing", "slewing_hook"],
+        }
     }
 
-    fn uncovered(_: &Description<SlewingScene>) -> Vec<&'static str> {
-        vec![
-            "wind",
-            "sway",
+    fn uncovered(this: &Description<SlewingScene>) -> Vec<&'static str> {
+        let sway = this.given.swung.is_none().then_some("sway");
+        let rest = [
             "dynamic_coefficients",
             "motor_brake",
             "strength",
             "stability",
             "load_cases",
-        ]
+        ];
+        std::iter::once("wind").chain(sway).chain(rest).collect()
     }
 
     /// From above: the ends of the working range (faint) and its middle, with the load's circle.

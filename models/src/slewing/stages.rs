@@ -4,9 +4,13 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
 use crate::kernel::group::{One, group};
 use crate::kernel::symbol::Symbol;
+use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar};
 use crate::parts::turntable::Turning;
-use crate::slewing::motion::{Past, SlewingDrive, SlewingEvents, Stops, Turned, held, joint, resisting, struck};
+use crate::slewing::motion::{Led, Past, SlewingDrive, SlewingEvents, Stops, Turned, held, joint, resisting, struck};
+use crate::slewing::swinging::{
+    LoadRope, Slackness, Swinging, SwingingLoad, SwingingRates, SwungInstant, leaning, led, slackening,
+};
 use crate::slewing::symbols as s;
 use crate::slewing::turning::{Circling, Ground, Hung, SlewedLoad, Steady, tilt, total};
 
@@ -19,7 +23,10 @@ stages! {
         Parameter turning: Turning<C>,
         Parameter slope: Option<Ground<C>>,
         Input driven: Option<SlewingDrive<C>>,
+        State swung: Option<SwingingLoad<C>>,
+        Parameter rope: Option<LoadRope<C>>,
         Memory past: Past<C>,
+        Memory slackness: Option<Slackness<C>>,
         Fixed stops: Stops,
         Fixed open: Open,
     } find {
@@ -28,10 +35,16 @@ stages! {
         tilt: C = tilt(slope[!], hung, psi) => M_GAMMA;
         steady: Steady<C> = Steady::new(turning, tilt[?], omega);
         circling: Circling<C> = Circling::new(carried, hung, total, omega);
-        resisting: C = resisting(turning, driven[!], past, stops, tilt[?], omega) => M_R_SL;
-        turned: Turned<C> = Turned::new(driven[!], past, tilt[?], resisting, total, carried, hung, omega);
+        leaning: C = leaning(slope[!], swung[!], psi) => M_GAMMA_U;
+        swinging: Swinging<C> = Swinging::new(
+            turning, driven[!], past, slackness[!], stops, slope, leaning[?], swung[!], hung, carried, psi, omega);
+        led: Led<C> = led(swinging) => _;
+        resisting: C = resisting(turning, driven[!], past, stops, tilt[?], led[?], omega) => M_R_SL;
+        turned: Turned<C> = Turned::new(driven[!], past, tilt[?], resisting, led[?], total, carried, hung, omega);
+        rates: SwingingRates<C> = SwingingRates::new(swinging);
         struck: C = struck(driven[!], past) => W_BLOW;
-        events: SlewingEvents<C> = SlewingEvents::new(turning, driven[!], past, stops, tilt[?], psi, omega);
+        events: SlewingEvents<C> = SlewingEvents::new(turning, driven[!], past, stops, tilt[?], led[?], psi, omega);
+        slackening: C = slackening(swinging, rope[!], slackness[!]) => Z_ROPE;
     }
 }
 
@@ -44,13 +57,31 @@ group!(Open);
 const MOST_CHANGES: u32 = 4;
 
 impl Component for SlewingCrane {
-    const STATES: [&'static [&'static Symbol]; 2] = [&[&s::PSI_SL, &s::OMEGA_SL], &[&s::D_PSI_SL, &s::D_OMEGA_SL]];
+    const STATES: [&'static [&'static Symbol]; 2] = [
+        &[&s::PSI_SL, &s::OMEGA_SL],
+        &[
+            &s::D_PSI_SL,
+            &s::D_OMEGA_SL,
+            &s::D_X_Q,
+            &s::D_Y_Q,
+            &s::D_Z_Q,
+            &s::D_V_QX,
+            &s::D_V_QY,
+            &s::D_V_QZ,
+        ],
+    ];
 
-    const INDICATORS: &'static [&'static Symbol] = &[&s::Z_SL_REST, &s::Z_SL_LOOSE, &s::Z_SL_LOW, &s::Z_SL_HIGH];
+    const INDICATORS: &'static [&'static Symbol] =
+        &[&s::Z_SL_REST, &s::Z_SL_LOOSE, &s::Z_SL_LOW, &s::Z_SL_HIGH, &s::Z_ROPE];
 
     const PORTS: &'static [Port] = ports! { s:
         shaft "Slewing axis." [tau]: phi PSI_SL, w OMEGA_SL, tau M_SL;
     };
+
+    /// A load that swings is not carried along its circle.
+    fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        symbol != &s::F_T || given.swung.is_none()
+    }
 
     fn is_input(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         given.open.0.contains(&symbol)
@@ -65,43 +96,86 @@ impl Component for SlewingCrane {
         let Some(driven) = known.given.driven else {
             return Ok(false);
         };
-        let inertia = *known.total()?;
         let joint = joint(&known.given.turning, &known.given.stops);
-        let (omega, mut blown) = (*known.given.omega, known.given.past.blown);
-        let mut bar = known.given.past.bar();
-        let mut at = [*known.given.psi, omega];
-        if omega == 0.0 {
-            bar = Bar::Held;
+        let (start, mut blown) = (instant(known)?, 0.0);
+        if start.omega == 0.0 {
+            known.past().way = 0.0;
         }
         for _ in 0..MOST_CHANGES {
-            let before = (bar, at);
-            match joint.arrival(bar, at) {
+            let before = instant(known)?;
+            let mut now = before;
+            match joint.arrival(now.bar, [*known.given.psi, now.omega]) {
                 Arrival::None => {}
-                Arrival::SetOff(way) => bar = way,
+                Arrival::SetOff(way) => now.bar = way,
                 Arrival::Rest { at_stop } => {
-                    blown += if at_stop { 0.5 * inertia * at[1].powi(2) } else { 0.0 };
-                    let [low, high] = joint.stops;
-                    (bar, at) = (Bar::Held, [at[0].clamp(low, high), 0.0]);
-                    known.psi().1 = at[0];
-                    known.omega().1 = 0.0;
+                    if at_stop {
+                        let [low, high] = joint.stops;
+                        known.psi().1 = known.given.psi.clamp(low, high);
+                        blown += now.struck(SwungInstant::stop);
+                    }
+                    (now.bar, now.omega) = (Bar::Held, 0.0);
                 }
             }
-            if bar == Bar::Held {
-                let tilt = known.given.slope.is_some().then(|| known.tilt().copied()).transpose()?;
-                bar = Bar::loosened(held(&joint, &driven, tilt.as_ref(), &at[0]));
+            if known.given.swung.is_some() {
+                blown += now.struck(SwungInstant::catch);
+                put(known, &now);
+                now.taut = now.taut && known.swinging()?.found.slackening >= 0.0;
             }
-            if (bar, at) == before {
+            put(known, &now);
+            if now.bar == Bar::Held {
+                let tilt = known.given.slope.is_some().then(|| known.tilt().copied()).transpose()?;
+                let led = known.given.swung.is_some().then(|| known.led().copied()).transpose()?;
+                now.bar = Bar::loosened(held(&joint, &driven, tilt.as_ref(), led.as_ref(), &known.given.psi));
+                put(known, &now);
+            }
+            if instant(known)? == before {
                 break;
             }
         }
-        let way = match bar {
-            Bar::Forward => 1.0,
-            Bar::Backward => -1.0,
-            Bar::Held | Bar::Loose => 0.0,
-        };
-        if (way, blown) != (known.given.past.way, known.given.past.blown) {
-            *known.past() = Past { way, blown };
+        if blown != 0.0 {
+            known.past().blown += blown;
         }
-        Ok(at[1] != omega)
+        let end = instant(known)?;
+        Ok(end.omega != start.omega || end.load != start.load)
+    }
+}
+
+/// Where it is; a load that keeps its place is a part of what slews.
+fn instant(known: &mut Known<f64>) -> Found<SwungInstant> {
+    let (total, mass) = (*known.total()?, known.carried()?.mass);
+    let given = &known.given;
+    let own = given.swung.map(|load| (given.turning.j_sl, mass, load.load()));
+    let (inertia, mass, load) = own.unwrap_or((total, 0.0, HangingLoad::of(&[0.0; 6])));
+    Ok(SwungInstant {
+        bar: given.past.bar(),
+        omega: *given.omega,
+        load,
+        taut: given.slackness.is_some_and(|rope| rope.slack == 0.0),
+        reach: given.hung.r,
+        inertia,
+        mass,
+        length: given.rope.map_or(0.0, |rope| rope.l_r),
+    })
+}
+
+/// What has changed; the rest is as it was, and so is what follows from it.
+fn put(known: &mut Known<f64>, now: &SwungInstant) {
+    let way = match now.bar {
+        Bar::Forward => 1.0,
+        Bar::Backward => -1.0,
+        Bar::Held | Bar::Loose => 0.0,
+    };
+    if way != known.given.past.way {
+        known.past().way = way;
+    }
+    if now.omega != *known.given.omega {
+        known.omega().1 = now.omega;
+    }
+    if known.given.swung.is_some_and(|load| load.load() != now.load) {
+        *known.swung() = Some(now.load.into());
+    }
+    let slack = f64::from(!now.taut);
+    if known.given.slackness.is_some_and(|rope| rope.slack != slack) {
+        *known.slackness() = Some(Slackness { slack });
     }
 }

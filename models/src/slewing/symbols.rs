@@ -2,8 +2,11 @@
 
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::symbols;
+pub use crate::parts::hanging::{
+    ALPHA_0SL, D_V_QX, D_V_QY, D_V_QZ, D_X_Q, D_Y_Q, D_Z_Q, L_R, PHI_R, S_R, V_QX, V_QY, V_QZ, X_Q, Y_Q, Z_Q, Z_ROPE,
+};
 pub use crate::parts::turntable::{
-    D_OMEGA_SL, D_PSI_SL, M_B_SL, M_R_SL, M_SL, OMEGA_SL, PSI_SL, Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
+    CHI_R, D_OMEGA_SL, D_PSI_SL, M_B_SL, M_R_SL, M_SL, OMEGA_SL, PSI_SL, Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
 };
 
 symbols! {
@@ -29,7 +32,10 @@ symbols! {
 
     // Results in motion.
     F_T: "F_t" "F_t" N / KN, "Horizontal force along its circle that accelerates the load; positive counter-clockwise.", "Newton and Euler";
-    W_BLOW: "W_blow" "W_\"blow\"" J / KJ [not_negative], "Energy that blows at end stops have taken.", "Newton and Euler";
+    M_GAMMA_U: "M_gammau" "M_(gamma \"u\")" N_M / KN_M, "Moment on the slope of all that slews without the load, about the slewing axis; positive counter-clockwise.", "virtual work";
+    G_DOWN: "g_s" "g_\"s\"" M_PER_S2 / M_PER_S2, "Acceleration of gravity down the slope.", "derived";
+    W_BLOW: "W_blow" "W_\"blow\"" J / KJ [not_negative], "Energy that blows have taken.", "Newton and Euler";
+    SLACK: "slack" "sigma" ONE / ONE, "Whether the rope hangs slack (1) or is taut (0).", "state";
     WAY: "way" "w" ONE / ONE, "Whether slewing rests (0), or which way it turns (1, -1).", "state";
 
     // The whole range.

@@ -18,6 +18,7 @@ use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Anchors, Driven, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
+use crate::parts::hanging::cancelling;
 use crate::parts::hoist::Hoist;
 use crate::parts::motion::Motion as Range;
 use crate::parts::plane::{self, Point, dot, squared};
@@ -104,18 +105,10 @@ pub struct Pendulum<P = f64> {
     pub hoist: Hoist<P>,
 }
 
-/// Least mass of a load, in kg, by which an equation can be multiplied.
-const LIGHTEST: f64 = 1e-99;
-
 impl<P: Calc> Pendulum<P> {
-    /// Mass (kg) by which equations are multiplied that hold for any load, so that it cancels: where the rope swings
-    /// to, and what keeps it taut. The rope of an empty hook moves as that of the lightest load.
+    /// As [`cancelling`].
     pub(crate) fn cancelling(&self) -> P {
-        if self.mass.value() > LIGHTEST {
-            self.mass
-        } else {
-            P::known(&s::MASS_E, 1.0)
-        }
+        cancelling(self.mass)
     }
 }
 

@@ -44,9 +44,9 @@ use crate::luffing::double_link::statics::{LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::with_balance::{agreement, searched};
-use crate::parts::hydraulics;
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
+use crate::parts::{hanging, hydraulics};
 
 /// As scenes describe it.
 pub const ENTRY: Entry = Description::<LuffingScene>::entry("double_link", KEYS);
@@ -63,6 +63,7 @@ impl Described for LuffingScene {
             balance::symbols::ALL,
             drive::symbols::ALL,
             moving::symbols::ALL,
+            hanging::ALL,
             turntable::ALL,
             gravity::ALL,
             hydraulics::symbols::ALL,

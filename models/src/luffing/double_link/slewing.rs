@@ -8,8 +8,8 @@ use nalgebra::Vector3;
 use crate::kernel::calc::Calc;
 use crate::luffing::double_link::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::double_link::dynamics::{Coordinate, Reduced};
-use crate::luffing::double_link::hanging::{Accelerations, HangingLoad, Rope, dot, squared, to_load, turned};
 use crate::luffing::double_link::moving::symbols as s;
+use crate::parts::hanging::{Accelerations, HangingLoad, Rope, dot, squared, to_load, turned};
 use crate::parts::joint::Bar;
 use crate::parts::solver::Halt;
 
@@ -40,28 +40,17 @@ impl SlewingState {
     /// Puts the load at rest at the end of its rope, at angles (rad) from the vertical in the plane of the
     /// mechanism, forward positive, and from that plane, left positive.
     pub fn put_load(&mut self, [swing, side]: [f64; 2]) {
-        let ((sin, cos), (aside, within)) = (Calc::sin_cos(swing), Calc::sin_cos(side));
-        let direction = Vector3::new(within * sin, -within * cos, aside);
-        let place = direction * self.y[10];
-        self.y[4..7].copy_from_slice(place.as_slice());
-        self.y[7..10].fill(0.0);
+        self.put(HangingLoad::resting(self.y[10], [swing, side]));
+    }
+
+    fn put(&mut self, load: HangingLoad<f64>) {
+        self.y[4..7].copy_from_slice(load.place.as_slice());
+        self.y[7..10].copy_from_slice(load.rate.as_slice());
     }
 
     /// Puts the load of a taut rope at its end, moving with it, where roundings have moved it by more than a few bits.
     pub(crate) fn straighten(&mut self) {
-        let load = load_of(&self.y);
-        let length = load.place.norm();
-        let direction = load.place / length;
-        let hoist = self.y[11];
-        let excess = direction.dot(&load.rate) - hoist;
-        let few = 16.0 * f64::EPSILON;
-        if (length - self.y[10]).abs() > few * length {
-            let place = direction * self.y[10];
-            self.y[4..7].copy_from_slice(place.as_slice());
-        }
-        if excess.abs() > few * (load.rate.norm() + hoist.abs()) {
-            self.y[7..10].copy_from_slice((load.rate - direction * excess).as_slice());
-        }
+        self.put(load_of(&self.y).straightened(self.y[10], self.y[11]));
     }
 
     /// Puts a load that is farther than its rope is long to the rope's end.
@@ -78,13 +67,7 @@ impl SlewingState {
 /// and from that plane, in [−π/2, π/2], left positive.
 #[must_use]
 pub fn angles<C: Calc>(y: &[C; STATES]) -> [C; 2] {
-    let place = load_of(y).place;
-    let quarter = C::constant(std::f64::consts::FRAC_PI_2);
-    let within = (place.x.square() + place.y.square()).sqrt();
-    [
-        C::direction(-place.x, -place.y) - quarter,
-        C::direction(within, place.z),
-    ]
+    load_of(y).angles()
 }
 
 /// Distance of the load from the head, in m.
@@ -94,10 +77,7 @@ pub fn distance<C: Calc>(y: &[C; STATES]) -> C {
 }
 
 fn load_of<C: Calc>(y: &[C; STATES]) -> HangingLoad<C> {
-    HangingLoad {
-        place: Vector3::new(y[4], y[5], y[6]),
-        rate: Vector3::new(y[7], y[8], y[9]),
-    }
+    HangingLoad::of(&std::array::from_fn(|i| y[i + 4]))
 }
 
 impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
@@ -234,9 +214,9 @@ impl Slewing {
     }
 
     /// How much easier a load of a mass (kg) gives way along the rope than by itself, as joints and drum do too.
-    fn giving(&self, state: &SlewingState, rope: &Rope<f64>, ease: [f64; 2], mass: f64) -> f64 {
+    fn giving(&self, state: &SlewingState, rope: &Rope<f64, 2>, ease: [f64; 2], mass: f64) -> f64 {
         let drum = self.hoist().map_or(0.0, |hoist| state.drum.ease(hoist));
-        1.0 + mass * (rope.arms[0].powi(2) * ease[0] + rope.arms[1].powi(2) * ease[1] + drum)
+        rope.giving(ease, mass, drum)
     }
 
     /// One over the inertia of each joint that moves.
@@ -255,7 +235,7 @@ impl Slewing {
         &self,
         state: &mut SlewingState,
         head: &[Vector3<f64>; 2],
-        rope: &Rope<f64>,
+        rope: &Rope<f64, 2>,
         ease: [f64; 2],
         pull: f64,
         mass: f64,
@@ -277,11 +257,7 @@ impl Slewing {
 
     /// The load's rate as the head's changes under it, and its own by `own` (m/s).
     fn shift(&self, state: &mut SlewingState, head: &[Vector3<f64>; 2], change: [f64; 2], own: Vector3<f64>) {
-        let place = load_of(&state.y).place + Vector3::new(head[1].z, 0.0, 0.0);
-        let rate = own - head[0] * change[0] - turned(place) * change[1];
-        for (y, rate) in state.y[7..10].iter_mut().zip(&rate) {
-            *y += rate;
-        }
+        state.put(load_of(&state.y).shifted(head, change, own));
     }
 
     /// Angular momentum about the slewing axis, in kg·m²/s; `None` where the linkage does not close.

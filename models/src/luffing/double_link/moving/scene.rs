@@ -3,7 +3,6 @@
 use crate::balance::symbols as b;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::keys::keys;
-use crate::kernel::number::short;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::moving::given::{Constants, CylinderOil, Inputs};
@@ -149,30 +148,14 @@ pub fn brisk(v: &Values, moving: &Moving, motion: &Motion, found: &mut Vec<Diagn
     }
 }
 
-/// Most centrifugal acceleration of the head that a slewing drive may lead to, over that of gravity.
-const MOST_SPIN: f64 = 100.0;
-
-/// Refuses a slewing moment that no crane would outlast: the speed is that at which friction holds it, or to which it
-/// brings all that slews, at most `reach` (m) from the axis and as heavy as `mass` (kg), while the range is luffed.
+/// Refuses a slewing moment that no crane would outlast, while the range is luffed.
 pub fn outlasts(v: &Values, moving: &Moving, motion: &Motion, [reach, mass]: [f64; 2], found: &mut Vec<Diagnostic>) {
     let Some((table, slewing)) = v.table("slewing").zip(moving.slewing) else {
         return;
     };
-    let (turning, moment) = (slewing.joint.turning, moving.inputs.drives[1].moment.abs());
     let lasts = (motion.to - motion.from) / motion.speed.abs();
-    let held = moment / turning.c_sl;
-    let omega = held.min(moment * lasts / (turning.j_sl + mass * reach * reach));
-    let spin = omega * omega * reach / moving.constants.g;
-    if spin > MOST_SPIN {
-        let what = format!(
-            "M_sl = {} brings the crane to {}, and its head to {} times the acceleration of gravity",
-            s::M_SL.written(moment),
-            s::OMEGA_SL.written(omega),
-            short(spin)
-        );
-        let help = format!("give a smaller M_sl or more friction c_sl: at most {MOST_SPIN} times it is modelled");
-        found.push(table.refuse(s::M_SL.id, what, "too much", help));
-    }
+    let moment = moving.inputs.drives[1].moment;
+    (slewing.joint).outlasts(table, moment, [reach, mass], lasts, moving.constants.g, found);
 }
 
 /// The table `[luffing.dynamics]` of what moves by itself.

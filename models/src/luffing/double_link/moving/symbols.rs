@@ -3,6 +3,11 @@
 pub use crate::kernel::gravity::G;
 use crate::kernel::symbol::{Symbol, symbols};
 use crate::luffing::double_link::symbols as g;
+pub use crate::parts::hanging::{
+    A_N, A_R, ALPHA_0, ALPHA_0SL, B_X, B_Y, B_Z, D_V_QX, D_V_QY, D_V_QZ, D_X_Q, D_Y_Q, D_Z_Q, H_1R, H_2R, KAPPA_R, L_R,
+    MASS_E, N_X, N_Y, N_Z, PHI_R, R_QX, S_Q, S_R, U_X, U_Y, V_E, V_QX, V_QY, V_QZ, W_X, W_Y, W_Z, X_Q, Y_Q, Z_Q,
+    Z_ROPE,
+};
 pub use crate::parts::turntable::{
     C_SL, CHI_R, D_OMEGA_SL, D_PSI_SL, J_SL, M_B_SL, M_F_SL, M_R_SL, M_SL, OMEGA_SL, PSI_MAX, PSI_MIN, PSI_SL,
     Z_SL_HIGH, Z_SL_LOOSE, Z_SL_LOW, Z_SL_REST,
@@ -52,20 +57,9 @@ symbols! {
     M_B_H: "M_Bh" "M_\"B h\"" N_M / KN_M [not_negative], "Moment of the hoist's brake on its drum, added to its dry friction.", "input";
 
     // States.
-    PHI_R: "phi_R" "phi_R" RAD / DEG, "Angle of the rope from the vertical; positive swings the load forward.", "equations of motion";
     OMEGA_R: "omega_R" "omega_R" RAD_PER_S / DEG_PER_S, "Angular velocity of the rope.", "equations of motion";
-    L_R: "l_R" "l_R" M / M [positive], "Length of the rope from the head to the load.", "equations of motion";
-    S_Q: "s_Q" "s_Q" M / M, "Distance of the load from the head: the rope's length, or less where it is slack.", "equations of motion";
     V_Q: "v_Q" "v_Q" M_PER_S / M_PER_S, "Speed of the load away from the head.", "equations of motion";
     V_R: "v_R" "v_R" M_PER_S / M_PER_S, "Speed at which the hoist pays out the rope; positive lowers the load.", "equations of motion";
-
-    // States of slewing, seen from the frame that slews.
-    X_Q: "x_Q" "x_Q" M / M, "Load, forward of the head.", "equations of motion";
-    Y_Q: "y_Q" "y_Q" M / M, "Load, above the head.", "equations of motion";
-    Z_Q: "z_Q" "z_Q" M / M, "Load, to the left of the head.", "equations of motion";
-    V_QX: "v_Qx" "v_(Q x)" M_PER_S / M_PER_S, "Speed of the load forward, from the head.", "equations of motion";
-    V_QY: "v_Qy" "v_(Q y)" M_PER_S / M_PER_S, "Speed of the load up, from the head.", "equations of motion";
-    V_QZ: "v_Qz" "v_(Q z)" M_PER_S / M_PER_S, "Speed of the load to the left, from the head.", "equations of motion";
 
     P_1: "p_1" "p_1" PA / MPA, "Pressure in the valve's port on the side of the bore.", "equations of motion";
     P_2: "p_2" "p_2" PA / MPA, "Pressure in the valve's port on the side of the annulus.", "equations of motion";
@@ -80,7 +74,6 @@ symbols! {
     M_R_H: "M_Rh" "M_\"R h\"" N_M / KN_M, "Moment of brake and friction on the hoist's drum; positive reels in.", "equations of motion";
     DELTA_R: "delta_R" "delta_R" M / MM, "Stretch of the rope.", "derived";
     MASS_H: "mass_h" "m_\"h red\"" KG / T, "Mass of the hoist's drum and of all that turns with it, as the rope at the head feels it.", "derived";
-    S_R: "S_R" "S_R" N / KN, "Force in the rope; zero where it is slack.", "equations of motion";
 
     // The equations of motion, from derivatives of the positions by the driving angle.
     MASS_1: "mass_1" "m_1" KG / T, "Mass of the boom: weight over g.", "derived";
@@ -117,7 +110,6 @@ symbols! {
     M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driving link; positive lowers it.", "virtual work";
     M_NET: "M_net" "M" N_M / KN_M, "Moment that accelerates the driving link, the load on its rope left aside.", "Lagrange";
     MASS_Q: "mass_Q" "m_Q" KG / T, "Mass of the load: weight over g.", "derived";
-    MASS_E: "mass_e" "m_e" KG / T, "Mass in the place of an empty hook's load: it cancels from the rope's equation.", "Lagrange";
     DDA_X: "ddA.x" "x''_A" M / M, "Change of the forward travel of A for one radian of the driving link.", "dual numbers";
     DDA_Y: "ddA.y" "Y''_A" M / M, "Change of the rise of A for one radian of the driving link.", "dual numbers";
     D_PHI: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driving link.", "derived";
@@ -140,26 +132,6 @@ symbols! {
     I_SL: "I_sl" "I_\"sl\"" KG_M2 / KG_M2, "Inertia of the whole crane about the slewing axis, without the load.", "dual numbers";
     DI_SL: "dI_sl" "I'_\"sl\"" KG_M2 / KG_M2, "Change of the inertia about the slewing axis for one radian of the driving link.", "dual numbers";
     M_NET_SL: "M_netsl" "M_\"N sl\"" N_M / KN_M, "Moment that accelerates slewing, the load on its rope left aside.", "Lagrange";
-    ALPHA_0: "alpha_0" "dot(omega)_(0)" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the driving link without the rope's force.", "Lagrange";
-    ALPHA_0SL: "alpha_0sl" "dot(omega)_(0 \"sl\")" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of slewing without the rope's force.", "Lagrange";
-    N_X: "n_x" "n_x" ONE / ONE, "Direction of the rope from the head, forward component.", "derived";
-    N_Y: "n_y" "n_y" ONE / ONE, "Direction of the rope from the head, upward component.", "derived";
-    N_Z: "n_z" "n_z" ONE / ONE, "Direction of the rope from the head, component to the left.", "derived";
-    H_1R: "h_1R" "h_(1 R)" M / M, "Travel of the head along the rope for one radian of the driving link.", "derived";
-    H_2R: "h_2R" "h_(2 R)" M / M, "Travel of the head along the rope for one radian of slewing.", "derived";
-    V_E: "v_e" "v_e" M_PER_S / M_PER_S, "Speed along the rope beyond that of the hoist: rounding alone.", "derived";
-    W_X: "w_x" "w_x" M_PER_S / M_PER_S, "Speed of the load across its rope, forward.", "derived";
-    W_Y: "w_y" "w_y" M_PER_S / M_PER_S, "Speed of the load across its rope, up.", "derived";
-    W_Z: "w_z" "w_z" M_PER_S / M_PER_S, "Speed of the load across its rope, to the left.", "derived";
-    R_QX: "r_Qx" "r_x" M / M, "Load, forward of the slewing axis.", "derived";
-    U_X: "u_x" "u_x" M_PER_S / M_PER_S, "Speed of the load in the frame that slews, forward.", "derived";
-    U_Y: "u_y" "u_y" M_PER_S / M_PER_S, "Speed of the load in the frame that slews, up.", "derived";
-    B_X: "b_x" "b_x" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, forward.", "Lagrange";
-    B_Y: "b_y" "b_y" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, up.", "Lagrange";
-    B_Z: "b_z" "b_z" M_PER_S2 / M_PER_S2, "Acceleration of the free load from a head whose joints keep their speeds, to the left.", "Lagrange";
-    A_N: "a_N" "a_N" M_PER_S2 / M_PER_S2, "Acceleration along the rope that its force must take from the load.", "Lagrange";
-    KAPPA_R: "kappa_R" "kappa_R" ONE / ONE, "Effective-mass factor of the load along its rope: its mass over that which the rope's force feels, as the head gives way too.", "Lagrange";
-    A_R: "a_R" "a_R" M_PER_S2 / M_PER_S2, "Force of the rope over the mass of the load.", "Lagrange";
 
     // Forces of the motion: equilibrium of each body under its weight, its inertia and the rope.
     F_AX: "F_A.x" "F_(A x)" N / KN, "Force of the rope on the head, forward.", "Newton and Euler";
@@ -225,12 +197,6 @@ symbols! {
     D_S_Q: "der(s_Q)" "dot(s)_Q" M_PER_S / M_PER_S, "Rate of the load's distance from the head.", "state";
     D_V_Q: "der(v_Q)" "dot(v)_Q" M_PER_S2 / M_PER_S2, "Acceleration of the load away from the head.", "equations of motion";
     D_V_R: "der(v_R)" "dot(v)_R" M_PER_S2 / M_PER_S2, "Acceleration with which the hoist pays out the rope.", "state";
-    D_X_Q: "der(x_Q)" "dot(x)_Q" M_PER_S / M_PER_S, "Rate of the load's place forward of the head.", "state";
-    D_Y_Q: "der(y_Q)" "dot(y)_Q" M_PER_S / M_PER_S, "Rate of the load's place above the head.", "state";
-    D_Z_Q: "der(z_Q)" "dot(z)_Q" M_PER_S / M_PER_S, "Rate of the load's place to the left of the head.", "state";
-    D_V_QX: "der(v_Qx)" "dot(v)_(Q x)" M_PER_S2 / M_PER_S2, "Acceleration of the load forward, from the head.", "equations of motion";
-    D_V_QY: "der(v_Qy)" "dot(v)_(Q y)" M_PER_S2 / M_PER_S2, "Acceleration of the load up, from the head.", "equations of motion";
-    D_V_QZ: "der(v_Qz)" "dot(v)_(Q z)" M_PER_S2 / M_PER_S2, "Acceleration of the load to the left, from the head.", "equations of motion";
     D_P_1: "der(p_1)" "dot(p)_1" PA_PER_S / MPA_PER_S, "Rate of the pressure in the port of the bore.", "equations of motion";
     D_P_2: "der(p_2)" "dot(p)_2" PA_PER_S / MPA_PER_S, "Rate of the pressure in the port of the annulus.", "equations of motion";
     D_P_A: "der(p_A)" "dot(p)_A" PA_PER_S / MPA_PER_S, "Rate of the pressure in the chamber of the bore.", "equations of motion";
@@ -246,7 +212,6 @@ symbols! {
     Z_SPOOL: "z.spool" "z_6" ONE / ONE, "Changes its sign where the valve's spool passes its middle.", "event";
     Z_RELIEF_1: "z.relief_1" "z_7" ONE / ONE, "Falls below zero where the relief valve on the side of the bore opens.", "event";
     Z_RELIEF_2: "z.relief_2" "z_8" ONE / ONE, "Falls below zero where the relief valve on the side of the annulus opens.", "event";
-    Z_ROPE: "z.rope" "z_5" ONE / ONE, "Falls below zero where the rope becomes slack or taut.", "event";
     Z_HOIST: "z.hoist" "z_13" ONE / ONE, "Falls below zero where the hoist has come up to its command.", "event";
     Z_DRUM_REST: "z.drum_rest" "z_14" ONE / ONE, "Falls below zero where the hoist's drum comes to rest, or breaks loose paying out.", "event";
     Z_DRUM_LOOSE: "z.drum_loose" "z_15" ONE / ONE, "Falls below zero where the hoist's drum breaks loose reeling in.", "event";

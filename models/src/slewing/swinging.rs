@@ -1,0 +1,258 @@
+//! The load of a crane that slews by itself, where it swings on its rope: [`crate::parts::hanging`] from a head at a reach.
+
+use nalgebra::Vector3;
+
+use crate::component::stages::results;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::quantities;
+use crate::parts::hanging::{Accelerations, HangingLoad, HeadJoints, Rope, cancelling, dot, turned};
+use crate::parts::hoist::RopeAction;
+use crate::parts::joint::{Bar, LOOSE, above_zero};
+use crate::parts::turntable::Turning;
+use crate::slewing::motion::{Led, Past, SlewingDrive, Stops, drive, driving, joint};
+use crate::slewing::symbols as s;
+use crate::slewing::turning::{Ground, Hung, SlewedLoad};
+
+quantities! {
+    /// The load, from the head in the frame that slews.
+    SwingingLoad { x_q: X_Q, y_q: Y_Q, z_q: Z_Q, v_qx: V_QX, v_qy: V_QY, v_qz: V_QZ }
+}
+
+quantities! {
+    /// The rope from head to load.
+    LoadRope { l_r: L_R }
+}
+
+quantities! {
+    /// Whether the rope hangs slack (1) or is taut (0).
+    Slackness { slack: SLACK }
+}
+
+impl<C: Calc> SwingingLoad<C> {
+    pub(super) fn load(&self) -> HangingLoad<C> {
+        HangingLoad::of(&[self.x_q, self.y_q, self.z_q, self.v_qx, self.v_qy, self.v_qz])
+    }
+}
+
+impl From<HangingLoad<f64>> for SwingingLoad<f64> {
+    fn from(HangingLoad { place, rate }: HangingLoad<f64>) -> SwingingLoad<f64> {
+        let [x_q, y_q, z_q] = place.into();
+        let [v_qx, v_qy, v_qz] = rate.into();
+        SwingingLoad {
+            x_q,
+            y_q,
+            z_q,
+            v_qx,
+            v_qy,
+            v_qz,
+        }
+    }
+}
+
+/// How the head moves when the crane slews: to the left by its reach for one radian, in m.
+fn head<C: Calc>(reach: C) -> [Vector3<C>; 1] {
+    [Vector3::new(C::constant(0.0), C::constant(0.0), reach)]
+}
+
+/// M_γu = −G_u r_u sin γ sin ψ, in N·m: the load's part comes to the head through its rope. [Ports001, 6.4]
+pub fn leaning<C: Calc>(slope: &Ground<C>, _: &SwingingLoad<C>, psi: &C) -> C {
+    let (steep, _) = slope.gamma_s.sin_cos();
+    let (aside, _) = psi.sin_cos();
+    (-(slope.g_u * slope.r_u * steep * aside)).def(&s::M_GAMMA_U)
+}
+
+/// Gravity in the frame that slews, in m/s²: downhill is forward at no angle, and to the right at a quarter turn.
+fn gravity<C: Calc>(hung: &Hung<C>, slope: Option<&Ground<C>>, psi: &C) -> Vector3<C> {
+    let zero = C::constant(0.0);
+    slope.map_or(Vector3::new(zero, -hung.g, zero), |slope| {
+        let ((steep, level), (aside, ahead)) = (slope.gamma_s.sin_cos(), psi.sin_cos());
+        let downhill = (hung.g * steep).def(&s::G_DOWN);
+        Vector3::new(downhill * ahead, -(hung.g * level), -(downhill * aside))
+    })
+}
+
+/// How slewing and its load accelerate, and what the rope does meanwhile.
+#[derive(Clone, Copy, Debug)]
+pub struct Swinging<C> {
+    load: HangingLoad<C>,
+    rate: Vector3<C>,
+    pub found: Accelerations<C, 1>,
+    needs: C,
+    rubbing: C,
+}
+results! { Swinging as w => {
+    S_R: w.found.rope;
+    PHI_R: w.load.angles()[0];
+    CHI_R: w.load.angles()[1];
+} }
+
+impl<C: Calc> Swinging<C> {
+    /// By the multiplier of the rope. [Lagrange, first kind]
+    #[expect(clippy::too_many_arguments, reason = "all that moves it")]
+    pub fn new(
+        turning: &Turning<C>,
+        driven: &SlewingDrive<C>,
+        past: &Past<C>,
+        slackness: &Slackness<C>,
+        stops: &Stops,
+        slope: &Option<Ground<C>>,
+        leaning: Option<&C>,
+        swung: &SwingingLoad<C>,
+        hung: &Hung<C>,
+        carried: &SlewedLoad<C>,
+        psi: &C,
+        omega: &C,
+    ) -> Swinging<C> {
+        let (zero, bar, load, head) = (C::constant(0.0), past.bar(), swung.load(), head(hung.r));
+        let rubbing = joint(turning, stops)
+            .resistance(bar, *omega, &drive(driven))
+            .def(&s::M_R_SL);
+        let free = bar != Bar::Held;
+        let alone = if free {
+            ((driving(driven, leaning) + rubbing) / turning.j_sl).def(&s::ALPHA_0SL)
+        } else {
+            zero
+        };
+        let joints = HeadJoints {
+            rates: [*omega],
+            alone: [alone],
+            ease: [if free { C::constant(1.0) / turning.j_sl } else { zero }],
+            head,
+            bend: None,
+            names: [&s::D_OMEGA_SL],
+        };
+        let taut = slackness.slack.value() == 0.0;
+        let line = if taut {
+            RopeAction::Taut {
+                rate: zero,
+                gain: None,
+                drum: None,
+            }
+        } else {
+            RopeAction::Slack
+        };
+        let masses = [carried.mass, cancelling(carried.mass)];
+        let found = joints.hung(load, masses, gravity(hung, slope.as_ref(), psi), line);
+        let mut needs = -driving(driven, leaning);
+        let mut rate = load.rate;
+        if taut {
+            let rope = Rope::new(load.place, &head);
+            needs -= found.rope * rope.arms[0];
+            rate = load.on_rope(&rope, zero).rate;
+        }
+        Swinging {
+            load,
+            rate,
+            found,
+            needs,
+            rubbing,
+        }
+    }
+}
+
+/// What it makes of slewing.
+pub fn led<C: Calc>(swinging: &Swinging<C>) -> Led<C> {
+    Led {
+        needs: swinging.needs,
+        rubbing: swinging.rubbing,
+        acceleration: swinging.found.joints[0],
+    }
+}
+
+/// Rates of the load's states.
+#[derive(Clone, Copy, Debug)]
+pub struct SwingingRates<C>([Vector3<C>; 2]);
+results! { SwingingRates as r => {
+    D_X_Q: r.0[0].x;
+    D_Y_Q: r.0[0].y;
+    D_Z_Q: r.0[0].z;
+    D_V_QX: r.0[1].x;
+    D_V_QY: r.0[1].y;
+    D_V_QZ: r.0[1].z;
+} }
+
+impl<C: Calc> SwingingRates<C> {
+    pub fn new(swinging: &Swinging<C>) -> SwingingRates<C> {
+        SwingingRates([swinging.rate, swinging.found.load])
+    }
+}
+
+/// Falls below zero where the rope becomes slack or taut.
+pub fn slackening<C: Calc>(swinging: &Swinging<C>, rope: &LoadRope<C>, slackness: &Slackness<C>) -> C {
+    let place = swinging.load.place;
+    above_zero(match slackness.slack.value() {
+        0.0 => swinging.found.slackening,
+        _ => rope.l_r * C::constant(LOOSE) - dot(place, place).sqrt(),
+    })
+}
+
+/// Slewing with its load at one instant, as an event changes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SwungInstant {
+    pub bar: Bar,
+    /// In rad/s.
+    pub omega: f64,
+    pub load: HangingLoad<f64>,
+    pub taut: bool,
+    /// Reach (m), inertia of what slews without the load (kg·m²), the load's mass (kg), the rope's length (m).
+    pub reach: f64,
+    pub inertia: f64,
+    pub mass: f64,
+    pub length: f64,
+}
+
+impl SwungInstant {
+    /// Kinetic energy, in J.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        let place = self.load.place + Vector3::new(self.reach, 0.0, 0.0);
+        let velocity = self.load.rate + turned(place) * self.omega;
+        0.5 * (self.inertia * self.omega.powi(2) + self.mass * velocity.norm_squared())
+    }
+
+    /// What a blow takes, in J.
+    pub fn struck(&mut self, blow: fn(&mut SwungInstant)) -> f64 {
+        let before = *self;
+        blow(self);
+        // To bring a taut rope's load to its end is no blow.
+        if (before.taut, before.omega) == (self.taut, self.omega) {
+            return 0.0;
+        }
+        before.energy() - self.energy()
+    }
+
+    /// Slewing stops at once and the load goes on: a taut rope that the head would run away from pulls the load along, one
+    /// that it would push lets go.
+    pub fn stop(&mut self) {
+        let (head, lost) = (head(self.reach), [-self.omega]);
+        let mut own = Vector3::zeros();
+        if self.taut {
+            let rope = Rope::new(self.load.place, &head);
+            let pull = -(rope.arms[0] * lost[0]);
+            self.taut = pull >= 0.0;
+            own = rope.direction * -pull.max(0.0);
+        }
+        self.load = self.load.shifted(&head, lost, own);
+        (self.bar, self.omega) = (Bar::Held, 0.0);
+    }
+
+    /// A load that leaves a slack rope's reach is caught by a plastic blow along it; a taut one is brought to its end.
+    pub fn catch(&mut self) {
+        if !self.taut {
+            let head = head(self.reach);
+            let rope = Rope::new(self.load.place, &head);
+            let excess = rope.direction.dot(&self.load.rate);
+            if rope.length < self.length || excess <= 0.0 {
+                return;
+            }
+            let ease = if self.bar == Bar::Held { 0.0 } else { 1.0 / self.inertia };
+            let pull = excess / rope.giving([ease], self.mass, 0.0);
+            let change = self.mass * pull * rope.arms[0] * ease;
+            self.omega += change;
+            self.bar = self.bar.struck(self.omega);
+            self.load = self.load.shifted(&head, [change], -rope.direction * pull);
+            self.taut = true;
+        }
+        self.load = self.load.straightened(self.length, 0.0);
+    }
+}
