@@ -9,13 +9,13 @@ use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
 use lemnis_models::luffing::double_link;
-use lemnis_models::parts::{hydraulics, turntable};
+use lemnis_models::parts::{hanging, hydraulics, turntable};
 use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 11] = [
+const TABLES: [(&str, &[&Symbol]); 12] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -23,6 +23,7 @@ const TABLES: [(&str, &[&Symbol]); 11] = [
     ),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
     ("The joint by which a crane slews", turntable::ALL),
+    ("A load on its rope, from a head that joints move", hanging::ALL),
     ("Slewing by itself", slewing::symbols::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),

@@ -45,10 +45,17 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         if !n.has("psi_sl") {
             n.remove(&["psi_min", "psi_max"]);
         }
-        // Viscous friction that stops it in a natural time or later, and a step that sees it.
-        if n.has("c_sl") {
-            let friction = inertia / n.draw.scale[2] * n.draw.between(0.0, 1.0);
-            n.set("c_sl", friction);
+        // Viscous friction that stops it in a natural time or later, a drive that it holds at a radian in that time or less,
+        // and a step that sees it.
+        let friction = inertia / n.draw.scale[2] * n.draw.between(0.0, 1.0);
+        let moment = friction / n.draw.scale[2] * n.draw.between(-1.0, 1.0);
+        for (name, value) in [("c_sl", friction), ("M_sl", moment)] {
+            if n.has(name) {
+                n.set(name, value);
+            }
+        }
+        if !n.has("c_sl") {
+            n.remove(&["M_sl"]);
         }
         let step = n.draw.scale[2] * n.draw.between(0.01, 0.05);
         if let Some(mut dynamics) = n.child("dynamics") {

@@ -280,13 +280,16 @@ pub struct HeadJoints<C, const J: usize> {
     pub names: [&'static Symbol; J],
 }
 
-/// Accelerations of the joints (rad/s²) and of the load from the head in the frame that slews (m/s²), and the
-/// force of the rope (N); `slackening` has its sign, that of an empty hook too.
+/// Accelerations of the joints (rad/s²) and of the load from the head in the frame that slews (m/s²), the rate (m/s) at which
+/// it moves there, and the force of the rope (N) with its arms about the joints (m); `slackening` has its sign, that of an
+/// empty hook too.
 #[derive(Clone, Copy, Debug)]
 pub struct Accelerations<C, const J: usize = 2> {
     pub joints: [C; J],
     pub load: Vector3<C>,
+    pub rate: Vector3<C>,
     pub rope: C,
+    pub arms: [C; J],
     pub slackening: C,
 }
 
@@ -347,6 +350,8 @@ impl<C: Calc, const J: usize> HeadJoints<C, J> {
         Accelerations {
             joints,
             load: named(relative, ACCELERATION),
+            rate: load.rate,
+            arms: rope.map_or([zero; J], |rope| rope.arms),
             rope: match line {
                 RopeAction::Force(force) => force,
                 _ => (mass * pull).def(&S_R),

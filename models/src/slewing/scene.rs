@@ -15,6 +15,7 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
+use crate::kernel::number::short;
 use crate::kernel::schema::{Key, Sign, Values};
 use crate::kernel::variable::Fault;
 use crate::parts::hanging::{self, HangingLoad};
@@ -163,10 +164,10 @@ fn brisk(v: &Values, joint: &SlewingJoint, [reach, mass]: [f64; 2], lasts: f64, 
     let time = (turning.j_sl + mass * reach * reach) / turning.c_sl;
     if v.text("fidelity") != Some("static") && time < BRISKEST * lasts {
         let what = format!(
-            "c_sl = {} stops all that slews within {}, where the working range takes {}",
+            "c_sl = {} stops all that slews within {} s, where the working range takes {} s",
             joint::C_SL.written(turning.c_sl),
-            s::STEP.written(time),
-            s::STEP.written(lasts)
+            short(time),
+            short(lasts)
         );
         let help = format!(
             "give less friction, more inertia or a faster range: at least {BRISKEST:e} of that time is modelled"

@@ -75,7 +75,6 @@ fn gravity<C: Calc>(hung: &Hung<C>, slope: Option<&Ground<C>>, psi: &C) -> Vecto
 #[derive(Clone, Copy, Debug)]
 pub struct Swinging<C> {
     load: HangingLoad<C>,
-    rate: Vector3<C>,
     pub found: Accelerations<C, 1>,
     needs: C,
     rubbing: C,
@@ -133,19 +132,11 @@ impl<C: Calc> Swinging<C> {
         };
         let masses = [carried.mass, cancelling(carried.mass)];
         let found = joints.hung(load, masses, gravity(hung, slope.as_ref(), psi), line);
-        let mut needs = -driving(driven, leaning);
-        let mut rate = load.rate;
-        if taut {
-            let rope = Rope::new(load.place, &head);
-            needs -= found.rope * rope.arms[0];
-            rate = load.on_rope(&rope, zero).rate;
-        }
         Swinging {
             load,
-            rate,
-            found,
-            needs,
+            needs: -driving(driven, leaning) - found.rope * found.arms[0],
             rubbing,
+            found,
         }
     }
 }
@@ -173,7 +164,7 @@ results! { SwingingRates as r => {
 
 impl<C: Calc> SwingingRates<C> {
     pub fn new(swinging: &Swinging<C>) -> SwingingRates<C> {
-        SwingingRates([swinging.rate, swinging.found.load])
+        SwingingRates([swinging.found.rate, swinging.found.load])
     }
 }
 

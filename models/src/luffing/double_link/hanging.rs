@@ -52,7 +52,9 @@ impl<P: Calc> Dynamics<P> {
             return Accelerations {
                 joints: alone,
                 load: Vector3::new(zero, zero, zero),
+                rate: load.rate,
                 rope: zero,
+                arms: [zero; 2],
                 slackening: zero,
             };
         };

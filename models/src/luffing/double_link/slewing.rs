@@ -105,15 +105,11 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
     }
 
     fn rates_by<C: Coordinate<P>>(&self, a: &Accelerations<C>, at: &Snapshot<STATES, 2, C>) -> [C; STATES] {
-        let Snapshot { state, r, y, .. } = *at;
+        let y = at.y;
         let mut out = [C::constant(0.0); STATES];
         out[..RIGID].copy_from_slice(&[y[1], a.joints[0], y[3], a.joints[1]]);
         if self.hoist().is_some() {
-            let mut load = load_of(y);
-            if self.is_kept(state) {
-                load = load.on_rope(&Rope::new(load.place, &self.dynamics.head(r)), y[11]);
-            }
-            out[4..7].copy_from_slice(load.rate.as_slice());
+            out[4..7].copy_from_slice(a.rate.as_slice());
             out[7..10].copy_from_slice(a.load.as_slice());
             out[10] = y[11];
         }
@@ -138,8 +134,8 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
             _ => commands.drives[1].moment - slope * omega * turning,
         };
         if state.taut && self.hoist().is_some() {
-            let rope = Rope::new(load_of(y).place, &self.dynamics.head(r));
-            force += self.accelerations(at).rope * rope.arms[i];
+            let a = self.accelerations(at);
+            force += a.rope * a.arms[i];
         }
         -force
     }
