@@ -1,6 +1,6 @@
 //! How slewing moves under its drive: friction and brake that truly stick, end stops.
 
-use crate::component::stages::results;
+use crate::component::stages::{absent, results};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
 use crate::parts::joint::{Bar, Friction, Joint, JointDrive, above_zero};
@@ -107,9 +107,10 @@ pub fn resisting<C: Calc>(
 pub struct Turned<C> {
     rate: C,
     acceleration: C,
-    along: C,
+    /// Of a load that keeps its place.
+    along: Option<C>,
 }
-results! { Turned as t => { D_PSI_SL: t.rate; D_OMEGA_SL: t.acceleration; F_T: t.along; } }
+results! { Turned as t => { D_PSI_SL: t.rate; D_OMEGA_SL: t.acceleration; F_T: t.along.ok_or_else(absent)?; } }
 
 impl<C: Calc> Turned<C> {
     /// ω̇ = (M_sl + M_γ + M_R) / J, F_t = m_Q R ω̇. [Ports001, 6.5]
@@ -133,7 +134,9 @@ impl<C: Calc> Turned<C> {
         Turned {
             rate: *omega,
             acceleration,
-            along: (carried.mass * hung.r * acceleration).def(&s::F_T),
+            along: led
+                .is_none()
+                .then(|| (carried.mass * hung.r * acceleration).def(&s::F_T)),
         }
     }
 }
