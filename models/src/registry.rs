@@ -20,6 +20,7 @@ use crate::kernel::variable::Name;
 use crate::luffing;
 use crate::luffing::double_link;
 use crate::luffing::double_link::scene::LuffingScene;
+use crate::luffing::double_link::stages::DoubleLink;
 use crate::luffing::rope::scene::Rope;
 use crate::parts::motion::Place;
 use crate::slewing;
@@ -150,12 +151,14 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
     match model {
         Model::Standing(model) => told(|teller| (teller.dependencies)(model)),
         Model::Moving(moving) => {
-            let moving = &**moving as &dyn Any;
-            if let Some(model) = moving.downcast_ref::<MovingComponent>() {
-                return told(|teller| (teller.dependencies)(model.standing()));
+            let moving: &MovingComponent = (&**moving as &dyn Any)
+                .downcast_ref()
+                .expect("what moves is a component");
+            let part: &dyn Any = moving.standing().part();
+            if part.is::<Runner<DoubleLink, f64>>() {
+                return double_link::moving::follows::follows(moving);
             }
-            let luffing = moving.downcast_ref::<double_link::moving::model::LuffingMotion>();
-            luffing.expect("what moves has its line").dependencies()
+            told(|teller| (teller.dependencies)(moving.standing()))
         }
     }
 }

@@ -13,8 +13,8 @@ use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::hydraulic::{self, PresentCrane};
 use lemnis_models::luffing::double_link::inertia_forces::Instant;
 use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
-use lemnis_models::luffing::double_link::moving::given::Inputs;
-use lemnis_models::luffing::double_link::moving::level::{Level, Present};
+use lemnis_models::luffing::double_link::moving::given::{Inputs, MOST_STATES, Past};
+use lemnis_models::luffing::double_link::moving::level::{CraneAt, Level, MotionResult};
 use lemnis_models::luffing::double_link::pose::Posing;
 use lemnis_models::luffing::double_link::position::Position;
 use lemnis_models::luffing::double_link::scene::Luffing;
@@ -210,18 +210,22 @@ proptest! {
         (seen.y[1], seen.y[3]) = (omega, turning);
         seen.joints = [bar, Bar::Forward];
         let friction = Friction { viscous: 3e4, coulomb: 2e4 };
-        let (level, present, turning) = if slews {
+        let (mut past, mut y) = (Past::AT_REST, [0.0; MOST_STATES]);
+        let (level, turning) = if slews {
             let crane = crane::slewing(load, 5e6, [[3e4, 2e4], [0.0; 2]]);
-            (Level::Slewing(crane), Present::Slewing(seen), turning)
+            past.follow(&seen);
+            y[..seen.y.len()].copy_from_slice(&seen.y);
+            (Level::Slewing(crane), turning)
         } else {
             let dynamics = crane::dynamics(load);
             let motion = MovingLinkage { dynamics, joints: [Joint { friction, stops: [1.0, 2.1] }] };
-            (Level::Free(motion), Present::Free(start), 0.0)
+            past.follow(&start);
+            y[..start.y.len()].copy_from_slice(&start.y);
+            (Level::Free(motion), 0.0)
         };
-        let (inputs, y) = (inputs(moment, if held { 1e8 } else { 1e4 }), present.states());
-        let mut rates = y;
-        level.rates(&present, &inputs, &y, &mut rates).expect("closes");
-        let forces = level.forces(&present, &inputs, &y).expect("closes");
+        let now = CraneAt { past, inputs: inputs(moment, if held { 1e8 } else { 1e4 }), y };
+        let rates = level.rates(&now).expect("closes");
+        let forces = level.forces(&now).expect("closes");
         let [drive, by_newton] = moments(&forces);
         prop_assert!((drive - by_newton).abs() < 1e-12 * size(&forces), "{drive} {by_newton}");
 
@@ -230,7 +234,7 @@ proptest! {
         let acceleration = |i: usize| all[i].map(|x| x.v2) - Point::new((at[i].x + 5.2) * turning * turning, 0.0);
         let pins = forces.pins.expect("not in line");
         let (b, c) = (pins.on_jib.b, pins.on_jib.c);
-        let pull = level.reaction(&present, &inputs, &y, lemnis_models::luffing::double_link::moving::level::MotionResult::Rope);
+        let pull = level.reaction(&now, MotionResult::Rope);
         let down = if slews {
             Point::new(y[4], y[5]) / y[10]
         } else {
@@ -298,8 +302,8 @@ proptest! {
         present.modes.taut = taut;
         present.modes.slewing = Bar::Forward;
         let level = Level::Hanging(crane::hydraulic_slewing::<{ hydraulic::MOST }>(load, 5e6));
-        let inputs = inputs(0.0, 0.0);
-        let forces = level.forces(&Present::Hanging(present), &inputs, &y).expect("closes");
+        let past = Past::of_modes(present.modes);
+        let forces = level.forces(&CraneAt { past, inputs: inputs(0.0, 0.0), y }).expect("closes");
         let [drive, by_newton] = moments(&forces);
         prop_assert!((drive - by_newton).abs() < 1e-12 * size(&forces), "{drive} {by_newton}");
         // What pushes is the cylinder, along its line.
@@ -404,8 +408,11 @@ fn what_holds_a_bar_is_told_apart() {
         })
     };
     let shares = |level: &Level, state: &MotionState, inputs: &Inputs| {
-        let present = Present::Free(*state);
-        let forces = level.forces(&present, inputs, &present.states()).expect("closes");
+        let (mut past, mut y) = (Past::AT_REST, [0.0; MOST_STATES]);
+        past.follow(state);
+        y[..state.y.len()].copy_from_slice(&state.y);
+        let inputs = *inputs;
+        let forces = level.forces(&CraneAt { past, inputs, y }).expect("closes");
         let it = forces.at.shares;
         [it.drive, it.dry, it.viscous, it.stop]
     };

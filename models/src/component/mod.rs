@@ -15,6 +15,7 @@ pub mod outline;
 pub mod part;
 mod probe;
 pub mod running;
+pub mod scalar;
 pub mod sensitivity;
 pub mod series;
 pub mod sheet;

@@ -15,7 +15,7 @@ use crate::kernel::variable::{Fault, Quantity, Role, Terminal, Variable};
 use crate::parts::solver::Count;
 
 /// How the states of a component are carried on in time, with all that its solver keeps.
-pub trait Carrier: Any + Send + Sync {
+pub trait Carrier: Any + Send {
     /// Moves from one time to another, both in s; what fails changes nothing.
     ///
     /// # Errors
@@ -36,6 +36,14 @@ pub trait Carrier: Any + Send + Sync {
         Ok(())
     }
 
+    /// As [`Running::update`].
+    ///
+    /// # Errors
+    /// As there.
+    fn update(&mut self, model: &mut Standing) -> Result<(), Fault> {
+        model.update()
+    }
+
     /// As [`Running::event`].
     ///
     /// # Errors
@@ -52,8 +60,8 @@ pub trait Carrier: Any + Send + Sync {
         None
     }
 
-    /// A source, or a state, has been set.
-    fn changed(&mut self, _: &mut Standing, _is_state: bool) {}
+    /// A source has become another, or a state has been set: the variable, or `None` for all states.
+    fn changed(&mut self, _: &mut Standing, _: Option<usize>) {}
 
     /// The component was brought to where it was when this was kept.
     fn resume(&mut self, _: &mut Standing) {}
@@ -64,6 +72,14 @@ pub trait Carrier: Any + Send + Sync {
     }
 
     fn count(&self) -> Count;
+
+    /// As [`Running::inertia`].
+    ///
+    /// # Errors
+    /// As there.
+    fn inertia(&self, _: &mut Standing) -> Result<f64, Fault> {
+        Ok(0.0)
+    }
 
     /// What is saved besides the component's own state.
     fn numbers(&self) -> Vec<f64> {
@@ -148,6 +164,11 @@ impl MovingComponent {
     pub fn standing(&self) -> &Standing {
         &self.standing
     }
+
+    /// The same, to be changed, with what carries it on.
+    pub(crate) fn parts(&mut self) -> (&mut Standing, &mut dyn Carrier) {
+        (&mut self.standing, &mut *self.carrier)
+    }
 }
 
 impl Running for MovingComponent {
@@ -180,9 +201,12 @@ impl Running for MovingComponent {
     }
 
     fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
+        self.standing.check(index, value)?;
+        let before = self.standing.get(index);
         self.standing.set(index, value)?;
-        let is_state = self.standing.variables()[index].role == Role::State;
-        self.carrier.changed(&mut self.standing, is_state);
+        if self.standing.variables()[index].role == Role::State || before != Ok(value) {
+            self.carrier.changed(&mut self.standing, Some(index));
+        }
         Ok(())
     }
 
@@ -204,7 +228,7 @@ impl Running for MovingComponent {
     }
 
     fn update(&mut self) -> Result<(), Fault> {
-        self.standing.update()
+        self.carrier.update(&mut self.standing)
     }
 
     fn event(&mut self) -> Result<bool, Fault> {
@@ -240,7 +264,7 @@ impl Running for MovingComponent {
         for ((source, ..), value) in self.states.iter().zip(states) {
             self.standing.part_mut().put(*source, *value);
         }
-        self.carrier.changed(&mut self.standing, true);
+        self.carrier.changed(&mut self.standing, None);
         Ok(())
     }
 
@@ -269,6 +293,10 @@ impl Running for MovingComponent {
 
     fn event_indicators(&mut self, indicators: &mut [f64]) -> Result<(), Fault> {
         self.standing.event_indicators(indicators)
+    }
+
+    fn inertia(&mut self) -> Result<f64, Fault> {
+        self.carrier.inertia(&mut self.standing)
     }
 
     fn state(&self) -> State {

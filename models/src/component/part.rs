@@ -4,11 +4,11 @@ use std::any::Any;
 
 use num_dual::Dual64;
 
+use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, Slot, Source, Stage, Stages, Use};
 use crate::component::whole::Whole;
-use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::Quantity;
+use crate::kernel::variable::{Quantity, Variable};
 
 /// What a component adds to its stages.
 pub trait Component: Stages {
@@ -28,6 +28,18 @@ pub trait Component: Stages {
     #[must_use]
     fn has(_: &Self::Given<f64>, _: &'static Symbol) -> bool {
         true
+    }
+
+    /// Whether a given quantity is one of this scene.
+    #[must_use]
+    fn gives(_: &Self::Given<f64>, _: &'static Symbol) -> bool {
+        true
+    }
+
+    /// Says of a variable what its symbol does not, and returns which part of the list it stands in: parts follow by
+    /// their numbers.
+    fn list(_: &Self::Given<f64>, _: &mut Variable) -> u8 {
+        0
     }
 
     /// Results that stand before all others, in this order.
@@ -100,7 +112,7 @@ macro_rules! ports {
 pub(crate) use ports;
 
 /// A component over one scalar.
-pub trait Face<C>: Any + Send + Sync {
+pub trait Face<C>: Any + Send {
     fn take(&self, source: Source) -> C;
     /// Changes a source and forgets what follows from it.
     fn put(&mut self, source: Source, value: C);
@@ -126,6 +138,8 @@ pub trait Part: Face<f64> {
     fn sources(&self) -> Vec<(Source, Quantity)>;
     /// Every result that the scene has.
     fn results(&self) -> Vec<(Slot, Quantity)>;
+    /// As [`Component::list`].
+    fn list(&self, variable: &mut Variable) -> u8;
     /// Of [`Component::INDICATORS`].
     fn indicators(&self) -> &'static [&'static Symbol];
     /// Of [`Component::STATES`].
@@ -176,9 +190,9 @@ impl Clone for Box<dyn Part> {
 }
 
 /// A component on one scalar with all that is known of it.
-pub struct Runner<T: Stages, C: Calc>(pub T::Known<C>);
+pub struct Runner<T: Stages, C: Scalar>(pub T::Known<C>);
 
-impl<T: Component, C: Calc> Runner<T, C> {
+impl<T: Component, C: Scalar> Runner<T, C> {
     #[must_use]
     pub fn new(given: T::Given<C>) -> Runner<T, C> {
         Runner(T::new(given))
@@ -190,7 +204,7 @@ impl<T: Component, C: Calc> Runner<T, C> {
     }
 }
 
-impl<T: Stages, C: Calc> Face<C> for Runner<T, C> {
+impl<T: Stages, C: Scalar> Face<C> for Runner<T, C> {
     #[inline]
     fn take(&self, source: Source) -> C {
         T::take(&self.0, source)
@@ -240,10 +254,16 @@ impl<T: Component> Part for Runner<T, f64> {
         let mut all = Vec::new();
         let given = self.given();
         T::map(given, &mut |source, quantity, value| {
-            all.push((source, quantity));
+            if T::gives(given, quantity.0) {
+                all.push((source, quantity));
+            }
             value
         });
         together(&all)
+    }
+
+    fn list(&self, variable: &mut Variable) -> u8 {
+        T::list(self.given(), variable)
     }
 
     /// What a later stage finds again takes the place of what was found first; a state is no result.

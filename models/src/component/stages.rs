@@ -18,6 +18,7 @@
 //! time. For `power` the macro makes a field `Option<C>`, a bit, the mask of the groups `ropes | height | speed`,
 //! and a function that makes `pull` first where it is not known. Changing `speed` clears the bit of `power` alone.
 
+use crate::component::scalar::Scalar;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Quantity};
@@ -96,30 +97,30 @@ pub struct Stage {
 /// What a component knows, over any scalar. `stages!` implements it.
 pub trait Stages: Sized + 'static {
     type Given<C: Calc>: Clone + Send + Sync + 'static;
-    type Known<C: Calc>: Send + Sync + 'static;
+    type Known<C: Scalar>: Send + 'static;
     const GROUPS: &'static [(&'static str, Use)];
     const STAGES: &'static [Stage];
-    fn new<C: Calc>(given: Self::Given<C>) -> Self::Known<C>;
-    fn given<C: Calc>(known: &Self::Known<C>) -> &Self::Given<C>;
+    fn new<C: Scalar>(given: Self::Given<C>) -> Self::Known<C>;
+    fn given<C: Scalar>(known: &Self::Known<C>) -> &Self::Given<C>;
     /// All sources over another scalar, in their order; nothing is known of it yet.
     fn map<C: Calc, D: Calc>(given: &Self::Given<C>, f: &mut dyn FnMut(Source, Quantity, C) -> D) -> Self::Given<D>;
-    fn take<C: Calc>(known: &Self::Known<C>, source: Source) -> C;
+    fn take<C: Scalar>(known: &Self::Known<C>, source: Source) -> C;
     /// Changes a source and forgets what follows from its group.
-    fn put<C: Calc>(known: &mut Self::Known<C>, source: Source, value: C);
+    fn put<C: Scalar>(known: &mut Self::Known<C>, source: Source, value: C);
     /// Through `into`, not by value: a [`Found`] of two words goes through the stack and stalls.
     ///
     /// # Errors
     /// Those of the stages.
-    fn result<C: Calc>(known: &mut Self::Known<C>, slot: &Slot, into: &mut C) -> Found<()>;
+    fn result<C: Scalar>(known: &mut Self::Known<C>, slot: &Slot, into: &mut C) -> Found<()>;
     /// A stage, by its place among [`STAGES`](Stages::STAGES).
     ///
     /// # Errors
     /// Its own, and those of the stages that it follows from.
-    fn make<C: Calc>(known: &mut Self::Known<C>, stage: u8) -> Found<()>;
+    fn make<C: Scalar>(known: &mut Self::Known<C>, stage: u8) -> Found<()>;
     /// Becomes what another one is, put where the last one lay.
-    fn follow<C: Calc>(known: &mut Self::Known<C>, other: &Self::Known<C>);
+    fn follow<C: Scalar>(known: &mut Self::Known<C>, other: &Self::Known<C>);
     /// Takes over from plain numbers what need not be computed again; `moved` groups change with the direction.
-    fn lift<D: Calc>(value: &Self::Known<f64>, dual: &mut Self::Known<D>, moved: u64);
+    fn lift<D: Scalar>(value: &Self::Known<f64>, dual: &mut Self::Known<D>, moved: u64);
     /// How many of a stage there are in this scene: none, one, or as many as what it is numbered by.
     fn count(known: &Self::Known<f64>, stage: u8) -> Option<Option<u16>>;
 }
@@ -308,6 +309,7 @@ macro_rules! stages {
 
         #[allow(non_camel_case_types, dead_code, clippy::unused_unit, reason = "made for every group and stage")]
         const _: () = {
+            use $crate::component::scalar::Scalar;
             use $crate::kernel::calc::Calc;
             use $crate::component::stages::{Found, Rows, Slot, Source, Stage, Stages, Use};
             use $crate::kernel::group::Group;
@@ -350,15 +352,15 @@ macro_rules! stages {
                 }
                 keep
             };
-            impl<$c: Calc> Known<$c> {
+            impl<$c: Scalar> Known<$c> {
                 #[inline(always)]
                 fn exists(&self, bit: Bit) -> bool { NEED[bit as usize] & !self.there == 0 }
             }
             /// Makes whatever an argument names: a group is always there.
             struct Make;
             impl Make {
-                $(#[inline(always)] fn $source<$c: Calc>(_: &mut Known<$c>) -> Found<()> { Ok(()) })*
-                $(#[inline] fn $stage<$c: Calc>(known: &mut Known<$c>) -> Found<()> {
+                $(#[inline(always)] fn $source<$c: Scalar>(_: &mut Known<$c>) -> Found<()> { Ok(()) })*
+                $(#[inline] fn $stage<$c: Scalar>(known: &mut Known<$c>) -> Found<()> {
                     if known.known >> Bit::$stage as u32 & 1 == 0 {
                         let known = $crate::component::stages::stages!(@on [$($mark)?] known);
                         $($crate::component::stages::stages!(@make [$($how)?] known $arg);)*
@@ -370,10 +372,10 @@ macro_rules! stages {
             }
             struct See;
             impl See {
-                $(#[inline(always)] fn $source<$c: Calc>(known: &Known<$c>) -> &$group { &known.given.$source })*
-                $(#[inline(always)] fn $stage<$c: Calc>(known: &Known<$c>) -> &$kind { known.$stage.as_ref().expect("just made") })*
+                $(#[inline(always)] fn $source<$c: Scalar>(known: &Known<$c>) -> &$group { &known.given.$source })*
+                $(#[inline(always)] fn $stage<$c: Scalar>(known: &Known<$c>) -> &$kind { known.$stage.as_ref().expect("just made") })*
             }
-            impl<$c: Calc> Known<$c> {
+            impl<$c: Scalar> Known<$c> {
                 $(/// A group to be changed: what follows from it is forgotten.
                 pub fn $source(&mut self) -> &mut $group {
                     self.known &= KEEP[Bit::$source as usize];
@@ -383,7 +385,7 @@ macro_rules! stages {
             }
             impl Stages for $name {
                 type Given<C: Calc> = Given<C>;
-                type Known<C: Calc> = Known<C>;
+                type Known<C: Scalar> = Known<C>;
                 const GROUPS: &'static [(&'static str, Use)] = &[$((stringify!($source), Use::$use)),*];
                 const STAGES: &'static [Stage] = {
                     type $c = f64;
@@ -395,7 +397,7 @@ macro_rules! stages {
                         decided: $crate::component::stages::stages!(@decided [$($mark)?]),
                     }),*]
                 };
-                fn new<$c: Calc>(given: Given<$c>) -> Known<$c> {
+                fn new<$c: Scalar>(given: Given<$c>) -> Known<$c> {
                     let there = 0 $(| u64::from(Group::<$c>::there(&given.$source)) << Bit::$source as u64)*;
                     Known {
                         $($stage: $crate::component::stages::stages!(@room [$($($of)+)?] $c given),)*
@@ -404,7 +406,7 @@ macro_rules! stages {
                         known: 0,
                     }
                 }
-                fn given<$c: Calc>(known: &Known<$c>) -> &Given<$c> { &known.given }
+                fn given<$c: Scalar>(known: &Known<$c>) -> &Given<$c> { &known.given }
                 fn map<$c: Calc, Other: Calc>(given: &Given<$c>, f: &mut dyn FnMut(Source, Quantity, $c) -> Other) -> Given<Other> {
                     Given { $($source: {
                         let mut place = 0;
@@ -416,17 +418,17 @@ macro_rules! stages {
                     }),* }
                 }
                 #[inline]
-                fn take<$c: Calc>(known: &Known<$c>, source: Source) -> $c {
+                fn take<$c: Scalar>(known: &Known<$c>, source: Source) -> $c {
                     $(if source.group == Bit::$source as u8 { return Group::<$c>::take(&known.given.$source, source.place.into()); })*
                     unreachable!("no such group")
                 }
                 #[inline]
-                fn put<$c: Calc>(known: &mut Known<$c>, source: Source, value: $c) {
+                fn put<$c: Scalar>(known: &mut Known<$c>, source: Source, value: $c) {
                     known.known &= KEEP[usize::from(source.group)];
                     $(if source.group == Bit::$source as u8 { return Group::put(&mut known.given.$source, source.place.into(), value); })*
                 }
                 #[inline]
-                fn result<$c: Calc>(known: &mut Known<$c>, slot: &Slot, into: &mut $c) -> Found<()> {
+                fn result<$c: Scalar>(known: &mut Known<$c>, slot: &Slot, into: &mut $c) -> Found<()> {
                     $(if slot.stage == At::$stage as u8 {
                         // Out of the way of what is known.
                         if known.known >> Bit::$stage as u32 & 1 == 0 { Self::make(known, slot.stage)?; }
@@ -436,17 +438,17 @@ macro_rules! stages {
                     unreachable!("no such stage")
                 }
                 #[inline(never)]
-                fn make<$c: Calc>(known: &mut Known<$c>, stage: u8) -> Found<()> {
+                fn make<$c: Scalar>(known: &mut Known<$c>, stage: u8) -> Found<()> {
                     $(if stage == At::$stage as u8 { return Make::$stage(known); })*
                     unreachable!("no such stage")
                 }
-                fn follow<$c: Calc>(known: &mut Known<$c>, other: &Known<$c>) {
+                fn follow<$c: Scalar>(known: &mut Known<$c>, other: &Known<$c>) {
                     (known.there, known.known) = (other.there, other.known);
                     $(known.given.$source.clone_from(&other.given.$source);)*
                     $(if other.known >> Bit::$stage as u32 & 1 == 1 { known.$stage.clone_from(&other.$stage); })*
                 }
                 #[allow(unused_variables, reason = "a component may have nothing to lift")]
-                fn lift<Other: Calc>(value: &Known<f64>, dual: &mut Known<Other>, moved: u64) {
+                fn lift<Other: Scalar>(value: &Known<f64>, dual: &mut Known<Other>, moved: u64) {
                     let _ = moved;
                     $({
                         let bit = 1 << Bit::$stage as u32;

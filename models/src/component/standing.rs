@@ -182,6 +182,14 @@ impl Standing {
                 wholes.push(spread);
             }
         }
+        let listed = variables.into_iter().zip(places).map(|(mut variable, place)| {
+            let part_of_list = part.list(&mut variable);
+            (part_of_list, variable, place)
+        });
+        let mut listed: Vec<(u8, Variable, VariablePlace)> = listed.collect();
+        listed.sort_by_key(|(part_of_list, ..)| *part_of_list);
+        let (variables, places): (Vec<_>, Vec<_>) =
+            listed.into_iter().map(|(_, variable, place)| (variable, place)).unzip();
         let indicator = |&index: &usize| variables[index].role == Role::Indicator;
         let mut model = Standing {
             indicators: (0..variables.len()).filter(indicator).collect(),

@@ -9,11 +9,11 @@ use crate::balance::symbols as s;
 use crate::component::extreme::fine;
 use crate::component::part::Component;
 use crate::component::running::Running;
+use crate::component::scalar::Scalar;
 use crate::component::sheet::Summary;
 use crate::component::stages::Found;
 use crate::component::standing::Standing;
 use crate::kernel::allowed::OutOfRange;
-use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
@@ -42,7 +42,7 @@ pub trait WithBalance: Component {
 
     /// # Errors
     /// A position at which the balance cannot be.
-    fn residual<C: Calc>(known: &mut Self::Known<C>) -> Found<Residual<C>>;
+    fn residual<C: Scalar>(known: &mut Self::Known<C>) -> Found<Residual<C>>;
 }
 
 /// Results of the balance over the working range, with their places.

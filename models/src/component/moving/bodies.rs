@@ -8,7 +8,7 @@ use crate::component::part::Component;
 use crate::component::running::Running;
 use crate::component::stages::{Found, Source, Use};
 use crate::component::standing::Standing;
-use crate::kernel::variable::Fault;
+use crate::kernel::variable::{Fault, Role};
 use crate::parts::solver::rodas::{Run, Tolerance};
 use crate::parts::solver::{Count, Halt, MOST_IMPLICIT, System};
 
@@ -120,8 +120,31 @@ impl<T: BodiesInMotion<N>, const N: usize> SampledBodies<T, N> {
         model.update()?;
         T::sample(Self::known(model)).map_err(|fault| *fault)?;
         self.clock = self.clock.sampled(Self::schedule(model).period, time);
-        self.changed(model, false);
+        self.changed_bodies(model, false);
         Ok(())
+    }
+
+    /// What was solved ahead of a body is dropped where its states or its equations are others: an importer that repeats
+    /// itself changes nothing.
+    fn changed_bodies(&mut self, model: &mut Standing, is_state: bool) {
+        let first = first(Self::schedule(model).period);
+        let known = Self::known(model);
+        if is_state {
+            for (i, run) in self.runs.iter_mut().enumerate() {
+                let y = std::array::from_fn(|k| T::take(known, state::<T, N>(i, k)));
+                if y != run.states() {
+                    *run = Run::new(y, first);
+                }
+            }
+        }
+        // Where there are no bodies, the next call that needs one says why.
+        let Ok(bodies) = T::bodies(known) else { return };
+        for ((run, old), new) in self.runs.iter_mut().zip(&mut self.bodies).zip(bodies) {
+            if old != new {
+                *old = *new;
+                run.interrupt(first);
+            }
+        }
     }
 
     fn solve(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault> {
@@ -225,27 +248,9 @@ impl<T: BodiesInMotion<N>, const N: usize> Carrier for SampledBodies<T, N> {
         T::warning(least.fold(f64::INFINITY, f64::min))
     }
 
-    /// What was solved ahead of a body is dropped where its states or its equations are others: an importer that repeats
-    /// itself changes nothing.
-    fn changed(&mut self, model: &mut Standing, is_state: bool) {
-        let first = first(Self::schedule(model).period);
-        let known = Self::known(model);
-        if is_state {
-            for (i, run) in self.runs.iter_mut().enumerate() {
-                let y = std::array::from_fn(|k| T::take(known, state::<T, N>(i, k)));
-                if y != run.states() {
-                    *run = Run::new(y, first);
-                }
-            }
-        }
-        // Where there are no bodies, the next call that needs one says why.
-        let Ok(bodies) = T::bodies(known) else { return };
-        for ((run, old), new) in self.runs.iter_mut().zip(&mut self.bodies).zip(bodies) {
-            if old != new {
-                *old = *new;
-                run.interrupt(first);
-            }
-        }
+    fn changed(&mut self, model: &mut Standing, which: Option<usize>) {
+        let is_state = which.is_none_or(|index| model.variables()[index].role == Role::State);
+        self.changed_bodies(model, is_state);
     }
 
     fn resume(&mut self, model: &mut Standing) {

@@ -29,8 +29,8 @@ impl Standing {
     #[must_use]
     pub fn with_states(mut self) -> Standing {
         let [states, rates] = self.now.part.states();
-        for variable in &mut self.variables {
-            if states.contains(&variable.symbol) {
+        for (variable, place) in self.variables.iter_mut().zip(&self.places) {
+            if states.contains(&variable.symbol) && matches!(place, VariablePlace::Source(_)) {
                 variable.role = Role::State;
             } else if rates.contains(&variable.symbol) {
                 variable.role = Role::Rate;
@@ -64,8 +64,9 @@ impl Running for Standing {
         let terminal = |port: &Port, number: Option<u16>| {
             let find = |(symbol, member): &(&'static Symbol, &'static str)| {
                 let of = |v: &&Variable| v.symbol == *symbol && (v.number == number || v.number.is_none());
-                // A shaft is turned by an input; another bar's angle is a result.
-                let turned = |v: &&Variable| v.role == Role::Input || !port.driven.contains(member);
+                // A shaft is turned by an input, or moves by itself; another bar's angle is a result.
+                let turned =
+                    |v: &&Variable| matches!(v.role, Role::Input | Role::State) || !port.driven.contains(member);
                 let found = self.variables.iter().filter(of).find(turned)?;
                 Some((found.name(), *member))
             };
@@ -170,13 +171,16 @@ impl Running for Standing {
             return Ok(());
         };
         let state = &mut self.now;
-        if self.variables[index].kind != Type::Real && state.part.take(source) != value {
-            state.part.leave();
+        // An importer that repeats itself changes nothing.
+        if state.part.take(source).to_bits() != value.to_bits() {
+            if self.variables[index].kind != Type::Real {
+                state.part.leave();
+            }
+            if self.follow >> source.group & 1 == 1 {
+                state.forget(source, &self.wholes);
+            }
+            state.part.put(source, value);
         }
-        if self.follow >> source.group & 1 == 1 {
-            state.forget(source, &self.wholes);
-        }
-        state.part.put(source, value);
         if source == self.axes.coordinate {
             (state.given, state.at_part) = (true, None);
         }

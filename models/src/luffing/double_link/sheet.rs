@@ -30,8 +30,9 @@ use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
+use crate::luffing::double_link::moving::given::Fitted;
 use crate::luffing::double_link::moving::hoisting::HoistKind;
-use crate::luffing::double_link::moving::{self, model::LuffingMotion};
+use crate::luffing::double_link::moving::{self, start::starting};
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
 use crate::luffing::double_link::pin_forces::PinForces;
@@ -92,6 +93,17 @@ impl Described for LuffingScene {
             cylinder: p.cylinder,
             gear: this.gear,
             balance: p.balance,
+            states: None,
+            inputs: None,
+            constants: None,
+            ramp: None,
+            motor: None,
+            give: None,
+            turning: None,
+            oil: None,
+            wound: None,
+            past: None,
+            fitted: Fitted::default(),
             choice: Choice {
                 driven: p.driven,
                 branch: p.branch,
@@ -183,7 +195,7 @@ impl Described for LuffingScene {
     }
 
     fn moving(this: &Luffing) -> Option<Result<Box<dyn Running>, Fault>> {
-        let moving = LuffingMotion::new(this, this.moving.as_ref()?);
+        let moving = starting(Self::given(this), this.motion, this.moving.as_ref()?, this.motion.from);
         Some(moving.map(|model| Box::new(model) as Box<dyn Running>))
     }
 

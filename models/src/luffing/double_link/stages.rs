@@ -5,6 +5,7 @@ use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
 use crate::component::part::{Component, Port, ports};
+use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, absent, stages};
 use crate::component::whole::{How, Whole};
 use crate::drive::gear::Gear;
@@ -13,7 +14,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::number::exact;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::kernel::variable::Fault;
+use crate::kernel::variable::{Fault, Variable};
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::double_link::balancing::{self, analysis, balanced, residual};
@@ -21,22 +22,45 @@ use crate::luffing::double_link::drive::{self, Drive, Reaction};
 use crate::luffing::double_link::feet::Feet;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::{Carried, Held, Passes};
+use crate::luffing::double_link::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Past};
+use crate::luffing::double_link::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::double_link::moving::level::{CraneAt, Level};
+use crate::luffing::double_link::moving::listed::{Fittings, list};
+use crate::luffing::double_link::moving::motion::{
+    self, CraneEvents, CraneForces, CraneOil, CraneRates, INDICATORS, LoadSeen, RATES,
+};
 use crate::luffing::double_link::parameters::{Anchors, Bore, Choice, Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
-use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
+use crate::parts::turntable::Turning;
+
+/// Quantities at rest and in motion.
+mod s {
+    pub use crate::luffing::double_link::moving::symbols::*;
+    pub use crate::luffing::double_link::symbols::*;
+}
 
 stages! {
     /// The double-link luffing mechanism.
     DoubleLink over C from {
         Coordinate theta: One<C>,
         Rate omega: One<C>,
+        State states: Option<CraneStates<C>>,
+        Input inputs: Option<Inputs<C>>,
+        Parameter constants: Option<Constants<C>>,
+        Parameter ramp: Option<HoistRamp<C>>,
+        Parameter motor: Option<HoistMotor<C>>,
+        Parameter give: Option<RopeGive<C>>,
+        Parameter turning: Option<Turning<C>>,
+        Parameter oil: Option<CylinderOil<C>>,
+        Memory wound: Option<One<C>>,
+        Memory past: Option<Past>,
         Load load: Option<One<C>>,
         Parameter lengths: Lengths<C>,
         Parameter jib: One<C>,
@@ -46,6 +70,7 @@ stages! {
         Parameter gear: Option<Gear<C>>,
         Parameter balance: Option<Form<C>>,
         Fixed choice: Choice,
+        Fixed fitted: Fitted,
     } find {
         geometry: Geometry<C> = geometry(lengths, jib, choice) => _, lifted;
         position: Position<C> = position(geometry, theta);
@@ -71,6 +96,51 @@ stages! {
         analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
         published: PublishedFormulas<C> = published(geometry, jib, theta) => _;
+        parameters: Parameters<C> = parameters(lengths, jib, weights, anchors, cylinder, balance, choice) => _;
+        built[constants]: Vec<Level<C>> = motion::built(
+            parameters, load[!], constants[!], ramp, motor, give, turning, oil, fitted, choice
+        ) => _;
+        told[constants]: Vec<Level<C>> = motion::told(built, inputs[!]) => _;
+        at: CraneAt<C> = motion::at(theta, omega, states[!], wound, past[!], inputs[!], oil, fitted) => _;
+        rates: CraneRates<C> = motion::rates(built, told, at, theta, oil, fitted);
+        pushing: C = motion::cylinder(built, told, at, theta) => F_C;
+        resisting: C = motion::resisting(built, told, at, theta) => M_R;
+        pull: C = motion::pull(built, told, at, theta) => S_R;
+        drum: C = motion::drum(built, told, at, theta) => M_R_H;
+        forces: CraneForces<C> = motion::forces(built, told, at, theta);
+        blown: C = motion::blown(at) => W_BLOW;
+        resisting_slewing: C = motion::resisting_slewing(built, told, at, theta) => M_R_SL;
+        seen: LoadSeen<C> = LoadSeen::new(at, oil);
+        cavitates: CraneOil = CraneOil::new(at, rates, oil[!]);
+        events: CraneEvents<C> = motion::events(built, told, at, theta, oil, fitted);
+    }
+}
+
+impl Given<f64> {
+    /// What it has in motion; `None` at rest.
+    fn fittings(&self) -> Option<Fittings> {
+        self.constants.map(|_| Fittings {
+            boom: self.choice.driven == Driven::Boom,
+            oil: self.oil.is_some(),
+            rope: self.fitted.rope.is_some(),
+            slews: self.turning.is_some(),
+            ramp: self.ramp.is_some(),
+            motor: self.motor.is_some(),
+        })
+    }
+}
+
+impl Known<f64> {
+    /// The crane in motion as it is, with its equations under present inputs.
+    ///
+    /// # Errors
+    /// Quantities with which there are none.
+    pub fn in_motion(&mut self) -> Found<(&Level, CraneAt)> {
+        self.told()?;
+        let at = *self.at()?;
+        let level = self.built.as_deref().zip(self.told.as_deref());
+        let (built, told) = level.expect("just made");
+        Ok((motion::present(built, told), at))
     }
 }
 
@@ -90,16 +160,32 @@ impl Component for DoubleLink {
         drive "Cylinder, rack or screw between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
+    const STATES: [&'static [&'static Symbol]; 2] = [&[&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3], &RATES];
+
+    const INDICATORS: &'static [&'static Symbol] = &INDICATORS;
+
+    fn gives(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        given.fittings().is_none_or(|crane| crane.gives(symbol))
+    }
+
+    fn list(given: &Given<f64>, variable: &mut Variable) -> u8 {
+        given.fittings().map_or(0, |_| list(variable))
+    }
+
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let own = match given.choice.driven {
             Driven::Boom => [&s::THETA_1, &s::I_1],
             Driven::Rocker => [&s::THETA_3, &s::I_3],
         };
         // The coordinate is no result, and a balance has what its kind has.
+        let of_balance = listed!(b: N_1, F_KX, F_KY, F_MX, F_MY);
         let forces = listed!(s: F_BX, F_BY, F_CX, F_CY, F_O1X, F_O1Y, F_O3X, F_O3Y, N_3);
         !own.contains(&symbol)
             && (given.choice.pins || !forces.contains(&symbol))
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+            && given.fittings().is_none_or(|crane| crane.has(symbol))
+            && (symbol != &s::F_D || given.anchors.is_some())
+            && (!of_balance.contains(&symbol) || given.balance.is_some())
             && given.gear.as_ref().is_none_or(|gear| gear.has(symbol))
             && (symbol != &b::F_D_0 || given.anchors.is_some())
     }
@@ -111,7 +197,8 @@ impl Component for DoubleLink {
     /// With its change points go the branches of a linkage.
     fn undoes(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let bars = [&s::X_1, &s::X_2, &s::X_3, &s::X_5, &s::X_6];
-        bars.contains(&symbol) && Geometry::new(&parameters(given)).is_ok_and(|g| g.linkage.keeps_branch())
+        bars.contains(&symbol)
+            && geometry(&given.lengths, &given.jib, &given.choice).is_ok_and(|g| g.linkage.keeps_branch())
     }
 
     /// Where the linkage closes around the working range, if that has ends.
@@ -139,24 +226,24 @@ impl WithBalance for DoubleLink {
         Ok(known.position()?.b)
     }
 
-    fn residual<C: Calc>(known: &mut Known<C>) -> Found<Residual<C>> {
+    fn residual<C: Scalar>(known: &mut Known<C>) -> Found<Residual<C>> {
         known.residual().copied()
     }
 }
 
-/// The parameters of a scene, as equations of motion and synthesis want them.
-#[must_use]
-pub fn parameters<C: Calc>(given: &Given<C>) -> Parameters<C> {
+fn parameters<C: Calc>(
+    lengths: &Lengths<C>,
+    jib: &One<C>,
+    weights: &Option<Weights<C>>,
+    anchors: &Option<Anchors<C>>,
+    cylinder: &Option<Bore<C>>,
+    balance: &Option<Form<C>>,
+    choice: &Choice,
+) -> Parameters<C> {
     Parameters {
-        anchors: given.anchors,
-        cylinder: given.cylinder,
-        ..with_balance(
-            &given.lengths,
-            &given.jib,
-            &given.weights,
-            &given.balance,
-            &given.choice,
-        )
+        anchors: *anchors,
+        cylinder: *cylinder,
+        ..with_balance(lengths, jib, weights, balance, choice)
     }
 }
 

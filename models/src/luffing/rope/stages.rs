@@ -6,9 +6,9 @@ use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
 use crate::component::part::{Component, Port, ports};
+use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, stages};
 use crate::component::whole::{How, Whole};
-use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::balancing::{Balanced, Balancing};
@@ -100,7 +100,7 @@ impl WithBalance for RopeBoom {
         Ok(known.position()?.a)
     }
 
-    fn residual<C: Calc>(known: &mut Known<C>) -> Found<Residual<C>> {
+    fn residual<C: Scalar>(known: &mut Known<C>) -> Found<Residual<C>> {
         known.residual().copied()
     }
 }

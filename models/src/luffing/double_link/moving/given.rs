@@ -1,13 +1,18 @@
-//! What a mechanism in motion is given besides its algebraic model: inputs, and what is constant.
+//! What a mechanism in motion is given besides what it is at rest: inputs, constants, states, and what happened before.
 
-use crate::kernel::group::quantities;
-use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::crane::Commands;
-use crate::luffing::double_link::moving::hoisting::{HoistKind, RopeGive};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::{Group, group, quantities};
+use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::unit::ONE;
+use crate::kernel::variable::Quantity;
+use crate::luffing::double_link::crane::{Commands, CraneState};
+use crate::luffing::double_link::hydraulic::{self, Modes};
 use crate::luffing::double_link::moving::symbols as s;
-use crate::parts::hoist::HoistCommand;
-use crate::parts::joint::JointDrive;
-use crate::parts::turntable::Turning;
+use crate::parts::hoist::{Drum, HoistCommand};
+use crate::parts::joint::{Bar, JointDrive};
+
+/// Most continuous states of any level.
+pub const MOST_STATES: usize = hydraulic::MOST;
 
 quantities! {
     /// A luffing cylinder with its oil and valve, besides bore and rod.
@@ -33,6 +38,9 @@ pub struct Inputs<P = f64> {
     pub supply: P,
 }
 
+/// Their symbols.
+pub const INPUTS: [&Symbol; 9] = *listed!(s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL);
+
 impl<P: Copy> Inputs<P> {
     /// Of a crane of J joints.
     #[must_use]
@@ -43,50 +51,207 @@ impl<P: Copy> Inputs<P> {
         }
     }
 
-    /// Over another scalar.
-    pub fn map<C>(&self, of: &mut dyn FnMut(&'static Symbol, P) -> C) -> Inputs<C> {
-        let mut drive = |[moment, brake]: [&'static Symbol; 2], drive: &JointDrive<P>| JointDrive {
-            moment: of(moment, drive.moment),
-            brake: of(brake, drive.brake),
-        };
-        let drives = [
-            drive([&s::M_A, &s::M_S], &self.drives[0]),
-            drive([&s::M_SL, &s::M_B_SL], &self.drives[1]),
-        ];
-        let drum = drive([&s::M_M_H, &s::M_B_H], &self.hoist.drive);
+    fn numbers(&self) -> [P; INPUTS.len()] {
+        let ([luffing, slewing], hoist) = (self.drives, self.hoist);
+        let drum = hoist.drive;
+        [
+            luffing.moment,
+            luffing.brake,
+            self.valve,
+            self.supply,
+            drum.moment,
+            drum.brake,
+            hoist.speed,
+            slewing.moment,
+            slewing.brake,
+        ]
+    }
+
+    fn from([m_a, m_s, valve, supply, m_h, m_b_h, speed, m_sl, m_b_sl]: [P; INPUTS.len()]) -> Inputs<P> {
+        let drive = |moment, brake| JointDrive { moment, brake };
         Inputs {
-            drives,
+            drives: [drive(m_a, m_s), drive(m_sl, m_b_sl)],
             hoist: HoistCommand {
-                speed: of(&s::V_H, self.hoist.speed),
-                drive: drum,
+                speed,
+                drive: drive(m_h, m_b_h),
             },
-            valve: of(&s::U_V, self.valve),
-            supply: of(&s::P_P, self.supply),
+            valve,
+            supply,
         }
     }
 }
 
-/// All that is given; parts of the crane that the scene does not have are `None`.
+/// The states but for angle and rate of the driven bar, of all levels: zero where a level does not have one.
 #[derive(Clone, Copy, Debug)]
-pub struct Given<P = f64> {
-    pub inputs: Inputs<P>,
-    pub constants: Constants<P>,
-    pub hoist: HoistKind<P>,
-    pub give: Option<RopeGive<P>>,
-    pub turning: Option<Turning<P>>,
-    pub oil: Option<CylinderOil<P>>,
+pub struct CraneStates<C>(pub [C; STATES.len()]);
+
+/// Their symbols: of the oil, of slewing and the load in space, of the load in the plane, of the rope.
+pub const STATES: [&Symbol; 20] = *listed!(
+    s: P_1, P_2, P_A, P_B, X_V, V_V, PSI_SL, OMEGA_SL, X_Q, Y_Q, Z_Q, V_QX, V_QY, V_QZ, PHI_R, OMEGA_R, L_R, S_Q, V_Q, V_R
+);
+
+/// Places of the rope's length, of the load's distance, and of the rate at which the rope is paid out.
+pub const L_R: usize = 16;
+pub const S_Q: usize = 17;
+pub const V_R: usize = 19;
+
+/// Which of them follow on angle and rate of the driven bar, in the order of the equations.
+pub fn order(oil: bool, slews: bool) -> impl Iterator<Item = usize> {
+    let own: &[usize] = if slews {
+        &[6, 7, 8, 9, 10, 11, 12, 13, 16, 19]
+    } else {
+        &[14, 15, 16, 17, 18, 19]
+    };
+    (0..if oil { 6 } else { 0 }).chain(own.iter().copied())
 }
 
-impl<P: Copy> Given<P> {
-    /// Over another scalar: `of` is told each number with its symbol.
-    pub fn map<C>(&self, of: &mut dyn FnMut(&'static Symbol, P) -> C) -> Given<C> {
-        Given {
-            inputs: self.inputs.map(of),
-            constants: self.constants.map(of),
-            hoist: self.hoist.map(of),
-            give: self.give.map(|give| give.map(of)),
-            turning: self.turning.map(|turning| turning.map(of)),
-            oil: self.oil.map(|oil| oil.map(of)),
+/// What happened before, where it decides how a crane moves until something else happens.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Past {
+    /// Luffing and slewing.
+    pub joints: [Bar; 2],
+    pub drum: Drum,
+    /// The load hangs on the rope, or flies free.
+    pub taut: bool,
+    /// Energy that blows have taken so far, in J; what they gave counts negative.
+    pub blown: f64,
+}
+
+static PAST: Symbol = Symbol::new("past", "", [&ONE, &ONE], "A number of what happened before.", "derived");
+
+const PAST_NUMBERS: usize = 6;
+
+/// Which way a bar moves, as a number; one that is loose always is.
+fn way(bar: Bar) -> f64 {
+    match bar {
+        Bar::Held | Bar::Loose => 0.0,
+        Bar::Forward => 1.0,
+        Bar::Backward => -1.0,
+    }
+}
+
+fn bar(way: f64) -> Bar {
+    match way {
+        0.0 => Bar::Held,
+        way if way > 0.0 => Bar::Forward,
+        _ => Bar::Backward,
+    }
+}
+
+impl Past {
+    /// Of a crane at rest, until it is decided what follows.
+    pub const AT_REST: Past = Past {
+        joints: [Bar::Held; 2],
+        drum: Modes::AT_REST.drum,
+        taut: true,
+        blown: 0.0,
+    };
+
+    fn numbers(&self) -> [f64; PAST_NUMBERS] {
+        let [luffing, slewing] = self.joints.map(way);
+        let taut = f64::from(self.taut);
+        [
+            luffing,
+            slewing,
+            way(self.drum.way),
+            self.drum.command,
+            taut,
+            self.blown,
+        ]
+    }
+
+    fn from([luffing, slewing, drum, command, taut, blown]: [f64; PAST_NUMBERS]) -> Past {
+        Past {
+            joints: [bar(luffing), bar(slewing)],
+            drum: Drum {
+                way: bar(drum),
+                command,
+            },
+            taut: taut != 0.0,
+            blown,
+        }
+    }
+
+    /// A crane of J joints in the first N of these states.
+    pub fn crane<C: Calc, const N: usize, const J: usize>(&self, y: &[C; MOST_STATES]) -> CraneState<N, J> {
+        CraneState {
+            y: std::array::from_fn(|i| y[i].value()),
+            joints: std::array::from_fn(|i| self.joints[i]),
+            drum: self.drum,
+            taut: self.taut,
+            blown: self.blown,
+        }
+    }
+
+    /// As an event leaves it.
+    pub fn follow<const N: usize, const J: usize>(&mut self, state: &CraneState<N, J>) {
+        (self.drum, self.taut, self.blown) = (state.drum, state.taut, state.blown);
+        self.joints[..J].copy_from_slice(&state.joints);
+    }
+
+    /// Of a crane whose luffing a cylinder moves.
+    pub fn modes(&self) -> Modes {
+        Modes {
+            slewing: self.joints[1],
+            drum: self.drum,
+            taut: self.taut,
+            blown: self.blown,
+        }
+    }
+
+    /// As an event leaves one whose luffing a cylinder moves.
+    pub fn of_modes(modes: Modes) -> Past {
+        Past {
+            joints: [Bar::Held, modes.slewing],
+            drum: modes.drum,
+            taut: modes.taut,
+            blown: modes.blown,
         }
     }
 }
+
+/// A group of as many numbers, each with its symbol.
+macro_rules! numbered {
+    ($name:ty, $over:ty, $symbols:expr, $numbers:expr, $from:expr) => {
+        impl<C: Calc> Group<C> for $name {
+            type Over<D: Calc> = $over;
+            const SIZE: usize = $symbols.len();
+            fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> $over {
+                let numbers = $numbers(self);
+                $from(std::array::from_fn(|i| f(($symbols[i], None), numbers[i])))
+            }
+            fn take(&self, place: usize) -> C {
+                $numbers(self)[place]
+            }
+            fn put(&mut self, place: usize, value: C) {
+                let mut numbers = $numbers(self);
+                numbers[place] = value;
+                *self = $from(numbers);
+            }
+        }
+    };
+}
+numbered!(Inputs<C>, Inputs<D>, INPUTS, Inputs::numbers, Inputs::from);
+numbered!(
+    CraneStates<C>,
+    CraneStates<D>,
+    STATES,
+    |states: &CraneStates<C>| states.0,
+    CraneStates
+);
+numbered!(
+    Past,
+    Past,
+    [&PAST; PAST_NUMBERS],
+    |past: &Past| past.numbers().map(C::constant),
+    |numbers: [_; PAST_NUMBERS]| Past::from(numbers.map(Calc::value))
+);
+
+/// What belongs to a crane in motion and is no number of its equations: length of the load's rope at the start (m), end
+/// stops of slewing (rad).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Fitted {
+    pub rope: Option<f64>,
+    pub slewing: Option<[f64; 2]>,
+}
+group!(Fitted);

@@ -1,7 +1,8 @@
 //! What happens to a crane in motion, seen from sample to sample.
 
 use crate::luffing::double_link::hydraulic::FIXED;
-use crate::luffing::double_link::moving::level::Present;
+use crate::luffing::double_link::moving::given::Past;
+use crate::luffing::double_link::moving::level::CraneAt;
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::scene::Luffing;
 use crate::parts::joint::Bar;
@@ -20,44 +21,34 @@ pub(super) struct Watch {
 
 impl Watch {
     /// With the time between two samples, in s.
-    pub(super) fn new(luffing: &Luffing, moving: &Moving, present: &Present, sample: f64) -> Watch {
-        let y = present.states();
+    pub(super) fn new(luffing: &Luffing, moving: &Moving, present: &CraneAt, sample: f64) -> Watch {
+        let y = present.y;
         let opening = moving.oil.map_or(f64::INFINITY, |oil| oil.p_r);
         let at = |x: f64, [low, high]: [f64; 2]| [x <= low, x >= high];
         let ends = [luffing.motion.from, luffing.motion.to];
-        let turns = moving
-            .slewing
-            .map_or([f64::NEG_INFINITY, f64::INFINITY], |turn| turn.joint.stops);
-        let mut watch = Watch {
-            joints: [None, None, moving.has_motor().then(|| present.drum().way)],
-            stops: [at(y[0], ends), [false; 2], [false; 2]],
-            ahead: [at(y[0] + y[1] * sample, ends), [false; 2], [false; 2]],
-            taut: true,
-            relief: [false; 2],
-        };
-        match present {
-            Present::Free(state) => {
-                watch.joints[0] = Some(state.joints[0]);
-                watch.taut = state.taut;
-            }
-            Present::Slewing(state) => {
-                [watch.joints[0], watch.joints[1]] = state.joints.map(Some);
-                watch.taut = state.taut;
-                watch.stops[1] = at(y[2], turns);
-                watch.ahead[1] = at(y[2] + y[3] * sample, turns);
-            }
-            Present::Fixed(_) => watch.relief = [y[2] > opening, y[3] > opening],
-            Present::Hanging(now) => {
-                watch.relief = [y[2] > opening, y[3] > opening];
-                watch.taut = now.modes.taut;
-                if moving.slewing.is_some() {
-                    watch.joints[1] = Some(now.modes.slewing);
-                    watch.stops[1] = at(y[FIXED], turns);
-                    watch.ahead[1] = at(y[FIXED] + y[FIXED + 1] * sample, turns);
-                }
-            }
+        let (oil, own) = (moving.oil.is_some(), if moving.oil.is_some() { FIXED } else { 2 });
+        let turning = moving.slewing.map(|_| [y[own], y[own + 1]]);
+        let free = [f64::NEG_INFINITY, f64::INFINITY];
+        let turns = moving.slewing.map_or(free, |turn| turn.joint.stops);
+        let meets = |[x, rate]: [f64; 2], ends| [at(x, ends), at(x + rate * sample, ends)];
+        let luffing = meets([y[0], y[1]], ends);
+        let slewing = turning.map_or([[false; 2]; 2], |turning| meets(turning, turns));
+        let Past { joints, drum, taut, .. } = present.past;
+        Watch {
+            joints: [
+                (!oil).then_some(joints[0]),
+                turning.map(|_| joints[1]),
+                moving.has_motor().then_some(drum.way),
+            ],
+            stops: [luffing[0], slewing[0], [false; 2]],
+            ahead: [luffing[1], slewing[1], [false; 2]],
+            taut,
+            relief: if oil {
+                [y[2] > opening, y[3] > opening]
+            } else {
+                [false; 2]
+            },
         }
-        watch
     }
 
     /// What has happened since.

@@ -5,13 +5,13 @@
 //! are met whatever there is of them; it gives no more than the scene's. A valve opens in proportion to the cylinder's
 //! speed, with what corrects its length. What is told is kept: commands over time, which any run of the model may follow.
 
+use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
 use crate::component::standing::Standing;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Role};
 use crate::luffing::double_link::moving::given::CylinderOil;
 use crate::luffing::double_link::moving::hoisting::HoistKind;
-use crate::luffing::double_link::moving::model::LuffingMotion;
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::scene::Luffing;
@@ -168,7 +168,7 @@ enum Lift {
 }
 
 impl Lift {
-    fn new(moving: &Moving, model: &LuffingMotion, lifts: bool) -> Option<Lift> {
+    fn new(moving: &Moving, model: &MovingComponent, lifts: bool) -> Option<Lift> {
         let lifting = lifting(moving).filter(|_| lifts);
         match moving.rope?.hoist {
             HoistKind::Motor(_) => {
@@ -201,7 +201,7 @@ struct LengthValve {
 }
 
 impl LengthValve {
-    fn new(luffing: &Luffing, moving: &Moving, oil: &CylinderOil<f64>, model: &LuffingMotion) -> Option<LengthValve> {
+    fn new(luffing: &Luffing, moving: &Moving, oil: &CylinderOil<f64>, model: &MovingComponent) -> Option<LengthValve> {
         let bore = luffing.parameters.cylinder?;
         let [area, _] = Cylinder::areas(bore.d_c, bore.d_r);
         let shadow = luffing.standing();
@@ -214,7 +214,7 @@ impl LengthValve {
         })
     }
 
-    fn command(&mut self, model: &mut LuffingMotion, [angle, rate]: [f64; 2]) -> Result<f64, Fault> {
+    fn command(&mut self, model: &mut MovingComponent, [angle, rate]: [f64; 2]) -> Result<f64, Fault> {
         self.shadow.set(0, angle)?;
         self.shadow.set(1, rate)?;
         let [length, speed] = [self.shadow.get(self.planned[0])?, self.shadow.get(self.planned[1])?];
@@ -228,7 +228,7 @@ impl<'a> Pilot<'a> {
         planned: &'a Planned,
         luffing: &Luffing,
         moving: &Moving,
-        model: &LuffingMotion,
+        model: &MovingComponent,
     ) -> Option<Pilot<'a>> {
         let [drive, turning] = moving.inputs.drives;
         let boom = model.variables()[1].symbol == &s::OMEGA_1;
@@ -266,7 +266,7 @@ impl<'a> Pilot<'a> {
     }
 
     /// What the inputs are from a time on, until another one; both in s.
-    pub(super) fn tell(&mut self, model: &mut LuffingMotion, [from, to]: [f64; 2]) -> Result<(), Fault> {
+    pub(super) fn tell(&mut self, model: &mut MovingComponent, [from, to]: [f64; 2]) -> Result<(), Fault> {
         let stopped = from >= self.planned.emergency;
         let target = self.planned.luffing;
         match &mut self.luffing {
@@ -322,7 +322,7 @@ impl<'a> Pilot<'a> {
 
     fn set_both(
         &mut self,
-        model: &mut LuffingMotion,
+        model: &mut MovingComponent,
         inputs: [usize; 2],
         from: f64,
         values: [f64; 2],
@@ -332,7 +332,7 @@ impl<'a> Pilot<'a> {
         self.set(model, brake, from, values[1])
     }
 
-    fn set(&mut self, model: &mut LuffingMotion, input: usize, from: f64, value: f64) -> Result<(), Fault> {
+    fn set(&mut self, model: &mut MovingComponent, input: usize, from: f64, value: f64) -> Result<(), Fault> {
         let place = self
             .told
             .iter()
@@ -352,7 +352,7 @@ impl<'a> Pilot<'a> {
 }
 
 /// What is drawn of a manoeuvre: ids of curves, and where their quantities stand among the variables. What the scene does not have is left out.
-pub(super) fn drawn(planned: &Planned, model: &LuffingMotion) -> Vec<(&'static str, usize)> {
+pub(super) fn drawn(planned: &Planned, model: &MovingComponent) -> Vec<(&'static str, usize)> {
     let boom = model.variables()[0].symbol == &s::THETA_1;
     let [angle, speed] = if boom {
         [("motion_boom_angle", &s::THETA_1), ("motion_boom_speed", &s::OMEGA_1)]
@@ -394,7 +394,7 @@ pub(super) fn drawn(planned: &Planned, model: &LuffingMotion) -> Vec<(&'static s
 }
 
 /// Where the forces that other parts are designed for, and what the rope does, stand among the variables.
-pub(super) fn designed(forces: &[&'static Symbol], model: &LuffingMotion) -> Vec<(&'static Symbol, usize)> {
+pub(super) fn designed(forces: &[&'static Symbol], model: &MovingComponent) -> Vec<(&'static Symbol, usize)> {
     let own = [&m::S_R, &m::PHI_R, &m::CHI_R, &m::P_A, &m::P_B, &m::M_R_SL, &m::M_R_H];
     let there = |symbol: &'static Symbol| {
         let variables = model.variables().iter();

@@ -5,17 +5,20 @@ use std::panic::resume_unwind;
 use std::thread::ScopedJoinHandle;
 
 use crate::balance::symbols as b;
+use crate::component::description::Described;
+use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Envelope, InMotion, Manoeuvre, Section, Summary, Warning};
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
 use crate::luffing::double_link::hydraulic::CREEP;
-use crate::luffing::double_link::moving::model::LuffingMotion;
 use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::start::starting;
 use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::moving::told::ToldCrane;
 use crate::luffing::double_link::outline::OUTLINE;
-use crate::luffing::double_link::scene::Luffing;
+use crate::luffing::double_link::scene::{Luffing, LuffingScene};
 use crate::luffing::double_link::sheet::energy::integrals;
 use crate::luffing::double_link::sheet::manoeuvres::{Pilot, Planned, at_rest, designed, drawn, planned, rules};
 use crate::luffing::double_link::sheet::run::{EVENTS, Run, timed};
@@ -141,7 +144,13 @@ pub(super) struct Found {
 /// forces at rest; `None` where the model cannot start.
 pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]]) -> Option<(InMotion, Found)> {
     let (rest, plans) = (at_rest(moving), planned(luffing, moving));
-    let mut model = LuffingMotion::starting(luffing, &rest, plans.first()?.start).ok()?;
+    let mut model = starting(
+        LuffingScene::given(luffing),
+        luffing.motion,
+        &rest,
+        plans.first()?.start,
+    )
+    .ok()?;
     let [coordinate, rate] = [0, 1].map(|index| model.variables()[index].symbol);
     let instant = match (moving.oil, moving.rope) {
         (Some(_), _) => ("greatest_pressure", &m::P_A),
@@ -205,7 +214,7 @@ fn ran(
     lead: &Symbol,
     designed: &[(&'static Symbol, usize)],
 ) -> Option<(Manoeuvre, Run)> {
-    let mut model = LuffingMotion::starting(luffing, rest, plan.start).ok()?;
+    let mut model = starting(LuffingScene::given(luffing), luffing.motion, rest, plan.start).ok()?;
     let mut pilot = Pilot::new(plan, luffing, moving, &model)?;
     let drawn = drawn(plan, &model);
     let lead = model.variables().iter().position(|variable| variable.symbol == lead)?;
@@ -234,7 +243,7 @@ fn ran(
 }
 
 /// States and commands as they are now, without those of the position alone.
-fn state(model: &mut LuffingMotion, moving: &Moving) -> Vec<(&'static Symbol, f64)> {
+fn state(model: &mut MovingComponent, moving: &Moving) -> Vec<(&'static Symbol, f64)> {
     let indices = |role: Role| {
         let all = model.variables().iter().enumerate();
         let of = all.filter(move |(_, variable)| variable.role == role);
@@ -257,7 +266,7 @@ fn state(model: &mut LuffingMotion, moving: &Moving) -> Vec<(&'static Symbol, f6
 }
 
 /// The equations at the model's instant. Each section is recorded from the start and shows its own steps.
-fn sections(model: &LuffingMotion) -> Vec<Section> {
+fn sections(model: &MovingComponent) -> Vec<Section> {
     let section = |(id, symbols): (&'static str, &[&Symbol])| {
         let (mut trace, assembled) = record(|| model.recorded());
         let mut seen: Vec<&Symbol> = Vec::new();

@@ -1,9 +1,9 @@
 //! A drive with a brake, told what to do so that a joint, or the hoist's drum, follows a speed.
 
+use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
-use crate::luffing::double_link::moving::model::LuffingMotion;
 use crate::parts::joint::JointDrive;
 
 /// By how much more than what holds it a drive sets a joint going.
@@ -38,7 +38,7 @@ pub(super) fn place(model: &dyn Running, symbol: &Symbol) -> Option<usize> {
 
 impl JointMotor {
     pub(super) fn new(
-        model: &LuffingMotion,
+        model: &MovingComponent,
         symbols: [&Symbol; 6],
         drive: JointDrive,
         sense: f64,
@@ -59,7 +59,7 @@ impl JointMotor {
 
     /// The moment (N·m) with which the joint has a rate (rad/s) after a time (s); of one that is braked, what holds it at
     /// rest.
-    fn moment(&self, model: &mut LuffingMotion, wanted: f64, time: f64, braked: bool) -> Result<f64, Fault> {
+    fn moment(&self, model: &mut MovingComponent, wanted: f64, time: f64, braked: bool) -> Result<f64, Fault> {
         let [input, _] = self.inputs;
         let (now, acceleration) = (model.get(input)?, model.get(self.acceleration)?);
         let unit = if self.most.is_finite() { self.most } else { 1e3 };
@@ -84,7 +84,7 @@ impl JointMotor {
     }
 
     /// Brakes a joint whose rates (rad/s) at the start and the end of a time (s) are zero, and drives it to the latter.
-    pub(super) fn follow(&self, model: &mut LuffingMotion, rates: [f64; 2], time: f64) -> Result<[f64; 2], Fault> {
+    pub(super) fn follow(&self, model: &mut MovingComponent, rates: [f64; 2], time: f64) -> Result<[f64; 2], Fault> {
         let braked = rates == [0.0; 2] && self.braking > 0.0;
         let brake = if braked { self.braking } else { 0.0 };
         model.set(self.inputs[1], brake)?;

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::component::moving::MovingComponent;
 use crate::component::running::{Running, State};
 use crate::component::series::Series;
 use crate::component::sheet::{Summary, Warning};
@@ -9,10 +10,10 @@ use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::luffing::double_link::hydraulic::FIXED;
-use crate::luffing::double_link::moving::level::{Powers, Present};
-use crate::luffing::double_link::moving::model::LuffingMotion;
+use crate::luffing::double_link::moving::level::{CraneAt, Powers};
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::moving::told::ToldCrane;
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::sheet::energy::{Energy, net, rounding, sum, turnover};
 use crate::luffing::double_link::sheet::events::Watch;
@@ -57,7 +58,7 @@ struct Budget {
 
 /// Moves the model on and returns the works on the way, with powers and energy (J) at its end.
 fn advance(
-    model: &mut LuffingMotion,
+    model: &mut MovingComponent,
     [from, to]: [f64; 2],
     before: &(Powers, f64),
     turned_over: f64,
@@ -95,16 +96,16 @@ fn advance(
 /// The same, where blows make the powers jump within the step, or a rope that gives way (`lively`) makes them swing: their
 /// works are looked at more closely, and the model moves as it does without that.
 fn stepped(
-    model: &mut LuffingMotion,
+    model: &mut MovingComponent,
     times: [f64; 2],
     before: &(Powers, f64),
     turned_over: f64,
     halvings: u32,
     (budget, lively): (&mut Budget, bool),
 ) -> Option<(Powers, (Powers, f64))> {
-    let (start, blown) = (model.state(), model.present().blown());
+    let (start, blown) = (model.state(), model.present().0.past.blown);
     let (work, after) = advance(model, times, before, turned_over, halvings, budget)?;
-    if halvings > 0 || model.present().blown() == blown && !lively {
+    if halvings > 0 || model.present().0.past.blown == blown && !lively {
         return Some((work, after));
     }
     let end = model.state();
@@ -138,7 +139,7 @@ impl Run {
     pub(super) fn new(
         luffing: &Luffing,
         moving: &Moving,
-        model: &mut LuffingMotion,
+        model: &mut MovingComponent,
         (lead, seen): (usize, &BTreeSet<usize>),
         pilot: &mut Pilot<'_>,
     ) -> Option<Run> {
@@ -150,7 +151,7 @@ impl Run {
             many => step * (many / SAMPLES[1]).ceil(),
         };
         let samples = (duration / sample).ceil() as u32;
-        let look = |model: &mut LuffingMotion| {
+        let look = |model: &mut MovingComponent| {
             let values = seen.iter().map(|&index| Ok((index, model.get(index)?)));
             values.collect::<Result<BTreeMap<usize, f64>, Fault>>().ok()
         };
@@ -165,6 +166,7 @@ impl Run {
             halvings: samples,
             rates: RATES[0] * f64::from(samples) + RATES[1] * wanted,
         };
+        let (at, least) = model.present();
         let mut run = Run {
             series: Series::new(sample, &first),
             events: Vec::new(),
@@ -176,12 +178,12 @@ impl Run {
             instant: 0.0,
             most: 0.0,
             state: model.state(),
-            greatest_pressure: [pressure(model.present()), 0.0],
-            least_pressure: [model.present().least_pressure(), 0.0],
-            greatest_swing: [swing(moving, model.present()), 0.0],
+            greatest_pressure: [pressure(moving, &at), 0.0],
+            least_pressure: [least, 0.0],
+            greatest_swing: [swing(moving, &at), 0.0],
             apart: [0.0; 2],
         };
-        let mut watch = Watch::new(luffing, moving, model.present(), sample);
+        let mut watch = Watch::new(luffing, moving, &at, sample);
         // The crane was at rest before.
         let mut rest = watch.clone();
         rest.joints = watch.joints.map(|joint| joint.map(|_| Bar::Held));
@@ -199,10 +201,11 @@ impl Run {
                 run.events.push((from, "run_ends"));
                 break;
             };
-            let next = Watch::new(luffing, moving, model.present(), sample);
+            let (at, least) = model.present();
+            let next = Watch::new(luffing, moving, &at, sample);
             let events = next.since(&watch);
             run.energy.add(&work, now.1);
-            run.energy.blows = model.present().blown();
+            run.energy.blows = at.past.blown;
             if i % KINETIC == 0 {
                 run.energy.kinetic = run.energy.kinetic.max(model.kinetic().ok()?);
                 if let Some(apart) = model.apart() {
@@ -216,16 +219,15 @@ impl Run {
             if moves && values[&lead].abs() > run.most {
                 (run.most, run.instant, run.state) = (values[&lead].abs(), to, model.state());
             }
-            run.keep(moving, model.present(), values, to);
+            run.keep(moving, (&at, least), values, to);
         }
         Some(run)
     }
 
     /// What is looked at, at a time (s).
-    fn keep(&mut self, moving: &Moving, present: &Present, values: BTreeMap<usize, f64>, time: f64) {
-        greater(&mut self.greatest_pressure, pressure(present), time);
-        greater(&mut self.greatest_swing, swing(moving, present), time);
-        let least = present.least_pressure();
+    fn keep(&mut self, moving: &Moving, (at, least): (&CraneAt, f64), values: BTreeMap<usize, f64>, time: f64) {
+        greater(&mut self.greatest_pressure, pressure(moving, at), time);
+        greater(&mut self.greatest_swing, swing(moving, at), time);
         if least < self.least_pressure[0] {
             self.least_pressure = [least, time];
         }
@@ -302,26 +304,18 @@ fn greater(kept: &mut [f64; 2], value: f64, time: f64) {
 }
 
 /// Greatest pressure of the oil, in Pa; zero without oil.
-fn pressure(present: &Present) -> f64 {
-    let y = present.states();
-    let pressures = match present {
-        Present::Fixed(_) | Present::Hanging(_) => &y[2..FIXED - 2],
-        Present::Free(_) | Present::Slewing(_) => &[],
-    };
-    pressures.iter().copied().fold(0.0, f64::max)
+fn pressure(moving: &Moving, at: &CraneAt) -> f64 {
+    let pressures = moving.oil.map(|_| &at.y[2..FIXED - 2]);
+    pressures.into_iter().flatten().copied().fold(0.0, f64::max)
 }
 
 /// Angle of the rope from the vertical, in rad; zero without a rope.
-fn swing(moving: &Moving, present: &Present) -> f64 {
+fn swing(moving: &Moving, at: &CraneAt) -> f64 {
     if moving.rope.is_none() {
         return 0.0;
     }
-    let y = present.states();
     // The crane's own states but for its first two.
-    let own = match present {
-        Present::Fixed(_) | Present::Hanging(_) => &y[FIXED..],
-        Present::Free(_) | Present::Slewing(_) => &y[2..],
-    };
+    let own = &at.y[if moving.oil.is_some() { FIXED } else { 2 }..];
     match moving.slewing {
         None => own[0].abs(),
         Some(_) => f64::direction(-own[3], (own[2] * own[2] + own[4] * own[4]).sqrt()),

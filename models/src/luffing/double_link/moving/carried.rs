@@ -1,0 +1,275 @@
+//! How a crane in motion is carried on: what its solver keeps, and what is decided at an event.
+
+use std::any::Any;
+
+use crate::component::moving::Carrier;
+use crate::component::running::Running;
+use crate::component::stages::Stages;
+use crate::component::standing::Standing;
+use crate::kernel::number::short;
+use crate::kernel::variable::{Fault, Role};
+use crate::luffing::double_link::crane::REELED_IN;
+use crate::luffing::double_link::moving::given::{CraneStates, L_R, S_Q, STATES, V_R, order};
+use crate::luffing::double_link::moving::level::{Ahead, CraneAt};
+use crate::luffing::double_link::moving::motion::open;
+use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::stages::{DoubleLink, Given, Known};
+use crate::parts::hoist::Drum;
+use crate::parts::hydraulics::oil::warning;
+use crate::parts::joint::Bar;
+use crate::parts::solver::rodas::Run;
+use crate::parts::solver::{Count, Halt, MOST_IMPLICIT, MOST_STEPS};
+
+/// What the solver keeps, and its work so far, which is no part of the state.
+#[derive(Clone)]
+pub struct CarriedCrane {
+    pub(super) ahead: Ahead,
+    pub(super) count: Count,
+}
+
+pub(super) fn known(model: &mut Standing) -> &mut Known<f64> {
+    &mut model.of_mut::<DoubleLink>().0
+}
+
+fn given(model: &Standing) -> &Given<f64> {
+    model.of::<DoubleLink>().given()
+}
+
+/// The crane as it is.
+pub(super) fn at(model: &mut Standing) -> CraneAt {
+    *known(model).at().expect("all that it is made of is given")
+}
+
+/// Puts a crane where it is now.
+pub(super) fn put(model: &mut Standing, CraneAt { past, y, .. }: &CraneAt) {
+    let known = known(model);
+    let now = DoubleLink::given(known);
+    let mut states = CraneStates([0.0; STATES.len()]);
+    for (y, place) in y[2..]
+        .iter()
+        .zip(order(now.oil.is_some(), now.fitted.slewing.is_some()))
+    {
+        states.0[place] = *y;
+    }
+    let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
+    let (theta, omega) = (same(now.theta.1, y[0]), same(now.omega.1, y[1]));
+    let others = now
+        .states
+        .is_some_and(|now| now.0.iter().zip(states.0).all(|(a, b)| same(*a, b)));
+    let (before, wound) = (now.past, now.wound);
+    if !theta {
+        known.theta().1 = y[0];
+    }
+    if !omega {
+        known.omega().1 = y[1];
+    }
+    if before != Some(*past) {
+        *known.past() = Some(*past);
+    }
+    if !others {
+        *known.states() = Some(states);
+        if let Some(mut rate) = wound {
+            rate.1 = states.0[V_R];
+            *known.wound() = Some(rate);
+        }
+    }
+}
+
+fn refusal(model: &Standing, halt: Halt, size: f64) -> Fault {
+    let given = given(model);
+    let angle = format!("{} = {}", given.theta.0.id, given.theta.0.written(given.theta.1));
+    let longest = given.constants.map_or(0.0, |constants| constants.step);
+    let (size, step) = (short(size), short(longest));
+    let most = if given.oil.is_some() { MOST_IMPLICIT } else { MOST_STEPS };
+    Fault::outside(match halt {
+        Halt::Outside => format!(
+            "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
+             the rope, or beyond all reasonable numbers: keep the working range away from dead points, reel in \
+             less, or command less"
+        ),
+        Halt::TooFast => format!(
+            "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
+             within one: set step below {} s, or make the rope longer or the friction less",
+            short(longest / 2.0)
+        ),
+        Halt::TooSmall | Halt::TooMany => format!(
+            "the step of {size} s from {angle} needs more than the {most} inner steps that are allowed, \
+             at step = {step} s: take smaller communication steps, a longer step or a coarser tolerance"
+        ),
+    })
+}
+
+fn state(given: &Given<f64>, place: usize) -> f64 {
+    given.states.map_or(0.0, |states| states.0[place])
+}
+
+/// Refuses a step in which all of the rope is reeled in: its end would be sought in ever smaller inner steps.
+fn enough_rope(model: &Standing, size: f64) -> Result<(), Fault> {
+    let given = given(model);
+    let length = state(given, L_R);
+    if given.fitted.rope.is_none() || length + paying_out(given, size) > REELED_IN {
+        return Ok(());
+    }
+    Err(Fault::outside(format!(
+        "at {} = {} nothing is left of the rope of {} = {} within {} s: reel in less",
+        m::V_H.id,
+        m::V_H.written(given.inputs.map_or(0.0, |inputs| inputs.hoist.speed)),
+        m::L_R.id,
+        m::L_R.written(length),
+        short(size)
+    )))
+}
+
+/// How much rope the hoist pays out within a time (s), in m.
+fn paying_out(given: &Given<f64>, size: f64) -> f64 {
+    let command = given.inputs.map_or(0.0, |inputs| inputs.hoist.speed);
+    let Some(ramp) = given.ramp else {
+        // Of a drum with a motor its load decides.
+        return if given.motor.is_some() { 0.0 } else { command * size };
+    };
+    let rate = state(given, V_R);
+    let change = command - rate;
+    let time = size.min(change.abs() / ramp.a_h);
+    rate * time + change.signum() * 0.5 * ramp.a_h * time * time + command * (size - time)
+}
+
+impl CarriedCrane {
+    fn decide(&mut self, model: &mut Standing) -> Result<bool, Fault> {
+        let (level, mut at) = known(model).in_motion().map_err(|fault| *fault)?;
+        let (before, mut ahead) = (at, self.ahead);
+        let decided = level.event(&mut at, &mut ahead);
+        decided.map_err(|_| open(&given(model).theta))?;
+        self.ahead = ahead;
+        put(model, &at);
+        Ok(at.y != before.y)
+    }
+}
+
+impl Carrier for CarriedCrane {
+    fn advance(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault> {
+        enough_rope(model, to - from)?;
+        let now = given(model);
+        let limits = [
+            now.constants.map_or(0.0, |constants| constants.step),
+            now.oil.map_or(0.0, |oil| oil.tol),
+        ];
+        let (level, before) = known(model).in_motion().map_err(|fault| *fault)?;
+        let (mut at, mut ahead) = (before, self.ahead);
+        let solved = level.advance(&mut at, &mut ahead, to - from, limits);
+        let work = solved.map_err(|halt| refusal(model, halt, to - from))?;
+        self.count = self.count.and(work);
+        put(model, &at);
+        model.update().inspect_err(|_| put(model, &before))?;
+        self.ahead = ahead;
+        model.set_time(to);
+        Ok(())
+    }
+
+    /// Passed forwards, at the speed of the working range.
+    fn place(&mut self, model: &mut Standing, value: f64) -> Result<(), Fault> {
+        model.check(0, value)?;
+        let mut at = at(model);
+        (at.y[0], at.y[1]) = (value, model.motion().speed);
+        at.past.joints[0] = Bar::Forward;
+        put(model, &at);
+        self.ahead.restart(&at.y);
+        Ok(())
+    }
+
+    fn start(&mut self, model: &mut Standing) -> Result<(), Fault> {
+        let now = given(model);
+        if let Some(inputs) = now.inputs.filter(|_| now.wound.is_some()) {
+            // What is commanded at the start was so before.
+            let (oil, slews, gives) = (now.oil.is_some(), now.fitted.slewing.is_some(), now.give.is_some());
+            let mut at = at(model);
+            at.wind(inputs.hoist.speed, [oil, slews, gives]);
+            put(model, &at);
+            self.ahead.restart(&at.y);
+        }
+        self.update(model)
+    }
+
+    fn update(&mut self, model: &mut Standing) -> Result<(), Fault> {
+        self.decide(model)?;
+        model.update()
+    }
+
+    fn event(&mut self, model: &mut Standing) -> Result<bool, Fault> {
+        self.decide(model)
+    }
+
+    fn warning(&self) -> Option<&'static str> {
+        warning(self.ahead.least_pressure())
+    }
+
+    /// Which way a joint or a drum goes is decided again: it did not turn round, it was set. A taut rope is as long as the
+    /// load is far.
+    fn changed(&mut self, model: &mut Standing, which: Option<usize>) {
+        let set = which.map(|index| (model.variables()[index].symbol, model.variables()[index].role));
+        if set.is_some_and(|(_, role)| role != Role::State) {
+            self.ahead.interrupt();
+            return;
+        }
+        let now = given(model);
+        if let (Some((symbol, _)), Some(mut states), Some(mut past)) = (set, now.states, now.past) {
+            let gives = now.give.is_some() && now.load.is_some_and(|load| load.1 != 0.0);
+            if symbol == &m::L_R && now.turning.is_none() && !gives && past.taut {
+                states.0[S_Q] = states.0[L_R];
+            }
+            if symbol == now.omega.0 {
+                past.joints[0] = Bar::Held;
+            } else if symbol == &m::OMEGA_SL {
+                past.joints[1] = Bar::Held;
+            } else if symbol == &m::V_R && now.motor.is_some() {
+                past.drum = Drum::at(0.0);
+            }
+            *known(model).states() = Some(states);
+            *known(model).past() = Some(past);
+        }
+        self.ahead.restart(&at(model).y);
+    }
+
+    fn step_size(&self, model: &Standing) -> f64 {
+        // A thousandth of what a communication step may take: an importer sees that it goes on.
+        let longest = given(model).constants.map_or(0.0, |constants| constants.step);
+        model.step_size().min(1e-3 * f64::from(MOST_STEPS) * longest)
+    }
+
+    fn count(&self) -> Count {
+        self.count
+    }
+
+    fn inertia(&self, model: &mut Standing) -> Result<f64, Fault> {
+        let theta = given(model).theta;
+        let (level, _) = known(model).in_motion().map_err(|fault| *fault)?;
+        level.dynamics().inertia(theta.1).ok_or_else(|| open(&theta))
+    }
+
+    fn numbers(&self) -> Vec<f64> {
+        match &self.ahead {
+            Ahead::Nothing => Vec::new(),
+            Ahead::Fixed(run) => run.numbers().collect(),
+            Ahead::Hanging(run) => run.numbers().collect(),
+        }
+    }
+
+    fn take(&mut self, numbers: &[f64]) -> Option<()> {
+        let sound = numbers.iter().all(|x| x.is_finite());
+        match &mut self.ahead {
+            Ahead::Nothing => {}
+            Ahead::Fixed(run) => *run = Run::of(numbers)?,
+            Ahead::Hanging(run) => *run = Run::of(numbers)?,
+        }
+        sound.then_some(())
+    }
+
+    fn follow(&mut self, other: &dyn Carrier) {
+        let other: &dyn Any = other;
+        let other: &CarriedCrane = other.downcast_ref().expect("the same component");
+        self.ahead = other.ahead;
+    }
+
+    fn duplicate(&self) -> Box<dyn Carrier> {
+        Box::new(self.clone())
+    }
+}

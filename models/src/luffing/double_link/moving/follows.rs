@@ -1,0 +1,181 @@
+//! What the results of a crane in motion follow from: whatever has a derivative in any of many lively states, in every
+//! one of its ways of moving.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::component::dependencies::{dependencies, recorded};
+use crate::component::moving::MovingComponent;
+use crate::component::part::Runner;
+use crate::component::running::Running;
+use crate::component::stages::Stages;
+use crate::component::standing::{Standing, VariablePlace};
+use crate::kernel::variable::{Name, Quantity, Role, TIME};
+use crate::luffing::double_link::hydraulic::FIXED;
+use crate::luffing::double_link::moving::carried::put;
+use crate::luffing::double_link::moving::given::{L_R, Past};
+use crate::luffing::double_link::moving::level::CraneAt;
+use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::moving::told::ToldCrane;
+use crate::luffing::double_link::stages::{DoubleLink, Given};
+use crate::parts::hoist::Drum;
+use crate::parts::hydraulics::symbols as h;
+use crate::parts::joint::Bar;
+
+/// In the place of a parameter that is zero where it is asked what depends on what.
+const TRACE: f64 = 1e-6;
+
+/// Every way of a joint.
+const WAYS: [Bar; 3] = [Bar::Held, Bar::Forward, Bar::Backward];
+/// Every way in which a load hangs.
+const HANGS: [(bool, Bar); 3] = [(true, Bar::Held), (true, Bar::Forward), (false, Bar::Held)];
+
+/// States with no number that is special, in all ways of moving: over the range of the angle and beyond its ends, relief
+/// valves open and closed.
+fn lively(given: &Given<f64>, now: &CraneAt) -> Vec<CraneAt> {
+    let (range, length) = (given.choice.range, given.states.map_or(0.0, |states| states.0[L_R]));
+    let (slews, rope) = (given.turning.is_some(), given.fitted.rope.is_some());
+    let first = if given.oil.is_some() { FIXED } else { 2 };
+    let mut found = Vec::new();
+    for part in [-1e-3, 0.217, 0.613, 0.871, 1.001] {
+        for sign in [1.0, -1.0] {
+            let mut at = *now;
+            at.y[..2].copy_from_slice(&[range.from + part * (range.to - range.from), 0.113 * sign]);
+            if slews {
+                at.y[first..first + 2].copy_from_slice(&[0.113 * sign, -0.119 * sign]);
+                let aside = [0.31, -0.83, 0.27, 0.17, 0.071, -0.053];
+                at.y[first + 2..first + 8].copy_from_slice(&aside.map(|x| x * length));
+            } else if rope || given.oil.is_none() {
+                at.y[first..first + 5].copy_from_slice(&[0.231, -0.119 * sign, length, 0.93 * length, 0.57]);
+            }
+            if given.oil.is_none() && slews {
+                (at.y[1], at.y[2]) = (0.231, 0.113 * sign);
+            }
+            let pressures: &[f64] = if given.oil.is_some() { &[0.3, 2.0] } else { &[0.0] };
+            for p in pressures {
+                if let Some(oil) = given.oil {
+                    let p = p * oil.p_r;
+                    at.y[2..FIXED].copy_from_slice(&[1.07 * p, 0.93 * p, 0.71 * p, 0.41 * p, 0.31 * sign, 1.7]);
+                }
+                for luffing in WAYS {
+                    for slewing in WAYS {
+                        for (taut, way) in HANGS {
+                            let drum = Drum { way, command: 0.0 };
+                            at.past = Past {
+                                joints: [luffing, slewing],
+                                drum,
+                                taut,
+                                blown: 0.0,
+                            };
+                            found.push(at);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+/// What stands in the present position alone, as of a crane at rest.
+fn at_rest(model: &MovingComponent) -> Standing {
+    let moving = model.standing();
+    let given = Given {
+        states: None,
+        inputs: None,
+        constants: None,
+        ramp: None,
+        motor: None,
+        give: None,
+        turning: None,
+        oil: None,
+        wound: None,
+        past: None,
+        ..moving.of::<DoubleLink>().given().clone()
+    };
+    let part = Runner::<DoubleLink, f64>::new(given);
+    Standing::new(Box::new(part), *moving.motion(), None).expect("it stands there")
+}
+
+/// What each variable depends on: results of the position on angle and angular velocity in the place of the time.
+#[must_use]
+pub fn follows(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
+    let still = at_rest(model);
+    let position = dependencies(&still, recorded::<DoubleLink>);
+    let variables = model.variables();
+    let name = |index: usize| -> Name { (variables[index].symbol.id, variables[index].number) };
+    let given = model.standing().of::<DoubleLink>().given();
+    let states = DoubleLink::GROUPS.iter().position(|(group, _)| *group == "states");
+    let moves = |index: usize| match model.standing().places()[index] {
+        VariablePlace::Result(slot) => states.is_some_and(|group| slot.sources >> group & 1 == 1),
+        _ => false,
+    };
+    let of = |index: usize| {
+        let symbol = variables[index].symbol;
+        let pressures = [&m::P_1, &m::P_2, &m::P_A, &m::P_B].map(|symbol| (symbol.id, None));
+        if variables[index].role == Role::State {
+            BTreeSet::from([name(index)])
+        } else if symbol == &h::CAVITATES || symbol == &h::Z_VACUUM {
+            // Any of them may be the least.
+            pressures.into()
+        } else if symbol == &m::D_V_R && given.ramp.is_some() {
+            // Decided at events.
+            BTreeSet::from([(m::V_H.id, None)])
+        } else if moves(index) {
+            BTreeSet::new()
+        } else {
+            let same = still
+                .variables()
+                .iter()
+                .position(|known| known.quantity() == variables[index].quantity());
+            let found = same.map_or(BTreeSet::new(), |same| position[same].clone());
+            found.into_iter().filter(|name| *name != (TIME.id, None)).collect()
+        }
+    };
+    let mut found: Vec<BTreeSet<Name>> = (0..variables.len()).map(of).collect();
+    let mut lively_model = model.clone();
+    for index in 0..variables.len() {
+        // What is zero now may hide what else acts: an arm that weighs nothing, a gap that lets nothing pass.
+        if lively_model.check(index, TRACE).is_ok() && lively_model.get(index) == Ok(0.0) {
+            let _ = lively_model.set(index, TRACE);
+        }
+    }
+    let moving: Vec<usize> = (0..variables.len()).filter(|index| moves(*index)).collect();
+    let roles = [Role::Input, Role::Parameter, Role::Tunable, Role::State];
+    let givens: Vec<Name> = (0..variables.len())
+        .filter(|i| roles.contains(&variables[*i].role))
+        .map(name)
+        .collect();
+    let now = model.clone().present().0;
+    for at in lively(given, &now) {
+        put(lively_model.parts().0, &at);
+        if !follows_more(&lively_model, &moving, &givens, &found) {
+            continue;
+        }
+        for known in &givens {
+            let mut tangent = lively_model.tangent(&|(symbol, number)| f64::from((symbol.id, number) == *known));
+            for &index in &moving {
+                if lively_model.derivative(&mut tangent, index) != Ok(0.0) {
+                    found[index].insert(*known);
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Whether one of these results changes where all changes at once that it is not known to follow from.
+fn follows_more(model: &MovingComponent, results: &[usize], givens: &[Name], found: &[BTreeSet<Name>]) -> bool {
+    let mut alike: BTreeMap<&BTreeSet<Name>, Vec<usize>> = BTreeMap::new();
+    for &index in results {
+        alike.entry(&found[index]).or_default().push(index);
+    }
+    alike.into_iter().any(|(known, results)| {
+        // No two of them by the same amount, so that nothing cancels.
+        let open = givens.iter().zip(1_u32..).filter(|(name, _)| !known.contains(name));
+        let seeds: BTreeMap<Name, f64> = open.map(|(name, i)| (*name, f64::from(i).sqrt())).collect();
+        let seed = |(symbol, number): Quantity| seeds.get(&(symbol.id, number)).copied().unwrap_or(0.0);
+        let mut tangent = model.tangent(&seed);
+        let mut results = results.into_iter();
+        results.any(|index| model.derivative(&mut tangent, index) != Ok(0.0))
+    })
+}
