@@ -20,6 +20,7 @@ use crate::kernel::variable::Name;
 use crate::luffing;
 use crate::luffing::double_link;
 use crate::luffing::double_link::scene::LuffingScene;
+use crate::luffing::ellipsograph::scene::Ellipsograph;
 use crate::luffing::rope::scene::Rope;
 use crate::parts::motion::Place;
 use crate::slewing;
@@ -31,6 +32,7 @@ pub static MECHANISMS: &[Entry] = &[
     double_link::sheet::ENTRY,
     luffing::rope::scene::ENTRY,
     luffing::rope::scene::COMPENSATED,
+    luffing::ellipsograph::scene::ENTRY,
     steering::sheet::ENTRY,
     slewing::scene::ENTRY,
 ];
@@ -44,6 +46,10 @@ pub const LUFFING: Key = Key::kinds(
         (
             luffing::rope::scene::COMPENSATED.kind,
             luffing::rope::scene::COMPENSATED.keys,
+        ),
+        (
+            luffing::ellipsograph::scene::ENTRY.kind,
+            luffing::ellipsograph::scene::ENTRY.keys,
         ),
     ],
     "A luffing mechanism.",
@@ -100,6 +106,7 @@ const fn teller<T: Described>() -> Teller {
 static TELLERS: &[Teller] = &[
     teller::<LuffingScene>(),
     teller::<Rope>(),
+    teller::<Ellipsograph>(),
     teller::<SteeringScene>(),
     teller::<SlewingScene>(),
 ];
