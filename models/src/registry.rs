@@ -21,6 +21,7 @@ use crate::luffing;
 use crate::luffing::double_link;
 use crate::luffing::double_link::scene::LuffingScene;
 use crate::luffing::double_link::stages::DoubleLink;
+use crate::luffing::ellipsograph::scene::Ellipsograph;
 use crate::luffing::rope::scene::Rope;
 use crate::parts::motion::Place;
 use crate::slewing;
@@ -32,6 +33,7 @@ pub static MECHANISMS: &[Entry] = &[
     double_link::sheet::ENTRY,
     luffing::rope::scene::ENTRY,
     luffing::rope::scene::COMPENSATED,
+    luffing::ellipsograph::scene::ENTRY,
     steering::sheet::ENTRY,
     slewing::scene::ENTRY,
 ];
@@ -45,6 +47,10 @@ pub const LUFFING: Key = Key::kinds(
         (
             luffing::rope::scene::COMPENSATED.kind,
             luffing::rope::scene::COMPENSATED.keys,
+        ),
+        (
+            luffing::ellipsograph::scene::ENTRY.kind,
+            luffing::ellipsograph::scene::ENTRY.keys,
         ),
     ],
     "A luffing mechanism.",
@@ -101,6 +107,7 @@ const fn teller<T: Described>() -> Teller {
 static TELLERS: &[Teller] = &[
     teller::<LuffingScene>(),
     teller::<Rope>(),
+    teller::<Ellipsograph>(),
     teller::<SteeringScene>(),
     teller::<SlewingScene>(),
 ];

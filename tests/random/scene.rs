@@ -12,7 +12,7 @@ use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
 
-use crate::{luffing, rope, slewing, steering};
+use crate::{ellipsograph, luffing, rope, slewing, steering};
 
 /// What a mechanism adds: a legal table, one that lies on an edge, and a result that every level has.
 struct Maker {
@@ -33,6 +33,11 @@ fn maker(mechanism: &str) -> Option<Maker> {
             legal: rope::legal,
             edge: rope::edge,
             result: rope::RESULT,
+        }),
+        "ellipsograph" => Some(Maker {
+            legal: ellipsograph::legal,
+            edge: ellipsograph::edge,
+            result: ellipsograph::RESULT,
         }),
         "groups" => Some(Maker {
             legal: steering::legal,

@@ -396,7 +396,15 @@ pub fn limits<'a, T: Described>(
             Bound::Fixed(value) => Some(value),
         };
         match bound {
-            Some(bound) => asked.push(Check::of(limit.id, result, bound, limit.at_most)),
+            Some(bound) => {
+                let mut check = Check::of(limit.id, result, bound, limit.at_most);
+                // What is greatest by amount has a sign, which a limit is none of.
+                let amount = |most: &Greatest| most.symbol == limit.symbol && most.most == Most::Amount;
+                if limit.at_most && T::OUTLINE.extremes.iter().any(amount) {
+                    check.value = check.value.abs();
+                }
+                asked.push(check);
+            }
             None => unjudged.push(limit.symbol),
         }
     }

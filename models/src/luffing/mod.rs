@@ -4,5 +4,6 @@ pub mod balancing;
 pub mod counterweight;
 pub mod criteria;
 pub mod double_link;
+pub mod ellipsograph;
 pub mod rope;
 pub mod with_balance;

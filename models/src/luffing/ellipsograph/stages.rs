@@ -1,0 +1,96 @@
+//! The boom as a component: what it is given, and in which stages its equations follow from each other.
+
+use crate::balance::analysis::Analysis;
+use crate::balance::residual::Residual;
+use crate::balance::scene::Form;
+use crate::balance::symbols as b;
+use crate::component::part::{Component, Port, ports};
+use crate::component::stages::{Found, stages};
+use crate::component::whole::{How, Whole};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::One;
+use crate::kernel::symbol::Symbol;
+use crate::luffing::balancing::{Balanced, Balancing};
+use crate::luffing::criteria::Criteria;
+use crate::luffing::ellipsograph::balancing::{analysed, balanced, balancing, criteria, residual};
+use crate::luffing::ellipsograph::pins::GuidedPins;
+use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes, pole};
+use crate::luffing::ellipsograph::statics::{GuidedWeights, HeadLoad, WeightMoment, drive, power};
+use crate::luffing::ellipsograph::symbols as s;
+use crate::luffing::ellipsograph::velocity::{GuidedSpeeds, GuidedTravel};
+use crate::luffing::with_balance::WithBalance;
+use crate::parts::plane::Point;
+
+stages! {
+    /// A single boom on guide and link.
+    EllipsographBoom over C from {
+        Coordinate phi: One<C>,
+        Rate omega: One<C>,
+        Load load: Option<One<C>>,
+        Parameter bars: Bars<C>,
+        Parameter weights: Option<GuidedWeights<C>>,
+        Parameter balance: Option<Form<C>>,
+        Fixed choice: GuidedChoice,
+    } find {
+        axes: Point<C> = axes(bars) => [E_1, E_2];
+        position: GuidedPosition<C> = GuidedPosition::new(bars, axes, phi);
+        pole: Point<C> = pole(position) => [P_X, P_Y];
+        travel: GuidedTravel<C> = GuidedTravel::new(axes, position) => _;
+        speeds: GuidedSpeeds<C> = GuidedSpeeds::new(travel, omega);
+        hanging: HeadLoad<C> = HeadLoad::new(position, pole, travel, load[!]);
+        own: WeightMoment<C> = WeightMoment::new(bars, weights[!], phi);
+        balancing: Balancing<C> = balancing(bars, weights[!], balance[!], choice) => _;
+        residual: Residual<C> = residual(balancing, own, position);
+        balanced: Balanced<C> = balanced(residual, hanging, own);
+        drive: C = drive(hanging, own[?], residual[?]) => M_D;
+        power: C = power(drive, omega) => P_D;
+        pins: GuidedPins<C> = GuidedPins::new(bars, load[!], weights, phi, position, residual[?]);
+        analysed: Analysis = analysed(bars, weights[!], balance[!], choice) => _, plain;
+        criteria: Criteria<C> = criteria(balancing, bars, weights[!], analysed, choice);
+    }
+}
+
+impl Component for EllipsographBoom {
+    const WHOLE: &'static [Whole] = &[
+        Whole::new(&s::R_MAX, How::Greatest, &s::R),
+        Whole::new(&s::R_MIN, How::Least, &s::R),
+        Whole::new(&s::DELTA_Y, How::Swing, &s::A_Y),
+        Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::A_Y),
+        Whole::new(&s::DELTA_B, How::Swing, &s::B_Y),
+    ];
+
+    const PORTS: &'static [Port] = ports! { s:
+        head "Head A of the boom, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
+        foot "Foot B of the boom in its guide.": y B_Y, v_y V_B, f F_BX;
+    };
+
+    /// A balance has what its kind has, and no force moves this boom.
+    fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        symbol != &b::F_D_0 && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+    }
+
+    fn update(known: &mut Known<f64>) -> Found<()> {
+        known.position().map(|_| ())
+    }
+}
+
+impl WithBalance for EllipsographBoom {
+    const SYMBOLS: [&'static Symbol; 3] = [&s::THETA_L, &s::R, &s::M_D];
+
+    fn form(given: &Given<f64>) -> Option<Form<f64>> {
+        given.balance
+    }
+
+    fn balance(known: &mut Known<f64>) -> Found<(Balancing<f64>, Analysis)> {
+        Ok((*known.balancing()?, known.analysed()?.clone()))
+    }
+
+    /// That of the link, which is what the balance sees.
+    fn head(known: &mut Known<f64>) -> Found<Point<f64>> {
+        Ok(known.position()?.c)
+    }
+
+    fn residual<C: Calc>(known: &mut Known<C>) -> Found<Residual<C>> {
+        known.residual().copied()
+    }
+}

@@ -1,0 +1,73 @@
+//! What makes a scene of a boom on guide and link legal: a working range between two positions in which it lies level.
+
+use lemnis_models::kernel::schema::Key;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing::ellipsograph::symbols as s;
+use toml::Table;
+
+use crate::luffing::{balance_keys, working_range};
+use crate::scene::{Draw, Node};
+
+/// A result that every level has.
+pub const RESULT: (&str, &Symbol) = ("A.x", &s::A_X);
+
+/// Angles that the boom may reach, in rad.
+const BOOM: [f64; 2] = [0.05, 3.09];
+
+pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
+    let mut table = draw.table(keys);
+    let mut n = Node::new(draw, keys, &mut table);
+    let size = n.draw.scale[0];
+    let c = size * n.draw.between(0.2, 2.0);
+    let c = n.set("c", c);
+    // Level, or on an ellipse that is nearly a line, a circle or anything else.
+    let part = n.draw.decades(-2, 1);
+    let a = c * n.draw.pick(&[1.0, 1.0 + 1e-6, part]);
+    n.set("a", a);
+    if n.has("weights") {
+        n.keep("Q", true);
+    } else {
+        n.remove(&["balance"]);
+    }
+    let tabulated = n.text("fidelity") == Some("table");
+    n.keep("table", tabulated && n.has("table"));
+    if let Some(mut balance) = n.child("balance") {
+        balance.put("kind", "tail");
+        balance_keys(&mut balance, &["G_c", "r_c", "chi_c"]);
+        balance.remove(&["s_5"]);
+    }
+    let balanced = n.has("balance");
+    if let Some(mut limits) = n.child("limits") {
+        limits.remove(&["gamma_min", "N_max"]);
+        if !balanced {
+            limits.remove(&["dM_max"]);
+        }
+    }
+    working_range(&mut n, BOOM);
+    table
+}
+
+/// Next to what cannot be: a boom that lies level at an end of its working range, a link or a head of next to no length.
+pub fn edge(n: &mut Node) {
+    let beside = n.draw.pick(&[0.0, 1e-12, -1e-12, 1e-6, -1e-3]);
+    match n.draw.rng.u8(0..4) {
+        0 => {
+            let tiny = n.get("a") * 1e-9;
+            n.set("c", tiny);
+        }
+        1 => {
+            let tiny = n.get("c") * 1e-9;
+            n.set("a", tiny);
+        }
+        2 => {
+            if let Some(mut motion) = n.child("motion") {
+                motion.set("from", beside);
+            }
+        }
+        _ => {
+            if let Some(mut motion) = n.child("motion") {
+                motion.set("to", std::f64::consts::PI + beside);
+            }
+        }
+    }
+}
