@@ -5,9 +5,9 @@ use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
 use crate::component::part::{Component, Port, ports};
+use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, stages};
 use crate::component::whole::{How, Whole};
-use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::balancing::{Balanced, Balancing};
@@ -90,7 +90,7 @@ impl WithBalance for EllipsographBoom {
         Ok(known.position()?.c)
     }
 
-    fn residual<C: Calc>(known: &mut Known<C>) -> Found<Residual<C>> {
+    fn residual<C: Scalar>(known: &mut Known<C>) -> Found<Residual<C>> {
         known.residual().copied()
     }
 }
