@@ -49,7 +49,7 @@ pub(super) fn put(model: &mut Standing, CraneAt { past, y, .. }: &CraneAt) {
         .iter()
         .zip(order(now.oil.is_some(), now.fitted.slewing.is_some()))
     {
-        states.0[place] = *y;
+        states.0[*place] = *y;
     }
     let wound = now.wound;
     (known.theta().1, known.omega().1) = (y[0], y[1]);

@@ -96,13 +96,14 @@ pub const S_Q: usize = 17;
 pub const V_R: usize = 19;
 
 /// Which of them follow on angle and rate of the driven bar, in the order of the equations.
-pub fn order(oil: bool, slews: bool) -> impl Iterator<Item = usize> {
-    let own: &[usize] = if slews {
-        &[6, 7, 8, 9, 10, 11, 12, 13, 16, 19]
-    } else {
-        &[14, 15, 16, 17, 18, 19]
-    };
-    (0..if oil { 6 } else { 0 }).chain(own.iter().copied())
+#[must_use]
+pub fn order(oil: bool, slews: bool) -> &'static [usize] {
+    match (oil, slews) {
+        (false, false) => &[14, 15, 16, 17, 18, 19],
+        (false, true) => &[6, 7, 8, 9, 10, 11, 12, 13, 16, 19],
+        (true, false) => &[0, 1, 2, 3, 4, 5, 14, 15, 16, 17, 18, 19],
+        (true, true) => &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 16, 19],
+    }
 }
 
 static PAST: Symbol = Symbol::new("past", "", [&ONE, &ONE], "A number of what happened before.", "derived");

@@ -14,7 +14,7 @@ use crate::luffing::double_link::held::in_line;
 use crate::luffing::double_link::hydraulic::{Hydraulic, MOST, Modes};
 use crate::luffing::double_link::moving::built::CraneParts;
 use crate::luffing::double_link::moving::given::{
-    Constants, CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, STATES, order,
+    Constants, CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, V_R, order,
 };
 use crate::luffing::double_link::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::double_link::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
@@ -121,11 +121,12 @@ pub fn at<C: Calc>(
 ) -> CraneAt<C> {
     let mut y = [C::constant(0.0); MOST_STATES];
     (y[0], y[1]) = (theta.1, omega.1);
+    let mut states = states.0;
+    if let Some(rate) = wound {
+        states[V_R] = rate.1;
+    }
     for (y, place) in y[2..].iter_mut().zip(order(oil.is_some(), fitted.slewing.is_some())) {
-        *y = match wound {
-            Some(rate) if STATES[place] == &s::V_R => rate.1,
-            _ => states.0[place],
-        };
+        *y = states[*place];
     }
     CraneAt {
         past: *past,
@@ -182,7 +183,7 @@ pub fn rates<C: Scalar>(
         bar.copy_from_slice(&found[..2]);
     }
     for (rate, place) in found[2..].iter().zip(order(oil.is_some(), fitted.slewing.is_some())) {
-        rows[4 + place] = *rate;
+        rows[4 + *place] = *rate;
     }
     Ok(CraneRates(rows))
 }
