@@ -253,8 +253,6 @@ def test_a_symbol_has_the_name_of_its_id():
 LONG = {
     "models/src/luffing/double_link/dynamics.rs",
     "models/src/luffing/double_link/hydraulic.rs",
-    "models/src/luffing/double_link/moving/level.rs",
-    "models/src/luffing/double_link/moving/model.rs",
 }
 
 

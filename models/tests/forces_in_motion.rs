@@ -10,10 +10,10 @@ use lemnis_models::kernel::variable::Role;
 use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Dynamics, Pendulum};
 use lemnis_models::luffing::double_link::forces_in_motion::{ForcesInMotion, RESULTS};
 use lemnis_models::luffing::double_link::geometry::Geometry;
-use lemnis_models::luffing::double_link::hydraulic::{self, PresentCrane};
+use lemnis_models::luffing::double_link::hydraulic::{self, Modes, PresentCrane};
 use lemnis_models::luffing::double_link::inertia_forces::Instant;
 use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
-use lemnis_models::luffing::double_link::moving::given::{Inputs, MOST_STATES, Past};
+use lemnis_models::luffing::double_link::moving::given::{Inputs, MOST_STATES};
 use lemnis_models::luffing::double_link::moving::level::{CraneAt, Level, MotionResult};
 use lemnis_models::luffing::double_link::pose::Posing;
 use lemnis_models::luffing::double_link::position::Position;
@@ -210,7 +210,7 @@ proptest! {
         (seen.y[1], seen.y[3]) = (omega, turning);
         seen.joints = [bar, Bar::Forward];
         let friction = Friction { viscous: 3e4, coulomb: 2e4 };
-        let (mut past, mut y) = (Past::AT_REST, [0.0; MOST_STATES]);
+        let (mut past, mut y) = (Modes::AT_REST, [0.0; MOST_STATES]);
         let (level, turning) = if slews {
             let crane = crane::slewing(load, 5e6, [[3e4, 2e4], [0.0; 2]]);
             past.follow(&seen);
@@ -300,9 +300,9 @@ proptest! {
         y[8..].copy_from_slice(&seen.y[2..]);
         let mut present = PresentCrane::new(y);
         present.modes.taut = taut;
-        present.modes.slewing = Bar::Forward;
+        present.modes.joints[1] = Bar::Forward;
         let level = Level::Hanging(crane::hydraulic_slewing::<{ hydraulic::MOST }>(load, 5e6));
-        let past = Past::of_modes(present.modes);
+        let past = present.modes;
         let forces = level.forces(&CraneAt { past, inputs: inputs(0.0, 0.0), y }).expect("closes");
         let [drive, by_newton] = moments(&forces);
         prop_assert!((drive - by_newton).abs() < 1e-12 * size(&forces), "{drive} {by_newton}");
@@ -408,7 +408,7 @@ fn what_holds_a_bar_is_told_apart() {
         })
     };
     let shares = |level: &Level, state: &MotionState, inputs: &Inputs| {
-        let (mut past, mut y) = (Past::AT_REST, [0.0; MOST_STATES]);
+        let (mut past, mut y) = (Modes::AT_REST, [0.0; MOST_STATES]);
         past.follow(state);
         y[..state.y.len()].copy_from_slice(&state.y);
         let inputs = *inputs;

@@ -5,7 +5,7 @@ use lemnis_models::luffing::double_link::crane::Commands;
 use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
 use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
 use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingState};
-use lemnis_models::parts::hoist::{Hoist, HoistCommand, Winch};
+use lemnis_models::parts::hoist::{Drum, Hoist, HoistCommand, Winch};
 use lemnis_models::parts::joint::{Friction, Joint, JointDrive};
 
 #[path = "common/crane.rs"]
@@ -36,8 +36,8 @@ impl Both {
             },
         });
         let (mut flat, mut hung) = (MotionState::resting(1.3, 10.0), SlewingState::resting(1.3, 10.0));
-        flat.wind(rate);
-        hung.wind(rate);
+        (flat.y[7], flat.drum) = (rate, Drum::at(rate));
+        (hung.y[11], hung.drum) = (rate, Drum::at(rate));
         Both {
             plane: MovingLinkage {
                 dynamics: crane::dynamics(pendulum),

@@ -3,10 +3,10 @@
 
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
-use lemnis_models::luffing::double_link::hydraulic::{Crane, FIXED, Hydraulic, MOST, Modes, PresentCrane};
+use lemnis_models::luffing::double_link::hydraulic::{Crane, FIRST, FIXED, Hydraulic, MOST, Modes, PresentCrane};
 use lemnis_models::luffing::double_link::motion;
 use lemnis_models::luffing::double_link::slewing;
-use lemnis_models::parts::hoist::{Hoist, HoistCommand};
+use lemnis_models::parts::hoist::{Drum, Hoist, HoistCommand};
 use lemnis_models::parts::hydraulics::cylinder::Oil;
 use lemnis_models::parts::joint::Bar;
 use lemnis_models::parts::solver::rodas::Tolerance;
@@ -33,6 +33,14 @@ fn tolerance(system: &System, relative: f64) -> Tolerance<MOST> {
     Tolerance { relative, absolute }
 }
 
+/// The hoist runs as commanded, at a rate of paying out (m/s), which is state number `place`.
+fn wind(present: &mut PresentCrane<MOST>, rate: f64, place: usize) {
+    let mut y = present.run.states();
+    y[place] = rate;
+    present.run.restart(y, FIRST);
+    present.modes.drum = Drum::at(rate);
+}
+
 /// In the plane, the load at an angle (rad) of the rope.
 fn plane(swing: f64, hoist: f64) -> (System, PresentCrane<MOST>) {
     let mut system = crane::hydraulic(Some(ROPE));
@@ -40,7 +48,7 @@ fn plane(swing: f64, hoist: f64) -> (System, PresentCrane<MOST>) {
     let mut y = system.resting(65_f64.to_radians(), 20e5).expect("closes");
     y[8] = swing;
     let mut present = PresentCrane::new(y);
-    present.wind(hoist, FIXED + 5);
+    wind(&mut present, hoist, FIXED + 5);
     (system, present)
 }
 
@@ -53,7 +61,7 @@ fn space(load: [f64; 2], hoist: f64, moment: f64) -> (System, PresentCrane<MOST>
     state.put_load(load);
     y[8..].copy_from_slice(&state.y[2..]);
     let mut present = PresentCrane::new(y);
-    present.wind(hoist, MOST - 1);
+    wind(&mut present, hoist, MOST - 1);
     (system, present)
 }
 
@@ -99,7 +107,7 @@ fn a_load_that_falls_and_is_caught_meets_its_reference() {
             for (i, row) in (0..).zip(&rows) {
                 if let Some(&(_, command)) = COMMANDS.iter().find(|(at, _)| *at == i) {
                     system.command = command;
-                    present.interrupt();
+                    present.run.interrupt(FIRST);
                 }
                 run(&system, &mut present, relative, 0.02);
                 let found = seen(&system, &present.run.states());
@@ -230,21 +238,21 @@ fn slewing_truly_sticks_on_a_moving_boom() {
     system.command = 0.4;
     run(&system, &mut present, 1e-6, 1.0);
     let y = present.run.states();
-    assert_eq!((y[8], y[9], present.modes.slewing), (0.0, 0.0, Bar::Held));
+    assert_eq!((y[8], y[9], present.modes.joints[1]), (0.0, 0.0, Bar::Held));
     assert!(y[1].abs() > 0.01, "the boom moves");
     let friction = system.slewing_friction(present.modes, &y).expect("closes");
     assert!(friction.abs() > 1e4, "the swinging load pulls at the brake: {friction}");
     system.slewing.brake = 0.0;
-    present.interrupt();
+    present.run.interrupt(FIRST);
     run(&system, &mut present, 1e-6, 1.0);
-    assert!(present.run.states()[8].abs() > 1e-3 && present.modes.slewing != Bar::Held);
+    assert!(present.run.states()[8].abs() > 1e-3 && present.modes.joints[1] != Bar::Held);
     // A brake that is strong but not endless: it comes to rest, and stays there to the last bit.
     system.slewing.brake = 5e6;
     system.slewing.moment = 0.0;
-    present.interrupt();
+    present.run.interrupt(FIRST);
     run(&system, &mut present, 1e-6, 3.0);
     let stopped = present.run.states()[8];
-    assert_eq!(present.modes.slewing, Bar::Held);
+    assert_eq!(present.modes.joints[1], Bar::Held);
     run(&system, &mut present, 1e-6, 1.0);
     assert_eq!(present.run.states()[8], stopped);
 }
@@ -284,7 +292,7 @@ fn a_shorter_rope_swings_wider() {
     // Nothing leaks: the boom stays where it is.
     system.cylinder.leakage = 0.0;
     let mut present = PresentCrane::new(y);
-    present.wind(system.hoist.speed, FIXED + 5);
+    wind(&mut present, system.hoist.speed, FIXED + 5);
     run(&system, &mut present, 1e-7, 1500.0);
     let y = present.run.states();
     assert!((y[10] - 10.0).abs() < 1e-9 && y[10] == y[11], "{}", y[10]);

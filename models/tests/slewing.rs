@@ -9,7 +9,7 @@ use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
 use lemnis_models::luffing::double_link::motion::{self, MovingLinkage};
 use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingState, angles};
 use lemnis_models::parts::hanging::HangingLoad;
-use lemnis_models::parts::hoist::{Hoist, HoistCommand, RopeAction};
+use lemnis_models::parts::hoist::{Drum, Hoist, HoistCommand, RopeAction};
 use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 use nalgebra::Vector3;
 
@@ -127,8 +127,8 @@ fn in_the_plane_it_is_the_crane_that_does_not_slew() {
         let mut flat = motion::MotionState::resting(75_f64.to_radians(), 10.0);
         flat.y[2] = swing;
         let mut state = at(75.0, 10.0, [swing, 0.0]);
-        flat.wind(0.2);
-        state.wind(0.2);
+        (flat.y[7], flat.drum) = (0.2, Drum::at(0.2));
+        (state.y[11], state.drum) = (0.2, Drum::at(0.2));
         let flat_commands = Commands {
             drives: [JointDrive { moment, brake: 0.0 }],
             hoist: HoistCommand::speed(0.2),

@@ -10,6 +10,7 @@ use std::any::Any;
 use crate::component::running::{Running, State, Tangent};
 use crate::component::stages::{Slot, Source};
 use crate::component::standing::{Standing, VariablePlace};
+use crate::kernel::number::short;
 use crate::kernel::unit;
 use crate::kernel::variable::{Fault, Quantity, Role, Terminal, Variable};
 use crate::parts::solver::Count;
@@ -259,7 +260,10 @@ impl Running for MovingComponent {
 
     fn set_states(&mut self, states: &[f64]) -> Result<(), Fault> {
         for ((_, index, _), value) in self.states.iter().zip(states) {
-            self.standing.check(*index, *value)?;
+            if !value.is_finite() {
+                let variable = &self.standing.variables()[*index];
+                return Err(Fault::outside(format!("{variable} = {} is not finite", short(*value))));
+            }
         }
         for ((source, ..), value) in self.states.iter().zip(states) {
             self.standing.part_mut().put(*source, *value);

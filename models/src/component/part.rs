@@ -382,6 +382,16 @@ impl<T: Component> Part for Runner<T, f64> {
     }
 }
 
+/// Variables with their places in the order in which a component lists them.
+pub(crate) fn listed<T>(part: &dyn Part, variables: Vec<Variable>, places: Vec<T>) -> (Vec<Variable>, Vec<T>) {
+    let all = variables.into_iter().zip(places);
+    let mut all: Vec<_> = all
+        .map(|(mut variable, place)| (part.list(&mut variable), variable, place))
+        .collect();
+    all.sort_by_key(|(list, ..)| *list);
+    all.into_iter().map(|(_, variable, place)| (variable, place)).unzip()
+}
+
 /// In the order in which they are listed: quantities of a numbered group stand together, as vectors do.
 fn together(all: &[(Source, Quantity)]) -> Vec<(Source, Quantity)> {
     let alike = |(one, (symbol, _)): &(Source, Quantity), (other, (same, _)): &(Source, Quantity)| {

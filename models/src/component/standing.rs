@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use num_dual::Dual64;
 
-use crate::component::part::{Component, Face, Part, Runner};
+use crate::component::part::{Component, Face, Part, Runner, listed};
 use crate::component::running::{Running, Tangent};
 use crate::component::spread::{Spot, Spread};
 use crate::component::stages::{Slot, Source, Use, searched};
@@ -182,14 +182,7 @@ impl Standing {
                 wholes.push(spread);
             }
         }
-        let listed = variables.into_iter().zip(places).map(|(mut variable, place)| {
-            let part_of_list = part.list(&mut variable);
-            (part_of_list, variable, place)
-        });
-        let mut listed: Vec<(u8, Variable, VariablePlace)> = listed.collect();
-        listed.sort_by_key(|(part_of_list, ..)| *part_of_list);
-        let (variables, places): (Vec<_>, Vec<_>) =
-            listed.into_iter().map(|(_, variable, place)| (variable, place)).unzip();
+        let (variables, places) = listed(&*part, variables, places);
         let indicator = |&index: &usize| variables[index].role == Role::Indicator;
         let mut model = Standing {
             indicators: (0..variables.len()).filter(indicator).collect(),

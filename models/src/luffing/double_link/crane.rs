@@ -58,11 +58,6 @@ impl<const N: usize, const J: usize> CraneState<N, J> {
             commands,
         }
     }
-
-    /// The hoist runs as commanded, at a rate of paying out (m/s).
-    pub fn wind(&mut self, rate: f64) {
-        (self.y[N - 1], self.drum) = (rate, Drum::at(rate));
-    }
 }
 
 /// A mechanism that moves by J joints, luffing first, with N states.

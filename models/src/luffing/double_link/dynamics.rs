@@ -189,10 +189,17 @@ pub struct Reduced<C> {
 }
 
 /// Positions with their first and second derivatives by the driven angle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Copy, Debug)]
 pub(super) struct Positions<T> {
     pub geometry: Geometry<Dual2<T>>,
     pub counterweight: Option<Counterweight<T>>,
+}
+
+/// In one piece: what is derived copies number by number.
+impl<T: Copy> Clone for Positions<T> {
+    fn clone(&self) -> Positions<T> {
+        *self
+    }
 }
 
 /// The counterweight of a balance: a body of its weight in its centre of gravity. A rope to it is taken as taut.

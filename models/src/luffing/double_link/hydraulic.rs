@@ -35,7 +35,7 @@ pub const FIXED: usize = 2 + OIL;
 pub const MOST: usize = slewing::STATES + OIL;
 
 /// First step of the solver after something has changed at once, in s.
-const FIRST: f64 = 1e-3;
+pub const FIRST: f64 = 1e-3;
 /// Events in one call.
 const MOST_EVENTS: u32 = 10_000;
 
@@ -67,7 +67,8 @@ pub struct Hydraulic<const N: usize, P = f64> {
 /// How a crane moves between events.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Modes {
-    pub slewing: Bar,
+    /// Luffing, which a cylinder leaves loose, and slewing.
+    pub joints: [Bar; 2],
     pub drum: Drum,
     /// The load hangs on the rope, or flies free.
     pub taut: bool,
@@ -91,34 +92,12 @@ impl<const N: usize> PresentCrane<N> {
             modes: Modes::AT_REST,
         }
     }
-
-    /// To be called when an input or a parameter changes.
-    pub fn interrupt(&mut self) {
-        self.run.interrupt(FIRST);
-    }
-
-    /// The hoist runs as commanded, at a rate of paying out (m/s), which is state number `place`.
-    pub fn wind(&mut self, rate: f64, place: usize) {
-        let mut y = self.run.states();
-        y[place] = rate;
-        self.set_states(&y);
-        self.modes.drum = Drum::at(rate);
-    }
-
-    /// Takes over the first states from outside; what the solver knew ahead is dropped.
-    pub fn set_states(&mut self, values: &[f64]) {
-        let mut y = self.run.states();
-        for (state, value) in y.iter_mut().zip(values) {
-            *state = *value;
-        }
-        self.run.restart(y, FIRST);
-    }
 }
 
 impl Modes {
     /// Until it is decided what follows.
     pub const AT_REST: Modes = Modes {
-        slewing: Bar::Held,
+        joints: [Bar::Held; 2],
         drum: Drum {
             way: Bar::Held,
             command: 0.0,
@@ -127,24 +106,27 @@ impl Modes {
         blown: 0.0,
     };
 
-    /// The crane's own state out of all.
-    fn of<C: Calc, const N: usize, const M: usize, const J: usize>(self, y: &[C; N]) -> CraneState<M, J> {
-        let joints = [Bar::Loose, self.slewing];
+    /// A crane of J joints in these states of its own.
+    pub(crate) fn crane<C: Calc, const M: usize, const J: usize>(&self, y: &[C; M]) -> CraneState<M, J> {
         CraneState {
-            y: part(y).map(C::value),
-            joints: std::array::from_fn(|i| joints[i]),
+            y: y.map(C::value),
+            joints: std::array::from_fn(|i| self.joints[i]),
             drum: self.drum,
             taut: self.taut,
             blown: self.blown,
         }
     }
 
+    /// One that a cylinder luffs, out of all states.
+    fn of<C: Calc, const N: usize, const M: usize, const J: usize>(self, y: &[C; N]) -> CraneState<M, J> {
+        let joints = [Bar::Loose, self.joints[1]];
+        Modes { joints, ..self }.crane(&part(y))
+    }
+
     /// As an event leaves it.
-    fn follow<const M: usize, const J: usize>(&mut self, state: &CraneState<M, J>) {
+    pub fn follow<const M: usize, const J: usize>(&mut self, state: &CraneState<M, J>) {
         (self.drum, self.taut, self.blown) = (state.drum, state.taut, state.blown);
-        if let Some(slewing) = state.joints.get(1) {
-            self.slewing = *slewing;
-        }
+        self.joints[..J].copy_from_slice(&state.joints);
     }
 }
 
@@ -167,6 +149,19 @@ macro_rules! either {
             Crane::Slewing($one) => $call,
         }
     };
+}
+
+/// The same with all that is known of it, under the moment of its cylinder.
+macro_rules! driven {
+    ($system:ident, $modes:ident, $y:ident, $crane:ident, $at:ident => $call:expr) => {{
+        let r = &Coordinate::reduced($system.dynamics(), $y[0])?;
+        let moment = $system.moment(r, $y);
+        either!(&$system.crane, $crane => {
+            let (state, y, commands) = (&$modes.of($y), &part($y), &$system.asked(moment));
+            let $at = &Snapshot { state, r, y, commands };
+            $call
+        })
+    }};
 }
 
 impl<const N: usize, P: Calc> Hydraulic<N, P> {
@@ -343,13 +338,10 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         if N == FIXED {
             return Some([none; 7]);
         }
-        let r = C::reduced(self.dynamics(), y[0])?;
-        let moment = self.moment(&r, y);
-        let all = either!(&self.crane, crane => {
-            let all = crane.indicators_at(&Snapshot { state: &modes.of(y), r: &r, y: &part(y), commands: &self.asked(moment) });
+        let all = driven!(self, modes, y, crane, at => {
+            let all = crane.indicators_at(at);
             // Those of luffing, which is loose, stand first.
-            let joints = crane.joints.len();
-            std::array::from_fn(|i| all[i + 4 * joints - 4])
+            std::array::from_fn(|i| all[i + 4 * crane.joints.len() - 4])
         });
         Some(all)
     }
@@ -359,11 +351,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         if N == FIXED {
             return Some(C::constant(0.0));
         }
-        let r = C::reduced(self.dynamics(), y[0])?;
-        let moment = self.moment(&r, y);
-        Some(
-            either!(&self.crane, crane => crane.tension(&Snapshot { state: &modes.of(y), r: &r, y: &part(y), commands: &self.asked(moment) })),
-        )
+        Some(driven!(self, modes, y, crane, at => crane.tension(at)))
     }
 
     /// Moment of brake and friction on the drum of a motor, in N·m; positive reels in.
@@ -371,32 +359,15 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         if N == FIXED {
             return Some(C::constant(0.0));
         }
-        let r = C::reduced(self.dynamics(), y[0])?;
-        let moment = self.moment(&r, y);
-        Some(
-            either!(&self.crane, crane => crane.drum_friction(&Snapshot { state: &modes.of(y), r: &r, y: &part(y), commands: &self.asked(moment) })),
-        )
+        Some(driven!(self, modes, y, crane, at => crane.drum_friction(at)))
     }
 
     /// Moment of friction, brake and end stop on slewing, in N·m, in the direction of the angle.
     pub fn slewing_friction<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<C> {
-        match &self.crane {
-            Crane::Slewing(slewing) if N > FIXED => {
-                let r = C::reduced(self.dynamics(), y[0])?;
-                let commands = &self.asked(self.moment(&r, y));
-                let (state, y) = (&modes.of(y), &part(y));
-                Some(slewing.friction_at(
-                    1,
-                    &Snapshot {
-                        state,
-                        r: &r,
-                        y,
-                        commands,
-                    },
-                ))
-            }
-            _ => Some(C::constant(0.0)),
+        if N == FIXED || matches!(self.crane, Crane::Plane(_)) {
+            return Some(C::constant(0.0));
         }
+        Some(driven!(self, modes, y, crane, at => crane.friction_at(1, at)))
     }
 }
 

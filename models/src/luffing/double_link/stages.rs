@@ -22,7 +22,8 @@ use crate::luffing::double_link::drive::{self, Drive, Reaction};
 use crate::luffing::double_link::feet::Feet;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::{Carried, Held, Passes};
-use crate::luffing::double_link::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Past};
+use crate::luffing::double_link::hydraulic::Modes;
+use crate::luffing::double_link::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
 use crate::luffing::double_link::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::double_link::moving::level::{CraneAt, Level};
 use crate::luffing::double_link::moving::listed::{Fittings, list};
@@ -60,7 +61,7 @@ stages! {
         Parameter turning: Option<Turning<C>>,
         Parameter oil: Option<CylinderOil<C>>,
         Memory wound: Option<One<C>>,
-        Memory past: Option<Past>,
+        Memory past: Option<Modes>,
         Load load: Option<One<C>>,
         Parameter lengths: Lengths<C>,
         Parameter jib: One<C>,

@@ -28,7 +28,7 @@ use crate::parts::turntable::Turning;
 const STOP: f64 = 100.0;
 
 /// What a crane in motion is made of.
-pub struct Built<'a, P: Calc> {
+pub struct CraneParts<'a, P: Calc> {
     pub parameters: Parameters<P>,
     pub range: Motion,
     pub load: &'a One<P>,
@@ -41,7 +41,7 @@ pub struct Built<'a, P: Calc> {
     pub fitted: Fitted,
 }
 
-impl<P: Coordinate<P>> Built<'_, P>
+impl<P: Coordinate<P>> CraneParts<'_, P>
 where
     Dual64: Over<P>,
 {

@@ -6,6 +6,7 @@ use crate::component::moving::Carrier;
 use crate::component::running::Running;
 use crate::component::stages::Stages;
 use crate::component::standing::Standing;
+use crate::kernel::group::One;
 use crate::kernel::number::short;
 use crate::kernel::variable::{Fault, Role};
 use crate::luffing::double_link::crane::REELED_IN;
@@ -17,7 +18,6 @@ use crate::luffing::double_link::stages::{DoubleLink, Given, Known};
 use crate::parts::hoist::Drum;
 use crate::parts::hydraulics::oil::warning;
 use crate::parts::joint::Bar;
-use crate::parts::solver::rodas::Run;
 use crate::parts::solver::{Count, Halt, MOST_IMPLICIT, MOST_STEPS};
 
 /// What the solver keeps, and its work so far, which is no part of the state.
@@ -49,29 +49,13 @@ pub(super) fn put(model: &mut Standing, CraneAt { past, y, .. }: &CraneAt) {
         .iter()
         .zip(order(now.oil.is_some(), now.fitted.slewing.is_some()))
     {
-        states.0[place] = *y;
+        states.0[*place] = *y;
     }
-    let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
-    let (theta, omega) = (same(now.theta.1, y[0]), same(now.omega.1, y[1]));
-    let others = now
-        .states
-        .is_some_and(|now| now.0.iter().zip(states.0).all(|(a, b)| same(*a, b)));
-    let (before, wound) = (now.past, now.wound);
-    if !theta {
-        known.theta().1 = y[0];
-    }
-    if !omega {
-        known.omega().1 = y[1];
-    }
-    if before != Some(*past) {
-        *known.past() = Some(*past);
-    }
-    if !others {
-        *known.states() = Some(states);
-        if let Some(mut rate) = wound {
-            rate.1 = states.0[V_R];
-            *known.wound() = Some(rate);
-        }
+    let wound = now.wound;
+    (known.theta().1, known.omega().1) = (y[0], y[1]);
+    (*known.past(), *known.states()) = (Some(*past), Some(states));
+    if let Some(rate) = wound {
+        *known.wound() = Some(One(rate.0, states.0[V_R]));
     }
 }
 
@@ -137,7 +121,7 @@ impl CarriedCrane {
     fn decide(&mut self, model: &mut Standing) -> Result<bool, Fault> {
         let (level, mut at) = known(model).in_motion().map_err(|fault| *fault)?;
         let (before, mut ahead) = (at, self.ahead);
-        let decided = level.event(&mut at, &mut ahead);
+        let decided = level.run(&mut at, &mut ahead, None);
         decided.map_err(|_| open(&given(model).theta))?;
         self.ahead = ahead;
         put(model, &at);
@@ -149,13 +133,11 @@ impl Carrier for CarriedCrane {
     fn advance(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault> {
         enough_rope(model, to - from)?;
         let now = given(model);
-        let limits = [
-            now.constants.map_or(0.0, |constants| constants.step),
-            now.oil.map_or(0.0, |oil| oil.tol),
-        ];
+        let longest = now.constants.map_or(0.0, |constants| constants.step);
+        let on = [to - from, longest, now.oil.map_or(0.0, |oil| oil.tol)];
         let (level, before) = known(model).in_motion().map_err(|fault| *fault)?;
         let (mut at, mut ahead) = (before, self.ahead);
-        let solved = level.advance(&mut at, &mut ahead, to - from, limits);
+        let solved = level.run(&mut at, &mut ahead, Some(on));
         let work = solved.map_err(|halt| refusal(model, halt, to - from))?;
         self.count = self.count.and(work);
         put(model, &at);
@@ -246,21 +228,11 @@ impl Carrier for CarriedCrane {
     }
 
     fn numbers(&self) -> Vec<f64> {
-        match &self.ahead {
-            Ahead::Nothing => Vec::new(),
-            Ahead::Fixed(run) => run.numbers().collect(),
-            Ahead::Hanging(run) => run.numbers().collect(),
-        }
+        self.ahead.numbers()
     }
 
     fn take(&mut self, numbers: &[f64]) -> Option<()> {
-        let sound = numbers.iter().all(|x| x.is_finite());
-        match &mut self.ahead {
-            Ahead::Nothing => {}
-            Ahead::Fixed(run) => *run = Run::of(numbers)?,
-            Ahead::Hanging(run) => *run = Run::of(numbers)?,
-        }
-        sound.then_some(())
+        self.ahead.take(numbers)
     }
 
     fn follow(&mut self, other: &dyn Carrier) {

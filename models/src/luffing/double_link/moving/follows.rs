@@ -10,12 +10,11 @@ use crate::component::running::Running;
 use crate::component::stages::Stages;
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::variable::{Name, Quantity, Role, TIME};
-use crate::luffing::double_link::hydraulic::FIXED;
-use crate::luffing::double_link::moving::carried::put;
-use crate::luffing::double_link::moving::given::{L_R, Past};
+use crate::luffing::double_link::hydraulic::{FIXED, Modes};
+use crate::luffing::double_link::moving::carried::{at, put};
+use crate::luffing::double_link::moving::given::L_R;
 use crate::luffing::double_link::moving::level::CraneAt;
 use crate::luffing::double_link::moving::symbols as m;
-use crate::luffing::double_link::moving::told::ToldCrane;
 use crate::luffing::double_link::stages::{DoubleLink, Given};
 use crate::parts::hoist::Drum;
 use crate::parts::hydraulics::symbols as h;
@@ -60,7 +59,7 @@ fn lively(given: &Given<f64>, now: &CraneAt) -> Vec<CraneAt> {
                     for slewing in WAYS {
                         for (taut, way) in HANGS {
                             let drum = Drum { way, command: 0.0 };
-                            at.past = Past {
+                            at.past = Modes {
                                 joints: [luffing, slewing],
                                 drum,
                                 taut,
@@ -145,7 +144,7 @@ pub fn follows(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
         .filter(|i| roles.contains(&variables[*i].role))
         .map(name)
         .collect();
-    let now = model.clone().present().0;
+    let now = at(lively_model.parts().0);
     for at in lively(given, &now) {
         put(lively_model.parts().0, &at);
         if !follows_more(&lively_model, &moving, &givens, &found) {

@@ -5,7 +5,7 @@ use crate::kernel::group::{Group, group, quantities};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::unit::ONE;
 use crate::kernel::variable::Quantity;
-use crate::luffing::double_link::crane::{Commands, CraneState};
+use crate::luffing::double_link::crane::Commands;
 use crate::luffing::double_link::hydraulic::{self, Modes};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::parts::hoist::{Drum, HoistCommand};
@@ -96,25 +96,14 @@ pub const S_Q: usize = 17;
 pub const V_R: usize = 19;
 
 /// Which of them follow on angle and rate of the driven bar, in the order of the equations.
-pub fn order(oil: bool, slews: bool) -> impl Iterator<Item = usize> {
-    let own: &[usize] = if slews {
-        &[6, 7, 8, 9, 10, 11, 12, 13, 16, 19]
-    } else {
-        &[14, 15, 16, 17, 18, 19]
-    };
-    (0..if oil { 6 } else { 0 }).chain(own.iter().copied())
-}
-
-/// What happened before, where it decides how a crane moves until something else happens.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Past {
-    /// Luffing and slewing.
-    pub joints: [Bar; 2],
-    pub drum: Drum,
-    /// The load hangs on the rope, or flies free.
-    pub taut: bool,
-    /// Energy that blows have taken so far, in J; what they gave counts negative.
-    pub blown: f64,
+#[must_use]
+pub fn order(oil: bool, slews: bool) -> &'static [usize] {
+    match (oil, slews) {
+        (false, false) => &[14, 15, 16, 17, 18, 19],
+        (false, true) => &[6, 7, 8, 9, 10, 11, 12, 13, 16, 19],
+        (true, false) => &[0, 1, 2, 3, 4, 5, 14, 15, 16, 17, 18, 19],
+        (true, true) => &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 16, 19],
+    }
 }
 
 static PAST: Symbol = Symbol::new("past", "", [&ONE, &ONE], "A number of what happened before.", "derived");
@@ -138,75 +127,19 @@ fn bar(way: f64) -> Bar {
     }
 }
 
-impl Past {
-    /// Of a crane at rest, until it is decided what follows.
-    pub const AT_REST: Past = Past {
-        joints: [Bar::Held; 2],
-        drum: Modes::AT_REST.drum,
-        taut: true,
-        blown: 0.0,
-    };
+fn numbers(modes: &Modes) -> [f64; PAST_NUMBERS] {
+    let [luffing, slewing] = modes.joints.map(way);
+    let (drum, taut) = (modes.drum, f64::from(modes.taut));
+    [luffing, slewing, way(drum.way), drum.command, taut, modes.blown]
+}
 
-    fn numbers(&self) -> [f64; PAST_NUMBERS] {
-        let [luffing, slewing] = self.joints.map(way);
-        let taut = f64::from(self.taut);
-        [
-            luffing,
-            slewing,
-            way(self.drum.way),
-            self.drum.command,
-            taut,
-            self.blown,
-        ]
-    }
-
-    fn from([luffing, slewing, drum, command, taut, blown]: [f64; PAST_NUMBERS]) -> Past {
-        Past {
-            joints: [bar(luffing), bar(slewing)],
-            drum: Drum {
-                way: bar(drum),
-                command,
-            },
-            taut: taut != 0.0,
-            blown,
-        }
-    }
-
-    /// A crane of J joints in the first N of these states.
-    pub fn crane<C: Calc, const N: usize, const J: usize>(&self, y: &[C; MOST_STATES]) -> CraneState<N, J> {
-        CraneState {
-            y: std::array::from_fn(|i| y[i].value()),
-            joints: std::array::from_fn(|i| self.joints[i]),
-            drum: self.drum,
-            taut: self.taut,
-            blown: self.blown,
-        }
-    }
-
-    /// As an event leaves it.
-    pub fn follow<const N: usize, const J: usize>(&mut self, state: &CraneState<N, J>) {
-        (self.drum, self.taut, self.blown) = (state.drum, state.taut, state.blown);
-        self.joints[..J].copy_from_slice(&state.joints);
-    }
-
-    /// Of a crane whose luffing a cylinder moves.
-    pub fn modes(&self) -> Modes {
-        Modes {
-            slewing: self.joints[1],
-            drum: self.drum,
-            taut: self.taut,
-            blown: self.blown,
-        }
-    }
-
-    /// As an event leaves one whose luffing a cylinder moves.
-    pub fn of_modes(modes: Modes) -> Past {
-        Past {
-            joints: [Bar::Held, modes.slewing],
-            drum: modes.drum,
-            taut: modes.taut,
-            blown: modes.blown,
-        }
+fn modes([luffing, slewing, drum, command, taut, blown]: [f64; PAST_NUMBERS]) -> Modes {
+    let way = bar(drum);
+    Modes {
+        joints: [bar(luffing), bar(slewing)],
+        drum: Drum { way, command },
+        taut: taut != 0.0,
+        blown,
     }
 }
 
@@ -240,11 +173,11 @@ numbered!(
     CraneStates
 );
 numbered!(
-    Past,
-    Past,
+    Modes,
+    Modes,
     [&PAST; PAST_NUMBERS],
-    |past: &Past| past.numbers().map(C::constant),
-    |numbers: [_; PAST_NUMBERS]| Past::from(numbers.map(Calc::value))
+    |past: &Modes| numbers(past).map(C::constant),
+    |numbers: [_; PAST_NUMBERS]| modes(numbers.map(Calc::value))
 );
 
 /// What belongs to a crane in motion and is no number of its equations: length of the load's rope at the start (m), end

@@ -31,22 +31,11 @@ quantities! {
 
 /// How the hoist moves the rope.
 #[derive(Clone, Copy, Debug)]
-pub enum HoistKind<P = f64> {
+pub enum HoistKind {
     /// It follows its command at once.
     AtOnce,
-    Ramp(HoistRamp<P>),
-    Motor(HoistMotor<P>),
-}
-
-impl<P: Copy> HoistKind<P> {
-    /// Over another scalar.
-    pub fn map<C>(&self, of: &mut dyn FnMut(&'static Symbol, P) -> C) -> HoistKind<C> {
-        match self {
-            HoistKind::AtOnce => HoistKind::AtOnce,
-            HoistKind::Ramp(ramp) => HoistKind::Ramp(ramp.map(of)),
-            HoistKind::Motor(motor) => HoistKind::Motor(motor.map(of)),
-        }
-    }
+    Ramp(HoistRamp<f64>),
+    Motor(HoistMotor<f64>),
 }
 
 /// The load's rope at the start.

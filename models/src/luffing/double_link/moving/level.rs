@@ -6,10 +6,10 @@ use crate::kernel::calc::Calc;
 use crate::luffing::double_link::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::double_link::dynamics::{Coordinate, Dynamics};
 use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, rope_on_head};
-use crate::luffing::double_link::hydraulic::{self, FIXED, Hydraulic, Modes, PresentCrane};
+use crate::luffing::double_link::hydraulic::{self, FIRST, FIXED, Hydraulic, Modes, PresentCrane};
 use crate::luffing::double_link::inertia_forces::Instant;
 use crate::luffing::double_link::motion::{MovingLinkage, directions};
-use crate::luffing::double_link::moving::given::{Inputs, MOST_STATES, Past};
+use crate::luffing::double_link::moving::given::{Inputs, MOST_STATES};
 use crate::luffing::double_link::pose::Posing;
 use crate::luffing::double_link::shares::Shares;
 use crate::luffing::double_link::slewing::{self, Slewing};
@@ -36,6 +36,10 @@ pub enum Level<P = f64> {
 }
 
 /// What the solver keeps of a level: of oil the step on which it is.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "it is copied, and nothing is allocated while a model runs"
+)]
 #[derive(Clone, Copy, Debug)]
 pub enum Ahead {
     Nothing,
@@ -46,7 +50,7 @@ pub enum Ahead {
 /// A crane at an instant: its states and inputs, and what happened before.
 #[derive(Clone, Copy, Debug)]
 pub struct CraneAt<P = f64> {
-    pub past: Past,
+    pub past: Modes,
     pub inputs: Inputs<P>,
     pub y: [P; MOST_STATES],
 }
@@ -184,8 +188,8 @@ impl<P: Coordinate<P>> Level<P> {
     pub fn rates(&self, CraneAt { past, inputs, y }: &CraneAt<P>) -> Option<[P; MOST_STATES]> {
         Some(either!(
             self,
-            crane => all(&crane.rates(&past.crane(y), &inputs.of(), first(y))?),
-            system => all(&system.equations(past.modes(), first(y))?)
+            crane => all(&crane.rates(&past.crane(first(y)), &inputs.of(), first(y))?),
+            system => all(&system.equations(*past, first(y))?)
         ))
     }
 
@@ -195,10 +199,10 @@ impl<P: Coordinate<P>> Level<P> {
             self,
             crane => {
                 let mut out = [P::constant(0.0); MOST_INDICATORS];
-                put(&mut out, &crane.indicators(&past.crane(y), &inputs.of(), first(y))?);
+                put(&mut out, &crane.indicators(&past.crane(first(y)), &inputs.of(), first(y))?);
                 Some(out)
             },
-            system => oil_indicators(system, past.modes(), first(y))
+            system => oil_indicators(system, *past, first(y))
         )
     }
 
@@ -206,8 +210,8 @@ impl<P: Coordinate<P>> Level<P> {
     pub fn reaction(&self, CraneAt { past, inputs, y }: &CraneAt<P>, reaction: MotionResult) -> Option<P> {
         either!(
             self,
-            crane => reaction_of(crane, &past.crane(y), &inputs.of(), first(y), reaction),
-            system => oil_reaction(system, past.modes(), first(y), reaction)
+            crane => reaction_of(crane, &past.crane(first(y)), &inputs.of(), first(y), reaction),
+            system => oil_reaction(system, *past, first(y), reaction)
         )
     }
 }
@@ -252,75 +256,100 @@ impl<P: Posing<P>> Level<P> {
     }
 }
 
+/// What follows from a run, where there is one.
+macro_rules! running {
+    ($ahead:expr, $run:ident => $of:expr, $none:expr) => {
+        match $ahead {
+            Ahead::Nothing => $none,
+            Ahead::Fixed($run) => $of,
+            Ahead::Hanging($run) => $of,
+        }
+    };
+}
+
 impl Ahead {
     /// What is solved ahead is dropped: it goes on from these states.
     pub fn restart(&mut self, y: &[f64; MOST_STATES]) {
-        match self {
-            Ahead::Nothing => {}
-            Ahead::Fixed(run) => *run = restarted(*run, first(y)),
-            Ahead::Hanging(run) => *run = restarted(*run, y),
-        }
+        running!(self, run => run.restart(*first(y), FIRST), ());
     }
 
     /// The same where an input or a parameter changes.
     pub fn interrupt(&mut self) {
-        match self {
-            Ahead::Nothing => {}
-            Ahead::Fixed(run) => *run = restarted(*run, &run.states()),
-            Ahead::Hanging(run) => *run = restarted(*run, &run.states()),
-        }
+        running!(self, run => run.interrupt(FIRST), ());
     }
 
     /// Least pressure of the oil so far, in Pa; infinite without oil.
     #[must_use]
     pub fn least_pressure(&self) -> f64 {
-        match self {
-            Ahead::Nothing => f64::INFINITY,
-            Ahead::Fixed(run) => least(run),
-            Ahead::Hanging(run) => least(run),
-        }
+        running!(self, run => least(run), f64::INFINITY)
     }
-}
 
-fn restarted<const N: usize>(run: Run<N>, y: &[f64; N]) -> Run<N> {
-    let mut present = PresentCrane {
-        run,
-        modes: Modes::AT_REST,
-    };
-    present.set_states(y);
-    present.run
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        running!(self, run => run.numbers().collect(), Vec::new())
+    }
+
+    /// Takes back as many; `None` where they are those of no run.
+    pub fn take(&mut self, numbers: &[f64]) -> Option<()> {
+        running!(self, run => *run = Run::of(numbers)?, ());
+        numbers.iter().all(|x| x.is_finite()).then_some(())
+    }
 }
 
 fn least<const N: usize>(run: &Run<N>) -> f64 {
     run.least.min(Hydraulic::<N>::oil(&run.states()).least().1)
 }
 
-/// Moves or decides, by a crane's own state.
-fn by_crane<const N: usize, const J: usize, R>(
+/// How far to move on: for how long (s), by explicit steps of at most so long (s), to a relative tolerance.
+pub type Onward = [f64; 3];
+
+fn crane_run<const N: usize, const J: usize>(
+    crane: &MovingCrane<N, J>,
     at: &mut CraneAt,
-    run: impl FnOnce(&mut CraneState<N, J>, &Commands<J>) -> R,
-) -> R {
-    let mut state = at.past.crane(&at.y);
-    let done = run(&mut state, &at.inputs.of());
+    on: Option<Onward>,
+) -> Result<Count, Halt>
+where
+    MovingCrane<N, J>: Struck<N, J>,
+{
+    let (mut state, commands) = (at.past.crane(first(&at.y)), &at.inputs.of());
+    let work = match on {
+        None => crane.event(&mut state, commands).map(|_| Count::default())?,
+        Some([duration, longest, _]) => crane.advance(&mut state, commands, duration, longest)?,
+    };
     at.past.follow(&state);
     put(&mut at.y, &state.y);
-    done
+    Ok(work)
 }
 
-/// The same with oil.
-fn by_oil<const N: usize, R>(
-    at: &mut CraneAt,
+/// The events of oil are kinks, where nothing is to be decided, and what the implicit solver has solved ahead ends before
+/// the next event.
+fn oil_run<const N: usize>(
+    system: &Hydraulic<N>,
     run: &mut Run<N>,
-    with: impl FnOnce(&mut PresentCrane<N>) -> Result<R, Halt>,
-) -> Result<R, Halt> {
-    let mut present = PresentCrane {
-        run: *run,
-        modes: at.past.modes(),
+    at: &mut CraneAt,
+    on: Option<Onward>,
+) -> Result<Count, Halt> {
+    let (before, modes) = (run.count, at.past);
+    let mut present = PresentCrane { run: *run, modes };
+    match on {
+        Some([duration, longest, relative]) => {
+            system.advance(&mut present, &tolerance(relative, system.states()), duration, longest)?;
+        }
+        None if present.run.is_fresh() => system.event(&mut present)?,
+        None => {}
+    }
+    let y = present.run.states();
+    let possible = match on {
+        None => f64::reduced(system.dynamics(), y[0]).is_some(),
+        // Of the oil or of the mechanism.
+        Some(_) => {
+            let within = y[2..6].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3;
+            within && system.equations(present.modes, &y).is_some()
+        }
     };
-    let done = with(&mut present)?;
-    (*run, at.past) = (present.run, Past::of_modes(present.modes));
-    put(&mut at.y, &present.run.states());
-    Ok(done)
+    (*run, at.past) = (present.run, present.modes);
+    put(&mut at.y, &y);
+    possible.then_some(run.count.since(before)).ok_or(Halt::Outside)
 }
 
 impl Level {
@@ -329,55 +358,24 @@ impl Level {
     pub fn ahead(&self, y: &[f64; MOST_STATES]) -> Ahead {
         match self {
             Level::Free(_) | Level::Slewing(_) => Ahead::Nothing,
-            Level::Fixed(_) => Ahead::Fixed(PresentCrane::new(*first(y)).run),
-            Level::Hanging(_) => Ahead::Hanging(PresentCrane::new(*y).run),
+            Level::Fixed(_) => Ahead::Fixed(Run::new(*first(y), FIRST)),
+            Level::Hanging(_) => Ahead::Hanging(Run::new(*y, FIRST)),
         }
     }
 
-    /// Decides what follows at an instant. The events of oil are kinks, where nothing is to be decided, and what
-    /// the implicit solver has solved ahead ends before the next event.
-    ///
-    /// # Errors
-    /// The linkage does not close.
-    ///
-    /// # Panics
-    /// For what is kept of another level.
-    pub fn event(&self, at: &mut CraneAt, ahead: &mut Ahead) -> Result<(), Halt> {
-        match (self, ahead) {
-            (Level::Free(crane), _) => by_crane(at, |state, commands| crane.event(state, commands)).map(|_| ()),
-            (Level::Slewing(crane), _) => by_crane(at, |state, commands| crane.event(state, commands)).map(|_| ()),
-            (Level::Fixed(system), Ahead::Fixed(run)) => by_oil(at, run, |present| oil_event(system, present)),
-            (Level::Hanging(system), Ahead::Hanging(run)) => by_oil(at, run, |present| oil_event(system, present)),
-            _ => unreachable!("of another level"),
-        }
-    }
-
-    /// Moves on by a duration, in s; `step` is the longest explicit step (s), `relative` the
-    /// tolerance of the implicit solver. Returns the work done.
+    /// Moves on, or decides what follows at an instant. Returns the work done.
     ///
     /// # Errors
     /// See [`Halt`].
     ///
     /// # Panics
-    /// As [`event`](Level::event).
-    pub fn advance(
-        &self,
-        at: &mut CraneAt,
-        ahead: &mut Ahead,
-        duration: f64,
-        [step, relative]: [f64; 2],
-    ) -> Result<Count, Halt> {
+    /// For what is kept of another level.
+    pub fn run(&self, at: &mut CraneAt, ahead: &mut Ahead, on: Option<Onward>) -> Result<Count, Halt> {
         match (self, ahead) {
-            (Level::Free(crane), _) => by_crane(at, |state, commands| crane.advance(state, commands, duration, step)),
-            (Level::Slewing(crane), _) => {
-                by_crane(at, |state, commands| crane.advance(state, commands, duration, step))
-            }
-            (Level::Fixed(system), Ahead::Fixed(run)) => by_oil(at, run, |present| {
-                oil_advance(system, present, duration, step, relative)
-            }),
-            (Level::Hanging(system), Ahead::Hanging(run)) => by_oil(at, run, |present| {
-                oil_advance(system, present, duration, step, relative)
-            }),
+            (Level::Free(crane), _) => crane_run(crane, at, on),
+            (Level::Slewing(crane), _) => crane_run(crane, at, on),
+            (Level::Fixed(system), Ahead::Fixed(run)) => oil_run(system, run, at, on),
+            (Level::Hanging(system), Ahead::Hanging(run)) => oil_run(system, run, at, on),
             _ => unreachable!("of another level"),
         }
     }
@@ -386,8 +384,8 @@ impl Level {
     pub(crate) fn powers(&self, CraneAt { past, inputs, y }: &CraneAt) -> Option<(Powers, f64)> {
         either!(
             self,
-            crane => powers_of(crane, &past.crane(y), &inputs.of()),
-            system => oil_powers(system, past.modes(), first(y))
+            crane => powers_of(crane, &past.crane(first(y)), &inputs.of()),
+            system => oil_powers(system, *past, first(y))
         )
     }
 
@@ -464,31 +462,6 @@ fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y: &[f64; N])
         ..Powers::default()
     };
     Some((powers, system.energy(modes, y)?))
-}
-
-fn oil_event<const N: usize>(system: &Hydraulic<N>, present: &mut PresentCrane<N>) -> Result<(), Halt> {
-    if present.run.is_fresh() {
-        return system.event(present);
-    }
-    let closes = f64::reduced(system.dynamics(), present.run.states()[0]);
-    closes.map(|_| ()).ok_or(Halt::Outside)
-}
-
-fn oil_advance<const N: usize>(
-    system: &Hydraulic<N>,
-    present: &mut PresentCrane<N>,
-    duration: f64,
-    longest: f64,
-    relative: f64,
-) -> Result<Count, Halt> {
-    let before = present.run.count;
-    system.advance(present, &tolerance(relative, system.states()), duration, longest)?;
-    let work = present.run.count.since(before);
-    let y = present.run.states();
-    // A state of the oil or of the mechanism that is none of theirs any more.
-    let possible = y[2..6].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3;
-    let possible = possible && system.equations(present.modes, &y).is_some();
-    possible.then_some(work).ok_or(Halt::Outside)
 }
 
 /// Where the load of a crane that slews is seen from its head: angles of its rope, and its distance.

@@ -11,10 +11,10 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, RESULTS};
 use crate::luffing::double_link::held::in_line;
-use crate::luffing::double_link::hydraulic::{Hydraulic, MOST};
-use crate::luffing::double_link::moving::built::Built;
+use crate::luffing::double_link::hydraulic::{Hydraulic, MOST, Modes};
+use crate::luffing::double_link::moving::built::CraneParts;
 use crate::luffing::double_link::moving::given::{
-    Constants, CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, Past, STATES, order,
+    Constants, CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, V_R, order,
 };
 use crate::luffing::double_link::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::double_link::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
@@ -26,7 +26,7 @@ use crate::parts::turntable::Turning;
 
 /// The equations over a scalar.
 pub struct Equations<P: Calc> {
-    level: fn(&Built<P>) -> Result<Level<P>, Fault>,
+    level: fn(&CraneParts<P>) -> Result<Level<P>, Fault>,
     rates: fn(&Level<P>, &CraneAt<P>) -> Option<[P; MOST_STATES]>,
     indicators: fn(&Level<P>, &CraneAt<P>) -> Option<[P; MOST_INDICATORS]>,
     reaction: fn(&Level<P>, &CraneAt<P>, MotionResult) -> Option<P>,
@@ -79,7 +79,7 @@ pub fn built<C: Scalar>(
     choice: &Choice,
     room: &mut Vec<Level<C>>,
 ) -> Result<(), Fault> {
-    let built = Built {
+    let built = CraneParts {
         parameters: *parameters,
         range: choice.range,
         load,
@@ -114,18 +114,19 @@ pub fn at<C: Calc>(
     omega: &One<C>,
     states: &CraneStates<C>,
     wound: &Option<One<C>>,
-    past: &Past,
+    past: &Modes,
     inputs: &Inputs<C>,
     oil: &Option<CylinderOil<C>>,
     fitted: &Fitted,
 ) -> CraneAt<C> {
     let mut y = [C::constant(0.0); MOST_STATES];
     (y[0], y[1]) = (theta.1, omega.1);
+    let mut states = states.0;
+    if let Some(rate) = wound {
+        states[V_R] = rate.1;
+    }
     for (y, place) in y[2..].iter_mut().zip(order(oil.is_some(), fitted.slewing.is_some())) {
-        *y = match wound {
-            Some(rate) if STATES[place] == &s::V_R => rate.1,
-            _ => states.0[place],
-        };
+        *y = states[*place];
     }
     CraneAt {
         past: *past,
@@ -144,6 +145,18 @@ pub fn open<C: Calc>(theta: &One<C>) -> Fault {
     ))
 }
 
+/// A row for each symbol of a list.
+macro_rules! rows {
+    ($name:ident, $symbols:ident) => {
+        impl<C: Calc> Rows<C> for $name<C> {
+            const ROWS: &'static [&'static Symbol] = &$symbols;
+            fn row(&self, row: u8, _: u16) -> Found<C> {
+                Ok(self.0[usize::from(row)])
+            }
+        }
+    };
+}
+
 /// Rates of the states.
 #[derive(Clone, Copy, Debug)]
 pub struct CraneRates<C>([C; RATES.len()]);
@@ -154,12 +167,7 @@ pub const RATES: [&Symbol; 24] = *listed!(
     D_V_QX, D_V_QY, D_V_QZ, D_PHI_R, D_OMEGA_R, D_L_R, D_S_Q, D_V_Q, D_V_R
 );
 
-impl<C: Calc> Rows<C> for CraneRates<C> {
-    const ROWS: &'static [&'static Symbol] = &RATES;
-    fn row(&self, row: u8, _: u16) -> Found<C> {
-        Ok(self.0[usize::from(row)])
-    }
-}
+rows!(CraneRates, RATES);
 
 pub fn rates<C: Scalar>(
     built: &[Level<C>],
@@ -175,7 +183,7 @@ pub fn rates<C: Scalar>(
         bar.copy_from_slice(&found[..2]);
     }
     for (rate, place) in found[2..].iter().zip(order(oil.is_some(), fitted.slewing.is_some())) {
-        rows[4 + place] = *rate;
+        rows[4 + *place] = *rate;
     }
     Ok(CraneRates(rows))
 }
@@ -282,12 +290,7 @@ pub const INDICATORS: [&Symbol; 16] = [
     &s::Z_DRUM_LOOSE,
 ];
 
-impl<C: Calc> Rows<C> for CraneEvents<C> {
-    const ROWS: &'static [&'static Symbol] = &INDICATORS;
-    fn row(&self, row: u8, _: u16) -> Found<C> {
-        Ok(self.0[usize::from(row)])
-    }
-}
+rows!(CraneEvents, INDICATORS);
 
 pub fn events<C: Scalar>(
     built: &[Level<C>],

@@ -7,10 +7,10 @@ use crate::component::part::Runner;
 use crate::component::standing::Standing;
 use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
-use crate::luffing::double_link::hydraulic::FIXED;
+use crate::luffing::double_link::hydraulic::{FIXED, Modes};
 use crate::luffing::double_link::motion::{self, MotionState, directions};
 use crate::luffing::double_link::moving::carried::{CarriedCrane, at, known, put};
-use crate::luffing::double_link::moving::given::{CraneStates, Fitted, MOST_STATES, Past, STATES};
+use crate::luffing::double_link::moving::given::{CraneStates, Fitted, MOST_STATES, STATES};
 use crate::luffing::double_link::moving::hoisting::HoistKind;
 use crate::luffing::double_link::moving::level::{CraneAt, Level};
 use crate::luffing::double_link::moving::scene::Moving;
@@ -126,7 +126,7 @@ pub fn starting(given: Given<f64>, motion: Motion, moving: &Moving, theta: f64) 
         turning: slewing.map(|turn| turn.joint.turning),
         oil,
         wound: at_once.then_some(One(&m::V_H, 0.0)),
-        past: Some(Past::AT_REST),
+        past: Some(Modes::AT_REST),
         fitted: Fitted {
             rope: rope.map(|rope| rope.length),
             slewing: slewing.map(|turn| turn.joint.stops),

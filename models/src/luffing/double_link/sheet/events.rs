@@ -1,7 +1,6 @@
 //! What happens to a crane in motion, seen from sample to sample.
 
-use crate::luffing::double_link::hydraulic::FIXED;
-use crate::luffing::double_link::moving::given::Past;
+use crate::luffing::double_link::hydraulic::{FIXED, Modes};
 use crate::luffing::double_link::moving::level::CraneAt;
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::scene::Luffing;
@@ -33,7 +32,7 @@ impl Watch {
         let meets = |[x, rate]: [f64; 2], ends| [at(x, ends), at(x + rate * sample, ends)];
         let luffing = meets([y[0], y[1]], ends);
         let slewing = turning.map_or([[false; 2]; 2], |turning| meets(turning, turns));
-        let Past { joints, drum, taut, .. } = present.past;
+        let Modes { joints, drum, taut, .. } = present.past;
         Watch {
             joints: [
                 (!oil).then_some(joints[0]),

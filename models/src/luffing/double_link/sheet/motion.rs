@@ -16,7 +16,7 @@ use crate::luffing::double_link::hydraulic::CREEP;
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::moving::start::starting;
 use crate::luffing::double_link::moving::symbols as m;
-use crate::luffing::double_link::moving::told::ToldCrane;
+use crate::luffing::double_link::moving::told::recorded;
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::scene::{Luffing, LuffingScene};
 use crate::luffing::double_link::sheet::energy::integrals;
@@ -268,7 +268,7 @@ fn state(model: &mut MovingComponent, moving: &Moving) -> Vec<(&'static Symbol, 
 /// The equations at the model's instant. Each section is recorded from the start and shows its own steps.
 fn sections(model: &MovingComponent) -> Vec<Section> {
     let section = |(id, symbols): (&'static str, &[&Symbol])| {
-        let (mut trace, assembled) = record(|| model.recorded());
+        let (mut trace, assembled) = record(|| recorded(model));
         let mut seen: Vec<&Symbol> = Vec::new();
         let mut index = 0;
         trace.steps.retain(|step| {

@@ -13,7 +13,7 @@ use crate::luffing::double_link::hydraulic::FIXED;
 use crate::luffing::double_link::moving::level::{CraneAt, Powers};
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::moving::symbols as m;
-use crate::luffing::double_link::moving::told::ToldCrane;
+use crate::luffing::double_link::moving::told::{apart, kinetic, powers, present};
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::sheet::energy::{Energy, net, rounding, sum, turnover};
 use crate::luffing::double_link::sheet::events::Watch;
@@ -72,13 +72,13 @@ fn advance(
     let middle = f64::midpoint(from, to);
     if halvings == 0 {
         model.advance(from, to).ok()?;
-        let after = model.powers().ok()?;
+        let after = powers(model).ok()?;
         return Some((sum(&[(&before.0, 0.5 * time), (&after.0, 0.5 * time)]), after));
     }
     model.advance(from, middle).ok()?;
-    let half = model.powers().ok()?;
+    let half = powers(model).ok()?;
     model.advance(middle, to).ok()?;
-    let after = model.powers().ok()?;
+    let after = powers(model).ok()?;
     let weights = [(&before.0, time / 6.0), (&half.0, time / 1.5), (&after.0, time / 6.0)];
     let (work, gain) = (sum(&weights), after.1 - before.1);
     let left = (net(&work) - gain).abs();
@@ -103,9 +103,9 @@ fn stepped(
     halvings: u32,
     (budget, lively): (&mut Budget, bool),
 ) -> Option<(Powers, (Powers, f64))> {
-    let (start, blown) = (model.state(), model.present().0.past.blown);
+    let (start, blown) = (model.state(), present(model).0.past.blown);
     let (work, after) = advance(model, times, before, turned_over, halvings, budget)?;
-    if halvings > 0 || model.present().0.past.blown == blown && !lively {
+    if halvings > 0 || present(model).0.past.blown == blown && !lively {
         return Some((work, after));
     }
     let end = model.state();
@@ -160,19 +160,19 @@ impl Run {
             pilot.tell(model, [0.0, sample]).ok()?;
             model.update().ok()?;
         }
-        let (first, mut powers) = (look(model)?, model.powers().ok()?);
+        let (first, mut power) = (look(model)?, powers(model).ok()?);
         let lively = moving.rope.is_some_and(|rope| rope.give.is_some());
         let mut budget = Budget {
             halvings: samples,
             rates: RATES[0] * f64::from(samples) + RATES[1] * wanted,
         };
-        let (at, least) = model.present();
+        let (at, least) = present(model);
         let mut run = Run {
             series: Series::new(sample, &first),
             events: Vec::new(),
             energy: Energy {
-                start: powers.1,
-                end: powers.1,
+                start: power.1,
+                end: power.1,
                 ..Energy::default()
             },
             instant: 0.0,
@@ -193,27 +193,27 @@ impl Run {
             if i > 0 {
                 // Nothing is told that the model refuses: what it refuses next ends the run.
                 let _ = pilot.tell(model, [from, to]);
-                powers = model.powers().ok()?;
+                power = powers(model).ok()?;
             }
             let turned_over = turnover(&run.energy.work);
-            let step = stepped(model, [from, to], &powers, turned_over, HALVINGS, (&mut budget, lively));
+            let step = stepped(model, [from, to], &power, turned_over, HALVINGS, (&mut budget, lively));
             let Some(((work, now), values)) = step.zip(look(model)) else {
                 run.events.push((from, "run_ends"));
                 break;
             };
-            let (at, least) = model.present();
+            let (at, least) = present(model);
             let next = Watch::new(luffing, moving, &at, sample);
             let events = next.since(&watch);
             run.energy.add(&work, now.1);
             run.energy.blows = at.past.blown;
             if i % KINETIC == 0 {
-                run.energy.kinetic = run.energy.kinetic.max(model.kinetic().ok()?);
-                if let Some(apart) = model.apart() {
+                run.energy.kinetic = run.energy.kinetic.max(kinetic(model).ok()?);
+                if let Some(apart) = apart(model) {
                     run.apart = [0, 1].map(|k| run.apart[k].max(apart[k]));
                 }
             }
             run.events.extend(events.into_iter().map(|id| (to, id)));
-            (watch, powers) = (next, now);
+            (watch, power) = (next, now);
             // Where luffing is held it has no equation, and at a stop it tells little.
             let moves = watch.joints[0] != Some(Bar::Held) && !(moving.oil.is_some() && watch.stops[0] != [false; 2]);
             if moves && values[&lead].abs() > run.most {
