@@ -33,7 +33,7 @@ use crate::luffing::double_link::keys::KEYS;
 use crate::luffing::double_link::moving::hoisting::HoistKind;
 use crate::luffing::double_link::moving::{self, model::LuffingMotion};
 use crate::luffing::double_link::outline::OUTLINE;
-use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
+use crate::luffing::double_link::parameters::{Choice, DriveMount, Driven, Jib};
 use crate::luffing::double_link::pin_forces::PinForces;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::range::{Rise, rise_by_integration};
@@ -87,7 +87,10 @@ impl Described for LuffingScene {
                 Jib::Axis(x) => One(&s::AC, x),
             },
             weights: p.weights,
-            anchors: p.anchors,
+            mount: this
+                .sector
+                .map(DriveMount::Sector)
+                .or(p.anchors.map(DriveMount::Anchors)),
             cylinder: p.cylinder,
             gear: this.gear,
             balance: p.balance,

@@ -21,7 +21,7 @@ use crate::luffing::double_link::drive::{self, Drive, Reaction};
 use crate::luffing::double_link::feet::Feet;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::{Carried, Held, Passes};
-use crate::luffing::double_link::parameters::{Anchors, Bore, Choice, Driven, Jib, Lengths, Parameters, Weights};
+use crate::luffing::double_link::parameters::{Bore, Choice, DriveMount, Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
@@ -41,7 +41,7 @@ stages! {
         Parameter lengths: Lengths<C>,
         Parameter jib: One<C>,
         Parameter weights: Option<Weights<C>>,
-        Parameter anchors: Option<Anchors<C>>,
+        Parameter mount: Option<DriveMount<C>>,
         Parameter cylinder: Option<Bore<C>>,
         Parameter gear: Option<Gear<C>>,
         Parameter balance: Option<Form<C>>,
@@ -52,7 +52,7 @@ stages! {
         velocity: Velocity<C> = Velocity::new(position);
         head: Point<C> = Velocity::v_a(velocity, omega) => [V_AX, V_AY];
         pole: Pole<C> = Pole::new(geometry, position, velocity);
-        drive: Drive<C> = Drive::new(position, lengths, anchors[!]);
+        drive: Drive<C> = Drive::of(position, lengths, mount[!]);
         stroke: C = drive::speed(drive, omega) => V_D;
         flow: C = drive::flow(cylinder[!], stroke) => Q_D;
         load_moment: LoadMoment<C> = LoadMoment::new(velocity, load[!]);
@@ -87,7 +87,7 @@ impl Component for DoubleLink {
         head "Head A of the jib, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
         shaft "Foot of the driving link, where a moment drives it." [phi w]:
             phi THETA_1, w OMEGA_1, phi THETA_3, w OMEGA_3, tau M_D;
-        drive "Cylinder, rack or screw between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
+        drive "Cylinder, rack, screw or sector between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
@@ -101,7 +101,8 @@ impl Component for DoubleLink {
             && (given.choice.pins || !forces.contains(&symbol))
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
             && given.gear.as_ref().is_none_or(|gear| gear.has(symbol))
-            && (symbol != &b::F_D_0 || given.anchors.is_some())
+            && (symbol != &b::F_D_0 || given.mount.is_some())
+            && (symbol != &s::L_D || !matches!(given.mount, Some(DriveMount::Sector(_))))
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {
@@ -148,7 +149,10 @@ impl WithBalance for DoubleLink {
 #[must_use]
 pub fn parameters<C: Calc>(given: &Given<C>) -> Parameters<C> {
     Parameters {
-        anchors: given.anchors,
+        anchors: match given.mount {
+            Some(DriveMount::Anchors(anchors)) => Some(anchors),
+            _ => None,
+        },
         cylinder: given.cylinder,
         ..with_balance(
             &given.lengths,
