@@ -1,4 +1,4 @@
-//! Screw and pinion of a drive that pushes along a line.
+//! Screw and pinion of a drive that pushes along a line, and the pinion in a sector.
 
 use lemnis_models::component::model::Model;
 use lemnis_models::component::stages::Rows;
@@ -6,11 +6,13 @@ use lemnis_models::drive::gear::{Gear, Pinion};
 use lemnis_models::drive::screw::Screw;
 use lemnis_models::drive::shaft::{Gearing, Shaft};
 use lemnis_models::drive::symbols as s;
+use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::scene::Scene;
 use proptest::prelude::*;
 
 const READY: &str = include_str!("../scenes/portal_004_screw.toml");
+const SECTOR: &str = include_str!("../scenes/portal_004_sector.toml");
 
 fn index(model: &Model, name: &str) -> usize {
     let found = model.variables().iter().position(|variable| variable.name() == name);
@@ -92,35 +94,73 @@ proptest! {
     }
 }
 
-/// Over the whole stroke the screw's work without friction is that of the drive's moment, ∫ T dα = ∫ F ds = ∫ M_D dθ by
-/// Simpson's rule; each of its positions turns by what the drive lengthens.
+/// Over the whole stroke the work of screw or pinion without friction is that of the drive's moment, ∫ T dα = ∫ F ds = ∫ M_D dθ
+/// by Simpson's rule; each of its positions turns by what the drive lengthens.
 #[test]
 fn its_work_is_that_of_the_moment() {
-    let mut model = Scene::parse(READY).expect("legal").model().expect("exists");
     const PARTS: u32 = 2000;
     let [from, to] = [44_f64, 82.0].map(f64::to_radians);
     let step = (to - from) / f64::from(PARTS);
-    let (mut by_screw, mut by_moment, mut turns) = (0.0, 0.0, 0.0);
-    for i in 0..=PARTS {
-        let angle = from + f64::from(i) * step;
-        let weight = step / 3.0
-            * match i {
-                0 | PARTS => 1.0,
-                i if i % 2 == 1 => 4.0,
-                _ => 2.0,
-            };
-        let omega = at(&mut model, angle, "omega_1");
-        let speed = at(&mut model, angle, "n_d") * std::f64::consts::TAU / omega;
-        by_screw += weight * at(&mut model, angle, "T_d") * speed;
-        by_moment += weight * at(&mut model, angle, "M_D");
-        turns += weight * speed / std::f64::consts::TAU;
+    // Travel in one turn; all travel of a sector is its pitch radius times the angle.
+    for (text, turn, whole) in [
+        (READY, 0.014, None),
+        (SECTOR, 0.15 * std::f64::consts::TAU, Some(4.0 * (to - from))),
+    ] {
+        let mut model = Scene::parse(text).expect("legal").model().expect("exists");
+        let (mut by_shaft, mut by_force, mut by_moment, mut turns) = (0.0, 0.0, 0.0, 0.0);
+        for i in 0..=PARTS {
+            let angle = from + f64::from(i) * step;
+            let weight = step / 3.0
+                * match i {
+                    0 | PARTS => 1.0,
+                    i if i % 2 == 1 => 4.0,
+                    _ => 2.0,
+                };
+            let omega = at(&mut model, angle, "omega_1");
+            let speed = at(&mut model, angle, "n_d") * std::f64::consts::TAU / omega;
+            by_shaft += weight * at(&mut model, angle, "T_d") * speed;
+            by_force += weight * at(&mut model, angle, "F_d") * at(&mut model, angle, "v_d") / omega;
+            by_moment += weight * at(&mut model, angle, "M_D");
+            turns += weight * speed / std::f64::consts::TAU;
+        }
+        for by_drive in [by_shaft, by_force] {
+            assert!(
+                (by_drive - by_moment).abs() <= 1e-12 * by_moment.abs(),
+                "{by_drive} {by_moment}"
+            );
+        }
+        let stroke = whole.unwrap_or_else(|| at(&mut model, to, "L_d") - at(&mut model, from, "L_d"));
+        assert!((turns * turn - stroke).abs() <= 1e-10, "{turns} {stroke}");
     }
-    assert!(
-        (by_screw - by_moment).abs() <= 1e-12 * by_moment.abs(),
-        "{by_screw} {by_moment}"
-    );
-    let stroke = at(&mut model, to, "L_d") - at(&mut model, from, "L_d");
-    assert!((turns * 0.014 - stroke).abs() <= 1e-10, "{turns} {stroke}");
+}
+
+/// F_t = M / r at every angle, T = F_t r_z; the frame carries it at right angles to the line from the foot to the pinion, which
+/// a mere moment does not load.
+#[test]
+fn a_sector_by_hand() {
+    let mut model = Scene::parse(SECTOR).expect("legal").model().expect("exists");
+    let bare = SECTOR.find("[luffing.drive]").expect("there");
+    let mut moment = Scene::parse(&SECTOR[..bare]).expect("legal").model().expect("exists");
+    let (sin, cos) = Calc::sin_cos(100_f64.to_radians());
+    for degrees in [44.0, 60.5, 82.0_f64] {
+        let angle = degrees.to_radians();
+        let m_d = at(&mut model, angle, "M_D");
+        let force = at(&mut model, angle, "F_d");
+        assert_eq!(m_d.to_bits(), at(&mut moment, angle, "M_D").to_bits());
+        assert!((force - m_d / 4.0).abs() <= 1e-14 * force.abs());
+        assert!((at(&mut model, angle, "T_d") - force * 0.15).abs() <= 1e-14 * force.abs());
+        let by_hand = if force > 0.0 {
+            force * 0.15 / 0.95
+        } else {
+            force * 0.15 * 0.95
+        };
+        assert!((at(&mut model, angle, "T_d.out") - by_hand).abs() <= 1e-14 * force.abs());
+        for (name, part) in [("F_O1.x", -sin), ("F_O1.y", cos)] {
+            let carried = at(&mut moment, angle, name) - at(&mut model, angle, name);
+            let scale = at(&mut moment, angle, name).abs() + force.abs();
+            assert!((carried - force * part).abs() <= 1e-13 * scale, "{name} {carried}");
+        }
+    }
 }
 
 /// What a drive has too much or too little, what cannot turn, and what no level has.
@@ -144,6 +184,18 @@ fn what_cannot_be_is_refused() {
             "no torque turns the screw",
         ),
         (with_pinion, "at rest alone"),
+        (
+            SECTOR.replace("delta_s", "#"),
+            "`delta_s` is missing in [luffing.drive] of the kind \"sector\"",
+        ),
+        (
+            SECTOR.replace("r_s ", "s_d = \"3 m\"\nr_s "),
+            "a sector has no s_d, which is of a cylinder, rack or screw",
+        ),
+        (
+            READY.replace("chi_d ", "#"),
+            "`chi_d` is missing in [luffing.drive] of the kind \"screw\"",
+        ),
         (slow, "t_s = 10000 s is more than 100 times"),
         (
             READY

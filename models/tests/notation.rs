@@ -22,6 +22,7 @@ const TABLES: [(&str, &[&Symbol]); 12] = [
         double_link::moving::symbols::ALL,
     ),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
+    ("The boom on guide and link", luffing::ellipsograph::symbols::ALL),
     ("The joint by which a crane slews", turntable::ALL),
     ("A load on its rope, from a head that joints move", hanging::ALL),
     ("Slewing by itself", slewing::symbols::ALL),

@@ -179,23 +179,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         n.keep("drive", true);
     }
     if let Some(mut drive) = n.child("drive") {
-        let cylinder = oil || drive.draw.coin(0.5);
-        let kind = match cylinder {
-            true => "cylinder",
-            false if moves || drive.draw.coin(0.5) => "rack",
-            false => "screw",
-        };
-        drive.put("kind", kind);
-        drive.remove(&["D_c", "d_r", "r_z", "eta_d", "d_2", "p_h", "mu_d", "beta_d"]);
-        if cylinder {
-            let thick = drive.draw.between(0.0, 0.8) * f64::from(drive.draw.coin(0.9));
-            let bore = drive.set("D_c", bore);
-            drive.set("d_r", bore * thick);
-        }
-        let screw = kind == "screw";
-        if screw || kind == "rack" && !moves && drive.draw.coin(0.5) {
-            shaft(&mut drive, bore, screw);
-        }
+        kind_of_drive(&mut drive, bore, [moves, oil]);
     }
     let (linkage, range) = built(&mut n);
     working_range(&mut n, range);
@@ -231,7 +215,9 @@ fn built(n: &mut Node) -> (Linkage, [f64; 2]) {
             continue;
         }
         let mut margins: Vec<Margin> = vec![Box::new(move |p| sine(p.c - p.b, linkage.driven(p)[1]))];
-        if n.has("drive") {
+        if n.child("drive")
+            .is_some_and(|drive| drive.text("kind") != Some("sector"))
+        {
             margins.push(drive(n, &linkage));
         }
         if n.has("balance") {
@@ -247,6 +233,36 @@ fn built(n: &mut Node) -> (Linkage, [f64; 2]) {
         }
     }
     unreachable!("one of many fits")
+}
+
+/// A drive of any kind as thick as this (m), with what its kind has but anchors; of a mechanism that moves, or by oil.
+fn kind_of_drive(drive: &mut Node, bore: f64, [moves, oil]: [bool; 2]) {
+    let cylinder = oil || drive.draw.coin(0.5);
+    let kind = match cylinder {
+        true => "cylinder",
+        false if moves || drive.draw.coin(0.5) => "rack",
+        false => drive.draw.pick(&["screw", "sector"]),
+    };
+    drive.put("kind", kind);
+    drive.remove(&[
+        "D_c", "d_r", "r_z", "eta_d", "d_2", "p_h", "mu_d", "beta_d", "r_s", "delta_s",
+    ]);
+    if cylinder {
+        let thick = drive.draw.between(0.0, 0.8) * f64::from(drive.draw.coin(0.9));
+        let bore = drive.set("D_c", bore);
+        drive.set("d_r", bore * thick);
+    }
+    let (screw, sector) = (kind == "screw", kind == "sector");
+    if sector {
+        drive.remove(&["E_x", "E_y", "s_d", "chi_d"]);
+        let radius = drive.draw.scale[0] * drive.draw.between(0.01, 1.0);
+        drive.set("r_s", radius);
+        let direction = drive.draw.angle();
+        drive.set("delta_s", direction);
+    }
+    if screw || sector || kind == "rack" && !moves && drive.draw.coin(0.5) {
+        shaft(drive, bore, screw);
+    }
 }
 
 /// A screw, or a pinion, for a drive as thick as this (m).

@@ -1,16 +1,14 @@
-//! What turns a drive that pushes along a line, as it is given.
+//! What turns a drive, as it is given.
 
 use crate::drive::screw::Screw;
 use crate::drive::symbols as s;
-use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::group::{Group, quantities};
+use crate::kernel::group::{either, quantities};
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::{Symbol, listed};
-use crate::kernel::variable::Quantity;
 
 quantities! {
-    /// Pitch radius (m) of a pinion in a rack, and the efficiency of both.
+    /// Pitch radius (m) of a pinion in a rack or a sector, and the efficiency of both.
     Pinion { r_z: R_Z, eta_d: ETA_D }
 }
 
@@ -27,35 +25,8 @@ impl<C: Copy> Gear<C> {
     pub fn has(&self, result: &'static Symbol) -> bool {
         matches!(self, Gear::Screw(_)) || !listed!(s: LAMBDA_D, RHO_D, LOCK_D).contains(&result)
     }
-
-    /// The same over another scalar.
-    pub fn map<D>(&self, f: &mut dyn FnMut(&'static Symbol, C) -> D) -> Gear<D> {
-        match self {
-            Gear::Screw(it) => Gear::Screw(it.map(f)),
-            Gear::Pinion(it) => Gear::Pinion(it.map(f)),
-        }
-    }
 }
-
-impl<C: Calc> Group<C> for Gear<C> {
-    type Over<D: Calc> = Gear<D>;
-    const SIZE: usize = Screw::<f64>::SYMBOLS.len();
-    fn map<D: Calc>(&self, f: &mut dyn FnMut(Quantity, C) -> D) -> Gear<D> {
-        self.map(&mut |symbol, value| f((symbol, None), value))
-    }
-    fn take(&self, place: usize) -> C {
-        match self {
-            Gear::Screw(it) => it.take(place),
-            Gear::Pinion(it) => it.take(place),
-        }
-    }
-    fn put(&mut self, place: usize, value: C) {
-        match self {
-            Gear::Screw(it) => it.put(place, value),
-            Gear::Pinion(it) => it.put(place, value),
-        }
-    }
-}
+either!(Gear { Screw, Pinion });
 
 impl Gear<f64> {
     /// Of the checked table of a drive of a kind, none where it does not say how it is turned. Mistakes go to `found`.
@@ -73,7 +44,7 @@ impl Gear<f64> {
                 }
                 Some(Gear::Screw(screw))
             }
-            "rack" => Pinion::read(v).map(Gear::Pinion),
+            "rack" | "sector" => Pinion::read(v).map(Gear::Pinion),
             _ => None,
         }
     }

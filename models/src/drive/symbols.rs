@@ -1,4 +1,4 @@
-//! Every quantity of a drive's screw or pinion.
+//! Every quantity of a drive's screw, pinion or sector.
 
 use crate::kernel::symbol::{Range, symbols};
 
@@ -8,8 +8,11 @@ symbols! {
     P_H: "p_h" "p_h" M / MM [positive], "Lead of the drive's screw: travel of its nut in one turn.", "[Ports001, 5.3]";
     MU_D: "mu_d" "mu_d" ONE / ONE [not_negative], "Friction between screw and nut.", "[Ports001, 5.3]";
     BETA_D: "beta_d" "beta_d" RAD / DEG [within(Range::new(0.0, 1.0))], "Angle of the thread's flank from square to the screw's axis: 15 deg trapezoidal, 0 square.", "[Ports001, 5.3]";
-    R_Z: "r_z" "r_z" M / MM [positive], "Pitch radius of the pinion that pushes the rack.", "[Ports001, 5.3]";
-    ETA_D: "eta_d" "eta_d" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of pinion and rack.", "[Ports001, 5.3]";
+    R_Z: "r_z" "r_z" M / MM [positive], "Pitch radius of the pinion that pushes the rack or turns the sector.", "[Ports001, 5.3]";
+    ETA_D: "eta_d" "eta_d" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of the pinion and what it drives.", "[Ports001, 5.3]";
+
+    R_S: "r_s" "r_s" M / M [positive], "Pitch radius of the toothed sector, about the foot of the driving link.", "[Ports001, 5.3]";
+    DELTA_S: "delta_s" "delta_s" RAD / DEG, "Direction from the foot of the driving link to the pinion in the sector.", "[Ports001, 5.3]";
 
     // Screw.
     LAMBDA_D: "lambda_d" "lambda_d" RAD / DEG, "Lead angle of the screw.", "[Ports001, 5.3]";

@@ -170,6 +170,43 @@ macro_rules! quantities {
 }
 pub(crate) use quantities;
 
+/// Implements [`Group`] for one of several groups, and the same over another scalar: `either!(Gear { Screw, Pinion })`,
+/// each of which holds the group of its name.
+macro_rules! either {
+    ($name:ident { $($kind:ident),* }) => {
+        impl<C: Copy> $name<C> {
+            /// The same over another scalar.
+            pub fn map<D>(&self, f: &mut dyn FnMut(&'static $crate::kernel::symbol::Symbol, C) -> D) -> $name<D> {
+                match self { $($name::$kind(it) => $name::$kind(it.map(f))),* }
+            }
+        }
+
+        impl<C: $crate::kernel::calc::Calc> $crate::kernel::group::Group<C> for $name<C> {
+            type Over<D: $crate::kernel::calc::Calc> = $name<D>;
+            /// Of the kind with the most.
+            const SIZE: usize = {
+                let sizes = [$($kind::<f64>::SYMBOLS.len()),*];
+                let (mut most, mut at) = (0, 0);
+                while at < sizes.len() {
+                    if sizes[at] > most { most = sizes[at]; }
+                    at += 1;
+                }
+                most
+            };
+            fn map<D: $crate::kernel::calc::Calc>(&self, f: &mut dyn FnMut($crate::kernel::variable::Quantity, C) -> D) -> $name<D> {
+                self.map(&mut |symbol, value| f((symbol, None), value))
+            }
+            fn take(&self, place: usize) -> C {
+                match self { $($name::$kind(it) => it.take(place)),* }
+            }
+            fn put(&mut self, place: usize, value: C) {
+                match self { $($name::$kind(it) => it.put(place, value)),* }
+            }
+        }
+    };
+}
+pub(crate) use either;
+
 /// Implements [`Group`] for what is no struct of scalars: a choice of the scene (`group!(Choice)`), or one of several,
 /// a number from 1 whatever the scalar (`group!(Mode as s::MODE: from number, to number)`).
 macro_rules! group {

@@ -1,6 +1,7 @@
 //! The mechanism to scale.
 
-use crate::component::draw::Draw;
+use crate::component::draw::{Draw, polar};
+use crate::component::extreme::between;
 use crate::component::sheet::Drawing;
 use crate::component::telling::fine;
 use crate::kernel::calc::Calc;
@@ -81,14 +82,21 @@ fn boom(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
     draw.done(g.lengths.x_1)
 }
 
-/// The drive, where there is one, and the lug that carries its anchor beside the bar.
+/// The drive, where there is one, and the lug that carries its anchor beside the bar, or the sector as far as its pinion goes.
 fn drive(draw: &mut Draw, g: &Geometry<f64>, p: &Position<f64>, luffing: &Luffing) {
-    let Some(anchors) = &luffing.parameters.anchors else {
-        return;
-    };
     let (bar, length, foot) = match g.driven {
         Driven::Boom => (p.x_1, g.lengths.x_1, Point::zeros()),
         Driven::Rocker => (p.x_3, g.lengths.x_3, g.lengths.o3()),
+    };
+    if let Some(sector) = &luffing.sector {
+        let half = (luffing.motion.to - luffing.motion.from) / 2.0;
+        let rim = between(sector.delta_s - half, sector.delta_s + half).map(|at| foot + polar(sector.r_s, at));
+        let points: Vec<Point<f64>> = std::iter::once(foot).chain(rim).collect();
+        draw.body(&points, false);
+        draw.pin(foot + polar(sector.r_s, sector.delta_s), true, false);
+    }
+    let Some(anchors) = &luffing.parameters.anchors else {
+        return;
     };
     let (sin, cos) = Calc::sin_cos(anchors.chi_d);
     let along = bar * (anchors.s_d * cos / length);

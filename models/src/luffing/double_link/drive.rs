@@ -1,12 +1,12 @@
-//! The drive: a cylinder or a rack that pushes along a line from an anchor on
-//! the frame to an anchor on the driving link.
+//! The drive: a cylinder, a rack or a screw that pushes along a line from an anchor on the frame to an anchor on the driving
+//! link, or a pinion on the frame in a toothed sector of that link.
 
 use crate::component::stages::results;
 use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::held::Held;
-use crate::luffing::double_link::parameters::{Anchors, Bore, Driven, Lengths};
+use crate::luffing::double_link::parameters::{Anchors, Bore, DriveMount, Driven, Lengths};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::hydraulics::cylinder;
@@ -15,9 +15,9 @@ use crate::parts::plane::{self, Point};
 /// The drive at one position.
 #[derive(Clone, Copy, Debug)]
 pub struct Drive<C> {
-    /// From the anchor on the frame to the one on the driving link, in m.
+    /// From the anchor on the frame to the one on the driving link, in m; of a sector one metre along its teeth.
     line: Point<C>,
-    /// Length between the anchors, in m.
+    /// Length of that, in m.
     pub l_d: C,
     /// Lever arm about the foot of the driving link, in m; positive where a push
     /// turns it counter-clockwise. The derivative of the length by the angle.
@@ -36,6 +36,18 @@ pub struct Reaction<C> {
 results! { Reaction as f => { F_D: f.f_d; } }
 
 impl<C: Calc> Drive<C> {
+    pub fn of(p: &Position<C>, l: &Lengths<C>, mount: &DriveMount<C>) -> Drive<C> {
+        match mount {
+            DriveMount::Anchors(a) => Drive::new(p, l, a),
+            DriveMount::Sector(sector) => Drive {
+                line: sector.along(),
+                l_d: C::constant(1.0),
+                h_d: sector.r_s.def(&s::H_D),
+            },
+        }
+    }
+
+    /// Along a line.
     pub fn new(p: &Position<C>, l: &Lengths<C>, a: &Anchors<C>) -> Drive<C> {
         let (sin, cos) = a.chi_d.sin_cos();
         let (direction, bar) = match p.driven {

@@ -1,24 +1,33 @@
 //! What a scene says about the drive.
 
 use crate::drive::gear::Gear;
+use crate::drive::sector::Sector;
 use crate::drive::symbols as t;
 use crate::kernel::check::missing;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::{Key, Sign, Values};
 use crate::kernel::symbol::{Symbol, listed};
-use crate::luffing::double_link::parameters::Bore;
+use crate::luffing::double_link::parameters::{Anchors, Bore};
 use crate::luffing::double_link::symbols as s;
 
 /// What only one kind of drive has.
-const OWN: [(&str, &[&Symbol]); 3] = [
+const OWN: [(&str, &[&Symbol]); 5] = [
     ("cylinder", listed!(s: D_C, D_R)),
-    ("rack", listed!(t: R_Z, ETA_D)),
+    ("rack or sector", listed!(t: R_Z, ETA_D)),
     ("screw", listed!(t: D_2, P_H, MU_D, BETA_D)),
+    ("sector", listed!(t: R_S, DELTA_S)),
+    (LINES, LINE),
 ];
+
+/// What all but a sector have.
+const LINES: &str = "cylinder, rack or screw";
+const LINE: &[&Symbol] = listed!(s: E_X, E_Y, S_D, CHI_D);
 
 /// How a drive is driven, as far as the scene says it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Driving {
+    pub anchors: Option<Anchors<f64>>,
+    pub sector: Option<Sector<f64>>,
     pub cylinder: Option<Bore<f64>>,
     pub gear: Option<Gear<f64>>,
 }
@@ -30,9 +39,12 @@ pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Driving> {
     };
     let before = found.len();
     only_its_own(d, found);
+    all_of_it(d, found);
     let read = Driving {
+        anchors: Anchors::read(d),
+        sector: Sector::read(d),
         cylinder: cylinder(d, found),
-        gear: gear(d, found),
+        gear: Gear::read(d, d.text("kind")?, found),
     };
     (found.len() == before).then_some(read)
 }
@@ -40,7 +52,10 @@ pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Driving> {
 /// Refuses what is of a drive of another kind.
 fn only_its_own(d: &Values, found: &mut Vec<Diagnostic>) {
     let kind = d.text("kind").unwrap_or_default();
-    for (other, symbols) in OWN.iter().filter(|(other, _)| *other != kind) {
+    for (other, symbols) in OWN
+        .iter()
+        .filter(|(other, _)| !other.split([' ', ',']).any(|one| one == kind))
+    {
         for symbol in symbols.iter().filter(|symbol| d.has(symbol.id)) {
             let what = format!("a {kind} has no {}, which is of a {other}", symbol.id);
             found.push(d.refuse(symbol.id, what, "not used", "remove it"));
@@ -78,16 +93,18 @@ fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
     }
 }
 
-/// Screw, or pinion of a rack that is told; mistakes go to `found`.
-fn gear(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Gear<f64>> {
-    let kind = d.text("kind")?;
-    let needed: &[&Symbol] = match kind {
+/// Asks for what a drive of this kind needs, but bore and rod; a rack's pinion may be left out.
+fn all_of_it(d: &Values, found: &mut Vec<Diagnostic>) {
+    let kind = d.text("kind").unwrap_or_default();
+    let pinion = d.has(t::R_Z.id) || d.has(t::ETA_D.id);
+    let turned: &[&Symbol] = match kind {
         "screw" => listed!(t: D_2, P_H, MU_D, BETA_D),
-        "rack" if d.has(t::R_Z.id) || d.has(t::ETA_D.id) => listed!(t: R_Z, ETA_D),
+        "sector" => listed!(t: R_S, DELTA_S, R_Z, ETA_D),
+        "rack" if pinion => listed!(t: R_Z, ETA_D),
         _ => &[],
     };
-    let before = found.len();
-    for symbol in needed.iter().filter(|symbol| !d.has(symbol.id)) {
+    let line = if kind == "sector" { &[] } else { LINE };
+    for symbol in line.iter().chain(turned).filter(|symbol| !d.has(symbol.id)) {
         let key = Key::quantity(symbol, Sign::Positive);
         found.push(missing(
             d.span.clone(),
@@ -95,16 +112,15 @@ fn gear(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Gear<f64>> {
             &key,
         ));
     }
-    (found.len() == before).then(|| Gear::read(d, kind, found)).flatten()
 }
 
 /// Refuses a torque in a mechanism that `moves`, and limits of what the drive has not, with or without `forces`.
 pub fn fits(v: &Values, gear: Option<&Gear<f64>>, [moves, forces]: [bool; 2], found: &mut Vec<Diagnostic>) {
     if let Some(d) = v.table("drive").filter(|_| moves && gear.is_some()) {
-        let key = if d.text("kind") == Some("screw") {
-            "kind"
-        } else {
+        let key = if d.text("kind") == Some("rack") {
             t::R_Z.id
+        } else {
+            "kind"
         };
         let what = "the torque of screw or pinion is calculated at rest alone, and this mechanism moves by itself";
         let help = "set fidelity = \"static\" or \"table\" in [luffing] and leave out what moves, or make it a rack without r_z";

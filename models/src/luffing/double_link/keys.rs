@@ -51,7 +51,7 @@ pub const KEYS: &[Key] = &[
 pub const DRIVE: Key = Key::part(
     "drive",
     DRIVE_KEYS,
-    "Cylinder, rack or screw that turns the driving link.",
+    "Cylinder, rack, screw or sector that turns the driving link.",
 );
 pub const HOISTING: Key = Key::part(
     "hoisting",
@@ -75,14 +75,16 @@ static WEIGHTS: &[Key] = keys! { s:
 };
 
 static DRIVE_KEYS: &[Key] = keys! { s:
-    E_X, E_Y, S_D > 0, CHI_D, D_C > 0 [optional], D_R >= 0 [optional];
+    E_X [optional], E_Y [optional], S_D > 0 [optional], CHI_D [optional], D_C > 0 [optional], D_R >= 0 [optional];
     Key::new(
         "kind",
-        Kind::Choice(&["cylinder", "rack", "screw"]),
-        "A hydraulic cylinder, a rack that a pinion on the frame pushes, or a screw with its nut.",
+        Kind::Choice(&["cylinder", "rack", "screw", "sector"]),
+        "A hydraulic cylinder, a rack that a pinion on the frame pushes, a screw with its nut, or a toothed sector that a pinion turns.",
     ),
     Key::quantity(&d::R_Z, Sign::Positive).optional(),
     Key::quantity(&d::ETA_D, Sign::Positive).optional(),
+    Key::quantity(&d::R_S, Sign::Positive).optional(),
+    Key::quantity(&d::DELTA_S, Sign::Any).optional(),
     Key::quantity(&d::D_2, Sign::Positive).optional(),
     Key::quantity(&d::P_H, Sign::Positive).optional(),
     Key::quantity(&d::MU_D, Sign::NotNegative).optional(),

@@ -1,8 +1,9 @@
 //! What is constant in a scene: dimensions, weights, drive, balance, and what the scene has chosen.
 
 use crate::balance::scene::Form;
+use crate::drive::sector::Sector;
 use crate::kernel::calc::Calc;
-use crate::kernel::group::{group, quantities};
+use crate::kernel::group::{either, group, quantities};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::four_bar::Branch;
@@ -71,6 +72,14 @@ quantities! {
     /// Anchors of a drive that pushes along a line from the frame to the driving link.
     Anchors { e_x: E_X, e_y: E_Y, s_d: S_D, chi_d: CHI_D }
 }
+
+/// Where a drive takes hold of the driving link: along a line, or by a toothed sector.
+#[derive(Clone, Copy, Debug)]
+pub enum DriveMount<C> {
+    Anchors(Anchors<C>),
+    Sector(Sector<C>),
+}
+either!(DriveMount { Anchors, Sector });
 
 quantities! {
     /// Bore and rod of a luffing cylinder, in m.

@@ -6,6 +6,7 @@ use crate::balance::task::{Search, Task};
 use crate::component::description::Description;
 use crate::component::outline::Published;
 use crate::drive::gear::Gear;
+use crate::drive::sector::Sector;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
@@ -14,7 +15,7 @@ use crate::luffing::double_link::driving::{self, Driving};
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::misfit::Misfit;
 use crate::luffing::double_link::moving;
-use crate::luffing::double_link::parameters::{Anchors, Driven, Jib, Lengths, Parameters, Weights};
+use crate::luffing::double_link::parameters::{Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::stages::closes;
 use crate::luffing::double_link::symbols as s;
@@ -35,6 +36,8 @@ pub struct LuffingScene {
     pub parameters: Parameters<f64>,
     /// What turns the drive, where its torque is asked for.
     pub gear: Option<Gear<f64>>,
+    /// The toothed sector of its drive, if it has that.
+    pub sector: Option<Sector<f64>>,
     /// Weight of the load; `None` models no forces.
     pub q: Option<f64>,
     /// First angle of the range, in rad, at which all bars lie in one line: no finite forces in the pins carry a load there.
@@ -101,8 +104,12 @@ impl LuffingScene {
         let lengths = Lengths::read(v)?;
         let jib = jib(v, found)?;
         let weights = v.part("weights", Weights::read)?;
-        let anchors = v.part("drive", Anchors::read)?;
-        let Driving { cylinder, gear } = driving::read(v, found)?;
+        let Driving {
+            anchors,
+            sector,
+            cylinder,
+            gear,
+        } = driving::read(v, found)?;
         let q = n(&s::Q);
         // A load that cannot be read is not one that is missing.
         let loaded = q.is_some() || !found.is_empty();
@@ -147,6 +154,7 @@ impl LuffingScene {
         let luffing = LuffingScene {
             parameters,
             gear,
+            sector,
             q,
             change_point,
             moving,

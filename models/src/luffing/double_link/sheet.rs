@@ -34,7 +34,7 @@ use crate::luffing::double_link::moving::given::Fitted;
 use crate::luffing::double_link::moving::hoisting::HoistKind;
 use crate::luffing::double_link::moving::{self, start::starting};
 use crate::luffing::double_link::outline::OUTLINE;
-use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
+use crate::luffing::double_link::parameters::{Choice, DriveMount, Driven, Jib};
 use crate::luffing::double_link::pin_forces::PinForces;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::range::{Rise, rise_by_integration};
@@ -89,7 +89,10 @@ impl Described for LuffingScene {
                 Jib::Axis(x) => One(&s::AC, x),
             },
             weights: p.weights,
-            anchors: p.anchors,
+            mount: this
+                .sector
+                .map(DriveMount::Sector)
+                .or(p.anchors.map(DriveMount::Anchors)),
             cylinder: p.cylinder,
             gear: this.gear,
             balance: p.balance,

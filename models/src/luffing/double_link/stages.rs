@@ -30,7 +30,7 @@ use crate::luffing::double_link::moving::listed::{Fittings, list};
 use crate::luffing::double_link::moving::motion::{
     self, CraneEvents, CraneForces, CraneOil, CraneRates, INDICATORS, LoadSeen, RATES,
 };
-use crate::luffing::double_link::parameters::{Anchors, Bore, Choice, Driven, Jib, Lengths, Parameters, Weights};
+use crate::luffing::double_link::parameters::{Bore, Choice, DriveMount, Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
@@ -66,7 +66,7 @@ stages! {
         Parameter lengths: Lengths<C>,
         Parameter jib: One<C>,
         Parameter weights: Option<Weights<C>>,
-        Parameter anchors: Option<Anchors<C>>,
+        Parameter mount: Option<DriveMount<C>>,
         Parameter cylinder: Option<Bore<C>>,
         Parameter gear: Option<Gear<C>>,
         Parameter balance: Option<Form<C>>,
@@ -78,7 +78,7 @@ stages! {
         velocity: Velocity<C> = Velocity::new(position);
         head: Point<C> = Velocity::v_a(velocity, omega) => [V_AX, V_AY];
         pole: Pole<C> = Pole::new(geometry, position, velocity);
-        drive: Drive<C> = Drive::new(position, lengths, anchors[!]);
+        drive: Drive<C> = Drive::of(position, lengths, mount[!]);
         stroke: C = drive::speed(drive, omega) => V_D;
         flow: C = drive::flow(cylinder[!], stroke) => Q_D;
         load_moment: LoadMoment<C> = LoadMoment::new(velocity, load[!]);
@@ -97,7 +97,7 @@ stages! {
         analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
         published: PublishedFormulas<C> = published(geometry, jib, theta) => _;
-        parameters: Parameters<C> = parameters(lengths, jib, weights, anchors, cylinder, balance, choice) => _;
+        parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         built[constants]: Vec<Level<C>> = motion::built(
             parameters, load[!], constants[!], ramp, motor, give, turning, oil, fitted, choice
         ) => _;
@@ -158,7 +158,7 @@ impl Component for DoubleLink {
         head "Head A of the jib, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
         shaft "Foot of the driving link, where a moment drives it." [phi w]:
             phi THETA_1, w OMEGA_1, phi THETA_3, w OMEGA_3, tau M_D;
-        drive "Cylinder, rack or screw between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
+        drive "Cylinder, rack, screw or sector between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
     const STATES: [&'static [&'static Symbol]; 2] = [&[&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3], &RATES];
@@ -185,10 +185,11 @@ impl Component for DoubleLink {
             && (given.choice.pins || !forces.contains(&symbol))
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
             && given.fittings().is_none_or(|crane| crane.has(symbol))
-            && (symbol != &s::F_D || given.anchors.is_some())
+            && (symbol != &s::F_D || given.mount.is_some())
             && (!of_balance.contains(&symbol) || given.balance.is_some())
             && given.gear.as_ref().is_none_or(|gear| gear.has(symbol))
-            && (symbol != &b::F_D_0 || given.anchors.is_some())
+            && (symbol != &b::F_D_0 || given.mount.is_some())
+            && (symbol != &s::L_D || !matches!(given.mount, Some(DriveMount::Sector(_))))
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {
@@ -236,13 +237,16 @@ fn parameters<C: Calc>(
     lengths: &Lengths<C>,
     jib: &One<C>,
     weights: &Option<Weights<C>>,
-    anchors: &Option<Anchors<C>>,
+    mount: &Option<DriveMount<C>>,
     cylinder: &Option<Bore<C>>,
     balance: &Option<Form<C>>,
     choice: &Choice,
 ) -> Parameters<C> {
     Parameters {
-        anchors: *anchors,
+        anchors: match mount {
+            Some(DriveMount::Anchors(anchors)) => Some(*anchors),
+            _ => None,
+        },
         cylinder: *cylinder,
         ..with_balance(lengths, jib, weights, balance, choice)
     }
