@@ -167,8 +167,8 @@ impl Templates {
         let place = LANGUAGES.iter().position(|known| known.code == language.code);
         let ready = self.ready[place.expect("a language of the table")].get_or_init(|| self.prepare(language));
         let Ready { environment, words } = ready.as_ref().map_err(|error| Error(error.clone()))?;
-        let source = whole(environment, &Serde(book).into())
-            .map_err(|error| Error(describe(self.folder.as_deref(), &error)))?;
+        let source =
+            whole(environment, &Serde(book).into()).map_err(|error| Error(describe(self.folder.as_deref(), &error)))?;
         speech::accessible(&source, words).map_err(Error)
     }
 
@@ -228,7 +228,7 @@ impl Templates {
 /// A book rendered; a list of references that stands before chapters which cite has what they cite, too.
 fn whole(environment: &Environment<'static>, book: &Value) -> Result<String, minijinja::Error> {
     let template = environment.get_template(TEMPLATES[0].0)?;
-    let render = |cited: &BTreeSet<String>| template.render_captured(context! { book, cited });
+    let render = |cited: &BTreeSet<String>| template.render_captured(context! { book, known => cited });
     let made = render(&BTreeSet::new())?;
     match made.state().get_extension() {
         Some(Cited { all, listed: Some(few) }) if *few < all.len() => Ok(render(all)?.into_output()),
@@ -296,8 +296,11 @@ fn environment(words: Words) -> Environment<'static> {
             })
     });
     environment.add_function("cited", |state: &mut State| {
-        let known = state.lookup("cited").unwrap_or_default();
-        let known = known.try_iter()?.filter_map(|key| key.as_str().map(str::to_owned)).collect::<Vec<_>>();
+        let known = state.lookup("known").unwrap_or_default();
+        let known = known
+            .try_iter()?
+            .filter_map(|key| key.as_str().map(str::to_owned))
+            .collect::<Vec<_>>();
         let cited = state.get_or_insert_extension(Cited::default());
         cited.all.extend(known);
         cited.listed = Some(cited.all.len());
