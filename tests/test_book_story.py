@@ -157,3 +157,13 @@ def test_every_source_that_is_cited_is_among_the_references(name, language, tmp_
     key = r"\[((?:[A-Z][A-Za-z]+\d+|Rothe Erde|ISO \d[\d-]*))"
     cited, known = set(re.findall(key + r"[,\]]", text)), re.findall(key + r"\]", listed)
     assert cited and cited == set(known) and len(known) == len(cited)
+
+
+def test_references_know_what_the_chapters_behind_them_cite(tmp_path):
+    """The scene chooses the order: before the chapters that cite the list is the same as behind them."""
+    listed = []
+    for order in ['"references", "positions", "remarks"', '"positions", "remarks", "references"']:
+        path = scene(tmp_path, "crane.toml", ("[luffing]\n", f"[book]\nchapters = [{order}]\n[luffing]\n"))
+        text = " ".join(text_of(made(tmp_path, path)))
+        listed.append(sorted(re.findall(r"\[([A-Z][A-Za-z]+\d+)\] [A-Z]", text)))
+    assert listed[0] == listed[1] and "Li2022" in listed[0]

@@ -85,7 +85,7 @@ impl Language {
                 format!("{}{}{power}", sign(*negative), self.digits(digits))
             }
             Number::Infinite { negative } => format!("{}∞", sign(*negative)),
-            Number::Undefined => self.undefined(),
+            Number::Undefined => self.word("undefined"),
         }
     }
 
@@ -112,7 +112,7 @@ impl Language {
                 format!("{}{local}{power}", sign(*negative))
             }
             Number::Infinite { negative } => format!("{}infinity", sign(*negative)),
-            Number::Undefined => format!("\"{}\"", self.undefined()),
+            Number::Undefined => format!("\"{}\"", self.word("undefined")),
         }
     }
 
@@ -121,10 +121,10 @@ impl Language {
         digits.replace('.', self.decimal.encode_utf8(&mut [0; 4]))
     }
 
-    /// What stands where there is no number.
-    fn undefined(&self) -> String {
+    /// A word that stands where there is no number.
+    pub(crate) fn word(&self, id: &str) -> String {
         let words = Words::new(self, [], None);
-        let word = words.and_then(|words| words.get("text", "undefined").map(str::to_owned));
+        let word = words.and_then(|words| words.get("text", id).map(str::to_owned));
         word.expect("every language has the words of English")
     }
 }

@@ -167,9 +167,8 @@ impl Templates {
         let place = LANGUAGES.iter().position(|known| known.code == language.code);
         let ready = self.ready[place.expect("a language of the table")].get_or_init(|| self.prepare(language));
         let Ready { environment, words } = ready.as_ref().map_err(|error| Error(error.clone()))?;
-        let render = |context: Value| environment.get_template(TEMPLATES[0].0)?.render(context);
-        let source = render(context! { book => Serde(book) })
-            .map_err(|error| Error(describe(self.folder.as_deref(), &error)))?;
+        let source =
+            whole(environment, &Serde(book).into()).map_err(|error| Error(describe(self.folder.as_deref(), &error)))?;
         speech::accessible(&source, words).map_err(Error)
     }
 
@@ -223,6 +222,17 @@ impl Templates {
             Some(folder) => error.replacen("templates/", &format!("{}/", folder.display()), 1),
             None => error.to_owned(),
         }
+    }
+}
+
+/// A book rendered; a list of references that stands before chapters which cite has what they cite, too.
+fn whole(environment: &Environment<'static>, book: &Value) -> Result<String, minijinja::Error> {
+    let template = environment.get_template(TEMPLATES[0].0)?;
+    let render = |cited: &BTreeSet<String>| template.render_captured(context! { book, known => cited });
+    let made = render(&BTreeSet::new())?;
+    match made.state().get_extension() {
+        Some(Cited { all, listed: Some(few) }) if *few < all.len() => Ok(render(all)?.into_output()),
+        _ => Ok(made.into_output()),
     }
 }
 
@@ -286,8 +296,15 @@ fn environment(words: Words) -> Environment<'static> {
             })
     });
     environment.add_function("cited", |state: &mut State| {
-        let cited = &state.get_or_insert_extension(Cited::default()).0;
-        cited.iter().cloned().collect::<Value>()
+        let known = state.lookup("known").unwrap_or_default();
+        let known = known
+            .try_iter()?
+            .filter_map(|key| key.as_str().map(str::to_owned))
+            .collect::<Vec<_>>();
+        let cited = state.get_or_insert_extension(Cited::default());
+        cited.all.extend(known);
+        cited.listed = Some(cited.all.len());
+        Ok::<_, minijinja::Error>(cited.all.iter().cloned().collect::<Value>())
     });
     environment
 }
@@ -334,12 +351,15 @@ fn cite(state: &mut State, keys: &[String], text: &str) {
         after.any(|rest| rest.starts_with([',', ']', ';']))
     };
     let found = keys.iter().filter(cites).cloned();
-    state.get_or_insert_extension(Cited::default()).0.extend(found);
+    state.get_or_insert_extension(Cited::default()).all.extend(found);
 }
 
-/// Keys of the publications that a book has cited so far.
+/// Keys of the publications that a book has cited so far, and how many there were when they were listed.
 #[derive(Default)]
-struct Cited(BTreeSet<String>);
+struct Cited {
+    all: BTreeSet<String>,
+    listed: Option<usize>,
+}
 
 /// How many headings of each level a book has so far, since the last one of a level above.
 #[derive(Default)]

@@ -7,6 +7,7 @@ use crate::component::extreme::fine;
 use crate::component::governing::extremes;
 use crate::component::mechanism::{Entry, Mechanism, Solver};
 use crate::component::model::Model;
+use crate::component::moved::Moved;
 use crate::component::outline::{Outline, Published};
 use crate::component::part::{Component, Runner};
 use crate::component::running::Running;
@@ -140,6 +141,11 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     /// Ids of remarks, worded in the templates.
     fn remarks(&self) -> Vec<&'static str> {
         Vec::new()
+    }
+
+    /// What is told of it in motion, found beside all else: runs take the longest time of a book.
+    fn in_motion(_this: &Description<Self>) -> Option<Moved> {
+        None
     }
 
     /// Chapters of its own.

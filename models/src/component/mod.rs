@@ -10,6 +10,7 @@ pub mod extreme;
 pub mod governing;
 pub mod mechanism;
 pub mod model;
+pub mod moved;
 pub mod moving;
 pub mod outline;
 pub mod part;

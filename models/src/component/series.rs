@@ -1,46 +1,97 @@
 //! Values of a run over time, as a book draws and tables them.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
+use crate::component::running::Running;
 use crate::component::sheet::{Curve, Stand};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Fault;
 
 /// Points of a drawn curve, besides its extremes.
 const CURVE: usize = 300;
 /// Curves of one figure, each with all these points.
 const FEW: usize = 8;
 
-/// Values of variables, by their indices, at the end of every sample; the first variable is the coordinate.
+/// Values of variables at the end of every sample.
 pub struct Series {
     /// Time from one to the next, in s.
     pub sample: f64,
-    values: BTreeMap<usize, Vec<f64>>,
+    /// Indices of the variables, rising; the first one is the coordinate.
+    seen: Vec<usize>,
+    /// All their values of one sample after the other.
+    rows: Vec<f64>,
 }
 
 impl Series {
-    /// With the values at the start.
+    /// Of the coordinate, which is the first variable, and of those with these indices.
     #[must_use]
-    pub fn new(sample: f64, first: &BTreeMap<usize, f64>) -> Series {
+    pub fn new(sample: f64, seen: impl Iterator<Item = usize>) -> Series {
+        let seen: BTreeSet<usize> = seen.chain([0]).collect();
         Series {
             sample,
-            values: first.iter().map(|(&index, &value)| (index, vec![value])).collect(),
+            seen: seen.into_iter().collect(),
+            rows: Vec::new(),
         }
     }
 
-    /// The values of one more sample.
-    pub fn keep(&mut self, values: BTreeMap<usize, f64>) {
-        for (index, value) in values {
-            self.values.entry(index).or_default().push(value);
+    /// The values of the start, or of one more sample.
+    ///
+    /// # Errors
+    /// A variable that has no value; then nothing is kept.
+    pub fn look(&mut self, model: &mut dyn Running) -> Result<(), Fault> {
+        let known = self.rows.len();
+        for &index in &self.seen {
+            match model.get(index) {
+                Ok(value) => self.rows.push(value),
+                Err(fault) => {
+                    self.rows.truncate(known);
+                    return Err(fault);
+                }
+            }
         }
+        Ok(())
+    }
+
+    fn values(&self, index: usize) -> impl Iterator<Item = f64> + Clone {
+        let place = self.seen.binary_search(&index).expect("a variable that was looked at");
+        self.rows.iter().skip(place).step_by(self.seen.len()).copied()
+    }
+
+    /// The last value of a variable.
+    ///
+    /// # Panics
+    /// As [`stands`](Series::stands).
+    #[must_use]
+    pub fn last(&self, index: usize) -> f64 {
+        let place = self.seen.binary_search(&index).expect("a variable that was looked at");
+        self.rows[self.rows.len() - self.seen.len() + place]
+    }
+
+    /// At how many samples a variable turns round by more than an amount, with its greatest change from one sample to the
+    /// next and when that ends, in s.
+    ///
+    /// # Panics
+    /// As [`stands`](Series::stands).
+    #[must_use]
+    pub fn turns(&self, index: usize, felt: f64) -> (usize, [f64; 2]) {
+        let series: Vec<f64> = self.values(index).collect();
+        let changes: Vec<f64> = series.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let turned = |pair: &&[f64]| pair[0] * pair[1] < 0.0 && pair[1].abs() > felt;
+        let greatest = (1..)
+            .zip(&changes)
+            .fold([0.0, 0.0], |[most, at], (i, change): (u32, &f64)| {
+                match change.abs() > most {
+                    true => [change.abs(), f64::from(i) * self.sample],
+                    false => [most, at],
+                }
+            });
+        (changes.windows(2).filter(turned).count(), greatest)
     }
 
     /// In s.
-    ///
-    /// # Panics
-    /// Where nobody looked at the coordinate.
     #[must_use]
     pub fn duration(&self) -> f64 {
-        self.sample * (self.values[&0].len() - 1) as f64
+        self.sample * (self.rows.len() / self.seen.len() - 1) as f64
     }
 
     /// Places of the least and of the greatest value.
@@ -58,11 +109,11 @@ impl Series {
     /// For a variable that nobody looked at.
     #[must_use]
     pub fn stands(&self, index: usize) -> [Stand; 2] {
-        let series = &self.values[&index];
-        Series::ends(series).map(|i| Stand {
+        let series: Vec<f64> = self.values(index).collect();
+        Series::ends(&series).map(|i| Stand {
             value: series[i],
             time: i as f64 * self.sample,
-            at: self.values[&0][i],
+            at: self.rows[i * self.seen.len()],
         })
     }
 
@@ -73,11 +124,11 @@ impl Series {
     /// For a variable that nobody looked at.
     #[must_use]
     pub fn piece(&self, index: usize, of: usize) -> Option<Vec<[f64; 2]>> {
-        let series = &self.values[&index];
+        let series: Vec<f64> = self.values(index).collect();
         if series.iter().all(|value| *value == series[0]) {
             return None;
         }
-        let ([least, most], last) = (Series::ends(series), series.len() - 1);
+        let ([least, most], last) = (Series::ends(&series), series.len() - 1);
         let stride = (last * of.max(FEW) / (CURVE * FEW)).max(1);
         let shown = (0..=last).filter(|&i| i % stride == 0 || [last, least, most].contains(&i));
         Some(shown.map(|i| [i as f64 * self.sample, series[i]]).collect())

@@ -153,6 +153,8 @@ pub struct InMotion {
     pub of: Option<usize>,
     /// States and commands at that instant.
     pub state: Vec<(&'static Symbol, f64)>,
+    /// What its equations have besides, and nobody gives.
+    pub constants: Vec<(&'static Symbol, f64)>,
     pub sections: Vec<Section>,
     pub manoeuvres: Vec<Manoeuvre>,
     pub envelope: Vec<Envelope>,

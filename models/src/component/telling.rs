@@ -1,5 +1,7 @@
 //! A sheet from an outline: the run of the component on the recorder, and its results over the working range.
 
+use std::panic::resume_unwind;
+
 use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
 use crate::component::extreme::Extreme;
@@ -128,45 +130,21 @@ fn row(part: &dyn Part, symbol: &'static Symbol, face: &mut dyn Face<Rec>) -> Fo
 }
 
 /// All that a book says of a mechanism, with the positions that the scene asks for.
+///
+/// # Panics
+/// Where a run does.
 #[must_use]
 pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Place]) -> Sheet {
-    let (outline, mut model) = (T::OUTLINE, told.standing());
-    let mut governing = governing(&model, outline);
-    governing.extend(T::searched(told, &model));
-    let mut summary = summary(&mut model, outline.summary);
-    let (requirements, unjudged) = limits(told, governing.iter().chain(&summary));
-    summary.extend(T::totals(told));
-    let forces = forces(&model, outline);
-    let positions = positions(outline, model.motion(), asked, &governing);
-    let of = body(&mut model, outline, &governing);
-    let mut sheet = Sheet {
-        assumptions: T::assumptions(told),
-        inputs: told.inputs(origins),
-        uses: uses(outline),
-        constants: constants::<T>(&model, of),
-        positions: positions
-            .into_iter()
-            .map(|(id, at)| worked::<T>(&model, id, at, of))
-            .collect(),
-        range: table(&mut model, outline.table),
-        curves: curves(told, &mut model),
-        drawing: T::drawing(told),
-        identities: T::identities(told, &mut model),
-        requirements,
-        unjudged,
-        published: published(told.published(), &mut model),
-        published_source: told.published().map(|published| published.source.clone()),
-        summary,
-        sensitivity: sensitivity(&mut model, outline, outline.sensitivity, &governing),
-        governing,
-        outputs: outputs(&model),
-        remarks: told.remarks(),
-        forces,
-        uncovered: T::uncovered(told),
-        parts: T::parts(told),
-        ..Sheet::default()
-    };
-    T::more(told, &mut model, &mut sheet);
+    let mut model = told.standing();
+    let (mut sheet, moved) = std::thread::scope(|scope| {
+        let runs = scope.spawn(|| T::in_motion(told));
+        let sheet = at_rest(told, &mut model, origins, asked);
+        (sheet, runs.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    });
+    match moved {
+        Some(moved) => moved.tell(&mut sheet),
+        None => sheet.uncalculated = in_motion_only(told),
+    }
     sheet.drop_nothing();
     let Sheet {
         requirements,
@@ -174,10 +152,49 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
         inputs,
         ..
     } = &mut sheet;
-    banded(requirements, &mut model, outline, governing, inputs);
-    if sheet.motion.is_none() {
-        sheet.uncalculated = in_motion_only(told);
-    }
+    banded(requirements, &mut model, T::OUTLINE, governing, inputs);
+    sheet
+}
+
+/// All but what moves.
+fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &Origins, asked: &[Place]) -> Sheet {
+    let outline = T::OUTLINE;
+    let mut governing = governing(model, outline);
+    governing.extend(T::searched(told, model));
+    let mut summary = summary(model, outline.summary);
+    let (requirements, unjudged) = limits(told, governing.iter().chain(&summary));
+    summary.extend(T::totals(told));
+    let forces = forces(model, outline);
+    let positions = positions(outline, model.motion(), asked, &governing);
+    let of = body(model, outline, &governing);
+    let mut sheet = Sheet {
+        assumptions: T::assumptions(told),
+        inputs: told.inputs(origins),
+        uses: uses(outline),
+        constants: constants::<T>(model, of),
+        positions: positions
+            .into_iter()
+            .map(|(id, at)| worked::<T>(model, id, at, of))
+            .collect(),
+        range: table(model, outline.table),
+        curves: curves(told, model),
+        drawing: T::drawing(told),
+        identities: T::identities(told, model),
+        requirements,
+        unjudged,
+        published: published(told.published(), model),
+        published_source: told.published().map(|published| published.source.clone()),
+        summary,
+        sensitivity: sensitivity(model, outline, outline.sensitivity, &governing),
+        governing,
+        outputs: outputs(model),
+        remarks: told.remarks(),
+        forces,
+        uncovered: T::uncovered(told),
+        parts: T::parts(told),
+        ..Sheet::default()
+    };
+    T::more(told, model, &mut sheet);
     sheet
 }
 

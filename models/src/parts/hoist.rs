@@ -53,10 +53,9 @@ pub struct Elastic<P = f64> {
 }
 
 impl<P: Calc> Elastic<P> {
-    /// Force by stiffness alone, and with damping (N), of a rope stretched by a length (m) at a rate (m/s).
+    /// Forces by stiffness and by damping (N) of a rope stretched by a length (m) at a rate (m/s).
     pub(crate) fn forces<C: Over<P>>(&self, stretch: C, rate: C) -> [C; 2] {
-        let spring = C::of(self.stiffness) * stretch;
-        [spring, spring + C::of(self.damping) * rate]
+        [C::of(self.stiffness) * stretch, C::of(self.damping) * rate]
     }
 
     /// Falls below zero where the rope lets go, or begins to pull.

@@ -2,6 +2,7 @@
 
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
+use crate::component::moved::Moved;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::component::running::Running;
@@ -215,6 +216,10 @@ impl Described for SteeringScene {
         list
     }
 
+    fn in_motion(this: &Steering) -> Option<Moved> {
+        motion(this, this.moving.as_ref()?)
+    }
+
     /// Its modes and their changes, and how its parts are chosen.
     fn more(this: &Steering, model: &mut Standing, sheet: &mut Sheet) {
         let built = this.built();
@@ -258,10 +263,6 @@ impl Described for SteeringScene {
             section
                 .into_iter()
                 .for_each(|section| section.table = Some(slip_table(model, worked.value)));
-        }
-        if let Some((chapter, warning)) = this.moving.as_ref().and_then(|moving| motion(this, moving)) {
-            sheet.warnings.extend(warning);
-            sheet.motion = Some(chapter);
         }
     }
 }

@@ -19,6 +19,7 @@ pub(super) struct Motion {
     /// Number of the body that the formulas speak of.
     of: Option<usize>,
     state: Vec<Value>,
+    constants: Vec<Value>,
     sections: Vec<Section>,
     ramp: Option<String>,
     rules: Vec<&'static str>,
@@ -113,7 +114,7 @@ impl Motion {
             value: numbers.in_formula(symbol, value),
         };
         let time = |at: f64| numbers.result(motion.time, at);
-        for (symbol, _) in &motion.state {
+        for (symbol, _) in motion.state.iter().chain(&motion.constants) {
             notation.meet(symbol);
         }
         let sections = sections(numbers, &motion.sections, None, requirements, notation);
@@ -153,6 +154,7 @@ impl Motion {
             at: numbers.named(motion.time, motion.instant.2),
             of: motion.of,
             state: motion.state.iter().map(value).collect(),
+            constants: motion.constants.iter().map(value).collect(),
             sections,
             rules: motion.rules.clone(),
             ramp: motion.ramp.map(|(symbol, time)| numbers.named(symbol, time)),

@@ -11,6 +11,9 @@ use crate::language::Language;
 /// The most significant digits of a number in a formula.
 const MOST: usize = 12;
 
+/// Id of the word for what never comes.
+const NEVER: &str = "never";
+
 /// How a book writes its numbers. Every value is in SI, and is printed in its symbol's display unit.
 pub struct Numbers {
     pub language: &'static Language,
@@ -139,7 +142,11 @@ impl Numbers {
     pub fn column(&self, symbol: &Symbol, values: impl Iterator<Item = f64>) -> Vec<String> {
         let values: Vec<f64> = values.map(|value| self.shown(symbol, value)).collect();
         let numbers = column(&values, self.digits);
-        numbers.iter().map(|number| self.language.text(number)).collect()
+        let text = |number| match is_never(number, symbol.display) {
+            true => self.language.word(NEVER),
+            false => self.language.text(number),
+        };
+        numbers.iter().map(text).collect()
     }
 
     /// How far a value may be off, with two significant digits.
@@ -158,12 +165,20 @@ pub fn measured(language: &Language, number: f64, unit: &Unit) -> String {
 }
 
 fn with_unit(language: &Language, number: &Number, unit: &Unit) -> String {
+    if is_never(number, unit) {
+        return format!("\"{}\"", language.word(NEVER));
+    }
     let unit = match unit.print {
         "" => String::new(),
         unit if unit.starts_with('°') => format!("\"{unit}\""),
         unit => format!(" thin\"{unit}\""),
     };
     language.math(number) + &unit
+}
+
+/// Whether it says that something never comes: nothing is at an infinite angle, and an infinite time does not end.
+fn is_never(number: &Number, unit: &Unit) -> bool {
+    matches!(number, Number::Infinite { .. }) && [&unit::RAD, &unit::S].into_iter().any(|known| unit.is_like(known))
 }
 
 /// A small change with three significant digits; zero where it is nothing but rounding.

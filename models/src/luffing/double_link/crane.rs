@@ -161,10 +161,12 @@ where
         }
     }
 
-    /// Forces of a stretched rope, in N.
+    /// Force of a stretched rope by stiffness alone, and with damping, in N.
     fn stretched<C: Coordinate<P>>(rope: &Elastic<P>, y: &[C; N]) -> [C; 2] {
         let [distance, speed] = Self::reach(y);
-        rope.forces((distance - y[Self::LENGTH]).def(&s::DELTA_R), speed - y[N - 1])
+        let stretch = (distance - y[Self::LENGTH]).def(&s::DELTA_R);
+        let [spring, damping] = rope.forces(stretch, (speed - y[N - 1]).def(&s::D_DELTA_R));
+        [spring, spring + damping.def(&s::S_RD)]
     }
 
     /// Rates of all states between events; `None` where the linkage does not close or nothing is left of the rope.

@@ -13,6 +13,7 @@ use crate::balance::boom::Boom;
 use crate::balance::kept::kept;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
+use crate::component::moved::Moved;
 use crate::component::outline::{Outline, Published};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
@@ -374,21 +375,14 @@ impl Described for LuffingScene {
         list
     }
 
+    fn in_motion(this: &Luffing) -> Option<Moved> {
+        motion(this, this.moving.as_ref()?)
+    }
+
     fn more(this: &Luffing, model: &mut Standing, sheet: &mut Sheet) {
         sheet.balance = chapter::<DoubleLink>(model, this.published_balance.as_ref());
         if let Some(search) = search(this) {
             sheet.requirements.extend(kept(&search));
-        }
-        if let Some((chapter, found)) = this
-            .moving
-            .as_ref()
-            .and_then(|moving| motion(this, moving, &sheet.forces))
-        {
-            sheet.requirements.extend(found.requirements);
-            sheet.unjudged.extend(found.unjudged);
-            sheet.identities.extend(found.identities);
-            sheet.warnings.extend(found.warnings);
-            sheet.motion = Some(chapter);
         }
     }
 }

@@ -44,6 +44,7 @@ symbols! {
     THETA_W: "theta_w" "theta_(w i)" RAD / DEG, "Heading that the command wants of a group, within its range.", "[Zhang2016, eq. 1-9]";
     E: "e" "e_i" RAD / DEG, "What a group lacks of the heading wanted.", "derived";
     U_V: "u_v" "u_(v i)" ONE / ONE, "Command of a group's valve, held by the PLC from sample to sample; positive lengthens the cylinder.", "[Zhang2016, 7]";
+    DU_V: "du_v" "abs(Delta u_v)" ONE / ONE [not_negative], "Greatest change of a valve's command from one sample of the PLC to the next.", "derived";
     F_C: "f_c" "f_(c i)" N / KN, "Force of a group's cylinder by its pressures; push positive.", "equations of motion";
     M_R: "M_R" "M_(R i)" N_M / KN_M, "Moment of tyres, slewing ring and end stop on a group; positive turns it counter-clockwise.", "equations of motion";
     Q_V: "q_v" "q_(v i)" M3_PER_S / L_PER_MIN, "Oil flow from the pump through a group's valve.", "equations of motion";

@@ -1,8 +1,7 @@
 //! What the book tells of the groups in motion: one movement of the running model through its working range, and the
 //! equations of one group at one instant of it.
 
-use std::collections::BTreeMap;
-
+use crate::component::moved::Moved;
 use crate::component::moving::MovingComponent;
 use crate::component::running::{Running, State};
 use crate::component::series::Series;
@@ -34,6 +33,11 @@ const SAMPLES: f64 = 2000.0;
 
 /// The name of the movement.
 const STEER: &str = "steer";
+
+/// A valve's command is restless where it turns round by more than this part of full opening, at more than this part of
+/// the samples of the PLC.
+const FELT: f64 = 0.01;
+const RESTLESS: f64 = 0.5;
 
 /// What is drawn over time, a line for each group: ids of captions.
 const DRAWN: [(&str, &Symbol); 6] = [
@@ -89,14 +93,15 @@ struct Movement {
 
 impl Movement {
     /// From rest at the start of the working range to its end, and on until all has settled.
-    fn new(this: &Steering, model: &mut MovingComponent, cycle: f64, seen: &[usize]) -> Result<Movement, Fault> {
+    fn new(
+        this: &Steering,
+        model: &mut MovingComponent,
+        cycle: f64,
+        seen: impl Iterator<Item = usize>,
+    ) -> Result<Movement, Fault> {
         let range = &this.motion;
         let whole = range.stop_time() + SETTLING;
         let sample = cycle * (whole / (cycle * SAMPLES)).ceil();
-        let look = |model: &mut MovingComponent| {
-            let values = seen.iter().map(|&index| Ok((index, model.get(index)?)));
-            values.collect::<Result<BTreeMap<usize, f64>, Fault>>()
-        };
         let ends = places(model, &[&m::Z_MIN, &m::Z_MAX]);
         let between = |model: &mut MovingComponent, number: usize| {
             let clear = |(_, groups): &(_, Vec<usize>)| Ok(model.get(groups[number])? >= 0.0);
@@ -104,7 +109,8 @@ impl Movement {
         };
         let chambers = places(model, &[&m::P_A, &m::P_B]);
         let ports = places(model, &[&m::P_1, &m::P_2]);
-        let series = Series::new(sample, &look(model)?);
+        let mut series = Series::new(sample, seen);
+        series.look(model)?;
         let mut found = Movement {
             series,
             greatest: (f64::NEG_INFINITY, 0.0, 0),
@@ -117,7 +123,7 @@ impl Movement {
             let part = range.part(range.from + way * from).min(1.0);
             model.set(0, range.at(part))?;
             model.advance(from, to)?;
-            found.series.keep(look(model)?);
+            found.series.look(model)?;
             for (_, groups) in &chambers {
                 for (number, &index) in groups.iter().enumerate() {
                     let pressure = model.get(index)?;
@@ -134,6 +140,22 @@ impl Movement {
             }
         }
         Ok(found)
+    }
+
+    /// The command that turns round most often, where that is at most of the samples of the PLC.
+    fn restless(&self, cycle: f64, groups: &[usize]) -> Option<Warning> {
+        let turns = groups.iter().map(|&index| self.series.turns(index, FELT));
+        let (count, [change, at]) = turns.reduce(|a, b| if b.0 > a.0 { b } else { a })?;
+        let part = count as f64 * cycle / self.series.duration();
+        (self.series.sample == cycle && part > RESTLESS).then(|| Warning {
+            id: "restless",
+            manoeuvre: Some(STEER),
+            summary: Summary {
+                at: Some((&m::TAU, at)),
+                ..Summary::new(&m::DU_V, change)
+            },
+            count,
+        })
     }
 
     /// Of all groups.
@@ -213,25 +235,22 @@ fn recorded(model: &MovingComponent, i: usize, wanted: f64) -> Option<Vec<(&'sta
 }
 
 /// The chapter, with what is warned of; `None` where the movement is refused.
-pub fn motion(this: &Steering, moving: &MovingGroups<f64>) -> Option<(InMotion, Option<Warning>)> {
+pub fn motion(this: &Steering, moving: &MovingGroups<f64>) -> Option<Moved> {
     let mut model = in_motion(this)?.ok()?;
     let (drawn, designed) = (
         places(&model, &DRAWN.map(|(_, symbol)| symbol)),
         places(&model, &DESIGNED),
     );
-    let looked = drawn
+    let seen = drawn
         .iter()
         .chain(&designed)
         .flat_map(|(_, groups)| groups.iter().copied());
-    let seen: Vec<usize> = std::iter::once(0).chain(looked).collect();
     let coordinate = model.variables()[0].symbol;
-    let found = Movement::new(this, &mut model, moving.t_c, &seen).ok()?;
+    let found = Movement::new(this, &mut model, moving.t_c, seen).ok()?;
     let (_, instant, group) = found.greatest;
     model.set_state(&found.state);
     let wanted = model.get(places(&model, &[&m::THETA_W])[0].1[group]).ok()?;
     let (trace, told) = record(|| recorded(&model, group, wanted));
-    let mut state = told?;
-    state.extend([(&h::DP_LAM, LAMINAR), (&m::OMEGA_C, CREEP)]);
     let section = |(id, symbols): (&'static str, &[&Symbol])| {
         let mut trace = trace.clone();
         trace.steps.retain(|step| symbols.contains(&step.symbol));
@@ -246,7 +265,9 @@ pub fn motion(this: &Steering, moving: &MovingGroups<f64>) -> Option<(InMotion, 
         |(id, (symbol, groups)): (&'static str, &(&'static Symbol, Vec<usize>))| found.curve(id, symbol, groups);
     let ids = DRAWN.iter().map(|(id, _)| *id);
     let [least, at] = found.least;
-    let warning = (least < VACUUM).then(|| Warning {
+    let commands = drawn.iter().find(|(symbol, _)| *symbol == &m::U_V);
+    let restless = commands.and_then(|(_, groups)| found.restless(moving.t_c, groups));
+    let cavitates = (least < VACUUM).then(|| Warning {
         id: "cavitation",
         manoeuvre: Some(STEER),
         summary: Summary {
@@ -260,7 +281,8 @@ pub fn motion(this: &Steering, moving: &MovingGroups<f64>) -> Option<(InMotion, 
         coordinate,
         instant: ("greatest_group_pressure", STEER, instant),
         of: Some(group + 1),
-        state,
+        state: told?,
+        constants: vec![(&h::DP_LAM, LAMINAR), (&m::OMEGA_C, CREEP)],
         sections: sections.filter(|section| !section.trace.steps.is_empty()).collect(),
         ramp: None,
         rules: vec!["command"],
@@ -280,5 +302,11 @@ pub fn motion(this: &Steering, moving: &MovingGroups<f64>) -> Option<(InMotion, 
             energy: Energy::default(),
         }],
     };
-    Some((chapter, warning))
+    Some(Moved {
+        chapter,
+        requirements: Vec::new(),
+        unjudged: Vec::new(),
+        identities: Vec::new(),
+        warnings: cavitates.into_iter().chain(restless).collect(),
+    })
 }

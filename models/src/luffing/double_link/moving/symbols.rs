@@ -73,6 +73,8 @@ symbols! {
     M_R: "M_R" "M_R" N_M / KN_M, "Moment of friction, brake and end stop on the driving link; positive turns it counter-clockwise.", "equations of motion";
     M_R_H: "M_Rh" "M_\"R h\"" N_M / KN_M, "Moment of brake and friction on the hoist's drum; positive reels in.", "equations of motion";
     DELTA_R: "delta_R" "delta_R" M / MM, "Stretch of the rope.", "derived";
+    D_DELTA_R: "ddelta_R" "dot(delta)_R" M_PER_S / M_PER_S, "Rate of the rope's stretch.", "derived";
+    S_RD: "S_Rd" "S_(R d)" N / KN, "Force of the rope's damping: what the rope's force has beside that of its stiffness; where the rope has let go with a stretch left in it, the force of its stiffness with the opposite sign.", "derived";
     MASS_H: "mass_h" "m_\"h red\"" KG / T, "Mass of the hoist's drum and of all that turns with it, as the rope at the head feels it.", "derived";
 
     // The equations of motion, from derivatives of the positions by the driving angle.
@@ -181,7 +183,7 @@ symbols! {
     W_SL: "W_sl" "W_\"sl\"" J / KJ, "Work of the slewing drive.", "derived";
     W_H: "W_h" "W_h" J / KJ, "Work of the hoist on the rope.", "derived";
     W_P: "W_P" "W_P" J / KJ, "Work of the pump.", "derived";
-    W_R: "W_R" "W_R" J / KJ, "Energy that friction and brakes have taken.", "derived";
+    W_R: "W_R" "W_R" J / KJ, "Energy that friction, brakes, end stops and a rope's damping have taken.", "derived";
     W_T: "W_T" "W_T" J / KJ, "Energy that edges, lines, relief valves and leakage have taken.", "derived";
     W_BLOW: "W_blow" "W_\"blow\"" J / KJ, "Energy that blows at end stops and of the rope have taken, the hoist's share in them included: what it gives by a blow counts negative.", "equations of motion";
     W_E: "W_e" "W_e" J / KJ, "What is left over: error of the sums over the samples.", "derived";

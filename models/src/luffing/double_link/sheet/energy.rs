@@ -90,8 +90,7 @@ pub(super) fn sum(parts: &[(&Powers, f64)]) -> Powers {
     }
 }
 
-/// What the works are sums of, with the rate of the driving link. Of a rope that gives way, whose damping takes energy too,
-/// there is no formula of what is lost.
+/// What the works are sums of, with the rate of the driving link.
 pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral> {
     let of = |negative: bool, factors: &[&'static Symbol], over: Option<&'static Symbol>| Power {
         negative,
@@ -101,6 +100,7 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
     let integral = |there: bool, symbol: &'static Symbol, of: Vec<Power>| there.then_some(Integral { symbol, of });
     let (oil, slews, hangs) = (moving.oil.is_some(), moving.slewing.is_some(), moving.rope.is_some());
     let motor = moving.has_motor();
+    let elastic = moving.rope.is_some_and(|rope| rope.give.is_some());
     let hoist = match moving.rope.map(|rope| rope.hoist) {
         Some(HoistKind::Motor(_)) => of(true, &[&m::M_M_H, &m::M_H, &m::V_R], Some(&m::R_H)),
         _ => of(true, &[&m::S_R, &m::V_R], None),
@@ -109,6 +109,7 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
         Some(of(true, &[&m::M_R, rate], None)),
         slews.then(|| of(true, &[&m::M_R_SL, &m::OMEGA_SL], None)),
         motor.then(|| of(false, &[&m::M_R_H, &m::M_H, &m::V_R], Some(&m::R_H))),
+        elastic.then(|| of(false, &[&m::S_RD, &m::D_DELTA_R], None)),
     ];
     let stored = [
         [&m::V_1, &m::P_1, &m::D_P_1],
@@ -128,14 +129,13 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
         of(true, &[&m::F_C, &s::V_D], None),
     ];
     resisted.extend(compression(true));
-    let elastic = moving.rope.is_some_and(|rope| rope.give.is_some());
     let all = [
         integral(!oil, &m::W_A, vec![of(false, &[&m::M_A, rate], None)]),
         integral(slews, &m::W_SL, vec![of(false, &[&m::M_SL, &m::OMEGA_SL], None)]),
         integral(hangs && moving.hoists(), &m::W_H, vec![hoist]),
         integral(oil, &m::W_P, vec![of(false, &[&m::P_P, &h::Q_0], None)]),
         integral(oil, &m::E_OIL, compression(false)),
-        integral(!elastic, &m::W_R, friction.into_iter().flatten().collect()),
+        integral(true, &m::W_R, friction.into_iter().flatten().collect()),
         integral(oil, &m::W_T, resisted),
     ];
     all.into_iter().flatten().collect()

@@ -121,8 +121,7 @@ fn lifting(moving: &Moving) -> Option<[f64; 2]> {
         HoistKind::Motor(_) => Some([LIFTED * rope.length / moving.ramp, 2.0 * moving.ramp]),
         _ if speed == 0.0 => None,
         HoistKind::Ramp(ramp) => Some([speed, speed / ramp.a_h + moving.ramp]),
-        // What jumps gives blows and no forces to design for.
-        HoistKind::AtOnce => None,
+        HoistKind::AtOnce => Some([speed, moving.ramp]),
     }
 }
 
@@ -183,8 +182,7 @@ impl Lift {
                 let motor = JointMotor::new(model, drum, moving.inputs.hoist.drive, -1.0)?;
                 Some(Lift::Motor(motor, lifting.unwrap_or_default()))
             }
-            HoistKind::Ramp(_) => Some(Lift::Told(place(model, &m::V_H)?, lifting?)),
-            HoistKind::AtOnce => None,
+            HoistKind::Ramp(_) | HoistKind::AtOnce => Some(Lift::Told(place(model, &m::V_H)?, lifting?)),
         }
     }
 }
@@ -311,6 +309,8 @@ impl<'a> Pilot<'a> {
             None => {}
             Some(Lift::Told(input, [speed, time])) => {
                 self.set(model, input, from, if from < time { -speed } else { 0.0 })?;
+                // A speed that jumps gives its blow before powers are looked at.
+                model.event()?;
             }
             Some(Lift::Motor(motor, lifting)) => {
                 let told = motor.follow(model, [from, to].map(|time| led(lifting, time)), to - from)?;

@@ -6,9 +6,10 @@ use std::thread::ScopedJoinHandle;
 
 use crate::balance::symbols as b;
 use crate::component::description::Described;
+use crate::component::moved::Moved;
 use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
-use crate::component::sheet::{Check, Envelope, InMotion, Manoeuvre, Section, Summary, Warning};
+use crate::component::sheet::{Check, Envelope, InMotion, Manoeuvre, Section, Summary};
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
@@ -76,7 +77,7 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
     (
         "motion_equations",
         listed! { m:
-            MASS_H, V_Q, DELTA_R, F_C, M_R, M_R_SL, M_NET, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, D_OMEGA_1, D_OMEGA_3, D_OMEGA_SL,
+            MASS_H, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_R, M_R_SL, M_NET, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, D_OMEGA_1, D_OMEGA_3, D_OMEGA_SL,
             D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, D_V_Q, S_R, D_V_R
         },
     ),
@@ -132,17 +133,8 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
 /// What is found while the model is assembled, before it moves.
 const ASSEMBLED: [&Symbol; 5] = [&m::MASS_Q, &m::J_2Q, &m::MASS_H, &h::A_A, &h::A_B];
 
-/// What a run says beside its chapter.
-pub(super) struct Found {
-    pub requirements: Vec<Check>,
-    pub unjudged: Vec<&'static Symbol>,
-    pub identities: Vec<Check>,
-    pub warnings: Vec<Warning>,
-}
-
-/// The chapter of a scene whose mechanism moves, with what is judged in it and warned of, beside the least and greatest
-/// forces at rest; `None` where the model cannot start.
-pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]]) -> Option<(InMotion, Found)> {
+/// What is told of a scene whose mechanism moves; `None` where the model cannot start.
+pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<Moved> {
     let (rest, plans) = (at_rest(moving), planned(luffing, moving));
     let mut model = starting(
         LuffingScene::given(luffing),
@@ -178,22 +170,23 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]])
     model.set_states(&states).ok()?;
     model.update().ok()?;
     let envelope = |&(symbol, index): &(&'static Symbol, usize)| {
-        let at_rest = still.iter().find(|ends| ends[0].symbol == symbol).copied();
+        let weight = luffing.q.filter(|_| symbol == &m::S_R);
         Envelope {
             symbol,
-            still: match luffing.q.filter(|_| symbol == &m::S_R) {
-                Some(weight) => Some([Summary::new(symbol, weight); 2]),
-                None => at_rest,
-            },
+            still: weight.map(|weight| [Summary::new(symbol, weight); 2]),
             moving: runs.iter().map(|run| run.series.stands(index)).collect(),
         }
     };
-    let motion = InMotion {
+    let chapter = InMotion {
         time: &m::T,
         coordinate,
         instant: (instant.0, manoeuvres[of].id, shown.instant),
         of: None,
-        state: state(&mut model, moving),
+        state: state(&mut model),
+        constants: match moving.oil {
+            Some(_) => vec![(&h::DP_LAM, LAMINAR), (&m::OMEGA_C, CREEP)],
+            None => Vec::new(),
+        },
         sections: sections(&model),
         ramp: Some((&m::T_S, moving.ramp)),
         rules: rules(moving),
@@ -201,8 +194,7 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving, still: &[[Summary; 2]])
         manoeuvres,
         integrals: integrals(moving, rate),
     };
-    let found = Found::new(luffing, moving, &motion.manoeuvres, &runs);
-    Some((motion, found))
+    Some(judged(luffing, moving, chapter, &runs))
 }
 
 /// One of them, with what is told of it; `lead` says which instant is shown.
@@ -218,9 +210,9 @@ fn ran(
     let mut pilot = Pilot::new(plan, luffing, moving, &model)?;
     let drawn = drawn(plan, &model);
     let lead = model.variables().iter().position(|variable| variable.symbol == lead)?;
-    let seen = [0, lead].into_iter().chain(drawn.iter().map(|(_, index)| *index));
-    let seen = seen.chain(designed.iter().map(|(_, index)| *index)).collect();
-    let run = Run::new(luffing, rest, &mut model, (lead, &seen), &mut pilot)?;
+    let drawn_indices = drawn.iter().map(|(_, index)| *index);
+    let seen = drawn_indices.chain(designed.iter().map(|(_, index)| *index));
+    let run = Run::new(luffing, rest, &mut model, (lead, seen), &mut pilot)?;
     let symbol = |index: usize| model.variables()[index].symbol;
     let manoeuvre = Manoeuvre {
         id: plan.id,
@@ -243,7 +235,7 @@ fn ran(
 }
 
 /// States and commands as they are now, without those of the position alone.
-fn state(model: &mut MovingComponent, moving: &Moving) -> Vec<(&'static Symbol, f64)> {
+fn state(model: &mut MovingComponent) -> Vec<(&'static Symbol, f64)> {
     let indices = |role: Role| {
         let all = model.variables().iter().enumerate();
         let of = all.filter(move |(_, variable)| variable.role == role);
@@ -256,12 +248,6 @@ fn state(model: &mut MovingComponent, moving: &Moving) -> Vec<(&'static Symbol, 
         .filter(|(symbol, _)| {
             !s::ALL.contains(symbol) || [&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3].contains(symbol)
         })
-        // What the oil's equations have besides.
-        .chain(
-            [(&h::DP_LAM, LAMINAR), (&m::OMEGA_C, CREEP)]
-                .into_iter()
-                .filter(|_| moving.oil.is_some()),
-        )
         .collect()
 }
 
@@ -294,36 +280,35 @@ fn sections(model: &MovingComponent) -> Vec<Section> {
         .collect()
 }
 
-impl Found {
-    /// Of all runs, each of a manoeuvre.
-    fn new(luffing: &Luffing, moving: &Moving, manoeuvres: &[Manoeuvre], runs: &[Run]) -> Found {
-        let most = |of: fn(&Run) -> [f64; 2]| {
-            runs.iter()
-                .map(of)
-                .fold([0.0; 2], |a, b| if b[0] > a[0] { b } else { a })
-        };
-        let swing = moving.rope.map(|_| timed(&m::PHI_MAX, most(|run| run.greatest_swing)));
-        let allowed = luffing.limit(&m::PHI_MAX);
-        let pressure = timed(&m::P_MAX, most(|run| run.greatest_pressure));
-        let asked = [
-            swing.zip(allowed).map(|(swing, most)| ("motion_swing", swing, most)),
-            moving.oil.map(|oil| ("motion_pressure", pressure, oil.p_r)),
-        ];
-        let checked = asked.iter().flatten();
-        let named = runs.iter().zip(manoeuvres);
-        let apart = |i: usize| runs.iter().map(|run| run.apart()[i]).fold(0.0, f64::max);
-        let agree = |id, i, limit| Check::at_most(id, &s::AGREEMENT, apart(i), limit);
-        Found {
-            requirements: checked
-                .map(|(id, found, limit)| Check::of(id, found, *limit, true))
-                .collect(),
-            unjudged: swing
-                .filter(|_| allowed.is_none())
-                .map(|swing| swing.symbol)
-                .into_iter()
-                .collect(),
-            identities: vec![agree("motion_forces", 0, 1e-9), agree("motion_energy", 1, 1e-3)],
-            warnings: named.flat_map(|(run, manoeuvre)| run.warnings(manoeuvre.id)).collect(),
-        }
+/// The chapter of all runs, each of a manoeuvre, with what is judged in them and warned of.
+fn judged(luffing: &Luffing, moving: &Moving, chapter: InMotion, runs: &[Run]) -> Moved {
+    let most = |of: fn(&Run) -> [f64; 2]| {
+        runs.iter()
+            .map(of)
+            .fold([0.0; 2], |a, b| if b[0] > a[0] { b } else { a })
+    };
+    let swing = moving.rope.map(|_| timed(&m::PHI_MAX, most(|run| run.greatest_swing)));
+    let allowed = luffing.limit(&m::PHI_MAX);
+    let pressure = timed(&m::P_MAX, most(|run| run.greatest_pressure));
+    let asked = [
+        swing.zip(allowed).map(|(swing, most)| ("motion_swing", swing, most)),
+        moving.oil.map(|oil| ("motion_pressure", pressure, oil.p_r)),
+    ];
+    let checked = asked.iter().flatten();
+    let named = runs.iter().zip(&chapter.manoeuvres);
+    let apart = |i: usize| runs.iter().map(|run| run.apart()[i]).fold(0.0, f64::max);
+    let agree = |id, i, limit| Check::at_most(id, &s::AGREEMENT, apart(i), limit);
+    Moved {
+        requirements: checked
+            .map(|(id, found, limit)| Check::of(id, found, *limit, true))
+            .collect(),
+        unjudged: swing
+            .filter(|_| allowed.is_none())
+            .map(|swing| swing.symbol)
+            .into_iter()
+            .collect(),
+        identities: vec![agree("motion_forces", 0, 1e-9), agree("motion_energy", 1, 1e-3)],
+        warnings: named.flat_map(|(run, manoeuvre)| run.warnings(manoeuvre.id)).collect(),
+        chapter,
     }
 }

@@ -1,14 +1,11 @@
 //! A run of the running model through a manoeuvre, sampled.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::component::moving::MovingComponent;
 use crate::component::running::{Running, State};
 use crate::component::series::Series;
 use crate::component::sheet::{Summary, Warning};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::Fault;
 use crate::luffing::double_link::hydraulic::FIXED;
 use crate::luffing::double_link::moving::level::{CraneAt, Powers};
 use crate::luffing::double_link::moving::scene::Moving;
@@ -93,28 +90,6 @@ fn advance(
     Some((sum(&[(&first, 1.0), (&second, 1.0)]), after))
 }
 
-/// The same, where blows make the powers jump within the step, or a rope that gives way (`lively`) makes them swing: their
-/// works are looked at more closely, and the model moves as it does without that.
-fn stepped(
-    model: &mut MovingComponent,
-    times: [f64; 2],
-    before: &(Powers, f64),
-    turned_over: f64,
-    halvings: u32,
-    (budget, lively): (&mut Budget, bool),
-) -> Option<(Powers, (Powers, f64))> {
-    let (start, blown) = (model.state(), present(model).0.past.blown);
-    let (work, after) = advance(model, times, before, turned_over, halvings, budget)?;
-    if halvings > 0 || present(model).0.past.blown == blown && !lively {
-        return Some((work, after));
-    }
-    let end = model.state();
-    model.set_state(&start);
-    let (work, _) = advance(model, times, before, turned_over, HALVINGS, budget)?;
-    model.set_state(&end);
-    Some((work, after))
-}
-
 /// A run of the model, sampled.
 pub(super) struct Run {
     /// Of each variable that is looked at.
@@ -135,12 +110,12 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// Looks at variables by their indices, one of which leads.
+    /// Looks at variables, by their indices, and at one that leads.
     pub(super) fn new(
         luffing: &Luffing,
         moving: &Moving,
         model: &mut MovingComponent,
-        (lead, seen): (usize, &BTreeSet<usize>),
+        (lead, seen): (usize, impl Iterator<Item = usize>),
         pilot: &mut Pilot<'_>,
     ) -> Option<Run> {
         let (duration, step) = (pilot.duration(), moving.constants.step);
@@ -151,24 +126,21 @@ impl Run {
             many => step * (many / SAMPLES[1]).ceil(),
         };
         let samples = (duration / sample).ceil() as u32;
-        let look = |model: &mut MovingComponent| {
-            let values = seen.iter().map(|&index| Ok((index, model.get(index)?)));
-            values.collect::<Result<BTreeMap<usize, f64>, Fault>>().ok()
-        };
         // With nothing told the crane was about to sag: braked it is at rest, and what holds it can be told.
         for _ in 0..2 {
             pilot.tell(model, [0.0, sample]).ok()?;
             model.update().ok()?;
         }
-        let (first, mut power) = (look(model)?, powers(model).ok()?);
-        let lively = moving.rope.is_some_and(|rope| rope.give.is_some());
+        let mut series = Series::new(sample, seen.chain([lead]));
+        series.look(model).ok()?;
+        let mut power = powers(model).ok()?;
         let mut budget = Budget {
             halvings: samples,
             rates: RATES[0] * f64::from(samples) + RATES[1] * wanted,
         };
         let (at, least) = present(model);
         let mut run = Run {
-            series: Series::new(sample, &first),
+            series,
             events: Vec::new(),
             energy: Energy {
                 start: power.1,
@@ -196,8 +168,8 @@ impl Run {
                 power = powers(model).ok()?;
             }
             let turned_over = turnover(&run.energy.work);
-            let step = stepped(model, [from, to], &power, turned_over, HALVINGS, (&mut budget, lively));
-            let Some(((work, now), values)) = step.zip(look(model)) else {
+            let step = advance(model, [from, to], &power, turned_over, HALVINGS, &mut budget);
+            let Some((work, now)) = step.filter(|_| run.series.look(model).is_ok()) else {
                 run.events.push((from, "run_ends"));
                 break;
             };
@@ -216,22 +188,22 @@ impl Run {
             (watch, power) = (next, now);
             // Where luffing is held it has no equation, and at a stop it tells little.
             let moves = watch.joints[0] != Some(Bar::Held) && !(moving.oil.is_some() && watch.stops[0] != [false; 2]);
-            if moves && values[&lead].abs() > run.most {
-                (run.most, run.instant, run.state) = (values[&lead].abs(), to, model.state());
+            let leads = run.series.last(lead).abs();
+            if moves && leads > run.most {
+                (run.most, run.instant, run.state) = (leads, to, model.state());
             }
-            run.keep(moving, (&at, least), values, to);
+            run.keep(moving, (&at, least), to);
         }
         Some(run)
     }
 
-    /// What is looked at, at a time (s).
-    fn keep(&mut self, moving: &Moving, (at, least): (&CraneAt, f64), values: BTreeMap<usize, f64>, time: f64) {
+    /// What is great or small at a time (s).
+    fn keep(&mut self, moving: &Moving, (at, least): (&CraneAt, f64), time: f64) {
         greater(&mut self.greatest_pressure, pressure(moving, at), time);
         greater(&mut self.greatest_swing, swing(moving, at), time);
         if least < self.least_pressure[0] {
             self.least_pressure = [least, time];
         }
-        self.series.keep(values);
     }
 
     /// The first events, and the last one, which may be the end of the run.
