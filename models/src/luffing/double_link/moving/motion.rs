@@ -161,7 +161,7 @@ macro_rules! rows {
 #[derive(Clone, Copy, Debug)]
 pub struct CraneRates<C>([C; RATES.len()]);
 
-/// First those of angle and rate of the driven bar, boom or rocker, then those of [`STATES`].
+/// First those of angle and rate of the driven bar, boom or rocker, then those of [`CraneStates`].
 pub const RATES: [&Symbol; 24] = *listed!(
     s: D_THETA_1, D_OMEGA_1, D_THETA_3, D_OMEGA_3, D_P_1, D_P_2, D_P_A, D_P_B, D_X_V, D_V_V, D_PSI_SL, D_OMEGA_SL, D_X_Q, D_Y_Q, D_Z_Q,
     D_V_QX, D_V_QY, D_V_QZ, D_PHI_R, D_OMEGA_R, D_L_R, D_S_Q, D_V_Q, D_V_R
