@@ -87,13 +87,14 @@ def tabled(text, caption):
 @pytest.mark.parametrize("scene", SCENES)
 def test_every_symbol_of_a_formula_has_its_origin(scene, level, tmp_path):
     """It is given, stands on the left of a formula, is the coordinate of the position, one of the states and commands at the
-    instant or a result of the run, which are tabled, or a point of the curves that a table lists."""
+    instant, a constant of the equations or a result of the run, which are tabled, or a point of the curves that a table lists."""
     text = source(scene, level, tmp_path)
     notation = set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", chapter(text, "Notation")))
     known = {name for _, symbols in given(text) for pair in symbols for name in pair}
     known |= {result for result, _ in formulas(text)}
     known |= set(re.findall(r"(?m)^= \d+ [^\n]*?: \$(.*?) = ", text))
-    known |= tabled(text, "States and commands at the instant") | tabled(text, "Energy") | tabled(text, "Envelope of forces")
+    for caption in ["States and commands at the instant", "Constants of the equations", "Energy", "Envelope of forces"]:
+        known |= tabled(text, caption)
     # Points of the ring's curves stand in a table of their own.
     known |= set(re.findall(r"column-head\[\$(\S*\(c i\))\$\]", text))
     for result, formula in formulas(text):
