@@ -127,7 +127,7 @@ impl<C: Calc> HangingLoad<C> {
     /// On a taut rope: away from the head exactly as fast as the rope is paid out. The rate along the rope
     /// that numbers carry besides is left alone by the equations, so that it cannot grow.
     #[must_use]
-    pub fn on_rope<const J: usize>(self, rope: &Rope<C, J>, hoist: C) -> HangingLoad<C> {
+    pub fn on_rope<const J: usize>(self, rope: &HeadRope<C, J>, hoist: C) -> HangingLoad<C> {
         let excess = (dot(rope.direction, self.rate) - hoist).def(&V_E);
         let rate = self.rate - scaled(rope.direction, excess);
         HangingLoad {
@@ -200,17 +200,17 @@ impl HangingLoad<f64> {
 /// Where the rope points, and what it moves: the head's displacement by each joint, and how much of it
 /// goes along the rope.
 #[derive(Clone, Copy, Debug)]
-pub struct Rope<C, const J: usize> {
+pub struct HeadRope<C, const J: usize> {
     pub length: C,
     pub direction: Vector3<C>,
     pub arms: [C; J],
 }
 
-impl<C: Calc, const J: usize> Rope<C, J> {
-    pub fn new(place: Vector3<C>, head: &[Vector3<C>; J]) -> Rope<C, J> {
+impl<C: Calc, const J: usize> HeadRope<C, J> {
+    pub fn new(place: Vector3<C>, head: &[Vector3<C>; J]) -> HeadRope<C, J> {
         let (length, direction) = to_load(place);
         let names = &ARMS[2 - J..];
-        Rope {
+        HeadRope {
             length,
             direction,
             arms: std::array::from_fn(|i| dot(direction, head[i]).def(names[i])),
@@ -254,7 +254,7 @@ impl<C: Calc, const J: usize> Rope<C, J> {
     }
 }
 
-impl<const J: usize> Rope<f64, J> {
+impl<const J: usize> HeadRope<f64, J> {
     /// How much easier a load of a mass (kg) gives way along the rope than by itself, as joints and drum do too, each by
     /// one over what moves.
     #[must_use]
@@ -307,7 +307,7 @@ impl<C: Calc, const J: usize> HeadJoints<C, J> {
         let (head, turning) = (&self.head, self.rates[last]);
         let rope = match line {
             RopeAction::Slack => None,
-            RopeAction::Taut { .. } | RopeAction::Force(_) => Some(Rope::new(load.place, head)),
+            RopeAction::Taut { .. } | RopeAction::Force(_) => Some(HeadRope::new(load.place, head)),
         };
         let load = match (&rope, line) {
             (Some(rope), RopeAction::Taut { rate, .. }) => load.on_rope(rope, rate),

@@ -22,8 +22,10 @@
 //! | `slewing.friction` | [`motion::resisting`] | Ports001, 6.5 |
 //! | `slewing.motion` | [`motion::Turned::new`] | Ports001, 6.5 |
 //! | `slewing.swing` | [`swinging::Swinging::new`] | Lagrange, first kind |
+//! | `slewing.blows` | [`blows::SwungInstant::stop`], [`blows::SwungInstant::catch`] | momentum |
 //! | `slewing.events` | [`motion::SlewingEvents::new`], [`swinging::slackening`] | events |
 
+pub mod blows;
 pub mod motion;
 mod outline;
 pub mod scene;

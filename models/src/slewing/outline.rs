@@ -7,7 +7,7 @@ use crate::parts::turntable;
 use crate::slewing::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(slewing "", slope, load "Q", motion, limits),
+    inputs: chapters!(slewing "", slope, load "Q", hook, motion, limits),
     constants: &[("slewing_inertia", &[Stage("carried"), Stage("total")])],
     sections: &[
         ("slewing_slope", &[Stage("tilt")]),
@@ -33,7 +33,10 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("slewing_moment", &s::M_ST_MAX),
         Limit::at_most("slewing_power", &s::P_ST_MAX),
     ],
-    uses: &[("stops", listed!(turntable: PSI_MIN, PSI_MAX))],
+    uses: &[
+        ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
+        ("hook", &[&s::L_R, &s::PHI_R, &s::CHI_R]),
+    ],
     forces: listed!(s: M_ST, F_N, F_T, S_R),
     worst: &[("greatest_moment", &s::M_ST_MAX)],
 };

@@ -7,7 +7,7 @@ use crate::component::moving::MovingComponent;
 use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
 use crate::component::running::Running;
-use crate::component::sheet::{Check, Drawing};
+use crate::component::sheet::{Check, Drawing, Input};
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
 use crate::kernel::calc::Calc;
@@ -25,7 +25,7 @@ use crate::parts::turntable::{self as joint, SlewingJoint};
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
 use crate::slewing::stages::{Given, Open, SlewingCrane};
-use crate::slewing::swinging::{LoadRope, Slackness};
+use crate::slewing::swinging::{RopeLength, Slackness};
 use crate::slewing::symbols as s;
 use crate::slewing::turning::{Ground, Hung};
 
@@ -227,7 +227,7 @@ impl Described for SlewingScene {
                 let angles = [n(s::PHI_R.id), n(s::CHI_R.id)];
                 HangingLoad::resting(n(s::L_R.id), angles).into()
             }),
-            rope: LoadRope::read(v).filter(|_| swings),
+            rope: RopeLength::read(v).filter(|_| swings),
             slackness: swings.then_some(Slackness { slack: 0.0 }),
             past: Past { way: 1.0, blown: 0.0 },
             stops: Stops(joint.stops),
@@ -331,6 +331,22 @@ impl Described for SlewingScene {
             "load_cases",
         ];
         std::iter::once("wind").chain(sway).chain(rest).collect()
+    }
+
+    /// A load that swings stands where its rope and the angles of it put it.
+    fn arrange(&self, inputs: &mut Vec<Input>) {
+        if let Some(load) = &self.given.swung {
+            load.map(&mut |symbol, value| {
+                inputs.push(Input {
+                    symbol,
+                    value,
+                    number: None,
+                    chapter: "hook",
+                    given: None,
+                    usual: true,
+                });
+            });
+        }
     }
 
     /// From above: the ends of the working range (faint) and its middle, with the load's circle.

@@ -7,9 +7,10 @@ use crate::kernel::symbol::Symbol;
 use crate::parts::hanging::HangingLoad;
 use crate::parts::joint::{Arrival, Bar};
 use crate::parts::turntable::Turning;
+use crate::slewing::blows::SwungInstant;
 use crate::slewing::motion::{Led, Past, SlewingDrive, SlewingEvents, Stops, Turned, held, joint, resisting, struck};
 use crate::slewing::swinging::{
-    LoadRope, Slackness, Swinging, SwingingLoad, SwingingRates, SwungInstant, leaning, led, slackening,
+    RopeLength, Slackness, Swinging, SwingingLoad, SwingingRates, leaning, led, slackening,
 };
 use crate::slewing::symbols as s;
 use crate::slewing::turning::{Circling, Ground, Hung, SlewedLoad, Steady, tilt, total};
@@ -24,7 +25,7 @@ stages! {
         Parameter slope: Option<Ground<C>>,
         Input driven: Option<SlewingDrive<C>>,
         State swung: Option<SwingingLoad<C>>,
-        Parameter rope: Option<LoadRope<C>>,
+        Parameter rope: Option<RopeLength<C>>,
         Memory past: Past<C>,
         Memory slackness: Option<Slackness<C>>,
         Fixed stops: Stops,

@@ -33,7 +33,7 @@ symbols! {
     // Results in motion.
     F_T: "F_t" "F_t" N / KN, "Horizontal force along its circle that accelerates the load; positive counter-clockwise.", "Newton and Euler";
     M_GAMMA_U: "M_gammau" "M_(gamma \"u\")" N_M / KN_M, "Moment on the slope of all that slews without the load, about the slewing axis; positive counter-clockwise.", "virtual work";
-    G_DOWN: "g_s" "g_\"s\"" M_PER_S2 / M_PER_S2, "Acceleration of gravity down the slope.", "derived";
+    G_S: "g_s" "g_\"s\"" M_PER_S2 / M_PER_S2, "Acceleration of gravity down the slope.", "derived";
     W_BLOW: "W_blow" "W_\"blow\"" J / KJ [not_negative], "Energy that blows have taken.", "Newton and Euler";
     SLACK: "slack" "sigma" ONE / ONE, "Whether the rope hangs slack (1) or is taut (0).", "state";
     WAY: "way" "w" ONE / ONE, "Whether slewing rests (0), or which way it turns (1, -1).", "state";

@@ -9,7 +9,7 @@ use crate::kernel::calc::Calc;
 use crate::luffing::double_link::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::double_link::dynamics::{Coordinate, Reduced};
 use crate::luffing::double_link::moving::symbols as s;
-use crate::parts::hanging::{Accelerations, HangingLoad, Rope, dot, squared, to_load, turned};
+use crate::parts::hanging::{Accelerations, HangingLoad, HeadRope, dot, squared, to_load, turned};
 use crate::parts::joint::Bar;
 use crate::parts::solver::Halt;
 
@@ -168,7 +168,7 @@ impl Struck<STATES, 2> for Slewing {
             self.shift(state, &head, lost, Vector3::zeros());
             return;
         }
-        let rope = Rope::new(load_of(&state.y).place, &head);
+        let rope = HeadRope::new(load_of(&state.y).place, &head);
         let ease = self.ease(state, r);
         let give = self.giving(state, &rope, ease, pendulum.mass);
         let pull = -(rope.arms[i] * lost[i]) / give;
@@ -182,7 +182,7 @@ impl Struck<STATES, 2> for Slewing {
         };
         if !state.taut {
             let (load, head) = (load_of(&state.y), self.dynamics.head(r));
-            let rope = Rope::new(load.place, &head);
+            let rope = HeadRope::new(load.place, &head);
             let excess = rope.direction.dot(&load.rate) - state.y[11];
             if rope.length < state.y[10] || excess <= 0.0 {
                 return;
@@ -203,14 +203,14 @@ impl Slewing {
     /// The rope's end goes away from the load at a speed (m/s): a plastic blow.
     fn catch(&self, state: &mut SlewingState, r: &Reduced<f64>, mass: f64, excess: f64) {
         let head = self.dynamics.head(r);
-        let (rope, ease) = (Rope::new(load_of(&state.y).place, &head), self.ease(state, r));
+        let (rope, ease) = (HeadRope::new(load_of(&state.y).place, &head), self.ease(state, r));
         let give = self.giving(state, &rope, ease, mass);
         self.jerk(state, &head, &rope, ease, excess / give, mass, [0.0; 2]);
         state.taut = true;
     }
 
     /// How much easier a load of a mass (kg) gives way along the rope than by itself, as joints and drum do too.
-    fn giving(&self, state: &SlewingState, rope: &Rope<f64, 2>, ease: [f64; 2], mass: f64) -> f64 {
+    fn giving(&self, state: &SlewingState, rope: &HeadRope<f64, 2>, ease: [f64; 2], mass: f64) -> f64 {
         let drum = self.hoist().map_or(0.0, |hoist| state.drum.ease(hoist));
         rope.giving(ease, mass, drum)
     }
@@ -231,7 +231,7 @@ impl Slewing {
         &self,
         state: &mut SlewingState,
         head: &[Vector3<f64>; 2],
-        rope: &Rope<f64, 2>,
+        rope: &HeadRope<f64, 2>,
         ease: [f64; 2],
         pull: f64,
         mass: f64,
@@ -273,7 +273,7 @@ impl Slewing {
         let head = self.dynamics.head(r);
         let mut load = load_of(&state.y);
         if self.is_kept(state) {
-            load = load.on_rope(&Rope::new(load.place, &head), state.y[11]);
+            load = load.on_rope(&HeadRope::new(load.place, &head), state.y[11]);
         }
         let place = load.place + Vector3::new(head[1].z, r.head[0].y, 0.0);
         (place, load.rate + head[0] * state.y[1] + turned(place) * state.y[3])
