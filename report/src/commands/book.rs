@@ -230,30 +230,48 @@ impl Books {
         Ok(scenes)
     }
 
-    /// All books beside the default experiments of their scenes; once more where an experiment needs another step.
+    /// All books beside the default experiments of their scenes; once more where an experiment needs another step. Nothing
+    /// is written before all have run.
     fn make_running(&self, scenes: &[(Scene, String)]) -> Result<Vec<Complete>, Failure> {
         let (ran, made) = std::thread::scope(|scope| {
-            let ran = scope.spawn(|| running(scenes));
-            let made = self.make(scenes.iter().map(|(scene, _)| scene));
-            (ran.join().unwrap_or_else(|panic| resume_unwind(panic)), made)
+            let experiments = scope.spawn(|| running(scenes));
+            let (mut experiments, mut ran) = (Some(experiments), None);
+            let mut join = || {
+                if let Some(experiments) = experiments.take() {
+                    ran = Some(experiments.join().unwrap_or_else(|panic| resume_unwind(panic)));
+                }
+                matches!(&ran, Some(Ok((_, notes))) if notes.is_empty())
+            };
+            let made = self.make(scenes.iter().map(|(scene, _)| scene), &mut join);
+            join();
+            (ran.expect("all experiments have run"), made)
         });
         let (ran, notes) = ran?;
         if notes.is_empty() {
             return made;
         }
         notes.iter().try_for_each(say)?;
-        self.make(ran.iter())
+        self.make(ran.iter(), || true)
     }
 
-    /// All books, or the first failure; none has taken its place yet.
-    fn make<'a>(&self, scenes: impl Iterator<Item = &'a Scene>) -> Result<Vec<Complete>, Failure> {
+    /// All books, or the first failure; none has taken its place yet. Without any where they are not wanted any more.
+    fn make<'a>(
+        &self,
+        scenes: impl Iterator<Item = &'a Scene>,
+        mut wanted: impl FnMut() -> bool,
+    ) -> Result<Vec<Complete>, Failure> {
         let (templates, typesetter) = (self.making.templates()?, self.making.typesetter()?);
-        let make = |scene: &Scene| {
+        let mut made = Vec::new();
+        for scene in scenes {
             let edition = self.making.edition(scene, &templates, &*typesetter);
             let sheet = results::sheet(scene).map_err(Failure::of_scene)?;
-            output::complete(&self.output, &book(&edition, scene, &sheet, self.format)?)
-        };
-        scenes.map(make).collect()
+            let outputs = book(&edition, scene, &sheet, self.format)?;
+            if !wanted() {
+                break;
+            }
+            made.push(output::complete(&self.output, &outputs)?);
+        }
+        Ok(made)
     }
 
     /// All books, by as many processes as there are cores: Typst's cache and the memory of threads are shared, and two
