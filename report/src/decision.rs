@@ -41,21 +41,15 @@ pub fn to_build(path: Option<&Path>) -> Result<Decision, Failure> {
 
 /// Decides what a scene from a file of this name leaves open. The same scene always gives the same FMU: nothing is
 /// chosen by the clock.
-fn decided(scene: Scene, name: &str) -> Result<Decision, Failure> {
-    let Decision { scene, mut notes } = levelled(scene, name)?;
-    let scene = busy(format!("running the default experiment of {}", scene.name()), || {
-        running(scene, name, &mut notes)
-    })?;
-    Ok(Decision { scene, notes })
-}
-
-/// A scene from a file of this name with its level decided; its default experiment has not been run.
-pub fn levelled(scene: Scene, name: &str) -> Result<Decision, Failure> {
+pub fn decided(scene: Scene, name: &str) -> Result<Decision, Failure> {
     let mut notes = Vec::new();
     let scene = match scene.is_auto() {
         true => chosen(&scene, name, &mut notes)?,
         false => scene,
     };
+    let scene = busy(format!("running the default experiment of {}", scene.name()), || {
+        running(scene, name, &mut notes)
+    })?;
     Ok(Decision { scene, notes })
 }
 
@@ -129,7 +123,7 @@ fn chosen(scene: &Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
 const STEPS: [f64; 9] = [5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4];
 
 /// The same scene with an inner step at which the default experiment of its FMU runs.
-pub fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, Failure> {
+fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, Failure> {
     let cannot = |found: &Stopped| {
         let at = short(found.time);
         format!(

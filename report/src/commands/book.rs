@@ -2,7 +2,6 @@
 
 use std::ffi::OsString;
 use std::num::NonZeroUsize;
-use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
@@ -21,7 +20,7 @@ use lemnis_models::scene::Scene;
 use lemnis_typeset::{Embedded, External, Typesetter};
 use notify::{Event, RecursiveMode, Watcher};
 
-use crate::decision::{self, levelled};
+use crate::decision::decided;
 use crate::failure::Failure;
 use crate::output::{self, Complete, Output, say};
 use crate::progress::busy;
@@ -168,14 +167,6 @@ fn book(edition: &Edition<'_>, scene: &Scene, sheet: &Sheet, format: Format) -> 
     Ok((1..).zip(made.files).map(file).collect())
 }
 
-/// Scenes with an inner step at which their default experiments run, and what was decided for that, a line each.
-fn running(scenes: &[(Scene, String)]) -> Result<(Vec<Scene>, Vec<String>), Failure> {
-    let mut notes = Vec::new();
-    let of = |(scene, name): &(Scene, String)| decision::running(scene.clone(), name, &mut notes);
-    let scenes = scenes.iter().map(of).collect::<Result<_, _>>()?;
-    Ok((scenes, notes))
-}
-
 impl Books {
     pub fn run(&self) -> Result<(), Failure> {
         if self.watch {
@@ -188,12 +179,8 @@ impl Books {
         // Another process cannot read the standard input again.
         let most = if self.reads_input() { 1 } else { cores };
         let made = busy("typesetting".to_owned(), || match most.min(self.scenes.len()) {
-            0 | 1 => self.make_running(&scenes),
-            processes => {
-                let (_, notes) = running(&scenes)?;
-                notes.iter().try_for_each(say)?;
-                self.share(processes, cores / processes)
-            }
+            0 | 1 => self.make(&scenes),
+            processes => self.share(processes, cores / processes),
         });
         output::place(made?)
     }
@@ -202,8 +189,7 @@ impl Books {
         self.scenes.iter().any(|path| path == Path::new(scene_file::INPUT))
     }
 
-    /// The scenes with their levels decided, each with what messages call it.
-    fn scenes(&self) -> Result<Vec<(Scene, String)>, Failure> {
+    fn scenes(&self) -> Result<Vec<Scene>, Failure> {
         let read = |path: Option<&Path>| Ok((scene_file::read(path)?, scene_file::name(path)));
         let scenes: Vec<(Scene, String)> = match (&self.from, self.scenes.as_slice()) {
             (Some(book), _) => vec![scene_file::from_book(book)?],
@@ -213,12 +199,12 @@ impl Books {
                 .map(|path| read(Some(path)))
                 .collect::<Result<_, Failure>>()?,
         };
-        let scenes: Vec<(Scene, String)> = scenes
+        let scenes: Vec<Scene> = scenes
             .into_iter()
-            .map(|(scene, name)| Ok((levelled(scene, &name)?.announced()?, name)))
-            .collect::<Result<_, Failure>>()?;
-        for (i, (scene, _)) in scenes.iter().enumerate() {
-            if let Some(other) = scenes[..i].iter().position(|(other, _)| other.name() == scene.name()) {
+            .map(|(scene, name)| decided(scene, &name)?.announced())
+            .collect::<Result<_, _>>()?;
+        for (i, scene) in scenes.iter().enumerate() {
+            if let Some(other) = scenes[..i].iter().position(|other| other.name() == scene.name()) {
                 return Err(Failure::Scene(format!(
                     "{} and {} have the same name, {}: their books would have the same file; change `name` in one",
                     self.scenes[other].display(),
@@ -230,48 +216,15 @@ impl Books {
         Ok(scenes)
     }
 
-    /// All books beside the default experiments of their scenes; once more where an experiment needs another step. Nothing
-    /// is written before all have run.
-    fn make_running(&self, scenes: &[(Scene, String)]) -> Result<Vec<Complete>, Failure> {
-        let (ran, made) = std::thread::scope(|scope| {
-            let experiments = scope.spawn(|| running(scenes));
-            let (mut experiments, mut ran) = (Some(experiments), None);
-            let mut join = || {
-                if let Some(experiments) = experiments.take() {
-                    ran = Some(experiments.join().unwrap_or_else(|panic| resume_unwind(panic)));
-                }
-                matches!(&ran, Some(Ok((_, notes))) if notes.is_empty())
-            };
-            let made = self.make(scenes.iter().map(|(scene, _)| scene), &mut join);
-            join();
-            (ran.expect("all experiments have run"), made)
-        });
-        let (ran, notes) = ran?;
-        if notes.is_empty() {
-            return made;
-        }
-        notes.iter().try_for_each(say)?;
-        self.make(ran.iter(), || true)
-    }
-
-    /// All books, or the first failure; none has taken its place yet. Without any where they are not wanted any more.
-    fn make<'a>(
-        &self,
-        scenes: impl Iterator<Item = &'a Scene>,
-        mut wanted: impl FnMut() -> bool,
-    ) -> Result<Vec<Complete>, Failure> {
+    /// All books, or the first failure; none has taken its place yet.
+    fn make(&self, scenes: &[Scene]) -> Result<Vec<Complete>, Failure> {
         let (templates, typesetter) = (self.making.templates()?, self.making.typesetter()?);
-        let mut made = Vec::new();
-        for scene in scenes {
+        let make = |scene: &Scene| {
             let edition = self.making.edition(scene, &templates, &*typesetter);
             let sheet = results::sheet(scene).map_err(Failure::of_scene)?;
-            let outputs = book(&edition, scene, &sheet, self.format)?;
-            if !wanted() {
-                break;
-            }
-            made.push(output::complete(&self.output, &outputs)?);
-        }
-        Ok(made)
+            output::complete(&self.output, &book(&edition, scene, &sheet, self.format)?)
+        };
+        scenes.iter().map(make).collect()
     }
 
     /// All books, by as many processes as there are cores: Typst's cache and the memory of threads are shared, and two
@@ -340,7 +293,7 @@ impl Books {
             let started = Instant::now();
             match self
                 .scenes()
-                .and_then(|scenes| self.make_running(&scenes))
+                .and_then(|scenes| self.make(&scenes))
                 .and_then(output::place)
             {
                 Ok(()) => say(format_args!(
