@@ -333,7 +333,7 @@ fn driving(linkage: &Linkage, pose: &Pose, anchor: Point<f64>, arm: f64, turn: f
 }
 
 /// Keeps what a balance needs and takes away what others need.
-pub fn balance_keys(b: &mut Node, needed: &[&str]) {
+fn balance_keys(b: &mut Node, needed: &[&str]) {
     for name in [
         "branch", "G_c", "r_c", "chi_c", "d_1", "delta_1", "r_1", "alpha_K", "l_1", "R_1", "chi_5", "M_5", "H_x",
         "H_y", "lambda", "L_r", "y_0", "phi_0",
@@ -430,6 +430,22 @@ fn balance(n: &mut Node, linkage: Linkage, pose: &Pose, simple: bool) -> Vec<Mar
                 Box::new(move |p| sine(joint(p), line(p))),
                 Box::new(move |p| if pulls(p) > 1e-6 { 1.0 } else { f64::NAN }),
             ]
+        }
+    }
+}
+
+/// A balance at the tail of a single boom, where there is one, and limits of what there is without it.
+pub fn tail_balance(n: &mut Node) {
+    if let Some(mut balance) = n.child("balance") {
+        balance.put("kind", "tail");
+        balance_keys(&mut balance, &["G_c", "r_c", "chi_c"]);
+        balance.remove(&["s_5"]);
+    }
+    let balanced = n.has("balance");
+    if let Some(mut limits) = n.child("limits") {
+        limits.remove(&["gamma_min", "N_max"]);
+        if !balanced {
+            limits.remove(&["dM_max"]);
         }
     }
 }

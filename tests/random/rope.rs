@@ -7,7 +7,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing::rope::symbols as s;
 use toml::Table;
 
-use crate::luffing::{balance_keys, working_range};
+use crate::luffing::{tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -52,18 +52,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     if rope.has("m_k") {
         falls(&mut rope, ["m_k", "eta_k"]);
     }
-    if let Some(mut balance) = n.child("balance") {
-        balance.put("kind", "tail");
-        balance_keys(&mut balance, &["G_c", "r_c", "chi_c"]);
-        balance.remove(&["s_5"]);
-    }
-    let balanced = n.has("balance");
-    if let Some(mut limits) = n.child("limits") {
-        limits.remove(&["gamma_min", "N_max"]);
-        if !balanced {
-            limits.remove(&["dM_max"]);
-        }
-    }
+    tail_balance(&mut n);
     working_range(&mut n, BOOM);
     table
 }

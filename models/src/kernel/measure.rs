@@ -95,14 +95,14 @@ fn measured(text: &str, symbol: &'static Symbol, units: &[&'static Unit]) -> Res
         ));
     };
     if !units.iter().any(|wanted| unit.is_like(wanted)) {
-        let given = if unit_text.is_empty() {
-            "no unit".to_owned()
+        let (given, label) = if unit_text.is_empty() {
+            ("no unit is given".to_owned(), "a bare number")
         } else {
-            format!("the unit {}", unit.name)
+            (format!("the unit {} does not fit", unit.name), "wrong unit")
         };
         return Err((
-            format!("{given} does not fit, it is measured in {display}"),
-            "wrong unit".to_owned(),
+            format!("{given}, it is measured in {display}"),
+            label.to_owned(),
             format!("units for it: {}", like(units)),
         ));
     }

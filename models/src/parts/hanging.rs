@@ -284,7 +284,7 @@ pub struct HeadJoints<C, const J: usize> {
 /// it moves there, and the force of the rope (N) with its arms about the joints (m); `slackening` has its sign, that of an
 /// empty hook too.
 #[derive(Clone, Copy, Debug)]
-pub struct Accelerations<C, const J: usize = 2> {
+pub struct Accelerations<C, const J: usize> {
     pub joints: [C; J],
     pub load: Vector3<C>,
     pub rate: Vector3<C>,

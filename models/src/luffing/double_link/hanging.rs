@@ -33,7 +33,7 @@ impl<P: Calc> Dynamics<P> {
         moments: [C; 2],
         line: RopeAction<C>,
         free: [bool; 2],
-    ) -> Accelerations<C> {
+    ) -> Accelerations<C, 2> {
         let (zero, half) = (C::constant(0.0), C::constant(0.5));
         let [inertia, slope] = r.turn;
         let forces = [

@@ -83,7 +83,7 @@ fn load_of<C: Calc>(y: &[C; STATES]) -> HangingLoad<C> {
 impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
     const LENGTH: usize = 10;
 
-    type Accelerations<C: Calc> = Accelerations<C>;
+    type Accelerations<C: Calc> = Accelerations<C, 2>;
 
     fn reach<C: Calc>(y: &[C; STATES]) -> [C; 2] {
         let load = load_of(y);
@@ -91,7 +91,7 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
         [distance, dot(direction, load.rate).def(&s::V_Q)]
     }
 
-    fn accelerations<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 2, C>) -> Accelerations<C> {
+    fn accelerations<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 2, C>) -> Accelerations<C, 2> {
         let Snapshot { state, r, y, commands } = *at;
         let moment = |i: usize| {
             let drive = &commands.drives[i];
@@ -104,7 +104,7 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
         self.dynamics.slewed(r, [y[1], y[3]], load_of(y), moments, line, free)
     }
 
-    fn rates_by<C: Coordinate<P>>(&self, a: &Accelerations<C>, at: &Snapshot<STATES, 2, C>) -> [C; STATES] {
+    fn rates_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, at: &Snapshot<STATES, 2, C>) -> [C; STATES] {
         let y = at.y;
         let mut out = [C::constant(0.0); STATES];
         out[..RIGID].copy_from_slice(&[y[1], a.joints[0], y[3], a.joints[1]]);
@@ -116,11 +116,11 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
         out
     }
 
-    fn tension_by<C: Coordinate<P>>(&self, a: &Accelerations<C>, _: &Snapshot<STATES, 2, C>) -> C {
+    fn tension_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, _: &Snapshot<STATES, 2, C>) -> C {
         a.rope
     }
 
-    fn slackening_by<C: Coordinate<P>>(&self, a: &Accelerations<C>, _: &Snapshot<STATES, 2, C>) -> C {
+    fn slackening_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, _: &Snapshot<STATES, 2, C>) -> C {
         a.slackening
     }
 
