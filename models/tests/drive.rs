@@ -1,4 +1,4 @@
-//! Screw and pinion of a drive that pushes along a line, and the pinion in a sector.
+//! Screw and pinion of a drive that pushes along a line, the pinion in a sector, and the crank with its rod.
 
 use lemnis_models::component::model::Model;
 use lemnis_models::component::stages::Rows;
@@ -8,11 +8,13 @@ use lemnis_models::drive::shaft::{Gearing, Shaft};
 use lemnis_models::drive::symbols as s;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::parts::plane::{Point, length};
 use lemnis_models::scene::Scene;
 use proptest::prelude::*;
 
 const READY: &str = include_str!("../scenes/portal_004_screw.toml");
 const SECTOR: &str = include_str!("../scenes/portal_004_sector.toml");
+const CRANK: &str = include_str!("../scenes/portal_004_crank.toml");
 
 fn index(model: &Model, name: &str) -> usize {
     let found = model.variables().iter().position(|variable| variable.name() == name);
@@ -98,13 +100,14 @@ proptest! {
 /// by Simpson's rule; each of its positions turns by what the drive lengthens.
 #[test]
 fn its_work_is_that_of_the_moment() {
-    const PARTS: u32 = 2000;
+    const PARTS: u32 = 4000;
     let [from, to] = [44_f64, 82.0].map(f64::to_radians);
     let step = (to - from) / f64::from(PARTS);
-    // Travel in one turn; all travel of a sector is its pitch radius times the angle.
-    for (text, turn, whole) in [
-        (READY, 0.014, None),
-        (SECTOR, 0.15 * std::f64::consts::TAU, Some(4.0 * (to - from))),
+    // Travel in one turn; all travel of a sector is its pitch radius times the angle, that of a crank an angle.
+    for (text, turn, stroke) in [
+        (READY, 0.014, Ok("L_d")),
+        (SECTOR, 0.15 * std::f64::consts::TAU, Err(4.0 * (to - from))),
+        (CRANK, std::f64::consts::TAU, Ok("theta_cr")),
     ] {
         let mut model = Scene::parse(text).expect("legal").model().expect("exists");
         let (mut by_shaft, mut by_force, mut by_moment, mut turns) = (0.0, 0.0, 0.0, 0.0);
@@ -129,7 +132,7 @@ fn its_work_is_that_of_the_moment() {
                 "{by_drive} {by_moment}"
             );
         }
-        let stroke = whole.unwrap_or_else(|| at(&mut model, to, "L_d") - at(&mut model, from, "L_d"));
+        let stroke = stroke.map_or_else(|all| all, |name| at(&mut model, to, name) - at(&mut model, from, name));
         assert!((turns * turn - stroke).abs() <= 1e-10, "{turns} {stroke}");
     }
 }
@@ -163,6 +166,108 @@ fn a_sector_by_hand() {
     }
 }
 
+/// At three angles by the two circles on which crank and rod meet, and at each the torque by moments about both pivots.
+#[test]
+fn a_crank_by_hand() {
+    let mut model = Scene::parse(CRANK).expect("legal").model().expect("exists");
+    let bare = CRANK.find("[luffing.drive]").expect("there");
+    let mut moment = Scene::parse(&CRANK[..bare]).expect("legal").model().expect("exists");
+    for degrees in [44.0, 63.0, 82.0_f64] {
+        let angle = degrees.to_radians();
+        let (sin, cos) = Calc::sin_cos(angle);
+        // Joint on the boom, and from the crank's centre to it.
+        let joint = [6.0 * cos, 6.0 * sin];
+        let (x, y) = (joint[0] + 3.7, joint[1] - 8.2);
+        let distance = length(Point::new(x, y));
+        // Law of cosines; the pin lies on the left of the line from the centre to the joint.
+        let along = (2.1 * 2.1 - 7.0 * 7.0 + distance * distance) / (2.0 * distance);
+        let across = (2.1 * 2.1 - along * along).sqrt();
+        let pin = [
+            -3.7 + (along * x - across * y) / distance,
+            8.2 + (along * y + across * x) / distance,
+        ];
+        let rod = [(joint[0] - pin[0]) / 7.0, (joint[1] - pin[1]) / 7.0];
+        let about_foot = joint[0] * rod[1] - joint[1] * rod[0];
+        let about_centre = (pin[0] + 3.7) * rod[1] - (pin[1] - 8.2) * rod[0];
+        let m_d = at(&mut moment, angle, "M_D");
+        let close = |found: f64, by_hand: f64| (found - by_hand).abs() <= 1e-12 * by_hand.abs();
+        for (name, by_hand) in [
+            ("h_d", about_foot),
+            ("h_cr", about_centre),
+            ("M_D", m_d),
+            ("F_d", m_d / about_foot),
+            ("T_d", m_d / about_foot * about_centre),
+            ("T_cr", m_d / about_foot * about_centre),
+        ] {
+            let found = at(&mut model, angle, name);
+            assert!(close(found, by_hand), "{degrees}° {name}: {found} {by_hand}");
+        }
+        let [out, back] = ["T_d.out", "T_d.in"].map(|name| at(&mut model, angle, name));
+        let free = m_d / about_foot * about_centre;
+        let (costs, gives) = (free / 0.95, free * 0.95);
+        let by_hand = if m_d / about_foot > 0.0 {
+            [costs, gives]
+        } else {
+            [gives, costs]
+        };
+        assert!(
+            close(out, by_hand[0]) && close(back, by_hand[1]),
+            "{out} {back} {by_hand:?}"
+        );
+        for (name, part) in [("F_O1.x", rod[0]), ("F_O1.y", rod[1])] {
+            let carried = at(&mut moment, angle, name) - at(&mut model, angle, name);
+            let scale = at(&mut moment, angle, name).abs() + (m_d / about_foot).abs();
+            assert!(
+                (carried - m_d / about_foot * part).abs() <= 1e-13 * scale,
+                "{name} {carried}"
+            );
+        }
+    }
+}
+
+/// Towards a dead point the torque falls to nothing with the root of the way that is left, and the crank turns ever faster; its
+/// power stays that of the moment. Beyond it the angle is refused.
+#[test]
+fn a_crank_at_its_dead_point() {
+    let mut model = Scene::parse(CRANK).expect("legal").model().expect("exists");
+    // Where the joint is r + l away from the centre, by bisection.
+    let away = |angle: f64| {
+        let (sin, cos) = Calc::sin_cos(angle);
+        length(Point::new(6.0 * cos + 3.7, 6.0 * sin - 8.2)) - 9.1
+    };
+    let (mut inside, mut outside) = (44_f64.to_radians(), 40_f64.to_radians());
+    assert!(away(inside) < 0.0 && away(outside) > 0.0);
+    for _ in 0..60 {
+        let middle = f64::midpoint(inside, outside);
+        if away(middle) < 0.0 {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+    let mut last = f64::INFINITY;
+    for place in 4..12 {
+        let angle = inside + 0.1_f64.powi(place);
+        let [torque, speed, moment, omega] = ["T_d", "n_d", "M_D", "omega_1"].map(|name| at(&mut model, angle, name));
+        let power = torque * speed * std::f64::consts::TAU;
+        assert!((power - moment * omega).abs() <= 1e-12 * power.abs(), "{power}");
+        let fallen = (torque / last).abs();
+        assert!(
+            place == 4 || (fallen - 0.1_f64.sqrt()).abs() < 2e-3,
+            "{place}: {fallen}"
+        );
+        last = torque;
+    }
+    model.set(0, inside - 1e-6).expect("the linkage closes");
+    let index = index(&model, "F_d");
+    let refused = model.get(index).expect_err("beyond the dead point");
+    assert!(
+        refused.message.contains("crank and rod do not meet there"),
+        "{}",
+        refused.message
+    );
+}
+
 /// What a drive has too much or too little, what cannot turn, and what no level has.
 #[test]
 fn what_cannot_be_is_refused() {
@@ -190,11 +295,39 @@ fn what_cannot_be_is_refused() {
         ),
         (
             SECTOR.replace("r_s ", "s_d = \"3 m\"\nr_s "),
-            "a sector has no s_d, which is of a cylinder, rack or screw",
+            "a sector has no s_d, which is of a cylinder, rack, screw or crank",
         ),
         (
             READY.replace("chi_d ", "#"),
             "`chi_d` is missing in [luffing.drive] of the kind \"screw\"",
+        ),
+        (
+            CRANK.replace("\"7 m\"", "\"6.8 m\""),
+            "crank and rod do not meet over the whole working range",
+        ),
+        (
+            CRANK.replace("\"7 m\"", "\"30 m\""),
+            "crank and rod meet the anchor on the driving link at no angle",
+        ),
+        (
+            CRANK.replace("\nbranch = \"left\"      ", "\n#"),
+            "`branch` is missing in [luffing.drive] of the kind \"crank\"",
+        ),
+        (
+            SECTOR.replace("r_s ", "branch = \"left\"\nr_s "),
+            "a sector has no branch, which is of a crank",
+        ),
+        (
+            SECTOR.replace("r_s ", "r_cr = \"1 m\"\nr_s "),
+            "a sector has no r_cr, which is of a crank",
+        ),
+        (
+            moving.replacen(
+                "kind   = \"rack\"",
+                "kind = \"crank\"\nr_cr = \"2 m\"\nl_cr = \"9 m\"\nbranch = \"left\"\neta_d = \"1\"",
+                1,
+            ),
+            "not at this level",
         ),
         (slow, "t_s = 10000 s is more than 100 times"),
         (

@@ -28,7 +28,7 @@ const TABLES: [(&str, &[&Symbol]); 13] = [
     ("Slewing by itself", slewing::symbols::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
-    ("Screw or pinion of a drive", drive::symbols::ALL),
+    ("Screw, pinion or crank of a drive", drive::symbols::ALL),
     ("A cylinder with oil and valve", hydraulics::symbols::ALL),
     (
         "Steering, seen from above: x forward, y to the left, angles counter-clockwise from straight ahead",

@@ -215,10 +215,14 @@ fn built(n: &mut Node) -> (Linkage, [f64; 2]) {
             continue;
         }
         let mut margins: Vec<Margin> = vec![Box::new(move |p| sine(p.c - p.b, linkage.driven(p)[1]))];
-        if n.child("drive")
-            .is_some_and(|drive| drive.text("kind") != Some("sector"))
-        {
-            margins.push(drive(n, &linkage));
+        let kind = n.child("drive").and_then(|drive| drive.text("kind").map(str::to_owned));
+        match kind.as_deref() {
+            None | Some("sector") => {}
+            Some("crank") => {
+                let Some(pose) = linkage.at(start) else { continue };
+                margins.extend(crank(n, &linkage, &pose));
+            }
+            Some(_) => margins.push(drive(n, &linkage)),
         }
         if n.has("balance") {
             // The boom must not turn back.
@@ -241,11 +245,11 @@ fn kind_of_drive(drive: &mut Node, bore: f64, [moves, oil]: [bool; 2]) {
     let kind = match cylinder {
         true => "cylinder",
         false if moves || drive.draw.coin(0.5) => "rack",
-        false => drive.draw.pick(&["screw", "sector"]),
+        false => drive.draw.pick(&["screw", "sector", "crank"]),
     };
     drive.put("kind", kind);
     drive.remove(&[
-        "D_c", "d_r", "r_z", "eta_d", "d_2", "p_h", "mu_d", "beta_d", "r_s", "delta_s",
+        "D_c", "d_r", "r_z", "eta_d", "d_2", "p_h", "mu_d", "beta_d", "r_s", "delta_s", "r_cr", "l_cr", "branch",
     ]);
     if cylinder {
         let thick = drive.draw.between(0.0, 0.8) * f64::from(drive.draw.coin(0.9));
@@ -259,6 +263,10 @@ fn kind_of_drive(drive: &mut Node, bore: f64, [moves, oil]: [bool; 2]) {
         drive.set("r_s", radius);
         let direction = drive.draw.angle();
         drive.set("delta_s", direction);
+    }
+    if kind == "crank" {
+        let efficiency = drive.draw.between(0.5, 1.0);
+        drive.set("eta_d", efficiency);
     }
     if screw || sector || kind == "rack" && !moves && drive.draw.coin(0.5) {
         shaft(drive, bore, screw);
@@ -306,19 +314,44 @@ fn pose(n: &mut Node) -> Linkage {
     Linkage::of(n)
 }
 
+/// A crank with its rod that works at a pose, and what it needs to go on: neither crank and rod, nor rod and arm in one line.
+fn crank(n: &mut Node, linkage: &Linkage, pose: &Pose) -> [Margin; 2] {
+    let (size, linkage) = (n.draw.scale[0], *linkage);
+    let mut d = n.child("drive").expect("there");
+    let (centre, [arm, turn]) = anchors(&mut d, size);
+    let [joint, ..] = driving(&linkage, pose, centre, arm, turn);
+    let pin = Point::new(size, size).map(|size| size * d.draw.between(-1.0, 1.0));
+    let left = cross(joint - centre, pin - centre) > 0.0;
+    d.put("branch", if left { "left" } else { "right" });
+    let bars = [d.set("r_cr", length(pin - centre)), d.set("l_cr", length(pin - joint))];
+    let lines = move |pose: &Pose| {
+        let [joint, _, arm] = driving(&linkage, pose, centre, arm, turn);
+        meet([centre, joint], bars, left).map(|pin| [pin - centre, joint - pin, arm])
+    };
+    [
+        Box::new(move |pose| lines(pose).map_or(f64::NAN, |[crank, rod, _]| sine(crank, rod))),
+        Box::new(move |pose| lines(pose).map_or(f64::NAN, |[_, rod, arm]| sine(arm, rod))),
+    ]
+}
+
 fn drive(n: &mut Node, linkage: &Linkage) -> Margin {
     let (size, linkage) = (n.draw.scale[0], *linkage);
     let mut d = n.child("drive").expect("there");
+    let (anchor, [arm, turn]) = anchors(&mut d, size);
+    Box::new(move |pose| {
+        let [_, line, arm] = driving(&linkage, pose, anchor, arm, turn);
+        sine(arm, line)
+    })
+}
+
+/// Anchor on the frame, and distance and direction of the one on the driven bar.
+fn anchors(d: &mut Node, size: f64) -> (Point<f64>, [f64; 2]) {
     let anchor = Point::new(size, size).map(|size| size * d.draw.between(-1.0, 1.0));
     let anchor = Point::new(d.set("E_x", anchor.x), d.set("E_y", anchor.y));
     let arm = size * d.draw.between(0.1, 1.0);
     let arm = d.set("s_d", arm);
     let turn = d.draw.angle();
-    let turn = d.set("chi_d", turn);
-    Box::new(move |pose| {
-        let [_, line, arm] = driving(&linkage, pose, anchor, arm, turn);
-        sine(arm, line)
-    })
+    (anchor, [arm, d.set("chi_d", turn)])
 }
 
 /// Anchor on the driven bar, the line to it from the one on the frame, and from the bar's foot, in m.

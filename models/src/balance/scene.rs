@@ -188,11 +188,7 @@ impl Form<f64> {
             "tail" => Tail::of(n).map(Form::Tail),
             "parallelogram" => Parallelogram::of(n).map(Form::Parallelogram),
             "lever" => {
-                let branch = if v.text("branch")? == "left" {
-                    Branch::Left
-                } else {
-                    Branch::Right
-                };
+                let branch = Branch::read(v)?;
                 Dimensions::of(n).map(|it| Form::Lever(it, n(&s::S_5), branch))
             }
             "straight_rail" => StraightRail::of(n).map(Form::StraightRail),

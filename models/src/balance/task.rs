@@ -187,7 +187,7 @@ impl Task {
             method: method?,
             criterion,
             robust: v.text("objective") == Some("dM_95"),
-            branch: v.text("branch").map(branch),
+            branch: Branch::read(v),
             seed: v.count("seed").unwrap_or(1),
             bounds: bounds?,
             constraints,
@@ -241,10 +241,6 @@ impl Task {
             }
         });
     }
-}
-
-fn branch(text: &str) -> Branch {
-    if text == "right" { Branch::Right } else { Branch::Left }
 }
 
 fn method(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Method> {
@@ -455,7 +451,7 @@ fn candidate(v: &Values) -> Option<Candidate> {
             _ => CandidateRole::Counterweight,
         },
         dimensions: Dimensions::of(|symbol| v.number(symbol.id))?,
-        branch: v.text("branch").map_or(Branch::Left, branch),
+        branch: Branch::read(v).unwrap_or(Branch::Left),
         source: v.words("source").cloned(),
     })
 }

@@ -12,11 +12,17 @@ quantities! {
     Pinion { r_z: R_Z, eta_d: ETA_D }
 }
 
-/// Screw or pinion as it is given.
+quantities! {
+    /// Efficiency of a crank with its rod.
+    Direct { eta_d: ETA_D }
+}
+
+/// Screw, pinion or crank as it is given.
 #[derive(Clone, Copy, Debug)]
 pub enum Gear<C> {
     Screw(Screw<C>),
     Pinion(Pinion<C>),
+    Direct(Direct<C>),
 }
 
 impl<C: Copy> Gear<C> {
@@ -26,7 +32,7 @@ impl<C: Copy> Gear<C> {
         matches!(self, Gear::Screw(_)) || !listed!(s: LAMBDA_D, RHO_D, LOCK_D).contains(&result)
     }
 }
-either!(Gear { Screw, Pinion });
+either!(Gear { Screw, Pinion, Direct });
 
 impl Gear<f64> {
     /// Of the checked table of a drive of a kind, none where it does not say how it is turned. Mistakes go to `found`.
@@ -45,6 +51,7 @@ impl Gear<f64> {
                 Some(Gear::Screw(screw))
             }
             "rack" | "sector" => Pinion::read(v).map(Gear::Pinion),
+            "crank" => Direct::read(v).map(Gear::Direct),
             _ => None,
         }
     }

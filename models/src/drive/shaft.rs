@@ -6,7 +6,7 @@
 use std::f64::consts::TAU;
 
 use crate::component::stages::results;
-use crate::drive::gear::{Gear, Pinion};
+use crate::drive::gear::{Direct, Gear, Pinion};
 use crate::drive::screw::Thread;
 use crate::drive::symbols as s;
 use crate::kernel::calc::Calc;
@@ -42,11 +42,27 @@ impl<C: Calc> Gearing<C> {
                     thread: Some(thread),
                 }
             }
-            Gear::Pinion(Pinion { r_z, eta_d }) => Gearing {
-                turn: tau * *r_z,
-                arms: [*r_z, *r_z / *eta_d, *r_z * *eta_d],
-                thread: None,
-            },
+            Gear::Pinion(Pinion { r_z, eta_d }) => Gearing::with_arm(*r_z, *eta_d),
+            // One metre long: its arm follows from the position.
+            Gear::Direct(Direct { eta_d }) => Gearing::with_arm(C::constant(1.0), *eta_d),
+        }
+    }
+
+    fn with_arm(arm: C, eta: C) -> Gearing<C> {
+        Gearing {
+            turn: C::constant(TAU) * arm,
+            arms: [arm, arm / eta, arm * eta],
+            thread: None,
+        }
+    }
+
+    /// With lever arms as many times as long.
+    #[must_use]
+    pub fn times(&self, longer: C) -> Gearing<C> {
+        Gearing {
+            turn: self.turn * longer,
+            arms: self.arms.map(|arm| arm * longer),
+            thread: self.thread,
         }
     }
 }
@@ -82,8 +98,13 @@ impl<C: Calc> Shaft<C> {
         } else {
             (against, with)
         };
+        // At rest a crank is so in its dead points too.
+        let n = match (gearing.turn.value(), v_d.value()) {
+            (0.0, 0.0) => v_d,
+            _ => v_d / gearing.turn,
+        };
         Shaft {
-            n: (v_d / gearing.turn).def(&s::N_D),
+            n: n.def(&s::N_D),
             torques: [
                 torque(free, &s::T_D),
                 torque(out, &s::T_D_OUT),

@@ -1,4 +1,4 @@
-//! Every quantity of a drive's screw, pinion or sector.
+//! Every quantity of a drive's screw, pinion, sector or crank.
 
 use crate::kernel::symbol::{Range, symbols};
 
@@ -9,10 +9,42 @@ symbols! {
     MU_D: "mu_d" "mu_d" ONE / ONE [not_negative], "Friction between screw and nut.", "[Ports001, 5.3]";
     BETA_D: "beta_d" "beta_d" RAD / DEG [within(Range::new(0.0, 1.0))], "Angle of the thread's flank from square to the screw's axis: 15 deg trapezoidal, 0 square.", "[Ports001, 5.3]";
     R_Z: "r_z" "r_z" M / MM [positive], "Pitch radius of the pinion that pushes the rack or turns the sector.", "[Ports001, 5.3]";
-    ETA_D: "eta_d" "eta_d" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of the pinion and what it drives.", "[Ports001, 5.3]";
+    ETA_D: "eta_d" "eta_d" ONE / ONE [within(Range::new(0.0, 1.0).above())], "Efficiency of the pinion and what it drives, or of a crank.", "[Ports001, 5.3]";
 
     R_S: "r_s" "r_s" M / M [positive], "Pitch radius of the toothed sector, about the foot of the driving link.", "[Ports001, 5.3]";
     DELTA_S: "delta_s" "delta_s" RAD / DEG, "Direction from the foot of the driving link to the pinion in the sector.", "[Ports001, 5.3]";
+
+    R_CR: "r_cr" "r_(c r)" M / M [positive], "Radius of the crank, about its centre on the frame.", "[Ports001, 5.3]";
+    L_CR: "l_cr" "l_(c r)" M / M [positive], "Length of the rod from the crank to the driving link.", "[Ports001, 5.3]";
+
+    // Closure of crank and rod.
+    D_CR: "d_cr" "d_(c r)" M / M, "Distance of the crank's centre from the foot of the driving link.", "[Ports001, 5.3]";
+    DELTA_CR: "delta_cr" "delta_(c r)" RAD / DEG, "Direction from the foot of the driving link to the crank's centre.", "[Ports001, 5.3]";
+    PHI_CRS: "phi_crs" "phi_(c r s)" RAD / DEG, "Dead point: crank and rod stretched in one line.", "derived";
+    PHI_CRS2: "phi_crs2" "phi'_(c r s)" RAD / DEG, "Other dead point: crank and rod stretched in one line.", "derived";
+    PHI_CRF: "phi_crf" "phi_(c r f)" RAD / DEG, "Dead point: crank and rod folded in one line.", "derived";
+    PHI_CRF2: "phi_crf2" "phi'_(c r f)" RAD / DEG, "Other dead point: crank and rod folded in one line.", "derived";
+    PHI_D: "phi_d" "phi_d" RAD / DEG, "Direction from the foot of the driving link to the anchor of the drive on it.", "[Ports001, 5.3]";
+    R_DX: "r_d.x" "x_(r d)" M / M, "Anchor of the drive on the driving link, forward of its foot.", "derived";
+    R_DY: "r_d.y" "y_(r d)" M / M, "Anchor of the drive on the driving link, above its foot.", "derived";
+    A_CRX: "a_cr.x" "a_(c r x)" M / M, "From the crank's centre to the anchor on the driving link, forward component.", "derived";
+    A_CRY: "a_cr.y" "a_(c r y)" M / M, "From the crank's centre to the anchor on the driving link, upward component.", "derived";
+    A_CR: "a_cr" "a_(c r)" M / M, "Distance of the anchor on the driving link from the crank's centre.", "derived";
+    SIGMA_CRS: "sigma_crs" "sigma_(c r s)" M2 / M2, "Margin to the dead points with crank and rod stretched.", "derived";
+    SIGMA_CRF: "sigma_crf" "sigma_(c r f)" M2 / M2, "Margin to the dead points with crank and rod folded.", "derived";
+    K_CR: "K_cr" "K_(c r)" M2 / M2, "Four times the area of the triangle of crank, rod and the line between their ends; its sign is the branch of assembly.", "derived";
+    R_CRX: "r_cr.x" "r_(c r x)" M / M, "Crank, forward component.", "derived";
+    R_CRY: "r_cr.y" "r_(c r y)" M / M, "Crank, upward component.", "derived";
+    L_CRX: "l_cr.x" "l_(c r x)" M / M, "Rod from the driving link to the crank, forward component.", "derived";
+    L_CRY: "l_cr.y" "l_(c r y)" M / M, "Rod from the driving link to the crank, upward component.", "derived";
+
+    // Crank.
+    THETA_CR: "theta_cr" "theta_(c r)" RAD / DEG, "Angle of the crank above the horizontal.", "[Ports001, 5.3]";
+    H_CR: "h_cr" "h_(c r)" M / M, "Lever arm of the rod about the crank's centre; positive where a push needs a counter-clockwise torque. Zero at its dead points.", "[Ports001, 5.3]";
+    ALPHA_CR: "alpha_cr" "alpha_(c r)" RAD / DEG, "Angle from the crank to the circle on which the anchor of the driving link moves.", "[Ports001, 5.3]";
+    BETA_CR: "beta_cr" "beta_(c r)" RAD / DEG, "Angle from the circle on which the anchor of the driving link moves to the rod.", "[Ports001, 5.3]";
+    F_CR: "F_cr" "F_(c r)" N / KN, "Force of the rod by the form for a slider: the force across the link's arm over the cosine of the rod's angle.", "[Ports001, 5.3]";
+    T_CR: "T_cr" "T_(c r)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the crank without friction by the form for a slider, the anchor's circle as its line.", "[Ports001, 5.3]";
 
     // Screw.
     LAMBDA_D: "lambda_d" "lambda_d" RAD / DEG, "Lead angle of the screw.", "[Ports001, 5.3]";
@@ -20,12 +52,12 @@ symbols! {
     LOCK_D: "lock_d" "Delta rho_d" RAD / DEG, "Angle of friction less lead angle: where positive the screw locks itself.", "[Ports001, 5.3]";
 
     // Shaft.
-    N_D: "n_d" "n_d" PER_S / PER_MIN, "Speed of the screw or pinion, positive where the drive lengthens.", "[Ports001, 5.3]";
-    T_D: "T_d" "T_d" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw or pinion without friction, positive where it lengthens the drive.", "[Ports001, 5.3]";
-    T_D_OUT: "T_d.out" "T_(d, arrow.r)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw or pinion while the drive lengthens, positive in that sense.", "[Ports001, 5.3]";
-    T_D_IN: "T_d.in" "T_(d, arrow.l)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw or pinion while the drive shortens, positive where it lengthens the drive.", "[Ports001, 5.3]";
+    N_D: "n_d" "n_d" PER_S / PER_MIN [infinite("at a dead point of the crank")], "Speed of the screw or pinion, positive where the drive lengthens; of a crank counter-clockwise.", "[Ports001, 5.3]";
+    T_D: "T_d" "T_d" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw or pinion without friction, positive where it lengthens the drive; of a crank counter-clockwise.", "[Ports001, 5.3]";
+    T_D_OUT: "T_d.out" "T_(d, arrow.r)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw or pinion while the drive lengthens, or of a crank while its rod goes towards the driving link; signs as without friction.", "[Ports001, 5.3]";
+    T_D_IN: "T_d.in" "T_(d, arrow.l)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw or pinion while the drive shortens, or of a crank while its rod goes away from the driving link; signs as without friction.", "[Ports001, 5.3]";
 
     // The whole range of motion.
-    T_D_OUT_MAX: "T_d_out_max" "T_(d arrow.r,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw or pinion in the working range, by amount, while the drive lengthens.", "derived";
-    T_D_IN_MAX: "T_d_in_max" "T_(d arrow.l,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw or pinion in the working range, by amount, while the drive shortens.", "derived";
+    T_D_OUT_MAX: "T_d_out_max" "T_(d arrow.r,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw, pinion or crank in the working range, by amount, while the drive lengthens.", "derived";
+    T_D_IN_MAX: "T_d_in_max" "T_(d arrow.l,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw, pinion or crank in the working range, by amount, while the drive shortens.", "derived";
 }

@@ -1,6 +1,6 @@
 //! The crank angles in which a four-bar closes, and its change points.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use crate::kernel::calc::Calc;
 use crate::parts::dead_points::Limit;
@@ -16,6 +16,15 @@ const NEAR: f64 = 1e-9;
 pub struct Arc {
     pub from: f64,
     pub to: f64,
+}
+
+impl Arc {
+    /// Whether it covers an interval, but for whole turns.
+    #[must_use]
+    pub fn covers(&self, from: f64, to: f64) -> bool {
+        let turns = ((from - self.from) / TAU).floor() * TAU;
+        from - turns >= self.from && to - turns <= self.to
+    }
 }
 
 impl<C: Calc> FourBar<C> {

@@ -7,6 +7,7 @@ use nalgebra::Scalar;
 use twofloat::TwoFloat;
 
 use crate::kernel::calc::Calc;
+use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::parts::dead_points::{Limit, dead_angle_tail};
 use crate::parts::plane::{self, Point};
@@ -35,6 +36,20 @@ pub struct Names {
 pub enum Branch {
     Left,
     Right,
+}
+
+impl Branch {
+    /// By its name in a scene.
+    #[must_use]
+    pub fn named(text: &str) -> Branch {
+        if text == "right" { Branch::Right } else { Branch::Left }
+    }
+
+    /// Of a checked table, where it has the key `branch`.
+    #[must_use]
+    pub fn read(v: &Values) -> Option<Branch> {
+        v.text("branch").map(Branch::named)
+    }
 }
 
 /// Lengths of a linkage with what follows from them alone.

@@ -5,8 +5,9 @@ use crate::component::extreme::between;
 use crate::component::sheet::Drawing;
 use crate::component::telling::fine;
 use crate::kernel::calc::Calc;
+use crate::luffing::double_link::drive::crank_linkage;
 use crate::luffing::double_link::geometry::Geometry;
-use crate::luffing::double_link::parameters::Driven;
+use crate::luffing::double_link::parameters::{Anchors, Driven};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::symbols as s;
@@ -103,8 +104,23 @@ fn drive(draw: &mut Draw, g: &Geometry<f64>, p: &Position<f64>, luffing: &Luffin
     let arm = plane::turned(bar, anchors.s_d * cos / length, anchors.s_d * sin / length);
     let (e, d) = (Point::new(anchors.e_x, anchors.e_y), foot + arm);
     draw.bar(&[d, foot + along], false);
-    draw.bar(&[e, d], false);
+    match crank_pin(g, luffing, anchors, d - foot) {
+        Some(pin) => {
+            draw.bar(&[e, pin], false);
+            draw.bar(&[pin, d], false);
+            draw.pin(pin, false, false);
+        }
+        None => draw.bar(&[e, d], false),
+    }
     draw.pin(e, true, false);
     draw.pin(d, false, false);
     draw.label(e, "E");
+}
+
+/// Where crank and rod meet, with the link's arm to its anchor; `None` without a crank.
+fn crank_pin(g: &Geometry<f64>, luffing: &Luffing, a: &Anchors<f64>, arm: Point<f64>) -> Option<Point<f64>> {
+    let (rod, branch) = luffing.crank?;
+    let linkage = crank_linkage(&rod, a, &g.lengths, (g.driven, branch))?;
+    let closed = rod.at(&linkage, Calc::direction(arm.x, arm.y))?;
+    Some(Point::new(a.e_x, a.e_y) + closed.crank)
 }

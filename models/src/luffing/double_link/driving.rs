@@ -1,26 +1,39 @@
 //! What a scene says about the drive.
 
+use crate::drive::crank::CrankRod;
 use crate::drive::gear::Gear;
 use crate::drive::sector::Sector;
 use crate::drive::symbols as t;
 use crate::kernel::check::missing;
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::schema::{Key, Sign, Values};
+use crate::kernel::schema::{Key, Kind, Sign, Values};
 use crate::kernel::symbol::{Symbol, listed};
-use crate::luffing::double_link::parameters::{Anchors, Bore};
+use crate::luffing::double_link::drive;
+use crate::luffing::double_link::parameters::{Anchors, Bore, Parameters};
 use crate::luffing::double_link::symbols as s;
+use crate::parts::four_bar::Branch;
+use crate::parts::motion::Motion;
 
 /// What only one kind of drive has.
-const OWN: [(&str, &[&Symbol]); 5] = [
+const OWN: [(&str, &[&Symbol]); 7] = [
     ("cylinder", listed!(s: D_C, D_R)),
-    ("rack or sector", listed!(t: R_Z, ETA_D)),
+    ("rack or sector", listed!(t: R_Z)),
+    ("rack, sector or crank", listed!(t: ETA_D)),
+    ("crank", listed!(t: R_CR, L_CR)),
     ("screw", listed!(t: D_2, P_H, MU_D, BETA_D)),
     ("sector", listed!(t: R_S, DELTA_S)),
     (LINES, LINE),
 ];
 
+/// Of a crank.
+pub const CRANK_BRANCH: Key = Key::new(
+    "branch",
+    Kind::Choice(&["left", "right"]),
+    "Side of the line from the crank's centre to its anchor on the driving link on which crank and rod meet.",
+);
+
 /// What all but a sector have.
-const LINES: &str = "cylinder, rack or screw";
+const LINES: &str = "cylinder, rack, screw or crank";
 const LINE: &[&Symbol] = listed!(s: E_X, E_Y, S_D, CHI_D);
 
 /// How a drive is driven, as far as the scene says it.
@@ -30,6 +43,7 @@ pub struct Driving {
     pub sector: Option<Sector<f64>>,
     pub cylinder: Option<Bore<f64>>,
     pub gear: Option<Gear<f64>>,
+    pub crank: Option<(CrankRod<f64>, Branch)>,
 }
 
 /// `None` with mistakes, which go to `found`.
@@ -45,6 +59,7 @@ pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Driving> {
         sector: Sector::read(d),
         cylinder: cylinder(d, found),
         gear: Gear::read(d, d.text("kind")?, found),
+        crank: CrankRod::read(d).zip(Branch::read(d)),
     };
     (found.len() == before).then_some(read)
 }
@@ -52,6 +67,10 @@ pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Driving> {
 /// Refuses what is of a drive of another kind.
 fn only_its_own(d: &Values, found: &mut Vec<Diagnostic>) {
     let kind = d.text("kind").unwrap_or_default();
+    if kind != "crank" && d.has("branch") {
+        let what = format!("a {kind} has no branch, which is of a crank");
+        found.push(d.refuse("branch", what, "not used", "remove it"));
+    }
     for (other, symbols) in OWN
         .iter()
         .filter(|(other, _)| !other.split([' ', ',']).any(|one| one == kind))
@@ -101,17 +120,44 @@ fn all_of_it(d: &Values, found: &mut Vec<Diagnostic>) {
         "screw" => listed!(t: D_2, P_H, MU_D, BETA_D),
         "sector" => listed!(t: R_S, DELTA_S, R_Z, ETA_D),
         "rack" if pinion => listed!(t: R_Z, ETA_D),
+        "crank" => listed!(t: R_CR, L_CR, ETA_D),
         _ => &[],
     };
     let line = if kind == "sector" { &[] } else { LINE };
-    for symbol in line.iter().chain(turned).filter(|symbol| !d.has(symbol.id)) {
-        let key = Key::quantity(symbol, Sign::Positive);
-        found.push(missing(
-            d.span.clone(),
-            &format!("in [luffing.drive] of the kind \"{kind}\""),
-            &key,
-        ));
+    let symbols = line.iter().chain(turned);
+    let keys = symbols.map(|symbol| Key::quantity(symbol, Sign::Positive));
+    let branch = (kind == "crank").then_some(CRANK_BRANCH);
+    for key in keys.chain(branch).filter(|key| !d.has(key.name)) {
+        let place = format!("in [luffing.drive] of the kind \"{kind}\"");
+        found.push(missing(d.span.clone(), &place, &key));
     }
+}
+
+/// Refuses a crank that does not meet the driving link over the whole working range.
+pub fn meets(v: &Values, driving: &Driving, p: &Parameters<f64>, range: &Motion, found: &mut Vec<Diagnostic>) {
+    let (Some(d), Some((rod, crank)), Some(anchors)) = (v.table("drive"), driving.crank, driving.anchors) else {
+        return;
+    };
+    let Some(linkage) = drive::crank_linkage(&rod, &anchors, &p.lengths, (p.driven, crank)) else {
+        let what = "crank and rod meet the anchor on the driving link at no angle";
+        found.push(d.refuse(
+            "l_cr",
+            what,
+            "cannot reach",
+            "change the rod's length, the crank's radius or centre",
+        ));
+        return;
+    };
+    let [from, to] = [range.from, range.to].map(|theta| theta + anchors.chi_d);
+    if linkage.turns_fully() || linkage.arcs().iter().any(|arc| arc.covers(from, to)) {
+        return;
+    }
+    let what = "crank and rod do not meet over the whole working range";
+    let help = format!(
+        "they meet for {} of the driving link: change the working range, or rod, crank or its centre",
+        drive::arcs(&linkage, anchors.chi_d)
+    );
+    found.push(d.refuse("l_cr", what, "does not reach", help));
 }
 
 /// Refuses a torque in a mechanism that `moves`, and limits of what the drive has not, with or without `forces`.
@@ -122,7 +168,7 @@ pub fn fits(v: &Values, gear: Option<&Gear<f64>>, [moves, forces]: [bool; 2], fo
         } else {
             "kind"
         };
-        let what = "the torque of screw or pinion is calculated at rest alone, and this mechanism moves by itself";
+        let what = "the torque of a drive's shaft is calculated at rest alone, and this mechanism moves by itself";
         let help = "set fidelity = \"static\" or \"table\" in [luffing] and leave out what moves, or make it a rack without r_z";
         found.push(d.refuse(key, what, "not at this level", help));
     }

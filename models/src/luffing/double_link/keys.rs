@@ -7,6 +7,7 @@ use crate::component::outline::Limit;
 use crate::drive::symbols as d;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Sign};
+use crate::luffing::double_link::driving::CRANK_BRANCH;
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::symbols as s;
@@ -51,7 +52,7 @@ pub const KEYS: &[Key] = &[
 pub const DRIVE: Key = Key::part(
     "drive",
     DRIVE_KEYS,
-    "Cylinder, rack, screw or sector that turns the driving link.",
+    "Cylinder, rack, screw, sector or crank that turns the driving link.",
 );
 pub const HOISTING: Key = Key::part(
     "hoisting",
@@ -78,9 +79,12 @@ static DRIVE_KEYS: &[Key] = keys! { s:
     E_X [optional], E_Y [optional], S_D > 0 [optional], CHI_D [optional], D_C > 0 [optional], D_R >= 0 [optional];
     Key::new(
         "kind",
-        Kind::Choice(&["cylinder", "rack", "screw", "sector"]),
-        "A hydraulic cylinder, a rack that a pinion on the frame pushes, a screw with its nut, or a toothed sector that a pinion turns.",
+        Kind::Choice(&["cylinder", "rack", "screw", "sector", "crank"]),
+        "A hydraulic cylinder, a rack that a pinion on the frame pushes, a screw with its nut, a toothed sector that a pinion turns, or a crank on the frame with its rod.",
     ),
+    CRANK_BRANCH.optional(),
+    Key::quantity(&d::R_CR, Sign::Positive).optional(),
+    Key::quantity(&d::L_CR, Sign::Positive).optional(),
     Key::quantity(&d::R_Z, Sign::Positive).optional(),
     Key::quantity(&d::ETA_D, Sign::Positive).optional(),
     Key::quantity(&d::R_S, Sign::Positive).optional(),

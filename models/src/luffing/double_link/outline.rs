@@ -16,6 +16,7 @@ pub const OUTLINE: Outline = Outline {
     constants: &[
         ("geometry_constants", &[Stage("geometry")]),
         ("balance_constants", &[Stage("balancing")]),
+        ("crank_constants", &[Stage("crank")]),
         ("drive_constants", &[Stage("gearing")]),
     ],
     sections: &[
@@ -25,10 +26,11 @@ pub const OUTLINE: Outline = Outline {
         ("pole", &[Stage("pole")]),
         ("load_moment", &[Stage("load_moment"), Stage("by_pole")]),
         ("weight_moment", &[Stage("own")]),
+        ("crank", &[Stage("cranked")]),
         ("drive", &[Stage("drive"), Stage("stroke"), Stage("flow")]),
         ("balance", &[Stage("residual"), Stage("balanced")]),
         ("pin_forces", &[Stage("held"), Stage("push"), Stage("feet")]),
-        ("drive_shaft", &[Stage("shaft")]),
+        ("drive_shaft", &[Stage("shaft"), Stage("by_slider")]),
         ("published_forms", &[Stage("published")]),
     ],
     table: listed!(s: THETA_3, THETA_1, R, A_Y, ALPHA, ALPHA_1, MU, V_AX, M_Q, M_D, F_D),

@@ -1,6 +1,7 @@
 //! What is constant in a scene: dimensions, weights, drive, balance, and what the scene has chosen.
 
 use crate::balance::scene::Form;
+use crate::component::stages::{Found, absent};
 use crate::drive::sector::Sector;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{either, group, quantities};
@@ -19,6 +20,8 @@ pub struct Choice {
     pub range: Motion,
     /// Whether finite forces in the pins carry load and weights all over it.
     pub pins: bool,
+    /// Side of the line from the centre of the drive's crank to its anchor on the driving link on which crank and rod meet.
+    pub crank: Branch,
 }
 group!(Choice);
 
@@ -80,6 +83,16 @@ pub enum DriveMount<C> {
     Sector(Sector<C>),
 }
 either!(DriveMount { Anchors, Sector });
+
+impl<C> DriveMount<C> {
+    /// Of all but a sector.
+    pub(super) fn anchors(&self) -> Found<&Anchors<C>> {
+        match self {
+            DriveMount::Anchors(anchors) => Ok(anchors),
+            DriveMount::Sector(_) => Err(absent()),
+        }
+    }
+}
 
 quantities! {
     /// Bore and rod of a luffing cylinder, in m.

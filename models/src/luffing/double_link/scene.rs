@@ -5,6 +5,7 @@ use crate::balance::scene::{Form, PublishedBalance};
 use crate::balance::task::{Search, Task};
 use crate::component::description::Description;
 use crate::component::outline::Published;
+use crate::drive::crank::CrankRod;
 use crate::drive::gear::Gear;
 use crate::drive::sector::Sector;
 use crate::kernel::diagnostic::Diagnostic;
@@ -38,6 +39,8 @@ pub struct LuffingScene {
     pub gear: Option<Gear<f64>>,
     /// The toothed sector of its drive, if it has that.
     pub sector: Option<Sector<f64>>,
+    /// The rod of the crank of its drive, if it has that, and on which side both meet.
+    pub crank: Option<(CrankRod<f64>, Branch)>,
     /// Weight of the load; `None` models no forces.
     pub q: Option<f64>,
     /// First angle of the range, in rad, at which all bars lie in one line: no finite forces in the pins carry a load there.
@@ -95,21 +98,19 @@ impl LuffingScene {
         } else {
             Driven::Rocker
         };
-        let branch = if v.text("branch")? == "left" {
-            Branch::Left
-        } else {
-            Branch::Right
-        };
+        let branch = Branch::read(v)?;
         let n = |symbol: &Symbol| v.number(symbol.id);
         let lengths = Lengths::read(v)?;
         let jib = jib(v, found)?;
         let weights = v.part("weights", Weights::read)?;
+        let driving = driving::read(v, found)?;
         let Driving {
             anchors,
             sector,
             cylinder,
             gear,
-        } = driving::read(v, found)?;
+            crank,
+        } = driving;
         let q = n(&s::Q);
         // A load that cannot be read is not one that is missing.
         let loaded = q.is_some() || !found.is_empty();
@@ -126,6 +127,9 @@ impl LuffingScene {
             branch,
         };
         let motion = motion(v, &parameters, found);
+        if let Some(motion) = &motion {
+            driving::meets(v, &driving, &parameters, motion, found);
+        }
         let moving = moving::scene::Moving::new(v, gravity, loaded, found);
         if let Some((table, motion)) = v.table("balance").filter(|_| weights.is_some()).zip(motion) {
             balanced(v, table, &parameters, &motion, found);
@@ -155,6 +159,7 @@ impl LuffingScene {
             parameters,
             gear,
             sector,
+            crank,
             q,
             change_point,
             moving,
@@ -248,7 +253,7 @@ fn motion(v: &Values, parameters: &Parameters<f64>, found: &mut Vec<Diagnostic>)
         }
     };
     let arcs = geometry.linkage.arcs();
-    if geometry.linkage.turns_fully() || arcs.iter().any(|arc| covers(*arc, motion.from, motion.to)) {
+    if geometry.linkage.turns_fully() || arcs.iter().any(|arc| arc.covers(motion.from, motion.to)) {
         // An end that is a dead point but for rounding.
         let ends = [("from", motion.from), ("to", motion.to)];
         let Some((key, at)) = ends.into_iter().find(|(_, at)| Position::new(&geometry, *at).is_none()) else {
@@ -324,19 +329,13 @@ fn change_point(
     Some(at)
 }
 
-/// Whether an arc, shifted by whole turns, covers an interval.
-fn covers(arc: Arc, from: f64, to: f64) -> bool {
-    let turns = ((from - arc.from) / TAU).floor() * TAU;
-    from - turns >= arc.from && to - turns <= arc.to
-}
-
 /// Which part of the range is left out.
 fn missing(arcs: &[Arc], motion: &Motion) -> String {
     const PARTS: u32 = 1000;
     let part = (motion.to - motion.from) / f64::from(PARTS);
     let open: Vec<f64> = (0..=PARTS)
         .map(|i| motion.from + part * f64::from(i))
-        .filter(|&angle| !arcs.iter().any(|arc| covers(*arc, angle, angle)))
+        .filter(|&angle| !arcs.iter().any(|arc| arc.covers(angle, angle)))
         .collect();
     let (Some(&first), Some(&last)) = (open.first(), open.last()) else {
         return "the parts in which it closes do not join".to_owned();

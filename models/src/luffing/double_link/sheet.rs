@@ -46,6 +46,7 @@ use crate::luffing::double_link::statics::{LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::with_balance::{agreement, searched};
+use crate::parts::four_bar::Branch;
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
 use crate::parts::{hanging, hydraulics};
@@ -95,6 +96,7 @@ impl Described for LuffingScene {
                 .map(DriveMount::Sector)
                 .or(p.anchors.map(DriveMount::Anchors)),
             cylinder: p.cylinder,
+            rod: this.crank.map(|(rod, _)| rod),
             gear: this.gear,
             balance: p.balance,
             states: None,
@@ -113,6 +115,7 @@ impl Described for LuffingScene {
                 branch: p.branch,
                 range: this.motion,
                 pins: this.has_pins(),
+                crank: this.crank.map_or(Branch::Left, |(_, branch)| branch),
             },
         }
     }
@@ -237,9 +240,15 @@ impl Described for LuffingScene {
         let scale = rise.steepest.abs();
         let energy = ((integral - difference) / (scale * (motion.to - motion.from))).abs();
         agree("energy_identity", energy, 1e-9);
+        let apart = |both: &[Vec<f64>]| both.iter().map(|row| (row[0] - row[1]).abs()).fold(0.0, f64::max);
         let both = sample(model, &[&s::M_Q, &s::M_Q_P], fine(motion));
-        let most = both.iter().map(|row| (row[0] - row[1]).abs()).fold(0.0, f64::max);
-        agree("moment_agreement", most / (q * scale), 1e-12);
+        agree("moment_agreement", apart(&both) / (q * scale), 1e-12);
+        if this.crank.is_some() {
+            let mut both = sample(model, &[&drive::symbols::T_D, &drive::symbols::T_CR], fine(motion));
+            both.retain(|row| row[0].is_finite());
+            let most = both.iter().map(|row| row[0].abs()).fold(f64::MIN_POSITIVE, f64::max);
+            agree("crank_agreement", apart(&both) / most, 1e-12);
+        }
         checks
     }
 

@@ -8,6 +8,7 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, absent, stages};
 use crate::component::whole::{How, Whole};
+use crate::drive::crank::{CrankRod, Cranked};
 use crate::drive::gear::Gear;
 use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::calc::Calc;
@@ -37,12 +38,14 @@ use crate::luffing::double_link::published::PublishedFormulas;
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::with_balance::WithBalance;
+use crate::parts::four_bar::FourBar;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
 use crate::parts::turntable::Turning;
 
 /// Quantities at rest and in motion.
 mod s {
+    pub use crate::drive::symbols::T_CR;
     pub use crate::luffing::double_link::moving::symbols::*;
     pub use crate::luffing::double_link::symbols::*;
 }
@@ -67,6 +70,7 @@ stages! {
         Parameter jib: One<C>,
         Parameter weights: Option<Weights<C>>,
         Parameter mount: Option<DriveMount<C>>,
+        Parameter rod: Option<CrankRod<C>>,
         Parameter cylinder: Option<Bore<C>>,
         Parameter gear: Option<Gear<C>>,
         Parameter balance: Option<Form<C>>,
@@ -78,7 +82,9 @@ stages! {
         velocity: Velocity<C> = Velocity::new(position);
         head: Point<C> = Velocity::v_a(velocity, omega) => [V_AX, V_AY];
         pole: Pole<C> = Pole::new(geometry, position, velocity);
-        drive: Drive<C> = Drive::of(position, lengths, mount[!]);
+        crank: FourBar<C> = drive::crank(rod[!], mount[!], lengths, choice) => _, lifted;
+        cranked: Cranked<C> = drive::cranked(crank, rod[!], mount[!], theta);
+        drive: Drive<C> = Drive::of(position, lengths, mount[!], rod, cranked[?]);
         stroke: C = drive::speed(drive, omega) => V_D;
         flow: C = drive::flow(cylinder[!], stroke) => Q_D;
         load_moment: LoadMoment<C> = LoadMoment::new(velocity, load[!]);
@@ -92,7 +98,8 @@ stages! {
         held: Held<C> = Held::new(position, theta, carried, own[?], residual[?], passes);
         push: Reaction<C> = Reaction::new(drive, held);
         gearing: Gearing<C> = Gearing::new(gear[!]);
-        shaft: Shaft<C> = drive::shaft(gearing, push, stroke);
+        shaft: Shaft<C> = drive::shaft(gearing, push, stroke, cranked[?]);
+        by_slider: C = drive::by_slider(cranked, rod[!], mount[!], held) => T_CR;
         feet: Feet<C> = Feet::new(position, lengths, weights, residual[?], held, push[?]);
         analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
@@ -158,7 +165,7 @@ impl Component for DoubleLink {
         head "Head A of the jib, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
         shaft "Foot of the driving link, where a moment drives it." [phi w]:
             phi THETA_1, w OMEGA_1, phi THETA_3, w OMEGA_3, tau M_D;
-        drive "Cylinder, rack, screw or sector between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
+        drive "Cylinder, rack, screw, sector or crank between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
     const STATES: [&'static [&'static Symbol]; 2] = [&[&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3], &RATES];
@@ -189,7 +196,7 @@ impl Component for DoubleLink {
             && (!of_balance.contains(&symbol) || given.balance.is_some())
             && given.gear.as_ref().is_none_or(|gear| gear.has(symbol))
             && (symbol != &b::F_D_0 || given.mount.is_some())
-            && (symbol != &s::L_D || !matches!(given.mount, Some(DriveMount::Sector(_))))
+            && (symbol != &s::L_D || given.rod.is_none() && !matches!(given.mount, Some(DriveMount::Sector(_))))
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {

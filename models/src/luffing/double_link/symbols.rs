@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+pub use crate::drive::symbols::{R_DX, R_DY};
 use crate::kernel::symbol::{Range, symbols};
 
 symbols! {
@@ -120,8 +121,6 @@ symbols! {
     CHI_D: "chi_d" "chi_d" RAD / DEG, "Anchor of the drive on the driving link, counter-clockwise from the bar.", "input";
     D_C: "D_c" "D_c" M / MM [positive], "Bore of the luffing cylinder.", "input";
     D_R: "d_r" "d_r" M / MM [not_negative], "Rod diameter of the luffing cylinder.", "input";
-    R_DX: "r_d.x" "x_(r d)" M / M, "Anchor of the drive on the driving link, forward of its foot.", "derived";
-    R_DY: "r_d.y" "y_(r d)" M / M, "Anchor of the drive on the driving link, above its foot.", "derived";
     L_DX: "L_d.x" "L_(d x)" M / M, "Drive from frame to driving link, forward component.", "derived";
     L_DY: "L_d.y" "L_(d y)" M / M, "Drive from frame to driving link, upward component.", "derived";
     L_D: "L_d" "L_d" M / M [not_negative], "Length of the drive between its anchors.", "derived";
