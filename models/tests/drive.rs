@@ -327,7 +327,7 @@ fn what_cannot_be_is_refused() {
                 "kind = \"crank\"\nr_cr = \"2 m\"\nl_cr = \"9 m\"\nbranch = \"left\"\neta_d = \"1\"",
                 1,
             ),
-            "not at this level",
+            "at rest alone",
         ),
         (slow, "t_s = 10000 s is more than 100 times"),
         (
