@@ -14,6 +14,8 @@ symbols! {
     R_S: "r_s" "r_s" M / M [positive], "Pitch radius of the toothed sector, about the foot of the driving link.", "[Ports001, 5.3]";
     DELTA_S: "delta_s" "delta_s" RAD / DEG, "Direction from the foot of the driving link to the pinion in the sector.", "[Ports001, 5.3]";
 
+    V_D: "v_d" "v_d" M_PER_S / MM_PER_S, "Speed of the drive, lengthening positive.", "derived";
+
     // Screw.
     LAMBDA_D: "lambda_d" "lambda_d" RAD / DEG, "Lead angle of the screw.", "[Ports001, 5.3]";
     RHO_D: "rho_d" "rho'_d" RAD / DEG, "Angle of friction of the thread.", "[Ports001, 5.3]";

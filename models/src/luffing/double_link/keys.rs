@@ -10,6 +10,7 @@ use crate::kernel::schema::{Key, Kind, SOURCE, Sign};
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::parts::motion::Motion;
 
 /// Keys of `[luffing]`.
@@ -53,11 +54,7 @@ pub const DRIVE: Key = Key::part(
     DRIVE_KEYS,
     "Cylinder, rack, screw or sector that turns the driving link.",
 );
-pub const HOISTING: Key = Key::part(
-    "hoisting",
-    moving::hoisting::HOISTING_KEYS,
-    "Rope and hoist of a load that swings.",
-);
+pub const HOISTING: Key = Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings.");
 pub const SLEWING: Key = Key::part(
     "slewing",
     moving::scene::SLEWING_KEYS,

@@ -31,8 +31,6 @@ use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
-use crate::luffing::double_link::moving::given::Fitted;
-use crate::luffing::double_link::moving::hoisting::HoistKind;
 use crate::luffing::double_link::moving::{self, start::starting};
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::parameters::{Choice, DriveMount, Driven, Jib};
@@ -45,6 +43,8 @@ use crate::luffing::double_link::stages::{DoubleLink, Given};
 use crate::luffing::double_link::statics::{LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::moving::given::Fitted;
+use crate::luffing::moving::hoisting::HoistKind;
 use crate::luffing::with_balance::{agreement, searched};
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
@@ -65,6 +65,7 @@ impl Described for LuffingScene {
             balance::symbols::ALL,
             drive::symbols::ALL,
             moving::symbols::ALL,
+            crate::luffing::moving::symbols::ALL,
             hanging::ALL,
             turntable::ALL,
             gravity::ALL,
@@ -99,6 +100,7 @@ impl Described for LuffingScene {
             balance: p.balance,
             states: None,
             inputs: None,
+            inertias: None,
             constants: None,
             ramp: None,
             motor: None,

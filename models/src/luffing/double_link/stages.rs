@@ -1,5 +1,7 @@
 //! The mechanism as a component: what it is given, and in which stages its equations follow from each other.
 
+use std::sync::Arc;
+
 use crate::balance::analysis::Analysis;
 use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
@@ -22,10 +24,8 @@ use crate::luffing::double_link::drive::{self, Drive, Reaction};
 use crate::luffing::double_link::feet::Feet;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::{Carried, Held, Passes};
-use crate::luffing::double_link::hydraulic::Modes;
-use crate::luffing::double_link::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
-use crate::luffing::double_link::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
-use crate::luffing::double_link::moving::level::{CraneAt, Level};
+use crate::luffing::double_link::linkage::HeavyLinkage;
+use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
 use crate::luffing::double_link::moving::listed::{Fittings, list};
 use crate::luffing::double_link::moving::motion::{
     self, CraneEvents, CraneForces, CraneOil, CraneRates, INDICATORS, LoadSeen, RATES,
@@ -36,6 +36,10 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
+use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hydraulic::Modes;
+use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
@@ -54,6 +58,7 @@ stages! {
         Rate omega: One<C>,
         State states: Option<CraneStates<C>>,
         Input inputs: Option<Inputs<C>>,
+        Parameter inertias: Option<Inertias<C>>,
         Parameter constants: Option<Constants<C>>,
         Parameter ramp: Option<HoistRamp<C>>,
         Parameter motor: Option<HoistMotor<C>>,
@@ -98,9 +103,11 @@ stages! {
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
         published: PublishedFormulas<C> = published(geometry, jib, theta) => _;
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
-        built[constants]: Vec<Level<C>> = motion::built(
-            parameters, load[!], constants[!], ramp, motor, give, turning, oil, fitted, choice
+        parts[constants]: Vec<CraneParts<C>> = motion::parts(
+            parameters, load[!], inertias[!], constants[!], ramp, motor, give, turning, oil, fitted, choice
         ) => _;
+        linkage[constants]: Vec<Arc<HeavyLinkage<C>>> = motion::linkage(parts) => _;
+        built[constants]: Vec<Level<C>> = motion::built(parts, linkage) => _;
         told[constants]: Vec<Level<C>> = motion::told(built, inputs[!]) => _;
         at: CraneAt<C> = motion::at(theta, omega, states[!], wound, past[!], inputs[!], oil, fitted) => _;
         rates: CraneRates<C> = motion::rates(built, told, at, theta, oil, fitted);
@@ -108,7 +115,7 @@ stages! {
         resisting: C = motion::resisting(built, told, at, theta) => M_R;
         pull: C = motion::pull(built, told, at, theta) => S_R;
         drum: C = motion::drum(built, told, at, theta) => M_R_H;
-        forces: CraneForces<C> = motion::forces(built, told, at, theta);
+        forces: CraneForces<C> = motion::forces(linkage, built, told, at, theta);
         blown: C = motion::blown(at) => W_BLOW;
         resisting_slewing: C = motion::resisting_slewing(built, told, at, theta) => M_R_SL;
         seen: LoadSeen<C> = LoadSeen::new(at, oil);

@@ -1,20 +1,26 @@
 //! The equations of a level from what is given: bodies from weights and inertias, joints, hoist, cylinder.
 
+use std::sync::Arc;
+
 use num_dual::Dual64;
 
 use crate::kernel::calc::{Calc, Over};
-use crate::kernel::group::One;
+use crate::kernel::group::{One, quantities};
 use crate::kernel::variable::Fault;
-use crate::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
 use crate::luffing::double_link::geometry::Geometry;
-use crate::luffing::double_link::hydraulic::{Crane, Hydraulic};
-use crate::luffing::double_link::motion::MovingLinkage;
-use crate::luffing::double_link::moving::given::{Constants, CylinderOil, Fitted};
-use crate::luffing::double_link::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
-use crate::luffing::double_link::moving::level::Level;
+use crate::luffing::double_link::linkage::{Bodies, HeavyLinkage};
 use crate::luffing::double_link::moving::symbols as m;
+use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Bore, Parameters, Weights};
-use crate::luffing::double_link::slewing::Slewing;
+use crate::luffing::double_link::pose::Posing;
+use crate::luffing::moving::bodies::{Body, Pendulum, Turntable};
+use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
+use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hydraulic::{Crane, Hydraulic};
+use crate::luffing::moving::level::Level;
+use crate::luffing::moving::motion::MovingLinkage;
+use crate::luffing::moving::space::Slewing;
 use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::hydraulics::valve::Valve;
@@ -27,12 +33,19 @@ use crate::parts::turntable::Turning;
 /// the stop is damped critically.
 const STOP: f64 = 100.0;
 
+quantities! {
+    /// Inertias of boom, jib and rocker.
+    Inertias { j_1: J_1, j_2: J_2, j_3: J_3 }
+}
+
 /// What a crane in motion is made of.
-pub struct CraneParts<'a, P: Calc> {
+#[derive(Clone)]
+pub struct CraneParts<P: Calc> {
     pub parameters: Parameters<P>,
     pub range: Motion,
-    pub load: &'a One<P>,
-    pub constants: &'a Constants<P>,
+    pub load: One<P>,
+    pub inertias: Inertias<P>,
+    pub constants: Constants<P>,
     pub ramp: Option<HoistRamp<P>>,
     pub motor: Option<HoistMotor<P>>,
     pub give: Option<RopeGive<P>>,
@@ -41,23 +54,34 @@ pub struct CraneParts<'a, P: Calc> {
     pub fitted: Fitted,
 }
 
-impl<P: Coordinate<P>> CraneParts<'_, P>
+impl<P: Posing<P> + Coordinate<P> + Send + Sync + 'static> CraneParts<P>
 where
     Dual64: Over<P>,
 {
-    /// The equations of its level, nothing being asked of it.
+    /// The mechanism with its bodies.
     ///
     /// # Errors
     /// Quantities with which there is no such mechanism, or no such balance.
-    pub fn level(&self) -> Result<Level<P>, Fault> {
-        let (p, fitted, constants) = (&self.parameters, self.fitted, self.constants);
+    pub fn linkage(&self) -> Result<Arc<HeavyLinkage<P>>, Fault> {
+        let p = &self.parameters;
         let geometry = Geometry::new(p).map_err(|misfit| {
             let words = p.values().describe(misfit);
             Fault::outside(format!("{}; {}", words.what, words.help))
         })?;
-        let mut dynamics = Dynamics::new(&geometry, self.bodies(&geometry))
+        let linkage = HeavyLinkage::new(&geometry, self.bodies(&geometry))
             .with_balance(p, &self.range)
             .map_err(|fault| Fault::outside(fault.to_string()))?;
+        Ok(Arc::new(match &p.anchors {
+            Some(anchors) => linkage.with_drive(anchors),
+            None => linkage,
+        }))
+    }
+
+    /// The equations of its level, nothing being asked of it.
+    pub fn level(&self, linkage: &Arc<HeavyLinkage<P>>) -> Level<P> {
+        let (fitted, constants) = (self.fitted, self.constants);
+        let Bodies { pendulum, gravity, .. } = linkage.bodies;
+        let mut dynamics = Dynamics::new(linkage.clone(), pendulum, gravity);
         let joint = |viscous, coulomb, stops| Joint {
             friction: Friction { viscous, coulomb },
             stops,
@@ -66,34 +90,34 @@ where
         let slewing = (self.turning.zip(fitted.slewing)).map(|(t, stops)| joint(t.c_sl, t.m_f_sl, stops));
         if let Some(turning) = self.turning {
             dynamics = dynamics.with_slewing(Turntable {
-                axis: -geometry.lengths.x_8,
+                axis: -self.parameters.lengths.x_8,
                 inertia: turning.j_sl,
             });
         }
-        if let Some(anchors) = &p.anchors {
-            dynamics = dynamics.with_drive(anchors, self.oil.is_some());
+        if self.oil.is_some() && self.parameters.anchors.is_some() {
+            dynamics = dynamics.by_cylinder();
         }
-        let Some((oil, bore)) = self.oil.as_ref().zip(p.cylinder) else {
-            return Ok(match crane(dynamics, luffing, slewing) {
+        let Some((oil, bore)) = self.oil.as_ref().zip(self.parameters.cylinder) else {
+            return match crane(dynamics, luffing, slewing) {
                 Crane::Plane(motion) => Level::Free(motion),
                 Crane::Slewing(slewing) => Level::Slewing(slewing),
-            });
+            };
         };
-        let start = P::reduced(&dynamics, P::constant(self.range.from));
+        let start = <P as Coordinate<P>>::reduced(&dynamics, P::constant(self.range.from));
         let inertia = start.map_or(P::constant(0.0), |r| r.inertia);
         let stop = P::known(&m::OMEGA_S, STOP);
         let (stiffness, damping) = (inertia * stop.square(), inertia * P::constant(2.0) * stop);
         let buffer = [stiffness.def(&m::K_S), damping.def(&m::D_S)];
         let crane = crane(dynamics, luffing, slewing);
         if fitted.rope.is_some() || fitted.slewing.is_some() {
-            Ok(Level::Hanging(hydraulic(crane, cylinder(oil, &bore), buffer)))
+            Level::Hanging(hydraulic(crane, cylinder(oil, &bore), buffer))
         } else {
-            Ok(Level::Fixed(hydraulic(crane, cylinder(oil, &bore), buffer)))
+            Level::Fixed(hydraulic(crane, cylinder(oil, &bore), buffer))
         }
     }
 
     fn bodies(&self, geometry: &Geometry<P>) -> Bodies<P> {
-        let constants = self.constants;
+        let (inertias, constants) = (self.inertias, self.constants);
         let weights: &Weights<P> = self
             .parameters
             .weights
@@ -120,14 +144,14 @@ where
             let centre = Point::new(distance * cos, distance * sin);
             Body::slender(weight / constants.g, inertia, centre, along)
         };
-        let jib = body(weights.g_2, constants.j_2, weights.s_2, weights.chi_2, axis);
+        let jib = body(weights.g_2, inertias.j_2, weights.s_2, weights.chi_2, axis);
         let pendulum = self.fitted.rope.map(|length| Pendulum {
             mass: load,
             length: P::known(&m::L_R, length),
             hoist,
         });
         Bodies {
-            boom: body(weights.g_1, constants.j_1, weights.s_1, weights.chi_1, bar),
+            boom: body(weights.g_1, inertias.j_1, weights.s_1, weights.chi_1, bar),
             jib: if pendulum.is_some() {
                 jib
             } else {
@@ -137,7 +161,7 @@ where
                     ..loaded
                 }
             },
-            rocker: body(weights.g_3, constants.j_3, weights.s_3, weights.chi_3, bar),
+            rocker: body(weights.g_3, inertias.j_3, weights.s_3, weights.chi_3, bar),
             pendulum,
             gravity: constants.g,
         }

@@ -10,12 +10,12 @@ use crate::component::running::Running;
 use crate::component::stages::Stages;
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::variable::{Name, Quantity, Role, TIME};
-use crate::luffing::double_link::hydraulic::{FIXED, Modes};
 use crate::luffing::double_link::moving::carried::{at, put};
-use crate::luffing::double_link::moving::given::L_R;
-use crate::luffing::double_link::moving::level::CraneAt;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::stages::{DoubleLink, Given};
+use crate::luffing::moving::given::L_R;
+use crate::luffing::moving::hydraulic::{FIXED, Modes};
+use crate::luffing::moving::level::CraneAt;
 use crate::parts::hoist::Drum;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::joint::Bar;
@@ -81,6 +81,7 @@ fn at_rest(model: &MovingComponent) -> Standing {
     let given = Given {
         states: None,
         inputs: None,
+        inertias: None,
         constants: None,
         ramp: None,
         motor: None,

@@ -5,10 +5,10 @@ use crate::drive;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::{Role, Variable};
 use crate::luffing::double_link::forces_in_motion::RESULTS;
-use crate::luffing::double_link::moving::given::{INPUTS, STATES};
 use crate::luffing::double_link::moving::motion::{INDICATORS, RATES};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::symbols as g;
+use crate::luffing::moving::given::{INPUTS, STATES};
 use crate::parts::hydraulics::symbols as h;
 
 /// What forces and moments of this model take into account.

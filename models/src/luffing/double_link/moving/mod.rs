@@ -12,16 +12,13 @@
 //! | `start`, `carried` | where the motion begins; how it is carried on, what the solver keeps |
 //! | `follows`, `told` | what depends on what; what the book tells |
 //!
-//! The equations are in [`dynamics`](crate::luffing::double_link::dynamics), [`motion`](crate::luffing::double_link::motion),
-//! [`hanging`](crate::luffing::double_link::hanging), [`slewing`](crate::luffing::double_link::slewing) and [`hydraulic`](crate::luffing::double_link::hydraulic).
+//! The equations are in [`dynamics`](crate::luffing::moving::dynamics), [`motion`](crate::luffing::moving::motion),
+//! [`hanging`](crate::luffing::moving::hanging), [`slewing`](crate::luffing::moving::space) and [`hydraulic`](crate::luffing::moving::hydraulic).
 //! Forces of the motion follow from them in [`forces_in_motion`](crate::luffing::double_link::forces_in_motion).
 
-mod built;
+pub mod built;
 mod carried;
 pub mod follows;
-pub mod given;
-pub mod hoisting;
-pub mod level;
 pub mod listed;
 pub mod motion;
 pub mod scene;

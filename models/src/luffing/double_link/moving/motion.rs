@@ -1,5 +1,7 @@
 //! The crane in motion as stages: its equations under present inputs, and what follows from its states.
 
+use std::sync::Arc;
+
 use num_dual::Dual64;
 
 use crate::component::scalar::{EachScalar, Scalar};
@@ -11,39 +13,41 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, RESULTS};
 use crate::luffing::double_link::held::in_line;
-use crate::luffing::double_link::hydraulic::{Hydraulic, MOST, Modes};
-use crate::luffing::double_link::moving::built::CraneParts;
-use crate::luffing::double_link::moving::given::{
-    Constants, CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, V_R, order,
-};
-use crate::luffing::double_link::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
-use crate::luffing::double_link::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
+use crate::luffing::double_link::linkage::HeavyLinkage;
+use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Choice, Parameters};
 use crate::luffing::double_link::pose::Posing;
+use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, V_R, order};
+use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes};
+use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::turntable::Turning;
 
 /// The equations over a scalar.
 pub struct Equations<P: Calc> {
-    level: fn(&CraneParts<P>) -> Result<Level<P>, Fault>,
+    linkage: fn(&CraneParts<P>) -> Result<Arc<HeavyLinkage<P>>, Fault>,
+    level: fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>) -> Level<P>,
     rates: fn(&Level<P>, &CraneAt<P>) -> Option<[P; MOST_STATES]>,
     indicators: fn(&Level<P>, &CraneAt<P>) -> Option<[P; MOST_INDICATORS]>,
     reaction: fn(&Level<P>, &CraneAt<P>, MotionResult) -> Option<P>,
-    forces: fn(&Level<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>,
+    forces: fn(&Level<P>, &HeavyLinkage<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>,
 }
 
-impl<P: Posing<P>> Equations<P>
+impl<P: Posing<P> + Coordinate<P> + Send + Sync + 'static> Equations<P>
 where
     Dual64: Over<P>,
 {
     fn new() -> Equations<P> {
         Equations {
-            level: |built| built.level(),
+            linkage: |parts| parts.linkage(),
+            level: |parts, linkage| parts.level(linkage),
             rates: Level::rates,
             indicators: Level::indicators,
             reaction: Level::reaction,
-            forces: Level::forces,
+            forces: ForcesInMotion::of,
         }
     }
 }
@@ -64,11 +68,12 @@ impl EachScalar for InMotion {
     }
 }
 
-/// The equations of the level, nothing being asked of it.
+/// All that the crane is made of.
 #[expect(clippy::too_many_arguments, reason = "all that it is made of")]
-pub fn built<C: Scalar>(
+pub fn parts<C: Scalar>(
     parameters: &Parameters<C>,
     load: &One<C>,
+    inertias: &Inertias<C>,
     constants: &Constants<C>,
     ramp: &Option<HoistRamp<C>>,
     motor: &Option<HoistMotor<C>>,
@@ -77,23 +82,35 @@ pub fn built<C: Scalar>(
     oil: &Option<CylinderOil<C>>,
     fitted: &Fitted,
     choice: &Choice,
-    room: &mut Vec<Level<C>>,
-) -> Result<(), Fault> {
-    let built = CraneParts {
+    room: &mut Vec<CraneParts<C>>,
+) {
+    room.clear();
+    room.push(CraneParts {
         parameters: *parameters,
         range: choice.range,
-        load,
-        constants,
+        load: *load,
+        inertias: *inertias,
+        constants: *constants,
         ramp: *ramp,
         motor: *motor,
         give: *give,
         turning: *turning,
         oil: *oil,
         fitted: *fitted,
-    };
+    });
+}
+
+/// The mechanism with its bodies.
+pub fn linkage<C: Scalar>(parts: &[CraneParts<C>], room: &mut Vec<Arc<HeavyLinkage<C>>>) -> Result<(), Fault> {
     room.clear();
-    room.push((C::own::<InMotion>().level)(&built)?);
+    room.push((C::own::<InMotion>().linkage)(&parts[0])?);
     Ok(())
+}
+
+/// The equations of the level, nothing being asked of it.
+pub fn built<C: Scalar>(parts: &[CraneParts<C>], linkage: &[Arc<HeavyLinkage<C>>], room: &mut Vec<Level<C>>) {
+    room.clear();
+    room.push((C::own::<InMotion>().level)(&parts[0], &linkage[0]));
 }
 
 /// The same under inputs; none where they are no part of it.
@@ -205,7 +222,7 @@ macro_rules! reactions {
 reactions! {
     cylinder: Cylinder;
     resisting: Friction;
-    pull: Rope;
+    pull: Pull;
     drum: Drum;
     resisting_slewing: SlewingFriction;
 }
@@ -228,12 +245,13 @@ impl<C: Calc> Rows<C> for CraneForces<C> {
 }
 
 pub fn forces<C: Scalar>(
+    linkage: &[Arc<HeavyLinkage<C>>],
     built: &[Level<C>],
     told: &[Level<C>],
     at: &CraneAt<C>,
     theta: &One<C>,
 ) -> Result<CraneForces<C>, Fault> {
-    let found = (C::own::<InMotion>().forces)(present(built, told), at);
+    let found = (C::own::<InMotion>().forces)(present(built, told), &linkage[0], at);
     Ok(CraneForces(found.ok_or_else(|| open(theta))?, *theta))
 }
 

@@ -5,10 +5,11 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::moving::given::{Constants, CylinderOil, Inputs};
-use crate::luffing::double_link::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
+use crate::luffing::double_link::moving::built::Inertias;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::symbols as l;
+use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
+use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
 use crate::parts::motion::Motion;
@@ -46,6 +47,7 @@ pub struct SlewingStart {
 /// A mechanism in motion as the scene describes it; SI.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving {
+    pub inertias: Inertias<f64>,
     pub constants: Constants<f64>,
     /// Of the inputs, until an importer sets others.
     pub inputs: Inputs,
@@ -91,10 +93,8 @@ impl Moving {
             slewing,
             oil,
             ramp: n(&s::T_S).unwrap_or(4.0),
+            inertias: Inertias::read(table)?,
             constants: Constants {
-                j_1: n(&s::J_1)?,
-                j_2: n(&s::J_2)?,
-                j_3: n(&s::J_3)?,
                 c_v: n(&s::C_V).unwrap_or(0.0),
                 m_f: n(&s::M_F).unwrap_or(0.0),
                 g: gravity,

@@ -7,16 +7,16 @@ use crate::component::part::Runner;
 use crate::component::standing::Standing;
 use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
-use crate::luffing::double_link::hydraulic::{FIXED, Modes};
-use crate::luffing::double_link::motion::{self, MotionState, directions};
 use crate::luffing::double_link::moving::carried::{CarriedCrane, at, known, put};
-use crate::luffing::double_link::moving::given::{CraneStates, Fitted, MOST_STATES, STATES};
-use crate::luffing::double_link::moving::hoisting::HoistKind;
-use crate::luffing::double_link::moving::level::{CraneAt, Level};
 use crate::luffing::double_link::moving::scene::Moving;
 use crate::luffing::double_link::moving::symbols as m;
-use crate::luffing::double_link::slewing::{self, SlewingState};
 use crate::luffing::double_link::stages::{DoubleLink, Given};
+use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES};
+use crate::luffing::moving::hoisting::HoistKind;
+use crate::luffing::moving::hydraulic::{FIXED, Modes};
+use crate::luffing::moving::level::{CraneAt, Level};
+use crate::luffing::moving::motion::{self, MotionState, directions};
+use crate::luffing::moving::space::{self, SlewingState};
 use crate::parts::hanging::to_load;
 use crate::parts::hoist::Drum;
 use crate::parts::motion::Motion;
@@ -34,7 +34,7 @@ impl CraneAt {
     /// The hoist runs at a rate of paying out (m/s), and a load on a rope that gives way moves as fast along it: of a crane
     /// with oil, that slews, whose rope gives way.
     pub(super) fn wind(&mut self, rate: f64, [oil, slews, gives]: [bool; 3]) {
-        let (first, own) = (own(oil), if slews { slewing::STATES } else { motion::STATES });
+        let (first, own) = (own(oil), if slews { space::STATES } else { motion::STATES });
         self.y[first + own - 3] = rate;
         self.past.drum = Drum::at(rate);
         if gives && slews {
@@ -113,6 +113,7 @@ pub fn starting(given: Given<f64>, motion: Motion, moving: &Moving, theta: f64) 
         omega: One(given.omega.0, 0.0),
         states: Some(CraneStates([0.0; STATES.len()])),
         inputs: Some(moving.inputs),
+        inertias: Some(moving.inertias),
         constants: Some(moving.constants),
         ramp: match kind {
             HoistKind::Ramp(ramp) => Some(ramp),

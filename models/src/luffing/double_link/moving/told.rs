@@ -9,9 +9,9 @@ use crate::kernel::calc::Calc;
 use crate::kernel::record::{self, Rec};
 use crate::kernel::variable::Fault;
 use crate::luffing::double_link::moving::carried::{CarriedCrane, at, known};
-use crate::luffing::double_link::moving::level::{CraneAt, Powers};
 use crate::luffing::double_link::moving::motion::open;
 use crate::luffing::double_link::stages::DoubleLink;
+use crate::luffing::moving::level::{CraneAt, Powers};
 
 /// Powers as it is now, and the energy (J) of all bodies with what blows have taken so far.
 ///

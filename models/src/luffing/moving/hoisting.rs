@@ -5,7 +5,7 @@ use crate::kernel::group::quantities;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::moving::symbols as s;
 
 /// Keys of `[luffing.hoisting]`.
 pub static HOISTING_KEYS: &[Key] = keys! { s:
