@@ -18,7 +18,7 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::Centres;
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::system::height;
-use crate::luffing::moving::bodies::{Bar, Body, MovedBody, Moves, Turntable, about_axis, parts, spread};
+use crate::luffing::moving::bodies::{Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, parts, spread};
 use crate::luffing::moving::dynamics::Dynamics;
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
 use crate::parts::plane::{self, Point, cross, dot};
@@ -199,19 +199,6 @@ impl<T: Calc + DualNum> PosedBody<T> {
             turn: bar.turn(),
         }
     }
-}
-
-/// How something at an angle of the driving link changes with it, as dual numbers have found: two coordinates, once and
-/// once more.
-fn changes(of: Point<Rec>, theta: Rec, values: [Point<f64>; 2], names: [[&'static Symbol; 2]; 2]) -> [Point<Rec>; 2] {
-    let once = |of: Point<Rec>, value: Point<f64>, [x, y]: [&'static Symbol; 2]| {
-        Point::new(
-            of.x.derivative(theta, value.x).def(x),
-            of.y.derivative(theta, value.y).def(y),
-        )
-    };
-    let first = once(of, values[0], names[0]);
-    [first, once(first, values[1], names[1])]
 }
 
 /// First joint and direction of boom, jib and rocker.

@@ -3,6 +3,8 @@
 use num_dual::{Dual2, DualNum};
 
 use crate::kernel::calc::{Calc, Over};
+use crate::kernel::record::Rec;
+use crate::kernel::symbol::Symbol;
 use crate::parts::hanging::cancelling;
 use crate::parts::hoist::Hoist;
 use crate::parts::plane::{self, Point, dot};
@@ -205,4 +207,22 @@ pub(crate) fn about_axis<C: Calc>(inertia: C, bodies: impl Iterator<Item = (C, C
         let about = mass * reach * reach;
         sum + spread.map_or(about, |spread| about + spread)
     })
+}
+
+/// How something at an angle of the driving link changes with it, as dual numbers have found: two coordinates, once and
+/// once more.
+pub(crate) fn changes(
+    of: Point<Rec>,
+    theta: Rec,
+    values: [Point<f64>; 2],
+    names: [[&'static Symbol; 2]; 2],
+) -> [Point<Rec>; 2] {
+    let once = |of: Point<Rec>, value: Point<f64>, [x, y]: [&'static Symbol; 2]| {
+        Point::new(
+            of.x.derivative(theta, value.x).def(x),
+            of.y.derivative(theta, value.y).def(y),
+        )
+    };
+    let first = once(of, values[0], names[0]);
+    [first, once(first, values[1], names[1])]
 }

@@ -181,10 +181,11 @@ numbered!(
 );
 
 /// What belongs to a crane in motion and is no number of its equations: length of the load's rope at the start (m), end
-/// stops of slewing (rad).
+/// stops of slewing (rad), whether oil moves it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Fitted {
     pub rope: Option<f64>,
     pub slewing: Option<[f64; 2]>,
+    pub oil: bool,
 }
 group!(Fitted);

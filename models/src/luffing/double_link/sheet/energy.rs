@@ -2,7 +2,7 @@
 
 use crate::component::sheet::{self, Integral, Power};
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::scene::MovingLink as Moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::moving::hoisting::HoistKind;

@@ -10,7 +10,7 @@ use crate::component::running::Running;
 use crate::component::standing::Standing;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Role};
-use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::scene::MovingLink as Moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::sheet::motor::{JointMotor, braking, place};

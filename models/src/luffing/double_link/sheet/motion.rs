@@ -13,7 +13,7 @@ use crate::component::sheet::{Check, Envelope, InMotion, Manoeuvre, Section, Sum
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
-use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::scene::MovingLink as Moving;
 use crate::luffing::double_link::moving::start::starting;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::moving::told::recorded;

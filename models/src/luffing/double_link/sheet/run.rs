@@ -6,7 +6,7 @@ use crate::component::series::Series;
 use crate::component::sheet::{Summary, Warning};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::scene::MovingLink as Moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::moving::told::{apart, kinetic, powers, present};
 use crate::luffing::double_link::scene::Luffing;
