@@ -44,7 +44,7 @@ use crate::luffing::double_link::statics::{LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::moving::given::Fitted;
-use crate::luffing::moving::hoisting::HoistKind;
+use crate::luffing::moving::hoisting::load_taken;
 use crate::luffing::with_balance::{agreement, searched};
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
@@ -297,26 +297,22 @@ impl Described for LuffingScene {
             foot,
             Some("bodies"),
             given(this.parameters.balance.is_some(), "counterweight"),
-            Some(match moving.rope.map(|rope| rope.give.is_some()) {
-                Some(true) => "elastic_rope",
-                Some(false) => "rope",
-                None => "fixed_load",
-            }),
-            moving.rope.filter(|rope| rope.give.is_none()).map(|_| "slack"),
-            moving.rope.map(|rope| match rope.hoist {
-                HoistKind::AtOnce => "hoist",
-                HoistKind::Ramp(_) => "hoist_ramp",
-                HoistKind::Motor(_) => "hoist_motor",
-            }),
-            given(slews, "slewing"),
-            given(oil, "oil"),
-            Some(if oil { "creep" } else { "sticking" }),
-            Some(if oil { "buffer" } else { "stops" }),
-            Some("forces_in_motion"),
-            Some(if oil { "solver_rodas" } else { "solver_runge_kutta" }),
         ]
         .into_iter()
         .flatten()
+        .chain(load_taken(moving.rope.as_ref(), "fixed_load"))
+        .chain(
+            [
+                given(slews, "slewing"),
+                given(oil, "oil"),
+                Some(if oil { "creep" } else { "sticking" }),
+                Some(if oil { "buffer" } else { "stops" }),
+                Some("forces_in_motion"),
+                Some(if oil { "solver_rodas" } else { "solver_runge_kutta" }),
+            ]
+            .into_iter()
+            .flatten(),
+        )
         .collect()
     }
 

@@ -50,6 +50,23 @@ pub struct LoadRope {
     pub give: Option<RopeGive<f64>>,
 }
 
+/// Ids of what the model takes for granted of load, rope and hoist; `fixed` where there is no rope.
+pub fn load_taken(rope: Option<&LoadRope>, fixed: &'static str) -> impl Iterator<Item = &'static str> {
+    let elastic = rope.is_some_and(|rope| rope.give.is_some());
+    let load = match rope {
+        Some(_) if elastic => "elastic_rope",
+        Some(_) => "rope",
+        None => fixed,
+    };
+    let slack = rope.filter(|_| !elastic).map(|_| "slack");
+    let hoist = rope.map(|rope| match rope.hoist {
+        HoistKind::AtOnce => "hoist",
+        HoistKind::Ramp(_) => "hoist_ramp",
+        HoistKind::Motor(_) => "hoist_motor",
+    });
+    [Some(load), slack, hoist].into_iter().flatten()
+}
+
 /// The table that has the rope and its hoist: `[luffing.hoisting]`, or `[luffing.dynamics]`.
 pub fn hoisting<'a>(v: &'a Values, dynamics: &'a Values, fidelity: &str) -> Result<&'a Values, Diagnostic> {
     let Some(table) = v.table("hoisting") else {
