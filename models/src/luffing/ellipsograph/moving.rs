@@ -12,7 +12,7 @@ use crate::luffing::ellipsograph::statics::GuidedWeights;
 use crate::luffing::ellipsograph::symbols as s;
 use crate::luffing::moving::bodies::{Body, MovedBody, Moves};
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
-use crate::luffing::moving::symbols::OfSums;
+use crate::luffing::moving::symbols::{self as m, OfSums};
 use crate::parts::plane::{self, Point};
 
 quantities! {
@@ -102,6 +102,7 @@ where
         ];
         let head = Point::new(axes[0] * cos, axes[1] * sin);
         let travel = plane::def(Point::new(-(axes[0] * sin), axes[1] * cos), [&s::DA_X, &s::DA_Y]);
+        let bend = plane::def(-head, [&m::DDA_X, &m::DDA_Y]);
         let turn = [C::constant(1.0), zero];
         let moves = Moves {
             bodies: [
@@ -115,7 +116,7 @@ where
                 },
             ],
             counterweight,
-            head: [head, travel, -head],
+            head: [head, travel, bend],
             drive: [zero; 2],
             turn: [zero; 2],
         };
