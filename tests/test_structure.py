@@ -251,8 +251,7 @@ def test_a_symbol_has_the_name_of_its_id():
 
 # Files of mechanisms in motion, until what moves is written once too.
 LONG = {
-    "models/src/luffing/double_link/dynamics.rs",
-    "models/src/luffing/double_link/hydraulic.rs",
+    "models/src/luffing/moving/hydraulic.rs",
 }
 
 

@@ -22,6 +22,8 @@ use crate::luffing::double_link;
 use crate::luffing::double_link::scene::LuffingScene;
 use crate::luffing::double_link::stages::DoubleLink;
 use crate::luffing::ellipsograph::scene::Ellipsograph;
+use crate::luffing::ellipsograph::stages::EllipsographBoom;
+use crate::luffing::moving::follows::follows;
 use crate::luffing::rope::scene::Rope;
 use crate::parts::motion::Place;
 use crate::slewing;
@@ -163,7 +165,10 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
                 .expect("what moves is a component");
             let part: &dyn Any = moving.standing().part();
             if part.is::<Runner<DoubleLink, f64>>() {
-                return double_link::moving::follows::follows(moving);
+                return follows::<DoubleLink>(moving);
+            }
+            if part.is::<Runner<EllipsographBoom, f64>>() {
+                return follows::<EllipsographBoom>(moving);
             }
             told(|teller| (teller.dependencies)(moving.standing()))
         }

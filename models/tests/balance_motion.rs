@@ -5,12 +5,15 @@ use lemnis_models::balance::boom::Boom;
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::luffing::double_link::balancing::{self, residual};
-use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Phase};
 use lemnis_models::luffing::double_link::geometry::Geometry;
+use lemnis_models::luffing::double_link::linkage::{Bodies, HeavyLinkage};
 use lemnis_models::luffing::double_link::parameters::Driven;
 use lemnis_models::luffing::double_link::position::Position;
 use lemnis_models::luffing::double_link::scene::Luffing;
 use lemnis_models::luffing::double_link::velocity::Velocity;
+use lemnis_models::luffing::moving::bodies::Body;
+use lemnis_models::luffing::moving::dynamics::{Coordinate, Dynamics};
+use lemnis_models::luffing::moving::pendulum::Phase;
 use lemnis_models::parts::plane::Point;
 use lemnis_models::scene::Scene;
 
@@ -53,9 +56,10 @@ fn alone(luffing: &Luffing) -> Dynamics {
         pendulum: None,
         gravity: G,
     };
-    Dynamics::new(&g, bodies)
+    HeavyLinkage::new(&g, bodies)
         .with_balance(&luffing.parameters, &luffing.motion)
         .expect("a balance")
+        .in_motion()
 }
 
 fn kind(luffing: &Luffing) -> &'static str {
@@ -168,9 +172,10 @@ fn a_free_balanced_crane_conserves_energy() {
             pendulum: None,
             gravity: G,
         };
-        let crane = Dynamics::new(&g, bodies)
+        let crane = HeavyLinkage::new(&g, bodies)
             .with_balance(&p, &luffing.motion)
-            .expect("a balance");
+            .expect("a balance")
+            .in_motion();
         let middle = f64::midpoint(luffing.motion.from, luffing.motion.to);
         let mut m = Phase {
             theta: middle,

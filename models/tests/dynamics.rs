@@ -1,6 +1,7 @@
 //! The mechanism in motion, against references that two independent codes agreed on, and by its energy.
 
-use lemnis_models::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase};
+use lemnis_models::luffing::moving::dynamics::{Coordinate, Dynamics};
+use lemnis_models::luffing::moving::pendulum::Phase;
 
 #[path = "common/crane.rs"]
 mod common;

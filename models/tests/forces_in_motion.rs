@@ -7,19 +7,20 @@ use std::collections::BTreeMap;
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::variable::Role;
-use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Dynamics, Pendulum};
 use lemnis_models::luffing::double_link::forces_in_motion::{ForcesInMotion, RESULTS};
 use lemnis_models::luffing::double_link::geometry::Geometry;
-use lemnis_models::luffing::double_link::hydraulic::{self, Modes, PresentCrane};
-use lemnis_models::luffing::double_link::inertia_forces::Instant;
-use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
-use lemnis_models::luffing::double_link::moving::given::{Inputs, MOST_STATES};
-use lemnis_models::luffing::double_link::moving::level::{CraneAt, Level, MotionResult};
+use lemnis_models::luffing::double_link::linkage::{Bodies, HeavyLinkage};
 use lemnis_models::luffing::double_link::pose::Posing;
 use lemnis_models::luffing::double_link::position::Position;
 use lemnis_models::luffing::double_link::scene::Luffing;
-use lemnis_models::luffing::double_link::shares::Shares;
-use lemnis_models::luffing::double_link::slewing::SlewingState;
+use lemnis_models::luffing::moving::bodies::{Body, Pendulum};
+use lemnis_models::luffing::moving::given::{Inputs, MOST_STATES};
+use lemnis_models::luffing::moving::hydraulic::{self, Modes, PresentCrane};
+use lemnis_models::luffing::moving::level::{CraneAt, Level, MotionResult};
+use lemnis_models::luffing::moving::motion::{MotionState, MovingLinkage};
+use lemnis_models::luffing::moving::shares::Instant;
+use lemnis_models::luffing::moving::shares::Shares;
+use lemnis_models::luffing::moving::space::SlewingState;
 use lemnis_models::parts::hoist::HoistCommand;
 use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 use lemnis_models::parts::plane::{Point, cross};
@@ -225,7 +226,7 @@ proptest! {
         };
         let now = CraneAt { past, inputs: inputs(moment, if held { 1e8 } else { 1e4 }), y };
         let rates = level.rates(&now).expect("closes");
-        let forces = level.forces(&now).expect("closes");
+        let forces = ForcesInMotion::of(&level, &crane::linkage(load), &now).expect("closes");
         let [drive, by_newton] = moments(&forces);
         prop_assert!((drive - by_newton).abs() < 1e-12 * size(&forces), "{drive} {by_newton}");
 
@@ -234,7 +235,7 @@ proptest! {
         let acceleration = |i: usize| all[i].map(|x| x.v2) - Point::new((at[i].x + 5.2) * turning * turning, 0.0);
         let pins = forces.pins.expect("not in line");
         let (b, c) = (pins.on_jib.b, pins.on_jib.c);
-        let pull = level.reaction(&now, MotionResult::Rope);
+        let pull = level.reaction(&now, MotionResult::Pull);
         let down = if slews {
             Point::new(y[4], y[5]) / y[10]
         } else {
@@ -303,7 +304,8 @@ proptest! {
         present.modes.joints[1] = Bar::Forward;
         let level = Level::Hanging(crane::hydraulic_slewing::<{ hydraulic::MOST }>(load, 5e6));
         let past = present.modes;
-        let forces = level.forces(&CraneAt { past, inputs: inputs(0.0, 0.0), y }).expect("closes");
+        let linkage = crane::linkage(load).with_drive(&crane::ANCHORS);
+        let forces = ForcesInMotion::of(&level, &linkage, &CraneAt { past, inputs: inputs(0.0, 0.0), y }).expect("closes");
         let [drive, by_newton] = moments(&forces);
         prop_assert!((drive - by_newton).abs() < 1e-12 * size(&forces), "{drive} {by_newton}");
         // What pushes is the cylinder, along its line.
@@ -348,12 +350,12 @@ fn a_balance_in_motion_keeps_power_and_equilibrium() {
             pendulum: None,
             gravity: G,
         };
-        let dynamics = Dynamics::new(&g, bodies)
+        let linkage = HeavyLinkage::new(&g, bodies)
             .with_balance(&p, &luffing.motion)
             .expect("a balance");
         for theta in luffing.motion.angles().into_iter().step_by(3) {
             for (omega, alpha, turning) in [(0.0, 0.0, 0.0), (0.3, -0.7, 0.4), (-0.5, 1.1, 0.0), (0.1, 9.0, 0.9)] {
-                let pose = f64::pose(&dynamics, theta).expect("closes");
+                let pose = f64::pose(&linkage, theta, None).expect("closes");
                 let none = Shares {
                     drive: 0.0,
                     dry: 0.0,
@@ -412,7 +414,7 @@ fn what_holds_a_bar_is_told_apart() {
         past.follow(state);
         y[..state.y.len()].copy_from_slice(&state.y);
         let inputs = *inputs;
-        let forces = level.forces(&CraneAt { past, inputs, y }).expect("closes");
+        let forces = ForcesInMotion::of(level, &crane::linkage(None), &CraneAt { past, inputs, y }).expect("closes");
         let it = forces.at.shares;
         [it.drive, it.dry, it.viscous, it.stop]
     };

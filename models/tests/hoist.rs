@@ -1,10 +1,11 @@
 //! The hoist's dynamics by what theory says of a point on a rope whose head is held, and by balances of momentum and
 //! energy where it gives way.
 
-use lemnis_models::luffing::double_link::crane::Commands;
-use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
-use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
-use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingState};
+use lemnis_models::luffing::moving::bodies::Pendulum;
+use lemnis_models::luffing::moving::crane::Commands;
+use lemnis_models::luffing::moving::dynamics::Coordinate;
+use lemnis_models::luffing::moving::motion::{MotionState, MovingLinkage};
+use lemnis_models::luffing::moving::space::{Slewing, SlewingState};
 use lemnis_models::parts::hoist::{Drum, Hoist, HoistCommand, Winch};
 use lemnis_models::parts::joint::{Friction, Joint, JointDrive};
 

@@ -4,10 +4,10 @@
 use std::f64::consts::{PI, TAU};
 
 use lemnis_models::kernel::calc::Calc;
-use lemnis_models::luffing::double_link::crane::Commands;
-use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
-use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingState};
+use lemnis_models::luffing::moving::bodies::Pendulum;
+use lemnis_models::luffing::moving::crane::Commands;
+use lemnis_models::luffing::moving::motion::{MotionState, MovingLinkage};
+use lemnis_models::luffing::moving::space::{Slewing, SlewingState};
 use lemnis_models::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
 use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 

@@ -4,8 +4,8 @@
 use std::time::Instant;
 
 use lemnis_models::kernel::calc::Calc;
-use lemnis_models::luffing::double_link::dynamics::Phase;
-use lemnis_models::luffing::double_link::hydraulic::{Hydraulic, Modes, Piece};
+use lemnis_models::luffing::moving::hydraulic::{Hydraulic, Modes, Piece};
+use lemnis_models::luffing::moving::pendulum::Phase;
 use lemnis_models::parts::hydraulics::throttle::root;
 use lemnis_models::parts::solver::rodas::{Run, SolverStep, Tolerance};
 use lemnis_models::parts::solver::{Count, Halt, System, runge_kutta};
@@ -230,7 +230,7 @@ fn work_of_the_pump_is_stored_or_dissipated() {
         let oil = Hydraulic::<8>::oil(y);
         let flows = system.cylinder.flows(&oil, system.supply);
         let rates = way(&system).rates(y).expect("closes");
-        let r = <f64 as lemnis_models::luffing::double_link::dynamics::Coordinate>::reduced(system.dynamics(), y[0])
+        let r = <f64 as lemnis_models::luffing::moving::dynamics::Coordinate>::reduced(system.dynamics(), y[0])
             .expect("closes");
         let volumes = system.cylinder.volumes(r.drive[0]);
         let compression = system.cylinder.port_volume / system.cylinder.bulk_modulus

@@ -2,10 +2,11 @@
 //! slews: against two independent codes (`tests/oracles/hydraulic_rope.py`), and by its energy.
 
 use lemnis_models::kernel::calc::Calc;
-use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
-use lemnis_models::luffing::double_link::hydraulic::{Crane, FIRST, FIXED, Hydraulic, MOST, Modes, PresentCrane};
-use lemnis_models::luffing::double_link::motion;
-use lemnis_models::luffing::double_link::slewing;
+use lemnis_models::luffing::moving::bodies::Pendulum;
+use lemnis_models::luffing::moving::dynamics::Coordinate;
+use lemnis_models::luffing::moving::hydraulic::{Crane, FIRST, FIXED, Hydraulic, MOST, Modes, PresentCrane};
+use lemnis_models::luffing::moving::motion;
+use lemnis_models::luffing::moving::space;
 use lemnis_models::parts::hoist::{Drum, Hoist, HoistCommand};
 use lemnis_models::parts::hydraulics::cylinder::Oil;
 use lemnis_models::parts::joint::Bar;
@@ -57,7 +58,7 @@ fn space(load: [f64; 2], hoist: f64, moment: f64) -> (System, PresentCrane<MOST>
     let mut system = crane::hydraulic_slewing(Some(ROPE), 5e6);
     (system.hoist, system.slewing.moment) = (HoistCommand::speed(hoist), moment);
     let mut y = system.resting(65_f64.to_radians(), 20e5).expect("closes");
-    let mut state = slewing::SlewingState::resting(y[0], ROPE.length);
+    let mut state = space::SlewingState::resting(y[0], ROPE.length);
     state.put_load(load);
     y[8..].copy_from_slice(&state.y[2..]);
     let mut present = PresentCrane::new(y);
@@ -197,7 +198,7 @@ fn energy(system: &System, present: &PresentCrane<MOST>) -> f64 {
             crane.energy(&state).expect("closes")
         }
         Crane::Slewing(crane) => {
-            let mut state = slewing::SlewingState::resting(y[0], 0.0);
+            let mut state = space::SlewingState::resting(y[0], 0.0);
             state.y[1] = y[1];
             state.y[2..].copy_from_slice(&y[FIXED..]);
             state.taut = present.modes.taut;

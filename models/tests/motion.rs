@@ -1,9 +1,9 @@
 //! Levels `rigid` and `swing`: friction that sticks, brake, end stops, a rope that is reeled and
 //! goes slack. Expectations from theory: balances of energy and of moments, free fall, symmetry.
 
-use lemnis_models::luffing::double_link::crane::Commands;
-use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
+use lemnis_models::luffing::moving::bodies::Pendulum;
+use lemnis_models::luffing::moving::crane::Commands;
+use lemnis_models::luffing::moving::motion::{MotionState, MovingLinkage};
 use lemnis_models::parts::hoist::HoistCommand;
 use lemnis_models::parts::joint::{Bar, Friction, Joint};
 use lemnis_models::parts::solver::{Halt, runge_kutta};

@@ -15,12 +15,13 @@ use lemnis_models::slewing;
 use lemnis_models::steering;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 13] = [
+const TABLES: [(&str, &[&Symbol]); 14] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
         double_link::moving::symbols::ALL,
     ),
+    ("Any luffing mechanism in motion", luffing::moving::symbols::ALL),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
     ("The boom on guide and link", luffing::ellipsograph::symbols::ALL),
     ("The joint by which a crane slews", turntable::ALL),

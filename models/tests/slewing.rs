@@ -4,10 +4,11 @@
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::variable::Role;
-use lemnis_models::luffing::double_link::crane::Commands;
-use lemnis_models::luffing::double_link::dynamics::{Coordinate, Pendulum};
-use lemnis_models::luffing::double_link::motion::{self, MovingLinkage};
-use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingState, angles};
+use lemnis_models::luffing::moving::bodies::Pendulum;
+use lemnis_models::luffing::moving::crane::Commands;
+use lemnis_models::luffing::moving::dynamics::Coordinate;
+use lemnis_models::luffing::moving::motion::{self, MovingLinkage};
+use lemnis_models::luffing::moving::space::{Slewing, SlewingState, angles};
 use lemnis_models::parts::hanging::HangingLoad;
 use lemnis_models::parts::hoist::{Drum, Hoist, HoistCommand, RopeAction};
 use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};

@@ -1,7 +1,7 @@
 //! Denormal, huge and non-finite inputs; steps from 1e-9 to 1e3 s; friction without end and without any.
 
-use lemnis_models::luffing::double_link::crane::Commands;
-use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
+use lemnis_models::luffing::moving::crane::Commands;
+use lemnis_models::luffing::moving::motion::{MotionState, MovingLinkage};
 use lemnis_models::parts::hoist::HoistCommand;
 use lemnis_models::parts::joint::{Bar, Friction, Joint};
 use lemnis_models::parts::solver::{Halt, MOST_STEPS};

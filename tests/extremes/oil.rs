@@ -1,7 +1,7 @@
 //! Bulk modulus, port volumes, tolerances: the stiff cylinder.
 
-use lemnis_models::luffing::double_link::dynamics::Coordinate;
-use lemnis_models::luffing::double_link::hydraulic::{Hydraulic, Modes, Piece};
+use lemnis_models::luffing::moving::dynamics::Coordinate;
+use lemnis_models::luffing::moving::hydraulic::{Hydraulic, Modes, Piece};
 use lemnis_models::parts::solver::rodas::{Run, Tolerance};
 use lemnis_models::parts::solver::{Halt, System};
 

@@ -2,9 +2,9 @@
 //! reeled in to nothing.
 
 use lemnis_models::kernel::calc::Calc;
-use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic, MOST, PresentCrane};
-use lemnis_models::luffing::double_link::slewing::SlewingState;
+use lemnis_models::luffing::moving::bodies::Pendulum;
+use lemnis_models::luffing::moving::hydraulic::{Crane, Hydraulic, MOST, PresentCrane};
+use lemnis_models::luffing::moving::space::SlewingState;
 use lemnis_models::parts::hoist::{Hoist, HoistCommand};
 use lemnis_models::parts::joint::JointDrive;
 use lemnis_models::parts::solver::Halt;

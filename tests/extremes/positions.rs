@@ -1,6 +1,9 @@
 //! Positions, lengths and masses: `tests/oracles/dynamics_extremes.py`, 50 digits.
 
-use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Phase};
+use lemnis_models::luffing::double_link::linkage::{Bodies, HeavyLinkage};
+use lemnis_models::luffing::moving::bodies::{Body, Pendulum};
+use lemnis_models::luffing::moving::dynamics::{Coordinate, Dynamics};
+use lemnis_models::luffing::moving::pendulum::Phase;
 use lemnis_models::parts::hoist::Hoist;
 use lemnis_models::parts::plane::Point;
 
@@ -11,7 +14,7 @@ const ORACLE: &str = include_str!("../oracles/dynamics_extremes.csv");
 /// The crane with lengths and masses multiplied; the load is fixed to the head, or hangs on a rope.
 pub fn scaled(length: f64, mass: f64, pendulum: Option<Pendulum>) -> Dynamics {
     let g = crane::scaled(length);
-    Dynamics::new(&g, crane::bodies(&g, mass, pendulum))
+    HeavyLinkage::new(&g, crane::bodies(&g, mass, pendulum)).in_motion()
 }
 
 /// A double as C and Python write it in hexadecimal.
@@ -93,8 +96,8 @@ fn zero_inertia_and_zero_load() {
         centre: zero,
         spread: [0.0; 3],
     };
-    let full = *scaled(1.0, 1.0, None).bodies();
     let g = crane::geometry();
+    let full = crane::bodies(&g, 1.0, None);
     for bodies in [
         Bodies { boom: none, ..full },
         Bodies { jib: none, ..full },
@@ -108,7 +111,7 @@ fn zero_inertia_and_zero_load() {
             ..full
         },
     ] {
-        let crane = Dynamics::new(&g, bodies);
+        let crane = HeavyLinkage::new(&g, bodies).in_motion();
         let mut m = Phase {
             theta: 1.2,
             omega: 0.0,
@@ -134,7 +137,7 @@ fn no_inertia_at_all_is_refused() {
         centre: Point::new(0.0, 0.0),
         spread: [0.0; 3],
     };
-    let crane = Dynamics::new(
+    let crane = HeavyLinkage::new(
         &crane::geometry(),
         Bodies {
             boom: none,
@@ -143,7 +146,8 @@ fn no_inertia_at_all_is_refused() {
             pendulum: None,
             gravity: 9.81,
         },
-    );
+    )
+    .in_motion();
     let m = Phase {
         theta: 1.2,
         omega: 0.0,

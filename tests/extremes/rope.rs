@@ -1,9 +1,9 @@
 //! Ropes of 0.01 m and of 1 km, swing to 179 degrees.
 
 use lemnis_models::kernel::calc::Calc;
-use lemnis_models::luffing::double_link::crane::Commands;
-use lemnis_models::luffing::double_link::dynamics::Pendulum;
-use lemnis_models::luffing::double_link::motion::{MotionState, MovingLinkage};
+use lemnis_models::luffing::moving::bodies::Pendulum;
+use lemnis_models::luffing::moving::crane::Commands;
+use lemnis_models::luffing::moving::motion::{MotionState, MovingLinkage};
 use lemnis_models::parts::hoist::{Hoist, HoistCommand};
 use lemnis_models::parts::joint::{Friction, Joint, JointDrive};
 

@@ -6,7 +6,7 @@ use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::unit;
 use lemnis_models::kernel::variable::{Role, Type};
-use lemnis_models::luffing::double_link::dynamics::Body;
+use lemnis_models::luffing::moving::bodies::Body;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 use super::positions::hex;

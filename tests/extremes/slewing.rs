@@ -1,9 +1,11 @@
 //! A crane that slews: the load in every direction, no inertia and no end of it, no load, inputs that are none.
 
 use lemnis_models::kernel::calc::Calc;
-use lemnis_models::luffing::double_link::crane::Commands;
-use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Coordinate, Dynamics, Pendulum, Turntable};
-use lemnis_models::luffing::double_link::slewing::{Slewing, SlewingState, distance};
+use lemnis_models::luffing::double_link::linkage::{Bodies, HeavyLinkage};
+use lemnis_models::luffing::moving::bodies::{Body, Pendulum, Turntable};
+use lemnis_models::luffing::moving::crane::Commands;
+use lemnis_models::luffing::moving::dynamics::Coordinate;
+use lemnis_models::luffing::moving::space::{Slewing, SlewingState, distance};
 use lemnis_models::parts::hoist::{Hoist, HoistCommand};
 use lemnis_models::parts::joint::JointDrive;
 use lemnis_models::parts::plane::Point;
@@ -187,10 +189,12 @@ fn no_inertia_at_all_is_refused() {
         pendulum: None,
         gravity: G,
     };
-    let dynamics = Dynamics::new(&crane::geometry(), bodies).with_slewing(Turntable {
-        axis: -5.2,
-        inertia: 0.0,
-    });
+    let dynamics = HeavyLinkage::new(&crane::geometry(), bodies)
+        .in_motion()
+        .with_slewing(Turntable {
+            axis: -5.2,
+            inertia: 0.0,
+        });
     let m = Slewing {
         dynamics,
         ..frictionless(16e3, 10.0, 0.0)

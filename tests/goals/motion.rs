@@ -6,8 +6,9 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
-use lemnis_models::luffing::double_link::dynamics::{Dynamics, Phase};
-use lemnis_models::luffing::double_link::hydraulic::Modes;
+use lemnis_models::luffing::moving::dynamics::Dynamics;
+use lemnis_models::luffing::moving::hydraulic::Modes;
+use lemnis_models::luffing::moving::pendulum::Phase;
 
 use lemnis_models::parts::solver::rodas::{Run, Tolerance};
 use lemnis_models::scene::Scene;

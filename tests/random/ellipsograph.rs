@@ -5,7 +5,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing::ellipsograph::symbols as s;
 use toml::Table;
 
-use crate::luffing::{tail_balance, working_range};
+use crate::luffing::{dynamics, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -15,6 +15,8 @@ pub const RESULT: (&str, &Symbol) = ("A.x", &s::A_X);
 const BOOM: [f64; 2] = [0.05, 3.09];
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
+    let level = draw.pick(&["static", "table", "rigid", "swing"]);
+    let (moves, rope) = (matches!(level, "rigid" | "swing"), level == "swing");
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
     let size = n.draw.scale[0];
@@ -24,15 +26,25 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let part = n.draw.decades(-2, 1);
     let a = c * n.draw.pick(&[1.0, 1.0 + 1e-6, part]);
     n.set("a", a);
+    n.put("fidelity", level);
+    n.keep("dynamics", moves);
+    let hoists = n.draw.coin(0.5);
+    n.keep("hoisting", rope && hoists);
+    if moves {
+        n.keep("weights", true);
+    }
     if n.has("weights") {
         n.keep("Q", true);
     } else {
         n.remove(&["balance"]);
     }
-    let tabulated = n.text("fidelity") == Some("table");
-    n.keep("table", tabulated && n.has("table"));
+    let tabulated = level == "table" && n.has("table");
+    n.keep("table", tabulated);
     tail_balance(&mut n);
     working_range(&mut n, BOOM);
+    if moves {
+        dynamics(&mut n, "J_b", rope, false);
+    }
     table
 }
 

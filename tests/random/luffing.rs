@@ -195,7 +195,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         n.remove(&["slewing"]);
     }
     if moves {
-        dynamics(&mut n, rope, level == "hydraulic");
+        let turns = if n.text("driven") == Some("boom") { "J_1" } else { "J_3" };
+        dynamics(&mut n, turns, rope, level == "hydraulic");
     }
     if oil {
         hydraulics(&mut n, &linkage, bore, pressure);
@@ -574,8 +575,8 @@ fn reeled(d: &mut Node, rope: bool, lasts: f64) {
     }
 }
 
-fn dynamics(n: &mut Node, rope: bool, oil: bool) {
-    let boom = n.text("driven") == Some("boom");
+/// What moves a mechanism; `turns` names the inertia of a body that does.
+pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
     let [length, mass, time] = n.draw.scale;
     let inertia = mass * length * length;
     let lasts = n
@@ -584,7 +585,7 @@ fn dynamics(n: &mut Node, rope: bool, oil: bool) {
     let mut d = n.child("dynamics").expect("there");
     // Something that turns has inertia, whatever else has none.
     let own = inertia * d.draw.between(0.3, 3.0);
-    d.set(if boom { "J_1" } else { "J_3" }, own);
+    d.set(turns, own);
     // Once is enough.
     d.remove(&["g"]);
     d.keep("step", true);

@@ -46,6 +46,8 @@ symbols! {
     F_CR: "F_cr" "F_(c r)" N / KN, "Force of the rod by the form for a slider: the force across the link's arm over the cosine of the rod's angle.", "[Ports001, 5.3]";
     T_CR: "T_cr" "T_(c r)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the crank without friction by the form for a slider, the anchor's circle as its line.", "[Ports001, 5.3]";
 
+    V_D: "v_d" "v_d" M_PER_S / MM_PER_S, "Speed of the drive, lengthening positive.", "derived";
+
     // Screw.
     LAMBDA_D: "lambda_d" "lambda_d" RAD / DEG, "Lead angle of the screw.", "[Ports001, 5.3]";
     RHO_D: "rho_d" "rho'_d" RAD / DEG, "Angle of friction of the thread.", "[Ports001, 5.3]";

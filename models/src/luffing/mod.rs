@@ -5,5 +5,6 @@ pub mod counterweight;
 pub mod criteria;
 pub mod double_link;
 pub mod ellipsograph;
+pub mod moving;
 pub mod rope;
 pub mod with_balance;

@@ -2,13 +2,16 @@
 
 #![allow(dead_code, reason = "not every test uses all of it")]
 
-use lemnis_models::luffing::double_link::crane::Commands;
-use lemnis_models::luffing::double_link::dynamics::{Bodies, Body, Dynamics, Pendulum, Phase, Turntable};
 use lemnis_models::luffing::double_link::geometry::Geometry;
-use lemnis_models::luffing::double_link::hydraulic::{Crane, Hydraulic};
-use lemnis_models::luffing::double_link::motion::MovingLinkage;
+use lemnis_models::luffing::double_link::linkage::{Bodies, HeavyLinkage};
 use lemnis_models::luffing::double_link::parameters::{Anchors, Driven, Jib, Lengths, Parameters};
-use lemnis_models::luffing::double_link::slewing::Slewing;
+use lemnis_models::luffing::moving::bodies::{Body, Pendulum, Turntable};
+use lemnis_models::luffing::moving::crane::Commands;
+use lemnis_models::luffing::moving::dynamics::Dynamics;
+use lemnis_models::luffing::moving::hydraulic::{Crane, Hydraulic};
+use lemnis_models::luffing::moving::motion::MovingLinkage;
+use lemnis_models::luffing::moving::pendulum::Phase;
+use lemnis_models::luffing::moving::space::Slewing;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::parts::hoist::{Hoist, HoistCommand};
 use lemnis_models::parts::hydraulics::cylinder::Cylinder;
@@ -71,8 +74,17 @@ pub fn scaled(length: f64) -> Geometry<f64> {
 }
 
 pub fn dynamics(pendulum: Option<Pendulum>) -> Dynamics {
+    linkage(pendulum).in_motion()
+}
+
+pub fn linkage(pendulum: Option<Pendulum>) -> HeavyLinkage {
     let g = geometry();
-    Dynamics::new(&g, bodies(&g, 1.0, pendulum))
+    HeavyLinkage::new(&g, bodies(&g, 1.0, pendulum))
+}
+
+/// With the luffing cylinder.
+fn pushed(pendulum: Option<Pendulum>) -> Dynamics {
+    linkage(pendulum).with_drive(&ANCHORS).in_motion().by_cylinder()
 }
 
 /// The crane with a boom of a mass (kg) from one place to another on its line (m).
@@ -83,7 +95,7 @@ pub fn with_boom(mass: f64, from: f64, to: f64, pendulum: Option<Pendulum>) -> D
         pendulum,
         ..bodies(&g, 1.0, Some(PENDULUM))
     };
-    Dynamics::new(&g, bodies)
+    HeavyLinkage::new(&g, bodies).in_motion()
 }
 
 /// A crane with a heavy tail that rocks freely about the upright, in steps of 1 ms: least and greatest angle (rad),
@@ -174,7 +186,7 @@ pub const ANCHORS: Anchors<f64> = Anchors {
 
 pub fn hydraulic<const N: usize>(pendulum: Option<Pendulum>) -> Hydraulic<N> {
     oiled(Crane::Plane(MovingLinkage {
-        dynamics: dynamics(pendulum).with_drive(&ANCHORS, true),
+        dynamics: pushed(pendulum),
         joints: [Joint {
             friction: Friction {
                 viscous: 2e4,
@@ -188,7 +200,8 @@ pub fn hydraulic<const N: usize>(pendulum: Option<Pendulum>) -> Hydraulic<N> {
 /// The same on a turntable without friction.
 pub fn hydraulic_slewing<const N: usize>(pendulum: Option<Pendulum>, inertia: f64) -> Hydraulic<N> {
     let mut crane = slewing(pendulum, inertia, [[2e4, 0.0], [0.0; 2]]);
-    crane.dynamics = crane.dynamics.with_drive(&ANCHORS, true);
+    let turntable = crane.dynamics.turntable().expect("it slews");
+    crane.dynamics = pushed(pendulum).with_slewing(turntable);
     crane.joints[0].stops = [0.5, 2.5];
     oiled(Crane::Slewing(crane))
 }

@@ -3,9 +3,10 @@
 
 use crate::balance::symbols as b;
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::inertia_forces::{Instant, weight_and_inertia};
+use crate::luffing::double_link::inertia_forces::weight_and_inertia;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::pose::PosedCounterweight;
+use crate::luffing::moving::shares::Instant;
 use crate::parts::plane::{self, Point, dot};
 
 /// What the balance does to the boom.

@@ -8,13 +8,15 @@ use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::balance_in_motion::BalanceInMotion;
 use crate::luffing::double_link::drive::force;
-use crate::luffing::double_link::inertia_forces::Instant;
+use crate::luffing::double_link::linkage::HeavyLinkage;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::pins_in_motion::PinsInMotion;
-use crate::luffing::double_link::pose::PosedLinkage;
-use crate::luffing::double_link::shares::Shares;
+use crate::luffing::double_link::pose::{PosedLinkage, Posing};
 use crate::luffing::double_link::symbols as g;
-use crate::parts::plane::{self, Point};
+use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::level::{CraneAt, Level};
+use crate::luffing::moving::shares::{Instant, Shares};
+use crate::parts::plane::Point;
 
 /// Forces in motion, in N; moments in N·m.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +53,16 @@ pub static RESULTS: [&Symbol; 21] = [
     &s::M_RV,
     &s::M_RS,
 ];
+
+impl<C: Posing<C> + Coordinate<C>> ForcesInMotion<C> {
+    /// Of a crane at an instant; `None` where linkage or balance do not close.
+    pub fn of(level: &Level<C>, linkage: &HeavyLinkage<C>, at: &CraneAt<C>) -> Option<ForcesInMotion<C>> {
+        let pose = C::pose(linkage, at.y[0], level.dynamics().turntable())?;
+        let arm = pose.drive.map_or(C::constant(0.0), |(_, [_, arm])| arm);
+        let instant = level.instant(at, arm)?;
+        Some(ForcesInMotion::new(&pose, &instant, linkage.bodies.gravity))
+    }
+}
 
 impl<C: Calc> ForcesInMotion<C> {
     /// With gravity in m/s².
@@ -115,9 +127,4 @@ impl<C: Calc> ForcesInMotion<C> {
             Some(shares.stop),
         ]
     }
-}
-
-/// Force of a rope on the head: a pull (N) in the direction of the load.
-pub fn rope_on_head<C: Calc>(pull: C, direction: Point<C>) -> Point<C> {
-    plane::def(direction * pull, [&s::F_AX, &s::F_AY])
 }

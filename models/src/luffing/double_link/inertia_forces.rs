@@ -3,21 +3,8 @@
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::pose::PosedBody;
-use crate::luffing::double_link::shares::Shares;
+use crate::luffing::moving::shares::Instant;
 use crate::parts::plane::{self, Point, cross};
-
-/// How it moves at one instant, and what acts on it besides weights.
-#[derive(Clone, Copy, Debug)]
-pub struct Instant<C> {
-    /// Of the driving link, in rad/s and rad/s².
-    pub omega: C,
-    pub alpha: C,
-    /// Angular velocity of slewing, in rad/s, where the crane slews.
-    pub turning: Option<C>,
-    /// Force of the rope on the head (N), where the load hangs on one.
-    pub pull: Option<Point<C>>,
-    pub shares: Shares<C>,
-}
 
 impl<C: Calc> PosedBody<C> {
     /// Weight and inertia, in N.

@@ -11,6 +11,8 @@ use crate::luffing::double_link::driving::CRANK_BRANCH;
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::moving::hoisting::HOISTING_KEYS;
+use crate::luffing::moving::scene::{OIL_KEYS, SLEWING_KEYS};
 use crate::parts::motion::Motion;
 
 /// Keys of `[luffing]`.
@@ -40,7 +42,7 @@ pub const KEYS: &[Key] = &[
     Key::part("synthesis", SYNTHESIS, "What `lemnis synth` finds."),
     Key::part("dynamics", moving::scene::KEYS, "Inertias, friction, drive and rope of a mechanism in motion."),
     HOISTING,
-    Key::part("hydraulics", moving::scene::OIL_KEYS, "Oil, valve and lines of the luffing cylinder in motion."),
+    Key::part("hydraulics", OIL_KEYS, "Oil, valve and lines of the luffing cylinder in motion."),
     Key::part("table", TABLE, "Interpolation of the level \"table\"."),
     SLEWING,
     Key::part("limits", LIMITS, "Limits that the book checks."),
@@ -54,14 +56,10 @@ pub const DRIVE: Key = Key::part(
     DRIVE_KEYS,
     "Cylinder, rack, screw, sector or crank that turns the driving link.",
 );
-pub const HOISTING: Key = Key::part(
-    "hoisting",
-    moving::hoisting::HOISTING_KEYS,
-    "Rope and hoist of a load that swings.",
-);
+pub const HOISTING: Key = Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings.");
 pub const SLEWING: Key = Key::part(
     "slewing",
-    moving::scene::SLEWING_KEYS,
+    SLEWING_KEYS,
     "Inertia, friction and drive of a crane in motion that slews.",
 );
 

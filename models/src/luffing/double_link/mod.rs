@@ -26,30 +26,26 @@
 //! | `lemniscate.pin_forces` | [`pin_forces::PinForces::new`] | equilibrium |
 //! | `lemniscate.balance` | [`balancing::at`] | [`crate::balance`] |
 //! | `lemniscate.drive` | [`drive::Drive::new`] | derived |
-//! | `lemniscate.dynamics` | [`dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
+//! | `lemniscate.dynamics` | [`crate::luffing::moving::dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
 //! | `lemniscate.inertia_forces` | [`inertia_forces::weight_and_inertia`] | Newton and Euler |
-//! | `lemniscate.forces_in_motion` | [`pins_in_motion::PinsInMotion::new`], [`balance_in_motion::BalanceInMotion::new`], [`shares::Shares::new`] | Newton and Euler |
+//! | `lemniscate.forces_in_motion` | [`pins_in_motion::PinsInMotion::new`], [`balance_in_motion::BalanceInMotion::new`], [`crate::luffing::moving::shares::Shares::new`] | Newton and Euler |
 //! | `lemniscate.governing` | [`crate::component::governing::governing`] | derived |
 //! | `lemniscate.sensitivity` | [`crate::component::sensitivity::sensitivity`] | derived |
 //! | `lemniscate.published` | [`published::PublishedFormulas::new`] | Li2022, eq. 1, 4-7 |
 
 pub mod balance_in_motion;
 pub mod balancing;
-pub mod crane;
 pub mod drawing;
 pub mod drive;
 pub mod driving;
-pub mod dynamics;
 pub mod feet;
 pub mod forces_in_motion;
 pub mod geometry;
-pub mod hanging;
 pub mod held;
-pub mod hydraulic;
 pub mod inertia_forces;
 pub mod keys;
+pub mod linkage;
 pub mod misfit;
-pub mod motion;
 pub mod moving;
 pub mod outline;
 pub mod parameters;
@@ -61,9 +57,7 @@ pub mod position;
 pub mod published;
 pub mod range;
 pub mod scene;
-pub mod shares;
 pub mod sheet;
-pub mod slewing;
 pub mod stages;
 pub mod statics;
 pub mod symbols;

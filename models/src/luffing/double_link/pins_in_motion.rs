@@ -3,12 +3,12 @@
 
 use crate::kernel::calc::Calc;
 use crate::luffing::double_link::balance_in_motion::BalanceInMotion;
-use crate::luffing::double_link::inertia_forces::Instant;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::Driven;
 use crate::luffing::double_link::pin_forces::{JibLoad, MomentNames, PinForces};
 use crate::luffing::double_link::pose::{PosedBody, PosedLinkage};
 use crate::luffing::double_link::symbols as g;
+use crate::luffing::moving::shares::Instant;
 use crate::parts::plane::{self, Point, cross, dot};
 
 /// What the pins and the frame carry.

@@ -1,6 +1,8 @@
 //! Where every bar is and how it moves with the driving one, as the forces of motion want it: by derivatives of the
 //! positions, and in the book by their names.
 
+use std::sync::Arc;
+
 use num_dual::{Dual2, Dual64, DualNum};
 
 use crate::balance::action::RodLine;
@@ -9,15 +11,16 @@ use crate::kernel::calc::{Calc, Over};
 use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::balancing::{self, boom_angle, place};
-use crate::luffing::double_link::dynamics::{
-    Bar, Body, Coordinate, Dynamics, Moved, Moves, Positions, Reduced, about_axis, bars, parts, spread,
-};
+use crate::luffing::double_link::linkage::{Bodies, HeavyLinkage, Positions, bars};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::Driven;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::Centres;
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::system::height;
+use crate::luffing::moving::bodies::{Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, parts, spread};
+use crate::luffing::moving::dynamics::Dynamics;
+use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
 use crate::parts::plane::{self, Point, cross, dot};
 
 /// The mechanism at one angle of the driving link; lengths in m, everything from O1.
@@ -64,26 +67,81 @@ pub struct PosedCounterweight<C> {
     pub line: Option<RodLine<C>>,
 }
 
-/// A scalar over which forces of motion are found, with parameters known as `P`.
-pub trait Posing<P = f64>: Coordinate<P> {
+/// A scalar over which the mechanism moves and forces of motion are found, with parameters known as `P`.
+pub trait Posing<P = f64>: Over<P> {
     /// `None` where linkage or balance do not close.
-    fn pose(d: &Dynamics<P>, theta: Self) -> Option<PosedLinkage<Self>>;
+    fn reduced(link: &HeavyLinkage<P>, theta: Self, asked: &Asked<P>) -> Option<Reduced<Self>>;
+
+    /// As [`reduced`](Posing::reduced).
+    fn pose(link: &HeavyLinkage<P>, theta: Self, turntable: Option<Turntable<P>>) -> Option<PosedLinkage<Self>>;
 }
 
 impl Posing for f64 {
-    fn pose(d: &Dynamics, theta: f64) -> Option<PosedLinkage<f64>> {
-        PosedLinkage::new(d, &d.twice, theta)
+    fn reduced(link: &HeavyLinkage, theta: f64, asked: &Asked<f64>) -> Option<Reduced<f64>> {
+        link.reduced_by(&link.twice, theta, asked)
+    }
+
+    fn pose(link: &HeavyLinkage, theta: f64, turntable: Option<Turntable>) -> Option<PosedLinkage<f64>> {
+        PosedLinkage::new(link, &link.twice, theta, turntable)
     }
 }
 
 impl Posing<Dual64> for Dual64 {
-    fn pose(d: &Dynamics<Dual64>, theta: Dual64) -> Option<PosedLinkage<Dual64>> {
-        PosedLinkage::new(d, &d.thrice, theta)
+    fn reduced(link: &HeavyLinkage<Dual64>, theta: Dual64, asked: &Asked<Dual64>) -> Option<Reduced<Dual64>> {
+        link.reduced_by(&link.thrice, theta, asked)
+    }
+
+    fn pose(
+        link: &HeavyLinkage<Dual64>,
+        theta: Dual64,
+        turntable: Option<Turntable<Dual64>>,
+    ) -> Option<PosedLinkage<Dual64>> {
+        PosedLinkage::new(link, &link.thrice, theta, turntable)
+    }
+}
+
+impl<P: Posing<P>> Reduces<P> for HeavyLinkage<P>
+where
+    Dual64: Over<P>,
+{
+    fn reduced(&self, at: P, asked: &Asked<P>) -> Option<Reduced<P>> {
+        P::reduced(self, at, asked)
+    }
+
+    fn with_slope(&self, at: Dual64, asked: &Asked<P>) -> Option<Reduced<Dual64>> {
+        self.reduced_by(&self.thrice, at, asked)
+    }
+
+    fn names(&self) -> CoordinateNames {
+        CoordinateNames {
+            acceleration: match self.driven() {
+                Driven::Boom => &s::D_OMEGA_1,
+                Driven::Rocker => &s::D_OMEGA_3,
+            },
+            stops: [&g::FROM, &g::TO],
+        }
+    }
+}
+
+impl<P: Posing<P> + Send + Sync + 'static> HeavyLinkage<P>
+where
+    Dual64: Over<P>,
+{
+    /// In motion, with what hangs on it.
+    #[must_use]
+    pub fn in_motion(self) -> Dynamics<P> {
+        let Bodies { pendulum, gravity, .. } = self.bodies;
+        Dynamics::new(Arc::new(self), pendulum, gravity)
     }
 }
 
 impl<T: Calc + DualNum> PosedLinkage<T> {
-    fn new<P: Calc>(d: &Dynamics<P>, positions: &Positions<T>, theta: T) -> Option<PosedLinkage<T>>
+    fn new<P: Calc>(
+        d: &HeavyLinkage<P>,
+        positions: &Positions<T>,
+        theta: T,
+        turntable: Option<Turntable<P>>,
+    ) -> Option<PosedLinkage<T>>
     where
         T: Over<P>,
     {
@@ -91,8 +149,8 @@ impl<T: Calc + DualNum> PosedLinkage<T> {
         let angle = Dual2::new(theta, T::constant(1.0), zero);
         let p = Position::new(geometry, angle)?;
         let bars = bars(geometry, &p);
-        let axis = d.turntable().map_or(zero, |table| T::of(table.axis));
-        let bodies = [&d.bodies().boom, &d.bodies().jib, &d.bodies().rocker];
+        let axis = turntable.map_or(zero, |table| T::of(table.axis));
+        let bodies = d.bodies.bars();
         let body = |i: usize| PosedBody::new(bodies[i], &bars[i], axis);
         let turn_of_boom = bars[0].turn()[0];
         let counterweight = match &positions.counterweight {
@@ -143,21 +201,8 @@ impl<T: Calc + DualNum> PosedBody<T> {
     }
 }
 
-/// How something at an angle of the driving link changes with it, as dual numbers have found: two coordinates, once and
-/// once more.
-fn changes(of: Point<Rec>, theta: Rec, values: [Point<f64>; 2], names: [[&'static Symbol; 2]; 2]) -> [Point<Rec>; 2] {
-    let once = |of: Point<Rec>, value: Point<f64>, [x, y]: [&'static Symbol; 2]| {
-        Point::new(
-            of.x.derivative(theta, value.x).def(x),
-            of.y.derivative(theta, value.y).def(y),
-        )
-    };
-    let first = once(of, values[0], names[0]);
-    [first, once(first, values[1], names[1])]
-}
-
 /// First joint and direction of boom, jib and rocker.
-fn directed(d: &Dynamics<Rec>, p: &Position<Rec>) -> [(Point<Rec>, Point<Rec>); 3] {
+fn directed(d: &HeavyLinkage<Rec>, p: &Position<Rec>) -> [(Point<Rec>, Point<Rec>); 3] {
     let lengths = &d.twice.geometry.lengths;
     let given = |symbol, length: Dual2<f64>| Rec::given(symbol, length.re);
     let foot = Point::new(Rec::constant(0.0), Rec::constant(0.0));
@@ -170,7 +215,7 @@ fn directed(d: &Dynamics<Rec>, p: &Position<Rec>) -> [(Point<Rec>, Point<Rec>); 
 }
 
 /// Which of them is the driving link.
-fn driven(d: &Dynamics<Rec>) -> usize {
+fn driven(d: &HeavyLinkage<Rec>) -> usize {
     match d.driven() {
         Driven::Boom => 0,
         Driven::Rocker => 2,
@@ -178,7 +223,7 @@ fn driven(d: &Dynamics<Rec>) -> usize {
 }
 
 /// Potential energy of boom, jib and rocker, in J, at an angle (rad) of the driving link.
-fn potential(d: &Dynamics<Rec>, theta: f64) -> f64 {
+fn potential(d: &HeavyLinkage<Rec>, theta: f64) -> f64 {
     let (geometry, counterweight) = (&d.twice.geometry, d.twice.counterweight.as_ref());
     let position = Position::new(geometry, Dual2::from_re(theta));
     let energy = counterweight.zip(position).map(|(it, p)| {
@@ -188,17 +233,19 @@ fn potential(d: &Dynamics<Rec>, theta: f64) -> f64 {
     energy.expect("it was assembled at this angle")
 }
 
-/// The equations of motion ask for the same, and for inertias.
-impl Coordinate<Rec> for Rec {
-    fn reduced(d: &Dynamics<Rec>, theta: Rec) -> Option<Reduced<Rec>> {
-        let (values, posed) = (Moves::new(d, &d.twice, theta.value())?, Rec::pose(d, theta)?);
-        let bodies = [&d.bodies().boom, &d.bodies().jib, &d.bodies().rocker];
+/// For the book: what derivatives give has names, and what follows from it is a formula.
+impl Posing<Rec> for Rec {
+    /// The equations of motion ask for the same, and for inertias.
+    fn reduced(d: &HeavyLinkage<Rec>, theta: Rec, asked: &Asked<Rec>) -> Option<Reduced<Rec>> {
+        let values = d.moves(&d.twice, theta.value(), asked)?;
+        let posed = Rec::pose(d, theta, asked.turntable)?;
+        let bodies = d.bodies.bars();
         // Heights are those of the energy, which no formula of the book has.
         let nowhere = Point::new(Rec::constant(0.0), Rec::constant(0.0));
         let moved = |i: usize| {
             let PosedBody { travel, turn, .. } = posed.bodies[i];
             let [ratio, change] = turn;
-            Moved {
+            MovedBody {
                 centre: [nowhere, travel[0], travel[1]],
                 turn: match i == driven(d) {
                     true => turn,
@@ -209,7 +256,7 @@ impl Coordinate<Rec> for Rec {
                 },
             }
         };
-        let turn = d.turntable().map(|table| {
+        let turn = asked.turntable.map(|table| {
             let bars = directed(d, &posed.position);
             let each = posed.bodies.iter().zip(bodies).zip(bars);
             let each = each.map(|((it, body), (_, along))| (it.mass, it.reach, Some(spread(body.spread, along))));
@@ -221,7 +268,7 @@ impl Coordinate<Rec> for Rec {
         let [_, travel, bend] = values.head;
         let first = Point::new(Rec::given(&g::DA_X, travel.x), Rec::given(&g::DA_Y, travel.y));
         let second = Point::new(first.x.derivative(theta, bend.x), first.y.derivative(theta, bend.y));
-        let second = match d.bodies().pendulum {
+        let second = match d.bodies.pendulum {
             Some(_) => plane::def(second, [&s::DDA_X, &s::DDA_Y]),
             None => second,
         };
@@ -232,20 +279,17 @@ impl Coordinate<Rec> for Rec {
                 .as_ref()
                 .map(|it| (it.mass, [nowhere, it.travel[0], it.travel[1]])),
             head: [posed.position.a, first, second],
-            drive: match posed.drive.filter(|_| d.by_cylinder) {
+            drive: match posed.drive.filter(|_| asked.drive) {
                 Some((_, sizes)) => sizes,
                 None => [Rec::constant(0.0); 2],
             },
             turn: turn.unwrap_or([Rec::constant(0.0); 2]),
         };
-        Some(Reduced::of(d.bodies(), moves))
+        Some(d.sum(moves))
     }
-}
 
-/// For the book: what derivatives give has names, and what follows from it is a formula.
-impl Posing<Rec> for Rec {
-    fn pose(d: &Dynamics<Rec>, theta: Rec) -> Option<PosedLinkage<Rec>> {
-        let values = PosedLinkage::new(d, &d.twice, theta.value())?;
+    fn pose(d: &HeavyLinkage<Rec>, theta: Rec, turntable: Option<Turntable<Rec>>) -> Option<PosedLinkage<Rec>> {
+        let values = PosedLinkage::new(d, &d.twice, theta.value(), turntable)?;
         let point = |p: Point<f64>, [x, y]: [&'static Symbol; 2]| Point::new(Rec::given(x, p.x), Rec::given(y, p.y));
         let p = &values.position;
         let mut position = p.map(Rec::constant);
@@ -257,10 +301,10 @@ impl Posing<Rec> for Rec {
         position.x_3 = point(p.x_3, [&g::X_3X, &g::X_3Y]);
         (position.a, position.b) = (point(p.a, [&g::A_X, &g::A_Y]), position.x_1);
         position.k = Rec::given(&g::K, p.k);
-        let sources = [&d.bodies().boom, &d.bodies().jib, &d.bodies().rocker];
-        let loaded = d.bodies().pendulum.is_none();
+        let sources = d.bodies.bars();
+        let loaded = d.bodies.pendulum.is_none();
         let bars = directed(d, &position);
-        let axis = d.turntable().map(|table| table.axis);
+        let axis = turntable.map(|table| table.axis);
         let from_axis = |x: Rec, value, name| axis.map_or(x, |axis| (x - axis).rounded_as(value).def(name));
         let body = |i: usize| {
             let (it, names, (joint, along)) = (&values.bodies[i], &s::OF_BODY[i], bars[i]);
@@ -270,7 +314,7 @@ impl Posing<Rec> for Rec {
             };
             let place = point(it.place, place);
             PosedBody {
-                mass: sources[i].mass.def(names.mass),
+                mass: sources[i].mass.def(names.sums.mass),
                 inertia: sources[i].inertia,
                 deviation: match axis {
                     Some(_) => deviation(sources[i].spread, along)
@@ -314,7 +358,7 @@ impl Posing<Rec> for Rec {
 
 /// A counterweight's place, and what follows from it, where a linkage stands.
 fn counterweight(
-    d: &Dynamics<Rec>,
+    d: &HeavyLinkage<Rec>,
     p: &Position<f64>,
     theta: Rec,
     it: &PosedCounterweight<f64>,
@@ -338,7 +382,7 @@ fn counterweight(
         plane::def(Point::new(of.x.rounded_as(value.x), of.y.rounded_as(value.y)), names)
     };
     Some(PosedCounterweight {
-        mass: (balancing.balance.weight()? / d.bodies().gravity)
+        mass: (balancing.balance.weight()? / d.bodies.gravity)
             .rounded_as(it.mass)
             .def(&s::MASS_5),
         reach: from_axis(place.x, it.reach, &s::X_S5),

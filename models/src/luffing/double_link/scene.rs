@@ -20,6 +20,7 @@ use crate::luffing::double_link::parameters::{Driven, Jib, Lengths, Parameters, 
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::stages::closes;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::moving::scene::{brisk, outlasts};
 use crate::luffing::with_balance::complete;
 use crate::parts::arcs::Arc;
 use crate::parts::four_bar::Branch;
@@ -46,7 +47,7 @@ pub struct LuffingScene {
     /// First angle of the range, in rad, at which all bars lie in one line: no finite forces in the pins carry a load there.
     pub change_point: Option<f64>,
     /// With `fidelity` beyond `static`; with `auto` as deep as the scene's tables allow.
-    pub moving: Option<moving::scene::Moving>,
+    pub moving: Option<moving::scene::MovingLink>,
     pub published: Option<Published>,
     /// What is asked of the synthesis of its balance.
     pub synthesis: Option<Task>,
@@ -130,16 +131,16 @@ impl LuffingScene {
         if let Some(motion) = &motion {
             driving::meets(v, &driving, &parameters, motion, found);
         }
-        let moving = moving::scene::Moving::new(v, gravity, loaded, found);
+        let moving = moving::scene::MovingLink::new(v, gravity, loaded, found);
         if let Some((table, motion)) = v.table("balance").filter(|_| weights.is_some()).zip(motion) {
             balanced(v, table, &parameters, &motion, found);
         }
         if let Some((moving, motion)) = moving.as_ref().zip(motion.as_ref()) {
-            moving::scene::brisk(v, moving, motion, found);
+            brisk(v, moving, motion, found);
             let weight = q.unwrap_or(0.0) + weights.map_or(0.0, |w| w.g_1 + w.g_2 + w.g_3);
             let reach = lengths.x_1 + lengths.x_4 + lengths.x_8.abs();
             let most = [reach, weight / gravity];
-            moving::scene::outlasts(v, moving, motion, most, found);
+            outlasts(v, moving, motion, most, found);
         }
         driving::fits(v, gear.as_ref(), [moving.is_some(), loaded], found);
         let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());

@@ -31,8 +31,6 @@ use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
-use crate::luffing::double_link::moving::given::Fitted;
-use crate::luffing::double_link::moving::hoisting::HoistKind;
 use crate::luffing::double_link::moving::{self, start::starting};
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::parameters::{Choice, DriveMount, Driven, Jib};
@@ -45,6 +43,8 @@ use crate::luffing::double_link::stages::{DoubleLink, Given};
 use crate::luffing::double_link::statics::{LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::moving::given::Fitted;
+use crate::luffing::moving::hoisting::load_taken;
 use crate::luffing::with_balance::{agreement, searched};
 use crate::parts::four_bar::Branch;
 use crate::parts::motion::Motion;
@@ -66,6 +66,7 @@ impl Described for LuffingScene {
             balance::symbols::ALL,
             drive::symbols::ALL,
             moving::symbols::ALL,
+            crate::luffing::moving::symbols::ALL,
             hanging::ALL,
             turntable::ALL,
             gravity::ALL,
@@ -101,6 +102,7 @@ impl Described for LuffingScene {
             balance: p.balance,
             states: None,
             inputs: None,
+            inertias: None,
             constants: None,
             ramp: None,
             motor: None,
@@ -304,26 +306,22 @@ impl Described for LuffingScene {
             foot,
             Some("bodies"),
             given(this.parameters.balance.is_some(), "counterweight"),
-            Some(match moving.rope.map(|rope| rope.give.is_some()) {
-                Some(true) => "elastic_rope",
-                Some(false) => "rope",
-                None => "fixed_load",
-            }),
-            moving.rope.filter(|rope| rope.give.is_none()).map(|_| "slack"),
-            moving.rope.map(|rope| match rope.hoist {
-                HoistKind::AtOnce => "hoist",
-                HoistKind::Ramp(_) => "hoist_ramp",
-                HoistKind::Motor(_) => "hoist_motor",
-            }),
-            given(slews, "slewing"),
-            given(oil, "oil"),
-            Some(if oil { "creep" } else { "sticking" }),
-            Some(if oil { "buffer" } else { "stops" }),
-            Some("forces_in_motion"),
-            Some(if oil { "solver_rodas" } else { "solver_runge_kutta" }),
         ]
         .into_iter()
         .flatten()
+        .chain(load_taken(moving.rope.as_ref(), "fixed_load"))
+        .chain(
+            [
+                given(slews, "slewing"),
+                given(oil, "oil"),
+                Some(if oil { "creep" } else { "sticking" }),
+                Some(if oil { "buffer" } else { "stops" }),
+                Some("forces_in_motion"),
+                Some(if oil { "solver_rodas" } else { "solver_runge_kutta" }),
+            ]
+            .into_iter()
+            .flatten(),
+        )
         .collect()
     }
 

@@ -1,5 +1,7 @@
 //! The mechanism as a component: what it is given, and in which stages its equations follow from each other.
 
+use std::sync::Arc;
+
 use crate::balance::analysis::Analysis;
 use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
@@ -21,22 +23,26 @@ use crate::luffing::criteria::Criteria;
 use crate::luffing::double_link::balancing::{self, analysis, balanced, residual};
 use crate::luffing::double_link::drive::{self, Drive, Reaction};
 use crate::luffing::double_link::feet::Feet;
+use crate::luffing::double_link::forces_in_motion::RESULTS;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::held::{Carried, Held, Passes};
-use crate::luffing::double_link::hydraulic::Modes;
-use crate::luffing::double_link::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
-use crate::luffing::double_link::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
-use crate::luffing::double_link::moving::level::{CraneAt, Level};
-use crate::luffing::double_link::moving::listed::{Fittings, list};
-use crate::luffing::double_link::moving::motion::{
-    self, CraneEvents, CraneForces, CraneOil, CraneRates, INDICATORS, LoadSeen, RATES,
-};
+use crate::luffing::double_link::linkage::HeavyLinkage;
+use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
+use crate::luffing::double_link::moving::motion::{self, CraneForces, LinkRates, RATES};
 use crate::luffing::double_link::parameters::{Bore, Choice, DriveMount, Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
+use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::velocity::Velocity;
+use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
+use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hydraulic::Modes;
+use crate::luffing::moving::level::{CraneAt, Level};
+use crate::luffing::moving::listed::{Fittings, Said};
+use crate::luffing::moving::luffs::{Luffs, luffs};
+use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, CraneRates, INDICATORS, LoadSeen};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::four_bar::FourBar;
 use crate::parts::motion::{Motion, degrees};
@@ -57,6 +63,7 @@ stages! {
         Rate omega: One<C>,
         State states: Option<CraneStates<C>>,
         Input inputs: Option<Inputs<C>>,
+        Parameter inertias: Option<Inertias<C>>,
         Parameter constants: Option<Constants<C>>,
         Parameter ramp: Option<HoistRamp<C>>,
         Parameter motor: Option<HoistMotor<C>>,
@@ -105,51 +112,42 @@ stages! {
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
         published: PublishedFormulas<C> = published(geometry, jib, theta) => _;
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
-        built[constants]: Vec<Level<C>> = motion::built(
-            parameters, load[!], constants[!], ramp, motor, give, turning, oil, fitted, choice
+        parts[constants]: Vec<CraneParts<C>> = motion::parts(
+            parameters, load[!], inertias[!], constants[!], ramp, motor, give, turning, oil, fitted, choice
         ) => _;
-        told[constants]: Vec<Level<C>> = motion::told(built, inputs[!]) => _;
-        at: CraneAt<C> = motion::at(theta, omega, states[!], wound, past[!], inputs[!], oil, fitted) => _;
-        rates: CraneRates<C> = motion::rates(built, told, at, theta, oil, fitted);
-        pushing: C = motion::cylinder(built, told, at, theta) => F_C;
-        resisting: C = motion::resisting(built, told, at, theta) => M_R;
-        pull: C = motion::pull(built, told, at, theta) => S_R;
-        drum: C = motion::drum(built, told, at, theta) => M_R_H;
-        forces: CraneForces<C> = motion::forces(built, told, at, theta);
-        blown: C = motion::blown(at) => W_BLOW;
-        resisting_slewing: C = motion::resisting_slewing(built, told, at, theta) => M_R_SL;
-        seen: LoadSeen<C> = LoadSeen::new(at, oil);
+        linkage[constants]: Vec<Arc<HeavyLinkage<C>>> = motion::linkage(parts) => _;
+        built[constants]: Vec<Level<C>> = motion::built(parts, linkage) => _;
+        told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
+        at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], inputs[!], fitted) => _;
+        moves: CraneMoves<C> = stages::moves(built, told, at, theta) => _;
+        turning_link: LinkRates<C> = LinkRates::new(moves);
+        rates: CraneRates<C> = CraneRates::new(moves, fitted);
+        pushing: C = stages::cylinder(built, told, at, theta) => F_C;
+        resisting: C = stages::resisting(built, told, at, theta) => M_R;
+        pull: C = stages::pull(built, told, at, theta) => S_R;
+        drum: C = stages::drum(built, told, at, theta) => M_R_H;
+        forces: CraneForces<C> = motion::forces(linkage, built, told, at, theta);
+        blown: C = stages::blown(at) => W_BLOW;
+        resisting_slewing: C = stages::resisting_slewing(built, told, at, theta) => M_R_SL;
+        seen: LoadSeen<C> = LoadSeen::new(at, fitted);
         cavitates: CraneOil = CraneOil::new(at, rates, oil[!]);
-        events: CraneEvents<C> = motion::events(built, told, at, theta, oil, fitted);
+        events: CraneEvents<C> = stages::events(built, told, at, theta, fitted);
     }
 }
 
-impl Given<f64> {
-    /// What it has in motion; `None` at rest.
-    fn fittings(&self) -> Option<Fittings> {
-        self.constants.map(|_| Fittings {
-            boom: self.choice.driven == Driven::Boom,
-            oil: self.oil.is_some(),
-            rope: self.fitted.rope.is_some(),
-            slews: self.turning.is_some(),
-            ramp: self.ramp.is_some(),
-            motor: self.motor.is_some(),
-        })
-    }
-}
+luffs!(DoubleLink by theta, omega with turning, oil);
 
-impl Known<f64> {
-    /// The crane in motion as it is, with its equations under present inputs.
-    ///
-    /// # Errors
-    /// Quantities with which there are none.
-    pub fn in_motion(&mut self) -> Found<(&Level, CraneAt)> {
-        self.told()?;
-        let at = *self.at()?;
-        let level = self.built.as_deref().zip(self.told.as_deref());
-        let (built, told) = level.expect("just made");
-        Ok((motion::present(built, told), at))
-    }
+/// What is said of its variables in motion.
+const SAID: Said = Said {
+    bar: [&[&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3], &RATES],
+    still: &[g::ALL, b::ALL, crate::drive::symbols::ALL],
+    moving: &RESULTS,
+    drive: Some(&s::M_D),
+};
+
+/// What it has in motion; `None` at rest.
+fn fittings(given: &Given<f64>) -> Option<Fittings> {
+    Fittings::of(&DoubleLink::luffing(given).sources)
 }
 
 impl Component for DoubleLink {
@@ -168,22 +166,22 @@ impl Component for DoubleLink {
         drive "Cylinder, rack, screw, sector or crank between frame and driving link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
-    const STATES: [&'static [&'static Symbol]; 2] = [&[&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3], &RATES];
+    const STATES: [&'static [&'static Symbol]; 2] = SAID.bar;
 
     const INDICATORS: &'static [&'static Symbol] = &INDICATORS;
 
     fn gives(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        given.fittings().is_none_or(|crane| crane.gives(symbol))
+        fittings(given).is_none_or(|crane| crane.gives(symbol))
     }
 
     fn list(given: &Given<f64>, variable: &mut Variable) -> u8 {
-        given.fittings().map_or(0, |_| list(variable))
+        fittings(given).map_or(0, |_| SAID.list(variable))
     }
 
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
         let own = match given.choice.driven {
-            Driven::Boom => [&s::THETA_1, &s::I_1],
-            Driven::Rocker => [&s::THETA_3, &s::I_3],
+            Driven::Boom => [&s::THETA_1, &s::I_1, &s::D_THETA_3, &s::D_OMEGA_3],
+            Driven::Rocker => [&s::THETA_3, &s::I_3, &s::D_THETA_1, &s::D_OMEGA_1],
         };
         // The coordinate is no result, and a balance has what its kind has.
         let of_balance = listed!(b: N_1, F_KX, F_KY, F_MX, F_MY);
@@ -191,7 +189,7 @@ impl Component for DoubleLink {
         !own.contains(&symbol)
             && (given.choice.pins || !forces.contains(&symbol))
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
-            && given.fittings().is_none_or(|crane| crane.has(symbol))
+            && fittings(given).is_none_or(|crane| crane.has(symbol))
             && (symbol != &s::F_D || given.mount.is_some())
             && (!of_balance.contains(&symbol) || given.balance.is_some())
             && given.gear.as_ref().is_none_or(|gear| gear.has(symbol))

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-pub use crate::drive::symbols::{R_DX, R_DY};
+pub use crate::drive::symbols::{R_DX, R_DY, V_D};
 use crate::kernel::symbol::{Range, symbols};
 
 symbols! {
@@ -126,7 +126,6 @@ symbols! {
     L_D: "L_d" "L_d" M / M [not_negative], "Length of the drive between its anchors.", "derived";
     H_D: "h_d" "h_d" M / M, "Lever arm of the drive; positive where a push turns the driving link counter-clockwise.", "derived";
     F_D: "F_d" "F_d" N / KN [infinite("where the drive points at the foot of its bar")], "Force of the drive, push positive.", "equilibrium";
-    V_D: "v_d" "v_d" M_PER_S / MM_PER_S, "Speed of the drive, lengthening positive.", "derived";
     A_D: "A_d" "A_d" M2 / M2, "Working area of the cylinder: bore when it lengthens, annulus when it shortens.", "derived";
     Q_D: "q_d" "q_d" M3_PER_S / L_PER_MIN, "Oil flow to the cylinder; negative where it shortens.", "derived";
 

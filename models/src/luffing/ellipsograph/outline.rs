@@ -5,9 +5,10 @@ use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
 use crate::luffing::ellipsograph::symbols as s;
+use crate::luffing::moving::symbols as m;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", weights, balance, load "Q", motion, limits),
+    inputs: chapters!(geometry "", weights, balance, load "Q", motion, moving "dynamics", hoisting, limits),
     constants: &[
         ("ellipsograph_axes", &[Stage("axes")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -21,6 +22,11 @@ pub const OUTLINE: Outline = Outline {
         ("balance", &[Stage("residual"), Stage("balanced")]),
         ("ellipsograph_drive", &[Stage("drive"), Stage("power")]),
         ("ellipsograph_pins", &[Stage("pins")]),
+        ("ellipsograph_bodies", &[Stage("built")]),
+        (
+            "ellipsograph_motion",
+            &[Stage("moves"), Stage("resisting"), Stage("pull"), Stage("drum")],
+        ),
     ],
     table: listed!(s: R, A_Y, B_Y, V_AX, V_B, M_Q, M_D, F_BX, N_L, F_O1X, F_O1Y),
     curves: &[
@@ -57,7 +63,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
     ],
-    uses: &[],
+    uses: &[("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m::V_H, &m::A_H])],
     forces: listed!(s: F_BX, F_CX, F_CY, N_L, F_O1X, F_O1Y, M_D),
     worst: &[
         ("ellipsograph_guide", &s::F_B_MAX),

@@ -6,8 +6,9 @@ use crate::balance::scene::{BALANCE, Form, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, TABLE, Vocabulary};
 use crate::component::draw::Draw;
-use crate::component::mechanism::Entry;
+use crate::component::mechanism::{Entry, Solver};
 use crate::component::outline::{Limit, Outline};
+use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
@@ -16,16 +17,25 @@ use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Sign, Values};
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::variable::Fault;
 use crate::luffing::counterweight::chapter;
+use crate::luffing::ellipsograph::moving::GuidedInertias;
 use crate::luffing::ellipsograph::outline::OUTLINE;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes};
 use crate::luffing::ellipsograph::stages::{EllipsographBoom, Given};
 use crate::luffing::ellipsograph::statics::{GuidedWeights, WeightMoment};
 use crate::luffing::ellipsograph::symbols as s;
+use crate::luffing::moving;
+use crate::luffing::moving::given::Fitted;
+use crate::luffing::moving::hoisting::{HOISTING_KEYS, load_taken};
+use crate::luffing::moving::luffs::Luffs;
+use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
+use crate::luffing::moving::start::{passing, starting};
 use crate::luffing::with_balance::{agreement, complete, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
+use crate::parts::{hanging, hydraulics};
 
 /// Keys of `[luffing]` with `kind = "ellipsograph"`.
 pub const KEYS: &[Key] = &[
@@ -39,12 +49,18 @@ pub const KEYS: &[Key] = &[
     Key::weight(&s::Q).optional(),
     Key::choice(
         "fidelity",
-        &["static", "table"],
-        "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range).",
+        FIDELITIES,
+        "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope).",
     ),
     Key::table("motion", MOTION, "Working range of the boom."),
     Key::part("weights", WEIGHTS, "Own weights of boom and link, and where they act."),
     BALANCE,
+    Key::part(
+        "dynamics",
+        DYNAMICS,
+        "Inertias, friction, drive and rope of a boom in motion.",
+    ),
+    Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
     Key::part("table", TABLE, "Interpolation, with fidelity \"table\"."),
     Key::part("limits", LIMITS, "Limits that the book checks."),
     SOURCE,
@@ -60,6 +76,15 @@ const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_L [or_mass, usually(0.0)], R_L [usually(0.0)]
 };
 
+const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing"];
+
+static DYNAMICS: &[Key] = &dynamics::<14>(&[
+    Key::quantity(&s::J_B, Sign::NotNegative),
+    Key::quantity(&s::J_L, Sign::NotNegative),
+]);
+
+const INERTIAS: &[&Symbol] = listed!(s: J_B, J_L);
+
 const LIMITS: &[Key] = &Limit::keys::<8>(OUTLINE.limits);
 
 /// A boom on guide and link as the scene describes it; SI.
@@ -67,6 +92,8 @@ const LIMITS: &[Key] = &Limit::keys::<8>(OUTLINE.limits);
 pub struct Ellipsograph {
     /// At the start of the working range.
     given: Given<f64>,
+    /// At a level that moves by itself.
+    moving: Option<Moving>,
     /// Published results of the balance.
     published_balance: Option<PublishedBalance>,
 }
@@ -82,14 +109,24 @@ impl Described for Ellipsograph {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "ellipsograph_symbol",
         own: &[s::ALL],
-        shared: &[b::ALL, gravity::ALL],
+        shared: &[
+            b::ALL,
+            gravity::ALL,
+            moving::symbols::ALL,
+            hanging::ALL,
+            hydraulics::symbols::ALL,
+        ],
     };
 
-    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(Ellipsograph, Motion)> {
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(Ellipsograph, Motion)> {
         let range = Motion::read(v.table("motion")?, found);
         let balance = v.part("balance", |table| Form::read(table, found))?;
         complete(v, balance.as_ref(), "G_b and r_b", found);
+        let moving = moves(v, gravity, found);
         let range = range?;
+        if let Some(moving) = &moving {
+            brisk(v, moving, &range, found);
+        }
         let given = Given {
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -98,17 +135,76 @@ impl Described for Ellipsograph {
             weights: v.part("weights", GuidedWeights::read)?,
             balance,
             choice: GuidedChoice { range },
+            inertias: match &moving {
+                Some(_) => Some(GuidedInertias::read(v.table("dynamics")?)?),
+                None => None,
+            },
+            states: None,
+            inputs: None,
+            constants: None,
+            ramp: None,
+            motor: None,
+            give: None,
+            wound: None,
+            past: None,
+            fitted: Fitted::default(),
         };
         let published_balance = v.table("balance").and_then(PublishedBalance::read);
         let read = Ellipsograph {
             given,
+            moving,
             published_balance,
         };
         keeps_its_foot(&range, v, found).then_some((read, range))
     }
 
+    /// What moves is told as it passes through the working range, held nowhere.
     fn given(this: &Description<Ellipsograph>) -> Given<f64> {
-        this.given.clone()
+        this.moving.as_ref().map_or_else(
+            || this.given.clone(),
+            |moving| EllipsographBoom::with(&this.given, [this.motion.from, this.motion.speed], passing(moving)),
+        )
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        let mut levels = vec!["table", "static"];
+        if let Some(moving) = &self.moving {
+            levels.push("rigid");
+            levels.extend(moving.rope.map(|_| "swing"));
+        }
+        levels
+    }
+
+    fn set_level(&mut self, level: &str) {
+        match (level, &mut self.moving) {
+            ("swing", _) => {}
+            ("rigid", Some(moving)) => moving.rope = None,
+            _ => (self.moving, self.given.inertias) = (None, None),
+        }
+    }
+
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        match level {
+            "swing" => Vec::new(),
+            "rigid" => vec![("hoisting", &[]), ("dynamics", &["l_R", "phi_R", "v_h", "a_h"])],
+            _ => vec![("dynamics", &[]), ("hoisting", &[])],
+        }
+    }
+
+    fn solver(&self) -> Option<Solver> {
+        self.moving.as_ref().map(|moving| Solver {
+            step: ("dynamics", &moving::symbols::STEP),
+            tolerance: ("dynamics", &moving::symbols::STEP),
+            longest: moving.constants.step,
+            explicit: true,
+            cost: COST[usize::from(moving.rope.is_some())],
+        })
+    }
+
+    fn moving(this: &Description<Ellipsograph>) -> Option<Result<Box<dyn Running>, Fault>> {
+        let moving = this.moving.as_ref()?;
+        let model = starting::<EllipsographBoom>(&this.given, this.motion, moving, this.motion.from);
+        Some(model.map(|model| Box::new(model) as Box<dyn Running>))
     }
 
     fn chapters(&self) -> Vec<&'static str> {
@@ -159,26 +255,43 @@ impl Described for Ellipsograph {
     }
 
     fn assumptions(this: &Description<Ellipsograph>) -> Vec<&'static str> {
-        let level = this
-            .table
-            .map_or("ellipsograph_level_static", |_| "ellipsograph_level_table");
-        let forces = this.given.load.map(|_| "ellipsograph_forces");
-        [level, "ellipsograph_rope"].into_iter().chain(forces).collect()
+        let forces = |id| this.given.load.map(|_| id);
+        let Some(moving) = &this.moving else {
+            let level = this
+                .table
+                .map_or("ellipsograph_level_static", |_| "ellipsograph_level_table");
+            let rest = forces("ellipsograph_forces");
+            return [level, "ellipsograph_rope"].into_iter().chain(rest).collect();
+        };
+        let level = moving.rope.map_or("level_rigid", |_| "level_swing");
+        let balance = this.given.balance.map(|_| "counterweight");
+        let load = load_taken(moving.rope.as_ref(), "ellipsograph_load");
+        [level, "ellipsograph_masses"]
+            .into_iter()
+            .chain(balance)
+            .chain(load)
+            .chain([
+                "ellipsograph_rope",
+                "sticking",
+                "stops",
+                "ellipsograph_at_rest",
+                "solver_runge_kutta",
+            ])
+            .collect()
     }
 
-    fn uncovered(_: &Description<Ellipsograph>) -> Vec<&'static str> {
-        vec![
-            "wind",
-            "sway",
-            "inertia",
-            "dynamic_coefficients",
-            "ellipsograph_friction",
-            "motor_brake",
-            "strength",
-            "buckling",
-            "stability",
-            "load_cases",
-        ]
+    fn uncovered(this: &Description<Ellipsograph>) -> Vec<&'static str> {
+        let swings = this.moving.as_ref().is_some_and(|moving| moving.rope.is_some());
+        let still: &[&str] = match (&this.moving, swings) {
+            (Some(_), true) => &[],
+            (Some(_), false) => &["sway"],
+            (None, _) => &["sway", "inertia"],
+        };
+        let friction = this.moving.is_none().then_some("ellipsograph_friction");
+        let never = ["motor_brake", "strength", "buckling", "stability", "load_cases"];
+        let first = ["wind"].into_iter().chain(still.iter().copied());
+        let first = first.chain(["dynamic_coefficients"]).chain(friction);
+        first.chain(never).collect()
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with guide, link and the path of the head.
@@ -227,6 +340,24 @@ impl Described for Ellipsograph {
     fn more(this: &Description<Ellipsograph>, model: &mut Standing, sheet: &mut Sheet) {
         sheet.balance = chapter::<EllipsographBoom>(model, this.published_balance.as_ref());
     }
+}
+
+/// What the rates cost, in s, without a load that swings and with it.
+const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.15e-6, 0.0]];
+
+/// What the scene gives of its motion; mistakes go to `found`.
+fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving> {
+    let bodies = Inert {
+        loaded: v.has("Q"),
+        inertias: INERTIAS,
+        help: "add [luffing.dynamics] with J_b and J_l (kg.m2)",
+        bodies: "boom and link",
+        weighs: |weights| {
+            let boom = weights.number(s::G_B.id).is_some_and(|weight| weight > 0.0);
+            boom || turns(weights, &s::G_L, &s::R_L)
+        },
+    };
+    Moving::new(v, gravity, &bodies, found)
 }
 
 /// Whether the working range passes no position in which the boom lies level: the foot would meet O1, and might stay.

@@ -10,27 +10,53 @@ use crate::component::stages::{Found, stages};
 use crate::component::whole::{How, Whole};
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Variable;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::ellipsograph::balancing::{analysed, balanced, balancing, criteria, residual};
+use crate::luffing::ellipsograph::motion::{self, GuideRates, RATES};
+use crate::luffing::ellipsograph::moving::GuidedInertias;
 use crate::luffing::ellipsograph::pins::GuidedPins;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes, pole};
 use crate::luffing::ellipsograph::statics::{GuidedWeights, HeadLoad, WeightMoment, drive, power};
-use crate::luffing::ellipsograph::symbols as s;
+use crate::luffing::ellipsograph::symbols as g;
 use crate::luffing::ellipsograph::velocity::{GuidedSpeeds, GuidedTravel};
+use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs};
+use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hydraulic::Modes;
+use crate::luffing::moving::level::{CraneAt, Level};
+use crate::luffing::moving::listed::{Fittings, Said};
+use crate::luffing::moving::luffs::{Luffs, luffs};
+use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::plane::Point;
+
+/// Quantities at rest and in motion.
+mod s {
+    pub use crate::luffing::ellipsograph::symbols::*;
+    pub use crate::luffing::moving::symbols::{M_R, M_R_H, S_R, W_BLOW};
+}
 
 stages! {
     /// A single boom on guide and link.
     EllipsographBoom over C from {
         Coordinate phi: One<C>,
         Rate omega: One<C>,
+        State states: Option<CraneStates<C>>,
+        Input inputs: Option<Inputs<C>>,
+        Parameter inertias: Option<GuidedInertias<C>>,
+        Parameter constants: Option<Constants<C>>,
+        Parameter ramp: Option<HoistRamp<C>>,
+        Parameter motor: Option<HoistMotor<C>>,
+        Parameter give: Option<RopeGive<C>>,
+        Memory wound: Option<One<C>>,
+        Memory past: Option<Modes>,
         Load load: Option<One<C>>,
         Parameter bars: Bars<C>,
         Parameter weights: Option<GuidedWeights<C>>,
         Parameter balance: Option<Form<C>>,
         Fixed choice: GuidedChoice,
+        Fixed fitted: Fitted,
     } find {
         axes: Point<C> = axes(bars) => [E_1, E_2];
         position: GuidedPosition<C> = GuidedPosition::new(bars, axes, phi);
@@ -47,10 +73,50 @@ stages! {
         pins: GuidedPins<C> = GuidedPins::new(bars, load[!], weights, phi, position, residual[?]);
         analysed: Analysis = analysed(bars, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, bars, weights[!], analysed, choice);
+        built[constants]: Vec<Level<C>> = motion::built(
+            bars, load[!], weights[!], balance, inertias[!], constants[!], ramp, motor, give, choice, fitted
+        ) => _;
+        told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
+        at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], inputs[!], fitted) => _;
+        moves: CraneMoves<C> = stages::moves(built, told, at, phi) => _;
+        turning: GuideRates<C> = GuideRates::new(moves);
+        rates: CraneRates<C> = CraneRates::new(moves, fitted);
+        resisting: C = stages::resisting(built, told, at, phi) => M_R;
+        pull: C = stages::pull(built, told, at, phi) => S_R;
+        drum: C = stages::drum(built, told, at, phi) => M_R_H;
+        blown: C = stages::blown(at) => W_BLOW;
+        events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }
 }
 
+luffs!(EllipsographBoom by phi, omega);
+
+/// What is said of its variables in motion.
+const SAID: Said = Said {
+    bar: [&[&b::PHI, &s::OMEGA], &RATES],
+    still: &[g::ALL, b::ALL],
+    moving: &[],
+    drive: None,
+};
+
+/// What it has in motion; `None` at rest.
+fn fittings(given: &Given<f64>) -> Option<Fittings> {
+    Fittings::of(&EllipsographBoom::luffing(given).sources)
+}
+
 impl Component for EllipsographBoom {
+    const STATES: [&'static [&'static Symbol]; 2] = SAID.bar;
+
+    const INDICATORS: &'static [&'static Symbol] = &INDICATORS;
+
+    fn gives(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        fittings(given).is_none_or(|crane| crane.gives(symbol))
+    }
+
+    fn list(given: &Given<f64>, variable: &mut Variable) -> u8 {
+        fittings(given).map_or(0, |_| SAID.list(variable))
+    }
+
     const WHOLE: &'static [Whole] = &[
         Whole::new(&s::R_MAX, How::Greatest, &s::R),
         Whole::new(&s::R_MIN, How::Least, &s::R),
@@ -66,7 +132,9 @@ impl Component for EllipsographBoom {
 
     /// A balance has what its kind has, and no force moves this boom.
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        symbol != &b::F_D_0 && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+        symbol != &b::F_D_0
+            && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+            && fittings(given).is_none_or(|crane| crane.has(symbol))
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {

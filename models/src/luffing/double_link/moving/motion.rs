@@ -1,9 +1,11 @@
-//! The crane in motion as stages: its equations under present inputs, and what follows from its states.
+//! The mechanism in motion as stages: its bodies, its level, its own rates and forces.
+
+use std::sync::Arc;
 
 use num_dual::Dual64;
 
 use crate::component::scalar::{EachScalar, Scalar};
-use crate::component::stages::{Found, Rows, results};
+use crate::component::stages::{Found, Rows};
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::One;
 use crate::kernel::record::Rec;
@@ -11,64 +13,60 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, RESULTS};
 use crate::luffing::double_link::held::in_line;
-use crate::luffing::double_link::hydraulic::{Hydraulic, MOST, Modes};
-use crate::luffing::double_link::moving::built::CraneParts;
-use crate::luffing::double_link::moving::given::{
-    Constants, CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, V_R, order,
-};
-use crate::luffing::double_link::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
-use crate::luffing::double_link::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
+use crate::luffing::double_link::linkage::HeavyLinkage;
+use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::{Choice, Parameters};
 use crate::luffing::double_link::pose::Posing;
-use crate::parts::hydraulics::symbols as h;
+use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
+use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::level::{CraneAt, Level};
+use crate::luffing::moving::stages::{CraneMoves, open, present, rates_after};
 use crate::parts::turntable::Turning;
 
-/// The equations over a scalar.
-pub struct Equations<P: Calc> {
-    level: fn(&CraneParts<P>) -> Result<Level<P>, Fault>,
-    rates: fn(&Level<P>, &CraneAt<P>) -> Option<[P; MOST_STATES]>,
-    indicators: fn(&Level<P>, &CraneAt<P>) -> Option<[P; MOST_INDICATORS]>,
-    reaction: fn(&Level<P>, &CraneAt<P>, MotionResult) -> Option<P>,
-    forces: fn(&Level<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>,
+/// What the equations of motion have of this mechanism, over a scalar.
+pub struct LinkEquations<P: Calc> {
+    linkage: fn(&CraneParts<P>) -> Result<Arc<HeavyLinkage<P>>, Fault>,
+    level: fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>) -> Level<P>,
+    forces: fn(&Level<P>, &HeavyLinkage<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>,
 }
 
-impl<P: Posing<P>> Equations<P>
+impl<P: Posing<P> + Coordinate<P> + Send + Sync + 'static> LinkEquations<P>
 where
     Dual64: Over<P>,
 {
-    fn new() -> Equations<P> {
-        Equations {
-            level: |built| built.level(),
-            rates: Level::rates,
-            indicators: Level::indicators,
-            reaction: Level::reaction,
-            forces: Level::forces,
+    fn new() -> LinkEquations<P> {
+        LinkEquations {
+            linkage: |parts| parts.linkage(),
+            level: |parts, linkage| parts.level(linkage),
+            forces: ForcesInMotion::of,
         }
     }
 }
 
 /// Each scalar has derivatives by the driven angle in its own way.
-struct InMotion;
+struct LinkInMotion;
 
-impl EachScalar for InMotion {
-    type For<C: Calc> = Equations<C>;
-    fn plain() -> Equations<f64> {
-        Equations::new()
+impl EachScalar for LinkInMotion {
+    type For<C: Calc> = LinkEquations<C>;
+    fn plain() -> LinkEquations<f64> {
+        LinkEquations::new()
     }
-    fn dual() -> Equations<Dual64> {
-        Equations::new()
+    fn dual() -> LinkEquations<Dual64> {
+        LinkEquations::new()
     }
-    fn recorded() -> Equations<Rec> {
-        Equations::new()
+    fn recorded() -> LinkEquations<Rec> {
+        LinkEquations::new()
     }
 }
 
-/// The equations of the level, nothing being asked of it.
+/// All that the crane is made of.
 #[expect(clippy::too_many_arguments, reason = "all that it is made of")]
-pub fn built<C: Scalar>(
+pub fn parts<C: Scalar>(
     parameters: &Parameters<C>,
     load: &One<C>,
+    inertias: &Inertias<C>,
     constants: &Constants<C>,
     ramp: &Option<HoistRamp<C>>,
     motor: &Option<HoistMotor<C>>,
@@ -77,142 +75,57 @@ pub fn built<C: Scalar>(
     oil: &Option<CylinderOil<C>>,
     fitted: &Fitted,
     choice: &Choice,
-    room: &mut Vec<Level<C>>,
-) -> Result<(), Fault> {
-    let built = CraneParts {
+    room: &mut Vec<CraneParts<C>>,
+) {
+    room.clear();
+    room.push(CraneParts {
         parameters: *parameters,
         range: choice.range,
-        load,
-        constants,
+        load: *load,
+        inertias: *inertias,
+        constants: *constants,
         ramp: *ramp,
         motor: *motor,
         give: *give,
         turning: *turning,
         oil: *oil,
         fitted: *fitted,
-    };
+    });
+}
+
+/// The mechanism with its bodies.
+pub fn linkage<C: Scalar>(parts: &[CraneParts<C>], room: &mut Vec<Arc<HeavyLinkage<C>>>) -> Result<(), Fault> {
     room.clear();
-    room.push((C::own::<InMotion>().level)(&built)?);
+    room.push((C::own::<LinkInMotion>().linkage)(&parts[0])?);
     Ok(())
 }
 
-/// The same under inputs; none where they are no part of it.
-pub fn told<C: Scalar>(built: &[Level<C>], inputs: &Inputs<C>, room: &mut Vec<Level<C>>) {
+/// The equations of the level, nothing being asked of it.
+pub fn built<C: Scalar>(parts: &[CraneParts<C>], linkage: &[Arc<HeavyLinkage<C>>], room: &mut Vec<Level<C>>) {
     room.clear();
-    room.extend(built[0].told(inputs));
+    room.push((C::own::<LinkInMotion>().level)(&parts[0], &linkage[0]));
 }
 
-/// The level under present inputs.
-pub fn present<'a, C>(built: &'a [Level<C>], told: &'a [Level<C>]) -> &'a Level<C> {
-    told.first().unwrap_or(&built[0])
-}
-
-/// The crane as it is.
-#[expect(clippy::too_many_arguments, reason = "all that it is made of")]
-pub fn at<C: Calc>(
-    theta: &One<C>,
-    omega: &One<C>,
-    states: &CraneStates<C>,
-    wound: &Option<One<C>>,
-    past: &Modes,
-    inputs: &Inputs<C>,
-    oil: &Option<CylinderOil<C>>,
-    fitted: &Fitted,
-) -> CraneAt<C> {
-    let mut y = [C::constant(0.0); MOST_STATES];
-    (y[0], y[1]) = (theta.1, omega.1);
-    let mut states = states.0;
-    if let Some(rate) = wound {
-        states[V_R] = rate.1;
-    }
-    for (y, place) in y[2..].iter_mut().zip(order(oil.is_some(), fitted.slewing.is_some())) {
-        *y = states[*place];
-    }
-    CraneAt {
-        past: *past,
-        inputs: *inputs,
-        y,
-    }
-}
-
-#[cold]
-pub fn open<C: Calc>(theta: &One<C>) -> Fault {
-    let (symbol, at) = (theta.0, theta.1.value());
-    Fault::outside(format!(
-        "the linkage does not close at {} = {}",
-        symbol.id,
-        symbol.written(at)
-    ))
-}
-
-/// A row for each symbol of a list.
-macro_rules! rows {
-    ($name:ident, $symbols:ident) => {
-        impl<C: Calc> Rows<C> for $name<C> {
-            const ROWS: &'static [&'static Symbol] = &$symbols;
-            fn row(&self, row: u8, _: u16) -> Found<C> {
-                Ok(self.0[usize::from(row)])
-            }
-        }
-    };
-}
-
-/// Rates of the states.
+/// Rates of angle and rate of the driven bar, boom or rocker.
 #[derive(Clone, Copy, Debug)]
-pub struct CraneRates<C>([C; RATES.len()]);
+pub struct LinkRates<C>([C; 2]);
 
-/// First those of angle and rate of the driven bar, boom or rocker, then those of [`CraneStates`].
-pub const RATES: [&Symbol; 24] = *listed!(
-    s: D_THETA_1, D_OMEGA_1, D_THETA_3, D_OMEGA_3, D_P_1, D_P_2, D_P_A, D_P_B, D_X_V, D_V_V, D_PSI_SL, D_OMEGA_SL, D_X_Q, D_Y_Q, D_Z_Q,
-    D_V_QX, D_V_QY, D_V_QZ, D_PHI_R, D_OMEGA_R, D_L_R, D_S_Q, D_V_Q, D_V_R
-);
+const LINK_RATES: [&Symbol; 4] = *listed!(s: D_THETA_1, D_OMEGA_1, D_THETA_3, D_OMEGA_3);
 
-rows!(CraneRates, RATES);
+/// With those of all other states.
+pub static RATES: [&Symbol; 24] = rates_after(LINK_RATES);
 
-pub fn rates<C: Scalar>(
-    built: &[Level<C>],
-    told: &[Level<C>],
-    at: &CraneAt<C>,
-    theta: &One<C>,
-    oil: &Option<CylinderOil<C>>,
-    fitted: &Fitted,
-) -> Result<CraneRates<C>, Fault> {
-    let found = (C::own::<InMotion>().rates)(present(built, told), at).ok_or_else(|| open(theta))?;
-    let mut rows = [C::constant(0.0); RATES.len()];
-    for bar in rows[..4].chunks_exact_mut(2) {
-        bar.copy_from_slice(&found[..2]);
+impl<C: Calc> Rows<C> for LinkRates<C> {
+    const ROWS: &'static [&'static Symbol] = &LINK_RATES;
+    fn row(&self, row: u8, _: u16) -> Found<C> {
+        Ok(self.0[usize::from(row % 2)])
     }
-    for (rate, place) in found[2..].iter().zip(order(oil.is_some(), fitted.slewing.is_some())) {
-        rows[4 + *place] = *rate;
+}
+
+impl<C: Calc> LinkRates<C> {
+    pub fn new(moves: &CraneMoves<C>) -> LinkRates<C> {
+        LinkRates(moves.bar())
     }
-    Ok(CraneRates(rows))
-}
-
-/// Results that are one number each.
-macro_rules! reactions {
-    ($($name:ident: $of:ident;)*) => {
-        $(pub fn $name<C: Scalar>(
-            built: &[Level<C>],
-            told: &[Level<C>],
-            at: &CraneAt<C>,
-            theta: &One<C>,
-        ) -> Result<C, Fault> {
-            let found = (C::own::<InMotion>().reaction)(present(built, told), at, MotionResult::$of);
-            found.ok_or_else(|| open(theta))
-        })*
-    };
-}
-reactions! {
-    cylinder: Cylinder;
-    resisting: Friction;
-    pull: Rope;
-    drum: Drum;
-    resisting_slewing: SlewingFriction;
-}
-
-/// Energy that blows have taken, in J.
-pub fn blown<C: Calc>(at: &CraneAt<C>) -> C {
-    C::constant(at.past.blown)
 }
 
 /// Forces of the motion, with the angle of the driving link.
@@ -228,92 +141,12 @@ impl<C: Calc> Rows<C> for CraneForces<C> {
 }
 
 pub fn forces<C: Scalar>(
+    linkage: &[Arc<HeavyLinkage<C>>],
     built: &[Level<C>],
     told: &[Level<C>],
     at: &CraneAt<C>,
     theta: &One<C>,
 ) -> Result<CraneForces<C>, Fault> {
-    let found = (C::own::<InMotion>().forces)(present(built, told), at);
+    let found = (C::own::<LinkInMotion>().forces)(present(built, told), &linkage[0], at);
     Ok(CraneForces(found.ok_or_else(|| open(theta))?, *theta))
-}
-
-/// Where the load of a crane that slews is seen from its head.
-#[derive(Clone, Copy, Debug)]
-pub struct LoadSeen<C>([C; 3]);
-results! { LoadSeen as l => { PHI_R: l.0[0]; CHI_R: l.0[1]; S_Q: l.0[2]; } }
-
-impl<C: Calc> LoadSeen<C> {
-    pub fn new(at: &CraneAt<C>, oil: &Option<CylinderOil<C>>) -> LoadSeen<C> {
-        LoadSeen(seen(&at.y, oil.is_some()))
-    }
-}
-
-/// Whether the oil falls below vacuum.
-#[derive(Clone, Copy, Debug)]
-pub struct CraneOil(bool);
-
-impl<C: Calc> Rows<C> for CraneOil {
-    const ROWS: &'static [&'static Symbol] = &[&h::CAVITATES];
-    fn row(&self, _: u8, _: u16) -> Found<C> {
-        Ok(C::constant(f64::from(self.0)))
-    }
-}
-
-impl CraneOil {
-    pub fn new<C: Calc>(at: &CraneAt<C>, rates: &CraneRates<C>, _: &CylinderOil<C>) -> CraneOil {
-        let oil = Hydraulic::<MOST>::oil(&at.y.map(C::value));
-        CraneOil(oil.cavitates(|| [4, 5, 6, 7].map(|i| rates.0[i].value())))
-    }
-}
-
-/// What falls below zero where a smooth piece of the motion ends.
-#[derive(Clone, Copy, Debug)]
-pub struct CraneEvents<C>([C; INDICATORS.len()]);
-
-/// Of luffing; of the oil, with the stops of luffing; of slewing; of the rope; of the hoist.
-pub const INDICATORS: [&Symbol; 16] = [
-    &s::Z_REST,
-    &s::Z_LOOSE,
-    &s::Z_SPOOL,
-    &s::Z_RELIEF_1,
-    &s::Z_RELIEF_2,
-    &s::Z_LOW,
-    &s::Z_HIGH,
-    &h::Z_VACUUM,
-    &s::Z_SL_REST,
-    &s::Z_SL_LOOSE,
-    &s::Z_SL_LOW,
-    &s::Z_SL_HIGH,
-    &s::Z_ROPE,
-    &s::Z_HOIST,
-    &s::Z_DRUM_REST,
-    &s::Z_DRUM_LOOSE,
-];
-
-rows!(CraneEvents, INDICATORS);
-
-pub fn events<C: Scalar>(
-    built: &[Level<C>],
-    told: &[Level<C>],
-    at: &CraneAt<C>,
-    theta: &One<C>,
-    oil: &Option<CylinderOil<C>>,
-    fitted: &Fitted,
-) -> Result<CraneEvents<C>, Fault> {
-    let found = (C::own::<InMotion>().indicators)(present(built, told), at).ok_or_else(|| open(theta))?;
-    let luffing: &[usize] = if oil.is_some() {
-        &[2, 3, 4, 5, 6, 7]
-    } else {
-        &[0, 1, 5, 6]
-    };
-    let slewing: &[usize] = if fitted.slewing.is_some() { &[8, 9, 10, 11] } else { &[] };
-    let mut rows = [C::constant(0.0); INDICATORS.len()];
-    let mut found = found.into_iter();
-    for (place, z) in luffing.iter().chain(slewing).chain(&[12]).zip(&mut found) {
-        rows[*place] = z;
-    }
-    // A hoist has the one or the other.
-    let hoist: [C; 2] = std::array::from_fn(|_| found.next().unwrap_or(rows[13]));
-    (rows[13], rows[14], rows[15]) = (hoist[0], hoist[0], hoist[1]);
-    Ok(CraneEvents(rows))
 }

@@ -8,19 +8,20 @@ use crate::component::stages::Stages;
 use crate::kernel::calc::Calc;
 use crate::kernel::record::{self, Rec};
 use crate::kernel::variable::Fault;
-use crate::luffing::double_link::moving::carried::{CarriedCrane, at, known};
-use crate::luffing::double_link::moving::level::{CraneAt, Powers};
-use crate::luffing::double_link::moving::motion::open;
 use crate::luffing::double_link::stages::DoubleLink;
+use crate::luffing::moving::carried::{self, CarriedCrane};
+use crate::luffing::moving::level::{CraneAt, Powers};
+use crate::luffing::moving::luffs::Luffs;
+use crate::luffing::moving::stages::open;
 
 /// Powers as it is now, and the energy (J) of all bodies with what blows have taken so far.
 ///
 /// # Errors
 /// The linkage does not close.
 pub(crate) fn powers(model: &mut MovingComponent) -> Result<(Powers, f64), Fault> {
-    let known = known(model.parts().0);
+    let known = carried::known::<DoubleLink>(model.parts().0);
     let theta = DoubleLink::given(known).theta;
-    let (level, at) = known.in_motion().map_err(|fault| *fault)?;
+    let (level, at) = DoubleLink::in_motion(known).map_err(|fault| *fault)?;
     let (powers, energy) = level.powers(&at).ok_or_else(|| open(&theta))?;
     Ok((powers, energy + at.past.blown))
 }
@@ -30,9 +31,9 @@ pub(crate) fn powers(model: &mut MovingComponent) -> Result<(Powers, f64), Fault
 /// # Errors
 /// The linkage does not close.
 pub(crate) fn kinetic(model: &mut MovingComponent) -> Result<f64, Fault> {
-    let known = known(model.parts().0);
+    let known = carried::known::<DoubleLink>(model.parts().0);
     let theta = DoubleLink::given(known).theta;
-    let (level, moving) = known.in_motion().map_err(|fault| *fault)?;
+    let (level, moving) = DoubleLink::in_motion(known).map_err(|fault| *fault)?;
     let mut still = moving;
     for &rate in level.rates_of() {
         still.y[rate] = 0.0;
@@ -47,16 +48,16 @@ pub(crate) fn kinetic(model: &mut MovingComponent) -> Result<f64, Fault> {
 /// How far the moment on the driven bar by equilibrium of the moving bodies is from that of drive, friction and end
 /// stop, and the greatest of what they are made of, in N·m; `None` where there are no finite forces.
 pub(crate) fn apart(model: &mut MovingComponent) -> Option<[f64; 2]> {
-    known(model.parts().0).forces().ok()?.0.apart()
+    carried::known::<DoubleLink>(model.parts().0).forces().ok()?.0.apart()
 }
 
 /// The crane as it is, with the least pressure of its oil so far, in Pa.
 pub(crate) fn present(model: &mut MovingComponent) -> (CraneAt, f64) {
     let (standing, carrier) = model.parts();
     let carrier: &dyn Any = carrier;
-    let own: &CarriedCrane = carrier.downcast_ref().expect("a crane's");
+    let own: &CarriedCrane<DoubleLink> = carrier.downcast_ref().expect("a crane's");
     let least = own.ahead.least_pressure();
-    (at(standing), least)
+    (carried::at::<DoubleLink>(standing), least)
 }
 
 /// Runs the equations of motion as they are now under the recorder. Returns how many steps were recorded while
@@ -74,7 +75,7 @@ pub(crate) fn recorded(model: &MovingComponent) -> usize {
     let built = known.built().is_ok();
     let assembled = record::steps();
     if built {
-        let _ = known.rates();
+        let _ = known.moves();
         if plain.fitted.rope.is_some() {
             let _ = known.pull();
         }

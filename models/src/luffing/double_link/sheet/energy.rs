@@ -2,11 +2,11 @@
 
 use crate::component::sheet::{self, Integral, Power};
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::moving::hoisting::HoistKind;
-use crate::luffing::double_link::moving::level::Powers;
-use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::scene::MovingLink as Moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::moving::hoisting::HoistKind;
+use crate::luffing::moving::level::Powers;
 use crate::parts::hydraulics::symbols as h;
 
 /// Where energy came from and went, in J.

@@ -1,9 +1,9 @@
 //! What happens to a crane in motion, seen from sample to sample.
 
-use crate::luffing::double_link::hydraulic::{FIXED, Modes};
-use crate::luffing::double_link::moving::level::CraneAt;
-use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::scene::MovingLink as Moving;
 use crate::luffing::double_link::scene::Luffing;
+use crate::luffing::moving::hydraulic::{FIXED, Modes};
+use crate::luffing::moving::level::CraneAt;
 use crate::parts::joint::Bar;
 
 /// What changes at an event.

@@ -10,14 +10,14 @@ use crate::component::running::Running;
 use crate::component::standing::Standing;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Role};
-use crate::luffing::double_link::moving::given::CylinderOil;
-use crate::luffing::double_link::moving::hoisting::HoistKind;
-use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::scene::MovingLink as Moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::sheet::motor::{JointMotor, braking, place};
 use crate::luffing::double_link::sheet::travel::Travel;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::moving::given::CylinderOil;
+use crate::luffing::moving::hoisting::HoistKind;
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::joint::JointDrive;
 

@@ -13,8 +13,7 @@ use crate::component::sheet::{Check, Envelope, InMotion, Manoeuvre, Section, Sum
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
-use crate::luffing::double_link::hydraulic::CREEP;
-use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::scene::MovingLink as Moving;
 use crate::luffing::double_link::moving::start::starting;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::moving::told::recorded;
@@ -24,6 +23,7 @@ use crate::luffing::double_link::sheet::energy::integrals;
 use crate::luffing::double_link::sheet::manoeuvres::{Pilot, Planned, at_rest, designed, drawn, planned, rules};
 use crate::luffing::double_link::sheet::run::{EVENTS, Run, timed};
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::moving::hydraulic::CREEP;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 

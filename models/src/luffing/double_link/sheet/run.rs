@@ -6,15 +6,15 @@ use crate::component::series::Series;
 use crate::component::sheet::{Summary, Warning};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::hydraulic::FIXED;
-use crate::luffing::double_link::moving::level::{CraneAt, Powers};
-use crate::luffing::double_link::moving::scene::Moving;
+use crate::luffing::double_link::moving::scene::MovingLink as Moving;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::moving::told::{apart, kinetic, powers, present};
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::sheet::energy::{Energy, net, rounding, sum, turnover};
 use crate::luffing::double_link::sheet::events::Watch;
 use crate::luffing::double_link::sheet::manoeuvres::Pilot;
+use crate::luffing::moving::hydraulic::FIXED;
+use crate::luffing::moving::level::{CraneAt, Powers};
 use crate::parts::hydraulics::oil::VACUUM;
 use crate::parts::joint::Bar;
 

@@ -1,14 +1,11 @@
 //! What a crane in motion has of all levels, and what is said of its variables.
 
-use crate::balance::symbols as b;
-use crate::drive;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::{Role, Variable};
-use crate::luffing::double_link::forces_in_motion::RESULTS;
-use crate::luffing::double_link::moving::given::{INPUTS, STATES};
-use crate::luffing::double_link::moving::motion::{INDICATORS, RATES};
-use crate::luffing::double_link::moving::symbols as s;
-use crate::luffing::double_link::symbols as g;
+use crate::luffing::moving::given::{INPUTS, STATES};
+use crate::luffing::moving::luffs::MotionSources;
+use crate::luffing::moving::stages::{INDICATORS, RATES};
+use crate::luffing::moving::symbols as s;
 use crate::parts::hydraulics::symbols as h;
 
 /// What forces and moments of this model take into account.
@@ -19,8 +16,6 @@ const AT_REST: &str = "As at rest: without inertia, the load hanging straight do
 /// What a scene's crane in motion has.
 #[derive(Clone, Copy, Debug)]
 pub struct Fittings {
-    /// The boom is the driving link.
-    pub boom: bool,
     pub oil: bool,
     pub rope: bool,
     pub slews: bool,
@@ -34,6 +29,18 @@ fn place(list: &[&'static Symbol], symbol: &'static Symbol) -> Option<usize> {
 }
 
 impl Fittings {
+    /// `None` at rest.
+    #[must_use]
+    pub fn of(sources: &MotionSources) -> Option<Fittings> {
+        sources.constants.map(|_| Fittings {
+            oil: sources.oil.is_some(),
+            rope: sources.fitted.rope.is_some(),
+            slews: sources.turning.is_some(),
+            ramp: sources.ramp.is_some(),
+            motor: sources.motor.is_some(),
+        })
+    }
+
     /// Whether it has a state or an input.
     #[must_use]
     pub fn gives(self, symbol: &'static Symbol) -> bool {
@@ -56,9 +63,7 @@ impl Fittings {
     pub fn has(self, symbol: &'static Symbol) -> bool {
         let of = |list: &[&Symbol]| list.contains(&symbol);
         match (place(&RATES, symbol), place(&INDICATORS, symbol)) {
-            (Some(0 | 1), _) => self.boom,
-            (Some(2 | 3), _) => !self.boom,
-            (Some(rate), _) => self.gives(STATES[rate - 4]),
+            (Some(rate), _) => self.gives(STATES[rate]),
             (_, Some(0 | 1)) => !self.oil,
             (_, Some(2..5 | 7)) => self.oil,
             (_, Some(8..12)) => self.slews,
@@ -76,32 +81,42 @@ impl Fittings {
     }
 }
 
-/// Which part of the list a variable stands in: states, inputs, constants and results of the motion; all that a crane at
-/// rest has too; rates; event indicators. Forces say what they take into account.
-pub fn list(variable: &mut Variable) -> u8 {
-    let symbol = variable.symbol;
-    variable.at_events = symbol == &s::V_H;
-    if variable.role == Role::Indicator {
-        return 3;
+/// What is said of a mechanism's variables in motion.
+pub struct Said {
+    /// Angle and angular velocity of the driven bar, whichever it is, and their rates.
+    pub bar: [&'static [&'static Symbol]; 2],
+    /// Tables of what a crane at rest has too.
+    pub still: &'static [&'static [&'static Symbol]],
+    /// Results in motion in the place of those at rest, and the moment of the drive.
+    pub moving: &'static [&'static Symbol],
+    pub drive: Option<&'static Symbol>,
+}
+
+impl Said {
+    /// Which part of the list a variable stands in: states, inputs, constants and results of the motion; all that a crane at
+    /// rest has too; rates; event indicators. Forces say what they take into account.
+    pub fn list(&self, variable: &mut Variable) -> u8 {
+        let symbol = variable.symbol;
+        let [driving, rates] = self.bar;
+        variable.at_events = symbol == &s::V_H;
+        if variable.role == Role::Indicator {
+            return 3;
+        }
+        if rates.contains(&symbol) || RATES.contains(&symbol) {
+            return 2;
+        }
+        if driving.contains(&symbol) && variable.role == Role::Input {
+            variable.bounds = [symbol.range.least, symbol.range.most];
+            return 0;
+        }
+        if !self.still.iter().any(|all| all.contains(&symbol)) {
+            return 0;
+        }
+        if self.moving.contains(&symbol) {
+            variable.remark = Some(if self.drive == Some(symbol) { GIVEN } else { MOVING });
+        } else if matches!(variable.role, Role::Output | Role::Calculated) && symbol.unit.dimension.kg != 0 {
+            variable.remark = Some(AT_REST);
+        }
+        1
     }
-    if RATES.contains(&symbol) {
-        return 2;
-    }
-    let driving = [&g::THETA_1, &g::OMEGA_1, &g::THETA_3, &g::OMEGA_3];
-    if driving.contains(&symbol) && variable.role == Role::Input {
-        variable.bounds = [symbol.range.least, symbol.range.most];
-        return 0;
-    }
-    if ![g::ALL, b::ALL, drive::symbols::ALL]
-        .iter()
-        .any(|all| all.contains(&symbol))
-    {
-        return 0;
-    }
-    if RESULTS.contains(&symbol) {
-        variable.remark = Some(if symbol == &g::M_D { GIVEN } else { MOVING });
-    } else if matches!(variable.role, Role::Output | Role::Calculated) && symbol.unit.dimension.kg != 0 {
-        variable.remark = Some(AT_REST);
-    }
-    1
 }

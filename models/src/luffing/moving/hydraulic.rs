@@ -1,17 +1,19 @@
 //! Level `hydraulic`: the driven bar moved by a cylinder with its oil, ports
 //! and proportional valve. What else moves is as at the other levels: the load on
 //! its rope, reeled and slack at times, and a crane that slews, with friction that
-//! truly sticks. [`MovingCrane`](crate::luffing::double_link::crane::MovingCrane) has their equations and decides their
+//! truly sticks. [`MovingCrane`](crate::luffing::moving::crane::MovingCrane) has their equations and decides their
 //! events; to it the cylinder is a moment on a bar that is [`Bar::Loose`].
 
+use crate::drive::symbols::V_D;
 use crate::kernel::calc::{Calc, Over};
-use crate::luffing::double_link::crane::{Commands, CraneState, MOST_CHANGES, Snapshot};
-use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Phase, Reduced, Reel};
-use crate::luffing::double_link::motion::{self, MovingLinkage};
-use crate::luffing::double_link::moving::symbols as s;
-use crate::luffing::double_link::shares::Shares;
-use crate::luffing::double_link::slewing::{self, Slewing};
-use crate::luffing::double_link::symbols as g;
+use crate::luffing::moving::crane::{Commands, CraneState, MOST_CHANGES, Snapshot};
+use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::motion::{self, MovingLinkage};
+use crate::luffing::moving::pendulum::{Phase, Reel};
+use crate::luffing::moving::reduced::Reduced;
+use crate::luffing::moving::shares::Shares;
+use crate::luffing::moving::space::{self, Slewing};
+use crate::luffing::moving::symbols as s;
 use crate::parts::hoist::{Drum, HoistCommand, HoistPowers, Winch};
 use crate::parts::hydraulics::cylinder::{Cylinder, Oil};
 use crate::parts::joint::{Bar, Joint, JointDrive};
@@ -32,7 +34,7 @@ const OIL: usize = 6;
 /// States of a crane of which nothing else moves.
 pub const FIXED: usize = 2 + OIL;
 /// Most states: those of a crane that slews with its load on a rope.
-pub const MOST: usize = slewing::STATES + OIL;
+pub const MOST: usize = space::STATES + OIL;
 
 /// First step of the solver after something has changed at once, in s.
 pub const FIRST: f64 = 1e-3;
@@ -41,7 +43,7 @@ const MOST_EVENTS: u32 = 10_000;
 
 /// What the cylinder moves, its luffing joint with friction and stops of the hydraulic level: below
 /// [`CREEP`] the bar creeps, and a stop is a stiff buffer.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub enum Crane<P = f64> {
     Plane(MovingLinkage<P>),
     Slewing(Slewing<P>),
@@ -50,7 +52,7 @@ pub enum Crane<P = f64> {
 /// A luffing cylinder at work, as a system of at most N states: angle and rate of the driven bar, pressures of
 /// ports and chambers, spool and its speed, then the other states of [`MovingLinkage`] or [`Slewing`] in their order, as
 /// many as there are.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Hydraulic<const N: usize, P = f64> {
     pub crane: Crane<P>,
     pub cylinder: Cylinder<P>,
@@ -191,10 +193,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
 
     /// Whether there is a rope that keeps its length under any force.
     fn keeps(&self) -> bool {
-        self.dynamics()
-            .bodies()
-            .pendulum
-            .is_some_and(|load| load.hoist.rope.is_none())
+        self.dynamics().pendulum().is_some_and(|load| load.hoist.rope.is_none())
     }
 
     /// How many states there are.
@@ -202,14 +201,14 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
     pub fn states(&self) -> usize {
         let alone = match &self.crane {
             Crane::Plane(_) => FIXED,
-            Crane::Slewing(_) => FIXED + slewing::RIGID - 2,
+            Crane::Slewing(_) => FIXED + space::RIGID - 2,
         };
         let all = match &self.crane {
             Crane::Plane(_) => FIXED + motion::STATES - 2,
-            Crane::Slewing(_) => FIXED + slewing::STATES - 2,
+            Crane::Slewing(_) => FIXED + space::STATES - 2,
         };
         // A hoist that follows its command at once has no rate of its own.
-        let hangs = self.dynamics().bodies().pendulum;
+        let hangs = self.dynamics().pendulum();
         hangs.map_or(alone, |load| {
             all - usize::from(matches!(load.hoist.winch, Winch::AtOnce))
         })
@@ -241,7 +240,8 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         let mut stop = None;
         let nearest = theta.value().clamp(stops[0], stops[1]);
         if theta.value() != nearest {
-            let end = if nearest == stops[0] { &g::FROM } else { &g::TO };
+            let [low, high] = self.dynamics().names().stops;
+            let end = if nearest == stops[0] { low } else { high };
             let depth = theta - C::known(end, nearest);
             let [stiffness, damping] = self.buffer;
             let push = -C::of(stiffness) * depth - C::of(damping) * omega;
@@ -297,7 +297,7 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         let [length, arm] = r.drive;
         let rates = self
             .cylinder
-            .rates(&oil, length, (arm * omega).def(&g::V_D), self.command, self.supply);
+            .rates(&oil, length, (arm * omega).def(&V_D), self.command, self.supply);
         let moment = self.moment(&r, y);
         let mut out = [C::constant(0.0); N];
         if N > FIXED {
@@ -401,13 +401,13 @@ impl<const N: usize> Hydraulic<N> {
     #[must_use]
     pub fn resting(&self, theta: f64, least: f64) -> Option<[f64; N]> {
         let r = f64::reduced(self.dynamics(), theta)?;
-        let length = self.dynamics().bodies().pendulum.map_or(0.0, |p| p.length);
+        let length = self.dynamics().pendulum().map_or(0.0, |p| p.length);
         let mut y = [0.0; N];
         y[0] = theta;
         if N > FIXED {
             match &self.crane {
                 Crane::Plane(_) => put(&mut y, &motion::MotionState::resting(theta, length).y),
-                Crane::Slewing(_) => put(&mut y, &slewing::SlewingState::resting(theta, length).y),
+                Crane::Slewing(_) => put(&mut y, &space::SlewingState::resting(theta, length).y),
             }
         }
         let still = Phase {
@@ -501,7 +501,7 @@ impl<const N: usize> Hydraulic<N> {
 }
 
 /// A smooth piece of a crane's way.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Piece<'a, const N: usize> {
     crane: &'a Hydraulic<N>,
     modes: Modes,
@@ -554,7 +554,7 @@ impl<const N: usize> System<N> for Piece<'_, N> {
                     put(y, &state.y);
                 }
                 Crane::Slewing(_) => {
-                    let mut state: slewing::SlewingState = self.modes.of(y);
+                    let mut state: space::SlewingState = self.modes.of(y);
                     state.straighten();
                     put(y, &state.y);
                 }

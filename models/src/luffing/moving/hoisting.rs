@@ -5,7 +5,7 @@ use crate::kernel::group::quantities;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::moving::symbols as s;
 
 /// Keys of `[luffing.hoisting]`.
 pub static HOISTING_KEYS: &[Key] = keys! { s:
@@ -48,6 +48,23 @@ pub struct LoadRope {
     pub hoist: HoistKind,
     /// `None` where it keeps its length under any force.
     pub give: Option<RopeGive<f64>>,
+}
+
+/// Ids of what the model takes for granted of load, rope and hoist; `fixed` where there is no rope.
+pub fn load_taken(rope: Option<&LoadRope>, fixed: &'static str) -> impl Iterator<Item = &'static str> {
+    let elastic = rope.is_some_and(|rope| rope.give.is_some());
+    let load = match rope {
+        Some(_) if elastic => "elastic_rope",
+        Some(_) => "rope",
+        None => fixed,
+    };
+    let slack = rope.filter(|_| !elastic).map(|_| "slack");
+    let hoist = rope.map(|rope| match rope.hoist {
+        HoistKind::AtOnce => "hoist",
+        HoistKind::Ramp(_) => "hoist_ramp",
+        HoistKind::Motor(_) => "hoist_motor",
+    });
+    [Some(load), slack, hoist].into_iter().flatten()
 }
 
 /// The table that has the rope and its hoist: `[luffing.hoisting]`, or `[luffing.dynamics]`.

@@ -1,8 +1,9 @@
-//! What turns the driving link, told apart: drive and brake, friction in its pins, end stop.
+//! What turns the driving link, told apart: drive and brake, friction in its pins, end stop; and the rope at the head.
 
 use crate::kernel::calc::{Calc, Over};
-use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::moving::symbols as s;
 use crate::parts::joint::{Bar, Friction, LOOSE};
+use crate::parts::plane::{self, Point};
 
 /// Moments on the driving link, in N·m, in the direction of its angle.
 #[derive(Clone, Copy, Debug)]
@@ -65,4 +66,22 @@ impl<C: Calc> Shares<C> {
             ..self
         }
     }
+}
+
+/// How the mechanism moves at one instant, and what acts on it besides weights.
+#[derive(Clone, Copy, Debug)]
+pub struct Instant<C> {
+    /// Of the driving link, in rad/s and rad/s².
+    pub omega: C,
+    pub alpha: C,
+    /// Angular velocity of slewing, in rad/s, where the crane slews.
+    pub turning: Option<C>,
+    /// Force of the rope on the head (N), where the load hangs on one.
+    pub pull: Option<Point<C>>,
+    pub shares: Shares<C>,
+}
+
+/// Force of a rope on the head: a pull (N) in the direction of the load.
+pub fn rope_on_head<C: Calc>(pull: C, direction: Point<C>) -> Point<C> {
+    plane::def(direction * pull, [&s::F_AX, &s::F_AY])
 }

@@ -9,8 +9,9 @@
 use nalgebra::Vector3;
 
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Reduced};
-use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::reduced::Reduced;
+use crate::luffing::moving::symbols as s;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadJoints};
 use crate::parts::hoist::RopeAction;
 
@@ -48,7 +49,7 @@ impl<P: Calc> Dynamics<P> {
             (forces[0] * ease[0]).def(&s::ALPHA_0),
             (forces[1] * ease[1]).def(&s::ALPHA_0SL),
         ];
-        let Some(pendulum) = self.bodies().pendulum else {
+        let Some(pendulum) = self.pendulum() else {
             return Accelerations {
                 joints: alone,
                 load: Vector3::new(zero, zero, zero),
@@ -65,10 +66,10 @@ impl<P: Calc> Dynamics<P> {
             ease,
             head: self.head(r),
             bend: Some(Vector3::new(dd.x, dd.y, zero)),
-            names: [self.acceleration(), &s::D_OMEGA_SL],
+            names: [self.names().acceleration, &s::D_OMEGA_SL],
         };
         let masses = [C::of(pendulum.mass), C::of(pendulum.cancelling())];
-        let gravity = Vector3::new(zero, -C::of(self.bodies().gravity), zero);
+        let gravity = Vector3::new(zero, -C::of(self.gravity()), zero);
         joints.hung(load, masses, gravity, line)
     }
 }

@@ -1,14 +1,15 @@
 //! Levels `rigid` and `swing` of a crane that slews: luffing and slewing as two
 //! joints, and the load on a rope that swings in all directions.
 //!
-//! The equations are in [`hanging`](crate::luffing::double_link::hanging), and so is the frame.
+//! The equations are in [`hanging`](crate::luffing::moving::hanging), and so is the frame.
 
 use nalgebra::Vector3;
 
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
-use crate::luffing::double_link::dynamics::{Coordinate, Reduced};
-use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
+use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::reduced::Reduced;
+use crate::luffing::moving::symbols as s;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadRope, dot, squared, to_load, turned};
 use crate::parts::joint::Bar;
 use crate::parts::solver::Halt;
@@ -149,7 +150,7 @@ impl Struck<STATES, 2> for Slewing {
 
     fn wound(&self, state: &mut SlewingState, _: f64, jump: f64) -> Result<(), Halt> {
         state.taut = jump < 0.0;
-        if let (true, Some(load)) = (state.taut, &self.dynamics.bodies().pendulum) {
+        if let (true, Some(load)) = (state.taut, &self.dynamics.pendulum().copied()) {
             let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
             self.catch(state, &r, load.mass, -jump);
         }
@@ -158,7 +159,7 @@ impl Struck<STATES, 2> for Slewing {
 
     /// A taut rope that the head would run away from pulls load and other joint along; one that it would push lets go.
     fn stopped(&self, i: usize, state: &mut SlewingState, r: &Reduced<f64>) {
-        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+        let Some(pendulum) = self.dynamics.pendulum().copied() else {
             return;
         };
         let head = self.dynamics.head(r);
@@ -177,7 +178,7 @@ impl Struck<STATES, 2> for Slewing {
     }
 
     fn switched(&self, state: &mut SlewingState, r: &Reduced<f64>, commands: &Commands<2>) {
-        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+        let Some(pendulum) = self.dynamics.pendulum().copied() else {
             return;
         };
         if !state.taut {
@@ -261,7 +262,7 @@ impl Slewing {
     pub fn angular_momentum(&self, state: &SlewingState) -> Option<f64> {
         let r = f64::reduced(&self.dynamics, state.y[0])?;
         let own = r.turn[0] * state.y[3];
-        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+        let Some(pendulum) = self.dynamics.pendulum().copied() else {
             return Some(own);
         };
         let (place, velocity) = self.velocity(state, &r);

@@ -1,70 +1,73 @@
 //! How a crane in motion is carried on: what its solver keeps, and what is decided at an event.
 
 use std::any::Any;
+use std::marker::PhantomData;
 
 use crate::component::moving::Carrier;
 use crate::component::running::Running;
-use crate::component::stages::Stages;
 use crate::component::standing::Standing;
-use crate::kernel::group::One;
 use crate::kernel::number::short;
 use crate::kernel::variable::{Fault, Role};
-use crate::luffing::double_link::crane::REELED_IN;
-use crate::luffing::double_link::moving::given::{CraneStates, L_R, S_Q, STATES, V_R, order};
-use crate::luffing::double_link::moving::level::{Ahead, CraneAt};
-use crate::luffing::double_link::moving::motion::open;
-use crate::luffing::double_link::moving::symbols as m;
-use crate::luffing::double_link::stages::{DoubleLink, Given, Known};
+use crate::luffing::moving::crane::REELED_IN;
+use crate::luffing::moving::given::{CraneStates, L_R, S_Q, STATES, V_R, order};
+use crate::luffing::moving::level::{Ahead, CraneAt};
+use crate::luffing::moving::luffs::{LuffingGiven, Luffs, MotionSources};
+use crate::luffing::moving::stages::open;
+use crate::luffing::moving::symbols as m;
 use crate::parts::hoist::Drum;
 use crate::parts::hydraulics::oil::warning;
 use crate::parts::joint::Bar;
 use crate::parts::solver::{Count, Halt, MOST_IMPLICIT, MOST_STEPS};
 
 /// What the solver keeps, and its work so far, which is no part of the state.
-#[derive(Clone)]
-pub struct CarriedCrane {
-    pub(super) ahead: Ahead,
+pub struct CarriedCrane<T> {
+    pub(crate) ahead: Ahead,
     pub(super) count: Count,
+    pub(super) of: PhantomData<fn() -> T>,
 }
 
-pub(super) fn known(model: &mut Standing) -> &mut Known<f64> {
-    &mut model.of_mut::<DoubleLink>().0
+impl<T> Clone for CarriedCrane<T> {
+    fn clone(&self) -> CarriedCrane<T> {
+        CarriedCrane {
+            ahead: self.ahead,
+            count: self.count,
+            of: PhantomData,
+        }
+    }
 }
 
-fn given(model: &Standing) -> &Given<f64> {
-    model.of::<DoubleLink>().given()
+pub(crate) fn known<T: Luffs>(model: &mut Standing) -> &mut T::Known<f64> {
+    &mut model.of_mut::<T>().0
+}
+
+fn given<T: Luffs>(model: &Standing) -> LuffingGiven {
+    T::luffing(model.of::<T>().given())
 }
 
 /// The crane as it is.
-pub(super) fn at(model: &mut Standing) -> CraneAt {
-    *known(model).at().expect("all that it is made of is given")
+pub(crate) fn at<T: Luffs>(model: &mut Standing) -> CraneAt {
+    T::now(known::<T>(model)).expect("all that it is made of is given")
 }
 
 /// Puts a crane where it is now.
-pub(super) fn put(model: &mut Standing, CraneAt { past, y, .. }: &CraneAt) {
-    let known = known(model);
-    let now = DoubleLink::given(known);
+pub(crate) fn put<T: Luffs>(model: &mut Standing, CraneAt { past, y, .. }: &CraneAt) {
+    let fitted = given::<T>(model).sources.fitted;
     let mut states = CraneStates([0.0; STATES.len()]);
-    for (y, place) in y[2..]
-        .iter()
-        .zip(order(now.oil.is_some(), now.fitted.slewing.is_some()))
-    {
+    for (y, place) in y[2..].iter().zip(order(fitted.oil, fitted.slewing.is_some())) {
         states.0[*place] = *y;
     }
-    let wound = now.wound;
-    (known.theta().1, known.omega().1) = (y[0], y[1]);
-    (*known.past(), *known.states()) = (Some(*past), Some(states));
-    if let Some(rate) = wound {
-        *known.wound() = Some(One(rate.0, states.0[V_R]));
-    }
+    T::put_now(known::<T>(model), [y[0], y[1]], states, *past);
 }
 
-fn refusal(model: &Standing, halt: Halt, size: f64) -> Fault {
-    let given = given(model);
+fn refusal(given: &LuffingGiven, halt: Halt, size: f64) -> Fault {
     let angle = format!("{} = {}", given.theta.0.id, given.theta.0.written(given.theta.1));
-    let longest = given.constants.map_or(0.0, |constants| constants.step);
+    let longest = given.sources.constants.map_or(0.0, |constants| constants.step);
     let (size, step) = (short(size), short(longest));
-    let most = if given.oil.is_some() { MOST_IMPLICIT } else { MOST_STEPS };
+    let most = if given.sources.fitted.oil {
+        MOST_IMPLICIT
+    } else {
+        MOST_STEPS
+    };
     Fault::outside(match halt {
         Halt::Outside => format!(
             "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
@@ -83,21 +86,21 @@ fn refusal(model: &Standing, halt: Halt, size: f64) -> Fault {
     })
 }
 
-fn state(given: &Given<f64>, place: usize) -> f64 {
+fn state(given: &MotionSources, place: usize) -> f64 {
     given.states.map_or(0.0, |states| states.0[place])
 }
 
 /// Refuses a step in which all of the rope is reeled in: its end would be sought in ever smaller inner steps.
-fn enough_rope(model: &Standing, size: f64) -> Result<(), Fault> {
-    let given = given(model);
-    let length = state(given, L_R);
-    if given.fitted.rope.is_none() || length + paying_out(given, size) > REELED_IN {
+fn enough_rope(given: &LuffingGiven, size: f64) -> Result<(), Fault> {
+    let sources = &given.sources;
+    let length = state(sources, L_R);
+    if sources.fitted.rope.is_none() || length + paying_out(sources, size) > REELED_IN {
         return Ok(());
     }
     Err(Fault::outside(format!(
         "at {} = {} nothing is left of the rope of {} = {} within {} s: reel in less",
         m::V_H.id,
-        m::V_H.written(given.inputs.map_or(0.0, |inputs| inputs.hoist.speed)),
+        m::V_H.written(sources.inputs.map_or(0.0, |inputs| inputs.hoist.speed)),
         m::L_R.id,
         m::L_R.written(length),
         short(size)
@@ -105,7 +108,7 @@ fn enough_rope(model: &Standing, size: f64) -> Result<(), Fault> {
 }
 
 /// How much rope the hoist pays out within a time (s), in m.
-fn paying_out(given: &Given<f64>, size: f64) -> f64 {
+fn paying_out(given: &MotionSources, size: f64) -> f64 {
     let command = given.inputs.map_or(0.0, |inputs| inputs.hoist.speed);
     let Some(ramp) = given.ramp else {
         // Of a drum with a motor its load decides.
@@ -117,31 +120,31 @@ fn paying_out(given: &Given<f64>, size: f64) -> f64 {
     rate * time + change.signum() * 0.5 * ramp.a_h * time * time + command * (size - time)
 }
 
-impl CarriedCrane {
+impl<T: Luffs> CarriedCrane<T> {
     fn decide(&mut self, model: &mut Standing) -> Result<bool, Fault> {
-        let (level, mut at) = known(model).in_motion().map_err(|fault| *fault)?;
+        let (level, mut at) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
         let (before, mut ahead) = (at, self.ahead);
         let decided = level.run(&mut at, &mut ahead, None);
-        decided.map_err(|_| open(&given(model).theta))?;
+        decided.map_err(|_| open(&given::<T>(model).theta))?;
         self.ahead = ahead;
-        put(model, &at);
+        put::<T>(model, &at);
         Ok(at.y != before.y)
     }
 }
 
-impl Carrier for CarriedCrane {
+impl<T: Luffs> Carrier for CarriedCrane<T> {
     fn advance(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault> {
-        enough_rope(model, to - from)?;
-        let now = given(model);
-        let longest = now.constants.map_or(0.0, |constants| constants.step);
-        let on = [to - from, longest, now.oil.map_or(0.0, |oil| oil.tol)];
-        let (level, before) = known(model).in_motion().map_err(|fault| *fault)?;
+        let now = given::<T>(model);
+        enough_rope(&now, to - from)?;
+        let longest = now.sources.constants.map_or(0.0, |constants| constants.step);
+        let on = [to - from, longest, now.sources.oil.map_or(0.0, |oil| oil.tol)];
+        let (level, before) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
         let (mut at, mut ahead) = (before, self.ahead);
         let solved = level.run(&mut at, &mut ahead, Some(on));
-        let work = solved.map_err(|halt| refusal(model, halt, to - from))?;
+        let work = solved.map_err(|halt| refusal(&now, halt, to - from))?;
         self.count = self.count.and(work);
-        put(model, &at);
-        model.update().inspect_err(|_| put(model, &before))?;
+        put::<T>(model, &at);
+        model.update().inspect_err(|_| put::<T>(model, &before))?;
         self.ahead = ahead;
         model.set_time(to);
         Ok(())
@@ -150,22 +153,22 @@ impl Carrier for CarriedCrane {
     /// Passed forwards, at the speed of the working range.
     fn place(&mut self, model: &mut Standing, value: f64) -> Result<(), Fault> {
         model.check(0, value)?;
-        let mut at = at(model);
+        let mut at = at::<T>(model);
         (at.y[0], at.y[1]) = (value, model.motion().speed);
         at.past.joints[0] = Bar::Forward;
-        put(model, &at);
+        put::<T>(model, &at);
         self.ahead.restart(&at.y);
         Ok(())
     }
 
     fn start(&mut self, model: &mut Standing) -> Result<(), Fault> {
-        let now = given(model);
+        let now = given::<T>(model).sources;
         if let Some(inputs) = now.inputs.filter(|_| now.wound.is_some()) {
             // What is commanded at the start was so before.
-            let (oil, slews, gives) = (now.oil.is_some(), now.fitted.slewing.is_some(), now.give.is_some());
-            let mut at = at(model);
+            let (oil, slews, gives) = (now.fitted.oil, now.fitted.slewing.is_some(), now.give.is_some());
+            let mut at = at::<T>(model);
             at.wind(inputs.hoist.speed, [oil, slews, gives]);
-            put(model, &at);
+            put::<T>(model, &at);
             self.ahead.restart(&at.y);
         }
         self.update(model)
@@ -192,28 +195,31 @@ impl Carrier for CarriedCrane {
             self.ahead.interrupt();
             return;
         }
-        let now = given(model);
+        let given = given::<T>(model);
+        let now = given.sources;
         if let (Some((symbol, _)), Some(mut states), Some(mut past)) = (set, now.states, now.past) {
-            let gives = now.give.is_some() && now.load.is_some_and(|load| load.1 != 0.0);
+            let gives = now.give.is_some() && given.load.is_some_and(|load| load.1 != 0.0);
             if symbol == &m::L_R && now.turning.is_none() && !gives && past.taut {
                 states.0[S_Q] = states.0[L_R];
             }
-            if symbol == now.omega.0 {
+            if symbol == given.omega.0 {
                 past.joints[0] = Bar::Held;
             } else if symbol == &m::OMEGA_SL {
                 past.joints[1] = Bar::Held;
             } else if symbol == &m::V_R && now.motor.is_some() {
                 past.drum = Drum::at(0.0);
             }
-            *known(model).states() = Some(states);
-            *known(model).past() = Some(past);
+            T::put_past(known::<T>(model), states, past);
         }
-        self.ahead.restart(&at(model).y);
+        self.ahead.restart(&at::<T>(model).y);
     }
 
     fn step_size(&self, model: &Standing) -> f64 {
         // A thousandth of what a communication step may take: an importer sees that it goes on.
-        let longest = given(model).constants.map_or(0.0, |constants| constants.step);
+        let longest = given::<T>(model)
+            .sources
+            .constants
+            .map_or(0.0, |constants| constants.step);
         model.step_size().min(1e-3 * f64::from(MOST_STEPS) * longest)
     }
 
@@ -222,8 +228,8 @@ impl Carrier for CarriedCrane {
     }
 
     fn inertia(&self, model: &mut Standing) -> Result<f64, Fault> {
-        let theta = given(model).theta;
-        let (level, _) = known(model).in_motion().map_err(|fault| *fault)?;
+        let theta = given::<T>(model).theta;
+        let (level, _) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
         level.dynamics().inertia(theta.1).ok_or_else(|| open(&theta))
     }
 
@@ -237,7 +243,7 @@ impl Carrier for CarriedCrane {
 
     fn follow(&mut self, other: &dyn Carrier) {
         let other: &dyn Any = other;
-        let other: &CarriedCrane = other.downcast_ref().expect("the same component");
+        let other: &CarriedCrane<T> = other.downcast_ref().expect("the same component");
         self.ahead = other.ahead;
     }
 

@@ -2,9 +2,11 @@
 //! any angle.
 
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
-use crate::luffing::double_link::dynamics::{Coordinate, Phase, Reduced, Reel};
-use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
+use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::pendulum::{Phase, Reel};
+use crate::luffing::moving::reduced::Reduced;
+use crate::luffing::moving::symbols as s;
 use crate::parts::hoist::RopeAction;
 use crate::parts::joint::Bar;
 use crate::parts::plane::{Point, dot};
@@ -86,15 +88,14 @@ impl<P: Calc> MovingLinkage<P> {
         let (m, reel, still) = (phase(y), self.reel(state, y), C::constant(0.0));
         let [_, d, dd] = r.head;
         let (out, along) = directions(m.swing);
-        let bodies = self.dynamics.bodies();
-        let weight = Point::new(still, C::of(bodies.gravity));
+        let weight = Point::new(still, C::of(self.dynamics.gravity()));
         let held = state.joints[0] == Bar::Held;
         let alone = if held {
             still
         } else {
             ((moment - r.moment - C::constant(0.5) * r.slope * m.omega * m.omega) / r.inertia).def(&s::ALPHA_0)
         };
-        let mass = bodies.pendulum.map_or(still, |load| C::of(load.mass));
+        let mass = self.dynamics.pendulum().map_or(still, |load| C::of(load.mass));
         let arm = dot(d, out).def(&s::H_1R);
         let ease = if held { still } else { C::constant(1.0) / r.inertia };
         let pull = match line {
@@ -112,7 +113,7 @@ impl<P: Calc> MovingLinkage<P> {
             }
         };
         let bar = match pull {
-            Some(pull) if !held => (alone + mass * pull * arm * ease).def(self.dynamics.acceleration()),
+            Some(pull) if !held => (alone + mass * pull * arm * ease).def(self.dynamics.names().acceleration),
             _ => alone,
         };
         // The load falls freely; seen from the head, which moves.
@@ -139,7 +140,7 @@ impl<P: Calc> MovingLinkage<P> {
         }
         let [_, d, dd] = r.head;
         let (out, _) = directions(y[2]);
-        let head = d * a.bar + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.bodies().gravity));
+        let head = d * a.bar + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.gravity()));
         C::of(mass) * (self.reel(state, y).less_gain(y[4] * y[3] * y[3]) - dot(head, out))
     }
 }
@@ -191,14 +192,14 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
     }
 
     fn tension_by<C: Coordinate<P>>(&self, a: &PlaneAccelerations<C>, at: &Snapshot<STATES, 1, C>) -> C {
-        match self.dynamics.bodies().pendulum {
+        match self.dynamics.pendulum().copied() {
             Some(load) => self.pull(load.mass, a, at).def(&s::S_R),
             None => C::constant(0.0),
         }
     }
 
     fn slackening_by<C: Coordinate<P>>(&self, a: &PlaneAccelerations<C>, at: &Snapshot<STATES, 1, C>) -> C {
-        match self.dynamics.bodies().pendulum {
+        match self.dynamics.pendulum().copied() {
             Some(load) => self.pull(load.cancelling(), a, at),
             None => C::constant(1.0),
         }
@@ -255,7 +256,7 @@ impl Struck<STATES, 1> for MovingLinkage {
     }
 
     fn switched(&self, state: &mut MotionState, r: &Reduced<f64>, commands: &Commands<1>) {
-        let Some(pendulum) = self.dynamics.bodies().pendulum else {
+        let Some(pendulum) = self.dynamics.pendulum().copied() else {
             return;
         };
         if state.taut {

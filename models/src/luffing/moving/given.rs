@@ -5,9 +5,9 @@ use crate::kernel::group::{Group, group, quantities};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::unit::ONE;
 use crate::kernel::variable::Quantity;
-use crate::luffing::double_link::crane::Commands;
-use crate::luffing::double_link::hydraulic::{self, Modes};
-use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::moving::crane::Commands;
+use crate::luffing::moving::hydraulic::{self, Modes};
+use crate::luffing::moving::symbols as s;
 use crate::parts::hoist::{Drum, HoistCommand};
 use crate::parts::joint::{Bar, JointDrive};
 
@@ -23,8 +23,8 @@ quantities! {
 }
 
 quantities! {
-    /// What is constant in motion, besides geometry and weights.
-    Constants { j_1: J_1, j_2: J_2, j_3: J_3, c_v: C_V, m_f: M_F, g: G, step: STEP }
+    /// What is constant in motion, besides the mechanism and its inertias.
+    Constants { c_v: C_V, m_f: M_F, g: G, step: STEP }
 }
 
 /// Inputs, constant over a step.
@@ -181,10 +181,11 @@ numbered!(
 );
 
 /// What belongs to a crane in motion and is no number of its equations: length of the load's rope at the start (m), end
-/// stops of slewing (rad).
+/// stops of slewing (rad), whether oil moves it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Fitted {
     pub rope: Option<f64>,
     pub slewing: Option<[f64; 2]>,
+    pub oil: bool,
 }
 group!(Fitted);

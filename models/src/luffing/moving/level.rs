@@ -3,16 +3,13 @@
 use nalgebra::Vector3;
 
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
-use crate::luffing::double_link::dynamics::{Coordinate, Dynamics};
-use crate::luffing::double_link::forces_in_motion::{ForcesInMotion, rope_on_head};
-use crate::luffing::double_link::hydraulic::{self, FIRST, FIXED, Hydraulic, Modes, PresentCrane};
-use crate::luffing::double_link::inertia_forces::Instant;
-use crate::luffing::double_link::motion::{MovingLinkage, directions};
-use crate::luffing::double_link::moving::given::{Inputs, MOST_STATES};
-use crate::luffing::double_link::pose::Posing;
-use crate::luffing::double_link::shares::Shares;
-use crate::luffing::double_link::slewing::{self, Slewing};
+use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
+use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::given::{Inputs, MOST_STATES};
+use crate::luffing::moving::hydraulic::{self, FIRST, FIXED, Hydraulic, Modes, PresentCrane};
+use crate::luffing::moving::motion::{MovingLinkage, directions};
+use crate::luffing::moving::shares::{Instant, Shares, rope_on_head};
+use crate::luffing::moving::space::{self, Slewing};
 use crate::parts::hanging::to_load;
 use crate::parts::hydraulics::oil::VACUUM;
 use crate::parts::joint::JointDrive;
@@ -25,7 +22,7 @@ pub const MOST_INDICATORS: usize = 13;
 const OIL_INDICATORS: usize = 6;
 
 /// The equations of a level.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub enum Level<P = f64> {
     Free(MovingLinkage<P>),
     Slewing(Slewing<P>),
@@ -62,7 +59,7 @@ pub enum MotionResult {
     Friction,
     /// The same on slewing.
     SlewingFriction,
-    Rope,
+    Pull,
     /// Of brake and friction on the drum of a motor.
     Drum,
     Cylinder,
@@ -117,7 +114,7 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
         MotionResult::Cylinder => Some(system.cylinder.force(&Hydraulic::<N, P>::oil(y))),
         MotionResult::Friction => Some(system.reaction(y[0], y[1])),
         MotionResult::SlewingFriction => system.slewing_friction(modes, y),
-        MotionResult::Rope => system.rope_force(modes, y),
+        MotionResult::Pull => system.rope_force(modes, y),
         MotionResult::Drum => system.drum_friction(modes, y),
     }
 }
@@ -134,7 +131,7 @@ where
     MovingCrane<N, J, P>: Hangs<N, J, P>,
 {
     match reaction {
-        MotionResult::Rope => crane.rope_force(state, commands, y),
+        MotionResult::Pull => crane.rope_force(state, commands, y),
         MotionResult::Drum => {
             let r = &P::reduced(&crane.dynamics, y[0])?;
             Some(crane.drum_friction(&Snapshot { state, r, y, commands }))
@@ -216,18 +213,18 @@ impl<P: Coordinate<P>> Level<P> {
     }
 }
 
-impl<P: Posing<P>> Level<P> {
-    /// Forces of the motion; `None` where linkage or balance do not close.
-    pub fn forces(&self, at: &CraneAt<P>) -> Option<ForcesInMotion<P>> {
+impl<P: Coordinate<P>> Level<P> {
+    /// How it moves and what acts on it; `arm` is that of its cylinder (m), where it has one. `None` where the linkage
+    /// does not close.
+    pub fn instant(&self, at: &CraneAt<P>, arm: P) -> Option<Instant<P>> {
         let (dynamics, y, inputs) = (self.dynamics(), &at.y, &at.inputs);
         let rates = self.rates(at)?;
-        let pose = P::pose(dynamics, y[0])?;
         // Where slewing and load begin, behind the angle, its rate and the oil.
         let own = &y[if self.has_oil() { FIXED } else { 2 }..];
         let slews = dynamics.turntable().is_some();
-        let pull = match dynamics.bodies().pendulum {
+        let pull = match dynamics.pendulum() {
             Some(_) => {
-                let pull = self.reaction(at, MotionResult::Rope)?;
+                let pull = self.reaction(at, MotionResult::Pull)?;
                 let direction = if slews {
                     to_load(Vector3::new(own[2], own[3], own[4])).1.xy()
                 } else {
@@ -239,20 +236,18 @@ impl<P: Posing<P>> Level<P> {
         };
         let together = self.reaction(at, MotionResult::Friction)?;
         let JointDrive { moment, brake } = inputs.drives[0];
-        let by_oil = || pose.drive.map_or(P::constant(0.0), |(_, [_, arm])| arm);
         let shares = either!(
             self,
             crane => Shares::new(at.past.joints[0], together, y[1], &crane.joints[0].friction, [moment, brake]),
-            system => system.shares(first(y), by_oil())
+            system => system.shares(first(y), arm)
         );
-        let at = Instant {
+        Some(Instant {
             omega: y[1],
             alpha: rates[1],
             turning: slews.then(|| own[1]),
             pull,
             shares,
-        };
-        Some(ForcesInMotion::new(&pose, &at, P::of(dynamics.bodies().gravity)))
+        })
     }
 }
 
@@ -466,7 +461,7 @@ fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y: &[f64; N])
 
 /// Where the load of a crane that slews is seen from its head: angles of its rope, and its distance.
 pub fn seen<C: Calc>(y: &[C; MOST_STATES], oil: bool) -> [C; 3] {
-    let own: [C; slewing::STATES] = if oil { hydraulic::part(y) } else { *first(y) };
-    let [swing, side] = slewing::angles(&own);
-    [swing, side, slewing::distance(&own)]
+    let own: [C; space::STATES] = if oil { hydraulic::part(y) } else { *first(y) };
+    let [swing, side] = space::angles(&own);
+    [swing, side, space::distance(&own)]
 }

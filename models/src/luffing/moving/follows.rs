@@ -7,15 +7,14 @@ use crate::component::dependencies::{dependencies, recorded};
 use crate::component::moving::MovingComponent;
 use crate::component::part::Runner;
 use crate::component::running::Running;
-use crate::component::stages::Stages;
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::variable::{Name, Quantity, Role, TIME};
-use crate::luffing::double_link::hydraulic::{FIXED, Modes};
-use crate::luffing::double_link::moving::carried::{at, put};
-use crate::luffing::double_link::moving::given::L_R;
-use crate::luffing::double_link::moving::level::CraneAt;
-use crate::luffing::double_link::moving::symbols as m;
-use crate::luffing::double_link::stages::{DoubleLink, Given};
+use crate::luffing::moving::carried::{at, put};
+use crate::luffing::moving::given::L_R;
+use crate::luffing::moving::hydraulic::{FIXED, Modes};
+use crate::luffing::moving::level::CraneAt;
+use crate::luffing::moving::luffs::{LuffingGiven, Luffs, MotionSources};
+use crate::luffing::moving::symbols as m;
 use crate::parts::hoist::Drum;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::joint::Bar;
@@ -30,8 +29,9 @@ const HANGS: [(bool, Bar); 3] = [(true, Bar::Held), (true, Bar::Forward), (false
 
 /// States with no number that is special, in all ways of moving: over the range of the angle and beyond its ends, relief
 /// valves open and closed.
-fn lively(given: &Given<f64>, now: &CraneAt) -> Vec<CraneAt> {
-    let (range, length) = (given.choice.range, given.states.map_or(0.0, |states| states.0[L_R]));
+fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
+    let (range, given) = (luffing.range, &luffing.sources);
+    let length = given.states.map_or(0.0, |states| states.0[L_R]);
     let (slews, rope) = (given.turning.is_some(), given.fitted.rope.is_some());
     let first = if given.oil.is_some() { FIXED } else { 2 };
     let mut found = Vec::new();
@@ -76,34 +76,24 @@ fn lively(given: &Given<f64>, now: &CraneAt) -> Vec<CraneAt> {
 }
 
 /// What stands in the present position alone, as of a crane at rest.
-fn at_rest(model: &MovingComponent) -> Standing {
+fn at_rest<T: Luffs>(model: &MovingComponent) -> Standing {
     let moving = model.standing();
-    let given = Given {
-        states: None,
-        inputs: None,
-        constants: None,
-        ramp: None,
-        motor: None,
-        give: None,
-        turning: None,
-        oil: None,
-        wound: None,
-        past: None,
-        ..moving.of::<DoubleLink>().given().clone()
-    };
-    let part = Runner::<DoubleLink, f64>::new(given);
+    let given = moving.of::<T>().given();
+    let LuffingGiven { theta, omega, .. } = T::luffing(given);
+    let part = Runner::<T, f64>::new(T::with(given, [theta.1, omega.1], MotionSources::NONE));
     Standing::new(Box::new(part), *moving.motion(), None).expect("it stands there")
 }
 
 /// What each variable depends on: results of the position on angle and angular velocity in the place of the time.
 #[must_use]
-pub fn follows(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
-    let still = at_rest(model);
-    let position = dependencies(&still, recorded::<DoubleLink>);
+pub fn follows<T: Luffs>(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
+    let still = at_rest::<T>(model);
+    let position = dependencies(&still, recorded::<T>);
     let variables = model.variables();
     let name = |index: usize| -> Name { (variables[index].symbol.id, variables[index].number) };
-    let given = model.standing().of::<DoubleLink>().given();
-    let states = DoubleLink::GROUPS.iter().position(|(group, _)| *group == "states");
+    let luffing = T::luffing(model.standing().of::<T>().given());
+    let given = &luffing.sources;
+    let states = T::GROUPS.iter().position(|(group, _)| *group == "states");
     let moves = |index: usize| match model.standing().places()[index] {
         VariablePlace::Result(slot) => states.is_some_and(|group| slot.sources >> group & 1 == 1),
         _ => false,
@@ -144,9 +134,9 @@ pub fn follows(model: &MovingComponent) -> Vec<BTreeSet<Name>> {
         .filter(|i| roles.contains(&variables[*i].role))
         .map(name)
         .collect();
-    let now = at(lively_model.parts().0);
-    for at in lively(given, &now) {
-        put(lively_model.parts().0, &at);
+    let now = at::<T>(lively_model.parts().0);
+    for at in lively(&luffing, &now) {
+        put::<T>(lively_model.parts().0, &at);
         if !follows_more(&lively_model, &moving, &givens, &found) {
             continue;
         }

@@ -5,11 +5,12 @@
 //! smooth piece is an [indicator](MovingCrane::indicators) below zero; what follows is decided by
 //! [`MovingCrane::event`]. Blows (an end stop, a rope that becomes taut) are plastic: no bouncing, no energy gained.
 //! How the load hangs is told by [`Hangs`] and [`Struck`]: in the mechanism's plane in
-//! [`motion`](crate::luffing::double_link::motion), in space in [`slewing`](crate::luffing::double_link::slewing).
+//! [`motion`](crate::luffing::moving::motion), in space in [`slewing`](crate::luffing::moving::space).
 
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::dynamics::{Coordinate, Dynamics, Reduced};
-use crate::luffing::double_link::moving::symbols as s;
+use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::reduced::Reduced;
+use crate::luffing::moving::symbols as s;
 use crate::parts::hoist::{Drum, Elastic, Hoist, HoistCommand, HoistPowers, RopeAction};
 use crate::parts::joint::{Arrival, Bar, Joint, JointDrive, LOOSE, above_zero};
 use crate::parts::solver::pieces::{self, Pieces};
@@ -61,7 +62,7 @@ impl<const N: usize, const J: usize> CraneState<N, J> {
 }
 
 /// A mechanism that moves by J joints, luffing first, with N states.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct MovingCrane<const N: usize, const J: usize, P = f64> {
     pub dynamics: Dynamics<P>,
     pub joints: [Joint<P>; J],
@@ -138,7 +139,7 @@ where
     Self: Hangs<N, J, P>,
 {
     pub(crate) fn hoist(&self) -> Option<&Hoist<P>> {
-        self.dynamics.bodies().pendulum.as_ref().map(|load| &load.hoist)
+        self.dynamics.pendulum().map(|load| &load.hoist)
     }
 
     /// Whether the rope keeps the load at its end: it is taut, and keeps its length under any force.
@@ -421,12 +422,11 @@ where
         let inertias = [r.inertia, r.turn[0]];
         let moving: f64 = (0..J).map(|i| inertias[i] * y[2 * i + 1] * y[2 * i + 1]).sum();
         let bars = 0.5 * moving + r.energy;
-        let bodies = self.dynamics.bodies();
-        let Some(pendulum) = bodies.pendulum else {
+        let Some(pendulum) = self.dynamics.pendulum() else {
             return Some(bars);
         };
         let [height, speed] = self.height_and_speed(state, &r);
-        let load = pendulum.mass * (0.5 * speed + bodies.gravity * height);
+        let load = pendulum.mass * (0.5 * speed + self.dynamics.gravity() * height);
         let stretch = Self::reach(y)[0] - y[Self::LENGTH];
         Some(bars + load + pendulum.hoist.energy(y[N - 1], stretch))
     }

@@ -1,0 +1,228 @@
+//! Bodies of a mechanism that moves by one coordinate, with their derivatives by it, and what is hung on it or turns it.
+
+use num_dual::{Dual2, DualNum};
+
+use crate::kernel::calc::{Calc, Over};
+use crate::kernel::record::Rec;
+use crate::kernel::symbol::Symbol;
+use crate::parts::hanging::cancelling;
+use crate::parts::hoist::Hoist;
+use crate::parts::plane::{self, Point, dot};
+
+/// A body that moves with one of the bars.
+#[derive(Clone, Copy, Debug)]
+pub struct Body<P = f64> {
+    /// In kg.
+    pub mass: P,
+    /// About the centre of gravity, in kg·m².
+    pub inertia: P,
+    /// Centre of gravity from the bar's first joint, along the bar and to its left, in m.
+    pub centre: Point<P>,
+    /// Where the inertia lies: mass times xx, xy and yy of the same directions about the centre, in kg·m².
+    pub spread: [P; 3],
+}
+
+impl Body {
+    /// A uniform bar of a mass (kg) from one point to another, both in the frame of its bar, in m.
+    #[must_use]
+    pub fn uniform(mass: f64, from: Point<f64>, to: Point<f64>) -> Body {
+        let inertia = mass * (to - from).norm_squared() / 12.0;
+        Body::slender(mass, inertia, (from + to) / 2.0, to - from)
+    }
+}
+
+impl<P: Calc> Body<P> {
+    /// A slender body of a mass (kg), an inertia about its centre (kg·m²), the centre (m) and the direction
+    /// along which it lies, both in the frame of its bar.
+    #[must_use]
+    pub fn slender(mass: P, inertia: P, centre: Point<P>, along: Point<P>) -> Body<P> {
+        let square = dot(along, along);
+        let per = match square.value() {
+            0.0 => P::constant(0.0),
+            _ => inertia / square,
+        };
+        Body {
+            mass,
+            inertia,
+            centre,
+            spread: products(along).map(|x| per * x),
+        }
+    }
+
+    /// The body with a mass (kg) that is fixed to it at a point of its frame, in m.
+    #[must_use]
+    pub fn with_mass(self, mass: P, at: Point<P>) -> Body<P> {
+        let sum = self.mass + mass;
+        if sum.value() == 0.0 {
+            return self;
+        }
+        let (apart, both) = (at - self.centre, self.mass * mass / sum);
+        let more = products(apart);
+        Body {
+            mass: sum,
+            inertia: self.inertia + both * dot(apart, apart),
+            centre: (self.centre * self.mass + at * mass) / sum,
+            spread: std::array::from_fn(|i| self.spread[i] + both * more[i]),
+        }
+    }
+}
+
+fn products<P: Calc>(v: Point<P>) -> [P; 3] {
+    [v.x * v.x, v.x * v.y, v.y * v.y]
+}
+
+/// The crane as it turns about its vertical axis. Bodies are thin: across the mechanism's plane they have no width.
+#[derive(Clone, Copy, Debug)]
+pub struct Turntable<P = f64> {
+    /// The axis from O1, in m; positive lies forward.
+    pub axis: P,
+    /// Of all that turns besides the bodies of the mechanism, about the axis, in kg·m².
+    pub inertia: P,
+}
+
+/// The load on its rope: a pendulum in the plane of the mechanism.
+#[derive(Clone, Copy, Debug)]
+pub struct Pendulum<P = f64> {
+    /// In kg.
+    pub mass: P,
+    /// Length of the rope, in m.
+    pub length: P,
+    pub hoist: Hoist<P>,
+}
+
+impl<P: Calc> Pendulum<P> {
+    /// As [`cancelling`].
+    pub(crate) fn cancelling(&self) -> P {
+        cancelling(self.mass)
+    }
+}
+
+/// How N bodies, head and drive move with the coordinate, by derivatives of the positions.
+#[derive(Clone, Copy)]
+pub(crate) struct Moves<C, const N: usize> {
+    pub bodies: [MovedBody<C>; N],
+    /// Mass (kg) and place of the counterweight.
+    pub counterweight: Option<(C, [Point<C>; 3])>,
+    pub head: [Point<C>; 3],
+    pub drive: [C; 2],
+    pub turn: [C; 2],
+}
+
+/// A body's centre of gravity: place, first and second derivative by the driven angle, in m; square of the body's
+/// turning by it, and half of how that changes.
+#[derive(Clone, Copy)]
+pub(crate) struct MovedBody<C> {
+    pub centre: [Point<C>; 3],
+    pub turn: [C; 2],
+}
+
+/// A bar with its derivatives by the driven angle.
+pub(crate) struct Bar<T> {
+    pub joint: [Point<T>; 3],
+    pub along: [Point<T>; 3],
+    pub length: T,
+    /// Square of its turning by the driven angle, and half of how that changes.
+    turn: T,
+    turn_change: T,
+}
+
+impl<T: Calc + DualNum> Bar<T> {
+    #[inline]
+    pub fn new(joint: Point<Dual2<T>>, along: Point<Dual2<T>>) -> Bar<T> {
+        let [e, d, dd] = parts(along);
+        let square = dot(e, e);
+        // A bar of constant length turns by phi: |d| = length · phi', and d · d″ = length² · phi' phi″.
+        Bar {
+            joint: parts(joint),
+            along: [e, d, dd],
+            length: Calc::sqrt(square),
+            turn: dot(d, d) / square,
+            turn_change: dot(d, dd) / square,
+        }
+    }
+
+    /// How a body of the bar moves.
+    pub fn moved<P: Calc>(&self, body: &Body<P>) -> MovedBody<T>
+    where
+        T: Over<P>,
+    {
+        MovedBody {
+            centre: self.point(body.centre.map(T::of)),
+            turn: [self.turn, self.turn_change],
+        }
+    }
+
+    /// Inertia about a vertical axis through the centre of a body that lies in the bar's frame as `spread` says.
+    fn spread(&self, of: [T; 3]) -> Dual2<T> {
+        let [e, d, dd] = self.along.map(|x| x / self.length);
+        let along = Point::new(Dual2::new(e.x, d.x, dd.x), Dual2::new(e.y, d.y, dd.y));
+        spread(of.map(Dual2::from_re), along)
+    }
+
+    /// A point of the bar's frame: place, first and second derivative.
+    #[inline]
+    pub fn point(&self, at: Point<T>) -> [Point<T>; 3] {
+        let (along, across) = (at.x / self.length, at.y / self.length);
+        let of = |i: usize| self.joint[i] + plane::turned(self.along[i], along, across);
+        [of(0), of(1), of(2)]
+    }
+}
+
+/// Inertia about a vertical axis through the centre of a body that lies as [`Body::spread`] says in the frame of a bar
+/// along a unit vector.
+pub(crate) fn spread<C: Calc>([xx, xy, yy]: [C; 3], along: Point<C>) -> C {
+    let (along, across) = (along.x, -along.y);
+    xx * along * along + xy * along * across * C::constant(2.0) + yy * across * across
+}
+
+/// Value, first and second derivative.
+pub(crate) fn parts<T: Calc + DualNum>(v: Point<Dual2<T>>) -> [Point<T>; 3] {
+    [v.map(|x| x.re), v.map(|x| x.v1), v.map(|x| x.v2)]
+}
+
+/// Inertia of all bodies about the slewing axis (kg·m²), and its change by the driven angle; the counterweight
+/// by its mass (kg) and place (m).
+pub(crate) fn turned_inertia<P: Calc, T: Calc + DualNum + Over<P>, const N: usize>(
+    table: &Turntable<P>,
+    bodies: [&Body<P>; N],
+    bars: &[Bar<T>; N],
+    counterweight: Option<(T, Point<Dual2<T>>)>,
+) -> [T; 2] {
+    let axis = Dual2::from_re(T::of(table.axis));
+    let bodies = bodies.into_iter().zip(bars);
+    let bodies = bodies.map(|(body, bar)| {
+        let [r, v, a] = bar.point(body.centre.map(T::of));
+        let mass = Dual2::from_re(T::of(body.mass));
+        let spread = bar.spread(body.spread.map(T::of));
+        (mass, Dual2::new(r.x, v.x, a.x) - axis, Some(spread))
+    });
+    let counterweight = counterweight.map(|(mass, place)| (Dual2::from_re(mass), place.x - axis, None));
+    let sum = about_axis(Dual2::from_re(T::of(table.inertia)), bodies.chain(counterweight));
+    [sum.re, sum.v1]
+}
+
+/// An inertia (kg·m²) with bodies: mass (kg), distance from the axis (m), inertia about the centre where it has one.
+pub(crate) fn about_axis<C: Calc>(inertia: C, bodies: impl Iterator<Item = (C, C, Option<C>)>) -> C {
+    bodies.fold(inertia, |sum, (mass, reach, spread)| {
+        let about = mass * reach * reach;
+        sum + spread.map_or(about, |spread| about + spread)
+    })
+}
+
+/// How something at an angle of the driving link changes with it, as dual numbers have found: two coordinates, once and
+/// once more.
+pub(crate) fn changes(
+    of: Point<Rec>,
+    theta: Rec,
+    values: [Point<f64>; 2],
+    names: [[&'static Symbol; 2]; 2],
+) -> [Point<Rec>; 2] {
+    let once = |of: Point<Rec>, value: Point<f64>, [x, y]: [&'static Symbol; 2]| {
+        Point::new(
+            of.x.derivative(theta, value.x).def(x),
+            of.y.derivative(theta, value.y).def(y),
+        )
+    };
+    let first = once(of, values[0], names[0]);
+    [first, once(first, values[1], names[1])]
+}

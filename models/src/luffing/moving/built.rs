@@ -1,0 +1,149 @@
+//! The equations of a level from what is given: joints, hoist, cylinder, slewing.
+
+use crate::kernel::calc::Calc;
+use crate::luffing::moving::bodies::{Pendulum, Turntable};
+use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::given::{Constants, Fitted};
+use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hydraulic::{Crane, Hydraulic};
+use crate::luffing::moving::level::Level;
+use crate::luffing::moving::motion::MovingLinkage;
+use crate::luffing::moving::space::Slewing;
+use crate::luffing::moving::symbols as m;
+use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
+use crate::parts::hydraulics::cylinder::Cylinder;
+use crate::parts::joint::{Friction, Joint, JointDrive};
+use crate::parts::motion::Motion;
+use crate::parts::turntable::Turning;
+
+/// Natural frequency, in rad/s, of the mechanism alone against an end stop of the hydraulic level;
+/// the stop is damped critically.
+const STOP: f64 = 100.0;
+
+/// The hoist of a load's rope as a scene gives it.
+pub struct HoistParts<P: Calc> {
+    pub ramp: Option<HoistRamp<P>>,
+    pub motor: Option<HoistMotor<P>>,
+    pub give: Option<RopeGive<P>>,
+}
+
+impl<P: Calc> HoistParts<P> {
+    /// The load of a mass (kg) on its rope of a length (m), where it has one.
+    pub fn pendulum(&self, mass: P, length: Option<f64>) -> Option<Pendulum<P>> {
+        let mut hoist = Hoist {
+            winch: self.winch(),
+            rope: self.give.map(|RopeGive { c_r, d_r }| Elastic {
+                stiffness: c_r,
+                damping: d_r,
+            }),
+        };
+        if mass.value() == 0.0 {
+            // With nothing on it a rope is not stretched: the limit of ever lighter loads.
+            hoist.rope = None;
+        }
+        length.map(|length| Pendulum {
+            mass,
+            length: P::known(&m::L_R, length),
+            hoist,
+        })
+    }
+
+    /// A hoist as the rope at the head feels it.
+    fn winch(&self) -> Winch<P> {
+        if let Some(HoistMotor { j_h, r_h, m_h, m_f_h }) = self.motor {
+            let ratio = m_h / r_h;
+            return Winch::Motor(WinchDrive {
+                mass: (j_h * ratio.square()).def(&m::MASS_H),
+                ratio,
+                coulomb: m_f_h,
+            });
+        }
+        self.ramp.map_or(Winch::AtOnce, |ramp| Winch::Ramp(ramp.a_h))
+    }
+}
+
+/// What a level is made of besides the mechanism.
+pub struct LevelParts<P: Calc> {
+    pub range: Motion,
+    /// Of slewing, from the mechanism's origin, in m.
+    pub axis: P,
+    pub constants: Constants<P>,
+    pub turning: Option<Turning<P>>,
+    pub cylinder: Option<Cylinder<P>>,
+    pub fitted: Fitted,
+}
+
+impl<P: Coordinate<P>> LevelParts<P> {
+    /// The equations, nothing being asked of them.
+    pub fn level(self, mut dynamics: Dynamics<P>) -> Level<P> {
+        let (fitted, constants) = (self.fitted, self.constants);
+        let joint = |viscous, coulomb, stops| Joint {
+            friction: Friction { viscous, coulomb },
+            stops,
+        };
+        let luffing = joint(constants.c_v, constants.m_f, [self.range.from, self.range.to]);
+        let slewing = (self.turning.zip(fitted.slewing)).map(|(t, stops)| joint(t.c_sl, t.m_f_sl, stops));
+        if let Some(turning) = self.turning {
+            dynamics = dynamics.with_slewing(Turntable {
+                axis: self.axis,
+                inertia: turning.j_sl,
+            });
+        }
+        let Some(cylinder) = self.cylinder else {
+            return match crane(dynamics, luffing, slewing) {
+                Crane::Plane(motion) => Level::Free(motion),
+                Crane::Slewing(slewing) => Level::Slewing(slewing),
+            };
+        };
+        dynamics = dynamics.by_cylinder();
+        let start = P::reduced(&dynamics, P::constant(self.range.from));
+        let inertia = start.map_or(P::constant(0.0), |r| r.inertia);
+        let stop = P::known(&m::OMEGA_S, STOP);
+        let (stiffness, damping) = (inertia * stop.square(), inertia * P::constant(2.0) * stop);
+        let buffer = [stiffness.def(&m::K_S), damping.def(&m::D_S)];
+        let crane = crane(dynamics, luffing, slewing);
+        if fitted.rope.is_some() || fitted.slewing.is_some() {
+            Level::Hanging(hydraulic(crane, cylinder, buffer))
+        } else {
+            Level::Fixed(hydraulic(crane, cylinder, buffer))
+        }
+    }
+}
+
+/// A crane with its joints of luffing and, where it slews, slewing. A call, as its many numbers would be moved one
+/// by one.
+#[inline(never)]
+fn crane<P: Copy>(dynamics: Dynamics<P>, luffing: Joint<P>, slewing: Option<Joint<P>>) -> Crane<P> {
+    match slewing {
+        None => Crane::Plane(MovingLinkage {
+            dynamics,
+            joints: [luffing],
+        }),
+        Some(slewing) => Crane::Slewing(Slewing {
+            dynamics,
+            joints: [luffing, slewing],
+        }),
+    }
+}
+
+/// The same with its cylinder, which nothing is asked of.
+#[inline(never)]
+fn hydraulic<const N: usize, P: Calc>(crane: Crane<P>, cylinder: Cylinder<P>, buffer: [P; 2]) -> Hydraulic<N, P> {
+    let nothing = P::constant(0.0);
+    let still = JointDrive {
+        moment: nothing,
+        brake: nothing,
+    };
+    Hydraulic {
+        crane,
+        cylinder,
+        buffer,
+        command: nothing,
+        supply: nothing,
+        hoist: HoistCommand {
+            speed: nothing,
+            drive: still,
+        },
+        slewing: still,
+    }
+}

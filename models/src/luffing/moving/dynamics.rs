@@ -1,0 +1,139 @@
+//! A mechanism that moves, with what hangs on it and what it stands on; over which scalars it does.
+
+use std::cell::Cell;
+use std::sync::Arc;
+
+use num_dual::Dual64;
+
+use crate::kernel::calc::{Calc, Over};
+use crate::kernel::record::Rec;
+use crate::luffing::moving::bodies::{Pendulum, Turntable};
+use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
+use crate::parts::solver::Gradient;
+
+/// What the mechanism was at the angle (rad) that was asked for last: rates, events, powers and forces of one instant
+/// all ask.
+#[derive(Clone, Default)]
+struct Latest(Cell<Option<(f64, Reduced<f64>)>>);
+
+impl Latest {
+    #[inline]
+    fn at(&self, theta: f64, find: impl FnOnce() -> Option<Reduced<f64>>) -> Option<Reduced<f64>> {
+        match self.0.get() {
+            Some((at, found)) if at.to_bits() == theta.to_bits() => Some(found),
+            _ => {
+                let found = find()?;
+                self.0.set(Some((theta, found)));
+                Some(found)
+            }
+        }
+    }
+}
+
+/// A mechanism that moves, with what hangs on it and what it stands on.
+#[derive(Clone)]
+pub struct Dynamics<P = f64> {
+    mechanism: Arc<dyn Reduces<P>>,
+    asked: Asked<P>,
+    pendulum: Option<Pendulum<P>>,
+    /// In m/s².
+    gravity: P,
+    latest: Latest,
+}
+
+/// A scalar that the equations of motion run on, with parameters known as `P`: a number, one with its
+/// derivatives by all states, or one with its derivative in one direction of states and parameters.
+pub trait Coordinate<P = f64>: Over<P> {
+    /// `None` where the linkage does not close.
+    fn reduced(d: &Dynamics<P>, theta: Self) -> Option<Reduced<Self>>;
+}
+
+impl Coordinate for f64 {
+    fn reduced(d: &Dynamics, theta: f64) -> Option<Reduced<f64>> {
+        d.latest.at(theta, || d.mechanism.reduced(theta, &d.asked))
+    }
+}
+
+impl Coordinate<Dual64> for Dual64 {
+    fn reduced(d: &Dynamics<Dual64>, theta: Dual64) -> Option<Reduced<Dual64>> {
+        d.mechanism.reduced(theta, &d.asked)
+    }
+}
+
+impl Coordinate<Rec> for Rec {
+    fn reduced(d: &Dynamics<Rec>, theta: Rec) -> Option<Reduced<Rec>> {
+        d.mechanism.reduced(theta, &d.asked)
+    }
+}
+
+/// The mechanism depends on the driven angle alone, so that one more derivative by it serves all states.
+impl<const N: usize> Coordinate for Gradient<N> {
+    fn reduced(d: &Dynamics, theta: Gradient<N>) -> Option<Reduced<Gradient<N>>> {
+        let r = d.mechanism.with_slope(Dual64::new(theta.re, 1.0), &d.asked)?;
+        let of = |x: Dual64| theta.chain(x);
+        Some(Reduced {
+            inertia: of(r.inertia),
+            slope: of(r.slope),
+            moment: of(r.moment),
+            energy: of(r.energy),
+            head: [r.head[0].map(of), r.head[1].map(of), r.head[2].map(of)],
+            drive: [of(r.drive[0]), of(r.drive[1])],
+            turn: r.turn.map(of),
+        })
+    }
+}
+
+impl<P: Calc> Dynamics<P> {
+    /// Under gravity, in m/s².
+    #[must_use]
+    pub fn new(mechanism: Arc<dyn Reduces<P>>, pendulum: Option<Pendulum<P>>, gravity: P) -> Dynamics<P> {
+        Dynamics {
+            mechanism,
+            asked: Asked {
+                turntable: None,
+                drive: false,
+            },
+            pendulum,
+            gravity,
+            latest: Latest::default(),
+        }
+    }
+
+    /// With a cylinder for its drive, whose line the equations of motion ask for.
+    #[must_use]
+    pub fn by_cylinder(mut self) -> Dynamics<P> {
+        self.asked.drive = true;
+        self.latest = Latest::default();
+        self
+    }
+
+    /// On a turntable.
+    #[must_use]
+    pub fn with_slewing(mut self, turntable: Turntable<P>) -> Dynamics<P> {
+        self.asked.turntable = Some(turntable);
+        self.latest = Latest::default();
+        self
+    }
+
+    /// Where it slews.
+    #[must_use]
+    pub fn turntable(&self) -> Option<Turntable<P>> {
+        self.asked.turntable
+    }
+
+    #[must_use]
+    pub fn pendulum(&self) -> Option<&Pendulum<P>> {
+        self.pendulum.as_ref()
+    }
+
+    /// In m/s².
+    #[must_use]
+    pub fn gravity(&self) -> P {
+        self.gravity
+    }
+
+    /// What its coordinate is called by.
+    pub(crate) fn names(&self) -> CoordinateNames {
+        self.mechanism.names()
+    }
+}

@@ -1,0 +1,185 @@
+//! A luffing mechanism as a component that may move by itself.
+
+use crate::component::part::Component;
+use crate::component::stages::Found;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::One;
+use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
+use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
+use crate::luffing::moving::hydraulic::Modes;
+use crate::luffing::moving::level::{CraneAt, Level};
+use crate::parts::motion::Motion;
+use crate::parts::turntable::Turning;
+
+/// MotionSources of a motion, besides the mechanism: none of them at rest.
+#[derive(Clone, Copy, Debug)]
+pub struct MotionSources<C: Calc = f64> {
+    pub states: Option<CraneStates<C>>,
+    pub inputs: Option<Inputs<C>>,
+    pub constants: Option<Constants<C>>,
+    pub ramp: Option<HoistRamp<C>>,
+    pub motor: Option<HoistMotor<C>>,
+    pub give: Option<RopeGive<C>>,
+    pub turning: Option<Turning<C>>,
+    pub oil: Option<CylinderOil<C>>,
+    pub wound: Option<One<C>>,
+    pub past: Option<Modes>,
+    pub fitted: Fitted,
+}
+
+impl MotionSources {
+    pub const NONE: MotionSources = MotionSources {
+        states: None,
+        inputs: None,
+        constants: None,
+        ramp: None,
+        motor: None,
+        give: None,
+        turning: None,
+        oil: None,
+        wound: None,
+        past: None,
+        fitted: Fitted {
+            rope: None,
+            slewing: None,
+            oil: false,
+        },
+    };
+}
+
+/// What is given of a mechanism that luffs.
+#[derive(Clone, Copy, Debug)]
+pub struct LuffingGiven {
+    /// Angle and angular velocity of the driven bar.
+    pub theta: One<f64>,
+    pub omega: One<f64>,
+    pub load: Option<One<f64>>,
+    pub range: Motion,
+    pub sources: MotionSources,
+}
+
+/// A luffing mechanism that may move by itself: [`luffs!`] implements it.
+pub trait Luffs: Component {
+    fn luffing(given: &Self::Given<f64>) -> LuffingGiven;
+
+    /// With angle and angular velocity of the driven bar and other sources of its motion.
+    fn with(given: &Self::Given<f64>, at: [f64; 2], sources: MotionSources) -> Self::Given<f64>;
+
+    /// The crane as it is.
+    ///
+    /// # Errors
+    /// None where all that it is made of is given.
+    fn now(known: &mut Self::Known<f64>) -> Found<CraneAt>;
+
+    /// The same with its equations under present inputs.
+    ///
+    /// # Errors
+    /// Quantities with which there are none.
+    fn in_motion(known: &mut Self::Known<f64>) -> Found<(&Level, CraneAt)>;
+
+    /// Puts angle and angular velocity of the driven bar, the other states, and what happened before.
+    fn put_now(known: &mut Self::Known<f64>, at: [f64; 2], states: CraneStates<f64>, past: Modes);
+
+    /// Puts states and what happened before, the driven bar as it is.
+    fn put_past(known: &mut Self::Known<f64>, states: CraneStates<f64>, past: Modes);
+}
+
+/// Implements [`Luffs`] beside the stages of a component, whose groups have the names of [`MotionSources`]: its coordinate
+/// and rate are named, and what it has besides those that every one has.
+macro_rules! luffs {
+    ($component:ident by $theta:ident, $omega:ident $(with $($more:ident),+)?) => {
+        impl $crate::luffing::moving::luffs::Luffs for $component {
+            fn luffing(given: &Given<f64>) -> $crate::luffing::moving::luffs::LuffingGiven {
+                $crate::luffing::moving::luffs::LuffingGiven {
+                    theta: given.$theta,
+                    omega: given.$omega,
+                    load: given.load,
+                    range: given.choice.range,
+                    sources: $crate::luffing::moving::luffs::MotionSources {
+                        states: given.states,
+                        inputs: given.inputs,
+                        constants: given.constants,
+                        ramp: given.ramp,
+                        motor: given.motor,
+                        give: given.give,
+                        wound: given.wound,
+                        past: given.past,
+                        fitted: given.fitted,
+                        $($($more: given.$more,)+)?
+                        ..$crate::luffing::moving::luffs::MotionSources::NONE
+                    },
+                }
+            }
+
+            fn with(
+                given: &Given<f64>,
+                [theta, omega]: [f64; 2],
+                sources: $crate::luffing::moving::luffs::MotionSources,
+            ) -> Given<f64> {
+                let $crate::luffing::moving::luffs::MotionSources {
+                    states,
+                    inputs,
+                    constants,
+                    ramp,
+                    motor,
+                    give,
+                    wound,
+                    past,
+                    fitted,
+                    $($($more,)+)?
+                    ..
+                } = sources;
+                Given {
+                    $theta: One(given.$theta.0, theta),
+                    $omega: One(given.$omega.0, omega),
+                    states,
+                    inputs,
+                    constants,
+                    ramp,
+                    motor,
+                    give,
+                    wound,
+                    past,
+                    fitted,
+                    $($($more,)+)?
+                    ..given.clone()
+                }
+            }
+
+            fn now(known: &mut Known<f64>) -> Found<CraneAt> {
+                known.at().copied()
+            }
+
+            fn in_motion(known: &mut Known<f64>) -> Found<(&Level, CraneAt)> {
+                known.told()?;
+                let at = *known.at()?;
+                let level = known.built.as_deref().zip(known.told.as_deref());
+                let (built, told) = level.expect("just made");
+                Ok(($crate::luffing::moving::stages::present(built, told), at))
+            }
+
+            fn put_now(
+                known: &mut Known<f64>,
+                at: [f64; 2],
+                states: $crate::luffing::moving::given::CraneStates<f64>,
+                past: $crate::luffing::moving::hydraulic::Modes,
+            ) {
+                let wound = known.given.wound;
+                (known.$theta().1, known.$omega().1) = (at[0], at[1]);
+                (*known.past(), *known.states()) = (Some(past), Some(states));
+                if let Some(rate) = wound {
+                    *known.wound() = Some(One(rate.0, states.0[$crate::luffing::moving::given::V_R]));
+                }
+            }
+
+            fn put_past(
+                known: &mut Known<f64>,
+                states: $crate::luffing::moving::given::CraneStates<f64>,
+                past: $crate::luffing::moving::hydraulic::Modes,
+            ) {
+                (*known.past(), *known.states()) = (Some(past), Some(states));
+            }
+        }
+    };
+}
+pub(crate) use luffs;

@@ -1,0 +1,37 @@
+//! A crane that luffs by one coordinate, in motion: what its bodies come to at that coordinate, the load on its rope, the
+//! hoist, slewing, oil.
+//!
+//! | file | what |
+//! |---|---|
+//! | `bodies`, `reduced` | bodies with their derivatives; what a mechanism is to the equations of motion |
+//! | `dynamics`, `pendulum` | the mechanism with what hangs on it; with its load as a pendulum, between events |
+//! | `crane`, `motion`, `space`, `hanging` | joints that stick, stops, a rope that goes slack; load in the plane and in space |
+//! | `hydraulic` | the same moved by a cylinder |
+//! | `level`, `shares` | what the levels have in common; what turns the driving link |
+//! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
+//! | `scene`, `hoisting` | keys of motion, of rope and hoist |
+//! | `stages`, `luffs` | rates, event indicators, reactions as stages; a component that has them |
+//! | `built`, `start`, `carried`, `follows` | the equations of a level; where the motion begins, how it is carried on; what depends on what |
+
+pub mod bodies;
+pub mod built;
+pub(crate) mod carried;
+pub mod crane;
+pub mod dynamics;
+pub mod follows;
+pub mod given;
+pub mod hanging;
+pub mod hoisting;
+pub mod hydraulic;
+pub mod level;
+pub mod listed;
+pub mod luffs;
+pub mod motion;
+pub mod pendulum;
+pub mod reduced;
+pub mod scene;
+pub mod shares;
+pub mod space;
+pub mod stages;
+pub mod start;
+pub mod symbols;

@@ -1,0 +1,99 @@
+//! What a mechanism with one coordinate is to the equations of motion: its bodies, reduced to that coordinate.
+//! [virtual work; Lagrange]
+
+use num_dual::Dual64;
+
+use crate::kernel::calc::{Calc, Over};
+use crate::kernel::symbol::Symbol;
+use crate::luffing::moving::bodies::{Body, Moves, Turntable};
+use crate::luffing::moving::symbols::{self as s, OfSums};
+use crate::parts::plane::{Point, dot, squared};
+
+/// What the equations of motion need at one angle, all by derivatives of the positions.
+#[derive(Clone, Copy, Debug)]
+pub struct Reduced<C> {
+    /// Inertia of all bodies and the counterweight at the driven bar (kg·m²), and its change by the angle.
+    pub inertia: C,
+    pub slope: C,
+    /// Moment of their weights, in N·m; positive lowers the driven bar.
+    pub moment: C,
+    /// Height of their centres of gravity times their weights, in J.
+    pub energy: C,
+    /// Head A: place, first and second derivative by the angle, in m.
+    pub head: [Point<C>; 3],
+    /// Length of the drive (m) and its lever arm (m), which is its derivative by the angle; zero without one.
+    pub drive: [C; 2],
+    /// Inertia about the slewing axis (kg·m²), and its change by the angle; zero where the crane does not slew.
+    pub turn: [C; 2],
+}
+
+impl<C: Calc> Reduced<C> {
+    /// The sum over N bodies, under gravity in m/s².
+    #[inline]
+    pub(crate) fn of<P: Calc, const N: usize>(
+        bodies: [&Body<P>; N],
+        names: [&OfSums; N],
+        gravity: P,
+        moves: Moves<C, N>,
+    ) -> Self
+    where
+        C: Over<P>,
+    {
+        let zero = C::constant(0.0);
+        let (mut inertia, mut slope, mut moment, mut energy) = (zero, zero, zero, zero);
+        for ((body, moved), names) in bodies.into_iter().zip(&moves.bodies).zip(names) {
+            let own = body.mass.def(names.mass);
+            let (mass, spin) = (C::of(own), C::of(body.inertia));
+            let weight = C::of(own * gravity);
+            let ([r, v, a], [turn, turn_change]) = (moved.centre, moved.turn);
+            inertia += (mass * squared(v) + spin * turn).def(names.inertia);
+            slope += (C::constant(2.0) * (mass * dot(v, a) + spin * turn_change)).def(names.slope);
+            moment += weight * v.y;
+            energy += weight * r.y;
+        }
+        if let Some((mass, [r, v, a])) = moves.counterweight {
+            let weight = mass * C::of(gravity);
+            inertia += (mass * squared(v)).def(&s::I_R5);
+            slope += (C::constant(2.0) * mass * dot(v, a)).def(&s::DI_R5);
+            moment += weight * v.y;
+            energy += weight * r.y;
+        }
+        Reduced {
+            inertia: inertia.def(&s::I_R),
+            slope: slope.def(&s::DI_R),
+            moment: moment.def(&s::M_W),
+            energy,
+            head: moves.head,
+            drive: moves.drive,
+            turn: moves.turn,
+        }
+    }
+}
+
+/// What the equations of motion ask of a mechanism besides its bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked<P> {
+    /// Where it slews.
+    pub turntable: Option<Turntable<P>>,
+    /// The length and the lever arm of its drive.
+    pub drive: bool,
+}
+
+/// What the quantities of a mechanism's coordinate are called.
+#[derive(Clone, Copy, Debug)]
+pub struct CoordinateNames {
+    pub acceleration: &'static Symbol,
+    /// Ends of its working range.
+    pub stops: [&'static Symbol; 2],
+}
+
+/// A mechanism with one coordinate, known as `P`, as the equations of motion see it.
+pub trait Reduces<P>: Send + Sync {
+    /// `None` where it does not close at this value of its coordinate.
+    fn reduced(&self, at: P, asked: &Asked<P>) -> Option<Reduced<P>>;
+
+    /// The same of plain quantities, with one more derivative by the coordinate.
+    fn with_slope(&self, at: Dual64, asked: &Asked<P>) -> Option<Reduced<Dual64>>;
+
+    fn names(&self) -> CoordinateNames;
+}

@@ -1,0 +1,395 @@
+//! What a scene says about the mechanism in motion.
+
+use crate::balance::symbols as b;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Values};
+use crate::kernel::symbol::Symbol;
+use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
+use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
+use crate::luffing::moving::symbols as s;
+use crate::parts::hoist::HoistCommand;
+use crate::parts::joint::JointDrive;
+use crate::parts::motion::Motion;
+use crate::parts::turntable::SlewingJoint;
+
+/// Keys of `[luffing.dynamics]` beside the inertias of a mechanism's bodies.
+const DYNAMICS: &[Key] = keys! { s:
+    C_V >= 0 [optional], M_F >= 0 [optional], G > 0 [optional], STEP > 0 [optional],
+    M_A [optional], M_S >= 0 [optional], T_S > 0 [optional], V_H [optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional]
+};
+
+/// Keys of `[luffing.dynamics]`, those of the bodies first.
+#[must_use]
+pub const fn dynamics<const N: usize>(bodies: &[Key]) -> [Key; N] {
+    assert!(N == bodies.len() + DYNAMICS.len(), "as many as there are");
+    let mut keys = [DYNAMICS[0]; N];
+    let mut i = 0;
+    while i < N {
+        keys[i] = if i < bodies.len() {
+            bodies[i]
+        } else {
+            DYNAMICS[i - bodies.len()]
+        };
+        i += 1;
+    }
+    keys
+}
+
+/// Keys of `[luffing.slewing]`.
+pub static SLEWING_KEYS: &[Key] = keys! { s:
+    J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [optional], M_B_SL >= 0 [optional],
+    PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]
+};
+
+/// Keys of `[luffing.hydraulics]`.
+pub static OIL_KEYS: &[Key] = keys! { s:
+    L_MIN > 0, L_MAX > 0, V_0 > 0, V_1 > 0, Q_N > 0, DP_N > 0, DP_L > 0, BETA_E > 0, P_R > 0, K_R >= 0, K_L >= 0,
+    OMEGA_V > 0, ZETA_V >= 0, TOL [tolerance, optional], P_P >= 0, U_V [optional]
+};
+
+/// A crane that slews, at the start.
+#[derive(Clone, Copy, Debug)]
+pub struct SlewingStart {
+    pub joint: SlewingJoint,
+    /// Angle of the rope from the mechanism's plane, in rad.
+    pub side: f64,
+}
+
+/// What a mechanism's bodies are called where a scene leaves something out, and whether they have what motion needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Inert {
+    /// The load is given.
+    pub loaded: bool,
+    /// Inertias that the scene must give, and how to give them.
+    pub inertias: &'static [&'static Symbol],
+    pub help: &'static str,
+    /// The bodies by name.
+    pub bodies: &'static str,
+    /// Whether a body has inertia by its weight.
+    pub weighs: fn(&Values) -> bool,
+}
+
+/// A mechanism in motion as the scene describes it; SI.
+#[derive(Clone, Copy, Debug)]
+pub struct Moving {
+    pub constants: Constants<f64>,
+    /// Of the inputs, until an importer sets others.
+    pub inputs: Inputs,
+    /// With level `swing`, and with level `hydraulic` where the scene gives a rope.
+    pub rope: Option<LoadRope>,
+    /// With level `hydraulic`.
+    pub oil: Option<CylinderOil<f64>>,
+    /// Where the crane slews.
+    pub slewing: Option<SlewingStart>,
+    /// In which drives come up to their speed in the book's manoeuvres, in s.
+    pub ramp: f64,
+}
+
+impl Moving {
+    /// Whether a hoist may do work in the scene's own motion.
+    #[must_use]
+    pub fn hoists(&self) -> bool {
+        self.has_motor() || self.inputs.hoist.speed != 0.0
+    }
+
+    /// Whether a motor turns the hoist's drum.
+    #[must_use]
+    pub fn has_motor(&self) -> bool {
+        self.rope.is_some_and(|rope| matches!(rope.hoist, HoistKind::Motor(_)))
+    }
+
+    /// Whether its hoist follows its command at once.
+    #[must_use]
+    pub fn winds_at_once(&self) -> bool {
+        self.rope.is_some_and(|rope| matches!(rope.hoist, HoistKind::AtOnce))
+    }
+
+    /// The checked table `[luffing]`; `None` at the static level, and where there are mistakes, which go to `found`.
+    pub fn new(v: &Values, gravity: f64, bodies: &Inert, found: &mut Vec<Diagnostic>) -> Option<Moving> {
+        let fidelity = v.text("fidelity").unwrap_or("static");
+        let mut told = |refused: Diagnostic| found.push(refused);
+        let table = table(v, fidelity, bodies).map_err(&mut told).ok()??;
+        let hoisting = hoisting(v, table, fidelity).map_err(&mut told).ok()?;
+        let rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
+        let (oil, valve, supply) = oil_drive(v, fidelity, found)?;
+        let n = |symbol: &Symbol| table.number(symbol.id);
+        let slewing = match v.table("slewing") {
+            Some(table) => Some(slewing(v, table, rope.is_some(), found)?),
+            None => None,
+        };
+        let hoist = |symbol: &Symbol| hoisting.number(symbol.id).unwrap_or(0.0);
+        let turn = |symbol: &Symbol| v.table("slewing").and_then(|table| table.number(symbol.id));
+        Some(Moving {
+            slewing,
+            oil,
+            ramp: n(&s::T_S).unwrap_or(4.0),
+            constants: Constants {
+                c_v: n(&s::C_V).unwrap_or(0.0),
+                m_f: n(&s::M_F).unwrap_or(0.0),
+                g: gravity,
+                step: n(&s::STEP).unwrap_or(0.01),
+            },
+            inputs: Inputs {
+                drives: [
+                    JointDrive {
+                        moment: n(&s::M_A).unwrap_or(0.0),
+                        brake: n(&s::M_S).unwrap_or(0.0),
+                    },
+                    JointDrive {
+                        moment: turn(&s::M_SL).unwrap_or(0.0),
+                        brake: turn(&s::M_B_SL).unwrap_or(0.0),
+                    },
+                ],
+                hoist: HoistCommand {
+                    speed: hoist(&s::V_H),
+                    drive: JointDrive {
+                        moment: hoist(&s::M_M_H),
+                        brake: hoist(&s::M_B_H),
+                    },
+                },
+                valve,
+                supply,
+            },
+            rope,
+        })
+    }
+}
+
+/// Most that `t_s` may be, over the time that the working range takes at its speed.
+const MOST_RAMP: f64 = 100.0;
+
+/// Refuses a time of starting and stopping in which no drive would ever come near its speed.
+pub fn brisk(v: &Values, moving: &Moving, motion: &Motion, found: &mut Vec<Diagnostic>) {
+    let Some(table) = v.table("dynamics").filter(|table| table.has(s::T_S.id)) else {
+        return;
+    };
+    let most = MOST_RAMP * (motion.to - motion.from) / motion.speed.abs();
+    if moving.ramp > most {
+        let what = format!(
+            "t_s = {} is more than {MOST_RAMP} times what the working range takes at its speed",
+            s::T_S.written(moving.ramp)
+        );
+        let help = format!(
+            "the drive would not come up to a tenth of it; give t_s up to {}",
+            s::T_S.written(most)
+        );
+        found.push(table.refuse(s::T_S.id, what, "too long", help));
+    }
+}
+
+/// Refuses a slewing moment that no crane would outlast, while the range is luffed.
+pub fn outlasts(v: &Values, moving: &Moving, motion: &Motion, [reach, mass]: [f64; 2], found: &mut Vec<Diagnostic>) {
+    let Some((table, slewing)) = v.table("slewing").zip(moving.slewing) else {
+        return;
+    };
+    let lasts = (motion.to - motion.from) / motion.speed.abs();
+    let moment = moving.inputs.drives[1].moment;
+    (slewing.joint).outlasts(table, moment, [reach, mass], lasts, moving.constants.g, found);
+}
+
+/// The table `[luffing.dynamics]` of what moves by itself.
+fn table<'a>(v: &'a Values, fidelity: &str, bodies: &Inert) -> Result<Option<&'a Values>, Diagnostic> {
+    let still = "add fidelity = \"rigid\" or \"swing\" to [luffing], or remove this table";
+    let table = match (fidelity, v.table("dynamics")) {
+        ("static" | "table" | "auto", None) => {
+            let parts = [
+                ("slewing", "slewing"),
+                ("hoisting", "rope and hoist"),
+                ("hydraulics", "oil"),
+            ];
+            return match parts.into_iter().find(|(part, _)| v.has(part)) {
+                Some((part, name)) => {
+                    let what = format!("{name} of a mechanism that does not move by itself");
+                    Err(v.refuse(part, what, "not used", still))
+                }
+                None => Ok(None),
+            };
+        }
+        ("static" | "table", Some(_)) => {
+            let what = "inertias and drive of a mechanism that does not move by itself";
+            return Err(v.refuse("dynamics", what, "not used", still));
+        }
+        (_, None) => {
+            return Err(v.refuse(
+                "fidelity",
+                format!("fidelity = \"{fidelity}\" without inertias"),
+                "needs [luffing.dynamics]",
+                bodies.help,
+            ));
+        }
+        (_, Some(table)) => table,
+    };
+    if v.table("weights").is_none() || !bodies.loaded {
+        return Err(v.refuse(
+            "fidelity",
+            format!("fidelity = \"{fidelity}\" without weights and load"),
+            "what moves must weigh something",
+            "add Q to [luffing] and a table [luffing.weights]; their masses are weights over g",
+        ));
+    }
+    let balance = v.table("balance");
+    if !inert(v, table, bodies) {
+        return Err(v.refuse(
+            "dynamics",
+            format!("neither {}, nor balance, nor the load have any inertia", bodies.bodies),
+            "nothing to be accelerated",
+            format!(
+                "give Q, a weight in [luffing.weights] away from its bar's foot, or one of {} greater than zero",
+                ids(bodies.inertias)
+            ),
+        ));
+    }
+    if balance.is_some_and(|it| it.text("kind") == Some("lever") && !it.has(b::S_5.id)) {
+        return Err(v.refuse(
+            "balance",
+            format!("fidelity = \"{fidelity}\" with a lever whose counterweight has no arm"),
+            "its inertia is not known",
+            "add s_5 = \"... m\": the counterweight weighs M_5 / s_5",
+        ));
+    }
+    Ok(Some(table))
+}
+
+/// The oil where the level has one, the valve's command and the pump's pressure (Pa).
+fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<(Option<CylinderOil<f64>>, f64, f64)> {
+    if fidelity == "hydraulic" {
+        found.extend(motor_beside(v));
+    }
+    match (fidelity, v.table("hydraulics")) {
+        ("hydraulic" | "auto", Some(table)) => {
+            let n = |symbol: &Symbol| table.number(symbol.id);
+            let oil = oil(v, table, found)?;
+            Some((Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?))
+        }
+        ("hydraulic", None) => {
+            found.push(v.refuse(
+                "fidelity",
+                "fidelity = \"hydraulic\" without oil",
+                "needs [luffing.hydraulics]",
+                "add [luffing.hydraulics]; `lemnis schema` lists its keys",
+            ));
+            None
+        }
+        (_, Some(_)) => {
+            found.push(v.refuse(
+                "hydraulics",
+                "oil of a mechanism without a hydraulic level",
+                "not used",
+                "set fidelity = \"hydraulic\", or remove this table",
+            ));
+            None
+        }
+        _ => Some((None, 0.0, 0.0)),
+    }
+}
+
+/// A motor or a brake beside the cylinder that moves the driven bar.
+fn motor_beside(v: &Values) -> Option<Diagnostic> {
+    let dynamics = v.table("dynamics")?;
+    let motor = [&s::M_A, &s::M_S].into_iter().find(|symbol| dynamics.has(symbol.id))?;
+    let what = format!("{} beside a cylinder: two drives on one bar", motor.id);
+    let help = "remove it; at this level u_v and p_P command the cylinder";
+    Some(dynamics.refuse(motor.id, what, "not used", help))
+}
+
+/// Names of symbols in a sentence.
+fn ids(symbols: &[&Symbol]) -> String {
+    let ids: Vec<&str> = symbols.iter().map(|symbol| symbol.id).collect();
+    match ids.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => ids.concat(),
+    }
+}
+
+fn positive(table: &Values, symbol: &Symbol) -> bool {
+    table.number(symbol.id).is_some_and(|value| value > 0.0)
+}
+
+/// Whether a table has a weight, away from its bar's foot: there it has no inertia.
+#[must_use]
+pub fn turns(table: &Values, weight: &Symbol, at: &Symbol) -> bool {
+    positive(table, weight) && table.number(at.id) != Some(0.0)
+}
+
+/// Whether anything that the linkage moves has inertia.
+fn inert(v: &Values, dynamics: &Values, bodies: &Inert) -> bool {
+    let balances = |balance: &Values| positive(balance, &b::M_5) || turns(balance, &b::G_C, &b::R_C);
+    v.number("Q").is_some_and(|q| q > 0.0)
+        || bodies.inertias.iter().any(|bar| positive(dynamics, bar))
+        || v.table("weights").is_some_and(bodies.weighs)
+        || v.table("balance").is_some_and(balances)
+}
+
+/// What slews; whether the load swings on a rope.
+fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>) -> Option<SlewingStart> {
+    let n = |symbol: &Symbol| table.number(symbol.id);
+    let mut mistake = |place, what: String, label: &str, help: &str| {
+        found.push(Diagnostic::new(place, what, label).help(help));
+    };
+    if let Some(balance) = v.table("balance").filter(|b| b.text("kind") == Some("straight_rail")) {
+        mistake(
+            balance.span.clone(),
+            "slewing with a counterweight on a straight rail".to_owned(),
+            "its distance from the slewing axis is not known",
+            "remove [luffing.slewing], or take another balance",
+        );
+        return None;
+    }
+    if !swings && n(&s::CHI_R).is_some() {
+        mistake(
+            table.place(s::CHI_R.id),
+            "chi_R without a swinging load".to_owned(),
+            "not used",
+            "remove it, or set fidelity = \"swing\"",
+        );
+        return None;
+    }
+    let joint = SlewingJoint::read(table, found)?;
+    Some(SlewingStart {
+        joint,
+        side: table.number(s::CHI_R.id).unwrap_or(0.0),
+    })
+}
+
+/// The cylinder's oil; its bore and rod are those of the drive.
+fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<CylinderOil<f64>> {
+    let n = |symbol: &Symbol| table.number(symbol.id);
+    if v.table("drive").and_then(|drive| drive.text("kind")) != Some("cylinder") {
+        found.push(
+            Diagnostic::new(table.span.clone(), "oil without a cylinder", "needs [luffing.drive]")
+                .help("add [luffing.drive] with kind = \"cylinder\", D_c and d_r"),
+        );
+        return None;
+    }
+    let (l_min, l_max) = (n(&s::L_MIN)?, n(&s::L_MAX)?);
+    if l_min >= l_max {
+        found.push(table.refuse(
+            s::L_MAX.id,
+            format!(
+                "the cylinder is {} extended and {} retracted",
+                s::L_MAX.written(l_max),
+                s::L_MIN.written(l_min)
+            ),
+            "not above l_min",
+            "l_max must be greater than l_min",
+        ));
+        return None;
+    }
+    Some(CylinderOil {
+        l_min,
+        l_max,
+        v_0: n(&s::V_0)?,
+        v_1: n(&s::V_1)?,
+        q_n: n(&s::Q_N)?,
+        dp_n: n(&s::DP_N)?,
+        dp_l: n(&s::DP_L)?,
+        beta_e: n(&s::BETA_E)?,
+        p_r: n(&s::P_R)?,
+        k_r: n(&s::K_R)?,
+        k_l: n(&s::K_L)?,
+        omega_v: n(&s::OMEGA_V)?,
+        zeta_v: n(&s::ZETA_V)?,
+        tol: n(&s::TOL).unwrap_or(1e-5),
+    })
+}

@@ -1,0 +1,268 @@
+//! The crane in motion as stages: its equations under present inputs, and what follows from its states.
+
+use num_dual::Dual64;
+
+use crate::component::scalar::{EachScalar, Scalar};
+use crate::component::stages::{Found, Rows, results};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::One;
+use crate::kernel::record::Rec;
+use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::variable::Fault;
+use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::given::{CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, V_R, order};
+use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes};
+use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
+use crate::luffing::moving::symbols as s;
+use crate::parts::hydraulics::symbols as h;
+
+/// The equations over a scalar.
+pub struct Equations<P: Calc> {
+    rates: fn(&Level<P>, &CraneAt<P>) -> Option<[P; MOST_STATES]>,
+    indicators: fn(&Level<P>, &CraneAt<P>) -> Option<[P; MOST_INDICATORS]>,
+    reaction: fn(&Level<P>, &CraneAt<P>, MotionResult) -> Option<P>,
+}
+
+impl<P: Coordinate<P>> Equations<P> {
+    fn new() -> Equations<P> {
+        Equations {
+            rates: Level::rates,
+            indicators: Level::indicators,
+            reaction: Level::reaction,
+        }
+    }
+}
+
+/// Each scalar has derivatives by the driven angle in its own way.
+struct InMotion;
+
+impl EachScalar for InMotion {
+    type For<C: Calc> = Equations<C>;
+    fn plain() -> Equations<f64> {
+        Equations::new()
+    }
+    fn dual() -> Equations<Dual64> {
+        Equations::new()
+    }
+    fn recorded() -> Equations<Rec> {
+        Equations::new()
+    }
+}
+
+/// The same under inputs; none where they are no part of it.
+pub fn told<C: Scalar>(built: &[Level<C>], inputs: &Inputs<C>, room: &mut Vec<Level<C>>) {
+    room.clear();
+    room.extend(built[0].told(inputs));
+}
+
+/// The level under present inputs.
+pub fn present<'a, C>(built: &'a [Level<C>], told: &'a [Level<C>]) -> &'a Level<C> {
+    told.first().unwrap_or(&built[0])
+}
+
+/// The crane as it is.
+#[expect(clippy::too_many_arguments, reason = "all that it is made of")]
+pub fn at<C: Calc>(
+    theta: &One<C>,
+    omega: &One<C>,
+    states: &CraneStates<C>,
+    wound: &Option<One<C>>,
+    past: &Modes,
+    inputs: &Inputs<C>,
+    fitted: &Fitted,
+) -> CraneAt<C> {
+    let mut y = [C::constant(0.0); MOST_STATES];
+    (y[0], y[1]) = (theta.1, omega.1);
+    let mut states = states.0;
+    if let Some(rate) = wound {
+        states[V_R] = rate.1;
+    }
+    for (y, place) in y[2..].iter_mut().zip(order(fitted.oil, fitted.slewing.is_some())) {
+        *y = states[*place];
+    }
+    CraneAt {
+        past: *past,
+        inputs: *inputs,
+        y,
+    }
+}
+
+#[cold]
+pub fn open<C: Calc>(theta: &One<C>) -> Fault {
+    let (symbol, at) = (theta.0, theta.1.value());
+    Fault::outside(format!(
+        "the linkage does not close at {} = {}",
+        symbol.id,
+        symbol.written(at)
+    ))
+}
+
+/// A row for each symbol of a list.
+macro_rules! rows {
+    ($name:ident, $symbols:ident) => {
+        impl<C: Calc> Rows<C> for $name<C> {
+            const ROWS: &'static [&'static Symbol] = &$symbols;
+            fn row(&self, row: u8, _: u16) -> Found<C> {
+                Ok(self.0[usize::from(row)])
+            }
+        }
+    };
+}
+
+/// Rates of all states, in their order.
+#[derive(Clone, Copy, Debug)]
+pub struct CraneMoves<C>([C; MOST_STATES]);
+
+impl<C: Calc> CraneMoves<C> {
+    /// Of angle and rate of the driven bar.
+    pub fn bar(&self) -> [C; 2] {
+        [self.0[0], self.0[1]]
+    }
+}
+
+pub fn moves<C: Scalar>(
+    built: &[Level<C>],
+    told: &[Level<C>],
+    at: &CraneAt<C>,
+    theta: &One<C>,
+) -> Result<CraneMoves<C>, Fault> {
+    let found = (C::own::<InMotion>().rates)(present(built, told), at);
+    found.map(CraneMoves).ok_or_else(|| open(theta))
+}
+
+/// Rates of the states but for angle and rate of the driven bar.
+#[derive(Clone, Copy, Debug)]
+pub struct CraneRates<C>([C; RATES.len()]);
+
+/// Those of [`CraneStates`].
+pub const RATES: [&Symbol; 20] = *listed!(
+    s: D_P_1, D_P_2, D_P_A, D_P_B, D_X_V, D_V_V, D_PSI_SL, D_OMEGA_SL, D_X_Q, D_Y_Q, D_Z_Q, D_V_QX, D_V_QY, D_V_QZ, D_PHI_R,
+    D_OMEGA_R, D_L_R, D_S_Q, D_V_Q, D_V_R
+);
+
+/// The rates of a driven bar (B of them), then those of all other states.
+#[must_use]
+pub const fn rates_after<const B: usize, const N: usize>(bar: [&'static Symbol; B]) -> [&'static Symbol; N] {
+    let mut all = [bar[0]; N];
+    let mut i = 0;
+    while i < N {
+        all[i] = if i < B { bar[i] } else { RATES[i - B] };
+        i += 1;
+    }
+    all
+}
+
+rows!(CraneRates, RATES);
+
+impl<C: Calc> CraneRates<C> {
+    pub fn new(moves: &CraneMoves<C>, fitted: &Fitted) -> CraneRates<C> {
+        let mut rows = [C::constant(0.0); RATES.len()];
+        for (rate, place) in moves.0[2..].iter().zip(order(fitted.oil, fitted.slewing.is_some())) {
+            rows[*place] = *rate;
+        }
+        CraneRates(rows)
+    }
+}
+
+/// Results that are one number each.
+macro_rules! reactions {
+    ($($name:ident: $of:ident;)*) => {
+        $(pub fn $name<C: Scalar>(
+            built: &[Level<C>],
+            told: &[Level<C>],
+            at: &CraneAt<C>,
+            theta: &One<C>,
+        ) -> Result<C, Fault> {
+            let found = (C::own::<InMotion>().reaction)(present(built, told), at, MotionResult::$of);
+            found.ok_or_else(|| open(theta))
+        })*
+    };
+}
+reactions! {
+    cylinder: Cylinder;
+    resisting: Friction;
+    pull: Pull;
+    drum: Drum;
+    resisting_slewing: SlewingFriction;
+}
+
+/// Energy that blows have taken, in J.
+pub fn blown<C: Calc>(at: &CraneAt<C>) -> C {
+    C::constant(at.past.blown)
+}
+
+/// Where the load of a crane that slews is seen from its head.
+#[derive(Clone, Copy, Debug)]
+pub struct LoadSeen<C>([C; 3]);
+results! { LoadSeen as l => { PHI_R: l.0[0]; CHI_R: l.0[1]; S_Q: l.0[2]; } }
+
+impl<C: Calc> LoadSeen<C> {
+    pub fn new(at: &CraneAt<C>, fitted: &Fitted) -> LoadSeen<C> {
+        LoadSeen(seen(&at.y, fitted.oil))
+    }
+}
+
+/// Whether the oil falls below vacuum.
+#[derive(Clone, Copy, Debug)]
+pub struct CraneOil(bool);
+
+impl<C: Calc> Rows<C> for CraneOil {
+    const ROWS: &'static [&'static Symbol] = &[&h::CAVITATES];
+    fn row(&self, _: u8, _: u16) -> Found<C> {
+        Ok(C::constant(f64::from(self.0)))
+    }
+}
+
+impl CraneOil {
+    pub fn new<C: Calc>(at: &CraneAt<C>, rates: &CraneRates<C>, _: &CylinderOil<C>) -> CraneOil {
+        let oil = Hydraulic::<MOST>::oil(&at.y.map(C::value));
+        CraneOil(oil.cavitates(|| [0, 1, 2, 3].map(|i| rates.0[i].value())))
+    }
+}
+
+/// What falls below zero where a smooth piece of the motion ends.
+#[derive(Clone, Copy, Debug)]
+pub struct CraneEvents<C>([C; INDICATORS.len()]);
+
+/// Of luffing; of the oil, with the stops of luffing; of slewing; of the rope; of the hoist.
+pub const INDICATORS: [&Symbol; 16] = [
+    &s::Z_REST,
+    &s::Z_LOOSE,
+    &s::Z_SPOOL,
+    &s::Z_RELIEF_1,
+    &s::Z_RELIEF_2,
+    &s::Z_LOW,
+    &s::Z_HIGH,
+    &h::Z_VACUUM,
+    &s::Z_SL_REST,
+    &s::Z_SL_LOOSE,
+    &s::Z_SL_LOW,
+    &s::Z_SL_HIGH,
+    &s::Z_ROPE,
+    &s::Z_HOIST,
+    &s::Z_DRUM_REST,
+    &s::Z_DRUM_LOOSE,
+];
+
+rows!(CraneEvents, INDICATORS);
+
+pub fn events<C: Scalar>(
+    built: &[Level<C>],
+    told: &[Level<C>],
+    at: &CraneAt<C>,
+    theta: &One<C>,
+    fitted: &Fitted,
+) -> Result<CraneEvents<C>, Fault> {
+    let found = (C::own::<InMotion>().indicators)(present(built, told), at).ok_or_else(|| open(theta))?;
+    let luffing: &[usize] = if fitted.oil { &[2, 3, 4, 5, 6, 7] } else { &[0, 1, 5, 6] };
+    let slewing: &[usize] = if fitted.slewing.is_some() { &[8, 9, 10, 11] } else { &[] };
+    let mut rows = [C::constant(0.0); INDICATORS.len()];
+    let mut found = found.into_iter();
+    for (place, z) in luffing.iter().chain(slewing).chain(&[12]).zip(&mut found) {
+        rows[*place] = z;
+    }
+    // A hoist has the one or the other.
+    let hoist: [C; 2] = std::array::from_fn(|_| found.next().unwrap_or(rows[13]));
+    (rows[13], rows[14], rows[15]) = (hoist[0], hoist[0], hoist[1]);
+    Ok(CraneEvents(rows))
+}
