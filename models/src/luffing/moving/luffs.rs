@@ -89,6 +89,7 @@ pub trait Luffs: Component {
 macro_rules! luffs {
     ($component:ident by $theta:ident, $omega:ident $(with $($more:ident),+)?) => {
         impl $crate::luffing::moving::luffs::Luffs for $component {
+            #[allow(clippy::needless_update, reason = "some have all that there is")]
             fn luffing(given: &Given<f64>) -> $crate::luffing::moving::luffs::LuffingGiven {
                 $crate::luffing::moving::luffs::LuffingGiven {
                     theta: given.$theta,

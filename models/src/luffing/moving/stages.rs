@@ -61,7 +61,6 @@ pub fn present<'a, C>(built: &'a [Level<C>], told: &'a [Level<C>]) -> &'a Level<
 }
 
 /// The crane as it is.
-#[expect(clippy::too_many_arguments, reason = "all that it is made of")]
 pub fn at<C: Calc>(
     theta: &One<C>,
     omega: &One<C>,

@@ -25,11 +25,14 @@ use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::stages::{CraneMoves, open, present, rates_after};
 use crate::parts::turntable::Turning;
 
+type FoundLinkage<P> = Result<Arc<HeavyLinkage<P>>, Fault>;
+type ForcesOf<P> = fn(&Level<P>, &HeavyLinkage<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>;
+
 /// What the equations of motion have of this mechanism, over a scalar.
 pub struct LinkEquations<P: Calc> {
-    linkage: fn(&CraneParts<P>) -> Result<Arc<HeavyLinkage<P>>, Fault>,
+    linkage: fn(&CraneParts<P>) -> FoundLinkage<P>,
     level: fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>) -> Level<P>,
-    forces: fn(&Level<P>, &HeavyLinkage<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>,
+    forces: ForcesOf<P>,
 }
 
 impl<P: Posing<P> + Coordinate<P> + Send + Sync + 'static> LinkEquations<P>
