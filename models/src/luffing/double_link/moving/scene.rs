@@ -9,6 +9,7 @@ use crate::luffing::double_link::moving::given::{Constants, CylinderOil, Inputs}
 use crate::luffing::double_link::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::symbols as l;
+use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
 use crate::parts::motion::Motion;
@@ -79,6 +80,8 @@ impl Moving {
         let table = dynamics(v, fidelity, loaded).map_err(&mut told).ok()??;
         let hoisting = hoisting(v, table, fidelity).map_err(&mut told).ok()?;
         let rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
+        let boom = (&l::X_1, v.number(l::X_1.id).unwrap_or(0.0));
+        found.extend(rope.and_then(|rope| too_short(hoisting, rope.length, boom)));
         let (oil, valve, supply) = oil_drive(v, fidelity, found)?;
         let n = |symbol: &Symbol| table.number(symbol.id);
         let slewing = match v.table("slewing") {
@@ -98,7 +101,7 @@ impl Moving {
                 c_v: n(&s::C_V).unwrap_or(0.0),
                 m_f: n(&s::M_F).unwrap_or(0.0),
                 g: gravity,
-                step: n(&s::STEP).unwrap_or(0.01),
+                step: n(&s::STEP).unwrap_or_else(|| longest(v, table, hoisting, gravity)),
             },
             inputs: Inputs {
                 drives: [
@@ -124,6 +127,35 @@ impl Moving {
             rope,
         })
     }
+}
+
+/// Longest step of the solver where a scene gives none, in s, and of a crane so large that nothing about it is as quick,
+/// as a part of the least of its times.
+const STEP: f64 = 0.01;
+const STEP_PART: f64 = 0.002;
+
+/// A step (s) that sees all that the motion does: what swings as bar and rope are long, what friction, drives and a rope
+/// that gives way do with the inertia of the driven bar alone, of what slews and of the load.
+fn longest(v: &Values, dynamics: &Values, hoisting: &Values, gravity: f64) -> f64 {
+    let of = |table: &Values, symbol: &Symbol| table.number(symbol.id).unwrap_or(0.0);
+    let (bar, inertia) = match v.text("driven") {
+        Some("boom") => (of(v, &l::X_1), of(dynamics, &s::J_1)),
+        _ => (of(v, &l::X_3), of(dynamics, &s::J_3)),
+    };
+    let rope = hoisting.number(s::L_R.id).unwrap_or(f64::INFINITY);
+    let mut times = vec![
+        (bar.min(rope) / gravity).sqrt(),
+        inertia / of(dynamics, &s::C_V),
+        (inertia / of(dynamics, &s::M_A).abs()).sqrt(),
+        (of(v, &l::Q) / gravity / of(hoisting, &s::C_R)).sqrt(),
+    ];
+    if let Some(table) = v.table("slewing") {
+        let inertia = of(table, &s::J_SL);
+        times.push(inertia / of(table, &s::C_SL));
+        times.push((inertia / of(table, &s::M_SL).abs()).sqrt());
+    }
+    // What does not act, on what has no inertia, has no time.
+    (times.into_iter().fold(f64::INFINITY, f64::min) * STEP_PART).max(STEP)
 }
 
 /// Most that `t_s` may be, over the time that the working range takes at its speed.
