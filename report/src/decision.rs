@@ -141,9 +141,12 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
     let inner = format!("{}.{table}.step", scene.table);
     for step in STEPS.into_iter().filter(|step| *step < longest) {
         let milliseconds = milliseconds(step);
-        let shorter = scene_file::changed(&scene, &format!("the scene at step = {milliseconds}"), |document| {
+        let called = format!("the scene at step = {milliseconds}");
+        let shorter = scene_file::changed(&scene, &called, |document| {
             document[scene.table][table]["step"] = value(milliseconds.as_str());
-        })?;
+        });
+        // A step may also be too short for its scene.
+        let Ok(shorter) = shorter else { continue };
         if lasting(&shorter).is_err() || run(&shorter).is_err() {
             continue;
         }
@@ -159,7 +162,8 @@ fn running(scene: Scene, name: &str, notes: &mut Vec<String>) -> Result<Scene, F
             ));
         }
         notes.push(format!(
-            "the default experiment needs shorter inner steps than 10 ms: {inner} = \"{milliseconds}\" is chosen"
+            "the default experiment needs shorter inner steps than {}: {inner} = \"{milliseconds}\" is chosen",
+            self::milliseconds(longest)
         ));
         return Ok(shorter);
     }

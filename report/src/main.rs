@@ -4,6 +4,7 @@ mod commands;
 mod decision;
 mod failure;
 mod measuring;
+mod net;
 mod output;
 mod progress;
 mod scene_file;
@@ -47,7 +48,8 @@ Exit codes:
   2  the command line is wrong
   3  a file cannot be read or written; no file is left half written
   4  `check`: a limit of the scene is not kept
-  5  a template is wrong, or the FMU's library is missing";
+  5  a template is wrong, or the FMU's library is missing
+  6  the program itself is wrong; its line asks for a report, and no file is left half written";
 
 #[derive(Subcommand)]
 enum Command {
@@ -75,11 +77,16 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    match run(Cli::parse().command) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
+    let command = Cli::parse().command;
+    match net::under(std::env::args(), || run(command)) {
+        Ok(Ok(())) => ExitCode::SUCCESS,
+        Ok(Err(failure)) => {
             eprintln!("{failure}");
             ExitCode::from(failure.code())
+        }
+        Err(line) => {
+            eprintln!("{line}");
+            ExitCode::from(net::CODE)
         }
     }
 }

@@ -14,7 +14,7 @@ mod steering;
 
 use std::any::Any;
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -27,7 +27,9 @@ use lemnis::results::{Results, lasting};
 use lemnis::template::Templates;
 use lemnis_fmu::description::{Standard, model_description};
 use lemnis_models::component::model::Model;
+use lemnis_models::kernel::schema::{KIND, Key, Kind};
 use lemnis_models::kernel::text::LANGUAGES;
+use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::Scene;
 use lemnis_tests::unpacked::Unpacked;
 use lemnis_trade::trade::{SAMPLE, Trade};
@@ -139,7 +141,8 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
         Ok(Ok(_)) => {}
         other => outcome.wrong.push(format!("no description: {other:?}")),
     }
-    documentation::page(&scene, None).unwrap_or_else(|error| panic!("{error}"));
+    let page = documentation::page(&scene, None).unwrap_or_else(|error| panic!("{error}"));
+    read(&page, "documentation", &mut outcome.wrong);
     let length = run(case, &scene, number, outcome);
     if number.is_multiple_of(BOOK) {
         book(&scene, &results, number, outcome);
@@ -229,6 +232,7 @@ fn book(scene: &Scene, results: &Results, number: u64, outcome: &mut Outcome) {
     };
     match edition.source(scene, &results.sheet, Format::Pdf) {
         Ok(source) if source.main.contains("NaN") => outcome.wrong.push("NaN in the book".to_owned()),
+        Ok(source) if signed_zero(&source.main) => outcome.wrong.push("-0 in the book".to_owned()),
         _ => {}
     }
     if let Err(error) = edition.typeset(scene, &results.sheet, Format::Pdf) {
@@ -256,6 +260,13 @@ fn read(text: &str, what: &str, wrong: &mut Vec<String>) {
             return;
         }
     }
+}
+
+/// Whether a text has a zero with a sign, typeset or not.
+fn signed_zero(text: &str) -> bool {
+    let after = |(at, sign): (usize, &str)| text[at + sign.len()..].strip_prefix('0');
+    let mut zeros = text.match_indices(['-', '\u{2212}']).filter_map(after);
+    zeros.any(|rest| !rest.starts_with(|c: char| c.is_ascii_digit() || ".,".contains(c)))
 }
 
 /// A message without its numbers, and without the names that stand in `` ` ``.
@@ -348,6 +359,61 @@ fn number(name: &str) -> Option<u64> {
 fn told(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("")
+}
+
+/// Every level of a mechanism, and every kind of its parts, that keys offer; or, with a scene, that it has.
+fn kinds(mechanism: &str, keys: &'static [Key], scene: Option<(&Table, &Table)>, found: &mut BTreeSet<String>) {
+    for key in keys {
+        // Parts stand within the mechanism or beside it.
+        let part = registry::PARTS.iter().any(|part| part.name == key.name);
+        let given = scene.map(|(table, top)| table.get(key.name).or_else(|| top.get(key.name).filter(|_| part)));
+        match (&key.kind, given) {
+            (_, Some(None)) => {}
+            (Kind::Choice(choices), None) if key.name == "fidelity" => {
+                found.extend(choices.iter().map(|choice| format!("{mechanism} {choice}")));
+            }
+            (Kind::Choice(choices), None) if key.name == KIND => {
+                found.extend(choices.iter().map(|choice| format!("a kind of {mechanism}: {choice}")));
+            }
+            (Kind::Choice(_), Some(Some(Value::String(choice)))) if key.name == "fidelity" => {
+                found.insert(format!("{mechanism} {choice}"));
+            }
+            (Kind::Choice(_), Some(Some(Value::String(choice)))) if key.name == KIND => {
+                found.insert(format!("a kind of {mechanism}: {choice}"));
+            }
+            (Kind::Table(inner), None) => kinds(key.name, inner, None, found),
+            (Kind::Table(inner), Some(Some(Value::Table(table)))) => {
+                kinds(key.name, inner, scene.map(|(_, top)| (table, top)), found);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// What of every mechanism, level and kind no legal scene has given results of.
+fn missing<'a>(whole: impl Iterator<Item = &'a Case>) -> Vec<String> {
+    let (mut all, mut seen) = (BTreeSet::new(), BTreeSet::new());
+    for entry in MECHANISMS {
+        all.insert(entry.kind.to_owned());
+        kinds(entry.kind, entry.keys, None, &mut all);
+    }
+    for case in whole {
+        for entry in MECHANISMS {
+            let of_one = MECHANISMS.iter().filter(|other| other.table == entry.table).count() == 1;
+            let made = case.table.get(entry.table).and_then(Value::as_table);
+            let Some(made) = made.filter(|made| of_one || made.get(KIND).and_then(Value::as_str) == Some(entry.kind))
+            else {
+                continue;
+            };
+            // Slewing is a part of a crane where there is one.
+            if entry.table == "slewing" && case.table.contains_key("luffing") {
+                continue;
+            }
+            seen.insert(entry.kind.to_owned());
+            kinds(entry.kind, entry.keys, Some((made, &case.table)), &mut seen);
+        }
+    }
+    all.difference(&seen).cloned().collect()
 }
 
 #[test]
@@ -493,5 +559,12 @@ fn random_scenes() {
     assert!(
         only.is_some() || 10 * whole >= 6 * legal,
         "{whole} of {legal} legal scenes give all results"
+    );
+    let results = done.iter().filter(|(_, case, outcome, _)| case.legal && outcome.whole);
+    let missing = missing(results.map(|(_, case, ..)| case));
+    assert!(
+        (done.len() as u64) < SCENES || missing.is_empty(),
+        "no legal scene gives results of {}",
+        missing.join(", ")
     );
 }

@@ -8,6 +8,8 @@
 use nalgebra::Vector3;
 
 use crate::kernel::calc::Calc;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::schema::Values;
 use crate::kernel::symbol::{Symbol, symbols};
 use crate::parts::hoist::RopeAction;
 
@@ -57,6 +59,28 @@ symbols! {
     D_V_QY: "der(v_Qy)" "dot(v)_(Q y)" M_PER_S2 / M_PER_S2, "Acceleration of the load up, from the head.", "equations of motion";
     D_V_QZ: "der(v_Qz)" "dot(v)_(Q z)" M_PER_S2 / M_PER_S2, "Acceleration of the load to the left, from the head.", "equations of motion";
     Z_ROPE: "z.rope" "z_5" ONE / ONE, "Falls below zero where the rope becomes slack or taut.", "event";
+}
+
+/// Shortest rope, over what the crane reaches: on a shorter one the load swings twenty times as fast as on one that long.
+const SHORTEST: f64 = 2.5e-3;
+
+/// Refuses a rope (m) in a table that is next to nothing beside a reach (m).
+#[must_use]
+pub fn too_short(table: &Values, rope: f64, (symbol, reach): (&Symbol, f64)) -> Option<Diagnostic> {
+    let least = SHORTEST * reach;
+    (rope < least).then(|| {
+        let what = format!(
+            "l_R = {} where {} = {}",
+            L_R.written(rope),
+            symbol.id,
+            symbol.written(reach)
+        );
+        let help = format!(
+            "give at least {}, or a level at which the load does not swing",
+            L_R.written(least)
+        );
+        table.refuse(L_R.id, what, "too short", help)
+    })
 }
 
 /// Components of the load's place, of its rate, and of its acceleration.

@@ -26,6 +26,7 @@
 //! | `slewing.events` | [`motion::SlewingEvents::new`], [`swinging::slackening`] | events |
 
 pub mod blows;
+mod bounds;
 pub mod motion;
 mod outline;
 pub mod scene;

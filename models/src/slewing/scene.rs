@@ -15,13 +15,13 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
-use crate::kernel::number::short;
 use crate::kernel::schema::{Key, Sign, Values};
 use crate::kernel::variable::Fault;
 use crate::parts::hanging::{self, HangingLoad};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
 use crate::parts::turntable::{self as joint, SlewingJoint};
+use crate::slewing::bounds::Slewed;
 use crate::slewing::motion::{Past, SlewingDrive, Stops};
 use crate::slewing::outline::OUTLINE;
 use crate::slewing::stages::{Given, Open, SlewingCrane};
@@ -65,15 +65,8 @@ static DYNAMICS: &[Key] = keys! { s: STEP > 0 };
 const MOVING: [&str; 7] = ["M_sl", "M_Bsl", "psi_sl", "omega_sl", "psi_min", "psi_max", "dynamics"];
 const SWINGING: [&str; 3] = ["l_R", "phi_R", "chi_R"];
 
-/// Least time in which friction stops what slews, as a part of that which the working range takes.
-const BRISKEST: f64 = 1e-4;
-
 /// What the rates cost, in s, without a load that swings and with it.
 const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.4e-6, 0.0]];
-
-/// Longest step of the solver where the scene gives none: parts of the time in which friction slows it, of those in which it
-/// swings on its slope and its load on the rope, and of the run through the working range.
-const LONGEST: [f64; 4] = [0.25, 0.05, 0.05, 0.002];
 
 /// Slewing by itself as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -88,34 +81,6 @@ pub struct SlewingScene {
 
 /// As scenes describe it.
 pub const ENTRY: Entry = Description::<SlewingScene>::entry("platform", KEYS);
-
-/// A step (s) that sees all that the motion does; see [`LONGEST`].
-fn longest(given: &Given<f64>, range: &Motion) -> f64 {
-    let Given {
-        hung,
-        turning,
-        slope,
-        rope,
-        ..
-    } = given;
-    let load = hung.q / hung.g * hung.r * hung.r;
-    // A load that swings leaves slewing by itself, and pulls it back the harder the heavier it is.
-    let (inertia, swing) = rope.map_or((turning.j_sl + load, f64::INFINITY), |rope| {
-        let heavy = 1.0 + load / turning.j_sl;
-        (turning.j_sl, (rope.l_r / (hung.g * heavy)).sqrt())
-    });
-    let stiffness = slope.map_or(0.0, |slope| {
-        (slope.g_u * slope.r_u + hung.q * hung.r) * Calc::sin_cos(slope.gamma_s).0
-    });
-    let times = [
-        inertia / turning.c_sl,
-        (inertia / stiffness.abs()).sqrt(),
-        swing,
-        (range.to - range.from) / range.speed,
-    ];
-    let steps = times.iter().zip(LONGEST).map(|(time, part)| time * part);
-    steps.fold(f64::INFINITY, f64::min)
-}
 
 /// Whether it moves, and whether its load swings; refuses what is missing for that, and what has no use then.
 fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
@@ -157,25 +122,6 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) -> [bool; 2] {
     [moves, swings]
 }
 
-/// Refuses friction that stops all that slews, with a mass (kg) at a reach (m), in next to nothing of the time (s) that the
-/// working range takes: the solver would follow it in ever smaller steps.
-fn brisk(v: &Values, joint: &SlewingJoint, [reach, mass]: [f64; 2], lasts: f64, found: &mut Vec<Diagnostic>) {
-    let turning = joint.turning;
-    let time = (turning.j_sl + mass * reach * reach) / turning.c_sl;
-    if v.text("fidelity") != Some("static") && time < BRISKEST * lasts {
-        let what = format!(
-            "c_sl = {} stops all that slews within {} s, where the working range takes {} s",
-            joint::C_SL.written(turning.c_sl),
-            short(time),
-            short(lasts)
-        );
-        let help = format!(
-            "give less friction, more inertia or a faster range: at least {BRISKEST:e} of that time is modelled"
-        );
-        found.push(v.refuse(joint::C_SL.id, what, "too much", help));
-    }
-}
-
 impl Described for SlewingScene {
     type Component = SlewingCrane;
     const ID: &'static str = "slewing";
@@ -205,7 +151,16 @@ impl Described for SlewingScene {
         let lasts = (range.to - range.from) / range.speed.abs();
         let load = [n(s::R.id), n(s::Q.id) / gravity];
         joint.outlasts(v, n(s::M_SL.id), load, lasts, gravity, found);
-        brisk(v, &joint, load, lasts, found);
+        let slewed = Slewed {
+            table: v,
+            joint: &joint,
+            range: &range,
+            gravity,
+            swings,
+        };
+        if moves {
+            slewed.check(found);
+        }
         if found.len() > before {
             return None;
         }
@@ -238,7 +193,7 @@ impl Described for SlewingScene {
                     .collect(),
             ),
         };
-        let step = v.of(&s::STEP).unwrap_or_else(|| longest(&given, &range));
+        let step = v.of(&s::STEP).unwrap_or_else(|| slewed.longest());
         Some((
             SlewingScene {
                 given,

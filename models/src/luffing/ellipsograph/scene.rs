@@ -350,6 +350,8 @@ fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving
     let bodies = Inert {
         loaded: v.has("Q"),
         inertias: INERTIAS,
+        bar: [&s::C, &s::J_B],
+        reach: &s::C,
         help: "add [luffing.dynamics] with J_b and J_l (kg.m2)",
         bodies: "boom and link",
         weighs: |weights| {

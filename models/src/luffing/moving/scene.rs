@@ -8,6 +8,7 @@ use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
 use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
 use crate::luffing::moving::symbols as s;
+use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
 use crate::parts::motion::Motion;
@@ -63,6 +64,9 @@ pub struct Inert {
     pub loaded: bool,
     /// Inertias that the scene must give, and how to give them.
     pub inertias: &'static [&'static Symbol],
+    /// Length and inertia of the body that is driven, and the length that a rope is measured by.
+    pub bar: [&'static Symbol; 2],
+    pub reach: &'static Symbol,
     pub help: &'static str,
     /// The bodies by name.
     pub bodies: &'static str,
@@ -112,6 +116,8 @@ impl Moving {
         let table = table(v, fidelity, bodies).map_err(&mut told).ok()??;
         let hoisting = hoisting(v, table, fidelity).map_err(&mut told).ok()?;
         let rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
+        let reach = (bodies.reach, v.of(bodies.reach).unwrap_or(0.0));
+        found.extend(rope.and_then(|rope| too_short(hoisting, rope.length, reach)));
         let (oil, valve, supply) = oil_drive(v, fidelity, found)?;
         let n = |symbol: &Symbol| table.number(symbol.id);
         let slewing = match v.table("slewing") {
@@ -128,7 +134,7 @@ impl Moving {
                 c_v: n(&s::C_V).unwrap_or(0.0),
                 m_f: n(&s::M_F).unwrap_or(0.0),
                 g: gravity,
-                step: n(&s::STEP).unwrap_or(0.01),
+                step: n(&s::STEP).unwrap_or_else(|| longest(v, table, hoisting, bodies.bar, gravity)),
             },
             inputs: Inputs {
                 drives: [
@@ -154,6 +160,32 @@ impl Moving {
             rope,
         })
     }
+}
+
+/// Longest step of the solver where a scene gives none, in s, and of a crane so large that nothing about it is as quick,
+/// as a part of the least of its times.
+const STEP: f64 = 0.01;
+const STEP_PART: f64 = 0.002;
+
+/// A step (s) that sees all that the motion does: what swings as bar and rope are long, what friction, drives and a rope
+/// that gives way do with the inertia of the driven bar alone, of what slews and of the load.
+fn longest(v: &Values, dynamics: &Values, hoisting: &Values, [bar, inertia]: [&Symbol; 2], gravity: f64) -> f64 {
+    let of = |table: &Values, symbol: &Symbol| table.number(symbol.id).unwrap_or(0.0);
+    let (bar, inertia) = (of(v, bar), of(dynamics, inertia));
+    let rope = hoisting.number(s::L_R.id).unwrap_or(f64::INFINITY);
+    let mut times = vec![
+        (bar.min(rope) / gravity).sqrt(),
+        inertia / of(dynamics, &s::C_V),
+        (inertia / of(dynamics, &s::M_A).abs()).sqrt(),
+        (v.number("Q").unwrap_or(0.0) / gravity / of(hoisting, &s::C_R)).sqrt(),
+    ];
+    if let Some(table) = v.table("slewing") {
+        let inertia = of(table, &s::J_SL);
+        times.push(inertia / of(table, &s::C_SL));
+        times.push((inertia / of(table, &s::M_SL).abs()).sqrt());
+    }
+    // What does not act, on what has no inertia, has no time.
+    (times.into_iter().fold(f64::INFINITY, f64::min) * STEP_PART).max(STEP)
 }
 
 /// Most that `t_s` may be, over the time that the working range takes at its speed.

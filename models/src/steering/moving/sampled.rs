@@ -19,6 +19,11 @@ use crate::steering::symbols as s;
 /// Pressure of the chamber on the bore's side at the start, in Pa.
 const RESTING_PRESSURE: f64 = 20e5;
 
+/// Finest tolerance to which states are told from zero: 1e-8 rad, a pascal, a ten-millionth of the spool's stroke. Groups stand
+/// still, spools turn round and chambers are empty again and again; told from zero as finely there as where they work,
+/// they would take most of the solver's steps.
+const FINEST: f64 = 1e-5;
+
 fn moving(given: &Given<f64>) -> MovingGroups<f64> {
     given.moving.expect("in motion")
 }
@@ -62,7 +67,7 @@ impl BodiesInMotion<STATES> for SteeredGroups {
             longest: step,
             tolerance: Tolerance {
                 relative: tol,
-                absolute: absolute.map(|x| tol * x),
+                absolute: absolute.map(|x| tol.max(FINEST) * x),
             },
         }
     }

@@ -41,7 +41,7 @@ const OIL_KEYS: &[Key] = keys! { s:
 const PLC_KEYS: &[Key] = keys! { s: T_C > 0, K_P >= 0, K_I >= 0 [optional], U_V_MAX > 0 [optional] };
 
 /// Most radians that a group may swing against its oil in a cycle of the PLC: machines have a few.
-const MOST_SWINGS: f64 = 1e4;
+const MOST_SWINGS: f64 = 100.0;
 
 quantities! {
     /// The groups in motion as the scene describes them: what moves, oil and valve of each cylinder, the control loop.

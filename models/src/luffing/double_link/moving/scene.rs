@@ -48,6 +48,11 @@ impl MovingLink {
         let bodies = Inert {
             loaded,
             inertias: INERTIAS,
+            bar: match v.text("driven") {
+                Some("boom") => [&l::X_1, &s::J_1],
+                _ => [&l::X_3, &s::J_3],
+            },
+            reach: &l::X_1,
             help: "add [luffing.dynamics] with J_1, J_2 and J_3 (kg.m2)",
             bodies: "boom, jib and rocker",
             weighs: |weights| {

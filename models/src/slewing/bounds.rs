@@ -1,0 +1,177 @@
+//! What a scene of slewing in motion may ask, and the step with which its solver sees that.
+
+use crate::kernel::calc::Calc;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::number::short;
+use crate::kernel::schema::Values;
+use crate::kernel::symbol::Symbol;
+use crate::parts::hanging::too_short;
+use crate::parts::motion::Motion;
+use crate::parts::turntable::{self as joint, SlewingJoint};
+use crate::slewing::symbols as s;
+
+/// Least time in which friction stops what slews, as a part of that which the working range takes.
+const BRISKEST: f64 = 1e-4;
+/// Most centrifugal acceleration of the head, at the start and at the speed of the range, over that of gravity.
+const MOST_SPIN: f64 = 1e4;
+/// Least inertia of what slews, over that of what does not add to it: a load that swings, the weight that leans.
+const LIGHTEST: f64 = 5e-5;
+/// Shortest step that may be given, over that which sees all: below it a solver of fourth order adds up rounding.
+const SHORTEST_STEP: f64 = 1e-2;
+
+/// Longest step of the solver where the scene gives none: parts of the time in which friction slows it, of those in which it
+/// swings on its slope and its load on the rope, and of that in which the head moves by its rope's length at the start.
+const LONGEST: [f64; 4] = [0.25, 0.1, 0.1, 0.1];
+/// The same of the run through the working range, or, where that is shorter than a swing of a rope as long as rope and
+/// reach, of its time.
+const LONGEST_IDLE: [f64; 2] = [0.002, 0.01];
+
+/// A scene in motion, as far as it decides how quick that is.
+pub struct Slewed<'a> {
+    pub table: &'a Values,
+    pub joint: &'a SlewingJoint,
+    pub range: &'a Motion,
+    pub gravity: f64,
+    /// Its load swings.
+    pub swings: bool,
+}
+
+impl Slewed<'_> {
+    fn of(&self, symbol: &'static Symbol) -> f64 {
+        self.table.of(symbol).unwrap_or(0.0)
+    }
+
+    /// Time of the run through the working range, in s.
+    fn lasts(&self) -> f64 {
+        (self.range.to - self.range.from) / self.range.speed.abs()
+    }
+
+    /// Reach of the head and length of the rope on which the load swings, in m.
+    fn lengths(&self) -> [f64; 2] {
+        let rope = if self.swings { self.of(&s::L_R) } else { 0.0 };
+        [self.of(&s::R), rope]
+    }
+
+    /// Inertia of the load, in kg·m².
+    fn load(&self) -> f64 {
+        self.of(&s::Q) / self.gravity * self.of(&s::R).powi(2)
+    }
+
+    /// Inertia of what slews, in kg·m²: a load that swings is no part of it.
+    fn inertia(&self) -> f64 {
+        let load = if self.swings { 0.0 } else { self.load() };
+        self.joint.turning.j_sl + load
+    }
+
+    /// A step (s) that sees all that the motion does; see [`LONGEST`].
+    #[must_use]
+    pub fn longest(&self) -> f64 {
+        let turning = self.joint.turning;
+        let [reach, rope] = self.lengths();
+        // A load that swings leaves slewing by itself, and pulls it back the harder the heavier it is.
+        let heavy = 1.0 + self.load() / turning.j_sl;
+        let leaning = self.of(&s::G_U) * self.of(&s::R_U) + self.of(&s::Q) * reach;
+        let stiffness = leaning * Calc::sin_cos(self.of(&s::GAMMA_S)).0;
+        let mut times = [
+            self.inertia() / turning.c_sl,
+            (self.inertia() / stiffness.abs()).sqrt(),
+            f64::INFINITY,
+            f64::INFINITY,
+        ];
+        if self.swings {
+            times[2] = (rope / (self.gravity * heavy)).sqrt();
+            times[3] = rope / (reach * self.joint.start[1].abs());
+        }
+        let [run, swing] = LONGEST_IDLE;
+        let idle = (run * self.lasts()).max(swing * ((reach + rope) / self.gravity).sqrt());
+        let steps = times.iter().zip(LONGEST).map(|(time, part)| time * part);
+        steps.fold(idle, f64::min)
+    }
+
+    /// Refuses what no crane has, and what a solver would follow for nothing.
+    pub fn check(&self, found: &mut Vec<Diagnostic>) {
+        let [reach, rope] = self.lengths();
+        let rope = self
+            .swings
+            .then(|| too_short(self.table, rope, (&s::R, reach)))
+            .flatten();
+        let refused = [self.brisk(), self.spins(), self.light(), rope, self.short_step()];
+        found.extend(refused.into_iter().flatten());
+    }
+
+    /// Friction that stops at once what slews, while the range is passed.
+    fn brisk(&self) -> Option<Diagnostic> {
+        let time = (self.joint.turning.j_sl + self.load()) / self.joint.turning.c_sl;
+        let lasts = self.lasts();
+        (time < BRISKEST * lasts).then(|| {
+            let what = format!(
+                "c_sl = {} stops all that slews within {} s, where the working range takes {} s",
+                joint::C_SL.written(self.joint.turning.c_sl),
+                short(time),
+                short(lasts)
+            );
+            let help = format!(
+                "give less friction, more inertia or a faster range: at least {BRISKEST:e} of that time is modelled"
+            );
+            self.table.refuse(joint::C_SL.id, what, "too much", help)
+        })
+    }
+
+    /// A speed at which no head would stay on its crane.
+    fn spins(&self) -> Option<Diagnostic> {
+        let most = (MOST_SPIN * self.gravity / self.of(&s::R)).sqrt();
+        let motion = self.table.table("motion")?;
+        let speeds = [
+            (self.table, joint::OMEGA_SL.id, self.joint.start[1]),
+            (motion, "speed", self.range.speed),
+        ];
+        let (table, key, speed) = speeds.into_iter().find(|(.., speed)| speed.abs() > most)?;
+        let what = format!(
+            "{key} = {} is {} times the acceleration of gravity at the head",
+            joint::OMEGA_SL.written(speed),
+            short(speed * speed * self.of(&s::R) / self.gravity)
+        );
+        let help = format!(
+            "at most {MOST_SPIN} times it is modelled: give up to {}",
+            joint::OMEGA_SL.written(most)
+        );
+        Some(table.refuse(key, what, "too fast", help))
+    }
+
+    /// What slews has next to no inertia beside what it carries.
+    fn light(&self) -> Option<Diagnostic> {
+        let leaning = self.of(&s::G_U).abs() / self.gravity * self.of(&s::R_U).powi(2);
+        let least = LIGHTEST * (leaning + if self.swings { self.load() } else { 0.0 });
+        (self.inertia() < least).then(|| {
+            let what = format!(
+                "J_sl = {}, where load and leaning weight alone have {}",
+                joint::J_SL.written(self.joint.turning.j_sl),
+                joint::J_SL.written(least / LIGHTEST)
+            );
+            let help = format!(
+                "give the inertia of all that slews, with what leans, at least {}",
+                joint::J_SL.written(least)
+            );
+            self.table.refuse(joint::J_SL.id, what, "too little", help)
+        })
+    }
+
+    /// A step that sees no more than a longer one.
+    fn short_step(&self) -> Option<Diagnostic> {
+        let dynamics = self.table.table("dynamics")?;
+        let (step, longest) = (dynamics.number(s::STEP.id)?, self.longest());
+        (step < SHORTEST_STEP * longest).then(|| {
+            let what = format!(
+                "step = {}, where {} sees all that the motion does",
+                s::STEP.written(step),
+                s::STEP.written(longest)
+            );
+            let help = format!(
+                "give at least {}, below which only rounding adds up, or leave it out: {} is taken then",
+                s::STEP.written(SHORTEST_STEP * longest),
+                s::STEP.written(longest)
+            );
+            dynamics.refuse(s::STEP.id, what, "too short", help)
+        })
+    }
+}
