@@ -15,7 +15,7 @@ use lemnis_models::slewing;
 use lemnis_models::steering;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 13] = [
+const TABLES: [(&str, &[&Symbol]); 14] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -23,6 +23,7 @@ const TABLES: [(&str, &[&Symbol]); 13] = [
     ),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
     ("The boom on guide and link", luffing::ellipsograph::symbols::ALL),
+    ("The boom with a curved trunk", luffing::curved_trunk::symbols::ALL),
     ("The joint by which a crane slews", turntable::ALL),
     ("A load on its rope, from a head that joints move", hanging::ALL),
     ("Slewing by itself", slewing::symbols::ALL),
