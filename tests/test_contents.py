@@ -88,6 +88,7 @@ SAID = {
                           {"oil", "creep", "forces"}),
     "slewing_swing": ({"slewing_level_swing", "slewing_hook"}, {"slewing_level_rigid", "slewing_load"}),
     "ellipsograph": ({"ellipsograph_rope"}, {"slewing_load"}),
+    "curved_trunk": ({"trunk_rope"}, {"ellipsograph_rope"}),
     "rigid": ({"level_rigid", "fixed_load", "sticking", "solver_runge_kutta", "forces_in_motion"}, {"rope", "hoist", "slewing"}),
     "hydraulic": ({"level_hydraulic", "oil", "creep", "buffer", "solver_rodas"}, {"rope", "sticking", "stops"}),
     "hydraulic_swing_slewing": ({"level_hydraulic", "rope", "hoist", "slewing"}, {"fixed_load", "stops"}),
@@ -97,7 +98,7 @@ SAID = {
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),
 }
 # Where the coordinate's name does not begin with theta.
-COORDINATES = {"slewing_swing": "psi_sl", "ellipsograph": "phi"}
+COORDINATES = {"slewing_swing": "psi_sl", "ellipsograph": "phi", "curved_trunk": "phi"}
 
 
 @pytest.mark.parametrize("name", SAID)

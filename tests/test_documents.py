@@ -70,7 +70,7 @@ def test_the_schema_accepts_what_the_program_accepts():
             assert "enum" not in schema or value in schema["enum"], path
             assert "pattern" not in schema or re.search(schema["pattern"], value), path
 
-    for name in ("lemniscate", "rope_luffing", "ellipsograph"):
+    for name in ("lemniscate", "rope_luffing", "ellipsograph", "curved_trunk"):
         check(tomllib.loads((ROOT / f"models/scenes/{name}.toml").read_text(encoding="utf-8")), schema, name)
 
 

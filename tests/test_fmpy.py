@@ -251,7 +251,7 @@ def test_kinematic_scene_has_no_forces(tmp_path):
 
 
 @pytest.mark.parametrize("end", [".fmu", ".fmi2.fmu"], ids=["FMI 3.0", "FMI 2.0"])
-@pytest.mark.parametrize("scene, angle", [("lemniscate", "theta_1"), ("rope_luffing", "phi"), ("rope_compensation", "phi"), ("ellipsograph", "phi"), ("portal_004_tail", "theta_1")])
+@pytest.mark.parametrize("scene, angle", [("lemniscate", "theta_1"), ("rope_luffing", "phi"), ("rope_compensation", "phi"), ("ellipsograph", "phi"), ("curved_trunk", "phi"), ("portal_004_tail", "theta_1")])
 def test_every_input_may_be_zero(scene, angle, end, tmp_path):
     """A system of FMUs in which all connected inputs are zero in the first step, as FMPy's own systems do it."""
     text = (ROOT / f"models/scenes/{scene}.toml").read_text(encoding="utf-8")

@@ -18,6 +18,7 @@ use crate::kernel::origin::Origins;
 use crate::kernel::schema::Key;
 use crate::kernel::variable::Name;
 use crate::luffing;
+use crate::luffing::curved_trunk::scene::CurvedTrunk;
 use crate::luffing::double_link;
 use crate::luffing::double_link::scene::LuffingScene;
 use crate::luffing::double_link::stages::DoubleLink;
@@ -36,6 +37,7 @@ pub static MECHANISMS: &[Entry] = &[
     luffing::rope::scene::ENTRY,
     luffing::rope::scene::COMPENSATED,
     luffing::ellipsograph::scene::ENTRY,
+    luffing::curved_trunk::scene::ENTRY,
     steering::sheet::ENTRY,
     slewing::scene::ENTRY,
 ];
@@ -53,6 +55,10 @@ pub const LUFFING: Key = Key::kinds(
         (
             luffing::ellipsograph::scene::ENTRY.kind,
             luffing::ellipsograph::scene::ENTRY.keys,
+        ),
+        (
+            luffing::curved_trunk::scene::ENTRY.kind,
+            luffing::curved_trunk::scene::ENTRY.keys,
         ),
     ],
     "A luffing mechanism.",
@@ -110,6 +116,7 @@ static TELLERS: &[Teller] = &[
     teller::<LuffingScene>(),
     teller::<Rope>(),
     teller::<Ellipsograph>(),
+    teller::<CurvedTrunk>(),
     teller::<SteeringScene>(),
     teller::<SlewingScene>(),
 ];

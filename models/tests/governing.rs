@@ -171,6 +171,7 @@ fn a_drawn_curve_reaches_its_extremes() {
         include_str!("../scenes/boat_hoist_003.toml"),
         include_str!("../scenes/rope_luffing.toml"),
         include_str!("../scenes/ellipsograph.toml"),
+        include_str!("../scenes/curved_trunk.toml"),
     ];
     let mut looked = 0;
     for text in scenes {

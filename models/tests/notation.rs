@@ -24,6 +24,7 @@ const TABLES: [(&str, &[&Symbol]); 14] = [
     ("Any luffing mechanism in motion", luffing::moving::symbols::ALL),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
     ("The boom on guide and link", luffing::ellipsograph::symbols::ALL),
+    ("The boom with a curved trunk", luffing::curved_trunk::symbols::ALL),
     ("The joint by which a crane slews", turntable::ALL),
     ("A load on its rope, from a head that joints move", hanging::ALL),
     ("Slewing by itself", slewing::symbols::ALL),

@@ -6,11 +6,12 @@ use lemnis_models::registry::dependencies;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 /// Ready scenes of every mechanism that stands, at the ends of whose ranges it is known what the coordinate is.
-const SCENES: [(&str, &str); 4] = [
+const SCENES: [(&str, &str); 5] = [
     ("theta_1", DEFAULT),
     ("phi", include_str!("../scenes/rope_luffing.toml")),
     ("theta_b", include_str!("../scenes/boat_hoist_003.toml")),
     ("phi", include_str!("../scenes/ellipsograph.toml")),
+    ("phi", include_str!("../scenes/curved_trunk.toml")),
 ];
 
 fn model(text: &str) -> Model {

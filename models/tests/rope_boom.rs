@@ -307,7 +307,7 @@ fn a_kind_that_there_is_not() {
         let [one] = found.as_slice() else { panic!("{found:?}") };
         assert_eq!(
             one.message,
-            "`luffing.kind` is not one of double_link, rope, rope_compensation, ellipsograph"
+            "`luffing.kind` is not one of double_link, rope, rope_compensation, ellipsograph, curved_trunk"
         );
         assert_eq!(one.label, label);
         assert_eq!(&wrong[one.span.clone()], kind);

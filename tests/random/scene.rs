@@ -12,7 +12,7 @@ use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
 
-use crate::{ellipsograph, luffing, rope, slewing, steering};
+use crate::{curved_trunk, ellipsograph, luffing, rope, slewing, steering};
 
 /// What a mechanism adds: a legal table, one that lies on an edge, and a result that every level has.
 struct Maker {
@@ -38,6 +38,11 @@ fn maker(mechanism: &str) -> Option<Maker> {
             legal: ellipsograph::legal,
             edge: ellipsograph::edge,
             result: ellipsograph::RESULT,
+        }),
+        "curved_trunk" => Some(Maker {
+            legal: curved_trunk::legal,
+            edge: curved_trunk::edge,
+            result: curved_trunk::RESULT,
         }),
         "groups" => Some(Maker {
             legal: steering::legal,

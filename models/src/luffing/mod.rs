@@ -1,8 +1,10 @@
 //! What all luffing mechanisms have in common.
 
 pub mod balancing;
+pub mod boom_scene;
 pub mod counterweight;
 pub mod criteria;
+pub mod curved_trunk;
 pub mod double_link;
 pub mod ellipsograph;
 pub mod moving;

@@ -10,5 +10,6 @@ pub mod hydraulics;
 pub mod joint;
 pub mod motion;
 pub mod plane;
+pub mod smooth_curve;
 pub mod solver;
 pub mod turntable;

@@ -2,16 +2,16 @@
 
 use std::f64::consts::PI;
 
-use crate::balance::scene::{BALANCE, Form, PublishedBalance};
+use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
-use crate::component::description::{Described, Description, TABLE, Vocabulary};
+use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::Draw;
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::outline::{Limit, Outline};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
-use crate::component::telling::{fine, sample};
+use crate::component::telling::fine;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
@@ -19,12 +19,13 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Sign, Values};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
+use crate::luffing::boom_scene::{INTERPOLATION, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::ellipsograph::moving::GuidedInertias;
 use crate::luffing::ellipsograph::outline::OUTLINE;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes};
 use crate::luffing::ellipsograph::stages::{EllipsographBoom, Given};
-use crate::luffing::ellipsograph::statics::{GuidedWeights, WeightMoment};
+use crate::luffing::ellipsograph::statics::GuidedWeights;
 use crate::luffing::ellipsograph::symbols as s;
 use crate::luffing::moving;
 use crate::luffing::moving::given::Fitted;
@@ -32,7 +33,7 @@ use crate::luffing::moving::hoisting::{HOISTING_KEYS, load_taken};
 use crate::luffing::moving::luffs::Luffs;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
 use crate::luffing::moving::start::{passing, starting};
-use crate::luffing::with_balance::{agreement, complete, searched};
+use crate::luffing::with_balance::searched;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
 use crate::parts::{hanging, hydraulics};
@@ -61,16 +62,12 @@ pub const KEYS: &[Key] = &[
         "Inertias, friction, drive and rope of a boom in motion.",
     ),
     Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
-    Key::part("table", TABLE, "Interpolation, with fidelity \"table\"."),
+    INTERPOLATION,
     Key::part("limits", LIMITS, "Limits that the book checks."),
     SOURCE,
 ];
 
-const MOTION: &[Key] = &Motion::keys(
-    [&s::FROM, &s::TO],
-    &b::PHI,
-    (&s::OMEGA, "Angular velocity of the boom."),
-);
+const MOTION: &[Key] = &motion(&s::FROM, &s::TO, &s::OMEGA);
 
 const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_L [or_mass, usually(0.0)], R_L [usually(0.0)]
@@ -119,11 +116,8 @@ impl Described for Ellipsograph {
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(Ellipsograph, Motion)> {
-        let range = Motion::read(v.table("motion")?, found);
-        let balance = v.part("balance", |table| Form::read(table, found))?;
-        complete(v, balance.as_ref(), "G_b and r_b", found);
         let moving = moves(v, gravity, found);
-        let range = range?;
+        let (range, balance) = begun(v, "G_b and r_b", found)?;
         if let Some(moving) = &moving {
             brisk(v, moving, &range, found);
         }
@@ -217,40 +211,26 @@ impl Described for Ellipsograph {
 
     /// Virtual work against equilibrium and the instantaneous centre.
     fn identities(this: &Description<Ellipsograph>, model: &mut Standing) -> Vec<Check> {
-        let mut checks = Vec::new();
         let given = &this.given;
-        let by_power = |theta: f64| {
-            let own = given
-                .weights
-                .map(|weights| WeightMoment::new(&given.bars, &weights, &-theta));
-            Ok(own.map_or(0.0, |own| own.m_g))
-        };
-        if let Some([work, _]) = agreement::<EllipsographBoom>(model, by_power) {
-            checks.push(Check::at_most("balance_work", &s::AGREEMENT, work, 1e-12));
-        }
+        let mut checks = balance_work::<EllipsographBoom>(model, &s::AGREEMENT);
         let Some(One(_, q)) = given.load else {
             return checks;
         };
-        let mut worst = |id, symbols: &[&'static Symbol], vanish: &dyn Fn(&[f64]) -> [f64; 5]| {
-            let (mut left, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
-            for row in sample(model, symbols, fine(&this.motion)) {
-                let parts = vanish(&row);
-                left = left.max(parts.iter().sum::<f64>().abs());
-                scale = parts.iter().fold(scale, |scale, part| scale.max(part.abs()));
-            }
-            checks.push(Check::at_most(id, &s::AGREEMENT, left / scale, 1e-12));
-        };
-        worst("ellipsograph_pole", &[&s::M_Q, &s::A_X, &s::P_X], &|row| {
-            [row[0], q * row[2], -q * row[1], 0.0, 0.0]
-        });
+        let by_pole = [&s::M_Q, &s::A_X, &s::P_X];
+        checks.push(vanishing(
+            model,
+            ("ellipsograph_pole", &s::AGREEMENT),
+            &by_pole,
+            |row| [row[0], q * row[2], -q * row[1]],
+        ));
         let mut symbols = vec![&s::M_D, &s::C_X, &s::C_Y, &s::F_CX, &s::F_CY];
         symbols.extend(given.balance.map(|_| &b::M_UR));
         let link = given.weights.map_or(0.0, |w| w.g_l * w.r_l) / given.bars.c;
         // About O1, of drive, boom, own weight and balance on the link.
-        worst("equilibrium", &symbols, &|row| {
+        checks.push(vanishing(model, ("equilibrium", &s::AGREEMENT), &symbols, |row| {
             let balance = row.get(5).copied().unwrap_or(0.0);
             [row[0], row[1] * row[4], -row[2] * row[3], link * row[1], -balance]
-        });
+        }));
         checks
     }
 
@@ -281,17 +261,15 @@ impl Described for Ellipsograph {
     }
 
     fn uncovered(this: &Description<Ellipsograph>) -> Vec<&'static str> {
-        let swings = this.moving.as_ref().is_some_and(|moving| moving.rope.is_some());
-        let still: &[&str] = match (&this.moving, swings) {
-            (Some(_), true) => &[],
-            (Some(_), false) => &["sway"],
-            (None, _) => &["sway", "inertia"],
+        const FRICTION: &str = "ellipsograph_friction";
+        let covered: &[&str] = match this.moving.as_ref().map(|moving| moving.rope) {
+            None => &[],
+            Some(None) => &["inertia", FRICTION],
+            Some(Some(_)) => &["sway", "inertia", FRICTION],
         };
-        let friction = this.moving.is_none().then_some("ellipsograph_friction");
-        let never = ["motor_brake", "strength", "buckling", "stability", "load_cases"];
-        let first = ["wind"].into_iter().chain(still.iter().copied());
-        let first = first.chain(["dynamic_coefficients"]).chain(friction);
-        first.chain(never).collect()
+        let mut all = uncovered(FRICTION);
+        all.retain(|id| !covered.contains(id));
+        all
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with guide, link and the path of the head.

@@ -1,27 +1,28 @@
 //! The boom on a luffing rope as scenes describe it and books tell it.
 
 use crate::balance::boom::Plain;
-use crate::balance::scene::{BALANCE, Form, PublishedBalance};
+use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
-use crate::component::description::{Described, Description, TABLE, Vocabulary};
+use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::Draw;
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
-use crate::component::telling::{fine, sample};
+use crate::component::telling::fine;
 use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Sign, Values};
+use crate::luffing::boom_scene::{FIDELITY, INTERPOLATION, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::rope::outline::OUTLINE;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Rig};
 use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
-use crate::luffing::with_balance::{agreement, complete, searched};
+use crate::luffing::with_balance::searched;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
 
@@ -33,11 +34,7 @@ const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 14] {
         Key::quantity(&s::F_A, Sign::Any).usually(0.0),
         Key::quantity(&s::X_8, Sign::Any),
         Key::weight(&s::Q).optional(),
-        Key::choice(
-            "fidelity",
-            &["static", "table"],
-            "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range).",
-        ),
+        FIDELITY,
         Key::table("motion", MOTION, "Working range of the boom."),
         Key::table("tackle", TACKLE, "Luffing tackle between boom and frame."),
         Key::table(
@@ -47,7 +44,7 @@ const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 14] {
         ),
         Key::part("weights", WEIGHTS, "Own weight of the boom and its centre of gravity."),
         BALANCE,
-        Key::part("table", TABLE, "Interpolation, with fidelity \"table\"."),
+        INTERPOLATION,
         Key::part(
             "limits",
             LIMITS,
@@ -69,11 +66,7 @@ pub const COMPENSATED_KEYS: &[Key] = &keys(
     COMPENSATED_ROPE,
 );
 
-const MOTION: &[Key] = &Motion::keys(
-    [&s::FROM, &s::TO],
-    &b::PHI,
-    (&s::OMEGA, "Angular velocity of the boom."),
-);
+const MOTION: &[Key] = &motion(&s::FROM, &s::TO, &s::OMEGA);
 
 const TACKLE: &[Key] = keys! { s:
     E_X, E_Y, S_K > 0, CHI_K [usually(0.0)], M_L > 0, ETA_L > 0 [usually(1.0)]
@@ -115,10 +108,7 @@ impl Described for Rope {
     };
 
     fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(Rope, Motion)> {
-        let range = Motion::read(v.table("motion")?, found);
-        let balance = v.part("balance", |table| Form::read(table, found))?;
-        complete(v, balance.as_ref(), "G_b and r_b", found);
-        let range = range?;
+        let (range, balance) = begun(v, "G_b and r_b", found)?;
         let given = Given {
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -151,24 +141,17 @@ impl Described for Rope {
 
     /// Virtual work against equilibrium.
     fn identities(this: &Description<Rope>, model: &mut Standing) -> Vec<Check> {
-        let mut checks = Vec::new();
-        let by_power = |phi| Ok(this.given.weights.map_or(0.0, |weights| weights.load(phi).m_0));
-        if let Some([work, _]) = agreement::<RopeBoom>(model, by_power) {
-            checks.push(Check::at_most("balance_work", &s::AGREEMENT, work, 1e-12));
-        }
+        let mut checks = balance_work::<RopeBoom>(model, &s::AGREEMENT);
         if this.given.load.is_none() {
             return checks;
         }
         let mut symbols = vec![&s::M_Q, &s::M_D];
         symbols.extend(this.given.weights.map(|_| &s::M_G));
         symbols.extend(this.given.balance.map(|_| &b::M_UR));
-        let (mut worst, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
-        for row in sample(model, &symbols, fine(&this.motion)) {
-            let own = row.get(2).copied().unwrap_or(0.0) - row.get(3).copied().unwrap_or(0.0);
-            worst = worst.max((row[0] + own - row[1]).abs());
-            scale = row.iter().fold(scale, |scale, value| scale.max(value.abs()));
-        }
-        checks.push(Check::at_most("equilibrium", &s::AGREEMENT, worst / scale, 1e-12));
+        checks.push(vanishing(model, ("equilibrium", &s::AGREEMENT), &symbols, |row| {
+            let other = |place: usize| row.get(place).copied().unwrap_or(0.0);
+            [row[0], other(2), -other(3), -row[1]]
+        }));
         checks
     }
 
@@ -180,18 +163,7 @@ impl Described for Rope {
     }
 
     fn uncovered(_: &Description<Rope>) -> Vec<&'static str> {
-        vec![
-            "wind",
-            "sway",
-            "inertia",
-            "dynamic_coefficients",
-            "pin_friction",
-            "motor_brake",
-            "strength",
-            "buckling",
-            "stability",
-            "load_cases",
-        ]
+        uncovered("pin_friction")
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with its ropes and the path of the load.

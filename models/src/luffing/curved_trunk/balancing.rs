@@ -1,0 +1,85 @@
+//! A balance on the boom, whose angle is the coordinate, with the weights of boom and trunk.
+
+use crate::balance::analysis::Analysis;
+use crate::balance::residual::Residual;
+use crate::balance::scene::Form;
+use crate::component::stages::Found;
+use crate::kernel::allowed::OutOfRange;
+use crate::kernel::calc::Calc;
+use crate::kernel::group::Group;
+use crate::luffing::balancing::{Balanced, Balancing};
+use crate::luffing::criteria::Criteria;
+use crate::luffing::curved_trunk::contact::Contact;
+use crate::luffing::curved_trunk::position::TrunkPosition;
+use crate::luffing::curved_trunk::statics::{TrunkLoad, TrunkWeight, TrunkWeights};
+use crate::luffing::curved_trunk::tail::{TrunkChoice, TrunkTail};
+use crate::luffing::curved_trunk::velocity::TrunkTravel;
+
+/// Own weights at any angle of the boom, in rad.
+///
+/// # Errors
+/// As [`Contact::new`].
+pub fn weighed<C: Calc>(
+    tail: &TrunkTail<C>,
+    choice: &TrunkChoice,
+    weights: &TrunkWeights<C>,
+    phi: C,
+) -> Result<TrunkWeight<C>, OutOfRange> {
+    let contact = Contact::new(tail, choice, &phi)?;
+    let position = TrunkPosition::new(tail, &contact);
+    Ok(TrunkWeight::new(weights, &phi, &position, &TrunkTravel::new(&position)))
+}
+
+/// # Errors
+/// Quantities with which there is no such balance.
+pub fn balancing<C: Calc>(
+    tail: &TrunkTail<C>,
+    choice: &TrunkChoice,
+    weights: &TrunkWeights<C>,
+    form: &Form<C>,
+) -> Result<Balancing<C>, OutOfRange> {
+    let middle = f64::midpoint(choice.range.from, choice.range.to);
+    let u_0 = |phi| Ok(weighed(tail, choice, weights, phi)?.load.u_0);
+    Balancing::new(form, middle, u_0)
+}
+
+/// # Errors
+/// A boom angle at which the balance cannot be.
+pub fn residual<C: Calc>(balancing: &Balancing<C>, own: &TrunkWeight<C>, phi: &C) -> Result<Residual<C>, OutOfRange> {
+    balancing.at(*phi, || own.load)
+}
+
+pub fn balanced<C: Calc>(residual: &Residual<C>, hanging: &TrunkLoad<C>, own: &TrunkWeight<C>) -> Balanced<C> {
+    Balanced::new(residual, hanging.m_q, [hanging.m_q, own.m_g], |_| None)
+}
+
+/// Over the working range, on plain numbers.
+///
+/// # Errors
+/// Where the balance cannot be over the whole range.
+pub fn analysed<C: Calc>(
+    tail: &TrunkTail<C>,
+    choice: &TrunkChoice,
+    weights: &TrunkWeights<C>,
+    form: &Form<C>,
+) -> Found<Analysis> {
+    let plain = &mut |_, value: C| value.value();
+    let (tail, weights) = (tail.map(C::value), Group::map(weights, plain));
+    let balancing = balancing(&tail, choice, &weights, &Group::map(form, plain))?;
+    let at = |phi: f64| residual(&balancing, &weighed(&tail, choice, &weights, phi)?, &phi);
+    Ok(Analysis::over([choice.range.from, choice.range.to], &at)?)
+}
+
+/// # Errors
+/// As [`analysed`].
+pub fn criteria<C: Calc>(
+    balancing: &Balancing<C>,
+    tail: &TrunkTail<C>,
+    choice: &TrunkChoice,
+    weights: &TrunkWeights<C>,
+    found: &Analysis,
+) -> Result<Criteria<C>, OutOfRange> {
+    Criteria::new(found, &choice.range, &|phi| {
+        residual(balancing, &weighed(tail, choice, weights, phi)?, &phi)
+    })
+}

@@ -1,0 +1,71 @@
+//! What the book tells of a boom with a curved trunk, in its order.
+
+use crate::balance::symbols as b;
+use crate::component::outline::Explained::Stage;
+use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::kernel::symbol::listed;
+use crate::luffing::curved_trunk::symbols as s;
+
+pub const OUTLINE: Outline = Outline {
+    inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, balance, load "Q", motion, limits),
+    constants: &[
+        ("trunk_tail", &[Stage("tail")]),
+        ("balance_constants", &[Stage("balancing")]),
+    ],
+    sections: &[
+        ("trunk_contact", &[Stage("contact")]),
+        ("trunk_position", &[Stage("position")]),
+        ("trunk_velocity", &[Stage("travel"), Stage("speeds")]),
+        ("trunk_pole", &[Stage("pole")]),
+        ("trunk_load", &[Stage("hanging")]),
+        ("trunk_weight", &[Stage("own")]),
+        ("balance", &[Stage("residual"), Stage("balanced")]),
+        ("trunk_pins", &[Stage("pins"), Stage("pressure"), Stage("power")]),
+    ],
+    table: listed!(s: R, A_Y, ALPHA, W, F, MU, V_AX, M_Q, M_D, N_T, Q_T),
+    curves: &[
+        ("trunk_path", Some(&s::R), &s::A_Y),
+        ("trunk_velocity", Some(&s::R), &s::V_AX),
+        ("trunk_moment", None, &s::M_D),
+        ("trunk_wrap", None, &s::W),
+        ("trunk_tie", None, &s::N_T),
+    ],
+    extremes: &[
+        Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
+        Greatest::new(&s::R_MIN, Most::Least, &s::R),
+        Greatest::new(&s::W_MAX, Most::Greatest, &s::W),
+        Greatest::new(&s::W_MIN, Most::Least, &s::W),
+        Greatest::new(&s::MU_MIN, Most::Least, &s::MU),
+        Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
+        Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
+        Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
+        Greatest::new(&s::N_T_MAX, Most::Greatest, &s::N_T),
+        Greatest::new(&s::N_T_MIN, Most::Least, &s::N_T),
+        Greatest::new(&s::Q_T_MAX, Most::Greatest, &s::Q_T),
+        Greatest::new(&s::P_T_MAX, Most::Greatest, &s::P_T),
+    ],
+    summary: &[&s::DELTA_Y, &s::EPSILON_Y],
+    sensitivity: &[
+        &s::EPSILON_Y,
+        &s::R_MAX,
+        &s::M_Q_MAX,
+        &s::M_D_MAX,
+        &s::N_T_MAX,
+        &b::DM_MAX,
+    ],
+    limits: &[
+        Limit::at_most("level_error", &s::EPSILON_Y),
+        Limit::at_least("trunk_transmission", &s::MU_MIN),
+        Limit::at_least("trunk_wrap", &s::W_MIN),
+        Limit::at_most("trunk_drive", &s::M_D_MAX),
+        Limit::at_most("trunk_tie", &s::N_T_MAX),
+        Limit::not_negative("trunk_slack", &s::N_T_MIN),
+        Limit::at_most("trunk_pressure", &s::P_T_MAX),
+        Limit::at_most("balance_residual", &b::DM_MAX),
+        Limit::at_least("balance_transmission", &b::GAMMA_MIN),
+        Limit::at_most("balance_rod", &b::N_MAX),
+    ],
+    uses: &[("tail_points", &[&s::X_P, &s::Y_P])],
+    forces: listed!(s: N_T, Q_T, P_T, F_BX, F_BY, F_O1X, F_O1Y, M_D),
+    worst: &[("greatest_tie", &s::N_T_MAX), ("trunk_speed", &s::V_AX_MAX)],
+};

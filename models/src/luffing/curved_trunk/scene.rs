@@ -1,0 +1,304 @@
+//! The boom with a curved trunk as scenes describe it and books tell it.
+
+use std::sync::Arc;
+
+use crate::balance::scene::{BALANCE, PublishedBalance};
+use crate::balance::symbols as b;
+use crate::component::description::{Described, Description, Vocabulary};
+use crate::component::draw::Draw;
+use crate::component::extreme::between;
+use crate::component::mechanism::Entry;
+use crate::component::outline::{Limit, Outline};
+use crate::component::running::Running;
+use crate::component::sheet::{Check, Drawing, Sheet, Summary};
+use crate::component::standing::Standing;
+use crate::component::telling::fine;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::gravity;
+use crate::kernel::group::One;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Kind, SOURCE, Sign, Values};
+use crate::luffing::boom_scene::{FIDELITY, INTERPOLATION, balance_work, begun, motion, uncovered, vanishing};
+use crate::luffing::counterweight::chapter;
+use crate::luffing::curved_trunk::contact::Contact;
+use crate::luffing::curved_trunk::outline::OUTLINE;
+use crate::luffing::curved_trunk::position::TrunkPosition;
+use crate::luffing::curved_trunk::stages::{CurvedTrunkBoom, Given};
+use crate::luffing::curved_trunk::statics::TrunkWeights;
+use crate::luffing::curved_trunk::symbols as s;
+use crate::luffing::curved_trunk::tail::{Leaving, TailArc, Trunk, TrunkChoice, TrunkTail};
+use crate::luffing::with_balance::searched;
+use crate::parts::motion::{Motion, degrees};
+use crate::parts::plane::{self, Point};
+use crate::parts::smooth_curve::{NoCurve, SmoothCurve};
+
+/// Keys of `[luffing]` with `kind = "curved_trunk"`.
+pub const KEYS: &[Key] = &[
+    Key::kind(
+        &["curved_trunk"],
+        "A boom with a trunk on its head, on whose curved tail a flexible tie lies.",
+    ),
+    Key::quantity(&s::B, Sign::Positive),
+    Key::quantity(&s::A, Sign::Positive),
+    Key::quantity(&s::L_T, Sign::Positive),
+    Key::quantity(&s::E_X, Sign::Any),
+    Key::quantity(&s::E_Y, Sign::Any),
+    Key::quantity(&s::X_8, Sign::Any),
+    Key::weight(&s::Q).optional(),
+    FIDELITY,
+    Key {
+        required: true,
+        ..Key::kinds(
+            "tail",
+            &[("arc", ARC), ("points", POINTS)],
+            "The trunk's tail, on whose upper side the tie lies, in the trunk's frame: from B along the line to A and square to it.",
+        )
+    },
+    Key::table("motion", MOTION, "Working range of the boom."),
+    Key::part("weights", WEIGHTS, "Own weights of boom and trunk, and where they act."),
+    BALANCE,
+    INTERPOLATION,
+    Key::part("limits", LIMITS, "Limits that the book checks."),
+    SOURCE,
+];
+
+const MOTION: &[Key] = &motion(&s::FROM, &s::TO, &s::OMEGA);
+
+const CLAMPED: Key = Key::choice(
+    "clamped",
+    &["front", "rear"],
+    "End of the tail at which the tie is clamped: \"front\", from which the tail is listed, or \"rear\".",
+);
+
+const ARC: &[Key] = keys! { s:
+    Z_X, Z_Y, RHO > 0, ZETA_F, ZETA_R, B_T > 0 [optional];
+    Key::kind(&["arc"], "An arc."), CLAMPED
+};
+
+const POINTS: &[Key] = keys! { s:
+    B_T > 0 [optional];
+    Key::kind(&["points"], "A smooth curve through points."), CLAMPED,
+    Key::new("points", Kind::Tables(POINT, 40), "Points of the tail from its front end to its rear end, over its upper side.")
+};
+
+const POINT: &[Key] = keys! { s: X_P, Y_P };
+
+const WEIGHTS: &[Key] = keys! { s:
+    G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_T [or_mass], R_T >= 0, CHI_T [usually(0.0)]
+};
+
+const LIMITS: &[Key] = &Limit::keys::<10>(OUTLINE.limits);
+
+/// A boom with a curved trunk as the scene describes it; SI.
+#[derive(Clone, Debug)]
+pub struct CurvedTrunk {
+    /// At the start of the working range.
+    given: Given<f64>,
+    /// Published results of the balance.
+    published_balance: Option<PublishedBalance>,
+}
+
+/// As scenes describe it.
+pub const ENTRY: Entry = Description::<CurvedTrunk>::entry("curved_trunk", KEYS);
+
+impl Described for CurvedTrunk {
+    type Component = CurvedTrunkBoom;
+    const ID: &'static str = "curved_trunk";
+    const TABLE: &'static str = "luffing";
+    const OUTLINE: &'static Outline = &OUTLINE;
+    const VOCABULARY: &'static Vocabulary = &Vocabulary {
+        words: "curved_trunk_symbol",
+        own: &[s::ALL],
+        shared: &[b::ALL, gravity::ALL],
+    };
+
+    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(CurvedTrunk, Motion)> {
+        let begun = begun(v, "G_b, r_b, G_t and r_t", found);
+        let tail = v.table("tail")?;
+        let arc = TailArc::read(tail);
+        let curve = if arc.is_none() { Some(curve(tail, found)?) } else { None };
+        let (range, balance) = begun?;
+        let given = Given {
+            phi: One(&b::PHI, range.from),
+            omega: One(&s::OMEGA, range.speed),
+            load: v.of(&s::Q).map(|q| One(&s::Q, q)),
+            trunk: Trunk::read(v)?,
+            arc,
+            width: tail.of(&s::B_T).map(|width| One(&s::B_T, width)),
+            weights: v.part("weights", TrunkWeights::read)?,
+            balance,
+            choice: TrunkChoice {
+                range,
+                from_rear: tail.text("clamped") == Some("rear"),
+                curve,
+            },
+        };
+        let read = CurvedTrunk {
+            given,
+            published_balance: v.table("balance").and_then(PublishedBalance::read),
+        };
+        Some((read, range))
+    }
+
+    fn given(this: &Description<CurvedTrunk>) -> Given<f64> {
+        this.given.clone()
+    }
+
+    /// Besides what all booms are checked for: a tie that would have to push.
+    fn check(this: &Description<CurvedTrunk>, v: &Values, found: &mut Vec<Diagnostic>) {
+        let mut model = this.standing();
+        let results = 0..model.variables().len();
+        let tie = results
+            .clone()
+            .find(|&index| model.variables()[index].symbol == &s::N_T);
+        let fault = fine(&this.motion).find_map(|at| {
+            let reached = model.set(0, at);
+            let fault = reached.and_then(|()| results.clone().try_for_each(|index| model.get(index).map(drop)));
+            let pull = tie.and_then(|index| model.get(index).ok());
+            fault.err().map(|fault| fault.message).or_else(|| {
+                pull.filter(|pull| *pull < 0.0).map(|pull| {
+                    format!(
+                        "phi = {}: the tie is slack, it would have to push with {}",
+                        degrees(at),
+                        s::N_T.written(-pull)
+                    )
+                })
+            })
+        });
+        if let Some(message) = fault {
+            let label = "not possible all over the working range";
+            let help = "move what it names, or keep the working range away from there";
+            found.push(v.refuse("motion", message, label, help));
+        }
+    }
+
+    fn chapters(&self) -> Vec<&'static str> {
+        self.given.balance.iter().map(|_| "balance").collect()
+    }
+
+    fn searched(_: &Description<CurvedTrunk>, model: &Standing) -> Vec<Summary> {
+        searched::<CurvedTrunkBoom>(model)
+    }
+
+    /// Virtual work against equilibrium and the instantaneous centre, and the loop of boom, trunk and tie.
+    fn identities(this: &Description<CurvedTrunk>, model: &mut Standing) -> Vec<Check> {
+        let given = &this.given;
+        let trunk = &given.trunk;
+        let mut checks = balance_work::<CurvedTrunkBoom>(model, &s::AGREEMENT);
+        let loop_of = [&s::T_X, &s::T_Y, &s::F];
+        checks.push(vanishing(model, ("trunk_loop", &s::AGREEMENT), &loop_of, |row| {
+            let free = Point::new(trunk.e_x - row[0], trunk.e_y - row[1]);
+            [plane::length(free), -row[2]]
+        }));
+        if given.load.is_none() {
+            return checks;
+        }
+        let by_pole = [&s::M_Q, &s::M_Q_P];
+        checks.push(vanishing(model, ("trunk_pole", &s::AGREEMENT), &by_pole, |row| {
+            [row[0], -row[1]]
+        }));
+        let mut symbols = vec![&s::M_D, &s::M_Q];
+        symbols.extend(given.weights.map(|_| &s::M_G));
+        symbols.extend(given.balance.map(|_| &b::M_UR));
+        checks.push(vanishing(model, ("equilibrium", &s::AGREEMENT), &symbols, |row| {
+            let other = |place: usize| row.get(place).copied().unwrap_or(0.0);
+            [row[0], -row[1], -other(2), other(3)]
+        }));
+        checks
+    }
+
+    fn assumptions(this: &Description<CurvedTrunk>) -> Vec<&'static str> {
+        let level = this.table.map_or("trunk_level_static", |_| "trunk_level_table");
+        let forces = this.given.load.map(|_| "trunk_forces");
+        [level, "trunk_rope"].into_iter().chain(forces).collect()
+    }
+
+    fn uncovered(_: &Description<CurvedTrunk>) -> Vec<&'static str> {
+        uncovered("pin_friction")
+    }
+
+    /// The boom at the ends (faint) and in the middle of the working range, with trunk, tail, tie and the path of the head.
+    fn drawing(this: &Description<CurvedTrunk>) -> Drawing {
+        let Given { trunk, arc, choice, .. } = &this.given;
+        let (range, o1, e) = (&this.motion, Point::zeros(), Point::new(trunk.e_x, trunk.e_y));
+        let tail = TrunkTail::new(trunk, arc, choice).expect("checked when the scene was read");
+        let at = |phi: f64| {
+            let contact = Contact::new(&tail, choice, &phi).expect("checked when the scene was read");
+            (TrunkPosition::new(&tail, &contact), contact)
+        };
+        let size = trunk.b;
+        let mut draw = Draw::default();
+        draw.path(fine(range).map(|phi| at(phi).0.a));
+        let middle = f64::midpoint(range.from, range.to);
+        let [clamp, end] = tail.ends.map(|end| end.place);
+        for (phi, faint) in [(range.from, true), (range.to, true), (middle, false)] {
+            let (p, contact) = at(phi);
+            let place = |local: Point<f64>| p.b + plane::turned(local, p.along.x, p.along.y);
+            let curve = between(clamp, end).map(|at| place(Leaving::new(arc, choice, at).p));
+            let mut outline = vec![p.b];
+            outline.extend(curve);
+            draw.bar(&[o1, p.b], faint);
+            draw.body(&outline, faint);
+            draw.bar(&[p.b, p.a], faint);
+            draw.bar(&[p.t, e], faint);
+            draw.joint(p.a, "A", false, faint);
+            draw.joint(p.b, "B", false, faint);
+            draw.pin(p.t, false, faint);
+            if faint {
+                continue;
+            }
+            draw.label(p.t, "T");
+            draw.angle(o1, 0.2 * size, phi, &b::PHI);
+            draw.distance(o1, contact.b, -0.05 * size, &s::B);
+            draw.distance(p.b, p.a, -0.05 * size, &s::A);
+            draw.distance(Point::new(-trunk.x_8, 0.0), Point::new(p.a.x, 0.0), -0.1 * size, &s::R);
+            if this.given.load.is_some() {
+                draw.load(p.a, &s::Q);
+            }
+        }
+        draw.joint(o1, "O_1", true, false);
+        draw.joint(e, "E", true, false);
+        draw.axis(-trunk.x_8, -0.15 * size, 0.6 * size);
+        draw.done(size)
+    }
+
+    fn more(this: &Description<CurvedTrunk>, model: &mut Standing, sheet: &mut Sheet) {
+        sheet.balance = chapter::<CurvedTrunkBoom>(model, this.published_balance.as_ref());
+    }
+}
+
+/// The tail through the points of its table; mistakes go to `found`.
+fn curve(tail: &Values, found: &mut Vec<Diagnostic>) -> Option<Arc<SmoothCurve>> {
+    let tables = tail.tables("points");
+    let points: Vec<Point<f64>> = tables
+        .iter()
+        .map(|point| Some(Point::new(point.of(&s::X_P)?, point.of(&s::Y_P)?)))
+        .collect::<Option<_>>()?;
+    let fault = match SmoothCurve::new(&points) {
+        Ok(curve) => return Some(Arc::new(curve)),
+        Err(fault) => fault,
+    };
+    let (place, what, help) = match fault {
+        _ if points.len() < 3 => (
+            tail.place("points"),
+            format!("a tail of {} points", points.len()),
+            "give three points or more, or an arc",
+        ),
+        NoCurve::Concave(first) => (
+            tables[first - 1].span.clone(),
+            format!(
+                "between its points {first} and {} the tail is straight or concave",
+                first + 1
+            ),
+            "the tie lies on a convex side: from the front end to the rear end the tail turns counter-clockwise, from point \
+             to point by less than half a turn",
+        ),
+        NoCurve::Uneven => (
+            tail.place("points"),
+            "no smooth curve goes through the points of the tail".to_owned(),
+            "give points at about even distances, none twice",
+        ),
+    };
+    found.push(Diagnostic::new(place, what, "not a tail that a tie lies on").help(help));
+    None
+}

@@ -1,0 +1,133 @@
+//! What makes a scene of a boom with a curved trunk legal: a tie with which the boom, somewhere in its range, has the point of
+//! contact on the tail, and angles up to its ends.
+
+use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::schema::Key;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing::curved_trunk::symbols as s;
+use toml::{Table, Value};
+
+use crate::luffing::{tail_balance, working_range};
+use crate::scene::{Draw, Node};
+
+/// A result that every level has.
+pub const RESULT: (&str, &Symbol) = ("A.x", &s::A_X);
+
+/// Angle of the boom with the tie in the middle of the tail, in rad.
+const MIDDLE: f64 = 1.05;
+
+/// How much tie is free at a contact in direction `zeta` (rad), in parts of the boom, with B as far from E as in the middle.
+fn free([z_x, z_y, rho]: [f64; 3], zeta: f64, square: f64) -> f64 {
+    let (sin, cos) = Calc::sin_cos(zeta);
+    let (x, y) = (z_x + rho * cos, z_y + rho * sin);
+    let along = y * cos - x * sin;
+    (along * along + square - x * x - y * y).sqrt() - along
+}
+
+pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
+    let mut table = draw.table(keys);
+    let mut n = Node::new(draw, keys, &mut table);
+    let size = n.draw.scale[0];
+    let b = size * n.draw.between(0.2, 2.0);
+    let b = n.set("b", b);
+    let a = b * n.draw.between(0.3, 0.8);
+    n.set("a", a);
+    let e = [n.draw.between(-0.4, -0.1), n.draw.between(0.4, 0.6)];
+    let arc = [
+        n.draw.between(-0.08, 0.0),
+        n.draw.between(-0.04, 0.04),
+        n.draw.between(0.15, 0.25),
+    ];
+    let ends = [n.draw.between(2.1, 2.4), n.draw.between(3.8, 4.2)];
+    let (sin, cos) = Calc::sin_cos(MIDDLE);
+    let square = (e[0] - cos).powi(2) + (e[1] - sin).powi(2);
+    let zeta = f64::midpoint(ends[0], ends[1]);
+    let tie = free(arc, zeta, square) + arc[2] * (zeta - ends[0]);
+    for (name, part) in [("E_x", e[0]), ("E_y", e[1]), ("L_t", tie)] {
+        n.set(name, part * b);
+    }
+    tail(&mut n, arc.map(|part| part * b), ends);
+    if n.has("weights") {
+        n.keep("Q", true);
+        let mut weights = n.child("weights").expect("there");
+        // In front of B, so that the tie stays taut.
+        let arm = b * weights.draw.between(0.01, 0.1);
+        weights.set("r_t", arm);
+        weights.remove(&["chi_t"]);
+    } else {
+        n.remove(&["balance"]);
+    }
+    let tabulated = n.text("fidelity") == Some("table");
+    n.keep("table", tabulated && n.has("table"));
+    tail_balance(&mut n);
+    working_range(&mut n, [MIDDLE - 0.15, MIDDLE + 0.15]);
+    table
+}
+
+/// As an arc, or as points of one.
+fn tail(n: &mut Node, [z_x, z_y, rho]: [f64; 3], ends: [f64; 2]) {
+    let points = n.draw.coin(0.5);
+    let mut tail = n.child("tail").expect("required");
+    tail.remove(&["clamped"]);
+    let names = [
+        ("Z_x", z_x),
+        ("Z_y", z_y),
+        ("rho", rho),
+        ("zeta_f", ends[0]),
+        ("zeta_r", ends[1]),
+    ];
+    if !points {
+        for (name, value) in names {
+            tail.set(name, value);
+        }
+        return;
+    }
+    tail.remove(&names.map(|(name, _)| name));
+    tail.put("kind", "points");
+    let count = tail.draw.rng.u32(8..30);
+    let list = (0..=count).map(|i| {
+        let (sin, cos) = Calc::sin_cos(ends[0] + (ends[1] - ends[0]) * f64::from(i) / f64::from(count));
+        let point = [("x_t", z_x + rho * cos), ("y_t", z_y + rho * sin)];
+        let text = point.map(|(name, value)| (name.to_owned(), Value::from(format!("{value:?} m"))));
+        Value::from(Table::from_iter(text))
+    });
+    tail.put("points", list.collect::<Vec<_>>());
+}
+
+/// Next to what cannot be: a boom up to where the tie lifts off or the tail ends, a tail that is a hinge, a tie through B, a
+/// trunk that slackens it.
+pub fn edge(n: &mut Node) {
+    let b = n.get("b");
+    let beside = n.draw.pick(&[0.0, 1e-12, -1e-12, 1e-6, -1e-3]);
+    match n.draw.rng.u8(0..5) {
+        0 => {
+            if let Some(mut motion) = n.child("motion") {
+                let far = motion.draw.between(0.15, 0.5);
+                motion.set("from", MIDDLE - far);
+                motion.set("to", MIDDLE + far);
+            }
+        }
+        1 => {
+            if let Some(mut tail) = n.child("tail").filter(|tail| tail.has("rho")) {
+                let tiny = b * tail.draw.pick(&[1e-4, 1e-9]);
+                tail.set("rho", tiny);
+            }
+        }
+        2 => {
+            if let Some(mut tail) = n.child("tail").filter(|tail| tail.has("rho")) {
+                let radius = tail.get("rho");
+                tail.set("Z_x", radius * (1.0 + beside));
+            }
+        }
+        3 => {
+            if let Some(mut weights) = n.child("weights") {
+                weights.set("chi_t", std::f64::consts::PI);
+                weights.set("r_t", b);
+            }
+        }
+        _ => {
+            let tie = n.get("L_t");
+            n.set("L_t", tie * (1.0 + beside));
+        }
+    }
+}
