@@ -27,7 +27,7 @@
 //! | `ellipsograph.load_moment` | [`statics::HeadLoad::new`] | Ports001, 5.9, by virtual work and by the instant centre |
 //! | `ellipsograph.weight_moment` | [`statics::WeightMoment::new`] | by virtual work |
 //! | `ellipsograph.pins` | [`pins::GuidedPins::new`] | by equilibrium of boom and link |
-//! | `ellipsograph.motion` | [`moving::HeavyGuide::new`], [`crate::luffing::moving::reduced::Reduced::of`] | Lagrange, in closed form |
+//! | `ellipsograph.motion` | [`moving::HeavyGuide::new`] | Lagrange, in closed form |
 //! | `ellipsograph.range` | [`crate::component::whole`] | Ports001, 5.9.2.3 |
 
 mod balancing;

@@ -23,10 +23,7 @@ pub const OUTLINE: Outline = Outline {
         ("ellipsograph_drive", &[Stage("drive"), Stage("power")]),
         ("ellipsograph_pins", &[Stage("pins")]),
         ("ellipsograph_bodies", &[Stage("built")]),
-        (
-            "ellipsograph_motion",
-            &[Stage("moves"), Stage("resisting"), Stage("pull"), Stage("drum")],
-        ),
+        ("ellipsograph_motion", &[Stage("moves")]),
     ],
     table: listed!(s: R, A_Y, B_Y, V_AX, V_B, M_Q, M_D, F_BX, N_L, F_O1X, F_O1Y),
     curves: &[

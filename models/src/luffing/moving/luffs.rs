@@ -58,7 +58,7 @@ pub struct LuffingGiven {
     pub sources: MotionSources,
 }
 
-/// A luffing mechanism that may move by itself: [`luffs!`] implements it.
+/// A luffing mechanism that may move by itself: the macro `luffs!` implements it.
 pub trait Luffs: Component {
     fn luffing(given: &Self::Given<f64>) -> LuffingGiven;
 
