@@ -208,9 +208,10 @@ def test_a_ranking_says_what_its_bars_are(name, caption):
     """And where a quantity has no effect, its table has a dash."""
     source = (GOLDEN / f"{name}.typ").read_text(encoding="utf-8").split("#let column-head")[1]
     sensitivity = re.search(r"(?ms)^= \d+ (?:Sensitivity|灵敏度)\n(.*?)(?=^= \d)", source)[1]
-    captions = re.findall(r"caption: \[\$.*?\$(.*)\]\),", sensitivity)
+    captions = re.findall(r"caption: \[.*?\$\];(.*)\]\),", sensitivity)
     assert len(captions) > 3 and set(captions) == {caption}
-    cells = [cell for row in re.findall(r"(?m)^  align\(left\)\[\$.*?\$\], \[.*?\], (.*)$", sensitivity) for cell in re.findall(r"\[(.*?)\]", row)]
+    rows = re.findall(r'(?m)^  align\(left\)\[.*?\$\];\], \[.*?\$\];\],(\[.*)$', sensitivity)
+    cells = [cell for row in rows for cell in re.findall(r"\[(.*?)\]", row)]
     assert "–" in cells and "0" not in cells
 
 
