@@ -203,6 +203,18 @@ def test_tables_are_numbered_and_titled(name):
     assert expected > 3
 
 
+@pytest.mark.parametrize("name, caption", [("zh_full", "：各量增加 1 % 时变化的百分数"), ("en_standard", ": change in % for 1 % more")])
+def test_a_ranking_says_what_its_bars_are(name, caption):
+    """And where a quantity has no effect, its table has a dash."""
+    source = (GOLDEN / f"{name}.typ").read_text(encoding="utf-8").split("#let column-head")[1]
+    sensitivity = re.search(r"(?ms)^= \d+ (?:Sensitivity|灵敏度)\n(.*?)(?=^= \d)", source)[1]
+    captions = re.findall(r"caption: \[.*?\$\];(.*)\]\),", sensitivity)
+    assert len(captions) > 3 and set(captions) == {caption}
+    rows = re.findall(r'(?m)^  align\(left\)\[.*?\$\];\], \[.*?\$\];\],(\[.*)$', sensitivity)
+    cells = [cell for row in rows for cell in re.findall(r"\[(.*?)\]", row)]
+    assert "–" in cells and "0" not in cells
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_notation_is_sorted_as_it_is_printed(language):
     source = (GOLDEN / f"{language}_full.typ").read_text(encoding="utf-8")

@@ -97,6 +97,9 @@ def test_nothing_that_weighs_nothing_is_told(tmp_path):
     results = text.rsplit("Constants of the mechanism", 1)[1].rsplit("Input file", 1)[0]
     assert "0 kN" in text.replace("0kN", "0 kN") and len(results) > 10_000
     assert re.findall(r".{60}(?<![\w.,])[−-]?0 ?kN.{20}", results) == []
+    # Nor of jib and rocker are there results: level error, transmission angle, velocity of the head.
+    assert not any(column in results for column in ("Level error", "Smallest transmission angle of", "Horizontal velocity of A [Li2022"))
+    assert "Smallest transmission angle between rod and lever" in text and "Level error" not in text.rsplit("Constants of the mechanism", 1)[0]
     assert "Luffing moment of the load" not in results.split(" Remarks ")[0] and "Calculation of the balance of a plain boom" in text
     assert "Positionofthegreatestresidualmomentabouttheboom’sfoot:𝜃1=50.5°" in text.replace(" ", "")
     lemnis("book", ROOT / "models/scenes/ports_001.toml", "--format", "typ", "--output", tmp_path)

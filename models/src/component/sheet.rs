@@ -73,29 +73,6 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// Leaves out what weighs nothing anywhere, where loads or weights are zero: a book has no pages of zeros.
-    pub fn drop_nothing(&mut self) {
-        let something = |symbol: &Symbol, value: f64| value != 0.0 || symbol.unit.dimension.kg == 0;
-        self.governing.retain(|found| something(found.symbol, found.value));
-        self.summary.retain(|found| something(found.symbol, found.value));
-        self.forces
-            .retain(|ends| ends.iter().any(|end| something(end.symbol, end.value)));
-        let Table { columns, rows } = &mut self.range;
-        let kept: Vec<bool> = (0..columns.len())
-            .map(|i| rows.iter().any(|row| something(columns[i], row[i])))
-            .collect();
-        let mut kept_column = kept.iter();
-        columns.retain(|_| *kept_column.next().expect("one for each"));
-        for row in rows {
-            let mut kept_cell = kept.iter();
-            row.retain(|_| *kept_cell.next().expect("one for each"));
-        }
-        self.curves.retain(|curve| {
-            let mut points = curve.pieces.iter().flatten();
-            points.any(|point| something(curve.y, point[1]))
-        });
-    }
-
     /// All formulas.
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
         let positions = self.positions.iter().flat_map(|position| &position.sections);

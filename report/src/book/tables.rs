@@ -269,10 +269,9 @@ pub(super) fn sensitivity(numbers: &Numbers, table: &sheet::Sensitivity) -> Sens
     let change = |row: &sheet::Slope| {
         let (count, unit) = step(row.symbol);
         let cell = |(i, slope): (usize, &f64)| {
-            let shown = |by: f64| {
-                numbers
-                    .language
-                    .text(&number::change(table.results[i].0.shown(slope * by)))
+            let shown = |by: f64| match number::change(table.results[i].0.shown(slope * by)) {
+                nothing if nothing.value() == 0.0 => "–".to_owned(),
+                change => numbers.language.text(&change),
             };
             [shown(count * unit.factor), shown(0.01 * row.value)]
         };

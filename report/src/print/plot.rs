@@ -20,6 +20,9 @@ const NAMES: f64 = 9.0;
 const TOP: f64 = 7.0;
 const BOTTOM: f64 = 10.0;
 
+/// What of the greatest amount of a curve is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// An axis: what is drawn, from where to where, with round numbers at its ticks.
 struct Axis {
     from: f64,
@@ -33,16 +36,11 @@ impl Axis {
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
             (low.min(v), high.max(v))
         });
-        // A quantity that stays the same, but for rounding, gets an axis around it.
-        let size = if low == 0.0 && high == 0.0 {
-            1.0
-        } else {
-            low.abs().max(high.abs())
-        };
-        let (low, high) = if high - low < 1e-9 * size {
-            (low - 1e-3 * size, high + 1e-3 * size)
-        } else {
-            (low, high)
+        // A quantity that stays the same gets an axis around it.
+        let (low, high) = match low.abs().max(high.abs()) {
+            0.0 => (-1.0, 1.0),
+            size if Axis::is_level(low, high) => (low - 1e-3 * size, high + 1e-3 * size),
+            _ => (low, high),
         };
         let span = high - low;
         let power = power_of_ten(span / 5.0);
@@ -57,6 +55,11 @@ impl Axis {
             to: if high > low { high } else { low + step },
             step,
         }
+    }
+
+    /// Whether a quantity between these stays the same, but for rounding.
+    fn is_level(low: f64, high: f64) -> bool {
+        high - low <= ROUNDING * low.abs().max(high.abs())
     }
 
     fn ticks(&self) -> impl Iterator<Item = f64> {
@@ -347,15 +350,20 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
                 .copied()
                 .max_by(|a, b| (sign * a[1]).total_cmp(&(sign * b[1])))
         };
-        let extremes = [(extreme(1.0), false), (extreme(-1.0), true)];
-        for (point, _) in extremes {
-            if let Some(point) = point {
-                picture.circle("solid", place(point), 0.7);
-            }
+        let (Some(highest), Some(lowest)) = (extreme(1.0), extreme(-1.0)) else {
+            return picture;
+        };
+        let mut extremes = vec![(highest, false), (lowest, true)];
+        if Axis::is_level(lowest[1], highest[1]) {
+            // Its extremes say the same.
+            extremes.truncate(1);
         }
+        for &(point, _) in &extremes {
+            picture.circle("solid", place(point), 0.7);
+        }
+        let size = lowest[1].abs().max(highest[1].abs());
         for (point, below) in extremes {
-            let Some(point) = point else { continue };
-            let label = Label::plain(language.text(&four_digits(point[1])));
+            let label = Label::plain(language.text(&four_digits(point[1], size)));
             let places = field.inside(&label, label.around(place(point), below));
             picture.label(label, &places);
         }
@@ -403,9 +411,15 @@ fn axis_name(symbol: &Symbol) -> String {
     }
 }
 
-fn four_digits(value: f64) -> Number {
-    let before = if value.abs() < 1.0 { 0 } else { exponent(value) + 1 };
-    Number::new(value, Digits::Decimals(usize::try_from(4 - before).unwrap_or(0)))
+/// Four significant digits, or nothing where it is rounding beside the greatest amount of its curve.
+fn four_digits(value: f64, size: f64) -> Number {
+    if value.abs() <= ROUNDING * size {
+        return Number::new(0.0, Digits::Decimals(0));
+    }
+    Number::new(
+        value,
+        Digits::Decimals(usize::try_from(3 - exponent(value)).unwrap_or(0)),
+    )
 }
 
 #[cfg(test)]
@@ -432,5 +446,23 @@ mod tests {
     fn a_level_curve_has_an_axis_too() {
         let axis = Axis::new([5.0, 5.0].into_iter());
         assert!(axis.ticks().count() < 20 && axis.step > 0.0);
+        assert_eq!(Axis::new([0.0, 0.0].into_iter()).decimals(), 1);
+        assert!(Axis::is_level(0.0, 0.0) && Axis::is_level(5.0, 5.0 + 1e-14) && !Axis::is_level(0.0, 1e-14));
+    }
+
+    #[test]
+    fn an_extreme_has_four_digits() {
+        let written = |value, size| four_digits(value, size).to_string();
+        let all = [
+            (0.016_644, 0.02),
+            (0.0, 0.0),
+            (4e-16, 3.0),
+            (-17.1823, 2062.0),
+            (12345.6, 12345.6),
+        ];
+        assert_eq!(
+            all.map(|(value, size)| written(value, size)),
+            ["0.01664", "0", "0", "-17.18", "12346"]
+        );
     }
 }

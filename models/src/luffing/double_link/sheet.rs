@@ -24,6 +24,7 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::schema::Values;
+use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
 use crate::kernel::variable::Fault;
 use crate::luffing::counterweight::chapter;
@@ -50,6 +51,20 @@ use crate::parts::four_bar::Branch;
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
 use crate::parts::{hanging, hydraulics};
+
+/// Results of jib and rocker, which for a plain boom only stand in.
+const STANDING_IN: [&Symbol; 10] = [
+    &s::THETA_3,
+    &s::A_Y,
+    &s::ALPHA,
+    &s::ALPHA_1,
+    &s::MU,
+    &s::V_AX,
+    &s::MU_MIN,
+    &s::V_AX_MAX,
+    &s::DELTA_Y,
+    &s::EPSILON_Y,
+];
 
 /// As scenes describe it.
 pub const ENTRY: Entry = Description::<LuffingScene>::entry("double_link", KEYS);
@@ -387,6 +402,9 @@ impl Described for LuffingScene {
     }
 
     fn more(this: &Luffing, model: &mut Standing, sheet: &mut Sheet) {
+        if this.is_plain() {
+            sheet.drop_results(&STANDING_IN);
+        }
         sheet.balance = chapter::<DoubleLink>(model, this.published_balance.as_ref());
         if let Some(search) = search(this) {
             sheet.requirements.extend(kept(&search));

@@ -163,11 +163,11 @@ impl<C: Calc> LoadLevel<C> {
     /// # Errors
     /// As [`Stretch::new`].
     pub fn new(rig: &Rig<C>, parts: &Option<Compensation<C>>, choice: &BoomChoice) -> Found<LoadLevel<C>> {
-        let there = BoomPosition::new(rig, &C::constant(choice.range.from));
+        let there = BoomPosition::new(rig, &C::known(&s::FROM, choice.range.from));
         let stretch = Stretch::new(rig, parts, &there)?;
         Ok(LoadLevel {
             c_q: (-rig.h_q - stretch.all(stretch.line.length) / rig.m_h).def(&s::C_Q),
-            start: (there.a.y - rig.h_q).def(&s::Y_Q),
+            start: (there.a.y - rig.h_q).def(&s::Y_QA),
         })
     }
 }

@@ -43,6 +43,7 @@ symbols! {
     H_S: "h_S" "h_S" M / M, "Lever arm of the hoist rope about O1; positive where its pull raises the boom.", "[Ports001, 5.1]";
     C_Q: "c_Q" "c_Q" M / M, "Height of the load less that of the head, without the rope between A and B.", "[Ports001, 5.2.3]";
     Y_Q: "Y_Q" "y_Q" M / M, "Height of the load above O1 with the hoist drum at rest.", "[Ports001, 5.2.3]";
+    Y_QA: "Y_Q_a" "y_(Q a)" M / M, "Height of the load above O1 at the start of the working range.", "[Ports001, 5.2.3]";
     L_H: "l_h" "l_h" M / M, "Hoist rope that its drum would have to take in, or pay out where negative, to bring the load to the height of the start.", "derived";
 
     // Velocity.
