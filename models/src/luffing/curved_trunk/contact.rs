@@ -49,7 +49,7 @@ impl<C: Calc> Contact<C> {
         let f_0 = (trunk.l_t - found.w).def(&s::F_0);
         let h_0 = plane::cross(p_0, u_0).def(&s::H_0);
         let v_0 = plane::def(p_0 + u_0 * f_0, [&s::V0_X, &s::V0_Y]);
-        let turn = ((plane::squared(v_0) - d_2) / (C::constant(2.0) * f_0 * h_0)).def(&s::DELTA_Z);
+        let turn = ((plane::squared(v_0) - d_2) / (C::constant(2.0) * f_0 * h_0)).def(&s::DELTA_ZETA);
         let u = Point::new(u_0.x - u_0.y * turn, u_0.y + u_0.x * turn);
         let way = if choice.from_rear {
             -(found.rho * turn)
@@ -61,7 +61,7 @@ impl<C: Calc> Contact<C> {
             b,
             d,
             d_2,
-            p: plane::def(p_0 + u_0 * way, [&s::P_TX, &s::P_TY]),
+            p: plane::def(p_0 + u_0 * way, [&s::C_X, &s::C_Y]),
             u: plane::def(u, [&s::U_X, &s::U_Y]),
             w,
             f: (trunk.l_t - w).def(&s::F),
@@ -77,7 +77,6 @@ impl<C: Calc> Contact<C> {
 ///
 /// # Errors
 /// A distance beyond those at the ends of the tail.
-#[inline]
 fn found(tail: &TrunkTail<f64>, choice: &TrunkChoice, square: f64) -> Result<f64, OutOfRange> {
     let [clamp, free] = &tail.ends;
     let (at_clamp, at_free) = (clamp.square[0] - square, free.square[0] - square);

@@ -16,7 +16,7 @@
 //! direction: at any moment the trunk moves as on a rigid tie from T to E. Moments of loads are positive where they lower the
 //! boom, the drive's where it raises it.
 //!
-//! The unrolled end of the tie is v = p + f u in the trunk's frame, and it is as far from B as E is: d² = v². That is one
+//! The unrolled end of the tie is v = c + f u in the trunk's frame, and it is as far from B as E is: d² = v². That is one
 //! equation for the point of contact, dv²/dζ = −2 f h_t: it has one solution between two dead points, in which the tie's line
 //! passes through B.
 //!

@@ -65,7 +65,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
     ],
-    uses: &[("tail_points", &[&s::X_P, &s::Y_P])],
+    uses: &[("tail_points", &[&s::X_T, &s::Y_T])],
     forces: listed!(s: N_T, Q_T, P_T, F_BX, F_BY, F_O1X, F_O1Y, M_D),
     worst: &[("greatest_tie", &s::N_T_MAX), ("trunk_speed", &s::V_AX_MAX)],
 };

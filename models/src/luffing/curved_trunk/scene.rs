@@ -81,7 +81,7 @@ const POINTS: &[Key] = keys! { s:
     Key::new("points", Kind::Tables(POINT, 40), "Points of the tail from its front end to its rear end, over its upper side.")
 };
 
-const POINT: &[Key] = keys! { s: X_P, Y_P };
+const POINT: &[Key] = keys! { s: X_T, Y_T };
 
 const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_T [or_mass], R_T >= 0, CHI_T [usually(0.0)]
@@ -272,7 +272,7 @@ fn curve(tail: &Values, found: &mut Vec<Diagnostic>) -> Option<Arc<SmoothCurve>>
     let tables = tail.tables("points");
     let points: Vec<Point<f64>> = tables
         .iter()
-        .map(|point| Some(Point::new(point.of(&s::X_P)?, point.of(&s::Y_P)?)))
+        .map(|point| Some(Point::new(point.of(&s::X_T)?, point.of(&s::Y_T)?)))
         .collect::<Option<_>>()?;
     let fault = match SmoothCurve::new(&points) {
         Ok(curve) => return Some(Arc::new(curve)),

@@ -27,8 +27,8 @@ symbols! {
     RHO: "rho" "rho" M / M [positive], "Radius of the tail's arc.", "[Ports001, 5.2.4.3]";
     ZETA_F: "zeta_f" "zeta_f" RAD / DEG, "Direction from Z to the front end of the tail, counter-clockwise from the trunk's line.", "[Ports001, 5.2.4.3]";
     ZETA_R: "zeta_r" "zeta_r" RAD / DEG, "Direction from Z to the rear end of the tail, counter-clockwise from the trunk's line.", "[Ports001, 5.2.4.3]";
-    X_P: "x_t" "x_t" M / M, "Point of the tail, from B along the trunk's line towards A.", "[Ports001, 5.2.4.3]";
-    Y_P: "y_t" "y_t" M / M, "Point of the tail, square to the trunk's line, upper side positive.", "[Ports001, 5.2.4.3]";
+    X_T: "x_t" "x_t" M / M, "Point of the tail, from B along the trunk's line towards A.", "[Ports001, 5.2.4.3]";
+    Y_T: "y_t" "y_t" M / M, "Point of the tail, square to the trunk's line, upper side positive.", "[Ports001, 5.2.4.3]";
     B_T: "b_t" "b_t" M / MM [positive], "Width of the tie on the tail.", "[Ports001, 5.2.4.3]";
     W_A: "w_a" "w_a" M / M [not_negative], "Length of the tail from end to end.", "derived";
 
@@ -42,8 +42,8 @@ symbols! {
     ZETA_0: "zeta_0" "zeta_0" RAD / DEG, "Direction from Z to the point of contact, found by Newton's method.", "derived";
     U0_X: "u_0.x" "u_(0 x)" ONE / ONE, "Direction of the free tie as found, along the trunk's line.", "derived";
     U0_Y: "u_0.y" "u_(0 y)" ONE / ONE, "Direction of the free tie as found, square to the trunk's line.", "derived";
-    P0_X: "p_0.x" "p_(0 x)" M / M, "Point of contact as found, along the trunk's line.", "derived";
-    P0_Y: "p_0.y" "p_(0 y)" M / M, "Point of contact as found, square to the trunk's line.", "derived";
+    C0_X: "c_0.x" "c_(0 x)" M / M, "Point of contact as found, along the trunk's line.", "derived";
+    C0_Y: "c_0.y" "c_(0 y)" M / M, "Point of contact as found, square to the trunk's line.", "derived";
     W_0: "w_0" "w_0" M / M, "Length of the tie on the tail as found.", "derived";
     RHO_0: "rho_0" "rho_0" M / M, "Radius of the tail at the point of contact as found.", "derived";
     DRHO_0: "drho_0" "rho'_0" M / M, "Change of the tail's radius for one radian of its turn.", "derived";
@@ -51,13 +51,13 @@ symbols! {
     H_0: "h_0" "h_0" M / M, "Lever arm of the tie about B as found.", "derived";
     V0_X: "v_0.x" "v_(0 x)" M / M, "From B to the end of the tie as found, along the trunk's line.", "derived";
     V0_Y: "v_0.y" "v_(0 y)" M / M, "From B to the end of the tie as found, square to the trunk's line.", "derived";
-    DELTA_Z: "delta_zeta" "delta_zeta" RAD / DEG, "Last step of Newton's method: what is left is rounding.", "derived";
+    DELTA_ZETA: "delta_zeta" "delta_zeta" RAD / DEG, "Last step of Newton's method: what is left is rounding.", "derived";
 
     // Position.
     U_X: "u.x" "u_x" ONE / ONE, "Direction of the free tie towards E, along the trunk's line.", "derived";
     U_Y: "u.y" "u_y" ONE / ONE, "Direction of the free tie towards E, square to the trunk's line.", "derived";
-    P_TX: "p.x" "p_x" M / M, "Point of contact T, from B along the trunk's line.", "derived";
-    P_TY: "p.y" "p_y" M / M, "Point of contact T, square to the trunk's line.", "derived";
+    C_X: "c.x" "c_x" M / M, "Point of contact T, from B along the trunk's line.", "derived";
+    C_Y: "c.y" "c_y" M / M, "Point of contact T, square to the trunk's line.", "derived";
     W: "w" "w" M / M, "Length of the tie that lies on the tail, from the clamp to T.", "[Ports001, 5.2.4.3]";
     F: "f" "f" M / M, "Free part of the tie from T to E.", "[Ports001, 5.2.4.3]";
     RHO_T: "rho_t" "rho_t" M / M, "Radius of the tail at T.", "[Ports001, 5.2.4.3]";

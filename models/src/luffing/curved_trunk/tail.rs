@@ -164,7 +164,7 @@ impl<C: Calc> Leaving<C> {
             let p = Point::new(arc.z_x + arc.rho * cos, arc.z_y + arc.rho * sin);
             let turned = if rear { arc.zeta_r - zeta } else { zeta - arc.zeta_f };
             return Leaving {
-                p: plane::def(p, [&s::P0_X, &s::P0_Y]),
+                p: plane::def(p, [&s::C0_X, &s::C0_Y]),
                 u: plane::def(u, [&s::U0_X, &s::U0_Y]),
                 w: (arc.rho * turned).def(&s::W_0),
                 rho: arc.rho,
@@ -180,7 +180,7 @@ impl<C: Calc> Leaving<C> {
             (at.along, at.length)
         };
         Leaving {
-            p: Point::new(C::known(&s::P0_X, at.at.x), C::known(&s::P0_Y, at.at.y)),
+            p: Point::new(C::known(&s::C0_X, at.at.x), C::known(&s::C0_Y, at.at.y)),
             u: Point::new(C::known(&s::U0_X, u.x), C::known(&s::U0_Y, u.y)),
             w: C::known(&s::W_0, w),
             rho: C::known(&s::RHO_0, at.radius),
