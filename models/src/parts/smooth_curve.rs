@@ -1,7 +1,7 @@
 //! A smooth curve through points whose length is a polynomial: a spline of quintic pieces with a Pythagorean hodograph.
 //!
 //! In the complex plane the curve's derivative is the square of a quadratic spline `z`, so that its speed is |z|², its
-//! direction z²/|z|², and its length a polynomial too. `z` is smooth, and with it the curvature. [Farouki2008, 26]
+//! direction z²/|z|², and its length a polynomial too. `z` is smooth, and with it the curvature. (Farouki's C² splines of this kind.)
 
 use nalgebra::Complex;
 
