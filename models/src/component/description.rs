@@ -222,16 +222,17 @@ impl<T: Described> Description<T> {
             auto: v.text("fidelity") == Some("auto"),
             limits: v.table("limits").map_or(Vec::new(), Values::own),
         };
-        if found.len() == before
+        // What could not be read is missing in it: nothing more can be said before that is mended.
+        if found.is_empty()
             && let Err(fault) = described.at_level(None)
         {
             let help = "move what it names, or keep the working range away from there";
             found.push(v.refuse("motion", fault.message, "not possible at its start", help));
         }
-        if found.len() == before {
+        if found.is_empty() {
             T::check(&described, v, found);
         }
-        if found.len() == before
+        if found.is_empty()
             && let Some(moving) = T::moving(&described)
         {
             if let Err(fault) = moving {
