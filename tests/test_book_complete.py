@@ -65,8 +65,9 @@ def test_every_symbol_of_a_formula_is_in_the_notation(scene, level, tmp_path):
     count = 0
     for result, formula in formulas(text):
         found, left = symbols(formula, notation)
-        # Constants of formulas have few digits: what has many is a quantity without its name.
-        assert not re.search(r"\d\.\d{4}", formula), (result, formula)
+        # Constants of formulas have few digits: what has many is a quantity without its name, but for one that a search has
+        # found, which is all of its line.
+        assert re.fullmatch(r" -?[\d.]+", formula) or not re.search(r"\d\.\d{4}", formula), (result, formula)
         assert not left and found <= notation, (result, formula, left, found - notation)
         count += bool(found)
     assert count > 10

@@ -23,11 +23,23 @@ fn no_level_allocates_while_it_runs() {
         for index in 0..model.variables().len() {
             let _ = model.get(index);
         }
-        // What an importer keeps is made once, too.
+        // What an importer keeps is made once, too, and so is what a derivative first needs.
         let (mut saved, mut tangent) = (model.state(), model.tangent(&|_| 0.0));
-        let before = counting::count();
+        let by_angle = |quantity: Quantity| f64::from(quantity.0.id == "theta_1");
+        model.tangent_into(&by_angle, &mut tangent);
+        for index in 0..model.variables().len() {
+            if matches!(model.variables()[index].role, Role::Rate | Role::Output) {
+                let _ = model.derivative(&mut tangent, index);
+            }
+        }
+        let mut before = counting::count();
         model.state_into(&mut saved);
+        assert_eq!(counting::count() - before, 0, "{level}");
         for step in 0..1000 {
+            // The mechanism that is shared with what is saved is parted from it at its first two changes.
+            if step == 2 {
+                before = counting::count();
+            }
             let t = f64::from(step) * 1e-3;
             for &input in &inputs {
                 let value = model.get(input).expect("an input has a value");
@@ -37,7 +49,6 @@ fn no_level_allocates_while_it_runs() {
             model.get_states(&mut states);
             model.event_indicators(&mut indicators).expect("closes");
             model.rates(&mut states).expect("closes");
-            let by_angle = |quantity: Quantity| f64::from(quantity.0.id == "theta_1");
             model.tangent_into(&by_angle, &mut tangent);
             for index in 0..model.variables().len() {
                 let _ = model.get(index);

@@ -17,16 +17,19 @@ use crate::luffing::ellipsograph::moving::{GuidedInertias, HeavyGuide};
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice};
 use crate::luffing::ellipsograph::statics::GuidedWeights;
 use crate::luffing::ellipsograph::symbols as s;
+use crate::luffing::moving::bodies::Pendulum;
 use crate::luffing::moving::built::{HoistParts, LevelParts};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Constants, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
+use crate::luffing::moving::reduced::renew;
 use crate::luffing::moving::stages::{CraneMoves, rates_after};
 use crate::luffing::moving::symbols as m;
 
 /// What the boom in motion is made of.
-struct GuideParts<C: Calc> {
+#[derive(Clone)]
+pub struct GuideParts<C: Calc> {
     bars: Bars<C>,
     load: C,
     weights: GuidedWeights<C>,
@@ -41,46 +44,70 @@ impl<P: Weighing<P> + Coordinate<P> + Send + Sync + 'static> GuideParts<P>
 where
     Dual64: Over<P>,
 {
-    fn level(self) -> Result<Level<P>, Fault> {
+    fn pendulum(&self) -> Option<Pendulum<P>> {
+        let rope = self.rest.fitted.rope?;
+        let load = (self.load / self.rest.constants.g).def(&m::MASS_Q);
+        self.hoist.pendulum(load, Some(rope))
+    }
+
+    fn guide(&self) -> Result<HeavyGuide<P>, Fault> {
         let gravity = self.rest.constants.g;
-        let load = (self.load / gravity).def(&m::MASS_Q);
-        let pendulum = self.hoist.pendulum(load, self.rest.fitted.rope);
-        let guide = HeavyGuide::new(
+        let fixed = self.rest.fitted.rope.is_none().then(|| self.load / gravity);
+        HeavyGuide::new(
             &self.bars,
             &self.weights,
             &self.inertias,
             &self.balance,
             &self.choice,
-            pendulum.is_none().then_some(load),
+            fixed.map(|load| load.def(&m::MASS_Q)),
             gravity,
         )
-        .map_err(|fault| Fault::outside(fault.to_string()))?;
-        Ok(self.rest.level(Dynamics::new(Arc::new(guide), pendulum, gravity)))
+        .map_err(|fault| Fault::outside(fault.to_string()))
+    }
+
+    fn level(&self, guide: &Arc<HeavyGuide<P>>) -> Level<P> {
+        let dynamics = Dynamics::new(guide.clone(), self.pendulum(), self.rest.constants.g);
+        self.rest.clone().level(dynamics)
     }
 }
 
 /// Each scalar has derivatives by the boom's angle in its own way.
 struct GuideInMotion;
 
-/// The equations of a level over a scalar.
-pub struct GuideLevel<P: Calc>(fn(GuideParts<P>) -> Result<Level<P>, Fault>);
+/// What the equations of motion have of boom and link, over a scalar.
+pub struct GuideEquations<P: Calc> {
+    guide: fn(&GuideParts<P>) -> Result<HeavyGuide<P>, Fault>,
+    level: fn(&GuideParts<P>, &Arc<HeavyGuide<P>>) -> Level<P>,
+}
 
-impl EachScalar for GuideInMotion {
-    type For<C: Calc> = GuideLevel<C>;
-    fn plain() -> GuideLevel<f64> {
-        GuideLevel(GuideParts::level)
-    }
-    fn dual() -> GuideLevel<Dual64> {
-        GuideLevel(GuideParts::level)
-    }
-    fn recorded() -> GuideLevel<Rec> {
-        GuideLevel(GuideParts::level)
+impl<P: Weighing<P> + Coordinate<P> + Send + Sync + 'static> GuideEquations<P>
+where
+    Dual64: Over<P>,
+{
+    fn new() -> GuideEquations<P> {
+        GuideEquations {
+            guide: GuideParts::guide,
+            level: GuideParts::level,
+        }
     }
 }
 
-/// The equations of the level, nothing being asked of it.
+impl EachScalar for GuideInMotion {
+    type For<C: Calc> = GuideEquations<C>;
+    fn plain() -> GuideEquations<f64> {
+        GuideEquations::new()
+    }
+    fn dual() -> GuideEquations<Dual64> {
+        GuideEquations::new()
+    }
+    fn recorded() -> GuideEquations<Rec> {
+        GuideEquations::new()
+    }
+}
+
+/// All that the boom in motion is made of.
 #[expect(clippy::too_many_arguments, reason = "all that it is made of")]
-pub fn built<C: Scalar>(
+pub fn parts<C: Calc>(
     bars: &Bars<C>,
     load: &One<C>,
     weights: &GuidedWeights<C>,
@@ -92,9 +119,10 @@ pub fn built<C: Scalar>(
     give: &Option<RopeGive<C>>,
     choice: &GuidedChoice,
     fitted: &Fitted,
-    room: &mut Vec<Level<C>>,
-) -> Result<(), Fault> {
-    let parts = GuideParts {
+    room: &mut Vec<GuideParts<C>>,
+) {
+    room.clear();
+    room.push(GuideParts {
         bars: *bars,
         load: load.1,
         weights: *weights,
@@ -114,10 +142,22 @@ pub fn built<C: Scalar>(
             fitted: *fitted,
         },
         choice: *choice,
-    };
-    room.clear();
-    room.push((C::own::<GuideInMotion>().0)(parts)?);
+    });
+}
+
+/// Boom and link with what they weigh.
+///
+/// # Errors
+/// Quantities with which there is no such balance.
+pub fn guide<C: Scalar>(parts: &[GuideParts<C>], room: &mut Vec<Arc<HeavyGuide<C>>>) -> Result<(), Fault> {
+    renew(room, (C::own::<GuideInMotion>().guide)(&parts[0])?);
     Ok(())
+}
+
+/// The equations of the level, nothing being asked of it.
+pub fn built<C: Scalar>(parts: &[GuideParts<C>], guide: &[Arc<HeavyGuide<C>>], room: &mut Vec<Level<C>>) {
+    room.clear();
+    room.push((C::own::<GuideInMotion>().level)(&parts[0], &guide[0]));
 }
 
 /// Rates of angle and angular velocity of the boom.

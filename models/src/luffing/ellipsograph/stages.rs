@@ -1,5 +1,7 @@
 //! The boom as a component: what it is given, and in which stages its equations follow from each other.
 
+use std::sync::Arc;
+
 use crate::balance::analysis::Analysis;
 use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
@@ -14,8 +16,9 @@ use crate::kernel::variable::Variable;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::ellipsograph::balancing::{analysed, balanced, balancing, criteria, residual};
-use crate::luffing::ellipsograph::motion::{self, GuideRates, RATES};
+use crate::luffing::ellipsograph::motion::{self, GuideParts, GuideRates, RATES};
 use crate::luffing::ellipsograph::moving::GuidedInertias;
+use crate::luffing::ellipsograph::moving::HeavyGuide;
 use crate::luffing::ellipsograph::pins::GuidedPins;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes, pole};
 use crate::luffing::ellipsograph::statics::{GuidedWeights, HeadLoad, WeightMoment, drive, power};
@@ -73,9 +76,11 @@ stages! {
         pins: GuidedPins<C> = GuidedPins::new(bars, load[!], weights, phi, position, residual[?]);
         analysed: Analysis = analysed(bars, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, bars, weights[!], analysed, choice);
-        built[constants]: Vec<Level<C>> = motion::built(
+        parts[constants]: Vec<GuideParts<C>> = motion::parts(
             bars, load[!], weights[!], balance, inertias[!], constants[!], ramp, motor, give, choice, fitted
         ) => _;
+        guide[constants]: Vec<Arc<HeavyGuide<C>>> = motion::guide(parts) => _;
+        built[constants]: Vec<Level<C>> = motion::built(parts, guide) => _;
         told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
         at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], inputs[!], fitted) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, phi) => _;

@@ -21,6 +21,7 @@ use crate::parts::turntable::Turning;
 const STOP: f64 = 100.0;
 
 /// The hoist of a load's rope as a scene gives it.
+#[derive(Clone)]
 pub struct HoistParts<P: Calc> {
     pub ramp: Option<HoistRamp<P>>,
     pub motor: Option<HoistMotor<P>>,
@@ -63,6 +64,7 @@ impl<P: Calc> HoistParts<P> {
 }
 
 /// What a level is made of besides the mechanism.
+#[derive(Clone)]
 pub struct LevelParts<P: Calc> {
     pub range: Motion,
     /// Of slewing, from the mechanism's origin, in m.

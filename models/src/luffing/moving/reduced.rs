@@ -1,6 +1,8 @@
 //! What a mechanism with one coordinate is to the equations of motion: its bodies, reduced to that coordinate.
 //! [virtual work; Lagrange]
 
+use std::sync::Arc;
+
 use num_dual::Dual64;
 
 use crate::kernel::calc::{Calc, Over};
@@ -96,4 +98,19 @@ pub trait Reduces<P>: Send + Sync {
     fn with_slope(&self, at: Dual64, asked: &Asked<P>) -> Option<Reduced<Dual64>>;
 
     fn names(&self) -> CoordinateNames;
+}
+
+/// Puts a mechanism first of two. The equations of motion share the one that stood there until they are made anew; the other
+/// is theirs no more, and what comes next is put in its place: after the first time nothing is allocated.
+pub fn renew<T: Clone>(room: &mut Vec<Arc<T>>, fresh: T) {
+    if room.is_empty() {
+        let spare = Arc::new(fresh.clone());
+        room.extend([Arc::new(fresh), spare]);
+        return;
+    }
+    room.swap(0, 1);
+    match Arc::get_mut(&mut room[0]) {
+        Some(place) => *place = fresh,
+        None => room[0] = Arc::new(fresh),
+    }
 }

@@ -54,7 +54,7 @@ where
     ///
     /// # Errors
     /// Quantities with which there is no such mechanism, or no such balance.
-    pub fn linkage(&self) -> Result<Arc<HeavyLinkage<P>>, Fault> {
+    pub fn linkage(&self) -> Result<HeavyLinkage<P>, Fault> {
         let p = &self.parameters;
         let geometry = Geometry::new(p).map_err(|misfit| {
             let words = p.values().describe(misfit);
@@ -63,10 +63,10 @@ where
         let linkage = HeavyLinkage::new(&geometry, self.bodies(&geometry))
             .with_balance(p, &self.range)
             .map_err(|fault| Fault::outside(fault.to_string()))?;
-        Ok(Arc::new(match &p.anchors {
+        Ok(match &p.anchors {
             Some(anchors) => linkage.with_drive(anchors),
             None => linkage,
-        }))
+        })
     }
 
     /// The equations of its level, nothing being asked of it.

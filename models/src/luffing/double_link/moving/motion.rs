@@ -22,15 +22,15 @@ use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::{CraneAt, Level};
+use crate::luffing::moving::reduced::renew;
 use crate::luffing::moving::stages::{CraneMoves, open, present, rates_after};
 use crate::parts::turntable::Turning;
 
-type FoundLinkage<P> = Result<Arc<HeavyLinkage<P>>, Fault>;
 type ForcesOf<P> = fn(&Level<P>, &HeavyLinkage<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>;
 
 /// What the equations of motion have of this mechanism, over a scalar.
 pub struct LinkEquations<P: Calc> {
-    linkage: fn(&CraneParts<P>) -> FoundLinkage<P>,
+    linkage: fn(&CraneParts<P>) -> Result<HeavyLinkage<P>, Fault>,
     level: fn(&CraneParts<P>, &Arc<HeavyLinkage<P>>) -> Level<P>,
     forces: ForcesOf<P>,
 }
@@ -98,8 +98,7 @@ pub fn parts<C: Scalar>(
 
 /// The mechanism with its bodies.
 pub fn linkage<C: Scalar>(parts: &[CraneParts<C>], room: &mut Vec<Arc<HeavyLinkage<C>>>) -> Result<(), Fault> {
-    room.clear();
-    room.push((C::own::<LinkInMotion>().linkage)(&parts[0])?);
+    renew(room, (C::own::<LinkInMotion>().linkage)(&parts[0])?);
     Ok(())
 }
 
