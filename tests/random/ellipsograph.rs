@@ -11,6 +11,9 @@ use crate::scene::{Draw, Node};
 /// A result that every level has.
 pub const RESULT: (&str, &Symbol) = ("A.x", &s::A_X);
 
+/// No length of a scene is longer, in m.
+const LONGEST: f64 = 1e6;
+
 /// Angles that the boom may reach, in rad.
 const BOOM: [f64; 2] = [0.05, 3.09];
 
@@ -25,7 +28,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     // Level, or on an ellipse that is nearly a line, a circle or anything else.
     let part = n.draw.decades(-2, 1);
     let a = c * n.draw.pick(&[1.0, 1.0 + 1e-6, part]);
-    n.set("a", a);
+    n.set("a", a.min(LONGEST));
     n.put("fidelity", level);
     n.keep("dynamics", moves);
     let hoists = n.draw.coin(0.5);

@@ -222,13 +222,13 @@ impl<T: Described> Description<T> {
             auto: v.text("fidelity") == Some("auto"),
             limits: v.table("limits").map_or(Vec::new(), Values::own),
         };
-        // What could not be read is missing in it: nothing more can be said before that is mended.
-        if found.is_empty()
+        if found.len() == before
             && let Err(fault) = described.at_level(None)
         {
             let help = "move what it names, or keep the working range away from there";
             found.push(v.refuse("motion", fault.message, "not possible at its start", help));
         }
+        // What could not be read is missing in it: its results are not judged before that is mended.
         if found.is_empty() {
             T::check(&described, v, found);
         }
