@@ -11,7 +11,7 @@ use crate::luffing::moving::level::{CraneAt, Level};
 use crate::parts::motion::Motion;
 use crate::parts::turntable::Turning;
 
-/// MotionSources of a motion, besides the mechanism: none of them at rest.
+/// What a mechanism has in motion besides what it has at rest: none of it where it stands still.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionSources<C: Calc = f64> {
     pub states: Option<CraneStates<C>>,
