@@ -32,14 +32,9 @@ fn no_level_allocates_while_it_runs() {
                 let _ = model.derivative(&mut tangent, index);
             }
         }
-        let mut before = counting::count();
+        let before = counting::count();
         model.state_into(&mut saved);
-        assert_eq!(counting::count() - before, 0, "{level}");
         for step in 0..1000 {
-            // The mechanism that is shared with what is saved is parted from it at its first two changes.
-            if step == 2 {
-                before = counting::count();
-            }
             let t = f64::from(step) * 1e-3;
             for &input in &inputs {
                 let value = model.get(input).expect("an input has a value");

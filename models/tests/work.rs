@@ -79,11 +79,13 @@ fn slewing_for_a_moment() {
     assert!(over < MOST, "{over} times the median");
 }
 
-/// The head runs along its rope within a millisecond at the start: the step that is chosen sees it, and its blows.
+/// At the start the head has 193 times the acceleration of gravity, which is refused; with 98 it runs.
 #[test]
 fn slewing_from_speed() {
-    let mut model = model(scene!("slewing_from_speed"));
-    let stop = model.stop_time();
-    let [time, _] = run(&mut model);
-    assert!((time - stop).abs() < 1e-9 * stop, "{time} of {stop} s");
+    let text = scene!("slewing_from_speed");
+    let mistakes = Scene::parse(text).err().expect("too fast");
+    assert_eq!(mistakes.len(), 1, "{mistakes:?}");
+    assert!(text[mistakes[0].span.clone()].contains("-10822"), "{mistakes:?}");
+    let over = over(&text.replace("-10822", "-7710"), pendulum(0.0291519), SWING);
+    assert!(over < MOST, "{over} times the median");
 }

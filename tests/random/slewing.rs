@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use lemnis_models::kernel::schema::Key;
 use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::parts::turntable::MOST_SPIN;
 use lemnis_models::slewing::symbols as s;
 use toml::Table;
 
@@ -69,6 +70,16 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         slope.set("gamma_s", steep);
     }
     working_range(&mut n, [-PI, PI]);
+    // Speeds at which the head stays on its crane.
+    let most = 0.99 * (MOST_SPIN * n.draw.g / n.get("R")).sqrt();
+    if n.get("omega_sl").abs() > most {
+        let speed = most * n.draw.between(-1.0, 1.0);
+        n.set("omega_sl", speed);
+    }
+    let mut motion = n.child("motion").expect("required");
+    if motion.get("speed") > most {
+        motion.set("speed", most);
+    }
     table
 }
 

@@ -43,8 +43,8 @@ pub struct SlewingJoint {
     pub stops: [f64; 2],
 }
 
-/// Most centrifugal acceleration of the head that a slewing drive may lead to, over that of gravity.
-const MOST_SPIN: f64 = 100.0;
+/// Most centrifugal acceleration of the head that a speed may give or a slewing drive lead to, over that of gravity.
+pub const MOST_SPIN: f64 = 100.0;
 
 impl SlewingJoint {
     /// Reads a checked table `[slewing]`; mistakes go to the list.

@@ -7,17 +7,15 @@ use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::parts::hanging::too_short;
 use crate::parts::motion::Motion;
-use crate::parts::turntable::{self as joint, SlewingJoint};
+use crate::parts::turntable::{self as joint, MOST_SPIN, SlewingJoint};
 use crate::slewing::symbols as s;
 
 /// Least time in which friction stops what slews, as a part of that which the working range takes.
 const BRISKEST: f64 = 1e-4;
-/// Most centrifugal acceleration of the head, at the start and at the speed of the range, over that of gravity.
-const MOST_SPIN: f64 = 1e4;
 /// Least inertia of what slews, over that of what does not add to it: a load that swings, the weight that leans.
 const LIGHTEST: f64 = 5e-5;
-/// Shortest step that may be given, over that which sees all: below it a solver of fourth order adds up rounding.
-const SHORTEST_STEP: f64 = 1e-2;
+/// Shortest step that may be given, over that which sees all: a solver of fourth order then errs by less than 1e-5 of it.
+const SHORTEST_STEP: f64 = 0.05;
 
 /// Longest step of the solver where the scene gives none: parts of the time in which friction slows it, of those in which it
 /// swings on its slope and its load on the rope, and of that in which the head moves by its rope's length at the start.

@@ -27,7 +27,7 @@ struct Step {
     quantity: Quantity,
     /// Whether the book meets the symbol for the first time.
     first: bool,
-    formula: String,
+    formula: Option<String>,
     numbers: Option<String>,
     result: String,
     /// What judges the result.

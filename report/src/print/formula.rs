@@ -33,7 +33,8 @@ pub enum Layout {
 /// A step in Typst's mathematics.
 #[derive(Debug)]
 pub struct Printed {
-    pub formula: String,
+    /// `None` where a search has found the number: it stands for itself.
+    pub formula: Option<String>,
     /// The formula with the numbers put in; `None` where that repeats the result.
     pub numbers: Option<String>,
     pub result: String,
@@ -64,13 +65,14 @@ pub fn step(
         defined,
     });
     let [symbols, numbers] = forms.map(|print| term(print, false, step.formula).whole());
-    let repeats = !in_full || numbers.text == result.text || !is_arithmetic(trace, step.formula);
+    let found = matches!(trace.node(step.formula), Node::Constant(_));
+    let repeats = found || !in_full || numbers.text == result.text || !is_arithmetic(trace, step.formula);
     let after = JUDGED * judged as f64;
     let line = name + symbols.width + result.width + after + 3.0 + if repeats { 0.0 } else { numbers.width + 3.0 };
     if line <= LINE - SOURCE {
         let numbers = (!repeats).then_some(numbers.text);
         return Printed {
-            formula: symbols.text,
+            formula: (!found).then_some(symbols.text),
             numbers,
             result: result.text,
             layout: Layout::Line,
@@ -82,7 +84,7 @@ pub fn step(
     let widest = (formula_width + SOURCE).max(if repeats { 0.0 } else { numbers_width });
     let widest = name + widest.max(result.width + after);
     Printed {
-        formula,
+        formula: Some(formula),
         numbers: (!repeats).then_some(numbers),
         result: result.text,
         layout: Layout::Lines,
@@ -162,7 +164,7 @@ mod tests {
             true,
             0,
         );
-        (printed.formula, printed.numbers.unwrap_or(printed.result))
+        (printed.formula.unwrap_or_default(), printed.numbers.unwrap_or(printed.result))
     }
 
     #[test]

@@ -1,7 +1,5 @@
 //! The mechanism as a component: what it is given, and in which stages its equations follow from each other.
 
-use std::sync::Arc;
-
 use crate::balance::analysis::Analysis;
 use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
@@ -42,6 +40,7 @@ use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{Fittings, Said};
 use crate::luffing::moving::luffs::{Luffs, luffs};
+use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, CraneRates, INDICATORS, LoadSeen};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::four_bar::FourBar;
@@ -115,7 +114,7 @@ stages! {
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
             parameters, load[!], inertias[!], constants[!], ramp, motor, give, turning, oil, fitted, choice
         ) => _;
-        linkage[constants]: Vec<Arc<HeavyLinkage<C>>> = motion::linkage(parts) => _;
+        linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         built[constants]: Vec<Level<C>> = motion::built(parts, linkage) => _;
         told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
         at: CraneAt<C> = stages::at(theta, omega, states[!], wound, past[!], inputs[!], fitted) => _;

@@ -23,7 +23,7 @@ use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Constants, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
-use crate::luffing::moving::reduced::renew;
+use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{CraneMoves, rates_after};
 use crate::luffing::moving::symbols as m;
 
@@ -149,15 +149,15 @@ pub fn parts<C: Calc>(
 ///
 /// # Errors
 /// Quantities with which there is no such balance.
-pub fn guide<C: Scalar>(parts: &[GuideParts<C>], room: &mut Vec<Arc<HeavyGuide<C>>>) -> Result<(), Fault> {
-    renew(room, (C::own::<GuideInMotion>().guide)(&parts[0])?);
+pub fn guide<C: Scalar>(parts: &[GuideParts<C>], room: &mut Vec<Renewed<HeavyGuide<C>>>) -> Result<(), Fault> {
+    Renewed::renew(room, (C::own::<GuideInMotion>().guide)(&parts[0])?);
     Ok(())
 }
 
 /// The equations of the level, nothing being asked of it.
-pub fn built<C: Scalar>(parts: &[GuideParts<C>], guide: &[Arc<HeavyGuide<C>>], room: &mut Vec<Level<C>>) {
+pub fn built<C: Scalar>(parts: &[GuideParts<C>], guide: &[Renewed<HeavyGuide<C>>], room: &mut Vec<Level<C>>) {
     room.clear();
-    room.push((C::own::<GuideInMotion>().level)(&parts[0], &guide[0]));
+    room.push((C::own::<GuideInMotion>().level)(&parts[0], guide[0].now()));
 }
 
 /// Rates of angle and angular velocity of the boom.

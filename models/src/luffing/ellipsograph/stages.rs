@@ -1,7 +1,5 @@
 //! The boom as a component: what it is given, and in which stages its equations follow from each other.
 
-use std::sync::Arc;
-
 use crate::balance::analysis::Analysis;
 use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
@@ -30,6 +28,7 @@ use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{Fittings, Said};
 use crate::luffing::moving::luffs::{Luffs, luffs};
+use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::plane::Point;
@@ -79,7 +78,7 @@ stages! {
         parts[constants]: Vec<GuideParts<C>> = motion::parts(
             bars, load[!], weights[!], balance, inertias[!], constants[!], ramp, motor, give, choice, fitted
         ) => _;
-        guide[constants]: Vec<Arc<HeavyGuide<C>>> = motion::guide(parts) => _;
+        guide[constants]: Vec<Renewed<HeavyGuide<C>>> = motion::guide(parts) => _;
         built[constants]: Vec<Level<C>> = motion::built(parts, guide) => _;
         told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
         at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], inputs[!], fitted) => _;

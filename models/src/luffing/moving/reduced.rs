@@ -100,17 +100,48 @@ pub trait Reduces<P>: Send + Sync {
     fn names(&self) -> CoordinateNames;
 }
 
-/// Puts a mechanism first of two. The equations of motion share the one that stood there until they are made anew; the other
-/// is theirs no more, and what comes next is put in its place: after the first time nothing is allocated.
-pub fn renew<T: Clone>(room: &mut Vec<Arc<T>>, fresh: T) {
-    if room.is_empty() {
-        let spare = Arc::new(fresh.clone());
-        room.extend([Arc::new(fresh), spare]);
-        return;
+/// A mechanism that its equations of motion share, with rooms for those that come after it. What is shared is never written
+/// to: the next one is put where nobody holds the one before, and a copy has rooms of its own. Equations and one saved state
+/// hold two of them, so that with three nothing is allocated when a quantity changes; each further saved state adds one, once.
+#[derive(Debug)]
+pub struct Renewed<T>(Vec<Arc<T>>);
+
+impl<T: Clone> Renewed<T> {
+    pub fn new(first: T) -> Renewed<T> {
+        let spares = [first.clone(), first.clone()].map(Arc::new);
+        Renewed([Arc::new(first)].into_iter().chain(spares).collect())
     }
-    room.swap(0, 1);
-    match Arc::get_mut(&mut room[0]) {
-        Some(place) => *place = fresh,
-        None => room[0] = Arc::new(fresh),
+
+    /// The one that stands now.
+    pub fn now(&self) -> &Arc<T> {
+        &self.0[0]
+    }
+
+    pub fn put(&mut self, fresh: T) {
+        match self.0.iter_mut().position(|room| Arc::get_mut(room).is_some()) {
+            Some(free) => {
+                self.0.swap(0, free);
+                *Arc::get_mut(&mut self.0[0]).expect("nobody holds it") = fresh;
+            }
+            None => self.0.insert(0, Arc::new(fresh)),
+        }
+    }
+
+    /// As the function of a stage: into the room that it has.
+    pub fn renew(room: &mut Vec<Renewed<T>>, fresh: T) {
+        match room.first_mut() {
+            Some(held) => held.put(fresh),
+            None => room.push(Renewed::new(fresh)),
+        }
+    }
+}
+
+impl<T: Clone> Clone for Renewed<T> {
+    fn clone(&self) -> Self {
+        Renewed::new(T::clone(self.now()))
+    }
+
+    fn clone_from(&mut self, other: &Self) {
+        self.put(T::clone(other.now()));
     }
 }

@@ -22,7 +22,7 @@ use crate::luffing::moving::dynamics::Coordinate;
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::{CraneAt, Level};
-use crate::luffing::moving::reduced::renew;
+use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{CraneMoves, open, present, rates_after};
 use crate::parts::turntable::Turning;
 
@@ -97,15 +97,15 @@ pub fn parts<C: Scalar>(
 }
 
 /// The mechanism with its bodies.
-pub fn linkage<C: Scalar>(parts: &[CraneParts<C>], room: &mut Vec<Arc<HeavyLinkage<C>>>) -> Result<(), Fault> {
-    renew(room, (C::own::<LinkInMotion>().linkage)(&parts[0])?);
+pub fn linkage<C: Scalar>(parts: &[CraneParts<C>], room: &mut Vec<Renewed<HeavyLinkage<C>>>) -> Result<(), Fault> {
+    Renewed::renew(room, (C::own::<LinkInMotion>().linkage)(&parts[0])?);
     Ok(())
 }
 
 /// The equations of the level, nothing being asked of it.
-pub fn built<C: Scalar>(parts: &[CraneParts<C>], linkage: &[Arc<HeavyLinkage<C>>], room: &mut Vec<Level<C>>) {
+pub fn built<C: Scalar>(parts: &[CraneParts<C>], linkage: &[Renewed<HeavyLinkage<C>>], room: &mut Vec<Level<C>>) {
     room.clear();
-    room.push((C::own::<LinkInMotion>().level)(&parts[0], &linkage[0]));
+    room.push((C::own::<LinkInMotion>().level)(&parts[0], linkage[0].now()));
 }
 
 /// Rates of angle and rate of the driven bar, boom or rocker.
@@ -143,12 +143,12 @@ impl<C: Calc> Rows<C> for CraneForces<C> {
 }
 
 pub fn forces<C: Scalar>(
-    linkage: &[Arc<HeavyLinkage<C>>],
+    linkage: &[Renewed<HeavyLinkage<C>>],
     built: &[Level<C>],
     told: &[Level<C>],
     at: &CraneAt<C>,
     theta: &One<C>,
 ) -> Result<CraneForces<C>, Fault> {
-    let found = (C::own::<LinkInMotion>().forces)(present(built, told), &linkage[0], at);
+    let found = (C::own::<LinkInMotion>().forces)(present(built, told), linkage[0].now(), at);
     Ok(CraneForces(found.ok_or_else(|| open(theta))?, *theta))
 }
