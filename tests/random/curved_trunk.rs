@@ -24,6 +24,24 @@ fn free([z_x, z_y, rho]: [f64; 3], zeta: f64, square: f64) -> f64 {
     (along * along + square - x * x - y * y).sqrt() - along
 }
 
+/// Direction of the trunk (rad) with the boom at `phi`, of a tie in parts of the boom.
+fn direction(arc: [f64; 3], ends: [f64; 2], tie: f64, e: [f64; 2], phi: f64) -> f64 {
+    let (sin, cos) = Calc::sin_cos(phi);
+    let away = [e[0] - cos, e[1] - sin];
+    let square = away[0].powi(2) + away[1].powi(2);
+    let longer = |zeta| free(arc, zeta, square) + arc[2] * (zeta - ends[0]) > tie;
+    let [mut from, mut to] = ends;
+    let at_start = longer(from);
+    for _ in 0..40 {
+        let middle = f64::midpoint(from, to);
+        *(if longer(middle) == at_start { &mut from } else { &mut to }) = middle;
+    }
+    let (sin, cos) = Calc::sin_cos(from);
+    let free = free(arc, from, square);
+    let (x, y) = (arc[0] + arc[2] * cos - free * sin, arc[1] + arc[2] * sin + free * cos);
+    f64::direction(away[0], away[1]) - f64::direction(x, y)
+}
+
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
@@ -60,7 +78,14 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let tabulated = n.text("fidelity") == Some("table");
     n.keep("table", tabulated && n.has("table"));
     tail_balance(&mut n);
-    working_range(&mut n, [MIDDLE - 0.15, MIDDLE + 0.15]);
+    // Where the trunk points to the front, what it carries keeps the tie taut.
+    let front = |phi: &f64| {
+        let (_, cos) = Calc::sin_cos(direction(arc, ends, tie, e, *phi));
+        cos > 0.1
+    };
+    let angles = (0..=30).map(|i| MIDDLE - 0.15 + 0.01 * f64::from(i));
+    let taut: Vec<f64> = angles.filter(front).collect();
+    working_range(&mut n, [taut[0], taut[taut.len() - 1]]);
     table
 }
 

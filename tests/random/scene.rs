@@ -459,10 +459,12 @@ impl Node<'_> {
         self.table.get(name)?.as_str()
     }
 
-    /// A quantity, in SI; zero where it is not given.
+    /// A quantity or the start of an input, in SI; zero where it is not given.
     pub fn get(&self, name: &str) -> f64 {
         let value = self.table.get(name);
-        let noted = value.and_then(Value::as_table).and_then(|table| table.get("value"));
+        let noted = value
+            .and_then(Value::as_table)
+            .and_then(|table| table.get("value").or(table.get("input")));
         let text = noted.or(value).and_then(Value::as_str);
         text.and_then(|text| read(text, self.draw.g)).unwrap_or(0.0)
     }

@@ -164,7 +164,10 @@ mod tests {
             true,
             0,
         );
-        (printed.formula.unwrap_or_default(), printed.numbers.unwrap_or(printed.result))
+        (
+            printed.formula.unwrap_or_default(),
+            printed.numbers.unwrap_or(printed.result),
+        )
     }
 
     #[test]
