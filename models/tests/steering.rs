@@ -22,7 +22,9 @@ use lemnis_models::steering::published::Layout;
 use lemnis_models::steering::reach::{Reach, reach};
 use lemnis_models::steering::refusal::{Refusal, within};
 use lemnis_models::steering::ring::{Bearing, Catalogue, Duty, LoadCurve, Ring, Safety, friction};
-use lemnis_models::steering::sizing::{BORES, EXAMPLE_STROKES, Rod, bore, buckling, choose_stroke, next, pump, relief};
+use lemnis_models::steering::sizing::{
+    BORES, EXAMPLE_STROKES, Rod, bore, buckling, choose_stroke, next, power, pump, relief, slenderness,
+};
 use lemnis_models::steering::slip::Slip;
 use lemnis_models::steering::stand::stand;
 use lemnis_models::steering::swept::{Swept, moved};
@@ -688,6 +690,11 @@ fn loads_and_sizing() {
     let inertia = PI / 64.0 * 0.14_f64.powi(4);
     let euler = PI * PI * 210e9 * inertia / (3.5 * extremes.longest * extremes.longest);
     assert!((buckling(&rod) / euler - 1.0).abs() <= 1e-14);
+    let area = PI / 4.0 * 0.14 * 0.14;
+    let [lambda, sigma_e] = slenderness(&rod);
+    assert!((lambda * (inertia / area).sqrt() / extremes.longest - 1.0).abs() <= 1e-14);
+    assert!((sigma_e * area / 3.5 / euler - 1.0).abs() <= 1e-14);
+    assert_eq!(power(2e-3, 25e6), 50e3);
     let piston = Piston { d_g: 0.2, d: 0.1 };
     assert!((flow(&piston, &0.01) - PI / 4.0 * 0.04 * 0.01).abs() <= 1e-18);
     assert!((flow(&piston, &-0.01) + PI / 4.0 * 0.03 * 0.01).abs() <= 1e-18);

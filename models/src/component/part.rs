@@ -266,40 +266,18 @@ impl<T: Component> Part for Runner<T, f64> {
         T::list(self.given(), variable)
     }
 
-    /// What a later stage finds again takes the place of what was found first; a state is no result.
     fn results(&self) -> Vec<(Slot, Quantity)> {
         let given = self.given();
-        let sources = self.sources().into_iter();
         let is_state = |source: Source| T::GROUPS[usize::from(source.group)].1 == Use::State;
-        let states: Vec<Quantity> = sources
-            .filter_map(|(source, quantity)| is_state(source).then_some(quantity))
-            .collect();
-        let mut all: Vec<(Slot, Quantity)> = Vec::new();
-        for (stage, what) in (0..).zip(T::STAGES) {
-            let Some(count) = T::count(&self.0, stage) else {
-                continue;
-            };
-            for (row, &symbol) in (0..).zip(what.rows).filter(|(_, symbol)| T::has(given, symbol)) {
-                for of in 0..count.unwrap_or(1) {
-                    let slot = Slot {
-                        stage,
-                        row,
-                        of,
-                        sources: what.sources,
-                    };
-                    let quantity = (symbol, count.map(|_| of + 1));
-                    match all.iter_mut().find(|(_, known)| *known == quantity) {
-                        Some((first, _)) => *first = slot,
-                        None if states.contains(&quantity) => {}
-                        None => all.push((slot, quantity)),
-                    }
-                }
-            }
-        }
-        let first = T::first(given);
-        let place = |symbol| first.iter().position(|known| *known == symbol);
-        all.sort_by_key(|(_, (symbol, _))| place(*symbol).unwrap_or(first.len()));
-        all
+        let states = self.sources().into_iter().filter(|(source, _)| is_state(*source));
+        let found = (0..).zip(T::STAGES);
+        let found = found.filter_map(|(stage, what)| Some((stage, what, T::count(&self.0, stage)?)));
+        results(
+            &found.collect::<Vec<_>>(),
+            &states.map(|(_, quantity)| quantity).collect::<Vec<_>>(),
+            T::first(given),
+            &|symbol| T::has(given, symbol),
+        )
     }
 
     fn indicators(&self) -> &'static [&'static Symbol] {
@@ -380,6 +358,38 @@ impl<T: Component> Part for Runner<T, f64> {
         let other: &Runner<T, f64> = other.downcast_ref().expect("the same component");
         T::follow(&mut self.0, &other.0);
     }
+}
+
+/// Of stages with their counts all results that there are, those listed first before the others. What a later stage finds again
+/// takes the place of what was found first; a state is no result.
+fn results(
+    stages: &[(u8, &'static Stage, Option<u16>)],
+    states: &[Quantity],
+    first: &[&'static Symbol],
+    has: &dyn Fn(&'static Symbol) -> bool,
+) -> Vec<(Slot, Quantity)> {
+    let mut all: Vec<(Slot, Quantity)> = Vec::new();
+    for &(stage, what, count) in stages {
+        for (row, &symbol) in (0..).zip(what.rows).filter(|(_, symbol)| has(symbol)) {
+            for of in 0..count.unwrap_or(1) {
+                let slot = Slot {
+                    stage,
+                    row,
+                    of,
+                    sources: what.sources,
+                };
+                let quantity = (symbol, count.map(|_| of + 1));
+                match all.iter_mut().find(|(_, known)| *known == quantity) {
+                    Some((first, _)) => *first = slot,
+                    None if states.contains(&quantity) => {}
+                    None => all.push((slot, quantity)),
+                }
+            }
+        }
+    }
+    let place = |symbol| first.iter().position(|known| *known == symbol);
+    all.sort_by_key(|(_, (symbol, _))| place(*symbol).unwrap_or(first.len()));
+    all
 }
 
 /// Variables with their places in the order in which a component lists them.

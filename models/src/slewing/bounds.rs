@@ -10,8 +10,9 @@ use crate::parts::motion::Motion;
 use crate::parts::turntable::{self as joint, MOST_SPIN, SlewingJoint};
 use crate::slewing::symbols as s;
 
-/// Least time in which friction stops what slews, as a part of that which the working range takes.
-const BRISKEST: f64 = 1e-4;
+/// Least time in which friction stops what slews, as a part of that which the working range takes, and of that of a pendulum
+/// as long as reach and rope.
+const BRISKEST: [f64; 2] = [1e-4, 5e-3];
 /// Least inertia of what slews, over that of what does not add to it: a load that swings, the weight that leans.
 const LIGHTEST: f64 = 5e-5;
 /// Shortest step that may be given, over that which sees all: a solver of fourth order then errs by less than 1e-5 of it.
@@ -50,6 +51,12 @@ impl Slewed<'_> {
         [self.of(&s::R), rope]
     }
 
+    /// √(l/g) of a pendulum as long as both, in s.
+    fn pendulum(&self) -> f64 {
+        let [reach, rope] = self.lengths();
+        ((reach + rope) / self.gravity).sqrt()
+    }
+
     /// Inertia of the load, in kg·m².
     fn load(&self) -> f64 {
         self.of(&s::Q) / self.gravity * self.of(&s::R).powi(2)
@@ -81,7 +88,7 @@ impl Slewed<'_> {
             times[3] = rope / (reach * self.joint.start[1].abs());
         }
         let [run, swing] = LONGEST_IDLE;
-        let idle = (run * self.lasts()).max(swing * ((reach + rope) / self.gravity).sqrt());
+        let idle = (run * self.lasts()).max(swing * self.pendulum());
         let steps = times.iter().zip(LONGEST).map(|(time, part)| time * part);
         steps.fold(idle, f64::min)
     }
@@ -97,19 +104,21 @@ impl Slewed<'_> {
         found.extend(refused.into_iter().flatten());
     }
 
-    /// Friction that stops at once what slews, while the range is passed.
+    /// Friction that stops at once what slews.
     fn brisk(&self) -> Option<Diagnostic> {
         let time = (self.joint.turning.j_sl + self.load()) / self.joint.turning.c_sl;
-        let lasts = self.lasts();
-        (time < BRISKEST * lasts).then(|| {
+        let [run, swing] = BRISKEST;
+        let least = (run * self.lasts()).max(swing * self.pendulum());
+        (time < least).then(|| {
             let what = format!(
-                "c_sl = {} stops all that slews within {} s, where the working range takes {} s",
+                "c_sl = {} stops all that slews within {} s",
                 joint::C_SL.written(self.joint.turning.c_sl),
-                short(time),
-                short(lasts)
+                short(time)
             );
             let help = format!(
-                "give less friction, more inertia or a faster range: at least {BRISKEST:e} of that time is modelled"
+                "give less friction or more inertia: {} s and more is modelled, {run:e} of the time of the working range and \
+                 {swing} of √((R + l_R)/g)",
+                short(least)
             );
             self.table.refuse(joint::C_SL.id, what, "too much", help)
         })
@@ -165,7 +174,7 @@ impl Slewed<'_> {
                 s::STEP.written(longest)
             );
             let help = format!(
-                "give at least {}, below which only rounding adds up, or leave it out: {} is taken then",
+                "give at least {}, below which it costs time and tells no more, or leave it out: {} is taken then",
                 s::STEP.written(SHORTEST_STEP * longest),
                 s::STEP.written(longest)
             );

@@ -36,8 +36,8 @@
 //! | `steering.cylinder.force` | [`load::force`] | Zhang2016, 5.2 |
 //! | `steering.cylinder.bore` | [`sizing::bore`], [`sizing::next`] | Zhang2016, 5.3; ISO 3320 |
 //! | `steering.flow` | [`travel::steering`], [`flow::flow`], [`demand::greatest_demand`] | derived |
-//! | `steering.pump` | [`sizing::pump`] | derived |
-//! | `steering.buckling` | [`sizing::buckling`] | Euler |
+//! | `steering.pump` | [`sizing::power`], [`sizing::pump`] | derived |
+//! | `steering.buckling` | [`sizing::slenderness`], [`sizing::buckling`] | Euler |
 //! | `steering.published` | [`published::Layout::angles`] | Zhang2016, eq. 1-9, misprints mended |
 
 pub mod accuracy;

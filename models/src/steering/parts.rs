@@ -10,7 +10,9 @@ use crate::steering::load::resistance;
 use crate::steering::mode::Mode;
 use crate::steering::ring::{Duty, friction};
 use crate::steering::scene::Steering;
-use crate::steering::sizing::{BORES, EXAMPLE_STROKES, Rod, bore, buckling, choose_stroke, next, pump, relief};
+use crate::steering::sizing::{
+    BORES, EXAMPLE_STROKES, Rod, bore, buckling, choose_stroke, next, power, pump, relief, slenderness,
+};
 use crate::steering::symbols as s;
 
 /// What the parts are chosen by.
@@ -136,17 +138,20 @@ impl Parts {
         if let Some(([each, most], flow)) = pumped {
             self.section("pump", || {
                 let flow = among(each, flow, Among::Greatest).def(most);
+                let _ = power(flow, of(&s::P, h.p));
                 let _ = pump(flow, of(&s::N, h.n), of(&s::ETA_V, h.eta));
                 let _ = relief(of(&s::P, h.p), of(&s::K_R, h.k_r));
             });
         }
         self.section("buckling", || {
-            let _ = buckling(&Rod {
+            let rod = Rod {
                 e: of(&s::E, h.e),
                 d: of(&s::D, piston.d),
                 l_k: of(&s::R_MAX, longest),
                 nu: of(&s::NU, h.nu),
-            });
+            };
+            let _ = slenderness(&rod);
+            let _ = buckling(&rod);
         });
     }
 
@@ -160,7 +165,8 @@ impl Parts {
                 groups.map(|(limits, mount)| choose_stroke(&cylinder, mount.mirrored, limits, &EXAMPLE_STROKES).ok());
             needed.reduce(|a, b| Some(a?.max(b?)))?
         });
-        let found = [&s::D_G_MIN, &s::V_P, &s::P_R, &s::F_K].map(|symbol| (symbol, self.found(symbol)));
+        let found = [&s::D_G_MIN, &s::V_P, &s::P_H, &s::P_R, &s::F_K, &s::LAMBDA, &s::SIGMA_E]
+            .map(|symbol| (symbol, self.found(symbol)));
         let found = found.into_iter().chain([(&s::D_G_NEXT, bore), (&s::L_X_NEXT, stroke)]);
         let summary = found.filter_map(|(symbol, value)| Some(Summary::new(symbol, value?)));
         summary.collect()

@@ -55,6 +55,11 @@ pub fn pump<C: Calc>(flow: C, n: C, eta: C) -> C {
     (flow / (n * eta)).def(&s::V_P)
 }
 
+/// Power of a flow (m³/s) at the working pressure (Pa), in W: P_h = p q.
+pub fn power<C: Calc>(flow: C, p: C) -> C {
+    (p * flow).def(&s::P_H)
+}
+
 /// Pressure at which the relief valve opens, in Pa: the working pressure times a factor above 1.
 pub fn relief<C: Calc>(p: C, k_r: C) -> C {
     (p * k_r).def(&s::P_R)
@@ -70,6 +75,14 @@ pub fn buckling<C: Calc>(rod: &Rod<C>) -> C {
     let pi = C::constant(PI);
     let stiffness = pi * pi.square() * rod.e * rod.d.square().square();
     (stiffness / (C::constant(64.0) * rod.nu * rod.l_k.square())).def(&s::F_K)
+}
+
+/// Slenderness λ = 4 l_k/d of a round rod, and the critical stress π² E/λ² (Pa), up to which the steel must be elastic for
+/// [`buckling`] to hold. (Euler)
+pub fn slenderness<C: Calc>(rod: &Rod<C>) -> [C; 2] {
+    let slenderness = (C::constant(4.0) * rod.l_k / rod.d).def(&s::LAMBDA);
+    let stress = C::constant(PI).square() * rod.e / slenderness.square();
+    [slenderness, stress.def(&s::SIGMA_E)]
 }
 
 /// The shortest of the `strokes` (m, rising) with which a cylinder covers its group's range. [Zhang2016, 5.1]

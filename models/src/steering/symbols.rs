@@ -221,10 +221,13 @@ symbols! {
     N: "n" "n" PER_S / PER_MIN [above_to(0.0, 200.0)], "Speed of the pump.", "input";
     ETA_V: "eta_v" "eta_v" ONE / ONE [above_to(0.0, 1.0)], "Volumetric efficiency of the pump.", "input";
     V_P: "V_p" "V_p" M3 / CM3, "Displacement of the pump, per turn.", "derived";
+    P_H: "P_h" "P_h" W / KW, "Hydraulic power of the greatest flow at the working pressure, without losses.", "derived";
     K_R: "k_r" "k_r" ONE / ONE [from_to(1.0, 2.0)], "Pressure of the relief valve over the working pressure.", "input";
     P_R: "p_r" "p_r" PA / MPA, "Pressure at which the relief valve opens.", "derived";
     E: "E" "E" PA / MPA [above_to(0.0, 1e12)], "Young's modulus of the rod.", "input";
     L_K: "l_k" "l_k" M / M, "Buckling length of the cylinder.", "input";
     NU: "nu" "nu" ONE / ONE [from_to(1.0, 20.0)], "Safety against buckling.", "input";
     F_K: "F_k" "F_k" N / KN, "Permissible buckling load of the rod, its safety included.", "Euler";
+    LAMBDA: "lambda" "lambda" ONE / ONE, "Slenderness of the rod: its buckling length over its radius of gyration, a fourth of its diameter.", "Euler";
+    SIGMA_E: "sigma_E" "sigma_E" PA / MPA, "Critical stress of the rod; the buckling load holds where it is below the steel's limit of proportionality.", "Euler";
 }
