@@ -14,6 +14,7 @@ use crate::component::part::Runner;
 use crate::component::sheet::Sheet;
 use crate::component::standing::Standing;
 use crate::component::telling;
+use crate::drive;
 use crate::kernel::origin::Origins;
 use crate::kernel::schema::Key;
 use crate::kernel::variable::Name;
@@ -72,7 +73,7 @@ pub const STEERING: Key = Key::part(
 /// Parts of a crane that may stand beside its mechanism, at the top of the scene, as well as within it.
 pub const PARTS: [Key; 4] = [
     balance::scene::BALANCE,
-    double_link::keys::DRIVE,
+    drive::scene::DRIVE,
     double_link::keys::HOISTING,
     Key::part("slewing", slewing::scene::KEYS, "Slewing of a crane, or by itself."),
 ];

@@ -25,7 +25,7 @@ const READY: &str = include_str!("../scenes/curved_trunk.toml");
 
 /// Over round numbers, with a tail that is an arc about the boom's head.
 const ROUND: &str = "name = \"Trunk\"\ntitle = \"Trunk\"\n[luffing]\nkind = \"curved_trunk\"\nb = \"20 m\"\na = \"12 m\"\n\
-    L_t = \"20 m\"\nE_x = \"-6 m\"\nE_y = \"12 m\"\nX_8 = \"2 m\"\nQ = \"100 kN\"\n[luffing.motion]\nfrom = \"50 deg\"\n\
+    L_t = \"20 m\"\nO3_x = \"-6 m\"\nO3_y = \"12 m\"\nX_8 = \"2 m\"\nQ = \"100 kN\"\n[luffing.motion]\nfrom = \"50 deg\"\n\
     to = \"70 deg\"\nstep = \"1 deg\"\nspeed = \"1 deg/s\"\n[luffing.weights]\nG_b = \"60 kN\"\nr_b = \"8 m\"\n\
     G_t = \"40 kN\"\nr_t = \"2 m\"\n";
 const TAIL: &str = "[luffing.tail]\nkind = \"arc\"\nZ_x = \"0 m\"\nZ_y = \"0 m\"\nrho = \"4 m\"\nzeta_f = \"120 deg\"\n\
@@ -112,13 +112,13 @@ fn by_hand() {
 
 /// Trunk, tail and tie by their numbers: b, a, L_t, E, Z, ρ, ζ_f, ζ_r.
 fn built(g: [f64; 10]) -> (Trunk<f64>, Option<TailArc<f64>>) {
-    let [b, a, l_t, e_x, e_y, z_x, z_y, rho, zeta_f, zeta_r] = g;
+    let [b, a, l_t, o3_x, o3_y, z_x, z_y, rho, zeta_f, zeta_r] = g;
     let trunk = Trunk {
         b,
         a,
         l_t,
-        e_x,
-        e_y,
+        o3_x,
+        o3_y,
         x_8: 0.0,
     };
     let arc = TailArc {
@@ -142,6 +142,7 @@ fn choice() -> TrunkChoice {
         },
         from_rear: false,
         curve: None,
+        crank: Branch::Left,
     }
 }
 
@@ -491,7 +492,7 @@ fn a_rear_clamp_is_the_mirror_of_a_front_one() {
         ..arc
     };
     let below = Trunk {
-        e_y: -trunk.e_y,
+        o3_y: -trunk.o3_y,
         ..trunk
     };
     let rear = TrunkChoice {
@@ -575,7 +576,7 @@ proptest! {
             .replace("\"12 m\"\nL", &format!("\"{:?} m\"\nL", a * scale))
             .replace("L_t = \"20 m\"", &format!("L_t = \"{:?} m\"", l_t * scale))
             .replace("\"-6 m\"", &format!("\"{:?} m\"", e[0] * scale))
-            .replace("E_y = \"12 m\"", &format!("E_y = \"{:?} m\"", e[1] * scale))
+            .replace("O3_y = \"12 m\"", &format!("O3_y = \"{:?} m\"", e[1] * scale))
             .replace("100 kN", &format!("{:e} N", w[0]))
             .replace("60 kN", &format!("{:e} N", w[1]))
             .replace("40 kN", &format!("{:e} N", w[2]))

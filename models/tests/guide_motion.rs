@@ -10,6 +10,7 @@ use lemnis_models::luffing::ellipsograph::statics::GuidedWeights;
 use lemnis_models::luffing::moving::bodies::Pendulum;
 use lemnis_models::luffing::moving::dynamics::{Coordinate, Dynamics};
 use lemnis_models::luffing::moving::pendulum::Phase;
+use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::parts::hoist::Hoist;
 use lemnis_models::parts::motion::Motion;
 use lemnis_models::scene::Scene;
@@ -34,7 +35,10 @@ const ROPE: f64 = 12.0;
 fn choice() -> GuidedChoice {
     let scene = Scene::parse(include_str!("../scenes/ellipsograph.toml")).expect("sound");
     let range: Motion = *scene.mechanism.motion();
-    GuidedChoice { range }
+    GuidedChoice {
+        range,
+        crank: Branch::Left,
+    }
 }
 
 /// The load on its rope, or fixed to the head.

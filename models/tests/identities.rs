@@ -3,13 +3,16 @@
 mod common;
 
 use lemnis_models::component::running::Running;
+use lemnis_models::drive::line::Drive;
+use lemnis_models::drive::mount::Anchors;
 use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::group::One;
 use lemnis_models::kernel::symbol::Symbol;
-use lemnis_models::luffing::double_link::drive::{Drive, Reaction};
+use lemnis_models::luffing::double_link::driving::{bar, push};
 use lemnis_models::luffing::double_link::feet::Feet;
 use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::held::Held;
-use lemnis_models::luffing::double_link::parameters::{Anchors, Driven, Jib, Lengths, Parameters, Weights};
+use lemnis_models::luffing::double_link::parameters::{Driven, Jib, Lengths, Parameters, Weights};
 use lemnis_models::luffing::double_link::pin_forces::PinForces;
 use lemnis_models::luffing::double_link::pole::Pole;
 use lemnis_models::luffing::double_link::position::Position;
@@ -162,12 +165,13 @@ proptest! {
         let own = Own::new(&p, &v, &l, &w);
         let r = own.centres;
         let boom = g.driven == Driven::Boom;
-        let drive = Drive::new(&p, &l, &parameters.anchors.expect("given"));
+        let driven = bar(&p, &l, &One(g.driven.coordinate(), theta));
+        let drive = Drive::new(&driven, &parameters.anchors.expect("given"));
         // A lever arm of nearly nothing makes forces of nearly everything.
         let with_drive = with_drive && drive.h_d.abs() > 0.1;
         let f = PinForces::new(&p, &q, &Some(w), Some(&own), None);
         let held = Held { m_d: f.m_d, pins: Ok(f) };
-        let reaction = Some(Reaction::new(&drive, &held)).filter(|_| with_drive);
+        let reaction = Some(push(&drive, &held)).filter(|_| with_drive);
         let feet = Feet::new(&p, &l, &Some(w), None, &held, reaction.as_ref()).expect("no bars in one line");
         let down = |g: f64| Point::new(0.0, -g);
         let driven_foot = if boom { feet.o1 } else { feet.o3 };
@@ -214,7 +218,8 @@ proptest! {
     fn lever_arm((parameters, theta) in mechanisms()) {
         let (g, p) = dual(&parameters, theta);
         let anchors = parameters.anchors.expect("given").map(&mut |_, x| Dual64::from_re(x));
-        let drive = Drive::new(&p, &g.lengths, &anchors);
+        let driven = bar(&p, &g.lengths, &One(g.driven.coordinate(), Dual64::new(theta, 1.0)));
+        let drive = Drive::new(&driven, &anchors);
         prop_assume!(drive.l_d.re > 0.1);
         prop_assert!((drive.h_d.re - drive.l_d.eps).abs() <= 1e-12 * 40.0);
     }

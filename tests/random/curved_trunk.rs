@@ -7,7 +7,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing::curved_trunk::symbols as s;
 use toml::{Table, Value};
 
-use crate::luffing::{tail_balance, working_range};
+use crate::luffing::{drive_about_origin, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -16,7 +16,7 @@ pub const RESULT: (&str, &Symbol) = ("A.x", &s::A_X);
 /// Angle of the boom with the tie in the middle of the tail, in rad.
 const MIDDLE: f64 = 1.05;
 
-/// How much tie is free at a contact in direction `zeta` (rad), in parts of the boom, with B as far from E as in the middle.
+/// How much tie is free at a contact in direction `zeta` (rad), in parts of the boom, with B as far from O3 as in the middle.
 fn free([z_x, z_y, rho]: [f64; 3], zeta: f64, square: f64) -> f64 {
     let (sin, cos) = Calc::sin_cos(zeta);
     let (x, y) = (z_x + rho * cos, z_y + rho * sin);
@@ -61,7 +61,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let square = (e[0] - cos).powi(2) + (e[1] - sin).powi(2);
     let zeta = f64::midpoint(ends[0], ends[1]);
     let tie = free(arc, zeta, square) + arc[2] * (zeta - ends[0]);
-    for (name, part) in [("E_x", e[0]), ("E_y", e[1]), ("L_t", tie)] {
+    for (name, part) in [("O3_x", e[0]), ("O3_y", e[1]), ("L_t", tie)] {
         n.set(name, part * b);
     }
     tail(&mut n, arc.map(|part| part * b), ends);
@@ -85,7 +85,9 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     };
     let angles = (0..=30).map(|i| MIDDLE - 0.15 + 0.01 * f64::from(i));
     let taut: Vec<f64> = angles.filter(front).collect();
-    working_range(&mut n, [taut[0], taut[taut.len() - 1]]);
+    let range = [taut[0], taut[taut.len() - 1]];
+    working_range(&mut n, range);
+    drive_about_origin(&mut n, range, false);
     table
 }
 
@@ -120,11 +122,11 @@ fn tail(n: &mut Node, [z_x, z_y, rho]: [f64; 3], ends: [f64; 2]) {
 }
 
 /// Next to what cannot be: a boom up to where the tie lifts off or the tail ends, a tail that is a hinge, a tie through B, a
-/// trunk that slackens it.
+/// trunk that slackens it, a drive that points at the boom's foot everywhere.
 pub fn edge(n: &mut Node) {
     let b = n.get("b");
     let beside = n.draw.pick(&[0.0, 1e-12, -1e-12, 1e-6, -1e-3]);
-    match n.draw.rng.u8(0..5) {
+    match n.draw.rng.u8(0..6) {
         0 => {
             if let Some(mut motion) = n.child("motion") {
                 let far = motion.draw.between(0.15, 0.5);
@@ -145,6 +147,12 @@ pub fn edge(n: &mut Node) {
             }
         }
         3 => {
+            if let Some(mut drive) = n.child("drive").filter(|drive| drive.has("E_x")) {
+                drive.set("E_x", 0.0);
+                drive.set("E_y", beside);
+            }
+        }
+        4 => {
             if let Some(mut weights) = n.child("weights") {
                 weights.set("chi_t", std::f64::consts::PI);
                 weights.set("r_t", b);

@@ -5,7 +5,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing::ellipsograph::symbols as s;
 use toml::Table;
 
-use crate::luffing::{dynamics, tail_balance, working_range};
+use crate::luffing::{drive_about_origin, dynamics, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -45,16 +45,22 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     n.keep("table", tabulated);
     tail_balance(&mut n);
     working_range(&mut n, BOOM);
+    // The link turns the other way.
+    let [from, to] = n
+        .child("motion")
+        .map_or(BOOM, |motion| [motion.get("from"), motion.get("to")]);
+    drive_about_origin(&mut n, [-to, -from], moves);
     if moves {
         dynamics(&mut n, "J_b", rope, false);
     }
     table
 }
 
-/// Next to what cannot be: a boom that lies level at an end of its working range, a link or a head of next to no length.
+/// Next to what cannot be: a boom that lies level at an end of its working range, a link or a head of next to no length, a drive
+/// that points at the link's pivot everywhere.
 pub fn edge(n: &mut Node) {
     let beside = n.draw.pick(&[0.0, 1e-12, -1e-12, 1e-6, -1e-3]);
-    match n.draw.rng.u8(0..4) {
+    match n.draw.rng.u8(0..5) {
         0 => {
             let tiny = n.get("a") * 1e-9;
             n.set("c", tiny);
@@ -64,6 +70,12 @@ pub fn edge(n: &mut Node) {
             n.set("a", tiny);
         }
         2 => {
+            if let Some(mut drive) = n.child("drive").filter(|drive| drive.has("E_x")) {
+                drive.set("E_x", 0.0);
+                drive.set("E_y", beside);
+            }
+        }
+        3 => {
             if let Some(mut motion) = n.child("motion") {
                 motion.set("from", beside);
             }

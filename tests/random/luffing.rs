@@ -345,6 +345,41 @@ fn drive(n: &mut Node, linkage: &Linkage) -> Margin {
     })
 }
 
+/// A drive of a bar about the origin that works all over these angles of it, in rad, and limits of what there is.
+pub fn drive_about_origin(n: &mut Node, [from, to]: [f64; 2], moves: bool) {
+    let bore = n.draw.scale[0] * n.draw.between(0.01, 0.03);
+    if let Some(mut drive) = n.child("drive") {
+        kind_of_drive(&mut drive, bore, [moves, false]);
+    }
+    let kind = n.child("drive").and_then(|drive| drive.text("kind").map(str::to_owned));
+    let linkage = Linkage {
+        boom_drives: true,
+        left: true,
+        bars: [1.0; 3],
+        o3: Point::zeros(),
+    };
+    let at = |theta: f64| Pose {
+        theta,
+        b: polar(1.0, theta),
+        c: polar(1.0, theta),
+    };
+    let middle = at(f64::midpoint(from, to));
+    while let Some(kind) = kind.as_deref().filter(|kind| *kind != "sector") {
+        let margins: Vec<Margin> = match kind {
+            "crank" => crank(n, &linkage, &middle).into(),
+            _ => vec![drive(n, &linkage)],
+        };
+        let works = |margin: &Margin| {
+            let sign = margin(&middle).signum();
+            (0..=100).all(|i| sign * margin(&at(from + (to - from) * f64::from(i) / 100.0)) > CLEAR)
+        };
+        if margins.iter().all(works) {
+            break;
+        }
+    }
+    limits(n, false);
+}
+
 /// Anchor on the frame, and distance and direction of the one on the driven bar.
 fn anchors(d: &mut Node, size: f64) -> (Point<f64>, [f64; 2]) {
     let anchor = Point::new(size, size).map(|size| size * d.draw.between(-1.0, 1.0));

@@ -1,11 +1,14 @@
 //! A crank on the frame whose rod turns the driving link: a four-bar of the link's arm, rod, crank and frame.
 
-use crate::component::stages::results;
+use crate::component::stages::{Found, results};
+use crate::drive::mount::{Anchors, DriveMount, DrivenBar};
 use crate::drive::symbols as s;
 use crate::kernel::calc::Calc;
-use crate::kernel::group::quantities;
+use crate::kernel::group::{One, quantities};
+use crate::kernel::variable::Fault;
 use crate::parts::closure::Closure;
 use crate::parts::four_bar::{Branch, FourBar, Names};
+use crate::parts::motion::degrees;
 use crate::parts::plane::{Point, cross, dot};
 
 quantities! {
@@ -70,6 +73,62 @@ impl<C: Calc> Cranked<C> {
     pub fn across(&self) -> C {
         self.beta_cr.sin_cos().1
     }
+}
+
+/// The four-bar of a crank on this side, the driving link turning about `foot`, in m, or about the origin; `None` where it
+/// closes at no angle.
+pub fn crank_linkage<C: Calc>(
+    rod: &CrankRod<C>,
+    a: &Anchors<C>,
+    foot: Option<Point<C>>,
+    branch: Branch,
+) -> Option<FourBar<C>> {
+    let centre = Point::new(a.e_x, a.e_y);
+    rod.linkage(a.s_d, foot.map_or(centre, |foot| centre - foot), branch)
+}
+
+/// The same of a drive that has one.
+///
+/// # Errors
+/// A rod that reaches the driving link at no angle.
+pub fn crank<C: Calc>(
+    rod: &CrankRod<C>,
+    mount: &DriveMount<C>,
+    foot: Option<Point<C>>,
+    branch: Branch,
+) -> Found<FourBar<C>> {
+    let linkage = crank_linkage(rod, mount.anchors()?, foot, branch);
+    linkage.ok_or_else(|| Box::new(Fault::outside("the crank's rod meets the driving link at no angle")))
+}
+
+/// Crank and rod at a position.
+///
+/// # Errors
+/// An angle at which they do not meet.
+pub fn cranked<C: Calc>(
+    linkage: &FourBar<C>,
+    rod: &CrankRod<C>,
+    mount: &DriveMount<C>,
+    bar: &DrivenBar<C>,
+) -> Found<Cranked<C>> {
+    let (a, One(symbol, angle)) = (mount.anchors()?, bar.angle);
+    let phi_d = (angle + a.chi_d).def(&s::PHI_D);
+    rod.at(linkage, phi_d).ok_or_else(|| {
+        let at = format!("{} = {}", symbol.id, degrees(angle.value()));
+        let closes = arcs(linkage, a.chi_d.value());
+        Box::new(Fault::outside(format!(
+            "{at}: crank and rod do not meet there; they do for {closes}"
+        )))
+    })
+}
+
+/// Angles of the driving link at which crank and rod meet, in words.
+pub fn arcs<C: Calc>(linkage: &FourBar<C>, chi_d: f64) -> String {
+    let arcs = linkage.arcs().into_iter();
+    let words: Vec<String> = arcs
+        .map(|arc| format!("{} to {}", degrees(arc.from - chi_d), degrees(arc.to - chi_d)))
+        .collect();
+    words.join(" and for ")
 }
 
 static NAMES: Names = Names {

@@ -1,9 +1,16 @@
-//! Every quantity of a drive's screw, pinion, sector or crank.
+//! Every quantity of a drive: where it takes hold, its line and force, its screw, pinion, sector or crank.
 
 use crate::kernel::symbol::{Range, symbols};
 
 symbols! {
     // Given.
+    E_X: "E_x" "x_E" M / M, "Anchor of the drive on the frame, forward of O1.", "input";
+    E_Y: "E_y" "y_E" M / M, "Anchor of the drive on the frame, above O1.", "input";
+    S_D: "s_d" "s_d" M / M [positive], "Anchor of the drive on the driving link, from its foot.", "input";
+    CHI_D: "chi_d" "chi_d" RAD / DEG, "Anchor of the drive on the driving link, counter-clockwise from the bar.", "input";
+    D_C: "D_c" "D_c" M / MM [positive], "Bore of the luffing cylinder.", "input";
+    D_R: "d_r" "d_r" M / MM [not_negative], "Rod diameter of the luffing cylinder.", "input";
+
     D_2: "d_2" "d_2" M / MM [positive], "Pitch diameter of the drive's screw.", "[Ports001, 5.3]";
     P_H: "p_h" "p_h" M / MM [positive], "Lead of the drive's screw: travel of its nut in one turn.", "[Ports001, 5.3]";
     MU_D: "mu_d" "mu_d" ONE / ONE [not_negative], "Friction between screw and nut.", "[Ports001, 5.3]";
@@ -46,7 +53,15 @@ symbols! {
     F_CR: "F_cr" "F_(c r)" N / KN, "Force of the rod by the form for a slider: the force across the link's arm over the cosine of the rod's angle.", "[Ports001, 5.3]";
     T_CR: "T_cr" "T_(c r)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the crank without friction by the form for a slider, the anchor's circle as its line.", "[Ports001, 5.3]";
 
+    // Line.
+    L_DX: "L_d.x" "L_(d x)" M / M, "Drive from frame to driving link, forward component.", "derived";
+    L_DY: "L_d.y" "L_(d y)" M / M, "Drive from frame to driving link, upward component.", "derived";
+    L_D: "L_d" "L_d" M / M [not_negative], "Length of the drive between its anchors.", "derived";
+    H_D: "h_d" "h_d" M / M, "Lever arm of the drive; positive where a push turns the driving link counter-clockwise.", "derived";
     V_D: "v_d" "v_d" M_PER_S / MM_PER_S, "Speed of the drive, lengthening positive.", "derived";
+    A_D: "A_d" "A_d" M2 / M2, "Working area of the cylinder: bore when it lengthens, annulus when it shortens.", "derived";
+    Q_D: "q_d" "q_d" M3_PER_S / L_PER_MIN, "Oil flow to the cylinder; negative where it shortens.", "derived";
+    F_D: "F_d" "F_d" N / KN [infinite("where the drive points at the foot of its bar")], "Force of the drive, push positive.", "equilibrium";
 
     // Screw.
     LAMBDA_D: "lambda_d" "lambda_d" RAD / DEG, "Lead angle of the screw.", "[Ports001, 5.3]";
@@ -60,6 +75,7 @@ symbols! {
     T_D_IN: "T_d.in" "T_(d, arrow.l)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Torque of the screw or pinion while the drive shortens, or of a crank while its rod goes away from the driving link; signs as without friction.", "[Ports001, 5.3]";
 
     // The whole range of motion.
+    F_D_MAX: "F_d_max" "F_(d,max)" N / KN [infinite("where the drive points at the foot of its bar")], "Greatest force of the drive in the working range, by amount; push positive.", "equilibrium";
     T_D_OUT_MAX: "T_d_out_max" "T_(d arrow.r,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw, pinion or crank in the working range, by amount, while the drive lengthens.", "derived";
     T_D_IN_MAX: "T_d_in_max" "T_(d arrow.l,max)" N_M / KN_M [infinite("where the drive points at the foot of its bar")], "Greatest torque of the screw, pinion or crank in the working range, by amount, while the drive shortens.", "derived";
 }

@@ -2,9 +2,10 @@
 
 #![allow(dead_code, reason = "not every test uses all of it")]
 
+use lemnis_models::drive::mount::Anchors;
 use lemnis_models::luffing::double_link::geometry::Geometry;
 use lemnis_models::luffing::double_link::linkage::{Bodies, HeavyLinkage};
-use lemnis_models::luffing::double_link::parameters::{Anchors, Driven, Jib, Lengths, Parameters};
+use lemnis_models::luffing::double_link::parameters::{Driven, Jib, Lengths, Parameters};
 use lemnis_models::luffing::moving::bodies::{Body, Pendulum, Turntable};
 use lemnis_models::luffing::moving::crane::Commands;
 use lemnis_models::luffing::moving::dynamics::Dynamics;

@@ -3,7 +3,9 @@
 use crate::balance::analysis::Analysis;
 use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
+use crate::balance::symbols as b;
 use crate::component::stages::Found;
+use crate::drive::line::Drive;
 use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::Group;
@@ -49,8 +51,15 @@ pub fn residual<C: Calc>(balancing: &Balancing<C>, own: &TrunkWeight<C>, phi: &C
     balancing.at(*phi, || own.load)
 }
 
-pub fn balanced<C: Calc>(residual: &Residual<C>, hanging: &TrunkLoad<C>, own: &TrunkWeight<C>) -> Balanced<C> {
-    Balanced::new(residual, hanging.m_q, [hanging.m_q, own.m_g], |_| None)
+/// And what they would ask of the drive without the balance.
+pub fn balanced<C: Calc>(
+    residual: &Residual<C>,
+    hanging: &TrunkLoad<C>,
+    own: &TrunkWeight<C>,
+    drive: Option<&Drive<C>>,
+) -> Balanced<C> {
+    let force = |moment| drive.map(|drive| drive.force(moment, &b::F_D_0));
+    Balanced::new(residual, hanging.m_q, [hanging.m_q, own.m_g], force)
 }
 
 /// Over the working range, on plain numbers.

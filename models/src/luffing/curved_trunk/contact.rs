@@ -15,10 +15,10 @@ const NEAR: f64 = 1e-9;
 /// Where the tie leaves the tail, in the trunk's frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Contact<C> {
-    /// Head of the boom, in m from O1, and from there to E.
+    /// Head of the boom, in m from O1, and from there to O3.
     pub b: Point<C>,
     pub d: Point<C>,
-    /// Square of the distance of B and E, in m².
+    /// Square of the distance of B and O3, in m².
     pub d_2: C,
     /// Point of contact, in m, and direction of the free tie.
     pub p: Point<C>,
@@ -36,12 +36,12 @@ impl<C: Calc> Contact<C> {
     /// the derivatives, by the theorem of the implicit function. [Ports001, 5.2.4.3]
     ///
     /// # Errors
-    /// A boom's head too far from E, or too near.
+    /// A boom's head too far from O3, or too near.
     pub fn new(tail: &TrunkTail<C>, choice: &TrunkChoice, phi: &C) -> Result<Contact<C>, OutOfRange> {
         let trunk = &tail.trunk;
         let (sin, cos) = phi.sin_cos();
         let b = plane::def(Point::new(trunk.b * cos, trunk.b * sin), [&s::B_X, &s::B_Y]);
-        let d = plane::def(Point::new(trunk.e_x - b.x, trunk.e_y - b.y), [&s::D_X, &s::D_Y]);
+        let d = plane::def(Point::new(trunk.o3_x - b.x, trunk.o3_y - b.y), [&s::D_X, &s::D_Y]);
         let d_2 = plane::squared(d).def(&s::D_2);
         let place = found(&tail.map(C::value), choice, d_2.value())?;
         let found = Leaving::new(&tail.arc, choice, place);
@@ -73,7 +73,7 @@ impl<C: Calc> Contact<C> {
     }
 }
 
-/// The place at which the end of the unrolled tie is as far from B as E is, `square` (m²) being that distance's square.
+/// The place at which the end of the unrolled tie is as far from B as O3 is, `square` (m²) being that distance's square.
 ///
 /// # Errors
 /// A distance beyond those at the ends of the tail.
@@ -117,7 +117,7 @@ fn beyond(squares: [f64; 2], square: f64) -> OutOfRange {
     let [clamp, free] = squares.map(f64::sqrt);
     let distance = square.sqrt();
     if !distance.is_finite() {
-        return OutOfRange::new(&s::D_E, distance, FINITE, "the boom's head is nowhere");
+        return OutOfRange::new(&s::D_O3, distance, FINITE, "the boom's head is nowhere");
     }
     let what = if (distance > clamp) == (clamp > free) {
         "the tie lifts off the clamped end of the tail, on which nothing of it lies"
@@ -125,5 +125,5 @@ fn beyond(squares: [f64; 2], square: f64) -> OutOfRange {
         "the tie lies on the whole tail and bends round its other end"
     };
     let allowed = [clamp.min(free), clamp.max(free)];
-    OutOfRange::new(&s::D_E, distance, allowed, format!("{what}; the boom's head B and E"))
+    OutOfRange::new(&s::D_O3, distance, allowed, format!("{what}; the boom's head B and O3"))
 }

@@ -3,14 +3,17 @@
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
-use crate::kernel::symbol::listed;
+use crate::drive::outline as o;
+use crate::drive::symbols as d;
 use crate::luffing::curved_trunk::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, balance, load "Q", motion, limits),
+    inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion, limits),
     constants: &[
         ("trunk_tail", &[Stage("tail")]),
         ("balance_constants", &[Stage("balancing")]),
+        o::CRANK_CONSTANTS,
+        o::GEARING,
     ],
     sections: &[
         ("trunk_contact", &[Stage("contact")]),
@@ -19,10 +22,35 @@ pub const OUTLINE: Outline = Outline {
         ("trunk_pole", &[Stage("pole")]),
         ("trunk_load", &[Stage("hanging")]),
         ("trunk_weight", &[Stage("own")]),
+        o::CRANK,
+        o::LINE,
         ("balance", &[Stage("residual"), Stage("balanced")]),
-        ("trunk_pins", &[Stage("pins"), Stage("pressure"), Stage("power")]),
+        (
+            "trunk_pins",
+            &[
+                Stage("pins"),
+                Stage("push"),
+                Stage("bearing"),
+                Stage("pressure"),
+                Stage("power"),
+            ],
+        ),
+        o::SHAFT,
     ],
-    table: listed!(s: R, A_Y, ALPHA, W, F, MU, V_AX, M_Q, M_D, N_T, Q_T),
+    table: &[
+        &s::R,
+        &s::A_Y,
+        &s::ALPHA,
+        &s::W,
+        &s::F,
+        &s::MU,
+        &s::V_AX,
+        &s::M_Q,
+        &s::M_D,
+        &d::F_D,
+        &s::N_T,
+        &s::Q_T,
+    ],
     curves: &[
         ("trunk_path", Some(&s::R), &s::A_Y),
         ("trunk_velocity", Some(&s::R), &s::V_AX),
@@ -39,17 +67,21 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
         Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
         Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
+        o::FORCE_MAX,
+        o::TORQUE_OUT_MAX,
+        o::TORQUE_IN_MAX,
         Greatest::new(&s::N_T_MAX, Most::Greatest, &s::N_T),
         Greatest::new(&s::N_T_MIN, Most::Least, &s::N_T),
         Greatest::new(&s::Q_T_MAX, Most::Greatest, &s::Q_T),
         Greatest::new(&s::P_T_MAX, Most::Greatest, &s::P_T),
     ],
-    summary: &[&s::DELTA_Y, &s::EPSILON_Y],
+    summary: &[&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
     sensitivity: &[
         &s::EPSILON_Y,
         &s::R_MAX,
         &s::M_Q_MAX,
         &s::M_D_MAX,
+        &d::F_D_MAX,
         &s::N_T_MAX,
         &b::DM_MAX,
     ],
@@ -61,11 +93,24 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("trunk_tie", &s::N_T_MAX),
         Limit::not_negative("trunk_slack", &s::N_T_MIN),
         Limit::at_most("trunk_pressure", &s::P_T_MAX),
+        o::LOCKS,
+        o::TORQUE_OUT,
+        o::TORQUE_IN,
         Limit::at_most("balance_residual", &b::DM_MAX),
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
     ],
-    uses: &[("tail_points", &[&s::X_T, &s::Y_T])],
-    forces: listed!(s: N_T, Q_T, P_T, F_BX, F_BY, F_O1X, F_O1Y, M_D),
+    uses: &[("tail_points", &[&s::X_T, &s::Y_T]), ("annulus", &[&d::D_R])],
+    forces: &[
+        &s::N_T,
+        &s::Q_T,
+        &s::P_T,
+        &s::F_BX,
+        &s::F_BY,
+        &s::F_O1X,
+        &s::F_O1Y,
+        &s::M_D,
+        &d::F_D,
+    ],
     worst: &[("greatest_tie", &s::N_T_MAX), ("trunk_speed", &s::V_AX_MAX)],
 };

@@ -2,6 +2,7 @@
 
 use crate::balance::residual::Residual;
 use crate::component::stages::results;
+use crate::drive::line::Reaction;
 use crate::kernel::calc::Calc;
 use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::position::TrunkPosition;
@@ -14,29 +15,21 @@ use crate::parts::plane::{self, Point};
 pub struct TrunkPins<C> {
     /// In the tie; negative where it is slack.
     n_t: C,
-    /// Of the boom on the trunk, and of the frame on the boom.
+    /// Of the boom on the trunk.
     head: Point<C>,
-    foot: Point<C>,
     /// Moment of the drive, in N·m.
     pub m_d: C,
-    /// Line load of the tie on the tail, in N/m.
-    pub q_t: C,
 }
 results! { TrunkPins as f => {
     M_D: f.m_d;
     N_T: f.n_t;
     F_BX: f.head.x;
     F_BY: f.head.y;
-    F_O1X: f.foot.x;
-    F_O1Y: f.foot.y;
-    Q_T: f.q_t;
 } }
 
 impl<C: Calc> TrunkPins<C> {
-    /// The trunk about B: N_t h_t = Q (x_A − x_B) + G_t x_St; the boom about O1. On the tail the tie slides without friction,
-    /// and its pull is the same all along: it presses with N_t/ρ.
+    /// The trunk about B: N_t h_t = Q (x_A − x_B) + G_t x_St; the boom about O1.
     pub fn new(
-        contact: &Contact<C>,
         position: &TrunkPosition<C>,
         q: &C,
         own: Option<&TrunkWeight<C>>,
@@ -51,21 +44,52 @@ impl<C: Calc> TrunkPins<C> {
         let m_d = plane::cross(position.b, head);
         let m_d = own.map_or(m_d, |own| m_d + own.of_boom);
         let m_d = residual.map_or(m_d, |left| m_d - left.action.m_b);
-        let foot = own.map_or(head, |own| Point::new(head.x, head.y + own.boom));
-        let foot = residual.map_or(foot, |left| foot - left.action.on_boom);
         TrunkPins {
             n_t,
             head,
-            foot: plane::def(foot, [&s::F_O1X, &s::F_O1Y]),
             m_d: m_d.def(&s::M_D),
-            q_t: (n_t / contact.rho).def(&s::Q_T),
+        }
+    }
+}
+
+/// What frame and tail carry, in N.
+#[derive(Clone, Copy, Debug)]
+pub struct TrunkBearing<C> {
+    /// Of the frame on the boom.
+    foot: Point<C>,
+    /// Line load of the tie on the tail, in N/m.
+    pub q_t: C,
+}
+results! { TrunkBearing as f => {
+    F_O1X: f.foot.x;
+    F_O1Y: f.foot.y;
+    Q_T: f.q_t;
+} }
+
+impl<C: Calc> TrunkBearing<C> {
+    /// The boom with the force of its drive, where that is no mere moment. On the tail the tie slides without friction, and
+    /// its pull is the same all along: it presses with N_t/ρ.
+    pub fn new(
+        contact: &Contact<C>,
+        pins: &TrunkPins<C>,
+        own: Option<&TrunkWeight<C>>,
+        residual: Option<&Residual<C>>,
+        drive: Option<&Reaction<C>>,
+    ) -> TrunkBearing<C> {
+        let foot = own.map_or(pins.head, |own| Point::new(pins.head.x, pins.head.y + own.boom));
+        let foot = residual.map_or(foot, |left| foot - left.action.on_boom);
+        let push = drive.and_then(|drive| drive.force);
+        let foot = push.map_or(foot, |push| foot - push);
+        TrunkBearing {
+            foot: plane::def(foot, [&s::F_O1X, &s::F_O1Y]),
+            q_t: (pins.n_t / contact.rho).def(&s::Q_T),
         }
     }
 }
 
 /// Pressure of the tie on the tail, in Pa, over its width (m).
-pub fn pressure<C: Calc>(pins: &TrunkPins<C>, width: &C) -> C {
-    (pins.q_t / *width).def(&s::P_T)
+pub fn pressure<C: Calc>(bearing: &TrunkBearing<C>, width: &C) -> C {
+    (bearing.q_t / *width).def(&s::P_T)
 }
 
 /// Power of the drive, in W.

@@ -10,7 +10,7 @@ use crate::parts::plane::{self, Point};
 /// The mechanism at one angle of the boom.
 #[derive(Clone, Copy, Debug)]
 pub struct TrunkPosition<C> {
-    /// Unit vectors along the trunk's line and along the free tie towards E.
+    /// Unit vectors along the trunk's line and along the free tie towards O3.
     pub along: Point<C>,
     pub tie: Point<C>,
     /// From B to the trunk's head and to the point of contact, in m.
@@ -37,7 +37,7 @@ results! { TrunkPosition as p => {
 } }
 
 impl<C: Calc> TrunkPosition<C> {
-    /// The trunk turns its end of the tie, v from B, onto E, which is d from B. [Ports001, 5.2.3.3]
+    /// The trunk turns its end of the tie, v from B, onto O3, which is d from B. [Ports001, 5.2.3.3]
     pub fn new(tail: &TrunkTail<C>, contact: &Contact<C>) -> TrunkPosition<C> {
         let trunk = &tail.trunk;
         let Contact { b, d, d_2, p, u, f, .. } = *contact;

@@ -13,6 +13,8 @@ use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::fine;
+use crate::drive;
+use crate::drive::scene::{DRIVE, Driving};
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
@@ -21,6 +23,7 @@ use crate::kernel::schema::{Key, Kind, SOURCE, Sign, Values};
 use crate::luffing::boom_scene::{FIDELITY, INTERPOLATION, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::curved_trunk::contact::Contact;
+use crate::luffing::curved_trunk::driving;
 use crate::luffing::curved_trunk::outline::OUTLINE;
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::stages::{CurvedTrunkBoom, Given};
@@ -41,8 +44,8 @@ pub const KEYS: &[Key] = &[
     Key::quantity(&s::B, Sign::Positive),
     Key::quantity(&s::A, Sign::Positive),
     Key::quantity(&s::L_T, Sign::Positive),
-    Key::quantity(&s::E_X, Sign::Any),
-    Key::quantity(&s::E_Y, Sign::Any),
+    Key::quantity(&s::O3_X, Sign::Any),
+    Key::quantity(&s::O3_Y, Sign::Any),
     Key::quantity(&s::X_8, Sign::Any),
     Key::weight(&s::Q).optional(),
     FIDELITY,
@@ -56,6 +59,7 @@ pub const KEYS: &[Key] = &[
     },
     Key::table("motion", MOTION, "Working range of the boom."),
     Key::part("weights", WEIGHTS, "Own weights of boom and trunk, and where they act."),
+    DRIVE,
     BALANCE,
     INTERPOLATION,
     Key::part("limits", LIMITS, "Limits that the book checks."),
@@ -87,13 +91,14 @@ const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_T [or_mass], R_T >= 0, CHI_T [usually(0.0)]
 };
 
-const LIMITS: &[Key] = &Limit::keys::<10>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<13>(OUTLINE.limits);
 
 /// A boom with a curved trunk as the scene describes it; SI.
 #[derive(Clone, Debug)]
 pub struct CurvedTrunk {
     /// At the start of the working range.
     given: Given<f64>,
+    driving: Driving,
     /// Published results of the balance.
     published_balance: Option<PublishedBalance>,
 }
@@ -109,15 +114,18 @@ impl Described for CurvedTrunk {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "curved_trunk_symbol",
         own: &[s::ALL],
-        shared: &[b::ALL, gravity::ALL],
+        shared: &[b::ALL, drive::symbols::ALL, gravity::ALL],
     };
 
     fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(CurvedTrunk, Motion)> {
         let begun = begun(v, "G_b, r_b, G_t and r_t", found);
+        let driving = drive::scene::read(v, found);
         let tail = v.table("tail")?;
         let arc = TailArc::read(tail);
         let curve = if arc.is_none() { Some(curve(tail, found)?) } else { None };
-        let (range, balance) = begun?;
+        let ((range, balance), driving) = begun.zip(driving)?;
+        drive::scene::meets(v, &driving, None, [range.from, range.to], found);
+        drive::scene::fits(v, driving.gear.as_ref(), [false, v.has("Q")], found);
         let given = Given {
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -126,15 +134,21 @@ impl Described for CurvedTrunk {
             arc,
             width: tail.of(&s::B_T).map(|width| One(&s::B_T, width)),
             weights: v.part("weights", TrunkWeights::read)?,
+            mount: driving.mount,
+            rod: driving.rod(),
+            cylinder: driving.cylinder,
+            gear: driving.gear,
             balance,
             choice: TrunkChoice {
                 range,
                 from_rear: tail.text("clamped") == Some("rear"),
                 curve,
+                crank: driving.branch(),
             },
         };
         let read = CurvedTrunk {
             given,
+            driving,
             published_balance: v.table("balance").and_then(PublishedBalance::read),
         };
         Some((read, range))
@@ -187,7 +201,7 @@ impl Described for CurvedTrunk {
         let mut checks = balance_work::<CurvedTrunkBoom>(model, &s::AGREEMENT);
         let loop_of = [&s::T_X, &s::T_Y, &s::F];
         checks.push(vanishing(model, ("trunk_loop", &s::AGREEMENT), &loop_of, |row| {
-            let free = Point::new(trunk.e_x - row[0], trunk.e_y - row[1]);
+            let free = Point::new(trunk.o3_x - row[0], trunk.o3_y - row[1]);
             [plane::length(free), -row[2]]
         }));
         if given.load.is_none() {
@@ -204,6 +218,7 @@ impl Described for CurvedTrunk {
             let other = |place: usize| row.get(place).copied().unwrap_or(0.0);
             [row[0], -row[1], -other(2), other(3)]
         }));
+        checks.extend(drive::checks::by_slider(&this.driving, model, &s::AGREEMENT));
         checks
     }
 
@@ -220,7 +235,7 @@ impl Described for CurvedTrunk {
     /// The boom at the ends (faint) and in the middle of the working range, with trunk, tail, tie and the path of the head.
     fn drawing(this: &Description<CurvedTrunk>) -> Drawing {
         let Given { trunk, arc, choice, .. } = &this.given;
-        let (range, o1, e) = (&this.motion, Point::zeros(), Point::new(trunk.e_x, trunk.e_y));
+        let (range, o1, o3) = (&this.motion, Point::zeros(), Point::new(trunk.o3_x, trunk.o3_y));
         let tail = TrunkTail::new(trunk, arc, choice).expect("checked when the scene was read");
         let at = |phi: f64| {
             let contact = Contact::new(&tail, choice, &phi).expect("checked when the scene was read");
@@ -240,13 +255,15 @@ impl Described for CurvedTrunk {
             draw.bar(&[o1, p.b], faint);
             draw.body(&outline, faint);
             draw.bar(&[p.b, p.a], faint);
-            draw.bar(&[p.t, e], faint);
+            draw.bar(&[p.t, o3], faint);
             draw.joint(p.a, "A", false, faint);
             draw.joint(p.b, "B", false, faint);
             draw.pin(p.t, false, faint);
             if faint {
                 continue;
             }
+            let bar = driving::bar(&p, trunk, &One(&b::PHI, phi));
+            drive::drawing::drive(&mut draw, &bar, &this.driving, range);
             draw.label(p.t, "T");
             draw.angle(o1, 0.2 * size, phi, &b::PHI);
             draw.distance(o1, contact.b, -0.05 * size, &s::B);
@@ -257,7 +274,7 @@ impl Described for CurvedTrunk {
             }
         }
         draw.joint(o1, "O_1", true, false);
-        draw.joint(e, "E", true, false);
+        draw.joint(o3, "O_3", true, false);
         draw.axis(-trunk.x_8, -0.15 * size, 0.6 * size);
         draw.done(size)
     }

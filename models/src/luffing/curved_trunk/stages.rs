@@ -8,20 +8,32 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, stages};
 use crate::component::whole::{How, Whole};
+use crate::drive::crank::{CrankRod, Cranked, cranked};
+use crate::drive::gear::Gear;
+use crate::drive::line::{self, Drive, Reaction};
+use crate::drive::mount::{Bore, DriveMount, DrivenBar};
+use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::curved_trunk::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::curved_trunk::contact::Contact;
-use crate::luffing::curved_trunk::pins::{TrunkPins, power, pressure};
+use crate::luffing::curved_trunk::driving;
+use crate::luffing::curved_trunk::pins::{TrunkBearing, TrunkPins, power, pressure};
 use crate::luffing::curved_trunk::position::TrunkPosition;
 use crate::luffing::curved_trunk::statics::{TrunkLoad, TrunkWeight, TrunkWeights};
-use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
 use crate::luffing::with_balance::WithBalance;
+use crate::parts::four_bar::FourBar;
 use crate::parts::plane::Point;
+
+/// Quantities of the mechanism and of its drive.
+mod s {
+    pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
+    pub use crate::luffing::curved_trunk::symbols::*;
+}
 
 stages! {
     /// A boom with a trunk whose curved tail a tie holds.
@@ -33,6 +45,10 @@ stages! {
         Parameter arc: Option<TailArc<C>>,
         Parameter width: Option<One<C>>,
         Parameter weights: Option<TrunkWeights<C>>,
+        Parameter mount: Option<DriveMount<C>>,
+        Parameter rod: Option<CrankRod<C>>,
+        Parameter cylinder: Option<Bore<C>>,
+        Parameter gear: Option<Gear<C>>,
         Parameter balance: Option<Form<C>>,
         Fixed choice: TrunkChoice,
     } find {
@@ -42,14 +58,25 @@ stages! {
         travel: TrunkTravel<C> = TrunkTravel::new(position);
         pole: Point<C> = pole(position, travel) => [P_X, P_Y];
         speeds: TrunkSpeeds<C> = TrunkSpeeds::new(travel, omega);
+        bar: DrivenBar<C> = driving::bar(position, trunk, phi) => _;
+        crank: FourBar<C> = driving::crank(rod[!], mount[!], choice) => _, lifted;
+        cranked: Cranked<C> = cranked(crank, rod[!], mount[!], bar);
+        drive: Drive<C> = Drive::of(bar, mount[!], rod, cranked[?]);
+        stroke: C = line::speed(drive, omega) => V_D;
+        flow: C = line::flow(cylinder[!], stroke) => Q_D;
         hanging: TrunkLoad<C> = TrunkLoad::new(position, travel, pole, load[!]);
         own: TrunkWeight<C> = TrunkWeight::new(weights[!], phi, position, travel);
         balancing: Balancing<C> = balancing(tail, choice, weights[!], balance[!]) => _;
         residual: Residual<C> = residual(balancing, own, phi);
-        balanced: Balanced<C> = balanced(residual, hanging, own);
-        pins: TrunkPins<C> = TrunkPins::new(contact, position, load[!], own[?], residual[?]);
-        pressure: C = pressure(pins, width[!]) => P_T;
+        balanced: Balanced<C> = balanced(residual, hanging, own, drive[?]);
+        pins: TrunkPins<C> = TrunkPins::new(position, load[!], own[?], residual[?]);
+        push: Reaction<C> = driving::push(drive, pins);
+        bearing: TrunkBearing<C> = TrunkBearing::new(contact, pins, own[?], residual[?], push[?]);
+        pressure: C = pressure(bearing, width[!]) => P_T;
         power: C = power(pins, omega) => P_D;
+        gearing: Gearing<C> = Gearing::new(gear[!]);
+        shaft: Shaft<C> = line::shaft(gearing, push, stroke, cranked[?]);
+        by_slider: C = line::by_slider(cranked, rod[!], mount[!], push) => T_CR;
         analysed: Analysis = analysed(tail, choice, weights[!], balance[!]) => _, plain;
         criteria: Criteria<C> = criteria(balancing, tail, choice, weights[!], analysed);
     }
@@ -67,11 +94,14 @@ impl Component for CurvedTrunkBoom {
     const PORTS: &'static [Port] = ports! { s:
         head "Head A of the trunk, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
         tie "Tie on the tail.": w W, f N_T;
+        drive "Cylinder, rack, screw, sector or crank between frame and boom.": s L_D, v V_D, f F_D, q Q_D;
     };
 
-    /// A balance has what its kind has, and no force moves this boom.
+    /// A balance has what its kind has, and so has a drive.
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        symbol != &b::F_D_0 && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+        (symbol != &b::F_D_0 || given.mount.is_some())
+            && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+            && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {

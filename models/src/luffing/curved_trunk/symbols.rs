@@ -13,9 +13,9 @@ symbols! {
     // Bars and tie.
     B: "b" "b" M / M [positive], "Length of the boom from its foot O1 to its head B.", "[Ports001, 5.10.1.1]";
     A: "a" "a" M / M [positive], "Length of the trunk from B to its head A.", "[Ports001, 5.10.1.1]";
-    L_T: "L_t" "L_t" M / M [positive], "Length of the tie from its clamp on the tail to its point E of the frame.", "[Ports001, 5.2.4.3]";
-    E_X: "E_x" "x_E" M / M, "The tie's point E of the frame, forward of O1.", "[Ports001, 5.2.4.3]";
-    E_Y: "E_y" "y_E" M / M, "The tie's point E of the frame, above O1.", "[Ports001, 5.2.4.3]";
+    L_T: "L_t" "L_t" M / M [positive], "Length of the tie from its clamp on the tail to its point O3 of the frame.", "[Ports001, 5.2.4.3]";
+    O3_X: "O3_x" "x_(O 3)" M / M, "The tie's point O3 of the frame, forward of O1.", "[Ports001, 5.2.4.3]";
+    O3_Y: "O3_y" "y_(O 3)" M / M, "The tie's point O3 of the frame, above O1.", "[Ports001, 5.2.4.3]";
     X_8: "X_8" "X_8" M / M, "Distance of the boom's foot O1 in front of the slewing axis.", "[Ports001, 5.2.3.3]";
     G_T: "G_t" "G_t" N / KN [not_negative], "Weight of the trunk.", "[Ports001, 5.10.3.4]";
     R_T: "r_t" "r_t" M / M [not_negative], "Distance of the trunk's centre of gravity from B.", "[Ports001, 5.10.3.4]";
@@ -35,10 +35,10 @@ symbols! {
     // Closure by the length of the tie.
     B_X: "B.x" "x_B" M / M, "Head B of the boom, forward of O1.", "derived";
     B_Y: "B.y" "y_B" M / M, "Head B of the boom, above O1.", "derived";
-    D_X: "d.x" "d_x" M / M, "From B to E, forward component.", "derived";
-    D_Y: "d.y" "d_y" M / M, "From B to E, upward component.", "derived";
-    D_2: "d2" "d^2" M2 / M2, "Square of the distance of B and E.", "derived";
-    D_E: "d_E" "d_E" M / M, "Distance of B and E.", "derived";
+    D_X: "d.x" "d_x" M / M, "From B to O3, forward component.", "derived";
+    D_Y: "d.y" "d_y" M / M, "From B to O3, upward component.", "derived";
+    D_2: "d2" "d^2" M2 / M2, "Square of the distance of B and O3.", "derived";
+    D_O3: "d_O3" "d_(O 3)" M / M, "Distance of B and O3.", "derived";
     ZETA_0: "zeta_0" "zeta_0" RAD / DEG, "Direction from Z to the point of contact, found by Newton's method.", "derived";
     U0_X: "u_0.x" "u_(0 x)" ONE / ONE, "Direction of the free tie as found, along the trunk's line.", "derived";
     U0_Y: "u_0.y" "u_(0 y)" ONE / ONE, "Direction of the free tie as found, square to the trunk's line.", "derived";
@@ -54,15 +54,15 @@ symbols! {
     DELTA_ZETA: "delta_zeta" "delta_zeta" RAD / DEG, "Last step of Newton's method: what is left is rounding.", "derived";
 
     // Position.
-    U_X: "u.x" "u_x" ONE / ONE, "Direction of the free tie towards E, along the trunk's line.", "derived";
-    U_Y: "u.y" "u_y" ONE / ONE, "Direction of the free tie towards E, square to the trunk's line.", "derived";
+    U_X: "u.x" "u_x" ONE / ONE, "Direction of the free tie towards O3, along the trunk's line.", "derived";
+    U_Y: "u.y" "u_y" ONE / ONE, "Direction of the free tie towards O3, square to the trunk's line.", "derived";
     C_X: "c.x" "c_x" M / M, "Point of contact T, from B along the trunk's line.", "derived";
     C_Y: "c.y" "c_y" M / M, "Point of contact T, square to the trunk's line.", "derived";
     W: "w" "w" M / M, "Length of the tie that lies on the tail, from the clamp to T.", "[Ports001, 5.2.4.3]";
-    F: "f" "f" M / M, "Free part of the tie from T to E.", "[Ports001, 5.2.4.3]";
+    F: "f" "f" M / M, "Free part of the tie from T to O3.", "[Ports001, 5.2.4.3]";
     RHO_T: "rho_t" "rho_t" M / M, "Radius of the tail at T.", "[Ports001, 5.2.4.3]";
-    V_X: "v.x" "v_x" M / M, "From B to E, along the trunk's line.", "derived";
-    V_Y: "v.y" "v_y" M / M, "From B to E, square to the trunk's line.", "derived";
+    V_X: "v.x" "v_x" M / M, "From B to O3, along the trunk's line.", "derived";
+    V_Y: "v.y" "v_y" M / M, "From B to O3, square to the trunk's line.", "derived";
     K_X: "k.x" "k_x" ONE / ONE, "Direction of the trunk from B to A, forward component.", "derived";
     K_Y: "k.y" "k_y" ONE / ONE, "Direction of the trunk from B to A, upward component.", "derived";
     ALPHA: "alpha" "alpha" RAD / DEG, "Angle of the trunk's line from B to A above the horizontal.", "[Ports001, 5.2.3.3]";
@@ -70,8 +70,8 @@ symbols! {
     A_Y: "A.y" "y_A" M / M, "Head A of the trunk, above O1; the load keeps its distance below it.", "[Ports001, 5.2.3.3]";
     T_X: "T.x" "x_T" M / M, "Point of contact T, where the tie leaves the tail, forward of O1.", "[Ports001, 5.2.3.3]";
     T_Y: "T.y" "y_T" M / M, "Point of contact T, where the tie leaves the tail, above O1.", "[Ports001, 5.2.3.3]";
-    E_TX: "e_t.x" "e_x" ONE / ONE, "Direction of the free tie from T to E, forward component.", "derived";
-    E_TY: "e_t.y" "e_y" ONE / ONE, "Direction of the free tie from T to E, upward component.", "derived";
+    E_TX: "e_t.x" "e_x" ONE / ONE, "Direction of the free tie from T to O3, forward component.", "derived";
+    E_TY: "e_t.y" "e_y" ONE / ONE, "Direction of the free tie from T to O3, upward component.", "derived";
     R: "R" "R" M / M, "Reach: distance of A from the slewing axis.", "derived";
     H_T: "h_t" "h_t" M / M, "Lever arm of the tie about B; positive where its pull raises A.", "[Ports001, 5.2.3.3]";
     MU: "mu" "mu" RAD / DEG [from_to(0.0, FRAC_PI_2)], "Transmission angle between the free tie and the line from B to T, 0 to 90 deg.", "derived";
@@ -103,8 +103,8 @@ symbols! {
     N_T: "N_t" "N_t" N / KN, "Force in the tie; negative where it would have to push: it is slack, and does not hold this position.", "equilibrium";
     F_BX: "F_B.x" "F_(B x)" N / KN, "Force of the boom on the trunk at B, forward.", "equilibrium";
     F_BY: "F_B.y" "F_(B y)" N / KN, "Force of the boom on the trunk at B, upward.", "equilibrium";
-    F_O1X: "F_O1.x" "F_(O 1 x)" N / KN, "Force of the frame on the boom at O1, forward, with the drive as a couple.", "equilibrium";
-    F_O1Y: "F_O1.y" "F_(O 1 y)" N / KN, "Force of the frame on the boom at O1, upward, with the drive as a couple.", "equilibrium";
+    F_O1X: "F_O1.x" "F_(O 1 x)" N / KN, "Force of the frame on the boom at O1, forward.", "equilibrium";
+    F_O1Y: "F_O1.y" "F_(O 1 y)" N / KN, "Force of the frame on the boom at O1, upward.", "equilibrium";
     Q_T: "q_t" "q_t" N_PER_M / KN_PER_M, "Line load of the tie on the tail at T.", "equilibrium";
     P_T: "p_t" "p_t" PA / MPA, "Pressure of the tie on the tail at T.", "equilibrium";
 

@@ -8,6 +8,7 @@ use crate::kernel::allowed::{FINITE, OutOfRange};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
 use crate::luffing::curved_trunk::symbols as s;
+use crate::parts::four_bar::Branch;
 use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
 use crate::parts::smooth_curve::SmoothCurve;
@@ -21,12 +22,14 @@ pub struct TrunkChoice {
     pub from_rear: bool,
     /// The tail, where it is no arc.
     pub curve: Option<Arc<SmoothCurve>>,
+    /// Side of the line from the centre of the drive's crank to its anchor on the boom on which crank and rod meet.
+    pub crank: Branch,
 }
 group!(TrunkChoice);
 
 quantities! {
     /// Boom, trunk and tie.
-    Trunk { b: B, a: A, l_t: L_T, e_x: E_X, e_y: E_Y, x_8: X_8 }
+    Trunk { b: B, a: A, l_t: L_T, o3_x: O3_X, o3_y: O3_Y, x_8: X_8 }
 }
 
 quantities! {

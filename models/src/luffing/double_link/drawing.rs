@@ -1,17 +1,17 @@
 //! The mechanism to scale.
 
-use crate::component::draw::{Draw, polar};
-use crate::component::extreme::between;
+use crate::component::draw::Draw;
 use crate::component::sheet::Drawing;
 use crate::component::telling::fine;
+use crate::drive::drawing::drive;
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::drive::crank_linkage;
+use crate::kernel::group::One;
+use crate::luffing::double_link::driving;
 use crate::luffing::double_link::geometry::Geometry;
-use crate::luffing::double_link::parameters::{Anchors, Driven};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::symbols as s;
-use crate::parts::plane::{self, Point};
+use crate::parts::plane::Point;
 
 /// At the ends (faint) and in the middle of the working range, with the path of the head.
 #[must_use]
@@ -35,7 +35,8 @@ pub fn drawing(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
         if faint {
             continue;
         }
-        drive(&mut draw, g, &p, luffing);
+        let bar = driving::bar(&p, &g.lengths, &One(g.driven.coordinate(), theta));
+        drive(&mut draw, &bar, &luffing.driving, motion);
         draw.label(p.a, "A");
         draw.label(p.b, "B");
         draw.label(p.c, "C");
@@ -73,7 +74,8 @@ fn boom(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
         draw.bar(&[o1, p.b], faint);
         draw.pin(p.b, false, faint);
         if !faint {
-            drive(&mut draw, g, &p, luffing);
+            let bar = driving::bar(&p, &g.lengths, &One(g.driven.coordinate(), theta));
+            drive(&mut draw, &bar, &luffing.driving, motion);
             draw.label(p.b, "B");
             draw.angle(o1, 4.0, theta, &s::THETA_1);
             draw.distance(o1, p.b, -2.0, &s::X_1);
@@ -81,46 +83,4 @@ fn boom(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
     }
     draw.joint(o1, "O_1", true, false);
     draw.done(g.lengths.x_1)
-}
-
-/// The drive, where there is one, and the lug that carries its anchor beside the bar, or the sector as far as its pinion goes.
-fn drive(draw: &mut Draw, g: &Geometry<f64>, p: &Position<f64>, luffing: &Luffing) {
-    let (bar, length, foot) = match g.driven {
-        Driven::Boom => (p.x_1, g.lengths.x_1, Point::zeros()),
-        Driven::Rocker => (p.x_3, g.lengths.x_3, g.lengths.o3()),
-    };
-    if let Some(sector) = &luffing.sector {
-        let half = (luffing.motion.to - luffing.motion.from) / 2.0;
-        let rim = between(sector.delta_s - half, sector.delta_s + half).map(|at| foot + polar(sector.r_s, at));
-        let points: Vec<Point<f64>> = std::iter::once(foot).chain(rim).collect();
-        draw.body(&points, false);
-        draw.pin(foot + polar(sector.r_s, sector.delta_s), true, false);
-    }
-    let Some(anchors) = &luffing.parameters.anchors else {
-        return;
-    };
-    let (sin, cos) = Calc::sin_cos(anchors.chi_d);
-    let along = bar * (anchors.s_d * cos / length);
-    let arm = plane::turned(bar, anchors.s_d * cos / length, anchors.s_d * sin / length);
-    let (e, d) = (Point::new(anchors.e_x, anchors.e_y), foot + arm);
-    draw.bar(&[d, foot + along], false);
-    match crank_pin(g, luffing, anchors, d - foot) {
-        Some(pin) => {
-            draw.bar(&[e, pin], false);
-            draw.bar(&[pin, d], false);
-            draw.pin(pin, false, false);
-        }
-        None => draw.bar(&[e, d], false),
-    }
-    draw.pin(e, true, false);
-    draw.pin(d, false, false);
-    draw.label(e, "E");
-}
-
-/// Where crank and rod meet, with the link's arm to its anchor; `None` without a crank.
-fn crank_pin(g: &Geometry<f64>, luffing: &Luffing, a: &Anchors<f64>, arm: Point<f64>) -> Option<Point<f64>> {
-    let (rod, branch) = luffing.crank?;
-    let linkage = crank_linkage(&rod, a, &g.lengths, (g.driven, branch))?;
-    let closed = rod.at(&linkage, Calc::direction(arm.x, arm.y))?;
-    Some(Point::new(a.e_x, a.e_y) + closed.crank)
 }

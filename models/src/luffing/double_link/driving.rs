@@ -1,187 +1,46 @@
-//! What a scene says about the drive.
+//! Boom or rocker as the drive sees it, and the moment that it needs.
 
-use crate::drive::crank::CrankRod;
-use crate::drive::gear::Gear;
-use crate::drive::sector::Sector;
-use crate::drive::symbols as t;
-use crate::kernel::check::missing;
-use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::schema::{Key, Kind, Sign, Values};
-use crate::kernel::symbol::{Symbol, listed};
-use crate::luffing::double_link::drive;
-use crate::luffing::double_link::parameters::{Anchors, Bore, Parameters};
-use crate::luffing::double_link::symbols as s;
-use crate::parts::four_bar::Branch;
-use crate::parts::motion::Motion;
+use crate::component::stages::Found;
+use crate::drive::crank::{self, CrankRod};
+use crate::drive::line::{Drive, Reaction};
+use crate::drive::mount::{DriveMount, DrivenBar};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::One;
+use crate::luffing::double_link::held::Held;
+use crate::luffing::double_link::parameters::{Choice, Driven, Lengths};
+use crate::luffing::double_link::position::Position;
+use crate::parts::four_bar::FourBar;
+use crate::parts::plane::Point;
 
-/// What only one kind of drive has.
-const OWN: [(&str, &[&Symbol]); 7] = [
-    ("cylinder", listed!(s: D_C, D_R)),
-    ("rack or sector", listed!(t: R_Z)),
-    ("rack, sector or crank", listed!(t: ETA_D)),
-    ("crank", listed!(t: R_CR, L_CR)),
-    ("screw", listed!(t: D_2, P_H, MU_D, BETA_D)),
-    ("sector", listed!(t: R_S, DELTA_S)),
-    (LINES, LINE),
-];
-
-/// Of a crank.
-pub const CRANK_BRANCH: Key = Key::new(
-    "branch",
-    Kind::Choice(&["left", "right"]),
-    "Side of the line from the crank's centre to its anchor on the driving link on which crank and rod meet.",
-);
-
-/// What all but a sector have.
-const LINES: &str = "cylinder, rack, screw or crank";
-const LINE: &[&Symbol] = listed!(s: E_X, E_Y, S_D, CHI_D);
-
-/// How a drive is driven, as far as the scene says it.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Driving {
-    pub anchors: Option<Anchors<f64>>,
-    pub sector: Option<Sector<f64>>,
-    pub cylinder: Option<Bore<f64>>,
-    pub gear: Option<Gear<f64>>,
-    pub crank: Option<(CrankRod<f64>, Branch)>,
+/// Foot of the driving link, in m; `None` where that is the origin.
+pub fn foot<C: Calc>(l: &Lengths<C>, driven: Driven) -> Option<Point<C>> {
+    match driven {
+        Driven::Boom => None,
+        Driven::Rocker => Some(l.o3()),
+    }
 }
 
-/// `None` with mistakes, which go to `found`.
-pub fn read(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Driving> {
-    let Some(d) = v.table("drive") else {
-        return Some(Driving::default());
+/// The driving link at an angle of it.
+pub fn bar<C: Calc>(p: &Position<C>, l: &Lengths<C>, theta: &One<C>) -> DrivenBar<C> {
+    let (along, length) = match p.driven {
+        Driven::Boom => (p.x_1, l.x_1),
+        Driven::Rocker => (p.x_3, l.x_3),
     };
-    let before = found.len();
-    only_its_own(d, found);
-    all_of_it(d, found);
-    let read = Driving {
-        anchors: Anchors::read(d),
-        sector: Sector::read(d),
-        cylinder: cylinder(d, found),
-        gear: Gear::read(d, d.text("kind")?, found),
-        crank: CrankRod::read(d).zip(Branch::read(d)),
-    };
-    (found.len() == before).then_some(read)
-}
-
-/// Refuses what is of a drive of another kind.
-fn only_its_own(d: &Values, found: &mut Vec<Diagnostic>) {
-    let kind = d.text("kind").unwrap_or_default();
-    if kind != "crank" && d.has("branch") {
-        let what = format!("a {kind} has no branch, which is of a crank");
-        found.push(d.refuse("branch", what, "not used", "remove it"));
-    }
-    for (other, symbols) in OWN
-        .iter()
-        .filter(|(other, _)| !other.split([' ', ',']).any(|one| one == kind))
-    {
-        for symbol in symbols.iter().filter(|symbol| d.has(symbol.id)) {
-            let what = format!("a {kind} has no {}, which is of a {other}", symbol.id);
-            found.push(d.refuse(symbol.id, what, "not used", "remove it"));
-        }
+    DrivenBar {
+        angle: *theta,
+        along,
+        length,
+        foot: foot(l, p.driven),
     }
 }
 
-/// Bore and rod of a cylinder; mistakes go to `found`.
-fn cylinder(d: &Values, found: &mut Vec<Diagnostic>) -> Option<Bore<f64>> {
-    let (bore, rod) = (d.number(s::D_C.id), d.number(s::D_R.id));
-    match (d.text("kind")?, bore, rod) {
-        ("cylinder", Some(d_c), Some(d_r)) if d_r < d_c => Some(Bore { d_c, d_r }),
-        ("cylinder", Some(d_c), Some(d_r)) => {
-            let (d_c, d_r) = (s::D_C.written(d_c), s::D_R.written(d_r));
-            found.push(d.refuse(
-                "d_r",
-                format!("the rod d_r = {d_r} does not fit the bore D_c = {d_c}"),
-                "too thick",
-                "the rod must be thinner than the bore",
-            ));
-            None
-        }
-        ("cylinder", ..) => {
-            found.push(
-                Diagnostic::new(
-                    d.span.clone(),
-                    "a cylinder without bore or rod",
-                    "D_c and d_r are needed here",
-                )
-                .help("add D_c = \"... mm\" and d_r = \"... mm\", or make it a rack"),
-            );
-            None
-        }
-        _ => None,
-    }
+/// # Errors
+/// A rod that reaches the driving link at no angle.
+pub fn crank<C: Calc>(rod: &CrankRod<C>, mount: &DriveMount<C>, l: &Lengths<C>, choice: &Choice) -> Found<FourBar<C>> {
+    crank::crank(rod, mount, foot(l, choice.driven), choice.crank)
 }
 
-/// Asks for what a drive of this kind needs, but bore and rod; a rack's pinion may be left out.
-fn all_of_it(d: &Values, found: &mut Vec<Diagnostic>) {
-    let kind = d.text("kind").unwrap_or_default();
-    let pinion = d.has(t::R_Z.id) || d.has(t::ETA_D.id);
-    let turned: &[&Symbol] = match kind {
-        "screw" => listed!(t: D_2, P_H, MU_D, BETA_D),
-        "sector" => listed!(t: R_S, DELTA_S, R_Z, ETA_D),
-        "rack" if pinion => listed!(t: R_Z, ETA_D),
-        "crank" => listed!(t: R_CR, L_CR, ETA_D),
-        _ => &[],
-    };
-    let line = if kind == "sector" { &[] } else { LINE };
-    let symbols = line.iter().chain(turned);
-    let keys = symbols.map(|symbol| Key::quantity(symbol, Sign::Positive));
-    let branch = (kind == "crank").then_some(CRANK_BRANCH);
-    for key in keys.chain(branch).filter(|key| !d.has(key.name)) {
-        let place = format!("in [luffing.drive] of the kind \"{kind}\"");
-        found.push(missing(d.span.clone(), &place, &key));
-    }
-}
-
-/// Refuses a crank that does not meet the driving link over the whole working range.
-pub fn meets(v: &Values, driving: &Driving, p: &Parameters<f64>, range: &Motion, found: &mut Vec<Diagnostic>) {
-    let (Some(d), Some((rod, crank)), Some(anchors)) = (v.table("drive"), driving.crank, driving.anchors) else {
-        return;
-    };
-    let Some(linkage) = drive::crank_linkage(&rod, &anchors, &p.lengths, (p.driven, crank)) else {
-        let what = "crank and rod meet the anchor on the driving link at no angle";
-        found.push(d.refuse(
-            "l_cr",
-            what,
-            "cannot reach",
-            "change the rod's length, the crank's radius or centre",
-        ));
-        return;
-    };
-    let [from, to] = [range.from, range.to].map(|theta| theta + anchors.chi_d);
-    if linkage.turns_fully() || linkage.arcs().iter().any(|arc| arc.covers(from, to)) {
-        return;
-    }
-    let what = "crank and rod do not meet over the whole working range";
-    let help = format!(
-        "they meet for {} of the driving link: change the working range, or rod, crank or its centre",
-        drive::arcs(&linkage, anchors.chi_d)
-    );
-    found.push(d.refuse("l_cr", what, "does not reach", help));
-}
-
-/// Refuses a torque in a mechanism that `moves`, and limits of what the drive has not, with or without `forces`.
-pub fn fits(v: &Values, gear: Option<&Gear<f64>>, [moves, forces]: [bool; 2], found: &mut Vec<Diagnostic>) {
-    if let Some(d) = v.table("drive").filter(|_| moves && gear.is_some()) {
-        let key = if d.text("kind") == Some("rack") {
-            t::R_Z.id
-        } else {
-            "kind"
-        };
-        let what = "the torque of a drive's shaft is calculated at rest alone, and this mechanism moves by itself";
-        let help = "set fidelity = \"static\" or \"table\" in [luffing] and leave out what moves, or make it a rack without r_z";
-        found.push(d.refuse(key, what, "not at this level", help));
-    }
-    let Some(limits) = v.table("limits") else { return };
-    let torques = listed!(t: T_D_OUT_MAX, T_D_IN_MAX);
-    for symbol in listed!(t: LOCK_D, T_D_OUT_MAX, T_D_IN_MAX)
-        .iter()
-        .filter(|symbol| limits.has(symbol.id))
-    {
-        let has = gear.is_some_and(|gear| gear.has(symbol)) && (forces || !torques.contains(symbol));
-        if !has {
-            let what = format!("a limit {} that this drive has no result for", symbol.id);
-            found.push(limits.refuse(symbol.id, what, "nothing to check", "remove the limit"));
-        }
-    }
+/// The force that gives what the driving link needs.
+pub fn push<C: Calc>(drive: &Drive<C>, held: &Held<C>) -> Reaction<C> {
+    Reaction::new(drive, held.m_d)
 }

@@ -2,8 +2,8 @@
 
 use crate::balance::residual::Residual;
 use crate::component::stages::{Found, results};
+use crate::drive::line::Reaction;
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::drive::Reaction;
 use crate::luffing::double_link::held::Held;
 use crate::luffing::double_link::parameters::{Driven, Lengths, Weights};
 use crate::luffing::double_link::position::Position;

@@ -4,10 +4,10 @@
 //! In the plane of the mechanism, also where it slews: what acts across that plane is not told.
 
 use crate::balance::symbols as b;
+use crate::drive::line::force;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::balance_in_motion::BalanceInMotion;
-use crate::luffing::double_link::drive::force;
 use crate::luffing::double_link::linkage::HeavyLinkage;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::pins_in_motion::PinsInMotion;

@@ -4,10 +4,9 @@ use crate::balance::asked::KEYS as SYNTHESIS;
 use crate::balance::scene::BALANCE;
 use crate::component::description::TABLE;
 use crate::component::outline::Limit;
-use crate::drive::symbols as d;
+use crate::drive::scene::DRIVE;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, SOURCE, Sign};
-use crate::luffing::double_link::driving::CRANK_BRANCH;
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::symbols as s;
@@ -51,11 +50,6 @@ pub const KEYS: &[Key] = &[
 ];
 
 /// Parts of a crane that may also stand beside `[luffing]`, at the top of the scene.
-pub const DRIVE: Key = Key::part(
-    "drive",
-    DRIVE_KEYS,
-    "Cylinder, rack, screw, sector or crank that turns the driving link.",
-);
 pub const HOISTING: Key = Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings.");
 pub const SLEWING: Key = Key::part(
     "slewing",
@@ -71,26 +65,6 @@ const MOTION: &[Key] = &Motion::keys(
 
 static WEIGHTS: &[Key] = keys! { s:
     G_1 [or_mass], S_1 >= 0, CHI_1, G_2 [or_mass], S_2 >= 0, CHI_2, G_3 [or_mass], S_3 >= 0, CHI_3
-};
-
-static DRIVE_KEYS: &[Key] = keys! { s:
-    E_X [optional], E_Y [optional], S_D > 0 [optional], CHI_D [optional], D_C > 0 [optional], D_R >= 0 [optional];
-    Key::new(
-        "kind",
-        Kind::Choice(&["cylinder", "rack", "screw", "sector", "crank"]),
-        "A hydraulic cylinder, a rack that a pinion on the frame pushes, a screw with its nut, a toothed sector that a pinion turns, or a crank on the frame with its rod.",
-    ),
-    CRANK_BRANCH.optional(),
-    Key::quantity(&d::R_CR, Sign::Positive).optional(),
-    Key::quantity(&d::L_CR, Sign::Positive).optional(),
-    Key::quantity(&d::R_Z, Sign::Positive).optional(),
-    Key::quantity(&d::ETA_D, Sign::Positive).optional(),
-    Key::quantity(&d::R_S, Sign::Positive).optional(),
-    Key::quantity(&d::DELTA_S, Sign::Any).optional(),
-    Key::quantity(&d::D_2, Sign::Positive).optional(),
-    Key::quantity(&d::P_H, Sign::Positive).optional(),
-    Key::quantity(&d::MU_D, Sign::NotNegative).optional(),
-    Key::quantity(&d::BETA_D, Sign::NotNegative).optional()
 };
 
 const LIMITS: &[Key] = &Limit::keys::<10>(OUTLINE.limits);

@@ -3,13 +3,14 @@
 
 use num_dual::{Dual2, Dual64, DualNum};
 
+use crate::drive::mount::Anchors;
 use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::{Calc, Over, Takes};
 use crate::luffing::balancing::Balancing;
 use crate::luffing::double_link::balancing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::moving::symbols as s;
-use crate::luffing::double_link::parameters::{Anchors, Driven, Parameters, Weights};
+use crate::luffing::double_link::parameters::{Driven, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
 use crate::luffing::moving::bodies::{Bar, Body, Moves, Pendulum, parts, turned_inertia};
 use crate::luffing::moving::reduced::{Asked, Reduced};

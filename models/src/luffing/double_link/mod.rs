@@ -25,7 +25,7 @@
 //! | `lemniscate.weight_moment` | [`statics::Own::new`] | Balance004, eq. 1 |
 //! | `lemniscate.pin_forces` | [`pin_forces::PinForces::new`] | equilibrium |
 //! | `lemniscate.balance` | [`balancing::at`] | [`crate::balance`] |
-//! | `lemniscate.drive` | [`drive::Drive::new`] | derived |
+//! | `lemniscate.drive` | [`driving::bar`], [`crate::drive::line::Drive::new`] | derived |
 //! | `lemniscate.dynamics` | [`crate::luffing::moving::dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
 //! | `lemniscate.inertia_forces` | [`inertia_forces::weight_and_inertia`] | Newton and Euler |
 //! | `lemniscate.forces_in_motion` | [`pins_in_motion::PinsInMotion::new`], [`balance_in_motion::BalanceInMotion::new`], [`crate::luffing::moving::shares::Shares::new`] | Newton and Euler |
@@ -36,7 +36,6 @@
 pub mod balance_in_motion;
 pub mod balancing;
 pub mod drawing;
-pub mod drive;
 pub mod driving;
 pub mod feet;
 pub mod forces_in_motion;

@@ -3,6 +3,7 @@
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::{Rows, Stage};
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::drive::outline as o;
 use crate::drive::symbols as d;
 use crate::kernel::symbol::listed;
 use crate::luffing::double_link::moving::symbols as m;
@@ -16,8 +17,8 @@ pub const OUTLINE: Outline = Outline {
     constants: &[
         ("geometry_constants", &[Stage("geometry")]),
         ("balance_constants", &[Stage("balancing")]),
-        ("crank_constants", &[Stage("crank")]),
-        ("drive_constants", &[Stage("gearing")]),
+        o::CRANK_CONSTANTS,
+        o::GEARING,
     ],
     sections: &[
         ("position", &[Stage("position")]),
@@ -26,11 +27,11 @@ pub const OUTLINE: Outline = Outline {
         ("pole", &[Stage("pole")]),
         ("load_moment", &[Stage("load_moment"), Stage("by_pole")]),
         ("weight_moment", &[Stage("own")]),
-        ("crank", &[Stage("cranked")]),
-        ("drive", &[Stage("drive"), Stage("stroke"), Stage("flow")]),
+        o::CRANK,
+        o::LINE,
         ("balance", &[Stage("residual"), Stage("balanced")]),
         ("pin_forces", &[Stage("held"), Stage("push"), Stage("feet")]),
-        ("drive_shaft", &[Stage("shaft"), Stage("by_slider")]),
+        o::SHAFT,
         ("published_forms", &[Stage("published")]),
     ],
     table: listed!(s: THETA_3, THETA_1, R, A_Y, ALPHA, ALPHA_1, MU, V_AX, M_Q, M_D, F_D),
@@ -51,9 +52,9 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
         Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
         Greatest::new(&s::N_3_MAX, Most::Amount, &s::N_3),
-        Greatest::new(&s::F_D_MAX, Most::Amount, &s::F_D).with_pole(&s::H_D),
-        Greatest::new(&d::T_D_OUT_MAX, Most::Amount, &d::T_D_OUT).with_pole(&s::H_D),
-        Greatest::new(&d::T_D_IN_MAX, Most::Amount, &d::T_D_IN).with_pole(&s::H_D),
+        o::FORCE_MAX,
+        o::TORQUE_OUT_MAX,
+        o::TORQUE_IN_MAX,
     ],
     summary: &[&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
     sensitivity: &[
@@ -71,13 +72,13 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("balance_residual", &b::DM_MAX),
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
-        Limit::at_least("drive_lock", &d::LOCK_D),
-        Limit::at_most("drive_torque_out", &d::T_D_OUT_MAX),
-        Limit::at_most("drive_torque_in", &d::T_D_IN_MAX),
+        o::LOCKS,
+        o::TORQUE_OUT,
+        o::TORQUE_IN,
         Limit::at_most("motion_swing", &m::PHI_MAX),
     ],
     uses: &[
-        ("annulus", &[&s::D_R]),
+        ("annulus", &[&d::D_R]),
         ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
         ("hoist", &[&m::V_H, &m::A_H]),
         ("relief", listed!(m: P_R, K_R)),

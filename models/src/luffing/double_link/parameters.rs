@@ -1,10 +1,9 @@
 //! What is constant in a scene: dimensions, weights, drive, balance, and what the scene has chosen.
 
 use crate::balance::scene::Form;
-use crate::component::stages::{Found, absent};
-use crate::drive::sector::Sector;
+use crate::drive::mount::{Anchors, Bore};
 use crate::kernel::calc::Calc;
-use crate::kernel::group::{either, group, quantities};
+use crate::kernel::group::{group, quantities};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::four_bar::Branch;
@@ -69,34 +68,6 @@ quantities! {
     /// Own weights (N) and their centres of gravity (m from the bar's first
     /// joint, rad counter-clockwise from the bar).
     Weights { g_1: G_1, s_1: S_1, chi_1: CHI_1, g_2: G_2, s_2: S_2, chi_2: CHI_2, g_3: G_3, s_3: S_3, chi_3: CHI_3 }
-}
-
-quantities! {
-    /// Anchors of a drive that pushes along a line from the frame to the driving link.
-    Anchors { e_x: E_X, e_y: E_Y, s_d: S_D, chi_d: CHI_D }
-}
-
-/// Where a drive takes hold of the driving link: along a line, or by a toothed sector.
-#[derive(Clone, Copy, Debug)]
-pub enum DriveMount<C> {
-    Anchors(Anchors<C>),
-    Sector(Sector<C>),
-}
-either!(DriveMount { Anchors, Sector });
-
-impl<C> DriveMount<C> {
-    /// Of all but a sector.
-    pub(super) fn anchors(&self) -> Found<&Anchors<C>> {
-        match self {
-            DriveMount::Anchors(anchors) => Ok(anchors),
-            DriveMount::Sector(_) => Err(absent()),
-        }
-    }
-}
-
-quantities! {
-    /// Bore and rod of a luffing cylinder, in m.
-    Bore { d_c: D_C, d_r: D_R }
 }
 
 /// What determines the jib's triangle besides its two arms.

@@ -5,14 +5,12 @@ use crate::balance::scene::{Form, PublishedBalance};
 use crate::balance::task::{Search, Task};
 use crate::component::description::Description;
 use crate::component::outline::Published;
-use crate::drive::crank::CrankRod;
-use crate::drive::gear::Gear;
-use crate::drive::sector::Sector;
+use crate::drive::scene::{self as drive, Driving};
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::double_link::balancing::{analysis, boom};
-use crate::luffing::double_link::driving::{self, Driving};
+use crate::luffing::double_link::driving::foot;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::misfit::Misfit;
 use crate::luffing::double_link::moving;
@@ -36,12 +34,7 @@ pub type Luffing = Description<LuffingScene>;
 #[derive(Clone, Debug)]
 pub struct LuffingScene {
     pub parameters: Parameters<f64>,
-    /// What turns the drive, where its torque is asked for.
-    pub gear: Option<Gear<f64>>,
-    /// The toothed sector of its drive, if it has that.
-    pub sector: Option<Sector<f64>>,
-    /// The rod of the crank of its drive, if it has that, and on which side both meet.
-    pub crank: Option<(CrankRod<f64>, Branch)>,
+    pub driving: Driving,
     /// Weight of the load; `None` models no forces.
     pub q: Option<f64>,
     /// First angle of the range, in rad, at which all bars lie in one line: no finite forces in the pins carry a load there.
@@ -104,14 +97,7 @@ impl LuffingScene {
         let lengths = Lengths::read(v)?;
         let jib = jib(v, found)?;
         let weights = v.part("weights", Weights::read)?;
-        let driving = driving::read(v, found)?;
-        let Driving {
-            anchors,
-            sector,
-            cylinder,
-            gear,
-            crank,
-        } = driving;
+        let driving = drive::read(v, found)?;
         let q = n(&s::Q);
         // A load that cannot be read is not one that is missing.
         let loaded = q.is_some() || !found.is_empty();
@@ -121,15 +107,16 @@ impl LuffingScene {
             lengths,
             jib,
             weights,
-            anchors,
-            cylinder,
+            anchors: driving.anchors(),
+            cylinder: driving.cylinder,
             balance,
             driven,
             branch,
         };
         let motion = motion(v, &parameters, found);
         if let Some(motion) = &motion {
-            driving::meets(v, &driving, &parameters, motion, found);
+            let range = [motion.from, motion.to];
+            drive::meets(v, &driving, foot(&lengths, driven), range, found);
         }
         let moving = moving::scene::MovingLink::new(v, gravity, loaded, found);
         if let Some((table, motion)) = v.table("balance").filter(|_| weights.is_some()).zip(motion) {
@@ -142,7 +129,7 @@ impl LuffingScene {
             let most = [reach, weight / gravity];
             outlasts(v, moving, motion, most, found);
         }
-        driving::fits(v, gear.as_ref(), [moving.is_some(), loaded], found);
+        drive::fits(v, driving.gear.as_ref(), [moving.is_some(), loaded], found);
         let swings = moving.as_ref().is_some_and(|moving| moving.rope.is_some());
         let id = moving::symbols::PHI_MAX.id;
         if let Some(table) = v.table("limits").filter(|table| table.has(id) && !swings) {
@@ -158,9 +145,7 @@ impl LuffingScene {
             .and_then(|table| synthesis(table, &parameters, &motion, found));
         let luffing = LuffingScene {
             parameters,
-            gear,
-            sector,
-            crank,
+            driving,
             q,
             change_point,
             moving,

@@ -34,7 +34,7 @@ use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
 use crate::luffing::double_link::moving::{self, start::starting};
 use crate::luffing::double_link::outline::OUTLINE;
-use crate::luffing::double_link::parameters::{Choice, DriveMount, Driven, Jib};
+use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
 use crate::luffing::double_link::pin_forces::PinForces;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::range::{Rise, rise_by_integration};
@@ -47,7 +47,6 @@ use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::load_taken;
 use crate::luffing::with_balance::{agreement, searched};
-use crate::parts::four_bar::Branch;
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
 use crate::parts::{hanging, hydraulics};
@@ -107,13 +106,10 @@ impl Described for LuffingScene {
                 Jib::Axis(x) => One(&s::AC, x),
             },
             weights: p.weights,
-            mount: this
-                .sector
-                .map(DriveMount::Sector)
-                .or(p.anchors.map(DriveMount::Anchors)),
+            mount: this.driving.mount,
             cylinder: p.cylinder,
-            rod: this.crank.map(|(rod, _)| rod),
-            gear: this.gear,
+            rod: this.driving.rod(),
+            gear: this.driving.gear,
             balance: p.balance,
             states: None,
             inputs: None,
@@ -132,7 +128,7 @@ impl Described for LuffingScene {
                 branch: p.branch,
                 range: this.motion,
                 pins: this.has_pins(),
-                crank: this.crank.map_or(Branch::Left, |(_, branch)| branch),
+                crank: this.driving.branch(),
             },
         }
     }
@@ -260,12 +256,7 @@ impl Described for LuffingScene {
         let apart = |both: &[Vec<f64>]| both.iter().map(|row| (row[0] - row[1]).abs()).fold(0.0, f64::max);
         let both = sample(model, &[&s::M_Q, &s::M_Q_P], fine(motion));
         agree("moment_agreement", apart(&both) / (q * scale), 1e-12);
-        if this.crank.is_some() {
-            let mut both = sample(model, &[&drive::symbols::T_D, &drive::symbols::T_CR], fine(motion));
-            both.retain(|row| row[0].is_finite());
-            let most = both.iter().map(|row| row[0].abs()).fold(f64::MIN_POSITIVE, f64::max);
-            agree("crank_agreement", apart(&both) / most, 1e-12);
-        }
+        checks.extend(drive::checks::by_slider(&this.driving, model, &s::AGREEMENT));
         checks
     }
 

@@ -8,8 +8,10 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, absent, stages};
 use crate::component::whole::{How, Whole};
-use crate::drive::crank::{CrankRod, Cranked};
+use crate::drive::crank::{CrankRod, Cranked, cranked};
 use crate::drive::gear::Gear;
+use crate::drive::line::{self, Drive, Reaction};
+use crate::drive::mount::{Bore, DriveMount, DrivenBar};
 use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
@@ -19,7 +21,7 @@ use crate::kernel::variable::{Fault, Variable};
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::double_link::balancing::{self, analysis, balanced, residual};
-use crate::luffing::double_link::drive::{self, Drive, Reaction};
+use crate::luffing::double_link::driving;
 use crate::luffing::double_link::feet::Feet;
 use crate::luffing::double_link::forces_in_motion::RESULTS;
 use crate::luffing::double_link::geometry::Geometry;
@@ -27,7 +29,7 @@ use crate::luffing::double_link::held::{Carried, Held, Passes};
 use crate::luffing::double_link::linkage::HeavyLinkage;
 use crate::luffing::double_link::moving::built::{CraneParts, Inertias};
 use crate::luffing::double_link::moving::motion::{self, CraneForces, LinkRates, RATES};
-use crate::luffing::double_link::parameters::{Bore, Choice, DriveMount, Driven, Jib, Lengths, Parameters, Weights};
+use crate::luffing::double_link::parameters::{Choice, Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
@@ -88,11 +90,12 @@ stages! {
         velocity: Velocity<C> = Velocity::new(position);
         head: Point<C> = Velocity::v_a(velocity, omega) => [V_AX, V_AY];
         pole: Pole<C> = Pole::new(geometry, position, velocity);
-        crank: FourBar<C> = drive::crank(rod[!], mount[!], lengths, choice) => _, lifted;
-        cranked: Cranked<C> = drive::cranked(crank, rod[!], mount[!], theta);
-        drive: Drive<C> = Drive::of(position, lengths, mount[!], rod, cranked[?]);
-        stroke: C = drive::speed(drive, omega) => V_D;
-        flow: C = drive::flow(cylinder[!], stroke) => Q_D;
+        bar: DrivenBar<C> = driving::bar(position, lengths, theta) => _;
+        crank: FourBar<C> = driving::crank(rod[!], mount[!], lengths, choice) => _, lifted;
+        cranked: Cranked<C> = cranked(crank, rod[!], mount[!], bar);
+        drive: Drive<C> = Drive::of(bar, mount[!], rod, cranked[?]);
+        stroke: C = line::speed(drive, omega) => V_D;
+        flow: C = line::flow(cylinder[!], stroke) => Q_D;
         load_moment: LoadMoment<C> = LoadMoment::new(velocity, load[!]);
         by_pole: C = by_pole(pole, geometry, position, velocity, load[!]) => M_Q_P;
         own: Own<C> = Own::new(position, velocity, lengths, weights[!]);
@@ -102,10 +105,10 @@ stages! {
         passes: Passes = Passes::new(geometry, choice) => _, plain;
         carried: Carried<C> = Carried::new(velocity, load_moment, load[!], weights, own[?], residual[?]) => _;
         held: Held<C> = Held::new(position, theta, carried, own[?], residual[?], passes);
-        push: Reaction<C> = Reaction::new(drive, held);
+        push: Reaction<C> = driving::push(drive, held);
         gearing: Gearing<C> = Gearing::new(gear[!]);
-        shaft: Shaft<C> = drive::shaft(gearing, push, stroke, cranked[?]);
-        by_slider: C = drive::by_slider(cranked, rod[!], mount[!], held) => T_CR;
+        shaft: Shaft<C> = line::shaft(gearing, push, stroke, cranked[?]);
+        by_slider: C = line::by_slider(cranked, rod[!], mount[!], push) => T_CR;
         feet: Feet<C> = Feet::new(position, lengths, weights, residual[?], held, push[?]);
         analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
@@ -189,11 +192,9 @@ impl Component for DoubleLink {
             && (given.choice.pins || !forces.contains(&symbol))
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
             && fittings(given).is_none_or(|crane| crane.has(symbol))
-            && (symbol != &s::F_D || given.mount.is_some())
             && (!of_balance.contains(&symbol) || given.balance.is_some())
-            && given.gear.as_ref().is_none_or(|gear| gear.has(symbol))
+            && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
             && (symbol != &b::F_D_0 || given.mount.is_some())
-            && (symbol != &s::L_D || given.rod.is_none() && !matches!(given.mount, Some(DriveMount::Sector(_))))
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-pub use crate::drive::symbols::{R_DX, R_DY, V_D};
+pub use crate::drive::symbols::{F_D, F_D_MAX, H_D, L_D, L_DX, L_DY, Q_D, R_DX, R_DY, V_D};
 use crate::kernel::symbol::{Range, symbols};
 
 symbols! {
@@ -114,21 +114,6 @@ symbols! {
     F_O3Y: "F_O3.y" "F_(O 3 y)" N / KN, "Force of the frame on the rocker at O3, upward.", "equilibrium";
     N_3: "N_3" "N_3" N / KN, "Axial force in the rocker at C, tension positive.", "equilibrium";
 
-    // Drive.
-    E_X: "E_x" "x_E" M / M, "Anchor of the drive on the frame, forward of O1.", "input";
-    E_Y: "E_y" "y_E" M / M, "Anchor of the drive on the frame, above O1.", "input";
-    S_D: "s_d" "s_d" M / M [positive], "Anchor of the drive on the driving link, from its foot.", "input";
-    CHI_D: "chi_d" "chi_d" RAD / DEG, "Anchor of the drive on the driving link, counter-clockwise from the bar.", "input";
-    D_C: "D_c" "D_c" M / MM [positive], "Bore of the luffing cylinder.", "input";
-    D_R: "d_r" "d_r" M / MM [not_negative], "Rod diameter of the luffing cylinder.", "input";
-    L_DX: "L_d.x" "L_(d x)" M / M, "Drive from frame to driving link, forward component.", "derived";
-    L_DY: "L_d.y" "L_(d y)" M / M, "Drive from frame to driving link, upward component.", "derived";
-    L_D: "L_d" "L_d" M / M [not_negative], "Length of the drive between its anchors.", "derived";
-    H_D: "h_d" "h_d" M / M, "Lever arm of the drive; positive where a push turns the driving link counter-clockwise.", "derived";
-    F_D: "F_d" "F_d" N / KN [infinite("where the drive points at the foot of its bar")], "Force of the drive, push positive.", "equilibrium";
-    A_D: "A_d" "A_d" M2 / M2, "Working area of the cylinder: bore when it lengthens, annulus when it shortens.", "derived";
-    Q_D: "q_d" "q_d" M3_PER_S / L_PER_MIN, "Oil flow to the cylinder; negative where it shortens.", "derived";
-
     // The whole range of motion.
     DELTA_Y: "Delta_Y" "Delta Y_A" M / M [not_negative], "Level error: greatest less smallest height of A over the working range.", "[Li2022, 6]";
     EPSILON_Y: "epsilon_Y" "epsilon_Y" ONE / PERCENT [not_negative], "Level error over the reach covered.", "[Li2022, 6]";
@@ -139,7 +124,6 @@ symbols! {
     V_AX_MAX: "V_AX_max" "V_(A X,max)" M_PER_S / M_PER_S, "Greatest horizontal velocity of A in the working range, by amount.", "[Li2022, 5]";
     M_D_MAX: "M_D_max" "M_(D,max)" N_M / KN_M, "Greatest moment of the drive in the working range, by amount.", "equilibrium";
     N_3_MAX: "N_3_max" "N_(3,max)" N / KN, "Greatest axial force in the rocker in the working range, by amount; tension positive.", "equilibrium";
-    F_D_MAX: "F_d_max" "F_(d,max)" N / KN [infinite("where the drive points at the foot of its bar")], "Greatest force of the drive in the working range, by amount; push positive.", "equilibrium";
     FROM: "from" "theta_a" RAD / DEG, "Angle of the driving link at the start of the working range.", "input";
     TO: "to" "theta_e" RAD / DEG, "Angle of the driving link at the end of the working range.", "input";
     W_Q: "W_Q" "W_Q" J / KJ, "Work of the luffing moment over the working range.", "virtual work";

@@ -5,6 +5,7 @@ use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
 use crate::component::stages::Found;
+use crate::drive::line::Drive;
 use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::Group;
@@ -49,8 +50,14 @@ fn at<C: Calc>(
 }
 
 /// What raises the boom lowers the link.
-pub fn balanced<C: Calc>(residual: &Residual<C>, hanging: &HeadLoad<C>, own: &WeightMoment<C>) -> Balanced<C> {
-    Balanced::new(residual, -hanging.m_q, [hanging.m_q, own.m_g], |_| None)
+pub fn balanced<C: Calc>(
+    residual: &Residual<C>,
+    hanging: &HeadLoad<C>,
+    own: &WeightMoment<C>,
+    drive: Option<&Drive<C>>,
+) -> Balanced<C> {
+    let force = |moment: C| drive.map(|drive| drive.force(-moment, &b::F_D_0));
+    Balanced::new(residual, -hanging.m_q, [hanging.m_q, own.m_g], force)
 }
 
 /// Over the working range, on plain numbers.

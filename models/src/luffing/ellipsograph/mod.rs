@@ -27,10 +27,12 @@
 //! | `ellipsograph.load_moment` | [`statics::HeadLoad::new`] | Ports001, 5.9, by virtual work and by the instant centre |
 //! | `ellipsograph.weight_moment` | [`statics::WeightMoment::new`] | by virtual work |
 //! | `ellipsograph.pins` | [`pins::GuidedPins::new`] | by equilibrium of boom and link |
+//! | `ellipsograph.drive` | [`driving::bar`], [`crate::drive::line::Drive::new`] | derived |
 //! | `ellipsograph.motion` | [`moving::HeavyGuide::new`] | Lagrange, in closed form |
 //! | `ellipsograph.range` | [`crate::component::whole`] | Ports001, 5.9.2.3 |
 
 mod balancing;
+mod driving;
 pub mod link_balance;
 pub mod motion;
 pub mod moving;

@@ -3,15 +3,18 @@
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
-use crate::kernel::symbol::listed;
+use crate::drive::outline as o;
+use crate::drive::symbols as d;
 use crate::luffing::ellipsograph::symbols as s;
 use crate::luffing::moving::symbols as m;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", weights, balance, load "Q", motion, moving "dynamics", hoisting, limits),
+    inputs: chapters!(geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, limits),
     constants: &[
         ("ellipsograph_axes", &[Stage("axes")]),
         ("balance_constants", &[Stage("balancing")]),
+        o::CRANK_CONSTANTS,
+        o::GEARING,
     ],
     sections: &[
         ("ellipsograph_position", &[Stage("position")]),
@@ -19,13 +22,29 @@ pub const OUTLINE: Outline = Outline {
         ("ellipsograph_velocity", &[Stage("travel"), Stage("speeds")]),
         ("ellipsograph_load", &[Stage("hanging")]),
         ("ellipsograph_weight", &[Stage("own")]),
+        o::CRANK,
+        o::LINE,
         ("balance", &[Stage("residual"), Stage("balanced")]),
-        ("ellipsograph_drive", &[Stage("drive"), Stage("power")]),
+        ("ellipsograph_drive", &[Stage("needed"), Stage("power"), Stage("push")]),
         ("ellipsograph_pins", &[Stage("pins")]),
+        o::SHAFT,
         ("ellipsograph_bodies", &[Stage("built")]),
         ("ellipsograph_motion", &[Stage("moves")]),
     ],
-    table: listed!(s: R, A_Y, B_Y, V_AX, V_B, M_Q, M_D, F_BX, N_L, F_O1X, F_O1Y),
+    table: &[
+        &s::R,
+        &s::A_Y,
+        &s::B_Y,
+        &s::V_AX,
+        &s::V_B,
+        &s::M_Q,
+        &s::M_D,
+        &d::F_D,
+        &s::F_BX,
+        &s::N_L,
+        &s::F_O1X,
+        &s::F_O1Y,
+    ],
     curves: &[
         ("ellipsograph_path", Some(&s::R), &s::A_Y),
         ("ellipsograph_velocity", Some(&s::R), &s::V_AX),
@@ -39,14 +58,25 @@ pub const OUTLINE: Outline = Outline {
         Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
         Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
         Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
+        o::FORCE_MAX,
+        o::TORQUE_OUT_MAX,
+        o::TORQUE_IN_MAX,
         Greatest::new(&s::F_B_MAX, Most::Amount, &s::F_BX),
         Greatest::new(&s::N_L_MAX, Most::Amount, &s::N_L),
     ],
-    summary: &[&s::DELTA_Y, &s::EPSILON_Y, &s::DELTA_B],
+    summary: &[
+        &s::DELTA_Y,
+        &s::EPSILON_Y,
+        &s::DELTA_B,
+        &d::LAMBDA_D,
+        &d::RHO_D,
+        &d::LOCK_D,
+    ],
     sensitivity: &[
         &s::EPSILON_Y,
         &s::R_MAX,
         &s::M_D_MAX,
+        &d::F_D_MAX,
         &s::F_B_MAX,
         &s::N_L_MAX,
         &b::DM_MAX,
@@ -56,12 +86,28 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("ellipsograph_drive", &s::M_D_MAX),
         Limit::at_most("ellipsograph_guide", &s::F_B_MAX),
         Limit::at_most("ellipsograph_link", &s::N_L_MAX),
+        o::LOCKS,
+        o::TORQUE_OUT,
+        o::TORQUE_IN,
         Limit::at_most("balance_residual", &b::DM_MAX),
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
     ],
-    uses: &[("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m::V_H, &m::A_H])],
-    forces: listed!(s: F_BX, F_CX, F_CY, N_L, F_O1X, F_O1Y, M_D),
+    uses: &[
+        ("annulus", &[&d::D_R]),
+        ("start", &[&m::L_R, &m::PHI_R]),
+        ("hoist", &[&m::V_H, &m::A_H]),
+    ],
+    forces: &[
+        &s::F_BX,
+        &s::F_CX,
+        &s::F_CY,
+        &s::N_L,
+        &s::F_O1X,
+        &s::F_O1Y,
+        &s::M_D,
+        &d::F_D,
+    ],
     worst: &[
         ("ellipsograph_guide", &s::F_B_MAX),
         ("ellipsograph_speed", &s::V_AX_MAX),

@@ -1,7 +1,9 @@
-//! Forces of guide, link and frame, by equilibrium of the boom and of the link: they do not know the moment of the drive.
+//! Forces of guide, link and frame, by equilibrium of the boom and of the link: they do not know the moment of the drive, but
+//! the frame carries its force.
 
 use crate::balance::residual::Residual;
 use crate::component::stages::{Found, results};
+use crate::drive::line::Reaction;
 use crate::kernel::calc::Calc;
 use crate::kernel::variable::Fault;
 use crate::luffing::ellipsograph::position::{Bars, GuidedPosition};
@@ -43,6 +45,7 @@ impl<C: Calc> GuidedPins<C> {
         phi: &C,
         position: &GuidedPosition<C>,
         residual: Option<&Residual<C>>,
+        drive: Option<&Reaction<C>>,
     ) -> Found<GuidedPins<C>> {
         if position.along.y.value().abs() <= 4.0 * f64::EPSILON {
             return Err(Box::new(Fault::outside(format!(
@@ -63,6 +66,8 @@ impl<C: Calc> GuidedPins<C> {
         let link = plane::def(Point::new(-guide, on_pin), [&s::F_CX, &s::F_CY]);
         let frame = Point::new(link.x, link.y + below);
         let frame = residual.map_or(frame, |left| frame - left.action.on_boom);
+        let push = drive.and_then(|drive| drive.force);
+        let frame = push.map_or(frame, |push| frame - push);
         Ok(GuidedPins {
             guide,
             link,

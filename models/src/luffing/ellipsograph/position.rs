@@ -4,6 +4,7 @@ use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
 use crate::luffing::ellipsograph::symbols as s;
+use crate::parts::four_bar::Branch;
 use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
 
@@ -12,6 +13,8 @@ use crate::parts::plane::{self, Point};
 pub struct GuidedChoice {
     /// Working range of the boom.
     pub range: Motion,
+    /// Side of the line from the centre of the drive's crank to its anchor on the link on which crank and rod meet.
+    pub crank: Branch,
 }
 group!(GuidedChoice);
 

@@ -12,6 +12,8 @@ use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::fine;
+use crate::drive;
+use crate::drive::scene::{DRIVE, Driving};
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
@@ -21,6 +23,7 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::boom_scene::{INTERPOLATION, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
+use crate::luffing::ellipsograph::driving;
 use crate::luffing::ellipsograph::moving::GuidedInertias;
 use crate::luffing::ellipsograph::outline::OUTLINE;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes};
@@ -55,6 +58,7 @@ pub const KEYS: &[Key] = &[
     ),
     Key::table("motion", MOTION, "Working range of the boom."),
     Key::part("weights", WEIGHTS, "Own weights of boom and link, and where they act."),
+    DRIVE,
     BALANCE,
     Key::part(
         "dynamics",
@@ -82,13 +86,14 @@ static DYNAMICS: &[Key] = &dynamics::<14>(&[
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B, J_L);
 
-const LIMITS: &[Key] = &Limit::keys::<8>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<11>(OUTLINE.limits);
 
 /// A boom on guide and link as the scene describes it; SI.
 #[derive(Clone, Debug)]
 pub struct Ellipsograph {
     /// At the start of the working range.
     given: Given<f64>,
+    driving: Driving,
     /// At a level that moves by itself.
     moving: Option<Moving>,
     /// Published results of the balance.
@@ -108,6 +113,7 @@ impl Described for Ellipsograph {
         own: &[s::ALL],
         shared: &[
             b::ALL,
+            drive::symbols::ALL,
             gravity::ALL,
             moving::symbols::ALL,
             hanging::ALL,
@@ -117,7 +123,10 @@ impl Described for Ellipsograph {
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(Ellipsograph, Motion)> {
         let moving = moves(v, gravity, found);
-        let (range, balance) = begun(v, "G_b and r_b", found)?;
+        let begun = begun(v, "G_b and r_b", found);
+        let ((range, balance), driving) = begun.zip(drive::scene::read(v, found))?;
+        drive::scene::meets(v, &driving, None, [-range.to, -range.from], found);
+        drive::scene::fits(v, driving.gear.as_ref(), [moving.is_some(), v.has("Q")], found);
         if let Some(moving) = &moving {
             brisk(v, moving, &range, found);
         }
@@ -127,8 +136,15 @@ impl Described for Ellipsograph {
             load: v.of(&s::Q).map(|q| One(&s::Q, q)),
             bars: Bars::read(v)?,
             weights: v.part("weights", GuidedWeights::read)?,
+            mount: driving.mount,
+            rod: driving.rod(),
+            cylinder: driving.cylinder,
+            gear: driving.gear,
             balance,
-            choice: GuidedChoice { range },
+            choice: GuidedChoice {
+                range,
+                crank: driving.branch(),
+            },
             inertias: match &moving {
                 Some(_) => Some(GuidedInertias::read(v.table("dynamics")?)?),
                 None => None,
@@ -146,6 +162,7 @@ impl Described for Ellipsograph {
         let published_balance = v.table("balance").and_then(PublishedBalance::read);
         let read = Ellipsograph {
             given,
+            driving,
             moving,
             published_balance,
         };
@@ -231,6 +248,7 @@ impl Described for Ellipsograph {
             let balance = row.get(5).copied().unwrap_or(0.0);
             [row[0], row[1] * row[4], -row[2] * row[3], link * row[1], -balance]
         }));
+        checks.extend(drive::checks::by_slider(&this.driving, model, &s::AGREEMENT));
         checks
     }
 
@@ -297,6 +315,7 @@ impl Described for Ellipsograph {
             if faint {
                 continue;
             }
+            drive::drawing::drive(&mut draw, &driving::bar(&p, bars), &this.driving, range);
             draw.angle(b, 0.2 * size, phi, &b::PHI);
             draw.distance(o1, p.c, -0.05 * size, &s::C);
             draw.distance(p.c, p.a, -0.05 * size, &s::A);

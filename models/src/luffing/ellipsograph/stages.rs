@@ -8,18 +8,24 @@ use crate::component::part::{Component, Port, ports};
 use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, stages};
 use crate::component::whole::{How, Whole};
+use crate::drive::crank::{CrankRod, Cranked, cranked};
+use crate::drive::gear::Gear;
+use crate::drive::line::{self, Drive, Reaction};
+use crate::drive::mount::{Bore, DriveMount, DrivenBar};
+use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Variable;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::ellipsograph::balancing::{analysed, balanced, balancing, criteria, residual};
+use crate::luffing::ellipsograph::driving;
 use crate::luffing::ellipsograph::motion::{self, GuideParts, GuideRates, RATES};
 use crate::luffing::ellipsograph::moving::GuidedInertias;
 use crate::luffing::ellipsograph::moving::HeavyGuide;
 use crate::luffing::ellipsograph::pins::GuidedPins;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes, pole};
-use crate::luffing::ellipsograph::statics::{GuidedWeights, HeadLoad, WeightMoment, drive, power};
+use crate::luffing::ellipsograph::statics::{GuidedWeights, HeadLoad, WeightMoment, needed, power};
 use crate::luffing::ellipsograph::symbols as g;
 use crate::luffing::ellipsograph::velocity::{GuidedSpeeds, GuidedTravel};
 use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs};
@@ -31,10 +37,12 @@ use crate::luffing::moving::luffs::{Luffs, luffs};
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS};
 use crate::luffing::with_balance::WithBalance;
+use crate::parts::four_bar::FourBar;
 use crate::parts::plane::Point;
 
-/// Quantities at rest and in motion.
+/// Quantities at rest and in motion, and of the drive.
 mod s {
+    pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
     pub use crate::luffing::ellipsograph::symbols::*;
     pub use crate::luffing::moving::symbols::{M_R, M_R_H, S_R, W_BLOW};
 }
@@ -56,6 +64,10 @@ stages! {
         Load load: Option<One<C>>,
         Parameter bars: Bars<C>,
         Parameter weights: Option<GuidedWeights<C>>,
+        Parameter mount: Option<DriveMount<C>>,
+        Parameter rod: Option<CrankRod<C>>,
+        Parameter cylinder: Option<Bore<C>>,
+        Parameter gear: Option<Gear<C>>,
         Parameter balance: Option<Form<C>>,
         Fixed choice: GuidedChoice,
         Fixed fitted: Fitted,
@@ -65,14 +77,24 @@ stages! {
         pole: Point<C> = pole(position) => [P_X, P_Y];
         travel: GuidedTravel<C> = GuidedTravel::new(axes, position) => _;
         speeds: GuidedSpeeds<C> = GuidedSpeeds::new(travel, omega);
+        bar: DrivenBar<C> = driving::bar(position, bars) => _;
+        crank: FourBar<C> = driving::crank(rod[!], mount[!], choice) => _, lifted;
+        cranked: Cranked<C> = cranked(crank, rod[!], mount[!], bar);
+        drive: Drive<C> = Drive::of(bar, mount[!], rod, cranked[?]);
+        stroke: C = driving::stroke(drive, speeds) => V_D;
+        flow: C = line::flow(cylinder[!], stroke) => Q_D;
         hanging: HeadLoad<C> = HeadLoad::new(position, pole, travel, load[!]);
         own: WeightMoment<C> = WeightMoment::new(bars, weights[!], phi);
         balancing: Balancing<C> = balancing(bars, weights[!], balance[!], choice) => _;
         residual: Residual<C> = residual(balancing, own, position);
-        balanced: Balanced<C> = balanced(residual, hanging, own);
-        drive: C = drive(hanging, own[?], residual[?]) => M_D;
-        power: C = power(drive, omega) => P_D;
-        pins: GuidedPins<C> = GuidedPins::new(bars, load[!], weights, phi, position, residual[?]);
+        balanced: Balanced<C> = balanced(residual, hanging, own, drive[?]);
+        needed: C = needed(hanging, own[?], residual[?]) => M_D;
+        power: C = power(needed, omega) => P_D;
+        push: Reaction<C> = driving::push(drive, needed);
+        pins: GuidedPins<C> = GuidedPins::new(bars, load[!], weights, phi, position, residual[?], push[?]);
+        gearing: Gearing<C> = Gearing::new(gear[!]);
+        shaft: Shaft<C> = line::shaft(gearing, push, stroke, cranked[?]);
+        by_slider: C = line::by_slider(cranked, rod[!], mount[!], push) => T_CR;
         analysed: Analysis = analysed(bars, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, bars, weights[!], analysed, choice);
         parts[constants]: Vec<GuideParts<C>> = motion::parts(
@@ -98,7 +120,7 @@ luffs!(EllipsographBoom by phi, omega);
 /// What is said of its variables in motion.
 const SAID: Said = Said {
     bar: [&[&b::PHI, &s::OMEGA], &RATES],
-    still: &[g::ALL, b::ALL],
+    still: &[g::ALL, b::ALL, crate::drive::symbols::ALL],
     moving: &[],
     drive: None,
 };
@@ -132,11 +154,13 @@ impl Component for EllipsographBoom {
     const PORTS: &'static [Port] = ports! { s:
         head "Head A of the boom, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;
         foot "Foot B of the boom in its guide.": y B_Y, v_y V_B, f F_BX;
+        drive "Cylinder, rack, screw, sector or crank between frame and link.": s L_D, v V_D, f F_D, q Q_D;
     };
 
-    /// A balance has what its kind has, and no force moves this boom.
+    /// A balance has what its kind has, and so has a drive.
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        symbol != &b::F_D_0
+        (symbol != &b::F_D_0 || given.mount.is_some())
+            && line::has(given.mount.as_ref(), given.rod.is_some(), given.gear.as_ref(), symbol)
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
             && fittings(given).is_none_or(|crane| crane.has(symbol))
     }

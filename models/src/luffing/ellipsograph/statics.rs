@@ -62,13 +62,13 @@ impl<C: Calc> WeightMoment<C> {
 }
 
 /// Moment that is left for the drive, in N·m; a balance that raises the link lowers the boom.
-pub fn drive<C: Calc>(hanging: &HeadLoad<C>, own: Option<&WeightMoment<C>>, residual: Option<&Residual<C>>) -> C {
+pub fn needed<C: Calc>(hanging: &HeadLoad<C>, own: Option<&WeightMoment<C>>, residual: Option<&Residual<C>>) -> C {
     let m_d = own.map_or(hanging.m_q, |own| hanging.m_q + own.m_g);
     let m_d = residual.map_or(m_d, |left| m_d + left.action.m_b);
     m_d.def(&s::M_D)
 }
 
 /// Power of the drive, in W.
-pub fn power<C: Calc>(drive: &C, omega: &C) -> C {
-    (*drive * *omega).def(&s::P_D)
+pub fn power<C: Calc>(needed: &C, omega: &C) -> C {
+    (*needed * *omega).def(&s::P_D)
 }

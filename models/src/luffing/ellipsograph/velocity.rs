@@ -32,7 +32,7 @@ impl<C: Calc> GuidedTravel<C> {
 pub struct GuidedSpeeds<C> {
     a: Point<C>,
     b: C,
-    link: C,
+    pub link: C,
 }
 results! { GuidedSpeeds as v => { V_AX: v.a.x; V_AY: v.a.y; V_B: v.b; OMEGA_L: v.link; } }
 

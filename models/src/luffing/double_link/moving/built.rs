@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use num_dual::Dual64;
 
+use crate::drive::mount::Bore;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::{One, quantities};
 use crate::kernel::variable::Fault;
@@ -11,7 +12,7 @@ use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::linkage::{Bodies, HeavyLinkage};
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::moving::symbols as s;
-use crate::luffing::double_link::parameters::{Bore, Parameters, Weights};
+use crate::luffing::double_link::parameters::{Parameters, Weights};
 use crate::luffing::double_link::pose::Posing;
 use crate::luffing::moving::bodies::Body;
 use crate::luffing::moving::built::{HoistParts, LevelParts};

@@ -1,0 +1,32 @@
+//! The boom as the drive sees it, and the moment that it needs.
+
+use crate::component::stages::Found;
+use crate::drive::crank::{self, CrankRod};
+use crate::drive::line::{Drive, Reaction};
+use crate::drive::mount::{DriveMount, DrivenBar};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::One;
+use crate::luffing::curved_trunk::pins::TrunkPins;
+use crate::luffing::curved_trunk::position::TrunkPosition;
+use crate::luffing::curved_trunk::tail::{Trunk, TrunkChoice};
+use crate::parts::four_bar::FourBar;
+
+pub fn bar<C: Calc>(position: &TrunkPosition<C>, trunk: &Trunk<C>, phi: &One<C>) -> DrivenBar<C> {
+    DrivenBar {
+        angle: *phi,
+        along: position.b,
+        length: trunk.b,
+        foot: None,
+    }
+}
+
+/// # Errors
+/// A rod that reaches the boom at no angle.
+pub fn crank<C: Calc>(rod: &CrankRod<C>, mount: &DriveMount<C>, choice: &TrunkChoice) -> Found<FourBar<C>> {
+    crank::crank(rod, mount, None, choice.crank)
+}
+
+/// The force that gives the moment.
+pub fn push<C: Calc>(drive: &Drive<C>, pins: &TrunkPins<C>) -> Reaction<C> {
+    Reaction::new(drive, pins.m_d)
+}

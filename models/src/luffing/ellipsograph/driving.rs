@@ -1,0 +1,37 @@
+//! The link as the drive sees it: it turns the other way than the boom.
+
+use crate::component::stages::Found;
+use crate::drive::crank::{self, CrankRod};
+use crate::drive::line::{self, Drive, Reaction};
+use crate::drive::mount::{DriveMount, DrivenBar};
+use crate::kernel::calc::Calc;
+use crate::kernel::group::One;
+use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition};
+use crate::luffing::ellipsograph::symbols as s;
+use crate::luffing::ellipsograph::velocity::GuidedSpeeds;
+use crate::parts::four_bar::FourBar;
+
+pub fn bar<C: Calc>(position: &GuidedPosition<C>, bars: &Bars<C>) -> DrivenBar<C> {
+    DrivenBar {
+        angle: One(&s::THETA_L, position.theta_l),
+        along: position.c,
+        length: bars.c,
+        foot: None,
+    }
+}
+
+/// # Errors
+/// A rod that reaches the link at no angle.
+pub fn crank<C: Calc>(rod: &CrankRod<C>, mount: &DriveMount<C>, choice: &GuidedChoice) -> Found<FourBar<C>> {
+    crank::crank(rod, mount, None, choice.crank)
+}
+
+/// Speed of the drive, in m/s, lengthening positive.
+pub fn stroke<C: Calc>(drive: &Drive<C>, speeds: &GuidedSpeeds<C>) -> C {
+    line::speed(drive, &speeds.link)
+}
+
+/// The force that gives the moment for the boom's angle.
+pub fn push<C: Calc>(drive: &Drive<C>, needed: &C) -> Reaction<C> {
+    Reaction::new(drive, -*needed)
+}
