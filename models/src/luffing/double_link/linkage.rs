@@ -203,6 +203,7 @@ impl<P: Calc> HeavyLinkage<P> {
             head: parts(p.a),
             drive,
             turn,
+            lead: None,
         })
     }
 

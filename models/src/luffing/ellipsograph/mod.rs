@@ -31,7 +31,6 @@
 //! | `ellipsograph.range` | [`crate::component::whole`] | Ports001, 5.9.2.3 |
 
 mod balancing;
-pub mod link_balance;
 pub mod motion;
 pub mod moving;
 mod outline;
