@@ -89,6 +89,7 @@ SAID = {
     "slewing_swing": ({"slewing_level_swing", "slewing_hook"}, {"slewing_level_rigid", "slewing_load"}),
     "ellipsograph": ({"ellipsograph_rope"}, {"slewing_load"}),
     "curved_trunk": ({"trunk_rope"}, {"ellipsograph_rope"}),
+    "rope_luffing_motion": ({"level_swing", "rope_winch", "rope_led", "slack", "hoist_ramp"}, {"rope_level_static", "rope_forces"}),
     "rigid": ({"level_rigid", "fixed_load", "sticking", "solver_runge_kutta", "forces_in_motion"}, {"rope", "hoist", "slewing"}),
     "hydraulic": ({"level_hydraulic", "oil", "creep", "buffer", "solver_rodas"}, {"rope", "sticking", "stops"}),
     "hydraulic_swing_slewing": ({"level_hydraulic", "rope", "hoist", "slewing"}, {"fixed_load", "stops"}),
@@ -98,7 +99,7 @@ SAID = {
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),
 }
 # Where the coordinate's name does not begin with theta.
-COORDINATES = {"slewing_swing": "psi_sl", "ellipsograph": "phi", "curved_trunk": "phi"}
+COORDINATES = {"slewing_swing": "psi_sl", "ellipsograph": "phi", "curved_trunk": "phi", "rope_luffing_motion": "phi"}
 
 
 @pytest.mark.parametrize("name", SAID)
@@ -119,7 +120,8 @@ def test_the_first_page_says_what_this_fmu_is(name, tmp_path):
             page.feed(archive.read("documentation/index.html").decode("utf-8"))
         whole = " ".join("".join(page.words).split())
         names = {"$h$": "step", "$g$": "g", "$omega_c$": "omega_c", "$a_h$": "a_h", "$c_R$": "c_R", "$d_R$": "d_R", "$M_D$": "M_D", "$M_A$": "M_A",
-                 "$R$": "R", "$X_8 = 0$": "X_8 = 0", "$C$": "C", "$O_1$": "O_1"}
+                 "$R$": "R", "$X_8 = 0$": "X_8 = 0", "$C$": "C", "$O_1$": "O_1", "$A$": "A", "$B$": "B", "$v_h$": "v_h", "$M_S$": "M_S",
+                 "$S_R$": "S_R", '$T_"dyn"$': "T_dyn"}
         plain = {id: re.sub(r"\$.*?\$", lambda found: names[found.group()], words) for id, words in WORDS.items()}
         said, wrong = SAID[name]
         assert [id for id in said if plain[id] not in whole] == [] and [id for id in wrong if plain[id] in whole] == []

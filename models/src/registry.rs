@@ -27,6 +27,7 @@ use crate::luffing::ellipsograph::scene::Ellipsograph;
 use crate::luffing::ellipsograph::stages::EllipsographBoom;
 use crate::luffing::moving::follows::follows;
 use crate::luffing::rope::scene::Rope;
+use crate::luffing::rope::stages::RopeBoom;
 use crate::parts::motion::Place;
 use crate::slewing;
 use crate::slewing::scene::SlewingScene;
@@ -177,6 +178,9 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
             }
             if part.is::<Runner<EllipsographBoom, f64>>() {
                 return follows::<EllipsographBoom>(moving);
+            }
+            if part.is::<Runner<RopeBoom, f64>>() {
+                return follows::<RopeBoom>(moving);
             }
             told(|teller| (teller.dependencies)(moving.standing()))
         }

@@ -545,9 +545,9 @@ pub fn working_range(n: &mut Node, [from, to]: [f64; 2]) {
 
 /// A hoist with its rope under a load (N), for a run of a duration (s).
 fn hoisting(h: &mut Node, load: f64, lasts: f64) {
-    let motor = h.draw.coin(0.5);
-    reeled(h, true, lasts);
     let drum = ["J_h", "r_h", "m_h", "M_Fh", "M_Mh", "M_Bh"];
+    let motor = h.draw.coin(0.5) && h.knows(drum[0]);
+    reeled(h, true, lasts);
     if motor {
         h.remove(&["v_h", "a_h"]);
         let radius = h.draw.scale[0] * h.draw.between(0.005, 0.05);

@@ -7,7 +7,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing::rope::symbols as s;
 use toml::Table;
 
-use crate::luffing::{tail_balance, working_range};
+use crate::luffing::{dynamics, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -17,6 +17,8 @@ pub const RESULT: (&str, &Symbol) = ("A.x", &s::A_X);
 const BOOM: [f64; 2] = [-0.2, 1.4];
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
+    let level = draw.pick(&["static", "table", "rigid", "swing"]);
+    let (moves, swings) = (matches!(level, "rigid" | "swing"), level == "swing");
     let mut table = draw.table(keys);
     let mut n = Node::new(draw, keys, &mut table);
     let size = n.draw.scale[0];
@@ -26,13 +28,20 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         let offset = l * n.draw.between(-0.1, 0.1);
         n.set("f_A", offset);
     }
+    n.put("fidelity", level);
+    n.keep("dynamics", moves);
+    let hoists = n.draw.coin(0.5);
+    n.keep("hoisting", swings && hoists);
+    if moves {
+        n.keep("weights", true);
+    }
     if n.has("weights") {
         n.keep("Q", true);
     } else {
         n.remove(&["balance"]);
     }
-    let tabulated = n.text("fidelity") == Some("table");
-    n.keep("table", tabulated && n.has("table"));
+    let tabulated = level == "table" && n.has("table");
+    n.keep("table", tabulated);
     let mut tackle = n.child("tackle").expect("required");
     for (name, low, high) in [("s_K", 0.3, 1.2), ("E_x", -0.5, -0.05), ("E_y", 0.17, 0.8)] {
         let value = l * tackle.draw.between(low, high);
@@ -54,6 +63,15 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     }
     tail_balance(&mut n);
     working_range(&mut n, BOOM);
+    if moves {
+        dynamics(&mut n, "J_b", swings, false);
+    }
+    if swings {
+        let hoisting = if n.has("hoisting") { "hoisting" } else { "dynamics" };
+        let rope = n.child(hoisting).expect("there");
+        let long = rope.text("l_R").expect("set").to_owned();
+        n.child("hoist_rope").expect("required").put("h_Q", long);
+    }
     table
 }
 

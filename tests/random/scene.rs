@@ -451,6 +451,11 @@ impl Node<'_> {
         Node { draw, keys, table }
     }
 
+    /// Whether there is such a key.
+    pub fn knows(&self, name: &str) -> bool {
+        self.keys.iter().any(|key| key.name == name)
+    }
+
     pub fn has(&self, name: &str) -> bool {
         self.table.contains_key(name)
     }

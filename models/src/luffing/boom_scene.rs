@@ -19,6 +19,13 @@ pub const FIDELITY: Key = Key::choice(
     "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range).",
 );
 
+/// The same of one that may move by itself.
+pub const MOVING_FIDELITY: Key = Key::choice(
+    "fidelity",
+    &["static", "table", "rigid", "swing"],
+    "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope).",
+);
+
 pub const INTERPOLATION: Key = Key::part("table", TABLE, "Interpolation, with fidelity \"table\".");
 
 /// Keys of the working range, with the symbols of its ends and of the boom's angular velocity.

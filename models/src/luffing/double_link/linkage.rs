@@ -204,6 +204,7 @@ impl<P: Calc> HeavyLinkage<P> {
             head: parts(p.a),
             drive,
             turn,
+            lead: None,
         })
     }
 

@@ -284,6 +284,7 @@ impl Posing<Rec> for Rec {
                 None => [Rec::constant(0.0); 2],
             },
             turn: turn.unwrap_or([Rec::constant(0.0); 2]),
+            lead: None,
         };
         Some(d.sum(moves))
     }

@@ -137,7 +137,7 @@ stages! {
     }
 }
 
-luffs!(DoubleLink by theta, omega with turning, oil);
+luffs!(DoubleLink by theta, omega with motor, turning, oil);
 
 /// What is said of its variables in motion.
 const SAID: Said = Said {

@@ -14,6 +14,37 @@ use crate::luffing::criteria::Criteria;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes};
 use crate::luffing::ellipsograph::statics::{GuidedWeights, HeadLoad, WeightMoment};
 use crate::luffing::ellipsograph::symbols as s;
+use crate::luffing::moving::weighed::Balanceable;
+
+/// A balance on the link, which turns the other way.
+#[derive(Clone, Copy)]
+pub struct OnLink;
+
+impl Balanceable for OnLink {
+    type Of<C: Calc> = (Bars<C>, GuidedWeights<C>);
+    type Choice = GuidedChoice;
+
+    fn map<C: Calc, D: Calc>((bars, weights): &Self::Of<C>, f: &mut dyn FnMut(C) -> D) -> Self::Of<D> {
+        let bars = Group::map(bars, &mut |_, x| f(x));
+        (bars, Group::map(weights, &mut |_, x| f(x)))
+    }
+
+    fn balancing<C: Calc>(
+        (bars, weights): &Self::Of<C>,
+        form: &Form<C>,
+        choice: &GuidedChoice,
+    ) -> Result<Balancing<C>, OutOfRange> {
+        balancing(bars, weights, form, choice)
+    }
+
+    fn angle<C: Calc>(phi: C) -> C {
+        -phi
+    }
+
+    fn energy<C: Calc>((bars, weights): &Self::Of<C>, phi: C) -> C {
+        WeightMoment::new(bars, weights, &phi).load.u_0
+    }
+}
 
 /// # Errors
 /// Quantities with which there is no such balance.

@@ -33,7 +33,6 @@
 
 mod balancing;
 mod driving;
-pub mod link_balance;
 pub mod motion;
 pub mod moving;
 mod outline;

@@ -12,7 +12,6 @@ use crate::kernel::group::One;
 use crate::kernel::record::Rec;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
-use crate::luffing::ellipsograph::link_balance::Weighing;
 use crate::luffing::ellipsograph::moving::{GuidedInertias, HeavyGuide};
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice};
 use crate::luffing::ellipsograph::statics::GuidedWeights;
@@ -26,6 +25,7 @@ use crate::luffing::moving::level::Level;
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{CraneMoves, rates_after};
 use crate::luffing::moving::symbols as m;
+use crate::luffing::moving::weighed::Weighing;
 
 /// What the boom in motion is made of.
 #[derive(Clone)]

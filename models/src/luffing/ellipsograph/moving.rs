@@ -6,13 +6,14 @@ use crate::balance::scene::Form;
 use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
-use crate::luffing::ellipsograph::link_balance::{LinkBalance, Weighing};
+use crate::luffing::ellipsograph::balancing::OnLink;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice};
 use crate::luffing::ellipsograph::statics::GuidedWeights;
 use crate::luffing::ellipsograph::symbols as s;
 use crate::luffing::moving::bodies::{Body, MovedBody, Moves};
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
 use crate::luffing::moving::symbols::{self as m, OfSums};
+use crate::luffing::moving::weighed::{MovedBalance, Weighing};
 use crate::parts::plane::{self, Point};
 
 quantities! {
@@ -36,12 +37,12 @@ static OF_BODY: [OfSums; 2] = [
 
 /// Boom and link with what they weigh.
 #[derive(Clone)]
-pub struct HeavyGuide<P> {
+pub struct HeavyGuide<P: Calc> {
     bars: Bars<P>,
     /// Of boom, from its foot, and link, from its pivot.
     bodies: [Body<P>; 2],
     gravity: P,
-    balance: Option<LinkBalance<P>>,
+    balance: Option<MovedBalance<OnLink, P>>,
 }
 
 impl<P: Calc> HeavyGuide<P>
@@ -70,7 +71,7 @@ where
             boom.inertia = boom.inertia.def(&s::J_BQ);
         }
         let link = Body::slender(weights.g_l / gravity, inertias.j_l, line * weights.r_l, line);
-        let balance = form.map(|form| LinkBalance::new(bars, weights, form, choice, gravity));
+        let balance = form.map(|form| MovedBalance::new(&(*bars, *weights), form, choice, gravity));
         Ok(HeavyGuide {
             bars: *bars,
             bodies: [boom, link],
@@ -119,6 +120,7 @@ where
             head: [head, travel, bend],
             drive: [zero; 2],
             turn: [zero; 2],
+            lead: None,
         };
         let names = OF_BODY.each_ref();
         Reduced::of(self.bodies.each_ref(), names, self.gravity, moves)

@@ -21,7 +21,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Sign, Values};
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
-use crate::luffing::boom_scene::{INTERPOLATION, balance_work, begun, motion, uncovered, vanishing};
+use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
 use crate::luffing::ellipsograph::driving;
 use crate::luffing::ellipsograph::moving::GuidedInertias;
@@ -51,11 +51,7 @@ pub const KEYS: &[Key] = &[
     Key::quantity(&s::A, Sign::Positive),
     Key::quantity(&s::X_8, Sign::Any),
     Key::weight(&s::Q).optional(),
-    Key::choice(
-        "fidelity",
-        FIDELITIES,
-        "How deep it is modelled: \"static\" (the angle is an input), \"table\" (the same, interpolated over the working range), \"rigid\" (it moves under a moment), \"swing\" (and the load swings on its rope).",
-    ),
+    MOVING_FIDELITY,
     Key::table("motion", MOTION, "Working range of the boom."),
     Key::part("weights", WEIGHTS, "Own weights of boom and link, and where they act."),
     DRIVE,
@@ -76,8 +72,6 @@ const MOTION: &[Key] = &motion(&s::FROM, &s::TO, &s::OMEGA);
 const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_L [or_mass, usually(0.0)], R_L [usually(0.0)]
 };
-
-const FIDELITIES: &[&str] = &["static", "table", "rigid", "swing"];
 
 static DYNAMICS: &[Key] = &dynamics::<14>(&[
     Key::quantity(&s::J_B, Sign::NotNegative),

@@ -115,7 +115,7 @@ stages! {
     }
 }
 
-luffs!(EllipsographBoom by phi, omega);
+luffs!(EllipsographBoom by phi, omega with motor);
 
 /// What is said of its variables in motion.
 const SAID: Said = Said {

@@ -106,6 +106,7 @@ pub(crate) struct Moves<C, const N: usize> {
     pub head: [Point<C>; 3],
     pub drive: [C; 2],
     pub turn: [C; 2],
+    pub lead: Option<[C; 2]>,
 }
 
 /// A body's centre of gravity: place, first and second derivative by the driven angle, in m; square of the body's

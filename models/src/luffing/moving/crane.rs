@@ -33,6 +33,8 @@ pub struct CraneState<const N: usize, const J: usize> {
     pub drum: Drum,
     /// The load hangs on the rope, or flies free.
     pub taut: bool,
+    /// Where the rope that drives luffing is slack: the angle (rad) at which it is taut again.
+    pub slack: Option<f64>,
     /// Energy that blows have taken so far, in J; what they gave counts negative.
     pub blown: f64,
 }
@@ -46,6 +48,7 @@ impl<const N: usize, const J: usize> CraneState<N, J> {
             joints: [Bar::Held; J],
             drum: Drum::at(0.0),
             taut: true,
+            slack: None,
             blown: 0.0,
         }
     }
@@ -157,16 +160,17 @@ where
                     gain: at.state.drum.ramp(hoist),
                     drum: at.state.drum.turning(hoist, &at.commands.hoist),
                 },
-                Some(rope) => RopeAction::Force(Self::stretched(rope, at.y)[1].def(&s::S_R)),
+                Some(rope) => RopeAction::Force(Self::stretched(rope, at.r, at.y)[1].def(&s::S_R)),
             },
         }
     }
 
     /// Force of a stretched rope by stiffness alone, and with damping, in N.
-    fn stretched<C: Coordinate<P>>(rope: &Elastic<P>, y: &[C; N]) -> [C; 2] {
+    fn stretched<C: Coordinate<P>>(rope: &Elastic<P>, r: &Reduced<C>, y: &[C; N]) -> [C; 2] {
         let [distance, speed] = Self::reach(y);
         let stretch = (distance - y[Self::LENGTH]).def(&s::DELTA_R);
-        let [spring, damping] = rope.forces(stretch, (speed - y[N - 1]).def(&s::D_DELTA_R));
+        let rate = speed - r.paid(y[N - 1], y[1]);
+        let [spring, damping] = rope.forces(stretch, rate.def(&s::D_DELTA_R));
         [spring, spring + damping.def(&s::S_RD)]
     }
 
@@ -212,8 +216,9 @@ where
     /// greatest that they can.
     fn held<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> [C; 3] {
         let hold = self.needs(i, at);
-        let [least, most] = self.joints[i].over().holds(at.y[2 * i], &at.commands.drives[i]);
-        [hold, least, most]
+        let [rising, falling] = self.drives(i, at.state, at.commands);
+        let holds = |drive| self.joints[i].over().holds(at.y[2 * i], drive);
+        [hold, holds(&rising)[0], holds(&falling)[1]]
     }
 
     /// Force of the rope on the load towards the head, in N; zero where it is slack or there is none.
@@ -251,15 +256,16 @@ where
 
     /// The same where it is known what the mechanism is at this angle.
     pub(crate) fn friction_at<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> C {
-        match at.state.joints[i] {
+        let drive = self.drive(i, at);
+        let resistance = match at.state.joints[i] {
             Bar::Held => self.needs(i, at),
             bar => {
-                let resistance = self.joints[i]
-                    .over()
-                    .resistance(bar, at.y[2 * i + 1], &at.commands.drives[i]);
+                let resistance = self.joints[i].over().resistance(bar, at.y[2 * i + 1], &drive);
                 resistance.def([&s::M_R, &s::M_R_SL][i])
             }
-        }
+        };
+        let more = drive.less_than_asked(&at.commands.drives[i]);
+        more.map_or(resistance, |more| resistance + more)
     }
 
     /// Numbers whose fall below zero ends a smooth piece: each joint comes to rest or (two) breaks loose, meets its lower or
@@ -282,9 +288,11 @@ where
         let mut out = [C::constant(1.0); MOST_INDICATORS];
         for i in 0..J {
             let held = || self.held(i, at);
-            let of_joint = self.joints[i]
-                .over()
-                .indicators(state.joints[i], [y[2 * i], y[2 * i + 1]], held);
+            let mut joint = self.joints[i].over();
+            if let (0, Some(caught)) = (i, state.slack) {
+                joint.stops[0] = joint.stops[0].max(caught);
+            }
+            let of_joint = joint.indicators(state.joints[i], [y[2 * i], y[2 * i + 1]], held);
             out[4 * i..4 * i + 4].copy_from_slice(&of_joint);
         }
         if let Some(hoist) = self.hoist() {
@@ -298,7 +306,7 @@ where
     /// Falls below zero where the rope becomes slack or taut.
     fn slackening<C: Coordinate<P>>(&self, hoist: &Hoist<P>, at: &Snapshot<N, J, C>) -> C {
         match &hoist.rope {
-            Some(rope) => Elastic::<P>::slackening(at.state.taut, Self::stretched(rope, at.y)),
+            Some(rope) => Elastic::<P>::slackening(at.state.taut, Self::stretched(rope, at.r, at.y)),
             None if at.state.taut => self.slackening_by(&self.accelerations(at), at),
             None => at.y[Self::LENGTH] * C::constant(LOOSE) - Self::reach(at.y)[0],
         }
@@ -334,9 +342,12 @@ where
             for i in 0..J {
                 self.stop_joint(i, state, &r);
             }
+            if self.dynamics.is_pulled() {
+                state.tighten(&commands.drives[0]);
+            }
             match self.hoist().map(|hoist| &hoist.rope) {
                 None => {}
-                Some(Some(rope)) => state.taut = Elastic::<f64>::pulls(state.taut, Self::stretched(rope, &state.y)),
+                Some(Some(rope)) => state.taut = Elastic::<f64>::pulls(state.taut, Self::stretched(rope, &r, &state.y)),
                 Some(None) => self.switched(state, &r, commands),
             }
             for i in 0..J {
@@ -438,7 +449,8 @@ where
         };
         let rope = self.rope_force(state, commands, &state.y)?;
         let (y, [distance, speed]) = (&state.y, Self::reach(&state.y));
-        let stretch = [distance - y[Self::LENGTH], speed - y[N - 1]];
+        let r = f64::reduced(&self.dynamics, y[0])?;
+        let stretch = [distance - y[Self::LENGTH], speed - r.paid(y[N - 1], y[1])];
         Some(hoist.powers(state.drum, &commands.hoist, y[N - 1], stretch, rope))
     }
 }

@@ -79,6 +79,7 @@ impl<const N: usize> Coordinate for Gradient<N> {
             head: [r.head[0].map(of), r.head[1].map(of), r.head[2].map(of)],
             drive: [of(r.drive[0]), of(r.drive[1])],
             turn: r.turn.map(of),
+            lead: r.lead.map(|lead| lead.map(of)),
         })
     }
 }
@@ -130,6 +131,11 @@ impl<P: Calc> Dynamics<P> {
     #[must_use]
     pub fn gravity(&self) -> P {
         self.gravity
+    }
+
+    /// Whether a rope drives it, which pulls and never pushes.
+    pub(crate) fn is_pulled(&self) -> bool {
+        self.mechanism.is_pulled()
     }
 
     /// What its coordinate is called by.

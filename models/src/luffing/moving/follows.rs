@@ -63,6 +63,7 @@ fn lively(luffing: &LuffingGiven, now: &CraneAt) -> Vec<CraneAt> {
                                 joints: [luffing, slewing],
                                 drum,
                                 taut,
+                                slack: None,
                                 blown: 0.0,
                             };
                             found.push(at);

@@ -139,9 +139,14 @@ fn modes([luffing, slewing, drum, command, taut, blown]: [f64; PAST_NUMBERS]) ->
         joints: [bar(luffing), bar(slewing)],
         drum: Drum { way, command },
         taut: taut != 0.0,
+        slack: None,
         blown,
     }
 }
+
+/// Where a rope that drives luffing is slack: the angle (rad) at which it is taut again.
+#[derive(Clone, Copy, Debug)]
+pub struct Slack(pub Option<f64>);
 
 /// A group of as many numbers, each with its symbol.
 macro_rules! numbered {
@@ -178,6 +183,13 @@ numbered!(
     [&PAST; PAST_NUMBERS],
     |past: &Modes| numbers(past).map(C::constant),
     |numbers: [_; PAST_NUMBERS]| modes(numbers.map(Calc::value))
+);
+numbered!(
+    Slack,
+    Slack,
+    [&PAST; 2],
+    |Slack(slack): &Slack| [f64::from(slack.is_some()), slack.unwrap_or(0.0)].map(C::constant),
+    |[slack, angle]: [_; 2]| Slack((Calc::value(slack) != 0.0).then_some(Calc::value(angle)))
 );
 
 /// What belongs to a crane in motion and is no number of its equations: length of the load's rope at the start (m), end

@@ -14,6 +14,11 @@ pub static HOISTING_KEYS: &[Key] = keys! { s:
     M_B_H >= 0 [optional]
 };
 
+/// The same of a hoist whose speed is commanded.
+pub static BY_SPEED_KEYS: &[Key] = keys! { s:
+    L_R > 0, PHI_R [optional], C_R > 0 [optional], D_R >= 0 [optional], V_H [optional], A_H > 0 [optional]
+};
+
 quantities! {
     /// A hoist that comes up to its command with an acceleration.
     HoistRamp { a_h: A_H }

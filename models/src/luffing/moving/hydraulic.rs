@@ -74,6 +74,8 @@ pub struct Modes {
     pub drum: Drum,
     /// The load hangs on the rope, or flies free.
     pub taut: bool,
+    /// Where a rope that drives luffing is slack: the angle (rad) at which it is taut again.
+    pub slack: Option<f64>,
     /// Energy that blows have taken so far, in J; what they gave counts negative.
     pub blown: f64,
 }
@@ -105,6 +107,7 @@ impl Modes {
             command: 0.0,
         },
         taut: true,
+        slack: None,
         blown: 0.0,
     };
 
@@ -115,6 +118,7 @@ impl Modes {
             joints: std::array::from_fn(|i| self.joints[i]),
             drum: self.drum,
             taut: self.taut,
+            slack: self.slack,
             blown: self.blown,
         }
     }
@@ -127,7 +131,7 @@ impl Modes {
 
     /// As an event leaves it.
     pub fn follow<const M: usize, const J: usize>(&mut self, state: &CraneState<M, J>) {
-        (self.drum, self.taut, self.blown) = (state.drum, state.taut, state.blown);
+        (self.drum, self.taut, self.slack, self.blown) = (state.drum, state.taut, state.slack, state.blown);
         self.joints[..J].copy_from_slice(&state.joints);
     }
 }
@@ -550,7 +554,7 @@ impl<const N: usize> System<N> for Piece<'_, N> {
             match &self.crane.crane {
                 Crane::Plane(_) => {
                     let mut state: motion::MotionState = self.modes.of(y);
-                    state.straighten();
+                    state.straighten(state.y[7]);
                     put(y, &state.y);
                 }
                 Crane::Slewing(_) => {

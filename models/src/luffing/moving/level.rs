@@ -8,11 +8,11 @@ use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Inputs, MOST_STATES};
 use crate::luffing::moving::hydraulic::{self, FIRST, FIXED, Hydraulic, Modes, PresentCrane};
 use crate::luffing::moving::motion::{MovingLinkage, directions};
-use crate::luffing::moving::shares::{Instant, Shares, rope_on_head};
+use crate::luffing::moving::shares::{Instant, rope_on_head};
 use crate::luffing::moving::space::{self, Slewing};
 use crate::parts::hanging::to_load;
 use crate::parts::hydraulics::oil::VACUUM;
-use crate::parts::joint::JointDrive;
+use crate::parts::joint::Bar;
 use crate::parts::solver::rodas::{Run, Tolerance};
 use crate::parts::solver::{Count, Halt};
 
@@ -62,6 +62,8 @@ pub enum MotionResult {
     Pull,
     /// Of brake and friction on the drum of a motor.
     Drum,
+    /// Of motor and brake on the driven bar: what the line of its drive carries.
+    Drive,
     Cylinder,
 }
 
@@ -112,6 +114,10 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
 ) -> Option<P> {
     match reaction {
         MotionResult::Cylinder => Some(system.cylinder.force(&Hydraulic::<N, P>::oil(y))),
+        MotionResult::Drive => {
+            let [_, arm] = P::reduced(system.dynamics(), y[0])?.drive;
+            Some(system.shares(y, arm).drive)
+        }
         MotionResult::Friction => Some(system.reaction(y[0], y[1])),
         MotionResult::SlewingFriction => system.slewing_friction(modes, y),
         MotionResult::Pull => system.rope_force(modes, y),
@@ -135,6 +141,14 @@ where
         MotionResult::Drum => {
             let r = &P::reduced(&crane.dynamics, y[0])?;
             Some(crane.drum_friction(&Snapshot { state, r, y, commands }))
+        }
+        MotionResult::Drive => {
+            // Of a bar that moves all is known without its equations.
+            let together = match state.joints[0] {
+                Bar::Held => crane.friction_moment(0, state, commands, y)?,
+                _ => P::constant(0.0),
+            };
+            Some(crane.shares(state, commands, y, together).drive)
         }
         MotionResult::SlewingFriction => crane.friction_moment(1, state, commands, y),
         MotionResult::Friction | MotionResult::Cylinder => crane.friction_moment(0, state, commands, y),
@@ -235,10 +249,9 @@ impl<P: Coordinate<P>> Level<P> {
             None => None,
         };
         let together = self.reaction(at, MotionResult::Friction)?;
-        let JointDrive { moment, brake } = inputs.drives[0];
         let shares = either!(
             self,
-            crane => Shares::new(at.past.joints[0], together, y[1], &crane.joints[0].friction, [moment, brake]),
+            crane => crane.shares(&at.past.crane(first(y)), &inputs.of(), first(y), together),
             system => system.shares(first(y), arm)
         );
         Some(Instant {

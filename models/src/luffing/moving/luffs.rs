@@ -4,7 +4,7 @@ use crate::component::part::Component;
 use crate::component::stages::Found;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
-use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs};
+use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted, Inputs, Slack};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -24,6 +24,8 @@ pub struct MotionSources<C: Calc = f64> {
     pub oil: Option<CylinderOil<C>>,
     pub wound: Option<One<C>>,
     pub past: Option<Modes>,
+    /// Of a rope that drives luffing.
+    pub slack: Option<Slack>,
     pub fitted: Fitted,
 }
 
@@ -39,6 +41,7 @@ impl MotionSources {
         oil: None,
         wound: None,
         past: None,
+        slack: None,
         fitted: Fitted {
             rope: None,
             slewing: None,
@@ -85,9 +88,9 @@ pub trait Luffs: Component {
 }
 
 /// Implements [`Luffs`] beside the stages of a component, whose groups have the names of [`MotionSources`]: its coordinate
-/// and rate are named, and what it has besides those that every one has.
+/// and rate are named, what it has besides those that every one has, and what it keeps of a rope that drives it.
 macro_rules! luffs {
-    ($component:ident by $theta:ident, $omega:ident $(with $($more:ident),+)?) => {
+    ($component:ident by $theta:ident, $omega:ident $(with $($more:ident),+)? $(on $slack:ident)?) => {
         impl $crate::luffing::moving::luffs::Luffs for $component {
             #[allow(clippy::needless_update, reason = "some have all that there is")]
             fn luffing(given: &Given<f64>) -> $crate::luffing::moving::luffs::LuffingGiven {
@@ -101,12 +104,12 @@ macro_rules! luffs {
                         inputs: given.inputs,
                         constants: given.constants,
                         ramp: given.ramp,
-                        motor: given.motor,
                         give: given.give,
                         wound: given.wound,
                         past: given.past,
                         fitted: given.fitted,
                         $($($more: given.$more,)+)?
+                        $($slack: given.$slack,)?
                         ..$crate::luffing::moving::luffs::MotionSources::NONE
                     },
                 }
@@ -122,12 +125,12 @@ macro_rules! luffs {
                     inputs,
                     constants,
                     ramp,
-                    motor,
                     give,
                     wound,
                     past,
                     fitted,
                     $($($more,)+)?
+                    $($slack,)?
                     ..
                 } = sources;
                 Given {
@@ -137,12 +140,12 @@ macro_rules! luffs {
                     inputs,
                     constants,
                     ramp,
-                    motor,
                     give,
                     wound,
                     past,
                     fitted,
                     $($($more,)+)?
+                    $($slack,)?
                     ..given.clone()
                 }
             }
@@ -167,6 +170,7 @@ macro_rules! luffs {
             ) {
                 let wound = known.given.wound;
                 (known.$theta().1, known.$omega().1) = (at[0], at[1]);
+                $(*known.$slack() = Some($crate::luffing::moving::given::Slack(past.slack));)?
                 (*known.past(), *known.states()) = (Some(past), Some(states));
                 if let Some(rate) = wound {
                     *known.wound() = Some(One(rate.0, states.0[$crate::luffing::moving::given::V_R]));
@@ -178,6 +182,7 @@ macro_rules! luffs {
                 states: $crate::luffing::moving::given::CraneStates<f64>,
                 past: $crate::luffing::moving::hydraulic::Modes,
             ) {
+                $(*known.$slack() = Some($crate::luffing::moving::given::Slack(past.slack));)?
                 (*known.past(), *known.states()) = (Some(past), Some(states));
             }
         }

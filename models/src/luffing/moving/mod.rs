@@ -6,7 +6,9 @@
 //! | `bodies`, `reduced` | bodies with their derivatives; what a mechanism is to the equations of motion |
 //! | `dynamics`, `pendulum` | the mechanism with what hangs on it; with its load as a pendulum, between events |
 //! | `crane`, `motion`, `space`, `hanging` | joints that stick, stops, a rope that goes slack; load in the plane and in space |
+//! | `pulled` | a crane that a rope luffs, which may go slack |
 //! | `hydraulic` | the same moved by a cylinder |
+//! | `weighed` | the counterweight of a balance with its derivatives |
 //! | `level`, `shares` | what the levels have in common; what turns the driving link |
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
 //! | `scene`, `hoisting` | keys of motion, of rope and hoist |
@@ -28,6 +30,7 @@ pub mod listed;
 pub mod luffs;
 pub mod motion;
 pub mod pendulum;
+mod pulled;
 pub mod reduced;
 pub mod scene;
 pub mod shares;
@@ -35,3 +38,4 @@ pub mod space;
 pub mod stages;
 pub mod start;
 pub mod symbols;
+pub mod weighed;

@@ -29,9 +29,14 @@ impl MotionState {
         CraneState::held([theta, 0.0, 0.0, 0.0, length, length, 0.0, 0.0])
     }
 
-    /// Puts the load of a taut rope at its end, moving with it.
-    pub(crate) fn straighten(&mut self) {
-        (self.y[5], self.y[6]) = (self.y[4], self.y[7]);
+    /// Puts the load of a taut rope, paid out at a rate (m/s), at its end, moving with it.
+    pub(crate) fn straighten(&mut self, rate: f64) {
+        (self.y[5], self.y[6]) = (self.y[4], rate);
+    }
+
+    /// How fast its rope is paid out, in m/s.
+    fn paid(&self, r: &Reduced<f64>) -> f64 {
+        r.paid(self.y[7], self.y[1])
     }
 
     /// Puts a load that is farther than its rope is long to the rope's end.
@@ -61,11 +66,11 @@ pub struct PlaneAccelerations<C> {
 
 impl<P: Calc> MovingLinkage<P> {
     /// The load on its rope as it is now.
-    fn reel<C: Coordinate<P>>(&self, state: &MotionState, y: &[C; STATES]) -> Reel<C> {
+    fn reel<C: Coordinate<P>>(&self, state: &MotionState, r: &Reduced<C>, y: &[C; STATES]) -> Reel<C> {
         if self.is_kept(state) {
             Reel {
                 length: y[4],
-                rate: y[7],
+                rate: r.paid(y[7], y[1]),
                 gain: self.hoist().and_then(|hoist| state.drum.ramp(hoist)),
             }
         } else {
@@ -85,7 +90,7 @@ impl<P: Calc> MovingLinkage<P> {
         at: &Snapshot<STATES, 1, C>,
     ) -> PlaneAccelerations<C> {
         let Snapshot { state, r, y, .. } = *at;
-        let (m, reel, still) = (phase(y), self.reel(state, y), C::constant(0.0));
+        let (m, reel, still) = (phase(y), self.reel(state, r, y), C::constant(0.0));
         let [_, d, dd] = r.head;
         let (out, along) = directions(m.swing);
         let weight = Point::new(still, C::of(self.dynamics.gravity()));
@@ -96,7 +101,7 @@ impl<P: Calc> MovingLinkage<P> {
             ((moment - r.moment - C::constant(0.5) * r.slope * m.omega * m.omega) / r.inertia).def(&s::ALPHA_0)
         };
         let mass = self.dynamics.pendulum().map_or(still, |load| C::of(load.mass));
-        let arm = dot(d, out).def(&s::H_1R);
+        let arm = r.arm(dot(d, out).def(&s::H_1R));
         let ease = if held { still } else { C::constant(1.0) / r.inertia };
         let pull = match line {
             RopeAction::Slack => None,
@@ -104,6 +109,9 @@ impl<P: Calc> MovingLinkage<P> {
             RopeAction::Taut { drum, .. } => {
                 let bend = dot(dd * (m.omega * m.omega) + weight, out);
                 let mut need = reel.length * m.swing_rate.square() - bend - arm * alone;
+                if let Some(bend) = r.bend(m.omega) {
+                    need -= bend;
+                }
                 let mut give = C::constant(1.0) + mass * arm.square() * ease;
                 if let Some([drum, pull]) = drum {
                     need += pull / drum;
@@ -124,6 +132,7 @@ impl<P: Calc> MovingLinkage<P> {
             bar,
             swing: swing.def(&s::D_OMEGA_R),
             out: match (line, pull) {
+                (RopeAction::Taut { .. }, Some(pull)) if r.lead.is_some() => (free() - pull).def(&s::D_V_Q),
                 (RopeAction::Taut { .. }, _) => still,
                 (_, Some(pull)) => (free() - pull).def(&s::D_V_Q),
                 (_, None) => free(),
@@ -141,7 +150,11 @@ impl<P: Calc> MovingLinkage<P> {
         let [_, d, dd] = r.head;
         let (out, _) = directions(y[2]);
         let head = d * a.bar + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.gravity()));
-        C::of(mass) * (self.reel(state, y).less_gain(y[4] * y[3] * y[3]) - dot(head, out))
+        let mut inward = self.reel(state, r, y).less_gain(y[4] * y[3] * y[3]) - dot(head, out);
+        if let Some((lead, bend)) = led(r, y[1], a.bar) {
+            inward -= lead + bend;
+        }
+        C::of(mass) * inward
     }
 }
 
@@ -155,9 +168,9 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
     }
 
     fn accelerations<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 1, C>) -> PlaneAccelerations<C> {
-        let Snapshot { state, r, y, commands } = *at;
+        let Snapshot { state, r, y, .. } = *at;
         let (m, still) = (phase(y), C::constant(0.0));
-        let (bar, drive) = (state.joints[0], &commands.drives[0]);
+        let (bar, drive) = (state.joints[0], &self.drive(0, at));
         let moment = self.joints[0].over().resisted(drive.moment, bar, m.omega, drive);
         let line = self.line(at);
         let kept = match line {
@@ -167,28 +180,30 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
         if !kept {
             return self.led(moment, line, at);
         }
-        let reel = self.reel(state, y);
+        let reel = self.reel(state, r, y);
         let [bar, swing] = match bar {
             Bar::Held => [still, self.dynamics.hold(r, &m, reel)[1]],
             _ => self.dynamics.motion(r, &m, moment, reel),
         };
+        let paid = led(r, m.omega, bar).map(|(lead, bend)| lead + bend + reel.gain.unwrap_or(still));
         PlaneAccelerations {
             bar,
             swing,
-            out: still,
+            out: paid.map_or(still, |paid| paid.def(&s::D_V_Q)),
             pull: None,
         }
     }
 
     #[inline]
     fn rates_by<C: Coordinate<P>>(&self, a: &PlaneAccelerations<C>, at: &Snapshot<STATES, 1, C>) -> [C; STATES] {
-        let Snapshot { state, y, .. } = *at;
+        let Snapshot { state, r, y, .. } = *at;
         let none = C::constant(0.0);
         if self.hoist().is_none() {
             return [y[1], a.bar, none, none, none, none, none, none];
         }
-        let distance = if self.is_kept(state) { y[7] } else { y[6] };
-        [y[1], a.bar, y[3], a.swing, y[7], distance, a.out, none]
+        let paid = r.paid(y[7], y[1]);
+        let distance = if self.is_kept(state) { paid } else { y[6] };
+        [y[1], a.bar, y[3], a.swing, paid, distance, a.out, none]
     }
 
     fn tension_by<C: Coordinate<P>>(&self, a: &PlaneAccelerations<C>, at: &Snapshot<STATES, 1, C>) -> C {
@@ -206,7 +221,7 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
     }
 
     fn needs<C: Coordinate<P>>(&self, _: usize, at: &Snapshot<STATES, 1, C>) -> C {
-        let Snapshot { state, r, y, commands } = *at;
+        let Snapshot { state, r, y, .. } = *at;
         let hold = match self.line(at) {
             RopeAction::Slack => r.moment,
             RopeAction::Taut { drum: None, .. } => {
@@ -214,14 +229,14 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
                     omega: C::constant(0.0),
                     ..phase(y)
                 };
-                self.dynamics.hold(r, &still, self.reel(state, y))[0]
+                self.dynamics.hold(r, &still, self.reel(state, r, y))[0]
             }
             RopeAction::Taut { .. } | RopeAction::Force(_) => {
-                let arm = dot(r.head[1], directions(y[2]).0);
+                let arm = r.arm(dot(r.head[1], directions(y[2]).0));
                 r.moment - self.tension(at) * arm
             }
         };
-        hold - commands.drives[0].moment
+        hold - self.drive(0, at).moment
     }
 }
 
@@ -232,7 +247,8 @@ impl Struck<STATES, 1> for MovingLinkage {
     }
 
     fn wound(&self, state: &mut MotionState, before: f64, _: f64) -> Result<(), Halt> {
-        (state.y[5], state.y[6], state.taut) = (state.y[4], before, false);
+        let r = f64::reduced(&self.dynamics, state.y[0]).ok_or(Halt::Outside)?;
+        (state.y[5], state.y[6], state.taut) = (state.y[4], r.paid(before, state.y[1]), false);
         Ok(())
     }
 
@@ -242,11 +258,11 @@ impl Struck<STATES, 1> for MovingLinkage {
         // A rope along which the head comes to rest would have to push: it lets go. A drum that turns gives way, by
         // what the load then pulls.
         let gives = self.hoist().is_some_and(|hoist| state.drum.ease(hoist) > 0.0);
-        if self.is_kept(state) && (gives || omega * r.head[1].dot(&out) < 0.0) {
-            state.straighten();
+        if self.is_kept(state) && (gives || omega * r.arm(r.head[1].dot(&out)) < 0.0) {
+            state.straighten(state.paid(r));
             state.taut = false;
         }
-        let reel = self.reel(state, &state.y);
+        let reel = self.reel(state, r, &state.y);
         if self.is_kept(state) || self.hoist().is_none() {
             state.y[3] -= omega * self.dynamics.blow(r, &phase(&state.y), reel);
         } else {
@@ -260,16 +276,16 @@ impl Struck<STATES, 1> for MovingLinkage {
             return;
         };
         if state.taut {
-            state.straighten();
+            state.straighten(state.paid(r));
             let at = state.at(r, commands);
             state.taut = self.slackening_by(&self.accelerations(&at), &at) >= 0.0;
-        } else if state.y[5] >= state.y[4] && state.y[6] > state.y[7] {
+        } else if state.y[5] >= state.y[4] && state.y[6] > state.paid(r) {
             let (out, along) = directions(state.y[2]);
-            let arm = r.head[1].dot(&out);
+            let arm = r.arm(r.head[1].dot(&out));
             let held = state.joints[0] == Bar::Held;
             let follow = if held { 0.0 } else { arm / r.inertia };
             let drum = state.drum.ease(&pendulum.hoist);
-            let blow = (state.y[6] - state.y[7]) / (1.0 / pendulum.mass + arm * follow + drum);
+            let blow = (state.y[6] - state.paid(r)) / (1.0 / pendulum.mass + arm * follow + drum);
             state.y[1] += blow * follow;
             state.joints[0] = state.joints[0].struck(state.y[1]);
             state.y[3] -= blow * follow * r.head[1].dot(&along) / state.y[4];
@@ -277,18 +293,24 @@ impl Struck<STATES, 1> for MovingLinkage {
             if drum > 0.0 {
                 state.drum.way = state.drum.way.struck(state.y[7]);
             }
-            state.straighten();
+            state.straighten(state.paid(r));
             state.taut = true;
         }
     }
 
     fn height_and_speed(&self, state: &MotionState, r: &Reduced<f64>) -> [f64; 2] {
-        let (m, reel) = (phase(&state.y), self.reel(state, &state.y));
+        let (m, reel) = (phase(&state.y), self.reel(state, r, &state.y));
         let [a, d, _] = r.head;
         let (out, along) = directions(m.swing);
         let velocity = d * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;
         [a.y + out.y * reel.length, velocity.norm_squared()]
     }
+}
+
+/// What luffing adds to the acceleration of the rope's length (m/s²), by the bar's acceleration and by its rate.
+fn led<C: Calc>(r: &Reduced<C>, omega: C, bar: C) -> Option<(C, C)> {
+    let ([lead, _], bend) = r.lead.zip(r.bend(omega))?;
+    Some((lead * bar, bend))
 }
 
 /// From the head to the load, and where it swings to, at an angle of the rope.

@@ -68,13 +68,21 @@ impl<P: Calc> Dynamics<P> {
         let (swing, inward) = (Point::new(cos, sin), Point::new(-sin, cos));
         let (mass, gravity, l) = (C::of(load.mass), C::of(self.gravity()), reel.length);
         let any = C::of(load.cancelling());
-        let pull = reel.less_gain(l * m.swing_rate.square());
+        let mut pull = reel.less_gain(l * m.swing_rate.square());
         let coriolis = C::constant(2.0) * reel.rate * m.swing_rate;
         let square = m.omega.square();
         let forward = dot(d, swing).def(&s::D_PHI);
-        let along = dot(d, inward).def(&s::D_N);
-        let (bend, change) = (dot(d, dd).def(&s::Q_A), dot(dd, swing).def(&s::DD_PHI));
-        let own = (mass * squared(d)).def(&s::M_11);
+        let mut along = dot(d, inward).def(&s::D_N);
+        let (mut bend, change) = (dot(d, dd).def(&s::Q_A), dot(dd, swing).def(&s::DD_PHI));
+        let (mut travel, mut rise) = (squared(d), d.y);
+        if let Some([lead, further]) = r.lead {
+            travel += lead * (lead - C::constant(2.0) * along);
+            bend = (bend - lead * dot(dd, inward)).def(&s::Q_L);
+            pull = (pull - further * square).def(&s::A_L);
+            rise -= lead * cos;
+            along = (along - lead).def(&s::D_L);
+        }
+        let own = (mass * travel).def(&s::M_11);
         let coupled = (mass * l * forward).def(&s::M_12);
         Swing {
             own,
@@ -86,7 +94,7 @@ impl<P: Calc> Dynamics<P> {
             },
             inertia: (any * l.square()).def(&s::M_22),
             forces: [
-                (-mass * (bend * square + along * pull + forward * coriolis + gravity * d.y)).def(&s::TAU_1),
+                (-mass * (bend * square + along * pull + forward * coriolis + gravity * rise)).def(&s::TAU_1),
                 (-any * l * (change * square + coriolis + gravity * sin)).def(&s::TAU_2),
             ],
         }
@@ -151,7 +159,9 @@ impl Dynamics {
     pub fn accelerations(&self, m: &Phase, moment: f64) -> Option<[f64; 2]> {
         let r = f64::reduced(self, m.theta)?;
         let length = self.pendulum().map_or(0.0, |p| p.length);
-        Some(self.motion(&r, m, moment, Reel::still(length)))
+        let rate = r.paid(0.0, m.omega);
+        let gain = None;
+        Some(self.motion(&r, m, moment, Reel { length, rate, gain }))
     }
 
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
@@ -164,7 +174,8 @@ impl Dynamics {
         };
         let [a, d, _] = r.head;
         let (sin, cos) = Calc::sin_cos(m.swing);
-        let velocity = d * m.omega + Point::new(cos, sin) * (length * m.swing_rate);
+        let along = Point::new(sin, -cos) * r.paid(0.0, m.omega);
+        let velocity = d * m.omega + Point::new(cos, sin) * (length * m.swing_rate) + along;
         let height = a.y - length * cos;
         Some(bars + mass * (0.5 * velocity.norm_squared() + self.gravity() * height))
     }

@@ -27,6 +27,28 @@ pub struct Reduced<C> {
     pub drive: [C; 2],
     /// Inertia about the slewing axis (kg·m²), and its change by the angle; zero where the crane does not slew.
     pub turn: [C; 2],
+    /// Rope that one radian of the angle adds between head and load (m), and its change by the angle, where the mechanism
+    /// leads the load's rope away from the head; it does not slew then.
+    pub lead: Option<[C; 2]>,
+}
+
+impl<C: Calc> Reduced<C> {
+    /// How fast the load's rope is paid out at the head (m/s): by the hoist at a rate (m/s), and by the mechanism at its
+    /// angular velocity (rad/s).
+    pub fn paid(&self, rate: C, omega: C) -> C {
+        self.lead.map_or(rate, |[lead, _]| rate + lead * omega)
+    }
+
+    /// Arm of the rope's pull about the driven bar (m), of which `travel` (m) is the head's along the rope.
+    pub fn arm(&self, travel: C) -> C {
+        self.lead.map_or(travel, |[lead, _]| travel + lead)
+    }
+
+    /// What luffing at an angular velocity (rad/s) adds to the acceleration of the rope's length (m/s²), but for that of the
+    /// bar.
+    pub fn bend(&self, omega: C) -> Option<C> {
+        self.lead.map(|[_, change]| change * omega.square())
+    }
 }
 
 impl<C: Calc> Reduced<C> {
@@ -68,6 +90,7 @@ impl<C: Calc> Reduced<C> {
             head: moves.head,
             drive: moves.drive,
             turn: moves.turn,
+            lead: moves.lead,
         }
     }
 }
@@ -98,6 +121,11 @@ pub trait Reduces<P>: Send + Sync {
     fn with_slope(&self, at: Dual64, asked: &Asked<P>) -> Option<Reduced<Dual64>>;
 
     fn names(&self) -> CoordinateNames;
+
+    /// Whether what drives it is a rope, which pulls it up and never pushes.
+    fn is_pulled(&self) -> bool {
+        false
+    }
 }
 
 /// A mechanism that its equations of motion share, with rooms for those that come after it. What is shared is never written

@@ -10,7 +10,7 @@ use crate::kernel::record::Rec;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::dynamics::Coordinate;
-use crate::luffing::moving::given::{CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, V_R, order};
+use crate::luffing::moving::given::{CraneStates, CylinderOil, Fitted, Inputs, MOST_STATES, Slack, V_R, order};
 use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes};
 use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
 use crate::luffing::moving::symbols as s;
@@ -84,6 +84,15 @@ pub fn at<C: Calc>(
         inputs: *inputs,
         y,
     }
+}
+
+/// The same of a crane that a rope luffs.
+pub fn hanging<C: Calc>(at: &CraneAt<C>, slack: &Slack) -> CraneAt<C> {
+    let past = Modes {
+        slack: slack.0,
+        ..at.past
+    };
+    CraneAt { past, ..*at }
 }
 
 #[cold]
@@ -182,6 +191,7 @@ reactions! {
     resisting: Friction;
     pull: Pull;
     drum: Drum;
+    driving: Drive;
     resisting_slewing: SlewingFriction;
 }
 

@@ -10,7 +10,7 @@ use crate::component::standing::Standing;
 use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::carried::{CarriedCrane, at, known, put};
-use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, order};
+use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack, order};
 use crate::luffing::moving::hoisting::HoistKind;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -124,6 +124,7 @@ fn sources(moving: &Moving) -> MotionSources {
         oil,
         wound: moving.winds_at_once().then_some(One(&m::V_H, 0.0)),
         past: Some(Modes::AT_REST),
+        slack: Some(Slack(None)),
         fitted: Fitted {
             rope: rope.map(|rope| rope.length),
             slewing: slewing.map(|turn| turn.joint.stops),

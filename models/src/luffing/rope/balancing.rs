@@ -10,8 +10,34 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::Group;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
+use crate::luffing::moving::weighed::Balanceable;
 use crate::luffing::rope::position::BoomChoice;
 use crate::luffing::rope::statics::{Hanging, OwnMoment};
+
+/// A balance on the boom itself.
+#[derive(Clone, Copy)]
+pub struct OnBoom;
+
+impl Balanceable for OnBoom {
+    type Of<C: Calc> = Plain<C>;
+    type Choice = BoomChoice;
+
+    fn map<C: Calc, D: Calc>(weights: &Plain<C>, f: &mut dyn FnMut(C) -> D) -> Plain<D> {
+        Group::map(weights, &mut |_, x| f(x))
+    }
+
+    fn balancing<C: Calc>(weights: &Plain<C>, form: &Form<C>, choice: &BoomChoice) -> Result<Balancing<C>, OutOfRange> {
+        balancing(weights, form, choice)
+    }
+
+    fn angle<C: Calc>(phi: C) -> C {
+        phi
+    }
+
+    fn energy<C: Calc>(weights: &Plain<C>, phi: C) -> C {
+        weights.load(phi).u_0
+    }
+}
 
 /// # Errors
 /// Quantities with which there is no such balance.

@@ -4,10 +4,11 @@ use crate::balance::symbols as b;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
+use crate::luffing::moving::symbols as m;
 use crate::luffing::rope::symbols as s;
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, limits),
+    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", hoisting, limits),
     constants: &[
         ("rope_constants", &[Stage("level")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -22,6 +23,7 @@ pub const OUTLINE: Outline = Outline {
         ("balance", &[Stage("residual"), Stage("balanced")]),
         ("rope_pull", &[Stage("carried"), Stage("pull"), Stage("power")]),
         ("rope_losses", &[Stage("losses")]),
+        ("rope_motion", &[Stage("built"), Stage("moves"), Stage("tackle")]),
     ],
     table: listed!(s: R, A_Y, Y_Q, L_T, L_L, L_H, V_Q, M_Q, M_D, T, N_B),
     curves: &[
@@ -58,7 +60,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
     ],
-    uses: &[],
+    uses: &[("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m::V_H, &m::A_H])],
     forces: listed!(s: F_O1X, F_O1Y, N_B, T, T_UP, S_L_UP, S_H_UP, M_D),
     worst: &[("greatest_pull", &s::T_MAX)],
 };

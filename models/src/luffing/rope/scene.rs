@@ -5,8 +5,9 @@ use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::Draw;
-use crate::component::mechanism::Entry;
+use crate::component::mechanism::{Entry, Solver};
 use crate::component::outline::{Limit, Outline};
+use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::fine;
@@ -16,8 +17,17 @@ use crate::kernel::gravity;
 use crate::kernel::group::One;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, SOURCE, Sign, Values};
-use crate::luffing::boom_scene::{FIDELITY, INTERPOLATION, balance_work, begun, motion, uncovered, vanishing};
+use crate::kernel::symbol::{Symbol, listed};
+use crate::kernel::variable::Fault;
+use crate::luffing::boom_scene::{INTERPOLATION, MOVING_FIDELITY, balance_work, begun, motion, uncovered, vanishing};
 use crate::luffing::counterweight::chapter;
+use crate::luffing::moving;
+use crate::luffing::moving::given::Fitted;
+use crate::luffing::moving::hoisting::{BY_SPEED_KEYS, load_taken};
+use crate::luffing::moving::luffs::Luffs;
+use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
+use crate::luffing::moving::start::{passing, starting};
+use crate::luffing::rope::moving::BoomInertia;
 use crate::luffing::rope::outline::OUTLINE;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Rig};
 use crate::luffing::rope::stages::{Given, RopeBoom};
@@ -25,16 +35,17 @@ use crate::luffing::rope::symbols as s;
 use crate::luffing::with_balance::searched;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
+use crate::parts::{hanging, hydraulics};
 
 /// Keys of `[luffing]` with one of the two kinds.
-const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 14] {
+const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 16] {
     [
         kind,
         Key::quantity(&s::L, Sign::Positive),
         Key::quantity(&s::F_A, Sign::Any).usually(0.0),
         Key::quantity(&s::X_8, Sign::Any),
         Key::weight(&s::Q).optional(),
-        FIDELITY,
+        MOVING_FIDELITY,
         Key::table("motion", MOTION, "Working range of the boom."),
         Key::table("tackle", TACKLE, "Luffing tackle between boom and frame."),
         Key::table(
@@ -44,6 +55,12 @@ const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 14] {
         ),
         Key::part("weights", WEIGHTS, "Own weight of the boom and its centre of gravity."),
         BALANCE,
+        Key::part(
+            "dynamics",
+            DYNAMICS,
+            "Inertia, friction, drive and rope of a boom in motion.",
+        ),
+        Key::part("hoisting", BY_SPEED_KEYS, "Rope and hoist of a load that swings."),
         INTERPOLATION,
         Key::part(
             "limits",
@@ -80,6 +97,10 @@ const COMPENSATED_ROPE: &[Key] = keys! { s:
 
 const WEIGHTS: &[Key] = keys! { b: G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)] };
 
+static DYNAMICS: &[Key] = &dynamics::<13>(&[Key::quantity(&s::J_B, Sign::NotNegative)]);
+
+const INERTIAS: &[&Symbol] = listed!(s: J_B);
+
 const LIMITS: &[Key] = &Limit::keys::<7>(OUTLINE.limits);
 
 /// A boom on a luffing rope as the scene describes it; SI.
@@ -87,6 +108,8 @@ const LIMITS: &[Key] = &Limit::keys::<7>(OUTLINE.limits);
 pub struct Rope {
     /// At the start of the working range.
     given: Given<f64>,
+    /// At a level that moves by itself.
+    moving: Option<Moving>,
     /// Published results of the balance.
     published_balance: Option<PublishedBalance>,
 }
@@ -104,11 +127,21 @@ impl Described for Rope {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "rope_symbol",
         own: &[s::ALL],
-        shared: &[b::ALL, gravity::ALL],
+        shared: &[
+            b::ALL,
+            gravity::ALL,
+            moving::symbols::ALL,
+            hanging::ALL,
+            hydraulics::symbols::ALL,
+        ],
     };
 
-    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(Rope, Motion)> {
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(Rope, Motion)> {
+        let moving = moves(v, gravity, found);
         let (range, balance) = begun(v, "G_b and r_b", found)?;
+        if let Some(moving) = &moving {
+            brisk(v, moving, &range, found);
+        }
         let given = Given {
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -118,17 +151,76 @@ impl Described for Rope {
             weights: v.part("weights", Plain::read)?,
             balance,
             choice: BoomChoice { range },
+            inertia: match &moving {
+                Some(_) => Some(BoomInertia::read(v.table("dynamics")?)?),
+                None => None,
+            },
+            states: None,
+            inputs: None,
+            constants: None,
+            ramp: None,
+            give: None,
+            wound: None,
+            past: None,
+            slack: None,
+            fitted: Fitted::default(),
         };
         let published_balance = v.table("balance").and_then(PublishedBalance::read);
         let rope = Rope {
             given,
+            moving,
             published_balance,
         };
         rope.keeps_clear(v, found).then_some((rope, range))
     }
 
+    /// What moves is told as it passes through the working range, held nowhere.
     fn given(this: &Description<Rope>) -> Given<f64> {
-        this.given.clone()
+        this.moving.as_ref().map_or_else(
+            || this.given.clone(),
+            |moving| RopeBoom::with(&this.given, [this.motion.from, this.motion.speed], passing(moving)),
+        )
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        let mut levels = vec!["table", "static"];
+        if let Some(moving) = &self.moving {
+            levels.push("rigid");
+            levels.extend(moving.rope.map(|_| "swing"));
+        }
+        levels
+    }
+
+    fn set_level(&mut self, level: &str) {
+        match (level, &mut self.moving) {
+            ("swing", _) => {}
+            ("rigid", Some(moving)) => moving.rope = None,
+            _ => (self.moving, self.given.inertia) = (None, None),
+        }
+    }
+
+    fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+        match level {
+            "swing" => Vec::new(),
+            "rigid" => vec![("hoisting", &[]), ("dynamics", &["l_R", "phi_R", "v_h", "a_h"])],
+            _ => vec![("dynamics", &[]), ("hoisting", &[])],
+        }
+    }
+
+    fn solver(&self) -> Option<Solver> {
+        self.moving.as_ref().map(|moving| Solver {
+            step: ("dynamics", &moving::symbols::STEP),
+            tolerance: ("dynamics", &moving::symbols::STEP),
+            longest: moving.constants.step,
+            explicit: true,
+            cost: COST[usize::from(moving.rope.is_some())],
+        })
+    }
+
+    fn moving(this: &Description<Rope>) -> Option<Result<Box<dyn Running>, Fault>> {
+        let moving = this.moving.as_ref()?;
+        let model = starting::<RopeBoom>(&this.given, this.motion, moving, this.motion.from);
+        Some(model.map(|model| Box::new(model) as Box<dyn Running>))
     }
 
     fn chapters(&self) -> Vec<&'static str> {
@@ -156,14 +248,35 @@ impl Described for Rope {
     }
 
     fn assumptions(this: &Description<Rope>) -> Vec<&'static str> {
-        let level = this.table.map_or("rope_level_static", |_| "rope_level_table");
-        let forces = this.given.load.map(|_| "rope_forces");
         let foot = (this.given.rig.x_8 == 0.0).then_some("reach_from_foot");
-        [level].into_iter().chain(forces).chain(foot).collect()
+        let Some(moving) = &this.moving else {
+            let level = this.table.map_or("rope_level_static", |_| "rope_level_table");
+            let forces = this.given.load.map(|_| "rope_forces");
+            return [level].into_iter().chain(forces).chain(foot).collect();
+        };
+        let level = moving.rope.map_or("level_rigid", |_| "level_swing");
+        let led = moving.rope.map(|_| "rope_led");
+        let balance = this.given.balance.map(|_| "counterweight");
+        [level, "rope_masses"]
+            .into_iter()
+            .chain(balance)
+            .chain(load_taken(moving.rope.as_ref(), "rope_load"))
+            .chain(led)
+            .chain(["rope_winch", "sticking", "stops", "rope_at_rest", "solver_runge_kutta"])
+            .chain(foot)
+            .collect()
     }
 
-    fn uncovered(_: &Description<Rope>) -> Vec<&'static str> {
-        uncovered("pin_friction")
+    fn uncovered(this: &Description<Rope>) -> Vec<&'static str> {
+        const FRICTION: &str = "pin_friction";
+        let covered: &[&str] = match this.moving.as_ref().map(|moving| moving.rope) {
+            None => &[],
+            Some(None) => &["inertia", FRICTION],
+            Some(Some(_)) => &["sway", "inertia", FRICTION],
+        };
+        let mut all = uncovered(FRICTION);
+        all.retain(|id| !covered.contains(id));
+        all
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with its ropes and the path of the load.
@@ -228,6 +341,41 @@ impl Rope {
         }
         !meets
     }
+}
+
+/// What the rates cost, in s, without a load that swings and with it.
+const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.15e-6, 0.0]];
+
+/// What the scene gives of its motion; mistakes go to `found`.
+fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving> {
+    let bodies = Inert {
+        loaded: v.has("Q"),
+        inertias: INERTIAS,
+        bar: [&s::L, &s::J_B],
+        reach: &s::L,
+        help: "add [luffing.dynamics] with J_b (kg.m2)",
+        bodies: "boom",
+        weighs: |weights| turns(weights, &b::G_B, &b::R_B),
+    };
+    let moving = Moving::new(v, gravity, &bodies, found)?;
+    found.extend(elsewhere(v, &moving));
+    Some(moving)
+}
+
+/// Part of a length by which two that are the same may differ, as their units are.
+const SAME: f64 = 1e-9;
+
+/// A load that hangs at two places at the start of the working range.
+fn elsewhere(v: &Values, moving: &Moving) -> Option<Diagnostic> {
+    let (rope, table) = (moving.rope?, v.table("hoist_rope")?);
+    let h_q = table.number(s::H_Q.id)?;
+    if (h_q - rope.length).abs() <= SAME * rope.length {
+        return None;
+    }
+    let (h_q, l_r) = (s::H_Q.written(h_q), moving::symbols::L_R.written(rope.length));
+    let what = format!("h_Q = {h_q} where l_R = {l_r}: the load hangs at two places");
+    let help = format!("at the start the load hangs l_R below the head: set h_Q = \"{l_r}\"");
+    Some(table.refuse(s::H_Q.id, what, "not l_R", help))
 }
 
 /// Where the luffing tackle holds the boom: the foot of its lug between O1 and A, and K, in m from O1.

@@ -11,28 +11,55 @@ use crate::component::stages::{Found, stages};
 use crate::component::whole::{How, Whole};
 use crate::kernel::group::One;
 use crate::kernel::symbol::Symbol;
+use crate::kernel::variable::Variable;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
+use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs, Slack};
+use crate::luffing::moving::hoisting::{HoistRamp, RopeGive};
+use crate::luffing::moving::hydraulic::Modes;
+use crate::luffing::moving::level::{CraneAt, Level};
+use crate::luffing::moving::listed::{Fittings, Said};
+use crate::luffing::moving::luffs::{Luffs, luffs};
+use crate::luffing::moving::reduced::Renewed;
+use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS};
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
+use crate::luffing::rope::motion::{self, BoomParts, BoomRates, RATES};
+use crate::luffing::rope::moving::{self, BoomInertia, HeavyBoom};
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Falls, LoadLevel, Path, Rig, Stretch};
 use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, power};
-use crate::luffing::rope::symbols as s;
+use crate::luffing::rope::symbols as r;
 use crate::luffing::rope::velocity::{RopeTravel, Speeds};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::plane::Point;
+
+/// Quantities at rest and in motion.
+mod s {
+    pub use crate::luffing::moving::symbols::{M_R, S_R, W_BLOW, Z_LOW};
+    pub use crate::luffing::rope::symbols::*;
+}
 
 stages! {
     /// A plain boom on a luffing rope.
     RopeBoom over C from {
         Coordinate phi: One<C>,
         Rate omega: One<C>,
+        State states: Option<CraneStates<C>>,
+        Input inputs: Option<Inputs<C>>,
+        Parameter inertia: Option<BoomInertia<C>>,
+        Parameter constants: Option<Constants<C>>,
+        Parameter ramp: Option<HoistRamp<C>>,
+        Parameter give: Option<RopeGive<C>>,
+        Memory wound: Option<One<C>>,
+        Memory past: Option<Modes>,
+        Memory slack: Option<Slack>,
         Load load: Option<One<C>>,
         Parameter rig: Rig<C>,
         Parameter compensation: Option<Compensation<C>>,
         Parameter weights: Option<Plain<C>>,
         Parameter balance: Option<Form<C>>,
         Fixed choice: BoomChoice,
+        Fixed fitted: Fitted,
     } find {
         level: LoadLevel<C> = LoadLevel::new(rig, compensation, choice);
         position: BoomPosition<C> = BoomPosition::new(rig, phi);
@@ -52,10 +79,57 @@ stages! {
         losses: Losses<C> = Losses::new(rig, load[!], carried, falls, stretch);
         analysed: Analysis = analysed(weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, weights[!], analysed, choice);
+        parts[constants]: Vec<BoomParts<C>> = motion::parts(
+            rig, compensation, load[!], weights[!], balance, inertia[!], constants[!], ramp, give, choice, fitted
+        ) => _;
+        boom[constants]: Vec<Renewed<HeavyBoom<C>>> = motion::boom(parts) => _;
+        built[constants]: Vec<Level<C>> = motion::built(parts, boom) => _;
+        told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
+        still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], inputs[!], fitted) => _;
+        at: CraneAt<C> = stages::hanging(still, slack[!]) => _;
+        moves: CraneMoves<C> = stages::moves(built, told, at, phi) => _;
+        turning: BoomRates<C> = BoomRates::new(moves);
+        rates: CraneRates<C> = CraneRates::new(moves, fitted);
+        resisting: C = stages::resisting(built, told, at, phi) => M_R;
+        driving: C = stages::driving(built, told, at, phi) => _;
+        tackle: C = moving::pull(driving, falls) => T_DYN;
+        led: C = stages::pull(built, told, at, phi) => S_R;
+        blown: C = stages::blown(at) => W_BLOW;
+        events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }
 }
 
+luffs!(RopeBoom by phi, omega on slack);
+
+/// What is said of its variables in motion.
+const SAID: Said = Said {
+    bar: [&[&b::PHI, &s::OMEGA], &RATES],
+    still: &[r::ALL, b::ALL],
+    moving: &[&s::T_DYN],
+    drive: None,
+};
+
+/// What it has in motion; `None` at rest.
+fn fittings(given: &Given<f64>) -> Option<Fittings> {
+    Fittings::of(&RopeBoom::luffing(given).sources)
+}
+
 impl Component for RopeBoom {
+    const STATES: [&'static [&'static Symbol]; 2] = SAID.bar;
+
+    const INDICATORS: &'static [&'static Symbol] = &INDICATORS;
+
+    fn gives(given: &Given<f64>, symbol: &'static Symbol) -> bool {
+        fittings(given).is_none_or(|crane| crane.gives(symbol))
+    }
+
+    fn list(given: &Given<f64>, variable: &mut Variable) -> u8 {
+        if variable.symbol == &s::Z_LOW {
+            variable.remark = Some("Or where the slack tackle is taut again.");
+        }
+        fittings(given).map_or(0, |_| SAID.list(variable))
+    }
+
     const WHOLE: &'static [Whole] = &[
         Whole::new(&s::R_MAX, How::Greatest, &s::R),
         Whole::new(&s::R_MIN, How::Least, &s::R),
@@ -78,6 +152,7 @@ impl Component for RopeBoom {
         (!in_parts || given.compensation.is_some())
             && symbol != &b::F_D_0
             && given.balance.as_ref().is_none_or(|form| form.has(symbol))
+            && fittings(given).is_none_or(|crane| crane.has(symbol))
     }
 
     fn update(known: &mut Known<f64>) -> Found<()> {

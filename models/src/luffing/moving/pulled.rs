@@ -1,0 +1,112 @@
+//! A crane whose luffing is driven by a rope: it pulls, and never pushes, and may go slack.
+//!
+//! Motor and brake stand at the rope's drum, which has no inertia of its own. While the bar rises, a brake that is stronger
+//! than the motor holds the drum: the bar goes on alone, until it comes back to where the rope is taut again, and the brake
+//! catches it. A motor that is stronger reels in what hangs loose at once.
+
+use crate::kernel::calc::{Calc, Over};
+use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot};
+use crate::luffing::moving::dynamics::Coordinate;
+use crate::luffing::moving::shares::Shares;
+use crate::parts::joint::{Bar, JointDrive};
+
+impl<const N: usize, const J: usize, P: Calc> MovingCrane<N, J, P>
+where
+    Self: Hangs<N, J, P>,
+{
+    /// What drives joint `i`: motor and brake, of a rope no more than it can pull.
+    pub(crate) fn drive<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> JointDrive<C> {
+        let [rising, falling] = self.drives(i, at.state, at.commands);
+        match at.state.joints[i] {
+            Bar::Forward => rising,
+            _ => falling,
+        }
+    }
+
+    /// The same against one direction and against the other.
+    pub(crate) fn drives<C: Calc>(
+        &self,
+        i: usize,
+        state: &CraneState<N, J>,
+        commands: &Commands<J, C>,
+    ) -> [JointDrive<C>; 2] {
+        let drive = commands.drives[i];
+        if i == 0 && self.dynamics.is_pulled() {
+            pulling(drive, state.slack.is_some())
+        } else {
+            [drive; 2]
+        }
+    }
+
+    /// What turns the driven bar, told apart, of friction, brake and end stop `together` (N·m).
+    pub(crate) fn shares<C: Over<P>>(
+        &self,
+        state: &CraneState<N, J>,
+        commands: &Commands<J, C>,
+        y: &[C; N],
+        together: C,
+    ) -> Shares<C> {
+        let [rising, falling] = self.drives(0, state, commands);
+        let more = falling.less_than_asked(&commands.drives[0]);
+        let resistance = more.map_or(together, |more| together - more);
+        let brake = match state.joints[0] {
+            Bar::Forward => rising.brake,
+            Bar::Held if resistance.value() < 0.0 => rising.brake,
+            _ => falling.brake,
+        };
+        let friction = &self.joints[0].friction;
+        Shares::new(state.joints[0], resistance, y[1], friction, [falling.moment, brake])
+    }
+}
+
+impl<C: Calc> JointDrive<C> {
+    /// What is pulled beyond the moment that was asked for (N·m), where it is not that: the brake has it.
+    pub(crate) fn less_than_asked(&self, asked: &JointDrive<C>) -> Option<C> {
+        (self.moment.value() != asked.moment.value()).then(|| self.moment - asked.moment)
+    }
+}
+
+impl<const N: usize, const J: usize> CraneState<N, J> {
+    /// The rope goes slack where the bar rises and the brake holds the drum. It is taut again where the bar has come back, or
+    /// the motor reels it in.
+    pub(crate) fn tighten(&mut self, drive: &JointDrive) {
+        let (rises, reels) = (self.joints[0] == Bar::Forward, drive.moment > drive.brake);
+        match self.slack {
+            Some(caught) if reels || (!rises && self.y[0] <= caught) => {
+                self.slack = None;
+                if self.y[1] == 0.0 {
+                    // It is decided again which way it goes.
+                    self.joints[0] = Bar::Held;
+                }
+            }
+            None if rises && !reels => self.slack = Some(self.y[0]),
+            _ => {}
+        }
+    }
+}
+
+/// Motor and brake of a rope that pulls, against rising and against falling: they give it no force below zero, and none where
+/// it is slack.
+fn pulling<C: Calc>(drive: JointDrive<C>, slack: bool) -> [JointDrive<C>; 2] {
+    let nothing = C::constant(0.0);
+    if slack {
+        return [JointDrive {
+            moment: nothing,
+            brake: nothing,
+        }; 2];
+    }
+    let positive = |x: C| if x.value() > 0.0 { x } else { nothing };
+    let moment = positive(drive.moment);
+    let rising = if drive.brake.value() < moment.value() {
+        drive.brake
+    } else {
+        moment
+    };
+    // A motor that pays out works against its brake.
+    let falling = if drive.moment.value() < 0.0 {
+        positive(drive.moment + drive.brake)
+    } else {
+        drive.brake
+    };
+    [rising, falling].map(|brake| JointDrive { moment, brake })
+}
