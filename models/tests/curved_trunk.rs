@@ -405,7 +405,7 @@ fn balances_of_every_kind() {
             }
         }
         let sheet = scene.sheet();
-        assert_eq!(sheet.identities.len(), 4, "energy, loop, centre, equilibrium");
+        assert_eq!(sheet.identities.len(), 5, "energy, loop, centre, power, equilibrium");
         for check in &sheet.identities {
             assert!(check.passed(), "{kind} {} {}", check.id, check.value);
         }
@@ -516,7 +516,7 @@ fn every_check_of_the_ready_scene_passes() {
     for text in [READY.to_owned(), through_points(9)] {
         let scene = Scene::parse(&text).unwrap_or_else(|found| panic!("{found:?}"));
         let sheet = scene.sheet();
-        assert_eq!((sheet.requirements.len(), sheet.identities.len()), (6, 4));
+        assert_eq!((sheet.requirements.len(), sheet.identities.len()), (6, 5));
         for check in sheet.checks() {
             assert!(check.passed(), "{} {}", check.id, check.value);
         }

@@ -131,7 +131,7 @@ fn balances_of_every_kind() {
             }
         }
         let sheet = scene.sheet();
-        assert_eq!(sheet.identities.len(), 3, "energy, centre, equilibrium");
+        assert_eq!(sheet.identities.len(), 4, "energy, centre, power, equilibrium");
         for check in sheet.checks() {
             assert!(check.passed(), "{kind} {} {}", check.id, check.value);
         }
@@ -167,7 +167,7 @@ fn what_cannot_be_is_refused() {
 fn every_check_of_the_ready_scene_passes() {
     let scene = Scene::parse(READY).unwrap_or_else(|found| panic!("{found:?}"));
     let sheet = scene.sheet();
-    assert_eq!((sheet.requirements.len(), sheet.identities.len()), (5, 3));
+    assert_eq!((sheet.requirements.len(), sheet.identities.len()), (5, 4));
     for check in sheet.checks() {
         assert!(check.passed(), "{} {}", check.id, check.value);
     }

@@ -35,6 +35,7 @@ fn moved(luffing: &Luffing, symbol: &'static Symbol, by: f64) -> Luffing {
     let change = |known: &'static Symbol, value| if known == symbol { value + by } else { value };
     let mut moved = luffing.clone();
     moved.parameters = luffing.parameters.map(&mut change.clone());
+    moved.driving.mount = luffing.driving.mount.map(|mount| mount.map(&mut change.clone()));
     moved.q = luffing.q.map(|q| change(&s::Q, q));
     moved
 }

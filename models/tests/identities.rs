@@ -19,6 +19,7 @@ use lemnis_models::luffing::double_link::position::Position;
 use lemnis_models::luffing::double_link::range::{Rise, rise_by_integration};
 use lemnis_models::luffing::double_link::statics::{Centres, LoadMoment, Own};
 use lemnis_models::luffing::double_link::symbols::{DELTA_Y, EPSILON_Y};
+use lemnis_models::luffing::double_link::system::ByCentres;
 use lemnis_models::luffing::double_link::velocity::Velocity;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::parts::motion::Motion;
@@ -152,6 +153,24 @@ proptest! {
         };
         prop_assume!(lost < 1e3);
         prop_assert!((by_pole - virtual_work).abs() <= 1e-12 * scale * lost, "{by_pole} {virtual_work}");
+    }
+
+    /// Virtual work of load and weights is the power of the links about their centres, whichever bar drives. At a dead point
+    /// and where the centre runs to infinity digits are lost.
+    #[test]
+    fn power_of_the_links((parameters, theta) in mechanisms()) {
+        let g = Geometry::new(&parameters).expect("exists");
+        let p = Position::new(&g, theta).expect("closes");
+        let (l, w, q) = (parameters.lengths, parameters.weights.expect("given"), 160e3);
+        let v = Velocity::new(&p);
+        let own = Own::new(&p, &v, &l, &w);
+        let links = ByCentres::new(&g, &p).power(&p, q, Some((&w, &own.centres)));
+        let work = LoadMoment::new(&v, &q).m_q + own.m_g;
+        let scale = links.iter().fold(work.abs(), |most, link| most.max(link.abs()));
+        let sines = [(p.x_1, p.x_3), (p.x_1, p.x_2), (p.x_2, p.x_3)];
+        let sines = sines.map(|(a, b)| (plane::cross(a, b) / (plane::length(a) * plane::length(b))).abs());
+        prop_assume!(sines.into_iter().all(|sine| sine > 0.05));
+        prop_assert!((links.iter().sum::<f64>() - work).abs() <= 1e-11 * scale, "{links:?} {work}");
     }
 
     /// Every body is in equilibrium, and the drive's moment is the virtual work

@@ -35,7 +35,7 @@
 
 mod balancing;
 pub mod contact;
-mod driving;
+pub mod driving;
 mod outline;
 pub mod pins;
 pub mod position;

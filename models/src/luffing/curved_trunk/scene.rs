@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary};
-use crate::component::draw::Draw;
+use crate::component::draw::{Draw, polar};
 use crate::component::extreme::between;
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
@@ -211,6 +211,7 @@ impl Described for CurvedTrunk {
         checks.push(vanishing(model, ("trunk_pole", &s::AGREEMENT), &by_pole, |row| {
             [row[0], -row[1]]
         }));
+        checks.push(power(given, model));
         let mut symbols = vec![&s::M_D, &s::M_Q];
         symbols.extend(given.weights.map(|_| &s::M_G));
         symbols.extend(given.balance.map(|_| &b::M_UR));
@@ -282,6 +283,34 @@ impl Described for CurvedTrunk {
     fn more(this: &Description<CurvedTrunk>, model: &mut Standing, sheet: &mut Sheet) {
         sheet.balance = chapter::<CurvedTrunkBoom>(model, this.published_balance.as_ref());
     }
+}
+
+/// Virtual work of load and weights against the power of each link about its instantaneous centre: the trunk's is where the
+/// lines of boom and free tie meet. [Ports001, 5.9]
+fn power(given: &Given<f64>, model: &mut Standing) -> Check {
+    let (trunk, q) = (&given.trunk, given.load.map_or(0.0, |load| load.1));
+    let o3 = Point::new(trunk.o3_x, trunk.o3_y);
+    let mut symbols = vec![&b::PHI, &s::T_X, &s::T_Y, &s::A_X, &s::ALPHA, &s::M_Q];
+    symbols.extend(given.weights.map(|_| &s::M_G));
+    vanishing(model, ("power", &s::AGREEMENT), &symbols, |row| {
+        let (boom, tie) = (polar(trunk.b, row[0]), Point::new(row[1], row[2]) - o3);
+        // From O1 along the boom, in parts of it.
+        let part = plane::cross(o3, tie) / plane::cross(boom, tie);
+        let rise = |x: f64| {
+            if part.is_finite() {
+                (x - part * boom.x) / (1.0 - part)
+            } else {
+                boom.x
+            }
+        };
+        let (mut of_boom, mut of_trunk) = (0.0, q * rise(row[3]));
+        if let Some(w) = &given.weights {
+            of_boom = w.g_b * polar(w.r_b, row[0] + w.chi_b).x;
+            of_trunk += w.g_t * rise(boom.x + polar(w.r_t, row[4] + w.chi_t).x);
+        }
+        let work = row[5] + row.get(6).copied().unwrap_or(0.0);
+        [work, -of_boom, -of_trunk]
+    })
 }
 
 /// The tail through the points of its table; mistakes go to `found`.

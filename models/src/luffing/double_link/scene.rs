@@ -33,6 +33,7 @@ pub type Luffing = Description<LuffingScene>;
 /// What the scene says of it; SI.
 #[derive(Clone, Debug)]
 pub struct LuffingScene {
+    /// Without the drive.
     pub parameters: Parameters<f64>,
     pub driving: Driving,
     /// Weight of the load; `None` models no forces.
@@ -107,8 +108,8 @@ impl LuffingScene {
             lengths,
             jib,
             weights,
-            anchors: driving.anchors(),
-            cylinder: driving.cylinder,
+            anchors: None,
+            cylinder: None,
             balance,
             driven,
             branch,

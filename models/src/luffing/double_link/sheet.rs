@@ -27,6 +27,7 @@ use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
 use crate::kernel::variable::Fault;
+use crate::luffing::boom_scene::vanishing;
 use crate::luffing::counterweight::chapter;
 use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
@@ -41,8 +42,9 @@ use crate::luffing::double_link::range::{Rise, rise_by_integration};
 use crate::luffing::double_link::scene::{Luffing, LuffingScene, search};
 use crate::luffing::double_link::sheet::motion::motion;
 use crate::luffing::double_link::stages::{DoubleLink, Given};
-use crate::luffing::double_link::statics::{LoadMoment, Own};
+use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::double_link::system::ByCentres;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::load_taken;
@@ -107,7 +109,7 @@ impl Described for LuffingScene {
             },
             weights: p.weights,
             mount: this.driving.mount,
-            cylinder: p.cylinder,
+            cylinder: this.driving.cylinder,
             rod: this.driving.rod(),
             gear: this.driving.gear,
             balance: p.balance,
@@ -244,6 +246,8 @@ impl Described for LuffingScene {
         }
         if this.has_pins() {
             agree("equilibrium", equilibrium(this, &g), 1e-12);
+            let Check { id, value, .. } = power(this, &g, model);
+            agree(id, value, 1e-12);
         }
         let Some(q) = this.q.filter(|q| *q > 0.0) else {
             return checks;
@@ -401,6 +405,20 @@ impl Described for LuffingScene {
             sheet.requirements.extend(kept(&search));
         }
     }
+}
+
+/// Virtual work of load and weights against the power of each link about its instantaneous centre.
+fn power(luffing: &Luffing, g: &Geometry<f64>, model: &mut Standing) -> Check {
+    let weights = luffing.parameters.weights.as_ref();
+    let mut symbols = vec![g.driven.coordinate(), &s::M_Q];
+    symbols.extend(weights.map(|_| &s::M_G));
+    vanishing(model, ("power", &s::AGREEMENT), &symbols, |row| {
+        let p = Position::new(g, row[0]).expect("the range was checked");
+        let centres = weights.map(|w| Centres::new(&p, &g.lengths, w));
+        let links = ByCentres::new(g, &p).power(&p, luffing.q.unwrap_or(0.0), weights.zip(centres.as_ref()));
+        let work = row[1] + row.get(2).copied().unwrap_or(0.0);
+        [work, -links[0], -links[1], -links[2]]
+    })
 }
 
 /// The drive's moment by equilibrium of the bodies against virtual work of load

@@ -39,6 +39,68 @@ pub fn height<C: Calc>(g: &Geometry<C>, w: &Weights<C>, p: &Position<C>, r: &Cen
     (w.g_1 * r.boom.y + w.g_2 * (p.b.y + r.jib.y) + w.g_3 * (g.lengths.x_6 + r.rocker.y)).def(&b::U_0)
 }
 
+/// How the links turn for one radian of the driving one, by their instantaneous centres: no loop of velocities is in it.
+#[derive(Clone, Copy, Debug)]
+pub struct ByCentres<C> {
+    /// Angular velocity of the bar that is not driven over the driving link's.
+    pub follower: C,
+    /// The jib's, and how far forward of O1 its centre lies, in m; where it only shifts, its rise, in m.
+    jib: Result<(C, C), C>,
+}
+
+impl<C: Calc> ByCentres<C> {
+    /// [Ports001, 5.4, 5.9]
+    pub fn new(g: &Geometry<C>, p: &Position<C>) -> ByCentres<C> {
+        let one = C::constant(1.0);
+        let (x_1, x_3) = ((p.x_1, g.lengths.x_1), (p.x_3, g.lengths.x_3));
+        let ((driving, _), (follower, length), name) = match p.driven {
+            Driven::Boom => (x_1, x_3, &s::I_3),
+            Driven::Rocker => (x_3, x_1, &s::I_1),
+        };
+        match Pole::new(g, p, &Velocity::new(p)) {
+            Pole::Finite { o1p, o3p, at } => {
+                let (boom, rocker) = (o1p / g.lengths.x_1, o3p / g.lengths.x_3);
+                let [first, last] = match p.driven {
+                    Driven::Boom => [boom, rocker],
+                    Driven::Rocker => [rocker, boom],
+                };
+                let i_2 = (one / (one - first)).def(&s::I_2);
+                ByCentres {
+                    follower: (i_2 * (one - last)).def(name),
+                    jib: Ok((i_2, at.x)),
+                }
+            }
+            // Boom and rocker are parallel.
+            Pole::AtInfinity(_) => ByCentres {
+                follower: (plane::dot(driving, follower) / length.square()).def(name),
+                jib: Err(driving.x),
+            },
+        }
+    }
+
+    /// Rise of a point of the jib this far forward of O1, in m, for one radian.
+    pub fn rise(&self, x: C) -> C {
+        match self.jib {
+            Ok((i_2, centre)) => i_2 * (x - centre),
+            Err(rise) => rise,
+        }
+    }
+
+    /// Power of load and weights (N) of boom, jib and rocker for one radian of the driving link, in N·m.
+    pub fn power(&self, p: &Position<C>, q: C, own: Option<(&Weights<C>, &Centres<C>)>) -> [C; 3] {
+        let load = q * self.rise(p.a.x);
+        let Some((w, r)) = own else {
+            return [C::constant(0.0), load, C::constant(0.0)];
+        };
+        let (boom, rocker) = (w.g_1 * r.boom.x, w.g_3 * r.rocker.x);
+        let jib = load + w.g_2 * self.rise(p.b.x + r.jib.x);
+        match p.driven {
+            Driven::Boom => [boom, jib, rocker * self.follower],
+            Driven::Rocker => [boom * self.follower, jib, rocker],
+        }
+    }
+}
+
 impl<C: Calc> BoomSystem<C> {
     /// # Errors
     /// A mechanism that does not exist, has no weights or is driven by its rocker.
@@ -127,21 +189,9 @@ impl<C: Calc> Boom<C> for BoomSystem<C> {
         let BoomSystem { g, w } = self;
         let p = self.place(phi)?;
         let r = Centres::new(&p, &g.lengths, w);
-        let one = C::constant(1.0);
-        // Jib about its centre, and the rocker's ratio.
-        let (jib, i_3) = match Pole::new(g, &p, &Velocity::new(&p)) {
-            Pole::Finite { o1p, o3p, at } => {
-                let i_2 = (one / (one - o1p / g.lengths.x_1)).def(&s::I_2);
-                let i_3 = (i_2 * (one - o3p / g.lengths.x_3)).def(&s::I_3);
-                (i_2 * (p.b.x + r.jib.x - at.x), i_3)
-            }
-            // The jib only shifts: boom and rocker are parallel.
-            Pole::AtInfinity(_) => (
-                p.x_1.x,
-                (plane::dot(p.x_1, p.x_3) / g.lengths.x_3.square()).def(&s::I_3),
-            ),
-        };
-        Ok((-(w.g_1 * r.boom.x + w.g_2 * jib + w.g_3 * i_3 * r.rocker.x)).def(&b::M_0_P))
+        let by = ByCentres::new(g, &p);
+        let jib = by.rise(p.b.x + r.jib.x);
+        Ok((-(w.g_1 * r.boom.x + w.g_2 * jib + w.g_3 * by.follower * r.rocker.x)).def(&b::M_0_P))
     }
 
     fn arc(&self, phi: f64) -> [f64; 2] {

@@ -32,7 +32,7 @@
 //! | `ellipsograph.range` | [`crate::component::whole`] | Ports001, 5.9.2.3 |
 
 mod balancing;
-mod driving;
+pub mod driving;
 pub mod motion;
 pub mod moving;
 mod outline;

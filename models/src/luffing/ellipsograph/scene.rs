@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary};
-use crate::component::draw::Draw;
+use crate::component::draw::{Draw, polar};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::outline::{Limit, Outline};
 use crate::component::running::Running;
@@ -234,6 +234,7 @@ impl Described for Ellipsograph {
             &by_pole,
             |row| [row[0], q * row[2], -q * row[1]],
         ));
+        checks.push(power(given, model));
         let mut symbols = vec![&s::M_D, &s::C_X, &s::C_Y, &s::F_CX, &s::F_CY];
         symbols.extend(given.balance.map(|_| &b::M_UR));
         let link = given.weights.map_or(0.0, |w| w.g_l * w.r_l) / given.bars.c;
@@ -331,6 +332,25 @@ impl Described for Ellipsograph {
     fn more(this: &Description<Ellipsograph>, model: &mut Standing, sheet: &mut Sheet) {
         sheet.balance = chapter::<EllipsographBoom>(model, this.published_balance.as_ref());
     }
+}
+
+/// Virtual work of load and weights against the power of each link about its instantaneous centre: the boom's is where the
+/// link's line meets the foot's level, the link's is O1, about which it turns the other way. [Ports001, 5.9]
+fn power(given: &Given<f64>, model: &mut Standing) -> Check {
+    let (c, q) = (given.bars.c, given.load.map_or(0.0, |load| load.1));
+    let mut symbols = vec![&b::PHI, &s::A_X, &s::M_Q];
+    symbols.extend(given.weights.map(|_| &s::M_G));
+    vanishing(model, ("power", &s::AGREEMENT), &symbols, |row| {
+        let joint = polar(c, -row[0]);
+        let centre = 2.0 * joint.x;
+        let (mut of_boom, mut of_link) = (q * (row[1] - centre), 0.0);
+        if let Some(w) = &given.weights {
+            of_boom += w.g_b * (polar(w.r_b, row[0] + w.chi_b).x - centre);
+            of_link = -(w.g_l * w.r_l * joint.x / c);
+        }
+        let work = row[2] + row.get(3).copied().unwrap_or(0.0);
+        [work, -of_boom, -of_link]
+    })
 }
 
 /// What the rates cost, in s, without a load that swings and with it.

@@ -200,7 +200,7 @@ struct LengthValve {
 
 impl LengthValve {
     fn new(luffing: &Luffing, moving: &Moving, oil: &CylinderOil<f64>, model: &MovingComponent) -> Option<LengthValve> {
-        let bore = luffing.parameters.cylinder?;
+        let bore = luffing.driving.cylinder?;
         let [area, _] = Cylinder::areas(bore.d_c, bore.d_r);
         let shadow = luffing.standing();
         Some(LengthValve {
