@@ -89,7 +89,6 @@ SAID = {
     "slewing_swing": ({"slewing_level_swing", "slewing_hook"}, {"slewing_level_rigid", "slewing_load"}),
     "ellipsograph": ({"ellipsograph_rope"}, {"slewing_load"}),
     "curved_trunk": ({"trunk_rope"}, {"ellipsograph_rope"}),
-    "rope_luffing_motion": ({"level_swing", "rope_winch", "rope_led", "slack", "hoist_ramp"}, {"rope_level_static", "rope_forces"}),
     "rigid": ({"level_rigid", "fixed_load", "sticking", "solver_runge_kutta", "forces_in_motion"}, {"rope", "hoist", "slewing"}),
     "hydraulic": ({"level_hydraulic", "oil", "creep", "buffer", "solver_rodas"}, {"rope", "sticking", "stops"}),
     "hydraulic_swing_slewing": ({"level_hydraulic", "rope", "hoist", "slewing"}, {"fixed_load", "stops"}),
@@ -99,7 +98,7 @@ SAID = {
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),
 }
 # Where the coordinate's name does not begin with theta.
-COORDINATES = {"slewing_swing": "psi_sl", "ellipsograph": "phi", "curved_trunk": "phi", "rope_luffing_motion": "phi"}
+COORDINATES = {"slewing_swing": "psi_sl", "ellipsograph": "phi", "curved_trunk": "phi"}
 
 
 @pytest.mark.parametrize("name", SAID)

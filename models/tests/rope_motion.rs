@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::variable::Role;
 use lemnis_models::luffing::moving::bodies::{Body, Pendulum};
 use lemnis_models::luffing::moving::crane::Commands;
 use lemnis_models::luffing::moving::dynamics::{Coordinate, Dynamics};
@@ -443,5 +444,89 @@ fn what_holds_it_at_rest_is_the_tackle_at_rest() {
                 assert!((get(&mut model, "S_R") / (10e3 * 9.81) - 1.0).abs() < 1e-3);
             }
         }
+    }
+}
+
+/// Every derivative that the FMU gives, against differences of fourth order of the values that it gives.
+#[test]
+fn derivatives_are_those_of_the_values() {
+    let roles = [Role::Input, Role::Parameter, Role::Tunable, Role::State];
+    for (fidelity, rope, least) in [("rigid", "", 40), ("swing", "l_R = \"12 m\"\na_h = \"0.5 m/s2\"\n", 60)] {
+        let text = include_str!("../scenes/rope_compensation.toml");
+        let mut model = model(text, fidelity, rope);
+        let states = [
+            ("phi", 0.7),
+            ("omega", 0.05),
+            ("M_A", 3e6),
+            ("M_S", 4e5),
+            ("phi_R", 0.2),
+            ("omega_R", -0.1),
+            // The hoist comes up to its speed, far from where it is reached.
+            ("v_h", 0.2),
+            ("v_R", 0.05),
+        ];
+        for (name, value) in states {
+            if let Some(index) = model.variables().iter().position(|variable| variable.name() == name) {
+                model.set(index, value).expect("allowed");
+            }
+        }
+        model.start().expect("exists");
+        let names: Vec<(String, Role)> = model
+            .variables()
+            .iter()
+            .map(|v| (v.name().to_string(), v.role))
+            .collect();
+        let asked = [
+            "der(omega)",
+            "T_dyn",
+            "M_R",
+            "S_R",
+            "der(omega_R)",
+            "der(l_R)",
+            "der(v_Q)",
+            "Y_Q",
+            "T",
+        ];
+        let asked: Vec<usize> = (0..names.len())
+            .filter(|&i| asked.contains(&names[i].0.as_str()))
+            .collect();
+        assert!(asked.len() >= 5);
+        let mut compared = 0;
+        for known in (0..names.len()).filter(|&i| roles.contains(&names[i].1)) {
+            let variable = model.variables()[known];
+            let x = model.get(known).expect("exists");
+            let h = 1e-4 * x.abs().max(1e-2);
+            let at = |value: f64| -> Option<Vec<f64>> {
+                let mut moved = model.clone();
+                moved.set(known, value).ok()?;
+                moved.update().ok()?;
+                asked.iter().map(|&i| moved.get(i).ok()).collect()
+            };
+            let Some([a, b, c, d]) = [-2.0, -1.0, 1.0, 2.0]
+                .map(|part| at(x + part * h))
+                .into_iter()
+                .collect::<Option<Vec<_>>>()
+                .and_then(|rows| <[Vec<f64>; 4]>::try_from(rows).ok())
+            else {
+                continue;
+            };
+            let seed = |(symbol, number)| f64::from((symbol, number) == variable.quantity());
+            let mut tangent = model.tangent(&seed);
+            for (place, &index) in asked.iter().enumerate() {
+                let Ok(found) = model.derivative(&mut tangent, index) else {
+                    continue;
+                };
+                let by_values = (a[place] - d[place] + 8.0 * (c[place] - b[place])) / (12.0 * h);
+                let size = found.abs() + b[place].abs() / x.abs().max(1e-2);
+                assert!(
+                    (found - by_values).abs() <= 1e-8 * size,
+                    "{fidelity}: {} by {}: {found} {by_values}",
+                    names[index].0,
+                    names[known].0
+                );
+                compared += usize::from(found != 0.0);
+            }
+        }
+        assert!(compared > least, "{fidelity}: {compared}");
     }
 }

@@ -91,7 +91,7 @@ symbols! {
     D_PHI: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driving link.", "derived";
     D_N: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driving link.", "derived";
     Q_A: "q_A" "q_A" M2 / M2, "Half the change of the square of A's travel for one radian of the driving link.", "derived";
-    D_L: "d_l" "d_l" M / M, "The same less the rope that luffing adds.", "derived";
+    D_L: "d_l" "d_l" M / M, "Travel of A along the rope, away from the load, less the rope that luffing adds, for one radian of the driving link.", "derived";
     Q_L: "q_l" "q_l" M2 / M2, "Half the change of the square of A's travel, with what the rope that luffing adds has of it.", "derived";
     A_L: "a_l" "a_l" M_PER_S2 / M_PER_S2, "Acceleration of the load towards the head that both angles leave as they are.", "derived";
     DD_PHI: "dd_phi" "d'_phi" M / M, "Change of A's travel, across the rope, for one radian of the driving link.", "derived";
