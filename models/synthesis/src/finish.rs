@@ -49,10 +49,14 @@ pub struct Finished {
 }
 
 const STEPS: usize = 120;
+/// Least curvature in any direction, with which a quadratic program is solved.
+const FLAT: f64 = 0.1;
 /// How often multipliers and second derivatives are found from each other before a step.
 const ROUNDS: usize = 2;
 /// Steps of the differences of exact derivatives.
 const DIFFERENCE: f64 = 1e-5;
+/// What is left at an optimum by rounding.
+const DONE: f64 = 1e-13;
 /// How near to its limit a function holds it.
 const HOLDS: f64 = 1e-9;
 
@@ -305,10 +309,13 @@ impl Program<'_> {
             }
         }
         let rows = DMatrix::from_fn(rows.len(), size + 1, |i, j| rows[i][j]);
+        // So that the least without rows is about as far from here as a step may go.
+        let mut convex = DMatrix::identity(size + 1, size + 1);
+        convex[(size, size)] = self.penalty * self.penalty;
         let mut found = Quadratic {
             slope: with(&linear.slopes[0], self.penalty),
             right: DVector::from_vec(right),
-            convex: DMatrix::identity(size + 1, size + 1) * 1e-2,
+            convex,
             curvature: DMatrix::zeros(size, size),
             rows,
             holds: Vec::new(),
@@ -321,7 +328,7 @@ impl Program<'_> {
             let weights: Vec<f64> = solved.multipliers.iter().copied().take(curved).collect();
             found.curvature = self.curvature(here, &found.unknown, units, &weights)?;
             let eigen = found.curvature.clone().symmetric_eigen();
-            let sizes = DMatrix::from_diagonal(&eigen.eigenvalues.map(|value| value.abs().max(1e-3)));
+            let sizes = DMatrix::from_diagonal(&eigen.eigenvalues.map(|value| value.abs().max(FLAT)));
             let convex = &eigen.eigenvectors * sizes * eigen.eigenvectors.transpose();
             found.convex.view_mut((0, 0), (size, size)).copy_from(&convex);
         }
@@ -405,7 +412,7 @@ impl Program<'_> {
                     if better.is_none() {
                         let bent = self.bent(&here, &units, &quadratic, &straight);
                         let bent = bent.and_then(|right| solve(&quadratic, &right));
-                        let bent = bent.filter(|step| within(step, self.bounds.len(), 2.0 * reach));
+                        let bent = bent.filter(|step| within(step, self.bounds.len(), reach));
                         better = bent.and_then(|step| self.tried(&here, &units, &step, (&functions, residual)));
                     }
                     if better.is_some() {
@@ -424,7 +431,7 @@ impl Program<'_> {
                 }
                 None => reach *= 0.2,
             }
-            if reach < 1e-14 {
+            if reach < 1e-14 || residual < DONE {
                 break;
             }
         }
@@ -445,9 +452,9 @@ fn snapped(part: f64) -> f64 {
     }
 }
 
-/// Whether no part changes by more than `reach`.
+/// Whether no part changes by more than twice `reach`.
 fn within(step: &DVector<f64>, count: usize, reach: f64) -> bool {
-    step.iter().take(count).all(|step| step.abs() <= reach * (1.0 + 1e-9))
+    step.iter().take(count).all(|step| step.abs() <= 2.0 * reach)
 }
 
 /// What is least near a place: a quadratic function under rows that are linear.
