@@ -147,7 +147,7 @@ FLOORS = [
     ["component"],
     ["balance", "drive"],
     ["luffing", "slewing", "steering"],
-    ["registry", "book"],
+    ["registry", "book", "request"],
     ["scene"],
 ]
 

@@ -167,3 +167,60 @@ def test_the_chapter_computes_anew(tmp_path, language, decimal):
     for name, unit in [("dM_max", 1e3), ("N_max", 1e3)]:
         number = f"{result[name] / unit:.6g}".replace(".", decimal)
         assert text.count(number) >= 2, (name, number)
+
+
+LUFFING = (SCENES / "rope_luffing.toml").read_text(encoding="utf-8")
+
+
+def test_any_quantity(tmp_path):
+    """The tackle's anchor for the least pull: the model says so too, limits are kept, and the user's scene stays."""
+    path = synth(tmp_path / "a", LUFFING, "--seed", 3)
+    text = path.read_text(encoding="utf-8")
+    before, after = tomllib.loads(LUFFING), tomllib.loads(text)
+    start = tmp_path / "start.toml"
+    start.write_text(LUFFING, encoding="utf-8")
+    old, new = criteria(start), criteria(path)
+    assert new["T_max"] < 0.9 * old["T_max"]
+    assert 99.99 < new["l_l_max"] <= 100.0
+    for line in LUFFING.splitlines():
+        _, _, comment = line.partition("#")
+        assert comment in text, line
+    tackle = after["luffing"]["tackle"]
+    for key in ("E_x", "E_y"):
+        assert "seed 3" in tackle[key]["source"]
+        low, high = (float(end.split()[0]) for end in after["synthesis"]["vary"][f"luffing.tackle.{key}"].split(" to "))
+        assert low <= float(tackle[key]["value"].split()[0]) <= high
+        tackle[key] = before["luffing"]["tackle"][key]
+    assert after.pop("name") == before.pop("name") + "_synth"
+    assert after["synthesis"].pop("seed") == 3
+    assert before == after
+    # Again from its own result, and from another seed.
+    for name, given, seed in [("again", text, 3), ("other", LUFFING, 4)]:
+        values = [tomllib.loads(synth(tmp_path / name, given, "--seed", seed).read_text(encoding="utf-8"))["luffing"]["tackle"][key]["value"] for key in ("E_x", "E_y")]
+        assert values == [tomllib.loads(text)["luffing"]["tackle"][key]["value"] for key in ("E_x", "E_y")]
+
+
+def test_fit(tmp_path):
+    """X_7 and X_8 of the default scene from its published table, to micrometres; the table stays."""
+    given = (SCENES / "lemniscate.toml").read_text(encoding="utf-8")
+    wrong = given.replace('X_7 = "1.354 m"', 'X_7 = "0.9 m"').replace('X_8 = "5.2 m"', 'X_8 = "4 m"')
+    vary = '"luffing.X_7" = "0.5 m to 2 m"\n"luffing.X_8" = "2 m to 8 m"\n'
+    task = f'\n[synthesis]\nobjective = "published"\n[synthesis.vary]\n{vary}'
+    path = tmp_path / "scene.toml"
+    path.write_text(wrong + task, encoding="utf-8")
+    told = lemnis("synth", path, "--output", tmp_path / "out")
+    assert "366 published values" in told and "standard error" in told
+    [path] = (tmp_path / "out").iterdir()
+    found = tomllib.loads(path.read_text(encoding="utf-8"))["luffing"]
+    assert abs(float(found["X_7"]["value"].split()[0]) - 1.354) < 1e-6
+    assert abs(float(found["X_8"]["value"].split()[0]) - 5.2) < 1e-5
+    assert found["published"] == tomllib.loads(given)["luffing"]["published"]
+    lemnis("check", path)
+
+
+def test_a_quantity_that_is_not_by_itself(tmp_path):
+    """A mass weighs by gravity: with that two sources change, and a search for it is refused."""
+    path = tmp_path / "scene.toml"
+    text = LUFFING.replace("[project]", 'g = "9.8 m/s2"\n\n[project]').replace('"luffing.tackle.E_x" = "-8 m to -2 m"', '"g" = "9.7 m/s2 to 9.9 m/s2"')
+    path.write_text(text, encoding="utf-8")
+    assert "`g` cannot be searched for" in lemnis("synth", path, "--output", tmp_path / "out", expect=1)

@@ -17,6 +17,7 @@ use crate::kernel::schema::{KIND, Key, Kind, Sign, Values};
 use crate::kernel::text::Text;
 use crate::kernel::variable::{Fault, Role, Type, Variable};
 use crate::registry;
+use crate::request::{Request, SYNTHESIS};
 
 /// The lemniscate crane. [Li2022, Table 1]
 pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");
@@ -53,6 +54,11 @@ pub static KEYS: &[Key] = &[
         "How far each result may be off: `lemnis trade` names the cheapest level and solver that keep to it.",
     )
     .optional(),
+    Key::part(
+        "synthesis",
+        SYNTHESIS,
+        "A search for quantities of the scene, by `lemnis synth`.",
+    ),
     registry::LUFFING,
     registry::STEERING,
     registry::PARTS[0],
@@ -100,6 +106,8 @@ pub struct Scene {
     pub gravity: f64,
     /// How far results may be off, in SI.
     pub accuracy: Vec<(Variable, f64)>,
+    /// A search for its own quantities.
+    pub request: Option<Request>,
     /// The table that describes its mechanism.
     pub table: &'static str,
     pub mechanism: Box<dyn Mechanism>,
@@ -161,10 +169,12 @@ impl Scene {
                 given: Origins::read(text, &values),
                 gravity,
                 accuracy: Vec::new(),
+                request: None,
                 table,
                 mechanism,
             }
-            .with_accuracy(&values),
+            .with_accuracy(&values)?
+            .with_request(&values),
             _ => {
                 found.sort_by_key(|diagnostic| diagnostic.span.start);
                 Err(found)
@@ -208,6 +218,22 @@ impl Scene {
                 }
             }
         }
+        if found.is_empty() { Ok(self) } else { Err(found) }
+    }
+
+    /// Reads what is searched for.
+    fn with_request(mut self, values: &Values) -> Result<Scene, Vec<Diagnostic>> {
+        let Some(table) = values.table("synthesis") else {
+            return Ok(self);
+        };
+        let mut found = Vec::new();
+        if let Some(search) = self.search() {
+            let message = "the scene asks for two searches";
+            let help = "remove one of the tables: `lemnis synth` finds one result";
+            found.push(Diagnostic::new(search.task.span.clone(), message, "besides [synthesis]").help(help));
+        }
+        self.request = Request::read(table, &*self.mechanism, &self.given, self.gravity, &mut found);
+        found.sort_by_key(|diagnostic| diagnostic.span.start);
         if found.is_empty() { Ok(self) } else { Err(found) }
     }
 

@@ -59,7 +59,7 @@ enum Command {
     Fmu(Pack),
     /// Make calculation books: NAME.pdf of every scene
     Book(Books),
-    /// Find the lever counterweight that a scene asks for: NAME_synth.toml
+    /// Find the lever counterweight, or the quantities, that a scene asks for: NAME_synth.toml
     Synth(Synth),
     /// Measure what accuracy costs: every level, solver and step of a scene; name the cheapest that keeps to `accuracy`
     Trade(Trade),

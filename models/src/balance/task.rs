@@ -135,7 +135,8 @@ pub struct Task {
     pub found: Option<bool>,
     /// Where the scene gives what a fault may blame, by the symbol's id.
     places: Vec<(&'static str, Range<usize>)>,
-    span: Range<usize>,
+    /// Place of its table.
+    pub span: Range<usize>,
 }
 
 /// Default bounds over the distance of the pivots.

@@ -321,6 +321,18 @@ impl<T: Described> Mechanism for Description<T> {
         }
     }
 
+    fn standing(&self) -> Standing {
+        Description::standing(self)
+    }
+
+    fn outline(&self) -> &'static Outline {
+        T::OUTLINE
+    }
+
+    fn published(&self) -> Option<&Published> {
+        self.own.published()
+    }
+
     fn motion(&self) -> &Motion {
         &self.motion
     }

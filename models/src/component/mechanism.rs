@@ -4,6 +4,8 @@ use std::any::Any;
 use std::fmt;
 
 use crate::component::model::Model;
+use crate::component::outline::{Outline, Published};
+use crate::component::standing::Standing;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
@@ -21,6 +23,15 @@ pub trait Mechanism: Any + Send + Sync {
     /// Never for a scene that was read by [`Scene::parse`](crate::scene::Scene::parse), which checks that the mechanism
     /// exists.
     fn model(&self) -> Result<Model, Fault>;
+
+    /// Its equations in closed form, at the start of its working range, standing.
+    fn standing(&self) -> Standing;
+
+    /// What its book tells, and in which order.
+    fn outline(&self) -> &'static Outline;
+
+    /// Published values, as printed.
+    fn published(&self) -> Option<&Published>;
 
     /// The working range of its coordinate.
     fn motion(&self) -> &Motion;

@@ -15,7 +15,7 @@ pub mod moved;
 pub mod moving;
 pub mod outline;
 pub mod part;
-mod probe;
+pub mod probe;
 pub mod running;
 pub mod scalar;
 pub mod sensitivity;

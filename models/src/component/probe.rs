@@ -31,7 +31,7 @@ impl Probe {
 }
 
 /// Where a result of the scene stands: one slot, or as many as it is numbered to.
-pub(super) fn slots(model: &Standing, symbol: &'static Symbol) -> impl Iterator<Item = Slot> {
+pub fn slots(model: &Standing, symbol: &'static Symbol) -> impl Iterator<Item = Slot> {
     let all = model.variables().iter().zip(model.places());
     all.filter_map(move |(variable, place)| match place {
         VariablePlace::Result(slot) if variable.symbol == symbol => Some(*slot),
@@ -39,6 +39,8 @@ pub(super) fn slots(model: &Standing, symbol: &'static Symbol) -> impl Iterator<
     })
 }
 
-pub(super) fn slot(model: &Standing, symbol: &'static Symbol) -> Option<Slot> {
+/// The first of these.
+#[must_use]
+pub fn slot(model: &Standing, symbol: &'static Symbol) -> Option<Slot> {
     slots(model, symbol).next()
 }

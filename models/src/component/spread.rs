@@ -66,6 +66,12 @@ impl Spread {
         })
     }
 
+    /// What it is, of which result, and over which other one's swing.
+    #[must_use]
+    pub fn terms(&self) -> (How, Slot, Option<Slot>) {
+        (self.how, self.of, self.per)
+    }
+
     /// Whether results of the same kind are found from a result's slot.
     #[must_use]
     pub fn is_of(&self, slot: &Slot) -> bool {

@@ -280,7 +280,7 @@ impl Standing {
     }
 
     /// The same, to be changed.
-    pub(crate) fn part_mut(&mut self) -> &mut dyn Part {
+    pub fn part_mut(&mut self) -> &mut dyn Part {
         &mut *self.now.part
     }
 

@@ -91,6 +91,19 @@ impl Origins {
         self.0.iter().find(|known| known.key == key)?.given.as_ref()
     }
 
+    /// A quantity by its key, from the top of the scene or as the scene has it.
+    #[must_use]
+    pub fn known(&self, key: &str) -> Option<&Known> {
+        let own = |known: &&Known| known.given.as_ref().is_some_and(|origin| origin.key == key);
+        let known = self.0.iter().find(|known| known.key == key);
+        known.or_else(|| self.0.iter().find(own))
+    }
+
+    /// All quantities, in the order of the keys.
+    pub fn all(&self) -> impl Iterator<Item = &Known> {
+        self.0.iter()
+    }
+
     /// The quantities of a table, of each of a list of tables with its number, or the one with this key.
     pub fn within<'a>(&'a self, path: &'a str) -> impl Iterator<Item = (Option<u16>, &'a Known)> {
         self.0.iter().filter_map(move |known| {
@@ -177,6 +190,12 @@ fn everything(values: &Values, shown: &str, found: &mut Vec<(String, Range<usize
             Value::Tables(tables) => {
                 let numbered = (1..).zip(tables);
                 numbered.for_each(|(number, table): (usize, _)| everything(table, &format!("{key}[{number}]"), found));
+            }
+            Value::Named(named) => {
+                let each = named
+                    .iter()
+                    .map(|(name, _, place)| (format!("{key}.\"{name}\""), place.clone()));
+                found.extend(each);
             }
             _ => found.push((key, place.clone())),
         }

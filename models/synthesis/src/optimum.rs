@@ -69,7 +69,7 @@ const ROUNDS: usize = 40;
 /// Rounds without gain after which nothing more is expected.
 const IDLE: usize = 4;
 /// Keeps the seeds of two searches apart (2⁶⁴ over the golden ratio).
-const SPREAD: u64 = 0x9E37_79B9_7F4A_7C15;
+pub(crate) const SPREAD: u64 = 0x9E37_79B9_7F4A_7C15;
 
 /// Positions at which a candidate is looked at.
 const POSITIONS: usize = 101;
@@ -540,7 +540,12 @@ pub fn front(
 
 /// Results of `count` jobs in their order, whichever thread did them. The
 /// first job is always done; later ones are left out after a stop.
-fn shared<T: Send>(count: usize, threads: usize, watch: Watch<'_>, job: impl Fn(usize) -> T + Sync) -> Vec<T> {
+pub(crate) fn shared<T: Send>(
+    count: usize,
+    threads: usize,
+    watch: Watch<'_>,
+    job: impl Fn(usize) -> T + Sync,
+) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let results = Mutex::new(Vec::new());
     std::thread::scope(|scope| {

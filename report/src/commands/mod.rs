@@ -1,5 +1,6 @@
 //! One file for each command.
 
+pub mod asked;
 pub mod book;
 pub mod build;
 pub mod check;
@@ -8,3 +9,4 @@ pub mod new;
 pub mod synth;
 pub mod templates;
 pub mod trade;
+pub mod watched;

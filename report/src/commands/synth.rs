@@ -1,11 +1,9 @@
-//! `lemnis synth`: a lever counterweight for a scene, as a scene.
+//! `lemnis synth`: a lever counterweight for a scene, or quantities of its own, as a scene.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{CandidateRole, Task};
 use lemnis_models::kernel::allowed::OutOfRange;
@@ -13,19 +11,21 @@ use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::number::{Digits, Number, short};
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::registry::ASK_FOR_SEARCH;
+use lemnis_models::request::Goal;
 use lemnis_models::scene::{LONGEST_NAME, Scene};
 use lemnis_synthesis::comparison::{Compared, Comparison};
-use lemnis_synthesis::optimum::Watch;
 use lemnis_synthesis::run::{Outcome, decimals, run, steps};
 use toml_edit::{ArrayOfTables, Item, Table, value};
 
+use crate::commands::asked;
+use crate::commands::watched::watched;
 use crate::failure::Failure;
 use crate::output::{Output, say, write};
 use crate::scene_file;
 
 #[derive(Args)]
 pub struct Synth {
-    /// Scene file with a table [luffing.synthesis], - for the standard input
+    /// Scene file with a table [synthesis] or [luffing.synthesis], - for the standard input
     scene: PathBuf,
     /// Folder for the result
     #[arg(short, long, default_value = "out")]
@@ -35,21 +35,32 @@ pub struct Synth {
     seed: Option<u64>,
 }
 
-/// Set by Ctrl-C.
-static STOP: AtomicBool = AtomicBool::new(false);
-
 impl Synth {
     pub fn run(&self) -> Result<(), Failure> {
         let scene = scene_file::read(Some(&self.scene))?;
+        if let Some(asked) = &scene.request {
+            let seed = self.seed.unwrap_or(asked.seed);
+            let found = asked::found(&scene, asked, seed, &scene_file::name(Some(&self.scene)))?;
+            let fitted = matches!(asked.goal, Goal::Published);
+            let found = scene_file::changed(&found, "the scene with what was found", |document| {
+                document["name"] = value(suffixed(found.name()));
+                document["synthesis"]["seed"] = number(seed);
+                // What was published was so of other dimensions.
+                if let Some(mechanism) = document[found.table].as_table_like_mut().filter(|_| !fitted) {
+                    mechanism.remove("published");
+                }
+            })?;
+            return self.write(&found);
+        }
         let Some(search) = scene.search() else {
             return Err(Failure::Scene(format!(
-                "{} asks for no synthesis: {ASK_FOR_SEARCH}",
+                "{} asks for no synthesis: {ASK_FOR_SEARCH}; or [synthesis] for other quantities",
                 scene_file::name(Some(&self.scene))
             )));
         };
         let mut task = search.task.clone();
         task.seed = self.seed.unwrap_or(task.seed);
-        let outcome = watched(&task, |threads, watch| {
+        let outcome = watched(steps(&task), |threads, watch| {
             run(&*search.boom, search.range, &task, threads, watch)
         });
         let outcome = outcome.map_err(|fault| self.explain(&scene, &task, &fault))?;
@@ -59,6 +70,10 @@ impl Synth {
         if !outcome.complete {
             say("broken off: this is the best so far")?;
         }
+        self.write(&result)
+    }
+
+    fn write(&self, result: &Scene) -> Result<(), Failure> {
         let output = Output {
             name: format!("{}.toml", result.name()),
             bytes: result.text().into(),
@@ -79,9 +94,7 @@ impl Synth {
 /// The user's scene with the lever found, and with what the book compares.
 fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outcome) -> Result<Scene, Failure> {
     scene_file::changed(scene, "the scene with the lever found", |document| {
-        let name = scene.name().strip_suffix(SUFFIX).unwrap_or(scene.name());
-        let name = &name[..name.len().min(LONGEST_NAME - SUFFIX.len())];
-        document["name"] = value(format!("{name}{SUFFIX}"));
+        document["name"] = value(suffixed(scene.name()));
         let mechanism = &mut document[scene.table];
         let mut balance = taken(&mut mechanism["balance"]);
         if own.is_none() {
@@ -98,7 +111,7 @@ fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outc
         let mut synthesis = taken(&mut mechanism["synthesis"]);
         let found = if outcome.complete { "complete" } else { "broken off" };
         set(&mut synthesis, "found", found.into());
-        synthesis["seed"] = value(i64::try_from(task.seed).expect("TOML has no greater integers"));
+        synthesis["seed"] = number(task.seed);
         let listed = synthesis.remove("candidates");
         let listed = listed.and_then(|listed| listed.into_array_of_tables().ok());
         let mut candidates: ArrayOfTables = listed.unwrap_or_default();
@@ -117,28 +130,15 @@ fn improved(scene: &Scene, own: Option<&Lever<f64>>, task: &Task, outcome: &Outc
 
 const SUFFIX: &str = "_synth";
 
-/// Runs a search with a progress bar; Ctrl-C keeps the best so far, and a second one ends the program.
-fn watched<T>(task: &Task, search: impl FnOnce(usize, Watch<'_>) -> T) -> T {
-    let handler = ctrlc::set_handler(|| {
-        if STOP.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
-    if let Err(error) = handler {
-        eprintln!("warning: Ctrl-C will end the search without a result: {error}");
-    }
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let style = ProgressStyle::with_template("searching {wide_bar} {percent} %, Ctrl-C keeps the best so far");
-    let bar = ProgressBar::new(steps(task) as u64).with_style(style.expect("a template"));
-    let found = search(
-        threads,
-        Watch {
-            stop: &STOP,
-            run: &|| bar.inc(1),
-        },
-    );
-    bar.finish_and_clear();
-    found
+/// The name of what comes of a scene.
+fn suffixed(name: &str) -> String {
+    let name = name.strip_suffix(SUFFIX).unwrap_or(name);
+    let name = &name[..name.len().min(LONGEST_NAME - SUFFIX.len())];
+    format!("{name}{SUFFIX}")
+}
+
+fn number(seed: u64) -> Item {
+    value(i64::try_from(seed).expect("TOML has no greater integers"))
 }
 
 fn lever(role: CandidateRole, d: &Dimensions<f64>, branch: Branch) -> Table {
