@@ -44,7 +44,7 @@ pub struct SlewingJoint {
 }
 
 /// Most centrifugal acceleration of the head that a speed may give or a slewing drive lead to, over that of gravity.
-pub const MOST_SPIN: f64 = 100.0;
+pub const MOST_SPIN: f64 = 10.0;
 
 impl SlewingJoint {
     /// Reads a checked table `[slewing]`; mistakes go to the list.

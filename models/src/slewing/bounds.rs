@@ -15,8 +15,8 @@ use crate::slewing::symbols as s;
 const BRISKEST: [f64; 2] = [1e-4, 5e-3];
 /// Least inertia of what slews, over that of what does not add to it: a load that swings, the weight that leans.
 const LIGHTEST: f64 = 5e-5;
-/// Shortest step that may be given, over that which sees all: a solver of fourth order then errs by less than 1e-5 of it.
-const SHORTEST_STEP: f64 = 0.05;
+/// Shortest step that may be given, over that which sees all: below it a solver of fourth order adds up rounding.
+const SHORTEST_STEP: f64 = 1e-2;
 
 /// Longest step of the solver where the scene gives none: parts of the time in which friction slows it, of those in which it
 /// swings on its slope and its load on the rope, and of that in which the head moves by its rope's length at the start.
@@ -174,7 +174,7 @@ impl Slewed<'_> {
                 s::STEP.written(longest)
             );
             let help = format!(
-                "give at least {}, below which it costs time and tells no more, or leave it out: {} is taken then",
+                "give at least {}, below which only rounding adds up, or leave it out: {} is taken then",
                 s::STEP.written(SHORTEST_STEP * longest),
                 s::STEP.written(longest)
             );

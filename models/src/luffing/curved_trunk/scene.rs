@@ -296,20 +296,22 @@ fn power(given: &Given<f64>, model: &mut Standing) -> Check {
         let (boom, tie) = (polar(trunk.b, row[0]), Point::new(row[1], row[2]) - o3);
         // From O1 along the boom, in parts of it.
         let part = plane::cross(o3, tie) / plane::cross(boom, tie);
-        let rise = |x: f64| {
+        // What a point x and what the centre does for its rise.
+        let rises = |x: f64| {
             if part.is_finite() {
-                (x - part * boom.x) / (1.0 - part)
+                [x, -part * boom.x].map(|length| length / (1.0 - part))
             } else {
-                boom.x
+                [0.0, boom.x]
             }
         };
-        let (mut of_boom, mut of_trunk) = (0.0, q * rise(row[3]));
+        let (mut of_boom, mut of_trunk) = (0.0, rises(row[3]).map(|rise| q * rise));
         if let Some(w) = &given.weights {
             of_boom = w.g_b * polar(w.r_b, row[0] + w.chi_b).x;
-            of_trunk += w.g_t * rise(boom.x + polar(w.r_t, row[4] + w.chi_t).x);
+            let own = rises(boom.x + polar(w.r_t, row[4] + w.chi_t).x);
+            of_trunk = [0, 1].map(|i| of_trunk[i] + w.g_t * own[i]);
         }
         let work = row[5] + row.get(6).copied().unwrap_or(0.0);
-        [work, -of_boom, -of_trunk]
+        [work, -of_boom, -of_trunk[0], -of_trunk[1]]
     })
 }
 

@@ -415,9 +415,12 @@ fn power(luffing: &Luffing, g: &Geometry<f64>, model: &mut Standing) -> Check {
     vanishing(model, ("power", &s::AGREEMENT), &symbols, |row| {
         let p = Position::new(g, row[0]).expect("the range was checked");
         let centres = weights.map(|w| Centres::new(&p, &g.lengths, w));
-        let links = ByCentres::new(g, &p).power(&p, luffing.q.unwrap_or(0.0), weights.zip(centres.as_ref()));
+        let (by_centres, q) = (ByCentres::new(g, &p), luffing.q.unwrap_or(0.0));
+        let links = by_centres.power(&p, q, weights.zip(centres.as_ref()));
+        // Apart, as a centre below the load leaves nothing of great moments.
+        let of_centre = (q + weights.map_or(0.0, |w| w.g_2)) * by_centres.lever();
         let work = row[1] + row.get(2).copied().unwrap_or(0.0);
-        [work, -links[0], -links[1], -links[2]]
+        [work, -links[0], -(links[1] + of_centre), of_centre, -links[2]]
     })
 }
 

@@ -86,6 +86,14 @@ impl<C: Calc> ByCentres<C> {
         }
     }
 
+    /// What the jib's centre is of every such rise, in m.
+    pub fn lever(&self) -> C {
+        match self.jib {
+            Ok((i_2, centre)) => i_2 * centre,
+            Err(_) => C::constant(0.0),
+        }
+    }
+
     /// Power of load and weights (N) of boom, jib and rocker for one radian of the driving link, in N·m.
     pub fn power(&self, p: &Position<C>, q: C, own: Option<(&Weights<C>, &Centres<C>)>) -> [C; 3] {
         let load = q * self.rise(p.a.x);

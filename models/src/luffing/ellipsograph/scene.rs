@@ -343,13 +343,14 @@ fn power(given: &Given<f64>, model: &mut Standing) -> Check {
     vanishing(model, ("power", &s::AGREEMENT), &symbols, |row| {
         let joint = polar(c, -row[0]);
         let centre = 2.0 * joint.x;
-        let (mut of_boom, mut of_link) = (q * (row[1] - centre), 0.0);
+        let (mut of_boom, mut of_centre, mut of_link) = (q * row[1], q * centre, 0.0);
         if let Some(w) = &given.weights {
-            of_boom += w.g_b * (polar(w.r_b, row[0] + w.chi_b).x - centre);
+            of_boom += w.g_b * polar(w.r_b, row[0] + w.chi_b).x;
+            of_centre += w.g_b * centre;
             of_link = -(w.g_l * w.r_l * joint.x / c);
         }
         let work = row[2] + row.get(3).copied().unwrap_or(0.0);
-        [work, -of_boom, -of_link]
+        [work, -of_boom, of_centre, -of_link]
     })
 }
 
