@@ -83,7 +83,7 @@ fn slewing_for_a_moment() {
 #[test]
 fn slewing_from_speed() {
     let text = scene!("slewing_from_speed");
-    let mistakes = Scene::parse(text).err().expect("too fast");
+    let mistakes = Scene::parse(text).expect_err("too fast");
     assert_eq!(mistakes.len(), 1, "{mistakes:?}");
     assert!(text[mistakes[0].span.clone()].contains("-10822"), "{mistakes:?}");
     let over = over(&text.replace("-10822", "-2438"), pendulum(0.0291519), SWING);
