@@ -318,7 +318,8 @@ pub fn tell(run: &mut dyn Run, model: &Model, draw: &mut Draw) -> Story {
         _ => 0.0,
     };
     let mut time = 0.0;
-    while time < stop && story.refused[0].is_empty() {
+    // What rounding leaves of the experiment is no step.
+    while stop - time > 1e-9 * stop && story.refused[0].is_empty() {
         let size = if time < own {
             size
         } else {
