@@ -11,7 +11,7 @@
 //! | `weighed` | the counterweight of a balance with its derivatives |
 //! | `level`, `shares` | what the levels have in common; what turns the driving link |
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
-//! | `scene`, `hoisting` | keys of motion, of rope and hoist |
+//! | `scene`, `hoisting`, `levels` | keys of motion, of rope and hoist; what descriptions of single booms have in common |
 //! | `stages`, `luffs` | rates, event indicators, reactions as stages; a component that has them |
 //! | `built`, `start`, `carried`, `follows` | the equations of a level; where the motion begins, how it is carried on; what depends on what |
 
@@ -26,6 +26,7 @@ pub mod hanging;
 pub mod hoisting;
 pub mod hydraulic;
 pub mod level;
+pub mod levels;
 pub mod listed;
 pub mod luffs;
 pub mod motion;

@@ -24,9 +24,8 @@ use crate::luffing::counterweight::chapter;
 use crate::luffing::moving;
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::{BY_SPEED_KEYS, load_taken};
-use crate::luffing::moving::luffs::Luffs;
+use crate::luffing::moving::levels;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
-use crate::luffing::moving::start::{passing, starting};
 use crate::luffing::rope::moving::BoomInertia;
 use crate::luffing::rope::outline::OUTLINE;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Rig};
@@ -174,53 +173,30 @@ impl Described for Rope {
         rope.keeps_clear(v, found).then_some((rope, range))
     }
 
-    /// What moves is told as it passes through the working range, held nowhere.
     fn given(this: &Description<Rope>) -> Given<f64> {
-        this.moving.as_ref().map_or_else(
-            || this.given.clone(),
-            |moving| RopeBoom::with(&this.given, [this.motion.from, this.motion.speed], passing(moving)),
-        )
+        levels::told::<RopeBoom>(&this.given, this.motion, this.moving.as_ref())
     }
 
     fn levels(&self) -> Vec<&'static str> {
-        let mut levels = vec!["table", "static"];
-        if let Some(moving) = &self.moving {
-            levels.push("rigid");
-            levels.extend(moving.rope.map(|_| "swing"));
-        }
-        levels
+        levels::levels(self.moving.as_ref())
     }
 
     fn set_level(&mut self, level: &str) {
-        match (level, &mut self.moving) {
-            ("swing", _) => {}
-            ("rigid", Some(moving)) => moving.rope = None,
-            _ => (self.moving, self.given.inertia) = (None, None),
+        if !levels::set_level(&mut self.moving, level) {
+            self.given.inertia = None;
         }
     }
 
     fn unused(&self, level: &str) -> Vec<(&'static str, &'static [&'static str])> {
-        match level {
-            "swing" => Vec::new(),
-            "rigid" => vec![("hoisting", &[]), ("dynamics", &["l_R", "phi_R", "v_h", "a_h"])],
-            _ => vec![("dynamics", &[]), ("hoisting", &[])],
-        }
+        levels::unused(level)
     }
 
     fn solver(&self) -> Option<Solver> {
-        self.moving.as_ref().map(|moving| Solver {
-            step: ("dynamics", &moving::symbols::STEP),
-            tolerance: ("dynamics", &moving::symbols::STEP),
-            longest: moving.constants.step,
-            explicit: true,
-            cost: COST[usize::from(moving.rope.is_some())],
-        })
+        levels::solver(self.moving.as_ref())
     }
 
     fn moving(this: &Description<Rope>) -> Option<Result<Box<dyn Running>, Fault>> {
-        let moving = this.moving.as_ref()?;
-        let model = starting::<RopeBoom>(&this.given, this.motion, moving, this.motion.from);
-        Some(model.map(|model| Box::new(model) as Box<dyn Running>))
+        levels::running::<RopeBoom>(&this.given, this.motion, this.moving.as_ref())
     }
 
     fn chapters(&self) -> Vec<&'static str> {
@@ -269,14 +245,7 @@ impl Described for Rope {
 
     fn uncovered(this: &Description<Rope>) -> Vec<&'static str> {
         const FRICTION: &str = "pin_friction";
-        let covered: &[&str] = match this.moving.as_ref().map(|moving| moving.rope) {
-            None => &[],
-            Some(None) => &["inertia", FRICTION],
-            Some(Some(_)) => &["sway", "inertia", FRICTION],
-        };
-        let mut all = uncovered(FRICTION);
-        all.retain(|id| !covered.contains(id));
-        all
+        levels::uncovered(uncovered(FRICTION), FRICTION, this.moving.as_ref())
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with its ropes and the path of the load.
@@ -342,9 +311,6 @@ impl Rope {
         !meets
     }
 }
-
-/// What the rates cost, in s, without a load that swings and with it.
-const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.15e-6, 0.0]];
 
 /// What the scene gives of its motion; mistakes go to `found`.
 fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving> {

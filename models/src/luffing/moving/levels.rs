@@ -1,0 +1,85 @@
+//! What the descriptions of all single booms that may move have in common: their levels, and the running model of each.
+
+use crate::component::mechanism::Solver;
+use crate::component::running::Running;
+use crate::kernel::variable::Fault;
+use crate::luffing::moving::luffs::Luffs;
+use crate::luffing::moving::scene::Moving;
+use crate::luffing::moving::start::{passing, starting};
+use crate::luffing::moving::symbols as s;
+use crate::parts::motion::Motion;
+
+/// What the rates cost, in s, without a load that swings and with it.
+const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.15e-6, 0.0]];
+
+/// The levels to which a scene may be simplified, the quickest first.
+#[must_use]
+pub fn levels(moving: Option<&Moving>) -> Vec<&'static str> {
+    let mut levels = vec!["table", "static"];
+    if let Some(moving) = moving {
+        levels.push("rigid");
+        levels.extend(moving.rope.map(|_| "swing"));
+    }
+    levels
+}
+
+/// Leaves out what a level has not; whether it still moves.
+pub fn set_level(moving: &mut Option<Moving>, level: &str) -> bool {
+    match (level, &mut *moving) {
+        ("swing", _) => {}
+        ("rigid", Some(moving)) => moving.rope = None,
+        _ => *moving = None,
+    }
+    moving.is_some()
+}
+
+/// Tables that a level does not use, with their keys where it uses others.
+#[must_use]
+pub fn unused(level: &str) -> Vec<(&'static str, &'static [&'static str])> {
+    match level {
+        "swing" => Vec::new(),
+        "rigid" => vec![("hoisting", &[]), ("dynamics", &["l_R", "phi_R", "v_h", "a_h"])],
+        _ => vec![("dynamics", &[]), ("hoisting", &[])],
+    }
+}
+
+#[must_use]
+pub fn solver(moving: Option<&Moving>) -> Option<Solver> {
+    moving.map(|moving| Solver {
+        step: ("dynamics", &s::STEP),
+        tolerance: ("dynamics", &s::STEP),
+        longest: moving.constants.step,
+        explicit: true,
+        cost: COST[usize::from(moving.rope.is_some())],
+    })
+}
+
+/// What is told: what moves as it passes through the working range, held nowhere.
+pub fn told<T: Luffs>(given: &T::Given<f64>, range: Motion, moving: Option<&Moving>) -> T::Given<f64> {
+    moving.map_or_else(
+        || given.clone(),
+        |moving| T::with(given, [range.from, range.speed], passing(moving)),
+    )
+}
+
+/// The model in motion, at rest at the start of the working range; none of what does not move.
+pub fn running<T: Luffs>(
+    given: &T::Given<f64>,
+    range: Motion,
+    moving: Option<&Moving>,
+) -> Option<Result<Box<dyn Running>, Fault>> {
+    let model = starting::<T>(given, range, moving?, range.from);
+    Some(model.map(|model| Box::new(model) as Box<dyn Running>))
+}
+
+/// Of what no book covers at rest, what one of a boom in motion does not either; `friction` is that of its pins.
+#[must_use]
+pub fn uncovered(mut at_rest: Vec<&'static str>, friction: &'static str, moving: Option<&Moving>) -> Vec<&'static str> {
+    let covered: &[&str] = match moving.map(|moving| moving.rope) {
+        None => &[],
+        Some(None) => &["inertia", friction],
+        Some(Some(_)) => &["sway", "inertia", friction],
+    };
+    at_rest.retain(|id| !covered.contains(id));
+    at_rest
+}
