@@ -8,11 +8,11 @@ import pytest
 from fmpy import read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 
-from conftest import ROOT, lemnis
+import single_boom
+from conftest import ROOT
+from single_boom import ENDS, G
 
 SCENE = (ROOT / "models/scenes/rope_luffing.toml").read_text(encoding="utf-8")
-ENDS = {"FMI 2": ".fmi2.fmu", "FMI 3": ".fmu"}
-G = 9.81
 LENGTH, OFFSET, Q, G_B, R_B, CHI = 33.0, 0.4, 10e3, 9e3, 15.0, math.radians(1.0)
 SHEAVE, FALLS = np.array([-2.0, 12.0]), 2.0
 J_B, VISCOUS, COULOMB = 0.9e6, 2e5, 5e3
@@ -21,21 +21,15 @@ START = math.radians(25.0)
 MOMENT = 4.0e6
 
 
-def scene(fidelity, folder, more=""):
-    rope = f'l_R = "{ROPE} m"\nphi_R = "4 deg"\n' if fidelity == "swing" else ""
-    dynamics = (f'[luffing.dynamics]\nJ_b = "{J_B} kg.m2"\nc_v = "{VISCOUS / 1e3} kN.m.s"\nM_F = "{COULOMB / 1e3} kN.m"\n'
-                f'M_A = "{MOMENT / 1e3} kN.m"\nstep = "2 ms"\n{rope}{more}\n')
-    text = SCENE.replace("[luffing.motion]", f'fidelity = "{fidelity}"\n\n[luffing.motion]', 1)
-    path = folder / f"{fidelity}.toml"
-    path.write_text(text.replace("[luffing.limits]", dynamics + "[luffing.limits]", 1), encoding="utf-8")
-    return path
+def packed(fidelity, folder, more=""):
+    rope = f'l_R = "{ROPE} m"\nphi_R = "4 deg"\n{more}'
+    path = single_boom.scene(SCENE, fidelity, folder, {"J_b": J_B}, (VISCOUS, COULOMB, MOMENT), rope)
+    return single_boom.packed(path, "RopeLuffing", folder)
 
 
 @pytest.fixture(scope="module", params=["rigid", "swing"])
 def fmus(request, tmp_path_factory):
-    folder = tmp_path_factory.mktemp(request.param)
-    lemnis("fmu", scene(request.param, folder), "--output", folder)
-    return request.param, {standard: str(folder / f"RopeLuffing{end}") for standard, end in ENDS.items()}
+    return request.param, packed(request.param, tmp_path_factory.mktemp(request.param))
 
 
 def turned(radius, angle):
@@ -70,31 +64,8 @@ def rates(swings, moment):
             v, w = da + np.array([0.0, led]), dda + np.array([0.0, bent])
             force -= Q * G * v[1] + Q * float(v @ w) * omega ** 2
             return [omega, force / (inertia + Q * float(v @ v))]
-        place, speed = np.array(y[2:4]), np.array(y[4:6])
-        line, relative = place - a, speed - da * omega
-        long = float(np.hypot(*line))
-        along, weight = line / long, np.array([0.0, -G])
-        arm = float(da @ along) - led
-        free = (along @ (weight - dda * omega ** 2) + (relative @ relative - (led * omega) ** 2) / long
-                + bent * omega ** 2 - arm * force / inertia)
-        tension = free / (1 / Q + arm * arm / inertia)
-        return [omega, (force + arm * tension) / inertia, *speed, *(weight - along * tension / Q)]
+        return single_boom.pulled(y, (a, da, dda), (inertia, force), Q, (led, bent))
     return of
-
-
-def solved(rates, y, times, steps=250):
-    """The classical method of fourth order, in so many steps from one time to the next."""
-    states = [np.array(y)]
-    for start, end in zip(times, times[1:]):
-        y, h = states[-1], (end - start) / steps
-        for _ in range(steps):
-            a = np.array(rates(start, y))
-            b = np.array(rates(start, y + 0.5 * h * a))
-            c = np.array(rates(start, y + 0.5 * h * b))
-            d = np.array(rates(start, y + h * c))
-            y = y + h / 6.0 * (a + 2.0 * (b + c) + d)
-        states.append(y)
-    return np.array(states).T
 
 
 @pytest.mark.parametrize("standard", ENDS)
@@ -109,34 +80,26 @@ def test_what_moves_is_described(fmus, standard):
 
 def test_a_run_is_that_of_equations_solved_elsewhere(fmus):
     level, paths = fmus
-    swings, runs = level == "swing", {}
-    for standard, path in paths.items():
-        for kind in ("CoSimulation", "ModelExchange"):
-            runs[standard, kind] = simulate_fmu(
-                path, fmi_type=kind, stop_time=4.0, output_interval=0.25, relative_tolerance=1e-10, record_events=False,
-                output=["phi", "omega", "A.x", "T_dyn", "h_T"] + (["phi_R", "l_R", "v_Q"] if swings else []))
+    swings = level == "swing"
+    output = ["phi", "omega", "A.x", "T_dyn", "h_T"] + (["phi_R", "l_R", "v_Q"] if swings else [])
+    runs = single_boom.runs(paths, 4.0, output)
     first = runs["FMI 3", "CoSimulation"]
     start, lean = [START, 0.0], math.radians(4.0)
     if swings:
         start += [*(head(START)[0] + ROPE * np.array([math.sin(lean), -math.cos(lean)])), 0.0, 0.0]
-    found = solved(rates(swings, MOMENT), start, first["time"])
+    found = single_boom.solved(rates(swings, MOMENT), start, first["time"])
     assert 0.1 < first["phi"][-1] - first["phi"][0] < 0.9
-    for key, run in runs.items():
-        bound = 1e-7 if key[1] == "CoSimulation" else 2e-5
-        assert np.max(np.abs(run["phi"] - found[0])) < bound, (key, np.max(np.abs(run["phi"] - found[0])))
-        assert np.max(np.abs(run["omega"] - found[1])) < bound, key
+    heads = np.array([head(phi)[0] for phi in found[0]])
+    for key, bound in single_boom.agrees(runs, found, heads).items():
+        run = runs[key]
         # Behind the first row the boom rises.
         assert np.allclose(run["T_dyn"][1:] * run["h_T"][1:], MOMENT, rtol=1e-12)
         if swings:
-            heads = np.array([head(phi)[0] for phi in found[0]])
-            at = np.arctan2(found[2] - heads[:, 0], heads[:, 1] - found[3])
-            assert np.max(np.abs(run["phi_R"] - at)) < 10 * bound, (key, np.max(np.abs(run["phi_R"] - at)))
             long = np.hypot(found[2] - heads[:, 0], found[3] - heads[:, 1])
             assert np.max(np.abs(run["l_R"] - long)) < 10 * bound * ROPE, key
             assert np.ptp(long) > 1.0
             speed = np.array([-below(phi)[1] * omega for phi, omega in zip(found[0], found[1])])
             assert np.max(np.abs(run["v_Q"] - speed)) < 10 * bound * ROPE, key
-    assert np.array_equal(first["phi"], runs["FMI 2", "CoSimulation"]["phi"])
 
 
 # Raised fast, stopped by a brake that stands while the boom goes on, the load lifted all the while.
@@ -155,8 +118,7 @@ def emergency(path, kind, h):
 
 def test_a_tackle_goes_slack_and_its_brake_catches_the_boom(tmp_path):
     """The energy of boom and load, of what motor, brake, friction, hoist and blows give and take, to 1e-6 of what goes through."""
-    lemnis("fmu", scene("swing", tmp_path, 'a_h = "0.5 m/s2"\n'), "--output", tmp_path)
-    path = str(tmp_path / "RopeLuffing.fmu")
+    path = packed("swing", tmp_path, 'a_h = "0.5 m/s2"\n')["FMI 3"]
     run = emergency(path, "ModelExchange", 1e-3)
     time, phi, omega = run["time"], run["phi"], run["omega"]
     motor = np.where(time < STOP, 5e6, 0.0)
@@ -186,8 +148,7 @@ def test_a_tackle_goes_slack_and_its_brake_catches_the_boom(tmp_path):
 
 @pytest.mark.parametrize("standard", ENDS)
 def test_both_interfaces_see_the_same_events(standard, tmp_path):
-    lemnis("fmu", scene("swing", tmp_path, 'a_h = "0.5 m/s2"\n'), "--output", tmp_path)
-    path = str(tmp_path / f"RopeLuffing{ENDS[standard]}")
+    path = packed("swing", tmp_path, 'a_h = "0.5 m/s2"\n')[standard]
     inside, outside = (emergency(path, kind, 0.02) for kind in ("CoSimulation", "ModelExchange"))
     for name, bound in [("phi", 2e-6), ("omega", 2e-5), ("T_dyn", 20.0)]:
         other = {round(float(time), 6): value for time, value in zip(outside["time"], outside[name])}

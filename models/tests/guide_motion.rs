@@ -1,21 +1,23 @@
 //! The boom on guide and link in motion, against a Lagrangian written by hand, closed forms and its energy.
 
-use std::sync::Arc;
+#[path = "common/single_boom.rs"]
+mod single_boom;
 
-use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
-use lemnis_models::luffing::ellipsograph::moving::{GuidedInertias, HeavyGuide};
+use lemnis_models::luffing::ellipsograph::moving::{Guided, GuidedInertias, GuidedParts};
 use lemnis_models::luffing::ellipsograph::position::{Bars, GuidedChoice};
 use lemnis_models::luffing::ellipsograph::statics::GuidedWeights;
-use lemnis_models::luffing::moving::bodies::Pendulum;
-use lemnis_models::luffing::moving::dynamics::{Coordinate, Dynamics};
+use lemnis_models::luffing::moving::dynamics::Dynamics;
 use lemnis_models::luffing::moving::pendulum::Phase;
 use lemnis_models::parts::four_bar::Branch;
 use lemnis_models::parts::hoist::Hoist;
 use lemnis_models::parts::motion::Motion;
 use lemnis_models::scene::Scene;
+use single_boom::{
+    G, derivatives_are_those_of_the_values, holds_as_at_rest, model, moves_by, slopes_are_derivatives, swings_by,
+};
 
-const G: f64 = 9.81;
+const SCENE: &str = include_str!("../scenes/ellipsograph.toml");
 const BARS: Bars<f64> = Bars {
     c: 10.0,
     a: 13.0,
@@ -33,7 +35,7 @@ const LOAD: f64 = 10e3;
 const ROPE: f64 = 12.0;
 
 fn choice() -> GuidedChoice {
-    let scene = Scene::parse(include_str!("../scenes/ellipsograph.toml")).expect("sound");
+    let scene = Scene::parse(SCENE).expect("sound");
     let range: Motion = *scene.mechanism.motion();
     GuidedChoice {
         range,
@@ -43,14 +45,8 @@ fn choice() -> GuidedChoice {
 
 /// The load on its rope, or fixed to the head.
 fn crane(bars: &Bars<f64>, weights: &GuidedWeights<f64>, hangs: bool) -> Dynamics {
-    let fixed = (!hangs).then_some(LOAD);
-    let guide = HeavyGuide::new(bars, weights, &INERTIAS, &None, &choice(), fixed, G).expect("no balance");
-    let pendulum = Pendulum {
-        mass: LOAD,
-        length: ROPE,
-        hoist: Hoist::AT_ONCE,
-    };
-    Dynamics::new(Arc::new(guide), hangs.then_some(pendulum), G)
+    let own = GuidedParts::new(bars, weights, &INERTIAS, &choice());
+    single_boom::crane::<Guided>(&own, [LOAD, ROPE], hangs.then_some(Hoist::AT_ONCE))
 }
 
 /// Inertia, its change, and the moment of the weights: T = ½ I ω² with the trigonometry worked out by hand,
@@ -78,23 +74,7 @@ fn a_fixed_load_moves_as_by_hand() {
     for i in 1..60 {
         let (phi, omega, drive) = (0.05 * f64::from(i), 0.3 - 0.01 * f64::from(i), 1e5 * f64::from(i % 7));
         let [inertia, slope, moment] = by_hand(phi, LOAD);
-        let expected = (drive - moment - 0.5 * slope * omega * omega) / inertia;
-        let m = Phase {
-            theta: phi,
-            omega,
-            swing: 0.0,
-            swing_rate: 0.0,
-        };
-        let [found, _] = crane.accelerations(&m, drive).expect("exists");
-        let size = (drive.abs() + moment.abs() + slope.abs() * omega * omega) / inertia;
-        assert!((found - expected).abs() <= 1e-12 * size, "{phi}: {found} {expected}");
-        let kinetic = crane.energy(&m).expect("exists") - crane.energy(&Phase { omega: 0.0, ..m }).expect("exists");
-        let by_hand = 0.5 * inertia * omega * omega;
-        let potential = crane.energy(&m).expect("exists").abs();
-        assert!(
-            (kinetic - by_hand).abs() <= 1e-12 * by_hand + 4.0 * f64::EPSILON * potential,
-            "{phi}"
-        );
+        moves_by(&crane, [phi, omega, drive], [inertia, 0.5 * slope, moment]);
     }
 }
 
@@ -124,24 +104,13 @@ fn a_swinging_load_moves_as_by_hand() {
                 - LOAD * ((dx * ddx + dy * ddy) * square - ROPE * rate * rate * (dx * out[0] + dy * out[1]) + G * dy),
             -LOAD * ROPE * ((ddx * along[0] + ddy * along[1]) * square + G * s),
         ];
-        let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
-        let expected = [
-            (f[0] * m[1][1] - m[0][1] * f[1]) / determinant,
-            (m[0][0] * f[1] - m[1][0] * f[0]) / determinant,
-        ];
         let at = Phase {
             theta: phi,
             omega,
             swing,
             swing_rate: rate,
         };
-        let found = crane.accelerations(&at, drive).expect("exists");
-        for (found, expected) in found.into_iter().zip(expected) {
-            assert!(
-                (found - expected).abs() <= 1e-11 * (1.0 + expected.abs()),
-                "{phi}: {found} {expected}"
-            );
-        }
+        swings_by(&crane, &at, drive, m, f);
     }
 }
 
@@ -204,67 +173,40 @@ fn work_is_energy() {
     }
 }
 
-const MOTION: &str = "[luffing.dynamics]\nJ_b = \"900000 kg.m2\"\nJ_l = \"100000 kg.m2\"\nM_S = \"100 MN.m\"\n";
-
-fn model(fidelity: &str, rope: &str) -> Model {
-    let text = include_str!("../scenes/ellipsograph.toml")
-        .replacen(
-            "[luffing.motion]",
-            &format!("fidelity = \"{fidelity}\"\n\n[luffing.motion]"),
-            1,
-        )
-        .replacen("[luffing.limits]", &format!("{MOTION}{rope}\n[luffing.limits]"), 1);
-    Scene::parse(&text)
-        .unwrap_or_else(|found| panic!("{found:?}"))
-        .model()
-        .expect("exists")
-}
-
-fn get(model: &mut Model, name: &str) -> f64 {
-    let index = model.variables().iter().position(|variable| variable.name() == name);
-    model.get(index.unwrap_or_else(|| panic!("no {name}"))).expect("exists")
-}
+const MOTION: &str = "J_b = \"900000 kg.m2\"\nJ_l = \"100000 kg.m2\"\n";
+const LEVELS: [(&str, &str); 2] = [("rigid", ""), ("swing", "l_R = \"15 m\"\n")];
 
 /// What a brake holds at rest is the moment that the drive must give at rest, balance and all.
 #[test]
 fn what_holds_it_at_rest_is_the_moment_of_the_drive_at_rest() {
-    for (fidelity, rope) in [("rigid", ""), ("swing", "l_R = \"15 m\"\n")] {
-        let mut model = model(fidelity, rope);
-        for i in 0..=47 {
-            let phi = f64::from(25 + i).to_radians();
-            let index = model
-                .variables()
-                .iter()
-                .position(|variable| variable.name() == "phi")
-                .expect("there");
-            model.set(index, phi).expect("an angle");
-            model.update().expect("exists");
-            let [held, at_rest] = ["M_R", "M_D"].map(|name| get(&mut model, name));
-            let size = 11e3 * G * 20.0;
-            assert!(
-                (held - at_rest).abs() <= 1e-12 * size,
-                "{fidelity} {i}: {held} {at_rest}"
-            );
-            assert_eq!(get(&mut model, "der(omega)"), 0.0);
-        }
-        if fidelity == "swing" {
-            assert!((get(&mut model, "S_R") / (10e3 * 9.81) - 1.0).abs() < 1e-3);
-        }
+    for (fidelity, rope) in LEVELS {
+        let mut model = model(SCENE, fidelity, &format!("{MOTION}M_S = \"100 MN.m\"\n{rope}"));
+        holds_as_at_rest(&mut model, 25..=72, &[(["M_R", "M_D"], 11e3 * G * 20.0)]);
     }
 }
 
-/// What is asked over dual numbers is the derivative of what is asked over plain ones.
 #[test]
 fn slopes_are_those_of_the_plain_numbers() {
-    use lemnis_models::parts::solver::Gradient;
-    let crane = crane(&BARS, &WEIGHTS, false);
-    for i in 1..60 {
-        let phi = 0.05 * f64::from(i);
-        let [theta] = Gradient::<1>::states(&[phi]);
-        let r = Gradient::reduced(&crane, theta).expect("exists");
-        let plain = f64::reduced(&crane, phi).expect("exists");
-        assert_eq!(r.inertia.re.to_bits(), plain.inertia.to_bits());
-        assert!((r.inertia.by[0] - plain.slope).abs() <= 1e-13 * plain.inertia, "{phi}");
-        assert!((r.energy.by[0] - plain.moment).abs() <= 1e-13 * 1e6, "{phi}");
+    let angles = (1..60).map(|i| 0.05 * f64::from(i));
+    slopes_are_derivatives(&crane(&BARS, &WEIGHTS, false), angles, [1e6, BARS.a], 0.0);
+}
+
+#[test]
+fn derivatives_are_those_of_its_values() {
+    for (fidelity, rope) in [LEVELS[0], ("swing", "l_R = \"15 m\"\na_h = \"0.5 m/s2\"\n")] {
+        let model = model(SCENE, fidelity, &format!("{MOTION}{rope}"));
+        let states = [
+            ("phi", 0.7),
+            ("omega", 0.05),
+            ("M_A", 3e5),
+            ("M_S", 4e4),
+            ("phi_R", 0.2),
+            ("omega_R", -0.1),
+            // The hoist comes up to its speed, far from where it is reached.
+            ("v_h", 0.2),
+            ("v_R", 0.05),
+        ];
+        let asked = ["der(omega)", "M_R", "S_R", "der(omega_R)", "A.x", "M_D"];
+        derivatives_are_those_of_the_values(model, &states, &asked, 30);
     }
 }

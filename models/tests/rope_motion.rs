@@ -1,26 +1,30 @@
 //! The boom on a luffing rope in motion, against a Lagrangian written by hand, closed forms and its energy; its tackle, which
 //! goes slack and is caught.
 
-use std::f64::consts::TAU;
-use std::sync::Arc;
+#[path = "common/single_boom.rs"]
+mod single_boom;
 
+use std::f64::consts::TAU;
+
+use lemnis_models::balance::boom::Plain;
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
-use lemnis_models::kernel::variable::Role;
-use lemnis_models::luffing::moving::bodies::{Body, Pendulum};
 use lemnis_models::luffing::moving::crane::Commands;
 use lemnis_models::luffing::moving::dynamics::{Coordinate, Dynamics};
 use lemnis_models::luffing::moving::motion::{MotionState, MovingLinkage};
 use lemnis_models::luffing::moving::pendulum::Phase;
-use lemnis_models::luffing::rope::moving::HeavyBoom;
-use lemnis_models::luffing::rope::position::{Compensation, Rig};
+use lemnis_models::luffing::rope::moving::{BoomInertia, Roped, RopedParts};
+use lemnis_models::luffing::rope::position::{BoomChoice, Compensation, Rig};
 use lemnis_models::parts::hoist::{Elastic, Hoist, HoistCommand, Winch};
 use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 use lemnis_models::parts::plane::{Point, length};
-use lemnis_models::parts::solver::Gradient;
 use lemnis_models::scene::Scene;
+use single_boom::{
+    G, derivatives_are_those_of_the_values, holds_as_at_rest, moves_by, slopes_are_derivatives, swings_by,
+};
 
-const G: f64 = 9.81;
+const SINGLE: &str = include_str!("../scenes/rope_luffing.toml");
+const COMPENSATED: &str = include_str!("../scenes/rope_compensation.toml");
 const RIG: Rig<f64> = Rig {
     l: 33.0,
     f_a: 0.4,
@@ -48,22 +52,16 @@ const PARTS: [Option<Compensation<f64>>; 2] = [None, Some(Compensation { m_k: 3.
 
 /// The load on its rope, or straight below the head.
 fn crane(parts: Option<Compensation<f64>>, hoist: Option<Hoist>) -> Dynamics {
-    let along = Point::new(1.0, 0.0);
-    let load = Body::slender(LOAD, 0.0, Point::zeros(), along);
-    let boom = HeavyBoom {
-        rig: RIG,
-        parts,
-        boom: Body::slender(BOOM, OWN, CENTRE, along),
-        load: hoist.is_none().then_some(load),
-        balance: None,
-        gravity: G,
+    let scene = Scene::parse(SINGLE).expect("sound");
+    let range = *scene.mechanism.motion();
+    let weights = Plain {
+        g_b: BOOM * G,
+        r_b: length(CENTRE),
+        chi_b: f64::direction(CENTRE.x, CENTRE.y),
     };
-    let pendulum = hoist.map(|hoist| Pendulum {
-        mass: LOAD,
-        length: ROPE,
-        hoist,
-    });
-    Dynamics::new(Arc::new(boom), pendulum, G)
+    let inertia = BoomInertia { j_b: OWN };
+    let own = RopedParts::new(&RIG, &parts, &weights, &inertia, &BoomChoice { range });
+    single_boom::crane::<Roped>(&own, [LOAD, ROPE], hoist)
 }
 
 /// The boom alone: its inertia about the foot and the moment of its weight.
@@ -103,16 +101,7 @@ fn a_load_below_the_head_moves_as_by_hand() {
             let inertia = own + LOAD * (dx * dx + dy * dy);
             let half_slope = LOAD * (dx * ddx + dy * ddy);
             let moment = weight + LOAD * G * dy;
-            let expected = (drive - moment - half_slope * omega * omega) / inertia;
-            let m = Phase {
-                theta: phi,
-                omega,
-                swing: 0.0,
-                swing_rate: 0.0,
-            };
-            let [found, _] = crane.accelerations(&m, drive).expect("exists");
-            let size = (drive.abs() + moment.abs() + half_slope.abs() * omega * omega) / inertia;
-            assert!((found - expected).abs() <= 1e-12 * size, "{phi}: {found} {expected}");
+            moves_by(&crane, [phi, omega, drive], [inertia, half_slope, moment]);
         }
     }
 }
@@ -141,48 +130,22 @@ fn a_swinging_load_moves_as_by_hand() {
                 [LOAD * dot(by_phi, by_swing), LOAD * ROPE * ROPE],
             ];
             let f = [drive - weight - LOAD * dot(by_phi, rest), -LOAD * dot(by_swing, rest)];
-            let determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
-            let expected = [
-                (f[0] * m[1][1] - m[0][1] * f[1]) / determinant,
-                (m[0][0] * f[1] - m[1][0] * f[0]) / determinant,
-            ];
             let at = Phase {
                 theta: phi,
                 omega,
                 swing,
                 swing_rate: rate,
             };
-            let found = crane.accelerations(&at, drive).expect("exists");
-            for (found, expected) in found.into_iter().zip(expected) {
-                assert!(
-                    (found - expected).abs() <= 1e-11 * (1.0 + expected.abs()),
-                    "{phi}: {found} {expected}"
-                );
-            }
+            swings_by(&crane, &at, drive, m, f);
         }
     }
 }
 
-/// What is asked over dual numbers is the derivative of what is asked over plain ones.
 #[test]
 fn slopes_are_those_of_the_plain_numbers() {
     for hoist in [None, Some(Hoist::AT_ONCE)] {
-        let crane = crane(PARTS[1], hoist);
-        for i in 1..60 {
-            let phi = 0.025 * f64::from(i);
-            let [theta] = Gradient::<1>::states(&[phi]);
-            let r = Gradient::reduced(&crane, theta).expect("exists");
-            let plain = f64::reduced(&crane, phi).expect("exists");
-            assert!(
-                (r.inertia.re / plain.inertia - 1.0).abs() <= 8.0 * f64::EPSILON,
-                "{phi}"
-            );
-            assert!((r.inertia.by[0] - plain.slope).abs() <= 1e-13 * plain.inertia, "{phi}");
-            assert!((r.energy.by[0] - plain.moment).abs() <= 1e-13 * 1e7, "{phi}");
-            if let (Some([lead, _]), Some([_, change])) = (r.lead, plain.lead) {
-                assert!((lead.by[0] - change).abs() <= 1e-13 * RIG.l, "{phi}");
-            }
-        }
+        let angles = (1..60).map(|i| 0.025 * f64::from(i));
+        slopes_are_derivatives(&crane(PARTS[1], hoist), angles, [1e7, RIG.l], 8.0);
     }
 }
 
@@ -388,72 +351,31 @@ fn a_tackle_never_pushes() {
     }
 }
 
-const MOTION: &str = "[luffing.dynamics]\nJ_b = \"900000 kg.m2\"\nM_S = \"100 MN.m\"\n";
-
-fn model(text: &str, fidelity: &str, rope: &str) -> Model {
-    let text = text
-        .replacen(
-            "[luffing.motion]",
-            &format!("fidelity = \"{fidelity}\"\n\n[luffing.motion]"),
-            1,
-        )
-        .replacen("[luffing.limits]", &format!("{MOTION}{rope}\n[luffing.limits]"), 1);
-    Scene::parse(&text)
-        .unwrap_or_else(|found| panic!("{found:?}"))
-        .model()
-        .expect("exists")
-}
-
-fn get(model: &mut Model, name: &str) -> f64 {
-    let index = model.variables().iter().position(|variable| variable.name() == name);
-    model.get(index.unwrap_or_else(|| panic!("no {name}"))).expect("exists")
+/// With what moves it, at a level with its keys.
+fn model(text: &str, (fidelity, rope): (&str, &str)) -> Model {
+    let dynamics = format!("J_b = \"900000 kg.m2\"\nM_S = \"100 MN.m\"\n{rope}");
+    single_boom::model(text, fidelity, &dynamics)
 }
 
 /// What a brake holds at rest is the moment of the drive at rest, and the tackle pulls as at rest.
 #[test]
 fn what_holds_it_at_rest_is_the_tackle_at_rest() {
-    let single = include_str!("../scenes/rope_luffing.toml");
     let tail =
         "[luffing.balance]\nkind = \"tail\"\nG_c = \"20 t\"\nr_c = \"5 m\"\nchi_c = \"3 deg\"\n\n[luffing.limits]";
-    let balanced = single.replacen("[luffing.limits]", tail, 1);
-    for text in [single, include_str!("../scenes/rope_compensation.toml"), &balanced] {
-        for (fidelity, rope) in [("rigid", ""), ("swing", "l_R = \"12 m\"\n")] {
-            let mut model = model(text, fidelity, rope);
-            for i in 0..=53 {
-                let phi = f64::from(25 + i).to_radians();
-                let index = model
-                    .variables()
-                    .iter()
-                    .position(|variable| variable.name() == "phi")
-                    .expect("there");
-                model.set(index, phi).expect("an angle");
-                model.update().expect("exists");
-                let [held, at_rest, dynamic, pull] = ["M_R", "M_D", "T_dyn", "T"].map(|name| get(&mut model, name));
-                let size = 19e3 * G * 33.0;
-                assert!(
-                    (held - at_rest).abs() <= 1e-12 * size,
-                    "{fidelity} {i}: {held} {at_rest}"
-                );
-                assert!(
-                    (dynamic - pull).abs() <= 1e-12 * size / 3.0,
-                    "{fidelity} {i}: {dynamic} {pull}"
-                );
-                assert_eq!(get(&mut model, "der(omega)"), 0.0);
-            }
-            if fidelity == "swing" {
-                assert!((get(&mut model, "S_R") / (10e3 * 9.81) - 1.0).abs() < 1e-3);
-            }
+    let balanced = SINGLE.replacen("[luffing.limits]", tail, 1);
+    let size = 19e3 * G * 33.0;
+    for text in [SINGLE, COMPENSATED, &balanced] {
+        for level in [("rigid", ""), ("swing", "l_R = \"12 m\"\n")] {
+            let pairs = [(["M_R", "M_D"], size), (["T_dyn", "T"], size / 3.0)];
+            holds_as_at_rest(&mut model(text, level), 25..=78, &pairs);
         }
     }
 }
 
-/// Every derivative that the FMU gives, against differences of fourth order of the values that it gives.
 #[test]
-fn derivatives_are_those_of_the_values() {
-    let roles = [Role::Input, Role::Parameter, Role::Tunable, Role::State];
-    for (fidelity, rope, least) in [("rigid", "", 40), ("swing", "l_R = \"12 m\"\na_h = \"0.5 m/s2\"\n", 60)] {
-        let text = include_str!("../scenes/rope_compensation.toml");
-        let mut model = model(text, fidelity, rope);
+fn derivatives_are_those_of_its_values() {
+    let swing = ("swing", "l_R = \"12 m\"\na_h = \"0.5 m/s2\"\n");
+    for (level, least) in [(("rigid", ""), 40), (swing, 60)] {
         let states = [
             ("phi", 0.7),
             ("omega", 0.05),
@@ -465,17 +387,6 @@ fn derivatives_are_those_of_the_values() {
             ("v_h", 0.2),
             ("v_R", 0.05),
         ];
-        for (name, value) in states {
-            if let Some(index) = model.variables().iter().position(|variable| variable.name() == name) {
-                model.set(index, value).expect("allowed");
-            }
-        }
-        model.start().expect("exists");
-        let names: Vec<(String, Role)> = model
-            .variables()
-            .iter()
-            .map(|v| (v.name().to_string(), v.role))
-            .collect();
         let asked = [
             "der(omega)",
             "T_dyn",
@@ -487,46 +398,6 @@ fn derivatives_are_those_of_the_values() {
             "Y_Q",
             "T",
         ];
-        let asked: Vec<usize> = (0..names.len())
-            .filter(|&i| asked.contains(&names[i].0.as_str()))
-            .collect();
-        assert!(asked.len() >= 5);
-        let mut compared = 0;
-        for known in (0..names.len()).filter(|&i| roles.contains(&names[i].1)) {
-            let variable = model.variables()[known];
-            let x = model.get(known).expect("exists");
-            let h = 1e-4 * x.abs().max(1e-2);
-            let at = |value: f64| -> Option<Vec<f64>> {
-                let mut moved = model.clone();
-                moved.set(known, value).ok()?;
-                moved.update().ok()?;
-                asked.iter().map(|&i| moved.get(i).ok()).collect()
-            };
-            let Some([a, b, c, d]) = [-2.0, -1.0, 1.0, 2.0]
-                .map(|part| at(x + part * h))
-                .into_iter()
-                .collect::<Option<Vec<_>>>()
-                .and_then(|rows| <[Vec<f64>; 4]>::try_from(rows).ok())
-            else {
-                continue;
-            };
-            let seed = |(symbol, number)| f64::from((symbol, number) == variable.quantity());
-            let mut tangent = model.tangent(&seed);
-            for (place, &index) in asked.iter().enumerate() {
-                let Ok(found) = model.derivative(&mut tangent, index) else {
-                    continue;
-                };
-                let by_values = (a[place] - d[place] + 8.0 * (c[place] - b[place])) / (12.0 * h);
-                let size = found.abs() + b[place].abs() / x.abs().max(1e-2);
-                assert!(
-                    (found - by_values).abs() <= 1e-8 * size,
-                    "{fidelity}: {} by {}: {found} {by_values}",
-                    names[index].0,
-                    names[known].0
-                );
-                compared += usize::from(found != 0.0);
-            }
-        }
-        assert!(compared > least, "{fidelity}: {compared}");
+        derivatives_are_those_of_the_values(model(COMPENSATED, level), &states, &asked, least);
     }
 }

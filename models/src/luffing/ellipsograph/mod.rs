@@ -28,12 +28,11 @@
 //! | `ellipsograph.weight_moment` | [`statics::WeightMoment::new`] | by virtual work |
 //! | `ellipsograph.pins` | [`pins::GuidedPins::new`] | by equilibrium of boom and link |
 //! | `ellipsograph.drive` | [`driving::bar`], [`crate::drive::line::Drive::new`] | derived |
-//! | `ellipsograph.motion` | [`moving::HeavyGuide::new`] | Lagrange, in closed form |
+//! | `ellipsograph.motion` | [`moving::Guided`] | Lagrange, in closed form |
 //! | `ellipsograph.range` | [`crate::component::whole`] | Ports001, 5.9.2.3 |
 
 mod balancing;
 pub mod driving;
-pub mod motion;
 pub mod moving;
 mod outline;
 pub mod pins;

@@ -20,14 +20,13 @@ use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::ellipsograph::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::ellipsograph::driving;
-use crate::luffing::ellipsograph::motion::{self, GuideParts, GuideRates, RATES};
-use crate::luffing::ellipsograph::moving::GuidedInertias;
-use crate::luffing::ellipsograph::moving::HeavyGuide;
+use crate::luffing::ellipsograph::moving::{Guided, GuidedInertias, GuidedParts};
 use crate::luffing::ellipsograph::pins::GuidedPins;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes, pole};
 use crate::luffing::ellipsograph::statics::{GuidedWeights, HeadLoad, WeightMoment, needed, power};
 use crate::luffing::ellipsograph::symbols as g;
 use crate::luffing::ellipsograph::velocity::{GuidedSpeeds, GuidedTravel};
+use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
@@ -35,7 +34,8 @@ use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{Fittings, Said};
 use crate::luffing::moving::luffs::{Luffs, luffs};
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS};
+use crate::luffing::moving::single::{self, BoomRates, Heavy, SingleBoom, SingleParts};
+use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS, rates_after};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::four_bar::FourBar;
 use crate::parts::plane::Point;
@@ -97,15 +97,17 @@ stages! {
         by_slider: C = line::by_slider(cranked, rod[!], mount[!], push) => T_CR;
         analysed: Analysis = analysed(bars, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, bars, weights[!], analysed, choice);
-        parts[constants]: Vec<GuideParts<C>> = motion::parts(
-            bars, load[!], weights[!], balance, inertias[!], constants[!], ramp, motor, give, choice, fitted
+        guided: GuidedParts<C> = GuidedParts::new(bars, weights[!], inertias[!], choice) => _;
+        hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
+        parts[constants]: Vec<SingleParts<Guided, C>> = single::parts(
+            guided, load[!], balance, hoist, constants[!], fitted
         ) => _;
-        guide[constants]: Vec<Renewed<HeavyGuide<C>>> = motion::guide(parts) => _;
-        built[constants]: Vec<Level<C>> = motion::built(parts, guide) => _;
+        boom[constants]: Vec<Renewed<Heavy<Guided, C>>> = single::heavy(parts) => _;
+        built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
         told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
         at: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], inputs[!], fitted) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, phi) => _;
-        turning: GuideRates<C> = GuideRates::new(moves);
+        turning: BoomRates<Guided, C> = BoomRates::new(moves);
         rates: CraneRates<C> = CraneRates::new(moves, fitted);
         resisting: C = stages::resisting(built, told, at, phi) => M_R;
         pull: C = stages::pull(built, told, at, phi) => S_R;
@@ -119,7 +121,7 @@ luffs!(EllipsographBoom by phi, omega with motor);
 
 /// What is said of its variables in motion.
 const SAID: Said = Said {
-    bar: [&[&b::PHI, &s::OMEGA], &RATES],
+    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<22>(Guided::RATES)],
     still: &[g::ALL, b::ALL, crate::drive::symbols::ALL],
     moving: &[],
     drive: None,

@@ -21,7 +21,7 @@ use crate::parts::turntable::Turning;
 const STOP: f64 = 100.0;
 
 /// The hoist of a load's rope as a scene gives it.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 pub struct HoistParts<P: Calc> {
     pub ramp: Option<HoistRamp<P>>,
     pub motor: Option<HoistMotor<P>>,
@@ -29,6 +29,23 @@ pub struct HoistParts<P: Calc> {
 }
 
 impl<P: Calc> HoistParts<P> {
+    pub fn new(
+        ramp: &Option<HoistRamp<P>>,
+        motor: &Option<HoistMotor<P>>,
+        give: &Option<RopeGive<P>>,
+    ) -> HoistParts<P> {
+        HoistParts {
+            ramp: *ramp,
+            motor: *motor,
+            give: *give,
+        }
+    }
+
+    /// Of a hoist whose speed is commanded.
+    pub fn by_speed(ramp: &Option<HoistRamp<P>>, give: &Option<RopeGive<P>>) -> HoistParts<P> {
+        HoistParts::new(ramp, &None, give)
+    }
+
     /// The load of a mass (kg) on its rope of a length (m), where it has one.
     pub fn pendulum(&self, mass: P, length: Option<f64>) -> Option<Pendulum<P>> {
         let mut hoist = Hoist {

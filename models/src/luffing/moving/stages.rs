@@ -148,13 +148,14 @@ pub const RATES: [&Symbol; 20] = *listed!(
     D_OMEGA_R, D_L_R, D_S_Q, D_V_Q, D_V_R
 );
 
-/// The rates of a driven bar (B of them), then those of all other states.
+/// The rates of a driven bar, then those of all other states.
 #[must_use]
-pub const fn rates_after<const B: usize, const N: usize>(bar: [&'static Symbol; B]) -> [&'static Symbol; N] {
+pub const fn rates_after<const N: usize>(bar: &[&'static Symbol]) -> [&'static Symbol; N] {
+    assert!(N == bar.len() + RATES.len(), "as many as there are");
     let mut all = [bar[0]; N];
     let mut i = 0;
     while i < N {
-        all[i] = if i < B { bar[i] } else { RATES[i - B] };
+        all[i] = if i < bar.len() { bar[i] } else { RATES[i - bar.len()] };
         i += 1;
     }
     all

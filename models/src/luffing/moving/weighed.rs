@@ -14,7 +14,7 @@ use crate::luffing::moving::symbols as m;
 use crate::parts::plane::{self, Point};
 
 /// A mass (kg) with its place and two derivatives of that, in m.
-type Weight<C> = (C, [Point<C>; 3]);
+pub type Weight<C> = (C, [Point<C>; 3]);
 
 /// What a balance stands on.
 pub trait Balanceable: Copy + Send + Sync {

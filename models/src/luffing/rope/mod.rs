@@ -21,13 +21,12 @@
 //! | `rope.load_moment` | [`statics::Hanging::new`] | Ports001, 5.2.3, by virtual work |
 //! | `rope.pull` | [`statics::Pull::new`] | Ports001, 5.1, by equilibrium |
 //! | `rope.losses` | [`losses::Losses::new`] | Ports001, 5.1 |
-//! | `rope.motion` | [`moving::HeavyBoom`] | Lagrange, in closed form |
+//! | `rope.motion` | [`moving::Roped`] | Lagrange, in closed form |
 //! | `rope.range` | [`crate::component::whole`] | Ports001, 5.2.3 |
 //! | `rope.fall_back` | [`crate::component::whole`] | Ports001, 5.1 |
 
 mod balancing;
 pub mod losses;
-pub mod motion;
 pub mod moving;
 mod outline;
 pub mod position;

@@ -1,16 +1,18 @@
 //! The boom in motion: what boom and load are to the equations of motion, in closed form, and the pull of the tackle.
 
-use num_dual::Dual64;
-
+use crate::balance::boom::Plain;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::quantities;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::moving::bodies::{Body, MovedBody, Moves};
-use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
+use crate::luffing::moving::reduced::{CoordinateNames, Reduced};
+use crate::luffing::moving::single::SingleBoom;
 use crate::luffing::moving::symbols::{self as m, OfSums};
-use crate::luffing::moving::weighed::{MovedBalance, Weighing};
+use crate::luffing::moving::weighed::Weight;
 use crate::luffing::rope::balancing::OnBoom;
-use crate::luffing::rope::position::{Compensation, Falls, Rig};
+use crate::luffing::rope::position::{BoomChoice, Compensation, Falls, Rig};
 use crate::luffing::rope::symbols as s;
+use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
 
 quantities! {
@@ -32,21 +34,46 @@ static OF_BODY: [OfSums; 2] = [
     },
 ];
 
-/// The boom with what it weighs and carries.
-#[derive(Clone)]
-pub struct HeavyBoom<P: Calc> {
-    pub rig: Rig<P>,
-    pub parts: Option<Compensation<P>>,
-    /// From its foot.
-    pub boom: Body<P>,
-    /// A load that hangs straight below the head at any time.
-    pub load: Option<Body<P>>,
-    pub balance: Option<MovedBalance<OnBoom, P>>,
-    /// In m/s².
-    pub gravity: P,
+/// What a boom on a luffing rope is made of.
+#[derive(Clone, Copy)]
+pub struct RopedParts<C> {
+    pub rig: Rig<C>,
+    pub compensation: Option<Compensation<C>>,
+    pub weights: Plain<C>,
+    pub inertia: BoomInertia<C>,
+    pub choice: BoomChoice,
 }
 
-impl<P: Calc> HeavyBoom<P> {
+impl<C: Calc> RopedParts<C> {
+    pub fn new(
+        rig: &Rig<C>,
+        compensation: &Option<Compensation<C>>,
+        weights: &Plain<C>,
+        inertia: &BoomInertia<C>,
+        choice: &BoomChoice,
+    ) -> RopedParts<C> {
+        RopedParts {
+            rig: *rig,
+            compensation: *compensation,
+            weights: *weights,
+            inertia: *inertia,
+            choice: *choice,
+        }
+    }
+}
+
+/// What of it moves and weighs.
+#[derive(Clone, Copy)]
+pub struct RopedBodies<P> {
+    rig: Rig<P>,
+    parts: Option<Compensation<P>>,
+    /// From its foot.
+    boom: Body<P>,
+    /// A load that hangs straight below the head at any time.
+    load: Option<Body<P>>,
+}
+
+impl<P: Calc> RopedBodies<P> {
     /// Of the hoist rope in all its parts between head and sheave, over the falls of its tackle: length, lever arm and how
     /// that changes with the boom's angle, in m; `None` where they meet.
     /// |A − B|′ = −h_S, h_S′ = (h_S² − A · B) / |A − B|.
@@ -66,23 +93,65 @@ impl<P: Calc> HeavyBoom<P> {
             (part * change).def(&s::DDL_R),
         ])
     }
+}
 
-    /// At an angle of the boom (rad), the counterweight by its mass (kg) and place (m); `None` where the head is at the
-    /// sheave. What turns about the foot has x″ = −x, y″ = −y.
-    fn at<C: Over<P>>(&self, phi: C, counterweight: Option<(C, [Point<C>; 3])>) -> Option<Reduced<C>> {
+/// A boom on a luffing rope, as its equations of motion see it.
+#[derive(Clone, Copy, Debug)]
+pub struct Roped;
+
+impl SingleBoom for Roped {
+    type Own<C: Calc> = RopedParts<C>;
+    type Stands = OnBoom;
+    type Bodies<P: Calc> = RopedBodies<P>;
+
+    const NAMES: CoordinateNames = CoordinateNames {
+        acceleration: &s::D_OMEGA,
+        stops: [&s::FROM, &s::TO],
+    };
+    const RATES: &'static [&'static Symbol] = listed!(s: D_PHI, D_OMEGA);
+    const PULLED: bool = true;
+
+    fn range<C: Calc>(own: &RopedParts<C>) -> (Motion, C) {
+        (own.choice.range, -own.rig.x_8)
+    }
+
+    fn stands<C: Calc>(own: &RopedParts<C>) -> (Plain<C>, BoomChoice) {
+        (own.weights, own.choice)
+    }
+
+    fn bodies<P: Calc>(own: &RopedParts<P>, fixed: Option<P>, gravity: P) -> RopedBodies<P> {
+        let along = Point::new(P::constant(1.0), P::constant(0.0));
+        let (weights, zero) = (&own.weights, P::constant(0.0));
+        let (sin, cos) = weights.chi_b.sin_cos();
+        let centre = Point::new(weights.r_b * cos, weights.r_b * sin);
+        RopedBodies {
+            rig: own.rig,
+            parts: own.compensation,
+            boom: Body::slender(weights.g_b / gravity, own.inertia.j_b, centre, along),
+            load: fixed.map(|mass| Body::slender(mass, zero, along * zero, along)),
+        }
+    }
+
+    /// `None` where the head is at the sheave. What turns about the foot has x″ = −x, y″ = −y.
+    fn at<P: Calc, C: Over<P>>(
+        of: &RopedBodies<P>,
+        gravity: P,
+        phi: C,
+        counterweight: Option<Weight<C>>,
+    ) -> Option<Reduced<C>> {
         let (sin, cos) = phi.sin_cos();
         let (zero, one) = (C::constant(0.0), C::constant(1.0));
         let place = |x: P, y: P| Point::new(C::of(x) * cos - C::of(y) * sin, C::of(x) * sin + C::of(y) * cos);
         let turned = |p: Point<C>| Point::new(-p.y, p.x);
-        let centre = plane::def(place(self.boom.centre.x, self.boom.centre.y), [&s::S_BX, &s::S_BY]);
-        let head = plane::def(place(self.rig.l, self.rig.f_a), [&s::A_X, &s::A_Y]);
+        let centre = plane::def(place(of.boom.centre.x, of.boom.centre.y), [&s::S_BX, &s::S_BY]);
+        let head = plane::def(place(of.rig.l, of.rig.f_a), [&s::A_X, &s::A_Y]);
         let travel = plane::def(turned(head), [&s::DA_X, &s::DA_Y]);
-        let [length, arm, change] = self.led(head)?;
+        let [length, arm, change] = of.led(head)?;
         let boom = MovedBody {
             centre: [centre, turned(centre), -centre],
             turn: [one, zero],
         };
-        let Some(load) = &self.load else {
+        let Some(load) = &of.load else {
             let bend = plane::def(-head, [&m::DDA_X, &m::DDA_Y]);
             let moves = Moves {
                 bodies: [boom],
@@ -92,7 +161,7 @@ impl<P: Calc> HeavyBoom<P> {
                 turn: [zero; 2],
                 lead: Some([arm, change]),
             };
-            return Some(Reduced::of([&self.boom], [&OF_BODY[0]], self.gravity, moves));
+            return Some(Reduced::of([&of.boom], [&OF_BODY[0]], gravity, moves));
         };
         let hanging = MovedBody {
             centre: [
@@ -111,33 +180,7 @@ impl<P: Calc> HeavyBoom<P> {
             lead: None,
         };
         let names = OF_BODY.each_ref();
-        Some(Reduced::of([&self.boom, load], names, self.gravity, moves))
-    }
-}
-
-impl<P: Weighing<P> + Send + Sync> Reduces<P> for HeavyBoom<P>
-where
-    Dual64: Over<P>,
-{
-    fn reduced(&self, phi: P, _: &Asked<P>) -> Option<Reduced<P>> {
-        let weight = self.balance.as_ref().map(|balance| P::weighed(balance, phi));
-        self.at(phi, weight.map_or(Some(None), |found| found.map(Some))?)
-    }
-
-    fn with_slope(&self, phi: Dual64, _: &Asked<P>) -> Option<Reduced<Dual64>> {
-        let weight = self.balance.as_ref().map(|balance| balance.with_slope(phi));
-        self.at(phi, weight.map_or(Some(None), |found| found.map(Some))?)
-    }
-
-    fn names(&self) -> CoordinateNames {
-        CoordinateNames {
-            acceleration: &s::D_OMEGA,
-            stops: [&s::FROM, &s::TO],
-        }
-    }
-
-    fn is_pulled(&self) -> bool {
-        true
+        Some(Reduced::of([&of.boom, load], names, gravity, moves))
     }
 }
 

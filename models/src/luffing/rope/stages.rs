@@ -14,6 +14,7 @@ use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Variable;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
+use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs, Slack};
 use crate::luffing::moving::hoisting::{HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
@@ -21,11 +22,11 @@ use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{Fittings, Said};
 use crate::luffing::moving::luffs::{Luffs, luffs};
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS};
+use crate::luffing::moving::single::{self, BoomRates, Heavy, SingleBoom, SingleParts};
+use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS, rates_after};
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
-use crate::luffing::rope::motion::{self, BoomParts, BoomRates, RATES};
-use crate::luffing::rope::moving::{self, BoomInertia, HeavyBoom};
+use crate::luffing::rope::moving::{self, BoomInertia, Roped, RopedParts};
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Falls, LoadLevel, Path, Rig, Stretch};
 use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, power};
 use crate::luffing::rope::symbols as r;
@@ -79,16 +80,18 @@ stages! {
         losses: Losses<C> = Losses::new(rig, load[!], carried, falls, stretch);
         analysed: Analysis = analysed(weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, weights[!], analysed, choice);
-        parts[constants]: Vec<BoomParts<C>> = motion::parts(
-            rig, compensation, load[!], weights[!], balance, inertia[!], constants[!], ramp, give, choice, fitted
+        roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
+        hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
+        parts[constants]: Vec<SingleParts<Roped, C>> = single::parts(
+            roped, load[!], balance, hoist, constants[!], fitted
         ) => _;
-        boom[constants]: Vec<Renewed<HeavyBoom<C>>> = motion::boom(parts) => _;
-        built[constants]: Vec<Level<C>> = motion::built(parts, boom) => _;
+        boom[constants]: Vec<Renewed<Heavy<Roped, C>>> = single::heavy(parts) => _;
+        built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
         told[constants]: Vec<Level<C>> = stages::told(built, inputs[!]) => _;
         still: CraneAt<C> = stages::at(phi, omega, states[!], wound, past[!], inputs[!], fitted) => _;
         at: CraneAt<C> = stages::hanging(still, slack[!]) => _;
         moves: CraneMoves<C> = stages::moves(built, told, at, phi) => _;
-        turning: BoomRates<C> = BoomRates::new(moves);
+        turning: BoomRates<Roped, C> = BoomRates::new(moves);
         rates: CraneRates<C> = CraneRates::new(moves, fitted);
         resisting: C = stages::resisting(built, told, at, phi) => M_R;
         driving: C = stages::driving(built, told, at, phi) => _;
@@ -103,7 +106,7 @@ luffs!(RopeBoom by phi, omega on slack);
 
 /// What is said of its variables in motion.
 const SAID: Said = Said {
-    bar: [&[&b::PHI, &s::OMEGA], &RATES],
+    bar: [&[&b::PHI, &s::OMEGA], &rates_after::<22>(Roped::RATES)],
     still: &[r::ALL, b::ALL],
     moving: &[&s::T_DYN],
     drive: None,

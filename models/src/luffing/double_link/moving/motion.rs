@@ -115,7 +115,7 @@ pub struct LinkRates<C>([C; 2]);
 const LINK_RATES: [&Symbol; 4] = *listed!(s: D_THETA_1, D_OMEGA_1, D_THETA_3, D_OMEGA_3);
 
 /// With those of all other states.
-pub static RATES: [&Symbol; 24] = rates_after(LINK_RATES);
+pub static RATES: [&Symbol; 24] = rates_after(&LINK_RATES);
 
 impl<C: Calc> Rows<C> for LinkRates<C> {
     const ROWS: &'static [&'static Symbol] = &LINK_RATES;
