@@ -284,13 +284,16 @@ fn shaft(drive: &mut Node, thick: f64, screw: bool) {
         return;
     }
     let diameter = drive.set("d_2", thick);
-    let lead = diameter * drive.draw.between(0.05, 1.5);
+    let lead = (diameter * drive.draw.between(0.05, 1.5)).max(LEAST_LEAD);
     drive.set("p_h", lead);
     let friction = drive.draw.between(0.0, 0.5);
     drive.set("mu_d", friction);
     let flank = drive.draw.between(0.0, 0.5);
     drive.set("beta_d", flank);
 }
+
+/// Least lead of a screw that a scene may give, in m.
+const LEAST_LEAD: f64 = 1e-4;
 
 /// A frame and bars of any size.
 fn pose(n: &mut Node) -> Linkage {

@@ -19,14 +19,14 @@ impl Sheet {
         });
     }
 
-    /// Leaves out results of what only stands in for parts that the machine does not have.
-    pub fn drop_results(&mut self, of: &[&Symbol]) {
-        let told = |symbol: &Symbol| !of.contains(&symbol);
+    /// Tells these results alone, where others are of what only stands in for parts that the machine does not have.
+    pub fn tell_results(&mut self, told: &dyn Fn(&Symbol) -> bool) {
         self.governing.retain(|found| told(found.symbol));
         self.summary.retain(|found| told(found.symbol));
+        self.forces.retain(|ends| told(ends[0].symbol));
         self.unjudged.retain(|symbol| told(symbol));
         self.range.retain(|symbol, _| told(symbol));
-        self.curves.retain(|curve| told(curve.y));
+        self.curves.retain(|curve| told(curve.x) && told(curve.y));
         let results = &mut self.sensitivity.results;
         for row in &mut self.sensitivity.rows {
             let mut of_result = results.iter();
@@ -34,6 +34,22 @@ impl Sheet {
                 .retain(|_| told(of_result.next().expect("one for each result").0));
         }
         results.retain(|(symbol, _)| told(symbol));
+    }
+
+    /// Of all formulas those that give or lead to one of these, and of the given quantities those that are of use then.
+    pub fn tell_formulas(&mut self, told: &dyn Fn(&Symbol) -> bool) {
+        let mut needed: Vec<&'static Symbol> = Vec::new();
+        let positions = self.positions.iter_mut().map(|position| &mut position.sections);
+        for sections in positions.chain([&mut self.constants]) {
+            for section in sections.iter_mut().rev() {
+                section.trace.retain(told, &mut needed);
+            }
+            sections.retain(|section| !section.trace.steps.is_empty());
+        }
+        self.inputs
+            .retain(|input| told(input.symbol) || needed.contains(&input.symbol));
+        let given = |symbol| self.inputs.iter().any(|input| input.symbol == symbol);
+        self.sensitivity.rows.retain(|row| given(row.symbol));
     }
 }
 

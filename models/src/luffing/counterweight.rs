@@ -31,9 +31,14 @@ struct BalancedBoom<'a> {
     at: &'a dyn Fn(f64) -> Option<(Point<f64>, Residual<f64>)>,
 }
 
-/// The chapter of a balance; `None` where the scene has none.
+/// The chapter of a balance, with the symbols of the boom's angle, its reach, and the moment that the drive must give;
+/// `None` where the scene has none.
 #[must_use]
-pub fn chapter<T: WithBalance>(model: &mut Standing, published: Option<&PublishedBalance>) -> Option<BalanceSheet> {
+pub fn chapter<T: WithBalance>(
+    model: &mut Standing,
+    symbols: [&'static Symbol; 3],
+    published: Option<&PublishedBalance>,
+) -> Option<BalanceSheet> {
     let (coordinate, given) = (model.coordinate(), model.of::<T>().given().clone());
     let form = T::form(&given)?;
     let at = |place: f64| {
@@ -48,7 +53,7 @@ pub fn chapter<T: WithBalance>(model: &mut Standing, published: Option<&Publishe
         found,
         motion: *model.motion(),
         coordinate: model.variables()[0].symbol,
-        symbols: T::SYMBOLS,
+        symbols,
         at: &at,
     };
     boom.chapter(model, published)

@@ -180,3 +180,21 @@ fn nanosecond(time: f64) -> f64 {
     let rounded = (time * 1e9).round() / 1e9;
     if rounded > 0.0 { rounded } else { time }
 }
+
+/// Refuses a step in a table that sees no more than a longer one: the shortest that may be given, and the one that is taken
+/// where there is none (s).
+#[must_use]
+pub fn short_step(table: &Values, symbol: &Symbol, [least, taken]: [f64; 2]) -> Option<Diagnostic> {
+    let step = table.number(symbol.id).filter(|step| *step < least)?;
+    let what = format!(
+        "step = {}, where {} sees all that the motion does",
+        symbol.written(step),
+        symbol.written(taken)
+    );
+    let help = format!(
+        "give at least {}, below which only rounding adds up, or leave it out: {} is taken then",
+        symbol.written(least),
+        symbol.written(taken)
+    );
+    Some(table.refuse(symbol.id, what, "too short", help))
+}

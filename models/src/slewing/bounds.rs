@@ -6,7 +6,7 @@ use crate::kernel::number::short;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::Symbol;
 use crate::parts::hanging::too_short;
-use crate::parts::motion::Motion;
+use crate::parts::motion::{Motion, short_step};
 use crate::parts::turntable::{self as joint, MOST_SPIN, SlewingJoint};
 use crate::slewing::symbols as s;
 
@@ -51,10 +51,16 @@ impl Slewed<'_> {
         [self.of(&s::R), rope]
     }
 
-    /// √(l/g) of a pendulum as long as both, in s.
+    /// How far from the axis something slews, in m: the head, or the weight that leans.
+    fn widest(&self) -> f64 {
+        let leans = if self.of(&s::G_U) == 0.0 { 0.0 } else { self.of(&s::R_U) };
+        self.of(&s::R).max(leans.abs())
+    }
+
+    /// √(l/g) of a pendulum as long as that and the rope, in s.
     fn pendulum(&self) -> f64 {
-        let [reach, rope] = self.lengths();
-        ((reach + rope) / self.gravity).sqrt()
+        let [_, rope] = self.lengths();
+        ((self.widest() + rope) / self.gravity).sqrt()
     }
 
     /// Inertia of the load, in kg·m².
@@ -124,19 +130,25 @@ impl Slewed<'_> {
         })
     }
 
-    /// A speed at which no head would stay on its crane.
+    /// A speed at which no head, and no weight, would stay on its crane.
     fn spins(&self) -> Option<Diagnostic> {
-        let most = (MOST_SPIN * self.gravity / self.of(&s::R)).sqrt();
+        let most = (MOST_SPIN * self.gravity / self.widest()).sqrt();
         let motion = self.table.table("motion")?;
         let speeds = [
             (self.table, joint::OMEGA_SL.id, self.joint.start[1]),
             (motion, "speed", self.range.speed),
         ];
+        let head = self.of(&s::R) == self.widest();
+        let place = if head {
+            "at the head"
+        } else {
+            "at the weight that leans"
+        };
         let (table, key, speed) = speeds.into_iter().find(|(.., speed)| speed.abs() > most)?;
         let what = format!(
-            "{key} = {} is {} times the acceleration of gravity at the head",
+            "{key} = {} is {} times the acceleration of gravity {place}",
             joint::OMEGA_SL.written(speed),
-            short(speed * speed * self.of(&s::R) / self.gravity)
+            short(speed * speed * self.widest() / self.gravity)
         );
         let help = format!(
             "at most {MOST_SPIN} times it is modelled: give up to {}",
@@ -165,20 +177,11 @@ impl Slewed<'_> {
 
     /// A step that sees no more than a longer one.
     fn short_step(&self) -> Option<Diagnostic> {
-        let dynamics = self.table.table("dynamics")?;
-        let (step, longest) = (dynamics.number(s::STEP.id)?, self.longest());
-        (step < SHORTEST_STEP * longest).then(|| {
-            let what = format!(
-                "step = {}, where {} sees all that the motion does",
-                s::STEP.written(step),
-                s::STEP.written(longest)
-            );
-            let help = format!(
-                "give at least {}, below which only rounding adds up, or leave it out: {} is taken then",
-                s::STEP.written(SHORTEST_STEP * longest),
-                s::STEP.written(longest)
-            );
-            dynamics.refuse(s::STEP.id, what, "too short", help)
-        })
+        let longest = self.longest();
+        short_step(
+            self.table.table("dynamics")?,
+            &s::STEP,
+            [SHORTEST_STEP * longest, longest],
+        )
     }
 }

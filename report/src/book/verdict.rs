@@ -38,7 +38,8 @@ struct Check {
     passed: bool,
     /// Id of the word.
     verdict: &'static str,
-    /// Part of what is allowed that is used, in percent; none of a limit of zero.
+    /// Part of what is allowed that is used, in percent; none of a limit of zero, and none where what is asked to come
+    /// late never comes.
     utilisation: Option<String>,
     /// Where or when it governs.
     at: Option<String>,
@@ -109,7 +110,8 @@ fn check(numbers: &Numbers, check: &sheet::Check, dm_95: Option<f64>) -> Check {
         limit: numbers.limit(check.symbol, check.limit),
         at_most: check.at_most,
         passed: check.passed(),
-        utilisation: (check.limit != 0.0).then(|| numbers.language.text(&utilisation(check))),
+        utilisation: (check.limit != 0.0 && (check.at_most || check.value.is_finite()))
+            .then(|| numbers.language.text(&utilisation(check))),
         at: check.at.map(|(symbol, at)| numbers.named(symbol, at)),
         band: check.band.map(|band| numbers.rough(check.symbol, band)),
         doubtful: check.is_doubtful(),

@@ -30,7 +30,7 @@ use crate::luffing::curved_trunk::stages::{CurvedTrunkBoom, Given};
 use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{Leaving, TailArc, Trunk, TrunkChoice, TrunkTail};
-use crate::luffing::with_balance::searched;
+use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
 use crate::parts::smooth_curve::{NoCurve, SmoothCurve};
@@ -281,7 +281,7 @@ impl Described for CurvedTrunk {
     }
 
     fn more(this: &Description<CurvedTrunk>, model: &mut Standing, sheet: &mut Sheet) {
-        sheet.balance = chapter::<CurvedTrunkBoom>(model, this.published_balance.as_ref());
+        sheet.balance = chapter::<CurvedTrunkBoom>(model, CurvedTrunkBoom::SYMBOLS, this.published_balance.as_ref());
     }
 }
 

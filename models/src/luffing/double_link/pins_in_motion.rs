@@ -21,7 +21,8 @@ pub struct PinsInMotion<C> {
     pub o3: Point<C>,
     /// Axial force in the rocker at C, tension positive.
     pub n_3: C,
-    /// Length of the driving link times the force in its pin: what cancels to the moment on it, in N·m.
+    /// What cancels to the moment on the driving link, in N·m: its length times the force in its pin, or what the boom's
+    /// own weight and inertia have about its foot, if that is more.
     pub lift: f64,
 }
 
@@ -50,8 +51,8 @@ impl<C: Calc> PinsInMotion<C> {
             Some(pull) => (f_2 + pull, about_b - cross(p.a - p.b, pull)),
             None => (f_2, about_b),
         };
-        let m_1 = boom.moment(at, f_1);
-        let m_1 = balance.map_or(m_1, |balance| m_1 - balance.moment).def(&s::M_I1);
+        let own = boom.moment(at, f_1);
+        let m_1 = balance.map_or(own, |balance| own - balance.moment).def(&s::M_I1);
         let m_3 = rocker.moment(at, f_3).def(&s::M_I3);
         let jib = JibLoad {
             down: -on_jib.y,
@@ -75,6 +76,7 @@ impl<C: Calc> PinsInMotion<C> {
             Driven::Rocker => (p.x_3, on_jib.c),
         };
         let lift = plane::length(bar.map(C::value)) * plane::length(pin.map(C::value));
+        let lift = lift.max(own.value().abs());
         PinsInMotion {
             on_jib,
             o1,

@@ -48,23 +48,23 @@ use crate::luffing::double_link::system::ByCentres;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::load_taken;
-use crate::luffing::with_balance::{agreement, searched};
+use crate::luffing::with_balance::{WithBalance, agreement, searched};
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
 use crate::parts::{hanging, hydraulics};
 
-/// Results of jib and rocker, which for a plain boom only stand in.
-const STANDING_IN: [&Symbol; 10] = [
-    &s::THETA_3,
-    &s::A_Y,
-    &s::ALPHA,
-    &s::ALPHA_1,
-    &s::MU,
-    &s::V_AX,
-    &s::MU_MIN,
-    &s::V_AX_MAX,
-    &s::DELTA_Y,
-    &s::EPSILON_Y,
+/// What is told of a plain boom, for which jib and rocker only stand in: its balance, its drive and these.
+const OF_BOOM: [&Symbol; 10] = [
+    &s::THETA_1,
+    &s::FROM,
+    &s::TO,
+    &s::B_X,
+    &s::M_G,
+    &s::M_D,
+    &s::M_D_MAX,
+    &s::F_O1X,
+    &s::F_O1Y,
+    &gravity::G,
 ];
 
 /// As scenes describe it.
@@ -294,7 +294,9 @@ impl Described for LuffingScene {
 
     fn assumptions(this: &Luffing) -> Vec<&'static str> {
         let given = |known: bool, id: &'static str| known.then_some(id);
-        let foot = given(this.parameters.lengths.x_8 == 0.0, "reach_from_foot");
+        // A plain boom has no reach of its own.
+        let from_foot = this.parameters.lengths.x_8 == 0.0 && !this.is_plain();
+        let foot = given(from_foot, "reach_from_foot");
         let Some(moving) = &this.moving else {
             let level = if this.table.is_some() {
                 "level_table"
@@ -397,10 +399,21 @@ impl Described for LuffingScene {
     }
 
     fn more(this: &Luffing, model: &mut Standing, sheet: &mut Sheet) {
+        let mut symbols = DoubleLink::SYMBOLS;
         if this.is_plain() {
-            sheet.drop_results(&STANDING_IN);
+            // The jib's head stands in too.
+            symbols[1] = &s::B_X;
+            let told = |symbol: &Symbol| {
+                [&OF_BOOM[..], balance::symbols::ALL, drive::symbols::ALL]
+                    .iter()
+                    .any(|list| list.contains(&symbol))
+            };
+            sheet.tell_results(&told);
+            if this.moving.is_none() {
+                sheet.tell_formulas(&told);
+            }
         }
-        sheet.balance = chapter::<DoubleLink>(model, this.published_balance.as_ref());
+        sheet.balance = chapter::<DoubleLink>(model, symbols, this.published_balance.as_ref());
         if let Some(search) = search(this) {
             sheet.requirements.extend(kept(&search));
         }

@@ -35,7 +35,7 @@ use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::{HOISTING_KEYS, load_taken};
 use crate::luffing::moving::levels;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
-use crate::luffing::with_balance::searched;
+use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
 use crate::parts::{hanging, hydraulics};
@@ -299,7 +299,7 @@ impl Described for Ellipsograph {
     }
 
     fn more(this: &Description<Ellipsograph>, model: &mut Standing, sheet: &mut Sheet) {
-        sheet.balance = chapter::<EllipsographBoom>(model, this.published_balance.as_ref());
+        sheet.balance = chapter::<EllipsographBoom>(model, EllipsographBoom::SYMBOLS, this.published_balance.as_ref());
     }
 }
 

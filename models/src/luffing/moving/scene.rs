@@ -11,7 +11,7 @@ use crate::luffing::moving::symbols as s;
 use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::joint::JointDrive;
-use crate::parts::motion::Motion;
+use crate::parts::motion::{Motion, short_step};
 use crate::parts::turntable::SlewingJoint;
 
 /// Keys of `[luffing.dynamics]` beside the inertias of a mechanism's bodies.
@@ -124,6 +124,10 @@ impl Moving {
             Some(table) => Some(slewing(v, table, rope.is_some(), found)?),
             None => None,
         };
+        let quickest = quickest(v, table, hoisting, bodies.bar, gravity);
+        let longest = (quickest * STEP_PART).max(STEP);
+        let least = SHORTEST_STEP * longest.min(quickest * SEEN_PART);
+        found.extend(short_step(table, &s::STEP, [least, longest]));
         let hoist = |symbol: &Symbol| hoisting.number(symbol.id).unwrap_or(0.0);
         let turn = |symbol: &Symbol| v.table("slewing").and_then(|table| table.number(symbol.id));
         Some(Moving {
@@ -134,7 +138,7 @@ impl Moving {
                 c_v: n(&s::C_V).unwrap_or(0.0),
                 m_f: n(&s::M_F).unwrap_or(0.0),
                 g: gravity,
-                step: n(&s::STEP).unwrap_or_else(|| longest(v, table, hoisting, bodies.bar, gravity)),
+                step: n(&s::STEP).unwrap_or(longest),
             },
             inputs: Inputs {
                 drives: [
@@ -167,9 +171,14 @@ impl Moving {
 const STEP: f64 = 0.01;
 const STEP_PART: f64 = 0.002;
 
-/// A step (s) that sees all that the motion does: what swings as bar and rope are long, what friction, drives and a rope
-/// that gives way do with the inertia of the driven bar alone, of what slews and of the load.
-fn longest(v: &Values, dynamics: &Values, hoisting: &Values, [bar, inertia]: [&Symbol; 2], gravity: f64) -> f64 {
+/// Part of the least of its times within which a step sees all that the motion does, and the shortest that may be given, over
+/// that: below it a solver of fourth order adds up rounding.
+const SEEN_PART: f64 = 0.1;
+const SHORTEST_STEP: f64 = 0.05;
+
+/// The least time (s) in which something happens: what swings as bar and rope are long, what friction, drives and a rope
+/// that gives way do with the inertia of the driven bar alone, of what slews, of the load and of the hoist's drum.
+fn quickest(v: &Values, dynamics: &Values, hoisting: &Values, [bar, inertia]: [&Symbol; 2], gravity: f64) -> f64 {
     let of = |table: &Values, symbol: &Symbol| table.number(symbol.id).unwrap_or(0.0);
     let (bar, inertia) = (of(v, bar), of(dynamics, inertia));
     let rope = hoisting.number(s::L_R.id).unwrap_or(f64::INFINITY);
@@ -177,15 +186,19 @@ fn longest(v: &Values, dynamics: &Values, hoisting: &Values, [bar, inertia]: [&S
         (bar.min(rope) / gravity).sqrt(),
         inertia / of(dynamics, &s::C_V),
         (inertia / of(dynamics, &s::M_A).abs()).sqrt(),
-        (v.number("Q").unwrap_or(0.0) / gravity / of(hoisting, &s::C_R)).sqrt(),
     ];
+    let drum = of(hoisting, &s::J_H) / of(hoisting, &s::R_H).powi(2);
+    for mass in [v.number("Q").unwrap_or(0.0) / gravity, drum] {
+        times.push((mass / of(hoisting, &s::C_R)).sqrt());
+        times.push(mass / of(hoisting, &s::D_R));
+    }
     if let Some(table) = v.table("slewing") {
         let inertia = of(table, &s::J_SL);
         times.push(inertia / of(table, &s::C_SL));
         times.push((inertia / of(table, &s::M_SL).abs()).sqrt());
     }
     // What does not act, on what has no inertia, has no time.
-    (times.into_iter().fold(f64::INFINITY, f64::min) * STEP_PART).max(STEP)
+    times.into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// Most that `t_s` may be, over the time that the working range takes at its speed.

@@ -31,7 +31,7 @@ use crate::luffing::rope::outline::OUTLINE;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Rig};
 use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
-use crate::luffing::with_balance::searched;
+use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
 use crate::parts::{hanging, hydraulics};
@@ -287,7 +287,7 @@ impl Described for Rope {
     }
 
     fn more(this: &Description<Rope>, model: &mut Standing, sheet: &mut Sheet) {
-        sheet.balance = chapter::<RopeBoom>(model, this.published_balance.as_ref());
+        sheet.balance = chapter::<RopeBoom>(model, RopeBoom::SYMBOLS, this.published_balance.as_ref());
     }
 }
 
