@@ -312,6 +312,67 @@ fn a_hoist_that_jumps_gives_blows_and_lifts() {
     assert!(account.expect("checked").value < 1e-5);
 }
 
+/// A boom of 119 kN whose rail balances it all over: 26 MN·m cancel to none, which is judged by what has cancelled.
+#[test]
+fn a_boom_in_balance_all_over_has_forces_that_agree() {
+    let scene = parsed(
+        r#"
+        name = "In balance"
+
+        [balance]
+        kind = "curved_rail"
+        G_c = "300 kN"
+        L_r = "200 m"
+        alpha_K = "100 deg"
+        phi_0 = "0 deg"
+        r_1 = "800 m"
+        y_0 = "800 m"
+
+        [luffing]
+        fidelity = "swing"
+        driven = "boom"
+        branch = "left"
+        X_1 = "134.884 m"
+        X_2 = "100 m"
+        X_3 = "152.617 m"
+        X_4 = "1 km"
+        X_5 = "1 m"
+        X_6 = "0 m"
+        X_8 = "0 m"
+        beta_0 = "1 deg"
+        Q = "0 kN"
+
+        [luffing.motion]
+        from = "-30 deg"
+        to = "-20 deg"
+        step = "1 rad"
+        speed = "1 deg/s"
+
+        [luffing.weights]
+        G_1 = "119.149 kN"
+        s_1 = "681.332 m"
+        chi_1 = "101.158 deg"
+        G_2 = "0 kN"
+        s_2 = "74.7004 m"
+        chi_2 = "120.711 deg"
+        G_3 = "21.2 kN"
+        s_3 = "0 m"
+        chi_3 = "0 deg"
+
+        [luffing.dynamics]
+        J_1 = "0 kg.m2"
+        J_2 = "0 kg.m2"
+        J_3 = "0 kg.m2"
+        l_R = "1 m"
+        v_h = "1 m/s"
+        "#,
+    );
+    let identities = scene.sheet().identities;
+    let forces = identities.iter().find(|check| check.id == "motion_forces");
+    let forces = forces.expect("judged");
+    assert!(forces.value < 1e-9, "{}", forces.value);
+}
+
 /// What a rope that gives way takes is d_R times the square of its rate: as of a load on a spring and a damper whose
 /// other end is drawn up by the hoist's ramp, stays at its speed and is let come to rest, calculated here by itself.
 #[test]
