@@ -162,7 +162,7 @@ fn synthesis() {
         stop: &stop,
         run: &|| {},
     };
-    black_box(run(&*search.boom, search.range, search.task, 2, watch)).expect("there is one");
+    black_box(run(&search.boom, search.range, search.task, 2, watch)).expect("there is one");
     let time = start.elapsed().as_secs_f64();
     row("synthesis: search and fronts, two threads", time, "s", 10.0);
 }

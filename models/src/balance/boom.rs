@@ -1,5 +1,7 @@
 //! The boom system as a balance sees it: the moment of its weights about the boom foot, over the boom angle.
 
+use num_dual::Dual64;
+
 use crate::balance::symbols as s;
 use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
 use crate::kernel::calc::Calc;
@@ -25,6 +27,12 @@ pub trait Boom<C: Calc> {
     /// # Errors
     /// As [`at`](Boom::at).
     fn moment_by_power(&self, phi: C) -> Result<C, OutOfRange>;
+
+    /// The moment, in N·m, with its derivative by the angle.
+    ///
+    /// # Errors
+    /// As [`at`](Boom::at).
+    fn slope(&self, phi: f64) -> Result<[f64; 2], OutOfRange>;
 
     /// Angles between which the boom can be, around `phi`.
     fn arc(&self, phi: f64) -> [f64; 2];
@@ -78,6 +86,12 @@ impl<C: Calc> Boom<C> for Plain<C> {
 
     fn moment_by_power(&self, phi: C) -> Result<C, OutOfRange> {
         self.at(phi).map(|load| load.m_0.def(&s::M_0_P))
+    }
+
+    fn slope(&self, phi: f64) -> Result<[f64; 2], OutOfRange> {
+        let dual = self.map(&mut |_, value| Dual64::from_re(value.value()));
+        let m_0 = dual.load(Dual64::new(phi, 1.0)).m_0;
+        Ok([m_0.re, m_0.eps])
     }
 
     fn arc(&self, _: f64) -> [f64; 2] {

@@ -3,6 +3,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::balance::asked::BOUNDS;
 use crate::balance::boom::Boom;
@@ -147,7 +148,7 @@ const LEVER: [f64; 2] = [0.03, 0.6];
 /// A synthesis that a scene asks for, and what it is to balance.
 pub struct Search<'a> {
     pub task: &'a Task,
-    pub boom: Box<dyn Boom<f64> + Sync>,
+    pub boom: Arc<dyn Boom<f64> + Send + Sync>,
     /// Angles of the boom over the working range, in rad.
     pub range: [f64; 2],
     /// Length of the boom, in m.

@@ -12,9 +12,10 @@ use lemnis_models::kernel::variable::Quantity;
 use lemnis_models::request::{Goal, RangeLimit, RangeResult, Request, Varied};
 use lemnis_models::scene::Scene;
 
-use crate::equations::{Equations, NEVER, Shape};
-use crate::finish::{Finished, Function, Program};
+use crate::equations::{Equations, NEVER};
+use crate::finish::{Finished, Function, HEAVY, LIGHT, Program};
 use crate::optimum::{SPREAD, Watch, shared};
+use crate::peaks::{Peaked as _, Shape};
 
 /// Runs from nowhere, and how many of the best are finished.
 const RUNS: usize = 16;
@@ -23,14 +24,9 @@ const FINISHED: usize = 8;
 const DRAWS: usize = 150;
 const EVALUATIONS: usize = 1_500;
 const POPULATION: usize = 12;
-/// Weights of a limit that is not kept, over its amount, at the end of a search: more than any multiplier.
-const LIGHT: f64 = 100.0;
-const HEAVY: f64 = 1e6;
 /// Weight of such a limit during the search, and how far it may be missed by rounding.
 const PENALTY: f64 = 10.0;
 const KEPT: f64 = 1e-10;
-/// How often rounded values are brought back to where they keep their limits.
-const SETTLING: usize = 4;
 
 /// What came of a search.
 #[derive(Clone, Debug)]
@@ -393,8 +389,8 @@ impl Search<'_> {
         let Some(best) = finished.first() else {
             return Err(Nothing::Impossible);
         };
-        let shapes = self.equations().measured;
-        let of_place = |at: usize| shapes[self.functions[at].of].shape == Shape::Direct;
+        let equations = self.equations();
+        let of_place = |at: usize| equations.shape(self.functions[at].of) == Shape::Direct;
         let result = |one: &Finished, at: usize| {
             let Function { sign, limit, unit, .. } = self.functions[at];
             match sign * (one.functions[at] * unit + limit) {
@@ -427,43 +423,15 @@ impl Search<'_> {
         })
     }
 
-    /// Rounded to what a scene writes; where a limit is missed by that, as much more is asked for.
+    /// Rounded to what a scene writes, so that every limit is kept.
     fn written(&self, best: &Finished) -> Vec<f64> {
-        let mut equations = self.equations();
-        let mut functions = self.functions.clone();
-        let mut parts = best.parts.clone();
-        let rounded = |parts: &[f64]| {
-            let all = self.asked.varied.iter().zip(self.values(parts));
-            all.map(|(varied, value)| varied.rounded(value)).collect::<Vec<f64>>()
+        let rounded = |values: &[f64]| {
+            let all = self.asked.varied.iter().zip(values);
+            all.map(|(varied, value)| varied.rounded(*value)).collect::<Vec<f64>>()
         };
-        for _ in 0..SETTLING {
-            let values = rounded(&parts);
-            let inside: Vec<f64> = values
-                .iter()
-                .zip(&self.bounds)
-                .map(|(value, [low, high])| (value - low) / (high - low))
-                .collect();
-            let mut program = self.program(&mut equations, &functions);
-            let Some(reached) = program.at(&inside) else { break };
-            let mut missed = false;
-            for ((own, asked), reached) in functions.iter_mut().zip(&self.functions).zip(reached).skip(1) {
-                // As the first functions are asked for, whatever these are by now.
-                let over = reached + (own.limit - asked.limit) / own.unit;
-                if over > 0.0 {
-                    missed = true;
-                    own.limit -= (over + KEPT) * own.unit;
-                }
-            }
-            if !missed {
-                break;
-            }
-            let mut program = self.program(&mut equations, &functions);
-            let Some(again) = program.finish(parts.clone()) else {
-                break;
-            };
-            parts = again.parts;
-        }
-        rounded(&parts)
+        let mut equations = self.equations();
+        let mut program = self.program(&mut equations, &self.functions);
+        program.settled(best.parts.clone(), 0.0, &rounded)
     }
 
     /// Optima elsewhere than the best.

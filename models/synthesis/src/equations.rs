@@ -15,54 +15,12 @@ use lemnis_models::parts::motion::Motion;
 use lemnis_models::request::{RangeFound, RangeResult, Request};
 use num_dual::Dual64;
 
+use crate::peaks::{Peak, Peaked, Peaks, Shape, place, tops};
+
 /// Parts of the working range between the positions that are looked at before peaks are refined.
 const GRID: usize = 96;
-/// Halvings that bring a peak from a part of the grid to its last bit.
-const HALVINGS: usize = 64;
 /// In the place of a coordinate that is infinite because something never happens.
 pub const NEVER: f64 = 1e6;
-
-/// How a result of the range is made of the greatest values of others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    /// The one.
-    Greatest,
-    /// The negative of the one.
-    Least,
-    /// The sum of two.
-    Swing,
-    /// The sum of two over the sum of two.
-    Ratio,
-    /// The one, of which there are no peaks.
-    Direct,
-}
-
-impl Shape {
-    /// Value and derivatives by the parts.
-    #[must_use]
-    pub fn of(self, parts: &[f64]) -> (f64, Vec<f64>) {
-        match (self, parts) {
-            (Shape::Least, [a]) => (-a, vec![-1.0]),
-            (Shape::Swing, [a, b]) => (a + b, vec![1.0; 2]),
-            (Shape::Ratio, [a, b, c, d]) => {
-                let (value, over) = ((a + b) / (c + d), 1.0 / (c + d));
-                (value, vec![over, over, -value * over, -value * over])
-            }
-            (_, parts) => (parts[0], vec![1.0]),
-        }
-    }
-
-    /// Whether the value grows with a part, falls, or follows it without peaks.
-    #[must_use]
-    pub fn grows(self, part: usize) -> Option<bool> {
-        match self {
-            Shape::Greatest | Shape::Swing => Some(true),
-            Shape::Least => Some(false),
-            Shape::Ratio => Some(part < 2),
-            Shape::Direct => None,
-        }
-    }
-}
 
 /// The greatest of some results over the working range, each with its sign.
 #[derive(Clone, Debug)]
@@ -80,20 +38,6 @@ pub struct Measured {
     /// Where this changes its sign the result is infinite.
     pole: Option<Slot>,
 }
-
-/// A peak over the working range at some values.
-#[derive(Clone, Debug)]
-pub struct Peak {
-    of: (Slot, f64),
-    between: [f64; 2],
-    pub at: f64,
-    pub value: f64,
-    /// By each quantity that varies.
-    pub slope: Vec<f64>,
-}
-
-/// Of each result, of each of its parts the peaks.
-pub type Peaks = Vec<Vec<Vec<Peak>>>;
 
 /// A model on plain numbers and on dual ones.
 pub struct Equations {
@@ -198,54 +142,6 @@ impl Equations {
         all.map(value).collect::<Option<_>>().ok_or(1.0)
     }
 
-    /// All peaks at some values, with their derivatives; `None` where something does not exist.
-    pub fn peaks(&mut self, values: &[f64]) -> Option<Peaks> {
-        self.set(values);
-        self.rough(values).ok()?;
-        let positions = self.positions();
-        let measured = self.measured.clone();
-        let part = |this: &mut Equations, part: &Term| match part {
-            Term::Steady(slot) => Some(vec![this.peak((*slot, 1.0), [positions[0]; 2])?]),
-            Term::Vanishes(spread) => Some(vec![this.vanishes(spread)?]),
-            Term::Peaks(slots) => {
-                let mut all = Vec::new();
-                for &of in slots {
-                    let grid = positions
-                        .iter()
-                        .map(|&at| this.at(of, Dual64::from_re(at)).map(|value| value.re));
-                    let grid: Vec<f64> = grid.collect::<Option<_>>()?;
-                    for i in 0..=GRID {
-                        let (before, after) = (i.saturating_sub(1), (i + 1).min(GRID));
-                        if (i == 0 || grid[i] > grid[before]) && grid[i] >= grid[after] {
-                            all.push(this.peak(of, [positions[before], positions[after]])?);
-                        }
-                    }
-                }
-                Some(all)
-            }
-        };
-        let of = |this: &mut Equations, one: &Measured| one.parts.iter().map(|one| part(this, one)).collect();
-        measured.iter().map(|one| of(self, one)).collect()
-    }
-
-    /// The same peaks at values nearby.
-    pub fn moved(&mut self, values: &[f64], before: &Peaks) -> Option<Peaks> {
-        self.set(values);
-        let measured = self.measured.clone();
-        let part = |this: &mut Equations, part: &Term, peaks: &Vec<Peak>| match part {
-            Term::Vanishes(spread) => Some(vec![this.vanishes(spread)?]),
-            _ => peaks.iter().map(|peak| this.peak(peak.of, peak.between)).collect(),
-        };
-        let of = |this: &mut Equations, (one, before): (&Measured, &Vec<Vec<Peak>>)| {
-            one.parts
-                .iter()
-                .zip(before)
-                .map(|(one, peaks)| part(this, one, peaks))
-                .collect()
-        };
-        measured.iter().zip(before).map(|all| of(self, all)).collect()
-    }
-
     /// A result with its derivative by the coordinate.
     fn at(&mut self, (slot, sign): (Slot, f64), place: Dual64) -> Option<Dual64> {
         let mut value = Dual64::from_re(0.0);
@@ -254,24 +150,13 @@ impl Equations {
         Some(value * sign)
     }
 
-    /// The peak between two places: where the derivative changes its sign, or one of them.
-    fn peak(&mut self, of: (Slot, f64), between: [f64; 2]) -> Option<Peak> {
-        let [mut low, mut high] = between;
-        for _ in 0..HALVINGS {
-            let middle = f64::midpoint(low, high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            let rises = self.at(of, Dual64::new(middle, 1.0))?.eps > 0.0;
-            if rises { low = middle } else { high = middle }
-        }
-        // Without a change of sign the end itself is greatest.
-        let at = if low == between[0] { low } else { high };
-        let (value, slope) = self.slopes(of, at)?;
+    /// The peak between two places of one of `slots`, by its place among them.
+    fn peak(&mut self, slots: &[(Slot, f64)], of: usize, between: [f64; 2]) -> Option<Peak> {
+        let at = place(between, &mut |at| Some(self.at(slots[of], Dual64::new(at, 1.0))?.eps))?;
+        let (value, slope) = self.slopes(slots[of], at)?;
         Some(Peak {
             of,
             between,
-            at,
             value,
             slope,
         })
@@ -296,14 +181,65 @@ impl Equations {
             .iter_mut()
             .map(|dual| spread.value(&mut **dual, &spot).ok());
         let slope = each.map(|value| Some(value?.eps)).collect::<Option<_>>()?;
-        let (slot, at) = (spread.terms().1, self.motion.from);
         Some(Peak {
-            of: (slot, 1.0),
-            between: [at; 2],
-            at,
+            of: 0,
+            between: [self.motion.from; 2],
             value: spot.value.min(NEVER),
             slope,
         })
+    }
+}
+
+impl Peaked for Equations {
+    fn shape(&self, of: usize) -> Shape {
+        self.measured[of].shape
+    }
+
+    fn peaks(&mut self, values: &[f64]) -> Option<Peaks> {
+        self.set(values);
+        self.rough(values).ok()?;
+        let positions = self.positions();
+        let measured = self.measured.clone();
+        let part = |this: &mut Equations, part: &Term| match part {
+            Term::Steady(slot) => Some(vec![this.peak(&[(*slot, 1.0)], 0, [positions[0]; 2])?]),
+            Term::Vanishes(spread) => Some(vec![this.vanishes(spread)?]),
+            Term::Peaks(slots) => {
+                let mut all = Vec::new();
+                for (i, &of) in slots.iter().enumerate() {
+                    let grid = positions
+                        .iter()
+                        .map(|&at| this.at(of, Dual64::from_re(at)).map(|value| value.re));
+                    let grid: Vec<f64> = grid.collect::<Option<_>>()?;
+                    for ends in tops(&grid) {
+                        all.push(this.peak(slots, i, ends.map(|at| positions[at]))?);
+                    }
+                }
+                Some(all)
+            }
+        };
+        let of = |this: &mut Equations, one: &Measured| one.parts.iter().map(|one| part(this, one)).collect();
+        measured.iter().map(|one| of(self, one)).collect()
+    }
+
+    fn moved(&mut self, values: &[f64], before: &Peaks) -> Option<Peaks> {
+        self.set(values);
+        let measured = self.measured.clone();
+        let part = |this: &mut Equations, part: &Term, peaks: &Vec<Peak>| match part {
+            Term::Vanishes(spread) => Some(vec![this.vanishes(spread)?]),
+            Term::Steady(slot) => Some(vec![this.peak(&[(*slot, 1.0)], 0, peaks[0].between)?]),
+            Term::Peaks(slots) => peaks
+                .iter()
+                .map(|peak| this.peak(slots, peak.of, peak.between))
+                .collect(),
+        };
+        let of = |this: &mut Equations, (one, before): (&Measured, &Vec<Vec<Peak>>)| {
+            one.parts
+                .iter()
+                .zip(before)
+                .map(|(one, peaks)| part(this, one, peaks))
+                .collect()
+        };
+        measured.iter().zip(before).map(|all| of(self, all)).collect()
     }
 }
 

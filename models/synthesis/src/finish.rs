@@ -7,13 +7,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::equations::{Equations, Peaks, Shape};
+use crate::peaks::{Peaked, Peaks, Shape};
 use crate::quadratic::{least, not_negative};
 
 /// What is least, or stays below zero: `sign` times a result less `limit`, over `unit`.
 #[derive(Clone, Copy, Debug)]
 pub struct Function {
-    /// Place among [`Equations::measured`].
+    /// Place among the results.
     pub of: usize,
     pub sign: f64,
     pub limit: f64,
@@ -29,7 +29,7 @@ impl Function {
 
 /// The first function is least, the others at most zero, between the bounds.
 pub struct Program<'a> {
-    pub equations: &'a mut Equations,
+    pub equations: &'a mut dyn Peaked,
     pub functions: &'a [Function],
     pub bounds: &'a [[f64; 2]],
     /// Of a limit that is not kept, over its amount: more than any multiplier.
@@ -48,6 +48,14 @@ pub struct Finished {
     pub residual: f64,
 }
 
+/// Weights of a limit that is not kept, over its amount: more than any multiplier, and for where it is missed all the same.
+pub const LIGHT: f64 = 100.0;
+pub const HEAVY: f64 = 1e6;
+
+/// How often rounded values are brought back to where they keep their limits.
+const SETTLING: usize = 4;
+/// By how much more than missed.
+const MORE: f64 = 1e-10;
 const STEPS: usize = 120;
 /// Least curvature in any direction, with which a quadratic program is solved.
 const FLAT: f64 = 0.1;
@@ -86,9 +94,18 @@ impl Linear {
 }
 
 impl Program<'_> {
-    fn values(&self, parts: &[f64]) -> Vec<f64> {
+    /// What parts of the bounds are.
+    #[must_use]
+    pub fn values(&self, parts: &[f64]) -> Vec<f64> {
         let all = parts.iter().zip(self.bounds);
         all.map(|(part, [low, high])| low + (high - low) * part).collect()
+    }
+
+    /// Which parts of the bounds values are.
+    #[must_use]
+    pub fn parts(&self, values: &[f64]) -> Vec<f64> {
+        let all = values.iter().zip(self.bounds);
+        all.map(|(value, [low, high])| (value - low) / (high - low)).collect()
     }
 
     fn here(&mut self, parts: Vec<f64>) -> Option<Here> {
@@ -98,7 +115,7 @@ impl Program<'_> {
     }
 
     fn shape(&self, function: &Function) -> Shape {
-        self.equations.measured[function.of].shape
+        self.equations.shape(function.of)
     }
 
     /// Which parts of which functions are unknowns: where the function grows with its peaks.
@@ -358,9 +375,35 @@ impl Program<'_> {
     }
 
     /// Every function at some parts of the bounds.
-    pub fn at(&mut self, parts: &[f64]) -> Option<Vec<f64>> {
+    fn at(&mut self, parts: &[f64]) -> Option<Vec<f64>> {
         let here = self.here(parts.to_vec())?;
         Some(self.functions(&here.peaks))
+    }
+
+    /// An optimum's values, rounded; where a limit is missed by more than `kept` after that, as much more is asked for.
+    pub fn settled(&mut self, optimum: Vec<f64>, kept: f64, rounded: &dyn Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
+        let (mut functions, mut parts) = (self.functions.to_vec(), optimum);
+        for _ in 0..SETTLING {
+            let inside = self.parts(&rounded(&self.values(&parts)));
+            let Some(reached) = self.at(&inside) else { break };
+            let mut missed = false;
+            for (own, over) in functions.iter_mut().zip(reached).skip(1) {
+                if over > kept {
+                    missed = true;
+                    own.limit -= (over + MORE) * own.unit;
+                }
+            }
+            let mut program = Program {
+                equations: &mut *self.equations,
+                functions: &functions,
+                ..*self
+            };
+            let Some(again) = program.finish(parts.clone()).filter(|_| missed) else {
+                break;
+            };
+            parts = again.parts;
+        }
+        rounded(&self.values(&parts))
     }
 
     /// Where a step leads, if that is better than the functions and the residual before.

@@ -3,12 +3,13 @@
 
 use std::cell::RefCell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 
 use cmaes::{CMAESOptions, DVector};
 
 use crate::candidate::{Criteria, Positions};
+use crate::levers::{Best, Wanted};
 use crate::tolerance::Builds;
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::Dimensions;
@@ -20,8 +21,9 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::parts::four_bar::Branch;
 
 /// A search.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Problem {
+    pub boom: Arc<dyn Boom<f64> + Send + Sync>,
     pub positions: Positions,
     pub branch: Branch,
     pub criterion: Criterion,
@@ -48,8 +50,10 @@ pub struct Effort {
 pub struct Found {
     pub dimensions: Dimensions<f64>,
     pub criteria: Criteria,
-    /// Value of the criterion, in SI; of 95 % of all builds in the robust mode.
+    /// Value of the criterion over the whole range, in SI; of 95 % of all builds in the robust mode.
     pub value: f64,
+    /// Of the conditions of an optimum, with the criterion over its amount, by parts of the bounds; of builds there are none.
+    pub residual: Option<f64>,
     /// Whether the search came to its end.
     pub complete: bool,
 }
@@ -63,8 +67,10 @@ const DRAWS: usize = 400;
 const SHORT: usize = 6_000;
 const LONG: usize = 20_000;
 const POPULATION: usize = 14;
-/// How many of the short runs are continued, and how often at most.
-const REFINED: usize = 3;
+/// How many of the short runs are finished by exact derivatives, and of those for a point of a front.
+const FINISHED: usize = 8;
+pub(crate) const FEW_FINISHED: usize = 3;
+/// How often a run from a good lever is continued at most.
 const ROUNDS: usize = 40;
 /// Rounds without gain after which nothing more is expected.
 const IDLE: usize = 4;
@@ -80,13 +86,14 @@ impl Problem {
     /// # Errors
     /// As [`Positions::new`].
     pub fn new(
-        boom: &(dyn Boom<f64> + Sync),
+        boom: &Arc<dyn Boom<f64> + Send + Sync>,
         range: [f64; 2],
         task: &Task,
         branch: Branch,
     ) -> Result<Problem, OutOfRange> {
         Ok(Problem {
-            positions: Positions::new(boom, range, POSITIONS)?,
+            boom: Arc::clone(boom),
+            positions: Positions::new(&**boom, range, POSITIONS)?,
             branch,
             criterion: task.criterion,
             constraints: task.constraints,
@@ -320,6 +327,42 @@ impl Problem {
         self.snapped(best)
     }
 
+    fn wanted(&self) -> Wanted<'_> {
+        Wanted {
+            boom: &*self.boom,
+            range: self.positions.range,
+            branch: self.branch,
+            criterion: self.criterion,
+            constraints: &self.constraints,
+            bounds: &self.bounds,
+        }
+    }
+
+    /// Amounts of residual, energy and rod force of a lever.
+    fn amounts(&self, d: &Dimensions<f64>) -> Option<[f64; 3]> {
+        let c = self.positions.evaluate(d, self.branch).ok()?;
+        let amounts = [c.dm_max, c.e_abs, c.n_max];
+        amounts.iter().all(|amount| *amount > 0.0).then_some(amounts)
+    }
+
+    /// The nearest lever that no step makes better, which keeps all constraints over the whole range or misses them least.
+    fn finish(&self, start: &Dimensions<f64>) -> Option<Best> {
+        let amounts = self.amounts(start)?;
+        self.wanted().finish(start, amounts)
+    }
+
+    /// A lever rounded to what a scene writes, so that it keeps all constraints over the whole range.
+    #[must_use]
+    pub fn written(
+        &self,
+        d: &Dimensions<f64>,
+        rounded: &dyn Fn(&Dimensions<f64>) -> Dimensions<f64>,
+    ) -> Dimensions<f64> {
+        let amounts = self.amounts(d).filter(|_| self.robust.is_none());
+        let found = amounts.and_then(|amounts| self.wanted().rounded(d, amounts, rounded));
+        found.unwrap_or_else(|| rounded(d))
+    }
+
     /// With each dimension that lies close to a bound at that bound, where that is no worse.
     fn snapped(&self, mut best: Attempt) -> Attempt {
         for (symbol, bound) in self.at_bounds(&best.dimensions) {
@@ -409,8 +452,29 @@ impl Problem {
             dimensions,
             criteria,
             value: self.worth(&dimensions, &criteria),
+            residual: None,
             complete,
         })
+    }
+
+    /// What was found: the best of the finished that keep all constraints, or else the best of all attempts.
+    fn best(&self, ended: &[Best], attempts: &[Attempt], complete: bool) -> Result<Found, OutOfRange> {
+        let keeping = ended.iter().filter(|best| best.keeps);
+        if let Some(best) = keeping.min_by(|a, b| a.value.total_cmp(&b.value)) {
+            let criteria = self.positions.evaluate(&best.dimensions, self.branch);
+            return Ok(Found {
+                dimensions: best.dimensions,
+                criteria: criteria.map_err(|_| self.open(&best.dimensions))?,
+                value: best.value,
+                residual: Some(best.residual),
+                complete,
+            });
+        }
+        let ended = ended.iter().map(|best| self.attempt(best.dimensions));
+        let all = attempts.iter().copied().chain(ended);
+        let chosen = all.reduce(|a, b| if b.better(&a) { b } else { a });
+        let chosen = self.snapped(chosen.expect("the first run always ends"));
+        self.found(&chosen, complete)
     }
 }
 
@@ -447,7 +511,7 @@ impl Watch<'_> {
 /// How often [`search`] calls [`Watch::run`].
 #[must_use]
 pub fn runs(effort: Effort) -> usize {
-    effort.runs + REFINED.min(effort.runs)
+    effort.runs + FINISHED.min(effort.runs)
 }
 
 /// The best lever, or the best so far where it was broken off.
@@ -456,15 +520,15 @@ pub fn runs(effort: Effort) -> usize {
 /// Bounds or constraints that contradict each other; constraints that no
 /// lever within the bounds keeps, with the bounds that the nearest one touches.
 pub fn search(problem: &Problem, effort: Effort, watch: Watch<'_>) -> Result<Found, OutOfRange> {
-    seek(problem, effort, None, REFINED, watch)
+    seek(problem, effort, None, FINISHED, watch)
 }
 
-/// Runs from nowhere, and `known` where there is one; the best `refined` of them all are continued.
+/// Runs from nowhere, and `known` where there is one; some of the best are finished.
 fn seek(
     problem: &Problem,
     effort: Effort,
     known: Option<Dimensions<f64>>,
-    refined: usize,
+    finished: usize,
     watch: Watch<'_>,
 ) -> Result<Found, OutOfRange> {
     problem.check()?;
@@ -473,16 +537,15 @@ fn seek(
     let mut best = shared(count, effort.threads, watch, |run| problem.explore(&mut seed(run)));
     best.extend(known.map(|known| problem.attempt(known)));
     best.sort_by(|a, b| b.keeps.cmp(&a.keeps).then(a.cost.total_cmp(&b.cost)));
-    best.truncate(refined);
-    let refined = shared(best.len(), effort.threads, watch, |run| {
-        problem.refine(best[run], &mut seed(count + run), watch)
+    best.truncate(finished);
+    let ended = shared(best.len(), effort.threads, watch, |run| {
+        problem.finish(&best[run].dimensions)
     });
-    // What was broken off has not been refined.
-    let chosen = refined
-        .iter()
-        .chain(&best)
-        .reduce(|a, b| if b.better(a) { b } else { a });
-    problem.found(chosen.expect("the first run always ends"), watch.goes_on())
+    problem.best(
+        &ended.into_iter().flatten().collect::<Vec<Best>>(),
+        &best,
+        watch.goes_on(),
+    )
 }
 
 /// The best near a given lever: a search that knows where to begin.
@@ -493,7 +556,13 @@ pub fn improve(problem: &Problem, start: Dimensions<f64>, seed: u64, watch: Watc
     problem.check()?;
     problem.within(&start)?;
     let best = problem.refine(problem.attempt(start), &mut fastrand::Rng::with_seed(seed), watch);
-    problem.found(&best, watch.goes_on())
+    let plain = problem.robust.is_none();
+    let ended: Vec<Best> = plain
+        .then(|| problem.finish(&best.dimensions))
+        .into_iter()
+        .flatten()
+        .collect();
+    problem.best(&ended, &[best], watch.goes_on())
 }
 
 /// What a front is drawn against.
@@ -533,7 +602,13 @@ pub fn front(
         }
         // What a tighter limit allows, this one allows too.
         let tighter = front.last().and_then(|last| last.as_ref().ok());
-        front.push(seek(&problem, effort, tighter.map(|last| last.dimensions), 1, watch));
+        front.push(seek(
+            &problem,
+            effort,
+            tighter.map(|last| last.dimensions),
+            FEW_FINISHED,
+            watch,
+        ));
     }
     Ok(front)
 }

@@ -1,5 +1,7 @@
 //! From a scene's task to its lever.
 
+use std::sync::Arc;
+
 use lemnis_models::balance::analysis::Analysis;
 use lemnis_models::balance::boom::Boom;
 use lemnis_models::balance::lever::{Dimensions, Lever};
@@ -10,7 +12,7 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::parts::four_bar::Branch;
 
 use crate::four::Nodes;
-use crate::optimum::{self, Effort, Found, Limit, Problem, RUNS, Watch, improve, search};
+use crate::optimum::{self, Effort, FEW_FINISHED, Found, Limit, Problem, RUNS, Watch, improve, search};
 use crate::three;
 use crate::tolerance::Builds;
 
@@ -20,6 +22,8 @@ pub struct Outcome {
     /// Rounded to what a scene writes.
     pub dimensions: Dimensions<f64>,
     pub branch: Branch,
+    /// Of the conditions of an optimum, before rounding; of constructions and of many builds there is none.
+    pub residual: Option<f64>,
     /// Whether the search came to its end.
     pub complete: bool,
     /// Levers of least residual under other limits of rod force and of counterweight.
@@ -41,7 +45,7 @@ pub fn steps(task: &Task) -> usize {
         Method::Optimum => {
             let branches = if task.branch.is_none() { 2 } else { 1 };
             let points = ROD_FORCES.len() + COUNTERWEIGHTS.len();
-            branches * optimum::runs(effort(task, RUNS, 1)) + points * (FEW + 1)
+            branches * optimum::runs(effort(task, RUNS, 1)) + points * (FEW + FEW_FINISHED)
         }
         Method::Three { .. } | Method::Four { .. } => 0,
     }
@@ -60,15 +64,17 @@ fn effort(task: &Task, runs: usize, threads: usize) -> Effort {
 /// # Errors
 /// Constructions that have no lever, searches that find none.
 pub fn run(
-    boom: &(dyn Boom<f64> + Sync),
+    boom: &Arc<dyn Boom<f64> + Send + Sync>,
     range: [f64; 2],
     task: &Task,
     threads: usize,
     watch: Watch<'_>,
 ) -> Result<Outcome, OutOfRange> {
+    let whole = boom;
+    let boom = &**boom;
     let (d_1, delta_1) = (task.bounds.d_1[0], task.bounds.delta_1[0]);
     let lever = match task.method {
-        Method::Optimum => return best(boom, range, task, threads, watch),
+        Method::Optimum => return best(whole, range, task, threads, watch),
         Method::Three {
             positions: p,
             r_1,
@@ -104,13 +110,14 @@ pub fn run(
     Ok(Outcome {
         dimensions: rounded(&lever.dimensions),
         branch: lever.branch,
+        residual: None,
         complete: true,
         fronts: Vec::new(),
     })
 }
 
 fn best(
-    boom: &(dyn Boom<f64> + Sync),
+    boom: &Arc<dyn Boom<f64> + Send + Sync>,
     range: [f64; 2],
     task: &Task,
     threads: usize,
@@ -132,11 +139,12 @@ fn best(
     }
     let (problem, found) = chosen?;
     // Both fronts are those of the residual, each along its own limit.
+    let branch = problem.branch;
     let mut of_residual = Problem {
         criterion: Criterion::Residual,
         constraints: task.constraints,
         robust: None,
-        ..problem
+        ..problem.clone()
     };
     of_residual.constraints.dm_max = None;
     let heaviest = problem.bounds.m_5[1];
@@ -160,8 +168,9 @@ fn best(
         );
     }
     Ok(Outcome {
-        dimensions: rounded(&found.dimensions),
-        branch: of_residual.branch,
+        dimensions: problem.written(&found.dimensions, &rounded),
+        branch,
+        residual: found.residual,
         complete: found.complete,
         fronts,
     })
@@ -169,7 +178,7 @@ fn best(
 
 /// The best lever of one branch, with the problem that it solves.
 fn in_branch(
-    boom: &(dyn Boom<f64> + Sync),
+    boom: &Arc<dyn Boom<f64> + Send + Sync>,
     range: [f64; 2],
     task: &Task,
     branch: Branch,
@@ -189,10 +198,11 @@ fn in_branch(
         problem.robust = Some(Builds::new(&problem.positions, task.tolerances, BUILDS, task.seed)?);
         found = improve(&problem, found.dimensions, task.seed, watch)?;
     }
-    // Between the positions of the search a constraint may be missed by a hair:
-    // then as much more is asked for.
+    // Of many builds none is finished: between the positions of the search a constraint may be missed by a hair. Then as
+    // much more is asked for.
     for _ in 0..SETTLING {
-        if !watch.goes_on() || !tighten(boom, range, task, &mut problem, &found) {
+        let settled = found.residual.is_some() || !watch.goes_on();
+        if settled || !tighten(&**boom, range, task, &mut problem, &found) {
             break;
         }
         found = improve(&problem, found.dimensions, task.seed, watch)?;

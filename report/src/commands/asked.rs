@@ -118,6 +118,11 @@ fn columns(text: &mut String, rows: &[Vec<String>]) {
     }
 }
 
+/// What is left of the conditions of an optimum, as a line.
+pub fn residual(left: f64) -> String {
+    format!("  residual of the conditions of an optimum: {}", rough(left))
+}
+
 fn cells<const N: usize>(cells: [&str; N]) -> Vec<String> {
     cells.map(str::to_owned).to_vec()
 }
@@ -197,11 +202,7 @@ fn optimum(asked: &Request, answer: &Answer) -> String {
         ]);
     }
     columns(&mut text, &rows);
-    let _ = writeln!(
-        text,
-        "  residual of the conditions of an optimum: {}",
-        rough(answer.residual)
-    );
+    let _ = writeln!(text, "{}", residual(answer.residual));
     for (values, value) in answer.others.iter().take(OTHERS) {
         let at = asked
             .varied
@@ -260,10 +261,6 @@ fn fitting(asked: &Request, fitted: &Fitted) -> String {
             keys => writeln!(text, "  cannot be told apart: {}", keys.join(", ")),
         };
     }
-    let _ = writeln!(
-        text,
-        "  residual of the conditions of an optimum: {}",
-        rough(fitted.residual)
-    );
+    let _ = writeln!(text, "{}", residual(fitted.residual));
     text
 }

@@ -61,12 +61,15 @@ impl Synth {
         let mut task = search.task.clone();
         task.seed = self.seed.unwrap_or(task.seed);
         let outcome = watched(steps(&task), |threads, watch| {
-            run(&*search.boom, search.range, &task, threads, watch)
+            run(&search.boom, search.range, &task, threads, watch)
         });
         let outcome = outcome.map_err(|fault| self.explain(&scene, &task, &fault))?;
         let result = improved(&scene, search.own.as_ref(), &task, &outcome)?;
         let comparison = Comparison::new(&result).expect("the result has a synthesis");
         say(table(&comparison).trim_end())?;
+        if let Some(residual) = outcome.residual {
+            say(asked::residual(residual))?;
+        }
         if !outcome.complete {
             say("broken off: this is the best so far")?;
         }

@@ -78,7 +78,7 @@ pub fn search(luffing: &Luffing) -> Option<Search<'_>> {
     let (boom, range) = boom(&luffing.parameters, &luffing.motion).ok()?;
     Some(Search {
         task,
-        boom: Box::new(boom),
+        boom: std::sync::Arc::new(boom),
         range,
         length: luffing.parameters.lengths.x_1,
         own: own_lever(&luffing.parameters),

@@ -1,5 +1,7 @@
 //! The boom system of the mechanism, as a balance sees it: what its weights ask for over the boom angle.
 
+use num_dual::Dual64;
+
 use crate::balance::boom::{Boom, Load};
 use crate::balance::symbols as b;
 use crate::kernel::allowed::{FINITE, NOT_NEGATIVE, OutOfRange, check};
@@ -200,6 +202,15 @@ impl<C: Calc> Boom<C> for BoomSystem<C> {
         let by = ByCentres::new(g, &p);
         let jib = by.rise(p.b.x + r.jib.x);
         Ok((-(w.g_1 * r.boom.x + w.g_2 * jib + w.g_3 * by.follower * r.rocker.x)).def(&b::M_0_P))
+    }
+
+    fn slope(&self, phi: f64) -> Result<[f64; 2], OutOfRange> {
+        let dual = BoomSystem {
+            g: self.g.map(|value| Dual64::from_re(value.value())),
+            w: self.w.map(&mut |_, value| Dual64::from_re(value.value())),
+        };
+        let m_0 = dual.at(Dual64::new(phi, 1.0))?.m_0;
+        Ok([m_0.re, m_0.eps])
     }
 
     fn arc(&self, phi: f64) -> [f64; 2] {
