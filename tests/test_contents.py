@@ -88,6 +88,10 @@ SAID = {
                           {"oil", "creep", "forces"}),
     "slewing_swing": ({"slewing_level_swing", "slewing_hook"}, {"slewing_level_rigid", "slewing_load"}),
     "ellipsograph": ({"ellipsograph_rope"}, {"slewing_load"}),
+    "ellipsograph_motion": ({"level_swing", "ellipsograph_masses", "counterweight", "slack", "hoist_ramp", "ellipsograph_at_rest"},
+                            {"level_rigid", "ellipsograph_load", "forces_in_motion"}),
+    "rope_motion": ({"level_swing", "rope_masses", "rope_led", "rope_winch", "hoist_ramp", "rope_at_rest"},
+                    {"rope_load", "forces_in_motion", "rope_forces"}),
     "curved_trunk": ({"trunk_rope"}, {"ellipsograph_rope"}),
     "rigid": ({"level_rigid", "fixed_load", "sticking", "solver_runge_kutta", "forces_in_motion"}, {"rope", "hoist", "slewing"}),
     "hydraulic": ({"level_hydraulic", "oil", "creep", "buffer", "solver_rodas"}, {"rope", "sticking", "stops"}),
@@ -98,7 +102,7 @@ SAID = {
     "car_4x2": ({"level_kinematic"}, {"level_turning"}),
 }
 # Where the coordinate's name does not begin with theta.
-COORDINATES = {"slewing_swing": "psi_sl", "ellipsograph": "phi", "curved_trunk": "phi"}
+COORDINATES = {"slewing_swing": "psi_sl", "ellipsograph": "phi", "ellipsograph_motion": "phi", "rope_motion": "phi", "curved_trunk": "phi"}
 
 
 @pytest.mark.parametrize("name", SAID)

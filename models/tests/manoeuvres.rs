@@ -12,6 +12,12 @@ const READY: [&str; 2] = [
     include_str!("../scenes/portal_crane.toml"),
 ];
 
+/// Single booms, whose angle is phi.
+const SINGLE: [&str; 2] = [
+    include_str!("../scenes/rope_motion.toml"),
+    include_str!("../scenes/ellipsograph_motion.toml"),
+];
+
 fn parsed(text: &str) -> Scene {
     Scene::parse(text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"))
 }
@@ -47,8 +53,7 @@ fn value(model: &mut Model, id: &str) -> f64 {
 }
 
 fn moving() -> impl Iterator<Item = (String, Scene)> {
-    let ready = READY
-        .into_iter()
+    let ready = (READY.into_iter().chain(SINGLE))
         .map(|text| (text.lines().next().unwrap_or_default().to_owned(), parsed(text)));
     let levels = levels::all().filter(|level| *level != "static");
     ready.chain(levels.map(|level| (level.to_owned(), levels::scene(level))))
@@ -70,7 +75,11 @@ fn manoeuvres_end_at_rest_within_the_range() {
         expected.push("emergency_stop");
         let found: Vec<&str> = motion.manoeuvres.iter().map(|manoeuvre| manoeuvre.id).collect();
         assert_eq!(found, expected, "{name}");
-        let far = if has("theta_1") { range.to - range.from } else { 0.0 };
+        let far = if has("theta_1") || has("phi") {
+            range.to - range.from
+        } else {
+            0.0
+        };
         let mut reached = Vec::new();
         for manoeuvre in &motion.manoeuvres {
             let stops = ["luffing_low", "luffing_high", "slewing_low", "slewing_high", "run_ends"];
@@ -83,14 +92,14 @@ fn manoeuvres_end_at_rest_within_the_range() {
                 let points = &curve.pieces[0];
                 let [first, last] = [points[0][1], points[points.len() - 1][1]];
                 match curve.y.id {
-                    "theta_1" => {
+                    "theta_1" | "phi" => {
                         assert!(
                             points.iter().all(|[_, at]| (range.from..=range.to).contains(at)),
                             "{name}"
                         );
                         reached.push((manoeuvre.id, first, last));
                     }
-                    "omega_1" if has("M_A") => assert_eq!(last, 0.0, "{name}, {}", manoeuvre.id),
+                    "omega_1" | "omega" if has("M_A") => assert_eq!(last, 0.0, "{name}, {}", manoeuvre.id),
                     "omega_sl" | "v_R" => assert_eq!(last, 0.0, "{name}, {}", manoeuvre.id),
                     _ => {}
                 }
@@ -158,6 +167,34 @@ fn a_hoist_pulls_by_its_acceleration() {
     assert!((least / (weight * (1.0 - gain / g)) - 1.0).abs() < 1e-9, "{least}");
 }
 
+/// The same of single booms, whose brake holds them. The hoist's line to the sheave of a luffing rope stays as it is.
+#[test]
+fn a_hoist_of_a_single_boom_pulls_by_its_acceleration() {
+    for text in SINGLE {
+        let scene = parsed(text);
+        let motion = motion(&scene);
+        let mut model = scene.model().expect("built");
+        let [weight, gain, g] = ["Q", "a_h", "g"].map(|id| value(&mut model, id));
+        let [least, most] = ends(&motion, "S_R", "hoist_and_stop");
+        assert!((most / (weight * (1.0 + gain / g)) - 1.0).abs() < 1e-9, "{most}");
+        assert!((least / (weight * (1.0 - gain / g)) - 1.0).abs() < 1e-9, "{least}");
+    }
+}
+
+/// Of a boom on its rope motor and brake give what the tackle pulls, which is never less than nothing; the account of
+/// energy closes beside it.
+#[test]
+fn a_luffing_tackle_pulls_in_every_manoeuvre() {
+    let sheet = parsed(SINGLE[0]).sheet();
+    let motion = sheet.motion.expect("a chapter of motion");
+    for id in ["luff_in", "luff_out", "hoist_and_stop", "emergency_stop"] {
+        let [least, most] = ends(&motion, "T_dyn", id);
+        assert!(0.0 <= least && least < most, "{id}: {least} {most}");
+    }
+    let account = sheet.identities.iter().find(|check| check.id == "motion_energy");
+    assert!(account.expect("checked").value < 1e-5);
+}
+
 /// From the brake's fall to rest the energy of motion goes into brake, friction and weights: over a way so short that
 /// inertia and weights' moment hardly change.
 #[test]
@@ -201,17 +238,22 @@ fn a_brake_takes_the_energy_of_motion() {
 /// The model of the FMU moves so under the same commands, set from outside between its steps.
 #[test]
 fn commands_over_time_give_the_same_motion_in_the_model_of_the_fmu() {
-    for text in READY {
+    // A boom that load and weight draw down is unstable under given moments: what rounding leaves grows with e to the power
+    // of t √(k / I), in half a minute a million times.
+    let ready = READY.map(|text| (text, f64::INFINITY, 500));
+    for (text, until, least) in ready.into_iter().chain(SINGLE.map(|text| (text, 15.0, 100))) {
         let scene = parsed(text);
         for manoeuvre in &motion(&scene).manoeuvres {
             let mut model = scene.model().expect("built");
             for id in ["M_A", "M_S", "M_sl", "M_Bsl", "v_h"] {
-                let index = index(&model, id);
-                model.set(index, 0.0).expect("an input");
+                let there = model.variables().iter().position(|variable| variable.symbol.id == id);
+                if let Some(index) = there {
+                    model.set(index, 0.0).expect("an input");
+                }
             }
             model.set(0, manoeuvre.start).expect("in the range");
             let [duration, sample] = manoeuvre.run;
-            let samples = (duration / sample).round() as u32;
+            let samples = (duration.min(until) / sample).round() as u32;
             let mut places: Vec<_> = manoeuvre
                 .commands
                 .iter()
@@ -245,7 +287,7 @@ fn commands_over_time_give_the_same_motion_in_the_model_of_the_fmu() {
                 }
                 model.advance(time, f64::from(i + 1) * sample).expect("as in the book");
             }
-            assert!(compared > 500, "{compared}");
+            assert!(compared > least, "{compared}");
         }
     }
 }
@@ -317,7 +359,8 @@ fn a_hoist_that_jumps_gives_blows_and_lifts() {
 fn a_boom_in_balance_all_over_has_forces_that_agree() {
     let scene = parsed(
         r#"
-        name = "In balance"
+        name = "Balanced"
+        title = "Balanced"
 
         [balance]
         kind = "curved_rail"

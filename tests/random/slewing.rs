@@ -70,8 +70,9 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         slope.set("gamma_s", steep);
     }
     working_range(&mut n, [-PI, PI]);
-    // Speeds at which the head stays on its crane.
-    let most = 0.99 * (MOST_SPIN * n.draw.g / n.get("R")).sqrt();
+    // Speeds at which the head, and the weight that leans, stay on their crane.
+    let leans = n.child("slope").map_or(0.0, |slope| slope.get("r_u").abs());
+    let most = 0.99 * (MOST_SPIN * n.draw.g / n.get("R").max(leans)).sqrt();
     if n.get("omega_sl").abs() > most {
         let speed = most * n.draw.between(-1.0, 1.0);
         n.set("omega_sl", speed);

@@ -1,13 +1,5 @@
 //! The double link as scenes describe it and books tell it.
 
-mod energy;
-mod events;
-mod manoeuvres;
-pub mod motion;
-mod motor;
-mod run;
-mod travel;
-
 use crate::balance;
 use crate::balance::boom::Boom;
 use crate::balance::kept::kept;
@@ -33,14 +25,13 @@ use crate::luffing::double_link::balancing::{self, boom};
 use crate::luffing::double_link::drawing::drawing;
 use crate::luffing::double_link::geometry::Geometry;
 use crate::luffing::double_link::keys::KEYS;
-use crate::luffing::double_link::moving::{self, start::starting};
+use crate::luffing::double_link::moving;
 use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::parameters::{Choice, Driven, Jib};
 use crate::luffing::double_link::pin_forces::PinForces;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::range::{Rise, rise_by_integration};
 use crate::luffing::double_link::scene::{Luffing, LuffingScene, search};
-use crate::luffing::double_link::sheet::motion::motion;
 use crate::luffing::double_link::stages::{DoubleLink, Given};
 use crate::luffing::double_link::statics::{Centres, LoadMoment, Own};
 use crate::luffing::double_link::symbols as s;
@@ -48,6 +39,8 @@ use crate::luffing::double_link::system::ByCentres;
 use crate::luffing::double_link::velocity::Velocity;
 use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::load_taken;
+use crate::luffing::moving::told::motion::moved;
+use crate::luffing::moving::told::shown::running;
 use crate::luffing::with_balance::{WithBalance, agreement, searched};
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
@@ -217,8 +210,7 @@ impl Described for LuffingScene {
     }
 
     fn moving(this: &Luffing) -> Option<Result<Box<dyn Running>, Fault>> {
-        let moving = starting(Self::given(this), this.motion, this.moving.as_ref()?, this.motion.from);
-        Some(moving.map(|model| Box::new(model) as Box<dyn Running>))
+        running(this)
     }
 
     fn chapters(&self) -> Vec<&'static str> {
@@ -395,7 +387,7 @@ impl Described for LuffingScene {
     }
 
     fn in_motion(this: &Luffing) -> Option<Moved> {
-        motion(this, this.moving.as_ref()?)
+        moved(this)
     }
 
     fn more(this: &Luffing, model: &mut Standing, sheet: &mut Sheet) {

@@ -38,6 +38,7 @@ mod outline;
 pub mod pins;
 pub mod position;
 pub mod scene;
+mod shown;
 pub mod stages;
 pub mod statics;
 pub mod symbols;

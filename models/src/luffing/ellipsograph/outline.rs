@@ -28,8 +28,6 @@ pub const OUTLINE: Outline = Outline {
         ("ellipsograph_drive", &[Stage("needed"), Stage("power"), Stage("push")]),
         ("ellipsograph_pins", &[Stage("pins")]),
         o::SHAFT,
-        ("ellipsograph_bodies", &[Stage("built")]),
-        ("ellipsograph_motion", &[Stage("moves")]),
     ],
     table: &[
         &s::R,
@@ -92,6 +90,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("balance_residual", &b::DM_MAX),
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
+        Limit::at_most("motion_swing", &m::PHI_MAX),
     ],
     uses: &[
         ("annulus", &[&d::D_R]),

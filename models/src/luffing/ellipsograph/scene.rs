@@ -7,6 +7,7 @@ use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::{Draw, polar};
 use crate::component::mechanism::{Entry, Solver};
+use crate::component::moved::Moved;
 use crate::component::outline::{Limit, Outline};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
@@ -35,6 +36,8 @@ use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::{HOISTING_KEYS, load_taken};
 use crate::luffing::moving::levels;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
+use crate::luffing::moving::told::motion::moved;
+use crate::luffing::moving::told::shown::running;
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
@@ -79,16 +82,16 @@ static DYNAMICS: &[Key] = &dynamics::<14>(&[
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B, J_L);
 
-const LIMITS: &[Key] = &Limit::keys::<11>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<12>(OUTLINE.limits);
 
 /// A boom on guide and link as the scene describes it; SI.
 #[derive(Clone, Debug)]
 pub struct Ellipsograph {
     /// At the start of the working range.
-    given: Given<f64>,
+    pub(super) given: Given<f64>,
     driving: Driving,
     /// At a level that moves by itself.
-    moving: Option<Moving>,
+    pub(super) moving: Option<Moving>,
     /// Published results of the balance.
     published_balance: Option<PublishedBalance>,
 }
@@ -163,7 +166,10 @@ impl Described for Ellipsograph {
     }
 
     fn given(this: &Description<Ellipsograph>) -> Given<f64> {
-        levels::told::<EllipsographBoom>(&this.given, this.motion, this.moving.as_ref())
+        Given {
+            inertias: None,
+            ..this.given.clone()
+        }
     }
 
     fn levels(&self) -> Vec<&'static str> {
@@ -185,11 +191,15 @@ impl Described for Ellipsograph {
     }
 
     fn moving(this: &Description<Ellipsograph>) -> Option<Result<Box<dyn Running>, Fault>> {
-        levels::running::<EllipsographBoom>(&this.given, this.motion, this.moving.as_ref())
+        running(this)
     }
 
     fn chapters(&self) -> Vec<&'static str> {
-        self.given.balance.iter().map(|_| "balance").collect()
+        let moving = self.moving.map(|_| "motion");
+        moving
+            .into_iter()
+            .chain(self.given.balance.map(|_| "balance"))
+            .collect()
     }
 
     fn searched(_: &Description<Ellipsograph>, model: &Standing) -> Vec<Summary> {
@@ -296,6 +306,10 @@ impl Described for Ellipsograph {
         draw.joint(o1, "O_1", true, false);
         draw.axis(-bars.x_8, low, 0.15 * size);
         draw.done(size)
+    }
+
+    fn in_motion(this: &Description<Ellipsograph>) -> Option<Moved> {
+        moved(this)
     }
 
     fn more(this: &Description<Ellipsograph>, model: &mut Standing, sheet: &mut Sheet) {

@@ -1,13 +1,8 @@
-//! What the descriptions of all single booms that may move have in common: their levels, and the running model of each.
+//! What the descriptions of all single booms that may move have in common: their levels.
 
 use crate::component::mechanism::Solver;
-use crate::component::running::Running;
-use crate::kernel::variable::Fault;
-use crate::luffing::moving::luffs::Luffs;
 use crate::luffing::moving::scene::Moving;
-use crate::luffing::moving::start::{passing, starting};
 use crate::luffing::moving::symbols as s;
-use crate::parts::motion::Motion;
 
 /// What the rates cost, in s, without a load that swings and with it.
 const COST: [[f64; 2]; 2] = [[0.1e-6, 0.0], [0.15e-6, 0.0]];
@@ -52,24 +47,6 @@ pub fn solver(moving: Option<&Moving>) -> Option<Solver> {
         explicit: true,
         cost: COST[usize::from(moving.rope.is_some())],
     })
-}
-
-/// What is told: what moves as it passes through the working range, held nowhere.
-pub fn told<T: Luffs>(given: &T::Given<f64>, range: Motion, moving: Option<&Moving>) -> T::Given<f64> {
-    moving.map_or_else(
-        || given.clone(),
-        |moving| T::with(given, [range.from, range.speed], passing(moving)),
-    )
-}
-
-/// The model in motion, at rest at the start of the working range; none of what does not move.
-pub fn running<T: Luffs>(
-    given: &T::Given<f64>,
-    range: Motion,
-    moving: Option<&Moving>,
-) -> Option<Result<Box<dyn Running>, Fault>> {
-    let model = starting::<T>(given, range, moving?, range.from);
-    Some(model.map(|model| Box::new(model) as Box<dyn Running>))
 }
 
 /// Of what no book covers at rest, what one of a boom in motion does not either; `friction` is that of its pins.

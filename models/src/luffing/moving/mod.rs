@@ -13,6 +13,7 @@
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
 //! | `scene`, `hoisting`, `levels` | keys of motion, of rope and hoist; what descriptions of single booms have in common |
 //! | `stages`, `luffs` | rates, event indicators, reactions as stages; a component that has them |
+//! | `told` | what the book tells of all that |
 //! | `single` | a single boom in motion, from what a mechanism says of it |
 //! | `built`, `start`, `carried`, `follows` | the equations of a level; where the motion begins, how it is carried on; what depends on what |
 
@@ -41,4 +42,5 @@ pub mod space;
 pub mod stages;
 pub mod start;
 pub mod symbols;
+pub(crate) mod told;
 pub mod weighed;

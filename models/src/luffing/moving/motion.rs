@@ -9,7 +9,7 @@ use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
 use crate::parts::hoist::RopeAction;
 use crate::parts::joint::Bar;
-use crate::parts::plane::{Point, dot};
+use crate::parts::plane::{self, Point, dot};
 use crate::parts::solver::Halt;
 
 /// Number of states: angle and rate of the driven bar, of the rope, the rope's length, the distance
@@ -149,7 +149,8 @@ impl<P: Calc> MovingLinkage<P> {
         }
         let [_, d, dd] = r.head;
         let (out, _) = directions(y[2]);
-        let head = d * a.bar + dd * (y[1] * y[1]) + Point::new(C::constant(0.0), C::of(self.dynamics.gravity()));
+        let head = plane::def(d * a.bar + dd * (y[1] * y[1]), [&s::A_AX, &s::A_AY]);
+        let head = head + Point::new(C::constant(0.0), C::of(self.dynamics.gravity()));
         let mut inward = self.reel(state, r, y).less_gain(y[4] * y[3] * y[3]) - dot(head, out);
         if let Some((lead, bend)) = led(r, y[1], a.bar) {
             inward -= lead + bend;

@@ -126,7 +126,7 @@ impl Moving {
         };
         let quickest = quickest(v, table, hoisting, bodies.bar, gravity);
         let longest = (quickest * STEP_PART).max(STEP);
-        let least = SHORTEST_STEP * longest.min(quickest * SEEN_PART);
+        let least = (longest * SHORTEST_STEP[0]).min(quickest * SHORTEST_STEP[1]);
         found.extend(short_step(table, &s::STEP, [least, longest]));
         let hoist = |symbol: &Symbol| hoisting.number(symbol.id).unwrap_or(0.0);
         let turn = |symbol: &Symbol| v.table("slewing").and_then(|table| table.number(symbol.id));
@@ -171,10 +171,9 @@ impl Moving {
 const STEP: f64 = 0.01;
 const STEP_PART: f64 = 0.002;
 
-/// Part of the least of its times within which a step sees all that the motion does, and the shortest that may be given, over
-/// that: below it a solver of fourth order adds up rounding.
-const SEEN_PART: f64 = 0.1;
-const SHORTEST_STEP: f64 = 0.05;
+/// The shortest step that may be given, as a part of the one that is taken where none is, or of the least of its times if that
+/// is less: below it a solver of fourth order adds up rounding.
+const SHORTEST_STEP: [f64; 2] = [0.05, 1.25e-3];
 
 /// The least time (s) in which something happens: what swings as bar and rope are long, what friction, drives and a rope
 /// that gives way do with the inertia of the driven bar alone, of what slews, of the load and of the hoist's drum.

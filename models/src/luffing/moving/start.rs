@@ -10,7 +10,7 @@ use crate::component::standing::Standing;
 use crate::kernel::group::One;
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::carried::{CarriedCrane, at, known, put};
-use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack, order};
+use crate::luffing::moving::given::{CraneStates, Fitted, MOST_STATES, STATES, Slack};
 use crate::luffing::moving::hoisting::HoistKind;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
 use crate::luffing::moving::level::{CraneAt, Level};
@@ -21,7 +21,6 @@ use crate::luffing::moving::space::{self, SlewingState};
 use crate::luffing::moving::symbols as m;
 use crate::parts::hanging::to_load;
 use crate::parts::hoist::Drum;
-use crate::parts::joint::Bar;
 use crate::parts::motion::Motion;
 use crate::parts::solver::Count;
 
@@ -131,23 +130,6 @@ fn sources(moving: &Moving) -> MotionSources {
             oil: oil.is_some(),
         },
     }
-}
-
-/// The same where the driven bar passes forwards, the load hanging as it does at the start.
-#[must_use]
-pub fn passing(moving: &Moving) -> MotionSources {
-    let mut sources = sources(moving);
-    let mut states = CraneStates([0.0; STATES.len()]);
-    let y = resting(moving, 0.0);
-    for (y, place) in y[2..].iter().zip(order(moving.oil.is_some(), moving.slewing.is_some())) {
-        states.0[*place] = *y;
-    }
-    sources.states = Some(states);
-    sources.past = Some(Modes {
-        joints: [Bar::Forward, Bar::Held],
-        ..Modes::AT_REST
-    });
-    sources
 }
 
 /// The mechanism in motion, at rest at an angle of the driven bar, in rad.

@@ -88,6 +88,8 @@ symbols! {
     MASS_Q: "mass_Q" "m_Q" KG / T, "Mass of the load: weight over g.", "derived";
     DDA_X: "ddA.x" "x''_A" M / M, "Change of the forward travel of A for one radian of the driving link.", "dual numbers";
     DDA_Y: "ddA.y" "Y''_A" M / M, "Change of the rise of A for one radian of the driving link.", "dual numbers";
+    A_AX: "a_A.x" "a_(A x)" M_PER_S2 / M_PER_S2, "Acceleration of A, forward.", "derived";
+    A_AY: "a_A.y" "a_(A y)" M_PER_S2 / M_PER_S2, "Acceleration of A, upwards.", "derived";
     D_PHI: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driving link.", "derived";
     D_N: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driving link.", "derived";
     Q_A: "q_A" "q_A" M2 / M2, "Half the change of the square of A's travel for one radian of the driving link.", "derived";

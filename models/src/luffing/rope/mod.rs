@@ -31,6 +31,7 @@ pub mod moving;
 mod outline;
 pub mod position;
 pub mod scene;
+mod shown;
 pub mod stages;
 pub mod statics;
 pub mod symbols;

@@ -23,7 +23,6 @@ pub const OUTLINE: Outline = Outline {
         ("balance", &[Stage("residual"), Stage("balanced")]),
         ("rope_pull", &[Stage("carried"), Stage("pull"), Stage("power")]),
         ("rope_losses", &[Stage("losses")]),
-        ("rope_motion", &[Stage("built"), Stage("moves"), Stage("tackle")]),
     ],
     table: listed!(s: R, A_Y, Y_Q, L_T, L_L, L_H, V_Q, M_Q, M_D, T, N_B),
     curves: &[
@@ -59,6 +58,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("balance_residual", &b::DM_MAX),
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
+        Limit::at_most("motion_swing", &m::PHI_MAX),
     ],
     uses: &[("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m::V_H, &m::A_H])],
     forces: listed!(s: F_O1X, F_O1Y, N_B, T, T_UP, S_L_UP, S_H_UP, M_D),

@@ -6,6 +6,7 @@ use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::draw::Draw;
 use crate::component::mechanism::{Entry, Solver};
+use crate::component::moved::Moved;
 use crate::component::outline::{Limit, Outline};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
@@ -26,6 +27,8 @@ use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::{BY_SPEED_KEYS, load_taken};
 use crate::luffing::moving::levels;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
+use crate::luffing::moving::told::motion::moved;
+use crate::luffing::moving::told::shown::running;
 use crate::luffing::rope::moving::BoomInertia;
 use crate::luffing::rope::outline::OUTLINE;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Rig};
@@ -100,15 +103,15 @@ static DYNAMICS: &[Key] = &dynamics::<13>(&[Key::quantity(&s::J_B, Sign::NotNega
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B);
 
-const LIMITS: &[Key] = &Limit::keys::<7>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<8>(OUTLINE.limits);
 
 /// A boom on a luffing rope as the scene describes it; SI.
 #[derive(Clone, Debug)]
 pub struct Rope {
     /// At the start of the working range.
-    given: Given<f64>,
+    pub(super) given: Given<f64>,
     /// At a level that moves by itself.
-    moving: Option<Moving>,
+    pub(super) moving: Option<Moving>,
     /// Published results of the balance.
     published_balance: Option<PublishedBalance>,
 }
@@ -174,7 +177,10 @@ impl Described for Rope {
     }
 
     fn given(this: &Description<Rope>) -> Given<f64> {
-        levels::told::<RopeBoom>(&this.given, this.motion, this.moving.as_ref())
+        Given {
+            inertia: None,
+            ..this.given.clone()
+        }
     }
 
     fn levels(&self) -> Vec<&'static str> {
@@ -196,11 +202,15 @@ impl Described for Rope {
     }
 
     fn moving(this: &Description<Rope>) -> Option<Result<Box<dyn Running>, Fault>> {
-        levels::running::<RopeBoom>(&this.given, this.motion, this.moving.as_ref())
+        running(this)
     }
 
     fn chapters(&self) -> Vec<&'static str> {
-        self.given.balance.iter().map(|_| "balance").collect()
+        let moving = self.moving.map(|_| "motion");
+        moving
+            .into_iter()
+            .chain(self.given.balance.map(|_| "balance"))
+            .collect()
     }
 
     fn searched(_: &Description<Rope>, model: &Standing) -> Vec<Summary> {
@@ -284,6 +294,10 @@ impl Described for Rope {
         }
         draw.axis(-rig.x_8, -0.15 * rig.l, 0.6 * rig.l);
         draw.done(rig.l)
+    }
+
+    fn in_motion(this: &Description<Rope>) -> Option<Moved> {
+        moved(this)
     }
 
     fn more(this: &Description<Rope>, model: &mut Standing, sheet: &mut Sheet) {

@@ -6,8 +6,7 @@
 //! | `scene` | keys of `[luffing.dynamics]` |
 //! | `built` | equations of its level, made from what is given |
 //! | `motion` | stages: bodies, rates, forces |
-//! | `start` | where the motion begins |
-//! | `told` | what the book tells |
+//! | `shown` | what is its own in what the book tells |
 //!
 //! What any luffing mechanism has in motion stands in [`moving`](crate::luffing::moving). Forces follow from that in
 //! [`forces_in_motion`](crate::luffing::double_link::forces_in_motion).
@@ -15,6 +14,5 @@
 pub mod built;
 pub mod motion;
 pub mod scene;
-pub mod start;
+pub mod shown;
 pub mod symbols;
-pub(crate) mod told;

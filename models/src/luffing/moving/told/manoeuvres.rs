@@ -5,19 +5,22 @@
 //! are met whatever there is of them; it gives no more than the scene's. A valve opens in proportion to the cylinder's
 //! speed, with what corrects its length. What is told is kept: commands over time, which any run of the model may follow.
 
+use std::marker::PhantomData;
+
+use crate::component::description::Description;
 use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
 use crate::component::standing::Standing;
+use crate::drive::symbols as d;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Role};
-use crate::luffing::double_link::moving::scene::MovingLink as Moving;
-use crate::luffing::double_link::moving::symbols as m;
-use crate::luffing::double_link::scene::Luffing;
-use crate::luffing::double_link::sheet::motor::{JointMotor, braking, place};
-use crate::luffing::double_link::sheet::travel::Travel;
-use crate::luffing::double_link::symbols as s;
 use crate::luffing::moving::given::CylinderOil;
 use crate::luffing::moving::hoisting::HoistKind;
+use crate::luffing::moving::scene::Moving;
+use crate::luffing::moving::symbols as m;
+use crate::luffing::moving::told::motor::{JointMotor, braking, place};
+use crate::luffing::moving::told::shown::{Drawn, Shown, ShownBar};
+use crate::luffing::moving::told::travel::Travel;
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::joint::JointDrive;
 
@@ -59,7 +62,7 @@ pub(super) fn rules(moving: &Moving) -> Vec<&'static str> {
 }
 
 /// Those that the crane's parts allow.
-pub(super) fn planned(luffing: &Luffing, moving: &Moving) -> Vec<Planned> {
+pub(super) fn planned<T: Shown>(luffing: &Description<T>, moving: &Moving) -> Vec<Planned> {
     let (range, ramp) = (&luffing.motion, moving.ramp);
     let margin = MARGIN * (range.to - range.from);
     let [low, high] = [range.from + margin, range.to - margin];
@@ -67,7 +70,7 @@ pub(super) fn planned(luffing: &Luffing, moving: &Moving) -> Vec<Planned> {
     let index = standing
         .variables()
         .iter()
-        .position(|variable| variable.symbol == &s::R);
+        .position(|variable| variable.symbol == T::REACH);
     let mut reach = |at: f64| standing.set(0, at).and_then(|()| standing.get(index.unwrap_or(0)));
     let [near, far] = match (reach(low), reach(high)) {
         (Ok(one), Ok(other)) if one > other => [high, low],
@@ -140,10 +143,10 @@ pub(super) fn at_rest(moving: &Moving) -> Moving {
 }
 
 /// What tells a model's inputs what to do, sample after sample.
-pub(super) struct Pilot<'a> {
+pub(super) struct Pilot<'a, T> {
     planned: &'a Planned,
     ramp: f64,
-    luffing: Drive,
+    luffing: Drive<T>,
     slewing: Option<JointMotor>,
     /// Rate of slewing that was reached, in rad/s.
     reached: f64,
@@ -152,9 +155,9 @@ pub(super) struct Pilot<'a> {
     pub told: Vec<(usize, Vec<[f64; 2]>)>,
 }
 
-enum Drive {
+enum Drive<T> {
     Motor(JointMotor),
-    Valve(Box<LengthValve>),
+    Valve(Box<LengthValve<T>>),
 }
 
 /// What the hoist is told.
@@ -188,7 +191,7 @@ impl Lift {
 }
 
 /// The valve of a luffing cylinder.
-struct LengthValve {
+struct LengthValve<T> {
     input: usize,
     length: usize,
     /// The crane where it should be, and its cylinder's length and speed there.
@@ -196,19 +199,26 @@ struct LengthValve {
     planned: [usize; 2],
     /// Speed of the cylinder with the valve fully open, in m/s.
     open: f64,
+    of: PhantomData<T>,
 }
 
-impl LengthValve {
-    fn new(luffing: &Luffing, moving: &Moving, oil: &CylinderOil<f64>, model: &MovingComponent) -> Option<LengthValve> {
-        let bore = luffing.driving.cylinder?;
+impl<T: Shown> LengthValve<T> {
+    fn new(
+        luffing: &Description<T>,
+        moving: &Moving,
+        oil: &CylinderOil<f64>,
+        model: &MovingComponent,
+    ) -> Option<LengthValve<T>> {
+        let bore = T::bore(luffing)?;
         let [area, _] = Cylinder::areas(bore.d_c, bore.d_r);
         let shadow = luffing.standing();
         Some(LengthValve {
             input: place(model, &m::U_V)?,
-            length: place(model, &s::L_D)?,
-            planned: [place(&shadow, &s::L_D)?, place(&shadow, &s::V_D)?],
+            length: place(model, &d::L_D)?,
+            planned: [place(&shadow, &d::L_D)?, place(&shadow, &d::V_D)?],
             shadow,
             open: oil.q_n / area * (0.5 * moving.inputs.supply / oil.dp_n).sqrt(),
+            of: PhantomData,
         })
     }
 
@@ -221,21 +231,18 @@ impl LengthValve {
     }
 }
 
-impl<'a> Pilot<'a> {
+impl<'a, T: Shown> Pilot<'a, T> {
     pub(super) fn new(
         planned: &'a Planned,
-        luffing: &Luffing,
+        luffing: &Description<T>,
         moving: &Moving,
         model: &MovingComponent,
-    ) -> Option<Pilot<'a>> {
+    ) -> Option<Pilot<'a, T>> {
         let [drive, turning] = moving.inputs.drives;
-        let boom = model.variables()[1].symbol == &s::OMEGA_1;
-        let (rate, acceleration) = if boom {
-            (&s::OMEGA_1, &m::D_OMEGA_1)
-        } else {
-            (&s::OMEGA_3, &m::D_OMEGA_3)
-        };
-        let motor = [&m::M_A, &m::M_S, rate, acceleration, &m::Z_REST, &m::Z_LOOSE];
+        let ShownBar {
+            speed, acceleration, ..
+        } = bar::<T>(model);
+        let motor = [&m::M_A, &m::M_S, speed.1, acceleration, &m::Z_REST, &m::Z_LOOSE];
         let slewing = [
             &m::M_SL,
             &m::M_B_SL,
@@ -351,18 +358,19 @@ impl<'a> Pilot<'a> {
     }
 }
 
-/// What is drawn of a manoeuvre: ids of curves, and where their quantities stand among the variables. What the scene does not have is left out.
-pub(super) fn drawn(planned: &Planned, model: &MovingComponent) -> Vec<(&'static str, usize)> {
-    let boom = model.variables()[0].symbol == &s::THETA_1;
-    let [angle, speed] = if boom {
-        [("motion_boom_angle", &s::THETA_1), ("motion_boom_speed", &s::OMEGA_1)]
-    } else {
-        [
-            ("motion_rocker_angle", &s::THETA_3),
-            ("motion_rocker_speed", &s::OMEGA_3),
-        ]
-    };
-    let wanted = if planned.slews {
+/// The bar that the model drives: its angle is the first of the variables.
+fn bar<T: Shown>(model: &MovingComponent) -> &'static ShownBar {
+    let angle = model.variables()[0].symbol;
+    let bar = T::BARS.iter().find(|bar| bar.angle.1 == angle);
+    bar.expect("one of those that scenes may drive")
+}
+
+/// What is drawn of a manoeuvre: ids of curves, and where their quantities stand among the variables. What the scene does
+/// not have is left out.
+pub(super) fn drawn<T: Shown>(planned: &Planned, model: &MovingComponent) -> Vec<(&'static str, usize)> {
+    let ShownBar { angle, speed, .. } = bar::<T>(model);
+    let rope = ("motion_rope", &m::S_R);
+    let wanted: [Drawn; 4] = if planned.slews {
         [
             ("motion_slewing", &m::PSI_SL),
             ("motion_slewing_speed", &m::OMEGA_SL),
@@ -370,26 +378,17 @@ pub(super) fn drawn(planned: &Planned, model: &MovingComponent) -> Vec<(&'static
             ("motion_side", &m::CHI_R),
         ]
     } else if planned.hoists {
-        [
-            ("motion_length", &m::L_R),
-            ("motion_hoist", &m::V_R),
-            ("motion_rope", &m::S_R),
-            ("motion_rocker", &s::N_3),
-        ]
+        [("motion_length", &m::L_R), ("motion_hoist", &m::V_R), rope, T::BODY]
     } else {
-        let last = if place(model, &m::S_R).is_some() {
-            ("motion_rope", &m::S_R)
-        } else {
-            ("motion_rocker", &s::N_3)
-        };
+        let last = if place(model, &m::S_R).is_some() { rope } else { T::BODY };
         let drive = if place(model, &m::P_A).is_some() {
             ("motion_bore", &m::P_A)
         } else {
-            ("motion_moment", &s::M_D)
+            T::DRIVE
         };
-        [angle, speed, drive, last]
+        [*angle, *speed, drive, last]
     };
-    let there = |(id, symbol): (&'static str, &'static Symbol)| Some((id, place(model, symbol)?));
+    let there = |(id, symbol): Drawn| Some((id, place(model, symbol)?));
     wanted.into_iter().filter_map(there).collect()
 }
 

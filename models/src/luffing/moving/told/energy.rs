@@ -1,12 +1,12 @@
 //! Where the energy of a run came from and went.
 
 use crate::component::sheet::{self, Integral, Power};
+use crate::drive::symbols as d;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::moving::scene::MovingLink as Moving;
-use crate::luffing::double_link::moving::symbols as m;
-use crate::luffing::double_link::symbols as s;
 use crate::luffing::moving::hoisting::HoistKind;
 use crate::luffing::moving::level::Powers;
+use crate::luffing::moving::scene::Moving;
+use crate::luffing::moving::symbols as m;
 use crate::parts::hydraulics::symbols as h;
 
 /// Where energy came from and went, in J.
@@ -126,7 +126,7 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
     // What the pump gives, the oil does not store and the rod does not take.
     let mut resisted = vec![
         of(false, &[&m::P_P, &h::Q_0], None),
-        of(true, &[&m::F_C, &s::V_D], None),
+        of(true, &[&m::F_C, &d::V_D], None),
     ];
     resisted.extend(compression(true));
     let all = [

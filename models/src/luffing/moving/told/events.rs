@@ -1,10 +1,10 @@
 //! What happens to a crane in motion, seen from sample to sample.
 
-use crate::luffing::double_link::moving::scene::MovingLink as Moving;
-use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
 use crate::luffing::moving::level::CraneAt;
+use crate::luffing::moving::scene::Moving;
 use crate::parts::joint::Bar;
+use crate::parts::motion::Motion;
 
 /// What changes at an event.
 #[derive(Clone, PartialEq)]
@@ -15,16 +15,18 @@ pub(super) struct Watch {
     pub stops: [[bool; 2]; 3],
     ahead: [[bool; 2]; 3],
     taut: bool,
+    /// A rope that drives luffing pulls.
+    pulls: bool,
     relief: [bool; 2],
 }
 
 impl Watch {
     /// With the time between two samples, in s.
-    pub(super) fn new(luffing: &Luffing, moving: &Moving, present: &CraneAt, sample: f64) -> Watch {
+    pub(super) fn new(range: &Motion, moving: &Moving, present: &CraneAt, sample: f64) -> Watch {
         let y = present.y;
         let opening = moving.oil.map_or(f64::INFINITY, |oil| oil.p_r);
         let at = |x: f64, [low, high]: [f64; 2]| [x <= low, x >= high];
-        let ends = [luffing.motion.from, luffing.motion.to];
+        let ends = [range.from, range.to];
         let (oil, own) = (moving.oil.is_some(), if moving.oil.is_some() { FIXED } else { 2 });
         let turning = moving.slewing.map(|_| [y[own], y[own + 1]]);
         let free = [f64::NEG_INFINITY, f64::INFINITY];
@@ -32,7 +34,13 @@ impl Watch {
         let meets = |[x, rate]: [f64; 2], ends| [at(x, ends), at(x + rate * sample, ends)];
         let luffing = meets([y[0], y[1]], ends);
         let slewing = turning.map_or([[false; 2]; 2], |turning| meets(turning, turns));
-        let Modes { joints, drum, taut, .. } = present.past;
+        let Modes {
+            joints,
+            drum,
+            taut,
+            slack,
+            ..
+        } = present.past;
         Watch {
             joints: [
                 (!oil).then_some(joints[0]),
@@ -42,6 +50,7 @@ impl Watch {
             stops: [luffing[0], slewing[0], [false; 2]],
             ahead: [luffing[1], slewing[1], [false; 2]],
             taut,
+            pulls: slack.is_none(),
             relief: if oil {
                 [y[2] > opening, y[3] > opening]
             } else {
@@ -84,6 +93,7 @@ impl Watch {
         }
         let switches = [
             (before.taut, self.taut, "rope_taut", "rope_slack"),
+            (before.pulls, self.pulls, "tackle_taut", "tackle_slack"),
             (before.relief[0], self.relief[0], "relief_1_opens", "relief_1_closes"),
             (before.relief[1], self.relief[1], "relief_2_opens", "relief_2_closes"),
         ];

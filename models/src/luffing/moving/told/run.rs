@@ -1,20 +1,21 @@
 //! A run of the running model through a manoeuvre, sampled.
 
+use crate::component::description::Description;
 use crate::component::moving::MovingComponent;
 use crate::component::running::{Running, State};
 use crate::component::series::Series;
 use crate::component::sheet::{Summary, Warning};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::moving::scene::MovingLink as Moving;
-use crate::luffing::double_link::moving::symbols as m;
-use crate::luffing::double_link::moving::told::{apart, kinetic, powers, present};
-use crate::luffing::double_link::scene::Luffing;
-use crate::luffing::double_link::sheet::energy::{Energy, net, rounding, sum, turnover};
-use crate::luffing::double_link::sheet::events::Watch;
-use crate::luffing::double_link::sheet::manoeuvres::Pilot;
 use crate::luffing::moving::hydraulic::FIXED;
 use crate::luffing::moving::level::{CraneAt, Powers};
+use crate::luffing::moving::scene::Moving;
+use crate::luffing::moving::symbols as m;
+use crate::luffing::moving::told::energy::{Energy, net, rounding, sum, turnover};
+use crate::luffing::moving::told::events::Watch;
+use crate::luffing::moving::told::manoeuvres::Pilot;
+use crate::luffing::moving::told::present::{kinetic, powers, present};
+use crate::luffing::moving::told::shown::Shown;
 use crate::parts::hydraulics::oil::VACUUM;
 use crate::parts::joint::Bar;
 
@@ -54,7 +55,7 @@ struct Budget {
 }
 
 /// Moves the model on and returns the works on the way, with powers and energy (J) at its end.
-fn advance(
+fn advance<T: Shown>(
     model: &mut MovingComponent,
     [from, to]: [f64; 2],
     before: &(Powers, f64),
@@ -69,13 +70,13 @@ fn advance(
     let middle = f64::midpoint(from, to);
     if halvings == 0 {
         model.advance(from, to).ok()?;
-        let after = powers(model).ok()?;
+        let after = powers::<T::Component>(model).ok()?;
         return Some((sum(&[(&before.0, 0.5 * time), (&after.0, 0.5 * time)]), after));
     }
     model.advance(from, middle).ok()?;
-    let half = powers(model).ok()?;
+    let half = powers::<T::Component>(model).ok()?;
     model.advance(middle, to).ok()?;
-    let after = powers(model).ok()?;
+    let after = powers::<T::Component>(model).ok()?;
     let weights = [(&before.0, time / 6.0), (&half.0, time / 1.5), (&after.0, time / 6.0)];
     let (work, gain) = (sum(&weights), after.1 - before.1);
     let left = (net(&work) - gain).abs();
@@ -85,8 +86,8 @@ fn advance(
     }
     budget.halvings -= 1;
     model.set_state(&start);
-    let (first, half) = advance(model, [from, middle], before, turned_over, halvings - 1, budget)?;
-    let (second, after) = advance(model, [middle, to], &half, turned_over, halvings - 1, budget)?;
+    let (first, half) = advance::<T>(model, [from, middle], before, turned_over, halvings - 1, budget)?;
+    let (second, after) = advance::<T>(model, [middle, to], &half, turned_over, halvings - 1, budget)?;
     Some((sum(&[(&first, 1.0), (&second, 1.0)]), after))
 }
 
@@ -111,12 +112,12 @@ pub(super) struct Run {
 
 impl Run {
     /// Looks at variables, by their indices, and at one that leads.
-    pub(super) fn new(
-        luffing: &Luffing,
+    pub(super) fn new<T: Shown>(
+        luffing: &Description<T>,
         moving: &Moving,
         model: &mut MovingComponent,
         (lead, seen): (usize, impl Iterator<Item = usize>),
-        pilot: &mut Pilot<'_>,
+        pilot: &mut Pilot<'_, T>,
     ) -> Option<Run> {
         let (duration, step) = (pilot.duration(), moving.constants.step);
         let wanted = (duration / step).ceil();
@@ -133,12 +134,12 @@ impl Run {
         }
         let mut series = Series::new(sample, seen.chain([lead]));
         series.look(model).ok()?;
-        let mut power = powers(model).ok()?;
+        let mut power = powers::<T::Component>(model).ok()?;
         let mut budget = Budget {
             halvings: samples,
             rates: RATES[0] * f64::from(samples) + RATES[1] * wanted,
         };
-        let (at, least) = present(model);
+        let (at, least) = present::<T::Component>(model);
         let mut run = Run {
             series,
             events: Vec::new(),
@@ -155,7 +156,7 @@ impl Run {
             greatest_swing: [swing(moving, &at), 0.0],
             apart: [0.0; 2],
         };
-        let mut watch = Watch::new(luffing, moving, &at, sample);
+        let mut watch = Watch::new(&luffing.motion, moving, &at, sample);
         // The crane was at rest before.
         let mut rest = watch.clone();
         rest.joints = watch.joints.map(|joint| joint.map(|_| Bar::Held));
@@ -165,22 +166,22 @@ impl Run {
             if i > 0 {
                 // Nothing is told that the model refuses: what it refuses next ends the run.
                 let _ = pilot.tell(model, [from, to]);
-                power = powers(model).ok()?;
+                power = powers::<T::Component>(model).ok()?;
             }
             let turned_over = turnover(&run.energy.work);
-            let step = advance(model, [from, to], &power, turned_over, HALVINGS, &mut budget);
+            let step = advance::<T>(model, [from, to], &power, turned_over, HALVINGS, &mut budget);
             let Some((work, now)) = step.filter(|_| run.series.look(model).is_ok()) else {
                 run.events.push((from, "run_ends"));
                 break;
             };
-            let (at, least) = present(model);
-            let next = Watch::new(luffing, moving, &at, sample);
+            let (at, least) = present::<T::Component>(model);
+            let next = Watch::new(&luffing.motion, moving, &at, sample);
             let events = next.since(&watch);
             run.energy.add(&work, now.1);
             run.energy.blows = at.past.blown;
             if i % KINETIC == 0 {
-                run.energy.kinetic = run.energy.kinetic.max(kinetic(model).ok()?);
-                if let Some(apart) = apart(model) {
+                run.energy.kinetic = run.energy.kinetic.max(kinetic::<T::Component>(model).ok()?);
+                if let Some(apart) = T::APART.and_then(|apart| apart(model)) {
                     run.apart = [0, 1].map(|k| run.apart[k].max(apart[k]));
                 }
             }

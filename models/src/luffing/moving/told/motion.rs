@@ -5,29 +5,31 @@ use std::panic::resume_unwind;
 use std::thread::ScopedJoinHandle;
 
 use crate::balance::symbols as b;
-use crate::component::description::Described;
+use crate::component::description::{Described, Description};
 use crate::component::moved::Moved;
 use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Envelope, InMotion, Manoeuvre, Section, Summary};
+use crate::component::stages::Stages;
+use crate::drive::symbols as d;
 use crate::kernel::record::record;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Role;
-use crate::luffing::double_link::moving::scene::MovingLink as Moving;
-use crate::luffing::double_link::moving::start::starting;
-use crate::luffing::double_link::moving::symbols as m;
-use crate::luffing::double_link::moving::told::recorded;
-use crate::luffing::double_link::outline::OUTLINE;
-use crate::luffing::double_link::scene::{Luffing, LuffingScene};
-use crate::luffing::double_link::sheet::energy::integrals;
-use crate::luffing::double_link::sheet::manoeuvres::{Pilot, Planned, at_rest, designed, drawn, planned, rules};
-use crate::luffing::double_link::sheet::run::{EVENTS, Run, timed};
-use crate::luffing::double_link::symbols as s;
+use crate::luffing::moving::given::{INPUTS, STATES};
 use crate::luffing::moving::hydraulic::CREEP;
+use crate::luffing::moving::luffs::Luffs;
+use crate::luffing::moving::scene::Moving;
+use crate::luffing::moving::start::starting;
+use crate::luffing::moving::symbols as m;
+use crate::luffing::moving::told::energy::integrals;
+use crate::luffing::moving::told::manoeuvres::{Pilot, Planned, at_rest, designed, drawn, planned, rules};
+use crate::luffing::moving::told::present::recorded;
+use crate::luffing::moving::told::run::{EVENTS, Run, timed};
+use crate::luffing::moving::told::shown::Shown;
 use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
-/// What the formulas of a section give; those of the assembled model stand among them.
+/// What the formulas of a section give; those of the assembled model stand among them. A mechanism has its own besides.
 const SECTIONS: [(&str, &[&Symbol]); 9] = [
     (
         "motion_counterweight",
@@ -36,17 +38,16 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
     (
         "motion_bodies",
         listed! { m:
-            MASS_Q, J_2Q, MASS_1, DX_1, DY_1, DDX_1, DDY_1, DI_1, I_R1, DI_R1, MASS_2, DX_2, DY_2, DDX_2, DDY_2, DI_2,
-            I_R2, DI_R2, MASS_3, DX_3, DY_3, DDX_3, DDY_3, DI_3, I_R3, DI_R3, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y
+            MASS_Q, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y
         },
     ),
-    ("motion_slewing", listed! { m: X_S1, X_S2, X_S3, X_S5, I_SL, DI_SL }),
+    ("motion_slewing", &[]),
     (
         "motion_oil",
         &[
             &h::A_A,
             &h::A_B,
-            &s::V_D,
+            &d::V_D,
             &h::Y_V,
             &h::Q_1,
             &h::Q_2,
@@ -65,7 +66,7 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
     (
         "motion_pendulum",
         listed! { m:
-            D_PHI, D_N, Q_A, DD_PHI, M_11, M_12, M_21, M_22, TAU_1, TAU_2
+            D_PHI, D_N, Q_A, D_L, Q_L, A_L, DD_PHI, M_11, M_12, M_21, M_22, TAU_1, TAU_2
         },
     ),
     (
@@ -77,80 +78,33 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
     (
         "motion_equations",
         listed! { m:
-            MASS_H, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_R, M_R_SL, M_NET, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, D_OMEGA_1, D_OMEGA_3, D_OMEGA_SL,
+            MASS_H, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_R, M_R_SL, M_NET, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, A_AX, A_AY, D_OMEGA_SL,
             D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, D_V_Q, S_R, D_V_R
         },
     ),
-    (
-        "motion_forces",
-        &[
-            &m::F_AX,
-            &m::F_AY,
-            &m::M_RC,
-            &m::M_RV,
-            &m::M_RS,
-            &s::M_D,
-            &m::F_5X,
-            &m::F_5Y,
-            &m::M_I5,
-            &m::N_5X,
-            &m::N_5Y,
-            &b::N_1,
-            &m::E_1X,
-            &m::E_1Y,
-            &b::F_KX,
-            &b::F_KY,
-            &b::F_MX,
-            &b::F_MY,
-            &m::F_1X,
-            &m::F_1Y,
-            &m::F_2X,
-            &m::F_2Y,
-            &m::F_3X,
-            &m::F_3Y,
-            &m::J_XY1,
-            &m::J_XY2,
-            &m::J_XY3,
-            &m::M_I1,
-            &m::M_I3,
-            &m::M_IB,
-            &m::M_IC,
-            &s::F_BX,
-            &s::F_BY,
-            &s::F_CX,
-            &s::F_CY,
-            &m::M_T,
-            &s::F_D,
-            &s::F_O1X,
-            &s::F_O1Y,
-            &s::F_O3X,
-            &s::F_O3Y,
-            &s::N_3,
-        ],
-    ),
+    ("motion_forces", &[]),
 ];
 
-/// What is found while the model is assembled, before it moves.
-const ASSEMBLED: [&Symbol; 5] = [&m::MASS_Q, &m::J_2Q, &m::MASS_H, &h::A_A, &h::A_B];
+/// What is found while the model is assembled, before it moves, besides a mechanism's own.
+const ASSEMBLED: [&Symbol; 4] = [&m::MASS_Q, &m::MASS_H, &h::A_A, &h::A_B];
+
+type Given<T> = <<T as Described>::Component as Stages>::Given<f64>;
 
 /// What is told of a scene whose mechanism moves; `None` where the model cannot start.
-pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<Moved> {
+pub(crate) fn moved<T: Shown>(luffing: &Description<T>) -> Option<Moved> {
+    let (given, moving) = T::moves(luffing)?;
     let (rest, plans) = (at_rest(moving), planned(luffing, moving));
-    let mut model = starting(
-        LuffingScene::given(luffing),
-        luffing.motion,
-        &rest,
-        plans.first()?.start,
-    )
-    .ok()?;
+    let start = plans.first()?.start;
+    let mut model = starting::<T::Component>(&given, luffing.motion, &rest, start).ok()?;
+    let load = T::Component::luffing(&given).load;
     let [coordinate, rate] = [0, 1].map(|index| model.variables()[index].symbol);
     let instant = match (moving.oil, moving.rope) {
         (Some(_), _) => ("greatest_pressure", &m::P_A),
         (None, Some(_)) => ("greatest_rope_force", &m::S_R),
         (None, None) => ("greatest_speed", rate),
     };
-    let designed = designed(OUTLINE.forces, &model);
-    let run = |plan| ran(luffing, moving, &rest, plan, instant.1, &designed);
+    let designed = designed(T::FORCES, &model);
+    let run = |plan| ran(luffing, (&given, moving), &rest, plan, instant.1, &designed);
     let ran = std::thread::scope(|scope| {
         let threads: Vec<_> = plans.iter().map(|plan| scope.spawn(|| run(plan))).collect();
         let ended = threads.into_iter().map(ScopedJoinHandle::join);
@@ -170,10 +124,10 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<Moved> {
     model.set_states(&states).ok()?;
     model.update().ok()?;
     let envelope = |&(symbol, index): &(&'static Symbol, usize)| {
-        let weight = luffing.q.filter(|_| symbol == &m::S_R);
+        let weight = load.filter(|_| symbol == &m::S_R);
         Envelope {
             symbol,
-            still: weight.map(|weight| [Summary::new(symbol, weight); 2]),
+            still: weight.map(|weight| [Summary::new(symbol, weight.1); 2]),
             moving: runs.iter().map(|run| run.series.stands(index)).collect(),
         }
     };
@@ -182,12 +136,12 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<Moved> {
         coordinate,
         instant: (instant.0, manoeuvres[of].id, shown.instant),
         of: None,
-        state: state(&mut model),
+        state: state(&mut model, [coordinate, rate]),
         constants: match moving.oil {
             Some(_) => vec![(&h::DP_LAM, LAMINAR), (&m::OMEGA_C, CREEP)],
             None => Vec::new(),
         },
-        sections: sections(&model),
+        sections: sections::<T>(&model),
         ramp: Some((&m::T_S, moving.ramp)),
         rules: rules(moving),
         envelope: designed.iter().map(envelope).collect(),
@@ -198,17 +152,17 @@ pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<Moved> {
 }
 
 /// One of them, with what is told of it; `lead` says which instant is shown.
-fn ran(
-    luffing: &Luffing,
-    moving: &Moving,
+fn ran<T: Shown>(
+    luffing: &Description<T>,
+    (given, moving): (&Given<T>, &Moving),
     rest: &Moving,
     plan: &Planned,
     lead: &Symbol,
     designed: &[(&'static Symbol, usize)],
 ) -> Option<(Manoeuvre, Run)> {
-    let mut model = starting(LuffingScene::given(luffing), luffing.motion, rest, plan.start).ok()?;
+    let mut model = starting::<T::Component>(given, luffing.motion, rest, plan.start).ok()?;
     let mut pilot = Pilot::new(plan, luffing, moving, &model)?;
-    let drawn = drawn(plan, &model);
+    let drawn = drawn::<T>(plan, &model);
     let lead = model.variables().iter().position(|variable| variable.symbol == lead)?;
     let drawn_indices = drawn.iter().map(|(_, index)| *index);
     let seen = drawn_indices.chain(designed.iter().map(|(_, index)| *index));
@@ -235,7 +189,7 @@ fn ran(
 }
 
 /// States and commands as they are now, without those of the position alone.
-fn state(model: &mut MovingComponent) -> Vec<(&'static Symbol, f64)> {
+fn state(model: &mut MovingComponent, bar: [&'static Symbol; 2]) -> Vec<(&'static Symbol, f64)> {
     let indices = |role: Role| {
         let all = model.variables().iter().enumerate();
         let of = all.filter(move |(_, variable)| variable.role == role);
@@ -245,22 +199,24 @@ fn state(model: &mut MovingComponent) -> Vec<(&'static Symbol, f64)> {
     listed
         .into_iter()
         .filter_map(|(index, symbol)| Some((symbol, model.get(index).ok()?)))
-        .filter(|(symbol, _)| {
-            !s::ALL.contains(symbol) || [&s::THETA_1, &s::OMEGA_1, &s::THETA_3, &s::OMEGA_3].contains(symbol)
-        })
+        .filter(|(symbol, _)| [&STATES[..], &INPUTS, &bar].iter().any(|list| list.contains(symbol)))
         .collect()
 }
 
 /// The equations at the model's instant. Each section is recorded from the start and shows its own steps.
-fn sections(model: &MovingComponent) -> Vec<Section> {
+fn sections<T: Shown>(model: &MovingComponent) -> Vec<Section> {
     let section = |(id, symbols): (&'static str, &[&Symbol])| {
-        let (mut trace, assembled) = record(|| recorded(model));
+        let own = T::SECTIONS.iter().find(|(of, ..)| *of == id);
+        let (id, own) = own.map_or((id, &[][..]), |(_, id, own)| (*id, *own));
+        let (mut trace, assembled) = record(|| recorded::<T>(model));
         let mut seen: Vec<&Symbol> = Vec::new();
         let mut index = 0;
         trace.steps.retain(|step| {
             let early = index < assembled;
             index += 1;
-            let wanted = symbols.contains(&step.symbol) && (!early || ASSEMBLED.contains(&step.symbol));
+            let ready = || ASSEMBLED.contains(&step.symbol) || T::ASSEMBLED.contains(&step.symbol);
+            let listed = symbols.contains(&step.symbol) || own.contains(&step.symbol);
+            let wanted = listed && (!early || ready());
             let first = wanted && !seen.contains(&step.symbol);
             if first {
                 seen.push(step.symbol);
@@ -281,7 +237,7 @@ fn sections(model: &MovingComponent) -> Vec<Section> {
 }
 
 /// The chapter of all runs, each of a manoeuvre, with what is judged in them and warned of.
-fn judged(luffing: &Luffing, moving: &Moving, chapter: InMotion, runs: &[Run]) -> Moved {
+fn judged<T: Shown>(luffing: &Description<T>, moving: &Moving, chapter: InMotion, runs: &[Run]) -> Moved {
     let most = |of: fn(&Run) -> [f64; 2]| {
         runs.iter()
             .map(of)
@@ -297,7 +253,7 @@ fn judged(luffing: &Luffing, moving: &Moving, chapter: InMotion, runs: &[Run]) -
     let checked = asked.iter().flatten();
     let named = runs.iter().zip(&chapter.manoeuvres);
     let apart = |i: usize| runs.iter().map(|run| run.apart()[i]).fold(0.0, f64::max);
-    let agree = |id, i, limit| Check::at_most(id, &s::AGREEMENT, apart(i), limit);
+    let agree = |id, i, limit| Check::at_most(id, T::AGREEMENT, apart(i), limit);
     Moved {
         requirements: checked
             .map(|(id, found, limit)| Check::of(id, found, *limit, true))
@@ -307,7 +263,9 @@ fn judged(luffing: &Luffing, moving: &Moving, chapter: InMotion, runs: &[Run]) -
             .map(|swing| swing.symbol)
             .into_iter()
             .collect(),
-        identities: vec![agree("motion_forces", 0, 1e-9), agree("motion_energy", 1, 1e-3)],
+        identities: (T::APART.map(|_| agree("motion_forces", 0, 1e-9)).into_iter())
+            .chain([agree("motion_energy", 1, 1e-3)])
+            .collect(),
         warnings: named.flat_map(|(run, manoeuvre)| run.warnings(manoeuvre.id)).collect(),
         chapter,
     }

@@ -1,0 +1,48 @@
+//! What is the boom's own in what its book tells of it in motion.
+
+use crate::balance::symbols as b;
+use crate::component::description::Description;
+use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::ellipsograph::scene::Ellipsograph;
+use crate::luffing::ellipsograph::stages::Given;
+use crate::luffing::ellipsograph::symbols as s;
+use crate::luffing::moving::scene::Moving;
+use crate::luffing::moving::symbols as m;
+use crate::luffing::moving::told::shown::{Drawn, OwnPart, Shown, ShownBar};
+
+impl Shown for Ellipsograph {
+    const BARS: &'static [ShownBar] = &[ShownBar {
+        angle: ("motion_boom_angle", &b::PHI),
+        speed: ("motion_boom_speed", &s::OMEGA),
+        acceleration: &s::D_OMEGA,
+    }];
+
+    const REACH: &'static Symbol = &s::R;
+
+    const SECTIONS: &'static [OwnPart] = &[
+        (
+            "motion_bodies",
+            "ellipsograph_bodies",
+            listed! { s:
+                J_BQ, S_MX, S_MY, DS_MX, DS_MY, DS_LX, DS_LY, DA_X, DA_Y, MASS_B, I_RB, DI_RB, MASS_L, I_RL, DI_RL
+            },
+        ),
+        ("motion_equations", "motion_equations", &[&s::D_OMEGA]),
+    ];
+
+    const ASSEMBLED: &'static [&'static Symbol] = &[&s::J_BQ];
+
+    const STAGES: &'static [&'static str] = &["moves", "pull"];
+
+    const DRIVE: Drawn = ("motion_drive", &m::M_A);
+
+    const BODY: Drawn = ("motion_resisting", &m::M_R);
+
+    const FORCES: &'static [&'static Symbol] = &[&m::M_R];
+
+    const AGREEMENT: &'static Symbol = &s::AGREEMENT;
+
+    fn moves(this: &Description<Ellipsograph>) -> Option<(Given<f64>, &Moving)> {
+        Some((this.given.clone(), this.moving.as_ref()?))
+    }
+}

@@ -1,0 +1,87 @@
+//! What the book tells of a crane in motion besides its variables.
+
+use std::any::Any;
+
+use crate::component::moving::MovingComponent;
+use crate::component::part::{Component, Runner};
+use crate::component::stages::Stages;
+use crate::kernel::calc::Calc;
+use crate::kernel::record::{self, Rec};
+use crate::kernel::variable::Fault;
+use crate::luffing::moving::carried::{self, CarriedCrane};
+use crate::luffing::moving::level::{CraneAt, Powers};
+use crate::luffing::moving::luffs::Luffs;
+use crate::luffing::moving::stages::open;
+use crate::luffing::moving::told::shown::Shown;
+
+/// Powers as it is now, and the energy (J) of all bodies with what blows have taken so far.
+///
+/// # Errors
+/// The linkage does not close.
+pub(super) fn powers<T: Luffs>(model: &mut MovingComponent) -> Result<(Powers, f64), Fault> {
+    let known = carried::known::<T>(model.parts().0);
+    let theta = T::luffing(T::given(known)).theta;
+    let (level, at) = T::in_motion(known).map_err(|fault| *fault)?;
+    let (powers, energy) = level.powers(&at).ok_or_else(|| open(&theta))?;
+    Ok((powers, energy + at.past.blown))
+}
+
+/// Energy of the bodies' motion as it is now, in J.
+///
+/// # Errors
+/// The linkage does not close.
+pub(super) fn kinetic<T: Luffs>(model: &mut MovingComponent) -> Result<f64, Fault> {
+    let known = carried::known::<T>(model.parts().0);
+    let theta = T::luffing(T::given(known)).theta;
+    let (level, moving) = T::in_motion(known).map_err(|fault| *fault)?;
+    let mut still = moving;
+    for &rate in level.rates_of() {
+        still.y[rate] = 0.0;
+    }
+    let energies = [moving, still].map(|at| Some(level.powers(&at)?.1));
+    match energies {
+        [Some(moving), Some(still)] => Ok(moving - still),
+        _ => Err(open(&theta)),
+    }
+}
+
+/// The crane as it is, with the least pressure of its oil so far, in Pa.
+pub(super) fn present<T: Luffs>(model: &mut MovingComponent) -> (CraneAt, f64) {
+    let (standing, carrier) = model.parts();
+    let carrier: &dyn Any = carrier;
+    let own: &CarriedCrane<T> = carrier.downcast_ref().expect("a crane's");
+    let least = own.ahead.least_pressure();
+    (carried::at::<T>(standing), least)
+}
+
+/// Runs the equations of motion as they are now under the recorder. Returns how many steps were recorded while
+/// they were assembled.
+pub(super) fn recorded<T: Shown>(model: &MovingComponent) -> usize {
+    let plain = model.standing().of::<T::Component>().given();
+    let given = T::Component::map(plain, &mut |source, (symbol, _), value| {
+        let past = T::Component::GROUPS[usize::from(source.group)].0 == "past";
+        match past || !T::Component::gives(plain, symbol) {
+            true => Rec::constant(value),
+            false => Rec::given(symbol, value),
+        }
+    });
+    let mut known = Runner::<T::Component, Rec>::new(given).0;
+    let stages = T::Component::STAGES;
+    let mut make = |id: &str| {
+        let found = stages
+            .iter()
+            .position(|stage| stage.id == id)
+            .expect("one of its stages");
+        let rows = stages[found].rows;
+        let there = rows.is_empty() || rows.iter().any(|row| T::Component::has(plain, row));
+        there && T::Component::make(&mut known, found as u8).is_ok()
+    };
+    let built = make("built");
+    let assembled = record::steps();
+    if built {
+        for id in T::STAGES {
+            make(id);
+        }
+    }
+    assembled
+}

@@ -1,0 +1,51 @@
+//! What is the boom's own in what its book tells of it in motion.
+
+use crate::balance::symbols as b;
+use crate::component::description::Description;
+use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::moving::scene::Moving;
+use crate::luffing::moving::symbols as m;
+use crate::luffing::moving::told::shown::{Drawn, OwnPart, Shown, ShownBar};
+use crate::luffing::rope::scene::Rope;
+use crate::luffing::rope::stages::Given;
+use crate::luffing::rope::symbols as s;
+
+impl Shown for Rope {
+    const BARS: &'static [ShownBar] = &[ShownBar {
+        angle: ("motion_boom_angle", &b::PHI),
+        speed: ("motion_boom_speed", &s::OMEGA),
+        acceleration: &s::D_OMEGA,
+    }];
+
+    const REACH: &'static Symbol = &s::R;
+
+    const SECTIONS: &'static [OwnPart] = &[
+        (
+            "motion_bodies",
+            "rope_bodies",
+            listed! { s:
+                MASS_B, S_BX, S_BY, A_X, A_Y, DA_X, DA_Y, L_S, H_S, DH_S, DL_R, DDL_R, DY_Q, DDY_Q, I_RB, DI_RB, I_RQ, DI_RQ
+            },
+        ),
+        ("motion_equations", "motion_equations", &[&s::D_OMEGA]),
+        (
+            "motion_forces",
+            "rope_dynamic",
+            listed!(s: K_LX, K_LY, L_TX, L_TY, L_T, H_T, T_DYN),
+        ),
+    ];
+
+    const STAGES: &'static [&'static str] = &["moves", "led", "tackle"];
+
+    const DRIVE: Drawn = ("rope_dynamic", &s::T_DYN);
+
+    const BODY: Drawn = ("motion_resisting", &m::M_R);
+
+    const FORCES: &'static [&'static Symbol] = &[&s::T_DYN, &m::M_R];
+
+    const AGREEMENT: &'static Symbol = &s::AGREEMENT;
+
+    fn moves(this: &Description<Rope>) -> Option<(Given<f64>, &Moving)> {
+        Some((this.given.clone(), this.moving.as_ref()?))
+    }
+}
