@@ -40,7 +40,10 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
             I_R2, DI_R2, MASS_3, DX_3, DY_3, DDX_3, DDY_3, DI_3, I_R3, DI_R3, I_R5, DI_R5, I_R, DI_R, M_W, DDA_X, DDA_Y
         },
     ),
-    ("motion_slewing", listed! { m: X_S1, X_S2, X_S3, X_S5, I_SL, DI_SL }),
+    (
+        "motion_slewing",
+        listed! { m: X_S1, X_S2, X_S3, X_S5, J_XI2, J_XIETA2, J_ETA2, I_SL, DI_SL },
+    ),
     (
         "motion_oil",
         &[
@@ -131,7 +134,16 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
 ];
 
 /// What is found while the model is assembled, before it moves.
-const ASSEMBLED: [&Symbol; 5] = [&m::MASS_Q, &m::J_2Q, &m::MASS_H, &h::A_A, &h::A_B];
+const ASSEMBLED: [&Symbol; 8] = [
+    &m::MASS_Q,
+    &m::J_2Q,
+    &m::J_XI2,
+    &m::J_XIETA2,
+    &m::J_ETA2,
+    &m::MASS_H,
+    &h::A_A,
+    &h::A_B,
+];
 
 /// What is told of a scene whose mechanism moves; `None` where the model cannot start.
 pub(super) fn motion(luffing: &Luffing, moving: &Moving) -> Option<Moved> {
