@@ -175,3 +175,22 @@ def test_the_ring_bears_what_its_curve_says(tmp_path):
         expected = numpy.interp(value(force), *zip(*points))
         assert value(allowed) == pytest.approx(expected, rel=1e-5)
         assert value(use) == pytest.approx(100 * value(moment) / expected, rel=1e-5)
+
+
+# The lever's lengths have the eight digits that its search gave them.
+SMALL = {"portal_004_tail": 72}
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_formulas_are_set_in_readable_type(scene, tmp_path):
+    """Those too wide for a line are set smaller: what would need less than 85 % of the type lacks a name for a part."""
+    sizes = re.findall(r"#step\(size: (\d+)%", source(scene, "full", tmp_path))
+    assert all(int(size) >= SMALL.get(scene, 85) for size in sizes), sizes
+
+
+def test_a_result_that_nothing_changes_has_no_column_and_no_ranking(tmp_path):
+    """Of a parallelogram the height of the head."""
+    text = chapter(source("parallelogram", "standard", tmp_path), "Sensitivity")
+    assert "R_max" in text and "epsilon_Y" not in text and "mu_min" not in text
+    rankings = re.findall(r"drawn\(\d+, \"(.*?)\", alt", text)
+    assert rankings and all("solid" in ranking or "more" in ranking or "less" in ranking for ranking in rankings)

@@ -170,3 +170,21 @@ def test_references_know_what_the_chapters_behind_them_cite(tmp_path):
         text = " ".join(text_of(made(tmp_path, path)))
         listed.append(sorted(re.findall(r"\[([A-Z][A-Za-z]+\d+)\] [A-Z]", text)))
     assert listed[0] == listed[1] and "Li2022" in listed[0]
+
+
+@pytest.mark.parametrize("name", ["curved_trunk", "ellipsograph"])
+def test_figures_stand_in_their_order(name, tmp_path):
+    """Down each page, those side by side from the left, a drawing at the foot or head of a page too."""
+    found = []
+    for page in pypdf.PdfReader(ready(tmp_path, name)).pages:
+        captions = []
+
+        def visit(text, current, matrix, *_):
+            caption = re.match(r"\s*Figure\s(\d+):", text)
+            if caption:
+                captions.append((-round(matrix[5] * current[3] + current[5]), matrix[4], int(caption[1])))
+
+        page.extract_text(visitor_text=visit)
+        found += [number for *_, number in sorted(captions)]
+    # Rankings, which come after these, have as many bars as matter: side by side their captions are not on one height.
+    assert found[:11] == list(range(1, 12)), found

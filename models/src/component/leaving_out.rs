@@ -1,6 +1,7 @@
 //! What a sheet does not tell.
 
 use crate::component::sheet::{Sheet, Table};
+use crate::kernel::record::Trace;
 use crate::kernel::symbol::Symbol;
 
 impl Sheet {
@@ -42,7 +43,7 @@ impl Sheet {
         let positions = self.positions.iter_mut().map(|position| &mut position.sections);
         for sections in positions.chain([&mut self.constants]) {
             for section in sections.iter_mut().rev() {
-                section.trace.retain(told, &mut needed);
+                retain(&mut section.trace, told, &mut needed);
             }
             sections.retain(|section| !section.trace.steps.is_empty());
         }
@@ -51,6 +52,21 @@ impl Sheet {
         let given = |symbol| self.inputs.iter().any(|input| input.symbol == symbol);
         self.sensitivity.rows.retain(|row| given(row.symbol));
     }
+}
+
+/// Keeps the steps that are told or needed, from the last one to the first, and adds what each of them needs.
+fn retain(trace: &mut Trace, told: &dyn Fn(&Symbol) -> bool, needed: &mut Vec<&'static Symbol>) {
+    let mut steps = std::mem::take(&mut trace.steps);
+    steps.reverse();
+    steps.retain(|step| {
+        let kept = told(step.symbol) || needed.contains(&step.symbol);
+        if kept {
+            trace.names(step.formula, needed);
+        }
+        kept
+    });
+    steps.reverse();
+    trace.steps = steps;
 }
 
 impl Table {

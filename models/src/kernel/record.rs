@@ -186,21 +186,6 @@ impl Trace {
         }
     }
 
-    /// Keeps the steps that are asked for or needed, from the last one to the first, and adds what each of them needs.
-    pub fn retain(&mut self, asked: &dyn Fn(&Symbol) -> bool, needed: &mut Vec<&'static Symbol>) {
-        let mut steps = std::mem::take(&mut self.steps);
-        steps.reverse();
-        steps.retain(|step| {
-            let kept = asked(step.symbol) || needed.contains(&step.symbol);
-            if kept {
-                self.names(step.formula, needed);
-            }
-            kept
-        });
-        steps.reverse();
-        self.steps = steps;
-    }
-
     /// Adds the quantities that an expression names, each once.
     pub fn names(&self, rec: Rec, found: &mut Vec<&'static Symbol>) {
         match self.node(rec) {

@@ -149,6 +149,7 @@ units! {
     PER_RAD_S   = "1/(rad.s)" "1/(rad·s)" [0 0 -1 -1] 1.0;
     PER_MIN     = "1/min"    "r/min"   [0 0 -1 0]    1.0 / 60.0;
     M3_PER_SPA  = "m3/(s.Pa)" "m³/(s·Pa)" [4 -1 1 0] 1.0;
+    L_PER_MINMPA = "L/(min.MPa)" "L/(min·MPa)" [4 -1 1 0] 1e-9 / 60.0;
     M3_PER_S    = "m3/s"     "m³/s"    [3 0 -1 0]    1.0;
     N_PER_M     = "N/m"      "N/m"     [0 1 -2 0]    1.0;
     KN_PER_M    = "kN/m"     "kN/m"    [0 1 -2 0]    1e3;

@@ -266,44 +266,49 @@ fn step(symbol: &Symbol) -> (f64, &'static Unit) {
 }
 
 pub(super) fn sensitivity(numbers: &Numbers, table: &sheet::Sensitivity) -> Sensitivity {
+    // Nothing, where that is what rounding leaves.
+    let shown = |i: usize, by: f64| {
+        Some(number::change(table.results[i].0.shown(by))).filter(|change: &Number| change.value() != 0.0)
+    };
+    let by_percent = |i: usize, row: &sheet::Slope| shown(i, row.by[i] * 0.01 * row.value);
+    let moves = |&i: &usize| table.rows.iter().any(|row| by_percent(i, row).is_some());
+    // What no quantity changes has no column.
+    let columns: Vec<usize> = (0..table.results.len()).filter(moves).collect();
     let change = |row: &sheet::Slope| {
         let (count, unit) = step(row.symbol);
-        let cell = |(i, slope): (usize, &f64)| {
-            let shown = |by: f64| match number::change(table.results[i].0.shown(slope * by)) {
-                nothing if nothing.value() == 0.0 => "–".to_owned(),
-                change => numbers.language.text(&change),
-            };
-            [shown(count * unit.factor), shown(0.01 * row.value)]
-        };
+        let text = |change: Option<Number>| change.map_or("–".to_owned(), |change| numbers.language.text(&change));
+        let cell = |&i: &usize| [shown(i, row.by[i] * count * unit.factor), by_percent(i, row)].map(text);
         Change {
             symbol: row.symbol.print,
             step: measured(numbers.language, count, unit),
-            cells: row.by.iter().enumerate().map(cell).collect(),
+            cells: columns.iter().map(cell).collect(),
         }
     };
-    let chart = |(i, &(symbol, value)): (usize, &(&'static Symbol, f64))| {
+    let chart = |&i: &usize| {
+        let (symbol, value) = table.results[i];
         // In percent of the result for one percent of the quantity.
         let bars = table
             .rows
             .iter()
             .map(|row| (row.symbol.print, row.by[i] * row.value / value));
-        Chart {
+        let picture = plot::bars(numbers.language, bars.collect())?;
+        Some(Chart {
             quantity: symbol.into(),
             figure: Figure {
                 id: symbol.id,
-                picture: plot::bars(numbers.language, bars.collect()).json(),
+                picture: picture.json(),
             },
-        }
+        })
     };
     Sensitivity {
-        columns: table.results.iter().map(|&(symbol, _)| symbol.into()).collect(),
         rows: table
             .rows
             .iter()
             .filter(|row| row.by.iter().any(|by| *by != 0.0))
             .map(change)
             .collect(),
-        charts: table.results.iter().enumerate().map(chart).collect(),
+        charts: columns.iter().filter_map(chart).collect(),
+        columns: columns.iter().map(|&i| table.results[i].0.into()).collect(),
     }
 }
 

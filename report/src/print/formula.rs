@@ -108,7 +108,7 @@ fn is_arithmetic(trace: &Trace, rec: Rec) -> bool {
 /// too long, with the width of its longest line.
 fn broken(print: Print, rec: Rec, room: f64) -> (String, f64) {
     let mut summands = Vec::new();
-    split(print, rec, &mut summands);
+    split(print, None, rec, &mut summands);
     let (mut text, mut used, mut widest) = (String::new(), 0.0, 0.0_f64);
     for (sign, summand) in summands {
         if used > 0.0 && used + summand.width + 2.0 > room {
@@ -123,14 +123,15 @@ fn broken(print: Print, rec: Rec, room: f64) -> (String, f64) {
     (text, widest)
 }
 
-/// The summands of a sum with the sign before each.
-fn split(print: Print, rec: Rec, summands: &mut Vec<(&'static str, Term)>) {
-    match print.trace.node(rec) {
-        Node::Binary(op @ (Op::Add | Op::Sub), left, right) => {
-            split(print, left, summands);
-            summands.push(signed(op, term(print, false, right)));
+/// The summands of a sum with the sign before each; a sum that is added is its summands.
+fn split(print: Print, before: Option<Op>, rec: Rec, summands: &mut Vec<(&'static str, Term)>) {
+    match (print.trace.node(rec), before) {
+        (Node::Binary(op @ (Op::Add | Op::Sub), left, right), None | Some(Op::Add)) => {
+            split(print, before, left, summands);
+            split(print, Some(op), right, summands);
         }
-        _ => summands.push(("", term(print, false, rec).whole())),
+        (_, Some(op)) => summands.push(signed(op, term(print, false, rec))),
+        (_, None) => summands.push(("", term(print, false, rec).whole())),
     }
 }
 

@@ -377,14 +377,14 @@ const BARS: usize = 7;
 const BAR: f64 = 4.6;
 
 /// A ranking of quantities by the size of their effect: bars from the longest,
-/// dark where the effect is positive, light where it is negative.
+/// dark where the effect is positive, light where it is negative. None where nothing has one.
 #[must_use]
-pub fn bars(language: &Language, mut effects: Vec<(&str, f64)>) -> Picture {
+pub fn bars(language: &Language, mut effects: Vec<(&str, f64)>) -> Option<Picture> {
     effects.retain(|(_, effect)| effect.is_finite() && effect.abs() > 5e-8);
     effects.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
     effects.truncate(BARS);
+    let longest = effects.first()?.1.abs();
     let mut picture = Picture::new([CHART[0], BAR * effects.len() as f64 + 2.0], 0);
-    let longest = effects.first().map_or(1.0, |(_, effect)| effect.abs());
     let room = CHART[0] - LEFT - 16.0;
     for (i, (name, effect)) in effects.iter().enumerate() {
         let top = 1.0 + BAR * i as f64;
@@ -396,7 +396,7 @@ pub fn bars(language: &Language, mut effects: Vec<(&str, f64)>) -> Picture {
         picture.text([end + 1.5, middle - 0.6], "left", language.math(&change(*effect)));
     }
     picture.line("thin", &[[LEFT, 0.0], [LEFT, picture.height]]);
-    picture
+    Some(picture)
 }
 
 fn power_of_ten(value: f64) -> f64 {

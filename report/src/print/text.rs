@@ -27,11 +27,12 @@ pub(crate) fn escape(text: &str) -> String {
 }
 
 /// Text whose words a line can always hold: one that is too long may be broken after every so many letters. Chinese is
-/// broken anywhere already.
+/// broken anywhere already. A measure such as "10 t × 32 m" stays on one line.
 pub(crate) fn breakable(text: &str) -> String {
     const LONGEST: usize = 22;
     const PIECE: usize = 4;
     let chinese = |c: char| c >= '\u{2e80}';
+    let text = measures(text);
     let mut broken = String::with_capacity(text.len());
     for word in text.split_inclusive(|c: char| c.is_whitespace() || chinese(c)) {
         let long = word.chars().count() > LONGEST;
@@ -43,6 +44,25 @@ pub(crate) fn breakable(text: &str) -> String {
         }
     }
     broken
+}
+
+/// Text with no-break spaces in products of measures: numbers and units on both sides of a cross.
+fn measures(text: &str) -> String {
+    let words: Vec<&str> = text.split(' ').collect();
+    let mut joined = String::with_capacity(text.len());
+    for (i, word) in words.iter().enumerate() {
+        let is_cross = |at: Option<usize>| at.and_then(|at| words.get(at)) == Some(&"×");
+        let around = [i.checked_sub(2), i.checked_sub(1), Some(i), Some(i + 1)];
+        if i > 0 {
+            joined.push(if around.into_iter().any(is_cross) {
+                '\u{a0}'
+            } else {
+                ' '
+            });
+        }
+        joined.push_str(word);
+    }
+    joined
 }
 
 /// A string literal of Typst, with no more escapes than it needs.
@@ -72,6 +92,13 @@ mod tests {
             let made = Embedded.typeset(&source, &[], Format::Pdf, None).unwrap();
             assert!(made.warnings.is_empty());
         }
+    }
+
+    #[test]
+    fn a_product_of_measures_stays_on_one_line() {
+        let joined = "Кран\u{20}10\u{a0}t\u{a0}×\u{a0}32\u{a0}m: нов";
+        assert_eq!(breakable("Кран 10 t × 32 m: нов"), joined);
+        assert_eq!(breakable("a 600 t crane"), "a 600 t crane");
     }
 
     /// Numbers and units stay whole; what Typst would make a list, an ellipsis, a comment or a link of does not.

@@ -19,8 +19,8 @@ symbols! {
     DP_L: "dp_L" "Delta p_L" PA / MPA [positive], "Pressure difference over each line from valve to cylinder at the rated flow.", "input";
     BETA_E: "beta_E" "beta_E" PA / MPA [positive], "Bulk modulus of the oil with its walls.", "input";
     P_R: "p_R" "p_R" PA / MPA [positive], "Opening pressure of the relief valves at a cylinder's ports.", "input";
-    K_R: "k_R" "k_R" M3_PER_SPA / M3_PER_SPA [not_negative], "Flow of a relief valve over the excess of pressure.", "input";
-    K_L: "k_L" "k_L" M3_PER_SPA / M3_PER_SPA [not_negative], "Leakage past the piston over the difference of pressure.", "input";
+    K_R: "k_R" "k_R" M3_PER_SPA / L_PER_MINMPA [not_negative], "Flow of a relief valve over the excess of pressure.", "input";
+    K_L: "k_L" "k_L" M3_PER_SPA / L_PER_MINMPA [not_negative], "Leakage past the piston over the difference of pressure.", "input";
     OMEGA_V: "omega_v" "omega_v" RAD_PER_S / RAD_PER_S [positive], "Natural frequency of the valve's spool.", "input";
     ZETA_V: "zeta_v" "zeta_v" ONE / ONE [not_negative], "Damping ratio of the valve's spool.", "input";
     P_P: "p_P" "p_P" PA / MPA [not_negative], "Pressure of the pump above the tank's.", "input";

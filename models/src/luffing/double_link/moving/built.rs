@@ -104,6 +104,17 @@ where
             Body::slender(weight / constants.g, inertia, centre, along)
         };
         let jib = body(weights.g_2, inertias.j_2, weights.s_2, weights.chi_2, axis);
+        // Where the crane does not turn nothing asks for it.
+        let spread = |jib: Body<P>| match self.turning {
+            Some(_) => {
+                let [along, both, across] = jib.spread;
+                Body {
+                    spread: [along.def(&m::J_XI2), both.def(&m::J_XIETA2), across.def(&m::J_ETA2)],
+                    ..jib
+                }
+            }
+            None => jib,
+        };
         let pendulum = HoistParts {
             ramp: self.ramp,
             motor: self.motor,
@@ -112,7 +123,7 @@ where
         .pendulum(load, self.fitted.rope);
         Bodies {
             boom: body(weights.g_1, inertias.j_1, weights.s_1, weights.chi_1, bar),
-            jib: if pendulum.is_some() {
+            jib: spread(if pendulum.is_some() {
                 jib
             } else {
                 let loaded = jib.with_mass(load, head);
@@ -120,7 +131,7 @@ where
                     inertia: loaded.inertia.def(&m::J_2Q),
                     ..loaded
                 }
-            },
+            }),
             rocker: body(weights.g_3, inertias.j_3, weights.s_3, weights.chi_3, bar),
             pendulum,
             gravity: constants.g,

@@ -42,7 +42,7 @@ impl Shown for LuffingScene {
         (
             "motion_slewing",
             "motion_slewing",
-            listed! { m: X_S1, X_S2, X_S3, X_S5, I_SL, DI_SL },
+            listed! { m: X_S1, X_S2, X_S3, X_S5, J_XI2, J_XIETA2, J_ETA2, I_SL, DI_SL },
         ),
         (
             "motion_equations",
@@ -99,7 +99,7 @@ impl Shown for LuffingScene {
         ),
     ];
 
-    const ASSEMBLED: &'static [&'static Symbol] = &[&m::J_2Q];
+    const ASSEMBLED: &'static [&'static Symbol] = &[&m::J_2Q, &m::J_XI2, &m::J_XIETA2, &m::J_ETA2];
 
     const STAGES: &'static [&'static str] = &["moves", "pull", "forces"];
 

@@ -49,6 +49,9 @@ symbols! {
     J_XY1: "J_xy1" "J_(x y 1)" KG_M2 / KG_M2, "Product of inertia of the boom about its centre of gravity, forward and upward.", "derived";
     X_S1: "x_s1" "x_(s 1)" M / M, "Centre of gravity of the boom, forward of the slewing axis.", "derived";
     DI_2: "di_2" "i'_2" ONE / ONE, "Change of the jib's ratio of angular velocities for one radian of the driving link.", "dual numbers";
+    J_XI2: "J_xi2" "J_(xi 2)" KG_M2 / KG_M2, "Mass of the jib, with a load that is fixed to it, times squares of distances from its centre of gravity, along the rear arm BC.", "derived";
+    J_XIETA2: "J_xieta2" "J_(xi eta 2)" KG_M2 / KG_M2, "The same with the product of the distances along the rear arm BC and to its left.", "derived";
+    J_ETA2: "J_eta2" "J_(eta 2)" KG_M2 / KG_M2, "The same with squares of distances to the left of the rear arm BC.", "derived";
     J_XY2: "J_xy2" "J_(x y 2)" KG_M2 / KG_M2, "Product of inertia of the jib about its centre of gravity, forward and upward.", "derived";
     X_S2: "x_s2" "x_(s 2)" M / M, "Centre of gravity of the jib, forward of the slewing axis.", "derived";
     DI_3: "di_3" "i'_3" ONE / ONE, "Change of the rocker's ratio of angular velocities for one radian of the driving link.", "dual numbers";
