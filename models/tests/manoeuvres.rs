@@ -146,6 +146,17 @@ fn a_drive_holds_what_rests_and_gives_no_more_than_it_has() {
     }
 }
 
+/// Hoisting, the rope carries at most Q (1 + a/g) and at least Q (1 - a/g).
+fn pulls_by_its_acceleration(text: &str) {
+    let scene = parsed(text);
+    let motion = motion(&scene);
+    let mut model = scene.model().expect("built");
+    let [weight, gain, g] = ["Q", "a_h", "g"].map(|id| value(&mut model, id));
+    let [least, most] = ends(&motion, "S_R", "hoist_and_stop");
+    assert!((most / (weight * (1.0 + gain / g)) - 1.0).abs() < 1e-9, "{most}");
+    assert!((least / (weight * (1.0 - gain / g)) - 1.0).abs() < 1e-9, "{least}");
+}
+
 /// A rope that keeps its length pulls the load up with Q (1 + a/g), and lets it come to rest with Q (1 - a/g), as the
 /// crane is held meanwhile.
 #[test]
@@ -158,26 +169,14 @@ fn a_hoist_pulls_by_its_acceleration() {
         .filter(|line| !line.starts_with("c_R") && !line.starts_with("d_R"))
         .collect::<Vec<_>>()
         .join("\n");
-    let scene = parsed(&text);
-    let motion = motion(&scene);
-    let mut model = scene.model().expect("built");
-    let [weight, gain, g] = ["Q", "a_h", "g"].map(|id| value(&mut model, id));
-    let [least, most] = ends(&motion, "S_R", "hoist_and_stop");
-    assert!((most / (weight * (1.0 + gain / g)) - 1.0).abs() < 1e-9, "{most}");
-    assert!((least / (weight * (1.0 - gain / g)) - 1.0).abs() < 1e-9, "{least}");
+    pulls_by_its_acceleration(&text);
 }
 
 /// The same of single booms, whose brake holds them. The hoist's line to the sheave of a luffing rope stays as it is.
 #[test]
 fn a_hoist_of_a_single_boom_pulls_by_its_acceleration() {
     for text in SINGLE {
-        let scene = parsed(text);
-        let motion = motion(&scene);
-        let mut model = scene.model().expect("built");
-        let [weight, gain, g] = ["Q", "a_h", "g"].map(|id| value(&mut model, id));
-        let [least, most] = ends(&motion, "S_R", "hoist_and_stop");
-        assert!((most / (weight * (1.0 + gain / g)) - 1.0).abs() < 1e-9, "{most}");
-        assert!((least / (weight * (1.0 - gain / g)) - 1.0).abs() < 1e-9, "{least}");
+        pulls_by_its_acceleration(text);
     }
 }
 

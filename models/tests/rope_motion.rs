@@ -372,14 +372,17 @@ fn what_holds_it_at_rest_is_the_tackle_at_rest() {
     }
 }
 
+/// While it rises under a motor, and while it falls against the brake under a motor that asks for nothing just then.
 #[test]
 fn derivatives_are_those_of_its_values() {
     let swing = ("swing", "l_R = \"12 m\"\na_h = \"0.5 m/s2\"\n");
-    for (level, least) in [(("rigid", ""), 40), (swing, 60)] {
+    let levels = [(("rigid", ""), 40), (swing, 60)];
+    let drives = [[0.05, 3e6], [-0.05, 0.0]];
+    for ((level, least), [omega, moment]) in levels.into_iter().flat_map(|level| drives.map(|drive| (level, drive))) {
         let states = [
             ("phi", 0.7),
-            ("omega", 0.05),
-            ("M_A", 3e6),
+            ("omega", omega),
+            ("M_A", moment),
             ("M_S", 4e5),
             ("phi_R", 0.2),
             ("omega_R", -0.1),

@@ -137,6 +137,7 @@ units! {
     KG_M2       = "kg.m2"    "kg·m²"   [2 1 0 0]     1.0;
     N_M_S       = "N.m.s"    "N·m·s"   [2 1 -1 0]    1.0;
     KN_M_S      = "kN.m.s"   "kN·m·s"  [2 1 -1 0]    1e3;
+    J_PER_KG    = "J/kg"     "J/kg"    [2 0 -2 0]    1.0;
     M_PER_S2    = "m/s2"     "m/s²"    [1 0 -2 0]    1.0;
     RAD_PER_S2  = "rad/s2"   "rad/s²"  [0 0 -2 1]    1.0;
     M3          = "m3"       "m³"      [3 0 0 0]     1.0;
@@ -197,6 +198,7 @@ impl Unit {
             (d, _) if d == KG_M2.dimension => ("MomentOfInertia", [1e-9, 1e18]),
             (d, _) if d == N_M_S.dimension => ("RotationalDampingConstant", [1e-6, 1e18]),
             (d, _) if d == M_PER_S2.dimension => ("Acceleration", [1e-3, 1e3]),
+            (d, _) if d == J_PER_KG.dimension => ("SpecificEnergy", [1e-9, 1e12]),
             (d, _) if d == RAD_PER_S2.dimension => ("AngularAcceleration", [1e-9, 1e9]),
             (d, _) if d == N_PER_M.dimension => ("TranslationalSpringConstant", [1e-9, 1e15]),
             (d, _) if d == N_S_PER_M.dimension => ("TranslationalDampingConstant", [1e-6, 1e15]),

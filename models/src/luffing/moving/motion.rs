@@ -151,9 +151,9 @@ impl<P: Calc> MovingLinkage<P> {
         let (out, _) = directions(y[2]);
         let head = plane::def(d * a.bar + dd * (y[1] * y[1]), [&s::A_AX, &s::A_AY]);
         let head = head + Point::new(C::constant(0.0), C::of(self.dynamics.gravity()));
-        let mut inward = self.reel(state, r, y).less_gain(y[4] * y[3] * y[3]) - dot(head, out);
+        let mut inward = self.reel(state, r, y).less_gain(y[4] * y[3] * y[3]) - dot(head, out).def(&s::A_AR);
         if let Some((lead, bend)) = led(r, y[1], a.bar) {
-            inward -= lead + bend;
+            inward -= (lead + bend).def(&s::A_LR);
         }
         C::of(mass) * inward
     }

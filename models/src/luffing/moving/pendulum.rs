@@ -69,7 +69,7 @@ impl<P: Calc> Dynamics<P> {
         let (mass, gravity, l) = (C::of(load.mass), C::of(self.gravity()), reel.length);
         let any = C::of(load.cancelling());
         let mut pull = reel.less_gain(l * m.swing_rate.square());
-        let coriolis = C::constant(2.0) * reel.rate * m.swing_rate;
+        let coriolis = (C::constant(2.0) * reel.rate * m.swing_rate).def(&s::A_C);
         let square = m.omega.square();
         let forward = dot(d, swing).def(&s::D_PHI);
         let mut along = dot(d, inward).def(&s::D_N);
@@ -79,11 +79,11 @@ impl<P: Calc> Dynamics<P> {
             travel += lead * (lead - C::constant(2.0) * along);
             bend = (bend - lead * dot(dd, inward)).def(&s::Q_L);
             pull = (pull - further * square).def(&s::A_L);
-            rise -= lead * cos;
+            rise = (rise - lead * cos).def(&s::DH_R);
             along = (along - lead).def(&s::D_L);
         }
-        let own = (mass * travel).def(&s::M_11);
-        let coupled = (mass * l * forward).def(&s::M_12);
+        let work = (bend * square + along * pull + forward * coriolis + gravity * rise).def(&s::W_1);
+        let (own, coupled) = ((mass * travel).def(&s::M_11), (mass * l * forward).def(&s::M_12));
         Swing {
             own,
             coupled,
@@ -94,7 +94,7 @@ impl<P: Calc> Dynamics<P> {
             },
             inertia: (any * l.square()).def(&s::M_22),
             forces: [
-                (-mass * (bend * square + along * pull + forward * coriolis + gravity * rise)).def(&s::TAU_1),
+                (-mass * work).def(&s::TAU_1),
                 (-any * l * (change * square + coriolis + gravity * sin)).def(&s::TAU_2),
             ],
         }
@@ -111,7 +111,7 @@ impl<P: Calc> Dynamics<P> {
         let swing = self.swing(r, m, load, reel);
         let (m_12, m_21, m_22, [f_1, f_2]) = (swing.coupled, swing.back, swing.inertia, swing.forces);
         // M q″ = f.
-        let (m_11, f_1) = (r.inertia + swing.own, driven + f_1);
+        let (m_11, f_1) = (r.inertia + swing.own, (driven + f_1).def(&s::TAU_M));
         let determinant = m_11 * m_22 - m_12 * m_21;
         [
             ((f_1 * m_22 - m_12 * f_2) / determinant).def(self.names().acceleration),

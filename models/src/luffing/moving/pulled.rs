@@ -95,7 +95,8 @@ fn pulling<C: Calc>(drive: JointDrive<C>, slack: bool) -> [JointDrive<C>; 2] {
             brake: nothing,
         }; 2];
     }
-    let positive = |x: C| if x.value() > 0.0 { x } else { nothing };
+    // What asks for nothing has its derivatives all the same.
+    let positive = |x: C| if x.value() >= 0.0 { x } else { nothing };
     let moment = positive(drive.moment);
     let rising = if drive.brake.value() < moment.value() {
         drive.brake

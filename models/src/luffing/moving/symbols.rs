@@ -90,19 +90,25 @@ symbols! {
     DDA_Y: "ddA.y" "Y''_A" M / M, "Change of the rise of A for one radian of the driving link.", "dual numbers";
     A_AX: "a_A.x" "a_(A x)" M_PER_S2 / M_PER_S2, "Acceleration of A, forward.", "derived";
     A_AY: "a_A.y" "a_(A y)" M_PER_S2 / M_PER_S2, "Acceleration of A, upwards.", "derived";
+    A_AR: "a_AR" "a_(A R)" M_PER_S2 / M_PER_S2, "Acceleration of A along the rope, towards the load, less that of gravity.", "derived";
+    A_LR: "a_lR" "a_(l R)" M_PER_S2 / M_PER_S2, "Acceleration with which luffing adds rope.", "derived";
     D_PHI: "d_phi" "d_phi" M / M, "Travel of A across the rope for one radian of the driving link.", "derived";
     D_N: "d_n" "d_n" M / M, "Travel of A along the rope, away from the load, for one radian of the driving link.", "derived";
     Q_A: "q_A" "q_A" M2 / M2, "Half the change of the square of A's travel for one radian of the driving link.", "derived";
     D_L: "d_l" "d_l" M / M, "Travel of A along the rope, away from the load, less the rope that luffing adds, for one radian of the driving link.", "derived";
     Q_L: "q_l" "q_l" M2 / M2, "Half the change of the square of A's travel, with what the rope that luffing adds has of it.", "derived";
     A_L: "a_l" "a_l" M_PER_S2 / M_PER_S2, "Acceleration of the load towards the head that both angles leave as they are.", "derived";
+    A_C: "a_c" "a_c" M_PER_S2 / M_PER_S2, "Acceleration of the load across the rope, as this swings while it is paid out.", "derived";
+    DH_R: "dh_R" "h'_R" M / M, "Rise of the load, with the rope that luffing adds, for one radian of the driving link.", "derived";
     DD_PHI: "dd_phi" "d'_phi" M / M, "Change of A's travel, across the rope, for one radian of the driving link.", "derived";
     M_11: "m_11" "m_11" KG_M2 / KG_M2, "Inertia of the load at the driving link.", "Lagrange";
     M_12: "m_12" "m_12" KG_M2 / KG_M2, "Inertia that couples driving link and rope.", "Lagrange";
     M_21: "m_21" "m_21" KG_M2 / KG_M2, "Inertia that couples the rope of an empty hook and driving link.", "Lagrange";
     M_22: "m_22" "m_22" KG_M2 / KG_M2, "Inertia of the load about the head.", "Lagrange";
+    W_1: "w_1" "w_1" J_PER_KG / J_PER_KG, "Work of a kilogram of the load, against its weight and inertia, for one radian of the driving link.", "Lagrange";
     TAU_1: "tau_1" "tau_1" N_M / KN_M, "Moment of the load's weight and inertia on the driving link.", "Lagrange";
     TAU_2: "tau_2" "tau_2" N_M / KN_M, "Moment of the load's weight and inertia on the rope.", "Lagrange";
+    TAU_M: "tau_M" "tau_M" N_M / KN_M, "Moment that accelerates the driving link, with that of the load on its rope.", "Lagrange";
 
     OMEGA_C: "omega_c" "omega_c" RAD_PER_S / RAD_PER_S, "Angular velocity below which dry friction is in proportion to it.", "assumption";
     OMEGA_S: "omega_s" "omega_s" RAD_PER_S / RAD_PER_S, "Natural frequency of the mechanism alone against an end stop.", "assumption";

@@ -66,7 +66,7 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
     (
         "motion_pendulum",
         listed! { m:
-            D_PHI, D_N, Q_A, D_L, Q_L, A_L, DD_PHI, M_11, M_12, M_21, M_22, TAU_1, TAU_2
+            D_PHI, D_N, Q_A, D_L, Q_L, A_L, A_C, DH_R, DD_PHI, M_11, M_12, M_21, M_22, W_1, TAU_1, TAU_2
         },
     ),
     (
@@ -78,7 +78,7 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
     (
         "motion_equations",
         listed! { m:
-            MASS_H, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_R, M_R_SL, M_NET, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, A_AX, A_AY, D_OMEGA_SL,
+            MASS_H, V_Q, DELTA_R, D_DELTA_R, S_RD, F_C, M_R, M_R_SL, M_NET, TAU_M, M_NET_SL, ALPHA_0, ALPHA_0SL, A_N, KAPPA_R, A_R, A_AX, A_AY, A_AR, A_LR, D_OMEGA_SL,
             D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, D_V_Q, S_R, D_V_R
         },
     ),
