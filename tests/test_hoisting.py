@@ -142,6 +142,26 @@ def test_the_book_lifts_with_a_motor(tmp_path):
     assert np.allclose(works, [0, 0, 0, 900, 0], atol=0.05)
 
 
+@pytest.mark.parametrize("language", ["en", "zh", "bg"])
+def test_the_book_tells_of_a_drum_that_turns(language, tmp_path):
+    """Neither motor nor brake holds the load: the drum's acceleration is one of the formulas of the motion."""
+    text = (ROOT / "models/scenes/portal_crane.toml").read_text(encoding="utf-8")
+    text, count = re.subn(r'v_h = .*\na_h = .*\n', 'J_h = "62.5 kg.m2"\nr_h = "250 mm"\nm_h = "4"\n', text)
+    assert count == 1
+    (tmp_path / "crane.toml").write_text(text, encoding="utf-8")
+    options = ["--level", "full", "--language", language, "--format", "typ"]
+    lemnis("book", tmp_path / "crane.toml", *options, "--output", tmp_path)
+    source = (tmp_path / "PortalCraneWhole.typ").read_text(encoding="utf-8")
+    number = r'(-?"?\d+[.,]\d+"?)'
+    [(*amounts, power)] = re.findall(
+        rf'dot\(v\)_R &=.*\n.*frac\({number} thin"kN" - 4 slash \(250 thin"mm"\) dot \({number} thin"kN·m".*, 16 thin"t"\)\n'
+        rf'.*= {number}(?: times 10\^\((-\d+)\))? thin"m/s²"', source)
+    force, moment, rate = (float(amount.replace('"', "").replace(",", ".")) for amount in amounts)
+    # What the rope pulls with, less what the motor gives, on a drum that weighs 16 t at the head.
+    by_hand = (force - 4 / 0.25 * moment) / 16
+    assert abs(rate * 10 ** int(power or 0) - by_hand) < 1e-6 < abs(by_hand)
+
+
 class Driver:
     """Drives the FMU of the portal crane from outside as the book says that its manoeuvres are driven."""
 

@@ -112,7 +112,7 @@ impl Slewed<'_> {
 
     /// Friction that stops at once what slews.
     fn brisk(&self) -> Option<Diagnostic> {
-        let time = (self.joint.turning.j_sl + self.load()) / self.joint.turning.c_sl;
+        let time = self.inertia() / self.joint.turning.c_sl;
         let [run, swing] = BRISKEST;
         let least = (run * self.lasts()).max(swing * self.pendulum());
         (time < least).then(|| {

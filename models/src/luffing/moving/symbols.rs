@@ -157,7 +157,7 @@ symbols! {
     D_L_R: "der(l_R)" "dot(l)_R" M_PER_S / M_PER_S, "Rate of the rope's length.", "state";
     D_S_Q: "der(s_Q)" "dot(s)_Q" M_PER_S / M_PER_S, "Rate of the load's distance from the head.", "state";
     D_V_Q: "der(v_Q)" "dot(v)_Q" M_PER_S2 / M_PER_S2, "Acceleration of the load away from the head.", "equations of motion";
-    D_V_R: "der(v_R)" "dot(v)_R" M_PER_S2 / M_PER_S2, "Acceleration with which the hoist pays out the rope.", "state";
+    D_V_R: "der(v_R)" "dot(v)_R" M_PER_S2 / M_PER_S2, "Acceleration with which the hoist pays out the rope.", "equations of motion";
     D_P_1: "der(p_1)" "dot(p)_1" PA_PER_S / MPA_PER_S, "Rate of the pressure in the port of the bore.", "equations of motion";
     D_P_2: "der(p_2)" "dot(p)_2" PA_PER_S / MPA_PER_S, "Rate of the pressure in the port of the annulus.", "equations of motion";
     D_P_A: "der(p_A)" "dot(p)_A" PA_PER_S / MPA_PER_S, "Rate of the pressure in the chamber of the bore.", "equations of motion";
