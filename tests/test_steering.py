@@ -232,14 +232,15 @@ def test_arrays_of_fmi_3_are_the_numbered_variables(folder):
     machine.free()
 
 
-def test_terminals_name_existing_variables(folder):
+@pytest.mark.parametrize("suffix", ["fmu", "fmi2.fmu"])
+def test_terminals_name_existing_variables(folder, suffix):
     """The machine and each group; a group without a cylinder has no length."""
     for name, groups, members in [("BoatHoist", 8, 10), ("Car", 4, 3)]:
-        with zipfile.ZipFile(folder / f"{name}.fmu") as archive:
+        with zipfile.ZipFile(folder / f"{name}.{suffix}") as archive:
             root = ElementTree.fromstring(archive.read("terminalsAndIcons/terminalsAndIcons.xml"))
         terminals = {at.get("name"): [m.get("variableName") for m in at] for at in root.find("Terminals")}
         assert list(terminals) == ["machine"] + [f"group_{i + 1}" for i in range(groups)]
-        known = {v.name for v in read_model_description(str(folder / f"{name}.fmu")).modelVariables}
+        known = {v.name for v in read_model_description(str(folder / f"{name}.{suffix}")).modelVariables}
         for terminal, variables in terminals.items():
             assert len(variables) == (3 if terminal == "machine" else members) and set(variables) <= known
         assert terminals["group_2"][0] == "theta[2]"

@@ -1,5 +1,4 @@
-//! modelDescription.xml of FMI 2.0 and FMI 3.0, and terminalsAndIcons.xml of FMI 3.0,
-//! from the model's list of variables.
+//! modelDescription.xml of FMI 2.0 and FMI 3.0, and terminalsAndIcons.xml of both, from the model's list of variables.
 
 use crate::instance::{CATEGORIES, strings, token};
 use crate::layout::{self, Place};
@@ -35,7 +34,8 @@ pub fn model_description(scene: &Scene, standard: Standard) -> Result<Vec<u8>, F
     document(|xml| write(xml, scene, &entries, standard))
 }
 
-/// The text of FMI 3's terminalsAndIcons.xml: what belongs together at a joint, a drive or a wheel group.
+/// The text of terminalsAndIcons.xml: what belongs together at a joint, a drive or a wheel group. FMI 2 takes that of FMI 3
+/// as it is, since 2.0.4.
 ///
 /// # Errors
 /// The model cannot be built.

@@ -133,16 +133,16 @@ pub fn fmu(
         (format!("resources/{SCENE_FILE}"), scene.text().as_bytes()),
     ]);
     files.extend(LICENSES.map(|(name, text)| (format!("documentation/licenses/{name}.txt"), text)));
-    match standard {
-        Standard::Fmi2 => files.extend([("model.png".to_owned(), ICON_PNG)]),
-        Standard::Fmi3 => files.extend([
-            (
-                "terminalsAndIcons/terminalsAndIcons.xml".to_owned(),
-                terminals.as_slice(),
-            ),
-            ("terminalsAndIcons/icon.png".to_owned(), ICON_PNG),
-            ("terminalsAndIcons/icon.svg".to_owned(), ICON_SVG),
-        ]),
+    files.extend(
+        [
+            ("terminalsAndIcons.xml", terminals.as_slice()),
+            ("icon.png", ICON_PNG),
+            ("icon.svg", ICON_SVG),
+        ]
+        .map(|(name, bytes)| (format!("terminalsAndIcons/{name}"), bytes)),
+    );
+    if standard == Standard::Fmi2 {
+        files.insert("model.png".to_owned(), ICON_PNG);
     }
     for library in libraries {
         let path = format!(
