@@ -13,7 +13,8 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::measure;
 use crate::kernel::number::exponent;
 use crate::kernel::origin::{Known, Origins};
-use crate::kernel::schema::{COUNTLESS, Key, Kind, Sign, Values};
+use crate::kernel::schema::{COUNTLESS, Key, Kind, Values};
+use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Role, Variable};
 

@@ -4,7 +4,8 @@
 use std::f64::consts::PI;
 
 use fastrand::Rng;
-use lemnis_models::kernel::schema::{KIND, Key, Kind, Sign};
+use lemnis_models::kernel::schema::{KIND, Key, Kind};
+use lemnis_models::kernel::sign::Sign;
 use lemnis_models::kernel::symbol::{Range, Symbol};
 use lemnis_models::kernel::unit::{self, RAD};
 use lemnis_models::kernel::variable::{Type, Variable};

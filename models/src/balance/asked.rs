@@ -2,7 +2,8 @@
 
 use crate::balance::symbols as s;
 use crate::kernel::keys::keys;
-use crate::kernel::schema::{COUNTLESS, Key, Kind, SOURCE, Sign};
+use crate::kernel::schema::{COUNTLESS, Key, Kind, SOURCE};
+use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 
 /// Keys of `[luffing.synthesis]`.

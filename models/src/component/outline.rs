@@ -1,6 +1,7 @@
 //! What a book says of a component, as data: everything else is made from it.
 
-use crate::kernel::schema::{Key, SOURCE, Sign};
+use crate::kernel::schema::{Key, SOURCE};
+use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
 

@@ -8,7 +8,8 @@ use toml::value::Datetime;
 
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::measure::{number, quantity};
-use crate::kernel::schema::{COUNTLESS, GivenNumber, KIND, Key, Kind, Sign, Value, Values};
+use crate::kernel::schema::{COUNTLESS, GivenNumber, KIND, Key, Kind, Value, Values};
+use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::{LANGUAGES, Text};
 

@@ -15,8 +15,8 @@ macro_rules! keys {
             $crate::kernel::schema::SOURCE,
         ]
     };
-    (@sign) => { $crate::kernel::schema::Sign::Any };
-    (@sign > 0) => { $crate::kernel::schema::Sign::Positive };
-    (@sign >= 0) => { $crate::kernel::schema::Sign::NotNegative };
+    (@sign) => { $crate::kernel::sign::Sign::Any };
+    (@sign > 0) => { $crate::kernel::sign::Sign::Positive };
+    (@sign >= 0) => { $crate::kernel::sign::Sign::NotNegative };
 }
 pub(crate) use keys;

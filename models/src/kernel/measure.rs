@@ -1,7 +1,8 @@
 //! A number with a unit, as a scene writes it.
 
 use crate::kernel::number::short;
-use crate::kernel::schema::{GivenNumber, Key, Kind, Sign};
+use crate::kernel::schema::{GivenNumber, Key, Kind};
+use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::unit::{self, Unit};
 

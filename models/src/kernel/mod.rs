@@ -13,6 +13,7 @@ pub mod number;
 pub mod origin;
 pub mod record;
 pub mod schema;
+pub mod sign;
 pub mod symbol;
 pub mod text;
 pub mod unit;

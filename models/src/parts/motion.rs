@@ -5,7 +5,8 @@ use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::measure;
 use crate::kernel::number::short;
-use crate::kernel::schema::{Key, SOURCE, Sign, Values};
+use crate::kernel::schema::{Key, SOURCE, Values};
+use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 
 /// More rows in a table than anyone reads, and than a step of `1e-9 deg` would make.

@@ -1,7 +1,8 @@
 //! What a scene may say about the steering of a machine.
 
 use crate::kernel::keys::keys;
-use crate::kernel::schema::{Key, Kind, SOURCE, Sign};
+use crate::kernel::schema::{Key, Kind, SOURCE};
+use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Enumeration, Symbol};
 use crate::parts::motion::Motion;
 use crate::steering::machine::GROUPS;

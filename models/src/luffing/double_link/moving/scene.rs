@@ -3,7 +3,8 @@
 use std::ops::{Deref, DerefMut};
 
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::schema::{Key, Sign, Values};
+use crate::kernel::schema::{Key, Values};
+use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::double_link::moving::built::Inertias;
 use crate::luffing::double_link::moving::symbols as s;
