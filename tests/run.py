@@ -24,6 +24,7 @@ STEPS = [
     ["cargo", "clippy", "--release", "--workspace", "--all-targets", "--", "-D", "warnings"],
     ["cargo", "doc", "--release", "--workspace", "--no-deps"],
     ["cargo", "test", "--release", "--workspace"],
+    [str(PYTHON), "python/backend.py"],
     [str(PYTHON), "-m", "pytest", "-q", "-rs", "tests"],
 ]
 

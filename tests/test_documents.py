@@ -12,7 +12,7 @@ from conftest import ROOT, lemnis
 @pytest.mark.parametrize("document", ["README.md", "ARCHITECTURE.md"])
 def test_every_path_named_exists(document):
     text = (ROOT / document).read_text(encoding="utf-8")
-    folders = "models|fmu|report|templates|tests|docs"
+    folders = "models|fmu|report|python|templates|tests|docs"
     paths = set(re.findall(rf"[`(]((?:{folders})/[\w./-]*|[A-Z]+\.md|clippy\.toml)[`)]", text))
     assert len(paths) > 5
     for path in paths:
@@ -24,7 +24,7 @@ def test_architecture_is_short():
 
 
 def test_the_readme_example_runs(out, tmp_path):
-    code = re.search(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.S).group(1)
+    code = re.search(r"```python\n(from fmpy.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.S).group(1)
     assert len([line for line in code.splitlines() if line.strip()]) <= 10
     code = code.replace("out/LemniscateCrane.fmu", (out / "LemniscateCrane.fmu").as_posix())
     done = subprocess.run([sys.executable, "-X", "utf8", "-c", code], capture_output=True, text=True,

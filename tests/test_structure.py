@@ -13,6 +13,7 @@ CRATES = {
     "lemnis_fmu": "fmu/src",
     "lemnis_typeset": "report/typeset/src",
     "lemnis": "report/src",
+    "_lemnis": "python/src",
 }
 
 
@@ -149,6 +150,7 @@ FLOORS = [
     ["luffing", "slewing", "steering"],
     ["registry", "book", "request"],
     ["scene"],
+    ["alone"],
 ]
 
 

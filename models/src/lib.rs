@@ -8,6 +8,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod alone;
 pub mod balance;
 pub mod book;
 pub mod component;

@@ -376,7 +376,7 @@ fn vary(
 }
 
 /// The number of the equations that a quantity of the scene is.
-fn source(model: &Standing, known: &Known) -> Result<Source, &'static str> {
+pub(crate) fn source(model: &Standing, known: &Known) -> Result<Source, &'static str> {
     let groups = model.part().groups();
     let number = known
         .key

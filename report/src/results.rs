@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use lemnis_models::component::model::Model;
-use lemnis_models::component::sheet::{Sheet, Summary};
+use lemnis_models::component::sheet::Sheet;
 use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::number::{Number, SIGNIFICANT, column, short};
 use lemnis_models::kernel::variable::{Fault, Role, Variable};
@@ -21,31 +20,14 @@ pub struct Results {
     rows: Vec<Vec<f64>>,
 }
 
-/// Which variables differ from position to position.
-fn varying(model: &Model) -> Vec<usize> {
-    let varies = |role: Role| matches!(role, Role::Input | Role::State | Role::Output);
-    let all = model.variables().iter().enumerate();
-    all.filter(|(_, variable)| varies(variable.role))
-        .map(|(index, _)| index)
-        .collect()
-}
-
-/// Their values at one position after the other.
-fn rows(mut model: Model, varying: Vec<usize>) -> impl Iterator<Item = Result<Vec<f64>, Fault>> {
-    model.positions().into_iter().map(move |value| {
-        model.place(value)?;
-        varying.iter().map(|&index| model.get(index)).collect()
-    })
-}
-
 /// What its book says of a scene.
 ///
 /// # Errors
 /// As [`Results::new`].
 pub fn sheet(scene: &Scene) -> Result<Sheet, Fault> {
     let model = scene.model()?;
-    let varying = varying(&model);
-    rows(model, varying).try_for_each(|row| row.map(drop))?;
+    let varying = model.varying();
+    model.rows(&varying).try_for_each(|row| row.map(drop))?;
     Ok(scene.sheet())
 }
 
@@ -54,20 +36,14 @@ impl Results {
     /// The scene's model cannot be built, or a position of its range does not exist.
     pub fn new(scene: &Scene) -> Result<Results, Fault> {
         let model = scene.model()?;
-        let varying = varying(&model);
+        let varying = model.varying();
         let columns = varying.iter().map(|&index| model.variables()[index]).collect();
         Ok(Results {
-            rows: rows(model, varying).collect::<Result<_, Fault>>()?,
+            rows: model.rows(&varying).collect::<Result<_, Fault>>()?,
             scene: scene.clone(),
             sheet: scene.sheet(),
             columns,
         })
-    }
-
-    /// The results of the whole range.
-    fn results(&self) -> impl Iterator<Item = &Summary> {
-        let most = self.sheet.most_demanded.iter().map(|(_, most)| most);
-        self.sheet.governing.iter().chain(most).chain(&self.sheet.summary)
     }
 
     /// The limits of the scene that are not kept, one line each.
@@ -117,7 +93,7 @@ impl Results {
     pub fn summary(&self) -> String {
         let mut text = String::new();
         let mut rows: Vec<[String; 3]> = Vec::new();
-        for result in self.results() {
+        for result in self.sheet.results() {
             let symbol = result.symbol;
             let at = result.at.map_or_else(String::new, |(coordinate, at)| {
                 format!(" at {} = {}", coordinate.id, coordinate.written(at))
@@ -220,6 +196,7 @@ impl Results {
     pub fn json(&self) -> String {
         let number = machine::json;
         let summary: Map<String, Value> = self
+            .sheet
             .results()
             .map(|result| {
                 let at = result.at.map(|(coordinate, at)| json!({ coordinate.id: number(at) }));

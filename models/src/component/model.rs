@@ -109,6 +109,27 @@ impl Model {
         )))
     }
 
+    /// Which variables differ from position to position of the working range.
+    #[must_use]
+    pub fn varying(&self) -> Vec<usize> {
+        let varies = |role: Role| matches!(role, Role::Input | Role::State | Role::Output);
+        let all = self.variables().iter().enumerate();
+        all.filter(|(_, variable)| varies(variable.role))
+            .map(|(index, _)| index)
+            .collect()
+    }
+
+    /// The values of some variables (by their indices) at one position of the working range after the other, in SI.
+    ///
+    /// # Errors
+    /// Of each row: a position that does not exist.
+    pub fn rows(mut self, varying: &[usize]) -> impl Iterator<Item = Result<Vec<f64>, Fault>> {
+        self.positions().into_iter().map(move |value| {
+            self.place(value)?;
+            varying.iter().map(|&index| self.get(index)).collect()
+        })
+    }
+
     /// Derivative of an output or a rate along the direction of a tangent, in SI.
     ///
     /// # Errors

@@ -96,6 +96,12 @@ impl Sheet {
         states.for_each(|(symbol, value)| tell(symbol, *value));
     }
 
+    /// What the whole range comes to.
+    pub fn results(&self) -> impl Iterator<Item = &Summary> {
+        let most = self.most_demanded.iter().map(|(_, most)| most);
+        self.governing.iter().chain(most).chain(&self.summary)
+    }
+
     /// Requirements and identities.
     pub fn checks(&self) -> impl Iterator<Item = &Check> {
         self.requirements.iter().chain(&self.identities)

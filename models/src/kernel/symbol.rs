@@ -1,7 +1,7 @@
 //! Symbols as data: one entry feeds the FMU's description, the book, CSV
 //! headers, the scene's schema and the notation page.
 
-use crate::kernel::number::short;
+use crate::kernel::number::{exponent, short};
 use crate::kernel::unit::{self, Unit};
 
 /// A quantity with its name in every place where it appears.
@@ -165,6 +165,19 @@ impl Symbol {
             return number.to_string();
         }
         format!("{number} {}", self.display.name)
+    }
+
+    /// A value in SI as a scene may write it, with all its digits: read again, it has the same bits.
+    #[must_use]
+    pub fn in_si(&self, value: f64) -> String {
+        let number = match exponent(value) {
+            -5..15 => format!("{value}"),
+            _ => format!("{value:e}"),
+        };
+        match self.unit == &unit::ONE {
+            true => number,
+            false => format!("{number} {}", self.unit.name),
+        }
     }
 }
 

@@ -4,11 +4,10 @@
 use std::cell::RefCell;
 
 use cmaes::{CMAESOptions, DVector};
+use lemnis_models::alone::{Consequence, moved};
 use lemnis_models::component::mechanism::Mechanism;
-use lemnis_models::component::stages::Source;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::diagnostic::Diagnostic;
-use lemnis_models::kernel::variable::Quantity;
 use lemnis_models::request::{Goal, RangeLimit, RangeResult, Request, Varied};
 use lemnis_models::scene::Scene;
 
@@ -124,13 +123,7 @@ fn objective(asked: &Request) -> Option<(RangeResult, f64)> {
 /// # Errors
 /// The first that is not, with what changes.
 pub fn alone(scene: &Scene, asked: &Request) -> Result<(), Diagnostic> {
-    let now: Vec<String> = asked
-        .varied
-        .iter()
-        .map(|varied| scene.text()[varied.given.clone()].to_owned())
-        .collect();
-    let before = (scene.mechanism.standing(), *scene.mechanism.motion());
-    for (i, varied) in asked.varied.iter().enumerate() {
+    for varied in &asked.varied {
         let [low, high] = varied.bounds;
         let step = 1e-3 * (high - low);
         let value = if varied.value + step > high {
@@ -138,23 +131,10 @@ pub fn alone(scene: &Scene, asked: &Request) -> Result<(), Diagnostic> {
         } else {
             varied.value + step
         };
-        let mut texts = now.clone();
-        texts[i] = format!("\"{}\"", varied.written(value));
+        let text = format!("\"{}\"", varied.written(value));
         // What cannot stand here the search finds out.
-        let Ok(other) = Scene::parse(&asked.replaced(scene.text(), &texts)) else {
+        let Consequence::With(with) = moved(scene, &varied.given, varied.source, &text) else {
             continue;
-        };
-        let (model, motion) = (other.mechanism.standing(), *other.mechanism.motion());
-        let sources = model.part().sources();
-        let differs = |(source, _): &&(Source, Quantity)| {
-            let taken = [&model, &before.0].map(|model| model.part().take(*source).to_bits());
-            *source != varied.source && taken[0] != taken[1]
-        };
-        let with = match sources.iter().find(differs) {
-            _ if sources != before.0.part().sources() => "the equations",
-            Some((_, (symbol, _))) => symbol.id,
-            None if [motion.from, motion.to] != [before.1.from, before.1.to] => "the working range",
-            None => continue,
         };
         let message = format!("`{}` cannot be searched for: {with} would change with it", varied.key);
         let help = "name a quantity that nothing else hangs on";

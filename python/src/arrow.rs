@@ -1,0 +1,33 @@
+//! Columns for all that reads Arrow: pandas, polars, pyarrow, duckdb.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use arrow_array::ffi_stream::FFI_ArrowArrayStream;
+use arrow_array::{ArrayRef, Float64Array, RecordBatch, RecordBatchIterator};
+use arrow_schema::{DataType, Field, Schema};
+use numpy::PyReadonlyArray1;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyCapsule;
+
+/// A stream of one batch with these columns, each with its name and what is known of it.
+///
+/// # Errors
+/// Columns of different lengths.
+#[pyfunction]
+pub fn stream<'py>(
+    py: Python<'py>,
+    fields: Vec<(String, HashMap<String, String>)>,
+    columns: Vec<PyReadonlyArray1<'py, f64>>,
+) -> PyResult<Bound<'py, PyCapsule>> {
+    let field = |(name, known)| Field::new(name, DataType::Float64, false).with_metadata(known);
+    let schema = Arc::new(Schema::new(fields.into_iter().map(field).collect::<Vec<Field>>()));
+    let column = |values: &PyReadonlyArray1<'py, f64>| -> ArrayRef {
+        Arc::new(Float64Array::from_iter_values(values.as_array().iter().copied()))
+    };
+    let batch = RecordBatch::try_new(Arc::clone(&schema), columns.iter().map(column).collect());
+    let batch = batch.map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let batches = RecordBatchIterator::new([Ok(batch)], schema);
+    PyCapsule::new_with_value(py, FFI_ArrowArrayStream::new(Box::new(batches)), c"arrow_array_stream")
+}
