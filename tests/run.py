@@ -1,6 +1,6 @@
 """Sets up what the tests need and passes them all: `python3 tests/run.py`.
 
-Needs Rust (cargo, rustfmt, clippy) and Python 3.10 or later with `venv`; on
+Needs Rust (cargo, rustfmt, clippy) and Python 3.11 or later with `venv`; on
 Linux also a C compiler and valgrind. Everything else comes from crates.io and PyPI; the Python packages go into a
 virtual environment of their own, `.venv`.
 """
@@ -30,8 +30,8 @@ STEPS = [
 
 
 def prepare():
-    if sys.version_info < (3, 10):
-        sys.exit(f"Python 3.10 or later is needed, this is {sys.version.split()[0]}")
+    if sys.version_info < (3, 11):
+        sys.exit(f"Python 3.11 or later is needed, this is {sys.version.split()[0]}")
     tools = [("cargo", "https://rustup.rs"), ("rustfmt", "rustup component add rustfmt"),
              ("cargo-clippy", "rustup component add clippy")]
     if sys.platform == "linux":
