@@ -224,7 +224,8 @@ impl Sign {
     }
 
     /// What a scene may give of a quantity, in SI: beyond that a number is a slip of its unit.
-    pub(super) fn limits(self, unit: &Unit) -> [f64; 2] {
+    #[must_use]
+    pub fn limits(self, unit: &Unit) -> [f64; 2] {
         let [least, most] = unit.limits();
         match self {
             Sign::Positive => [least, most],
