@@ -10,7 +10,7 @@ use crate::kernel::example::{is_table, template};
 use crate::kernel::keys::NOTE;
 use crate::kernel::measure::units;
 use crate::kernel::schema::{KIND, Key, Kind};
-use crate::kernel::site::{Part, Site};
+use crate::kernel::site::{Context, Site};
 use crate::kernel::text::LANGUAGES;
 use crate::kernel::unit;
 
@@ -42,14 +42,14 @@ pub fn complete(keys: &'static [Key], text: &str, offset: usize) -> Vec<Completi
         return Vec::new();
     };
     let (written, site) = (Written::new(keys, text, offset), Site::at(before));
-    match site.part {
-        Part::Header { list } => written.headers(list, &site.word),
-        Part::Key => written.keys(site.within(), &site.word),
-        Part::Value { list } => match written.find(&site.path) {
+    match site.context {
+        Context::Header { list } => written.headers(list, &site.word),
+        Context::Key => written.keys(site.within(), &site.word),
+        Context::Value { list } => match written.find(&site.path) {
             Some(key) => values(&key, &text[site.word.clone()], &closed(text, site.word), list),
             None => Vec::new(),
         },
-        Part::Nothing => Vec::new(),
+        Context::Nothing => Vec::new(),
     }
 }
 
@@ -68,8 +68,8 @@ pub fn hover(keys: &'static [Key], text: &str, offset: usize) -> Option<Hover> {
     let rest = text.get(offset..)?;
     let end = offset + rest.find(|c| !inside(c)).unwrap_or(rest.len());
     let site = Site::at(&text[..end]);
-    let names = matches!(site.part, Part::Header { .. } | Part::Key) && !site.word.is_empty();
-    if !names && !matches!(site.part, Part::Value { .. }) {
+    let names = matches!(site.context, Context::Header { .. } | Context::Key) && !site.word.is_empty();
+    if !names && !matches!(site.context, Context::Value { .. }) {
         return None;
     }
     let key = Written::new(keys, text, offset).find(&site.path)?;

@@ -8,7 +8,7 @@ use toml_parser::{Source, Span};
 
 /// What a place is part of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Part {
+pub enum Context {
     /// `[...]`, or `[[...]]` of a list of tables.
     Header { list: bool },
     /// The key of a value.
@@ -23,7 +23,7 @@ pub enum Part {
 /// A place and what leads there.
 #[derive(Debug)]
 pub struct Site {
-    pub part: Part,
+    pub context: Context,
     /// Names of tables and keys from the top to here, with what is written so far of a name.
     pub path: Vec<String>,
     /// Bytes of what is written so far: the path of a header, a key's last name, a value.
@@ -43,7 +43,7 @@ enum Open {
 /// The grammar's state while its events pass.
 #[derive(Default)]
 struct Reader {
-    part: Part,
+    context: Context,
     header: Names,
     open: Vec<Open>,
     key: Names,
@@ -67,40 +67,40 @@ impl Reader {
                 let list = kind == EventKind::ArrayTableOpen;
                 let last = self.last;
                 *self = Reader {
-                    part: Part::Header { list },
+                    context: Context::Header { list },
                     last,
                     ..Reader::default()
                 };
             }
-            EventKind::StdTableClose | EventKind::ArrayTableClose => self.part = Part::Nothing,
+            EventKind::StdTableClose | EventKind::ArrayTableClose => self.context = Context::Nothing,
             EventKind::SimpleKey => {
                 let mut name = Cow::default();
                 if let Some(raw) = source.get(event) {
                     raw.decode_key(&mut name, &mut ());
                 }
-                let names = match self.part {
-                    Part::Header { .. } => &mut self.header,
+                let names = match self.context {
+                    Context::Header { .. } => &mut self.header,
                     _ => &mut self.key,
                 };
                 names.push((name.into_owned(), span));
             }
-            EventKind::KeyValSep => self.part = Part::Value { list: false },
+            EventKind::KeyValSep => self.context = Context::Value { list: false },
             EventKind::InlineTableOpen => {
                 self.open.push(Open::Table(std::mem::take(&mut self.key)));
-                self.part = Part::Key;
+                self.context = Context::Key;
             }
             EventKind::ArrayOpen => {
                 self.open.push(Open::List);
-                self.part = Part::Value { list: true };
+                self.context = Context::Value { list: true };
             }
             EventKind::InlineTableClose | EventKind::ArrayClose => {
                 if let Some(Open::Table(key)) = self.open.pop() {
                     self.key = key;
                 }
-                self.part = Part::Nothing;
+                self.context = Context::Nothing;
             }
             EventKind::ValueSep => match self.open.last() {
-                Some(Open::List) => self.part = Part::Value { list: true },
+                Some(Open::List) => self.context = Context::Value { list: true },
                 _ => self.next(),
             },
             EventKind::Newline if self.open.is_empty() => self.next(),
@@ -111,7 +111,7 @@ impl Reader {
     /// Another key begins.
     fn next(&mut self) {
         self.key.clear();
-        self.part = Part::Key;
+        self.context = Context::Key;
     }
 }
 
@@ -124,7 +124,7 @@ impl Site {
         let mut reader = Reader::default();
         parse_document(&tokens, &mut |event: Event| reader.take(source, &event), &mut ());
         let Reader {
-            part,
+            context,
             header,
             open,
             key,
@@ -138,18 +138,18 @@ impl Site {
             _ => end..end,
         };
         let last = last.map(|(kind, _)| kind);
-        let (part, word) = match (part, last) {
-            (_, Some(EventKind::Comment)) if touches.is_some() => (Part::Nothing, end..end),
-            (Part::Header { .. }, _) => (part, header.first().map_or(end, |(_, span)| span.start())..end),
+        let (context, word) = match (context, last) {
+            (_, Some(EventKind::Comment)) if touches.is_some() => (Context::Nothing, end..end),
+            (Context::Header { .. }, _) => (context, header.first().map_or(end, |(_, span)| span.start())..end),
             // Behind a name that is over comes `=`, and behind a value the next line.
-            (Part::Key, Some(EventKind::SimpleKey)) | (Part::Value { .. }, Some(EventKind::Scalar))
+            (Context::Key, Some(EventKind::SimpleKey)) | (Context::Value { .. }, Some(EventKind::Scalar))
                 if touches.is_none() =>
             {
-                (Part::Nothing, end..end)
+                (Context::Nothing, end..end)
             }
-            (Part::Key, _) => (part, begun(EventKind::SimpleKey)),
-            (Part::Value { .. }, _) => (part, begun(EventKind::Scalar)),
-            (Part::Nothing, _) => (part, end..end),
+            (Context::Key, _) => (context, begun(EventKind::SimpleKey)),
+            (Context::Value { .. }, _) => (context, begun(EventKind::Scalar)),
+            (Context::Nothing, _) => (context, end..end),
         };
         let inner = open.into_iter().flat_map(|open| match open {
             Open::Table(key) => key,
@@ -158,7 +158,7 @@ impl Site {
         let names: Names = header.into_iter().chain(inner).chain(key).collect();
         let name = names.last().map_or(end..end, |(_, span)| span.start()..span.end());
         Site {
-            part,
+            context,
             path: names.into_iter().map(|(name, _)| name).collect(),
             word,
             name,
