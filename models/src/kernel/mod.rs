@@ -15,6 +15,7 @@ pub mod number;
 pub mod origin;
 pub mod record;
 pub mod schema;
+pub mod sign;
 pub mod site;
 pub mod symbol;
 pub mod text;

@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use crate::kernel::diagnostic::Diagnostic;
-use crate::kernel::symbol::{COARSEST, Symbol};
+pub use crate::kernel::sign::Sign;
+use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
-use crate::kernel::unit::Unit;
 
 /// A key of a scene.
 #[derive(Clone, Copy, Debug)]
@@ -66,18 +66,6 @@ pub enum Kind {
     Count([u64; 2]),
     /// A table of quantities by the names of variables: `{ "A.x" = "1 mm" }`.
     Named,
-}
-
-/// Which numbers a quantity may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sign {
-    Positive,
-    NotNegative,
-    Any,
-    /// Positive, and up to [`COARSEST`].
-    Tolerance,
-    /// Positive, however small.
-    Deviation,
 }
 
 impl Key {
@@ -196,43 +184,6 @@ impl Key {
     pub const fn usually(mut self, value: f64) -> Key {
         self.usual = Some(value);
         self.optional()
-    }
-}
-
-impl Sign {
-    /// Whether `value` is one of these numbers.
-    #[must_use]
-    pub fn allows(self, value: f64) -> bool {
-        value.is_finite()
-            && match self {
-                Sign::Positive | Sign::Deviation => value > 0.0,
-                Sign::NotNegative => value >= 0.0,
-                Sign::Any => true,
-                Sign::Tolerance => value > 0.0 && value <= COARSEST,
-            }
-    }
-
-    /// In words.
-    #[must_use]
-    pub fn words(self) -> &'static str {
-        match self {
-            Sign::Positive | Sign::Deviation => "a finite number greater than zero",
-            Sign::NotNegative => "a finite number, zero or greater",
-            Sign::Any => "a finite number",
-            Sign::Tolerance => "greater than zero and at most 0.1",
-        }
-    }
-
-    /// What a scene may give of a quantity, in SI: beyond that a number is a slip of its unit.
-    #[must_use]
-    pub fn limits(self, unit: &Unit) -> [f64; 2] {
-        let [least, most] = unit.limits();
-        match self {
-            Sign::Positive => [least, most],
-            Sign::NotNegative | Sign::Deviation => [0.0, most],
-            Sign::Any => [-most, most],
-            Sign::Tolerance => [0.0, COARSEST],
-        }
     }
 }
 

@@ -89,7 +89,7 @@ impl About {
             symbol: symbol.map(|symbol| Script::of_math(symbol.print)),
             unit: symbol.map(|symbol| symbol.display.print),
             range: quantity.map(|(symbol, sign)| {
-                let limits = sign.limits(symbol.unit);
+                let limits = sign.limits(symbol, symbol.unit);
                 limits.map(|limit| written(short(symbol.shown(limit))))
             }),
             usual: key

@@ -71,6 +71,15 @@ impl<C: Calc> Oil<C> {
 }
 
 impl Oil<f64> {
+    /// Whether the pressures are bounded, and none pulls with the bulk modulus (Pa), which stretches oil by all of its volume.
+    #[must_use]
+    pub fn is_possible(&self, bulk_modulus: f64) -> bool {
+        /// In Pa.
+        const MOST: f64 = 1e12;
+        let mut pressures = self.ports.iter().chain(&self.chambers);
+        pressures.all(|pressure| (-bulk_modulus..MOST).contains(pressure))
+    }
+
     /// Whether oil is below vacuum. `rates` are those of the pressures of ports and chambers, in Pa/s: an importer meets
     /// the event with a pressure that is at vacuum but for rounding, and what it is then to be is told by its rate.
     pub fn cavitates(&self, rates: impl FnOnce() -> [f64; 4]) -> bool {
