@@ -11,7 +11,7 @@ use crate::component::mechanism::{Entry, Mechanism};
 use crate::component::model::Model;
 use crate::component::moving::MovingComponent;
 use crate::component::part::Runner;
-use crate::component::sheet::Sheet;
+use crate::component::sheet::{Drawing, Sheet};
 use crate::component::standing::Standing;
 use crate::component::telling;
 use crate::drive;
@@ -97,6 +97,7 @@ struct Teller {
     vocabulary: &'static Vocabulary,
     sheet: fn(&dyn Mechanism, &Origins, &[Place]) -> Option<Sheet>,
     assumptions: fn(&dyn Mechanism) -> Option<Vec<&'static str>>,
+    drawing: fn(&dyn Mechanism, f64) -> Option<Drawing>,
     dependencies: fn(&Standing) -> Option<Vec<BTreeSet<Name>>>,
 }
 
@@ -106,6 +107,7 @@ const fn teller<T: Described>() -> Teller {
         vocabulary: T::VOCABULARY,
         sheet: |mechanism, origins, asked| Some(telling::sheet::<T>(mechanism.of()?, origins, asked)),
         assumptions: |mechanism| Some(T::assumptions(mechanism.of()?)),
+        drawing: |mechanism, at| Some(T::drawing(mechanism.of()?, at)),
         dependencies: |model| {
             let part: &dyn Any = model.part();
             let own = part.is::<Runner<T::Component, f64>>();
@@ -149,6 +151,15 @@ pub fn sheet(mechanism: &dyn Mechanism, origins: &Origins, asked: &[Place]) -> S
 #[must_use]
 pub fn assumptions(mechanism: &dyn Mechanism) -> Vec<&'static str> {
     told(|teller| (teller.assumptions)(mechanism))
+}
+
+/// What it looks like with its coordinate at a value of the working range.
+///
+/// # Panics
+/// As [`sheet`].
+#[must_use]
+pub fn drawing(mechanism: &dyn Mechanism, at: f64) -> Drawing {
+    told(|teller| (teller.drawing)(mechanism, at))
 }
 
 /// How a scene asks for a synthesis.

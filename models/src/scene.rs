@@ -6,7 +6,7 @@ use crate::balance::task::Search;
 use crate::book::{BOOK, Book};
 use crate::component::mechanism::Mechanism;
 use crate::component::model::Model;
-use crate::component::sheet::{InMotion, Input, Sheet};
+use crate::component::sheet::{Drawing, InMotion, Input, Sheet};
 use crate::kernel::check;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
@@ -270,6 +270,12 @@ impl Scene {
             sheet.inputs.insert(last + 1, gravity);
         }
         sheet
+    }
+
+    /// What it looks like with its coordinate at a value of the working range, in SI.
+    #[must_use]
+    pub fn drawing(&self, at: f64) -> Drawing {
+        registry::drawing(&*self.mechanism, at)
     }
 
     /// The acceleration of gravity, where the top of a scene gives it, or where masses weigh by it, or weights have masses

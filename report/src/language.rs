@@ -6,6 +6,7 @@
 //! three languages write them.
 
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use lemnis_models::component::description::Vocabulary;
 use lemnis_models::kernel::number::Number;
@@ -121,11 +122,18 @@ impl Language {
         digits.replace('.', self.decimal.encode_utf8(&mut [0; 4]))
     }
 
+    /// Its words, read once.
+    pub(crate) fn dictionary(&self) -> &'static Words {
+        static READ: [OnceLock<Words>; LANGUAGES.len()] = [const { OnceLock::new() }; LANGUAGES.len()];
+        let place = LANGUAGES.iter().position(|known| known.code == self.code);
+        let read = &READ[place.expect("a language of the table")];
+        read.get_or_init(|| Words::new(self, [], None).expect("words that are tested"))
+    }
+
     /// A word that stands where there is no number.
     pub(crate) fn word(&self, id: &str) -> String {
-        let words = Words::new(self, [], None);
-        let word = words.and_then(|words| words.get("text", id).map(str::to_owned));
-        word.expect("every language has the words of English")
+        let word = self.dictionary().get("text", id);
+        word.expect("every language has the words of English").to_owned()
     }
 }
 
@@ -207,6 +215,12 @@ impl Words {
         let word = word(group).or_else(shared);
         word.and_then(toml::Value::as_str)
             .ok_or_else(|| format!("no words for {group}.{id}"))
+    }
+
+    /// The words for an id, those of a part that the machine has before all others.
+    pub(crate) fn of_parts(&self, parts: &[&str], group: &str, id: &str) -> Result<&str, String> {
+        let own = parts.iter().find_map(|part| self.of_part(group, part, id));
+        own.map_or_else(|| self.get(group, id), Ok)
     }
 
     /// Keys of the publications.

@@ -1,4 +1,4 @@
-//! Results of a scene as a table, as JSON and as CSV.
+//! Results of a scene as a table and as CSV.
 
 use std::fmt::Write as _;
 
@@ -7,17 +7,18 @@ use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::number::{Number, SIGNIFICANT, column, short};
 use lemnis_models::kernel::variable::{Fault, Role, Variable};
 use lemnis_models::scene::Scene;
-use serde_json::{Map, Value, json};
 
 use crate::machine;
 
 /// Every result of a scene: the values that hold for the whole range, and one
 /// row of all variables for each position of the working range.
 pub struct Results {
-    scene: Scene,
+    pub scene: Scene,
     pub sheet: Sheet,
-    columns: Vec<Variable>,
-    rows: Vec<Vec<f64>>,
+    /// What differs from position to position, the coordinate first.
+    pub columns: Vec<Variable>,
+    /// In SI.
+    pub rows: Vec<Vec<f64>>,
 }
 
 /// What its book says of a scene.
@@ -186,50 +187,6 @@ impl Results {
             .try_for_each(|record| writer.write_record(record));
         written.expect("memory takes every record");
         String::from_utf8(writer.into_inner().expect("memory takes every record")).expect("numbers and names are text")
-    }
-
-    /// Everything in SI, with units; an infinite value is null.
-    ///
-    /// # Panics
-    /// Never: it is plain data.
-    #[must_use]
-    pub fn json(&self) -> String {
-        let number = machine::json;
-        let summary: Map<String, Value> = self
-            .sheet
-            .results()
-            .map(|result| {
-                let at = result.at.map(|(coordinate, at)| json!({ coordinate.id: number(at) }));
-                let entry = json!({ "value": number(result.value), "unit": result.symbol.unit.name, "at": at });
-                (result.symbol.id.to_owned(), entry)
-            })
-            .collect();
-        let checks: Vec<Value> = self
-            .sheet
-            .checks()
-            .map(|check| {
-                json!({
-                    "check": check.id, "symbol": check.symbol.id, "value": number(check.value),
-                    "limit": number(check.limit), "at_most": check.at_most, "passed": check.passed(),
-                })
-            })
-            .collect();
-        let variables: Map<String, Value> = self
-            .columns
-            .iter()
-            .enumerate()
-            .map(|(i, column)| {
-                let symbol = column.symbol;
-                let values: Vec<Value> = self.rows.iter().map(|row| number(row[i])).collect();
-                let entry =
-                    json!({ "unit": symbol.unit.name, "text": symbol.text, "source": symbol.source, "values": values });
-                (column.name(), entry)
-            })
-            .collect();
-        let whole = json!({
-            "name": self.scene.name(), "title": self.scene.title(), "level": self.scene.level(), "summary": summary, "checks": checks, "variables": variables,
-        });
-        serde_json::to_string_pretty(&whole).expect("plain data")
     }
 }
 

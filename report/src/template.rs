@@ -276,11 +276,9 @@ fn environment(words: Words) -> Environment<'static> {
     environment.add_function("word", move |state: &mut State, group: &str, id: &str| {
         let book = state.lookup("book").unwrap_or_default();
         let parts = book.get_attr("parts")?;
-        let own = parts.try_iter().into_iter().flatten().find_map(|part| {
-            let part = part.as_str()?;
-            dictionary.of_part(group, part, id)
-        });
-        let word = own.map_or_else(|| dictionary.get(group, id), Ok).map_err(undefined)?;
+        let parts: Vec<Value> = parts.try_iter().into_iter().flatten().collect();
+        let parts: Vec<&str> = parts.iter().filter_map(Value::as_str).collect();
+        let word = dictionary.of_parts(&parts, group, id).map_err(undefined)?;
         cite(state, &keys, word);
         Ok(Value::from_safe_string(word.to_owned()))
     });

@@ -21,6 +21,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+use lemnis::answer::Answer;
+use lemnis::answer::shown::Shown;
 use lemnis::book::Edition;
 use lemnis::documentation;
 use lemnis::language::Language;
@@ -133,7 +135,7 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
             }
         }
     }
-    let _ = (results.json(), results.broken_limits());
+    let _ = (Answer::of(&results).json(), results.broken_limits());
     // What depends on what takes as long as all the rest, and is the same in both.
     let standard = [Standard::Fmi2, Standard::Fmi3][number as usize % 2];
     match model_description(&scene, standard).map(String::from_utf8) {
@@ -147,6 +149,8 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
     read(&page, "documentation", &mut outcome.wrong);
     let length = run(case, &scene, number, outcome);
     if number.is_multiple_of(BOOK) {
+        let code = LANGUAGES[(number / BOOK) as usize % LANGUAGES.len()];
+        Shown::new(&results, Language::find(code).expect("known")).unwrap_or_else(|fault| panic!("{}", fault.message));
         book(&scene, &results, number, outcome);
     }
     if number.is_multiple_of(TRADE)

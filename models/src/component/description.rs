@@ -137,7 +137,13 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
         Vec::new()
     }
 
-    fn drawing(this: &Description<Self>) -> Drawing;
+    /// With its coordinate at a value of the working range.
+    fn drawing(this: &Description<Self>, at: f64) -> Drawing;
+
+    /// Where a book draws it.
+    fn drawn_at(this: &Description<Self>) -> f64 {
+        f64::midpoint(this.motion.from, this.motion.to)
+    }
 
     /// Ids of remarks, worded in the templates.
     fn remarks(&self) -> Vec<&'static str> {

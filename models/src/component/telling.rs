@@ -178,7 +178,7 @@ fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &
             .collect(),
         range: table(model, outline.table),
         curves: curves(told, model),
-        drawing: T::drawing(told),
+        drawing: T::drawing(told, T::drawn_at(told)),
         identities: T::identities(told, model),
         requirements,
         unjudged,

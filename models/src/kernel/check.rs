@@ -6,9 +6,11 @@ use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 use toml::value::Datetime;
 
-use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::diagnostic::{Diagnostic, Edit};
+use crate::kernel::example::{example, is_table, template, wanted};
+use crate::kernel::keys::NOTE;
 use crate::kernel::measure::{number, quantity};
-use crate::kernel::schema::{COUNTLESS, GivenNumber, KIND, Key, Kind, Value, Values};
+use crate::kernel::schema::{GivenNumber, KIND, Key, Kind, Value, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::{LANGUAGES, Text};
@@ -45,7 +47,7 @@ pub fn check(
     }
     for key in keys.iter().filter(|key| key.required) {
         if !table.keys().any(|name| name.get_ref() == key.name) {
-            found.push(missing(span.clone(), &place, key));
+            found.push(missing(span.clone(), &place, key).fix(added(source, &span, path, key)));
         }
     }
     Values {
@@ -60,6 +62,32 @@ pub fn check(
 pub(crate) fn missing(span: Range<usize>, place: &str, key: &Key) -> Diagnostic {
     Diagnostic::new(span, format!("`{}` is missing {place}", key.name), "needed here")
         .help(format!("add {}", example(key)))
+}
+
+/// A needed key under the header of its table, or in the first line of the scene.
+fn added(source: &str, table: &Range<usize>, path: &str, key: &Key) -> Option<Edit> {
+    let line = source[table.start..]
+        .find('\n')
+        .map_or(source.len(), |length| table.start + length);
+    let (top, header) = (path.is_empty(), source[table.start..].starts_with('['));
+    if is_table(key) {
+        let text = format!("\n[{path}{}{}]\n", if top { "" } else { "." }, key.name);
+        return (top || header).then(|| Edit::new(source.len()..source.len(), text));
+    }
+    let (text, caret) = template(key);
+    match (top, header) {
+        (true, true) => Some(Edit {
+            replaced: 0..0,
+            text: format!("{text}\n"),
+            caret,
+        }),
+        (true, false) | (false, true) => Some(Edit {
+            replaced: line..line,
+            text: format!("\n{text}"),
+            caret: caret + 1,
+        }),
+        (false, false) => None,
+    }
 }
 
 fn unknown(name: &Spanned<std::borrow::Cow<'_, str>>, place: &str, keys: &'static [Key]) -> Diagnostic {
@@ -79,6 +107,7 @@ fn unknown(name: &Spanned<std::borrow::Cow<'_, str>>, place: &str, keys: &'stati
         "not known",
     )
     .help(help)
+    .fix(nearest.map(|(_, known)| Edit::new(name.span(), known)))
 }
 
 fn check_value(
@@ -115,7 +144,8 @@ fn check_value(
         (Kind::Quantity(..) | Kind::Weight(_), DeValue::String(text)) => match number(text, key) {
             Ok(number) => Some(Value::Number(number)),
             Err((message, label, help)) => {
-                found.push(Diagnostic::new(value.span(), format!("`{path}`: {message}"), label).help(help));
+                let wrong = Diagnostic::new(value.span(), format!("`{path}`: {message}"), label).help(help);
+                found.push(wrong.fix(mended(text, key).map(|text| Edit::new(value.span(), text))));
                 None
             }
         },
@@ -157,12 +187,22 @@ fn check_value(
             let unit = symbol.display.name;
             found.push(
                 Diagnostic::new(value.span(), format!("`{path}` has no unit"), "a bare number")
-                    .help(format!("write \"{text} {unit}\" if it is in {unit}")),
+                    .help(format!("write \"{text} {unit}\" if it is in {unit}"))
+                    .fix(Edit::new(value.span(), format!("\"{text} {unit}\""))),
             );
             None
         }
         (_, other) => wrong(format!("a TOML {}", other.type_str())),
     }
+}
+
+/// A quantity with a decimal point, or with its unit, where it is one then.
+fn mended(text: &str, key: &Key) -> Option<String> {
+    let (symbol, _) = key.number()?;
+    let point = text.trim().replacen(',', ".", 1);
+    let unit = format!("{point} {}", symbol.display.name);
+    let readable = [point, unit].into_iter().find(|text| number(text, key).is_ok())?;
+    Some(format!("\"{readable}\""))
 }
 
 /// A table whose keys follow from its `kind`.
@@ -379,12 +419,6 @@ fn lines(scene: &str, text: &str, span: Range<usize>) -> Vec<(String, Range<usiz
     placed.collect()
 }
 
-/// Where one quantity comes from.
-static NOTE: Key = Key::text(
-    "source",
-    "Where the quantity comes from: a drawing, a publication, an assumption.",
-);
-
 /// A quantity with a note where it comes from.
 fn noted(
     scene: &str,
@@ -429,51 +463,4 @@ fn noted(
         found.push(Diagnostic::new(span, format!("`{path}` has no `value`"), "needed here").help(example(key)));
     }
     number.map(|number| Value::Number(GivenNumber { source, ..number }))
-}
-
-fn wanted(key: &Key) -> String {
-    match key.kind {
-        Kind::Text | Kind::Line => "a text, or a table of it in several languages".to_owned(),
-        Kind::Name | Kind::Date | Kind::Lines => "a text".to_owned(),
-        Kind::Choice(choices) => format!("one of {}", choices.join(", ")),
-        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
-            format!("a number with a unit such as \"1 {}\"", symbol.display.name)
-        }
-        Kind::Table(_) | Kind::Kinds(_) => "a table".to_owned(),
-        Kind::Texts(_) => "a list of texts".to_owned(),
-        Kind::Choices(choices) => format!("a list of {}, none twice", choices.join(", ")),
-        Kind::Tables(..) => "a list of tables".to_owned(),
-        Kind::Quantities(symbol, _, [least, most]) => {
-            let unit = symbol.display.name;
-            let count = if least == most {
-                format!("{least}")
-            } else {
-                format!("{least} to {most}")
-            };
-            format!("a list of {count} numbers with units such as \"1 {unit}\"")
-        }
-        Kind::Count([0, COUNTLESS]) => "a whole number, zero or greater".to_owned(),
-        Kind::Count([least, most]) => format!("a whole number, {least} to {most}"),
-        Kind::Named => "a table of quantities by the names of results".to_owned(),
-    }
-}
-
-fn example(key: &Key) -> String {
-    match key.kind {
-        Kind::Text | Kind::Line | Kind::Name | Kind::Date | Kind::Lines => format!("{} = \"...\"", key.name),
-        Kind::Choice(choices) => format!("{} = \"{}\"", key.name, choices[0]),
-        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
-            format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text)
-        }
-        Kind::Table(_) | Kind::Kinds(_) => format!("a table [{}]  ({})", key.name, key.text),
-        Kind::Texts(_) => format!("{} = [\"...\"]  ({})", key.name, key.text),
-        Kind::Choices(choices) => format!("{} = [\"{}\"]", key.name, choices[0]),
-        Kind::Tables(..) => format!("tables [[{}]]  ({})", key.name, key.text),
-        Kind::Quantities(symbol, _, [_, most]) => {
-            let each = vec![format!("\"... {}\"", symbol.display.name); most];
-            format!("{} = [{}]  ({})", key.name, each.join(", "), key.text)
-        }
-        Kind::Count([least, _]) => format!("{} = {}  ({})", key.name, least.max(1), key.text),
-        Kind::Named => format!("{} = {{ \"...\" = \"...\" }}  ({})", key.name, key.text),
-    }
 }

@@ -116,8 +116,24 @@ fn measured(text: &str, symbol: &'static Symbol, units: &[&'static Unit]) -> Res
 }
 
 /// The names of all units that measure the same as one of these.
-fn like(units: &[&'static Unit]) -> String {
+fn named(units: &[&'static Unit]) -> Vec<&'static str> {
     let fits = |unit: &&Unit| units.iter().any(|wanted| unit.is_like(wanted));
-    let names: Vec<&str> = unit::ALL.iter().copied().filter(fits).map(|unit| unit.name).collect();
-    names.join(", ")
+    unit::ALL.iter().copied().filter(fits).map(|unit| unit.name).collect()
+}
+
+fn like(units: &[&'static Unit]) -> String {
+    named(units).join(", ")
+}
+
+/// The names of the units in which what stands behind a key may be given, that of the trade first; none of what is no
+/// quantity.
+#[must_use]
+pub fn units(key: &Key) -> Vec<&'static str> {
+    let (symbol, mut names) = match key.kind {
+        Kind::Quantity(symbol, _) | Kind::Quantities(symbol, ..) => (symbol, named(&[symbol.unit])),
+        Kind::Weight(symbol) => (symbol, named(&[symbol.unit, &unit::KG])),
+        _ => return Vec::new(),
+    };
+    names.sort_by_key(|name| *name != symbol.display.name);
+    names
 }

@@ -45,7 +45,8 @@ impl Sign {
 
     /// What a scene may give of a quantity measured in units like `unit`, in SI: what its symbol allows, where it is a
     /// value of it, and no more than a machine has: beyond that a number is a slip of its unit.
-    pub(crate) fn limits(self, symbol: &Symbol, unit: &Unit) -> [f64; 2] {
+    #[must_use]
+    pub fn limits(self, symbol: &Symbol, unit: &Unit) -> [f64; 2] {
         let [least, most] = unit.limits();
         let [from, to] = match self {
             Sign::Positive => [least, most],

@@ -306,19 +306,18 @@ impl Described for SlewingScene {
     }
 
     /// From above: the ends of the working range (faint) and its middle, with the load's circle.
-    fn drawing(this: &Description<SlewingScene>) -> Drawing {
+    fn drawing(this: &Description<SlewingScene>, told: f64) -> Drawing {
         let (reach, range) = (this.given.hung.r.max(1e-3), &this.motion);
-        let middle = f64::midpoint(range.from, range.to);
         let head = |psi: f64| polar(reach, psi);
         let mut draw = Draw::default();
         let axis = Point::zeros();
         draw.path(fine(range).map(head));
-        for (psi, faint) in [(range.from, true), (range.to, true), (middle, false)] {
+        for (psi, faint) in [(range.from, true), (range.to, true), (told, false)] {
             draw.bar(&[axis, head(psi)], faint);
             draw.pin(head(psi), false, faint);
         }
-        draw.angle(axis, 0.3 * reach, middle, &s::PSI_SL);
-        draw.distance(axis, head(middle), 0.06 * reach, &s::R);
+        draw.angle(axis, 0.3 * reach, told, &s::PSI_SL);
+        draw.distance(axis, head(told), 0.06 * reach, &s::R);
         draw.joint(axis, "O", true, false);
         draw.done(reach)
     }

@@ -197,9 +197,15 @@ impl Described for SteeringScene {
         oil.into_iter().chain(others).collect()
     }
 
-    fn drawing(this: &Steering) -> Drawing {
-        let stance = Stance::new(this.given.clone()).expect("checked when the scene was read");
+    fn drawing(this: &Steering, at: f64) -> Drawing {
+        let mut given = this.given.clone();
+        given.theta_b.1 = at;
+        let stance = Stance::new(given).expect("checked when the scene was read");
         swept(&this.built().machine, &stance)
+    }
+
+    fn drawn_at(this: &Steering) -> f64 {
+        this.given.theta_b.1
     }
 
     fn remarks(&self) -> Vec<&'static str> {

@@ -10,7 +10,7 @@ mod synthesis;
 mod tables;
 mod title;
 mod trade;
-mod verdict;
+pub(crate) mod verdict;
 
 use std::collections::BTreeMap;
 
@@ -172,7 +172,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
 }
 
 /// Parts of the machine that have words of their own.
-fn parts(sheet: &Sheet) -> Vec<&'static str> {
+pub(crate) fn parts(sheet: &Sheet) -> Vec<&'static str> {
     let balance = sheet.balance.iter().flat_map(|balance| balance.parts);
     balance.chain(&sheet.parts).copied().collect()
 }

@@ -89,7 +89,7 @@ impl Verdict {
 }
 
 /// Id of the word for whether a requirement is met.
-pub(super) fn verdict(check: &sheet::Check) -> &'static str {
+pub(crate) fn verdict(check: &sheet::Check) -> &'static str {
     match check.passed() {
         false => "failed",
         true if check.is_doubtful() => "doubtful",
@@ -120,7 +120,7 @@ fn check(numbers: &Numbers, check: &sheet::Check, dm_95: Option<f64>) -> Check {
 }
 
 /// In percent; of a limit that is not kept above 100, however little.
-fn utilisation(check: &sheet::Check) -> Number {
+pub(crate) fn utilisation(check: &sheet::Check) -> Number {
     let part = 100.0 * check.utilisation();
     let beyond = |decimals: &u32| {
         let unit = f64::from(10_u32.pow(*decimals));

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use lemnis::answer::Answer;
 use lemnis::results::Results;
 
 use crate::decision::to_build;
@@ -27,7 +28,7 @@ impl Check {
         let scene = &decision.scene;
         let results = Results::new(scene).map_err(Failure::of_scene)?;
         if self.json {
-            say(results.json())?;
+            say(Answer::of(&results).json())?;
         } else if self.csv {
             say(results.csv().trim_end())?;
         } else {

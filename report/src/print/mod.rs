@@ -10,6 +10,7 @@ pub mod picture;
 pub mod plot;
 pub mod precision;
 pub(crate) mod prose;
+pub mod script;
 pub(crate) mod speech;
 mod term;
 pub(crate) mod text;

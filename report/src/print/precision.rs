@@ -23,13 +23,20 @@ const CANCELLED: f64 = 1e-9;
 /// The numbers of a sheet's book, with so many significant digits in results.
 #[must_use]
 pub fn numbers(language: &'static Language, digits: usize, sheet: &Sheet) -> Numbers {
-    let mut numbers = Numbers::new(language, digits);
-    sheet.values(&mut |symbol, value| numbers.reach(symbol, value));
+    let mut numbers = of_results(language, digits, sheet);
     for section in sheet.sections() {
         for step in &section.trace.steps {
             digits_needed(&mut numbers, &section.trace, step);
         }
     }
+    numbers
+}
+
+/// The same where no formula is printed.
+#[must_use]
+pub fn of_results(language: &'static Language, digits: usize, sheet: &Sheet) -> Numbers {
+    let mut numbers = Numbers::new(language, digits);
+    sheet.values(&mut |symbol, value| numbers.reach(symbol, value));
     numbers
 }
 

@@ -235,7 +235,7 @@ impl Described for CurvedTrunk {
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with trunk, tail, tie and the path of the head.
-    fn drawing(this: &Description<CurvedTrunk>) -> Drawing {
+    fn drawing(this: &Description<CurvedTrunk>, told: f64) -> Drawing {
         let Given { trunk, arc, choice, .. } = &this.given;
         let (range, o1, o3) = (&this.motion, Point::zeros(), Point::new(trunk.o3_x, trunk.o3_y));
         let tail = TrunkTail::new(trunk, arc, choice).expect("checked when the scene was read");
@@ -246,9 +246,8 @@ impl Described for CurvedTrunk {
         let size = trunk.b;
         let mut draw = Draw::default();
         draw.path(fine(range).map(|phi| at(phi).0.a));
-        let middle = f64::midpoint(range.from, range.to);
         let [clamp, end] = tail.ends.map(|end| end.place);
-        for (phi, faint) in [(range.from, true), (range.to, true), (middle, false)] {
+        for (phi, faint) in [(range.from, true), (range.to, true), (told, false)] {
             let (p, contact) = at(phi);
             let place = |local: Point<f64>| p.b + plane::turned(local, p.along.x, p.along.y);
             let curve = between(clamp, end).map(|at| place(Leaving::new(arc, choice, at).p));

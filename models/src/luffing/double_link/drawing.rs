@@ -13,18 +13,17 @@ use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::symbols as s;
 use crate::parts::plane::Point;
 
-/// At the ends (faint) and in the middle of the working range, with the path of the head.
+/// At the ends of the working range (faint) and where it is told of, with the path of the head.
 #[must_use]
-pub fn drawing(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
+pub fn drawing(g: &Geometry<f64>, luffing: &Luffing, told: f64) -> Drawing {
     if luffing.is_plain() {
-        return boom(g, luffing);
+        return boom(g, luffing, told);
     }
     let motion = &luffing.motion;
-    let middle = f64::midpoint(motion.from, motion.to);
     let mut draw = Draw::default();
     draw.path(fine(motion).filter_map(|theta| Position::new(g, theta)).map(|p| p.a));
     let (o1, o3, axis) = (Point::zeros(), g.lengths.o3(), Point::new(-g.lengths.x_8, 0.0));
-    for (theta, faint) in [(motion.from, true), (motion.to, true), (middle, false)] {
+    for (theta, faint) in [(motion.from, true), (motion.to, true), (told, false)] {
         let Some(p) = Position::new(g, theta) else { continue };
         draw.bar(&[o1, p.b], faint);
         draw.bar(&[o3, p.c], faint);
@@ -64,12 +63,11 @@ pub fn drawing(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
 }
 
 /// A plain boom.
-fn boom(g: &Geometry<f64>, luffing: &Luffing) -> Drawing {
+fn boom(g: &Geometry<f64>, luffing: &Luffing, told: f64) -> Drawing {
     let motion = &luffing.motion;
-    let middle = f64::midpoint(motion.from, motion.to);
     let mut draw = Draw::default();
     let o1 = Point::zeros();
-    for (theta, faint) in [(motion.from, true), (motion.to, true), (middle, false)] {
+    for (theta, faint) in [(motion.from, true), (motion.to, true), (told, false)] {
         let Some(p) = Position::new(g, theta) else { continue };
         draw.bar(&[o1, p.b], faint);
         draw.pin(p.b, false, faint);

@@ -352,9 +352,9 @@ impl Described for LuffingScene {
         if this.is_plain() { vec!["plain"] } else { Vec::new() }
     }
 
-    fn drawing(this: &Luffing) -> Drawing {
+    fn drawing(this: &Luffing, at: f64) -> Drawing {
         let g = Geometry::new(&this.parameters).expect("checked when the scene was read");
-        drawing(&g, this)
+        drawing(&g, this, at)
     }
 
     fn remarks(&self) -> Vec<&'static str> {

@@ -266,7 +266,7 @@ impl Described for Ellipsograph {
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with guide, link and the path of the head.
-    fn drawing(this: &Description<Ellipsograph>) -> Drawing {
+    fn drawing(this: &Description<Ellipsograph>, told: f64) -> Drawing {
         let (bars, range) = (&this.given.bars, &this.motion);
         let (axes, o1) = (axes(bars), Point::zeros());
         let size = axes.x;
@@ -278,8 +278,7 @@ impl Described for Ellipsograph {
         for side in [-0.02 * size, 0.02 * size] {
             draw.bar(&[Point::new(side, low), Point::new(side, high)], true);
         }
-        let middle = f64::midpoint(range.from, range.to);
-        for (phi, faint) in [(range.from, true), (range.to, true), (middle, false)] {
+        for (phi, faint) in [(range.from, true), (range.to, true), (told, false)] {
             let p = GuidedPosition::new(bars, &axes, &phi);
             let b = Point::new(0.0, p.b_y);
             draw.bar(&[o1, p.c], faint);

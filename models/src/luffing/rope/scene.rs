@@ -259,10 +259,9 @@ impl Described for Rope {
         levels::uncovered(uncovered(FRICTION), FRICTION, this.moving.as_ref())
     }
 
-    /// The boom at the ends (faint) and in the middle of the working range, with its ropes and the path of the load.
-    fn drawing(this: &Description<Rope>) -> Drawing {
+    /// The boom at the ends of the working range (faint) and where it is told of, with its ropes and the path of the load.
+    fn drawing(this: &Description<Rope>, told: f64) -> Drawing {
         let (rig, range) = (&this.given.rig, &this.motion);
-        let middle = f64::midpoint(range.from, range.to);
         let mut draw = Draw::default();
         let (o1, e, b) = (
             Point::zeros(),
@@ -270,7 +269,7 @@ impl Described for Rope {
             Point::new(rig.b_x, rig.b_y),
         );
         draw.path(fine(range).map(|phi| BoomPosition::new(rig, &phi).a));
-        for (phi, faint) in [(range.from, true), (range.to, true), (middle, false)] {
+        for (phi, faint) in [(range.from, true), (range.to, true), (told, false)] {
             let p = BoomPosition::new(rig, &phi);
             let [foot, k] = anchor(rig, &p);
             draw.bar(&[o1, p.a], faint);

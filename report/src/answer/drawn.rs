@@ -1,0 +1,174 @@
+//! What a mechanism looks like at every position: the shapes of the book's drawing, in metres, y upwards.
+
+use lemnis_models::component::sheet::Shape;
+use lemnis_models::scene::Scene;
+use serde::Serialize;
+
+use crate::print::script::Script;
+
+type Point = [f64; 2];
+
+/// A drawing at one position after the other.
+#[derive(Serialize)]
+pub struct Drawn {
+    /// What stands still.
+    pub still: Vec<Mark>,
+    /// The marks of each position, the farthest behind first.
+    pub positions: Vec<Vec<Placed>>,
+}
+
+/// A mark of a position.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub enum Placed {
+    /// One of those that stand still.
+    Still(usize),
+    Own(Mark),
+}
+
+/// A shape of the book's drawing.
+#[derive(Clone, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Mark {
+    Body {
+        points: Vec<Point>,
+        closed: bool,
+        faint: bool,
+    },
+    Pin {
+        at: Point,
+        fixed: bool,
+        faint: bool,
+    },
+    Label {
+        at: Point,
+        text: Script,
+    },
+    Path {
+        points: Vec<Point>,
+    },
+    Line {
+        from: Point,
+        to: Point,
+    },
+    Arrow {
+        from: Point,
+        to: Point,
+    },
+    Number {
+        at: Point,
+        number: usize,
+    },
+    Load {
+        at: Point,
+        text: Script,
+    },
+    Distance {
+        from: Point,
+        to: Point,
+        offset: f64,
+        text: Script,
+    },
+    Angle {
+        at: Point,
+        radius: f64,
+        from: f64,
+        to: f64,
+        text: Script,
+    },
+}
+
+/// To a tenth of a millimetre, zero without a sign.
+fn rounded(point: Point) -> Point {
+    point.map(|x| (x * 1e4).round() / 1e4 + 0.0)
+}
+
+impl From<&Shape> for Mark {
+    fn from(shape: &Shape) -> Mark {
+        let all = |points: &[Point]| points.iter().copied().map(rounded).collect();
+        let text = |text: &str| Script::of_math(text);
+        match shape {
+            Shape::Body { points, closed, faint } => Mark::Body {
+                points: all(points),
+                closed: *closed,
+                faint: *faint,
+            },
+            Shape::Pin { at, fixed, faint } => Mark::Pin {
+                at: rounded(*at),
+                fixed: *fixed,
+                faint: *faint,
+            },
+            Shape::Label { at, text: name } => Mark::Label {
+                at: rounded(*at),
+                text: text(name),
+            },
+            Shape::Path { points } => Mark::Path { points: all(points) },
+            Shape::CentreLine { x, from, to } => Mark::Line {
+                from: rounded([*x, *from]),
+                to: rounded([*x, *to]),
+            },
+            Shape::Axis { from, to } => Mark::Line {
+                from: rounded(*from),
+                to: rounded(*to),
+            },
+            Shape::Arrow { from, to } => Mark::Arrow {
+                from: rounded(*from),
+                to: rounded(*to),
+            },
+            Shape::Number { at, number } => Mark::Number {
+                at: rounded(*at),
+                number: *number,
+            },
+            Shape::Load { at, text: name } => Mark::Load {
+                at: rounded(*at),
+                text: text(name),
+            },
+            Shape::Distance {
+                from,
+                to,
+                offset,
+                text: name,
+            } => Mark::Distance {
+                from: rounded(*from),
+                to: rounded(*to),
+                offset: *offset,
+                text: text(name),
+            },
+            Shape::Angle {
+                at,
+                radius,
+                from,
+                to,
+                text: name,
+            } => Mark::Angle {
+                at: rounded(*at),
+                radius: *radius,
+                from: *from,
+                to: *to,
+                text: text(name),
+            },
+        }
+    }
+}
+
+impl Drawn {
+    /// At values of the coordinate in its working range, in SI.
+    #[must_use]
+    pub fn new(scene: &Scene, positions: impl Iterator<Item = f64>) -> Drawn {
+        let marks = |at: f64| -> Vec<Mark> { scene.drawing(at).shapes.iter().map(Mark::from).collect() };
+        let all: Vec<Vec<Mark>> = positions.map(marks).collect();
+        let mut still: Vec<Mark> = all.first().cloned().unwrap_or_default();
+        for marks in &all {
+            still.retain(|mark| marks.contains(mark));
+        }
+        let placed = |mark: Mark| match still.iter().position(|known| *known == mark) {
+            Some(place) => Placed::Still(place),
+            None => Placed::Own(mark),
+        };
+        let positions = all.into_iter().map(|marks| marks.into_iter().map(placed).collect());
+        Drawn {
+            positions: positions.collect(),
+            still,
+        }
+    }
+}

@@ -1,0 +1,297 @@
+//! Results as a person reads them, in the words, the symbols and the numbers of the book of a language, and what the
+//! mechanism looks like at every position.
+
+use lemnis_models::component::sheet::{self, Sheet};
+use lemnis_models::kernel::number::Number;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::kernel::variable::{Fault, PART_OF_RANGE, Role, Variable};
+use serde::Serialize;
+
+use crate::answer::drawn::Drawn;
+use crate::book::parts;
+use crate::book::verdict::{utilisation, verdict};
+use crate::language::{Language, Words, symbols};
+use crate::print::number::Numbers;
+use crate::print::precision;
+use crate::print::script::Script;
+use crate::results::Results;
+
+#[derive(Serialize)]
+pub struct Shown {
+    pub language: &'static str,
+    pub name: String,
+    pub title: String,
+    pub level: &'static str,
+    /// Whether the level is left to what is measured, and this is the deepest.
+    pub open: bool,
+    /// All that the scene and the calculation ask of results: whether they are kept, in a word.
+    pub verdict: Script,
+    pub requirements: Vec<Requirement>,
+    pub identities: Vec<Requirement>,
+    /// What must be known before any result is believed.
+    pub warnings: Vec<Script>,
+    pub governing: Vec<Line>,
+    pub summary: Vec<Line>,
+    /// What varies over the working range, the coordinate first.
+    pub columns: Vec<Column>,
+    /// As the book draws them.
+    pub curves: Vec<Curve>,
+    pub published: Vec<Published>,
+    pub drawing: Drawn,
+}
+
+/// Something that is asked of a result.
+#[derive(Serialize)]
+pub struct Requirement {
+    pub sentence: Script,
+    /// By which the result is known in FMUs.
+    pub of: &'static str,
+    pub symbol: Script,
+    pub value: Script,
+    /// With its sign of relation.
+    pub limit: Script,
+    pub passed: bool,
+    pub verdict: Script,
+    /// In percent; none of a limit of zero, and none of what never comes.
+    pub utilisation: Option<String>,
+    pub at: Option<Script>,
+}
+
+/// A result of the whole range.
+#[derive(Serialize)]
+pub struct Line {
+    pub name: &'static str,
+    /// The result whose extreme it is.
+    pub of: Option<&'static str>,
+    pub text: Script,
+    pub symbol: Script,
+    pub value: Script,
+    pub at: Option<Script>,
+}
+
+#[derive(Serialize)]
+pub struct Axis {
+    pub symbol: Script,
+    /// As printed; empty of a plain number.
+    pub unit: &'static str,
+    /// What it is, and which way is positive.
+    pub text: Script,
+}
+
+#[derive(Serialize)]
+pub struct Column {
+    /// As in FMUs.
+    pub name: String,
+    #[serde(flatten)]
+    pub axis: Axis,
+    pub source: &'static str,
+    pub output: bool,
+    /// One for each position, in the unit that is shown.
+    pub values: Vec<f64>,
+    /// The same as the book's tables have them.
+    pub texts: Vec<String>,
+}
+
+#[derive(Serialize)]
+pub struct Curve {
+    pub caption: Script,
+    pub x: Axis,
+    pub y: Axis,
+    /// In the units that are shown.
+    pub pieces: Vec<Vec<[f64; 2]>>,
+    /// Numbers of the pieces, where each is that of another body.
+    pub numbers: Vec<usize>,
+}
+
+/// A published value at a position, in the units that are shown.
+#[derive(Serialize)]
+pub struct Published {
+    pub name: &'static str,
+    pub at: f64,
+    pub value: f64,
+}
+
+/// The words for a scene, and how its numbers are written.
+struct Teller<'a> {
+    words: &'static Words,
+    parts: Vec<&'static str>,
+    /// The group of the words for its symbols.
+    symbols: &'static str,
+    numbers: &'a Numbers,
+}
+
+impl Teller<'_> {
+    fn word(&self, group: &str, id: &str) -> Script {
+        self.sentence(group, id, &[])
+    }
+
+    /// The id itself where there is no word for it: a reader may know it.
+    fn sentence(&self, group: &str, id: &str, named: &[(&str, Script)]) -> Script {
+        Script::of_markup(self.words.of_parts(&self.parts, group, id).unwrap_or(id), named)
+    }
+
+    fn meaning(&self, symbol: &Symbol) -> Script {
+        if symbol == &PART_OF_RANGE {
+            return self.word("page", "part_of_range");
+        }
+        match self.words.of_parts(&self.parts, self.symbols, symbol.id) {
+            Ok(words) => Script::of_markup(words, &[]),
+            Err(_) => Script::from(symbol.text),
+        }
+    }
+
+    fn axis(&self, symbol: &'static Symbol, number: Option<u16>) -> Axis {
+        let print = number.map(|number| symbol.numbered(number));
+        Axis {
+            symbol: Script::of_math(print.as_deref().unwrap_or(symbol.print)),
+            unit: symbol.display.print,
+            text: self.meaning(symbol),
+        }
+    }
+
+    fn result(&self, symbol: &Symbol, value: f64) -> Script {
+        Script::of_math(&self.numbers.result(symbol, value))
+    }
+
+    fn at(&self, at: Option<(&'static Symbol, f64)>) -> Option<Script> {
+        at.map(|(symbol, value)| Script::of_math(&self.numbers.named(symbol, value)))
+    }
+
+    fn line(&self, result: &sheet::Summary) -> Line {
+        Line {
+            name: result.symbol.id,
+            of: result.of.map(|of| of.id),
+            text: self.meaning(result.symbol),
+            symbol: Script::of_math(result.symbol.print),
+            value: self.result(result.symbol, result.value),
+            at: self.at(result.at),
+        }
+    }
+
+    fn requirement(&self, check: &sheet::Check) -> Requirement {
+        let (symbol, numbers) = (check.symbol, self.numbers);
+        let relation = if check.at_most { "<=" } else { ">=" };
+        let told = check.limit != 0.0 && (check.at_most || check.value.is_finite());
+        let percent = |number: &Number| numbers.language.text(number);
+        Requirement {
+            sentence: self.word("check", check.id),
+            of: check.of.id,
+            symbol: Script::of_math(symbol.print),
+            value: Script::of_math(&numbers.judged(symbol, check.value, check.limit)),
+            limit: Script::of_math(&format!("{relation} {}", numbers.limit(symbol, check.limit))),
+            passed: check.passed(),
+            verdict: self.word("verdict", verdict(check)),
+            utilisation: told.then(|| percent(&utilisation(check))),
+            at: self.at(check.at),
+        }
+    }
+
+    fn warning(&self, warning: &sheet::Warning) -> Script {
+        let summary = &warning.summary;
+        let quantity = Script::of_math(&self.numbers.named(summary.symbol, summary.value));
+        let manoeuvre = warning.manoeuvre.map(|id| self.word("manoeuvre", id));
+        let named = [
+            ("quantity", quantity),
+            ("manoeuvre", manoeuvre.unwrap_or_default()),
+            ("count", Script::from(warning.count.to_string().as_str())),
+            ("at", self.at(summary.at).unwrap_or_default()),
+        ];
+        if summary.at.is_some() {
+            return self.sentence("warning", warning.id, &named);
+        }
+        let mut event = self.word("event", warning.id);
+        event.append(&" ".into());
+        event.append(&self.sentence("warning", "event", &named));
+        event
+    }
+
+    fn verdict(&self, sheet: &Sheet) -> Script {
+        let of = |count: usize| Script::from(count.to_string().as_str());
+        let kept = sheet.requirements.iter().filter(|check| check.passed()).count();
+        let count = sheet.requirements.len();
+        let id = match kept {
+            _ if count == 0 => "no_requirements",
+            kept if kept == count => "met",
+            _ => "not_met",
+        };
+        self.sentence("text", id, &[("kept", of(kept)), ("count", of(count))])
+    }
+
+    fn curve(&self, curve: &sheet::Curve) -> Curve {
+        let shown = |[x, y]: [f64; 2]| [curve.x.shown(x), curve.y.shown(y)];
+        Curve {
+            caption: self.word("curve", curve.id),
+            x: self.axis(curve.x, None),
+            y: self.axis(curve.y, None),
+            pieces: curve
+                .pieces
+                .iter()
+                .map(|piece| piece.iter().copied().map(shown).collect())
+                .collect(),
+            numbers: curve.numbers.clone(),
+        }
+    }
+
+    fn column(&self, variable: &Variable, values: &[f64]) -> Column {
+        let symbol = variable.symbol;
+        Column {
+            name: variable.name(),
+            axis: self.axis(symbol, variable.number),
+            source: symbol.source,
+            output: variable.role == Role::Output,
+            values: values.iter().map(|value| symbol.shown(*value)).collect(),
+            texts: self.numbers.column(symbol, values.iter().copied()),
+        }
+    }
+}
+
+impl Shown {
+    /// # Errors
+    /// The scene's model cannot be built.
+    pub fn new(results: &Results, language: &'static Language) -> Result<Shown, Fault> {
+        let Results {
+            scene,
+            sheet,
+            columns,
+            rows,
+        } = results;
+        let numbers = &precision::of_results(language, scene.book.digits, sheet);
+        let teller = Teller {
+            words: language.dictionary(),
+            parts: parts(sheet),
+            symbols: symbols(scene.mechanism.id()),
+            numbers,
+        };
+        let column = |(i, variable): (usize, &Variable)| {
+            let values: Vec<f64> = rows.iter().map(|row| row[i]).collect();
+            teller.column(variable, &values)
+        };
+        let coordinate = scene.model()?.variables()[0].symbol;
+        let published = |known: &sheet::Comparison| Published {
+            name: known.symbol.id,
+            at: coordinate.shown(known.coordinate),
+            value: known.printed.parse().unwrap_or(f64::NAN),
+        };
+        Ok(Shown {
+            language: language.code,
+            name: scene.name().to_owned(),
+            title: scene.titles().of(language.code).to_owned(),
+            level: scene.level(),
+            open: scene.is_auto(),
+            verdict: teller.verdict(sheet),
+            requirements: sheet
+                .requirements
+                .iter()
+                .map(|check| teller.requirement(check))
+                .collect(),
+            identities: sheet.identities.iter().map(|check| teller.requirement(check)).collect(),
+            warnings: sheet.warnings.iter().map(|warning| teller.warning(warning)).collect(),
+            governing: sheet.governing.iter().map(|result| teller.line(result)).collect(),
+            summary: sheet.summary.iter().map(|result| teller.line(result)).collect(),
+            columns: columns.iter().enumerate().map(column).collect(),
+            curves: sheet.curves.iter().map(|curve| teller.curve(curve)).collect(),
+            published: sheet.published.iter().map(published).collect(),
+            drawing: Drawn::new(scene, rows.iter().map(|row| row[0])),
+        })
+    }
+}
