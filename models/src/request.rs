@@ -250,8 +250,10 @@ impl Varied {
     }
 }
 
+type Number = Result<f64, measure::Problem>;
+
 /// A quantity, or the weight of a mass.
-fn number(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -> Result<f64, measure::Problem> {
+fn number(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -> Number {
     let Some(g) = weighs else {
         return measure::quantity(text, symbol, Sign::Any);
     };
@@ -269,11 +271,7 @@ fn choices(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -> Result<V
 }
 
 /// Bounds such as `"1 m to 2 m"`.
-fn bounds(
-    text: &str,
-    symbol: &'static Symbol,
-    read: impl Fn(&str) -> Result<f64, measure::Problem>,
-) -> Result<[f64; 2], measure::Problem> {
+fn bounds(text: &str, symbol: &Symbol, read: impl Fn(&str) -> Number) -> Result<[f64; 2], measure::Problem> {
     let Some((low, high)) = text.split_once(" to ") else {
         let unit = symbol.display.name;
         return Err((
