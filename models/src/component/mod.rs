@@ -2,6 +2,7 @@
 //! made here once.
 
 pub mod account;
+pub mod cases;
 pub mod dependencies;
 pub mod description;
 pub mod draw;

@@ -3,6 +3,7 @@
 //! of print and layout are added later, elsewhere.
 
 pub use crate::component::account::{Energy, Integral, Power};
+use crate::component::cases::CasesSheet;
 pub use crate::component::drawing::{Drawing, Shape};
 use crate::component::extreme::Extreme;
 
@@ -66,6 +67,7 @@ pub struct Sheet {
     /// What the machine is in parts that have words of their own.
     pub parts: Vec<&'static str>,
     pub balance: Option<BalanceSheet>,
+    pub cases: Option<CasesSheet>,
     /// The mechanism in motion; `None` where it stands as commanded.
     pub motion: Option<InMotion>,
     /// See [`Scene::assumptions`](crate::scene::Scene::assumptions).
@@ -77,7 +79,9 @@ impl Sheet {
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
         let positions = self.positions.iter().flat_map(|position| &position.sections);
         let motion = self.motion.iter().flat_map(|motion| &motion.sections);
-        self.constants.iter().chain(&self.sizing).chain(positions).chain(motion)
+        let cases = self.cases.iter().flat_map(|cases| &cases.sections);
+        let own = self.constants.iter().chain(&self.sizing);
+        own.chain(positions).chain(motion).chain(cases)
     }
 
     /// Tells of the quantities that are given, that formulas give, and of those over the range.

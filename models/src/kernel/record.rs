@@ -433,6 +433,16 @@ impl Calc for Rec {
             name
         })
     }
+    fn tabled(self, symbol: &'static Symbol) -> Rec {
+        TRACE.with_borrow_mut(|trace| {
+            if trace.is(self, 0.0) {
+                return self;
+            }
+            let name = trace.name(self, symbol);
+            trace.behind.push((name, self));
+            name
+        })
+    }
     fn among(self, which: Among, one: Rec) -> Rec {
         let found = one.unary(Op::Among(which), self.value());
         TRACE.with_borrow_mut(|trace| trace.behind.push((found, self)));
