@@ -268,7 +268,11 @@ fn choices(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -> Result<V
 }
 
 /// Bounds such as `"1 m to 2 m"`.
-fn bounds(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -> Result<[f64; 2], measure::Problem> {
+fn bounds(
+    text: &str,
+    symbol: &'static Symbol,
+    read: impl Fn(&str) -> Result<f64, measure::Problem>,
+) -> Result<[f64; 2], measure::Problem> {
     let Some((low, high)) = text.split_once(" to ") else {
         let unit = symbol.display.name;
         return Err((
@@ -277,7 +281,7 @@ fn bounds(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -> Result<[f
             format!("write the least and the greatest value: \"1 {unit} to 2 {unit}\""),
         ));
     };
-    let ends = [number(low, symbol, weighs)?, number(high, symbol, weighs)?];
+    let ends = [read(low)?, read(high)?];
     if ends[0] >= ends[1] {
         return Err((
             format!("the bounds {text} are upside down"),
@@ -334,7 +338,7 @@ fn vary(
         let ends = |ends: [f64; 2], choice: &f64| [ends[0].min(*choice), ends[1].max(*choice)];
         let bounds = match choices.first() {
             Some(first) => choices.iter().fold([*first; 2], ends),
-            None => bounds(text, known.symbol, weighs)?,
+            None => bounds(text, known.symbol, |text| number(text, known.symbol, weighs))?,
         };
         Ok((bounds, choices))
     });
@@ -468,11 +472,11 @@ fn goal(v: &Values, mechanism: &dyn Mechanism, all: &[RangeResult]) -> Result<Go
 fn demand(all: &[RangeResult], (id, text, place): Named<'_>) -> Result<RangeLimit, Box<Diagnostic>> {
     let result = named(all, id, place)?;
     let symbol = result.symbol;
-    let read = |text: &str| number(text, symbol, None);
+    let read = |text: &str| measure::quantity(text, symbol, Sign::Result);
     let ends = match (text.strip_prefix("at most "), text.strip_prefix("at least ")) {
         (Some(most), _) => read(most).map(|most| [None, Some(most)]),
         (_, Some(least)) => read(least).map(|least| [Some(least), None]),
-        _ => match bounds(text, symbol, None) {
+        _ => match bounds(text, symbol, read) {
             Err((_, label, _)) if !text.contains(" to ") => Err((
                 format!("\"{text}\" is no limit"),
                 label,

@@ -211,7 +211,7 @@ impl Scene {
                 found.push(Diagnostic::new(place.clone(), message, "not known").help(help));
                 continue;
             };
-            match measure::quantity(text, variable.symbol, Sign::Deviation) {
+            match measure::quantity(text, variable.symbol, Sign::AtMost) {
                 Ok(allowed) => self.accuracy.push((*variable, allowed)),
                 Err((message, label, help)) => {
                     let message = format!("`accuracy.{name}`: {message}");

@@ -30,6 +30,7 @@ use lemnis_fmu::description::{Standard, model_description};
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::schema::{KIND, Key, Kind};
 use lemnis_models::kernel::text::LANGUAGES;
+use lemnis_models::kernel::variable::Role;
 use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::Scene;
 use lemnis_tests::unpacked::Unpacked;
@@ -174,6 +175,16 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
             return f64::INFINITY;
         }
     };
+    // What an importer is told that it may set, it finds set so.
+    for (index, variable) in model.clone().variables().iter().enumerate() {
+        let given = matches!(variable.role, Role::Input | Role::Parameter | Role::Tunable);
+        let start = model.get(index).ok().filter(|_| given);
+        outcome.wrong.extend(
+            start
+                .and_then(|start| variable.check(start).err())
+                .map(|fault| fault.message),
+        );
+    }
     let before = model.clone();
     let own = tell(&mut model, &before, &mut draw());
     let bodies = before
@@ -192,7 +203,9 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
             .extend(own.refused[part].iter().take(3).map(|message| (what, message.clone())));
     }
     if own.taken > 0.0 {
-        outcome.work = Some(f64::from(own.rates) / f64::from(bodies) * case.scale[2] / own.taken);
+        // Under the gravity that the scene has in the end.
+        let natural = (case.scale[0] / scene.gravity).sqrt();
+        outcome.work = Some(f64::from(own.rates) / f64::from(bodies) * natural / own.taken);
     }
     let fmu = Unpacked::new(scene.text());
     for second in [false, true] {

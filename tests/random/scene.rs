@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use fastrand::Rng;
 use lemnis_models::kernel::schema::{KIND, Key, Kind, Sign};
-use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::kernel::symbol::{Range, Symbol};
 use lemnis_models::kernel::unit::{self, RAD};
 use lemnis_models::kernel::variable::{Type, Variable};
 use lemnis_models::registry::{self, MECHANISMS};
@@ -186,6 +186,11 @@ impl Draw {
             return self.decades(-8, -1);
         }
         let [least, most] = symbol.unit.limits();
+        // Results are compared with numbers that they cannot have.
+        let range = match sign {
+            Sign::AtMost | Sign::AtLeast | Sign::Result => Range::ANY,
+            _ => symbol.range,
+        };
         if sign.allows(0.0) && self.coin(0.15) {
             return 0.0;
         }
@@ -194,11 +199,12 @@ impl Draw {
             _ => self.natural(symbol) * self.decades(-1, 1),
         }
         .clamp(least, most);
-        if sign.allows(-1.0) && self.coin(0.5) {
+        let value = if sign.allows(-1.0) && self.coin(0.5) {
             -amount
         } else {
             amount
-        }
+        };
+        value.clamp(range.least, range.most)
     }
 
     /// A value (SI) as a scene has it, and the value that is read from there.

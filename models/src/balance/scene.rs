@@ -44,11 +44,11 @@ static KEYS: &[Key] = keys! { s:
 
 static PUBLISHED: &[Key] = &[
     Key::new("source", Kind::Text, "Where the results are printed."),
-    Key::quantity(&s::DM_MAX, Sign::NotNegative).optional(),
-    Key::quantity(&s::DM_5_MAX, Sign::NotNegative).optional(),
-    Key::quantity(&s::E, Sign::NotNegative).optional(),
-    Key::quantity(&s::GAMMA_MIN, Sign::NotNegative).optional(),
-    Key::quantity(&s::N_MAX, Sign::NotNegative).optional(),
+    Key::quantity(&s::DM_MAX, Sign::AtLeast).optional(),
+    Key::quantity(&s::DM_5_MAX, Sign::AtLeast).optional(),
+    Key::quantity(&s::E, Sign::AtLeast).optional(),
+    Key::quantity(&s::GAMMA_MIN, Sign::AtLeast).optional(),
+    Key::quantity(&s::N_MAX, Sign::AtLeast).optional(),
 ];
 
 /// A balance as it is given, before anything follows from it.

@@ -189,11 +189,7 @@ impl Limit {
         let (mut i, mut at) = (0, 0);
         while i < limits.len() {
             if let Bound::Scene = limits[i].bound {
-                let sign = if limits[i].at_most {
-                    Sign::Positive
-                } else {
-                    Sign::NotNegative
-                };
+                let sign = if limits[i].at_most { Sign::AtMost } else { Sign::AtLeast };
                 keys[at] = Key::quantity(limits[i].symbol, sign).optional();
                 at += 1;
             }

@@ -83,7 +83,7 @@ fn property(key: &Key) -> Json {
         }
     };
     let limits = key.number().map_or_else(String::new, |(symbol, sign)| {
-        let [least, most] = sign.limits(symbol.unit);
+        let [least, most] = sign.limits(symbol, symbol.unit);
         let mass = match key.kind {
             Kind::Weight(_) => "; or a mass, in kg or t",
             _ => "",

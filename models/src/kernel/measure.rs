@@ -46,16 +46,21 @@ fn allowed(value: f64, text: &str, symbol: &'static Symbol, unit: &Unit, sign: S
         let message = format!("{text} is not allowed, it must be {}", sign.words());
         return Err((message, "out of range".to_owned(), help));
     }
-    let [least, most] = sign.limits(unit);
+    let [least, most] = sign.limits(symbol, unit);
     if !(least..=most).contains(&value) {
         let shown = if unit == symbol.unit { symbol.display } else { unit };
-        let written = |value: f64| format!("{} {}", short(value / shown.factor), shown.name);
+        let written = |value: f64| match shown.name {
+            "1" => short(value).to_string(),
+            name => format!("{} {name}", short(value / shown.factor)),
+        };
         let message = format!(
             "{text} is not allowed, it must be from {} to {}",
             written(least),
             written(most)
         );
-        return Err((message, "a slip of the unit?".to_owned(), help));
+        let slip = value.abs() > unit.limits()[1] || value != 0.0 && value.abs() < unit.limits()[0];
+        let label = if slip { "a slip of the unit?" } else { "out of range" };
+        return Err((message, label.to_owned(), help));
     }
     Ok(value)
 }

@@ -100,10 +100,7 @@ impl SteeringScene {
             y: n(v, &s::Y_C).unwrap_or(machine.middle.y + radius),
         };
         let drawn = drawn(v, given.mode, found);
-        let moving = MovingGroups::new(v, found).unwrap_or_else(|refusal| {
-            found.push(told(v, refusal));
-            None
-        });
+        let moving = MovingGroups::new(v, found);
         let built_in = given.cylinder.zip(given.piston);
         if let Some((moving, (mounting, piston))) = moving.zip(built_in)
             && let Err(refusal) = moving.reasonable(&mounting, &piston)

@@ -69,11 +69,18 @@ fn refusal(given: &LuffingGiven, halt: Halt, size: f64) -> Fault {
         MOST_STEPS
     };
     Fault::outside(match halt {
-        Halt::Outside => format!(
-            "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
-             the rope, or beyond all reasonable numbers: keep the working range away from dead points, reel in \
-             less, or command less"
-        ),
+        Halt::Outside => {
+            let oil = if given.sources.fitted.oil {
+                ", the oil is pressed or stretched beyond its bulk modulus"
+            } else {
+                ""
+            };
+            format!(
+                "the motion from {angle} ends within {size} s where the linkage does not close, nothing is left of \
+                 the rope{oil}, or beyond all reasonable numbers: keep the working range away from dead points, reel in \
+                 less, or command less"
+            )
+        }
         Halt::TooFast => format!(
             "inner steps of {step} s are too long for the motion from {angle}, which changes by more than itself \
              within one: set step below {} s, or make the rope longer or the friction less",

@@ -351,8 +351,8 @@ fn oil_run<const N: usize>(
         None => f64::reduced(system.dynamics(), y[0]).is_some(),
         // Of the oil or of the mechanism.
         Some(_) => {
-            let within = y[2..6].iter().all(|p| p.abs() < 1e12) && y[0].abs() < 1e3;
-            within && system.equations(present.modes, &y).is_some()
+            let within = Hydraulic::<N>::oil(&y).is_possible(system.cylinder.bulk_modulus);
+            within && y[0].abs() < 1e3 && system.equations(present.modes, &y).is_some()
         }
     };
     (*run, at.past) = (present.run, present.modes);

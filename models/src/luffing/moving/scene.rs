@@ -1,6 +1,7 @@
 //! What a scene says about the mechanism in motion.
 
 use crate::balance::symbols as b;
+use crate::drive::symbols::D_C;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
@@ -10,6 +11,7 @@ use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope}
 use crate::luffing::moving::symbols as s;
 use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
+use crate::parts::hydraulics::valve::supersonic;
 use crate::parts::joint::JointDrive;
 use crate::parts::motion::{Motion, short_step};
 use crate::parts::turntable::SlewingJoint;
@@ -399,7 +401,8 @@ fn slewing(v: &Values, table: &Values, swings: bool, found: &mut Vec<Diagnostic>
 /// The cylinder's oil; its bore and rod are those of the drive.
 fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<CylinderOil<f64>> {
     let n = |symbol: &Symbol| table.number(symbol.id);
-    if v.table("drive").and_then(|drive| drive.text("kind")) != Some("cylinder") {
+    let cylinder = v.table("drive").filter(|drive| drive.text("kind") == Some("cylinder"));
+    if cylinder.is_none() {
         found.push(
             Diagnostic::new(table.span.clone(), "oil without a cylinder", "needs [luffing.drive]")
                 .help("add [luffing.drive] with kind = \"cylinder\", D_c and d_r"),
@@ -418,6 +421,11 @@ fn oil(v: &Values, table: &Values, found: &mut Vec<Diagnostic>) -> Option<Cylind
             "not above l_min",
             "l_max must be greater than l_min",
         ));
+        return None;
+    }
+    let bore = cylinder.and_then(|drive| drive.of(&D_C));
+    if let Some([what, help]) = bore.and_then(|bore| supersonic(&s::Q_N, n(&s::Q_N)?, bore)) {
+        found.push(table.refuse(s::Q_N.id, what, "too much for it", help));
         return None;
     }
     Some(CylinderOil {

@@ -325,25 +325,47 @@ impl Described for Rope {
 }
 
 impl Rope {
-    /// Whether the boom does not meet the sheave of the hoist rope in its working range.
+    /// Whether boom and head keep away from the sheave of the hoist rope in the working range.
     fn keeps_clear(&self, v: &Values, found: &mut Vec<Diagnostic>) -> bool {
         let Given { rig, choice, .. } = &self.given;
-        let turn = std::f64::consts::TAU;
-        let sheave = f64::direction(rig.b_x, rig.b_y);
-        let met = sheave + ((choice.range.from - sheave) / turn).ceil() * turn;
-        let meets = met <= choice.range.to && plane::length(Point::new(rig.b_x, rig.b_y)) <= rig.l;
-        if meets {
-            let what = format!(
-                "the boom meets the sheave B of the hoist rope at phi = {}",
-                degrees(met)
-            );
-            let help = "set B_x and B_y behind the boom, or keep the working range away from it";
-            let place = v.table("hoist_rope").map_or(0..0, |table| table.place(s::B_X.id));
-            found.push(Diagnostic::new(place, what, "in the boom's way").help(help));
-        }
-        !meets
+        let b = Point::new(rig.b_x, rig.b_y);
+        let sheave = f64::direction(b.x, b.y);
+        // The first angle in the range, or after it, at which what leads the boom by so much points at the sheave.
+        let met = |ahead: f64| {
+            let (turn, angle) = (std::f64::consts::TAU, sheave - ahead);
+            angle + ((choice.range.from - angle) / turn).ceil() * turn
+        };
+        let (from, to) = (choice.range.from, choice.range.to);
+        let at = |phi: f64| BoomPosition::new(rig, &phi).a;
+        let head = at(0.0);
+        let facing = met(f64::direction(head.x, head.y));
+        let near = [from, to].into_iter().chain((facing <= to).then_some(facing));
+        let gaps = near.map(|phi| (plane::length(at(phi) - b), phi));
+        let (gap, phi) = gaps.min_by(|one, other| one.0.total_cmp(&other.0)).expect("two ends");
+        let least = NEAREST_SHEAVE * rig.l;
+        let what = if met(0.0) <= to && plane::length(b) <= rig.l {
+            let phi = degrees(met(0.0));
+            format!("the boom meets the sheave B of the hoist rope at phi = {phi}")
+        } else if gap < least {
+            format!(
+                "the head A comes within {} of the sheave B of the hoist rope at phi = {}, {} are needed",
+                s::L_S.written(gap),
+                degrees(phi),
+                s::L_S.written(least)
+            )
+        } else {
+            return true;
+        };
+        let help = "set B_x and B_y behind the boom, or keep the working range away from it";
+        let place = v.table("hoist_rope").map_or(0..0, |table| table.place(s::B_X.id));
+        found.push(Diagnostic::new(place, what, "in the boom's way").help(help));
+        false
     }
 }
+
+/// How near the head may come to the sheave, as a part of the boom: nearer, no sheave has room, and the rope between them turns
+/// with every breath of the boom.
+const NEAREST_SHEAVE: f64 = 1e-3;
 
 /// What the scene gives of its motion; mistakes go to `found`.
 fn moves(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<Moving> {

@@ -71,6 +71,13 @@ impl<C: Calc> Oil<C> {
 }
 
 impl Oil<f64> {
+    /// Whether no pressure is beyond the bulk modulus (Pa), where oil would be stretched or pressed by all of its volume.
+    #[must_use]
+    pub fn is_possible(&self, bulk_modulus: f64) -> bool {
+        let pressures = self.ports.iter().chain(&self.chambers);
+        pressures.copied().all(|pressure| pressure.abs() < bulk_modulus)
+    }
+
     /// Whether oil is below vacuum. `rates` are those of the pressures of ports and chambers, in Pa/s: an importer meets
     /// the event with a pressure that is at vacuum but for rounding, and what it is then to be is told by its rate.
     pub fn cavitates(&self, rates: impl FnOnce() -> [f64; 4]) -> bool {

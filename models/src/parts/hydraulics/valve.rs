@@ -1,6 +1,8 @@
 //! Proportional valve with four edges.
 
 use crate::kernel::calc::{Calc, Over};
+use crate::kernel::number::short;
+use crate::kernel::symbol::Symbol;
 use crate::parts::hydraulics::symbols::Y_V;
 use crate::parts::hydraulics::throttle::root;
 
@@ -53,4 +55,28 @@ impl<P: Calc> Valve<P> {
         let w = self.frequency;
         (C::of(command) - x).times(w * w) - speed.times(P::constant(2.0) * self.damping * w)
     }
+}
+
+/// Speed of sound in oil, in m/s.
+const SOUND: f64 = 1400.0;
+
+/// Where a rated flow (m³/s) into a cylinder with a bore (m) would be faster than sound: that, and what to do.
+#[must_use]
+pub fn supersonic(rated: &'static Symbol, flow: f64, bore: f64) -> Option<[String; 2]> {
+    let area = std::f64::consts::FRAC_PI_4 * bore * bore;
+    let most = SOUND * area;
+    (flow > most).then(|| {
+        let given = rated.written(flow);
+        [
+            format!(
+                "a valve of {} = {given} moves its cylinder faster than sound goes through oil",
+                rated.id
+            ),
+            format!(
+                "a bore of {} mm takes {} at most",
+                short(1e3 * bore),
+                rated.written(most)
+            ),
+        ]
+    })
 }

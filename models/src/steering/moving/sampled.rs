@@ -75,7 +75,7 @@ impl BodiesInMotion<STATES> for SteeredGroups {
     /// Bounded numbers, and oil in both chambers.
     fn is_possible(group: &WorkingGroup, y: &[f64; STATES]) -> bool {
         let volumes = group.cylinder.volumes(group.pose(y[0]).l);
-        y[2..6].iter().all(|p| p.abs() < 1e12)
+        WorkingGroup::oil(y).is_possible(group.cylinder.bulk_modulus)
             && y[0].abs() < 1e3
             && volumes.iter().all(|v| *v > 0.0)
             && y.iter().all(|x| x.is_finite())

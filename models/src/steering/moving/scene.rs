@@ -9,10 +9,11 @@ use crate::kernel::number::short;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::parts::hydraulics::cylinder::Cylinder;
+use crate::parts::hydraulics::valve::supersonic;
 use crate::steering::cylinder::Mounting;
 use crate::steering::flow::Piston;
 use crate::steering::moving::symbols as s;
-use crate::steering::refusal::{Refusal, within};
+use crate::steering::refusal::Refusal;
 
 /// How deep the steering is modelled.
 pub const FIDELITIES: &[&str] = &["kinematic", "hydraulic", "auto"];
@@ -53,11 +54,15 @@ quantities! {
 }
 
 impl MovingGroups<f64> {
-    /// Whether a group with this cylinder swings a reasonable number of times against its oil between two samples.
+    /// Whether a group with this cylinder swings a reasonable number of times against its oil between two samples, and is
+    /// moved by no more than sound.
     ///
     /// # Errors
-    /// An inertia so small that every swing would have to be followed for nothing.
+    /// An inertia so small that every swing would have to be followed for nothing, a valve so large.
     pub fn reasonable(&self, mounting: &Mounting<f64>, piston: &Piston<f64>) -> Result<(), Refusal> {
+        if let Some([what, help]) = supersonic(&s::Q_N, self.q_n, piston.d_g) {
+            return Err(Refusal::new(s::Q_N.id, what, help));
+        }
         let (j, t_c) = (self.j, self.t_c);
         let volume = |area: f64| area * mounting.l_x / 2.0 + self.v_0;
         let areas = Cylinder::areas(piston.d_g, piston.d);
@@ -85,14 +90,11 @@ impl MovingGroups<f64> {
 
     /// The checked table `[steering]`; `None` where groups turn as commanded, and where there are
     /// mistakes, which go to `found`.
-    ///
-    /// # Errors
-    /// A quantity that is out of its range.
-    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Result<Option<MovingGroups<f64>>, Refusal> {
+    pub fn new(v: &Values, found: &mut Vec<Diagnostic>) -> Option<MovingGroups<f64>> {
         let names = TABLES.map(|(name, ..)| name);
         let fidelity = v.text("fidelity").unwrap_or(FIDELITIES[0]);
         if fidelity == "auto" && !names.iter().any(|name| v.has(name)) {
-            return Ok(None);
+            return None;
         }
         if !matches!(fidelity, "hydraulic" | "auto") {
             // A fidelity that cannot be read is not one that is missing.
@@ -105,7 +107,7 @@ impl MovingGroups<f64> {
                     "set fidelity = \"hydraulic\" in [steering], or remove this table",
                 ));
             }
-            return Ok(None);
+            return None;
         }
         // The encoders are those of the angle errors.
         for name in names.into_iter().chain(["cylinder", "accuracy"]) {
@@ -120,7 +122,7 @@ impl MovingGroups<f64> {
         }
         let tables = names.map(|name| v.table(name));
         if tables.iter().any(Option::is_none) {
-            return Ok(None);
+            return None;
         }
         let given = |symbol: &Symbol| {
             let default = match symbol {
@@ -133,16 +135,6 @@ impl MovingGroups<f64> {
             let mut tables = tables.iter().flatten();
             tables.find_map(|table| table.number(symbol.id)).or(default)
         };
-        let Some(moving) = MovingGroups::of(given) else {
-            return Ok(None);
-        };
-        let mut outside = None;
-        moving.map(&mut |symbol, value| {
-            if let Err(refusal) = within(symbol, value) {
-                outside = outside.take().or(Some(refusal));
-            }
-            value
-        });
-        outside.map_or(Ok(Some(moving)), Err)
+        MovingGroups::of(given)
     }
 }
