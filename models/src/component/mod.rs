@@ -2,7 +2,6 @@
 //! made here once.
 
 pub mod account;
-pub mod cases;
 pub mod dependencies;
 pub mod description;
 pub mod draw;

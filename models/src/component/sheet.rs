@@ -3,7 +3,6 @@
 //! of print and layout are added later, elsewhere.
 
 pub use crate::component::account::{Energy, Integral, Power};
-use crate::component::cases::CasesSheet;
 pub use crate::component::drawing::{Drawing, Shape};
 use crate::component::extreme::Extreme;
 
@@ -194,6 +193,25 @@ pub struct BalanceSheet {
     pub range: Table,
     /// A published table, computed again; empty where the balance is not its.
     pub table: Vec<PublishedRow>,
+}
+
+/// What is asked of the machine in cases that the scene names.
+pub struct CasesSheet {
+    pub names: Vec<Text>,
+    /// What is given of each case.
+    pub given: Table,
+    /// What a standard gives and no text confirms: symbol, number of the case from 1, value, standard.
+    pub unconfirmed: Vec<(&'static Symbol, Option<u16>, f64, &'static str)>,
+    /// In which case, from 0, and where most is asked: there the formulas are worked out.
+    pub governing: (usize, &'static Symbol, f64),
+    pub sections: Vec<Section>,
+    /// What sums of the formulas are made of there: id of the title, names of the rows, and the terms.
+    pub terms: Vec<(&'static str, Vec<&'static str>, Table)>,
+    /// Greatest by amount of each result, with its place: of one that is the same in all cases once.
+    pub greatest: Vec<Vec<Summary>>,
+    /// Over the working range, for each case.
+    pub ranges: Vec<Table>,
+    pub curves: Vec<Curve>,
 }
 
 /// A row of a published table, in the publication's own units.

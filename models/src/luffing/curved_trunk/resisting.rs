@@ -18,13 +18,13 @@ use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
 use crate::luffing::resistances::loads::{Carrying, Loads};
 use crate::luffing::resistances::moments::Resisted;
-use crate::luffing::resistances::placed::{BARS, Moved, Placed, Placing, Weighty};
-use crate::luffing::resistances::scene::Parts;
+use crate::luffing::resistances::placed::{BARS, MovedBars, Placed, Placing, Weighty};
+use crate::luffing::resistances::scene::CaseParts;
 use crate::luffing::resistances::symbols as s;
 use crate::parts::plane::{Point, cross, dot, squared, turned};
 
 /// Bars and pins in their order.
-pub const PARTS: Parts = Parts {
+pub const PARTS: CaseParts = CaseParts {
     bodies: &["boom", "trunk"],
     pins: &["O1", "B"],
     guide: None,
@@ -139,8 +139,8 @@ pub fn moved<C: Scalar>(
     weighty: &Weighty<C>,
     residual: Option<&Residual<C>>,
     phi: &C,
-) -> Found<Moved<C>> {
-    Moved::new::<OfTrunk>(places, weighty, residual, *phi)
+) -> Found<MovedBars<C>> {
+    MovedBars::new::<OfTrunk>(places, weighty, residual, *phi)
 }
 
 /// What the pins carry in a case, by equilibrium of trunk and boom: the tie holds the trunk against turning about B.
@@ -148,7 +148,7 @@ pub fn pins<C: Calc>(
     p: &TrunkPosition<C>,
     drive: &Drive<C>,
     residual: Option<&Residual<C>>,
-    moved: &Moved<C>,
+    moved: &MovedBars<C>,
     loads: &Loads<C>,
     resisted: &Resisted<C>,
 ) -> Pins<C> {

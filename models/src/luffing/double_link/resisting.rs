@@ -19,13 +19,13 @@ use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
 use crate::luffing::resistances::loads::{Carrying, Loads};
 use crate::luffing::resistances::moments::Resisted;
-use crate::luffing::resistances::placed::{BARS, Moved, Placed, Placing, Weighty};
-use crate::luffing::resistances::scene::Parts;
+use crate::luffing::resistances::placed::{BARS, MovedBars, Placed, Placing, Weighty};
+use crate::luffing::resistances::scene::CaseParts;
 use crate::luffing::resistances::symbols as s;
 use crate::parts::plane::{Point, cross};
 
 /// Bars and pins in their order.
-pub const PARTS: Parts = Parts {
+pub const PARTS: CaseParts = CaseParts {
     bodies: &["boom", "jib", "rocker"],
     pins: &["O1", "B", "C", "O3"],
     guide: None,
@@ -124,8 +124,8 @@ pub fn moved<C: Scalar>(
     weighty: &Weighty<C>,
     residual: Option<&Residual<C>>,
     theta: &One<C>,
-) -> Found<Moved<C>> {
-    Moved::new::<OfLink>(places, weighty, residual, theta.1)
+) -> Found<MovedBars<C>> {
+    MovedBars::new::<OfLink>(places, weighty, residual, theta.1)
 }
 
 const NAMES: MomentNames = MomentNames {
@@ -138,7 +138,7 @@ pub fn pins<C: Calc>(
     p: &Position<C>,
     drive: &Drive<C>,
     residual: Option<&Residual<C>>,
-    moved: &Moved<C>,
+    moved: &MovedBars<C>,
     loads: &Loads<C>,
     resisted: &Resisted<C>,
 ) -> Pins<C> {

@@ -48,8 +48,9 @@ use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, Cr
 use crate::luffing::resistances::friction::{Pins, Rubbed};
 use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
 use crate::luffing::resistances::loads::Loads;
-use crate::luffing::resistances::moments::{Resisted, Sums};
-use crate::luffing::resistances::placed::{Moved, Weighty};
+use crate::luffing::resistances::moments::Resisted;
+use crate::luffing::resistances::placed::{MovedBars, Weighty};
+use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::four_bar::FourBar;
@@ -129,7 +130,7 @@ stages! {
         mounted: Mounted<C> = Mounted::new(mount[!], rod, crank[?]) => _;
         places: LinkPlaces<C> = LinkPlaces::new(geometry, weights[!], balancing[?], mounted) => _;
         weighty: Weighty<C> = resisting::weighty(places, bodies, chosen[!]) => _;
-        moved: Moved<C> = resisting::moved(places, weighty, residual[?], theta) => _;
+        moved: MovedBars<C> = resisting::moved(places, weighty, residual[?], theta) => _;
         sums: Sums<C> = Sums::new(moved, bodies, cases, chosen[!]);
         resisted[each cases]: Vec<Resisted<C>> = Resisted::new(sums, load[!], air[!], cases[each]);
         loads[each cases]: Vec<Loads<C>> = Loads::new(moved, bodies, chosen[!], load[!], cases[each], resisted[each]) => _;

@@ -14,13 +14,13 @@ use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
 use crate::luffing::resistances::loads::{Carrying, Loads};
 use crate::luffing::resistances::moments::Resisted;
-use crate::luffing::resistances::placed::{BARS, Moved, Placed, Placing, Weighty};
-use crate::luffing::resistances::scene::Parts;
+use crate::luffing::resistances::placed::{BARS, MovedBars, Placed, Placing, Weighty};
+use crate::luffing::resistances::scene::CaseParts;
 use crate::luffing::resistances::symbols as s;
 use crate::parts::plane::{Point, cross};
 
 /// Bars and pins in their order.
-pub const PARTS: Parts = Parts {
+pub const PARTS: CaseParts = CaseParts {
     bodies: &["boom", "link"],
     pins: &["O1", "C", "B"],
     guide: Some("B"),
@@ -119,8 +119,8 @@ pub fn moved<C: Scalar>(
     weighty: &Weighty<C>,
     residual: Option<&Residual<C>>,
     phi: &C,
-) -> Found<Moved<C>> {
-    Moved::new::<OfGuided>(places, weighty, residual, *phi)
+) -> Found<MovedBars<C>> {
+    MovedBars::new::<OfGuided>(places, weighty, residual, *phi)
 }
 
 /// What pins and guide carry in a case, by equilibrium of boom and link: the guide holds the boom against turning about C.
@@ -128,7 +128,7 @@ pub fn pins<C: Calc>(
     p: &GuidedPosition<C>,
     drive: &Drive<C>,
     residual: Option<&Residual<C>>,
-    moved: &Moved<C>,
+    moved: &MovedBars<C>,
     loads: &Loads<C>,
     resisted: &Resisted<C>,
 ) -> Pins<C> {

@@ -13,7 +13,7 @@ use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::bodies::spread;
 use crate::luffing::resistances::given::CasesChoice;
 use crate::luffing::resistances::loads::Loads;
-use crate::luffing::resistances::placed::{BARS, Moved};
+use crate::luffing::resistances::placed::{BARS, MovedBars};
 use crate::luffing::resistances::scene::Cases;
 use crate::luffing::resistances::symbols as s;
 use crate::luffing::resistances::told::{Felt, Resists, felt};
@@ -23,7 +23,7 @@ use crate::parts::plane::{Point, dot};
 /// bodies; the work over the range by the energies at its ends.
 pub fn identities<T: Resists>(model: &Standing, cases: &Cases, m_d: &'static Symbol) -> Vec<Check> {
     let Some(choice) = &cases.choice else { return Vec::new() };
-    let at_rest = slots(model, &s::M_OWN).next().zip(slots(model, m_d).next());
+    let at_rest = slots(model, &s::M_R_OWN).next().zip(slots(model, m_d).next());
     let loaded = cases.cases.iter().position(|case| case.k_q > 0.0);
     let (mut rest, mut apart, mut scale) = (0.0_f64, 0.0_f64, f64::MIN_POSITIVE);
     let mut part = model.part().duplicate();
@@ -48,7 +48,7 @@ pub fn identities<T: Resists>(model: &Standing, cases: &Cases, m_d: &'static Sym
     }
     let range = model.motion().to - model.motion().from;
     let work = work::<T>(model, cases, choice) / range;
-    let agree = |id, difference: f64, limit| Check::at_most(id, &s::AGREEMENT, difference / scale, limit);
+    let agree = |id, difference: f64, limit| Check::at_most(id, &s::AGREEMENT_R, difference / scale, limit);
     vec![
         agree("resistance_rest", rest, 1e-12),
         agree("resistance_power", apart, 1e-12),
@@ -58,7 +58,7 @@ pub fn identities<T: Resists>(model: &Standing, cases: &Cases, m_d: &'static Sym
 
 /// Of all forces on the bodies, and of a hoist rope that the mechanism leads away from the head, for one radian of the
 /// luffing angle, in N·m.
-fn power(moved: &Moved<f64>, loads: &Loads<f64>) -> f64 {
+fn power(moved: &MovedBars<f64>, loads: &Loads<f64>) -> f64 {
     let travel = &moved.at[1];
     let bars = loads.bars.iter().zip(&travel.bars).enumerate();
     let bars = bars.map(|(i, ((force, moment), [joint, _]))| dot(*force, *joint) + moment * moved.turn(i)[0]);

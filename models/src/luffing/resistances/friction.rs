@@ -90,8 +90,8 @@ pub struct Rubbed<C> {
     pub sum: C,
 }
 results! { each Rubbed as r => {
-    M_FRICTION: r.friction;
-    M_SUM: r.sum;
+    M_R_FRICTION: r.friction;
+    M_R_SUM: r.sum;
 } }
 
 impl<C: Calc> Rubbed<C> {
@@ -108,10 +108,10 @@ impl<C: Calc> Rubbed<C> {
             .tabled(&s::M_MU);
         let friction = match resisted.rate.value() {
             0.0 => C::constant(0.0).over(rubs),
-            forward if forward > 0.0 => (-rubs).def(&s::M_FRICTION),
-            _ => rubs.def(&s::M_FRICTION),
+            forward if forward > 0.0 => (-rubs).def(&s::M_R_FRICTION),
+            _ => rubs.def(&s::M_R_FRICTION),
         };
-        let sum = (resisted.sum + friction).def(&s::M_SUM);
+        let sum = (resisted.sum + friction).def(&s::M_R_SUM);
         Rubbed { friction, sum }
     }
 }

@@ -5,7 +5,7 @@ use crate::luffing::resistances::symbols as s;
 
 quantities! {
     /// A case: part of the load, sway (rad), wind (Pa, m/s), slope (rad), slewing (1/s), the drive's speed and acceleration.
-    Case { k_q: K_Q, alpha: ALPHA, p: P_W, v_w: V_W, sigma: SIGMA, n: N_S, v: V_S, a: A_S }
+    Case { k_q: K_Q, alpha: ALPHA_S, p: P_W, v_w: V_W, sigma: SIGMA, n: N_S, v: V_S, a: A_S }
 }
 
 quantities! {

@@ -6,7 +6,7 @@ use crate::kernel::group::One;
 use crate::luffing::moving::bodies::deviation;
 use crate::luffing::resistances::given::{Case, CaseBody, CasesChoice};
 use crate::luffing::resistances::moments::Resisted;
-use crate::luffing::resistances::placed::{BARS, Moved};
+use crate::luffing::resistances::placed::{BARS, MovedBars};
 use crate::parts::plane::{Point, cross, dot};
 
 /// Forces in N and moments in N·m, counter-clockwise.
@@ -23,7 +23,7 @@ pub struct Loads<C> {
 impl<C: Calc> Loads<C> {
     /// Weight on the slope, wind, inertia and centrifugal forces, with the whole load (N). [Newton and Euler]
     pub fn new(
-        moved: &Moved<C>,
+        moved: &MovedBars<C>,
         given: &[CaseBody<C>],
         choice: &CasesChoice,
         load: &One<C>,
@@ -82,7 +82,7 @@ pub struct Carrying<C> {
 }
 
 impl<C: Calc> Carrying<C> {
-    pub fn new(residual: Option<&Residual<C>>, moved: &Moved<C>, loads: &Loads<C>) -> Carrying<C> {
+    pub fn new(residual: Option<&Residual<C>>, moved: &MovedBars<C>, loads: &Loads<C>) -> Carrying<C> {
         let zero = C::constant(0.0);
         let nothing = Point::new(zero, zero);
         let force = residual.map_or(nothing, |_| loads.counterweight);

@@ -11,7 +11,7 @@
 //!
 //! | id | function | source |
 //! |---|---|---|
-//! | `resistances.sums` | [`moments::Sums::new`] | Lagrange, by derivatives |
+//! | `resistances.sums` | [`sums::Sums::new`] | Lagrange, by derivatives |
 //! | `resistances.moments` | [`moments::Resisted::new`] | Ports001, 5.5.1-5.5.6 |
 //! | `resistances.loads` | [`loads::Loads::new`] | Newton and Euler |
 //! | `resistances.friction` | [`friction::Rubbed::new`] | by virtual work, pins by equilibrium |
@@ -24,5 +24,6 @@ pub mod moments;
 pub mod outline;
 pub mod placed;
 pub mod scene;
+pub mod sums;
 pub mod symbols;
 pub mod told;

@@ -14,33 +14,33 @@ pub const SECTIONS: &[SectionOutline] = &[
 ];
 
 pub const EXTREMES: [Greatest; 10] = [
-    Greatest::new(&s::M_OWN_MAX, Most::Amount, &s::M_OWN),
-    Greatest::new(&s::M_LOAD_MAX, Most::Amount, &s::M_LOAD),
-    Greatest::new(&s::M_SWAY_MAX, Most::Amount, &s::M_SWAY),
-    Greatest::new(&s::M_WIND_MAX, Most::Amount, &s::M_WIND),
-    Greatest::new(&s::M_CENTRIFUGAL_MAX, Most::Amount, &s::M_CENTRIFUGAL),
-    Greatest::new(&s::M_INERTIA_MAX, Most::Amount, &s::M_INERTIA),
-    Greatest::new(&s::M_SLOPE_MAX, Most::Amount, &s::M_SLOPE),
-    Greatest::new(&s::M_FRICTION_MAX, Most::Amount, &s::M_FRICTION),
-    Greatest::new(&s::M_SUM_MAX, Most::Amount, &s::M_SUM),
+    Greatest::new(&s::M_R_OWN_MAX, Most::Amount, &s::M_R_OWN),
+    Greatest::new(&s::M_R_LOAD_MAX, Most::Amount, &s::M_R_LOAD),
+    Greatest::new(&s::M_R_SWAY_MAX, Most::Amount, &s::M_R_SWAY),
+    Greatest::new(&s::M_R_WIND_MAX, Most::Amount, &s::M_R_WIND),
+    Greatest::new(&s::M_R_CENTRIFUGAL_MAX, Most::Amount, &s::M_R_CENTRIFUGAL),
+    Greatest::new(&s::M_R_INERTIA_MAX, Most::Amount, &s::M_R_INERTIA),
+    Greatest::new(&s::M_R_SLOPE_MAX, Most::Amount, &s::M_R_SLOPE),
+    Greatest::new(&s::M_R_FRICTION_MAX, Most::Amount, &s::M_R_FRICTION),
+    Greatest::new(&s::M_R_MAX, Most::Amount, &s::M_R_SUM),
     Greatest::new(&s::F_R_MAX, Most::Amount, &s::F_R).with_pole(&H_D),
 ];
 
 /// Columns of the tables over the working range.
 pub const COLUMNS: &[&Symbol] = listed!(s:
-    M_OWN, M_LOAD, M_SWAY, M_WIND, M_CENTRIFUGAL, M_INERTIA, M_SLOPE, M_FRICTION, M_SUM, F_R
+    M_R_OWN, M_R_LOAD, M_R_SWAY, M_R_WIND, M_R_CENTRIFUGAL, M_R_INERTIA, M_R_SLOPE, M_R_FRICTION, M_R_SUM, F_R
 );
 
 pub const CURVES: &[Line] = &[
-    ("resistance_own", None, &s::M_OWN),
-    ("resistance_load", None, &s::M_LOAD),
-    ("resistance_sway", None, &s::M_SWAY),
-    ("resistance_wind", None, &s::M_WIND),
-    ("resistance_centrifugal", None, &s::M_CENTRIFUGAL),
-    ("resistance_inertia", None, &s::M_INERTIA),
-    ("resistance_slope", None, &s::M_SLOPE),
-    ("resistance_friction", None, &s::M_FRICTION),
-    ("resistance_sum", None, &s::M_SUM),
+    ("resistance_own", None, &s::M_R_OWN),
+    ("resistance_load", None, &s::M_R_LOAD),
+    ("resistance_sway", None, &s::M_R_SWAY),
+    ("resistance_wind", None, &s::M_R_WIND),
+    ("resistance_centrifugal", None, &s::M_R_CENTRIFUGAL),
+    ("resistance_inertia", None, &s::M_R_INERTIA),
+    ("resistance_slope", None, &s::M_R_SLOPE),
+    ("resistance_friction", None, &s::M_R_FRICTION),
+    ("resistance_sum", None, &s::M_R_SUM),
     ("resistance_force", None, &s::F_R),
 ];
 

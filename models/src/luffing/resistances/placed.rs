@@ -97,7 +97,7 @@ impl<C: Calc> Weighty<C> {
 
 /// What moves and weighs, at one luffing angle.
 #[derive(Clone, Copy, Debug)]
-pub struct Moved<C> {
+pub struct MovedBars<C> {
     /// Places, and their first and second derivatives.
     pub at: [Placed<C>; 3],
     pub of: Weighty<C>,
@@ -107,7 +107,7 @@ pub struct Moved<C> {
     pub line: Option<RodLine<C>>,
 }
 
-impl<C: Scalar> Moved<C> {
+impl<C: Scalar> MovedBars<C> {
     /// At a luffing angle, in rad.
     ///
     /// # Errors
@@ -117,9 +117,9 @@ impl<C: Scalar> Moved<C> {
         weighty: &Weighty<C>,
         residual: Option<&Residual<C>>,
         angle: C,
-    ) -> Found<Moved<C>> {
+    ) -> Found<MovedBars<C>> {
         let at = C::own::<Twice<K>>()(of, angle).ok_or_else(absent)?;
-        let mut moved = Moved {
+        let mut moved = MovedBars {
             at,
             of: *weighty,
             balanced: C::constant(0.0),
@@ -137,7 +137,7 @@ impl<C: Scalar> Moved<C> {
     }
 }
 
-impl<C: Calc> Moved<C> {
+impl<C: Calc> MovedBars<C> {
     /// A point of a bar's frame (m): its place and its derivatives.
     pub fn point(&self, bar: usize, at: Point<C>) -> [Point<C>; 3] {
         self.at.each_ref().map(|placed| {
@@ -146,7 +146,7 @@ impl<C: Calc> Moved<C> {
         })
     }
 
-    /// Of an area or a body: on a bar as [`point`](Moved::point), else the counterweight.
+    /// Of an area or a body: on a bar as [`point`](MovedBars::point), else the counterweight.
     pub fn on(&self, body: usize, at: Point<C>) -> [Point<C>; 3] {
         match body {
             BARS => self.at.each_ref().map(|placed| placed.counterweight),

@@ -32,7 +32,7 @@ static KEYS: &[Key] = keys! { s:
 };
 
 static CASE: &[Key] = keys! { s:
-    K_Q >= 0, ALPHA [optional], P_W [optional], V_W [optional], SIGMA [usually(0.0)], N_S [usually(0.0)], V_S, A_S [usually(0.0)];
+    K_Q >= 0, ALPHA_S [optional], P_W [optional], V_W [optional], SIGMA [usually(0.0)], N_S [usually(0.0)], V_S, A_S [usually(0.0)];
     Key::new("name", Kind::Line, "Its name.")
 };
 
@@ -67,7 +67,7 @@ pub struct Cases {
 
 /// Bodies and pins of a mechanism by their names, and which of the pins is a guide.
 #[derive(Clone, Copy)]
-pub struct Parts {
+pub struct CaseParts {
     pub bodies: &'static [&'static str],
     pub pins: &'static [&'static str],
     pub guide: Option<&'static str>,
@@ -77,7 +77,7 @@ impl Cases {
     /// Of a checked mechanism's table, under gravity (m/s²); mistakes go to `found`.
     pub fn read(
         v: &Values,
-        parts: &Parts,
+        parts: &CaseParts,
         balance: Option<&Form<f64>>,
         gravity: f64,
         found: &mut Vec<Diagnostic>,
@@ -117,7 +117,13 @@ impl Cases {
         self.choice.get_or_insert_default()
     }
 
-    fn take_bodies(&mut self, table: &Values, parts: &Parts, balance: Option<&Form<f64>>, found: &mut Vec<Diagnostic>) {
+    fn take_bodies(
+        &mut self,
+        table: &Values,
+        parts: &CaseParts,
+        balance: Option<&Form<f64>>,
+        found: &mut Vec<Diagnostic>,
+    ) {
         let behind = balance.map(|_| "counterweight");
         let known: Vec<&str> = parts.bodies.iter().copied().chain(behind).collect();
         for body in table.tables("body") {
@@ -145,7 +151,13 @@ impl Cases {
         }
     }
 
-    fn take_pins(&mut self, table: &Values, parts: &Parts, balance: Option<&Form<f64>>, found: &mut Vec<Diagnostic>) {
+    fn take_pins(
+        &mut self,
+        table: &Values,
+        parts: &CaseParts,
+        balance: Option<&Form<f64>>,
+        found: &mut Vec<Diagnostic>,
+    ) {
         let rod = matches!(balance, Some(Form::Lever(..) | Form::Parallelogram(_)));
         let behind = OF_BALANCE.iter().filter(|_| rod);
         let known: Vec<&str> = parts.pins.iter().chain(behind).copied().collect();
@@ -208,12 +220,12 @@ impl Cases {
             ));
         }
         let sways = number(&s::K_Q).is_some_and(|part| part > 0.0);
-        let mut alpha = number(&s::ALPHA).or((!sways).then_some(0.0));
+        let mut alpha = number(&s::ALPHA_S).or((!sways).then_some(0.0));
         if alpha.is_none() {
             alpha = sway(standard, name.english(), number(&s::N_S).unwrap_or(0.0));
             self.unconfirmed
                 .extend(alpha.zip(standard).map(|(value, standard)| Coefficient {
-                    symbol: &s::ALPHA,
+                    symbol: &s::ALPHA_S,
                     number: Some(self.cases.len() as u16 + 1),
                     value,
                     standard,
@@ -230,7 +242,7 @@ impl Cases {
             found.push(case.refuse("name", what, "alpha_s is needed", "add alpha_s = \"... deg\""));
         }
         let given = Case::of(|symbol| match symbol {
-            symbol if symbol == &s::ALPHA => alpha,
+            symbol if symbol == &s::ALPHA_S => alpha,
             symbol => Some(number(symbol).unwrap_or(0.0)),
         });
         self.cases.extend(given);

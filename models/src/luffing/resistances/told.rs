@@ -1,13 +1,12 @@
 //! The chapter of the cases, and their checks.
 
-use crate::component::cases::CasesSheet;
 use crate::component::description::{Described, Description};
 use crate::component::governing::most_of;
 use crate::component::outline::Most;
 use crate::component::part::Component;
 use crate::component::probe::slots;
 use crate::component::running::Running;
-use crate::component::sheet::{Summary, Table};
+use crate::component::sheet::{CasesSheet, Summary, Table};
 use crate::component::stages::Found;
 use crate::component::standing::Standing;
 use crate::component::telling::{explained, fine, lines, values};
@@ -18,15 +17,16 @@ use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::resistances::friction::{OF_BALANCE, Pins};
 use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
 use crate::luffing::resistances::loads::Loads;
-use crate::luffing::resistances::moments::{BodySums, Resisted, pointing, swept};
+use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::outline::{COLUMNS, CURVES, SECTIONS};
-use crate::luffing::resistances::placed::{BARS, Moved};
-use crate::luffing::resistances::scene::{Cases, Parts};
+use crate::luffing::resistances::placed::{BARS, MovedBars};
+use crate::luffing::resistances::scene::{CaseParts, Cases};
+use crate::luffing::resistances::sums::{BodySums, pointing, swept};
 use crate::luffing::resistances::symbols as s;
 
 /// What is found of all cases at one position.
 pub struct Felt {
-    pub moved: Moved<f64>,
+    pub moved: MovedBars<f64>,
     pub loads: Vec<Loads<f64>>,
     pub resisted: Vec<Resisted<f64>>,
     pub pins: Vec<Pins<f64>>,
@@ -34,7 +34,7 @@ pub struct Felt {
 
 /// A mechanism whose drive overcomes what cases ask for.
 pub trait Resists: Component {
-    const PARTS: Parts;
+    const PARTS: CaseParts;
 
     /// # Errors
     /// A position that does not exist.
@@ -45,7 +45,7 @@ pub trait Resists: Component {
 macro_rules! resists {
     ($component:ident with $parts:expr) => {
         impl $crate::luffing::resistances::told::Resists for $component {
-            const PARTS: $crate::luffing::resistances::scene::Parts = $parts;
+            const PARTS: $crate::luffing::resistances::scene::CaseParts = $parts;
             fn felt(known: &mut Known<f64>) -> Found<$crate::luffing::resistances::told::Felt> {
                 Ok($crate::luffing::resistances::told::Felt {
                     moved: *known.moved()?,
@@ -98,7 +98,7 @@ pub fn chapter<T: Described<Component: Resists>>(
         each.map(|found| Summary::at(symbol, found, coordinate)).collect()
     };
     let greatest: Vec<Vec<Summary>> = COLUMNS.iter().map(|symbol| greatest(symbol)).collect();
-    let sums = &greatest[COLUMNS.iter().position(|symbol| *symbol == &s::M_SUM)?];
+    let sums = &greatest[COLUMNS.iter().position(|symbol| *symbol == &s::M_R_SUM)?];
     let most = |a: &usize, b: &usize| sums[*a].value.abs().total_cmp(&sums[*b].value.abs());
     let case = (0..sums.len()).rev().max_by(most)?;
     let at = sums[case].at?.1;
@@ -136,7 +136,7 @@ fn given(cases: &Cases) -> Table {
 }
 
 /// The terms of the sums at a position: of the bodies, and of the pins in a case.
-fn terms(parts: &Parts, cases: &Cases, felt: &Felt, case: usize) -> Vec<(&'static str, Vec<&'static str>, Table)> {
+fn terms(parts: &CaseParts, cases: &Cases, felt: &Felt, case: usize) -> Vec<(&'static str, Vec<&'static str>, Table)> {
     let Some(choice) = &cases.choice else { return Vec::new() };
     let bodies = bodies(parts, (&cases.bodies, choice), &felt.moved);
     let pins = pins(parts, (&cases.pins, choice), &felt.pins[case]);
@@ -147,7 +147,7 @@ fn terms(parts: &Parts, cases: &Cases, felt: &Felt, case: usize) -> Vec<(&'stati
 
 type Terms = (Vec<&'static str>, Table);
 
-fn bodies(parts: &Parts, (given, choice): (&[CaseBody<f64>], &CasesChoice), moved: &Moved<f64>) -> Terms {
+fn bodies(parts: &CaseParts, (given, choice): (&[CaseBody<f64>], &CasesChoice), moved: &MovedBars<f64>) -> Terms {
     let behind = (moved.of.counterweight != 0.0).then_some((BARS, "counterweight"));
     let all: Vec<(usize, &str)> = parts.bodies.iter().copied().enumerate().chain(behind).collect();
     let row = |(body, _): &(usize, &str)| {
@@ -167,13 +167,13 @@ fn bodies(parts: &Parts, (given, choice): (&[CaseBody<f64>], &CasesChoice), move
         ]
     };
     let table = Table {
-        columns: listed!(s: MASS_K, X_K, DX_K, DY_K, I_K, J_K, DJ_K, DI_K, V_K).to_vec(),
+        columns: listed!(s: MASS_K, X_K, DX_K, DY_K, I_K, J_RK, DJ_RK, DI_ZK, V_CAK).to_vec(),
         rows: all.iter().map(row).collect(),
     };
     (all.into_iter().map(|(_, name)| name).collect(), table)
 }
 
-fn pins(parts: &Parts, (given, choice): (&[CasePin<f64>], &CasesChoice), carried: &Pins<f64>) -> Terms {
+fn pins(parts: &CaseParts, (given, choice): (&[CasePin<f64>], &CasesChoice), carried: &Pins<f64>) -> Terms {
     let all = given.iter().zip(&choice.pins);
     let name = |at: usize| {
         parts
@@ -190,7 +190,7 @@ fn pins(parts: &Parts, (given, choice): (&[CasePin<f64>], &CasesChoice), carried
         vec![pin.mu, force, way, pin.mu * force * way]
     };
     let table = Table {
-        columns: listed!(s: MU_P, F_K, L_K, M_K).to_vec(),
+        columns: listed!(s: MU_P, F_PK, L_PK, M_MUK).to_vec(),
         rows: all.clone().map(row).collect(),
     };
     (all.map(|(_, at)| name(*at)).collect(), table)

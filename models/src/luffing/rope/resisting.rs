@@ -11,14 +11,14 @@ use crate::luffing::resistances::friction::{Pin, Pins, Rubbed};
 use crate::luffing::resistances::given::{CaseBody, CasesChoice};
 use crate::luffing::resistances::loads::{Carrying, Loads};
 use crate::luffing::resistances::moments::Resisted;
-use crate::luffing::resistances::placed::{BARS, Moved, Placed, Placing, Weighty};
-use crate::luffing::resistances::scene::Parts;
+use crate::luffing::resistances::placed::{BARS, MovedBars, Placed, Placing, Weighty};
+use crate::luffing::resistances::scene::CaseParts;
 use crate::luffing::resistances::symbols as s;
 use crate::luffing::rope::position::{BoomPosition, Compensation, Falls, Rig, Stretch};
 use crate::parts::plane::Point;
 
 /// Bars and pins in their order.
-pub const PARTS: Parts = Parts {
+pub const PARTS: CaseParts = CaseParts {
     bodies: &["boom"],
     pins: &["O1"],
     guide: None,
@@ -112,8 +112,8 @@ pub fn moved<C: Scalar>(
     weighty: &Weighty<C>,
     residual: Option<&Residual<C>>,
     phi: &C,
-) -> Found<Moved<C>> {
-    Moved::new::<OfBoom>(places, weighty, residual, *phi)
+) -> Found<MovedBars<C>> {
+    MovedBars::new::<OfBoom>(places, weighty, residual, *phi)
 }
 
 /// What the foot carries in a case, and the pins of a balance: what both ropes leave. The hoist rope pulls by the weight of the
@@ -123,7 +123,7 @@ pub fn pins<C: Calc>(
     falls: &Falls<C>,
     stretch: &Stretch<C>,
     residual: Option<&Residual<C>>,
-    moved: &Moved<C>,
+    moved: &MovedBars<C>,
     loads: &Loads<C>,
     resisted: &Resisted<C>,
 ) -> Pins<C> {

@@ -27,8 +27,9 @@ use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, 
 use crate::luffing::resistances::friction::{Pins, Rubbed};
 use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
 use crate::luffing::resistances::loads::Loads;
-use crate::luffing::resistances::moments::{Resisted, Sums};
-use crate::luffing::resistances::placed::{Moved, Weighty};
+use crate::luffing::resistances::moments::Resisted;
+use crate::luffing::resistances::placed::{MovedBars, Weighty};
+use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
@@ -95,7 +96,7 @@ stages! {
         criteria: Criteria<C> = criteria(balancing, weights[!], analysed, choice);
         places: BoomPlaces<C> = BoomPlaces::new(rig, compensation, weights[!], balancing[?]) => _;
         weighty: Weighty<C> = resisting::weighty(places, bodies, chosen[!]) => _;
-        moved: Moved<C> = resisting::moved(places, weighty, residual[?], phi) => _;
+        moved: MovedBars<C> = resisting::moved(places, weighty, residual[?], phi) => _;
         sums: Sums<C> = Sums::new(moved, bodies, cases, chosen[!]);
         resisted[each cases]: Vec<Resisted<C>> = Resisted::new(sums, load[!], air[!], cases[each]);
         loads[each cases]: Vec<Loads<C>> = Loads::new(moved, bodies, chosen[!], load[!], cases[each], resisted[each]) => _;
