@@ -71,7 +71,7 @@ fn refusal(given: &LuffingGiven, halt: Halt, size: f64) -> Fault {
     Fault::outside(match halt {
         Halt::Outside => {
             let oil = if given.sources.fitted.oil {
-                ", the oil is pressed or stretched beyond its bulk modulus"
+                ", the oil is stretched beyond its bulk modulus"
             } else {
                 ""
             };

@@ -71,11 +71,13 @@ impl<C: Calc> Oil<C> {
 }
 
 impl Oil<f64> {
-    /// Whether no pressure is beyond the bulk modulus (Pa), where oil would be stretched or pressed by all of its volume.
+    /// Whether the pressures are bounded, and none pulls with the bulk modulus (Pa), which stretches oil by all of its volume.
     #[must_use]
     pub fn is_possible(&self, bulk_modulus: f64) -> bool {
-        let pressures = self.ports.iter().chain(&self.chambers);
-        pressures.copied().all(|pressure| pressure.abs() < bulk_modulus)
+        /// In Pa.
+        const MOST: f64 = 1e12;
+        let mut pressures = self.ports.iter().chain(&self.chambers);
+        pressures.all(|pressure| (-bulk_modulus..MOST).contains(pressure))
     }
 
     /// Whether oil is below vacuum. `rates` are those of the pressures of ports and chambers, in Pa/s: an importer meets
