@@ -2,15 +2,17 @@
 //!
 //! The luffing angle is the coordinate of the mechanism: the angle of its boom, or of the rocker where that is driven.
 
+use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
+
 use crate::kernel::symbol::{Range, symbols};
 
 symbols! {
     // Given: of each case.
     K_Q: "k_Q" "k_(Q i)" ONE / ONE [not_negative], "Part of the scene's load that hangs on the hook in a case.", "input";
-    ALPHA_S: "alpha_s" "alpha_(s i)" RAD / DEG [within(Range::new(-1.2, 1.2))], "Sway of the load's rope in the boom's plane in a case; where positive the rope pulls the head outward.", "[Ports001, 5.5.3]";
+    ALPHA_S: "alpha_s" "alpha_(s i)" RAD / DEG [within(Range::new(-FRAC_PI_3, FRAC_PI_3))], "Sway of the load's rope in the boom's plane in a case; where positive the rope pulls the head outward.", "[Ports001, 5.5.3]";
     P_W: "p_w" "p_(w i)" PA / PA, "Wind pressure in a case, besides that of a wind speed; positive from the rear.", "[Ports001, 5.5.4]";
     V_W: "v_w" "v_(w i)" M_PER_S / M_PER_S, "Wind speed in a case; positive from the rear.", "[Ports001, 5.5.4]";
-    SIGMA: "sigma" "sigma_i" RAD / DEG [within(Range::new(-0.5, 0.5))], "Slope of the ground in a case; positive where the front is lower.", "input";
+    SIGMA: "sigma" "sigma_i" RAD / DEG [within(Range::new(-FRAC_PI_6, FRAC_PI_6))], "Slope of the ground in a case; positive where the front is lower.", "input";
     N_S: "n_s" "n_(s i)" PER_S / PER_MIN, "Speed of steady slewing in a case.", "[Ports001, 5.5.6]";
     V_S: "v_s" "v_(s i)" M_PER_S / MM_PER_S, "Speed of the drive in a case: of its length, lengthening positive, of a sector's teeth, or of a crank's pin counter-clockwise.", "[Ports001, 5.5]";
     A_S: "a_s" "a_(s i)" M_PER_S2 / M_PER_S2, "Acceleration of the drive in a case, as its speed is counted.", "[Ports001, 5.5.5]";
