@@ -61,6 +61,7 @@ pub const CHAPTERS: &[&str] = &[
     "forces",
     "sizing",
     "balance",
+    "cases",
     "motion",
     "synthesis",
     "trade",

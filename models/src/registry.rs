@@ -72,11 +72,12 @@ pub const STEERING: Key = Key::part(
 );
 
 /// Parts of a crane that may stand beside its mechanism, at the top of the scene, as well as within it.
-pub const PARTS: [Key; 4] = [
+pub const PARTS: [Key; 5] = [
     balance::scene::BALANCE,
     drive::scene::DRIVE,
     double_link::keys::HOISTING,
     Key::part("slewing", slewing::scene::KEYS, "Slewing of a crane, or by itself."),
+    luffing::resistances::scene::CASES,
 ];
 
 /// The scene's tables that a mechanism may stand in; what may be a part of another one comes last.

@@ -66,6 +66,7 @@ pub static KEYS: &[Key] = &[
     registry::PARTS[1],
     registry::PARTS[2],
     registry::PARTS[3],
+    registry::PARTS[4],
 ];
 
 static PROJECT: &[Key] = &[

@@ -15,13 +15,14 @@ use lemnis_models::slewing;
 use lemnis_models::steering;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 15] = [
+const TABLES: [(&str, &[&Symbol]); 16] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
         double_link::moving::symbols::ALL,
     ),
     ("Any luffing mechanism in motion", luffing::moving::symbols::ALL),
+    ("What a luffing drive must overcome", luffing::resistances::symbols::ALL),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
     ("The boom on guide and link", luffing::ellipsograph::symbols::ALL),
     ("The boom with a curved trunk", luffing::curved_trunk::symbols::ALL),

@@ -49,6 +49,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "forces.typ",
     "sizing.typ",
     "balance.typ",
+    "cases.typ",
     "motion.typ",
     "synthesis.typ",
     "trade.typ",

@@ -4,9 +4,11 @@
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::schema::Key;
 use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing::curved_trunk::resisting::PARTS;
 use lemnis_models::luffing::curved_trunk::symbols as s;
 use toml::{Table, Value};
 
+use crate::cases::cases;
 use crate::luffing::{drive_about_origin, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
@@ -88,6 +90,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let range = [taut[0], taut[taut.len() - 1]];
     working_range(&mut n, range);
     drive_about_origin(&mut n, range, false);
+    cases(&mut n, &PARTS);
     table
 }
 

@@ -2,9 +2,11 @@
 
 use lemnis_models::kernel::schema::Key;
 use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing::ellipsograph::resisting::PARTS;
 use lemnis_models::luffing::ellipsograph::symbols as s;
 use toml::Table;
 
+use crate::cases::cases;
 use crate::luffing::{drive_about_origin, dynamics, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
@@ -53,6 +55,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     if moves {
         dynamics(&mut n, "J_b", rope, false);
     }
+    cases(&mut n, &PARTS);
     table
 }
 

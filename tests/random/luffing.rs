@@ -6,10 +6,12 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::schema::Key;
 use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing::double_link::resisting::PARTS;
 use lemnis_models::luffing::double_link::symbols as s;
 use lemnis_models::parts::plane::{Point, cross, length, turned};
 use toml::Table;
 
+use crate::cases::cases;
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -204,6 +206,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     limits(&mut n, rope);
     published(&mut n);
     synthesis(&mut n);
+    cases(&mut n, &PARTS);
     table
 }
 

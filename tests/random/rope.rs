@@ -4,9 +4,11 @@
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::schema::Key;
 use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::luffing::rope::resisting::PARTS;
 use lemnis_models::luffing::rope::symbols as s;
 use toml::Table;
 
+use crate::cases::cases;
 use crate::luffing::{dynamics, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
@@ -72,6 +74,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         let long = rope.text("l_R").expect("set").to_owned();
         n.child("hoist_rope").expect("required").put("h_Q", long);
     }
+    cases(&mut n, &PARTS);
     table
 }
 

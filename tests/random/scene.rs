@@ -510,6 +510,17 @@ impl Node<'_> {
         }
     }
 
+    /// One more table of a list.
+    pub fn more(&mut self, name: &str, make: impl FnOnce(&mut Node)) {
+        let Kind::Tables(keys, _) = key(self.keys, name).kind else {
+            panic!("{name} is no list of tables")
+        };
+        let mut table = self.draw.table(keys);
+        make(&mut Node::new(self.draw, keys, &mut table));
+        let list = self.table.entry(name).or_insert_with(|| Value::Array(Vec::new()));
+        list.as_array_mut().expect("a list").push(table.into());
+    }
+
     pub fn child(&mut self, name: &str) -> Option<Node<'_>> {
         let table = self.table.get_mut(name)?.as_table_mut()?;
         let keys = tables(key(self.keys, name), table.get(KIND).and_then(Value::as_str));

@@ -25,8 +25,9 @@ pub struct Action<C> {
 pub struct LeverTurn<C> {
     /// Angle of the counterweight's arm, in rad.
     pub psi: C,
-    /// Angular velocity over the boom's.
+    /// Angular velocity over the boom's, and that of the rod.
     pub i_5: C,
+    pub i_1: C,
     /// Transmission angle, 0 to π/2 rad.
     pub gamma: C,
 }

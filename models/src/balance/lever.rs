@@ -147,7 +147,7 @@ impl<C: Calc> Lever<C> {
         // Arms of the rod's force about foot and pivot.
         let h_1 = (plane::cross(k, coupler) / d.l_1).def(&s::H_1);
         let h_5 = (area / (two * d.l_1)).def(&s::H_5);
-        let i_5 = (h_1 / h_5).def(&s::I_5);
+        let (i_5, i_1) = ((h_1 / h_5).def(&s::I_5), two * plane::cross(k, follower) / area);
         let psi = self.psi(follower);
         let (sin, cos) = psi.sin_cos();
         let about_pivot = d.m_5 * cos;
@@ -166,7 +166,7 @@ impl<C: Calc> Lever<C> {
             on_boom,
             on_pivot,
             n_1: Some(n_1),
-            lever: Some(LeverTurn { psi, i_5, gamma }),
+            lever: Some(LeverTurn { psi, i_5, i_1, gamma }),
         })
     }
 

@@ -91,6 +91,7 @@ impl<C: Calc> Parallelogram<C> {
             lever: Some(LeverTurn {
                 psi,
                 i_5: C::constant(1.0).def(&s::I_5),
+                i_1: C::constant(0.0),
                 gamma,
             }),
         })

@@ -56,19 +56,7 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     /// What else cannot be of one that has been read without a mistake: here, that some result does not exist all over
     /// the working range.
     fn check(this: &Description<Self>, v: &Values, found: &mut Vec<Diagnostic>) {
-        let fault = this.at_level(None).and_then(|mut model| {
-            let results = 0..model.variables().len();
-            for at in fine(&this.motion) {
-                model.set(0, at)?;
-                results.clone().try_for_each(|index| model.get(index).map(drop))?;
-            }
-            Ok(())
-        });
-        if let Err(fault) = fault {
-            let label = "not possible all over the working range";
-            let help = "move what it names, or keep the working range away from there";
-            found.push(v.refuse("motion", fault.message, label, help));
-        }
+        possible(this, v, found);
     }
 
     /// Levels that the scene's tables allow, from cheap to deep.
@@ -94,7 +82,7 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
         None
     }
 
-    /// Those chapters of the book that it has, of `balance`, `motion`, `synthesis`, `views` and `sizing`.
+    /// Those chapters of the book that it has, of `balance`, `cases`, `motion`, `synthesis`, `views` and `sizing`.
     fn chapters(&self) -> Vec<&'static str> {
         Vec::new()
     }
@@ -184,6 +172,23 @@ impl<T> Deref for Description<T> {
 impl<T> DerefMut for Description<T> {
     fn deref_mut(&mut self) -> &mut T {
         &mut self.own
+    }
+}
+
+/// Refuses a mechanism of which some result does not exist all over its working range.
+pub fn possible<T: Described>(this: &Description<T>, v: &Values, found: &mut Vec<Diagnostic>) {
+    let fault = this.at_level(None).and_then(|mut model| {
+        let results = 0..model.variables().len();
+        for at in fine(&this.motion) {
+            model.set(0, at)?;
+            results.clone().try_for_each(|index| model.get(index).map(drop))?;
+        }
+        Ok(())
+    });
+    if let Err(fault) = fault {
+        let label = "not possible all over the working range";
+        let help = "move what it names, or keep the working range away from there";
+        found.push(v.refuse("motion", fault.message, label, help));
     }
 }
 
@@ -389,7 +394,7 @@ impl<T: Described> Mechanism for Description<T> {
 
     fn has_chapter(&self, chapter: &str) -> bool {
         match chapter {
-            "balance" | "motion" | "synthesis" | "views" | "sizing" => self.own.chapters().contains(&chapter),
+            "balance" | "cases" | "motion" | "synthesis" | "views" | "sizing" => self.own.chapters().contains(&chapter),
             "published" => self.own.published().is_some(),
             "remarks" => !self.own.remarks().is_empty(),
             "sensitivity" => !T::OUTLINE.sensitivity.is_empty(),

@@ -87,6 +87,12 @@ fn searched(model: &Standing, slot: &Slot, most: Most) -> Option<Extreme> {
     })
 }
 
+/// The extreme of one result over the working range.
+#[must_use]
+pub fn most_of(model: &Standing, slot: &Slot, most: Most) -> Option<Extreme> {
+    search(&mut Probe::new(model, &mut |_, _| 0.0), slot, most, model.motion())
+}
+
 fn search(probe: &mut Probe, slot: &Slot, most: Most, motion: &Motion) -> Option<Extreme> {
     match most {
         Most::Greatest => greatest(motion, &mut |at| probe.at(slot, at)),

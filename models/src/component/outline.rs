@@ -28,13 +28,16 @@ pub struct Outline {
     pub limits: &'static [Limit],
     /// What given quantities are for besides formulas: ids of the words, and the quantities. The book says it of those that
     /// none of its formulas has; of the ends of the working range and of limits it is known.
-    pub uses: &'static [(&'static str, &'static [&'static Symbol])],
+    pub uses: &'static [Purpose],
     /// What other parts are designed for: least and greatest over the working range.
     pub forces: &'static [&'static Symbol],
     /// Where the formulas are worked out if the scene does not say it: id of the position, and the result that is
     /// greatest there, of the first one that the scene has.
     pub worst: &'static [(&'static str, &'static Symbol)],
 }
+
+/// Id of the words that say what quantities are for, and these.
+pub type Purpose = (&'static str, &'static [&'static Symbol]);
 
 /// Id of a heading, and what its formulas explain.
 pub type SectionOutline = (&'static str, &'static [Explained]);
@@ -60,8 +63,24 @@ macro_rules! chapters {
 }
 pub(crate) use chapters;
 
+/// What a mechanism tells of its own and then of a part that others have too.
+///
+/// # Panics
+/// Where there are not as many in all.
+#[must_use]
+pub const fn joined<T: Copy, const A: usize, const B: usize, const N: usize>(own: [T; A], part: [T; B]) -> [T; N] {
+    assert!(A > 0 && A + B == N, "as many as there are");
+    let mut all = [own[0]; N];
+    let mut i = 1;
+    while i < N {
+        all[i] = if i < A { own[i] } else { part[i - A] };
+        i += 1;
+    }
+    all
+}
+
 /// A result with its place in the working range.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Greatest {
     pub symbol: &'static Symbol,
     pub of: &'static Symbol,

@@ -66,6 +66,7 @@ pub struct Sheet {
     /// What the machine is in parts that have words of their own.
     pub parts: Vec<&'static str>,
     pub balance: Option<BalanceSheet>,
+    pub cases: Option<CasesSheet>,
     /// The mechanism in motion; `None` where it stands as commanded.
     pub motion: Option<InMotion>,
     /// See [`Scene::assumptions`](crate::scene::Scene::assumptions).
@@ -77,7 +78,9 @@ impl Sheet {
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
         let positions = self.positions.iter().flat_map(|position| &position.sections);
         let motion = self.motion.iter().flat_map(|motion| &motion.sections);
-        self.constants.iter().chain(&self.sizing).chain(positions).chain(motion)
+        let cases = self.cases.iter().flat_map(|cases| &cases.sections);
+        let own = self.constants.iter().chain(&self.sizing);
+        own.chain(positions).chain(motion).chain(cases)
     }
 
     /// Tells of the quantities that are given, that formulas give, and of those over the range.
@@ -196,6 +199,25 @@ pub struct BalanceSheet {
     pub range: Table,
     /// A published table, computed again; empty where the balance is not its.
     pub table: Vec<PublishedRow>,
+}
+
+/// What is asked of the machine in cases that the scene names.
+pub struct CasesSheet {
+    pub names: Vec<Text>,
+    /// What is given of each case.
+    pub given: Table,
+    /// What a standard gives and no text confirms: symbol, number of the case from 1, value, standard.
+    pub unconfirmed: Vec<(&'static Symbol, Option<u16>, f64, &'static str)>,
+    /// In which case, from 0, and where most is asked: there the formulas are worked out.
+    pub governing: (usize, &'static Symbol, f64),
+    pub sections: Vec<Section>,
+    /// What sums of the formulas are made of there: id of the title, names of the rows, and the terms.
+    pub terms: Vec<(&'static str, Vec<&'static str>, Table)>,
+    /// Greatest by amount of each result, with its place: of one that is the same in all cases once.
+    pub greatest: Vec<Vec<Summary>>,
+    /// Over the working range, for each case.
+    pub ranges: Vec<Table>,
+    pub curves: Vec<Curve>,
 }
 
 /// A row of a published table, in the publication's own units.

@@ -7,7 +7,7 @@ use crate::component::description::{Described, Description};
 use crate::component::extreme::Extreme;
 pub use crate::component::extreme::{between, fine};
 use crate::component::governing::{drawn, governing, most};
-use crate::component::outline::{Bound, Explained, Greatest, Most, Outline, Published, SectionOutline};
+use crate::component::outline::{Bound, Explained, Greatest, Line, Most, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::running::Running;
 use crate::component::sensitivity::sensitivity;
@@ -56,7 +56,11 @@ pub fn numbered(model: &mut Standing, symbol: &'static Symbol, at: f64) -> Vec<f
     values(model, &indices, std::iter::once(at)).remove(0)
 }
 
-fn values(model: &mut Standing, indices: &[usize], places: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
+/// Variables at values of the coordinate, by their places.
+///
+/// # Panics
+/// As [`sample`].
+pub fn values(model: &mut Standing, indices: &[usize], places: impl Iterator<Item = f64>) -> Vec<Vec<f64>> {
     let row = |at: f64| {
         model.set(0, at).expect("a place is finite");
         indices
@@ -177,7 +181,7 @@ fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &
             .map(|(id, at)| worked::<T>(model, id, at, of))
             .collect(),
         range: table(model, outline.table),
-        curves: curves(told, model),
+        curves: lines(told, model, outline.curves),
         drawing: T::drawing(told, T::drawn_at(told)),
         identities: T::identities(told, model),
         requirements,
@@ -274,12 +278,13 @@ pub fn compared(published: &Published, model: &mut Standing) -> Vec<Result<Vec<C
 /// Of which of several bodies, numbered from 1, the formulas speak: of the one that governs at the worst position, else
 /// of the first. `None` where there are not several.
 fn body(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) -> Option<usize> {
-    let numbers = model
+    let (_, symbol) = outline.worst[0];
+    let of = outline.extremes.iter().find(|extreme| extreme.symbol == symbol)?.of;
+    model
         .variables()
         .iter()
-        .filter(|variable| variable.role == Role::Output);
-    numbers.filter_map(|variable| variable.number).next()?;
-    let (_, symbol) = outline.worst[0];
+        .find(|variable| variable.symbol == of)?
+        .number?;
     let found = governing
         .iter()
         .find(|found| found.symbol == symbol)
@@ -318,6 +323,21 @@ pub fn worked<T: Described>(model: &Standing, id: &'static str, at: f64, of: Opt
         of,
         sections: run::<T>(model, (at, of), constants, sections),
     }
+}
+
+/// Formulas at a position, of a case or body numbered from 1, besides those that the book tells of the mechanism there.
+#[must_use]
+pub fn explained<T: Described>(
+    model: &Standing,
+    at: (f64, Option<usize>),
+    sections: &[SectionOutline],
+) -> Vec<Section> {
+    let Outline {
+        constants,
+        sections: own,
+        ..
+    } = T::OUTLINE;
+    run::<T>(model, at, &[*constants, *own].concat(), sections)
 }
 
 /// Positions at which the formulas are worked out, with their names: what the scene asks for, otherwise the worst.
@@ -367,10 +387,10 @@ pub fn table(model: &mut Standing, columns: &[&'static Symbol]) -> Table {
 }
 
 /// Curves over the working range; none of a result that the scene does not have.
-pub fn curves<T: Described>(told: &Description<T>, model: &mut Standing) -> Vec<Curve> {
+pub fn lines<T: Described>(told: &Description<T>, model: &mut Standing, lines: &[Line]) -> Vec<Curve> {
     let coordinate = model.variables()[0].symbol;
     let mut list = Vec::new();
-    for &(id, x, y) in T::OUTLINE.curves {
+    for &(id, x, y) in lines {
         let x = x.unwrap_or(coordinate);
         if y == coordinate || !exists(model, x) || !exists(model, y) {
             continue;

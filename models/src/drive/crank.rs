@@ -69,6 +69,11 @@ impl<C: Calc> Cranked<C> {
         (push * rod.r_cr * (self.alpha_cr + self.beta_cr).sin()).def(&s::T_CR)
     }
 
+    /// Angle of the crank, in rad.
+    pub fn angle(&self) -> C {
+        self.theta_cr
+    }
+
     /// cos β.
     pub fn across(&self) -> C {
         self.beta_cr.sin_cos().1

@@ -9,6 +9,7 @@ use crate::drive::shaft::{Gearing, Shaft};
 use crate::drive::symbols as s;
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
+use crate::parts::four_bar::FourBar;
 use crate::parts::hydraulics::cylinder;
 use crate::parts::plane::{self, Point};
 
@@ -77,6 +78,12 @@ impl<C: Calc> Drive<C> {
     pub fn force(&self, moment: C, symbol: &'static Symbol) -> C {
         force(moment, [self.l_d, self.h_d], symbol)
     }
+
+    /// A force (N) on the driving link; none that is not finite.
+    pub fn along(&self, force: C) -> Option<Point<C>> {
+        let along = |line: C| force * line / self.l_d;
+        (force.value().is_finite()).then(|| Point::new(along(self.line.x), along(self.line.y)))
+    }
 }
 
 /// The same for a drive of a length (m) and a lever arm (m).
@@ -94,12 +101,48 @@ impl<C: Calc> Reaction<C> {
     /// The force that gives the moment (N·m) that the driving link needs.
     pub fn new(drive: &Drive<C>, moment: C) -> Reaction<C> {
         let f_d = drive.force(moment, &s::F_D);
-        let along = |line: C| f_d * line / drive.l_d;
         Reaction {
             moment,
             f_d,
-            force: (f_d.value().is_finite()).then(|| Point::new(along(drive.line.x), along(drive.line.y))),
+            force: drive.along(f_d),
         }
+    }
+}
+
+/// A drive as it takes hold, over any scalar.
+#[derive(Clone, Copy, Debug)]
+pub struct Mounted<C> {
+    mount: DriveMount<C>,
+    crank: Option<(CrankRod<C>, FourBar<C>)>,
+}
+
+impl<C: Calc> Mounted<C> {
+    pub fn new(mount: &DriveMount<C>, rod: &Option<CrankRod<C>>, crank: Option<&FourBar<C>>) -> Mounted<C> {
+        Mounted {
+            mount: *mount,
+            crank: rod.zip(crank.copied()),
+        }
+    }
+
+    /// The same over another scalar.
+    #[must_use]
+    pub fn map<D: Calc>(&self, f: fn(C) -> D) -> Mounted<D> {
+        let crank = |(rod, linkage): (CrankRod<C>, FourBar<C>)| (rod.map(&mut |_, x| f(x)), linkage.map(f));
+        Mounted {
+            mount: self.mount.map(&mut |_, x| f(x)),
+            crank: self.crank.map(crank),
+        }
+    }
+
+    /// Its way (m), whose rate a motor gives: its length, of a sector that of its teeth, of a crank that of its pin; `None`
+    /// where a crank does not meet the link.
+    pub fn way(&self, bar: &DrivenBar<C>) -> Option<C> {
+        let angle = bar.angle.1;
+        Some(match (&self.mount, &self.crank) {
+            (DriveMount::Anchors(a), Some((rod, linkage))) => rod.r_cr * rod.at(linkage, angle + a.chi_d)?.angle(),
+            (DriveMount::Anchors(a), None) => Drive::new(bar, a).l_d,
+            (DriveMount::Sector(sector), _) => sector.r_s * angle,
+        })
     }
 }
 

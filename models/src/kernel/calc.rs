@@ -78,6 +78,12 @@ pub trait Calc:
         self
     }
 
+    /// Names a sum whose terms stand in a table of the book: nothing for numbers, for the recorder a name without a line.
+    #[must_use]
+    fn tabled(self, _: &'static Symbol) -> Self {
+        self
+    }
+
     /// This number, which was found among the values of many bodies; the second one is what it was of each of them.
     #[must_use]
     fn among(self, _: Among, _: Self) -> Self {

@@ -13,6 +13,7 @@ pub mod keys;
 pub mod measure;
 pub mod number;
 pub mod origin;
+mod powers;
 pub mod record;
 pub mod schema;
 pub mod sign;

@@ -8,8 +8,8 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 use num_dual::Dual64;
 
 use crate::kernel::calc::{Among, Calc, Takes};
+use crate::kernel::powers::Powers;
 use crate::kernel::symbol::Symbol;
-use crate::kernel::unit::Dimension;
 
 /// An operation of a recorded formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,35 +58,6 @@ struct Entry {
     node: Node,
     value: f64,
     dimension: Powers,
-}
-
-/// A dimension squared: the flow through an edge goes with the root of a pressure, whose exponents are halves.
-#[derive(Clone, Copy, PartialEq, Eq)]
-struct Powers(Dimension);
-
-impl Powers {
-    const ONE: Powers = Powers(Dimension::ONE);
-
-    fn of(dimension: Dimension) -> Powers {
-        Powers(dimension.times(dimension))
-    }
-
-    fn times(self, other: Powers) -> Powers {
-        Powers(self.0.times(other.0))
-    }
-
-    fn over(self, other: Powers) -> Powers {
-        Powers(self.0.over(other.0))
-    }
-}
-
-impl std::fmt::Display for Powers {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self.0.root() {
-            Some(dimension) => write!(f, "{dimension}"),
-            None => write!(f, "the root of {}", self.0),
-        }
-    }
 }
 
 /// What a run of equations left behind.
@@ -430,6 +401,16 @@ impl Calc for Rec {
                 value: trace.value(name),
                 name,
             });
+            name
+        })
+    }
+    fn tabled(self, symbol: &'static Symbol) -> Rec {
+        TRACE.with_borrow_mut(|trace| {
+            if trace.is(self, 0.0) {
+                return self;
+            }
+            let name = trace.name(self, symbol);
+            trace.behind.push((name, self));
             name
         })
     }

@@ -138,6 +138,7 @@ units! {
     N_M_S       = "N.m.s"    "N·m·s"   [2 1 -1 0]    1.0;
     KN_M_S      = "kN.m.s"   "kN·m·s"  [2 1 -1 0]    1e3;
     J_PER_KG    = "J/kg"     "J/kg"    [2 0 -2 0]    1.0;
+    KG_PER_M3   = "kg/m3"    "kg/m³"   [-3 1 0 0]    1.0;
     M_PER_S2    = "m/s2"     "m/s²"    [1 0 -2 0]    1.0;
     RAD_PER_S2  = "rad/s2"   "rad/s²"  [0 0 -2 1]    1.0;
     M3          = "m3"       "m³"      [3 0 0 0]     1.0;
@@ -189,6 +190,7 @@ impl Unit {
             (d, 1) if d == RAD_PER_S.dimension => ("AngularVelocity", [1e-9 * DEGREE, 1e6 * DEGREE]),
             (d, _) if d == M_PER_S.dimension => ("Velocity", [1e-9, 1e6]),
             (d, _) if d == KG.dimension => ("Mass", [1e-6, 1e11]),
+            (d, _) if d == KG_PER_M3.dimension => ("Density", [1e-6, 1e6]),
             (d, _) if d == N.dimension => ("Force", [1e-6, 1e12]),
             (d, _) if d == N_M.dimension => ("Torque", [1e-6, 1e18]),
             (d, _) if d == PA.dimension => ("Pressure", [1.0, 1e12]),

@@ -8,5 +8,6 @@ pub mod curved_trunk;
 pub mod double_link;
 pub mod ellipsograph;
 pub mod moving;
+pub mod resistances;
 pub mod rope;
 pub mod with_balance;

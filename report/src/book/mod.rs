@@ -3,6 +3,7 @@
 
 mod balance;
 mod blocks;
+mod cases;
 mod motion;
 mod notation;
 mod steps;
@@ -25,6 +26,7 @@ use serde::Serialize;
 
 use crate::book::balance::Balance;
 use crate::book::blocks::{Figure, Range, Summary};
+use crate::book::cases::Cases;
 use crate::book::motion::Motion;
 use crate::book::notation::{Entry, Notation};
 use crate::book::steps::{Position, Section};
@@ -129,6 +131,7 @@ struct Book<'a> {
     range: Range,
     curves: Vec<Figure>,
     balance: Option<Balance>,
+    cases: Option<Cases>,
     motion: Option<Motion>,
     assumptions: &'a [&'static str],
     sensitivity: Sensitivity,
@@ -162,6 +165,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "remarks" => !sheet.remarks.is_empty() || scene.book.text.iter().any(|(place, _)| *place == "remarks"),
         "identities" => !sheet.identities.is_empty(),
         "balance" => sheet.balance.is_some(),
+        "cases" => sheet.cases.is_some(),
         "motion" => sheet.motion.is_some(),
         // Many runs: only a scene that lists the chapter gets it.
         "trade" => scene.book.chapters.is_some(),
@@ -199,7 +203,7 @@ impl<'a> Book<'a> {
         let mut notation = Notation::new(sheet, &chapters);
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut sizing, mut motion) = (Vec::new(), None);
+        let (mut sizing, mut motion, mut cases) = (Vec::new(), None, None);
         let judged = sheet.requirements.as_slice();
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
@@ -212,6 +216,7 @@ impl<'a> Book<'a> {
                     let position = |position| Position::new(numbers, position, outputs, judged, &mut notation);
                     positions = sheet.positions.iter().map(position).collect();
                 }
+                "cases" => cases = Cases::of(numbers, sheet, full, &mut notation),
                 "motion" => {
                     let of = |motion| Motion::new(numbers, motion, judged, &mut notation);
                     motion = sheet.motion.as_ref().map(of);
@@ -263,6 +268,7 @@ impl<'a> Book<'a> {
             range: blocks::range(numbers, &sheet.range, full),
             curves: sheet.curves.iter().map(figure).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(numbers, b)),
+            cases,
             motion,
             assumptions: &sheet.assumptions,
             sensitivity: tables::sensitivity(numbers, &sheet.sensitivity),

@@ -112,14 +112,16 @@ pub(super) fn named(sheet: &Sheet, chapters: &[&str]) -> Vec<&'static Symbol> {
 
 /// The formulas of some chapters.
 fn sections<'a>(sheet: &'a Sheet, chapters: &[&str]) -> impl Iterator<Item = &'a sheet::Section> + use<'a> {
-    let [constants, sizing, positions, motion] =
-        ["constants", "sizing", "positions", "motion"].map(|chapter| chapters.contains(&chapter));
+    let [constants, sizing, positions, cases, motion] =
+        ["constants", "sizing", "positions", "cases", "motion"].map(|chapter| chapters.contains(&chapter));
     let positions = sheet.positions.iter().filter(move |_| positions);
+    let cases = sheet.cases.iter().filter(move |_| cases);
     let motion = sheet.motion.iter().filter(move |_| motion);
     let constants = sheet.constants.iter().filter(move |_| constants);
     constants
         .chain(sheet.sizing.iter().filter(move |_| sizing))
         .chain(positions.flat_map(|position| &position.sections))
+        .chain(cases.flat_map(|cases| &cases.sections))
         .chain(motion.flat_map(|motion| &motion.sections))
 }
 

@@ -73,6 +73,24 @@ impl<C: Calc> Contact<C> {
     }
 }
 
+/// End of the unrolled tie in the trunk's frame, in m, as far from B as O3 is, by the square of that (m²): with two derivatives,
+/// of which the point of contact has one. The end moves at right angles to the tie, and that as the tie is shorter.
+///
+/// # Errors
+/// As [`Contact::new`].
+pub fn end_of_tie<C: Calc>(tail: &TrunkTail<C>, choice: &TrunkChoice, d_2: C) -> Result<Point<C>, OutOfRange> {
+    let place = found(&tail.map(C::value), choice, d_2.value())?;
+    let Leaving { p, u, w, rho, .. } = Leaving::new(&tail.arc, choice, place);
+    let (two, f) = (C::constant(2.0), tail.trunk.l_t - w);
+    let (h, v) = (plane::cross(p, u), p + u * f);
+    let rolled = if choice.from_rear { -rho } else { rho };
+    let first = (plane::squared(v) - d_2) / (two * f * h);
+    let bend = rolled * h - f * plane::dot(p, u);
+    let turn = first + bend * first.square() / (two * f * h);
+    let across = Point::new(-u.y, u.x);
+    Ok(v + across * (f * turn) - (across * rolled + u * f) * (turn.square() / two))
+}
+
 /// The place at which the end of the unrolled tie is as far from B as O3 is, `square` (m²) being that distance's square.
 ///
 /// # Errors

@@ -39,6 +39,7 @@ pub mod driving;
 mod outline;
 pub mod pins;
 pub mod position;
+pub mod resisting;
 pub mod scene;
 pub mod stages;
 pub mod statics;

@@ -2,13 +2,18 @@
 
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::Stage;
-use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapters, joined};
 use crate::drive::outline as o;
 use crate::drive::symbols as d;
 use crate::luffing::curved_trunk::symbols as s;
+use crate::luffing::resistances::outline::{EXTREMES, USES};
+
+/// What given quantities of its own are for that no formula has.
+const OWN_USES: [Purpose; 2] = [("tail_points", &[&s::X_T, &s::Y_T]), ("annulus", &[&d::D_R])];
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion, limits),
+    inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion,
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", limits),
     constants: &[
         ("trunk_tail", &[Stage("tail")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -58,23 +63,26 @@ pub const OUTLINE: Outline = Outline {
         ("trunk_wrap", None, &s::W),
         ("trunk_tie", None, &s::N_T),
     ],
-    extremes: &[
-        Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
-        Greatest::new(&s::R_MIN, Most::Least, &s::R),
-        Greatest::new(&s::W_MAX, Most::Greatest, &s::W),
-        Greatest::new(&s::W_MIN, Most::Least, &s::W),
-        Greatest::new(&s::MU_MIN, Most::Least, &s::MU),
-        Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
-        Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
-        Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
-        o::FORCE_MAX,
-        o::TORQUE_OUT_MAX,
-        o::TORQUE_IN_MAX,
-        Greatest::new(&s::N_T_MAX, Most::Greatest, &s::N_T),
-        Greatest::new(&s::N_T_MIN, Most::Least, &s::N_T),
-        Greatest::new(&s::Q_T_MAX, Most::Greatest, &s::Q_T),
-        Greatest::new(&s::P_T_MAX, Most::Greatest, &s::P_T),
-    ],
+    extremes: &joined::<_, 15, 10, 25>(
+        [
+            Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
+            Greatest::new(&s::R_MIN, Most::Least, &s::R),
+            Greatest::new(&s::W_MAX, Most::Greatest, &s::W),
+            Greatest::new(&s::W_MIN, Most::Least, &s::W),
+            Greatest::new(&s::MU_MIN, Most::Least, &s::MU),
+            Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
+            Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
+            Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
+            o::FORCE_MAX,
+            o::TORQUE_OUT_MAX,
+            o::TORQUE_IN_MAX,
+            Greatest::new(&s::N_T_MAX, Most::Greatest, &s::N_T),
+            Greatest::new(&s::N_T_MIN, Most::Least, &s::N_T),
+            Greatest::new(&s::Q_T_MAX, Most::Greatest, &s::Q_T),
+            Greatest::new(&s::P_T_MAX, Most::Greatest, &s::P_T),
+        ],
+        EXTREMES,
+    ),
     summary: &[&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
     sensitivity: &[
         &s::EPSILON_Y,
@@ -100,7 +108,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_least("balance_transmission", &b::GAMMA_MIN),
         Limit::at_most("balance_rod", &b::N_MAX),
     ],
-    uses: &[("tail_points", &[&s::X_T, &s::Y_T]), ("annulus", &[&d::D_R])],
+    uses: &joined::<Purpose, 2, 2, 4>(OWN_USES, USES),
     forces: &[
         &s::N_T,
         &s::Q_T,

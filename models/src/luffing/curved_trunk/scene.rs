@@ -27,10 +27,13 @@ use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::driving;
 use crate::luffing::curved_trunk::outline::OUTLINE;
 use crate::luffing::curved_trunk::position::TrunkPosition;
+use crate::luffing::curved_trunk::resisting;
 use crate::luffing::curved_trunk::stages::{CurvedTrunkBoom, Given};
 use crate::luffing::curved_trunk::statics::TrunkWeights;
 use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{Leaving, TailArc, Trunk, TrunkChoice, TrunkTail};
+use crate::luffing::resistances::scene::{CASES, Cases, left};
+use crate::luffing::resistances::{self, checks, told};
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
@@ -63,6 +66,7 @@ pub const KEYS: &[Key] = &[
     DRIVE,
     BALANCE,
     INTERPOLATION,
+    CASES,
     Key::part("limits", LIMITS, "Limits that the book checks."),
     SOURCE,
 ];
@@ -102,6 +106,7 @@ pub struct CurvedTrunk {
     driving: Driving,
     /// Published results of the balance.
     published_balance: Option<PublishedBalance>,
+    cases: Cases,
 }
 
 /// As scenes describe it.
@@ -115,10 +120,10 @@ impl Described for CurvedTrunk {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "curved_trunk_symbol",
         own: &[s::ALL],
-        shared: &[b::ALL, drive::symbols::ALL, gravity::ALL],
+        shared: &[b::ALL, drive::symbols::ALL, resistances::symbols::ALL, gravity::ALL],
     };
 
-    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(CurvedTrunk, Motion)> {
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(CurvedTrunk, Motion)> {
         let begun = begun(v, "G_b, r_b, G_t and r_t", found);
         let driving = drive::scene::read(v, found);
         let tail = v.table("tail")?;
@@ -127,6 +132,7 @@ impl Described for CurvedTrunk {
         let ((range, balance), driving) = begun.zip(driving)?;
         drive::scene::meets(v, &driving, None, [range.from, range.to], found);
         drive::scene::fits(v, driving.gear.as_ref(), [false, v.has("Q")], found);
+        let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
         let given = Given {
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -140,6 +146,11 @@ impl Described for CurvedTrunk {
             cylinder: driving.cylinder,
             gear: driving.gear,
             balance,
+            cases: cases.cases.clone(),
+            bodies: cases.bodies.clone(),
+            rubbing: cases.pins.clone(),
+            air: cases.air,
+            chosen: cases.choice.clone(),
             choice: TrunkChoice {
                 range,
                 from_rear: tail.text("clamped") == Some("rear"),
@@ -151,6 +162,7 @@ impl Described for CurvedTrunk {
             given,
             driving,
             published_balance: v.table("balance").and_then(PublishedBalance::read),
+            cases,
         };
         Some((read, range))
     }
@@ -162,6 +174,7 @@ impl Described for CurvedTrunk {
     /// Besides what all booms are checked for: a tie that would have to push.
     fn check(this: &Description<CurvedTrunk>, v: &Values, found: &mut Vec<Diagnostic>) {
         let mut model = this.standing();
+        told::check::<CurvedTrunkBoom>(&model, &this.cases, v, found);
         let results = 0..model.variables().len();
         let tie = results
             .clone()
@@ -188,7 +201,8 @@ impl Described for CurvedTrunk {
     }
 
     fn chapters(&self) -> Vec<&'static str> {
-        self.given.balance.iter().map(|_| "balance").collect()
+        let cases = self.cases.are_there().then_some("cases");
+        self.given.balance.iter().map(|_| "balance").chain(cases).collect()
     }
 
     fn searched(_: &Description<CurvedTrunk>, model: &Standing) -> Vec<Summary> {
@@ -221,6 +235,7 @@ impl Described for CurvedTrunk {
             [row[0], -row[1], -other(2), other(3)]
         }));
         checks.extend(drive::checks::by_slider(&this.driving, model, &s::AGREEMENT));
+        checks.extend(checks::identities::<CurvedTrunkBoom>(model, &this.cases, &s::M_D));
         checks
     }
 
@@ -230,8 +245,8 @@ impl Described for CurvedTrunk {
         [level, "trunk_rope"].into_iter().chain(forces).collect()
     }
 
-    fn uncovered(_: &Description<CurvedTrunk>) -> Vec<&'static str> {
-        uncovered("pin_friction")
+    fn uncovered(this: &Description<CurvedTrunk>) -> Vec<&'static str> {
+        left(uncovered("pin_friction"), &this.cases)
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with trunk, tail, tie and the path of the head.
@@ -281,6 +296,7 @@ impl Described for CurvedTrunk {
     }
 
     fn more(this: &Description<CurvedTrunk>, model: &mut Standing, sheet: &mut Sheet) {
+        sheet.cases = told::chapter(this, model, &this.cases);
         sheet.balance = chapter::<CurvedTrunkBoom>(model, CurvedTrunkBoom::SYMBOLS, this.published_balance.as_ref());
     }
 }

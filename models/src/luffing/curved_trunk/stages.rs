@@ -10,7 +10,7 @@ use crate::component::stages::{Found, stages};
 use crate::component::whole::{How, Whole};
 use crate::drive::crank::{CrankRod, Cranked, cranked};
 use crate::drive::gear::Gear;
-use crate::drive::line::{self, Drive, Reaction};
+use crate::drive::line::{self, Drive, Mounted, Reaction};
 use crate::drive::mount::{Bore, DriveMount, DrivenBar};
 use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::group::One;
@@ -22,9 +22,17 @@ use crate::luffing::curved_trunk::contact::Contact;
 use crate::luffing::curved_trunk::driving;
 use crate::luffing::curved_trunk::pins::{TrunkBearing, TrunkPins, power, pressure};
 use crate::luffing::curved_trunk::position::TrunkPosition;
+use crate::luffing::curved_trunk::resisting::{self, TrunkPlaces};
 use crate::luffing::curved_trunk::statics::{TrunkLoad, TrunkWeight, TrunkWeights};
 use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
+use crate::luffing::resistances::friction::{Pins, Rubbed};
+use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
+use crate::luffing::resistances::loads::Loads;
+use crate::luffing::resistances::moments::Resisted;
+use crate::luffing::resistances::placed::{MovedBars, Weighty};
+use crate::luffing::resistances::sums::Sums;
+use crate::luffing::resistances::told::resists;
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::four_bar::FourBar;
 use crate::parts::plane::Point;
@@ -33,6 +41,7 @@ use crate::parts::plane::Point;
 mod s {
     pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
     pub use crate::luffing::curved_trunk::symbols::*;
+    pub use crate::luffing::resistances::symbols::F_R;
 }
 
 stages! {
@@ -50,6 +59,11 @@ stages! {
         Parameter cylinder: Option<Bore<C>>,
         Parameter gear: Option<Gear<C>>,
         Parameter balance: Option<Form<C>>,
+        Parameter cases: Vec<Case<C>>,
+        Parameter bodies: Vec<CaseBody<C>>,
+        Parameter rubbing: Vec<CasePin<C>>,
+        Parameter air: Option<One<C>>,
+        Fixed chosen: Option<CasesChoice>,
         Fixed choice: TrunkChoice,
     } find {
         tail: TrunkTail<C> = TrunkTail::new(trunk, arc, choice), lifted;
@@ -79,8 +93,20 @@ stages! {
         by_slider: C = line::by_slider(cranked, rod[!], mount[!], push) => T_CR;
         analysed: Analysis = analysed(tail, choice, weights[!], balance[!]) => _, plain;
         criteria: Criteria<C> = criteria(balancing, tail, choice, weights[!], analysed);
+        mounted: Mounted<C> = Mounted::new(mount[!], rod, crank[?]) => _;
+        places: TrunkPlaces<C> = TrunkPlaces::new(tail, choice, weights[!], balancing[?], mounted) => _;
+        weighty: Weighty<C> = resisting::weighty(places, bodies, chosen[!]) => _;
+        moved: MovedBars<C> = resisting::moved(places, weighty, residual[?], phi) => _;
+        sums: Sums<C> = Sums::new(moved, bodies, cases, chosen[!]);
+        resisted[each cases]: Vec<Resisted<C>> = Resisted::new(sums, load[!], air[!], cases[each]);
+        loads[each cases]: Vec<Loads<C>> = Loads::new(moved, bodies, chosen[!], load[!], cases[each], resisted[each]) => _;
+        pinned[each cases]: Vec<Pins<C>> = resisting::pins(position, drive, residual[?], moved, loads[each], resisted[each]) => _;
+        rubbed[each cases]: Vec<Rubbed<C>> = Rubbed::new(resisted[each], pinned[each], rubbing, chosen[!]);
+        force[each cases]: Vec<C> = resisting::force(drive, rubbed[each]) => F_R;
     }
 }
+
+resists!(CurvedTrunkBoom with resisting::PARTS);
 
 impl Component for CurvedTrunkBoom {
     const WHOLE: &'static [Whole] = &[

@@ -13,6 +13,7 @@ use crate::luffing::double_link::outline::OUTLINE;
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::scene::{OIL_KEYS, SLEWING_KEYS};
+use crate::luffing::resistances::scene::CASES;
 use crate::parts::motion::Motion;
 
 /// Keys of `[luffing]`.
@@ -45,6 +46,7 @@ pub const KEYS: &[Key] = &[
     Key::part("hydraulics", OIL_KEYS, "Oil, valve and lines of the luffing cylinder in motion."),
     Key::part("table", TABLE, "Interpolation of the level \"table\"."),
     SLEWING,
+    CASES,
     Key::part("limits", LIMITS, "Limits that the book checks."),
     Key::part("published", PUBLISHED, "Published values to stand beside the computed ones."),
     SOURCE,

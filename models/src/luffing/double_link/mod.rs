@@ -31,6 +31,7 @@
 //! | `lemniscate.forces_in_motion` | [`pins_in_motion::PinsInMotion::new`], [`balance_in_motion::BalanceInMotion::new`], [`crate::luffing::moving::shares::Shares::new`] | Newton and Euler |
 //! | `lemniscate.governing` | [`crate::component::governing::governing`] | derived |
 //! | `lemniscate.sensitivity` | [`crate::component::sensitivity::sensitivity`] | derived |
+//! | `lemniscate.resistances` | [`resisting::moved`], [`resisting::pins`] | [`crate::luffing::resistances`] |
 //! | `lemniscate.published` | [`published::PublishedFormulas::new`] | Li2022, eq. 1, 4-7 |
 
 pub mod balance_in_motion;
@@ -55,6 +56,7 @@ pub mod pose;
 pub mod position;
 pub mod published;
 pub mod range;
+pub mod resisting;
 pub mod scene;
 pub mod sheet;
 pub mod stages;

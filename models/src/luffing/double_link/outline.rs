@@ -2,17 +2,29 @@
 
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::{Rows, Stage};
-use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapters, joined};
 use crate::drive::outline as o;
 use crate::drive::symbols as d;
 use crate::kernel::symbol::listed;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
+use crate::luffing::resistances::outline::{EXTREMES, USES};
 use crate::parts::turntable;
+
+/// What given quantities of its own are for that no formula has.
+const OWN_USES: [Purpose; 6] = [
+    ("annulus", &[&d::D_R]),
+    ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
+    ("hoist", &[&m::V_H, &m::A_H]),
+    ("relief", listed!(m: P_R, K_R)),
+    ("friction", listed!(turntable: C_SL, M_F_SL)),
+    ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
+];
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
-        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, slewing, oil "hydraulics", limits
+        geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, slewing, oil "hydraulics",
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", limits
     },
     constants: &[
         ("geometry_constants", &[Stage("geometry")]),
@@ -44,18 +56,21 @@ pub const OUTLINE: Outline = Outline {
         ("li2022_fig_7", None, &s::V_AX),
         ("li2022_fig_8", None, &s::M_Q),
     ],
-    extremes: &[
-        Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
-        Greatest::new(&s::R_MIN, Most::Least, &s::R),
-        Greatest::new(&s::MU_MIN, Most::Least, &s::MU),
-        Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
-        Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
-        Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
-        Greatest::new(&s::N_3_MAX, Most::Amount, &s::N_3),
-        o::FORCE_MAX,
-        o::TORQUE_OUT_MAX,
-        o::TORQUE_IN_MAX,
-    ],
+    extremes: &joined::<_, 10, 10, 20>(
+        [
+            Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
+            Greatest::new(&s::R_MIN, Most::Least, &s::R),
+            Greatest::new(&s::MU_MIN, Most::Least, &s::MU),
+            Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
+            Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
+            Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
+            Greatest::new(&s::N_3_MAX, Most::Amount, &s::N_3),
+            o::FORCE_MAX,
+            o::TORQUE_OUT_MAX,
+            o::TORQUE_IN_MAX,
+        ],
+        EXTREMES,
+    ),
     summary: &[&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
     sensitivity: &[
         &s::MU_MIN,
@@ -77,14 +92,7 @@ pub const OUTLINE: Outline = Outline {
         o::TORQUE_IN,
         Limit::at_most("motion_swing", &m::PHI_MAX),
     ],
-    uses: &[
-        ("annulus", &[&d::D_R]),
-        ("start", &[&m::L_R, &m::PHI_R, &turntable::CHI_R]),
-        ("hoist", &[&m::V_H, &m::A_H]),
-        ("relief", listed!(m: P_R, K_R)),
-        ("friction", listed!(turntable: C_SL, M_F_SL)),
-        ("stops", listed!(turntable: PSI_MIN, PSI_MAX)),
-    ],
+    uses: &joined::<Purpose, 6, 2, 8>(OWN_USES, USES),
     forces: &[
         &s::F_O1X,
         &s::F_O1Y,

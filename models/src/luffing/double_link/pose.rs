@@ -18,7 +18,9 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::Centres;
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::system::height;
-use crate::luffing::moving::bodies::{Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, parts, spread};
+use crate::luffing::moving::bodies::{
+    Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, deviation, parts, spread,
+};
 use crate::luffing::moving::dynamics::Dynamics;
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
 use crate::parts::plane::{self, Point, cross, dot};
@@ -408,10 +410,4 @@ impl<T: Calc + DualNum> Bar<T> {
     fn deviation(&self, spread: [T; 3]) -> T {
         deviation(spread, self.along[0].map(|x| x / self.length))
     }
-}
-
-/// Mass times forward and upward distance from the centre of a body that lies as [`Body::spread`] says in the frame of
-/// a bar along a unit vector.
-fn deviation<C: Calc>([xx, xy, yy]: [C; 3], e: Point<C>) -> C {
-    (xx - yy) * e.x * e.y + xy * (e.x * e.x - e.y * e.y)
 }

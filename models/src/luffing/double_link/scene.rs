@@ -16,9 +16,11 @@ use crate::luffing::double_link::misfit::Misfit;
 use crate::luffing::double_link::moving;
 use crate::luffing::double_link::parameters::{Driven, Jib, Lengths, Parameters, Weights};
 use crate::luffing::double_link::position::Position;
+use crate::luffing::double_link::resisting;
 use crate::luffing::double_link::stages::closes;
 use crate::luffing::double_link::symbols as s;
 use crate::luffing::moving::scene::{brisk, outlasts};
+use crate::luffing::resistances::scene::Cases;
 use crate::luffing::with_balance::complete;
 use crate::parts::arcs::Arc;
 use crate::parts::four_bar::Branch;
@@ -47,6 +49,7 @@ pub struct LuffingScene {
     pub synthesis: Option<Task>,
     /// Published results of the balance.
     pub published_balance: Option<PublishedBalance>,
+    pub cases: Cases,
 }
 
 impl LuffingScene {
@@ -153,6 +156,7 @@ impl LuffingScene {
             published,
             synthesis,
             published_balance: v.table("balance").and_then(PublishedBalance::read),
+            cases: Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found),
         };
         Some((luffing, motion))
     }

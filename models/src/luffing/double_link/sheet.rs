@@ -41,6 +41,7 @@ use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::load_taken;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
+use crate::luffing::resistances;
 use crate::luffing::with_balance::{WithBalance, agreement, searched};
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
@@ -76,6 +77,7 @@ impl Described for LuffingScene {
             drive::symbols::ALL,
             moving::symbols::ALL,
             crate::luffing::moving::symbols::ALL,
+            resistances::symbols::ALL,
             hanging::ALL,
             turntable::ALL,
             gravity::ALL,
@@ -106,6 +108,11 @@ impl Described for LuffingScene {
             rod: this.driving.rod(),
             gear: this.driving.gear,
             balance: p.balance,
+            cases: this.cases.cases.clone(),
+            bodies: this.cases.bodies.clone(),
+            rubbing: this.cases.pins.clone(),
+            air: this.cases.air,
+            chosen: this.cases.choice.clone(),
             states: None,
             inputs: None,
             inertias: None,
@@ -128,8 +135,9 @@ impl Described for LuffingScene {
         }
     }
 
-    /// Checks that the mechanism exists at each published row.
+    /// Checks that its cases exist all over the working range, and the mechanism at each published row.
     fn check(luffing: &Luffing, v: &Values, found: &mut Vec<Diagnostic>) {
+        resistances::told::check::<DoubleLink>(&luffing.standing(), &luffing.cases, v, found);
         if let Some((published, table)) = luffing.published.as_ref().zip(v.table("published")) {
             // The first line has the names.
             let places = table.texts("values").iter().skip(1);
@@ -217,7 +225,8 @@ impl Described for LuffingScene {
         let moving = self.moving.as_ref().map(|_| "motion");
         let balance = self.parameters.balance.map(|_| "balance");
         let synthesis = self.synthesis.as_ref().map(|_| "synthesis");
-        [moving, balance, synthesis].into_iter().flatten().collect()
+        let cases = self.cases.are_there().then_some("cases");
+        [moving, balance, synthesis, cases].into_iter().flatten().collect()
     }
 
     fn searched(_: &Luffing, model: &Standing) -> Vec<Summary> {
@@ -241,7 +250,9 @@ impl Described for LuffingScene {
             let Check { id, value, .. } = power(this, &g, model);
             agree(id, value, 1e-12);
         }
+        let cases = resistances::checks::identities::<DoubleLink>(model, &this.cases, &s::M_D);
         let Some(q) = this.q.filter(|q| *q > 0.0) else {
+            checks.extend(cases);
             return checks;
         };
         // Agreement of independent ways, relative to the largest moment.
@@ -253,6 +264,7 @@ impl Described for LuffingScene {
         let both = sample(model, &[&s::M_Q, &s::M_Q_P], fine(motion));
         agree("moment_agreement", apart(&both) / (q * scale), 1e-12);
         checks.extend(drive::checks::by_slider(&this.driving, model, &s::AGREEMENT));
+        checks.extend(cases);
         checks
     }
 
@@ -345,7 +357,8 @@ impl Described for LuffingScene {
             "stability",
             "load_cases",
         ];
-        ["wind"].iter().chain(at_rest).chain(&never).copied().collect()
+        let all = ["wind"].iter().chain(at_rest).chain(&never).copied().collect();
+        resistances::scene::left(all, &this.cases)
     }
 
     fn parts(this: &Luffing) -> Vec<&'static str> {
@@ -406,6 +419,7 @@ impl Described for LuffingScene {
             }
         }
         sheet.balance = chapter::<DoubleLink>(model, symbols, this.published_balance.as_ref());
+        sheet.cases = resistances::told::chapter(this, model, &this.cases);
         if let Some(search) = search(this) {
             sheet.requirements.extend(kept(&search));
         }

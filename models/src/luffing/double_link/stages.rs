@@ -10,7 +10,7 @@ use crate::component::stages::{Found, absent, stages};
 use crate::component::whole::{How, Whole};
 use crate::drive::crank::{CrankRod, Cranked, cranked};
 use crate::drive::gear::Gear;
-use crate::drive::line::{self, Drive, Reaction};
+use crate::drive::line::{self, Drive, Mounted, Reaction};
 use crate::drive::mount::{Bore, DriveMount, DrivenBar};
 use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::calc::Calc;
@@ -33,6 +33,7 @@ use crate::luffing::double_link::parameters::{Choice, Driven, Jib, Lengths, Para
 use crate::luffing::double_link::pole::Pole;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::published::PublishedFormulas;
+use crate::luffing::double_link::resisting::{self, LinkPlaces};
 use crate::luffing::double_link::statics::{LoadMoment, Own, by_pole};
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::velocity::Velocity;
@@ -44,6 +45,13 @@ use crate::luffing::moving::listed::{Fittings, Said};
 use crate::luffing::moving::luffs::{Luffs, luffs};
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneOil, CraneRates, INDICATORS, LoadSeen};
+use crate::luffing::resistances::friction::{Pins, Rubbed};
+use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
+use crate::luffing::resistances::loads::Loads;
+use crate::luffing::resistances::moments::Resisted;
+use crate::luffing::resistances::placed::{MovedBars, Weighty};
+use crate::luffing::resistances::sums::Sums;
+use crate::luffing::resistances::told::resists;
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::four_bar::FourBar;
 use crate::parts::motion::{Motion, degrees};
@@ -55,6 +63,7 @@ mod s {
     pub use crate::drive::symbols::T_CR;
     pub use crate::luffing::double_link::moving::symbols::*;
     pub use crate::luffing::double_link::symbols::*;
+    pub use crate::luffing::resistances::symbols::F_R;
 }
 
 stages! {
@@ -82,6 +91,11 @@ stages! {
         Parameter cylinder: Option<Bore<C>>,
         Parameter gear: Option<Gear<C>>,
         Parameter balance: Option<Form<C>>,
+        Parameter cases: Vec<Case<C>>,
+        Parameter bodies: Vec<CaseBody<C>>,
+        Parameter rubbing: Vec<CasePin<C>>,
+        Parameter air: Option<One<C>>,
+        Fixed chosen: Option<CasesChoice>,
         Fixed choice: Choice,
         Fixed fitted: Fitted,
     } find {
@@ -113,6 +127,16 @@ stages! {
         analysed: Analysis = analysed(lengths, jib, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, geometry, weights[!], analysed, choice);
         published: PublishedFormulas<C> = published(geometry, jib, theta) => _;
+        mounted: Mounted<C> = Mounted::new(mount[!], rod, crank[?]) => _;
+        places: LinkPlaces<C> = LinkPlaces::new(geometry, weights[!], balancing[?], mounted) => _;
+        weighty: Weighty<C> = resisting::weighty(places, bodies, chosen[!]) => _;
+        moved: MovedBars<C> = resisting::moved(places, weighty, residual[?], theta) => _;
+        sums: Sums<C> = Sums::new(moved, bodies, cases, chosen[!]);
+        resisted[each cases]: Vec<Resisted<C>> = Resisted::new(sums, load[!], air[!], cases[each]);
+        loads[each cases]: Vec<Loads<C>> = Loads::new(moved, bodies, chosen[!], load[!], cases[each], resisted[each]) => _;
+        pinned[each cases]: Vec<Pins<C>> = resisting::pins(position, drive, residual[?], moved, loads[each], resisted[each]) => _;
+        rubbed[each cases]: Vec<Rubbed<C>> = Rubbed::new(resisted[each], pinned[each], rubbing, chosen[!]);
+        force[each cases]: Vec<C> = resisting::force(drive, rubbed[each]) => F_R;
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
             parameters, load[!], inertias[!], constants[!], ramp, motor, give, turning, oil, fitted, choice
@@ -138,6 +162,8 @@ stages! {
 }
 
 luffs!(DoubleLink by theta, omega with motor, turning, oil);
+
+resists!(DoubleLink with resisting::PARTS);
 
 /// What is said of its variables in motion.
 const SAID: Said = Said {

@@ -37,6 +37,7 @@ pub mod moving;
 mod outline;
 pub mod pins;
 pub mod position;
+pub mod resisting;
 pub mod scene;
 mod shown;
 pub mod stages;

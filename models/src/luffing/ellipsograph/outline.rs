@@ -2,14 +2,23 @@
 
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::Stage;
-use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapters, joined};
 use crate::drive::outline as o;
 use crate::drive::symbols as d;
 use crate::luffing::ellipsograph::symbols as s;
 use crate::luffing::moving::symbols as m;
+use crate::luffing::resistances::outline::{EXTREMES, USES};
+
+/// What given quantities of its own are for that no formula has.
+const OWN_USES: [Purpose; 3] = [
+    ("annulus", &[&d::D_R]),
+    ("start", &[&m::L_R, &m::PHI_R]),
+    ("hoist", &[&m::V_H, &m::A_H]),
+];
 
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, limits),
+    inputs: chapters!(geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting,
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", limits),
     constants: &[
         ("ellipsograph_axes", &[Stage("axes")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -50,18 +59,21 @@ pub const OUTLINE: Outline = Outline {
         ("ellipsograph_guide", None, &s::F_BX),
         ("ellipsograph_link", None, &s::N_L),
     ],
-    extremes: &[
-        Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
-        Greatest::new(&s::R_MIN, Most::Least, &s::R),
-        Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
-        Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
-        Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
-        o::FORCE_MAX,
-        o::TORQUE_OUT_MAX,
-        o::TORQUE_IN_MAX,
-        Greatest::new(&s::F_B_MAX, Most::Amount, &s::F_BX),
-        Greatest::new(&s::N_L_MAX, Most::Amount, &s::N_L),
-    ],
+    extremes: &joined::<_, 10, 10, 20>(
+        [
+            Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
+            Greatest::new(&s::R_MIN, Most::Least, &s::R),
+            Greatest::new(&s::V_AX_MAX, Most::Amount, &s::V_AX),
+            Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
+            Greatest::new(&s::M_D_MAX, Most::Amount, &s::M_D),
+            o::FORCE_MAX,
+            o::TORQUE_OUT_MAX,
+            o::TORQUE_IN_MAX,
+            Greatest::new(&s::F_B_MAX, Most::Amount, &s::F_BX),
+            Greatest::new(&s::N_L_MAX, Most::Amount, &s::N_L),
+        ],
+        EXTREMES,
+    ),
     summary: &[
         &s::DELTA_Y,
         &s::EPSILON_Y,
@@ -92,11 +104,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("balance_rod", &b::N_MAX),
         Limit::at_most("motion_swing", &m::PHI_MAX),
     ],
-    uses: &[
-        ("annulus", &[&d::D_R]),
-        ("start", &[&m::L_R, &m::PHI_R]),
-        ("hoist", &[&m::V_H, &m::A_H]),
-    ],
+    uses: &joined::<Purpose, 3, 2, 5>(OWN_USES, USES),
     forces: &[
         &s::F_BX,
         &s::F_CX,

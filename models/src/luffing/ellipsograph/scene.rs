@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
-use crate::component::description::{Described, Description, Vocabulary};
+use crate::component::description::{Described, Description, Vocabulary, possible};
 use crate::component::draw::{Draw, polar};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moved::Moved;
@@ -29,6 +29,7 @@ use crate::luffing::ellipsograph::driving;
 use crate::luffing::ellipsograph::moving::GuidedInertias;
 use crate::luffing::ellipsograph::outline::OUTLINE;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes};
+use crate::luffing::ellipsograph::resisting;
 use crate::luffing::ellipsograph::stages::{EllipsographBoom, Given};
 use crate::luffing::ellipsograph::statics::GuidedWeights;
 use crate::luffing::ellipsograph::symbols as s;
@@ -39,6 +40,8 @@ use crate::luffing::moving::levels;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
+use crate::luffing::resistances::scene::{CASES, Cases, left};
+use crate::luffing::resistances::{self, checks, told};
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
@@ -66,6 +69,7 @@ pub const KEYS: &[Key] = &[
     ),
     Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
     INTERPOLATION,
+    CASES,
     Key::part("limits", LIMITS, "Limits that the book checks."),
     SOURCE,
 ];
@@ -95,6 +99,7 @@ pub struct Ellipsograph {
     pub(super) moving: Option<Moving>,
     /// Published results of the balance.
     published_balance: Option<PublishedBalance>,
+    cases: Cases,
 }
 
 /// As scenes describe it.
@@ -113,6 +118,7 @@ impl Described for Ellipsograph {
             drive::symbols::ALL,
             gravity::ALL,
             moving::symbols::ALL,
+            resistances::symbols::ALL,
             hanging::ALL,
             hydraulics::symbols::ALL,
         ],
@@ -127,6 +133,7 @@ impl Described for Ellipsograph {
         if let Some(moving) = &moving {
             brisk(v, moving, &range, found);
         }
+        let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
         let given = Given {
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -138,6 +145,11 @@ impl Described for Ellipsograph {
             cylinder: driving.cylinder,
             gear: driving.gear,
             balance,
+            cases: cases.cases.clone(),
+            bodies: cases.bodies.clone(),
+            rubbing: cases.pins.clone(),
+            air: cases.air,
+            chosen: cases.choice.clone(),
             choice: GuidedChoice {
                 range,
                 crank: driving.branch(),
@@ -162,6 +174,7 @@ impl Described for Ellipsograph {
             driving,
             moving,
             published_balance,
+            cases,
         };
         keeps_its_foot(&range, v, found).then_some((read, range))
     }
@@ -171,6 +184,11 @@ impl Described for Ellipsograph {
             inertias: None,
             ..this.given.clone()
         }
+    }
+
+    fn check(this: &Description<Ellipsograph>, v: &Values, found: &mut Vec<Diagnostic>) {
+        possible(this, v, found);
+        told::check::<EllipsographBoom>(&this.standing(), &this.cases, v, found);
     }
 
     fn levels(&self) -> Vec<&'static str> {
@@ -200,6 +218,7 @@ impl Described for Ellipsograph {
         moving
             .into_iter()
             .chain(self.given.balance.map(|_| "balance"))
+            .chain(self.cases.are_there().then_some("cases"))
             .collect()
     }
 
@@ -231,6 +250,7 @@ impl Described for Ellipsograph {
             [row[0], row[1] * row[4], -row[2] * row[3], link * row[1], -balance]
         }));
         checks.extend(drive::checks::by_slider(&this.driving, model, &s::AGREEMENT));
+        checks.extend(checks::identities::<EllipsographBoom>(model, &this.cases, &s::M_D));
         checks
     }
 
@@ -262,7 +282,10 @@ impl Described for Ellipsograph {
 
     fn uncovered(this: &Description<Ellipsograph>) -> Vec<&'static str> {
         const FRICTION: &str = "ellipsograph_friction";
-        levels::uncovered(uncovered(FRICTION), FRICTION, this.moving.as_ref())
+        left(
+            levels::uncovered(uncovered(FRICTION), FRICTION, this.moving.as_ref()),
+            &this.cases,
+        )
     }
 
     /// The boom at the ends (faint) and in the middle of the working range, with guide, link and the path of the head.
@@ -313,6 +336,7 @@ impl Described for Ellipsograph {
     }
 
     fn more(this: &Description<Ellipsograph>, model: &mut Standing, sheet: &mut Sheet) {
+        sheet.cases = told::chapter(this, model, &this.cases);
         sheet.balance = chapter::<EllipsographBoom>(model, EllipsographBoom::SYMBOLS, this.published_balance.as_ref());
     }
 }

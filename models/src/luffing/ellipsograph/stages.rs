@@ -10,7 +10,7 @@ use crate::component::stages::{Found, stages};
 use crate::component::whole::{How, Whole};
 use crate::drive::crank::{CrankRod, Cranked, cranked};
 use crate::drive::gear::Gear;
-use crate::drive::line::{self, Drive, Reaction};
+use crate::drive::line::{self, Drive, Mounted, Reaction};
 use crate::drive::mount::{Bore, DriveMount, DrivenBar};
 use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::group::One;
@@ -23,6 +23,7 @@ use crate::luffing::ellipsograph::driving;
 use crate::luffing::ellipsograph::moving::{Guided, GuidedInertias, GuidedParts};
 use crate::luffing::ellipsograph::pins::GuidedPins;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes, pole};
+use crate::luffing::ellipsograph::resisting::{self, GuidedPlaces};
 use crate::luffing::ellipsograph::statics::{GuidedWeights, HeadLoad, WeightMoment, needed, power};
 use crate::luffing::ellipsograph::symbols as g;
 use crate::luffing::ellipsograph::velocity::{GuidedSpeeds, GuidedTravel};
@@ -36,6 +37,13 @@ use crate::luffing::moving::luffs::{Luffs, luffs};
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::single::{self, BoomRates, Heavy, SingleBoom, SingleParts};
 use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS, rates_after};
+use crate::luffing::resistances::friction::{Pins, Rubbed};
+use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
+use crate::luffing::resistances::loads::Loads;
+use crate::luffing::resistances::moments::Resisted;
+use crate::luffing::resistances::placed::{MovedBars, Weighty};
+use crate::luffing::resistances::sums::Sums;
+use crate::luffing::resistances::told::resists;
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::four_bar::FourBar;
 use crate::parts::plane::Point;
@@ -45,6 +53,7 @@ mod s {
     pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
     pub use crate::luffing::ellipsograph::symbols::*;
     pub use crate::luffing::moving::symbols::{M_R, M_R_H, S_R, W_BLOW};
+    pub use crate::luffing::resistances::symbols::F_R;
 }
 
 stages! {
@@ -69,6 +78,11 @@ stages! {
         Parameter cylinder: Option<Bore<C>>,
         Parameter gear: Option<Gear<C>>,
         Parameter balance: Option<Form<C>>,
+        Parameter cases: Vec<Case<C>>,
+        Parameter bodies: Vec<CaseBody<C>>,
+        Parameter rubbing: Vec<CasePin<C>>,
+        Parameter air: Option<One<C>>,
+        Fixed chosen: Option<CasesChoice>,
         Fixed choice: GuidedChoice,
         Fixed fitted: Fitted,
     } find {
@@ -97,6 +111,16 @@ stages! {
         by_slider: C = line::by_slider(cranked, rod[!], mount[!], push) => T_CR;
         analysed: Analysis = analysed(bars, weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, bars, weights[!], analysed, choice);
+        mounted: Mounted<C> = Mounted::new(mount[!], rod, crank[?]) => _;
+        places: GuidedPlaces<C> = GuidedPlaces::new(bars, weights[!], balancing[?], mounted) => _;
+        weighty: Weighty<C> = resisting::weighty(places, bodies, chosen[!]) => _;
+        moved: MovedBars<C> = resisting::moved(places, weighty, residual[?], phi) => _;
+        sums: Sums<C> = Sums::new(moved, bodies, cases, chosen[!]);
+        resisted[each cases]: Vec<Resisted<C>> = Resisted::new(sums, load[!], air[!], cases[each]);
+        loads[each cases]: Vec<Loads<C>> = Loads::new(moved, bodies, chosen[!], load[!], cases[each], resisted[each]) => _;
+        pinned[each cases]: Vec<Pins<C>> = resisting::pins(position, drive, residual[?], moved, loads[each], resisted[each]) => _;
+        rubbed[each cases]: Vec<Rubbed<C>> = Rubbed::new(resisted[each], pinned[each], rubbing, chosen[!]);
+        force[each cases]: Vec<C> = resisting::force(drive, rubbed[each]) => F_R;
         guided: GuidedParts<C> = GuidedParts::new(bars, weights[!], inertias[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
         parts[constants]: Vec<SingleParts<Guided, C>> = single::parts(
@@ -118,6 +142,8 @@ stages! {
 }
 
 luffs!(EllipsographBoom by phi, omega with motor);
+
+resists!(EllipsographBoom with resisting::PARTS);
 
 /// What is said of its variables in motion.
 const SAID: Said = Said {

@@ -49,6 +49,27 @@ impl<P: Calc> Body<P> {
         }
     }
 
+    /// One that is not there.
+    #[must_use]
+    pub fn nothing() -> Body<P> {
+        let zero = P::constant(0.0);
+        Body::slender(zero, zero, Point::new(zero, zero), Point::new(zero, zero))
+    }
+
+    /// A slender body along its bar, of a weight (N) under gravity (m/s²), an inertia (kg·m²), and its centre from the
+    /// bar's first joint (m, rad).
+    #[must_use]
+    pub fn along_bar(weight: P, gravity: P, inertia: P, [distance, angle]: [P; 2]) -> Body<P> {
+        let (sin, cos) = angle.sin_cos();
+        let line = Point::new(P::constant(1.0), P::constant(0.0));
+        Body::slender(
+            weight / gravity,
+            inertia,
+            Point::new(distance * cos, distance * sin),
+            line,
+        )
+    }
+
     /// The body with a mass (kg) that is fixed to it at a point of its frame, in m.
     #[must_use]
     pub fn with_mass(self, mass: P, at: Point<P>) -> Body<P> {
@@ -174,6 +195,12 @@ impl<T: Calc + DualNum> Bar<T> {
 pub(crate) fn spread<C: Calc>([xx, xy, yy]: [C; 3], along: Point<C>) -> C {
     let (along, across) = (along.x, -along.y);
     xx * along * along + xy * along * across * C::constant(2.0) + yy * across * across
+}
+
+/// Mass times forward and upward distance from the centre of a body that lies as [`Body::spread`] says in the frame of
+/// a bar along a unit vector.
+pub(crate) fn deviation<C: Calc>([xx, xy, yy]: [C; 3], e: Point<C>) -> C {
+    (xx - yy) * e.x * e.y + xy * (e.x * e.x - e.y * e.y)
 }
 
 /// Value, first and second derivative.

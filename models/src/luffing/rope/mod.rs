@@ -30,6 +30,7 @@ pub mod losses;
 pub mod moving;
 mod outline;
 pub mod position;
+pub mod resisting;
 pub mod scene;
 mod shown;
 pub mod stages;

@@ -2,13 +2,18 @@
 
 use crate::balance::symbols as b;
 use crate::component::outline::Explained::Stage;
-use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapters, joined};
 use crate::kernel::symbol::listed;
 use crate::luffing::moving::symbols as m;
+use crate::luffing::resistances::outline::{EXTREMES, USES};
 use crate::luffing::rope::symbols as s;
 
+/// What given quantities of its own are for that no formula has.
+const OWN_USES: [Purpose; 2] = [("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m::V_H, &m::A_H])];
+
 pub const OUTLINE: Outline = Outline {
-    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", hoisting, limits),
+    inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", hoisting,
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", limits),
     constants: &[
         ("rope_constants", &[Stage("level")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -31,15 +36,18 @@ pub const OUTLINE: Outline = Outline {
         ("rope_pull", None, &s::T),
         ("rope_drum", None, &s::S_L_UP),
     ],
-    extremes: &[
-        Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
-        Greatest::new(&s::R_MIN, Most::Least, &s::R),
-        Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
-        Greatest::new(&s::T_MAX, Most::Greatest, &s::T),
-        Greatest::new(&s::S_L_MAX, Most::Greatest, &s::S_L_UP),
-        Greatest::new(&s::N_B_MAX, Most::Amount, &s::N_B),
-        Greatest::new(&s::P_L_MAX, Most::Amount, &s::P_L),
-    ],
+    extremes: &joined::<_, 7, 10, 17>(
+        [
+            Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
+            Greatest::new(&s::R_MIN, Most::Least, &s::R),
+            Greatest::new(&s::M_Q_MAX, Most::Amount, &s::M_Q),
+            Greatest::new(&s::T_MAX, Most::Greatest, &s::T),
+            Greatest::new(&s::S_L_MAX, Most::Greatest, &s::S_L_UP),
+            Greatest::new(&s::N_B_MAX, Most::Amount, &s::N_B),
+            Greatest::new(&s::P_L_MAX, Most::Amount, &s::P_L),
+        ],
+        EXTREMES,
+    ),
     summary: &[
         &s::DELTA_Y,
         &s::EPSILON_Y,
@@ -60,7 +68,7 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_most("balance_rod", &b::N_MAX),
         Limit::at_most("motion_swing", &m::PHI_MAX),
     ],
-    uses: &[("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m::V_H, &m::A_H])],
+    uses: &joined::<Purpose, 2, 2, 4>(OWN_USES, USES),
     forces: listed!(s: F_O1X, F_O1Y, N_B, T, T_UP, S_L_UP, S_H_UP, M_D),
     worst: &[("greatest_pull", &s::T_MAX)],
 };

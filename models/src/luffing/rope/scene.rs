@@ -30,9 +30,12 @@ use crate::luffing::moving::levels;
 use crate::luffing::moving::scene::{Inert, Moving, brisk, dynamics, turns};
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
+use crate::luffing::resistances::scene::{CASES, Cases, left};
+use crate::luffing::resistances::{self, checks, told};
 use crate::luffing::rope::moving::BoomInertia;
 use crate::luffing::rope::outline::OUTLINE;
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Rig};
+use crate::luffing::rope::resisting;
 use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::with_balance::{WithBalance, searched};
@@ -41,7 +44,7 @@ use crate::parts::plane::{self, Point};
 use crate::parts::{hanging, hydraulics};
 
 /// Keys of `[luffing]` with one of the two kinds.
-const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 16] {
+const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 17] {
     [
         kind,
         Key::quantity(&s::L, Sign::Positive),
@@ -65,6 +68,7 @@ const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 16] {
         ),
         Key::part("hoisting", BY_SPEED_KEYS, "Rope and hoist of a load that swings."),
         INTERPOLATION,
+        CASES,
         Key::part(
             "limits",
             LIMITS,
@@ -115,6 +119,7 @@ pub struct Rope {
     pub(super) moving: Option<Moving>,
     /// Published results of the balance.
     published_balance: Option<PublishedBalance>,
+    cases: Cases,
 }
 
 /// As scenes describe it.
@@ -134,6 +139,7 @@ impl Described for Rope {
             b::ALL,
             gravity::ALL,
             moving::symbols::ALL,
+            resistances::symbols::ALL,
             hanging::ALL,
             hydraulics::symbols::ALL,
         ],
@@ -145,6 +151,7 @@ impl Described for Rope {
         if let Some(moving) = &moving {
             brisk(v, moving, &range, found);
         }
+        let cases = Cases::read(v, &resisting::PARTS, balance.as_ref(), gravity, found);
         let given = Given {
             phi: One(&b::PHI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -153,6 +160,11 @@ impl Described for Rope {
             compensation: Compensation::read(v),
             weights: v.part("weights", Plain::read)?,
             balance,
+            cases: cases.cases.clone(),
+            bodies: cases.bodies.clone(),
+            rubbing: cases.pins.clone(),
+            air: cases.air,
+            chosen: cases.choice.clone(),
             choice: BoomChoice { range },
             inertia: match &moving {
                 Some(_) => Some(BoomInertia::read(v.table("dynamics")?)?),
@@ -173,6 +185,7 @@ impl Described for Rope {
             given,
             moving,
             published_balance,
+            cases,
         };
         rope.keeps_clear(v, found).then_some((rope, range))
     }
@@ -211,6 +224,7 @@ impl Described for Rope {
         moving
             .into_iter()
             .chain(self.given.balance.map(|_| "balance"))
+            .chain(self.cases.are_there().then_some("cases"))
             .collect()
     }
 
@@ -231,6 +245,7 @@ impl Described for Rope {
             let other = |place: usize| row.get(place).copied().unwrap_or(0.0);
             [row[0], other(2), -other(3), -row[1]]
         }));
+        checks.extend(checks::identities::<RopeBoom>(model, &this.cases, &s::M_D));
         checks
     }
 
@@ -256,7 +271,10 @@ impl Described for Rope {
 
     fn uncovered(this: &Description<Rope>) -> Vec<&'static str> {
         const FRICTION: &str = "pin_friction";
-        levels::uncovered(uncovered(FRICTION), FRICTION, this.moving.as_ref())
+        left(
+            levels::uncovered(uncovered(FRICTION), FRICTION, this.moving.as_ref()),
+            &this.cases,
+        )
     }
 
     /// The boom at the ends of the working range (faint) and where it is told of, with its ropes and the path of the load.
@@ -301,6 +319,7 @@ impl Described for Rope {
     }
 
     fn more(this: &Description<Rope>, model: &mut Standing, sheet: &mut Sheet) {
+        sheet.cases = told::chapter(this, model, &this.cases);
         sheet.balance = chapter::<RopeBoom>(model, RopeBoom::SYMBOLS, this.published_balance.as_ref());
     }
 }

@@ -24,10 +24,18 @@ use crate::luffing::moving::luffs::{Luffs, luffs};
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::single::{self, BoomRates, Heavy, SingleBoom, SingleParts};
 use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS, rates_after};
+use crate::luffing::resistances::friction::{Pins, Rubbed};
+use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
+use crate::luffing::resistances::loads::Loads;
+use crate::luffing::resistances::moments::Resisted;
+use crate::luffing::resistances::placed::{MovedBars, Weighty};
+use crate::luffing::resistances::sums::Sums;
+use crate::luffing::resistances::told::resists;
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::rope::losses::Losses;
 use crate::luffing::rope::moving::{self, BoomInertia, Roped, RopedParts};
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Falls, LoadLevel, Path, Rig, Stretch};
+use crate::luffing::rope::resisting::{self, BoomPlaces};
 use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, power};
 use crate::luffing::rope::symbols as r;
 use crate::luffing::rope::velocity::{RopeTravel, Speeds};
@@ -37,6 +45,7 @@ use crate::parts::plane::Point;
 /// Quantities at rest and in motion.
 mod s {
     pub use crate::luffing::moving::symbols::{M_R, S_R, W_BLOW, Z_LOW};
+    pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::rope::symbols::*;
 }
 
@@ -59,6 +68,11 @@ stages! {
         Parameter compensation: Option<Compensation<C>>,
         Parameter weights: Option<Plain<C>>,
         Parameter balance: Option<Form<C>>,
+        Parameter cases: Vec<Case<C>>,
+        Parameter bodies: Vec<CaseBody<C>>,
+        Parameter rubbing: Vec<CasePin<C>>,
+        Parameter air: Option<One<C>>,
+        Fixed chosen: Option<CasesChoice>,
         Fixed choice: BoomChoice,
         Fixed fitted: Fitted,
     } find {
@@ -80,6 +94,15 @@ stages! {
         losses: Losses<C> = Losses::new(rig, load[!], carried, falls, stretch);
         analysed: Analysis = analysed(weights[!], balance[!], choice) => _, plain;
         criteria: Criteria<C> = criteria(balancing, weights[!], analysed, choice);
+        places: BoomPlaces<C> = BoomPlaces::new(rig, compensation, weights[!], balancing[?]) => _;
+        weighty: Weighty<C> = resisting::weighty(places, bodies, chosen[!]) => _;
+        moved: MovedBars<C> = resisting::moved(places, weighty, residual[?], phi) => _;
+        sums: Sums<C> = Sums::new(moved, bodies, cases, chosen[!]);
+        resisted[each cases]: Vec<Resisted<C>> = Resisted::new(sums, load[!], air[!], cases[each]);
+        loads[each cases]: Vec<Loads<C>> = Loads::new(moved, bodies, chosen[!], load[!], cases[each], resisted[each]) => _;
+        pinned[each cases]: Vec<Pins<C>> = resisting::pins(rig, falls, stretch, residual[?], moved, loads[each], resisted[each]) => _;
+        rubbed[each cases]: Vec<Rubbed<C>> = Rubbed::new(resisted[each], pinned[each], rubbing, chosen[!]);
+        force[each cases]: Vec<C> = resisting::force(falls, rubbed[each]) => F_R;
         roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
         parts[constants]: Vec<SingleParts<Roped, C>> = single::parts(
@@ -103,6 +126,8 @@ stages! {
 }
 
 luffs!(RopeBoom by phi, omega on slack);
+
+resists!(RopeBoom with resisting::PARTS);
 
 /// What is said of its variables in motion.
 const SAID: Said = Said {

@@ -1,0 +1,126 @@
+//! Cases: what is given of each, what is asked at most, over the range, and where most is asked in full.
+
+use lemnis_models::component::sheet::{self, Sheet};
+use lemnis_models::kernel::symbol::Symbol;
+use serde::Serialize;
+
+use crate::book::blocks::{Figure, Quantity, Range, Table, range, table};
+use crate::book::notation::Notation;
+use crate::book::steps::{Section, sections};
+use crate::print::number::Numbers;
+
+#[derive(Serialize)]
+pub(super) struct Cases {
+    names: Vec<String>,
+    /// A row for each quantity, a cell for each case.
+    given: Vec<Row>,
+    unconfirmed: Vec<Coefficient>,
+    /// Name of the case in which most is asked, and where that is.
+    governing: String,
+    at: String,
+    sections: Vec<Section>,
+    terms: Vec<Terms>,
+    /// A row for each result, a cell for each case; one for all where it is the same in all.
+    greatest: Vec<Extremes>,
+    ranges: Vec<Range>,
+    curves: Vec<Figure>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    #[serde(flatten)]
+    quantity: Quantity,
+    values: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Extremes {
+    #[serde(flatten)]
+    quantity: Quantity,
+    /// Values with their places.
+    cells: Vec<(String, Option<String>)>,
+}
+
+#[derive(Serialize)]
+struct Coefficient {
+    #[serde(flatten)]
+    quantity: Quantity,
+    value: String,
+    case: Option<String>,
+    standard: &'static str,
+}
+
+#[derive(Serialize)]
+struct Terms {
+    id: &'static str,
+    names: Vec<&'static str>,
+    table: Table,
+}
+
+impl Cases {
+    pub(super) fn of(numbers: &Numbers, sheet: &Sheet, full: bool, notation: &mut Notation) -> Option<Cases> {
+        let cases = sheet.cases.as_ref()?;
+        let sections = sections(numbers, &cases.sections, None, &sheet.requirements, notation);
+        let drawn = cases.curves.iter().flat_map(|curve| [curve.x, curve.y]);
+        let terms = cases
+            .terms
+            .iter()
+            .flat_map(|(_, _, table)| table.columns.iter().copied());
+        let given = cases.given.columns.iter().copied();
+        let greatest = cases.greatest.iter().filter_map(|row| Some(row.first()?.symbol));
+        let coefficients = cases.unconfirmed.iter().map(|(symbol, ..)| *symbol);
+        for symbol in drawn.chain(terms).chain(given).chain(greatest).chain(coefficients) {
+            notation.meet(symbol);
+        }
+        let name = |case: usize| cases.names[case].of(numbers.language.code).to_owned();
+        let row = |(i, symbol): (usize, &&'static Symbol)| Row {
+            quantity: (*symbol).into(),
+            values: cases
+                .given
+                .rows
+                .iter()
+                .map(|row| numbers.given(symbol, row[i]))
+                .collect(),
+        };
+        let cell = |found: &sheet::Summary| {
+            let place = found
+                .at
+                .filter(|_| found.value != 0.0)
+                .map(|(symbol, at)| numbers.result(symbol, at));
+            (numbers.result(found.symbol, found.value), place)
+        };
+        let (case, coordinate, at) = cases.governing;
+        Some(Cases {
+            names: (0..cases.names.len()).map(name).collect(),
+            given: cases.given.columns.iter().enumerate().map(row).collect(),
+            unconfirmed: (cases.unconfirmed.iter())
+                .map(|(symbol, number, value, standard)| Coefficient {
+                    quantity: (*symbol).into(),
+                    value: numbers.given(symbol, *value),
+                    case: number.map(|number| name(usize::from(number) - 1)),
+                    standard,
+                })
+                .collect(),
+            governing: name(case),
+            at: numbers.named(coordinate, at),
+            sections,
+            terms: (cases.terms.iter())
+                .map(|(id, names, terms)| Terms {
+                    id,
+                    names: names.clone(),
+                    table: table(numbers, terms),
+                })
+                .collect(),
+            greatest: (cases.greatest.iter())
+                .filter_map(|row| {
+                    Some(Extremes {
+                        quantity: row.first()?.symbol.into(),
+                        cells: row.iter().map(cell).collect(),
+                    })
+                })
+                .collect(),
+            ranges: cases.ranges.iter().map(|one| range(numbers, one, full)).collect(),
+            curves: cases.curves.iter().map(|curve| Figure::new(numbers, curve)).collect(),
+        })
+    }
+}
