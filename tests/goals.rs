@@ -1,5 +1,5 @@
 //! Benchmarks beside their goals: `cargo bench --workspace --bench goals`, with `-- motion` those of mechanisms in
-//! motion alone. Figures are the best of several rounds on this machine; nothing here fails.
+//! motion alone, with `-- supports` those of what a crane stands on. Figures are the best of several rounds on this machine; nothing here fails.
 
 use std::hint::black_box;
 use std::io::BufRead;
@@ -30,6 +30,8 @@ use lemnis_tests::unpacked::{DoStep, GetState, Real, SetReal, SetState, Unpacked
 
 #[path = "goals/motion.rs"]
 mod motion;
+#[path = "goals/supports.rs"]
+mod supports;
 
 /// Nanoseconds of one call: the best of twenty rounds of a hundred thousand.
 fn nanoseconds(mut call: impl FnMut(f64)) -> f64 {
@@ -51,14 +53,17 @@ fn row(what: &str, value: f64, unit: &str, goal: f64) {
 }
 
 fn main() {
-    if std::env::args().any(|argument| argument == "motion") {
-        motion::rows();
-        return;
+    for (name, rows) in [("motion", motion::rows as fn()), ("supports", supports::rows)] {
+        if std::env::args().any(|argument| argument == name) {
+            rows();
+            return;
+        }
     }
     let scene = Scene::parse(DEFAULT).expect("the default scene is valid");
     models(&scene);
     curved_trunk();
     steering();
+    supports::rows();
     motion::rows();
     abi(
         "C ABI: set theta_1, doStep, get 12 outputs, forces",

@@ -98,8 +98,9 @@ def test_every_symbol_of_a_formula_has_its_origin(scene, level, tmp_path):
     known |= set(re.findall(r"(?m)^= \d+ [^\n]*?: \$(.*?) = ", text))
     for caption in ["States and commands at the instant", "Constants of the equations", "Energy", "Envelope of forces"]:
         known |= tabled(text, caption)
-    # Points of the ring's curves stand in a table of their own.
-    known |= set(re.findall(r"column-head\[\$(\S*\(c i\))\$\]", text))
+    # Points of the ring's curves, and loads by strength, stand in tables of their own; others are read off a load chart.
+    known |= set(re.findall(r"column-head\[\$(\S*\(c i\)|Q_s)\$\]", text))
+    known |= {'Q_"ch"'} if re.search(r"(?m)^= \d+ Load chart$", text) else set()
     for result, formula in formulas(text):
         nowhere = symbols(formula, notation)[0] - known
         assert not nowhere, (result, formula, nowhere)
@@ -119,8 +120,8 @@ def test_every_given_quantity_is_in_a_formula_or_the_book_says_what_it_is_for(sc
     notation = set(re.findall(r"(?m)^  \[\$(.*?)\$\], \[", chapter(text, "Notation")))
     used = set().union(*(symbols(formula, notation)[0] for _, formula in formulas(text)))
     for table, pairs in given(text):
-        # Of several groups the formulas speak of one: x_2 is x_i.
-        used_here = {shown for name, shown in pairs if {name, re.sub(r"^([xyG])_[2-9]$", r"\1_i", name)} & used}
+        # Of several groups the formulas speak of one: x_2 is x_i, G_(c 2) is G_(c i).
+        used_here = {shown for name, shown in pairs if {name, re.sub(r"^(\w+_(?:\(\w+ )?)[2-9](\)?)$", r"\1i\2", name)} & used}
         told, why = reasons(table)
         assert sorted(told) == sorted({shown for _, shown in pairs} - used_here), table
         assert all(len(reason) > 10 and words["none"] not in reason for reason in why)

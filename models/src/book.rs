@@ -58,6 +58,7 @@ pub const CHAPTERS: &[&str] = &[
     "constants",
     "positions",
     "range",
+    "charts",
     "forces",
     "sizing",
     "balance",

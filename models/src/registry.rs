@@ -33,6 +33,8 @@ use crate::slewing;
 use crate::slewing::scene::SlewingScene;
 use crate::steering;
 use crate::steering::scene::SteeringScene;
+use crate::supports::mobile;
+use crate::supports::mobile::scene::MobileScene;
 
 pub static MECHANISMS: &[Entry] = &[
     double_link::sheet::ENTRY,
@@ -42,6 +44,7 @@ pub static MECHANISMS: &[Entry] = &[
     luffing::curved_trunk::scene::ENTRY,
     steering::sheet::ENTRY,
     slewing::scene::ENTRY,
+    mobile::scene::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
@@ -70,6 +73,11 @@ pub const STEERING: Key = Key::part(
     steering::sheet::ENTRY.keys,
     "The steering of a machine on wheels.",
 );
+pub const SUPPORTS: Key = Key::kinds(
+    "supports",
+    &[(mobile::scene::ENTRY.kind, mobile::scene::ENTRY.keys)],
+    "What a crane stands on, and what it may lift there.",
+);
 
 /// Parts of a crane that may stand beside its mechanism, at the top of the scene, as well as within it.
 pub const PARTS: [Key; 5] = [
@@ -82,7 +90,7 @@ pub const PARTS: [Key; 5] = [
 
 /// The scene's tables that a mechanism may stand in; what may be a part of another one comes last.
 pub fn tables() -> impl Iterator<Item = &'static str> {
-    [LUFFING.name, STEERING.name, PARTS[3].name].into_iter()
+    [LUFFING.name, STEERING.name, SUPPORTS.name, PARTS[3].name].into_iter()
 }
 
 /// Those of these tables that describe the mechanism of a scene: a part of a crane does where it stands alone.
@@ -124,6 +132,7 @@ static TELLERS: &[Teller] = &[
     teller::<CurvedTrunk>(),
     teller::<SteeringScene>(),
     teller::<SlewingScene>(),
+    teller::<MobileScene>(),
 ];
 
 /// The symbols of every mechanism, by its id.

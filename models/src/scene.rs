@@ -62,6 +62,7 @@ pub static KEYS: &[Key] = &[
     ),
     registry::LUFFING,
     registry::STEERING,
+    registry::SUPPORTS,
     registry::PARTS[0],
     registry::PARTS[1],
     registry::PARTS[2],

@@ -13,9 +13,10 @@ use lemnis_models::parts::{hanging, hydraulics, turntable};
 use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
+use lemnis_models::supports::mobile;
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 16] = [
+const TABLES: [(&str, &[&Symbol]); 17] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -29,6 +30,10 @@ const TABLES: [(&str, &[&Symbol]); 16] = [
     ("The joint by which a crane slews", turntable::ALL),
     ("A load on its rope, from a head that joints move", hanging::ALL),
     ("Slewing by itself", slewing::symbols::ALL),
+    (
+        "A mobile crane on its supports, seen from above: x forward, y to the left, angles counter-clockwise",
+        mobile::symbols::ALL,
+    ),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
     ("Screw, pinion or crank of a drive", drive::symbols::ALL),

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use lemnis_models::component::sheet::Sheet;
+use lemnis_models::component::sheet::{Chart, Sheet};
 use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::number::{Number, SIGNIFICANT, column, short};
 use lemnis_models::kernel::variable::{Fault, Role, Variable};
@@ -19,6 +19,15 @@ pub struct Results {
     pub columns: Vec<Variable>,
     /// In SI.
     pub rows: Vec<Vec<f64>>,
+}
+
+/// As CSV.
+fn records(rows: impl Iterator<Item = Vec<String>>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.write_record(row).expect("memory takes every record");
+    }
+    String::from_utf8(writer.into_inner().expect("memory takes every record")).expect("numbers and names are text")
 }
 
 /// What its book says of a scene.
@@ -166,12 +175,8 @@ impl Results {
     }
 
     /// One line of names with units, then one line per position.
-    ///
-    /// # Panics
-    /// Never: memory takes every record.
     #[must_use]
     pub fn csv(&self) -> String {
-        let mut writer = csv::Writer::from_writer(Vec::new());
         let heads = self
             .columns
             .iter()
@@ -182,11 +187,27 @@ impl Results {
                 .map(|(value, column)| machine::csv(column.symbol.shown(*value)))
                 .collect::<Vec<_>>()
         });
-        let written = std::iter::once(heads.collect())
-            .chain(rows)
-            .try_for_each(|record| writer.write_record(record));
-        written.expect("memory takes every record");
-        String::from_utf8(writer.into_inner().expect("memory takes every record")).expect("numbers and names are text")
+        records(std::iter::once(heads.collect()).chain(rows))
+    }
+
+    /// Each chart as CSV: names with units, then one line for each cell with what decides it.
+    #[must_use]
+    pub fn charts(&self) -> Vec<String> {
+        let chart = |chart: &Chart| {
+            let columns = &chart.points.columns;
+            let heads = columns
+                .iter()
+                .map(|symbol| format!("{} [{}]", symbol.id, symbol.display.name));
+            let rows = chart.points.rows.iter().zip(&chart.marks).map(|(row, mark)| {
+                let cells = columns
+                    .iter()
+                    .zip(row)
+                    .map(|(symbol, value)| machine::csv(symbol.shown(*value)));
+                cells.chain([(*mark).to_owned()]).collect::<Vec<_>>()
+            });
+            records(std::iter::once(heads.chain(["decides".to_owned()]).collect()).chain(rows))
+        };
+        self.sheet.charts.iter().map(chart).collect()
     }
 }
 

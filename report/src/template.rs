@@ -46,6 +46,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "constants.typ",
     "positions.typ",
     "range.typ",
+    "charts.typ",
     "forces.typ",
     "sizing.typ",
     "balance.typ",

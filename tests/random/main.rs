@@ -9,6 +9,7 @@ mod curved_trunk;
 mod ellipsograph;
 mod fmu;
 mod luffing;
+mod mobile;
 mod rope;
 mod scene;
 mod slewing;

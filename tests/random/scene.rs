@@ -13,7 +13,7 @@ use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
 
-use crate::{curved_trunk, ellipsograph, luffing, rope, slewing, steering};
+use crate::{curved_trunk, ellipsograph, luffing, mobile, rope, slewing, steering};
 
 /// What a mechanism adds: a legal table, one that lies on an edge, and a result that every level has.
 struct Maker {
@@ -54,6 +54,11 @@ fn maker(mechanism: &str) -> Option<Maker> {
             legal: slewing::legal,
             edge: slewing::edge,
             result: slewing::RESULT,
+        }),
+        "mobile" => Some(Maker {
+            legal: mobile::legal,
+            edge: mobile::edge,
+            result: mobile::RESULT,
         }),
         _ => None,
     }

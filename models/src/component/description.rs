@@ -82,7 +82,7 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
         None
     }
 
-    /// Those chapters of the book that it has, of `balance`, `cases`, `motion`, `synthesis`, `views` and `sizing`.
+    /// Those chapters of the book that it has, of `balance`, `cases`, `motion`, `synthesis`, `views`, `sizing` and `charts`.
     fn chapters(&self) -> Vec<&'static str> {
         Vec::new()
     }
@@ -394,7 +394,9 @@ impl<T: Described> Mechanism for Description<T> {
 
     fn has_chapter(&self, chapter: &str) -> bool {
         match chapter {
-            "balance" | "cases" | "motion" | "synthesis" | "views" | "sizing" => self.own.chapters().contains(&chapter),
+            "balance" | "cases" | "motion" | "synthesis" | "views" | "sizing" | "charts" => {
+                self.own.chapters().contains(&chapter)
+            }
             "published" => self.own.published().is_some(),
             "remarks" => !self.own.remarks().is_empty(),
             "sensitivity" => !T::OUTLINE.sensitivity.is_empty(),

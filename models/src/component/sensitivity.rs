@@ -68,11 +68,12 @@ pub fn sensitivity(
     given.retain(|given| matches!(used(given.0), Use::Parameter | Use::Load) && smooth(given));
     // What is built, then what hangs on it.
     given.sort_by_key(|(source, _)| used(*source) == Use::Load);
-    let row = |(source, (symbol, _)): (Source, Quantity)| {
+    let row = |(source, (symbol, number)): (Source, Quantity)| {
         let mut probe = Probe::new(model, &mut |of, _| f64::from(of == source));
         let by = found.iter().map(|of| Some(of(&mut probe)?.eps));
         Some(Slope {
             symbol,
+            number,
             value: model.part().take(source),
             by: by.collect::<Option<_>>()?,
         })

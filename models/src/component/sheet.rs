@@ -38,6 +38,8 @@ pub struct Sheet {
     pub range: Table,
     /// Curves over the working range, on a grid fine enough to draw.
     pub curves: Vec<Curve>,
+    /// Results over two quantities.
+    pub charts: Vec<Chart>,
     pub drawing: Drawing,
     /// What is asked of the results.
     pub requirements: Vec<Check>,
@@ -372,6 +374,8 @@ pub struct Sensitivity {
 /// Derivatives of the results by one given quantity, in SI.
 pub struct Slope {
     pub symbol: &'static Symbol,
+    /// Which one of several, from 1.
+    pub number: Option<u16>,
     pub value: f64,
     /// In the order of the results.
     pub by: Vec<f64>,
@@ -392,6 +396,20 @@ pub struct Curve {
     pub pieces: Vec<Vec<[f64; 2]>>,
     /// Numbers of the pieces, where each is that of another body; else empty.
     pub numbers: Vec<usize>,
+}
+
+/// Results over two quantities.
+pub struct Chart {
+    /// Id of its words.
+    pub id: &'static str,
+    /// A row for each pair of the two, the first and the second column, which are in order.
+    pub points: Table,
+    /// What the chart shows, of the columns.
+    pub shown: &'static Symbol,
+    /// What decides each row: id of its words and of its mark.
+    pub marks: Vec<&'static str>,
+    /// What is shown, over the second quantity, a piece for each of the first that has one; none where no cell has.
+    pub curve: Option<Curve>,
 }
 
 /// A check with its limit.

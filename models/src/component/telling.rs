@@ -289,7 +289,9 @@ fn body(model: &mut Standing, outline: &'static Outline, governing: &[Summary]) 
         .iter()
         .find(|found| found.symbol == symbol)
         .and_then(|found| found.at);
-    let extreme = outline.extremes.iter().find(|extreme| extreme.symbol == symbol);
+    let own = outline.extremes.iter().find(|extreme| extreme.symbol == symbol);
+    let several = |extreme: &&Greatest| indices(model, extreme.of).len() > 1;
+    let extreme = own.filter(several).or(outline.extremes.iter().find(several)).or(own);
     let Some((extreme, (_, at))) = extreme.zip(found) else {
         return Some(1);
     };

@@ -126,6 +126,14 @@ pub trait Calc:
     }
 }
 
+/// The sum of what each body adds; nothing of none.
+pub fn sum<C: Calc>(mut each: impl Iterator<Item = C>) -> C {
+    let Some(first) = each.next() else {
+        return C::constant(0.0);
+    };
+    each.fold(first, |sum, one| sum + one).among(Among::Sum, first)
+}
+
 /// What is found among the values of many bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Among {

@@ -26,6 +26,8 @@ pub struct Symbol {
     pub tunable: bool,
     /// Where it is infinite; `None` where it never is.
     pub infinite: Option<&'static str>,
+    /// A coefficient whose usual value no source at hand confirms.
+    pub unconfirmed: bool,
 }
 
 /// What values a quantity has; every one is kept as a number.
@@ -128,6 +130,7 @@ impl Symbol {
             range: Range::ANY,
             tunable: false,
             infinite: None,
+            unconfirmed: false,
         }
     }
 
@@ -227,6 +230,13 @@ impl Symbol {
     #[must_use]
     pub const fn infinite(mut self, place: &'static str) -> Symbol {
         self.infinite = Some(place);
+        self
+    }
+
+    /// A coefficient whose usual value the book marks: to be confirmed.
+    #[must_use]
+    pub const fn unconfirmed(mut self) -> Symbol {
+        self.unconfirmed = true;
         self
     }
 

@@ -143,6 +143,7 @@ units! {
     RAD_PER_S2  = "rad/s2"   "rad/s²"  [0 0 -2 1]    1.0;
     M3          = "m3"       "m³"      [3 0 0 0]     1.0;
     CM3         = "cm3"      "cm³"     [3 0 0 0]     1e-6;
+    PER_M       = "1/m"      "1/m"     [-1 0 0 0]    1.0;
     PER_S       = "1/s"      "1/s"     [0 0 -1 0]    1.0;
     PER_S2      = "1/s2"     "1/s²"    [0 0 -2 0]    1.0;
     PA_PER_S    = "Pa/s"     "Pa/s"    [-1 1 -3 0]   1.0;
@@ -158,6 +159,8 @@ units! {
     N_S_PER_M   = "N.s/m"    "N·s/m"   [0 1 -1 0]    1.0;
     KN_S_PER_M  = "kN.s/m"   "kN·s/m"  [0 1 -1 0]    1e3;
     L_PER_MIN   = "L/min"    "L/min"   [3 0 -1 0]    1e-3 / 60.0;
+    M2_PER_KG   = "m2/kg"    "m²/kg"   [2 -1 0 0]    1.0;
+    M2_PER_T    = "m2/t"     "m²/t"    [2 -1 0 0]    1e-3;
 }
 
 impl Unit {
@@ -190,7 +193,6 @@ impl Unit {
             (d, 1) if d == RAD_PER_S.dimension => ("AngularVelocity", [1e-9 * DEGREE, 1e6 * DEGREE]),
             (d, _) if d == M_PER_S.dimension => ("Velocity", [1e-9, 1e6]),
             (d, _) if d == KG.dimension => ("Mass", [1e-6, 1e11]),
-            (d, _) if d == KG_PER_M3.dimension => ("Density", [1e-6, 1e6]),
             (d, _) if d == N.dimension => ("Force", [1e-6, 1e12]),
             (d, _) if d == N_M.dimension => ("Torque", [1e-6, 1e18]),
             (d, _) if d == PA.dimension => ("Pressure", [1.0, 1e12]),
@@ -205,6 +207,9 @@ impl Unit {
             (d, _) if d == N_PER_M.dimension => ("TranslationalSpringConstant", [1e-9, 1e15]),
             (d, _) if d == N_S_PER_M.dimension => ("TranslationalDampingConstant", [1e-6, 1e15]),
             (d, _) if d == M3_PER_S.dimension => ("VolumeFlowRate", [1e-12, 1e6]),
+            (d, _) if d == PER_M.dimension => ("InverseLength", [1e-9, 1e6]),
+            (d, _) if d == KG_PER_M3.dimension => ("Density", [1e-9, 1e6]),
+            (d, _) if d == M2_PER_KG.dimension => ("SpecificArea", [1e-9, 1e3]),
             _ => ("Ratio", [1e-9, 1e6]),
         }
     }

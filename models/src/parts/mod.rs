@@ -1,4 +1,4 @@
-//! What several mechanisms are made of: plane geometry, a four-bar, joints, slewing, a load on its rope, a hoist, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, a four-bar, joints, slewing, a load on its rope, a hoist, a body on springs, motion over a range, oil, solvers.
 
 pub mod arcs;
 pub mod closure;
@@ -6,10 +6,12 @@ mod dead_points;
 pub mod four_bar;
 pub mod hanging;
 pub mod hoist;
+pub mod hull;
 pub mod hydraulics;
 pub mod joint;
 pub mod motion;
 pub mod plane;
 pub mod smooth_curve;
 pub mod solver;
+pub mod springs;
 pub mod turntable;

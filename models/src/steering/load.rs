@@ -2,12 +2,13 @@
 
 use crate::component::sheet::{Section, Table};
 use crate::component::stages::results;
-use crate::kernel::calc::{Among, Calc};
+use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
 use crate::kernel::number::short;
 use crate::kernel::record::{Rec, record};
 use crate::kernel::symbol::Symbol;
-use crate::parts::plane::{self, Point};
+use crate::parts::plane::Point;
+use crate::parts::springs::{SpringNames, Springs};
 use crate::steering::cylinder::Pose;
 use crate::steering::machine::Machine;
 use crate::steering::refusal::Refusal;
@@ -94,57 +95,24 @@ pub fn travelling<C: Calc>(drag: &Drag<C>, pose: &Pose<C>) -> C {
     force(moment, pose.od).def(&s::F_GX)
 }
 
-/// All groups as equal springs under a rigid frame: how many, the mean of their axes (m), and the sums of the squares and
-/// products of their distances from it (m²).
-struct Springs<C> {
-    n: C,
-    mean: Point<C>,
-    xx: C,
-    xy: C,
-    yy: C,
-}
+/// What the groups' springs are called.
+static NAMES: SpringNames = SpringNames {
+    count: &s::N_G,
+    mean: [&s::X_S, &s::Y_S],
+    sums: [&s::S_XX, &s::S_YY, &s::S_XY],
+    eccentric: [&s::E_SX, &s::E_SY],
+    apart: [&s::D_SX, &s::D_SY],
+    tilt: None,
+};
 
-/// A sum over all groups, of what each adds to it.
-fn total<C: Calc>(each: impl Iterator<Item = C>) -> C {
-    let sums = each
-        .map(|one| (one, one))
-        .reduce(|(first, sum), (_, one)| (first, sum + one));
-    let (first, sum) = sums.expect("at least four groups");
-    sum.among(Among::Sum, first)
-}
-
-impl<C: Calc> Springs<C> {
-    fn new(groups: &[Point<C>]) -> Springs<C> {
-        let n = total(groups.iter().map(|_| C::constant(1.0))).def(&s::N_G);
-        let mean = Point::new(
-            (total(groups.iter().map(|p| p.x)) / n).def(&s::X_S),
-            (total(groups.iter().map(|p| p.y)) / n).def(&s::Y_S),
-        );
-        // In the book by their names.
-        let named = |d: Point<C>| Point::new(C::known(&s::D_SX, d.x.value()), C::known(&s::D_SY, d.y.value()));
-        let apart: Vec<Point<C>> = groups.iter().map(|p| named(p - mean)).collect();
-        Springs {
-            n,
-            mean,
-            xx: total(apart.iter().map(|d| d.x * d.x)).def(&s::S_XX),
-            xy: total(apart.iter().map(|d| d.x * d.y)).def(&s::S_XY),
-            yy: total(apart.iter().map(|d| d.y * d.y)).def(&s::S_YY),
-        }
-    }
-    /// Load of the group at `p` (m), in N, of a weight (N) at `centre` (m).
-    fn carry(&self, weight: C, centre: Point<C>, p: Point<C>) -> C {
-        let Springs { n, mean, xx, xy, yy } = *self;
-        let e = Point::new((centre.x - mean.x).def(&s::E_SX), (centre.y - mean.y).def(&s::E_SY));
-        let d = Point::new((p.x - mean.x).def(&s::D_SX), (p.y - mean.y).def(&s::D_SY));
-        let determinant = xx * yy - xy * xy;
-        let slope = Point::new((e.x * yy - e.y * xy) / determinant, (e.y * xx - e.x * xy) / determinant);
-        weight * (C::constant(1.0) / n + plane::dot(slope, d))
-    }
+/// All groups as equal springs under a rigid frame.
+fn on_springs<C: Calc>(groups: &[Point<C>]) -> Springs<C> {
+    Springs::new(groups.iter().copied(), &NAMES)
 }
 
 /// How the load of the most heavily loaded group follows from a weight (N) at `centre` (m), for the book.
 pub fn told(machine: &Machine<f64>, weight: f64, centre: Point<f64>) -> Section {
-    let springs = Springs::new(&machine.groups);
+    let springs = on_springs(&machine.groups);
     let loads = machine.groups.iter().map(|p| springs.carry(weight, centre, *p));
     let rows = (1..).zip(&machine.groups).zip(loads);
     let rows: Vec<Vec<f64>> = rows.map(|((i, p), load)| vec![f64::from(i), p.x, p.y, load]).collect();
@@ -152,7 +120,7 @@ pub fn told(machine: &Machine<f64>, weight: f64, centre: Point<f64>) -> Section 
     let at = |[x, y]: [&'static Symbol; 2], p: &Point<f64>| Point::new(Rec::given(x, p.x), Rec::given(y, p.y));
     let (trace, ()) = record(|| {
         let groups: Vec<Point<Rec>> = machine.groups.iter().map(|p| at([&s::X, &s::Y], p)).collect();
-        let (springs, centre) = (Springs::new(&groups), at([&s::X_G, &s::Y_G], &centre));
+        let (springs, centre) = (on_springs(&groups), at([&s::X_G, &s::Y_G], &centre));
         if let Some(i) = heaviest {
             let _ = springs.carry(Rec::given(&s::W, weight), centre, groups[i]).def(&s::G);
         }
@@ -171,9 +139,8 @@ pub fn told(machine: &Machine<f64>, weight: f64, centre: Point<f64>) -> Section 
 /// Load of each group, in N, for a weight (N) whose centre of gravity is at
 /// `centre` (m), on a rigid frame over equal springs.
 pub fn share(machine: &Machine<f64>, weight: f64, centre: Point<f64>, loads: &mut [f64]) -> Result<(), Refusal> {
-    let springs = Springs::new(&machine.groups);
-    let Springs { mean, xx, xy, yy, .. } = springs;
-    if xx * yy - xy * xy <= 1e-12 * (xx + yy) * (xx + yy) {
+    let springs = on_springs(&machine.groups);
+    if springs.are_in_line() {
         return Err(Refusal::new(
             "groups",
             "all groups stand on one line: their loads do not follow from the centre of gravity",
@@ -190,8 +157,8 @@ pub fn share(machine: &Machine<f64>, weight: f64, centre: Point<f64>, loads: &mu
                     "the centre of gravity ({}, {}) m lies too far out: bring it nearer to ({}, {}) m",
                     short(centre.x),
                     short(centre.y),
-                    short(mean.x),
-                    short(mean.y)
+                    short(springs.mean.x),
+                    short(springs.mean.y)
                 ),
             ));
         }

@@ -4,6 +4,7 @@
 mod balance;
 mod blocks;
 mod cases;
+mod charts;
 mod motion;
 mod notation;
 mod steps;
@@ -27,6 +28,7 @@ use serde::Serialize;
 use crate::book::balance::Balance;
 use crate::book::blocks::{Figure, Range, Summary};
 use crate::book::cases::Cases;
+use crate::book::charts::Chart;
 use crate::book::motion::Motion;
 use crate::book::notation::{Entry, Notation};
 use crate::book::steps::{Position, Section};
@@ -130,6 +132,7 @@ struct Book<'a> {
     sizing: Vec<Section>,
     range: Range,
     curves: Vec<Figure>,
+    charts: Vec<Chart>,
     balance: Option<Balance>,
     cases: Option<Cases>,
     motion: Option<Motion>,
@@ -161,6 +164,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "sensitivity" => !sheet.sensitivity.results.is_empty(),
         "views" => !sheet.views.is_empty(),
         "sizing" => !sheet.sizing.is_empty(),
+        "charts" => !sheet.charts.is_empty(),
         "forces" => !sheet.forces.is_empty(),
         "remarks" => !sheet.remarks.is_empty() || scene.book.text.iter().any(|(place, _)| *place == "remarks"),
         "identities" => !sheet.identities.is_empty(),
@@ -267,6 +271,7 @@ impl<'a> Book<'a> {
             sizing,
             range: blocks::range(numbers, &sheet.range, full),
             curves: sheet.curves.iter().map(figure).collect(),
+            charts: sheet.charts.iter().map(|chart| Chart::new(numbers, chart)).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(numbers, b)),
             cases,
             motion,

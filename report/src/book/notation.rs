@@ -70,7 +70,9 @@ impl Notation {
             criteria.chain(b.range.columns.iter().copied())
         });
         let tables = sheet.views.iter().flat_map(|view| &view.table.columns);
-        let tables = tables.chain(&sheet.range.columns).copied();
+        let charts = sheet.charts.iter().filter(|_| chapters.contains(&"charts"));
+        let charted = charts.flat_map(|chart| chart.points.columns[..2].iter().chain([&chart.shown]));
+        let tables = tables.chain(&sheet.range.columns).chain(charted).copied();
         let drawn = sheet.changes.iter().filter_map(|changes| changes.drawn.as_ref());
         let changing = drawn.flat_map(|(_, curves)| curves);
         let curves = sheet.curves.iter().chain(changing).flat_map(|curve| [curve.x, curve.y]);

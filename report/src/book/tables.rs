@@ -50,6 +50,8 @@ struct Input {
     note: Option<String>,
     line: Option<usize>,
     usual: bool,
+    /// Whether no source at hand confirms what is usual.
+    unconfirmed: bool,
 }
 
 /// A value of the scene, as it is written there.
@@ -114,7 +116,7 @@ pub(super) struct Sensitivity {
 
 #[derive(Serialize)]
 struct Change {
-    symbol: &'static str,
+    symbol: String,
     /// A small change of the quantity, in its unit.
     step: String,
     /// For each result its change with that step, and with one percent.
@@ -211,10 +213,11 @@ fn uses(sheet: &Sheet, inputs: &[sheet::Input], named: &[&Symbol]) -> Vec<Use> {
 
 /// As it is printed, with the number of the one among several.
 fn shown(input: &sheet::Input) -> String {
-    match input.number {
-        Some(number) => input.symbol.numbered(number),
-        None => input.symbol.print.to_owned(),
-    }
+    one_of(input.symbol, input.number)
+}
+
+fn one_of(symbol: &Symbol, number: Option<u16>) -> String {
+    number.map_or_else(|| symbol.print.to_owned(), |number| symbol.numbered(number))
 }
 
 fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> Input {
@@ -235,6 +238,7 @@ fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> In
             None => numbers.given(input.symbol, input.value),
         },
         usual: input.usual,
+        unconfirmed: input.symbol.unconfirmed,
         line: given.map(|given| given.line),
         note: given.and_then(|given| Some(given.source.as_ref()?.of(numbers.language.code).to_owned())),
     }
@@ -256,12 +260,14 @@ pub(super) fn written(origins: &Origins) -> Vec<Written<'_>> {
 }
 
 /// A small change of a quantity: how many of which unit.
-fn step(symbol: &Symbol) -> (f64, &'static Unit) {
+fn step(symbol: &'static Symbol) -> (f64, &'static Unit) {
     match symbol.unit {
         unit if unit == &unit::M => (1.0, &unit::MM),
         unit if unit == &unit::N_M => (1.0, &unit::KN_M),
         unit if unit == &unit::RAD => (0.1, &unit::DEG),
-        _ => (1.0, &unit::KN),
+        unit if unit == &unit::N => (1.0, &unit::KN),
+        _ if symbol.display == &unit::ONE => (0.01, &unit::ONE),
+        _ => (1.0, symbol.display),
     }
 }
 
@@ -279,7 +285,7 @@ pub(super) fn sensitivity(numbers: &Numbers, table: &sheet::Sensitivity) -> Sens
         let text = |change: Option<Number>| change.map_or("–".to_owned(), |change| numbers.language.text(&change));
         let cell = |&i: &usize| [shown(i, row.by[i] * count * unit.factor), by_percent(i, row)].map(text);
         Change {
-            symbol: row.symbol.print,
+            symbol: one_of(row.symbol, row.number),
             step: measured(numbers.language, count, unit),
             cells: columns.iter().map(cell).collect(),
         }
@@ -290,7 +296,7 @@ pub(super) fn sensitivity(numbers: &Numbers, table: &sheet::Sensitivity) -> Sens
         let bars = table
             .rows
             .iter()
-            .map(|row| (row.symbol.print, row.by[i] * row.value / value));
+            .map(|row| (one_of(row.symbol, row.number), row.by[i] * row.value / value));
         let picture = plot::bars(numbers.language, bars.collect())?;
         Some(Chart {
             quantity: symbol.into(),

@@ -20,6 +20,9 @@ pub struct Check {
     /// Print the results as CSV, in the units of the trade
     #[arg(long)]
     csv: bool,
+    /// Print the load chart of the scene as CSV, a line for each cell
+    #[arg(long, conflicts_with_all = ["json", "csv"])]
+    chart: bool,
 }
 
 impl Check {
@@ -31,6 +34,13 @@ impl Check {
             say(Answer::of(&results).json())?;
         } else if self.csv {
             say(results.csv().trim_end())?;
+        } else if self.chart {
+            let charts = results.charts();
+            if charts.is_empty() {
+                let what = "the scene has no load chart: add [supports.chart]";
+                return Err(Failure::Scene(format!("error: {what}")));
+            }
+            charts.iter().try_for_each(|chart| say(chart.trim_end()))?;
         } else {
             say(results.table())?;
             let (name, level) = (scene.name(), scene.level());

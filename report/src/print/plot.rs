@@ -379,7 +379,7 @@ const BAR: f64 = 4.6;
 /// A ranking of quantities by the size of their effect: bars from the longest,
 /// dark where the effect is positive, light where it is negative. None where nothing has one.
 #[must_use]
-pub fn bars(language: &Language, mut effects: Vec<(&str, f64)>) -> Option<Picture> {
+pub fn bars(language: &Language, mut effects: Vec<(String, f64)>) -> Option<Picture> {
     effects.retain(|(_, effect)| effect.is_finite() && effect.abs() > 5e-8);
     effects.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
     effects.truncate(BARS);
@@ -392,7 +392,7 @@ pub fn bars(language: &Language, mut effects: Vec<(&str, f64)>) -> Option<Pictur
         let end = LEFT + room * effect.abs() / longest;
         let style = if *effect > 0.0 { "more" } else { "less" };
         picture.shape(style, &[[LEFT, top], [end, top], [end, bottom], [LEFT, bottom]], true);
-        picture.text([LEFT - 1.5, middle - 0.6], "right", *name);
+        picture.text([LEFT - 1.5, middle - 0.6], "right", name.clone());
         picture.text([end + 1.5, middle - 0.6], "left", language.math(&change(*effect)));
     }
     picture.line("thin", &[[LEFT, 0.0], [LEFT, picture.height]]);

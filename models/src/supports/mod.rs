@@ -1,0 +1,3 @@
+//! What a crane stands on.
+
+pub mod mobile;
