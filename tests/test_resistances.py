@@ -3,10 +3,15 @@
 
 import csv
 import io
+import json
+from functools import cached_property
+from math import pi, radians, sqrt
 
+import numpy as np
 import pytest
 
 from conftest import ROOT, lemnis
+from oracles import luffing_resistances as oracle
 
 with open(ROOT / "tests/oracles/luffing_resistances.csv", encoding="utf-8") as file:
     ORACLE = list(csv.DictReader(file))
@@ -59,3 +64,150 @@ def test_every_moment_of_every_case_is_that_of_the_oracle(scene, crane):
         for name in MOMENTS:
             assert abs(at[f"M_r_{name}[{case}]"] - expected[name]) <= 1e-12 * size, (name, row)
         assert abs(at[f"F_r[{case}]"] - expected["force"]) <= 1e-12 * abs(expected["force"]), row
+
+
+# Of the ready scenes: P_N, n_N in 1/s, k_a, J_M, l_M, eta_M; each brake's delay and torque; safety in each case.
+MOTORS = {
+    "portal_004_drive": (oracle.DoubleLink(), (7500, 970 / 60, 1.7, 0.7, 0.0031, 0.85), [(0.2, 50), (1.2, 60)]),
+    "rope_luffing_drive": (oracle.RopeBoom(), (11000, 970 / 60, 1.7, 1.0, 0.0031, 0.85), [(0.3, 200)]),
+}
+SAFETY = {"I": 1.25, "II": 1.25, "III": 1.15}
+
+
+class Place:
+    """What the oracle knows of a case at an angle: the travel of the drive and of the head for one radian, the bodies'
+    inertia, and moments: all that holds, inertia, friction."""
+
+    def __init__(self, crane, case, phi):
+        power, _, stroke = oracle.resistances(crane, case, oracle.mpf(phi))
+        self.at, self.stroke = (crane, case, oracle.mpf(phi)), float(stroke)
+        self.slowing, self.friction = float(power[5]), float(power[7])
+        self.holds = float(sum(power)) - self.slowing - self.friction
+
+    @cached_property
+    def inertia(self):
+        """By which the moment of inertia falls for each unit of the luffing angle's acceleration."""
+        crane, case, phi = self.at
+        more = oracle.resistances(crane, (*case[:6], str(oracle.mpf(case[6]) + 1)), phi)[0]
+        return (self.slowing - float(more[5])) * self.stroke
+
+    @cached_property
+    def head(self):
+        crane, _, phi = self.at
+        return float(oracle.first(lambda x: oracle.re(crane.hangs(x)[0]), phi))
+
+
+def through(force, speed, eta):
+    """A force of the drive as the motor feels it."""
+    return force / eta if force * speed > 0 else force * eta if force * speed < 0 else force
+
+
+def both_ways(place, v, eta):
+    """Power of the motor on the way there and on the way back, where friction alone is the other way round."""
+    forces = [-(place.holds + place.slowing + sign * place.friction) / place.stroke for sign in (1, -1)]
+    return [through(force, way, eta) * way for force, way in zip(forces, (v, -v))]
+
+
+def stopped(brakes, inertia, speed, against):
+    """Time, angle and last deceleration: where the integral of the torques has used up the momentum."""
+    acts = lambda t: against + sum(torque for delay, torque in brakes if t >= delay)
+    ends = [0.0, *(delay for delay, _ in brakes), 1e3]
+    momentum, angle = inertia * speed, 0.0
+    for start, end in zip(ends, ends[1:]):
+        torque = acts(start)
+        if torque * (end - start) >= momentum:
+            rest = momentum / torque
+            return start + rest, angle + momentum / inertia * rest / 2, torque / inertia
+        angle += (momentum - torque * (end - start) / 2) / inertia * (end - start)
+        momentum -= torque * (end - start)
+    raise AssertionError("does not stop")
+
+
+@pytest.mark.parametrize("scene", MOTORS)
+def test_motor_and_brakes_are_those_of_the_oracle(scene):
+    crane, (p_n, n_n, k_a, j_m, l_m, eta), brakes = MOTORS[scene]
+    found = table(scene)
+    arm = l_m / (2 * pi)
+    for degrees in [float(x) for x in crane.turned[::6]]:
+        at = found[degrees]
+        for number, (name, case) in enumerate(oracle.CASES.items(), 1):
+            place, v = Place(crane, case, radians(degrees)), float(case[5])
+            got = lambda id: at[f"{id}[{number}]"]
+            force = -(place.holds + place.slowing + place.friction) / place.stroke
+            expected = {"T_M": through(force, v, eta) * arm}
+            hold = -place.holds / place.stroke * arm
+            expected |= {"T_H": hold, "T_K": SAFETY[name] * abs(hold) * eta}
+            if v:
+                there, back = both_ways(place, v, eta)
+                steady = through(-(place.holds + place.friction) / place.stroke, v, eta) * arm * (1 if v > 0 else -1)
+                reduced, speed = place.inertia * (arm / place.stroke) ** 2, abs(v) / arm
+                start = (j_m + reduced / eta) * speed / (k_a * p_n / (2 * pi * n_n) - steady)
+                time, angle, slows = stopped(brakes, j_m + reduced * eta, speed, steady)
+                head = abs(place.head / place.stroke)
+                expected |= {"P_M": there / 1e3, "P_c": sqrt((there**2 + back**2) / 2) / 1e3, "T_0": steady,
+                             "t_start": start, "a_start": head * abs(v) / start, "t_stop": time,
+                             "s_stop": angle * arm * 1e3, "a_stop": head * arm * slows}
+            for id, value in expected.items():
+                # Balanced moments are small differences of great ones.
+                assert abs(got(id) - value) <= 1e-9 * max(abs(value), 1.0), (degrees, name, id, got(id), value)
+
+
+@pytest.mark.parametrize("scene", MOTORS)
+def test_heating_is_the_root_mean_square_in_time_of_the_way_there_and_back(scene):
+    crane, (*_, eta), _ = MOTORS[scene]
+    case = oracle.CASES["I"]
+    v = float(case[5])
+    summary = json.loads(lemnis("check", ROOT / f"models/scenes/{scene}.toml", "--json"))["summary"]
+    nodes, weights = np.polynomial.legendre.leggauss(7)
+    ends = [radians(x) for x in ((44, 82) if crane.name.startswith("portal") else (25, 78))]
+    # The power has a kink where its sign changes: each piece between kinks has a rule of its own.
+    grid = np.linspace(*ends, 40)
+    signs = [[p > 0 for p in both_ways(Place(crane, case, phi), v, 1.0)] for phi in grid]
+    kinks = set()
+    for way in (0, 1):
+        for a, b, one, other in zip(grid, grid[1:], signs, signs[1:]):
+            if one[way] != other[way]:
+                for _ in range(22):
+                    middle = (a + b) / 2
+                    if (both_ways(Place(crane, case, middle), v, 1.0)[way] > 0) == one[way]:
+                        a = middle
+                    else:
+                        b = middle
+                kinks.add(a)
+    places = [ends[0], *sorted(kinks), ends[1]]
+    work = time = 0.0
+    for a, b in zip(places, places[1:]):
+        for x, w in zip(nodes, weights):
+            place = Place(crane, case, (a + b) / 2 + (b - a) / 2 * x)
+            slowness = abs(place.stroke / v) * w * (b - a) / 2
+            time += slowness
+            work += slowness * sum(p**2 for p in both_ways(place, v, eta)) / 2
+    assert summary["t_luff"]["value"] == pytest.approx(time, rel=1e-9)
+    assert summary["P_rms"]["value"] == pytest.approx(sqrt(work / time), rel=1e-6)
+
+
+def test_a_stop_in_closed_form_is_near_that_of_the_moving_mechanism():
+    """With moments and inertia as they change on the way: the mechanism's own equation, stepped in small steps."""
+    scene, case = "portal_004_drive", oracle.CASES["II"]
+    crane, (_, _, _, j_m, l_m, eta), brakes = MOTORS[scene]
+    arm, v, degrees = l_m / (2 * pi), float(case[5]), 62.0
+    at, start = table(scene)[degrees], Place(crane, (*case[:6], "0"), radians(degrees))
+
+    def slowing(drive, place, t, speed):
+        """Of the shaft, whose drive has gone that far."""
+        steady = through(-(place.holds + place.friction) / place.stroke, v, eta) * arm
+        torque = steady + sum(torque for delay, torque in brakes if t >= delay)
+        return torque / (j_m + place.inertia * (arm / place.stroke) ** 2 * eta)
+
+    # The mechanism hardly turns in a stop: its moments are taken at three places and between them by a parabola.
+    far = [0.0, 0.02, 0.04]
+    places = [Place(crane, (*case[:6], "0"), radians(degrees) + x / start.stroke) for x in far]
+    drive, t, speed, step = 0.0, 0.0, abs(v) / arm, 1e-4
+    while speed > 0:
+        between = Place.__new__(Place)
+        for name in ("holds", "friction", "stroke", "inertia"):
+            setattr(between, name, float(np.polyval(np.polyfit(far, [getattr(p, name) for p in places], 2), drive)))
+        speed -= step * slowing(drive, between, t, speed)
+        drive, t = drive + step * speed * arm, t + step
+    assert at["t_stop[2]"] == pytest.approx(t, rel=0.02)
+    assert at["s_stop[2]"] == pytest.approx(drive * 1e3, rel=0.02)

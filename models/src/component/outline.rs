@@ -128,7 +128,7 @@ impl Greatest {
 }
 
 /// What is asked of a result of the range.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Limit {
     /// Id of the sentence that says what is checked.
     pub id: &'static str,
@@ -173,6 +173,11 @@ impl Limit {
     #[must_use]
     pub const fn beyond(id: &'static str, symbol: &'static Symbol) -> Limit {
         Limit::new(id, symbol, false, Bound::End)
+    }
+
+    #[must_use]
+    pub const fn within(id: &'static str, symbol: &'static Symbol, most: f64) -> Limit {
+        Limit::new(id, symbol, true, Bound::Fixed(most))
     }
 
     #[must_use]

@@ -80,7 +80,10 @@ impl Sheet {
     pub fn sections(&self) -> impl Iterator<Item = &Section> {
         let positions = self.positions.iter().flat_map(|position| &position.sections);
         let motion = self.motion.iter().flat_map(|motion| &motion.sections);
-        let cases = self.cases.iter().flat_map(|cases| &cases.sections);
+        let cases = self
+            .cases
+            .iter()
+            .flat_map(|cases| cases.worked.iter().flat_map(|one| &one.sections));
         let own = self.constants.iter().chain(&self.sizing);
         own.chain(positions).chain(motion).chain(cases)
     }
@@ -210,16 +213,24 @@ pub struct CasesSheet {
     pub given: Table,
     /// What a standard gives and no text confirms: symbol, number of the case from 1, value, standard.
     pub unconfirmed: Vec<(&'static Symbol, Option<u16>, f64, &'static str)>,
-    /// In which case, from 0, and where most is asked: there the formulas are worked out.
-    pub governing: (usize, &'static Symbol, f64),
+    /// The formulas, each where most is asked.
+    pub worked: Vec<WorkedCase>,
+    /// Greatest by amount of each result, with its place: of one that is the same in all cases once.
+    pub greatest: Vec<Vec<Summary>>,
+    /// Over the working range, for each case: id of the caption, number of the case from 0, and the results.
+    pub ranges: Vec<(&'static str, usize, Table)>,
+    pub curves: Vec<Curve>,
+}
+
+/// Formulas of the case, from 0, and at the place of the coordinate where most is asked.
+pub struct WorkedCase {
+    pub id: &'static str,
+    pub case: usize,
+    pub coordinate: &'static Symbol,
+    pub at: f64,
     pub sections: Vec<Section>,
     /// What sums of the formulas are made of there: id of the title, names of the rows, and the terms.
     pub terms: Vec<(&'static str, Vec<&'static str>, Table)>,
-    /// Greatest by amount of each result, with its place: of one that is the same in all cases once.
-    pub greatest: Vec<Vec<Summary>>,
-    /// Over the working range, for each case.
-    pub ranges: Vec<Table>,
-    pub curves: Vec<Curve>,
 }
 
 /// A row of a published table, in the publication's own units.

@@ -3,6 +3,9 @@
 //! Where it occurs is found with dual numbers by the coordinate. Its derivative by anything else is taken there: at an
 //! extreme inside the range the place's own change has no effect, and an end of the range stays.
 
+use std::num::NonZeroUsize;
+
+use gauss_quad::GaussLegendre;
 use num_dual::Dual64;
 
 use crate::component::extreme::greatest;
@@ -43,7 +46,7 @@ impl Spread {
         };
         let of = slot(whole.of)?;
         let per = match whole.how {
-            How::Ratio(per) => Some(slot(per)?),
+            How::Ratio(per) | How::Mean(per) | How::RootMean(per) => Some(slot(per)?),
             _ => None,
         };
         let with = match whole.how {
@@ -111,6 +114,7 @@ impl Spread {
                         extreme(per, -1.0)?,
                     ];
                 }
+                How::Integral | How::Mean(_) | How::RootMean(_) => at[..2].copy_from_slice(&[motion.from, motion.to]),
                 How::Vanishes(_) => at[..2].copy_from_slice(&vanishes(motion.from, |at| row(&self.of, at))),
             }
             Some(())
@@ -146,6 +150,16 @@ impl Spread {
             Ok(match (self.how, &self.per) {
                 (How::Swing, _) => row(&self.of, a)? - row(&self.of, b)?,
                 (How::Ratio(_), Some(per)) => (row(&self.of, a)? - row(&self.of, b)?) / (row(per, c)? - row(per, d)?),
+                (How::Integral, _) => integral([a, b], |at| row(&self.of, at))?,
+                (How::Mean(_), Some(per)) => {
+                    let all = integral([a, b], |at| row(per, at))?;
+                    integral([a, b], |at| Ok(row(&self.of, at)? * row(per, at)?))? / all
+                }
+                (How::RootMean(_), Some(per)) => {
+                    let all = integral([a, b], |at| row(per, at))?;
+                    let square = integral([a, b], |at| Ok(row(&self.of, at)?.square() * row(per, at)?))?;
+                    (square / all).sqrt()
+                }
                 // A step of Newton's method carries the derivatives.
                 (How::Vanishes(_), _) if a.is_finite() => C::constant(a) - row(&self.of, a)? / C::constant(b),
                 (How::Vanishes(_), _) => C::constant(a),
@@ -158,6 +172,22 @@ impl Spread {
         }
         found
     }
+}
+
+/// Of `f` between two places, by Gauss's rule in pieces.
+fn integral<C: Calc>([from, to]: [f64; 2], mut f: impl FnMut(f64) -> Found<C>) -> Found<C> {
+    const POINTS: NonZeroUsize = NonZeroUsize::new(8).expect("not zero");
+    const PIECES: u32 = 24;
+    let rule = GaussLegendre::new(POINTS);
+    let half = 0.5 * (to - from) / f64::from(PIECES);
+    let mut sum = C::constant(0.0);
+    for piece in 0..PIECES {
+        let middle = from + half * f64::from(2 * piece + 1);
+        for (node, weight) in rule.iter() {
+            sum += f(middle + half * node)? * C::constant(weight * half);
+        }
+    }
+    Ok(sum)
 }
 
 /// Where `f` falls to zero in half a turn from `from` on, and its slope there; the start itself, which no derivative

@@ -332,6 +332,7 @@ pub fn worked<T: Described>(model: &Standing, id: &'static str, at: f64, of: Opt
 pub fn explained<T: Described>(
     model: &Standing,
     at: (f64, Option<usize>),
+    before: &[SectionOutline],
     sections: &[SectionOutline],
 ) -> Vec<Section> {
     let Outline {
@@ -339,7 +340,7 @@ pub fn explained<T: Described>(
         sections: own,
         ..
     } = T::OUTLINE;
-    run::<T>(model, at, &[*constants, *own].concat(), sections)
+    run::<T>(model, at, &[*constants, *own, before].concat(), sections)
 }
 
 /// Positions at which the formulas are worked out, with their names: what the scene asks for, otherwise the worst.

@@ -3,7 +3,7 @@
 use crate::kernel::symbol::Symbol;
 
 /// A result of the range.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Whole {
     pub symbol: &'static Symbol,
     pub of: &'static Symbol,
@@ -18,6 +18,11 @@ pub enum How {
     Swing,
     /// That over the swing of another one.
     Ratio(&'static Symbol),
+    /// Integral over the coordinate.
+    Integral,
+    /// Mean and root of the mean square, each place of the coordinate having the weight of another result there.
+    Mean(&'static Symbol),
+    RootMean(&'static Symbol),
     /// The coordinate where it falls to zero, as that grows from the start of the range through half a turn, or as far as
     /// the result exists; infinite where it does not. With another source at a value, if one is given.
     Vanishes(Option<(&'static Symbol, f64)>),

@@ -15,14 +15,10 @@ pub(super) struct Cases {
     /// A row for each quantity, a cell for each case.
     given: Vec<Row>,
     unconfirmed: Vec<Coefficient>,
-    /// Name of the case in which most is asked, and where that is.
-    governing: String,
-    at: String,
-    sections: Vec<Section>,
-    terms: Vec<Terms>,
+    worked: Vec<Worked>,
     /// A row for each result, a cell for each case; one for all where it is the same in all.
     greatest: Vec<Extremes>,
-    ranges: Vec<Range>,
+    ranges: Vec<OfCase>,
     curves: Vec<Figure>,
 }
 
@@ -57,22 +53,51 @@ struct Terms {
     table: Table,
 }
 
+/// Formulas where most is asked: name of the case, and the place.
+#[derive(Serialize)]
+struct Worked {
+    id: &'static str,
+    case: String,
+    at: String,
+    sections: Vec<Section>,
+    terms: Vec<Terms>,
+}
+
+#[derive(Serialize)]
+struct OfCase {
+    id: &'static str,
+    case: String,
+    range: Range,
+}
+
 impl Cases {
     pub(super) fn of(numbers: &Numbers, sheet: &Sheet, full: bool, notation: &mut Notation) -> Option<Cases> {
         let cases = sheet.cases.as_ref()?;
-        let sections = sections(numbers, &cases.sections, None, &sheet.requirements, notation);
+        let name = |case: usize| cases.names[case].of(numbers.language.code).to_owned();
+        let mut told = |worked: &sheet::WorkedCase| Worked {
+            id: worked.id,
+            case: name(worked.case),
+            at: numbers.named(worked.coordinate, worked.at),
+            sections: sections(numbers, &worked.sections, None, &sheet.requirements, notation),
+            terms: (worked.terms.iter())
+                .map(|(id, names, terms)| Terms {
+                    id,
+                    names: names.clone(),
+                    table: table(numbers, terms),
+                })
+                .collect(),
+        };
+        // Formulas first: what they find is explained there.
+        let worked: Vec<Worked> = cases.worked.iter().map(&mut told).collect();
         let drawn = cases.curves.iter().flat_map(|curve| [curve.x, curve.y]);
-        let terms = cases
-            .terms
-            .iter()
-            .flat_map(|(_, _, table)| table.columns.iter().copied());
+        let terms = cases.worked.iter().flat_map(|worked| &worked.terms);
+        let terms = terms.flat_map(|(_, _, table)| table.columns.iter().copied());
         let given = cases.given.columns.iter().copied();
         let greatest = cases.greatest.iter().filter_map(|row| Some(row.first()?.symbol));
         let coefficients = cases.unconfirmed.iter().map(|(symbol, ..)| *symbol);
         for symbol in drawn.chain(terms).chain(given).chain(greatest).chain(coefficients) {
             notation.meet(symbol);
         }
-        let name = |case: usize| cases.names[case].of(numbers.language.code).to_owned();
         let row = |(i, symbol): (usize, &&'static Symbol)| Row {
             quantity: (*symbol).into(),
             values: cases
@@ -89,7 +114,6 @@ impl Cases {
                 .map(|(symbol, at)| numbers.result(symbol, at));
             (numbers.result(found.symbol, found.value), place)
         };
-        let (case, coordinate, at) = cases.governing;
         Some(Cases {
             names: (0..cases.names.len()).map(name).collect(),
             given: cases.given.columns.iter().enumerate().map(row).collect(),
@@ -101,16 +125,7 @@ impl Cases {
                     standard,
                 })
                 .collect(),
-            governing: name(case),
-            at: numbers.named(coordinate, at),
-            sections,
-            terms: (cases.terms.iter())
-                .map(|(id, names, terms)| Terms {
-                    id,
-                    names: names.clone(),
-                    table: table(numbers, terms),
-                })
-                .collect(),
+            worked,
             greatest: (cases.greatest.iter())
                 .filter_map(|row| {
                     Some(Extremes {
@@ -119,7 +134,13 @@ impl Cases {
                     })
                 })
                 .collect(),
-            ranges: cases.ranges.iter().map(|one| range(numbers, one, full)).collect(),
+            ranges: (cases.ranges.iter())
+                .map(|(id, case, table)| OfCase {
+                    id,
+                    case: name(*case),
+                    range: range(numbers, table, full),
+                })
+                .collect(),
             curves: cases.curves.iter().map(|curve| Figure::new(numbers, curve)).collect(),
         })
     }

@@ -123,7 +123,7 @@ fn sections<'a>(sheet: &'a Sheet, chapters: &[&str]) -> impl Iterator<Item = &'a
     constants
         .chain(sheet.sizing.iter().filter(move |_| sizing))
         .chain(positions.flat_map(|position| &position.sections))
-        .chain(cases.flat_map(|cases| &cases.sections))
+        .chain(cases.flat_map(|cases| cases.worked.iter().flat_map(|worked| &worked.sections)))
         .chain(motion.flat_map(|motion| &motion.sections))
 }
 

@@ -6,14 +6,14 @@ use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapter
 use crate::drive::outline as o;
 use crate::drive::symbols as d;
 use crate::luffing::curved_trunk::symbols as s;
-use crate::luffing::resistances::outline::{EXTREMES, USES};
+use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 
 /// What given quantities of its own are for that no formula has.
 const OWN_USES: [Purpose; 2] = [("tail_points", &[&s::X_T, &s::Y_T]), ("annulus", &[&d::D_R])];
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", limits),
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brakes "cases.brake", limits),
     constants: &[
         ("trunk_tail", &[Stage("tail")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -63,7 +63,7 @@ pub const OUTLINE: Outline = Outline {
         ("trunk_wrap", None, &s::W),
         ("trunk_tie", None, &s::N_T),
     ],
-    extremes: &joined::<_, 15, 10, 25>(
+    extremes: &joined::<_, 15, 20, 35>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -83,7 +83,10 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &[&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
+    summary: &joined::<_, 5, 4, 9>(
+        [&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
+        SUMMARY,
+    ),
     sensitivity: &[
         &s::EPSILON_Y,
         &s::R_MAX,
@@ -93,21 +96,24 @@ pub const OUTLINE: Outline = Outline {
         &s::N_T_MAX,
         &b::DM_MAX,
     ],
-    limits: &[
-        Limit::at_most("level_error", &s::EPSILON_Y),
-        Limit::at_least("trunk_transmission", &s::MU_MIN),
-        Limit::at_least("trunk_wrap", &s::W_MIN),
-        Limit::at_most("trunk_drive", &s::M_D_MAX),
-        Limit::at_most("trunk_tie", &s::N_T_MAX),
-        Limit::not_negative("trunk_slack", &s::N_T_MIN),
-        Limit::at_most("trunk_pressure", &s::P_T_MAX),
-        o::LOCKS,
-        o::TORQUE_OUT,
-        o::TORQUE_IN,
-        Limit::at_most("balance_residual", &b::DM_MAX),
-        Limit::at_least("balance_transmission", &b::GAMMA_MIN),
-        Limit::at_most("balance_rod", &b::N_MAX),
-    ],
+    limits: &joined::<_, 13, 6, 19>(
+        [
+            Limit::at_most("level_error", &s::EPSILON_Y),
+            Limit::at_least("trunk_transmission", &s::MU_MIN),
+            Limit::at_least("trunk_wrap", &s::W_MIN),
+            Limit::at_most("trunk_drive", &s::M_D_MAX),
+            Limit::at_most("trunk_tie", &s::N_T_MAX),
+            Limit::not_negative("trunk_slack", &s::N_T_MIN),
+            Limit::at_most("trunk_pressure", &s::P_T_MAX),
+            o::LOCKS,
+            o::TORQUE_OUT,
+            o::TORQUE_IN,
+            Limit::at_most("balance_residual", &b::DM_MAX),
+            Limit::at_least("balance_transmission", &b::GAMMA_MIN),
+            Limit::at_most("balance_rod", &b::N_MAX),
+        ],
+        LIMITS,
+    ),
     uses: &joined::<Purpose, 2, 2, 4>(OWN_USES, USES),
     forces: &[
         &s::N_T,

@@ -96,7 +96,7 @@ const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_T [or_mass], R_T >= 0, CHI_T [usually(0.0)]
 };
 
-const LIMITS: &[Key] = &Limit::keys::<13>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<16>(OUTLINE.limits);
 
 /// A boom with a curved trunk as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -150,6 +150,9 @@ impl Described for CurvedTrunk {
             bodies: cases.bodies.clone(),
             rubbing: cases.pins.clone(),
             air: cases.air,
+            driver: cases.motor,
+            brakes: cases.brakes.clone(),
+            holds: cases.holds.clone(),
             chosen: cases.choice.clone(),
             choice: TrunkChoice {
                 range,

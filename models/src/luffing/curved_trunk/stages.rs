@@ -4,6 +4,7 @@ use crate::balance::analysis::Analysis;
 use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
+use crate::component::outline::joined;
 use crate::component::part::{Component, Port, ports};
 use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, stages};
@@ -26,10 +27,13 @@ use crate::luffing::curved_trunk::resisting::{self, TrunkPlaces};
 use crate::luffing::curved_trunk::statics::{TrunkLoad, TrunkWeight, TrunkWeights};
 use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice, TrunkTail};
 use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
+use crate::luffing::resistances::brakes::{Holding, Stopped};
 use crate::luffing::resistances::friction::{Pins, Rubbed};
-use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
+use crate::luffing::resistances::given::{Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice};
 use crate::luffing::resistances::loads::Loads;
 use crate::luffing::resistances::moments::Resisted;
+use crate::luffing::resistances::motor::{Heating, Motored};
+use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::placed::{MovedBars, Weighty};
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
@@ -63,6 +67,9 @@ stages! {
         Parameter bodies: Vec<CaseBody<C>>,
         Parameter rubbing: Vec<CasePin<C>>,
         Parameter air: Option<One<C>>,
+        Parameter driver: Option<CaseMotor<C>>,
+        Parameter brakes: Vec<CaseBrake<C>>,
+        Parameter holds: Vec<CaseHold<C>>,
         Fixed chosen: Option<CasesChoice>,
         Fixed choice: TrunkChoice,
     } find {
@@ -103,19 +110,28 @@ stages! {
         pinned[each cases]: Vec<Pins<C>> = resisting::pins(position, drive, residual[?], moved, loads[each], resisted[each]) => _;
         rubbed[each cases]: Vec<Rubbed<C>> = Rubbed::new(resisted[each], pinned[each], rubbing, chosen[!]);
         force[each cases]: Vec<C> = resisting::force(drive, rubbed[each]) => F_R;
+        motored[each cases]: Vec<Motored<C>> = Motored::new(
+            driver[!], sums, cases[each], resisted[each], rubbed[each], force[each]
+        );
+        heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
+        holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brakes, sums, holds[each], resisted[each]);
+        stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brakes, sums, cases[each], motored[each]);
     }
 }
 
 resists!(CurvedTrunkBoom with resisting::PARTS);
 
 impl Component for CurvedTrunkBoom {
-    const WHOLE: &'static [Whole] = &[
-        Whole::new(&s::R_MAX, How::Greatest, &s::R),
-        Whole::new(&s::R_MIN, How::Least, &s::R),
-        Whole::new(&s::DELTA_Y, How::Swing, &s::A_Y),
-        Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::A_Y),
-        Whole::new(&s::MU_MIN, How::Least, &s::MU),
-    ];
+    const WHOLE: &'static [Whole] = &joined::<_, 5, 4, 9>(
+        [
+            Whole::new(&s::R_MAX, How::Greatest, &s::R),
+            Whole::new(&s::R_MIN, How::Least, &s::R),
+            Whole::new(&s::DELTA_Y, How::Swing, &s::A_Y),
+            Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::A_Y),
+            Whole::new(&s::MU_MIN, How::Least, &s::MU),
+        ],
+        WHOLE,
+    );
 
     const PORTS: &'static [Port] = ports! { s:
         head "Head A of the trunk, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;

@@ -8,7 +8,7 @@ use crate::drive::symbols as d;
 use crate::kernel::symbol::listed;
 use crate::luffing::double_link::moving::symbols as m;
 use crate::luffing::double_link::symbols as s;
-use crate::luffing::resistances::outline::{EXTREMES, USES};
+use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 use crate::parts::turntable;
 
 /// What given quantities of its own are for that no formula has.
@@ -24,7 +24,7 @@ const OWN_USES: [Purpose; 6] = [
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
         geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, slewing, oil "hydraulics",
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", limits
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brakes "cases.brake", limits
     },
     constants: &[
         ("geometry_constants", &[Stage("geometry")]),
@@ -56,7 +56,7 @@ pub const OUTLINE: Outline = Outline {
         ("li2022_fig_7", None, &s::V_AX),
         ("li2022_fig_8", None, &s::M_Q),
     ],
-    extremes: &joined::<_, 10, 10, 20>(
+    extremes: &joined::<_, 10, 20, 30>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -71,7 +71,10 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &[&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
+    summary: &joined::<_, 5, 4, 9>(
+        [&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
+        SUMMARY,
+    ),
     sensitivity: &[
         &s::MU_MIN,
         &s::EPSILON_Y,
@@ -81,17 +84,20 @@ pub const OUTLINE: Outline = Outline {
         &b::DM_MAX,
         &b::N_MAX,
     ],
-    limits: &[
-        Limit::at_least("transmission_angle", &s::MU_MIN),
-        Limit::at_most("level_error", &s::EPSILON_Y),
-        Limit::at_most("balance_residual", &b::DM_MAX),
-        Limit::at_least("balance_transmission", &b::GAMMA_MIN),
-        Limit::at_most("balance_rod", &b::N_MAX),
-        o::LOCKS,
-        o::TORQUE_OUT,
-        o::TORQUE_IN,
-        Limit::at_most("motion_swing", &m::PHI_MAX),
-    ],
+    limits: &joined::<_, 9, 6, 15>(
+        [
+            Limit::at_least("transmission_angle", &s::MU_MIN),
+            Limit::at_most("level_error", &s::EPSILON_Y),
+            Limit::at_most("balance_residual", &b::DM_MAX),
+            Limit::at_least("balance_transmission", &b::GAMMA_MIN),
+            Limit::at_most("balance_rod", &b::N_MAX),
+            o::LOCKS,
+            o::TORQUE_OUT,
+            o::TORQUE_IN,
+            Limit::at_most("motion_swing", &m::PHI_MAX),
+        ],
+        LIMITS,
+    ),
     uses: &joined::<Purpose, 6, 2, 8>(OWN_USES, USES),
     forces: &[
         &s::F_O1X,

@@ -7,7 +7,7 @@ use crate::drive::outline as o;
 use crate::drive::symbols as d;
 use crate::luffing::ellipsograph::symbols as s;
 use crate::luffing::moving::symbols as m;
-use crate::luffing::resistances::outline::{EXTREMES, USES};
+use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 
 /// What given quantities of its own are for that no formula has.
 const OWN_USES: [Purpose; 3] = [
@@ -18,7 +18,7 @@ const OWN_USES: [Purpose; 3] = [
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", limits),
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brakes "cases.brake", limits),
     constants: &[
         ("ellipsograph_axes", &[Stage("axes")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -59,7 +59,7 @@ pub const OUTLINE: Outline = Outline {
         ("ellipsograph_guide", None, &s::F_BX),
         ("ellipsograph_link", None, &s::N_L),
     ],
-    extremes: &joined::<_, 10, 10, 20>(
+    extremes: &joined::<_, 10, 20, 30>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -74,14 +74,17 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &[
-        &s::DELTA_Y,
-        &s::EPSILON_Y,
-        &s::DELTA_B,
-        &d::LAMBDA_D,
-        &d::RHO_D,
-        &d::LOCK_D,
-    ],
+    summary: &joined::<_, 6, 4, 10>(
+        [
+            &s::DELTA_Y,
+            &s::EPSILON_Y,
+            &s::DELTA_B,
+            &d::LAMBDA_D,
+            &d::RHO_D,
+            &d::LOCK_D,
+        ],
+        SUMMARY,
+    ),
     sensitivity: &[
         &s::EPSILON_Y,
         &s::R_MAX,
@@ -91,19 +94,22 @@ pub const OUTLINE: Outline = Outline {
         &s::N_L_MAX,
         &b::DM_MAX,
     ],
-    limits: &[
-        Limit::at_most("level_error", &s::EPSILON_Y),
-        Limit::at_most("ellipsograph_drive", &s::M_D_MAX),
-        Limit::at_most("ellipsograph_guide", &s::F_B_MAX),
-        Limit::at_most("ellipsograph_link", &s::N_L_MAX),
-        o::LOCKS,
-        o::TORQUE_OUT,
-        o::TORQUE_IN,
-        Limit::at_most("balance_residual", &b::DM_MAX),
-        Limit::at_least("balance_transmission", &b::GAMMA_MIN),
-        Limit::at_most("balance_rod", &b::N_MAX),
-        Limit::at_most("motion_swing", &m::PHI_MAX),
-    ],
+    limits: &joined::<_, 11, 6, 17>(
+        [
+            Limit::at_most("level_error", &s::EPSILON_Y),
+            Limit::at_most("ellipsograph_drive", &s::M_D_MAX),
+            Limit::at_most("ellipsograph_guide", &s::F_B_MAX),
+            Limit::at_most("ellipsograph_link", &s::N_L_MAX),
+            o::LOCKS,
+            o::TORQUE_OUT,
+            o::TORQUE_IN,
+            Limit::at_most("balance_residual", &b::DM_MAX),
+            Limit::at_least("balance_transmission", &b::GAMMA_MIN),
+            Limit::at_most("balance_rod", &b::N_MAX),
+            Limit::at_most("motion_swing", &m::PHI_MAX),
+        ],
+        LIMITS,
+    ),
     uses: &joined::<Purpose, 3, 2, 5>(OWN_USES, USES),
     forces: &[
         &s::F_BX,

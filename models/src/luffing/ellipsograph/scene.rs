@@ -87,7 +87,7 @@ static DYNAMICS: &[Key] = &dynamics::<14>(&[
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B, J_L);
 
-const LIMITS: &[Key] = &Limit::keys::<12>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<15>(OUTLINE.limits);
 
 /// A boom on guide and link as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -149,6 +149,9 @@ impl Described for Ellipsograph {
             bodies: cases.bodies.clone(),
             rubbing: cases.pins.clone(),
             air: cases.air,
+            driver: cases.motor,
+            brakes: cases.brakes.clone(),
+            holds: cases.holds.clone(),
             chosen: cases.choice.clone(),
             choice: GuidedChoice {
                 range,

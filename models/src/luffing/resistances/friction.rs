@@ -86,7 +86,7 @@ fn amount<C: Calc>(force: Point<C>) -> C {
 #[derive(Clone, Copy, Debug)]
 pub struct Rubbed<C> {
     /// Moments in N·m, positive where they raise the boom.
-    friction: C,
+    pub friction: C,
     pub sum: C,
 }
 results! { each Rubbed as r => {

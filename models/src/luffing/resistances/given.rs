@@ -18,6 +18,22 @@ quantities! {
     CasePin { mu: MU_P, r: R_P }
 }
 
+quantities! {
+    /// A motor: its rated power (W) and speed (1/s), greatest and mean starting torque over the rated one, inertia of its
+    /// shaft (kg·m²); travel of the drive for one turn (m), and efficiency of what is between.
+    CaseMotor { p_n: P_N, n_n: N_N, lambda: LAMBDA_M, k_a: K_A, j: J_MOT, l: L_M, eta: ETA_M }
+}
+
+quantities! {
+    /// A brake on the motor's shaft: its torque (N·m) and after how long it acts (s).
+    CaseBrake { torque: T_BR, delay: T_D_BR }
+}
+
+quantities! {
+    /// How often the brakes must hold what acts in a case.
+    CaseHold { k_b: K_BR }
+}
+
 /// What the scene has chosen.
 #[derive(Clone, Debug, Default)]
 pub struct CasesChoice {
@@ -25,6 +41,8 @@ pub struct CasesChoice {
     pub bodies: Vec<usize>,
     /// Of each given pin, which of the mechanism's it is.
     pub pins: Vec<usize>,
+    /// The case of the motor's heating, from 0.
+    pub heating: Option<usize>,
     /// Acceleration of gravity, in m/s².
     pub gravity: f64,
 }

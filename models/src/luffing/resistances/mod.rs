@@ -15,15 +15,20 @@
 //! | `resistances.moments` | [`moments::Resisted::new`] | Ports001, 5.5.1-5.5.6 |
 //! | `resistances.loads` | [`loads::Loads::new`] | Newton and Euler |
 //! | `resistances.friction` | [`friction::Rubbed::new`] | by virtual work, pins by equilibrium |
+//! | `resistances.motor` | [`motor::Motored::new`] | Ports001, 5.6 |
+//! | `resistances.brakes` | [`brakes::Holding::new`], [`brakes::Stopped::new`] | Ports001, 5.7 |
 
+pub mod brakes;
 pub mod checks;
 pub mod friction;
 pub mod given;
 pub mod loads;
 pub mod moments;
+pub mod motor;
 pub mod outline;
 pub mod placed;
 pub mod scene;
 pub mod sums;
 pub mod symbols;
 pub mod told;
+pub mod train;

@@ -22,7 +22,7 @@ pub struct Resisted<C> {
     wind: C,
     centrifugal: C,
     points: C,
-    inertia: C,
+    pub inertia: C,
     slope: C,
     /// Of all of them and of the own weights.
     pub sum: C,

@@ -1,19 +1,38 @@
 //! What the book tells of the cases.
 
 use crate::component::outline::Explained::Stage;
-use crate::component::outline::{Greatest, Line, Most, Purpose, SectionOutline};
+use crate::component::outline::{Greatest, Limit, Line, Most, Purpose, SectionOutline};
+use crate::component::whole::{How, Whole};
 use crate::drive::symbols::H_D;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::resistances::symbols as s;
 
-/// Worked out where most is asked, for the case in which it is.
-pub const SECTIONS: &[SectionOutline] = &[
-    ("resistances_own", &[Stage("sums")]),
-    ("resistances_case", &[Stage("resisted")]),
-    ("resistances_sum", &[Stage("rubbed"), Stage("force")]),
+/// What is worked out, each for the case and at the place in which a result is greatest by amount: id of the words, that
+/// result, and the formulas.
+pub const WORKED: &[(&str, &Symbol, &[SectionOutline])] = &[
+    (
+        "worked",
+        &s::M_R_SUM,
+        &[
+            ("resistances_own", &[Stage("sums")]),
+            ("resistances_case", &[Stage("resisted")]),
+            ("resistances_sum", &[Stage("rubbed"), Stage("force")]),
+        ],
+    ),
+    ("worked_motor", &s::P_MOT, &[("resistances_motor", &[Stage("motored")])]),
+    (
+        "worked_holding",
+        &s::T_K,
+        &[("resistances_holding", &[Stage("holding")])],
+    ),
+    (
+        "worked_stopping",
+        &s::T_STOP,
+        &[("resistances_stopping", &[Stage("stopped")])],
+    ),
 ];
 
-pub const EXTREMES: [Greatest; 10] = [
+pub const EXTREMES: [Greatest; 20] = [
     Greatest::new(&s::M_R_OWN_MAX, Most::Amount, &s::M_R_OWN),
     Greatest::new(&s::M_R_LOAD_MAX, Most::Amount, &s::M_R_LOAD),
     Greatest::new(&s::M_R_SWAY_MAX, Most::Amount, &s::M_R_SWAY),
@@ -24,11 +43,45 @@ pub const EXTREMES: [Greatest; 10] = [
     Greatest::new(&s::M_R_FRICTION_MAX, Most::Amount, &s::M_R_FRICTION),
     Greatest::new(&s::M_R_MAX, Most::Amount, &s::M_R_SUM),
     Greatest::new(&s::F_R_MAX, Most::Amount, &s::F_R).with_pole(&H_D),
+    Greatest::new(&s::T_MOT_MAX, Most::Amount, &s::T_MOT),
+    Greatest::new(&s::P_MOT_MAX, Most::Greatest, &s::P_MOT),
+    Greatest::new(&s::U_M_MAX, Most::Greatest, &s::U_M),
+    Greatest::new(&s::T_START_MAX, Most::Greatest, &s::T_START),
+    Greatest::new(&s::A_START_MAX, Most::Greatest, &s::A_START),
+    Greatest::new(&s::T_K_MAX, Most::Greatest, &s::T_K),
+    Greatest::new(&s::U_B_MAX, Most::Greatest, &s::U_B),
+    Greatest::new(&s::T_STOP_MAX, Most::Greatest, &s::T_STOP),
+    Greatest::new(&s::S_STOP_MAX, Most::Greatest, &s::S_STOP),
+    Greatest::new(&s::A_STOP_MAX, Most::Greatest, &s::A_STOP),
+];
+
+/// Of the motor over its cycle.
+pub const WHOLE: [Whole; 4] = [
+    Whole::new(&s::P_RMS, How::RootMean(&s::TAU_H), &s::P_H),
+    Whole::new(&s::U_RMS, How::RootMean(&s::TAU_H), &s::U_H),
+    Whole::new(&s::T_LUFF, How::Integral, &s::TAU_H),
+    Whole::new(&s::V_MEAN, How::Mean(&s::TAU_H), &s::V_H_HEAD),
+];
+
+pub const SUMMARY: [&Symbol; 4] = [&s::P_RMS, &s::U_RMS, &s::T_LUFF, &s::V_MEAN];
+
+pub const LIMITS: [Limit; 6] = [
+    Limit::within("motor_heating", &s::U_RMS, 1.0),
+    Limit::within("motor_overload", &s::U_M_MAX, 1.0),
+    Limit::within("brakes_hold", &s::U_B_MAX, 1.0),
+    Limit::at_most("motor_start", &s::A_START_MAX),
+    Limit::at_most("brakes_stop", &s::A_STOP_MAX),
+    Limit::at_most("brakes_time", &s::T_STOP_MAX),
 ];
 
 /// Columns of the tables over the working range.
 pub const COLUMNS: &[&Symbol] = listed!(s:
     M_R_OWN, M_R_LOAD, M_R_SWAY, M_R_WIND, M_R_CENTRIFUGAL, M_R_INERTIA, M_R_SLOPE, M_R_FRICTION, M_R_SUM, F_R
+);
+
+/// Of motor and brakes.
+pub const SHAFT_COLUMNS: &[&Symbol] = listed!(s:
+    T_MOT, P_MOT, U_M, T_0, T_START, A_START, T_H, T_K, T_STOP, S_STOP, A_STOP
 );
 
 pub const CURVES: &[Line] = &[
@@ -42,6 +95,8 @@ pub const CURVES: &[Line] = &[
     ("resistance_friction", None, &s::M_R_FRICTION),
     ("resistance_sum", None, &s::M_R_SUM),
     ("resistance_force", None, &s::F_R),
+    ("motor_power", None, &s::P_MOT),
+    ("brake_torque", None, &s::T_K),
 ];
 
 /// What given quantities are for that no formula has.

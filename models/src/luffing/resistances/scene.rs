@@ -8,9 +8,10 @@ use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
 use crate::luffing::resistances::friction::OF_BALANCE;
-use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
+use crate::luffing::resistances::given::{Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice};
 use crate::luffing::resistances::placed::BARS;
 use crate::luffing::resistances::symbols as s;
+use crate::luffing::resistances::train::{BRAKES, MOTOR};
 
 /// The table `[cases]`, also beside the mechanism.
 pub const CASES: Key = Key::part(
@@ -28,11 +29,12 @@ static KEYS: &[Key] = keys! { s:
     Key::choice("standard", &NAMES, "The standard that gives what a case leaves out, as far as it is known here."),
     Key::new("case", Kind::Tables(CASE, 12), "The cases: I for heating and fatigue, II the greatest at work, III out of service, or others."),
     Key::new("body", Kind::Tables(BODY, 24), "The bodies' inertias, and the areas that the wind meets."),
-    Key::new("pin", Kind::Tables(PIN, 16), "Pins that rub.").optional()
+    Key::new("pin", Kind::Tables(PIN, 16), "Pins that rub.").optional(),
+    MOTOR, BRAKES
 };
 
 static CASE: &[Key] = keys! { s:
-    K_Q >= 0, ALPHA_S [optional], P_W [optional], V_W [optional], SIGMA [usually(0.0)], N_S [usually(0.0)], V_S, A_S [usually(0.0)];
+    K_Q >= 0, ALPHA_S [optional], P_W [optional], V_W [optional], SIGMA [usually(0.0)], N_S [usually(0.0)], V_S, A_S [usually(0.0)], K_BR > 0 [optional];
     Key::new("name", Kind::Line, "Its name.")
 };
 
@@ -61,6 +63,10 @@ pub struct Cases {
     pub bodies: Vec<CaseBody<f64>>,
     pub pins: Vec<CasePin<f64>>,
     pub air: Option<One<f64>>,
+    pub motor: Option<CaseMotor<f64>>,
+    pub brakes: Vec<CaseBrake<f64>>,
+    /// Of each case, where there are brakes.
+    pub holds: Vec<CaseHold<f64>>,
     pub choice: Option<CasesChoice>,
     pub unconfirmed: Vec<Coefficient>,
 }
@@ -101,6 +107,7 @@ impl Cases {
         for case in table.tables("case") {
             read.take_case(case, standard.map(|(name, _)| *name), found);
         }
+        read.take_train(table, found);
         if table.tables("case").is_empty() {
             found.push(table.refuse("case", "no case", "nothing to overcome", "add [[cases.case]]"));
         }
@@ -113,7 +120,7 @@ impl Cases {
         self.choice.is_some()
     }
 
-    fn choice(&mut self) -> &mut CasesChoice {
+    pub(super) fn choice(&mut self) -> &mut CasesChoice {
         self.choice.get_or_insert_default()
     }
 
@@ -258,13 +265,19 @@ fn sway(standard: Option<&str>, case: &str, slewing: f64) -> Option<f64> {
 }
 
 /// The place of a name among those that a mechanism knows; a mistake goes to `found`.
-fn named(table: &Values, key: &str, what: &str, known: &[&str], found: &mut Vec<Diagnostic>) -> Option<usize> {
+pub(super) fn named(
+    table: &Values,
+    key: &str,
+    what: &str,
+    known: &[&str],
+    found: &mut Vec<Diagnostic>,
+) -> Option<usize> {
     let name = table.text(key)?;
     let place = known.iter().position(|known| *known == name);
     if place.is_none() {
         let message = format!("no {what} \"{name}\"");
         let help = format!("what there is: {}", known.join(", "));
-        found.push(table.refuse(key, message, "not of this mechanism", help));
+        found.push(table.refuse(key, message, "there is none", help));
     }
     place
 }

@@ -6,7 +6,7 @@ use crate::component::outline::Most;
 use crate::component::part::Component;
 use crate::component::probe::slots;
 use crate::component::running::Running;
-use crate::component::sheet::{CasesSheet, Summary, Table};
+use crate::component::sheet::{CasesSheet, Summary, Table, WorkedCase};
 use crate::component::stages::Found;
 use crate::component::standing::Standing;
 use crate::component::telling::{explained, fine, lines, values};
@@ -18,11 +18,12 @@ use crate::luffing::resistances::friction::{OF_BALANCE, Pins};
 use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
 use crate::luffing::resistances::loads::Loads;
 use crate::luffing::resistances::moments::Resisted;
-use crate::luffing::resistances::outline::{COLUMNS, CURVES, SECTIONS};
+use crate::luffing::resistances::outline::{COLUMNS, CURVES, SHAFT_COLUMNS, WORKED};
 use crate::luffing::resistances::placed::{BARS, MovedBars};
 use crate::luffing::resistances::scene::{CaseParts, Cases};
 use crate::luffing::resistances::sums::{BodySums, pointing, swept};
 use crate::luffing::resistances::symbols as s;
+use crate::luffing::resistances::train::able;
 
 /// What is found of all cases at one position.
 pub struct Felt {
@@ -84,6 +85,7 @@ pub fn check<T: Resists>(model: &Standing, cases: &Cases, v: &Values, found: &mu
             return;
         }
     }
+    able(model, cases, v, found);
 }
 
 /// The chapter; `None` where the scene has no cases.
@@ -93,30 +95,60 @@ pub fn chapter<T: Described<Component: Resists>>(
     cases: &Cases,
 ) -> Option<CasesSheet> {
     let coordinate = model.variables()[0].symbol;
-    let greatest = |symbol: &'static Symbol| -> Vec<Summary> {
+    let greatest = |symbol: &&'static Symbol| -> Vec<Summary> {
         let each = slots(model, symbol).filter_map(|slot| most_of(model, &slot, Most::Amount));
         each.map(|found| Summary::at(symbol, found, coordinate)).collect()
     };
-    let greatest: Vec<Vec<Summary>> = COLUMNS.iter().map(|symbol| greatest(symbol)).collect();
-    let sums = &greatest[COLUMNS.iter().position(|symbol| *symbol == &s::M_R_SUM)?];
-    let most = |a: &usize, b: &usize| sums[*a].value.abs().total_cmp(&sums[*b].value.abs());
-    let case = (0..sums.len()).rev().max_by(most)?;
-    let at = sums[case].at?.1;
-    let felt = felt::<T::Component>(model, at).ok()?;
+    let (own, shaft): (Vec<_>, Vec<_>) = (
+        COLUMNS.iter().map(greatest).collect(),
+        SHAFT_COLUMNS.iter().map(greatest).collect(),
+    );
+    // The case and the place where one of them is greatest.
+    let most = |symbol: &'static Symbol| {
+        let all = own
+            .iter()
+            .chain(&shaft)
+            .find(|all| all.first().is_some_and(|one| one.symbol == symbol))?;
+        let (case, most) = (all.iter().enumerate().rev()).max_by(|a, b| a.1.value.abs().total_cmp(&b.1.value.abs()))?;
+        (most.value != 0.0).then_some((case, most.at?.1))
+    };
+    let mut worked = Vec::new();
+    let mut told_before = Vec::new();
+    for (id, symbol, outline) in WORKED {
+        let Some((case, at)) = most(symbol) else { continue };
+        let terms = match *id {
+            "worked" => terms(
+                &T::Component::PARTS,
+                cases,
+                &felt::<T::Component>(model, at).ok()?,
+                case,
+            ),
+            _ => Vec::new(),
+        };
+        worked.push(WorkedCase {
+            id,
+            case,
+            coordinate,
+            at,
+            sections: explained::<T>(model, (at, Some(case + 1)), &told_before, outline),
+            terms,
+        });
+        told_before.extend_from_slice(outline);
+    }
+    let mut ranges = Vec::new();
+    for (id, columns) in [("case_range", COLUMNS), ("shaft_range", SHAFT_COLUMNS)] {
+        let all = (0..cases.names.len()).map(|case| (id, case, range(model, case, columns)));
+        ranges.extend(all.filter(|(.., table)| table.columns.len() > 1));
+    }
     Some(CasesSheet {
         names: cases.names.clone(),
         given: given(cases),
         unconfirmed: (cases.unconfirmed.iter())
             .map(|it| (it.symbol, it.number, it.value, it.standard))
             .collect(),
-        governing: (case, coordinate, at),
-        sections: explained::<T>(model, (at, Some(case + 1)), SECTIONS),
-        terms: terms(&T::Component::PARTS, cases, &felt, case),
-        greatest,
-        ranges: (1..)
-            .zip(&cases.names)
-            .map(|(number, _)| range(model, number))
-            .collect(),
+        worked,
+        greatest: own.into_iter().chain(shaft).filter(|all| !all.is_empty()).collect(),
+        ranges,
         curves: lines(told, model, CURVES),
     })
 }
@@ -196,12 +228,13 @@ fn pins(parts: &CaseParts, (given, choice): (&[CasePin<f64>], &CasesChoice), car
     (all.map(|(_, at)| name(*at)).collect(), table)
 }
 
-/// The results of a case, numbered from 1, over the working range.
-fn range(model: &mut Standing, number: u16) -> Table {
+/// Results of a case, from 0, over the working range.
+fn range(model: &mut Standing, case: usize, results: &[&'static Symbol]) -> Table {
     let variables = model.variables();
     let of = |symbol: &Symbol, number| variables.iter().position(|v| v.symbol == symbol && v.number == number);
-    let index = |symbol: &'static Symbol| Some((symbol, of(symbol, Some(number)).or_else(|| of(symbol, None))?));
-    let symbols = std::iter::once(variables[0].symbol).chain(COLUMNS.iter().copied());
+    let number = Some(case as u16 + 1);
+    let index = |symbol: &'static Symbol| Some((symbol, of(symbol, number).or_else(|| of(symbol, None))?));
+    let symbols = std::iter::once(variables[0].symbol).chain(results.iter().copied());
     let (columns, indices): (Vec<&'static Symbol>, Vec<usize>) = symbols.filter_map(index).unzip();
     let rows = values(model, &indices, model.motion().angles().into_iter());
     Table { columns, rows }

@@ -5,7 +5,7 @@ use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, Purpose, chapters, joined};
 use crate::kernel::symbol::listed;
 use crate::luffing::moving::symbols as m;
-use crate::luffing::resistances::outline::{EXTREMES, USES};
+use crate::luffing::resistances::outline::{EXTREMES, LIMITS, SUMMARY, USES};
 use crate::luffing::rope::symbols as s;
 
 /// What given quantities of its own are for that no formula has.
@@ -13,7 +13,7 @@ const OWN_USES: [Purpose; 2] = [("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", hoisting,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", limits),
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brakes "cases.brake", limits),
     constants: &[
         ("rope_constants", &[Stage("level")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -36,7 +36,7 @@ pub const OUTLINE: Outline = Outline {
         ("rope_pull", None, &s::T),
         ("rope_drum", None, &s::S_L_UP),
     ],
-    extremes: &joined::<_, 7, 10, 17>(
+    extremes: &joined::<_, 7, 20, 27>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -48,26 +48,32 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &[
-        &s::DELTA_Y,
-        &s::EPSILON_Y,
-        &s::DELTA_L_T,
-        &s::L_L_MAX,
-        &s::PHI_T,
-        &s::PHI_T0,
-    ],
+    summary: &joined::<_, 6, 4, 10>(
+        [
+            &s::DELTA_Y,
+            &s::EPSILON_Y,
+            &s::DELTA_L_T,
+            &s::L_L_MAX,
+            &s::PHI_T,
+            &s::PHI_T0,
+        ],
+        SUMMARY,
+    ),
     sensitivity: &[&s::EPSILON_Y, &s::R_MAX, &s::T_MAX, &s::N_B_MAX, &b::DM_MAX],
-    limits: &[
-        Limit::at_most("level_error", &s::EPSILON_Y),
-        Limit::at_most("rope_pull", &s::T_MAX),
-        Limit::at_most("rope_drum", &s::S_L_MAX),
-        Limit::beyond("fall_back", &s::PHI_T),
-        Limit::beyond("fall_back_empty", &s::PHI_T0),
-        Limit::at_most("balance_residual", &b::DM_MAX),
-        Limit::at_least("balance_transmission", &b::GAMMA_MIN),
-        Limit::at_most("balance_rod", &b::N_MAX),
-        Limit::at_most("motion_swing", &m::PHI_MAX),
-    ],
+    limits: &joined::<_, 9, 6, 15>(
+        [
+            Limit::at_most("level_error", &s::EPSILON_Y),
+            Limit::at_most("rope_pull", &s::T_MAX),
+            Limit::at_most("rope_drum", &s::S_L_MAX),
+            Limit::beyond("fall_back", &s::PHI_T),
+            Limit::beyond("fall_back_empty", &s::PHI_T0),
+            Limit::at_most("balance_residual", &b::DM_MAX),
+            Limit::at_least("balance_transmission", &b::GAMMA_MIN),
+            Limit::at_most("balance_rod", &b::N_MAX),
+            Limit::at_most("motion_swing", &m::PHI_MAX),
+        ],
+        LIMITS,
+    ),
     uses: &joined::<Purpose, 2, 2, 4>(OWN_USES, USES),
     forces: listed!(s: F_O1X, F_O1Y, N_B, T, T_UP, S_L_UP, S_H_UP, M_D),
     worst: &[("greatest_pull", &s::T_MAX)],

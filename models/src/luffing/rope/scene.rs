@@ -108,7 +108,7 @@ static DYNAMICS: &[Key] = &dynamics::<13>(&[Key::quantity(&s::J_B, Sign::NotNega
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B);
 
-const LIMITS: &[Key] = &Limit::keys::<8>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<11>(OUTLINE.limits);
 
 /// A boom on a luffing rope as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -164,6 +164,9 @@ impl Described for Rope {
             bodies: cases.bodies.clone(),
             rubbing: cases.pins.clone(),
             air: cases.air,
+            driver: cases.motor,
+            brakes: cases.brakes.clone(),
+            holds: cases.holds.clone(),
             chosen: cases.choice.clone(),
             choice: BoomChoice { range },
             inertia: match &moving {

@@ -5,6 +5,7 @@ use crate::balance::boom::Plain;
 use crate::balance::residual::Residual;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
+use crate::component::outline::joined;
 use crate::component::part::{Component, Port, ports};
 use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, stages};
@@ -24,10 +25,13 @@ use crate::luffing::moving::luffs::{Luffs, luffs};
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::single::{self, BoomRates, Heavy, SingleBoom, SingleParts};
 use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS, rates_after};
+use crate::luffing::resistances::brakes::{Holding, Stopped};
 use crate::luffing::resistances::friction::{Pins, Rubbed};
-use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
+use crate::luffing::resistances::given::{Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice};
 use crate::luffing::resistances::loads::Loads;
 use crate::luffing::resistances::moments::Resisted;
+use crate::luffing::resistances::motor::{Heating, Motored};
+use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::placed::{MovedBars, Weighty};
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
@@ -72,6 +76,9 @@ stages! {
         Parameter bodies: Vec<CaseBody<C>>,
         Parameter rubbing: Vec<CasePin<C>>,
         Parameter air: Option<One<C>>,
+        Parameter driver: Option<CaseMotor<C>>,
+        Parameter brakes: Vec<CaseBrake<C>>,
+        Parameter holds: Vec<CaseHold<C>>,
         Fixed chosen: Option<CasesChoice>,
         Fixed choice: BoomChoice,
         Fixed fitted: Fitted,
@@ -103,6 +110,12 @@ stages! {
         pinned[each cases]: Vec<Pins<C>> = resisting::pins(rig, falls, stretch, residual[?], moved, loads[each], resisted[each]) => _;
         rubbed[each cases]: Vec<Rubbed<C>> = Rubbed::new(resisted[each], pinned[each], rubbing, chosen[!]);
         force[each cases]: Vec<C> = resisting::force(falls, rubbed[each]) => F_R;
+        motored[each cases]: Vec<Motored<C>> = Motored::new(
+            driver[!], sums, cases[each], resisted[each], rubbed[each], force[each]
+        );
+        heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
+        holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brakes, sums, holds[each], resisted[each]);
+        stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brakes, sums, cases[each], motored[each]);
         roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
         parts[constants]: Vec<SingleParts<Roped, C>> = single::parts(
@@ -158,16 +171,19 @@ impl Component for RopeBoom {
         fittings(given).map_or(0, |_| SAID.list(variable))
     }
 
-    const WHOLE: &'static [Whole] = &[
-        Whole::new(&s::R_MAX, How::Greatest, &s::R),
-        Whole::new(&s::R_MIN, How::Least, &s::R),
-        Whole::new(&s::DELTA_Y, How::Swing, &s::Y_Q),
-        Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::Y_Q),
-        Whole::new(&s::DELTA_L_T, How::Swing, &s::L_T),
-        Whole::new(&s::L_L_MAX, How::Swing, &s::L_L),
-        Whole::new(&s::PHI_T, How::Vanishes(None), &s::M_D),
-        Whole::new(&s::PHI_T0, How::Vanishes(Some((&s::Q, 0.0))), &s::M_D),
-    ];
+    const WHOLE: &'static [Whole] = &joined::<_, 8, 4, 12>(
+        [
+            Whole::new(&s::R_MAX, How::Greatest, &s::R),
+            Whole::new(&s::R_MIN, How::Least, &s::R),
+            Whole::new(&s::DELTA_Y, How::Swing, &s::Y_Q),
+            Whole::new(&s::EPSILON_Y, How::Ratio(&s::R), &s::Y_Q),
+            Whole::new(&s::DELTA_L_T, How::Swing, &s::L_T),
+            Whole::new(&s::L_L_MAX, How::Swing, &s::L_L),
+            Whole::new(&s::PHI_T, How::Vanishes(None), &s::M_D),
+            Whole::new(&s::PHI_T0, How::Vanishes(Some((&s::Q, 0.0))), &s::M_D),
+        ],
+        WHOLE,
+    );
 
     const PORTS: &'static [Port] = ports! { s:
         head "Head A of the boom, where the load hangs.": x A_X, y A_Y, v_x V_AX, v_y V_AY, f Q;

@@ -1,0 +1,158 @@
+//! What a scene says of the motor and the brakes that work its cases.
+
+use crate::component::probe::slots;
+use crate::component::running::Running;
+use crate::component::stages::Slot;
+use crate::component::standing::Standing;
+use crate::component::telling::fine;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Kind, Values};
+use crate::kernel::symbol::Symbol;
+use crate::luffing::resistances::given::{CaseBrake, CaseHold, CaseMotor};
+use crate::luffing::resistances::scene::{Cases, named};
+use crate::luffing::resistances::symbols as s;
+
+/// Beside the cases.
+pub const MOTOR: Key = Key::part("motor", MOTOR_KEYS, "The motor that works the drive.");
+pub const BRAKES: Key = Key::new(
+    "brake",
+    Kind::Tables(BRAKE, 2),
+    "Brakes on the motor's shaft, in the order in which they act.",
+)
+.optional();
+
+const MOTOR_KEYS: &[Key] = keys! { s:
+    P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_MOT >= 0, L_M > 0, ETA_M > 0;
+    Key::new("heating", Kind::Name, "The case for whose motion in and out the heating of the motor is asked.")
+};
+
+const BRAKE: &[Key] = keys! { s: T_BR > 0, T_D_BR >= 0 };
+
+impl Cases {
+    /// Of the table of the cases, which are known; mistakes go to `found`.
+    pub(super) fn take_train(&mut self, table: &Values, found: &mut Vec<Diagnostic>) {
+        let motor = table.table("motor");
+        if let Some(motor) = motor {
+            self.motor = CaseMotor::of(|symbol| motor.number(symbol.id));
+            self.take_heating(table, motor, found);
+        }
+        for brake in table.tables("brake") {
+            self.brakes.extend(CaseBrake::of(|symbol| brake.number(symbol.id)));
+            if let [.., before, last] = self.brakes[..]
+                && last.delay < before.delay
+            {
+                let what = "a brake that acts before the one above it";
+                found.push(brake.refuse(
+                    s::T_D_BR.id,
+                    what,
+                    "too early",
+                    "give the brakes in the order in which they act",
+                ));
+            }
+        }
+        if motor.is_none() && !self.brakes.is_empty() {
+            let help = "add [cases.motor]: the brakes are on its shaft";
+            found.push(table.refuse("brake", "brakes without a motor", "on no shaft", help));
+        }
+        for case in table.tables("case") {
+            match (case.number(s::K_BR.id), self.brakes.is_empty()) {
+                (None, false) => {
+                    let what = "brakes, and a case without the safety with which they hold it";
+                    found.push(case.refuse(
+                        "name",
+                        what,
+                        "K_b is needed",
+                        "add K_b = \"1.25\", or what your rules ask for",
+                    ));
+                }
+                (Some(_), true) => {
+                    let what = "a safety of brakes where there are none";
+                    found.push(case.refuse(s::K_BR.id, what, "not used", "add [[cases.brake]], or remove it"));
+                }
+                (k_b, _) => self.holds.extend(k_b.map(|k_b| CaseHold { k_b })),
+            }
+        }
+    }
+
+    fn take_heating(&mut self, table: &Values, motor: &Values, found: &mut Vec<Diagnostic>) {
+        let names: Vec<&str> = self.names.iter().map(|name| name.english()).collect();
+        let Some(case) = named(motor, "heating", "case", &names, found) else {
+            return;
+        };
+        if table.tables("case")[case].number(s::V_S.id) == Some(0.0) {
+            let what = format!("in case \"{}\" nothing moves: it heats no motor", names[case]);
+            found.push(motor.refuse("heating", what, "at rest", "name a case with a speed v_s"));
+        }
+        self.choice().heating = Some(case);
+    }
+}
+
+/// Refuses a motor that cannot start, and brakes that cannot hold or stop, somewhere in the working range.
+pub(super) fn able(model: &Standing, cases: &Cases, v: &Values, found: &mut Vec<Diagnostic>) {
+    let Some(motor) = cases.motor else { return };
+    let mut part = model.part().duplicate();
+    let mut at = |slot: &Slot, place: f64| {
+        let mut value = 0.0;
+        part.put(model.coordinate(), place);
+        part.result(slot, &mut value).ok().map(|()| value)
+    };
+    let mut refuse = |key: &str, what: String, help: &str| {
+        let table = v.table("cases").unwrap_or(v);
+        found.push(table.refuse(key, what, "too weak", help));
+    };
+    let of = |symbol| slots(model, symbol).collect::<Vec<_>>();
+    let starting = motor.k_a * motor.rated();
+    let coordinate = model.variables()[0].symbol;
+    let places = || fine(model.motion());
+    let mut most = |symbol: &'static Symbol| {
+        let all = (0..)
+            .zip(of(symbol))
+            .flat_map(|(case, slot)| places().map(move |place| (case, slot, place)));
+        let known = all.filter_map(|(case, slot, place): (usize, Slot, f64)| Some((at(&slot, place)?, case, place)));
+        known.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))
+    };
+    let said = |case: usize, place: f64| {
+        format!(
+            "in case \"{}\" at {} = {}",
+            cases.names[case].english(),
+            coordinate.id,
+            coordinate.written(place)
+        )
+    };
+    if let Some((against, case, place)) = most(&s::T_0).filter(|found| found.0 >= starting) {
+        let what = format!(
+            "the motor cannot start {}: it gives {} where {} resist",
+            said(case, place),
+            s::T_0.written(starting),
+            s::T_0.written(against)
+        );
+        refuse(
+            "motor",
+            what,
+            "give a stronger motor, or a smaller travel l_M of the drive for one turn",
+        );
+    }
+    let brakes: f64 = cases.brakes.iter().map(|brake| brake.torque).sum();
+    let holding = most(&s::T_H).filter(|_| !cases.brakes.is_empty());
+    if let Some((held, case, place)) = holding.filter(|found| found.0.abs() * motor.eta >= brakes) {
+        let what = format!(
+            "the brakes cannot hold {}: they have {} where {} pull",
+            said(case, place),
+            s::T_H.written(brakes),
+            s::T_H.written(held.abs() * motor.eta)
+        );
+        refuse(
+            "brake",
+            what,
+            "give stronger brakes, or a smaller travel l_M of the drive for one turn",
+        );
+    } else if let Some((_, case, place)) = most(&s::T_STOP).filter(|found| found.0.is_infinite()) {
+        let what = format!("the brakes do not stop the drive {}", said(case, place));
+        refuse(
+            "brake",
+            what,
+            "give stronger brakes, or a smaller travel l_M of the drive for one turn",
+        );
+    }
+}
