@@ -96,7 +96,8 @@ def test_every_symbol_of_a_formula_has_its_origin(scene, level, tmp_path):
     known = {name for _, symbols in given(text) for pair in symbols for name in pair}
     known |= {result for result, _ in formulas(text)}
     known |= set(re.findall(r"(?m)^= \d+ [^\n]*?: \$(.*?) = ", text))
-    for caption in ["States and commands at the instant", "Constants of the equations", "Energy", "Envelope of forces"]:
+    for caption in ["States and commands at the instant", "Constants of the equations", "Energy", "Envelope of forces",
+                    "What the formulas take from places and bodies"]:
         known |= tabled(text, caption)
     # Points of the ring's curves, and loads by strength, stand in tables of their own; others are read off a load chart.
     known |= set(re.findall(r"column-head\[\$(\S*\(c i\)|Q_s)\$\]", text))

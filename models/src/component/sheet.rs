@@ -231,6 +231,8 @@ pub struct WorkedCase {
     pub sections: Vec<Section>,
     /// What sums of the formulas are made of there: id of the title, names of the rows, and the terms.
     pub terms: Vec<(&'static str, Vec<&'static str>, Table)>,
+    /// What the formulas take from there, with the values.
+    pub taken: Vec<(&'static Symbol, f64)>,
 }
 
 /// A row of a published table, in the publication's own units.

@@ -61,6 +61,7 @@ struct Worked {
     at: String,
     sections: Vec<Section>,
     terms: Vec<Terms>,
+    taken: Vec<Row>,
 }
 
 #[derive(Serialize)]
@@ -86,16 +87,33 @@ impl Cases {
                     table: table(numbers, terms),
                 })
                 .collect(),
+            taken: (worked.taken.iter())
+                .map(|(symbol, value)| Row {
+                    quantity: (*symbol).into(),
+                    values: vec![numbers.result(symbol, *value)],
+                })
+                .collect(),
         };
         // Formulas first: what they find is explained there.
         let worked: Vec<Worked> = cases.worked.iter().map(&mut told).collect();
         let drawn = cases.curves.iter().flat_map(|curve| [curve.x, curve.y]);
         let terms = cases.worked.iter().flat_map(|worked| &worked.terms);
         let terms = terms.flat_map(|(_, _, table)| table.columns.iter().copied());
+        let taken = cases
+            .worked
+            .iter()
+            .flat_map(|worked| &worked.taken)
+            .map(|(symbol, _)| *symbol);
         let given = cases.given.columns.iter().copied();
         let greatest = cases.greatest.iter().filter_map(|row| Some(row.first()?.symbol));
         let coefficients = cases.unconfirmed.iter().map(|(symbol, ..)| *symbol);
-        for symbol in drawn.chain(terms).chain(given).chain(greatest).chain(coefficients) {
+        for symbol in drawn
+            .chain(terms)
+            .chain(taken)
+            .chain(given)
+            .chain(greatest)
+            .chain(coefficients)
+        {
             notation.meet(symbol);
         }
         let row = |(i, symbol): (usize, &&'static Symbol)| Row {

@@ -21,7 +21,7 @@ use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::outline::{COLUMNS, CURVES, SHAFT_COLUMNS, WORKED};
 use crate::luffing::resistances::placed::{BARS, MovedBars};
 use crate::luffing::resistances::scene::{CaseParts, Cases};
-use crate::luffing::resistances::sums::{BodySums, pointing, swept};
+use crate::luffing::resistances::sums::{BodySums, Sums, pointing, swept};
 use crate::luffing::resistances::symbols as s;
 use crate::luffing::resistances::train::able;
 
@@ -116,14 +116,18 @@ pub fn chapter<T: Described<Component: Resists>>(
     let mut told_before = Vec::new();
     for (id, symbol, outline) in WORKED {
         let Some((case, at)) = most(symbol) else { continue };
-        let terms = match *id {
-            "worked" => terms(
-                &T::Component::PARTS,
-                cases,
-                &felt::<T::Component>(model, at).ok()?,
-                case,
-            ),
-            _ => Vec::new(),
+        let felt = felt::<T::Component>(model, at).ok()?;
+        let mut taken = bodies_taken(cases, &felt, case);
+        let terms = if told_before.is_empty() {
+            terms(&T::Component::PARTS, cases, &felt, case)
+        } else {
+            taken.retain(|(symbol, _)| MOVED.contains(symbol));
+            taken.extend(
+                RESISTED
+                    .iter()
+                    .filter_map(|symbol| Some((*symbol, result(model, symbol, case, at)?))),
+            );
+            Vec::new()
         };
         worked.push(WorkedCase {
             id,
@@ -132,6 +136,7 @@ pub fn chapter<T: Described<Component: Resists>>(
             at,
             sections: explained::<T>(model, (at, Some(case + 1)), &told_before, outline),
             terms,
+            taken,
         });
         told_before.extend_from_slice(outline);
     }
@@ -151,6 +156,17 @@ pub fn chapter<T: Described<Component: Resists>>(
         ranges,
         curves: lines(told, model, CURVES),
     })
+}
+
+/// What formulas of motor and brakes take from places and bodies, and what from the moments of the case.
+const MOVED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R);
+const RESISTED: &[&Symbol] = listed!(s: M_R_INERTIA, M_R_FRICTION, M_R_SUM, F_R);
+
+/// A result of a case, from 0, at a place.
+fn result(model: &Standing, symbol: &'static Symbol, case: usize, at: f64) -> Option<f64> {
+    let (slot, mut part, mut value) = (slots(model, symbol).nth(case)?, model.part().duplicate(), 0.0);
+    part.put(model.coordinate(), at);
+    part.result(&slot, &mut value).ok().map(|()| value)
 }
 
 /// What is given of the cases and is not nothing in all of them.
@@ -175,6 +191,35 @@ fn terms(parts: &CaseParts, cases: &Cases, felt: &Felt, case: usize) -> Vec<(&'s
     let all = [("resistance_bodies", bodies), ("resistance_pins", pins)];
     let there = all.into_iter().filter(|(_, (names, _))| !names.is_empty());
     there.map(|(id, (names, table))| (id, names, table)).collect()
+}
+
+/// What the formulas take from tables and derivatives at a position, in a case.
+fn bodies_taken(cases: &Cases, felt: &Felt, case: usize) -> Vec<(&'static Symbol, f64)> {
+    let Some(choice) = &cases.choice else { return Vec::new() };
+    let Ok(sums) = Sums::new(&felt.moved, &cases.bodies, &cases.cases, choice) else {
+        return Vec::new();
+    };
+    let rubs = |(pin, at): (&CasePin<f64>, &usize)| {
+        let on = felt.pins[case].at(*at);
+        pin.mu * on.force() * on.way(pin.r)
+    };
+    let friction = cases.pins.iter().zip(&choice.pins).map(rubs).sum();
+    let all = [
+        (&s::DS_S, sums.way[0]),
+        (&s::DDS_S, sums.way[1]),
+        (&s::DX_H, sums.head.x),
+        (&s::DY_H, sums.head.y),
+        (&s::DY_L, sums.load),
+        (&s::W_GX, sums.weighed.x),
+        (&s::W_GY, sums.weighed.y),
+        (&s::V_CA, sums.swept),
+        (&s::J_R, sums.inertia[0]),
+        (&s::DJ_R, sums.inertia[1]),
+        (&s::DI_Z, sums.about_axis),
+        (&s::D_P, sums.points),
+        (&s::M_MU, friction),
+    ];
+    all.into_iter().filter(|(_, value)| *value != 0.0).collect()
 }
 
 type Terms = (Vec<&'static str>, Table);
