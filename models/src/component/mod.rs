@@ -8,6 +8,7 @@ pub mod draw;
 pub mod drawing;
 pub mod extreme;
 pub mod governing;
+pub mod judged;
 mod leaving_out;
 pub mod mechanism;
 pub mod model;
