@@ -16,6 +16,7 @@ from lemnis._lemnis import VERSION as __version__
 from lemnis._lemnis import ModelError
 from lemnis.errors import Diagnostic, SceneError
 from lemnis.scene import Check, Quantity, Result, Scene, Synthesis, Variable, diagnostics, schema
+from lemnis.study import Study
 from lemnis.table import RunEnded, Table
 
 __all__ = [
@@ -27,6 +28,7 @@ __all__ = [
     "RunEnded",
     "Scene",
     "SceneError",
+    "Study",
     "Synthesis",
     "Table",
     "Variable",
