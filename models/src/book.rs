@@ -66,6 +66,7 @@ pub const CHAPTERS: &[&str] = &[
     "motion",
     "synthesis",
     "trade",
+    "study",
     "published",
     "sensitivity",
     "remarks",

@@ -8,6 +8,7 @@ mod charts;
 mod motion;
 mod notation;
 mod steps;
+mod study;
 mod synthesis;
 mod tables;
 mod title;
@@ -32,6 +33,7 @@ use crate::book::charts::Chart;
 use crate::book::motion::Motion;
 use crate::book::notation::{Entry, Notation};
 use crate::book::steps::{Position, Section};
+use crate::book::study::Study;
 use crate::book::synthesis::{Synthesis, spread, synthesis};
 use crate::book::tables::{Changes, Chapter, Demand, Published, Sensitivity, View, Written};
 use crate::book::title::Title;
@@ -140,6 +142,7 @@ struct Book<'a> {
     sensitivity: Sensitivity,
     synthesis: Option<Synthesis>,
     trade: Option<Trade>,
+    study: Option<Study>,
     published: Option<Published>,
     remarks: &'a [&'static str],
     notation: Vec<Entry>,
@@ -174,6 +177,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         // Many runs: only a scene that lists the chapter gets it.
         "trade" => scene.book.chapters.is_some(),
         "synthesis" => scene.search().is_some(),
+        "study" => scene.study.is_some(),
         _ => true,
     };
     chosen.into_iter().filter(has).collect()
@@ -236,6 +240,8 @@ impl<'a> Book<'a> {
         let comparison = comparison.filter(|_| has("synthesis"));
         let synthesis = comparison.and_then(|comparison| synthesis(numbers, scene, &comparison, &mut notation));
         let trade = (has("trade").then(|| Trade::new(numbers, scene, &mut notation))).transpose()?;
+        let study = scene.study.as_ref().filter(|_| has("study"));
+        let study = study.map(|study| Study::new(numbers, scene, study, &mut notation));
         let drawing = drawing(&sheet.drawing, SKETCH);
         let figure = |c: &sheet::Curve| Figure::new(numbers, c);
         let summary = |s: &sheet::Summary| blocks::summary(numbers, s);
@@ -279,6 +285,7 @@ impl<'a> Book<'a> {
             sensitivity: tables::sensitivity(numbers, &sheet.sensitivity),
             synthesis,
             trade,
+            study,
             published: tables::published(numbers, sheet, full),
             remarks: &sheet.remarks,
             written: tables::written(&scene.given),
