@@ -164,11 +164,7 @@ pub fn sheet(mechanism: &dyn Mechanism, origins: &Origins, asked: &[Place]) -> S
 /// # Panics
 /// As [`sheet`].
 #[must_use]
-pub fn judged(
-    mechanism: &dyn Mechanism,
-    model: &mut Standing,
-    wanted: &dyn Fn(&'static Symbol) -> bool,
-) -> Judged {
+pub fn judged(mechanism: &dyn Mechanism, model: &mut Standing, wanted: &dyn Fn(&'static Symbol) -> bool) -> Judged {
     told(|teller| (teller.judged)(mechanism, model, wanted))
 }
 

@@ -176,28 +176,28 @@ impl Scene {
         let project = values.table("project");
         let book = mechanism
             .as_ref()
-            .map(|(_, mechanism)| Book::new(values.table("book"), project, &**mechanism, &mut found));
+            .map(|(_, mechanism)| Book::new(&values, &**mechanism, &mut found));
         match mechanism.zip(book) {
             Some(((table, mechanism), book)) if found.is_empty() => {
                 let scene = Scene {
-                text: text.to_owned(),
-                name,
-                title: values.words("title").cloned().unwrap_or_default(),
-                project: PROJECT
-                    .iter()
-                    .filter_map(|key| Some((key.name, project?.words(key.name)?.clone())))
-                    .collect(),
-                revisions: project.map_or_else(Vec::new, revisions),
-                book,
-                given: Origins::read(text, &values),
-                gravity,
-                accuracy: Vec::new(),
-                request: None,
-                study: None,
-                table,
-                mechanism,
-            };
-            Ok((scene.with_accuracy(&values)?, values))
+                    text: text.to_owned(),
+                    name,
+                    title: values.words("title").cloned().unwrap_or_default(),
+                    project: PROJECT
+                        .iter()
+                        .filter_map(|key| Some((key.name, project?.words(key.name)?.clone())))
+                        .collect(),
+                    revisions: project.map_or_else(Vec::new, revisions),
+                    book,
+                    given: Origins::read(text, &values),
+                    gravity,
+                    accuracy: Vec::new(),
+                    request: None,
+                    study: None,
+                    table,
+                    mechanism,
+                };
+                Ok((scene.with_accuracy(&values)?, values))
             }
             _ => {
                 found.sort_by_key(|diagnostic| diagnostic.span.start);

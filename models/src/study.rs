@@ -185,7 +185,12 @@ impl Study {
         });
         product.is_none().then(|| {
             let help = "leave some out, or draw as many as are wanted: n = 1024";
-            v.refuse("vary", format!("more than {MOST} combinations of values"), "too many", help)
+            v.refuse(
+                "vary",
+                format!("more than {MOST} combinations of values"),
+                "too many",
+                help,
+            )
         })
     }
 
@@ -321,9 +326,16 @@ fn output(mechanism: &dyn Mechanism, model: &mut Standing, text: &str) -> Result
             let known: Vec<&str> = all.results().map(|result| result.symbol.id).collect();
             let own = |v: &&str| *v == text;
             let names: Vec<String> = model.variables().iter().map(|variable| variable.name()).collect();
-            let at = names.iter().map(String::as_str).find(own).map_or(String::new(), |name| {
-                format!("; {name} has a value at each position: \"{name} at {} = ...\"", names[0])
-            });
+            let at = names
+                .iter()
+                .map(String::as_str)
+                .find(own)
+                .map_or(String::new(), |name| {
+                    format!(
+                        "; {name} has a value at each position: \"{name} at {} = ...\"",
+                        names[0]
+                    )
+                });
             return Err((
                 format!("`{text}` is no result of the whole range of this scene"),
                 "not known".to_owned(),
@@ -337,13 +349,19 @@ fn output(mechanism: &dyn Mechanism, model: &mut Standing, text: &str) -> Result
         });
     };
     let coordinate = model.variables()[0];
-    let value = place.strip_prefix(coordinate.symbol.id).and_then(|rest| rest.trim_start().strip_prefix('='));
+    let value = place
+        .strip_prefix(coordinate.symbol.id)
+        .and_then(|rest| rest.trim_start().strip_prefix('='));
     let Some(value) = value else {
         let middle = f64::midpoint(model.motion().from, model.motion().to);
         return Err((
             format!("\"{place}\" is no position"),
             "cannot be read".to_owned(),
-            format!("write \"{name} at {} = {}\"", coordinate.symbol.id, coordinate.symbol.written(middle)),
+            format!(
+                "write \"{name} at {} = {}\"",
+                coordinate.symbol.id,
+                coordinate.symbol.written(middle)
+            ),
         ));
     };
     let at = measure::quantity(value, coordinate.symbol, Sign::Any)?;

@@ -139,4 +139,3 @@ pub(crate) fn source(model: &Standing, known: &Known) -> Result<Source, &'static
         _ => Err("several quantities have its symbol and its value"),
     }
 }
-

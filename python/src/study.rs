@@ -107,7 +107,13 @@ pub fn studied(
 /// # Errors
 /// Ctrl+C, and a scene without a study.
 #[pyfunction]
-pub fn study_rows<'py>(py: Python<'py>, scene: &Scene, start: usize, stop: usize, threads: usize) -> PyResult<Rows<'py>> {
+pub fn study_rows<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    start: usize,
+    stop: usize,
+    threads: usize,
+) -> PyResult<Rows<'py>> {
     let scene = Arc::clone(scene.shared());
     let mut done = work::shared(py, 1, move |broken| {
         let study = scene.study.as_ref()?;
@@ -160,7 +166,13 @@ impl Columns {
             }
         };
         let numbers = plan.designs.values(row.design).into_iter().chain(outputs);
-        self.numbers.iter_mut().zip(numbers).for_each(|(column, value)| column.push(value));
-        self.fails.iter_mut().zip(fails).for_each(|(column, fails)| column.push(fails));
+        self.numbers
+            .iter_mut()
+            .zip(numbers)
+            .for_each(|(column, value)| column.push(value));
+        self.fails
+            .iter_mut()
+            .zip(fails)
+            .for_each(|(column, fails)| column.push(fails));
     }
 }

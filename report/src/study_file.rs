@@ -28,7 +28,12 @@ pub struct Growing<'a> {
 
 impl<'a> Growing<'a> {
     /// A new file, or with `resume` the one that was left, of which `take` is given the rows.
-    pub fn new(plan: &'a Plan<'a>, path: &Path, resume: bool, take: &mut dyn FnMut(&Row)) -> Result<Growing<'a>, Failure> {
+    pub fn new(
+        plan: &'a Plan<'a>,
+        path: &Path,
+        resume: bool,
+        take: &mut dyn FnMut(&Row),
+    ) -> Result<Growing<'a>, Failure> {
         let [version, hash] = strings(plan.scene);
         let mut part = path.as_os_str().to_owned();
         part.push(format!(".{version}-{}.part", &hash[..HASH]));
@@ -81,7 +86,10 @@ impl<'a> Growing<'a> {
         let Growing { part, path, .. } = &self;
         written.map_err(|error| cannot(part, &error))?;
         if !whole {
-            return say(format_args!("  kept in {}: --resume goes on from there", part.display()));
+            return say(format_args!(
+                "  kept in {}: --resume goes on from there",
+                part.display()
+            ));
         }
         let renamed = std::fs::rename(part, path);
         renamed.map_err(|error| Failure::File(format!("cannot replace {}: {error}", path.display())))?;
@@ -90,7 +98,10 @@ impl<'a> Growing<'a> {
 }
 
 fn cannot(what: &Path, error: &dyn std::fmt::Display) -> Failure {
-    Failure::File(format!("cannot write {}: {error}; choose another place with --csv", what.display()))
+    Failure::File(format!(
+        "cannot write {}: {error}; choose another place with --csv",
+        what.display()
+    ))
 }
 
 fn head(name: &str, symbol: &Symbol) -> String {
@@ -124,7 +135,9 @@ fn left(plan: &Plan<'_>, part: &Path, path: &Path, take: &mut dyn FnMut(&Row)) -
         if !line.ends_with(b"\n") {
             break;
         }
-        let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(line.as_slice());
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .from_reader(line.as_slice());
         let record = reader.records().next().and_then(Result::ok).unwrap_or_default();
         let cells: Vec<&str> = record.iter().collect();
         if whole > 0 {
@@ -152,7 +165,10 @@ fn row(plan: &Plan<'_>, design: usize, cells: &[&str]) -> Option<Row> {
     let (numbers, [fails, refused]) = cells[1 + varied..].split_last_chunk()?;
     let found = match *refused {
         "" => Ok(Found {
-            outputs: numbers.iter().map(|number| number.parse().ok()).collect::<Option<_>>()?,
+            outputs: numbers
+                .iter()
+                .map(|number| number.parse().ok())
+                .collect::<Option<_>>()?,
             fails: {
                 let ids: Vec<&str> = fails.split(SEPARATOR).collect();
                 plan.requirements.iter().map(|(id, _)| ids.contains(id)).collect()

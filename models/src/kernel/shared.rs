@@ -25,12 +25,7 @@ impl Watch<'_> {
 ///
 /// # Panics
 /// Where a job does.
-pub fn shared<T: Send>(
-    count: usize,
-    threads: usize,
-    watch: Watch<'_>,
-    job: impl Fn(usize) -> T + Sync,
-) -> Vec<T> {
+pub fn shared<T: Send>(count: usize, threads: usize, watch: Watch<'_>, job: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let results = Mutex::new(Vec::new());
     std::thread::scope(|scope| {

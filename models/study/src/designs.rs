@@ -209,7 +209,10 @@ mod tests {
             (1e-13, -7.348_796_102_800_676_5),
         ] {
             let found = normal(part);
-            assert!((found - value).abs() <= 4e-16 * f64::max(1.0, value.abs()), "{part}: {found} for {value}");
+            assert!(
+                (found - value).abs() <= 4e-16 * f64::max(1.0, value.abs()),
+                "{part}: {found} for {value}"
+            );
         }
     }
 

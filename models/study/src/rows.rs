@@ -44,7 +44,11 @@ impl<'a> Plan<'a> {
             scene,
             study,
             designs: Designs::new(study),
-            requirements: asked.requirements.iter().map(|check| (check.id, check.symbol)).collect(),
+            requirements: asked
+                .requirements
+                .iter()
+                .map(|check| (check.id, check.symbol))
+                .collect(),
         }
     }
 
@@ -78,7 +82,10 @@ impl<'a> Plan<'a> {
                 found.map(|result| result.value).ok_or_else(|| missing(&output.name))
             }
             Some(at) => {
-                let index = model.variables().iter().position(|variable| variable.quantity() == output.of);
+                let index = model
+                    .variables()
+                    .iter()
+                    .position(|variable| variable.quantity() == output.of);
                 let index = index.ok_or_else(|| missing(&output.name))?;
                 let value = model.set(0, at).and_then(|()| model.get(index));
                 value.map_err(|fault| fault.message)

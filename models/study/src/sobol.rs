@@ -156,7 +156,10 @@ mod tests {
                     let mut seen = vec![false; count as usize];
                     for point in start..start + count {
                         let part = (points.at(point, axis) * f64::from(count)) as usize;
-                        assert!(!std::mem::replace(&mut seen[part], true), "axis {axis}, 2^{k} from {start}");
+                        assert!(
+                            !std::mem::replace(&mut seen[part], true),
+                            "axis {axis}, 2^{k} from {start}"
+                        );
                     }
                 }
             }

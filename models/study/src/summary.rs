@@ -94,7 +94,11 @@ impl Gathered {
     /// An output's values in order, without the designs that are refused.
     #[must_use]
     pub fn sorted(&self, output: usize) -> Vec<f64> {
-        let mut all: Vec<f64> = self.outputs[output].iter().copied().filter(|value| !value.is_nan()).collect();
+        let mut all: Vec<f64> = self.outputs[output]
+            .iter()
+            .copied()
+            .filter(|value| !value.is_nan())
+            .collect();
         all.sort_unstable_by(f64::total_cmp);
         all
     }
@@ -132,13 +136,23 @@ impl Gathered {
     fn lines(&self, plan: &Plan<'_>) -> Vec<Vec<Option<f64>>> {
         let (inputs, outputs) = (plan.study.varied.len(), self.outputs.len());
         let finite = |row: &usize| self.outputs.iter().all(|column| column[*row].is_finite());
-        let rows = || (0..self.rows()).filter(finite).map(|row| (row, plan.designs.values(row)));
+        let rows = || {
+            (0..self.rows())
+                .filter(finite)
+                .map(|row| (row, plan.designs.values(row)))
+        };
         let count = rows().count() as f64;
         let (mut x_mean, mut y_mean) = (vec![0.0; inputs], vec![0.0; outputs]);
         for (row, values) in rows() {
-            x_mean.iter_mut().zip(&values).for_each(|(sum, value)| *sum += value / count);
+            x_mean
+                .iter_mut()
+                .zip(&values)
+                .for_each(|(sum, value)| *sum += value / count);
             let own = self.outputs.iter().map(|column| column[row]);
-            y_mean.iter_mut().zip(own).for_each(|(sum, value)| *sum += value / count);
+            y_mean
+                .iter_mut()
+                .zip(own)
+                .for_each(|(sum, value)| *sum += value / count);
         }
         let (mut squares, mut products) = (vec![0.0; inputs], vec![vec![0.0; outputs]; inputs]);
         for (row, values) in rows() {
@@ -196,12 +210,18 @@ fn derivative(plan: &Plan<'_>, output: &Output, by: Quantity) -> Option<f64> {
             ((of, None), found.at.map(|(_, at)| at))
         }
     };
-    let index = model.variables().iter().position(|variable| variable.quantity() == of)?;
+    let index = model
+        .variables()
+        .iter()
+        .position(|variable| variable.quantity() == of)?;
     if let Some(at) = at {
         model.set(0, at).ok()?;
     }
     let tangent = &mut model.tangent(&|quantity| f64::from(quantity == by));
-    model.derivative(tangent, index).ok().filter(|derivative| derivative.is_finite())
+    model
+        .derivative(tangent, index)
+        .ok()
+        .filter(|derivative| derivative.is_finite())
 }
 
 #[cfg(test)]

@@ -131,8 +131,14 @@ fn row(numbers: &Numbers, varied: &Varied) -> Row {
 
 /// Its symbol, with its number among several.
 fn shown(varied: &Varied) -> String {
-    let number = varied.key.rsplit_once('[').and_then(|(_, rest)| rest.split_once(']')?.0.parse().ok());
-    number.map_or_else(|| varied.symbol.print.to_owned(), |number| varied.symbol.numbered(number))
+    let number = varied
+        .key
+        .rsplit_once('[')
+        .and_then(|(_, rest)| rest.split_once(']')?.0.parse().ok());
+    number.map_or_else(
+        || varied.symbol.print.to_owned(),
+        |number| varied.symbol.numbered(number),
+    )
 }
 
 fn result(
@@ -145,15 +151,19 @@ fn result(
     let symbol = output.of.0;
     let spread = gathered.spread(place);
     let all = spread.map(|spread| [spread.least, spread.p5, spread.p50, spread.p95, spread.greatest]);
-    let picture = all.and_then(|[_, p5, p50, p95, _]| {
-        histogram(numbers.language, symbol, &gathered.sorted(place), &[p5, p50, p95])
-    });
+    let picture = all
+        .and_then(|[_, p5, p50, p95, _]| histogram(numbers.language, symbol, &gathered.sorted(place), &[p5, p50, p95]));
     let names = plan.study.varied.iter().map(shown);
-    let bars = names.zip(effects).map(|(name, effect)| (name, [effect.exact, effect.sampled]));
+    let bars = names
+        .zip(effects)
+        .map(|(name, effect)| (name, [effect.exact, effect.sampled]));
     let coordinate = plan.scene.mechanism.standing().variables()[0].symbol;
     Result {
         quantity: symbol.into(),
-        shown: output.of.1.map_or_else(|| symbol.print.to_owned(), |number| symbol.numbered(number)),
+        shown: output
+            .of
+            .1
+            .map_or_else(|| symbol.print.to_owned(), |number| symbol.numbered(number)),
         at: output.at.map(|at| numbers.named(coordinate, at)),
         spread: all.map(|all| numbers.column(symbol, all.into_iter())),
         histogram: picture.map(|picture| picture.json()),

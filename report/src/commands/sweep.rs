@@ -64,7 +64,11 @@ impl Sweep {
         }
         let whole = gathered.rows() == plan.designs.count();
         if !whole {
-            eprintln!("broken off after {} of {} designs", gathered.rows(), plan.designs.count());
+            eprintln!(
+                "broken off after {} of {} designs",
+                gathered.rows(),
+                plan.designs.count()
+            );
         }
         match file {
             Some(file) => file.close(whole),
@@ -85,7 +89,10 @@ fn designs(study: &Study, rows: usize) -> String {
         Some(drawn) => {
             let even = match drawn.is_power_of_two() {
                 true => String::new(),
-                false => format!(" (a power of two such as {} fills the ranges more evenly)", drawn.next_power_of_two()),
+                false => format!(
+                    " (a power of two such as {} fills the ranges more evenly)",
+                    drawn.next_power_of_two()
+                ),
             };
             format!("{rows} designs, seed {}{even}", study.seed)
         }
@@ -103,16 +110,26 @@ fn table(scene: &Scene, plan: &Plan<'_>, gathered: &Gathered) -> String {
     lines.insert(0, ["varies", "in the scene", ""].map(str::to_owned).to_vec());
     columns(&mut text, &lines);
     text.push('\n');
-    let mut lines = vec![["", "least", "P5", "P50", "P95", "greatest"].map(str::to_owned).to_vec()];
+    let mut lines = vec![
+        ["", "least", "P5", "P50", "P95", "greatest"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
     for (place, output) in study.outputs.iter().enumerate() {
         let symbol = output.of.0;
         let mut line = vec![format!("{} [{}]", output.name, symbol.display.name)];
-        line.extend(match gathered.spread(place) {
-            Some(spread) => numbers(&spread).map(|value| symbol.shown(value)).to_vec(),
-            None => vec![f64::NAN; 5],
-        }
-        .chunks(5)
-        .flat_map(|all| column(all, SIGNIFICANT).into_iter().map(|number: Number| number.to_string())));
+        line.extend(
+            match gathered.spread(place) {
+                Some(spread) => numbers(&spread).map(|value| symbol.shown(value)).to_vec(),
+                None => vec![f64::NAN; 5],
+            }
+            .chunks(5)
+            .flat_map(|all| {
+                column(all, SIGNIFICANT)
+                    .into_iter()
+                    .map(|number: Number| number.to_string())
+            }),
+        );
         lines.push(line);
     }
     columns(&mut text, &lines);
@@ -123,8 +140,16 @@ fn table(scene: &Scene, plan: &Plan<'_>, gathered: &Gathered) -> String {
         let each: Vec<String> = each
             .map(|((id, symbol), count)| format!("{id} ({}) {}", symbol.id, percent(*count, rows)))
             .collect();
-        let each = if each.is_empty() { String::new() } else { format!(": {}", each.join(", ")) };
-        let _ = writeln!(text, "  requirements failed by {} of all designs{each}", percent(gathered.failed, rows));
+        let each = if each.is_empty() {
+            String::new()
+        } else {
+            format!(": {}", each.join(", "))
+        };
+        let _ = writeln!(
+            text,
+            "  requirements failed by {} of all designs{each}",
+            percent(gathered.failed, rows)
+        );
     }
     if let Some((count, first)) = gathered.reason() {
         let _ = writeln!(
@@ -164,7 +189,8 @@ fn told(scene: &Scene, plan: &Plan<'_>, gathered: &Gathered) -> Value {
         })
     });
     let requirements = plan.requirements.iter().zip(&gathered.fails);
-    let requirements = requirements.map(|((id, symbol), fails)| json!({ "id": id, "result": symbol.id, "fails": fails }));
+    let requirements =
+        requirements.map(|((id, symbol), fails)| json!({ "id": id, "result": symbol.id, "fails": fails }));
     let reason = gathered.reason();
     let reason = reason.map(|(count, first)| json!({ "count": count, "first": first }));
     json!({

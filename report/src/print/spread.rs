@@ -48,7 +48,12 @@ const MOST: usize = 10;
 /// one below; to the right where the result grows, the greatest first. None where nothing has an effect.
 #[must_use]
 pub fn tornado(mut rows: Vec<(String, [Option<f64>; 2])>) -> Option<Picture> {
-    let size = |effects: &[Option<f64>; 2]| effects.iter().flatten().fold(0.0_f64, |most, effect| most.max(effect.abs()));
+    let size = |effects: &[Option<f64>; 2]| {
+        effects
+            .iter()
+            .flatten()
+            .fold(0.0_f64, |most, effect| most.max(effect.abs()))
+    };
     rows.sort_by(|a, b| size(&b.1).total_cmp(&size(&a.1)));
     rows.truncate(MOST);
     let longest = rows.first().map(|row| size(&row.1)).filter(|longest| *longest > 0.0)?;
