@@ -56,7 +56,7 @@ const MOST_OUTPUTS: usize = 100;
 #[derive(Clone, Debug)]
 pub struct Study {
     /// In the order of the scene.
-    pub varied: Vec<Varied>,
+    pub varied: Vec<Varying>,
     pub outputs: Vec<Output>,
     /// How many designs are drawn; all combinations where that is left open.
     pub drawn: Option<u64>,
@@ -65,7 +65,7 @@ pub struct Study {
 
 /// A quantity that varies.
 #[derive(Clone, Debug)]
-pub struct Varied {
+pub struct Varying {
     /// As the scene has it.
     pub key: String,
     pub symbol: &'static Symbol,
@@ -114,7 +114,7 @@ impl Study {
         found: &mut Vec<Diagnostic>,
     ) -> Option<Study> {
         let before = found.len();
-        let mut varied: Vec<Varied> = Vec::new();
+        let mut varied: Vec<Varying> = Vec::new();
         for (key, text, place) in v.named("vary") {
             match vary(given, gravity, (key, text, place)) {
                 Ok(one) if varied.iter().any(|other| other.given == one.given) => {
@@ -197,7 +197,7 @@ impl Study {
     /// The scene's text with other values (SI), to the bit.
     #[must_use]
     pub fn replaced(&self, text: &str, values: &[f64]) -> String {
-        let mut places: Vec<(&Varied, f64)> = self.varied.iter().zip(values.iter().copied()).collect();
+        let mut places: Vec<(&Varying, f64)> = self.varied.iter().zip(values.iter().copied()).collect();
         places.sort_by_key(|(one, _)| std::cmp::Reverse(one.given.start));
         let mut changed = text.to_owned();
         for (one, value) in places {
@@ -213,7 +213,7 @@ impl Study {
 }
 
 /// A quantity that varies, and how.
-fn vary(all: &Origins, gravity: f64, named: Named<'_>) -> Result<Varied, Box<Diagnostic>> {
+fn vary(all: &Origins, gravity: f64, named: Named<'_>) -> Result<Varying, Box<Diagnostic>> {
     let (_, text, place) = named;
     let (known, origin) = vary::given(all, named, |known| known.given.is_some())?;
     let weighs = origin.mass.map(|_| gravity);
@@ -225,7 +225,7 @@ fn vary(all: &Origins, gravity: f64, named: Named<'_>) -> Result<Varied, Box<Dia
         // What cannot be is a design that is refused.
         Law::Normal { .. } => {}
     }
-    Ok(Varied {
+    Ok(Varying {
         key: origin.key.clone(),
         symbol: known.symbol,
         law,

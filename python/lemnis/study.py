@@ -109,10 +109,7 @@ class Studies:
         text = _lemnis.studied(self._core, laws, names, draws, n, seed)
         # Of the same class, which reads it and says what is wrong with it.
         scene = type(self)(text, self._name)
-        asked = _lemnis.study(scene._core)
-        if asked is None:
-            raise _lemnis.ModelError("the scene asks for no study: say what varies and which outputs are looked at")
-        count, varied, looked, requirements = asked
+        count, varied, looked, requirements = _lemnis.study(scene._core)
         if executor is None:
             parts = [_lemnis.study_rows(scene._core, 0, count, cores(threads))]
         else:

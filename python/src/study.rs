@@ -26,6 +26,10 @@ type Rows<'py> = (
     Vec<(usize, String)>,
 );
 
+fn none() -> PyErr {
+    ModelError::new_err("the scene asks for no study")
+}
+
 fn column<'a>(name: &'a str, symbol: &Symbol) -> Column<'a> {
     let Symbol {
         unit,
@@ -38,13 +42,16 @@ fn column<'a>(name: &'a str, symbol: &Symbol) -> Column<'a> {
     (name, unit.name, display.name, display.factor, print, text, source)
 }
 
-/// What a scene's study asks for; `None` where it has none.
+/// What a scene's study asks for.
+///
+/// # Errors
+/// A scene without one.
 #[pyfunction]
-pub fn study(scene: &Scene) -> Option<Asked<'_>> {
+pub fn study(scene: &Scene) -> PyResult<Asked<'_>> {
     let scene = scene.checked();
-    let study = scene.study.as_ref()?;
+    let study = scene.study.as_ref().ok_or_else(none)?;
     let plan = Plan::new(scene, study);
-    Some((
+    Ok((
         plan.designs.count(),
         study
             .varied
@@ -131,7 +138,7 @@ pub fn study_rows<'py>(
         Some(table)
     })?;
     let table = done.pop().flatten();
-    let table = table.ok_or_else(|| ModelError::new_err("the scene asks for no study"))?;
+    let table = table.ok_or_else(none)?;
     let numbers = table.numbers.into_iter().map(|column| PyArray1::from_vec(py, column));
     let fails = table.fails.into_iter().map(|column| PyArray1::from_vec(py, column));
     Ok((numbers.collect(), fails.collect(), table.faults))

@@ -8,8 +8,8 @@ use crate::rows::{Plan, Row};
 
 /// Rows of a job: some tens of milliseconds.
 const BLOCK: usize = 64;
-/// Jobs between which rows are handed on: so many rows are held.
-const JOBS: usize = 64;
+/// Jobs of a thread between which rows are handed on: so many blocks are held.
+const JOBS: usize = 8;
 
 /// How often [`run`] calls [`Watch::run`] for some rows.
 #[must_use]
@@ -29,8 +29,9 @@ pub fn run<E>(
     mut take: impl FnMut(Row) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut next = rows.start;
+    let wave = threads.max(1) * JOBS * BLOCK;
     while next < rows.end && watch.goes_on() {
-        let wave = next..(next + JOBS * BLOCK).min(rows.end);
+        let wave = next..(next + wave).min(rows.end);
         let found = shared(jobs(&wave), threads, watch, |job| {
             let start = wave.start + job * BLOCK;
             let block = start..(start + BLOCK).min(wave.end);

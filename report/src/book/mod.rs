@@ -41,6 +41,7 @@ use crate::book::trade::Trade;
 use crate::book::verdict::Verdict;
 use crate::language::{Language, symbols};
 use crate::print::drawing::{SKETCH, drawing};
+use crate::print::number::Numbers;
 use crate::print::precision;
 use crate::template::{Error, Templates};
 
@@ -204,6 +205,12 @@ fn paragraphs(language: &Language, scene: &Scene) -> BTreeMap<&'static str, Vec<
     TEXT.iter().map(of).collect()
 }
 
+/// What moves.
+fn moving(numbers: &Numbers, sheet: &Sheet, notation: &mut Notation) -> Option<Motion> {
+    let of = |motion| Motion::new(numbers, motion, &sheet.requirements, notation);
+    sheet.motion.as_ref().map(of)
+}
+
 impl<'a> Book<'a> {
     fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Result<Book<'a>, Error> {
         let numbers = &precision::numbers(edition.language, scene.book.digits, sheet);
@@ -211,7 +218,7 @@ impl<'a> Book<'a> {
         let mut notation = Notation::new(sheet, &chapters);
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut sizing, mut motion, mut cases) = (Vec::new(), None, None);
+        let (mut sizing, mut motion, mut cases, mut study) = (Vec::new(), None, None, None);
         let judged = sheet.requirements.as_slice();
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
@@ -225,10 +232,8 @@ impl<'a> Book<'a> {
                     positions = sheet.positions.iter().map(position).collect();
                 }
                 "cases" => cases = Cases::of(numbers, sheet, full, &mut notation),
-                "motion" => {
-                    let of = |motion| Motion::new(numbers, motion, judged, &mut notation);
-                    motion = sheet.motion.as_ref().map(of);
-                }
+                "motion" => motion = moving(numbers, sheet, &mut notation),
+                "study" => study = Study::of(numbers, scene, &mut notation),
                 _ => {}
             }
         }
@@ -240,10 +245,7 @@ impl<'a> Book<'a> {
         let comparison = comparison.filter(|_| has("synthesis"));
         let synthesis = comparison.and_then(|comparison| synthesis(numbers, scene, &comparison, &mut notation));
         let trade = (has("trade").then(|| Trade::new(numbers, scene, &mut notation))).transpose()?;
-        let study = scene.study.as_ref().filter(|_| has("study"));
-        let study = study.map(|study| Study::new(numbers, scene, study, &mut notation));
         let drawing = drawing(&sheet.drawing, SKETCH);
-        let figure = |c: &sheet::Curve| Figure::new(numbers, c);
         let summary = |s: &sheet::Summary| blocks::summary(numbers, s);
         let demand = |d: &(&'static str, sheet::Summary)| tables::demand(numbers, d);
         // The FMU of the same scene tells the same.
@@ -276,7 +278,7 @@ impl<'a> Book<'a> {
             changes: sheet.changes.as_ref().map(|changes| tables::changes(numbers, changes)),
             sizing,
             range: blocks::range(numbers, &sheet.range, full),
-            curves: sheet.curves.iter().map(figure).collect(),
+            curves: sheet.curves.iter().map(|curve| Figure::new(numbers, curve)).collect(),
             charts: sheet.charts.iter().map(|chart| Chart::new(numbers, chart)).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(numbers, b)),
             cases,

@@ -7,7 +7,7 @@ use lemnis_models::kernel::number::{Number, rough};
 use lemnis_models::kernel::shared::Watch;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::scene::Scene;
-use lemnis_models::study::{Law, Output, Study as Asked, Varied};
+use lemnis_models::study::{Law, Output, Varying};
 use lemnis_study::rows::Plan;
 use lemnis_study::run::run;
 use lemnis_study::summary::{Effect, Gathered};
@@ -69,7 +69,9 @@ struct Result {
 const MOST: usize = 4096;
 
 impl Study {
-    pub(super) fn new(numbers: &Numbers, scene: &Scene, study: &Asked, notation: &mut Notation) -> Study {
+    /// `None` where the scene asks for none.
+    pub(super) fn of(numbers: &Numbers, scene: &Scene, notation: &mut Notation) -> Option<Study> {
+        let study = scene.study.as_ref()?;
         let plan = Plan::new(scene, study);
         let mut gathered = Gathered::new(&plan);
         let rows = 0..plan.designs.count().min(MOST);
@@ -98,7 +100,7 @@ impl Study {
         });
         let requirements = plan.requirements.iter().zip(&gathered.fails);
         let reason = gathered.reason().map(|(_, reason)| reason.to_owned());
-        Study {
+        Some(Study {
             designs: gathered.rows(),
             asked: plan.designs.count(),
             seed: study.drawn.map(|_| study.seed),
@@ -107,11 +109,11 @@ impl Study {
             failed: (!plan.requirements.is_empty()).then(|| share(gathered.failed)),
             requirements: requirements.map(|((id, _), count)| (*id, share(*count))).collect(),
             refused: reason.map(|reason| (share(gathered.refused()), reason)),
-        }
+        })
     }
 }
 
-fn row(numbers: &Numbers, varied: &Varied) -> Row {
+fn row(numbers: &Numbers, varied: &Varying) -> Row {
     let given = |value: f64| numbers.given(varied.symbol, value);
     let (law, told) = match &varied.law {
         Law::Values(values) => ("values", values.iter().copied().map(given).collect()),
@@ -130,7 +132,7 @@ fn row(numbers: &Numbers, varied: &Varied) -> Row {
 }
 
 /// Its symbol, with its number among several.
-fn shown(varied: &Varied) -> String {
+fn shown(varied: &Varying) -> String {
     let number = varied
         .key
         .rsplit_once('[')

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lemnis::machine::json as number;
-use lemnis_models::kernel::number::{Number, SIGNIFICANT, column, short};
+use lemnis_models::kernel::number::{Number, SIGNIFICANT, column, rough};
 use lemnis_models::scene::Scene;
 use lemnis_models::study::Study;
 use lemnis_study::rows::Plan;
@@ -79,7 +79,7 @@ impl Sweep {
 
 /// A part of all, in percent.
 fn percent(count: usize, of: usize) -> String {
-    format!("{} %", short(100.0 * count as f64 / of.max(1) as f64))
+    format!("{} %", rough(100.0 * count as f64 / of.max(1) as f64))
 }
 
 /// How many designs of which kind.
