@@ -7,7 +7,7 @@ use crate::balance;
 use crate::balance::task::Search;
 use crate::component::dependencies::{dependencies as traced, recorded};
 use crate::component::description::{Described, Vocabulary};
-use crate::component::judged::{Judged, Wanted, judged as found};
+use crate::component::judged::{Judged, Sought, judged as found};
 use crate::component::mechanism::{Entry, Mechanism};
 use crate::component::model::Model;
 use crate::component::moving::MovingComponent;
@@ -106,7 +106,7 @@ struct Teller {
     id: &'static str,
     vocabulary: &'static Vocabulary,
     sheet: fn(&dyn Mechanism, &Origins, &[Place]) -> Option<Sheet>,
-    judged: fn(&dyn Mechanism, &mut Standing, &Wanted<'_>) -> Option<Judged>,
+    judged: fn(&dyn Mechanism, &mut Standing, &Sought<'_>) -> Option<Judged>,
     assumptions: fn(&dyn Mechanism) -> Option<Vec<&'static str>>,
     drawing: fn(&dyn Mechanism, f64) -> Option<Drawing>,
     dependencies: fn(&Standing) -> Option<Vec<BTreeSet<Name>>>,
@@ -163,7 +163,7 @@ pub fn sheet(mechanism: &dyn Mechanism, origins: &Origins, asked: &[Place]) -> S
 /// # Panics
 /// As [`sheet`].
 #[must_use]
-pub fn judged(mechanism: &dyn Mechanism, model: &mut Standing, wanted: &Wanted<'_>) -> Judged {
+pub fn judged(mechanism: &dyn Mechanism, model: &mut Standing, wanted: &Sought<'_>) -> Judged {
     told(|teller| (teller.judged)(mechanism, model, wanted))
 }
 

@@ -68,7 +68,7 @@ class Studies:
         >>> import lemnis
         >>> study = lemnis.Scene.default().sweep({"luffing.X_1": [19.3, 19.5]}, ["R_max", "R at theta_1 = 60 deg"])
         >>> [round(float(R), 4) for R in study["R_max"]]
-        [29.9766, 29.9157]
+        [29.9766, 29.8434]
         """
         return self._study(vary, outputs, vary is None, None, None, executor, threads)
 

@@ -28,11 +28,11 @@ impl Judged {
 }
 
 /// Whether a result is wanted.
-pub type Wanted<'a> = dyn Fn(&'static Symbol) -> bool + 'a;
+pub type Sought<'a> = dyn Fn(&'static Symbol) -> bool + 'a;
 
 /// Those results that are wanted, and all of which the scene asks something.
 #[must_use]
-pub fn judged<T: Described>(told: &Description<T>, model: &mut Standing, wanted: &Wanted<'_>) -> Judged {
+pub fn judged<T: Described>(told: &Description<T>, model: &mut Standing, wanted: &Sought<'_>) -> Judged {
     let outline = T::OUTLINE;
     let asked = |symbol: &'static Symbol| {
         let mut own = outline.limits.iter().filter(|limit| limit.symbol == symbol);
