@@ -12,6 +12,7 @@ use lemnis_fmu::package::{self, Library};
 use lemnis_models::book::LEVELS;
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::shared::Watch;
 use lemnis_models::kernel::variable::Role;
 use lemnis_models::luffing::double_link::feet::Feet;
 use lemnis_models::luffing::double_link::geometry::Geometry;
@@ -24,7 +25,6 @@ use lemnis_models::luffing::double_link::statics::{LoadMoment, Own};
 use lemnis_models::luffing::double_link::velocity::Velocity;
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_synthesis::candidate::Positions;
-use lemnis_synthesis::optimum::Watch;
 use lemnis_synthesis::run::run;
 use lemnis_tests::unpacked::{DoStep, GetState, Real, SetReal, SetState, Unpacked};
 

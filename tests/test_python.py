@@ -25,7 +25,7 @@ sys.path.insert(0, str(ROOT / "tests/oracles"))
 SCENES = ROOT / "models/scenes"
 STANDING = ["lemniscate", "rope_compensation", "boat_hoist_003", "slewing"]
 MOVING = ["portal_004_motion", "rope_motion"]
-MODULES = ["lemnis", "lemnis.errors", "lemnis.scene", "lemnis.table"]
+MODULES = ["lemnis", "lemnis.errors", "lemnis.scene", "lemnis.study", "lemnis.table"]
 
 
 @pytest.fixture(scope="module")

@@ -8,6 +8,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # Each crate's sources, by the name that others call it.
 CRATES = {
     "lemnis_models": "models/src",
+    "lemnis_study": "models/study/src",
     "lemnis_synthesis": "models/synthesis/src",
     "lemnis_trade": "models/trade/src",
     "lemnis_fmu": "fmu/src",
@@ -148,7 +149,8 @@ FLOORS = [
     ["component"],
     ["balance", "drive"],
     ["luffing", "slewing", "steering", "supports"],
-    ["registry", "book", "request"],
+    ["registry", "book", "vary"],
+    ["reading", "request", "study"],
     ["scene"],
     ["alone"],
 ]

@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use crate::component::stages::Source;
 use crate::kernel::variable::Quantity;
-use crate::request;
 use crate::scene::Scene;
+use crate::vary;
 
 /// How far a quantity is moved to see what changes with it, by parts of itself, or in SI where it is zero.
 const STEPS: [f64; 4] = [1e-3, -1e-3, 1e-6, -1e-6];
@@ -61,7 +61,7 @@ pub fn alone(scene: &Scene, key: &str) -> Result<Quantity, String> {
         });
     };
     let standing = scene.mechanism.standing();
-    let source = request::source(&standing, known).map_err(|why| format!("`{key}` does not stand by itself: {why}"))?;
+    let source = vary::source(&standing, known).map_err(|why| format!("`{key}` does not stand by itself: {why}"))?;
     let scale = if known.value == 0.0 { 1.0 } else { known.value };
     let other = |step: f64| {
         let value = known.symbol.in_si(known.value + step * scale);

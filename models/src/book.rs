@@ -66,6 +66,7 @@ pub const CHAPTERS: &[&str] = &[
     "motion",
     "synthesis",
     "trade",
+    "study",
     "published",
     "sensitivity",
     "remarks",
@@ -95,15 +96,14 @@ pub struct Book {
 }
 
 impl Book {
-    /// Of a checked table and the project's; mistakes go to `found`.
-    pub fn new(
-        table: Option<&Values>,
-        project: Option<&Values>,
-        mechanism: &dyn Mechanism,
-        found: &mut Vec<Diagnostic>,
-    ) -> Book {
-        let Some(table) = table else {
+    /// Of the checked tables of a scene; mistakes go to `found`.
+    pub fn new(scene: &Values, mechanism: &dyn Mechanism, found: &mut Vec<Diagnostic>) -> Book {
+        let Some(table) = scene.table("book") else {
             return Book::default();
+        };
+        let has = |chapter: &str| match chapter {
+            "study" => scene.has(chapter),
+            _ => mechanism.has_chapter(chapter),
         };
         let known = |list: &'static [&'static str], text: &str| list.iter().copied().find(|known| *known == text);
         let mut positions = Vec::new();
@@ -121,12 +121,9 @@ impl Book {
         if table.has("chapters")
             && !chapters
                 .iter()
-                .any(|chapter| mechanism.has_chapter(chapter) || own.is_some_and(|own| own.has(chapter)))
+                .any(|chapter| has(chapter) || own.is_some_and(|own| own.has(chapter)))
         {
-            let all = CHAPTERS
-                .iter()
-                .copied()
-                .filter(|chapter| mechanism.has_chapter(chapter));
+            let all = CHAPTERS.iter().copied().filter(|chapter| has(chapter));
             let help = format!("chapters of this scene: {}", all.collect::<Vec<_>>().join(", "));
             let message = match chapters.as_slice() {
                 [] => "a book without chapters".to_owned(),
@@ -134,7 +131,10 @@ impl Book {
             };
             found.push(table.refuse("chapters", message, "an empty book", help));
         }
-        let date = project.and_then(|project| project.text("date")).and_then(check::date);
+        let date = scene
+            .table("project")
+            .and_then(|project| project.text("date"))
+            .and_then(check::date);
         if table.text("pdf_standard").is_some() && date.is_none() {
             let message = "`book.pdf_standard` needs the date of the book";
             found.push(table.refuse(

@@ -7,6 +7,7 @@ use crate::balance;
 use crate::balance::task::Search;
 use crate::component::dependencies::{dependencies as traced, recorded};
 use crate::component::description::{Described, Vocabulary};
+use crate::component::judged::{Judged, Sought, judged as found};
 use crate::component::mechanism::{Entry, Mechanism};
 use crate::component::model::Model;
 use crate::component::moving::MovingComponent;
@@ -105,6 +106,7 @@ struct Teller {
     id: &'static str,
     vocabulary: &'static Vocabulary,
     sheet: fn(&dyn Mechanism, &Origins, &[Place]) -> Option<Sheet>,
+    judged: fn(&dyn Mechanism, &mut Standing, &Sought<'_>) -> Option<Judged>,
     assumptions: fn(&dyn Mechanism) -> Option<Vec<&'static str>>,
     drawing: fn(&dyn Mechanism, f64) -> Option<Drawing>,
     dependencies: fn(&Standing) -> Option<Vec<BTreeSet<Name>>>,
@@ -115,6 +117,7 @@ const fn teller<T: Described>() -> Teller {
         id: T::ID,
         vocabulary: T::VOCABULARY,
         sheet: |mechanism, origins, asked| Some(telling::sheet::<T>(mechanism.of()?, origins, asked)),
+        judged: |mechanism, model, wanted| Some(found::<T>(mechanism.of()?, model, wanted)),
         assumptions: |mechanism| Some(T::assumptions(mechanism.of()?)),
         drawing: |mechanism, at| Some(T::drawing(mechanism.of()?, at)),
         dependencies: |model| {
@@ -141,8 +144,8 @@ pub fn vocabularies() -> impl Iterator<Item = (&'static str, &'static Vocabulary
 }
 
 /// What the teller of a mechanism says.
-fn told<R>(of: impl Fn(&Teller) -> Option<R>) -> R {
-    TELLERS.iter().find_map(of).expect("every mechanism has its line")
+fn told<R>(mut of: impl FnMut(&Teller) -> Option<R>) -> R {
+    TELLERS.iter().find_map(&mut of).expect("every mechanism has its line")
 }
 
 /// All that its book says, with the positions that the scene asks for.
@@ -152,6 +155,16 @@ fn told<R>(of: impl Fn(&Teller) -> Option<R>) -> R {
 #[must_use]
 pub fn sheet(mechanism: &dyn Mechanism, origins: &Origins, asked: &[Place]) -> Sheet {
     told(|teller| (teller.sheet)(mechanism, origins, asked))
+}
+
+/// Results of the whole range that are wanted, and those of which the scene asks something, as its book has them; `model` is
+/// that of the mechanism [`standing`](Mechanism::standing).
+///
+/// # Panics
+/// As [`sheet`].
+#[must_use]
+pub fn judged(mechanism: &dyn Mechanism, model: &mut Standing, wanted: &Sought<'_>) -> Judged {
+    told(|teller| (teller.judged)(mechanism, model, wanted))
 }
 
 /// Ids of the sentences that say at which level it is modelled, and what its model takes for granted.

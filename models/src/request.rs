@@ -7,16 +7,16 @@ use crate::component::governing::extremes;
 use crate::component::mechanism::Mechanism;
 use crate::component::outline::Greatest;
 use crate::component::running::Running;
-use crate::component::stages::{Slot, Source, Use};
+use crate::component::stages::{Slot, Source};
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::measure;
 use crate::kernel::number::exponent;
-use crate::kernel::origin::{Known, Origins};
+use crate::kernel::origin::Origins;
 use crate::kernel::schema::{COUNTLESS, Key, Kind, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::{Role, Variable};
+use crate::vary::{self, Named, bounds, choices, number, source};
 
 /// Keys of `[synthesis]`.
 pub static SYNTHESIS: &[Key] = &[
@@ -250,77 +250,13 @@ impl Varied {
     }
 }
 
-type Number = Result<f64, measure::Problem>;
-
-/// A quantity, or the weight of a mass.
-fn number(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -> Number {
-    let Some(g) = weighs else {
-        return measure::quantity(text, symbol, Sign::Any);
-    };
-    let number = measure::number(text, &Key::weight(symbol))?;
-    Ok(number.mass.map_or(number.value, |mass| mass * g))
-}
-
-/// Values such as `"2, 3 or 4"`; none where these are bounds.
-fn choices(text: &str, symbol: &'static Symbol, weighs: Option<f64>) -> Result<Vec<f64>, measure::Problem> {
-    let each: Vec<&str> = text.split(',').flat_map(|some| some.split(" or ")).collect();
-    match each.as_slice() {
-        [_] => Ok(Vec::new()),
-        each => each.iter().map(|one| number(one, symbol, weighs)).collect(),
-    }
-}
-
-/// Bounds such as `"1 m to 2 m"`.
-fn bounds(text: &str, symbol: &Symbol, read: impl Fn(&str) -> Number) -> Result<[f64; 2], measure::Problem> {
-    let Some((low, high)) = text.split_once(" to ") else {
-        let unit = symbol.display.name;
-        return Err((
-            format!("\"{text}\" are no bounds"),
-            "cannot be read".to_owned(),
-            format!("write the least and the greatest value: \"1 {unit} to 2 {unit}\""),
-        ));
-    };
-    let ends = [read(low)?, read(high)?];
-    if ends[0] >= ends[1] {
-        return Err((
-            format!("the bounds {text} are upside down"),
-            "not above the first".to_owned(),
-            "give the smallest value first, then the greatest".to_owned(),
-        ));
-    }
-    Ok(ends)
-}
-
-type Named<'a> = (&'a String, &'a String, &'a Range<usize>);
-
 /// A quantity that the search may change, if the equations have it.
-fn vary(
-    model: &Standing,
-    given: &Origins,
-    gravity: f64,
-    (key, text, place): Named<'_>,
-) -> Result<Varied, Box<Diagnostic>> {
+fn vary(model: &Standing, all: &Origins, gravity: f64, named: Named<'_>) -> Result<Varied, Box<Diagnostic>> {
+    let (key, text, place) = named;
     let refuse = |message: String, label: &str, help: String| {
         Err(Box::new(Diagnostic::new(place.clone(), message, label).help(help)))
     };
-    let Some(known) = given.known(key) else {
-        let free = given
-            .all()
-            .filter(|known| source(model, known).is_ok())
-            .filter_map(|known| known.given.as_ref());
-        let free: Vec<&str> = free.map(|origin| origin.key.as_str()).collect();
-        let message = format!("`{key}` is no quantity of this scene");
-        return refuse(message, "not known", format!("quantities here: {}", free.join(", ")));
-    };
-    let Some(origin) = &known.given else {
-        let message = format!("`{key}` is not given in this scene");
-        let value = known.symbol.written(known.value);
-        return refuse(
-            message,
-            "left at what is usual",
-            format!("give it a value to start from: {value}"),
-        );
-    };
+    let (known, origin) = vary::given(all, named, |known| source(model, known).is_ok())?;
     let source = match source(model, known) {
         Ok(source) => source,
         Err(why) => {
@@ -341,14 +277,8 @@ fn vary(
         };
         Ok((bounds, choices))
     });
-    let (bounds, choices) = values.map_err(|(message, label, help)| {
-        Box::new(Diagnostic::new(place.clone(), format!("`vary.\"{key}\"`: {message}"), label).help(help))
-    })?;
-    let allowed = |value: &f64| Variable::new((known.symbol, None), Role::Parameter).check(*value).err();
-    if let Some(fault) = bounds.iter().find_map(allowed) {
-        let message = format!("`vary.\"{key}\"`: {text} is not allowed");
-        return refuse(message, "out of range", fault.message);
-    }
+    let (bounds, choices) = values.map_err(|problem| vary::wrong(named, problem))?;
+    vary::allowed(named, known.symbol, &bounds)?;
     if choices.is_empty() && !(bounds[0]..=bounds[1]).contains(&known.value) {
         let message = format!(
             "`{key}` = {} lies outside its bounds",
@@ -371,33 +301,6 @@ fn vary(
         given: origin.place.clone(),
         place: place.clone(),
     })
-}
-
-/// The number of the equations that a quantity of the scene is.
-pub(crate) fn source(model: &Standing, known: &Known) -> Result<Source, &'static str> {
-    let groups = model.part().groups();
-    let number = known
-        .key
-        .split_once('[')
-        .and_then(|(_, rest)| rest.split_once(']')?.0.parse::<u16>().ok());
-    let own = |(source, (symbol, of)): &(Source, (&'static Symbol, Option<u16>))| {
-        *symbol == known.symbol && of.is_none_or(|of| Some(of) == number) && model.part().take(*source) == known.value
-    };
-    let all: Vec<Source> = model
-        .part()
-        .sources()
-        .iter()
-        .filter(|one| own(one))
-        .map(|(source, _)| *source)
-        .collect();
-    match all.as_slice() {
-        [source] => match groups[usize::from(source.group)].1 {
-            Use::Parameter | Use::Load => Ok(*source),
-            _ => Err("it runs through the working range, or is an input"),
-        },
-        [] => Err("no equation has it as it stands"),
-        _ => Err("several quantities have its symbol and its value"),
-    }
 }
 
 /// Results of the whole range that have derivatives.

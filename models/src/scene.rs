@@ -12,22 +12,21 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::json;
 use crate::kernel::measure;
-use crate::kernel::origin::{Origins, line};
-use crate::kernel::schema::{KIND, Key, Kind, Values};
+use crate::kernel::origin::Origins;
+use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::text::Text;
 use crate::kernel::variable::{Fault, Role, Type, Variable};
+use crate::reading::{gather, gravity, is_identifier, mechanism};
 use crate::registry;
 use crate::request::{Request, SYNTHESIS};
+use crate::study::{STUDY, Study};
 
 /// The lemniscate crane. [Li2022, Table 1]
 pub const DEFAULT: &str = include_str!("../scenes/lemniscate.toml");
 
 /// A longer scene is refused: the longest known has 10 kB.
 pub const LONGEST: usize = 1 << 20;
-
-/// Most characters of a scene's name.
-pub const LONGEST_NAME: usize = 60;
 
 /// The chapter of inputs with the loads.
 const LOAD: &str = "load";
@@ -59,6 +58,11 @@ pub static KEYS: &[Key] = &[
         "synthesis",
         SYNTHESIS,
         "A search for quantities of the scene, by `lemnis synth`.",
+    ),
+    Key::part(
+        "study",
+        STUDY,
+        "What comes of many values of its quantities, by `lemnis sweep`.",
     ),
     registry::LUFFING,
     registry::STEERING,
@@ -111,6 +115,8 @@ pub struct Scene {
     pub accuracy: Vec<(Variable, f64)>,
     /// A search for its own quantities.
     pub request: Option<Request>,
+    /// Many values of its own quantities.
+    pub study: Option<Study>,
     /// The table that describes its mechanism.
     pub table: &'static str,
     pub mechanism: Box<dyn Mechanism>,
@@ -122,6 +128,19 @@ impl Scene {
     /// # Errors
     /// One diagnostic for each mistake, in the order of the text.
     pub fn parse(text: &str) -> Result<Scene, Vec<Diagnostic>> {
+        let (scene, values) = Scene::read(text)?;
+        scene.with_request(&values)?.with_study(&values)
+    }
+
+    /// As [`parse`](Scene::parse), of the design alone: what the scene asks of a search and of a study is left out.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn design(text: &str) -> Result<Scene, Vec<Diagnostic>> {
+        Scene::read(text).map(|(scene, _)| scene)
+    }
+
+    fn read(text: &str) -> Result<(Scene, Values), Vec<Diagnostic>> {
         if text.len() > LONGEST {
             let message = format!("the scene has {} bytes, at most {LONGEST} are read", text.len());
             return Err(vec![
@@ -157,27 +176,29 @@ impl Scene {
         let project = values.table("project");
         let book = mechanism
             .as_ref()
-            .map(|(_, mechanism)| Book::new(values.table("book"), project, &**mechanism, &mut found));
+            .map(|(_, mechanism)| Book::new(&values, &**mechanism, &mut found));
         match mechanism.zip(book) {
-            Some(((table, mechanism), book)) if found.is_empty() => Scene {
-                text: text.to_owned(),
-                name,
-                title: values.words("title").cloned().unwrap_or_default(),
-                project: PROJECT
-                    .iter()
-                    .filter_map(|key| Some((key.name, project?.words(key.name)?.clone())))
-                    .collect(),
-                revisions: project.map_or_else(Vec::new, revisions),
-                book,
-                given: Origins::read(text, &values),
-                gravity,
-                accuracy: Vec::new(),
-                request: None,
-                table,
-                mechanism,
+            Some(((table, mechanism), book)) if found.is_empty() => {
+                let scene = Scene {
+                    text: text.to_owned(),
+                    name,
+                    title: values.words("title").cloned().unwrap_or_default(),
+                    project: PROJECT
+                        .iter()
+                        .filter_map(|key| Some((key.name, project?.words(key.name)?.clone())))
+                        .collect(),
+                    revisions: project.map_or_else(Vec::new, revisions),
+                    book,
+                    given: Origins::read(text, &values),
+                    gravity,
+                    accuracy: Vec::new(),
+                    request: None,
+                    study: None,
+                    table,
+                    mechanism,
+                };
+                Ok((scene.with_accuracy(&values)?, values))
             }
-            .with_accuracy(&values)?
-            .with_request(&values),
             _ => {
                 found.sort_by_key(|diagnostic| diagnostic.span.start);
                 Err(found)
@@ -238,6 +259,19 @@ impl Scene {
         self.request = Request::read(table, &*self.mechanism, &self.given, self.gravity, &mut found);
         found.sort_by_key(|diagnostic| diagnostic.span.start);
         if found.is_empty() { Ok(self) } else { Err(found) }
+    }
+
+    /// Reads which values are studied.
+    fn with_study(mut self, values: &Values) -> Result<Scene, Vec<Diagnostic>> {
+        if let Some(table) = values.table("study") {
+            let mut found = Vec::new();
+            self.study = Study::read(table, &*self.mechanism, &self.given, self.gravity, &mut found);
+            found.sort_by_key(|diagnostic| diagnostic.span.start);
+            if !found.is_empty() {
+                return Err(found);
+            }
+        }
+        Ok(self)
     }
 
     /// The running model.
@@ -387,93 +421,6 @@ fn revisions(project: &Values) -> Vec<Vec<Text>> {
     let cell = |table: &Values, key: &Key| table.words(key.name).cloned().unwrap_or_default();
     let row = |table: &Values| REVISION.iter().map(|key| cell(table, key)).collect();
     project.tables("revisions").iter().map(row).collect()
-}
-
-/// Parts that stand beside the scene's mechanism are those of its own table.
-fn gather(values: &mut Values, found: &mut Vec<Diagnostic>) {
-    let given = registry::mechanisms(|name| values.has(name));
-    if let [mechanism] = given.as_slice() {
-        for part in registry::PARTS.iter().filter(|part| part.name != *mechanism) {
-            found.extend(values.adopt(part.name, mechanism).err());
-        }
-    }
-}
-
-/// Acceleration of gravity: that of the top of the scene or of its mechanism's dynamics, which must agree.
-fn gravity(text: &str, values: &Values, found: &mut Vec<Diagnostic>) -> f64 {
-    let id = gravity::G.id;
-    let dynamics = registry::tables().find_map(|name| values.table(name)?.table("dynamics"));
-    let own = dynamics.and_then(|table| Some((table.number(id)?, table.place(id))));
-    match (values.number(id), own) {
-        (Some(top), Some((own, place))) if top != own => {
-            let [top, own] = [top, own].map(|value| gravity::G.written(value));
-            let line = line(text, &values.place(id));
-            let message = format!("g = {own} here and g = {top} in line {line}");
-            found.push(
-                Diagnostic::new(place, message, "another value")
-                    .help("there is one acceleration of gravity: remove one"),
-            );
-            gravity::STANDARD
-        }
-        (Some(g), _) | (None, Some((g, _))) => g,
-        (None, None) => gravity::STANDARD,
-    }
-}
-
-/// The scene's one mechanism, with the table that describes it.
-fn mechanism(
-    scene: &DeTable<'_>,
-    values: &Values,
-    gravity: f64,
-    found: &mut Vec<Diagnostic>,
-) -> Option<(&'static str, Box<dyn Mechanism>)> {
-    let given: Vec<(&'static str, &Values)> = registry::mechanisms(|name| values.has(name))
-        .into_iter()
-        .filter_map(|name| Some((name, values.table(name)?)))
-        .collect();
-    match given.as_slice() {
-        [(name, table)] => {
-            let mut kinds = registry::MECHANISMS.iter().filter(|entry| entry.table == *name);
-            let kind = table.text(KIND);
-            let entry = kinds.find(|entry| kind.is_none_or(|kind| entry.kind == kind))?;
-            Some((*name, (entry.read)(table, gravity, found)?))
-        }
-        // What is wrong with one that cannot be read has been told.
-        [] if registry::tables().any(|name| scene.keys().any(|key| key.get_ref() == name)) => None,
-        [] => {
-            let tables: Vec<String> = registry::tables().map(|name| format!("[{name}]")).collect();
-            if let Some(part) = registry::PARTS
-                .iter()
-                .find_map(|part| values.table(part.name).map(|at| (part.name, at)))
-            {
-                let (name, table) = part;
-                let message = format!("[{name}] is a part of a crane, and there is none");
-                found.push(Diagnostic::new(table.span.clone(), message, "of nothing").help(format!(
-                    "add the table that it belongs to, one of {}",
-                    tables.join(", ")
-                )));
-                return None;
-            }
-            found.push(
-                Diagnostic::new(values.span.clone(), "the scene has no mechanism", "needed here")
-                    .help(format!("add a table {}", tables.join(" or "))),
-            );
-            None
-        }
-        [(first, _), (second, table), ..] => {
-            let message = format!("the scene has two mechanisms, [{first}] and [{second}]");
-            found.push(
-                Diagnostic::new(table.span.clone(), message, "the second one").help("make a scene of its own for each"),
-            );
-            None
-        }
-    }
-}
-
-fn is_identifier(name: &str) -> bool {
-    name.len() <= LONGEST_NAME
-        && name.starts_with(|c: char| c.is_ascii_alphabetic())
-        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
 /// The JSON Schema of scenes, for editors.

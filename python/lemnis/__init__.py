@@ -15,8 +15,9 @@ their units. All results have the bits that the FMU and the book have.
 from lemnis._lemnis import VERSION as __version__
 from lemnis._lemnis import ModelError
 from lemnis.errors import Diagnostic, SceneError
-from lemnis.scene import Check, Quantity, Result, Scene, Synthesis, Variable, diagnostics, schema
-from lemnis.table import RunEnded, Table
+from lemnis.scene import Check, Quantity, Result, Scene, Synthesis, diagnostics, schema
+from lemnis.study import Study
+from lemnis.table import RunEnded, Table, Variable
 
 __all__ = [
     "Check",
@@ -27,6 +28,7 @@ __all__ = [
     "RunEnded",
     "Scene",
     "SceneError",
+    "Study",
     "Synthesis",
     "Table",
     "Variable",

@@ -3,7 +3,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["DEFAULT", "VERSION", "ModelError", "stream", "Scene", "parse", "schema"]
+__all__ = ["DEFAULT", "VERSION", "ModelError", "stream", "Scene", "parse", "schema", "studied", "study", "study_rows"]
 
 DEFAULT: str
 VERSION: str
@@ -14,6 +14,20 @@ class ModelError(ValueError):
 def parse(text: str) -> tuple[Scene | None, list[tuple[str, str, str | None, int, int]]]: ...
 def schema() -> str: ...
 def stream(fields: list[tuple[str, dict[str, str]]], columns: list[NDArray[np.float64]]) -> Any: ...
+def study(
+    scene: Scene,
+) -> tuple[int, list[tuple[str, str, str, float, str, str, str]], list[tuple[str, str, str, float, str, str, str]], list[str]]: ...
+def studied(
+    scene: Scene,
+    vary: list[tuple[str, str]] | None,
+    outputs: list[str] | None,
+    draws: bool,
+    n: int | None,
+    seed: int | None,
+) -> str: ...
+def study_rows(
+    scene: Scene, start: int, stop: int, threads: int
+) -> tuple[list[NDArray[np.float64]], list[NDArray[np.bool_]], list[tuple[int, str]]]: ...
 @final
 class Scene:
     @property

@@ -18,7 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from lemnis import _lemnis, program
 from lemnis.errors import Diagnostic, SceneError, placed
-from lemnis.table import Column, RunEnded, Table
+from lemnis.study import Studies, cores
+from lemnis.table import Column, RunEnded, Table, Variable
 
 Numbers = Mapping[str, ArrayLike]
 Signal = Union[float, Callable[[float], float], "tuple[ArrayLike, ArrayLike]"]
@@ -38,26 +39,6 @@ class Quantity:
     given: bool
     """Whether the scene gives it, or it is what is usual."""
     text: str
-
-
-@dataclass(frozen=True)
-class Variable:
-    """A variable of a scene's model, as the FMU has it.
-
-    `role` is "input", "parameter" (set before a run), "tunable" (a parameter that may change in a run), "output",
-    "calculated" (follows from parameters), "state", "rate" or "indicator".
-    """
-
-    name: str
-    role: str
-    unit: str
-    display: str
-    factor: float
-    symbol: str
-    text: str
-    source: str
-    meanings: tuple[str, ...]
-    """Of truth values, which are 0 and 1, and of enumerations, which count from 1; empty for real numbers."""
 
 
 @dataclass(frozen=True)
@@ -149,7 +130,7 @@ def failed(faults: list[tuple[int, str]], shape: tuple[int, ...]) -> None:
         raise _lemnis.ModelError(f"{message}{place}")
 
 
-class Scene:
+class Scene(Studies):
     """A crane as its text describes it. A scene never changes; `replace` makes another one.
 
     Scenes with the same text are equal, and pickle as their text, so that any executor takes them. All methods may be
@@ -474,15 +455,6 @@ class Scene:
             program.run(command, self.text, "--output", folder, *options)
             os.replace(Path(folder) / f"{self.name}{suffix}", path)
         return path
-
-
-def cores(threads: int | None) -> int:
-    """How many threads share the rows."""
-    if threads is None:
-        return os.cpu_count() or 1
-    if threads < 1:
-        raise ValueError(f"threads must be at least 1, not {threads}")
-    return int(threads)
 
 
 TIME = Variable("time", "independent", "s", "s", 1.0, "t", "Simulation time.", "given", ())

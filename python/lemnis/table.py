@@ -3,18 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lemnis import _lemnis
 
-if TYPE_CHECKING:
-    from lemnis.scene import Variable
-
 Column = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A variable of a scene's model, as the FMU has it.
+
+    `role` is "input", "parameter" (set before a run), "tunable" (a parameter that may change in a run), "output",
+    "calculated" (follows from parameters), "state", "rate" or "indicator".
+    """
+
+    name: str
+    role: str
+    unit: str
+    display: str
+    factor: float
+    symbol: str
+    text: str
+    source: str
+    meanings: tuple[str, ...]
+    """Of truth values, which are 0 and 1, and of enumerations, which count from 1; empty for real numbers."""
 
 
 class Table(Mapping[str, Column]):

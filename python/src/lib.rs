@@ -6,6 +6,7 @@
 //! edit.rs     its text with other values, comments kept
 //! asked.rs    values of some results at many inputs, and their derivatives
 //! motion.rs   a run over time
+//! study.rs    the rows of a study
 //! work.rs     threads that Ctrl+C ends, and a net under them
 //! told.rs     what its book would say: results of the whole range, checks, the drawing
 //! errors.rs   what the model refuses
@@ -20,6 +21,7 @@ mod edit;
 mod errors;
 mod motion;
 mod scene;
+mod study;
 mod told;
 mod work;
 
@@ -37,4 +39,6 @@ mod _lemnis {
     use crate::errors::ModelError;
     #[pymodule_export]
     use crate::scene::{Scene, parse, schema};
+    #[pymodule_export]
+    use crate::study::{studied, study, study_rows};
 }

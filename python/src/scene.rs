@@ -121,6 +121,16 @@ impl Scene {
         })
     }
 
+    /// As it was read.
+    pub(crate) fn checked(&self) -> &scene::Scene {
+        &self.scene
+    }
+
+    /// The same, for other threads.
+    pub(crate) fn shared(&self) -> &Arc<scene::Scene> {
+        &self.scene
+    }
+
     /// A model as it is at first.
     fn model(&self) -> Model {
         let mut models = self.models.lock().unwrap_or_else(PoisonError::into_inner);

@@ -8,6 +8,7 @@ mod net;
 mod output;
 mod progress;
 mod scene_file;
+mod study_file;
 
 use std::process::ExitCode;
 
@@ -19,6 +20,7 @@ use crate::commands::build::Build;
 use crate::commands::check::Check;
 use crate::commands::fmu::Pack;
 use crate::commands::new::New;
+use crate::commands::sweep::Sweep;
 use crate::commands::synth::Synth;
 use crate::commands::templates::Templates;
 use crate::commands::trade::Trade;
@@ -61,6 +63,8 @@ enum Command {
     Book(Books),
     /// Find the lever counterweight, or the quantities, that a scene asks for: NAME_synth.toml
     Synth(Synth),
+    /// Compute the designs that a scene's [study] asks for, and what they say together
+    Sweep(Sweep),
     /// Measure what accuracy costs: every level, solver and step of a scene; name the cheapest that keeps to `accuracy`
     Trade(Trade),
     /// Work with the templates of books
@@ -97,6 +101,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Fmu(pack) => pack.run(),
         Command::Book(books) => books.run(),
         Command::Synth(synth) => synth.run(),
+        Command::Sweep(sweep) => sweep.run(),
         Command::Trade(trade) => trade.run(),
         Command::Templates { command } => command.run(),
         Command::Check(check) => check.run(),

@@ -54,6 +54,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "motion.typ",
     "synthesis.typ",
     "trade.typ",
+    "study.typ",
     "published.typ",
     "remarks.typ",
     "notation.typ",

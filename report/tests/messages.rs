@@ -12,7 +12,7 @@ fn wrong_scenes_are_explained() {
     for entry in std::fs::read_dir(folder.join("scenes.in")).expect("there") {
         let name = entry.expect("readable").file_name().into_string().expect("ASCII");
         assert!(
-            ["check", "synth"]
+            ["check", "sweep", "synth"]
                 .iter()
                 .any(|command| described.contains(&format!("$ lemnis {command} {name}\n"))),
             "{name} has no message in scenes.trycmd"

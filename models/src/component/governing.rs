@@ -9,6 +9,7 @@ use crate::component::running::Running;
 use crate::component::sheet::Summary;
 use crate::component::stages::Slot;
 use crate::component::standing::{Standing, VariablePlace};
+use crate::kernel::symbol::Symbol;
 use crate::parts::motion::Motion;
 
 /// The extremes that exist in a scene.
@@ -20,14 +21,19 @@ pub fn extremes<'a>(
     all.filter_map(move |extreme| Some((extreme, slot(model, extreme.of)?)))
 }
 
-/// The governing results of a scene with their positions.
+/// Those governing results of a scene that are wanted, with their positions.
 #[must_use]
-pub fn governing(model: &Standing, outline: &'static Outline) -> Vec<Summary> {
+pub fn governing(
+    model: &Standing,
+    outline: &'static Outline,
+    wanted: &dyn Fn(&'static Symbol) -> bool,
+) -> Vec<Summary> {
     let coordinate = model.variables()[0].symbol;
     let summary = |extreme: &'static Greatest| {
         Some(Summary::at(extreme.symbol, most(model, extreme)?, coordinate).of(extreme.of))
     };
-    outline.extremes.iter().filter_map(summary).collect()
+    let extremes = outline.extremes.iter().filter(|extreme| wanted(extreme.symbol));
+    extremes.filter_map(summary).collect()
 }
 
 /// An extreme over the working range, of a numbered result over all of them; `None` where the scene does not have it.

@@ -4,10 +4,12 @@
 pub mod account;
 pub mod dependencies;
 pub mod description;
+pub mod diagram;
 pub mod draw;
 pub mod drawing;
 pub mod extreme;
 pub mod governing;
+pub mod judged;
 mod leaving_out;
 pub mod mechanism;
 pub mod model;

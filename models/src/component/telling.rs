@@ -6,8 +6,9 @@ use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
 use crate::component::extreme::Extreme;
 pub use crate::component::extreme::{between, fine};
-use crate::component::governing::{drawn, governing, most};
-use crate::component::outline::{Bound, Explained, Greatest, Line, Most, Outline, Published, SectionOutline};
+use crate::component::governing::{drawn, most};
+use crate::component::judged::{Judged, judged};
+use crate::component::outline::{Explained, Greatest, Line, Most, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::running::Running;
 use crate::component::sensitivity::sensitivity;
@@ -163,11 +164,12 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
 /// All but what moves.
 fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &Origins, asked: &[Place]) -> Sheet {
     let outline = T::OUTLINE;
-    let mut governing = governing(model, outline);
-    governing.extend(T::searched(told, model));
-    let mut summary = summary(model, outline.summary);
-    let (requirements, unjudged) = limits(told, governing.iter().chain(&summary));
-    summary.extend(T::totals(told));
+    let Judged {
+        governing,
+        summary,
+        requirements,
+        unjudged,
+    } = judged(told, model, &|_| true);
     let forces = forces(model, outline);
     let positions = positions(outline, model.motion(), asked, &governing);
     let of = body(model, outline, &governing);
@@ -419,38 +421,6 @@ pub fn lines<T: Described>(told: &Description<T>, model: &mut Standing, lines: &
     list
 }
 
-/// Results against what the scene allows, and those of which it allows anything.
-#[must_use]
-pub fn limits<'a, T: Described>(
-    told: &Description<T>,
-    results: impl Iterator<Item = &'a Summary> + Clone,
-) -> (Vec<Check>, Vec<&'static Symbol>) {
-    let (mut asked, mut unjudged) = (Vec::new(), Vec::new());
-    for limit in T::OUTLINE.limits {
-        let Some(result) = results.clone().find(|result| result.symbol == limit.symbol) else {
-            continue;
-        };
-        let bound = match limit.bound {
-            Bound::Scene => told.limit(limit.symbol),
-            Bound::End => Some(told.motion.to),
-            Bound::Fixed(value) => Some(value),
-        };
-        match bound {
-            Some(bound) => {
-                let mut check = Check::of(limit.id, result, bound, limit.at_most);
-                // What is greatest by amount has a sign, which a limit is none of.
-                let amount = |most: &Greatest| most.symbol == limit.symbol && most.most == Most::Amount;
-                if limit.at_most && T::OUTLINE.extremes.iter().any(amount) {
-                    check.value = check.value.abs();
-                }
-                asked.push(check);
-            }
-            None => unjudged.push(limit.symbol),
-        }
-    }
-    (asked, unjudged)
-}
-
 /// How far the values of requirements are known: quantities that a publication has printed are known to half of their
 /// last digit, and each moves a result by its derivative; all of them to the same side.
 fn banded(
@@ -472,18 +442,6 @@ fn banded(
         let of = requirements.iter_mut().filter(|check| check.symbol == *symbol);
         of.for_each(|check| check.band = (band > 0.0).then_some(band));
     }
-}
-
-/// Results of the whole range.
-pub fn summary(model: &mut Standing, symbols: &[&'static Symbol]) -> Vec<Summary> {
-    let found = |&symbol: &&'static Symbol| {
-        let index = model
-            .variables()
-            .iter()
-            .position(|variable| variable.symbol == symbol)?;
-        Some(Summary::new(symbol, model.get(index).ok()?))
-    };
-    symbols.iter().filter_map(found).collect()
 }
 
 /// What the running model gives, in its order.

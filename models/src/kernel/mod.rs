@@ -16,6 +16,7 @@ pub mod origin;
 mod powers;
 pub mod record;
 pub mod schema;
+pub mod shared;
 pub mod sign;
 pub mod site;
 pub mod symbol;

@@ -17,6 +17,8 @@ pub struct Origin {
     pub place: Range<usize>,
     /// In kg, where it is a weight given as a mass.
     pub mass: Option<f64>,
+    /// Whether the scene makes an input of it, which starts there.
+    pub input: bool,
     /// Where the scene says that it comes from.
     pub source: Option<Text>,
     /// Half of its last digit, in SI, where a publication has printed it: its source begins with a citation.
@@ -62,6 +64,7 @@ impl Origins {
                 rounding: rounding(&text[place.clone()], value, number.source.as_ref()),
                 place,
                 mass: number.mass,
+                input: number.input,
                 source: number.source,
             }),
             key,

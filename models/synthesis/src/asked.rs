@@ -8,12 +8,13 @@ use lemnis_models::alone::{Consequence, moved};
 use lemnis_models::component::mechanism::Mechanism;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::diagnostic::Diagnostic;
+use lemnis_models::kernel::shared::{Watch, shared};
 use lemnis_models::request::{Goal, RangeLimit, RangeResult, Request, Varied};
 use lemnis_models::scene::Scene;
 
 use crate::equations::{Equations, NEVER};
 use crate::finish::{Finished, Function, HEAVY, LIGHT, Program};
-use crate::optimum::{SPREAD, Watch, shared};
+use crate::optimum::SPREAD;
 use crate::peaks::{Peaked as _, Shape};
 
 /// Runs from nowhere, and how many of the best are finished.

@@ -3,8 +3,7 @@
 
 use std::cell::RefCell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use cmaes::{CMAESOptions, DVector};
 
@@ -17,6 +16,7 @@ use lemnis_models::balance::symbols as s;
 use lemnis_models::balance::task::{Bounds, Constraints, Criterion, Task};
 use lemnis_models::kernel::allowed::{OutOfRange, POSITIVE, check};
 use lemnis_models::kernel::calc::Calc;
+use lemnis_models::kernel::shared::{Watch, shared};
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::parts::four_bar::Branch;
 
@@ -493,21 +493,6 @@ impl Attempt {
     }
 }
 
-/// What a search tells, and what can break it off.
-#[derive(Clone, Copy)]
-pub struct Watch<'a> {
-    /// Set it to have the best so far.
-    pub stop: &'a AtomicBool,
-    /// Called after every run.
-    pub run: &'a (dyn Fn() + Sync),
-}
-
-impl Watch<'_> {
-    pub(crate) fn goes_on(&self) -> bool {
-        !self.stop.load(Ordering::Relaxed)
-    }
-}
-
 /// How often [`search`] calls [`Watch::run`].
 #[must_use]
 pub fn runs(effort: Effort) -> usize {
@@ -611,34 +596,4 @@ pub fn front(
         ));
     }
     Ok(front)
-}
-
-/// Results of `count` jobs in their order, whichever thread did them. The
-/// first job is always done; later ones are left out after a stop.
-pub(crate) fn shared<T: Send>(
-    count: usize,
-    threads: usize,
-    watch: Watch<'_>,
-    job: impl Fn(usize) -> T + Sync,
-) -> Vec<T> {
-    let next = AtomicUsize::new(0);
-    let results = Mutex::new(Vec::new());
-    std::thread::scope(|scope| {
-        for _ in 0..threads.clamp(1, count.max(1)) {
-            scope.spawn(|| {
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    if index >= count || (index > 0 && !watch.goes_on()) {
-                        return;
-                    }
-                    let result = job(index);
-                    (watch.run)();
-                    results.lock().expect("no job panics").push((index, result));
-                }
-            });
-        }
-    });
-    let mut results = results.into_inner().expect("no job panics");
-    results.sort_by_key(|&(index, _)| index);
-    results.into_iter().map(|(_, result)| result).collect()
 }

@@ -8,11 +8,12 @@ use lemnis_models::balance::lever::{Dimensions, Lever};
 use lemnis_models::balance::task::{CandidateRole, Criterion, Method, Task};
 use lemnis_models::balance::{Balance, symbols as s};
 use lemnis_models::kernel::allowed::OutOfRange;
+use lemnis_models::kernel::shared::Watch;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::parts::four_bar::Branch;
 
 use crate::four::Nodes;
-use crate::optimum::{self, Effort, FEW_FINISHED, Found, Limit, Problem, RUNS, Watch, improve, search};
+use crate::optimum::{self, Effort, FEW_FINISHED, Found, Limit, Problem, RUNS, improve, search};
 use crate::three;
 use crate::tolerance::Builds;
 

@@ -4,11 +4,11 @@ use std::sync::atomic::AtomicBool;
 
 use lemnis_models::component::governing::governing;
 use lemnis_models::component::running::Running;
+use lemnis_models::kernel::shared::Watch;
 use lemnis_models::request::Request;
 use lemnis_models::scene::{DEFAULT, Scene};
 use lemnis_synthesis::asked::{Answer, Nothing, alone, seek};
 use lemnis_synthesis::fit::fit;
-use lemnis_synthesis::optimum::Watch;
 
 const COMPENSATION: &str = include_str!("../../scenes/rope_compensation.toml");
 const LUFFING: &str = include_str!("../../scenes/rope_luffing.toml");
@@ -46,7 +46,7 @@ fn result(text: &str, values: &[f64], id: &str) -> f64 {
     match index {
         Some(index) => model.get(index).expect("exists"),
         None => {
-            let all = governing(&model, scene.mechanism.outline());
+            let all = governing(&model, scene.mechanism.outline(), &|_| true);
             all.iter()
                 .find(|found| found.symbol.id == id)
                 .expect("a governing result")

@@ -8,6 +8,7 @@ mod charts;
 mod motion;
 mod notation;
 mod steps;
+mod study;
 mod synthesis;
 mod tables;
 mod title;
@@ -32,6 +33,7 @@ use crate::book::charts::Chart;
 use crate::book::motion::Motion;
 use crate::book::notation::{Entry, Notation};
 use crate::book::steps::{Position, Section};
+use crate::book::study::Study;
 use crate::book::synthesis::{Synthesis, spread, synthesis};
 use crate::book::tables::{Changes, Chapter, Demand, Published, Sensitivity, View, Written};
 use crate::book::title::Title;
@@ -39,6 +41,7 @@ use crate::book::trade::Trade;
 use crate::book::verdict::Verdict;
 use crate::language::{Language, symbols};
 use crate::print::drawing::{SKETCH, drawing};
+use crate::print::number::Numbers;
 use crate::print::precision;
 use crate::template::{Error, Templates};
 
@@ -140,6 +143,7 @@ struct Book<'a> {
     sensitivity: Sensitivity,
     synthesis: Option<Synthesis>,
     trade: Option<Trade>,
+    study: Option<Study>,
     published: Option<Published>,
     remarks: &'a [&'static str],
     notation: Vec<Entry>,
@@ -174,6 +178,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         // Many runs: only a scene that lists the chapter gets it.
         "trade" => scene.book.chapters.is_some(),
         "synthesis" => scene.search().is_some(),
+        "study" => scene.study.is_some(),
         _ => true,
     };
     chosen.into_iter().filter(has).collect()
@@ -200,6 +205,12 @@ fn paragraphs(language: &Language, scene: &Scene) -> BTreeMap<&'static str, Vec<
     TEXT.iter().map(of).collect()
 }
 
+/// What moves.
+fn moving(numbers: &Numbers, sheet: &Sheet, notation: &mut Notation) -> Option<Motion> {
+    let of = |motion| Motion::new(numbers, motion, &sheet.requirements, notation);
+    sheet.motion.as_ref().map(of)
+}
+
 impl<'a> Book<'a> {
     fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Result<Book<'a>, Error> {
         let numbers = &precision::numbers(edition.language, scene.book.digits, sheet);
@@ -207,7 +218,7 @@ impl<'a> Book<'a> {
         let mut notation = Notation::new(sheet, &chapters);
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut sizing, mut motion, mut cases) = (Vec::new(), None, None);
+        let (mut sizing, mut motion, mut cases, mut study) = (Vec::new(), None, None, None);
         let judged = sheet.requirements.as_slice();
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
@@ -221,10 +232,8 @@ impl<'a> Book<'a> {
                     positions = sheet.positions.iter().map(position).collect();
                 }
                 "cases" => cases = Cases::of(numbers, sheet, full, &mut notation),
-                "motion" => {
-                    let of = |motion| Motion::new(numbers, motion, judged, &mut notation);
-                    motion = sheet.motion.as_ref().map(of);
-                }
+                "motion" => motion = moving(numbers, sheet, &mut notation),
+                "study" => study = Study::of(numbers, scene, &mut notation),
                 _ => {}
             }
         }
@@ -237,7 +246,6 @@ impl<'a> Book<'a> {
         let synthesis = comparison.and_then(|comparison| synthesis(numbers, scene, &comparison, &mut notation));
         let trade = (has("trade").then(|| Trade::new(numbers, scene, &mut notation))).transpose()?;
         let drawing = drawing(&sheet.drawing, SKETCH);
-        let figure = |c: &sheet::Curve| Figure::new(numbers, c);
         let summary = |s: &sheet::Summary| blocks::summary(numbers, s);
         let demand = |d: &(&'static str, sheet::Summary)| tables::demand(numbers, d);
         // The FMU of the same scene tells the same.
@@ -270,7 +278,7 @@ impl<'a> Book<'a> {
             changes: sheet.changes.as_ref().map(|changes| tables::changes(numbers, changes)),
             sizing,
             range: blocks::range(numbers, &sheet.range, full),
-            curves: sheet.curves.iter().map(figure).collect(),
+            curves: sheet.curves.iter().map(|curve| Figure::new(numbers, curve)).collect(),
             charts: sheet.charts.iter().map(|chart| Chart::new(numbers, chart)).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(numbers, b)),
             cases,
@@ -279,6 +287,7 @@ impl<'a> Book<'a> {
             sensitivity: tables::sensitivity(numbers, &sheet.sensitivity),
             synthesis,
             trade,
+            study,
             published: tables::published(numbers, sheet, full),
             remarks: &sheet.remarks,
             written: tables::written(&scene.given),

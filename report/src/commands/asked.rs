@@ -10,7 +10,7 @@ use lemnis_models::scene::Scene;
 use lemnis_synthesis::asked::{Answer, Limited, Nothing, alone, calls, limits, seek};
 use lemnis_synthesis::fit::{Fitted, fit};
 
-use crate::commands::watched::watched;
+use crate::commands::watched::{SEARCHING, watched};
 use crate::failure::Failure;
 use crate::output::say;
 use crate::scene_file;
@@ -42,7 +42,7 @@ pub fn found(scene: &Scene, asked: &Request, seed: u64, name: &str) -> Result<Sc
             (fitted.values, true)
         }
         Goal::Least(_) | Goal::Greatest(_) => {
-            let answer = watched(calls(asked), |threads, watch| {
+            let answer = watched(SEARCHING, calls(asked), |threads, watch| {
                 seek(&*scene.mechanism, asked, seed, threads, watch)
             });
             let answer = answer.map_err(|nothing| refused(explained(asked, &nothing)))?;
@@ -109,7 +109,7 @@ fn unit(symbol: &Symbol) -> String {
 }
 
 /// Rows of cells, in columns.
-fn columns(text: &mut String, rows: &[Vec<String>]) {
+pub fn columns(text: &mut String, rows: &[Vec<String>]) {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
     for row in rows {

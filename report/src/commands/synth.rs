@@ -10,15 +10,16 @@ use lemnis_models::kernel::allowed::OutOfRange;
 use lemnis_models::kernel::diagnostic::Diagnostic;
 use lemnis_models::kernel::number::{Digits, Number, short};
 use lemnis_models::parts::four_bar::Branch;
+use lemnis_models::reading::LONGEST_NAME;
 use lemnis_models::registry::ASK_FOR_SEARCH;
 use lemnis_models::request::Goal;
-use lemnis_models::scene::{LONGEST_NAME, Scene};
+use lemnis_models::scene::Scene;
 use lemnis_synthesis::comparison::{Compared, Comparison};
 use lemnis_synthesis::run::{Outcome, decimals, run, steps};
 use toml_edit::{ArrayOfTables, Item, Table, value};
 
 use crate::commands::asked;
-use crate::commands::watched::watched;
+use crate::commands::watched::{SEARCHING, watched};
 use crate::failure::Failure;
 use crate::output::{Output, say, write};
 use crate::scene_file;
@@ -60,7 +61,7 @@ impl Synth {
         };
         let mut task = search.task.clone();
         task.seed = self.seed.unwrap_or(task.seed);
-        let outcome = watched(steps(&task), |threads, watch| {
+        let outcome = watched(SEARCHING, steps(&task), |threads, watch| {
             run(&search.boom, search.range, &task, threads, watch)
         });
         let outcome = outcome.map_err(|fault| self.explain(&scene, &task, &fault))?;

@@ -12,6 +12,7 @@ pub mod precision;
 pub(crate) mod prose;
 pub mod script;
 pub(crate) mod speech;
+pub mod spread;
 mod term;
 pub(crate) mod text;
 mod width;

@@ -12,8 +12,8 @@ use crate::print::number::change;
 use crate::print::picture::{Picture, Point};
 
 /// Size of a curve's picture, and the room around its field for numbers and names.
-const CHART: Point = [80.0, 54.0];
-const LEFT: f64 = 13.0;
+pub(super) const CHART: Point = [80.0, 54.0];
+pub(super) const LEFT: f64 = 13.0;
 const RIGHT: f64 = 3.0;
 /// The same with names of curves at their ends.
 const NAMES: f64 = 9.0;
@@ -80,7 +80,7 @@ impl Axis {
 }
 
 /// The field of a diagram: its axes, in display units.
-struct Field {
+pub(super) struct Field {
     x: Axis,
     y: Axis,
     /// The axes are of decimal logarithms.
@@ -94,7 +94,7 @@ const EDGE: f64 = CHART[1] - BOTTOM;
 
 impl Field {
     /// Around the points; `named` with room for names at the ends of curves.
-    fn around(points: impl Iterator<Item = Point> + Clone, named: bool) -> Field {
+    pub(super) fn around(points: impl Iterator<Item = Point> + Clone, named: bool) -> Field {
         Field {
             x: Axis::new(points.clone().map(|p| p[0])),
             y: Axis::new(points.map(|p| p[1])),
@@ -121,7 +121,7 @@ impl Field {
     }
 
     /// On paper, in mm.
-    fn place(&self, p: Point) -> Point {
+    pub(super) fn place(&self, p: Point) -> Point {
         let [width, height] = [self.right - LEFT, EDGE - TOP];
         [LEFT + width * self.x.part(p[0]), EDGE - height * self.y.part(p[1])]
     }
@@ -134,7 +134,7 @@ impl Field {
     }
 
     /// Grid, numbers and border.
-    fn picture(&self, language: &Language) -> Picture {
+    pub(super) fn picture(&self, language: &Language) -> Picture {
         let (right, bottom) = (self.right, EDGE);
         let mut picture = Picture::new(CHART, 0);
         let left = |tick: f64| self.place([tick, self.y.from])[0];
@@ -172,7 +172,7 @@ impl Field {
 }
 
 /// The axes' names in Typst's mathematics.
-fn name_axes(picture: &mut Picture, [x, y]: [&str; 2]) {
+pub(super) fn name_axes(picture: &mut Picture, [x, y]: [&str; 2]) {
     picture.text([LEFT - 8.0, TOP - 3.6], "left", y);
     picture.text([CHART[0] - RIGHT, EDGE + 7.2], "right", x);
 }
@@ -374,7 +374,7 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
 
 /// Most bars of a ranking, and the height of each, in mm.
 const BARS: usize = 7;
-const BAR: f64 = 4.6;
+pub(super) const BAR: f64 = 4.6;
 
 /// A ranking of quantities by the size of their effect: bars from the longest,
 /// dark where the effect is positive, light where it is negative. None where nothing has one.
@@ -404,7 +404,7 @@ fn power_of_ten(value: f64) -> f64 {
 }
 
 /// Symbol and unit, as ISO 80000 writes the heads of tables and axes.
-fn axis_name(symbol: &Symbol) -> String {
+pub(super) fn axis_name(symbol: &Symbol) -> String {
     match symbol.display.print {
         "" => symbol.print.to_owned(),
         unit => format!("{} thin \"/\" thin \"{unit}\"", symbol.print),

@@ -1,0 +1,49 @@
+//! Jobs that threads share, watched by whoever waits for them.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// What jobs tell, and what can break them off.
+#[derive(Clone, Copy)]
+pub struct Watch<'a> {
+    /// Set it to have what is done so far.
+    pub stop: &'a AtomicBool,
+    /// Called after every job.
+    pub run: &'a (dyn Fn() + Sync),
+}
+
+impl Watch<'_> {
+    /// Whether nobody has broken it off.
+    #[must_use]
+    pub fn goes_on(&self) -> bool {
+        !self.stop.load(Ordering::Relaxed)
+    }
+}
+
+/// Results of `count` jobs in their order, whichever thread did them. The
+/// first job is always done; later ones are left out after a stop.
+///
+/// # Panics
+/// Where a job does.
+pub fn shared<T: Send>(count: usize, threads: usize, watch: Watch<'_>, job: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let results = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..threads.clamp(1, count.max(1)) {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    if index >= count || (index > 0 && !watch.goes_on()) {
+                        return;
+                    }
+                    let result = job(index);
+                    (watch.run)();
+                    results.lock().expect("no job panics").push((index, result));
+                }
+            });
+        }
+    });
+    let mut results = results.into_inner().expect("no job panics");
+    results.sort_by_key(|&(index, _)| index);
+    results.into_iter().map(|(_, result)| result).collect()
+}
