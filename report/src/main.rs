@@ -19,6 +19,7 @@ use crate::commands::build::Build;
 use crate::commands::check::Check;
 use crate::commands::fmu::Pack;
 use crate::commands::new::New;
+use crate::commands::serve::Serve;
 use crate::commands::synth::Synth;
 use crate::commands::templates::Templates;
 use crate::commands::trade::Trade;
@@ -68,6 +69,8 @@ enum Command {
         #[command(subcommand)]
         command: Templates,
     },
+    /// Show scenes in a browser: edit, see at once what moves, what is kept, what comes out
+    Serve(Serve),
     /// Check a scene, say what would be built, print all results
     Check(Check),
     /// Write a commented scene to start from
@@ -99,6 +102,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Synth(synth) => synth.run(),
         Command::Trade(trade) => trade.run(),
         Command::Templates { command } => command.run(),
+        Command::Serve(serve) => serve.run(),
         Command::Check(check) => check.run(),
         Command::New(new) => new.run(),
         Command::Schema => say(format_args!("{:#}", scene::json_schema())),
