@@ -23,8 +23,8 @@ LARGEST = 2 << 20
 class Served:
     """A page that is served, with the token of its run."""
 
-    def __init__(self, address):
-        self.address = address
+    def __init__(self, address, process=None):
+        self.address, self.process = address, process
         self.port = urlparse(address).port
         self.token = parse_qs(urlparse(address).query)["token"][0]
         self.host = f"127.0.0.1:{self.port}"
@@ -63,7 +63,7 @@ def serving(*arguments):
     try:
         address = program.stdout.readline().strip()
         assert address.startswith("http://127.0.0.1:"), program.stderr.read()
-        yield Served(address)
+        yield Served(address, program.pid)
     finally:
         program.terminate()
         program.communicate()

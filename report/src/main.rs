@@ -19,6 +19,7 @@ use crate::commands::build::Build;
 use crate::commands::check::Check;
 use crate::commands::fmu::Pack;
 use crate::commands::new::New;
+use crate::commands::pages;
 use crate::commands::serve::Serve;
 use crate::commands::synth::Synth;
 use crate::commands::templates::Templates;
@@ -71,6 +72,9 @@ enum Command {
     },
     /// Show scenes in a browser: edit, see at once what moves, what is kept, what comes out
     Serve(Serve),
+    /// Make books for the live page
+    #[command(hide = true)]
+    Pages,
     /// Check a scene, say what would be built, print all results
     Check(Check),
     /// Write a commented scene to start from
@@ -102,6 +106,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Synth(synth) => synth.run(),
         Command::Trade(trade) => trade.run(),
         Command::Templates { command } => command.run(),
+        Command::Pages => pages::run(),
         Command::Serve(serve) => serve.run(),
         Command::Check(check) => check.run(),
         Command::New(new) => new.run(),

@@ -9,6 +9,7 @@ use hyper::{Method, Request, StatusCode};
 use serde::Deserialize;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
+use crate::books::{Books, Wanted};
 use crate::guard::{Guard, Refusal, Reply, body, protect, reply};
 use crate::latest::Latest;
 use crate::pages::Pages;
@@ -59,6 +60,7 @@ pub struct App<S> {
     service: Arc<S>,
     guard: Guard,
     latest: Latest,
+    books: Books,
     pages: Pages,
     threads: Arc<Semaphore>,
     children: Arc<Semaphore>,
@@ -74,6 +76,7 @@ impl<S: Service> App<S> {
             service: Arc::new(service),
             guard,
             latest: Latest::default(),
+            books: Books::default(),
             pages: Pages::default(),
             threads: Arc::new(Semaphore::new(
                 std::thread::available_parallelism().map_or(1, usize::from),
@@ -142,9 +145,12 @@ impl<S: Service> App<S> {
                 written(&self.computed(save).await?.map_err(refused)?)
             }
             "/api/book" => {
-                let _place = place(&self.children).await;
-                let pages = making::pages(&*self.service, &asked.text, &asked.language, &asked.level).await?;
-                written(&self.pages.keep(pages))
+                let Asked {
+                    text, language, level, ..
+                } = asked;
+                let wanted = Wanted { text, language, level };
+                let made = self.books.make(self.service.books(), wanted).await?;
+                written(&self.pages.keep(made))
             }
             "/api/make" => {
                 let _place = place(&self.children).await;

@@ -4,8 +4,9 @@
 //! guard.rs    who may ask: Host, Origin, token, size and time of a body
 //! app.rs      what is asked, and who answers
 //! latest.rs   of many edits the last one counts
-//! making.rs   files and books, made by child processes
-//! pages.rs    pages of books by their hash
+//! making.rs   files, made by child processes
+//! books.rs    books, made by one that is kept
+//! pages.rs    their pages by hash
 //! page/       the page itself; page/dist/ is what esbuild bundles of it
 //! ```
 //!
@@ -13,6 +14,7 @@
 //! that leads to 127.0.0.1. So every request must name this host, come from this page and know the token of this run.
 
 mod app;
+mod books;
 mod guard;
 mod latest;
 mod making;
@@ -34,6 +36,7 @@ use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
 use crate::app::App;
+pub use crate::books::{Book, Wanted};
 use crate::guard::{Guard, PATIENCE};
 
 /// What is known of scenes; every answer is JSON.
@@ -58,11 +61,13 @@ pub trait Service: Send + Sync + 'static {
     /// # Errors
     /// It may not be written, or is not what it was; in words for the user.
     fn save(&self, scene: &str, text: &str, hash: &str) -> Result<String, String>;
-    /// The command that makes a file, or the pages of a book, of a text.
+    /// The command that makes a file of a text.
     ///
     /// # Errors
     /// The text is no scene, or nothing is called so.
     fn making(&self, made: &Made<'_>) -> Result<Making, String>;
+    /// The command that answers each [`Wanted`] with a [`Book`], a line each.
+    fn books(&self) -> Command;
 }
 
 /// A scene that was opened.
@@ -83,8 +88,6 @@ pub struct Made<'a> {
     pub what: &'a str,
     pub text: &'a str,
     pub language: &'a str,
-    /// Detail of a book; empty for what the scene asks.
-    pub level: &'a str,
     /// The file that has the text.
     pub scene: &'a Path,
     /// Where the command may write.

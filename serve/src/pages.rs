@@ -22,14 +22,14 @@ pub struct Sheet {
 pub struct Pages(Mutex<VecDeque<Vec<(Sheet, Bytes)>>>);
 
 impl Pages {
-    /// Keeps a book, of which a page is an SVG.
-    pub fn keep(&self, files: Vec<Vec<u8>>) -> Vec<Sheet> {
-        let page = |bytes: Vec<u8>| {
-            let [width, height] = size(&bytes).unwrap_or([1.0, 1.0]);
-            let hash = crate::hash(&bytes);
-            (Sheet { hash, width, height }, Bytes::from(bytes))
+    /// Keeps a book's pages, SVG each.
+    pub fn keep(&self, pages: Vec<String>) -> Vec<Sheet> {
+        let page = |svg: String| {
+            let [width, height] = size(&svg).unwrap_or([1.0, 1.0]);
+            let hash = crate::hash(svg.as_bytes());
+            (Sheet { hash, width, height }, Bytes::from(svg))
         };
-        let book: Vec<(Sheet, Bytes)> = files.into_iter().map(page).collect();
+        let book: Vec<(Sheet, Bytes)> = pages.into_iter().map(page).collect();
         let sheets = book.iter().map(|(sheet, _)| sheet.clone()).collect();
         let mut books = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         books.push_back(book);
@@ -49,9 +49,8 @@ impl Pages {
 }
 
 /// Width and height of an SVG's view box.
-fn size(svg: &[u8]) -> Option<[f64; 2]> {
-    let head = String::from_utf8_lossy(&svg[..svg.len().min(1000)]);
-    let (_, after) = head.split_once("viewBox=\"")?;
+fn size(svg: &str) -> Option<[f64; 2]> {
+    let (_, after) = svg.split_once("viewBox=\"")?;
     let mut numbers = after.split_once('"')?.0.split_ascii_whitespace().skip(2);
     let mut next = || numbers.next()?.parse().ok();
     Some([next()?, next()?])
@@ -61,8 +60,8 @@ fn size(svg: &[u8]) -> Option<[f64; 2]> {
 mod tests {
     use super::*;
 
-    fn svg(text: &str) -> Vec<u8> {
-        format!("<svg viewBox=\"0 0 595.28 841.89\">{text}</svg>").into_bytes()
+    fn svg(text: &str) -> String {
+        format!("<svg viewBox=\"0 0 595.28 841.89\">{text}</svg>")
     }
 
     #[test]
@@ -73,11 +72,11 @@ mod tests {
         assert_eq!(first[0], second[0], "unchanged");
         assert_ne!(first[1].hash, second[1].hash);
         assert_eq!((first[0].width, first[0].height), (595.28, 841.89));
-        assert_eq!(pages.find(&first[1].hash).as_deref(), Some(&*svg("b")));
+        assert_eq!(pages.find(&first[1].hash).as_deref(), Some(svg("b").as_bytes()));
         pages.keep(Vec::new());
         pages.keep(Vec::new());
         assert_eq!(pages.find(&first[1].hash), None, "forgotten");
-        assert_eq!(pages.find(&second[0].hash).as_deref(), Some(&*svg("a")));
+        assert_eq!(pages.find(&second[0].hash).as_deref(), Some(svg("a").as_bytes()));
         assert_eq!(pages.find("../Cargo.toml"), None);
     }
 }

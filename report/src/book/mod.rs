@@ -237,7 +237,6 @@ impl<'a> Book<'a> {
         let synthesis = comparison.and_then(|comparison| synthesis(numbers, scene, &comparison, &mut notation));
         let trade = (has("trade").then(|| Trade::new(numbers, scene, &mut notation))).transpose()?;
         let drawing = drawing(&sheet.drawing, SKETCH);
-        let figure = |c: &sheet::Curve| Figure::new(numbers, c);
         let summary = |s: &sheet::Summary| blocks::summary(numbers, s);
         let demand = |d: &(&'static str, sheet::Summary)| tables::demand(numbers, d);
         // The FMU of the same scene tells the same.
@@ -270,7 +269,7 @@ impl<'a> Book<'a> {
             changes: sheet.changes.as_ref().map(|changes| tables::changes(numbers, changes)),
             sizing,
             range: blocks::range(numbers, &sheet.range, full),
-            curves: sheet.curves.iter().map(figure).collect(),
+            curves: sheet.curves.iter().map(|curve| Figure::new(numbers, curve)).collect(),
             charts: sheet.charts.iter().map(|chart| Chart::new(numbers, chart)).collect(),
             balance: sheet.balance.as_ref().map(|b| Balance::new(numbers, b)),
             cases,

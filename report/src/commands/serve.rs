@@ -207,14 +207,6 @@ impl Service for Desk {
                     .arg(made.folder);
                 (file(&format!(".{}", made.what)), &[])
             }
-            "pages" => {
-                command.args(["book", "--format", "svg", "--language", language]);
-                if !made.level.is_empty() {
-                    command.args(["--level", made.level]);
-                }
-                command.arg("--output").arg(made.folder);
-                (None, &[])
-            }
             "csv" | "json" => {
                 command.args(["check", &format!("--{}", made.what)]);
                 // Limits that are not kept are told by the table too.
@@ -224,5 +216,10 @@ impl Service for Desk {
         };
         command.arg(made.scene);
         Ok(Making { command, file, whole })
+    }
+    fn books(&self) -> Command {
+        let mut command = Command::new(&self.program);
+        command.arg("pages");
+        command
     }
 }

@@ -1,10 +1,10 @@
-// The book's pages: only changed ones are fetched, and an old page stays until the new one is there.
+// The book's pages, when nothing newer has come for a moment (in ms): only changed ones are fetched, and an old page stays until the new one is there.
 
 import { ask, pageOfBook } from "./ask.js";
 import { byId, h } from "./dom.js";
 import { current, word } from "./words.js";
 
-const PAUSE = 300;
+const PAUSE = 150;
 
 export class Book {
   constructor(host) {
