@@ -43,10 +43,13 @@ fn the_certified_error_holds() {
         let outputs: Vec<usize> = (0..closed.variables().len())
             .filter(|&i| closed.variables()[i].role == Role::Output)
             .collect();
+        let table_of = inner.table().expect("tabulated");
+        let (bytes, has) = (table_of.bytes(), outputs.iter().filter(|&&i| table_of.has(i)).count());
+        println!("{name}: {has} of {} results in {bytes} bytes", outputs.len());
+        assert!(has * 10 >= outputs.len() * 7);
+        // What is the same everywhere has no error.
         let kept: Vec<usize> = outputs.iter().copied().filter(|&i| inner.bound(i) > 0.0).collect();
-        let bytes = inner.table().expect("tabulated").bytes();
-        println!("{name}: {} of {} results in {bytes} bytes", kept.len(), outputs.len());
-        assert!(kept.len() * 10 >= outputs.len() * 7);
+        assert!(kept.len() * 2 >= outputs.len());
         let mut random = fastrand::Rng::with_seed(7);
         let (mut worst, mut tightest) = (0.0_f64, "");
         // Every point looks at two results.

@@ -582,6 +582,7 @@ fn random_scenes() {
     );
     let results = done.iter().filter(|(_, case, outcome, _)| case.legal && outcome.whole);
     let missing = missing(results.map(|(_, case, ..)| case));
+    println!("no legal scene gives results of: {}", missing.join(", "));
     assert!(
         (done.len() as u64) < SCENES || missing.is_empty(),
         "no legal scene gives results of {}",

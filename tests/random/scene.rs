@@ -86,7 +86,8 @@ impl Case {
             Some(maker) => (maker.legal)(&mut draw, keys),
             None => draw.table(keys),
         };
-        if MECHANISMS.iter().filter(|other| other.table == mechanism).count() > 1 {
+        let alone = MECHANISMS.iter().filter(|other| other.table == mechanism).count() == 1;
+        if !alone || keys.iter().any(|key| key.name == KIND) && draw.coin(0.5) {
             made.insert(KIND.to_owned(), entry.kind.into());
         }
         let mut table = draw.around(mechanism, made, maker.as_ref().map(|maker| maker.result));
