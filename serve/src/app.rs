@@ -12,8 +12,9 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use crate::books::{Books, Wanted};
 use crate::guard::{Guard, Refusal, Reply, body, protect, reply};
 use crate::latest::Latest;
+use crate::making;
 use crate::pages::Pages;
-use crate::{Service, making};
+use crate::service::Service;
 
 /// What the page is made of, and what kind each is.
 const ASSETS: [(&str, &str, &[u8]); 3] = [

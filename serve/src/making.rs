@@ -9,7 +9,7 @@ use hyper::StatusCode;
 use tokio::process::Command;
 
 use crate::guard::Refusal;
-use crate::{Made, Making, Service};
+use crate::service::{Made, Making, Service};
 
 /// How long a command may take.
 pub const LONGEST: Duration = Duration::from_secs(300);

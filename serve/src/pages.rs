@@ -6,6 +6,8 @@ use std::sync::{Mutex, PoisonError};
 use hyper::body::Bytes;
 use serde::Serialize;
 
+use crate::service::hash;
+
 /// Books whose pages are kept: a page may be asked for after the next book is there.
 const BOOKS: usize = 3;
 
@@ -26,7 +28,7 @@ impl Pages {
     pub fn keep(&self, pages: Vec<String>) -> Vec<Sheet> {
         let page = |svg: String| {
             let [width, height] = size(&svg).unwrap_or([1.0, 1.0]);
-            let hash = crate::hash(svg.as_bytes());
+            let hash = hash(svg.as_bytes());
             (Sheet { hash, width, height }, Bytes::from(svg))
         };
         let book: Vec<(Sheet, Bytes)> = pages.into_iter().map(page).collect();

@@ -4,6 +4,7 @@
 pub mod account;
 pub mod dependencies;
 pub mod description;
+pub mod diagram;
 pub mod draw;
 pub mod drawing;
 pub mod extreme;

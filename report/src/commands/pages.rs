@@ -8,7 +8,7 @@ use lemnis::language::Language;
 use lemnis::results;
 use lemnis::template::Templates;
 use lemnis_models::scene::Scene;
-use lemnis_serve::{Book, Wanted};
+use lemnis_serve::books::{Book, Wanted};
 use lemnis_typeset::{Embedded, Format};
 
 use crate::decision::decided;

@@ -12,7 +12,8 @@ use lemnis::answer::gallery::{self, Ready};
 use lemnis::language::{LANGUAGES, Language};
 use lemnis_models::kernel::text;
 use lemnis_models::scene::{LONGEST, Scene};
-use lemnis_serve::{Made, Making, Opened, Server, Service, hash};
+use lemnis_serve::server::Server;
+use lemnis_serve::service::{Made, Making, Opened, Service, hash};
 use serde::Serialize;
 use serde_json::json;
 
