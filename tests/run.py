@@ -41,11 +41,6 @@ def browser():
     return next(found, None) or next(filter(os.path.exists, PLACES), None)
 
 
-def node(program):
-    """Path of a program of Node, which is a package of the environment."""
-    return shutil.which(program, path=str(PYTHON.parent))
-
-
 def prepare_browser():
     if browser() is not None:
         return

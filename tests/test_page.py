@@ -1,18 +1,17 @@
 """The page of `lemnis serve` in a real browser, and what it is bundled from."""
 
 import json
+import os
 import re
 import shutil
 import subprocess
-import sys
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect, sync_playwright
 
-from conftest import ROOT, words
+from conftest import ROOT, lemnis, words
 from run import browser as installed
-from run import node
+from run import PYTHON
 from test_serve import SCENE, serving
 
 PAGE = ROOT / "serve/page"
@@ -196,7 +195,6 @@ def test_what_is_downloaded_has_the_bytes_of_the_command(seen, out, tmp_path, wh
     path = tmp_path / "downloaded"
     started.value.save_as(path)
     assert started.value.suggested_filename == f"LemniscateCrane.{what}"
-    from conftest import lemnis
     made = {"csv": lambda: lemnis("check", SCENE, "--csv").encode(), "toml": SCENE.read_bytes,
             "fmi2.fmu": (out / "LemniscateCrane.fmi2.fmu").read_bytes}
     assert path.read_bytes() == made[what]()
@@ -365,8 +363,12 @@ def test_the_bundle_is_made_of_its_sources(tmp_path):
     copy = tmp_path / "page"
     shutil.copytree(PAGE, copy, ignore=shutil.ignore_patterns("node_modules", "dist"))
     (copy / "dist").mkdir()
+    # Node is a package of the environment.
+    environment = dict(os.environ, PATH=os.pathsep.join([str(PYTHON.parent), os.environ["PATH"]]))
+    npm = shutil.which("npm", path=environment["PATH"])
+    assert npm, "no Node: python3 tests/run.py sets it up"
     for arguments in (["ci", "--no-audit", "--no-fund", "--ignore-scripts"], ["run", "build"]):
-        done = subprocess.run([node("npm"), *arguments], cwd=copy, capture_output=True, text=True, encoding="utf-8")
+        done = subprocess.run([npm, *arguments], cwd=copy, env=environment, capture_output=True, text=True, encoding="utf-8")
         assert done.returncode == 0, done.stderr
     made = {path.name: path.read_bytes() for path in (copy / "dist").iterdir()}
     assert set(made) == {path.name for path in (PAGE / "dist").iterdir()}

@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 
 import { h, script } from "./dom.js";
-import { measured, number, word } from "./words.js";
+import { current, measured, number, word } from "./words.js";
 
 const HEIGHT = 150;
 
@@ -49,6 +49,40 @@ function runs(piece) {
   return found;
 }
 
+// A result over the working range, of several designs and as it was published.
+function over(designs, coordinate, column) {
+  const value = h("b", {});
+  const caption = h("figcaption", {}, script(column.symbol), " = ", value, h("span", { class: "quiet" }, "  ", script(column.text)));
+  const tables = [];
+  const series = [{}];
+  designs.forEach(({ shown }, i) => {
+    const own = shown.columns.find(({ name }) => name === column.name);
+    if (!own || shown.columns[0].name !== coordinate.name) return;
+    tables.push(ordered(shown.columns[0].values, own.values));
+    series.push({ stroke: colour(i), width: 2, dash: i ? [6, 4] : undefined, points: { show: false } });
+  });
+  const published = designs[0].shown.published.filter(({ name }) => name === column.name);
+  if (published.length) {
+    tables.push(ordered(published.map(({ at }) => at), published.map(({ value }) => value)));
+    series.push({ stroke: style("--text"), paths: () => null, points: { show: true, size: 4, fill: style("--paper") } });
+  }
+  return { caption, data: uPlot.join(tables), series, unit: column.unit, value, column };
+}
+
+// A curve as the book draws it: pieces of points.
+function ofBook(curve) {
+  const { x, y } = curve;
+  const told = h("span", { class: "quiet" }, "  ", script(y.symbol), " – ", script(x.symbol), x.unit && ` (${x.unit})`);
+  const pieces = curve.pieces.flatMap((piece, i) => runs(piece).map((run) => [run, i]));
+  const points = pieces.flatMap(([run], series) => run.map(([x, y]) => ({ x, y, series })));
+  points.sort((a, b) => a.x - b.x);
+  const columns = pieces.map((_, series) => points.map((point) => (point.series === series ? point.y : undefined)));
+  const several = curve.numbers.length > 0;
+  const series = pieces.map(([, i]) => ({ stroke: colour(several ? i % 5 : 0), width: 1.5, points: { show: false } }));
+  const caption = h("figcaption", {}, script(curve.caption), told);
+  return { caption, data: [points.map(({ x }) => x), ...columns], series: [{}, ...series], unit: y.unit };
+}
+
 export class Curves {
   constructor(host, picked) {
     this.host = host;
@@ -66,65 +100,47 @@ export class Curves {
 
   // Of one design or of several, the first of which has the slider: results by their names.
   show(designs, names) {
-    this.clear();
     const [{ shown }] = designs;
-    const coordinate = shown.columns[0];
+    const [coordinate] = shown.columns;
     this.xs = coordinate.values;
-    for (const name of names) {
-      const column = shown.columns.find((column) => column.name === name);
-      if (column) this.chart(designs, coordinate, column);
+    const columns = [...names].map((name) => shown.columns.find((column) => column.name === name)).filter(Boolean);
+    const charts = [...columns.map((column) => over(designs, coordinate, column)), ...shown.curves.map(ofBook)];
+    // What is only other numbers keeps its place.
+    const shape = JSON.stringify([current(), style("--paper"), charts.map(({ caption, unit, series }) => [caption.textContent, unit, series.length])]);
+    if (shape === this.shape) {
+      charts.forEach(({ data, column }, i) => {
+        this.charts[i].plot.setData(data);
+        this.charts[i].column = column;
+      });
+      return;
     }
-    if (shown.curves.length) this.host.append(h("h3", {}, word("page.of_book")));
-    shown.curves.forEach((curve) => this.curve(curve));
-  }
-
-  clear() {
+    this.shape = shape;
     this.charts.forEach(({ plot }) => plot.destroy());
-    this.charts = [];
     this.host.replaceChildren();
+    this.charts = [];
+    charts.forEach((chart, i) => {
+      if (i === columns.length) this.host.append(h("h3", {}, word("page.of_book")));
+      this.charts.push(this.chart(chart));
+    });
   }
 
-  chart(designs, coordinate, column) {
-    const value = h("b", {});
-    const caption = h("figcaption", {}, script(column.symbol), " = ", value, h("span", { class: "quiet" }, "  ", script(column.text)));
-    const tables = [];
-    const series = [{}];
-    designs.forEach(({ shown }, i) => {
-      const own = shown.columns.find(({ name }) => name === column.name);
-      if (!own || shown.columns[0].name !== coordinate.name) return;
-      tables.push(ordered(shown.columns[0].values, own.values));
-      series.push({ stroke: colour(i), width: 2, dash: i ? [6, 4] : undefined, points: { show: false } });
-    });
-    const published = designs[0].shown.published.filter(({ name }) => name === column.name);
-    if (published.length) {
-      tables.push(ordered(published.map(({ at }) => at), published.map(({ value }) => value)));
-      series.push({ stroke: style("--text"), paths: () => null, points: { show: true, size: 4, fill: style("--paper") } });
-    }
-    const mark = h("div", { class: "mark" });
-    const chart = { mark, value, column };
-    const plot = (chart.plot = this.plot(caption, uPlot.join(tables), series, column.unit, () => this.mark(chart)));
-    plot.over.append(mark);
+  chart(chart) {
+    const { caption, data, series, unit, column } = chart;
+    const mark = column && h("div", { class: "mark" });
+    const own = { ...chart, mark };
+    own.plot = this.plot(caption, data, series, unit, () => this.mark(own));
+    if (!mark) return own;
+    const { over } = own.plot;
+    over.append(mark);
     const pick = (event) => {
       if (!event.buttons) return;
-      const x = plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x");
+      const x = own.plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x");
       const distance = (i) => Math.abs(this.xs[i] - x);
       this.picked(this.xs.reduce((best, _, i) => (distance(i) < distance(best) ? i : best), 0));
     };
-    plot.over.addEventListener("pointerdown", pick);
-    plot.over.addEventListener("pointermove", pick);
-    this.charts.push(chart);
-  }
-
-  curve(curve) {
-    const caption = h("figcaption", {}, script(curve.caption), h("span", { class: "quiet" }, "  ", script(curve.y.symbol), " – ", script(curve.x.symbol), curve.x.unit && ` (${curve.x.unit})`));
-    const pieces = curve.pieces.flatMap((piece, i) => runs(piece).map((run) => [run, i]));
-    const points = pieces.flatMap(([run], series) => run.map(([x, y]) => ({ x, y, series })));
-    points.sort((a, b) => a.x - b.x);
-    const columns = pieces.map((_, series) => points.map((point) => (point.series === series ? point.y : undefined)));
-    const several = curve.numbers.length > 0;
-    const series = pieces.map(([, i]) => ({ stroke: colour(several ? i % 5 : 0), width: 1.5, points: { show: false } }));
-    const plot = this.plot(caption, [points.map(({ x }) => x), ...columns], [{}, ...series], curve.y.unit);
-    this.charts.push({ plot });
+    over.addEventListener("pointerdown", pick);
+    over.addEventListener("pointermove", pick);
+    return own;
   }
 
   plot(caption, data, series, unit, drawn = () => {}) {
@@ -146,7 +162,7 @@ export class Curves {
   }
 
   mark({ plot, mark }) {
-    if (plot) mark.style.transform = `translateX(${plot.valToPos(this.xs[this.row], "x")}px)`;
+    if (plot && mark) mark.style.transform = `translateX(${plot.valToPos(this.xs[this.row], "x")}px)`;
   }
 
   at(row) {

@@ -86,10 +86,9 @@ function show(next) {
   byId("title").textContent = shown.title;
   document.title = `${shown.title} – Lemnis`;
   drawing.show(shown.drawing);
-  table.show(shown);
   verdict(byId("verdict"), shown, choose);
   if (!before || before.name !== shown.name || !chosen?.size) chosen = new Set(usual());
-  choice();
+  if (byId("choice").open) choice();
   const rows = shown.columns[0].values.length;
   player.range(rows, before ? null : Math.floor(rows / 2));
   refresh();
@@ -130,7 +129,6 @@ function choice() {
 function choose(name) {
   if (!shown.columns.some((column) => column.name === name)) return;
   chosen = new Set([name, ...chosen]);
-  choice();
   tabs.select("curves");
 }
 
@@ -140,6 +138,7 @@ const designs = () => [{ label: word("page.this_design"), shown }, ...kept];
 function refresh() {
   if (!shown) return;
   if (tabs.current === "curves") curves.show(designs(), chosen);
+  if (tabs.current === "table") table.show(shown);
   if (tabs.current === "book") book.want(editor.text, byId("level").value);
   if (tabs.current === "comparison") compare(byId("comparison"), designs(), forget);
   at(player.row);
@@ -204,6 +203,7 @@ async function start() {
   byId("open-gallery").addEventListener("click", () => gallery.open().catch(failed));
   byId("keep").addEventListener("click", keep);
   byId("level").addEventListener("change", refresh);
+  byId("choice").addEventListener("toggle", () => byId("choice").open && shown && choice());
   for (const button of document.querySelectorAll("[data-make]")) {
     button.addEventListener("click", () => make(button.dataset.make).catch(failed));
   }
