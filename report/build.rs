@@ -1,4 +1,4 @@
-//! Lists the files of words, so that a new component's are found where they lie.
+//! Lists the files of words and the ready scenes, so that a new one is found where it lies.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -6,28 +6,37 @@ use std::{env, fs};
 
 fn inside(folder: &Path) -> Vec<PathBuf> {
     println!("cargo::rerun-if-changed={}", folder.display());
-    let entries = fs::read_dir(folder).expect("a folder of words");
+    let entries = fs::read_dir(folder).expect("a folder of words or scenes");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("readable").path()).collect();
     paths.sort();
     paths
 }
 
-fn main() {
-    // Build scripts run in the folder of their package.
-    let root = Path::new("../templates/words");
+/// Pairs of a name and a file's text, as Rust writes them.
+fn list(target: &str, files: impl Iterator<Item = (String, PathBuf)>) {
     let mut list = String::from("&[");
-    for language in inside(root) {
-        for file in inside(&language) {
-            let name = file
-                .strip_prefix(root)
-                .expect("inside")
-                .to_string_lossy()
-                .replace('\\', "/");
-            let text = format!("include_str!(concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/../templates/words/{name}\"))");
-            let _ = writeln!(list, "(\"words/{name}\", {text}),");
-        }
+    for (name, file) in files {
+        let file = file.to_string_lossy().replace('\\', "/");
+        let text = format!("include_str!(concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/{file}\"))");
+        let _ = writeln!(list, "(\"{name}\", {text}),");
     }
     list.push(']');
     let folder = env::var_os("OUT_DIR").expect("set by cargo");
-    fs::write(Path::new(&folder).join("words.rs"), list).expect("writable");
+    fs::write(Path::new(&folder).join(target), list).expect("writable");
+}
+
+fn main() {
+    // Build scripts run in the folder of their package.
+    let root = Path::new("../templates");
+    let words = inside(&root.join("words"))
+        .into_iter()
+        .flat_map(|language| inside(&language));
+    let named = |file: PathBuf| {
+        let name = file.strip_prefix(root).expect("inside").to_string_lossy();
+        (name.replace('\\', "/"), file)
+    };
+    list("words.rs", words.map(named));
+    let scenes = inside(Path::new("../models/scenes"));
+    let named = |file: PathBuf| (file.file_stem().expect("a file").to_string_lossy().into_owned(), file);
+    list("scenes.rs", scenes.into_iter().map(named));
 }

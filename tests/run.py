@@ -1,7 +1,8 @@
 """Sets up what the tests need and passes them all: `python3 tests/run.py`.
 
-Needs Rust (cargo, rustfmt, clippy) and Python 3.11 or later with `venv`; on
-Linux also a C compiler and valgrind. Everything else comes from crates.io and PyPI; the Python packages go into a
+Needs Rust (cargo, rustfmt, clippy), Python 3.11 or later with `venv`, and Chromium; on
+Linux also a C compiler and valgrind. Where Chromium is missing, it is installed if the system is Debian's and may be changed.
+Everything else comes from crates.io, PyPI and npm; the Python packages, Node among them, go into a
 virtual environment of their own, `.venv`.
 """
 
@@ -17,6 +18,11 @@ ROOT = Path(__file__).resolve().parent.parent
 ENVIRONMENT = ROOT / ".venv"
 PYTHON = ENVIRONMENT / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 
+# Chromium under the names that distributions give it; without a window it is enough.
+BROWSERS = ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"]
+PLACES = [r"C:\Program Files\Google\Chrome\Application\chrome.exe", "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome"]
+INSTALL = ["apt-get", "install", "-y", "-q", BROWSERS[0]]
+
 # One selection of packages throughout, so that nothing is compiled twice.
 STEPS = [
     ["cargo", "fmt", "--all", "--check"],
@@ -29,6 +35,22 @@ STEPS = [
 ]
 
 
+def browser():
+    """Path of a Chromium, if there is one."""
+    found = filter(None, map(shutil.which, BROWSERS))
+    return next(found, None) or next(filter(os.path.exists, PLACES), None)
+
+
+def prepare_browser():
+    if browser() is not None:
+        return
+    if shutil.which("apt-get") and hasattr(os, "geteuid") and os.geteuid() == 0:
+        run(["apt-get", "update", "-q"])
+        run(INSTALL)
+    if browser() is None:
+        sys.exit(f"Chromium is missing: {' '.join(INSTALL)}, or install Google Chrome")
+
+
 def prepare():
     if sys.version_info < (3, 11):
         sys.exit(f"Python 3.11 or later is needed, this is {sys.version.split()[0]}")
@@ -39,6 +61,7 @@ def prepare():
     for tool, where in tools:
         if shutil.which(tool) is None:
             sys.exit(f"{tool} is missing: {where}")
+    prepare_browser()
     if not PYTHON.exists():
         try:
             venv.create(ENVIRONMENT, with_pip=True)

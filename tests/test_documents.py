@@ -12,7 +12,7 @@ from conftest import ROOT, lemnis
 @pytest.mark.parametrize("document", ["README.md", "ARCHITECTURE.md"])
 def test_every_path_named_exists(document):
     text = (ROOT / document).read_text(encoding="utf-8")
-    folders = "models|fmu|report|python|templates|tests|docs"
+    folders = "models|fmu|report|serve|python|templates|tests|docs"
     paths = set(re.findall(rf"[`(]((?:{folders})/[\w./-]*|[A-Z]+\.md|clippy\.toml)[`)]", text))
     assert len(paths) > 5
     for path in paths:

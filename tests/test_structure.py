@@ -13,6 +13,7 @@ CRATES = {
     "lemnis_trade": "models/trade/src",
     "lemnis_fmu": "fmu/src",
     "lemnis_typeset": "report/typeset/src",
+    "lemnis_serve": "serve/src",
     "lemnis": "report/src",
     "_lemnis": "python/src",
 }

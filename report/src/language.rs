@@ -130,6 +130,17 @@ impl Language {
         read.get_or_init(|| Words::new(self, [], None).expect("words that are tested"))
     }
 
+    /// What the page says: its own words, and heads and titles of the book, by group and id.
+    #[must_use]
+    pub fn page(&self) -> BTreeMap<&'static str, &'static toml::Table> {
+        let groups = ["page", "caption", "chapter", "head", "level"];
+        let words = &self.dictionary().0;
+        groups
+            .into_iter()
+            .filter_map(|group| Some((group, words.get(group)?)))
+            .collect()
+    }
+
     /// A word that stands where there is no number.
     pub(crate) fn word(&self, id: &str) -> String {
         let word = self.dictionary().get("text", id);

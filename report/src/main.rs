@@ -20,6 +20,8 @@ use crate::commands::build::Build;
 use crate::commands::check::Check;
 use crate::commands::fmu::Pack;
 use crate::commands::new::New;
+use crate::commands::pages;
+use crate::commands::serve::Serve;
 use crate::commands::sweep::Sweep;
 use crate::commands::synth::Synth;
 use crate::commands::templates::Templates;
@@ -72,6 +74,11 @@ enum Command {
         #[command(subcommand)]
         command: Templates,
     },
+    /// Show scenes in a browser: edit, see at once what moves, what is kept, what comes out
+    Serve(Serve),
+    /// Make books for the live page
+    #[command(hide = true)]
+    Pages,
     /// Check a scene, say what would be built, print all results
     Check(Check),
     /// Write a commented scene to start from
@@ -104,6 +111,8 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Sweep(sweep) => sweep.run(),
         Command::Trade(trade) => trade.run(),
         Command::Templates { command } => command.run(),
+        Command::Pages => pages::run(),
+        Command::Serve(serve) => serve.run(),
         Command::Check(check) => check.run(),
         Command::New(new) => new.run(),
         Command::Schema => say(format_args!("{:#}", scene::json_schema())),

@@ -2,6 +2,7 @@
 
 pub mod drawn;
 pub mod editing;
+pub mod gallery;
 pub mod place;
 pub mod shown;
 pub mod told;

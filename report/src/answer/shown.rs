@@ -3,6 +3,7 @@
 
 use lemnis_models::component::sheet::{self, Sheet};
 use lemnis_models::kernel::number::Number;
+use lemnis_models::kernel::origin::Written;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::kernel::variable::{Fault, PART_OF_RANGE, Role, Variable};
 use serde::Serialize;
@@ -37,6 +38,8 @@ pub struct Shown {
     /// As the book draws them.
     pub curves: Vec<Curve>,
     pub published: Vec<Published>,
+    /// All that the scene says, by its keys.
+    pub given: Vec<Said>,
     pub drawing: Drawn,
 }
 
@@ -103,12 +106,31 @@ pub struct Curve {
     pub numbers: Vec<usize>,
 }
 
+/// A value of the scene as it is written there.
+#[derive(Serialize)]
+pub struct Said {
+    pub key: String,
+    pub text: String,
+    /// Counted from 1.
+    pub line: usize,
+}
+
 /// A published value at a position, in the units that are shown.
 #[derive(Serialize)]
 pub struct Published {
     pub name: &'static str,
     pub at: f64,
     pub value: f64,
+}
+
+impl From<&Written> for Said {
+    fn from(written: &Written) -> Said {
+        Said {
+            key: written.key.clone(),
+            text: written.text.clone(),
+            line: written.line,
+        }
+    }
 }
 
 /// The words for a scene, and how its numbers are written.
@@ -291,6 +313,7 @@ impl Shown {
             columns: columns.iter().enumerate().map(column).collect(),
             curves: sheet.curves.iter().map(|curve| teller.curve(curve)).collect(),
             published: sheet.published.iter().map(published).collect(),
+            given: scene.given.written().iter().map(Said::from).collect(),
             drawing: Drawn::new(scene, rows.iter().map(|row| row[0])),
         })
     }

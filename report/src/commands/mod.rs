@@ -6,6 +6,8 @@ pub mod build;
 pub mod check;
 pub mod fmu;
 pub mod new;
+pub mod pages;
+pub mod serve;
 pub mod sweep;
 pub mod synth;
 pub mod templates;

@@ -1,0 +1,187 @@
+// The mechanism at every position, from the shapes of the book's drawing: metres, y upwards.
+
+import { label, s } from "./dom.js";
+
+const LARGEST = [640, 400];
+const MARGIN = [40, 34];
+const LOAD = 34;
+
+const along = ([x, y], [u, v]) => {
+  const length = Math.hypot(u - x, v - y);
+  return length > 1e-9 ? [(u - x) / length, (v - y) / length] : [0, -1];
+};
+
+// Points that must be in the picture.
+function extent(mark) {
+  switch (mark.kind) {
+    case "body":
+    case "path":
+      return mark.points;
+    case "line":
+    case "arrow":
+      return [mark.from, mark.to];
+    case "distance": {
+      const [x, y] = along(mark.from, mark.to);
+      return [mark.from, mark.to].map(([u, v]) => [u - y * mark.offset, v + x * mark.offset]);
+    }
+    default:
+      return [mark.at];
+  }
+}
+
+const marksAt = (drawn, row) => drawn.positions[row].map((mark) => (typeof mark === "number" ? drawn.still[mark] : mark));
+
+// One frame for all positions, so that nothing but the mechanism moves.
+function frame(drawings) {
+  const low = [Infinity, Infinity];
+  const high = [-Infinity, -Infinity];
+  for (const drawn of drawings) {
+    for (const mark of [...drawn.still, ...drawn.positions.flat()]) {
+      if (typeof mark === "number") continue;
+      for (const point of extent(mark)) {
+        for (const axis of [0, 1]) {
+          low[axis] = Math.min(low[axis], point[axis]);
+          high[axis] = Math.max(high[axis], point[axis]);
+        }
+      }
+    }
+  }
+  const size = [0, 1].map((axis) => Math.max(high[axis] - low[axis], 1e-6));
+  const scale = Math.min(...[0, 1].map((axis) => (LARGEST[axis] - 2 * MARGIN[axis]) / size[axis]));
+  return {
+    scale,
+    size: [0, 1].map((axis) => size[axis] * scale + 2 * MARGIN[axis]),
+    place: ([x, y]) => [(x - low[0]) * scale + MARGIN[0], (high[1] - y) * scale + MARGIN[1]].map((v) => Math.round(v * 100) / 100),
+  };
+}
+
+const line = (points, properties) => s("polyline", { points: points.join(" "), ...properties });
+
+function head(from, tip) {
+  const [x, y] = along(from, tip);
+  const corner = (side) => [tip[0] - 9 * x - 2.6 * side * y, tip[1] - 9 * y + 2.6 * side * x];
+  return s("polygon", { class: "head", points: [tip, corner(1), corner(-1)].join(" ") });
+}
+
+function support([x, y]) {
+  const ground = y + 14;
+  const hatches = [0, 1, 2, 3, 4, 5].map((i) => {
+    const start = x - 11 + 4.4 * i;
+    return line([[start, ground], [start - 4.4, ground + 5]], { class: "thin" });
+  });
+  const triangle = s("polygon", { class: "support", points: [[x, y], [x - 8, ground], [x + 8, ground]].join(" ") });
+  return [triangle, line([[x - 13, ground], [x + 13, ground]], { class: "medium" }), ...hatches];
+}
+
+// The ends of a distance that is drawn beside its line.
+function measured(from, to, offset) {
+  const [x, y] = along(from, to);
+  return [from, to].map(([u, v]) => [u + y * offset, v - x * offset]);
+}
+
+function drawn(mark, { place, scale }) {
+  switch (mark.kind) {
+    case "body": {
+      const kind = mark.faint ? "faint" : mark.closed ? "body" : "bar";
+      const points = mark.points.map(place).join(" ");
+      return [s(mark.closed ? "polygon" : "polyline", { class: kind, points })];
+    }
+    case "pin": {
+      const [cx, cy] = place(mark.at);
+      const pin = s("circle", { class: mark.faint ? "faint" : "pin", cx, cy, r: mark.faint ? 2 : 3.4 });
+      return [...(mark.fixed ? support([cx, cy]) : []), pin];
+    }
+    case "path":
+      return [line(mark.points.map(place), { class: "path" })];
+    case "line":
+      return [line([place(mark.from), place(mark.to)], { class: "axis" })];
+    case "arrow": {
+      const [from, to] = [place(mark.from), place(mark.to)];
+      return [line([from, to], { class: "thin" }), head(from, to)];
+    }
+    case "load": {
+      const [x, y] = place(mark.at);
+      return [line([[x, y + 3], [x, y + LOAD]], { class: "medium" }), head([x, y], [x, y + LOAD])];
+    }
+    case "distance": {
+      const [from, to] = [place(mark.from), place(mark.to)];
+      const [a, b] = measured(from, to, mark.offset * scale);
+      return [
+        line([from, a], { class: "thin" }),
+        line([to, b], { class: "thin" }),
+        line([a, b], { class: "thin" }),
+        head(b, a),
+        head(a, b),
+      ];
+    }
+    case "angle": {
+      const at = place(mark.at);
+      const radius = mark.radius * scale;
+      const on = (angle, r = radius) => [at[0] + r * Math.cos(angle), at[1] - r * Math.sin(angle)];
+      const arc = Array.from({ length: 33 }, (_, i) => on(mark.from + ((mark.to - mark.from) * i) / 32));
+      return [line([at, on(mark.from, radius + 12)], { class: "thin" }), line(arc, { class: "thin" }), head(arc[30], arc[32])];
+    }
+    default:
+      return [];
+  }
+}
+
+function named(mark, { place, scale }) {
+  const beside = ([x, y], [dx, dy]) => ({ class: "name", x: x + dx, y: y + dy });
+  switch (mark.kind) {
+    case "label":
+      return label(mark.text, beside(place(mark.at), [6, -7]));
+    case "number":
+      return label([[String(mark.number), "plain"]], { ...beside(place(mark.at), [0, 5]), "text-anchor": "middle" });
+    case "load":
+      return label(mark.text, beside(place(mark.at), [6, LOAD]));
+    case "distance": {
+      const [a, b] = measured(place(mark.from), place(mark.to), mark.offset * scale);
+      return label(mark.text, beside([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], [4, -4]));
+    }
+    case "angle": {
+      const middle = (mark.from + mark.to) / 2;
+      const [x, y] = place(mark.at);
+      const radius = mark.radius * scale + 12;
+      return label(mark.text, { ...beside([x, y], [radius * Math.cos(middle), 4 - radius * Math.sin(middle)]), "text-anchor": "middle" });
+    }
+    default:
+      return null;
+  }
+}
+
+function group(marks, frame) {
+  const names = marks.map((mark) => named(mark, frame)).filter(Boolean);
+  return s("g", {}, ...marks.flatMap((mark) => drawn(mark, frame)), ...names);
+}
+
+const canvas = ({ size }) => s("svg", { viewBox: `0 0 ${size.join(" ")}`, role: "img", class: "mechanism" });
+
+// A picture of one position.
+export function picture(drawing, row = 0) {
+  const own = frame([drawing]);
+  const svg = canvas(own);
+  svg.append(group(marksAt(drawing, row), own));
+  return svg;
+}
+
+// A drawing that moves: each position is built once, when it is first seen.
+export class Drawing {
+  constructor(host) {
+    this.host = host;
+  }
+
+  show(drawing) {
+    this.drawing = drawing;
+    this.frame = frame([drawing]);
+    this.built = new Map();
+    this.svg = canvas(this.frame);
+    this.host.replaceChildren(this.svg);
+  }
+
+  at(row, says) {
+    if (!this.built.has(row)) this.built.set(row, group(marksAt(this.drawing, row), this.frame));
+    this.svg.replaceChildren(this.built.get(row));
+    this.svg.setAttribute("aria-label", says);
+  }
+}
