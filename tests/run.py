@@ -31,7 +31,8 @@ STEPS = [
     ["cargo", "doc", "--release", "--workspace", "--no-deps"],
     ["cargo", "test", "--release", "--workspace"],
     [str(PYTHON), "python/backend.py"],
-    [str(PYTHON), "-m", "pytest", "-q", "-rs", "tests"],
+    # A file's tests share what they make, and stay together.
+    [str(PYTHON), "-m", "pytest", "-q", "-rs", "-n", "auto", "--dist", "loadfile", "tests"],
 ]
 
 

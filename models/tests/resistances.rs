@@ -119,7 +119,7 @@ fn all_ways_to_the_moments_agree_for_every_system_balance_and_drive() {
         }
         let cases = sheet.cases.expect("a chapter");
         assert!(
-            !cases.worked[0].sections.is_empty() && cases.ranges.len() == cases.names.len(),
+            !cases.worked[0].sections.is_empty() && cases.ranges.len() % cases.names.len() == 0,
             "{name}"
         );
     }
@@ -135,7 +135,9 @@ fn inertia_is_what_kinetic_energy_loses() {
         let rest = text[cases..].find("[[cases.body]]").expect("there");
         let case =
             format!("[[cases.case]]\nname = \"one\"\nk_Q = \"0\"\np_w = \"0 Pa\"\nv_s = \"{v}\"\na_s = \"{a}\"\n\n");
-        model(&format!("{}{case}{}", &text[..cases], &text[cases + rest..]))
+        let text = format!("{}{case}{}", &text[..cases], &text[cases + rest..]);
+        let shaft = ["cases.motor", "[cases.brake]", "[cases.brake]"];
+        model(&shaft.iter().fold(text, |text, table| without(&text, table)))
     };
     for (name, text) in systems() {
         let (mut starts, mut runs) = (one(&text, "0 m/s", "1 m/s2"), one(&text, "0.1 m/s", "0 m/s2"));

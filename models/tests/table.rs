@@ -46,10 +46,13 @@ fn the_certified_error_holds() {
         let table_of = inner.table().expect("tabulated");
         let (bytes, has) = (table_of.bytes(), outputs.iter().filter(|&&i| table_of.has(i)).count());
         println!("{name}: {has} of {} results in {bytes} bytes", outputs.len());
-        assert!(has * 10 >= outputs.len() * 7);
+        // A table has what is affine in velocity and load; friction is not.
+        let middle = f64::midpoint(from, to);
+        let may = outputs.iter().filter(|&&i| is_affine(&mut closed, i, middle, has_load));
+        assert!(has * 10 >= may.count() * 7);
         // What is the same everywhere has no error.
         let kept: Vec<usize> = outputs.iter().copied().filter(|&i| inner.bound(i) > 0.0).collect();
-        assert!(kept.len() * 2 >= outputs.len());
+        assert!(kept.len() * 2 >= has);
         let mut random = fastrand::Rng::with_seed(7);
         let (mut worst, mut tightest) = (0.0_f64, "");
         // Every point looks at two results.
@@ -83,6 +86,25 @@ fn the_certified_error_holds() {
         // The margin is used in half: it is neither vain nor eaten up.
         assert!(worst > 0.3 && worst < 0.6);
     }
+}
+
+/// Whether a result is so at a place, as far as four values tell.
+fn is_affine(model: &mut Model, i: usize, place: f64, has_load: bool) -> bool {
+    let mut at = |omega: f64, q: f64| {
+        model.set(0, place).expect("allowed");
+        model.set(1, omega).expect("allowed");
+        if has_load {
+            model.set(2, q).expect("allowed");
+        }
+        model.get(i).expect("closes")
+    };
+    let [none, turning, loaded] = [at(0.0, 0.0), at(0.1, 0.0), at(0.0, 1e5)];
+    let both = at(-0.1, 2e5);
+    let expected = none - (turning - none) + 2.0 * (loaded - none);
+    let size = [none, turning, loaded, both]
+        .iter()
+        .fold(0.0_f64, |most, x| most.max(x.abs()));
+    (both - expected).abs() <= 1e-9 * size
 }
 
 /// Tenfold accuracy costs less than twice the pieces: the error falls with the fourth power of their length.

@@ -20,7 +20,7 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
         n.remove(&["cases"]);
     }
     let Some(mut c) = n.child("cases") else { return };
-    c.remove(&["case", "body", "pin"]);
+    c.remove(&["case", "body", "pin", "brake"]);
     let counterweight = behind.as_ref().map(|_| "counterweight");
     for name in parts.bodies.iter().copied().chain(counterweight) {
         c.more("body", |body| {
@@ -41,10 +41,35 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
         }
     }
     c.keep("c_air", true);
+    // A motor and brakes that are strong enough for anything.
+    let brakes = c.child("motor").is_some() && c.draw.coin(0.5);
+    if let Some(mut motor) = c.child("motor") {
+        motor.put("heating", "I");
+        for (name, least, most) in [
+            ("P_N", 1e13, 1e14),
+            ("n_N", 5.0, 50.0),
+            ("k_a", 1.0, 3.0),
+            ("eta_M", 0.5, 1.0),
+        ] {
+            let value = motor.draw.between(least, most);
+            motor.set(name, value);
+        }
+        let travel = motor.draw.between(1e-4, 1e-3);
+        motor.set("l_M", travel);
+    }
+    if brakes {
+        c.more("brake", |brake| {
+            brake.set("T_b", 1e11);
+        });
+    }
     for number in 1..=c.draw.rng.u8(1..4) {
         c.more("case", |case| {
             case.put("name", "I".repeat(number.into()));
             case.keep("p_w", true);
+            case.keep("K_b", brakes);
+            if number == 1 && case.get("v_s") == 0.0 {
+                case.set("v_s", 0.1);
+            }
             for (name, most) in [("alpha_s", SWAY), ("sigma", SLOPE)] {
                 let angle = case.draw.between(-most, most);
                 case.set(name, angle);

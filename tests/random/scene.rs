@@ -367,7 +367,8 @@ impl Draw {
             book.put("positions", chosen);
             // Many runs each.
             let chapters = book.table.get("chapters").and_then(Value::as_array);
-            let quick = |chapter: &&Value| !matches!(chapter.as_str(), Some("trade" | "synthesis" | "results"));
+            let quick =
+                |chapter: &&Value| !matches!(chapter.as_str(), Some("trade" | "synthesis" | "study" | "results"));
             let others = chapters.into_iter().flatten().filter(quick).cloned();
             let chapters: Vec<Value> = std::iter::once("results".into()).chain(others).collect();
             book.put("chapters", chapters);
@@ -375,8 +376,8 @@ impl Draw {
         let auto = top
             .child(mechanism)
             .is_some_and(|inner| inner.text("fidelity") == Some("auto"));
-        // A search names quantities and results that this mechanism has: `models/synthesis/tests/` has some.
-        top.remove(&["accuracy", "synthesis"]);
+        // Searches and studies name quantities and results that this mechanism has: their own tests have some.
+        top.remove(&["accuracy", "synthesis", "study"]);
         if let Some((name, symbol)) = result
             && (auto || top.draw.coin(0.2))
         {

@@ -195,6 +195,7 @@ impl Unit {
             (d, _) if d == KG.dimension => ("Mass", [1e-6, 1e11]),
             (d, _) if d == N.dimension => ("Force", [1e-6, 1e12]),
             (d, _) if d == N_M.dimension => ("Torque", [1e-6, 1e18]),
+            (d, _) if d == W.dimension => ("Power", [1e-6, 1e15]),
             (d, _) if d == PA.dimension => ("Pressure", [1.0, 1e12]),
             (d, _) if d == M3_PER_SPA.dimension => ("HydraulicConductance", [1e-20, 1.0]),
             (d, 0) if d == PER_S2.dimension => ("SpoolAcceleration", [1e-6, 1e12]),

@@ -94,6 +94,9 @@ pub fn chapter<T: Described<Component: Resists>>(
     model: &mut Standing,
     cases: &Cases,
 ) -> Option<CasesSheet> {
+    if !cases.are_there() {
+        return None;
+    }
     let coordinate = model.variables()[0].symbol;
     let greatest = |symbol: &&'static Symbol| -> Vec<Summary> {
         let each = slots(model, symbol).filter_map(|slot| most_of(model, &slot, Most::Amount));
