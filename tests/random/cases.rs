@@ -41,14 +41,14 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
         }
     }
     c.keep("c_air", true);
-    // A motor and brakes that are strong enough for anything.
+    // A motor and brakes that are strong enough for a drive that nearly points at the foot of its bar.
     let brakes = c.child("motor").is_some() && c.draw.coin(0.5);
     if let Some(mut motor) = c.child("motor") {
         motor.put("heating", "I");
         for (name, least, most) in [
-            ("P_N", 1e13, 1e14),
+            ("P_N", 1e14, 9e14),
             ("n_N", 5.0, 50.0),
-            ("k_a", 1.0, 3.0),
+            ("k_a", 1e5, 9e5),
             ("eta_M", 0.5, 1.0),
         ] {
             let value = motor.draw.between(least, most);
@@ -59,7 +59,7 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
     }
     if brakes {
         c.more("brake", |brake| {
-            brake.set("T_b", 1e11);
+            brake.set("T_b", 9e17);
         });
     }
     for number in 1..=c.draw.rng.u8(1..4) {

@@ -71,13 +71,17 @@ struct OfCase {
     range: Range,
 }
 
-impl Cases {
-    pub(super) fn of(numbers: &Numbers, sheet: &Sheet, full: bool, notation: &mut Notation) -> Option<Cases> {
-        let cases = sheet.cases.as_ref()?;
-        let name = |case: usize| cases.names[case].of(numbers.language.code).to_owned();
-        let mut told = |worked: &sheet::WorkedCase| Worked {
+impl Worked {
+    fn of(
+        numbers: &Numbers,
+        sheet: &Sheet,
+        worked: &sheet::WorkedCase,
+        case: String,
+        notation: &mut Notation,
+    ) -> Worked {
+        Worked {
             id: worked.id,
-            case: name(worked.case),
+            case,
             at: numbers.named(worked.coordinate, worked.at),
             sections: sections(numbers, &worked.sections, None, &sheet.requirements, notation),
             terms: (worked.terms.iter())
@@ -93,9 +97,19 @@ impl Cases {
                     values: vec![numbers.result(symbol, *value)],
                 })
                 .collect(),
-        };
+        }
+    }
+}
+
+impl Cases {
+    pub(super) fn of(numbers: &Numbers, sheet: &Sheet, full: bool, notation: &mut Notation) -> Option<Cases> {
+        let cases = sheet.cases.as_ref()?;
+        let name = |case: usize| cases.names[case].of(numbers.language.code).to_owned();
         // Formulas first: what they find is explained there.
-        let worked: Vec<Worked> = cases.worked.iter().map(&mut told).collect();
+        let mut worked = Vec::new();
+        for one in &cases.worked {
+            worked.push(Worked::of(numbers, sheet, one, name(one.case), notation));
+        }
         let drawn = cases.curves.iter().flat_map(|curve| [curve.x, curve.y]);
         let terms = cases.worked.iter().flat_map(|worked| &worked.terms);
         let terms = terms.flat_map(|(_, _, table)| table.columns.iter().copied());
