@@ -175,6 +175,7 @@ def test_heating_is_the_root_mean_square_in_time_of_the_way_there_and_back(scene
                         b = middle
                 kinks.add(a)
     places = [ends[0], *sorted(kinks), ends[1]]
+    places = np.concatenate([np.linspace(a, b, 6)[:-1] for a, b in zip(places, places[1:])] + [ends[1:]])
     work = time = 0.0
     for a, b in zip(places, places[1:]):
         for x, w in zip(nodes, weights):

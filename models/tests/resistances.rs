@@ -119,7 +119,7 @@ fn all_ways_to_the_moments_agree_for_every_system_balance_and_drive() {
         }
         let cases = sheet.cases.expect("a chapter");
         assert!(
-            !cases.worked[0].sections.is_empty() && cases.ranges.len() % cases.names.len() == 0,
+            !cases.worked[0].sections.is_empty() && cases.ranges.len().is_multiple_of(cases.names.len()),
             "{name}"
         );
     }

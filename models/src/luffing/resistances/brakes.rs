@@ -59,6 +59,7 @@ impl<C: Calc> Holding<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct Stopped<C> {
     inertia: C,
+    turned: C,
     speed: C,
     slows: C,
     time: C,
@@ -67,6 +68,7 @@ pub struct Stopped<C> {
 }
 results! { each Stopped as b => {
     J_B: b.inertia;
+    PSI_B: b.turned;
     OMEGA_B: b.speed;
     ALPHA_B: b.slows;
     T_STOP: b.time;
@@ -87,6 +89,7 @@ impl<C: Calc> Stopped<C> {
         if case.v.value() == 0.0 {
             return Stopped {
                 inertia: zero,
+                turned: zero,
                 speed: zero,
                 slows: zero,
                 time: zero,
@@ -107,7 +110,7 @@ impl<C: Calc> Stopped<C> {
             time = brake.delay;
             torque += brake.torque;
         }
-        let speed = speed.def(&s::OMEGA_B);
+        let (turned, speed) = (turned.def(&s::PSI_B), speed.def(&s::OMEGA_B));
         let slows = (torque / inertia).def(&s::ALPHA_B);
         let head = ((sums.head.x / sums.way[0]).abs() * motor.arm() * slows).def(&s::A_STOP);
         let never = |symbol| C::known(symbol, f64::INFINITY).over(slows);
@@ -115,6 +118,7 @@ impl<C: Calc> Stopped<C> {
         let end = |last: C, symbol| if stops { last.def(symbol) } else { never(symbol) };
         Stopped {
             inertia,
+            turned,
             speed,
             slows,
             time: end(time + speed / slows, &s::T_STOP),

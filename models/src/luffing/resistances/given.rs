@@ -21,17 +21,17 @@ quantities! {
 quantities! {
     /// A motor: its rated power (W) and speed (1/s), greatest and mean starting torque over the rated one, inertia of its
     /// shaft (kg·m²); travel of the drive for one turn (m), and efficiency of what is between.
-    CaseMotor { p_n: P_N, n_n: N_N, lambda: LAMBDA_M, k_a: K_A, j: J_MOT, l: L_M, eta: ETA_M }
+    CaseMotor { p_n: P_N, n_n: N_N, lambda: LAMBDA_M, k_a: K_A, j: J_M, l: L_M, eta: ETA_M }
 }
 
 quantities! {
     /// A brake on the motor's shaft: its torque (N·m) and after how long it acts (s).
-    CaseBrake { torque: T_BR, delay: T_D_BR }
+    CaseBrake { torque: T_B, delay: TAU_B }
 }
 
 quantities! {
     /// How often the brakes must hold what acts in a case.
-    CaseHold { k_b: K_BR }
+    CaseHold { k_b: K_B }
 }
 
 /// What the scene has chosen.

@@ -55,8 +55,8 @@ pub struct Motored<C> {
 }
 results! { each Motored as m => {
     N_MOT: m.n;
-    T_MOT: m.torque;
-    P_MOT: m.power;
+    T_M: m.torque;
+    P_M: m.power;
     U_M: m.used;
     P_C: m.both;
     T_0: m.against;
@@ -81,7 +81,7 @@ impl<C: Calc> Motored<C> {
         let turning = C::constant(TAU) * n;
         if case.v.value() == 0.0 {
             let torque = if force.value().is_finite() {
-                motor.torque(*force, case.v).def(&s::T_MOT)
+                motor.torque(*force, case.v).def(&s::T_M)
             } else {
                 *force
             };
@@ -97,8 +97,8 @@ impl<C: Calc> Motored<C> {
                 quickens: zero,
             };
         }
-        let torque = motor.torque(*force, case.v).def(&s::T_MOT);
-        let power = (torque * turning).def(&s::P_MOT);
+        let torque = motor.torque(*force, case.v).def(&s::T_M);
+        let power = (torque * turning).def(&s::P_M);
         let way = sums.way[0];
         let back = *force + two * rubbed.friction / way;
         let returning = motor.torque(back, -case.v) * turning;
@@ -139,7 +139,7 @@ results! { Heating as h => {
     P_H: h.power;
     U_H: h.used;
     TAU_H: h.slowness;
-    V_H_HEAD: h.speed;
+    V_H_A: h.speed;
 } }
 
 impl<C: Calc> Heating<C> {

@@ -19,7 +19,7 @@ pub const WORKED: &[(&str, &Symbol, &[SectionOutline])] = &[
             ("resistances_sum", &[Stage("rubbed"), Stage("force")]),
         ],
     ),
-    ("worked_motor", &s::P_MOT, &[("resistances_motor", &[Stage("motored")])]),
+    ("worked_motor", &s::P_M, &[("resistances_motor", &[Stage("motored")])]),
     (
         "worked_holding",
         &s::T_K,
@@ -43,8 +43,8 @@ pub const EXTREMES: [Greatest; 20] = [
     Greatest::new(&s::M_R_FRICTION_MAX, Most::Amount, &s::M_R_FRICTION),
     Greatest::new(&s::M_R_MAX, Most::Amount, &s::M_R_SUM),
     Greatest::new(&s::F_R_MAX, Most::Amount, &s::F_R).with_pole(&H_D),
-    Greatest::new(&s::T_MOT_MAX, Most::Amount, &s::T_MOT),
-    Greatest::new(&s::P_MOT_MAX, Most::Greatest, &s::P_MOT),
+    Greatest::new(&s::T_M_MAX, Most::Amount, &s::T_M),
+    Greatest::new(&s::P_M_MAX, Most::Greatest, &s::P_M),
     Greatest::new(&s::U_M_MAX, Most::Greatest, &s::U_M),
     Greatest::new(&s::T_START_MAX, Most::Greatest, &s::T_START),
     Greatest::new(&s::A_START_MAX, Most::Greatest, &s::A_START),
@@ -60,7 +60,7 @@ pub const WHOLE: [Whole; 4] = [
     Whole::new(&s::P_RMS, How::RootMean(&s::TAU_H), &s::P_H),
     Whole::new(&s::U_RMS, How::RootMean(&s::TAU_H), &s::U_H),
     Whole::new(&s::T_LUFF, How::Integral, &s::TAU_H),
-    Whole::new(&s::V_MEAN, How::Mean(&s::TAU_H), &s::V_H_HEAD),
+    Whole::new(&s::V_MEAN, How::Mean(&s::TAU_H), &s::V_H_A),
 ];
 
 pub const SUMMARY: [&Symbol; 4] = [&s::P_RMS, &s::U_RMS, &s::T_LUFF, &s::V_MEAN];
@@ -81,7 +81,7 @@ pub const COLUMNS: &[&Symbol] = listed!(s:
 
 /// Of motor and brakes.
 pub const SHAFT_COLUMNS: &[&Symbol] = listed!(s:
-    T_MOT, P_MOT, U_M, T_0, T_START, A_START, T_H, T_K, T_STOP, S_STOP, A_STOP
+    T_M, P_M, U_M, T_0, T_START, A_START, T_H, T_K, T_STOP, S_STOP, A_STOP
 );
 
 pub const CURVES: &[Line] = &[
@@ -95,7 +95,7 @@ pub const CURVES: &[Line] = &[
     ("resistance_friction", None, &s::M_R_FRICTION),
     ("resistance_sum", None, &s::M_R_SUM),
     ("resistance_force", None, &s::F_R),
-    ("motor_power", None, &s::P_MOT),
+    ("motor_power", None, &s::P_M),
     ("brake_torque", None, &s::T_K),
 ];
 

@@ -11,7 +11,7 @@ use crate::luffing::resistances::friction::OF_BALANCE;
 use crate::luffing::resistances::given::{Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice};
 use crate::luffing::resistances::placed::BARS;
 use crate::luffing::resistances::symbols as s;
-use crate::luffing::resistances::train::{BRAKES, MOTOR};
+use crate::luffing::resistances::train::{BRAKES, MOTOR, Train, named};
 
 /// The table `[cases]`, also beside the mechanism.
 pub const CASES: Key = Key::part(
@@ -34,7 +34,7 @@ static KEYS: &[Key] = keys! { s:
 };
 
 static CASE: &[Key] = keys! { s:
-    K_Q >= 0, ALPHA_S [optional], P_W [optional], V_W [optional], SIGMA [usually(0.0)], N_S [usually(0.0)], V_S, A_S [usually(0.0)], K_BR > 0 [optional];
+    K_Q >= 0, ALPHA_S [optional], P_W [optional], V_W [optional], SIGMA [usually(0.0)], N_S [usually(0.0)], V_S, A_S [usually(0.0)], K_B > 0 [optional];
     Key::new("name", Kind::Line, "Its name.")
 };
 
@@ -107,7 +107,9 @@ impl Cases {
         for case in table.tables("case") {
             read.take_case(case, standard.map(|(name, _)| *name), found);
         }
-        read.take_train(table, found);
+        let train = Train::read(table, &read.names, found);
+        read.choice().heating = train.heating;
+        (read.motor, read.brakes, read.holds) = (train.motor, train.brakes, train.holds);
         if table.tables("case").is_empty() {
             found.push(table.refuse("case", "no case", "nothing to overcome", "add [[cases.case]]"));
         }
@@ -120,7 +122,7 @@ impl Cases {
         self.choice.is_some()
     }
 
-    pub(super) fn choice(&mut self) -> &mut CasesChoice {
+    fn choice(&mut self) -> &mut CasesChoice {
         self.choice.get_or_insert_default()
     }
 
@@ -262,24 +264,6 @@ fn sway(standard: Option<&str>, case: &str, slewing: f64) -> Option<f64> {
     const FAST: f64 = 2.0 / 60.0;
     let angle: f64 = if slewing.abs() >= FAST { 12.0 } else { 10.0 };
     (standard == Some(NAMES[0]) && case == "II").then(|| angle.to_radians())
-}
-
-/// The place of a name among those that a mechanism knows; a mistake goes to `found`.
-pub(super) fn named(
-    table: &Values,
-    key: &str,
-    what: &str,
-    known: &[&str],
-    found: &mut Vec<Diagnostic>,
-) -> Option<usize> {
-    let name = table.text(key)?;
-    let place = known.iter().position(|known| *known == name);
-    if place.is_none() {
-        let message = format!("no {what} \"{name}\"");
-        let help = format!("what there is: {}", known.join(", "));
-        found.push(table.refuse(key, message, "there is none", help));
-    }
-    place
 }
 
 /// What cases need of a mechanism.

@@ -34,12 +34,12 @@ symbols! {
     N_N: "n_N" "n_N" PER_S / PER_MIN [positive], "Rated speed of the motor.", "[Ports001, 5.6]";
     LAMBDA_M: "lambda_M" "lambda_M" ONE / ONE [positive], "Greatest power that the motor may give for a short time, over its rated power.", "[Ports001, 5.6]";
     K_A: "k_a" "k_a" ONE / ONE [positive], "Mean torque of the motor while it starts, over its rated torque.", "[Ports001, 5.6]";
-    J_MOT: "J_M" "J_M" KG_M2 / KG_M2 [not_negative], "Inertia of the motor's shaft with coupling and brake drums.", "[Ports001, 5.6]";
+    J_M: "J_M" "J_M" KG_M2 / KG_M2 [not_negative], "Inertia of the motor's shaft with coupling and brake drums.", "[Ports001, 5.6]";
     L_M: "l_M" "l_M" M / MM [positive], "Travel of the drive for one turn of the motor: that of a pinion, 2 π r, or a screw's lead, over the ratio of the gear.", "input";
     ETA_M: "eta_M" "eta_M" ONE / ONE [within(Range::new(0.0, 1.0))], "Efficiency of all between motor and drive.", "[Ports001, 5.6]";
-    T_BR: "T_b" "T_(b k)" N_M / N_M [positive], "Torque of a brake on the motor's shaft.", "[Ports001, 5.7]";
-    T_D_BR: "t_b" "t_(b k)" S / S [not_negative], "Time after which a brake acts.", "[Ports001, 5.7]";
-    K_BR: "K_b" "K_(b i)" ONE / ONE [positive], "Safety with which the brakes must hold what acts in a case.", "[Ports001, 5.7]";
+    T_B: "T_b" "T_(b k)" N_M / N_M [positive], "Torque of a brake on the motor's shaft.", "[Ports001, 5.7]";
+    TAU_B: "tau_b" "tau_(b k)" S / S [not_negative], "Time after which a brake acts.", "[Ports001, 5.7]";
+    K_B: "K_b" "K_(b i)" ONE / ONE [positive], "Safety with which the brakes must hold what acts in a case.", "[Ports001, 5.7]";
 
     // What the bodies come to at a position.
     DS_S: "ds_s" "s'_d" M / M, "Travel of the drive for one radian of the luffing angle.", "dual numbers";
@@ -74,9 +74,9 @@ symbols! {
     F_R: "F_r" "F_(r i)" N / KN [infinite("where the drive points at the foot of its bar")], "Force that the drive must give; positive where it presses its ends apart.", "[Ports001, 5.5]";
 
     // At the motor's shaft in each case.
-    N_MOT: "n_M" "n_(M i)" PER_S / PER_MIN, "Speed of the motor in a case; its sign is that of the drive's speed.", "[Ports001, 5.6]";
-    T_MOT: "T_M" "T_(M i)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque at the motor's shaft; positive where the drive presses its ends apart.", "[Ports001, 5.6]";
-    P_MOT: "P_M" "P_(M i)" W / KW, "Power at the motor's shaft; positive where the motor drives.", "[Ports001, 5.6]";
+    N_MOT: "n_mot" "n_(M i)" PER_S / PER_MIN, "Speed of the motor in a case; its sign is that of the drive's speed.", "[Ports001, 5.6]";
+    T_M: "T_M" "T_(M i)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque at the motor's shaft; positive where the drive presses its ends apart.", "[Ports001, 5.6]";
+    P_M: "P_M" "P_(M i)" W / KW, "Power at the motor's shaft; positive where the motor drives.", "[Ports001, 5.6]";
     U_M: "u_M" "u_(M i)" ONE / ONE, "Power at the motor's shaft over the greatest that the motor may give.", "[Ports001, 5.6]";
     P_C: "P_c" "P_(c i)" W / KW, "Root mean square of the powers of the way there and of the way back, on which friction is turned round.", "[Ports001, 5.6]";
     T_0: "T_0" "T_(0 i)" N_M / N_M, "Torque at the motor's shaft against steady motion, without inertia; negative where the load drives.", "[Ports001, 5.6]";
@@ -89,6 +89,7 @@ symbols! {
     T_K: "T_K" "T_(K i)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque that the brakes must have, the losses helping.", "[Ports001, 5.7]";
     U_B: "u_B" "u_(B i)" ONE / ONE [infinite("where the drive points at the foot of its bar")], "Torque that the brakes must have over the one that they have.", "[Ports001, 5.7]";
     J_B: "J_b" "J_(b i)" KG_M2 / KG_M2, "Inertia of all that the brakes stop, at the motor's shaft.", "[Ports001, 5.7]";
+    PSI_B: "psi_b" "psi_(b i)" RAD / RAD, "Turn of the motor's shaft until the last brake begins to act that stops it.", "[Ports001, 5.7]";
     OMEGA_B: "omega_b" "omega_(b i)" RAD_PER_S / RAD_PER_S, "Speed of the motor's shaft when the last brake begins to act that stops it.", "[Ports001, 5.7]";
     ALPHA_B: "alpha_b" "alpha_(b i)" RAD_PER_S2 / RAD_PER_S2, "Deceleration of the motor's shaft from then on.", "[Ports001, 5.7]";
     T_STOP: "t_stop" "t_(s i)" S / S [infinite("where the brakes do not stop the drive")], "Time of a stop from this position, all brakes called at once.", "[Ports001, 5.7]";
@@ -97,7 +98,7 @@ symbols! {
     P_H: "P_h" "P_h" W / KW, "Root mean square of both ways' powers in the case of heating.", "[Ports001, 5.6]";
     U_H: "u_h" "u_h" ONE / ONE, "The same over the rated power.", "[Ports001, 5.6]";
     TAU_H: "tau_h" "tau_h" S / S, "Time for one radian of the luffing angle in the case of heating.", "[Ports001, 5.6]";
-    V_H_HEAD: "v_h_A" "v_(h A)" M_PER_S / M_PER_S, "Horizontal speed of the head in the case of heating.", "[Ports001, 5.6]";
+    V_H_A: "v_h_A" "v_(h A)" M_PER_S / M_PER_S, "Horizontal speed of the head in the case of heating.", "[Ports001, 5.6]";
 
     // Over the working range and all cases.
     M_R_OWN_MAX: "M_r_own_max" "M_(r G,max)" N_M / KN_M, "Greatest moment of the own weights and the counterweight in the working range, by amount.", "[Ports001, 5.5.1]";
@@ -110,8 +111,8 @@ symbols! {
     M_R_FRICTION_MAX: "M_r_friction_max" "M_(r mu,max)" N_M / KN_M, "Greatest moment of the friction in the pins in all cases, by amount.", "virtual work";
     M_R_MAX: "M_r_max" "M_(r,max)" N_M / KN_M, "Greatest sum of all moments that the drive must overcome in all cases, by amount.", "[Ports001, 5.5]";
     F_R_MAX: "F_r_max" "F_(r,max)" N / KN [infinite("where the drive points at the foot of its bar")], "Greatest force that the drive must give in all cases, by amount; positive where it presses its ends apart.", "[Ports001, 5.5]";
-    T_MOT_MAX: "T_M_max" "T_(M,max)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Greatest torque at the motor's shaft in all cases, by amount.", "[Ports001, 5.6]";
-    P_MOT_MAX: "P_M_max" "P_(M,max)" W / KW, "Greatest power at the motor's shaft in all cases.", "[Ports001, 5.6]";
+    T_M_MAX: "T_M_max" "T_(M,max)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Greatest torque at the motor's shaft in all cases, by amount.", "[Ports001, 5.6]";
+    P_M_MAX: "P_M_max" "P_(M,max)" W / KW, "Greatest power at the motor's shaft in all cases.", "[Ports001, 5.6]";
     U_M_MAX: "u_M_max" "u_(M,max)" ONE / ONE, "Greatest power over the greatest that the motor may give.", "[Ports001, 5.6]";
     T_START_MAX: "t_start_max" "t_(a,max)" S / S [infinite("where the motor cannot start")], "Longest start in all cases.", "[Ports001, 5.6]";
     A_START_MAX: "a_start_max" "a_(a,max)" M_PER_S2 / M_PER_S2, "Greatest mean acceleration of the head in a start.", "[Ports001, 5.6]";

@@ -85,7 +85,7 @@ pub fn check<T: Resists>(model: &Standing, cases: &Cases, v: &Values, found: &mu
             return;
         }
     }
-    able(model, cases, v, found);
+    able(model, cases.motor.as_ref(), &cases.brakes, &cases.names, v, found);
 }
 
 /// The chapter; `None` where the scene has no cases.
@@ -222,7 +222,7 @@ fn bodies_taken(cases: &Cases, felt: &Felt, case: usize) -> Vec<(&'static Symbol
         (&s::D_P, sums.points),
         (&s::M_MU, friction),
     ];
-    all.into_iter().filter(|(_, value)| *value != 0.0).collect()
+    all.to_vec()
 }
 
 type Terms = (Vec<&'static str>, Table);

@@ -9,8 +9,8 @@ use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
+use crate::kernel::text::Text;
 use crate::luffing::resistances::given::{CaseBrake, CaseHold, CaseMotor};
-use crate::luffing::resistances::scene::{Cases, named};
 use crate::luffing::resistances::symbols as s;
 
 /// Beside the cases.
@@ -23,19 +23,35 @@ pub const BRAKES: Key = Key::new(
 .optional();
 
 const MOTOR_KEYS: &[Key] = keys! { s:
-    P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_MOT >= 0, L_M > 0, ETA_M > 0;
+    P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_M >= 0, L_M > 0, ETA_M > 0;
     Key::new("heating", Kind::Name, "The case for whose motion in and out the heating of the motor is asked.")
 };
 
-const BRAKE: &[Key] = keys! { s: T_BR > 0, T_D_BR >= 0 };
+const BRAKE: &[Key] = keys! { s: T_B > 0, TAU_B >= 0 };
 
-impl Cases {
-    /// Of the table of the cases, which are known; mistakes go to `found`.
-    pub(super) fn take_train(&mut self, table: &Values, found: &mut Vec<Diagnostic>) {
+/// Motor and brakes of a scene.
+#[derive(Default)]
+pub struct Train {
+    pub motor: Option<CaseMotor<f64>>,
+    pub brakes: Vec<CaseBrake<f64>>,
+    pub holds: Vec<CaseHold<f64>>,
+    /// The case of the motor's heating, from 0.
+    pub heating: Option<usize>,
+}
+
+impl Train {
+    /// Of the table of cases with these names; mistakes go to `found`.
+    pub fn read(table: &Values, names: &[Text], found: &mut Vec<Diagnostic>) -> Train {
+        let mut train = Train::default();
+        train.take(table, names, found);
+        train
+    }
+
+    fn take(&mut self, table: &Values, names: &[Text], found: &mut Vec<Diagnostic>) {
         let motor = table.table("motor");
         if let Some(motor) = motor {
             self.motor = CaseMotor::of(|symbol| motor.number(symbol.id));
-            self.take_heating(table, motor, found);
+            self.take_heating(table, motor, names, found);
         }
         for brake in table.tables("brake") {
             self.brakes.extend(CaseBrake::of(|symbol| brake.number(symbol.id)));
@@ -44,7 +60,7 @@ impl Cases {
             {
                 let what = "a brake that acts before the one above it";
                 found.push(brake.refuse(
-                    s::T_D_BR.id,
+                    s::TAU_B.id,
                     what,
                     "too early",
                     "give the brakes in the order in which they act",
@@ -56,7 +72,7 @@ impl Cases {
             found.push(table.refuse("brake", "brakes without a motor", "on no shaft", help));
         }
         for case in table.tables("case") {
-            match (case.number(s::K_BR.id), self.brakes.is_empty()) {
+            match (case.number(s::K_B.id), self.brakes.is_empty()) {
                 (None, false) => {
                     let what = "brakes, and a case without the safety with which they hold it";
                     found.push(case.refuse(
@@ -68,15 +84,15 @@ impl Cases {
                 }
                 (Some(_), true) => {
                     let what = "a safety of brakes where there are none";
-                    found.push(case.refuse(s::K_BR.id, what, "not used", "add [[cases.brake]], or remove it"));
+                    found.push(case.refuse(s::K_B.id, what, "not used", "add [[cases.brake]], or remove it"));
                 }
                 (k_b, _) => self.holds.extend(k_b.map(|k_b| CaseHold { k_b })),
             }
         }
     }
 
-    fn take_heating(&mut self, table: &Values, motor: &Values, found: &mut Vec<Diagnostic>) {
-        let names: Vec<&str> = self.names.iter().map(|name| name.english()).collect();
+    fn take_heating(&mut self, table: &Values, motor: &Values, names: &[Text], found: &mut Vec<Diagnostic>) {
+        let names: Vec<&str> = names.iter().map(|name| name.english()).collect();
         let Some(case) = named(motor, "heating", "case", &names, found) else {
             return;
         };
@@ -84,13 +100,20 @@ impl Cases {
             let what = format!("in case \"{}\" nothing moves: it heats no motor", names[case]);
             found.push(motor.refuse("heating", what, "at rest", "name a case with a speed v_s"));
         }
-        self.choice().heating = Some(case);
+        self.heating = Some(case);
     }
 }
 
 /// Refuses a motor that cannot start, and brakes that cannot hold or stop, somewhere in the working range.
-pub(super) fn able(model: &Standing, cases: &Cases, v: &Values, found: &mut Vec<Diagnostic>) {
-    let Some(motor) = cases.motor else { return };
+pub(super) fn able(
+    model: &Standing,
+    motor: Option<&CaseMotor<f64>>,
+    brakes: &[CaseBrake<f64>],
+    names: &[Text],
+    v: &Values,
+    found: &mut Vec<Diagnostic>,
+) {
+    let Some(motor) = motor else { return };
     let mut part = model.part().duplicate();
     let mut at = |slot: &Slot, place: f64| {
         let mut value = 0.0;
@@ -115,7 +138,7 @@ pub(super) fn able(model: &Standing, cases: &Cases, v: &Values, found: &mut Vec<
     let said = |case: usize, place: f64| {
         format!(
             "in case \"{}\" at {} = {}",
-            cases.names[case].english(),
+            names[case].english(),
             coordinate.id,
             coordinate.written(place)
         )
@@ -133,8 +156,9 @@ pub(super) fn able(model: &Standing, cases: &Cases, v: &Values, found: &mut Vec<
             "give a stronger motor, or a smaller travel l_M of the drive for one turn",
         );
     }
-    let brakes: f64 = cases.brakes.iter().map(|brake| brake.torque).sum();
-    let holding = most(&s::T_H).filter(|_| !cases.brakes.is_empty());
+    let there = !brakes.is_empty();
+    let brakes: f64 = brakes.iter().map(|brake| brake.torque).sum();
+    let holding = most(&s::T_H).filter(|_| there);
     if let Some((held, case, place)) = holding.filter(|found| found.0.abs() * motor.eta >= brakes) {
         let what = format!(
             "the brakes cannot hold {}: they have {} where {} pull",
@@ -155,4 +179,16 @@ pub(super) fn able(model: &Standing, cases: &Cases, v: &Values, found: &mut Vec<
             "give stronger brakes, or a smaller travel l_M of the drive for one turn",
         );
     }
+}
+
+/// The place of a name among those that a mechanism knows; a mistake goes to `found`.
+pub fn named(table: &Values, key: &str, what: &str, known: &[&str], found: &mut Vec<Diagnostic>) -> Option<usize> {
+    let name = table.text(key)?;
+    let place = known.iter().position(|known| *known == name);
+    if place.is_none() {
+        let message = format!("no {what} \"{name}\"");
+        let help = format!("what there is: {}", known.join(", "));
+        found.push(table.refuse(key, message, "there is none", help));
+    }
+    place
 }
