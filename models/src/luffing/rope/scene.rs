@@ -3,7 +3,7 @@
 use crate::balance::boom::Plain;
 use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
-use crate::component::description::{Described, Description, Vocabulary};
+use crate::component::description::{Described, Description, Vocabulary, possible};
 use crate::component::draw::Draw;
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moved::Moved;
@@ -198,6 +198,11 @@ impl Described for Rope {
             inertia: None,
             ..this.given.clone()
         }
+    }
+
+    fn check(this: &Description<Rope>, v: &Values, found: &mut Vec<Diagnostic>) {
+        possible(this, v, found);
+        told::check::<RopeBoom>(&this.standing(), &this.cases, v, found);
     }
 
     fn levels(&self) -> Vec<&'static str> {
