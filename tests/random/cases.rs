@@ -20,7 +20,7 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
         n.remove(&["cases"]);
     }
     let Some(mut c) = n.child("cases") else { return };
-    c.remove(&["case", "body", "pin", "brake"]);
+    c.remove(&["case", "body", "pin"]);
     let counterweight = behind.as_ref().map(|_| "counterweight");
     for name in parts.bodies.iter().copied().chain(counterweight) {
         c.more("body", |body| {
@@ -42,7 +42,13 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
     }
     c.keep("c_air", true);
     // A motor and brakes that are strong enough for a drive that nearly points at the foot of its bar.
-    let brakes = c.child("motor").is_some() && c.draw.coin(0.5);
+    if !c.has("motor") {
+        c.remove(&["brake"]);
+    }
+    let brakes = c.has("brake");
+    if !brakes {
+        c.remove(&["second_brake"]);
+    }
     if let Some(mut motor) = c.child("motor") {
         motor.put("heating", "I");
         for (name, least, most) in [
@@ -57,10 +63,14 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
         let travel = motor.draw.between(1e-4, 1e-3);
         motor.set("l_M", travel);
     }
-    if brakes {
-        c.more("brake", |brake| {
-            brake.set("T_b", 9e17);
-        });
+    let first = c.child("brake").map(|mut brake| {
+        brake.set("T_b", 9e17);
+        brake.get("tau_b")
+    });
+    if let Some((mut second, first)) = c.child("second_brake").zip(first)
+        && second.get("tau_b2") < first
+    {
+        second.set("tau_b2", 2.0 * first);
     }
     for number in 1..=c.draw.rng.u8(1..4) {
         c.more("case", |case| {

@@ -13,7 +13,7 @@ const OWN_USES: [Purpose; 2] = [("tail_points", &[&s::X_T, &s::Y_T]), ("annulus"
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brakes "cases.brake", limits),
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake", limits),
     constants: &[
         ("trunk_tail", &[Stage("tail")]),
         ("balance_constants", &[Stage("balancing")]),

@@ -151,7 +151,8 @@ impl Described for CurvedTrunk {
             rubbing: cases.pins.clone(),
             air: cases.air,
             driver: cases.motor,
-            brakes: cases.brakes.clone(),
+            brake: cases.brake,
+            second: cases.second,
             holds: cases.holds.clone(),
             chosen: cases.choice.clone(),
             choice: TrunkChoice {

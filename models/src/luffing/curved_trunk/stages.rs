@@ -29,7 +29,9 @@ use crate::luffing::curved_trunk::tail::{TailArc, Trunk, TrunkChoice, TrunkTail}
 use crate::luffing::curved_trunk::velocity::{TrunkSpeeds, TrunkTravel, pole};
 use crate::luffing::resistances::brakes::{Holding, Stopped};
 use crate::luffing::resistances::friction::{Pins, Rubbed};
-use crate::luffing::resistances::given::{Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice};
+use crate::luffing::resistances::given::{
+    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, SecondBrake,
+};
 use crate::luffing::resistances::loads::Loads;
 use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::motor::{Heating, Motored};
@@ -68,7 +70,8 @@ stages! {
         Parameter rubbing: Vec<CasePin<C>>,
         Parameter air: Option<One<C>>,
         Parameter driver: Option<CaseMotor<C>>,
-        Parameter brakes: Vec<CaseBrake<C>>,
+        Parameter brake: Option<CaseBrake<C>>,
+        Parameter second: Option<SecondBrake<C>>,
         Parameter holds: Vec<CaseHold<C>>,
         Fixed chosen: Option<CasesChoice>,
         Fixed choice: TrunkChoice,
@@ -114,8 +117,8 @@ stages! {
             driver[!], sums, cases[each], resisted[each], rubbed[each], force[each]
         );
         heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
-        holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brakes, sums, holds[each], resisted[each]);
-        stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brakes, sums, cases[each], motored[each]);
+        holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brake[!], second, sums, holds[each], resisted[each]);
+        stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brake[!], second, sums, cases[each], motored[each]);
     }
 }
 

@@ -18,7 +18,7 @@ const OWN_USES: [Purpose; 3] = [
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brakes "cases.brake", limits),
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake", limits),
     constants: &[
         ("ellipsograph_axes", &[Stage("axes")]),
         ("balance_constants", &[Stage("balancing")]),

@@ -150,7 +150,8 @@ impl Described for Ellipsograph {
             rubbing: cases.pins.clone(),
             air: cases.air,
             driver: cases.motor,
-            brakes: cases.brakes.clone(),
+            brake: cases.brake,
+            second: cases.second,
             holds: cases.holds.clone(),
             chosen: cases.choice.clone(),
             choice: GuidedChoice {

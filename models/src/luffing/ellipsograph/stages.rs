@@ -40,7 +40,9 @@ use crate::luffing::moving::single::{self, BoomRates, Heavy, SingleBoom, SingleP
 use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS, rates_after};
 use crate::luffing::resistances::brakes::{Holding, Stopped};
 use crate::luffing::resistances::friction::{Pins, Rubbed};
-use crate::luffing::resistances::given::{Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice};
+use crate::luffing::resistances::given::{
+    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, SecondBrake,
+};
 use crate::luffing::resistances::loads::Loads;
 use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::motor::{Heating, Motored};
@@ -87,7 +89,8 @@ stages! {
         Parameter rubbing: Vec<CasePin<C>>,
         Parameter air: Option<One<C>>,
         Parameter driver: Option<CaseMotor<C>>,
-        Parameter brakes: Vec<CaseBrake<C>>,
+        Parameter brake: Option<CaseBrake<C>>,
+        Parameter second: Option<SecondBrake<C>>,
         Parameter holds: Vec<CaseHold<C>>,
         Fixed chosen: Option<CasesChoice>,
         Fixed choice: GuidedChoice,
@@ -132,8 +135,8 @@ stages! {
             driver[!], sums, cases[each], resisted[each], rubbed[each], force[each]
         );
         heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
-        holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brakes, sums, holds[each], resisted[each]);
-        stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brakes, sums, cases[each], motored[each]);
+        holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brake[!], second, sums, holds[each], resisted[each]);
+        stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brake[!], second, sums, cases[each], motored[each]);
         guided: GuidedParts<C> = GuidedParts::new(bars, weights[!], inertias[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
         parts[constants]: Vec<SingleParts<Guided, C>> = single::parts(

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
-use crate::luffing::resistances::given::{Case, CaseBrake, CaseHold, CaseMotor};
+use crate::luffing::resistances::given::{Case, CaseBrake, CaseHold, CaseMotor, SecondBrake};
 use crate::luffing::resistances::moments::Resisted;
 use crate::luffing::resistances::motor::Motored;
 use crate::luffing::resistances::sums::Sums;
@@ -31,7 +31,8 @@ impl<C: Calc> Holding<C> {
     /// All but inertia and friction is held; T_K = K |T_H| η. [Ports001, 5.7]
     pub fn new(
         motor: &CaseMotor<C>,
-        brakes: &[CaseBrake<C>],
+        brake: &CaseBrake<C>,
+        second: &Option<SecondBrake<C>>,
         sums: &Sums<C>,
         hold: &CaseHold<C>,
         resisted: &Resisted<C>,
@@ -44,7 +45,7 @@ impl<C: Calc> Holding<C> {
         };
         let asked_without_losses = (hold.k_b * holding.abs()).def(&s::T_K1);
         let asked = (asked_without_losses * motor.eta).def(&s::T_K);
-        let all = brakes.iter().fold(C::constant(0.0), |sum, brake| sum + brake.torque);
+        let all = second.map_or(brake.torque, |second| brake.torque + second.torque);
         Holding {
             moment,
             holding,
@@ -80,7 +81,8 @@ impl<C: Calc> Stopped<C> {
     /// ω̇ = −(T_0 + Σ T_b) / J, each brake after its delay. [Ports001, 5.7]
     pub fn new(
         motor: &CaseMotor<C>,
-        brakes: &[CaseBrake<C>],
+        brake: &CaseBrake<C>,
+        second: &Option<SecondBrake<C>>,
         sums: &Sums<C>,
         case: &Case<C>,
         motored: &Motored<C>,
@@ -100,15 +102,16 @@ impl<C: Calc> Stopped<C> {
         let inertia = motor.inertia(sums, motor.eta).def(&s::J_B);
         let (mut time, mut turned, mut torque) = (zero, zero, motored.against);
         let mut speed = (C::constant(TAU) * motored.n).abs();
-        for brake in brakes {
-            let (span, slows) = (brake.delay - time, torque / inertia);
+        let behind = second.map(|second| (second.torque, second.delay));
+        for (more, delay) in std::iter::once((brake.torque, brake.delay)).chain(behind) {
+            let (span, slows) = (delay - time, torque / inertia);
             if slows.value() * span.value() >= speed.value() {
                 break;
             }
             turned += speed * span - half * slows * span.square();
             speed -= slows * span;
-            time = brake.delay;
-            torque += brake.torque;
+            time = delay;
+            torque += more;
         }
         let (turned, speed) = (turned.def(&s::PSI_B), speed.def(&s::OMEGA_B));
         let slows = (torque / inertia).def(&s::ALPHA_B);

@@ -30,6 +30,11 @@ quantities! {
 }
 
 quantities! {
+    /// Another one, which acts after it.
+    SecondBrake { torque: T_B2, delay: TAU_B2 }
+}
+
+quantities! {
     /// How often the brakes must hold what acts in a case.
     CaseHold { k_b: K_B }
 }

@@ -8,10 +8,12 @@ use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
 use crate::luffing::resistances::friction::OF_BALANCE;
-use crate::luffing::resistances::given::{Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice};
+use crate::luffing::resistances::given::{
+    Case, CaseBody, CaseBrake, CaseHold, CaseMotor, CasePin, CasesChoice, SecondBrake,
+};
 use crate::luffing::resistances::placed::BARS;
 use crate::luffing::resistances::symbols as s;
-use crate::luffing::resistances::train::{BRAKES, MOTOR, Train, named};
+use crate::luffing::resistances::train::{BRAKE, MOTOR, SECOND, Train, named};
 
 /// The table `[cases]`, also beside the mechanism.
 pub const CASES: Key = Key::part(
@@ -30,7 +32,7 @@ static KEYS: &[Key] = keys! { s:
     Key::new("case", Kind::Tables(CASE, 12), "The cases: I for heating and fatigue, II the greatest at work, III out of service, or others."),
     Key::new("body", Kind::Tables(BODY, 24), "The bodies' inertias, and the areas that the wind meets."),
     Key::new("pin", Kind::Tables(PIN, 16), "Pins that rub.").optional(),
-    MOTOR, BRAKES
+    MOTOR, BRAKE, SECOND
 };
 
 static CASE: &[Key] = keys! { s:
@@ -64,7 +66,8 @@ pub struct Cases {
     pub pins: Vec<CasePin<f64>>,
     pub air: Option<One<f64>>,
     pub motor: Option<CaseMotor<f64>>,
-    pub brakes: Vec<CaseBrake<f64>>,
+    pub brake: Option<CaseBrake<f64>>,
+    pub second: Option<SecondBrake<f64>>,
     /// Of each case, where there are brakes.
     pub holds: Vec<CaseHold<f64>>,
     pub choice: Option<CasesChoice>,
@@ -109,7 +112,8 @@ impl Cases {
         }
         let train = Train::read(table, &read.names, found);
         read.choice().heating = train.heating;
-        (read.motor, read.brakes, read.holds) = (train.motor, train.brakes, train.holds);
+        (read.motor, read.brake, read.second) = (train.motor, train.brake, train.second);
+        read.holds = train.holds;
         if table.tables("case").is_empty() {
             found.push(table.refuse("case", "no case", "nothing to overcome", "add [[cases.case]]"));
         }

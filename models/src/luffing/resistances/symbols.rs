@@ -37,8 +37,10 @@ symbols! {
     J_M: "J_M" "J_M" KG_M2 / KG_M2 [not_negative], "Inertia of the motor's shaft with coupling and brake drums.", "[Ports001, 5.6]";
     L_M: "l_M" "l_M" M / MM [positive], "Travel of the drive for one turn of the motor: that of a pinion, 2 π r, or a screw's lead, over the ratio of the gear.", "input";
     ETA_M: "eta_M" "eta_M" ONE / ONE [within(Range::new(0.0, 1.0))], "Efficiency of all between motor and drive.", "[Ports001, 5.6]";
-    T_B: "T_b" "T_(b k)" N_M / N_M [positive], "Torque of a brake on the motor's shaft.", "[Ports001, 5.7]";
-    TAU_B: "tau_b" "tau_(b k)" S / S [not_negative], "Time after which a brake acts.", "[Ports001, 5.7]";
+    T_B: "T_b" "T_(b 1)" N_M / N_M [positive], "Torque of the brake on the motor's shaft.", "[Ports001, 5.7]";
+    T_B2: "T_b2" "T_(b 2)" N_M / N_M [positive], "Torque of the second brake on the motor's shaft.", "[Ports001, 5.7]";
+    TAU_B: "tau_b" "tau_(b 1)" S / S [not_negative], "Time after which the brake acts.", "[Ports001, 5.7]";
+    TAU_B2: "tau_b2" "tau_(b 2)" S / S [not_negative], "Time after which the second brake acts.", "[Ports001, 5.7]";
     K_B: "K_b" "K_(b i)" ONE / ONE [positive], "Safety with which the brakes must hold what acts in a case.", "[Ports001, 5.7]";
 
     // What the bodies come to at a position.

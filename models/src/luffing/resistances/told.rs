@@ -85,7 +85,14 @@ pub fn check<T: Resists>(model: &Standing, cases: &Cases, v: &Values, found: &mu
             return;
         }
     }
-    able(model, cases.motor.as_ref(), &cases.brakes, &cases.names, v, found);
+    able(
+        model,
+        cases.motor.as_ref(),
+        (cases.brake.as_ref(), cases.second.as_ref()),
+        &cases.names,
+        v,
+        found,
+    );
 }
 
 /// The chapter; `None` where the scene has no cases.

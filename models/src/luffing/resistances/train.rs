@@ -10,30 +10,29 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::Text;
-use crate::luffing::resistances::given::{CaseBrake, CaseHold, CaseMotor};
+use crate::luffing::resistances::given::{CaseBrake, CaseHold, CaseMotor, SecondBrake};
 use crate::luffing::resistances::symbols as s;
 
 /// Beside the cases.
 pub const MOTOR: Key = Key::part("motor", MOTOR_KEYS, "The motor that works the drive.");
-pub const BRAKES: Key = Key::new(
-    "brake",
-    Kind::Tables(BRAKE, 2),
-    "Brakes on the motor's shaft, in the order in which they act.",
-)
-.optional();
+pub const BRAKE: Key = Key::part("brake", BRAKE_KEYS, "The brake on the motor's shaft.");
+pub const SECOND: Key = Key::part("second_brake", SECOND_KEYS, "Another brake there, which acts after it.");
 
 const MOTOR_KEYS: &[Key] = keys! { s:
     P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_M >= 0, L_M > 0, ETA_M > 0;
     Key::new("heating", Kind::Name, "The case for whose motion in and out the heating of the motor is asked.")
 };
 
-const BRAKE: &[Key] = keys! { s: T_B > 0, TAU_B >= 0 };
+const BRAKE_KEYS: &[Key] = keys! { s: T_B > 0, TAU_B >= 0 };
+
+const SECOND_KEYS: &[Key] = keys! { s: T_B2 > 0, TAU_B2 >= 0 };
 
 /// Motor and brakes of a scene.
 #[derive(Default)]
 pub struct Train {
     pub motor: Option<CaseMotor<f64>>,
-    pub brakes: Vec<CaseBrake<f64>>,
+    pub brake: Option<CaseBrake<f64>>,
+    pub second: Option<SecondBrake<f64>>,
     pub holds: Vec<CaseHold<f64>>,
     /// The case of the motor's heating, from 0.
     pub heating: Option<usize>,
@@ -53,26 +52,29 @@ impl Train {
             self.motor = CaseMotor::of(|symbol| motor.number(symbol.id));
             self.take_heating(table, motor, names, found);
         }
-        for brake in table.tables("brake") {
-            self.brakes.extend(CaseBrake::of(|symbol| brake.number(symbol.id)));
-            if let [.., before, last] = self.brakes[..]
-                && last.delay < before.delay
-            {
-                let what = "a brake that acts before the one above it";
-                found.push(brake.refuse(
-                    s::TAU_B.id,
-                    what,
-                    "too early",
-                    "give the brakes in the order in which they act",
-                ));
-            }
-        }
-        if motor.is_none() && !self.brakes.is_empty() {
+        let of = |name| table.table(name);
+        self.brake = of("brake").and_then(|v| CaseBrake::of(|symbol| v.number(symbol.id)));
+        self.second = of("second_brake").and_then(|v| SecondBrake::of(|symbol| v.number(symbol.id)));
+        if motor.is_none() && self.brake.is_some() {
             let help = "add [cases.motor]: the brakes are on its shaft";
             found.push(table.refuse("brake", "brakes without a motor", "on no shaft", help));
         }
+        if let Some((second, v)) = self.second.zip(of("second_brake")) {
+            match self.brake {
+                None => {
+                    let what = "a second brake without a first";
+                    found.push(v.refuse(s::T_B2.id, what, "the only one", "call it [cases.brake]"));
+                }
+                Some(first) if second.delay < first.delay => {
+                    let what = "the second brake acts before the first";
+                    let help = "give the brake that acts first in [cases.brake]";
+                    found.push(v.refuse(s::TAU_B2.id, what, "too early", help));
+                }
+                Some(_) => {}
+            }
+        }
         for case in table.tables("case") {
-            match (case.number(s::K_B.id), self.brakes.is_empty()) {
+            match (case.number(s::K_B.id), self.brake.is_none()) {
                 (None, false) => {
                     let what = "brakes, and a case without the safety with which they hold it";
                     found.push(case.refuse(
@@ -84,7 +86,7 @@ impl Train {
                 }
                 (Some(_), true) => {
                     let what = "a safety of brakes where there are none";
-                    found.push(case.refuse(s::K_B.id, what, "not used", "add [[cases.brake]], or remove it"));
+                    found.push(case.refuse(s::K_B.id, what, "not used", "add [cases.brake], or remove it"));
                 }
                 (k_b, _) => self.holds.extend(k_b.map(|k_b| CaseHold { k_b })),
             }
@@ -108,7 +110,7 @@ impl Train {
 pub(super) fn able(
     model: &Standing,
     motor: Option<&CaseMotor<f64>>,
-    brakes: &[CaseBrake<f64>],
+    (brake, second): (Option<&CaseBrake<f64>>, Option<&SecondBrake<f64>>),
     names: &[Text],
     v: &Values,
     found: &mut Vec<Diagnostic>,
@@ -156,9 +158,8 @@ pub(super) fn able(
             "give a stronger motor, or a smaller travel l_M of the drive for one turn",
         );
     }
-    let there = !brakes.is_empty();
-    let brakes: f64 = brakes.iter().map(|brake| brake.torque).sum();
-    let holding = most(&s::T_H).filter(|_| there);
+    let brakes = brake.map_or(0.0, |brake| brake.torque) + second.map_or(0.0, |brake| brake.torque);
+    let holding = most(&s::T_H).filter(|_| brake.is_some());
     if let Some((held, case, place)) = holding.filter(|found| found.0.abs() * motor.eta >= brakes) {
         let what = format!(
             "the brakes cannot hold {}: they have {} where {} pull",

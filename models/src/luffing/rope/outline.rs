@@ -13,7 +13,7 @@ const OWN_USES: [Purpose; 2] = [("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", hoisting,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brakes "cases.brake", limits),
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake", limits),
     constants: &[
         ("rope_constants", &[Stage("level")]),
         ("balance_constants", &[Stage("balancing")]),
