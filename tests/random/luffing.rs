@@ -427,9 +427,16 @@ fn balance(n: &mut Node, linkage: Linkage, pose: &Pose, simple: bool) -> Vec<Mar
     let mut b = n.child("balance").expect("there");
     let kind = match simple {
         true => "tail",
-        false => b
-            .draw
-            .pick(&["tail", "parallelogram", "lever", "straight_rail", "curved_rail"]),
+        // A curved rail comes through less often than the others.
+        false => b.draw.pick(&[
+            "tail",
+            "parallelogram",
+            "lever",
+            "straight_rail",
+            "curved_rail",
+            "curved_rail",
+            "curved_rail",
+        ]),
     };
     b.put("kind", kind);
     let needed: &[&str] = match kind {
