@@ -1,6 +1,11 @@
 //! Governing positions and sensitivities, against searches and differences that know nothing of derivatives.
 
+use std::f64::consts::FRAC_PI_2;
+
+use num_dual::{Dual64, DualNum};
+
 use lemnis_models::component::description::Described;
+use lemnis_models::component::extreme::{Extreme, greatest};
 use lemnis_models::component::governing::governing;
 use lemnis_models::component::outline::Outline;
 use lemnis_models::component::running::Running;
@@ -9,6 +14,7 @@ use lemnis_models::luffing::double_link::scene::{Luffing, LuffingScene};
 use lemnis_models::luffing::double_link::symbols as s;
 
 use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::parts::motion::Motion;
 use lemnis_models::scene::{DEFAULT, Scene};
 
 const OUTLINE: &Outline = LuffingScene::OUTLINE;
@@ -56,7 +62,7 @@ fn sensitivities_agree_with_differences() {
         let luffing = luffing(text);
         let (mut model, outline) = (luffing.standing(), OUTLINE);
         let found = governing(&model, outline, &|_| true);
-        let table = sensitivity(&mut model, outline, outline.sensitivity, &found);
+        let table = sensitivity(&mut model, outline, outline.sensitivity, &found, &|_| true);
         for row in &table.rows {
             for (&(symbol, value), exact) in table.results.iter().zip(&row.by) {
                 let step = 1e-4 * row.value.abs().max(0.1);
@@ -201,13 +207,48 @@ fn a_drawn_curve_reaches_its_extremes() {
             looked += 1;
             // Where rod and lever stand at a right angle the angle is 90°, between all samples.
             if curve.id == "balance_gamma" {
-                assert!(
-                    (most - std::f64::consts::FRAC_PI_2).abs() < 1e-7,
-                    "{}: {most}",
-                    scene.name()
-                );
+                assert!((most - FRAC_PI_2).abs() < 1e-7, "{}: {most}", scene.name());
             }
         }
     }
     assert!(looked > 20, "{looked}");
+}
+
+/// The greatest value between 0 and `to` with its place, and how often the quantity was asked for.
+fn counted(to: f64, f: &dyn Fn(Dual64) -> Dual64) -> (Extreme, u32) {
+    let (motion, mut asked) = (
+        Motion {
+            from: 0.0,
+            to,
+            step: 0.1,
+            speed: 1.0,
+            by_part: false,
+        },
+        0,
+    );
+    let found = greatest(&motion, &mut |at| {
+        asked += 1;
+        Some(f(at))
+    });
+    (found.expect("it exists"), asked)
+}
+
+/// A grid of 97 places, and a dozen more for each peak; none for what is constant.
+#[test]
+fn a_peak_is_found_in_few_steps() {
+    let (found, asked) = counted(3.0, &|at| at.sin());
+    assert!((found.at - FRAC_PI_2).abs() <= 2.0 * f64::EPSILON, "{found:?}");
+    assert!((found.value - 1.0).abs() <= f64::EPSILON, "{found:?}");
+    assert!(asked <= 97 + 12, "{asked}");
+    let (found, asked) = counted(3.0, &|at| -(at - 1.0 / 3.0).powi(4) + 2.0);
+    assert!((found.value - 2.0).abs() <= f64::EPSILON, "{found:?}");
+    assert!(asked <= 97 + 54, "{asked}");
+    let (found, asked) = counted(3.0, &|at| at * 2.0);
+    assert_eq!((found.at, found.value, asked), (3.0, 6.0, 97));
+    let (found, asked) = counted(3.0, &|_| Dual64::from_re(0.7));
+    assert_eq!((found.value, asked), (0.7, 97));
+    // A corner has slopes to both sides, of which no secant tells.
+    let (found, asked) = counted(3.0, &|at| if at.re < 1.0 / 3.0 { at } else { -at + 2.0 / 3.0 });
+    assert!((found.at - 1.0 / 3.0).abs() <= f64::EPSILON, "{found:?}");
+    assert!(asked <= 97 + 56, "{asked}");
 }

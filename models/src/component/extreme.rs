@@ -42,57 +42,109 @@ pub fn between(from: f64, to: f64) -> impl Iterator<Item = f64> {
 }
 
 /// Points at which a quantity is looked at before its extremes are refined.
-const GRID: u32 = 96;
+const GRID: usize = 96;
 
-/// The greatest value of `f` in the working range, of which all turns are like the
-/// first. Every peak of a grid is refined to where the derivative, exact from dual
-/// numbers, changes its sign: to the last bit, which values alone do not give where
-/// a peak is flat. A peak narrower than a hundredth of the range can be missed.
-pub fn greatest(motion: &Motion, f: &mut dyn FnMut(Dual64) -> Option<Dual64>) -> Option<Extreme> {
+/// A quantity with its derivative at these points.
+pub type Looked = [Dual64; GRID + 1];
+
+/// The points; of a range of several turns those of the first, as all turns are like it.
+pub fn grid(motion: &Motion) -> [f64; GRID + 1] {
     let end = motion.to.min(motion.from + TAU);
-    let angle = |i: u32| match i {
+    let step = (end - motion.from) / GRID as f64;
+    std::array::from_fn(|i| match i {
         GRID => end,
-        _ => motion.from + f64::from(i) * ((end - motion.from) / f64::from(GRID)),
-    };
-    let mut at = |theta: f64| f(Dual64::new(theta, 1.0));
-    // Beside the range's other places; a zero has no last bit to be found to.
-    let nothing = |place: f64| place.abs() < f64::EPSILON * (end - motion.from);
-    let mut values = [0.0; GRID as usize + 1];
-    for (i, value) in (0..=GRID).zip(&mut values) {
-        *value = at(angle(i))?.re;
+        _ => motion.from + i as f64 * step,
+    })
+}
+
+/// The greatest value of `f` in the working range: see [`peak`].
+pub fn greatest(motion: &Motion, f: &mut dyn FnMut(Dual64) -> Option<Dual64>) -> Option<Extreme> {
+    let mut looked = [Dual64::from_re(0.0); GRID + 1];
+    for (value, at) in looked.iter_mut().zip(grid(motion)) {
+        *value = f(Dual64::new(at, 1.0))?;
     }
-    let value = |i: u32| values[i as usize];
+    peak(motion, &looked, f)
+}
+
+/// The greatest value of `f`, which has been looked at. Every peak of the grid is refined to where the derivative, exact
+/// from dual numbers, changes its sign: to the last bit, which values alone do not give where a peak is flat. A peak
+/// narrower than a hundredth of the range can be missed.
+pub fn peak(motion: &Motion, looked: &Looked, f: &mut dyn FnMut(Dual64) -> Option<Dual64>) -> Option<Extreme> {
+    let places = grid(motion);
+    let range = places[GRID] - places[0];
+    let step = range / GRID as f64;
+    // Beside the range's other places; a zero has no last bit to be found to.
+    let nothing = |place: f64| place.abs() < f64::EPSILON * range;
     let mut best = Extreme {
-        value: value(0),
+        value: looked[0].re,
         at: motion.from,
     };
-    for i in 0..=GRID {
+    for (i, here) in looked.iter().enumerate() {
         let (before, after) = (i.saturating_sub(1), (i + 1).min(GRID));
-        if value(i) < value(before) || value(i) < value(after) {
+        if here.re < looked[before].re || here.re < looked[after].re {
             continue;
         }
-        let (from, to) = (angle(before), angle(after));
-        let (mut low, mut high) = (from, to);
-        loop {
-            let middle = f64::midpoint(low, high);
-            if middle <= low || middle >= high || nothing(low) && nothing(high) {
-                break;
-            }
-            let rises = at(middle)?.eps > 0.0;
-            if rises { low = middle } else { high = middle }
+        let side = if here.eps > 0.0 { [i, after] } else { [before, i] };
+        let slopes = side.map(|end| looked[end].eps);
+        if here.re > best.value {
+            best = Extreme {
+                value: here.re,
+                at: places[i],
+            };
         }
-        // Without a change of sign the end itself is greatest.
-        let refined = if high == to { high } else { low };
-        let refined = if low == from { from } else { refined };
+        // Less is to be gained than the value is known to: it is constant.
+        let constant = (slopes.iter()).all(|slope| slope.abs() * step <= f64::EPSILON * here.re.abs());
+        let [low, high] = match side {
+            // Without a change of sign the end itself is greatest.
+            [only, end] if only == end || constant => continue,
+            _ if slopes[0] > 0.0 && slopes[1] <= 0.0 => turn(side.map(|end| places[end]), slopes, nothing, f)?,
+            // A jump or a corner, of which slopes beside it tell nothing.
+            _ => turn([places[before], places[after]], [f64::NAN; 2], nothing, f)?,
+        };
+        let refined = if high == places[after] { high } else { low };
+        let refined = if low == places[before] { low } else { refined };
         let refined = if nothing(refined) { 0.0 } else { refined };
-        for at_this in [angle(i), refined] {
-            let value = at(at_this)?.re;
-            if value > best.value {
-                best = Extreme { value, at: at_this };
-            }
+        let value = f(Dual64::new(refined, 1.0))?.re;
+        if value > best.value {
+            best = Extreme { value, at: refined };
         }
     }
     Some(best)
+}
+
+/// Two neighbouring numbers between which `f` rises no more, from two places with their slopes: by the method of Oliveira
+/// and Takahashi (ITP, 2020), a secant's step kept so near to the middle that it never takes more than one step beyond
+/// bisection; by bisection where slopes are not known.
+fn turn(
+    [mut low, mut high]: [f64; 2],
+    [mut rising, mut falling]: [f64; 2],
+    nothing: impl Fn(f64) -> bool,
+    f: &mut dyn FnMut(Dual64) -> Option<Dual64>,
+) -> Option<[f64; 2]> {
+    let mut allowed = 2.0 * (high - low);
+    let part = 0.2 / (high - low);
+    loop {
+        let (middle, width) = (f64::midpoint(low, high), high - low);
+        if middle <= low || middle >= high || nothing(low) && nothing(high) {
+            return Some([low, high]);
+        }
+        let secant = low + width * (rising / (rising - falling));
+        let inwards = (middle - secant).signum();
+        let (moved, off) = (part * width * width, 0.5 * (allowed - width).max(0.0));
+        let guess = match (middle - secant).abs() {
+            far if far.is_nan() || far <= moved => middle,
+            far if far - moved <= off => secant + inwards * moved,
+            _ => middle - inwards * off,
+        };
+        let place = guess.clamp(low.next_up(), high.next_down());
+        allowed *= 0.5;
+        let slope = f(Dual64::new(place, 1.0))?.eps;
+        if slope > 0.0 {
+            (low, rising) = (place, slope);
+        } else {
+            (high, falling) = (place, slope);
+        }
+    }
 }
 
 /// The greatest and the least value of `f`.

@@ -2,13 +2,14 @@
 
 use num_dual::Dual64;
 
-use crate::component::extreme::{Extreme, fine, greatest, greatest_amount, greatest_value};
+use crate::component::extreme::{Extreme, Looked, fine, greatest_value, grid, peak};
 use crate::component::outline::{Greatest, Most, Outline};
 use crate::component::probe::{Probe, slot, slots};
 use crate::component::running::Running;
 use crate::component::sheet::Summary;
 use crate::component::stages::Slot;
 use crate::component::standing::{Standing, VariablePlace};
+use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::parts::motion::Motion;
 
@@ -29,49 +30,97 @@ pub fn governing(
     wanted: &dyn Fn(&'static Symbol) -> bool,
 ) -> Vec<Summary> {
     let coordinate = model.variables()[0].symbol;
-    let summary = |extreme: &'static Greatest| {
-        Some(Summary::at(extreme.symbol, most(model, extreme)?, coordinate).of(extreme.of))
-    };
     let extremes = outline.extremes.iter().filter(|extreme| wanted(extreme.symbol));
+    let mut search = Search::new(model, extremes.clone().map(|extreme| extreme.of));
+    let summary = |extreme: &'static Greatest| {
+        Some(Summary::at(extreme.symbol, search.most(extreme)?, coordinate).of(extreme.of))
+    };
     extremes.filter_map(summary).collect()
 }
 
 /// An extreme over the working range, of a numbered result over all of them; `None` where the scene does not have it.
 #[must_use]
 pub fn most(model: &Standing, extreme: &Greatest) -> Option<Extreme> {
-    let mut probe = Probe::new(model, &mut |_, _| 0.0);
-    let pole = extreme.pole.and_then(|pole| slot(model, pole));
-    let each = slots(model, extreme.of).map(|slot| {
-        if model.part().stages()[usize::from(slot.stage)].searched {
-            return searched(model, &slot, extreme.most);
-        }
-        let infinite = pole.and_then(|pole| infinite(&mut probe, &pole, &slot, model.motion()));
-        infinite.or_else(|| search(&mut probe, &slot, extreme.most, model.motion()))
-    });
-    let all: Vec<Extreme> = each.collect::<Option<_>>()?;
-    let more = |a: Extreme, b: Extreme| if extreme.most.is_before(a.value, b.value) { b } else { a };
-    all.into_iter().reduce(more)
+    Search::new(model, [extreme.of].into_iter()).most(extreme)
 }
 
-/// Places at which a variable is drawn over the working range: those of a curve, and where it is greatest and least.
-#[must_use]
-pub fn drawn(model: &Standing, index: usize) -> Vec<f64> {
-    let mut places: Vec<f64> = fine(model.motion()).collect();
-    if let VariablePlace::Result(slot) = model.places()[index] {
+/// Extremes of several results over the working range. All are looked at together: what they follow from is found once
+/// for each place.
+pub struct Search<'a> {
+    model: &'a Standing,
+    probe: Probe,
+    looked: Vec<(Slot, Option<Box<Looked>>)>,
+}
+
+impl<'a> Search<'a> {
+    #[must_use]
+    pub fn new(model: &'a Standing, symbols: impl Iterator<Item = &'static Symbol>) -> Search<'a> {
+        let stages = model.part().stages();
+        let slots = symbols.flat_map(|symbol| slots(model, symbol));
+        let smooth = slots.filter(|slot| !stages[usize::from(slot.stage)].searched);
         let mut probe = Probe::new(model, &mut |_, _| 0.0);
-        let found = [Most::Greatest, Most::Least].map(|most| {
-            if model.part().stages()[usize::from(slot.stage)].searched {
-                searched(model, &slot, most)
-            } else {
-                search(&mut probe, &slot, most, model.motion())
+        let nothing = || Some(Box::new([Dual64::from_re(0.0); _]));
+        let mut looked: Vec<(Slot, Option<Box<Looked>>)> = smooth.map(|slot| (slot, nothing())).collect();
+        for (i, at) in grid(model.motion()).into_iter().enumerate() {
+            for (slot, values) in &mut looked {
+                match probe.at(slot, Dual64::new(at, 1.0)) {
+                    Some(value) => values.iter_mut().for_each(|values| values[i] = value),
+                    None => *values = None,
+                }
             }
-        });
-        let finite = found.into_iter().flatten().filter(|found| found.value.is_finite());
-        places.extend(finite.map(|found| found.at));
-        places.sort_by(f64::total_cmp);
-        places.dedup();
+        }
+        Search { model, probe, looked }
     }
-    places
+
+    /// An extreme, of a numbered result over all of them; `None` where the scene does not have it.
+    pub fn most(&mut self, extreme: &Greatest) -> Option<Extreme> {
+        let model = self.model;
+        let pole = extreme.pole.and_then(|pole| slot(model, pole));
+        let each = slots(model, extreme.of).map(|slot| {
+            let infinite = pole.and_then(|pole| infinite(&mut self.probe, &pole, &slot, model.motion()));
+            infinite.or_else(|| self.of(&slot, extreme.most))
+        });
+        let all: Vec<Extreme> = each.collect::<Option<_>>()?;
+        let more = |a: Extreme, b: Extreme| if extreme.most.is_before(a.value, b.value) { b } else { a };
+        all.into_iter().reduce(more)
+    }
+
+    /// The extreme of one of the results; `None` where it does not exist all over the range.
+    pub fn of(&mut self, slot: &Slot, most: Most) -> Option<Extreme> {
+        if self.model.part().stages()[usize::from(slot.stage)].searched {
+            return searched(self.model, slot, most);
+        }
+        let (_, looked) = self.looked.iter().find(|(known, _)| known == slot)?;
+        let turned = |value: Dual64| match most {
+            Most::Greatest => value,
+            Most::Least => -value,
+            Most::Amount => Calc::abs(value),
+        };
+        let probe = &mut self.probe;
+        let looked = looked.as_ref()?.map(turned);
+        let found = peak(self.model.motion(), &looked, &mut |at| probe.at(slot, at).map(turned))?;
+        match most {
+            Most::Greatest => Some(found),
+            Most::Least => Some(found.turned()),
+            Most::Amount => Some(Extreme {
+                value: probe.at(slot, Dual64::from_re(found.at))?.re,
+                ..found
+            }),
+        }
+    }
+
+    /// Places at which a variable is drawn over the working range: those of a curve, and where it is greatest and least.
+    pub fn drawn(&mut self, index: usize) -> Vec<f64> {
+        let mut places: Vec<f64> = fine(self.model.motion()).collect();
+        if let VariablePlace::Result(slot) = self.model.places()[index] {
+            let found = [Most::Greatest, Most::Least].map(|most| self.of(&slot, most));
+            let finite = found.into_iter().flatten().filter(|found| found.value.is_finite());
+            places.extend(finite.map(|found| found.at));
+            places.sort_by(f64::total_cmp);
+            places.dedup();
+        }
+        places
+    }
 }
 
 /// The extreme of what has no derivative.
@@ -91,20 +140,6 @@ fn searched(model: &Standing, slot: &Slot, most: Most) -> Option<Extreme> {
         value: at(found.at, 1.0)?,
         ..found
     })
-}
-
-/// The extreme of one result over the working range.
-#[must_use]
-pub fn most_of(model: &Standing, slot: &Slot, most: Most) -> Option<Extreme> {
-    search(&mut Probe::new(model, &mut |_, _| 0.0), slot, most, model.motion())
-}
-
-fn search(probe: &mut Probe, slot: &Slot, most: Most, motion: &Motion) -> Option<Extreme> {
-    match most {
-        Most::Greatest => greatest(motion, &mut |at| probe.at(slot, at)),
-        Most::Least => Some(greatest(motion, &mut |at| probe.at(slot, at).map(|value| -value))?.turned()),
-        Most::Amount => greatest_amount(motion, &mut |at| probe.at(slot, at)),
-    }
 }
 
 /// Where an arm changes its sign no force at it gives a moment: the force grows beyond all bounds there, between the

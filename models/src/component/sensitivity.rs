@@ -18,7 +18,7 @@ use crate::kernel::variable::Quantity;
 /// Reads a result and its derivative where it is held.
 type Reading = Box<dyn Fn(&mut Probe) -> Option<Dual64>>;
 
-/// How results change with each given quantity: derivatives in SI, exact. Those that the scene has of the symbols asked
+/// How results change with each given quantity that is wanted: derivatives in SI, exact. Those that the scene has of the symbols asked
 /// for, as results of the range or among the governing ones.
 #[must_use]
 pub fn sensitivity(
@@ -26,6 +26,7 @@ pub fn sensitivity(
     outline: &'static Outline,
     asked: &[&'static Symbol],
     governing: &[Summary],
+    by: &dyn Fn(&Symbol) -> bool,
 ) -> Sensitivity {
     let mut results = Vec::new();
     let mut found: Vec<Reading> = Vec::new();
@@ -65,7 +66,7 @@ pub fn sensitivity(
     let used = |source: Source| groups[usize::from(source.group)].1;
     let mut given = model.part().sources();
     let smooth = |(_, (symbol, _)): &(Source, Quantity)| !model.part().undoes(symbol);
-    given.retain(|given| matches!(used(given.0), Use::Parameter | Use::Load) && smooth(given));
+    given.retain(|given| matches!(used(given.0), Use::Parameter | Use::Load) && by(given.1.0) && smooth(given));
     // What is built, then what hangs on it.
     given.sort_by_key(|(source, _)| used(*source) == Use::Load);
     let row = |(source, (symbol, number)): (Source, Quantity)| {

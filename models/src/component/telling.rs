@@ -6,15 +6,13 @@ use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
 use crate::component::extreme::Extreme;
 pub use crate::component::extreme::{between, fine};
-use crate::component::governing::{drawn, most};
+use crate::component::governing::Search;
 use crate::component::judged::{Judged, judged};
 use crate::component::outline::{Explained, Greatest, Line, Most, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
 use crate::component::running::Running;
 use crate::component::sensitivity::sensitivity;
-use crate::component::sheet::{
-    Check, Comparison, Curve, Input, Section, Sensitivity, Sheet, Slope, Summary, Table, Worked,
-};
+use crate::component::sheet::{Check, Comparison, Curve, Input, Section, Sensitivity, Sheet, Summary, Table, Worked};
 use crate::component::stages::{Found, Source, Stage, Use};
 use crate::component::standing::Standing;
 use crate::kernel::calc::Calc;
@@ -191,7 +189,7 @@ fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &
         published: published(told.published(), model),
         published_source: told.published().map(|published| published.source.clone()),
         summary,
-        sensitivity: sensitivity(model, outline, outline.sensitivity, &governing),
+        sensitivity: sensitivity(model, outline, outline.sensitivity, &governing, &|_| true),
         governing,
         outputs: outputs(model),
         remarks: told.remarks(),
@@ -214,17 +212,15 @@ fn uses(outline: &Outline) -> Vec<(&'static str, Vec<&'static Symbol>)> {
 /// Least and greatest values over the working range of what other parts are designed for.
 fn forces(model: &Standing, outline: &'static Outline) -> Vec<[Summary; 2]> {
     let coordinate = model.variables()[0].symbol;
+    let mut search = Search::new(model, outline.forces.iter().copied());
     let of = |&symbol: &&'static Symbol| {
         let known = outline.extremes.iter().find(|extreme| extreme.of == symbol);
         let pole = known.and_then(|extreme| extreme.pole);
-        let end = |end: Most| {
-            let found = most(
-                model,
-                &Greatest {
-                    pole,
-                    ..Greatest::new(symbol, end, symbol)
-                },
-            )?;
+        let mut end = |end: Most| {
+            let found = search.most(&Greatest {
+                pole,
+                ..Greatest::new(symbol, end, symbol)
+            })?;
             let value = match end {
                 // It is so to both sides.
                 Most::Least if found.value == f64::INFINITY => -found.value,
@@ -394,16 +390,20 @@ pub fn table(model: &mut Standing, columns: &[&'static Symbol]) -> Table {
 /// Curves over the working range; none of a result that the scene does not have.
 pub fn lines<T: Described>(told: &Description<T>, model: &mut Standing, lines: &[Line]) -> Vec<Curve> {
     let coordinate = model.variables()[0].symbol;
+    let known = lines.iter().map(|&(id, x, y)| (id, x.unwrap_or(coordinate), y));
+    let known = known.filter(|&(_, x, y)| y != coordinate && exists(model, x) && exists(model, y));
+    let known: Vec<_> = known.collect();
+    let mut search = Search::new(model, known.iter().map(|(.., y)| *y));
+    let mut with_places = |(id, x, y)| {
+        let each = indices(model, y).into_iter().map(|index| (index, search.drawn(index)));
+        (id, x, y, each.collect::<Vec<_>>())
+    };
+    let known: Vec<_> = known.into_iter().map(&mut with_places).collect();
     let mut list = Vec::new();
-    for &(id, x, y) in lines {
-        let x = x.unwrap_or(coordinate);
-        if y == coordinate || !exists(model, x) || !exists(model, y) {
-            continue;
-        }
+    for (id, x, y, each) in known {
         let xs = indices(model, x);
         let (mut pieces, mut numbers) = (Vec::new(), Vec::new());
-        for index in indices(model, y) {
-            let places = drawn(model, index);
+        for (index, places) in each {
             let points = values(model, &[xs[0], index], places.into_iter());
             pieces.extend(told.pieces(id, points.into_iter().map(|point| [point[0], point[1]]).collect()));
             numbers.extend(model.variables()[index].number.map(usize::from));
@@ -431,13 +431,14 @@ fn banded(
     inputs: &[Input],
 ) {
     let symbols: Vec<&'static Symbol> = requirements.iter().map(|check| check.symbol).collect();
-    let Sensitivity { results, rows } = sensitivity(model, outline, &symbols, governing);
-    let known = |row: &Slope| {
-        let input = inputs.iter().find(|input| input.symbol == row.symbol)?;
+    let known = |symbol: &Symbol| {
+        let input = inputs.iter().find(|input| input.symbol == symbol)?;
         input.given.as_ref()?.rounding
     };
+    let Sensitivity { results, rows } =
+        sensitivity(model, outline, &symbols, governing, &|symbol| known(symbol).is_some());
     for (i, (symbol, _)) in results.iter().enumerate() {
-        let off = rows.iter().filter_map(|row| Some(row.by[i].abs() * known(row)?));
+        let off = rows.iter().filter_map(|row| Some(row.by[i].abs() * known(row.symbol)?));
         let band: f64 = off.sum();
         let of = requirements.iter_mut().filter(|check| check.symbol == *symbol);
         of.for_each(|check| check.band = (band > 0.0).then_some(band));

@@ -74,18 +74,23 @@ fn work<T: Resists>(model: &Standing, cases: &Cases, choice: &CasesChoice) -> f6
     let [from, to] = [model.motion().from, model.motion().to];
     let place = |piece: u32| from + (to - from) * f64::from(piece) / f64::from(PIECES);
     let ends = [from, to].map(|at| felt::<T>(model, at).ok());
-    let of = |case: usize| {
-        let moment = |at: f64| felt::<T>(model, at).map_or(f64::NAN, |felt| felt.resisted[case].of_energy());
-        let work: f64 = (0..PIECES)
-            .map(|piece| rule.integrate(place(piece), place(piece + 1), moment))
-            .sum();
+    let mut work = vec![0.0; cases.cases.len()];
+    for (piece, (node, weight)) in (0..PIECES).flat_map(|piece| rule.iter().map(move |point| (piece, point))) {
+        let half = 0.5 * (place(piece + 1) - place(piece));
+        let felt = felt::<T>(model, place(piece) + half * (1.0 + node)).ok();
+        for (case, work) in work.iter_mut().enumerate() {
+            let moment = felt.as_ref().map_or(f64::NAN, |felt| felt.resisted[case].of_energy());
+            *work += weight * half * moment;
+        }
+    }
+    let of = |(case, work): (usize, f64)| {
         let [start, end] = ends
             .each_ref()
             .map(|felt| felt.as_ref().map_or(f64::NAN, |felt| energy(cases, choice, felt, case)));
         let apart = (work - (end - start)).abs();
         if apart.is_nan() { f64::INFINITY } else { apart }
     };
-    (0..cases.cases.len()).map(of).fold(0.0, f64::max)
+    work.into_iter().enumerate().map(of).fold(0.0, f64::max)
 }
 
 /// Of all that acts in a case but inertia and friction, in J, but for a constant: what it has given.

@@ -1,7 +1,7 @@
 //! The chapter of the cases, and their checks.
 
 use crate::component::description::{Described, Description};
-use crate::component::governing::most_of;
+use crate::component::governing::Search;
 use crate::component::outline::Most;
 use crate::component::part::Component;
 use crate::component::probe::slots;
@@ -105,12 +105,14 @@ pub fn chapter<T: Described<Component: Resists>>(
         return None;
     }
     let coordinate = model.variables()[0].symbol;
-    let greatest = |symbol: &&'static Symbol| -> Vec<Summary> {
-        let each = slots(model, symbol).filter_map(|slot| most_of(model, &slot, Most::Amount));
+    let columns = COLUMNS.iter().chain(SHAFT_COLUMNS);
+    let mut search = Search::new(model, columns.copied());
+    let mut greatest = |symbol: &&'static Symbol| -> Vec<Summary> {
+        let each = slots(model, symbol).filter_map(|slot| search.of(&slot, Most::Amount));
         each.map(|found| Summary::at(symbol, found, coordinate)).collect()
     };
     let (own, shaft): (Vec<_>, Vec<_>) = (
-        COLUMNS.iter().map(greatest).collect(),
+        COLUMNS.iter().map(&mut greatest).collect(),
         SHAFT_COLUMNS.iter().map(greatest).collect(),
     );
     // The case and the place where one of them is greatest.

@@ -131,9 +131,9 @@ pub(super) fn able(
     let coordinate = model.variables()[0].symbol;
     let places = || fine(model.motion());
     let mut most = |symbol: &'static Symbol| {
-        let all = (0..)
-            .zip(of(symbol))
-            .flat_map(|(case, slot)| places().map(move |place| (case, slot, place)));
+        let slots = of(symbol);
+        let cases = || (0..).zip(slots.clone());
+        let all = places().flat_map(|place| cases().map(move |(case, slot)| (case, slot, place)));
         let known = all.filter_map(|(case, slot, place): (usize, Slot, f64)| Some((at(&slot, place)?, case, place)));
         known.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))
     };
