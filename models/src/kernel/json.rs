@@ -6,6 +6,7 @@ use crate::kernel::number::short;
 use crate::kernel::schema::{KIND, Key, Kind};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::LANGUAGES;
+use crate::kernel::variable::TIME;
 
 /// The JSON Schema of a table with these keys.
 #[must_use]
@@ -64,7 +65,24 @@ fn property(key: &Key) -> Json {
                 })
             };
             let input = key.input.then(|| noted("input"));
-            let all: Vec<Json> = [value.clone(), noted("value")].into_iter().chain(input).collect();
+            let row = json!({ "type": "array", "prefixItems": [text(&TIME), value], "minItems": 2, "maxItems": 2 });
+            let over = (!key.between.is_empty()).then(|| {
+                json!({
+                    "type": "object",
+                    "additionalProperties": false,
+                    "properties": {
+                        "over": { "type": "array", "items": row, "minItems": 2 },
+                        "between": { "type": "string", "enum": key.between },
+                        "source": translated(&json!({ "type": "string" })),
+                    },
+                    "required": ["over", "between"],
+                })
+            });
+            let all: Vec<Json> = [value.clone(), noted("value")]
+                .into_iter()
+                .chain(input)
+                .chain(over)
+                .collect();
             json!({ "anyOf": all })
         }
         Kind::Texts(most) => json!({ "type": "array", "items": { "type": "string" }, "maxItems": most }),

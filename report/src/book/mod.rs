@@ -5,6 +5,7 @@ mod balance;
 mod blocks;
 mod cases;
 mod charts;
+mod cycle;
 mod motion;
 mod notation;
 mod steps;
@@ -30,6 +31,7 @@ use crate::book::balance::Balance;
 use crate::book::blocks::{Figure, Range, Summary};
 use crate::book::cases::Cases;
 use crate::book::charts::Chart;
+use crate::book::cycle::Cycle;
 use crate::book::motion::Motion;
 use crate::book::notation::{Entry, Notation};
 use crate::book::steps::{Position, Section};
@@ -139,6 +141,7 @@ struct Book<'a> {
     balance: Option<Balance>,
     cases: Option<Cases>,
     motion: Option<Motion>,
+    cycle: Option<Cycle>,
     assumptions: &'a [&'static str],
     sensitivity: Sensitivity,
     synthesis: Option<Synthesis>,
@@ -175,6 +178,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "balance" => sheet.balance.is_some(),
         "cases" => sheet.cases.is_some(),
         "motion" => sheet.motion.is_some(),
+        "cycle" => sheet.cycle.is_some(),
         // Many runs: only a scene that lists the chapter gets it.
         "trade" => scene.book.chapters.is_some(),
         "synthesis" => scene.search().is_some(),
@@ -218,7 +222,7 @@ impl<'a> Book<'a> {
         let mut notation = Notation::new(sheet, &chapters);
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut sizing, mut motion, mut cases, mut study) = (Vec::new(), None, None, None);
+        let (mut sizing, mut motion, mut cycle, mut cases, mut study) = (Vec::new(), None, None, None, None);
         let judged = sheet.requirements.as_slice();
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
@@ -233,6 +237,10 @@ impl<'a> Book<'a> {
                 }
                 "cases" => cases = Cases::of(numbers, sheet, full, &mut notation),
                 "motion" => motion = moving(numbers, sheet, &mut notation),
+                "cycle" => {
+                    let of = |cycle| Cycle::new(numbers, cycle, &mut notation);
+                    cycle = sheet.cycle.as_ref().map(of);
+                }
                 "study" => study = Study::of(numbers, scene, &mut notation),
                 _ => {}
             }
@@ -283,6 +291,7 @@ impl<'a> Book<'a> {
             balance: sheet.balance.as_ref().map(|b| Balance::new(numbers, b)),
             cases,
             motion,
+            cycle,
             assumptions: &sheet.assumptions,
             sensitivity: tables::sensitivity(numbers, &sheet.sensitivity),
             synthesis,

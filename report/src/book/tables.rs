@@ -46,6 +46,8 @@ struct Input {
     /// The symbol, with the number of the one among several.
     shown: String,
     value: String,
+    /// Whether it is told over time.
+    over_time: bool,
     /// Where the value comes from: what the scene says of that; else its line of the scene; else what is usual.
     note: Option<String>,
     line: Option<usize>,
@@ -237,6 +239,7 @@ fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> In
             }
             None => numbers.given(input.symbol, input.value),
         },
+        over_time: given.is_some_and(|given| given.over_time),
         usual: input.usual,
         unconfirmed: input.symbol.unconfirmed,
         line: given.map(|given| given.line),
