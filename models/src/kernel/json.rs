@@ -26,6 +26,21 @@ fn translated(text: &Json) -> Json {
     json!({ "anyOf": [text, table] })
 }
 
+/// A time and a value in every row, and what the value does between two of them.
+fn over_time(time: &Json, value: &Json, between: &[&str]) -> Json {
+    let row = json!({ "type": "array", "prefixItems": [time, value], "minItems": 2, "maxItems": 2 });
+    json!({
+        "type": "object",
+        "additionalProperties": false,
+        "properties": {
+            "over": { "type": "array", "items": row, "minItems": 2 },
+            "between": { "type": "string", "enum": between },
+            "source": translated(&json!({ "type": "string" })),
+        },
+        "required": ["over", "between"],
+    })
+}
+
 fn property(key: &Key) -> Json {
     let text = |symbol: &Symbol| {
         // What has no dimension needs no unit.
@@ -65,19 +80,7 @@ fn property(key: &Key) -> Json {
                 })
             };
             let input = key.input.then(|| noted("input"));
-            let row = json!({ "type": "array", "prefixItems": [text(&TIME), value], "minItems": 2, "maxItems": 2 });
-            let over = (!key.between.is_empty()).then(|| {
-                json!({
-                    "type": "object",
-                    "additionalProperties": false,
-                    "properties": {
-                        "over": { "type": "array", "items": row, "minItems": 2 },
-                        "between": { "type": "string", "enum": key.between },
-                        "source": translated(&json!({ "type": "string" })),
-                    },
-                    "required": ["over", "between"],
-                })
-            });
+            let over = (!key.between.is_empty()).then(|| over_time(&text(&TIME), &value, key.between));
             let all: Vec<Json> = [value.clone(), noted("value")]
                 .into_iter()
                 .chain(input)

@@ -215,6 +215,12 @@ fn moving(numbers: &Numbers, sheet: &Sheet, notation: &mut Notation) -> Option<M
     sheet.motion.as_ref().map(of)
 }
 
+/// What commands over time come to.
+fn cycled(numbers: &Numbers, sheet: &Sheet, chapters: &[&str], notation: &mut Notation) -> Option<Cycle> {
+    let shown = sheet.cycle.as_ref().filter(|_| chapters.contains(&"cycle"));
+    shown.map(|cycle| Cycle::new(numbers, cycle, notation))
+}
+
 impl<'a> Book<'a> {
     fn new(scene: &'a Scene, sheet: &'a Sheet, edition: &Edition<'a>, format: Format) -> Result<Book<'a>, Error> {
         let numbers = &precision::numbers(edition.language, scene.book.digits, sheet);
@@ -222,7 +228,7 @@ impl<'a> Book<'a> {
         let mut notation = Notation::new(sheet, &chapters);
         let full = edition.level == "full";
         let (mut inputs, mut constants, mut positions) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut sizing, mut motion, mut cycle, mut cases, mut study) = (Vec::new(), None, None, None, None);
+        let (mut sizing, mut motion, mut cases, mut study) = (Vec::new(), None, None, None);
         let judged = sheet.requirements.as_slice();
         // In the order of the chapters, so that a symbol is explained where it is met first.
         for chapter in &chapters {
@@ -237,10 +243,6 @@ impl<'a> Book<'a> {
                 }
                 "cases" => cases = Cases::of(numbers, sheet, full, &mut notation),
                 "motion" => motion = moving(numbers, sheet, &mut notation),
-                "cycle" => {
-                    let of = |cycle| Cycle::new(numbers, cycle, &mut notation);
-                    cycle = sheet.cycle.as_ref().map(of);
-                }
                 "study" => study = Study::of(numbers, scene, &mut notation),
                 _ => {}
             }
@@ -291,7 +293,7 @@ impl<'a> Book<'a> {
             balance: sheet.balance.as_ref().map(|b| Balance::new(numbers, b)),
             cases,
             motion,
-            cycle,
+            cycle: cycled(numbers, sheet, &chapters, &mut notation),
             assumptions: &sheet.assumptions,
             sensitivity: tables::sensitivity(numbers, &sheet.sensitivity),
             synthesis,

@@ -194,6 +194,8 @@ fn uses(sheet: &Sheet, inputs: &[sheet::Input], named: &[&Symbol]) -> Vec<Use> {
     for input in inputs.iter().filter(is_idle) {
         let told = |(_, symbols): &&(_, Vec<&Symbol>)| symbols.contains(&input.symbol);
         let id = match sheet.uses.iter().find(told) {
+            // Told over time it only begins with zero.
+            Some((id @ "cycle", _)) => id,
             _ if input.value == 0.0 && input.symbol.unit.dimension.kg != 0 => "nothing",
             Some((id, _)) => id,
             None if input.chapter == "motion" => "range_ends",
