@@ -13,7 +13,7 @@ from test_book import DEFAULT, LANGUAGES, scene, text_of
 SCENES = sorted(path.stem for path in (ROOT / "models/scenes").glob("*.toml"))
 ORDER = [
     "results", "task", "inputs", "conventions", "views", "constants", "positions", "range", "charts", "forces", "sizing", "balance",
-    "cases", "motion", "synthesis", "study", "published", "sensitivity", "remarks", "notation", "references", "identities",
+    "cases", "motion", "cycle", "synthesis", "study", "published", "sensitivity", "remarks", "notation", "references", "identities",
 ]
 
 

@@ -60,6 +60,9 @@ pub fn alone(scene: &Scene, key: &str) -> Result<Quantity, String> {
             ),
         });
     };
+    if given.over_time {
+        return Err(format!("`{key}` is told over time in this scene: it is no one number"));
+    }
     let standing = scene.mechanism.standing();
     let source = vary::source(&standing, known).map_err(|why| format!("`{key}` does not stand by itself: {why}"))?;
     let scale = if known.value == 0.0 { 1.0 } else { known.value };

@@ -64,6 +64,7 @@ pub const CHAPTERS: &[&str] = &[
     "balance",
     "cases",
     "motion",
+    "cycle",
     "synthesis",
     "trade",
     "study",

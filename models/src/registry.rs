@@ -18,7 +18,7 @@ use crate::component::telling;
 use crate::drive;
 use crate::kernel::origin::Origins;
 use crate::kernel::schema::Key;
-use crate::kernel::variable::Name;
+use crate::kernel::variable::{Name, TIME};
 use crate::luffing;
 use crate::luffing::curved_trunk::scene::CurvedTrunk;
 use crate::luffing::double_link;
@@ -194,7 +194,7 @@ pub fn search(mechanism: &dyn Mechanism) -> Option<Search<'_>> {
     double_link::scene::search(mechanism.of()?)
 }
 
-/// What each variable's expression contains: inputs, parameters and [`TIME`](crate::kernel::variable::TIME).
+/// What each variable's expression contains: inputs, parameters and [`TIME`].
 ///
 /// # Panics
 /// For a mechanism without a line here.
@@ -206,17 +206,31 @@ pub fn dependencies(model: &Model) -> Vec<BTreeSet<Name>> {
             let moving: &MovingComponent = (&**moving as &dyn Any)
                 .downcast_ref()
                 .expect("what moves is a component");
-            let part: &dyn Any = moving.standing().part();
-            if part.is::<Runner<DoubleLink, f64>>() {
-                return follows::<DoubleLink>(moving);
+            let mut found = followed(&moving.freed());
+            // A command over time follows from that, and so does what follows from it.
+            for (index, name) in moving.told() {
+                found[index].insert(name);
+                for names in found.iter_mut().filter(|names| names.contains(&name)) {
+                    names.remove(&name);
+                    names.insert((TIME.id, None));
+                }
             }
-            if part.is::<Runner<EllipsographBoom, f64>>() {
-                return follows::<EllipsographBoom>(moving);
-            }
-            if part.is::<Runner<RopeBoom, f64>>() {
-                return follows::<RopeBoom>(moving);
-            }
-            told(|teller| (teller.dependencies)(moving.standing()))
+            found
         }
     }
+}
+
+/// The same of what moves under its inputs.
+fn followed(moving: &MovingComponent) -> Vec<BTreeSet<Name>> {
+    let part: &dyn Any = moving.standing().part();
+    if part.is::<Runner<DoubleLink, f64>>() {
+        return follows::<DoubleLink>(moving);
+    }
+    if part.is::<Runner<EllipsographBoom, f64>>() {
+        return follows::<EllipsographBoom>(moving);
+    }
+    if part.is::<Runner<RopeBoom, f64>>() {
+        return follows::<RopeBoom>(moving);
+    }
+    told(|teller| (teller.dependencies)(moving.standing()))
 }

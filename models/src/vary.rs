@@ -44,6 +44,11 @@ pub(crate) fn given<'a>(
             format!("give it a value to start from: {value}"),
         );
     };
+    if origin.over_time {
+        let message = format!("`{key}` is told over time in this scene");
+        let help = "name a quantity that is one number, or give it one value";
+        return refuse(message, "not one number", help.to_owned());
+    }
     Ok((known, origin))
 }
 

@@ -52,6 +52,7 @@ const TEMPLATES: &[(&str, &str)] = embedded![
     "balance.typ",
     "cases.typ",
     "motion.typ",
+    "cycle.typ",
     "synthesis.typ",
     "trade.typ",
     "study.typ",

@@ -8,7 +8,7 @@ use lemnis_models::kernel::schema::{KIND, Key, Kind};
 use lemnis_models::kernel::sign::Sign;
 use lemnis_models::kernel::symbol::{Range, Symbol};
 use lemnis_models::kernel::unit::{self, RAD};
-use lemnis_models::kernel::variable::{Type, Variable};
+use lemnis_models::kernel::variable::{TIME, Type, Variable};
 use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
@@ -86,6 +86,10 @@ impl Case {
             Some(maker) => (maker.legal)(&mut draw, keys),
             None => draw.table(keys),
         };
+        if draw.coin(0.2) {
+            let oil = matches!(made.get("fidelity").and_then(Value::as_str), Some("hydraulic" | "auto"));
+            draw.tell_over_time(keys, &mut made, oil);
+        }
         let alone = MECHANISMS.iter().filter(|other| other.table == mechanism).count() == 1;
         if !alone || keys.iter().any(|key| key.name == KIND) && draw.coin(0.5) {
             made.insert(KIND.to_owned(), entry.kind.into());
@@ -311,6 +315,32 @@ impl Draw {
                 i64::try_from(count).expect("small").into()
             }
             Kind::Quantity(..) | Kind::Weight(_) | Kind::Named => Value::Table(Table::new()),
+        }
+    }
+
+    /// Tells over time what may be told so, no greater than it is; straight where no oil is moved.
+    fn tell_over_time(&mut self, keys: &'static [Key], made: &mut Table, oil: bool) {
+        for key in keys {
+            if let (Kind::Table(keys), Some(Value::Table(inner))) = (key.kind, made.get_mut(key.name)) {
+                self.tell_over_time(keys, inner, oil);
+            }
+            let text = made.get(key.name).and_then(Value::as_str);
+            let value = text.and_then(|text| read(text, self.g));
+            let (Some((symbol, _)), Some(value), false) = (key.number(), value, key.between.is_empty()) else {
+                continue;
+            };
+            let end = self.scale[2] * self.between(0.2, 1.0);
+            let mut rows = Vec::new();
+            for (part, much) in [(0.0, 1.0), (0.3, 0.5), (0.7, 1.0), (1.0, 0.8)] {
+                let row = [(&TIME, part * end), (symbol, much * value)];
+                rows.push(Value::from(
+                    row.map(|(symbol, value)| self.written(symbol, value).0).to_vec(),
+                ));
+            }
+            let between = if oil { "steps" } else { self.pick(key.between) };
+            let told = [("over", Value::from(rows)), ("between", between.into())];
+            let told = Table::from_iter(told.map(|(name, value)| (name.to_owned(), value)));
+            made.insert(key.name.to_owned(), told.into());
         }
     }
 

@@ -8,6 +8,7 @@ use crate::component::governing::extremes;
 use crate::component::mechanism::{Entry, Mechanism, Solver};
 use crate::component::model::Model;
 use crate::component::moved::Moved;
+use crate::component::moving::MovingComponent;
 use crate::component::outline::{Outline, Published};
 use crate::component::part::{Component, Runner};
 use crate::component::running::Running;
@@ -15,6 +16,7 @@ use crate::component::sheet::{Check, Drawing, Input, Sheet, Summary};
 use crate::component::stages::{Stages, Use};
 use crate::component::standing::Standing;
 use crate::component::table::{TOL, TOLERANCE};
+use crate::kernel::course::Course;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::origin::Origins;
 use crate::kernel::schema::{Key, Values};
@@ -73,7 +75,7 @@ pub trait Described: Clone + fmt::Debug + Send + Sync + Sized + 'static {
     }
 
     /// The running model, where it moves by itself.
-    fn moving(_this: &Description<Self>) -> Option<Result<Box<dyn Running>, Fault>> {
+    fn moving(_this: &Description<Self>) -> Option<Result<MovingComponent, Fault>> {
         None
     }
 
@@ -160,6 +162,8 @@ pub struct Description<T> {
     pub auto: bool,
     /// What the book checks.
     limits: Vec<(&'static Symbol, f64)>,
+    /// What the scene tells over time.
+    pub courses: Vec<(&'static Symbol, Course)>,
 }
 
 impl<T> Deref for Description<T> {
@@ -233,6 +237,7 @@ impl<T: Described> Description<T> {
             table,
             auto: v.text("fidelity") == Some("auto"),
             limits: v.table("limits").map_or(Vec::new(), Values::own),
+            courses: v.courses(),
         };
         if found.len() == before
             && let Err(fault) = described.at_level(None)
@@ -245,7 +250,7 @@ impl<T: Described> Description<T> {
             T::check(&described, v, found);
         }
         if found.is_empty()
-            && let Some(moving) = T::moving(&described)
+            && let Some(moving) = described.moving()
         {
             if let Err(fault) = moving {
                 let help = "begin elsewhere, or move what it names";
@@ -257,6 +262,12 @@ impl<T: Described> Description<T> {
             }
         }
         (found.len() == before).then_some(described)
+    }
+
+    /// The running model, where it moves by itself, under what the scene tells over time.
+    #[must_use]
+    pub fn moving(&self) -> Option<Result<MovingComponent, Fault>> {
+        Some(T::moving(self)?.and_then(|model| model.commanded(&self.courses)))
     }
 
     fn at_level(&self, table: Option<f64>) -> Result<Standing, Fault> {
@@ -324,8 +335,8 @@ impl<T: Described> Mechanism for Description<T> {
     }
 
     fn model(&self) -> Result<Model, Fault> {
-        match T::moving(self) {
-            Some(moving) => moving.map(Model::Moving),
+        match self.moving() {
+            Some(moving) => moving.map(|model| Model::Moving(Box::new(model))),
             None => {
                 let model = self.at_level(self.table);
                 model.map(|model| Model::Standing(model.with_part_of_range()))
@@ -397,6 +408,7 @@ impl<T: Described> Mechanism for Description<T> {
             "balance" | "cases" | "motion" | "synthesis" | "views" | "sizing" | "charts" => {
                 self.own.chapters().contains(&chapter)
             }
+            "cycle" => !self.courses.is_empty() && self.own.solver().is_some(),
             "published" => self.own.published().is_some(),
             "remarks" => !self.own.remarks().is_empty(),
             "sensitivity" => !T::OUTLINE.sensitivity.is_empty(),

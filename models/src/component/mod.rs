@@ -2,6 +2,7 @@
 //! made here once.
 
 pub mod account;
+mod cycle;
 pub mod dependencies;
 pub mod description;
 pub mod diagram;
@@ -16,6 +17,7 @@ pub mod model;
 pub mod moved;
 pub mod moving;
 pub mod outline;
+pub mod over_time;
 pub mod part;
 pub mod probe;
 pub mod running;

@@ -3,10 +3,14 @@
 
 pub mod bodies;
 pub mod clock;
+mod commands;
+mod following;
 pub mod smooth;
 
 use std::any::Any;
 
+pub use crate::component::moving::commands::Ramp;
+use crate::component::moving::commands::{Commands, Followed};
 use crate::component::running::{Running, State, Tangent};
 use crate::component::stages::{Slot, Source};
 use crate::component::standing::{Standing, VariablePlace};
@@ -17,11 +21,14 @@ use crate::parts::solver::Count;
 
 /// How the states of a component are carried on in time, with all that its solver keeps.
 pub trait Carrier: Any + Send {
-    /// Moves from one time to another, both in s; what fails changes nothing.
+    /// Moves from one time to another, both in s, while some inputs change steadily; what fails changes nothing.
     ///
     /// # Errors
     /// As [`Running::advance`].
-    fn advance(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault>;
+    fn advance(&mut self, model: &mut Standing, times: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault>;
+
+    /// Longest step of its solver, in s.
+    fn longest(&self, model: &Standing) -> f64;
 
     /// Brings the component to a value of its coordinate; nothing has happened before.
     ///
@@ -111,12 +118,22 @@ pub struct MovingComponent {
     /// Each with the variable that it is, and with its rate.
     states: Vec<(Source, usize, Slot)>,
     carrier: Box<dyn Carrier>,
+    commands: Option<Commands>,
 }
 
-/// All that changes while it runs.
-struct Saved {
+/// Most of a cycle that a step of its experiment takes.
+const STEP_PART: f64 = 0.01;
+
+/// All that changes while it runs, but how far commands have been followed.
+struct OwnState {
     standing: State,
     carrier: Box<dyn Carrier>,
+}
+
+/// The same with that.
+struct Saved {
+    own: OwnState,
+    followed: Option<Followed>,
 }
 
 /// The results of a role, as variables and in the component.
@@ -157,6 +174,7 @@ impl MovingComponent {
             carrier: Box::new(carrier(&mut standing)?),
             states: states(&standing),
             standing,
+            commands: None,
         })
     }
 
@@ -170,6 +188,44 @@ impl MovingComponent {
     pub(crate) fn parts(&mut self) -> (&mut Standing, &mut dyn Carrier) {
         (&mut self.standing, &mut *self.carrier)
     }
+
+    fn own_state(&self) -> OwnState {
+        OwnState {
+            standing: self.standing.state(),
+            carrier: self.carrier.duplicate(),
+        }
+    }
+
+    fn set_own_state(&mut self, OwnState { standing, carrier }: &OwnState) {
+        self.standing.set_state(standing);
+        self.carrier.follow(&**carrier);
+        self.carrier.resume(&mut self.standing);
+    }
+
+    fn numbers_of(&self, OwnState { standing, carrier }: &OwnState) -> Vec<f64> {
+        let mut numbers = self.standing.numbers(standing);
+        numbers.extend(carrier.numbers());
+        numbers
+    }
+
+    fn own_numbers(&self) -> Vec<f64> {
+        self.numbers_of(&self.own_state())
+    }
+
+    fn own_state_of(&self, numbers: &[f64]) -> Result<OwnState, Fault> {
+        let mut carrier = self.carrier.duplicate();
+        let standing = numbers.len().checked_sub(carrier.numbers().len()).ok_or_else(foreign)?;
+        let (standing, own) = numbers.split_at(standing);
+        carrier.take(own).ok_or_else(foreign)?;
+        Ok(OwnState {
+            standing: self.standing.state_of(standing)?,
+            carrier,
+        })
+    }
+}
+
+fn foreign() -> Fault {
+    Fault::new("a saved state does not belong to this model")
 }
 
 impl Running for MovingComponent {
@@ -185,12 +241,15 @@ impl Running for MovingComponent {
         self.standing.positions()
     }
 
+    /// Commands over time end their cycle.
     fn stop_time(&self) -> f64 {
-        self.standing.stop_time()
+        (self.commands.as_ref()).map_or_else(|| self.standing.stop_time(), Commands::end)
     }
 
+    /// Of a cycle no more than a part.
     fn step_size(&self) -> f64 {
-        self.carrier.step_size(&self.standing)
+        let own = self.carrier.step_size(&self.standing);
+        (self.commands.as_ref()).map_or(own, |commands| own.min(STEP_PART * commands.end()))
     }
 
     fn get(&mut self, index: usize) -> Result<f64, Fault> {
@@ -198,14 +257,16 @@ impl Running for MovingComponent {
     }
 
     fn check(&self, index: usize, value: f64) -> Result<(), Fault> {
+        self.not_told(index)?;
         self.standing.check(index, value)
     }
 
     fn set(&mut self, index: usize, value: f64) -> Result<(), Fault> {
-        self.standing.check(index, value)?;
+        self.check(index, value)?;
         let before = self.standing.get(index);
         self.standing.set(index, value)?;
         if self.standing.variables()[index].role == Role::State || before != Ok(value) {
+            self.interrupt();
             self.carrier.changed(&mut self.standing, Some(index));
         }
         Ok(())
@@ -213,17 +274,31 @@ impl Running for MovingComponent {
 
     fn set_time(&mut self, time: f64) {
         self.standing.set_time(time);
+        self.command(time);
     }
 
     fn advance(&mut self, from: f64, to: f64) -> Result<(), Fault> {
-        self.carrier.advance(&mut self.standing, from, to)
+        let Some(commands) = &self.commands else {
+            return self.carrier.advance(&mut self.standing, [from, to], &[]);
+        };
+        let (now, before) = (commands.now.clone(), self.own_state());
+        self.follow(now.clone(), [from, to]).inspect_err(|_| {
+            self.set_own_state(&before);
+            if let Some(commands) = &mut self.commands {
+                commands.now = now;
+            }
+        })
     }
 
     fn place(&mut self, value: f64) -> Result<(), Fault> {
+        self.interrupt();
         self.carrier.place(&mut self.standing, value)
     }
 
     fn start(&mut self) -> Result<(), Fault> {
+        if self.commands.is_some() {
+            self.pass(self.standing.time())?;
+        }
         self.standing.start()?;
         self.carrier.start(&mut self.standing)
     }
@@ -233,11 +308,16 @@ impl Running for MovingComponent {
     }
 
     fn event(&mut self) -> Result<bool, Fault> {
-        self.carrier.event(&mut self.standing)
+        let jumped = self.pass(self.standing.time())?;
+        if jumped {
+            self.interrupt();
+        }
+        Ok(jumped)
     }
 
     fn next_event(&self) -> Option<f64> {
-        self.carrier.next_event(&self.standing)
+        let own = self.carrier.next_event(&self.standing);
+        own.into_iter().chain(self.next_break()).reduce(f64::min)
     }
 
     fn warning(&self) -> Option<&'static str> {
@@ -268,6 +348,7 @@ impl Running for MovingComponent {
         for ((source, ..), value) in self.states.iter().zip(states) {
             self.standing.part_mut().put(*source, *value);
         }
+        self.interrupt();
         self.carrier.changed(&mut self.standing, None);
         Ok(())
     }
@@ -305,49 +386,61 @@ impl Running for MovingComponent {
 
     fn state(&self) -> State {
         State::new(Saved {
-            standing: self.standing.state(),
-            carrier: self.carrier.duplicate(),
+            own: self.own_state(),
+            followed: self.commands.as_ref().map(|commands| commands.now.clone()),
         })
     }
 
     fn state_into(&self, state: &mut State) {
-        let saved: &mut Saved = state.own_mut();
-        self.standing.state_into(&mut saved.standing);
-        saved.carrier.follow(&*self.carrier);
+        let Saved { own, followed } = state.own_mut();
+        self.standing.state_into(&mut own.standing);
+        own.carrier.follow(&*self.carrier);
+        *followed = self.commands.as_ref().map(|commands| commands.now.clone());
     }
 
     fn set_state(&mut self, state: &State) {
-        let saved: &Saved = state.own();
-        self.standing.set_state(&saved.standing);
-        self.carrier.follow(&*saved.carrier);
-        self.carrier.resume(&mut self.standing);
+        let Saved { own, followed } = state.own();
+        self.set_own_state(own);
+        if let Some((commands, followed)) = self.commands.as_mut().zip(followed.as_ref()) {
+            commands.now = followed.clone();
+        }
     }
 
     fn numbers(&self, state: &State) -> Vec<f64> {
-        let Saved { standing, carrier } = state.own();
-        let mut numbers = self.standing.numbers(standing);
-        numbers.extend(carrier.numbers());
+        let Saved { own, followed } = state.own();
+        let mut numbers = self.numbers_of(own);
+        let followed = followed.as_ref().map(|followed| followed.numbers(&numbers));
+        numbers.extend(followed.into_iter().flatten());
         numbers
     }
 
     fn state_of(&self, numbers: &[f64]) -> Result<State, Fault> {
-        let wrong = || Fault::new("a saved state does not belong to this model");
-        let mut carrier = self.carrier.duplicate();
-        let standing = numbers.len().checked_sub(carrier.numbers().len()).ok_or_else(wrong)?;
-        let (standing, own) = numbers.split_at(standing);
-        carrier.take(own).ok_or_else(wrong)?;
+        let Some(commands) = &self.commands else {
+            let own = self.own_state_of(numbers)?;
+            return Ok(State::new(Saved { own, followed: None }));
+        };
+        let own = self.own_numbers().len();
+        if numbers.len() != own + Followed::count(own) {
+            return Err(foreign());
+        }
+        let (own, followed) = numbers.split_at(own);
+        let followed = commands.take(followed).ok_or_else(foreign)?;
+        if !followed.kept.is_empty() {
+            self.own_state_of(&followed.kept)?;
+        }
         Ok(State::new(Saved {
-            standing: self.standing.state_of(standing)?,
-            carrier,
+            own: self.own_state_of(own)?,
+            followed: Some(followed),
         }))
     }
 
     fn tangent(&self, seed: &dyn Fn(Quantity) -> f64) -> Tangent {
-        self.standing.tangent(seed)
+        self.standing.tangent(&|quantity| self.seed(quantity, seed))
     }
 
     fn tangent_into(&self, seed: &dyn Fn(Quantity) -> f64, tangent: &mut Tangent) {
-        self.standing.tangent_into(seed, tangent);
+        self.standing
+            .tangent_into(&|quantity| self.seed(quantity, seed), tangent);
     }
 
     fn derivative(&self, tangent: &mut Tangent, index: usize) -> Result<f64, Fault> {

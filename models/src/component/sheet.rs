@@ -6,6 +6,7 @@ pub use crate::component::account::{Energy, Integral, Power};
 pub use crate::component::diagram::{Chart, Curve, Table};
 pub use crate::component::drawing::{Drawing, Shape};
 use crate::component::extreme::Extreme;
+pub use crate::component::over_time::{Cycle, CycleRow, Stand};
 
 use crate::kernel::origin::Origin;
 use crate::kernel::record::Trace;
@@ -72,6 +73,8 @@ pub struct Sheet {
     pub cases: Option<CasesSheet>,
     /// The mechanism in motion; `None` where it stands as commanded.
     pub motion: Option<InMotion>,
+    /// The run through what the scene tells over time.
+    pub cycle: Option<Cycle>,
     /// See [`Scene::assumptions`](crate::scene::Scene::assumptions).
     pub assumptions: Vec<&'static str>,
 }
@@ -179,14 +182,6 @@ pub struct Envelope {
     pub still: Option<[Summary; 2]>,
     /// In each of the manoeuvres.
     pub moving: Vec<[Stand; 2]>,
-}
-
-/// A value with its time (s) and the coordinate then.
-#[derive(Clone, Copy)]
-pub struct Stand {
-    pub value: f64,
-    pub time: f64,
-    pub at: f64,
 }
 
 /// The balance of the boom system over the working range.

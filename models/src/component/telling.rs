@@ -2,6 +2,7 @@
 
 use std::panic::resume_unwind;
 
+use crate::component::cycle::cycle;
 use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
 use crate::component::extreme::Extreme;
@@ -139,15 +140,21 @@ fn row(part: &dyn Part, symbol: &'static Symbol, face: &mut dyn Face<Rec>) -> Fo
 #[must_use]
 pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Place]) -> Sheet {
     let mut model = told.standing();
-    let (mut sheet, moved) = std::thread::scope(|scope| {
+    let (mut sheet, moved, cycle) = std::thread::scope(|scope| {
         let runs = scope.spawn(|| T::in_motion(told));
+        let cycle = cycle(told);
         let sheet = at_rest(told, &mut model, origins, asked);
-        (sheet, runs.join().unwrap_or_else(|panic| resume_unwind(panic)))
+        (sheet, runs.join().unwrap_or_else(|panic| resume_unwind(panic)), cycle)
     });
     match moved {
         Some(moved) => moved.tell(&mut sheet),
         None => sheet.uncalculated = in_motion_only(told),
     }
+    if let Some(cycle) = &cycle {
+        let told = cycle.commands.iter().map(|(symbol, _)| *symbol);
+        sheet.uses.push(("cycle", told.collect()));
+    }
+    sheet.cycle = cycle;
     sheet.drop_nothing();
     let Sheet {
         requirements,

@@ -6,6 +6,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 use toml::value::Datetime;
 
+use crate::kernel::courses::{self, OVER};
 use crate::kernel::diagnostic::{Diagnostic, Edit};
 use crate::kernel::example::{example, is_table, template, wanted};
 use crate::kernel::keys::NOTE;
@@ -149,6 +150,9 @@ fn check_value(
                 None
             }
         },
+        (Kind::Quantity(..), DeValue::Table(table)) if !key.between.is_empty() && table.contains_key(OVER) => {
+            over_time(source, table, value.span(), path, key, found)
+        }
         (Kind::Quantity(..) | Kind::Weight(_), DeValue::Table(table)) => {
             noted(source, table, value.span(), path, key, found)
         }
@@ -463,4 +467,32 @@ fn noted(
         found.push(Diagnostic::new(span, format!("`{path}` has no `value`"), "needed here").help(example(key)));
     }
     number.map(|number| Value::Number(GivenNumber { source, ..number }))
+}
+
+/// A quantity over time, with a note where it comes from.
+fn over_time(
+    scene: &str,
+    table: &DeTable<'_>,
+    span: Range<usize>,
+    path: &str,
+    key: &'static Key,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Value> {
+    let course = courses::read(table, &span, path, key, found);
+    let note = table.iter().find(|(name, _)| name.get_ref() == NOTE.name);
+    let source = match note {
+        None => None,
+        Some((_, note)) => match check_value(scene, note, &format!("{path}.{}", NOTE.name), &NOTE, found)? {
+            Value::Text(text) => Some(text),
+            _ => None,
+        },
+    };
+    let course = course?;
+    Some(Value::Number(GivenNumber {
+        value: course.rows[0][1],
+        mass: None,
+        input: false,
+        course: Some(course),
+        source,
+    }))
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
+use crate::kernel::courses::{BETWEEN, OVER};
 use crate::kernel::diagnostic::Edit;
 use crate::kernel::example::{is_table, template};
 use crate::kernel::keys::NOTE;
@@ -200,7 +201,20 @@ fn inside(key: &Key, kind: Option<&str>) -> Vec<Key> {
         Kind::Quantity(..) | Kind::Weight(_) => {
             let input = key.input.then_some("input");
             let values = ["value"].into_iter().chain(input);
-            values.map(|name| Key { name, ..*key }).chain([NOTE]).collect()
+            let over = [
+                Key {
+                    name: OVER,
+                    kind: Kind::Texts(usize::MAX),
+                    ..*key
+                },
+                Key::choice(BETWEEN, key.between, "What it does from one time to the next."),
+            ];
+            let over = over.into_iter().filter(|_| !key.between.is_empty());
+            values
+                .map(|name| Key { name, ..*key })
+                .chain(over)
+                .chain([NOTE])
+                .collect()
         }
         Kind::Text | Kind::Line => LANGUAGES
             .map(|name| Key {

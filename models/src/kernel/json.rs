@@ -6,6 +6,7 @@ use crate::kernel::number::short;
 use crate::kernel::schema::{KIND, Key, Kind};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::text::LANGUAGES;
+use crate::kernel::variable::TIME;
 
 /// The JSON Schema of a table with these keys.
 #[must_use]
@@ -23,6 +24,21 @@ fn translated(text: &Json) -> Json {
         .collect();
     let table = json!({ "type": "object", "additionalProperties": false, "properties": own, "minProperties": 1 });
     json!({ "anyOf": [text, table] })
+}
+
+/// A time and a value in every row, and what the value does between two of them.
+fn over_time(time: &Json, value: &Json, between: &[&str]) -> Json {
+    let row = json!({ "type": "array", "prefixItems": [time, value], "minItems": 2, "maxItems": 2 });
+    json!({
+        "type": "object",
+        "additionalProperties": false,
+        "properties": {
+            "over": { "type": "array", "items": row, "minItems": 2 },
+            "between": { "type": "string", "enum": between },
+            "source": translated(&json!({ "type": "string" })),
+        },
+        "required": ["over", "between"],
+    })
 }
 
 fn property(key: &Key) -> Json {
@@ -64,7 +80,12 @@ fn property(key: &Key) -> Json {
                 })
             };
             let input = key.input.then(|| noted("input"));
-            let all: Vec<Json> = [value.clone(), noted("value")].into_iter().chain(input).collect();
+            let over = (!key.between.is_empty()).then(|| over_time(&text(&TIME), &value, key.between));
+            let all: Vec<Json> = [value.clone(), noted("value")]
+                .into_iter()
+                .chain(input)
+                .chain(over)
+                .collect();
             json!({ "anyOf": all })
         }
         Kind::Texts(most) => json!({ "type": "array", "items": { "type": "string" }, "maxItems": most }),

@@ -15,6 +15,7 @@ pub fn number(text: &str, key: &Key) -> Result<GivenNumber, Problem> {
         value,
         mass,
         input: false,
+        course: None,
         source: None,
     };
     match key.kind {

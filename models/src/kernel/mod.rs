@@ -3,6 +3,8 @@
 pub mod allowed;
 pub mod calc;
 pub mod check;
+pub mod course;
+mod courses;
 pub mod diagnostic;
 pub mod editing;
 mod example;

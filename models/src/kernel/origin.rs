@@ -19,6 +19,8 @@ pub struct Origin {
     pub mass: Option<f64>,
     /// Whether the scene makes an input of it, which starts there.
     pub input: bool,
+    /// Whether the scene tells it over time; its value is the first one.
+    pub over_time: bool,
     /// Where the scene says that it comes from.
     pub source: Option<Text>,
     /// Half of its last digit, in SI, where a publication has printed it: its source begins with a citation.
@@ -65,6 +67,7 @@ impl Origins {
                 place,
                 mass: number.mass,
                 input: number.input,
+                over_time: number.course.is_some(),
                 source: number.source,
             }),
             key,

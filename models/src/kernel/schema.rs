@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::kernel::course::Course;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::Symbol;
@@ -17,6 +18,8 @@ pub struct Key {
     pub usual: Option<f64>,
     /// Whether a scene may make an input of it.
     pub input: bool,
+    /// How a scene may tell it over time, if it may: names of what it does from one time to the next.
+    pub between: &'static [&'static str],
     pub text: &'static str,
 }
 
@@ -78,6 +81,7 @@ impl Key {
             required: true,
             usual: None,
             input: false,
+            between: &[],
             text,
         }
     }
@@ -118,6 +122,20 @@ impl Key {
     #[must_use]
     pub const fn or_input(mut self) -> Key {
         self.input = true;
+        self
+    }
+
+    /// What a scene may tell over time: in steps, or straight from one value to the next.
+    #[must_use]
+    pub const fn over_time(mut self) -> Key {
+        self.between = &["linear", "steps"];
+        self
+    }
+
+    /// What a scene may tell over time in steps alone.
+    #[must_use]
+    pub const fn in_steps(mut self) -> Key {
+        self.between = &["steps"];
         self
     }
 
@@ -212,6 +230,8 @@ pub struct GivenNumber {
     pub mass: Option<f64>,
     /// Whether it is where an input starts.
     pub input: bool,
+    /// What it is over time, where the scene tells that; its value is the first one.
+    pub course: Option<Course>,
     /// Where the scene says that it comes from.
     pub source: Option<Text>,
 }
@@ -251,6 +271,34 @@ impl Values {
     #[must_use]
     pub fn is_input(&self, name: &str) -> bool {
         matches!(self.entry(name), Some((Value::Number(number), _)) if number.input)
+    }
+
+    /// What the scene tells of a quantity over time.
+    #[must_use]
+    pub fn course(&self, name: &str) -> Option<&Course> {
+        match self.entry(name) {
+            Some((Value::Number(number), _)) => number.course.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// As [`number`](Values::number); of a quantity that is told over time the greatest by amount.
+    #[must_use]
+    pub fn greatest(&self, name: &str) -> Option<f64> {
+        self.course(name).map(Course::greatest).or_else(|| self.number(name))
+    }
+
+    /// All that is told over time in this table and in those within it.
+    #[must_use]
+    pub fn courses(&self) -> Vec<(&'static Symbol, Course)> {
+        let of = |key: &Key| match self.entry(key.name) {
+            Some((Value::Table(table), _)) => table.courses(),
+            _ => (key.number().zip(self.course(key.name)))
+                .map(|((symbol, _), course)| (symbol, course.clone()))
+                .into_iter()
+                .collect(),
+        };
+        self.keys.iter().flat_map(of).collect()
     }
 
     /// The quantity of a symbol, from this table or one within it, in SI.

@@ -6,11 +6,11 @@ use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
 use crate::component::moving::smooth::SmoothPieces;
 use crate::component::outline::{Limit, Outline};
-use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Input};
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, sample};
 use crate::kernel::calc::Calc;
+use crate::kernel::course::Course;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
 use crate::kernel::group::One;
@@ -32,7 +32,7 @@ use crate::slewing::turning::{Ground, Hung};
 
 /// Keys of `[slewing]`: those of the joint, as every crane that slews has them, and what nothing else gives.
 pub const KEYS: &[Key] = keys! { joint:
-    J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [optional], M_B_SL >= 0 [optional], PSI_SL [optional],
+    J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [over_time, optional], M_B_SL >= 0 [over_time, optional], PSI_SL [optional],
     OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional];
     Key::choice(
         "fidelity",
@@ -149,9 +149,11 @@ impl Described for SlewingScene {
             found.push(v.refuse(joint::J_SL.id, what, "nothing to turn", help));
             return None;
         }
-        let lasts = (range.to - range.from) / range.speed.abs();
+        let lasts = v
+            .course(s::M_SL.id)
+            .map_or((range.to - range.from) / range.speed.abs(), Course::end);
         let load = [n(s::R.id), n(s::Q.id) / gravity];
-        joint.outlasts(v, n(s::M_SL.id), load, lasts, gravity, found);
+        joint.outlasts(v, v.greatest(s::M_SL.id).unwrap_or(0.0), load, lasts, gravity, found);
         let slewed = Slewed {
             table: v,
             joint: &joint,
@@ -232,14 +234,13 @@ impl Described for SlewingScene {
         }
     }
 
-    fn moving(this: &Description<SlewingScene>) -> Option<Result<Box<dyn Running>, Fault>> {
+    fn moving(this: &Description<SlewingScene>) -> Option<Result<MovingComponent, Fault>> {
         this.given.driven?;
         let mut resting = this.clone();
         resting.own.given.past.way = 0.0;
-        let moving = MovingComponent::new(resting.standing(), |model| {
+        Some(MovingComponent::new(resting.standing(), |model| {
             SmoothPieces::new(model, &this.start, this.step)
-        });
-        Some(moving.map(|moving| Box::new(moving) as Box<dyn Running>))
+        }))
     }
 
     fn solver(&self) -> Option<Solver> {

@@ -3,9 +3,9 @@
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moved::Moved;
+use crate::component::moving::MovingComponent;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
-use crate::component::running::Running;
 use crate::component::sheet::{Drawing, Input, Sheet};
 use crate::component::standing::Standing;
 use crate::kernel::diagnostic::Diagnostic;
@@ -130,9 +130,8 @@ impl Described for SteeringScene {
         })
     }
 
-    fn moving(this: &Steering) -> Option<Result<Box<dyn Running>, Fault>> {
-        let moving = in_motion(this)?;
-        Some(moving.map(|model| Box::new(model) as Box<dyn Running>))
+    fn moving(this: &Steering) -> Option<Result<MovingComponent, Fault>> {
+        in_motion(this)
     }
 
     fn chapters(&self) -> Vec<&'static str> {

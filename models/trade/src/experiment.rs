@@ -75,7 +75,8 @@ impl Experiment {
         let mut own = None;
         for id in COMMANDS {
             if let Some(index) = index(&model, id) {
-                own = own.or((model.get(index)? != 0.0).then_some(id));
+                let told = model.variables()[index].role == Role::Output;
+                own = own.or((told || model.get(index)? != 0.0).then_some(id));
             }
         }
         let cycle = Cycle::new(scene.mechanism.motion());
@@ -208,9 +209,13 @@ impl Experiment {
 }
 
 fn tell(model: &mut Model, command: [(usize, f64); 2]) -> Result<(), Fault> {
-    command
-        .into_iter()
-        .try_for_each(|(index, value)| model.set(index, value))
+    for (index, value) in command {
+        // What the scene tells over time it tells itself.
+        if model.variables()[index].role == Role::Input {
+            model.set(index, value)?;
+        }
+    }
+    Ok(())
 }
 
 /// Out, rest, back, rest.

@@ -70,9 +70,11 @@ impl Library {
                 due = model.next_event().map_or(f64::INFINITY, |at| at - now);
             }
             let whole = left.min(LOOK).min(due.max(ROUNDING));
+            model.set_time(now);
             model.get_states(&mut start);
             model.event_indicators(&mut before)?;
-            let end = self.piece(model, method, &start, &nominals, whole)?;
+            let end = self.piece(model, method, (&start, now), &nominals, whole)?;
+            model.set_time(now + whole);
             model.set_states(&end)?;
             model.event_indicators(&mut after)?;
             if !crossed(&before, &after) {
@@ -86,7 +88,8 @@ impl Library {
                     break;
                 }
                 model.set_states(&start)?;
-                let end = self.piece(model, method, &start, &nominals, middle)?;
+                let end = self.piece(model, method, (&start, now), &nominals, middle)?;
+                model.set_time(now + middle);
                 model.set_states(&end)?;
                 model.event_indicators(&mut after)?;
                 if crossed(&before, &after) {
@@ -95,6 +98,7 @@ impl Library {
                     low = middle;
                 }
             }
+            model.set_time(now + high);
             model.set_states(&beyond)?;
             model.event()?;
             left -= high;
@@ -103,17 +107,17 @@ impl Library {
         model.update()
     }
 
-    /// A smooth piece of `h` s, on states over their nominals.
+    /// A smooth piece of `h` s from states at a time (s), on states over their nominals.
     fn piece(
         &mut self,
         model: &mut Model,
         method: Method,
-        start: &[f64],
+        start: (&[f64], f64),
         nominals: &[f64],
         h: f64,
     ) -> Result<Vec<f64>, Fault> {
         // The library's systems have a size that is known when it is compiled: the next greater one, filled with zeros.
-        match start.len() {
+        match start.0.len() {
             0..=2 => self.sized::<2>(model, method, start, nominals, h),
             3..=7 => self.sized::<7>(model, method, start, nominals, h),
             8 => self.sized::<8>(model, method, start, nominals, h),
@@ -130,7 +134,7 @@ impl Library {
         &mut self,
         model: &mut Model,
         method: Method,
-        start: &[f64],
+        (start, from): (&[f64], f64),
         nominals: &[f64],
         h: f64,
     ) -> Result<Vec<f64>, Fault> {
@@ -140,7 +144,8 @@ impl Library {
         }));
         let (mut y, mut rates) = (vec![0.0; count], vec![0.0; count]);
         let mut refused = None;
-        let mut f = |_: f64, at: &Vector<f64, N>| {
+        let mut f = |since: f64, at: &Vector<f64, N>| {
+            model.set_time(from + since);
             for (i, y) in y.iter_mut().enumerate() {
                 *y = at[i] * nominals[i];
             }

@@ -5,6 +5,7 @@ mod balance;
 mod blocks;
 mod cases;
 mod charts;
+mod cycle;
 mod motion;
 mod notation;
 mod steps;
@@ -30,6 +31,7 @@ use crate::book::balance::Balance;
 use crate::book::blocks::{Figure, Range, Summary};
 use crate::book::cases::Cases;
 use crate::book::charts::Chart;
+use crate::book::cycle::Cycle;
 use crate::book::motion::Motion;
 use crate::book::notation::{Entry, Notation};
 use crate::book::steps::{Position, Section};
@@ -139,6 +141,7 @@ struct Book<'a> {
     balance: Option<Balance>,
     cases: Option<Cases>,
     motion: Option<Motion>,
+    cycle: Option<Cycle>,
     assumptions: &'a [&'static str],
     sensitivity: Sensitivity,
     synthesis: Option<Synthesis>,
@@ -175,6 +178,7 @@ fn chapters(scene: &Scene, sheet: &Sheet, level: &str) -> Vec<&'static str> {
         "balance" => sheet.balance.is_some(),
         "cases" => sheet.cases.is_some(),
         "motion" => sheet.motion.is_some(),
+        "cycle" => sheet.cycle.is_some(),
         // Many runs: only a scene that lists the chapter gets it.
         "trade" => scene.book.chapters.is_some(),
         "synthesis" => scene.search().is_some(),
@@ -209,6 +213,12 @@ fn paragraphs(language: &Language, scene: &Scene) -> BTreeMap<&'static str, Vec<
 fn moving(numbers: &Numbers, sheet: &Sheet, notation: &mut Notation) -> Option<Motion> {
     let of = |motion| Motion::new(numbers, motion, &sheet.requirements, notation);
     sheet.motion.as_ref().map(of)
+}
+
+/// What commands over time come to.
+fn cycled(numbers: &Numbers, sheet: &Sheet, chapters: &[&str], notation: &mut Notation) -> Option<Cycle> {
+    let shown = sheet.cycle.as_ref().filter(|_| chapters.contains(&"cycle"));
+    shown.map(|cycle| Cycle::new(numbers, cycle, notation))
 }
 
 impl<'a> Book<'a> {
@@ -283,6 +293,7 @@ impl<'a> Book<'a> {
             balance: sheet.balance.as_ref().map(|b| Balance::new(numbers, b)),
             cases,
             motion,
+            cycle: cycled(numbers, sheet, &chapters, &mut notation),
             assumptions: &sheet.assumptions,
             sensitivity: tables::sensitivity(numbers, &sheet.sensitivity),
             synthesis,

@@ -46,6 +46,8 @@ struct Input {
     /// The symbol, with the number of the one among several.
     shown: String,
     value: String,
+    /// Whether it is told over time.
+    over_time: bool,
     /// Where the value comes from: what the scene says of that; else its line of the scene; else what is usual.
     note: Option<String>,
     line: Option<usize>,
@@ -192,6 +194,8 @@ fn uses(sheet: &Sheet, inputs: &[sheet::Input], named: &[&Symbol]) -> Vec<Use> {
     for input in inputs.iter().filter(is_idle) {
         let told = |(_, symbols): &&(_, Vec<&Symbol>)| symbols.contains(&input.symbol);
         let id = match sheet.uses.iter().find(told) {
+            // Told over time it only begins with zero.
+            Some((id @ "cycle", _)) => id,
             _ if input.value == 0.0 && input.symbol.unit.dimension.kg != 0 => "nothing",
             Some((id, _)) => id,
             None if input.chapter == "motion" => "range_ends",
@@ -237,6 +241,7 @@ fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> In
             }
             None => numbers.given(input.symbol, input.value),
         },
+        over_time: given.is_some_and(|given| given.over_time),
         usual: input.usual,
         unconfirmed: input.symbol.unconfirmed,
         line: given.map(|given| given.line),

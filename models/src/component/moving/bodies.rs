@@ -2,8 +2,8 @@
 
 use std::any::Any;
 
-use crate::component::moving::Carrier;
 use crate::component::moving::clock::Clock;
+use crate::component::moving::{Carrier, Ramp};
 use crate::component::part::Component;
 use crate::component::running::Running;
 use crate::component::stages::{Found, Source, Use};
@@ -203,7 +203,7 @@ fn first(period: f64) -> f64 {
 }
 
 impl<T: BodiesInMotion<N>, const N: usize> Carrier for SampledBodies<T, N> {
-    fn advance(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault> {
+    fn advance(&mut self, model: &mut Standing, [from, to]: [f64; 2], _: &[Ramp]) -> Result<(), Fault> {
         let clock = self.clock;
         self.before.copy_from_slice(&self.runs);
         for (source, [before, _]) in &mut self.memory {
@@ -223,6 +223,10 @@ impl<T: BodiesInMotion<N>, const N: usize> Carrier for SampledBodies<T, N> {
             self.resume(model);
         }
         solved
+    }
+
+    fn longest(&self, model: &Standing) -> f64 {
+        Self::schedule(model).period
     }
 
     fn place(&mut self, model: &mut Standing, value: f64) -> Result<(), Fault> {

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use crate::component::moving::{Carrier, results, states};
+use crate::component::moving::{Carrier, Ramp, results, states};
 use crate::component::part::Part;
 use crate::component::running::Running;
 use crate::component::stages::{Slot, Source};
@@ -38,17 +38,27 @@ struct Instant {
 struct Equations<'a> {
     part: RefCell<&'a mut dyn Part>,
     own: &'a SmoothPieces,
+    ramps: &'a [Ramp],
 }
 
 impl Equations<'_> {
-    /// The component at an instant.
-    fn with<R>(&self, state: &Instant, y: &[f64; MOST], of: impl FnOnce(&mut dyn Part) -> Option<R>) -> Option<R> {
+    /// The component at an instant, a time (s) after the start.
+    fn with<R>(
+        &self,
+        time: f64,
+        state: &Instant,
+        y: &[f64; MOST],
+        of: impl FnOnce(&mut dyn Part) -> Option<R>,
+    ) -> Option<R> {
         let mut part = self.part.borrow_mut();
         for ((source, _), past) in self.own.memory.iter().zip(state.past) {
             part.put(*source, past);
         }
         for ((source, ..), y) in self.own.states.iter().zip(y) {
             part.put(*source, *y);
+        }
+        for ramp in self.ramps {
+            part.put(ramp.source, ramp.value + ramp.slope * time);
         }
         part.update().ok()?;
         of(&mut **part)
@@ -60,8 +70,8 @@ impl Pieces<MOST, Instant> for Equations<'_> {
         &mut state.y
     }
 
-    fn rates(&self, state: &Instant, y: &[f64; MOST]) -> Option<[f64; MOST]> {
-        self.with(state, y, |part| {
+    fn rates(&self, time: f64, state: &Instant, y: &[f64; MOST]) -> Option<[f64; MOST]> {
+        self.with(time, state, y, |part| {
             let mut rates = [0.0; MOST];
             for ((_, _, slot), rate) in self.own.states.iter().zip(&mut rates) {
                 part.result(slot, rate).ok()?;
@@ -70,8 +80,12 @@ impl Pieces<MOST, Instant> for Equations<'_> {
         })
     }
 
-    fn crossed(&self, state: &Instant, y: &[f64; MOST]) -> bool {
-        let fallen = self.with(state, y, |part| {
+    fn is_forced(&self) -> bool {
+        !self.ramps.is_empty()
+    }
+
+    fn crossed(&self, time: f64, state: &Instant, y: &[f64; MOST]) -> bool {
+        let fallen = self.with(time, state, y, |part| {
             let mut fallen = false;
             for slot in &self.own.indicators {
                 let mut z = 0.0;
@@ -83,8 +97,8 @@ impl Pieces<MOST, Instant> for Equations<'_> {
         fallen.unwrap_or(true)
     }
 
-    fn event(&self, state: &mut Instant) -> Result<(), Halt> {
-        let decided = self.with(state, &state.y, |part| {
+    fn event(&self, time: f64, state: &mut Instant) -> Result<(), Halt> {
+        let decided = self.with(time, state, &state.y, |part| {
             part.decide().ok()?;
             Some(self.own.instant(part))
         });
@@ -172,18 +186,23 @@ fn decide(model: &mut Standing) -> Result<bool, Fault> {
 }
 
 impl Carrier for SmoothPieces {
-    fn advance(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault> {
+    fn advance(&mut self, model: &mut Standing, [from, to]: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
         model.update()?;
         let before = self.instant(model.part());
         let mut state = before;
         let equations = Equations {
             part: RefCell::new(model.part_mut()),
             own: self,
+            ramps,
         };
         let solved = pieces::advance(&equations, &mut state, to - from, self.longest);
-        let end = if solved.is_ok() { &state } else { &before };
+        let (end, time) = if solved.is_ok() {
+            (&state, to - from)
+        } else {
+            (&before, 0.0)
+        };
         // Where it was, it can be again.
-        let _ = equations.with(end, &end.y, |_| Some(()));
+        let _ = equations.with(time, end, &end.y, |_| Some(()));
         let count = solved.map_err(|halt| self.refusal(model, halt, to - from))?;
         self.count = self.count.and(count);
         model.set_time(to);
@@ -211,6 +230,10 @@ impl Carrier for SmoothPieces {
 
     fn count(&self) -> Count {
         self.count
+    }
+
+    fn longest(&self, _: &Standing) -> f64 {
+        self.longest
     }
 
     fn duplicate(&self) -> Box<dyn Carrier> {

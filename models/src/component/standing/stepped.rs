@@ -41,6 +41,16 @@ impl Standing {
         self
     }
 
+    /// An input follows commands over time: it is a result.
+    pub(crate) fn follow_commands(&mut self, index: usize) {
+        self.variables[index].role = Role::Output;
+    }
+
+    /// It is an input again.
+    pub(crate) fn free(&mut self, index: usize) {
+        self.variables[index].role = Role::Input;
+    }
+
     /// Whether the coordinate is a state.
     #[must_use]
     pub fn has_moving_coordinate(&self) -> bool {

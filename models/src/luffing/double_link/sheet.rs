@@ -6,8 +6,8 @@ use crate::balance::kept::kept;
 use crate::component::description::{Described, Description, Vocabulary};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moved::Moved;
+use crate::component::moving::MovingComponent;
 use crate::component::outline::{Outline, Published};
-use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::{compared, fine, sample};
@@ -221,7 +221,7 @@ impl Described for LuffingScene {
         })
     }
 
-    fn moving(this: &Luffing) -> Option<Result<Box<dyn Running>, Fault>> {
+    fn moving(this: &Luffing) -> Option<Result<MovingComponent, Fault>> {
         running(this)
     }
 

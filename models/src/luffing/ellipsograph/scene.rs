@@ -8,8 +8,8 @@ use crate::component::description::{Described, Description, Vocabulary, possible
 use crate::component::draw::{Draw, polar};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moved::Moved;
+use crate::component::moving::MovingComponent;
 use crate::component::outline::{Limit, Outline};
-use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::fine;
@@ -213,7 +213,7 @@ impl Described for Ellipsograph {
         levels::solver(self.moving.as_ref())
     }
 
-    fn moving(this: &Description<Ellipsograph>) -> Option<Result<Box<dyn Running>, Fault>> {
+    fn moving(this: &Description<Ellipsograph>) -> Option<Result<MovingComponent, Fault>> {
         running(this)
     }
 

@@ -3,14 +3,15 @@
 use std::any::Any;
 use std::marker::PhantomData;
 
-use crate::component::moving::Carrier;
+use crate::component::moving::{Carrier, Ramp};
 use crate::component::running::Running;
 use crate::component::standing::Standing;
+use crate::kernel::group::Group;
 use crate::kernel::number::short;
 use crate::kernel::variable::{Fault, Role};
 use crate::luffing::moving::crane::REELED_IN;
-use crate::luffing::moving::given::{CraneStates, L_R, S_Q, STATES, V_R, order};
-use crate::luffing::moving::level::{Ahead, CraneAt};
+use crate::luffing::moving::given::{CraneStates, Inputs, L_R, S_Q, STATES, V_R, order};
+use crate::luffing::moving::level::{Ahead, CraneAt, Onward};
 use crate::luffing::moving::luffs::{LuffingGiven, Luffs, MotionSources};
 use crate::luffing::moving::stages::open;
 use crate::luffing::moving::symbols as m;
@@ -59,9 +60,14 @@ pub(crate) fn put<T: Luffs>(model: &mut Standing, CraneAt { past, y, .. }: &Cran
     T::put_now(known::<T>(model), [y[0], y[1]], states, *past);
 }
 
+/// Longest step of the solver, in s.
+fn longest(given: &LuffingGiven) -> f64 {
+    given.sources.constants.map_or(0.0, |constants| constants.step)
+}
+
 fn refusal(given: &LuffingGiven, halt: Halt, size: f64) -> Fault {
     let angle = format!("{} = {}", given.theta.0.id, given.theta.0.written(given.theta.1));
-    let longest = given.sources.constants.map_or(0.0, |constants| constants.step);
+    let longest = longest(given);
     let (size, step) = (short(size), short(longest));
     let most = if given.sources.fitted.oil {
         MOST_IMPLICIT
@@ -140,11 +146,22 @@ impl<T: Luffs> CarriedCrane<T> {
 }
 
 impl<T: Luffs> Carrier for CarriedCrane<T> {
-    fn advance(&mut self, model: &mut Standing, from: f64, to: f64) -> Result<(), Fault> {
+    fn advance(&mut self, model: &mut Standing, [from, to]: [f64; 2], ramps: &[Ramp]) -> Result<(), Fault> {
         let now = given::<T>(model);
         enough_rope(&now, to - from)?;
-        let longest = now.sources.constants.map_or(0.0, |constants| constants.step);
-        let on = [to - from, longest, now.sources.oil.map_or(0.0, |oil| oil.tol)];
+        let slopes = (!ramps.is_empty()).then(|| {
+            let mut slopes = Inputs::none();
+            for ramp in ramps {
+                slopes.put(usize::from(ramp.source.place), ramp.slope);
+            }
+            slopes
+        });
+        let on = Onward {
+            duration: to - from,
+            longest: longest(&now),
+            tolerance: now.sources.oil.map_or(0.0, |oil| oil.tol),
+            slopes,
+        };
         let (level, before) = T::in_motion(known::<T>(model)).map_err(|fault| *fault)?;
         let (mut at, mut ahead) = (before, self.ahead);
         let solved = level.run(&mut at, &mut ahead, Some(on));
@@ -223,11 +240,13 @@ impl<T: Luffs> Carrier for CarriedCrane<T> {
 
     fn step_size(&self, model: &Standing) -> f64 {
         // A thousandth of what a communication step may take: an importer sees that it goes on.
-        let longest = given::<T>(model)
-            .sources
-            .constants
-            .map_or(0.0, |constants| constants.step);
-        model.step_size().min(1e-3 * f64::from(MOST_STEPS) * longest)
+        model
+            .step_size()
+            .min(1e-3 * f64::from(MOST_STEPS) * longest(&given::<T>(model)))
+    }
+
+    fn longest(&self, model: &Standing) -> f64 {
+        longest(&given::<T>(model))
     }
 
     fn count(&self) -> Count {

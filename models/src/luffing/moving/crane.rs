@@ -13,8 +13,7 @@ use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
 use crate::parts::hoist::{Drum, Elastic, Hoist, HoistCommand, HoistPowers, RopeAction};
 use crate::parts::joint::{Arrival, Bar, Joint, JointDrive, LOOSE, above_zero};
-use crate::parts::solver::pieces::{self, Pieces};
-use crate::parts::solver::{Count, Halt, finite};
+use crate::parts::solver::{Halt, finite};
 
 /// What drives J joints and the hoist; constant over a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +21,24 @@ pub struct Commands<const J: usize, P = f64> {
     /// Of luffing, then of slewing; a positive moment raises the driven bar.
     pub drives: [JointDrive<P>; J],
     pub hoist: HoistCommand<P>,
+}
+
+impl<const J: usize> Commands<J> {
+    /// A time (s) later, where they change at these rates.
+    #[must_use]
+    pub(super) fn changed(&self, slopes: &Commands<J>, time: f64) -> Commands<J> {
+        let drive = |now: &JointDrive, slope: &JointDrive| JointDrive {
+            moment: now.moment + slope.moment * time,
+            brake: now.brake + slope.brake * time,
+        };
+        Commands {
+            drives: std::array::from_fn(|i| drive(&self.drives[i], &slopes.drives[i])),
+            hoist: HoistCommand {
+                speed: self.hoist.speed + slopes.hoist.speed * time,
+                drive: drive(&self.hoist.drive, &slopes.hoist.drive),
+            },
+        }
+    }
 }
 
 /// A motion at one instant: angle and rate of each joint, the load, the rope; the last of its N states is the rate at
@@ -407,25 +424,6 @@ where
         }
     }
 
-    /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way
-    /// to the last bits of the step. Returns the work done.
-    ///
-    /// # Errors
-    /// See [`Halt`]; the state is that of the last step that succeeded.
-    pub fn advance(
-        &self,
-        state: &mut CraneState<N, J>,
-        commands: &Commands<J>,
-        duration: f64,
-        longest: f64,
-    ) -> Result<Count, Halt> {
-        if !(commands.drives.iter().all(JointDrive::is_sound) && commands.hoist.is_sound()) {
-            return Err(Halt::Outside);
-        }
-        let commanded = Commanded { crane: self, commands };
-        pieces::advance(&commanded, state, duration, longest)
-    }
-
     /// Kinetic and potential energy, in J; `None` where the linkage does not close.
     #[must_use]
     pub fn energy(&self, state: &CraneState<N, J>) -> Option<f64> {
@@ -452,35 +450,6 @@ where
         let r = f64::reduced(&self.dynamics, y[0])?;
         let stretch = [distance - y[Self::LENGTH], speed - r.paid(y[N - 1], y[1])];
         Some(hoist.powers(state.drum, &commands.hoist, y[N - 1], stretch, rope))
-    }
-}
-
-/// A crane under commands, for the solver.
-struct Commanded<'a, const N: usize, const J: usize> {
-    crane: &'a MovingCrane<N, J>,
-    commands: &'a Commands<J>,
-}
-
-impl<const N: usize, const J: usize> Pieces<N, CraneState<N, J>> for Commanded<'_, N, J>
-where
-    MovingCrane<N, J>: Struck<N, J>,
-{
-    fn states(state: &mut CraneState<N, J>) -> &mut [f64; N] {
-        &mut state.y
-    }
-
-    #[inline]
-    fn rates(&self, state: &CraneState<N, J>, y: &[f64; N]) -> Option<[f64; N]> {
-        self.crane.rates(state, self.commands, y)
-    }
-
-    #[inline]
-    fn crossed(&self, state: &CraneState<N, J>, y: &[f64; N]) -> bool {
-        pieces::crossed(self.crane.indicators(state, self.commands, y))
-    }
-
-    fn event(&self, state: &mut CraneState<N, J>) -> Result<(), Halt> {
-        self.crane.event(state, self.commands).map(|_| ())
     }
 }
 

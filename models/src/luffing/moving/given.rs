@@ -81,6 +81,14 @@ impl<P: Copy> Inputs<P> {
     }
 }
 
+impl Inputs {
+    /// Nothing commanded.
+    #[must_use]
+    pub fn none() -> Inputs {
+        Inputs::from([0.0; INPUTS.len()])
+    }
+}
+
 /// The states but for angle and rate of the driven bar, of all levels: zero where a level does not have one.
 #[derive(Clone, Copy, Debug)]
 pub struct CraneStates<C>(pub [C; STATES.len()]);

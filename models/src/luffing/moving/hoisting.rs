@@ -9,14 +9,14 @@ use crate::luffing::moving::symbols as s;
 
 /// Keys of `[luffing.hoisting]`.
 pub static HOISTING_KEYS: &[Key] = keys! { s:
-    L_R > 0, PHI_R [optional], C_R > 0 [optional], D_R >= 0 [optional], V_H [optional], A_H > 0 [optional],
-    J_H > 0 [optional], R_H > 0 [optional], M_H > 0 [optional], M_F_H >= 0 [optional], M_M_H [optional],
-    M_B_H >= 0 [optional]
+    L_R > 0, PHI_R [optional], C_R > 0 [optional], D_R >= 0 [optional], V_H [in_steps, optional], A_H > 0 [optional],
+    J_H > 0 [optional], R_H > 0 [optional], M_H > 0 [optional], M_F_H >= 0 [optional], M_M_H [over_time, optional],
+    M_B_H >= 0 [over_time, optional]
 };
 
 /// The same of a hoist whose speed is commanded.
 pub static BY_SPEED_KEYS: &[Key] = keys! { s:
-    L_R > 0, PHI_R [optional], C_R > 0 [optional], D_R >= 0 [optional], V_H [optional], A_H > 0 [optional]
+    L_R > 0, PHI_R [optional], C_R > 0 [optional], D_R >= 0 [optional], V_H [in_steps, optional], A_H > 0 [optional]
 };
 
 quantities! {

@@ -308,8 +308,17 @@ fn least<const N: usize>(run: &Run<N>) -> f64 {
     run.least.min(Hydraulic::<N>::oil(&run.states()).least().1)
 }
 
-/// How far to move on: for how long (s), by explicit steps of at most so long (s), to a relative tolerance.
-pub type Onward = [f64; 3];
+/// How far to move on.
+#[derive(Clone, Copy, Debug)]
+pub struct Onward {
+    /// For how long, and explicit steps at most; in s.
+    pub duration: f64,
+    pub longest: f64,
+    /// Relative.
+    pub tolerance: f64,
+    /// Rates of change of the inputs meanwhile, where they change: of explicit steps alone.
+    pub slopes: Option<Inputs>,
+}
 
 fn crane_run<const N: usize, const J: usize>(
     crane: &MovingCrane<N, J>,
@@ -322,7 +331,10 @@ where
     let (mut state, commands) = (at.past.crane(first(&at.y)), &at.inputs.of());
     let work = match on {
         None => crane.event(&mut state, commands).map(|_| Count::default())?,
-        Some([duration, longest, _]) => crane.advance(&mut state, commands, duration, longest)?,
+        Some(on) => {
+            let slopes = on.slopes.map(|slopes| slopes.of());
+            crane.follow(&mut state, (commands, slopes.as_ref()), on.duration, on.longest)?
+        }
     };
     at.past.follow(&state);
     put(&mut at.y, &state.y);
@@ -340,8 +352,9 @@ fn oil_run<const N: usize>(
     let (before, modes) = (run.count, at.past);
     let mut present = PresentCrane { run: *run, modes };
     match on {
-        Some([duration, longest, relative]) => {
-            system.advance(&mut present, &tolerance(relative, system.states()), duration, longest)?;
+        Some(on) => {
+            let tolerance = tolerance(on.tolerance, system.states());
+            system.advance(&mut present, &tolerance, on.duration, on.longest)?;
         }
         None if present.run.is_fresh() => system.event(&mut present)?,
         None => {}

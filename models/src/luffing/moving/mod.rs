@@ -5,7 +5,7 @@
 //! |---|---|
 //! | `bodies`, `reduced` | bodies with their derivatives; what a mechanism is to the equations of motion |
 //! | `dynamics`, `pendulum` | the mechanism with what hangs on it; with its load as a pendulum, between events |
-//! | `crane`, `motion`, `space`, `hanging` | joints that stick, stops, a rope that goes slack; load in the plane and in space |
+//! | `crane`, `driven`, `motion`, `space`, `hanging` | joints that stick, stops, a rope that goes slack; load in the plane and in space |
 //! | `pulled` | a crane that a rope luffs, which may go slack |
 //! | `hydraulic` | the same moved by a cylinder |
 //! | `weighed` | the counterweight of a balance with its derivatives |
@@ -21,6 +21,7 @@ pub mod bodies;
 pub mod built;
 pub(crate) mod carried;
 pub mod crane;
+mod driven;
 pub mod dynamics;
 pub mod follows;
 pub mod given;

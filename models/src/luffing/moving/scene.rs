@@ -2,6 +2,7 @@
 
 use crate::balance::symbols as b;
 use crate::drive::symbols::D_C;
+use crate::kernel::course::{Between, Course};
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
@@ -19,7 +20,7 @@ use crate::parts::turntable::SlewingJoint;
 /// Keys of `[luffing.dynamics]` beside the inertias of a mechanism's bodies.
 const DYNAMICS: &[Key] = keys! { s:
     C_V >= 0 [optional], M_F >= 0 [optional], G > 0 [optional], STEP > 0 [optional],
-    M_A [optional], M_S >= 0 [optional], T_S > 0 [optional], V_H [optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional]
+    M_A [over_time, optional], M_S >= 0 [over_time, optional], T_S > 0 [optional], V_H [in_steps, optional], A_H > 0 [optional], L_R > 0 [optional], PHI_R [optional]
 };
 
 /// Keys of `[luffing.dynamics]`, those of the bodies first.
@@ -41,14 +42,14 @@ pub const fn dynamics<const N: usize>(bodies: &[Key]) -> [Key; N] {
 
 /// Keys of `[luffing.slewing]`.
 pub static SLEWING_KEYS: &[Key] = keys! { s:
-    J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [optional], M_B_SL >= 0 [optional],
+    J_SL >= 0, C_SL >= 0 [optional], M_F_SL >= 0 [optional], M_SL [over_time, optional], M_B_SL >= 0 [over_time, optional],
     PSI_SL [optional], OMEGA_SL [optional], PSI_MIN [optional], PSI_MAX [optional], CHI_R [optional]
 };
 
 /// Keys of `[luffing.hydraulics]`.
 pub static OIL_KEYS: &[Key] = keys! { s:
     L_MIN > 0, L_MAX > 0, V_0 > 0, V_1 > 0, Q_N > 0, DP_N > 0, DP_L > 0, BETA_E > 0, P_R > 0, K_R >= 0, K_L >= 0,
-    OMEGA_V > 0, ZETA_V >= 0, TOL [tolerance, optional], P_P >= 0, U_V [optional]
+    OMEGA_V > 0, ZETA_V >= 0, TOL [tolerance, optional], P_P >= 0 [in_steps], U_V [in_steps, optional]
 };
 
 /// A crane that slews, at the start.
@@ -82,6 +83,8 @@ pub struct Moving {
     pub constants: Constants<f64>,
     /// Of the inputs, until an importer sets others.
     pub inputs: Inputs,
+    /// The same; of what the scene tells over time the greatest.
+    pub strongest: Inputs,
     /// With level `swing`, and with level `hydraulic` where the scene gives a rope.
     pub rope: Option<LoadRope>,
     /// With level `hydraulic`.
@@ -96,7 +99,7 @@ impl Moving {
     /// Whether a hoist may do work in the scene's own motion.
     #[must_use]
     pub fn hoists(&self) -> bool {
-        self.has_motor() || self.inputs.hoist.speed != 0.0
+        self.has_motor() || self.strongest.hoist.speed != 0.0
     }
 
     /// Whether a motor turns the hoist's drum.
@@ -120,7 +123,10 @@ impl Moving {
         let rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
         let reach = (bodies.reach, v.of(bodies.reach).unwrap_or(0.0));
         found.extend(rope.and_then(|rope| too_short(hoisting, rope.length, reach)));
-        let (oil, valve, supply) = oil_drive(v, fidelity, found)?;
+        let oil = oil_drive(v, fidelity, found)?;
+        if oil.is_some() {
+            found.extend(straight_beside_oil(v));
+        }
         let n = |symbol: &Symbol| table.number(symbol.id);
         let slewing = match v.table("slewing") {
             Some(table) => Some(slewing(v, table, rope.is_some(), found)?),
@@ -130,8 +136,6 @@ impl Moving {
         let longest = (quickest * STEP_PART).max(STEP);
         let least = (longest * SHORTEST_STEP[0]).min(quickest * SHORTEST_STEP[1]);
         found.extend(short_step(table, &s::STEP, [least, longest]));
-        let hoist = |symbol: &Symbol| hoisting.number(symbol.id).unwrap_or(0.0);
-        let turn = |symbol: &Symbol| v.table("slewing").and_then(|table| table.number(symbol.id));
         Some(Moving {
             slewing,
             oil,
@@ -142,30 +146,46 @@ impl Moving {
                 g: gravity,
                 step: n(&s::STEP).unwrap_or(longest),
             },
-            inputs: Inputs {
-                drives: [
-                    JointDrive {
-                        moment: n(&s::M_A).unwrap_or(0.0),
-                        brake: n(&s::M_S).unwrap_or(0.0),
-                    },
-                    JointDrive {
-                        moment: turn(&s::M_SL).unwrap_or(0.0),
-                        brake: turn(&s::M_B_SL).unwrap_or(0.0),
-                    },
-                ],
-                hoist: HoistCommand {
-                    speed: hoist(&s::V_H),
-                    drive: JointDrive {
-                        moment: hoist(&s::M_M_H),
-                        brake: hoist(&s::M_B_H),
-                    },
-                },
-                valve,
-                supply,
-            },
+            inputs: inputs(v, [table, hoisting], Values::number),
+            strongest: inputs(v, [table, hoisting], Values::greatest),
             rope,
         })
     }
+}
+
+/// What is commanded of a mechanism, by its tables of dynamics and hoist.
+fn inputs(v: &Values, [dynamics, hoisting]: [&Values; 2], of: fn(&Values, &str) -> Option<f64>) -> Inputs {
+    let number = |table: Option<&Values>, symbol: &Symbol| table.and_then(|table| of(table, symbol.id)).unwrap_or(0.0);
+    let drive = |table: Option<&Values>, [moment, brake]: [&Symbol; 2]| JointDrive {
+        moment: number(table, moment),
+        brake: number(table, brake),
+    };
+    let oil = v.table("hydraulics");
+    Inputs {
+        drives: [
+            drive(Some(dynamics), [&s::M_A, &s::M_S]),
+            drive(v.table("slewing"), [&s::M_SL, &s::M_B_SL]),
+        ],
+        hoist: HoistCommand {
+            speed: number(Some(hoisting), &s::V_H),
+            drive: drive(Some(hoisting), [&s::M_M_H, &s::M_B_H]),
+        },
+        valve: number(oil, &s::U_V),
+        supply: number(oil, &s::P_P),
+    }
+}
+
+/// A command that goes straight from one value to the next beside oil, whose solver runs ahead of the time.
+fn straight_beside_oil(v: &Values) -> Option<Diagnostic> {
+    let tables = ["slewing", "hoisting"].into_iter().filter_map(|name| v.table(name));
+    let straight = |table: &Values| {
+        let mut told = table.courses().into_iter();
+        let (symbol, _) = told.find(|(_, course)| course.between == Between::Linear)?;
+        let what = format!("{} goes straight from one time to the next beside oil", symbol.id);
+        let help = "set between = \"steps\": commands of a crane with oil hold between two times";
+        Some(table.refuse(symbol.id, what, "not with oil", help))
+    };
+    tables.into_iter().find_map(straight)
 }
 
 /// Longest step of the solver where a scene gives none, in s, and of a crane so large that nothing about it is as quick,
@@ -180,7 +200,7 @@ const SHORTEST_STEP: [f64; 2] = [0.05, 1.25e-3];
 /// The least time (s) in which something happens: what swings as bar and rope are long, what friction, drives and a rope
 /// that gives way do with the inertia of the driven bar alone, of what slews, of the load and of the hoist's drum.
 fn quickest(v: &Values, dynamics: &Values, hoisting: &Values, [bar, inertia]: [&Symbol; 2], gravity: f64) -> f64 {
-    let of = |table: &Values, symbol: &Symbol| table.number(symbol.id).unwrap_or(0.0);
+    let of = |table: &Values, symbol: &Symbol| table.greatest(symbol.id).unwrap_or(0.0);
     let (bar, inertia) = (of(v, bar), of(dynamics, inertia));
     let rope = hoisting.number(s::L_R.id).unwrap_or(f64::INFINITY);
     let mut times = vec![
@@ -229,8 +249,9 @@ pub fn outlasts(v: &Values, moving: &Moving, motion: &Motion, [reach, mass]: [f6
     let Some((table, slewing)) = v.table("slewing").zip(moving.slewing) else {
         return;
     };
-    let lasts = (motion.to - motion.from) / motion.speed.abs();
-    let moment = moving.inputs.drives[1].moment;
+    let told = table.course(s::M_SL.id).map(Course::end);
+    let lasts = told.unwrap_or((motion.to - motion.from) / motion.speed.abs());
+    let moment = moving.strongest.drives[1].moment;
     (slewing.joint).outlasts(table, moment, [reach, mass], lasts, moving.constants.g, found);
 }
 
@@ -297,17 +318,13 @@ fn table<'a>(v: &'a Values, fidelity: &str, bodies: &Inert) -> Result<Option<&'a
     Ok(Some(table))
 }
 
-/// The oil where the level has one, the valve's command and the pump's pressure (Pa).
-fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<(Option<CylinderOil<f64>>, f64, f64)> {
+/// The oil where the level has one.
+fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<Option<CylinderOil<f64>>> {
     if fidelity == "hydraulic" {
         found.extend(motor_beside(v));
     }
     match (fidelity, v.table("hydraulics")) {
-        ("hydraulic" | "auto", Some(table)) => {
-            let n = |symbol: &Symbol| table.number(symbol.id);
-            let oil = oil(v, table, found)?;
-            Some((Some(oil), n(&s::U_V).unwrap_or(0.0), n(&s::P_P)?))
-        }
+        ("hydraulic" | "auto", Some(table)) => Some(Some(oil(v, table, found)?)),
         ("hydraulic", None) => {
             found.push(v.refuse(
                 "fidelity",
@@ -326,7 +343,7 @@ fn oil_drive(v: &Values, fidelity: &str, found: &mut Vec<Diagnostic>) -> Option<
             ));
             None
         }
-        _ => Some((None, 0.0, 0.0)),
+        _ => Some(None),
     }
 }
 

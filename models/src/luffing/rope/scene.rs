@@ -7,8 +7,8 @@ use crate::component::description::{Described, Description, Vocabulary, possible
 use crate::component::draw::Draw;
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moved::Moved;
+use crate::component::moving::MovingComponent;
 use crate::component::outline::{Limit, Outline};
-use crate::component::running::Running;
 use crate::component::sheet::{Check, Drawing, Sheet, Summary};
 use crate::component::standing::Standing;
 use crate::component::telling::fine;
@@ -224,7 +224,7 @@ impl Described for Rope {
         levels::solver(self.moving.as_ref())
     }
 
-    fn moving(this: &Description<Rope>) -> Option<Result<Box<dyn Running>, Fault>> {
+    fn moving(this: &Description<Rope>) -> Option<Result<MovingComponent, Fault>> {
         running(this)
     }
 

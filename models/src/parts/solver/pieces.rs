@@ -10,21 +10,25 @@ pub const FASTEST: f64 = 1.0;
 /// Events in one call.
 const MOST_EVENTS: u32 = 10_000;
 
-/// A system of N states whose equations are smooth between events. `S` holds states and modes.
+/// A system of N states whose equations are smooth between events, and follow from the time (s) since the start of a call
+/// besides. `S` holds states and modes.
 pub trait Pieces<const N: usize, S> {
     fn states(state: &mut S) -> &mut [f64; N];
 
     /// Rates in the modes of a state; `None` where the states do not exist.
-    fn rates(&self, state: &S, y: &[f64; N]) -> Option<[f64; N]>;
+    fn rates(&self, time: f64, state: &S, y: &[f64; N]) -> Option<[f64; N]>;
+
+    /// Whether the rates follow from the time.
+    fn is_forced(&self) -> bool;
 
     /// Whether states lie beyond the end of the smooth piece.
-    fn crossed(&self, state: &S, y: &[f64; N]) -> bool;
+    fn crossed(&self, time: f64, state: &S, y: &[f64; N]) -> bool;
 
     /// Decides what follows at an instant.
     ///
     /// # Errors
     /// The states do not exist.
-    fn event(&self, state: &mut S) -> Result<(), Halt>;
+    fn event(&self, time: f64, state: &mut S) -> Result<(), Halt>;
 }
 
 /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located to the last bits of
@@ -38,9 +42,11 @@ pub fn advance<const N: usize, S: Copy, P: Pieces<N, S>>(
     duration: f64,
     longest: f64,
 ) -> Result<Count, Halt> {
-    system.event(state)?;
+    system.event(0.0, state)?;
     let steps = |left: f64| (left / longest * ROUNDING).ceil();
     let (mut left, mut equal) = (duration, steps(duration));
+    // An event is decided at the very time at which it was located, which `left` has but for rounding.
+    let mut time = 0.0;
     let (mut count, mut events) = (Count::default(), 0);
     while left > 0.0 {
         // A step that an event cuts in two is still one.
@@ -49,7 +55,8 @@ pub fn advance<const N: usize, S: Copy, P: Pieces<N, S>>(
         }
         count.steps += 1;
         let h = left / equal;
-        let (end, part, tried) = piece(system, state, h)?;
+        let (end, part, tried) = piece(system, time, state, h)?;
+        time += part * h;
         count.rejected += tried - 1;
         count.rates += 4 * tried;
         *P::states(state) = end;
@@ -62,7 +69,7 @@ pub fn advance<const N: usize, S: Copy, P: Pieces<N, S>>(
             if events > MOST_EVENTS {
                 return Err(Halt::TooMany);
             }
-            system.event(state)?;
+            system.event(time, state)?;
             equal = steps(left);
         }
     }
@@ -74,17 +81,20 @@ pub fn crossed<const M: usize>(indicators: Option<[f64; M]>) -> bool {
     indicators.is_none_or(|z| z.iter().any(|z| z.is_nan() || *z < 0.0))
 }
 
-/// A step of `h` s, or the part of it up to just beyond the first event; the states there, which part, and
+/// A step of `h` s from a time (s), or the part of it up to just beyond the first event; the states there, which part, and
 /// how many steps were tried.
 fn piece<const N: usize, S: Copy, P: Pieces<N, S>>(
     system: &P,
+    time: f64,
     state: &S,
     h: f64,
 ) -> Result<([f64; N], f64, u32), Halt> {
     let start = *P::states(&mut { *state });
     let after = |part: f64| {
-        let (y, fast) = runge_kutta::measured(&start, part * h, |y| system.rates(state, y))?;
-        let crossed = system.crossed(state, &y);
+        let (y, fast) = runge_kutta::measured(&start, (part * h, system.is_forced()), |since, y| {
+            system.rates(time + since, state, y)
+        })?;
+        let crossed = system.crossed(time + part * h, state, &y);
         Some((y, crossed, fast.0 <= FASTEST * FASTEST))
     };
     let whole = after(1.0);

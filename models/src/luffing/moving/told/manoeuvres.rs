@@ -93,7 +93,7 @@ pub(super) fn planned<T: Shown>(luffing: &Description<T>, moving: &Moving) -> Ve
         of("luff_in", inward, inward.duration() + swings),
         of("luff_out", outward, outward.duration() + swings),
     ];
-    if moving.slewing.is_some() && moving.inputs.drives[1].moment != 0.0 {
+    if moving.slewing.is_some() && moving.strongest.drives[1].moment != 0.0 {
         all.push(Planned {
             slews: true,
             ..of("slew_and_stop", still(far), 3.0 * ramp + 2.0 * swings)
@@ -106,7 +106,7 @@ pub(super) fn planned<T: Shown>(luffing: &Description<T>, moving: &Moving) -> Ve
             ..of("hoist_and_stop", still(far), 2.0 * time + swings)
         });
     }
-    if moving.oil.is_some() || braking(moving.inputs.drives[0]) > 0.0 {
+    if moving.oil.is_some() || braking(moving.strongest.drives[0]) > 0.0 {
         let luffing = way(f64::midpoint(low, high), far);
         let emergency = (2.0 * ramp).min(0.5 * luffing.duration());
         all.push(Planned {
@@ -119,7 +119,7 @@ pub(super) fn planned<T: Shown>(luffing: &Description<T>, moving: &Moving) -> Ve
 
 /// How a hoist lifts: at a speed (m/s), from the command to the one that stops it (s).
 fn lifting(moving: &Moving) -> Option<[f64; 2]> {
-    let (rope, speed) = (moving.rope?, moving.inputs.hoist.speed.abs());
+    let (rope, speed) = (moving.rope?, moving.strongest.hoist.speed.abs());
     match rope.hoist {
         HoistKind::Motor(_) => Some([LIFTED * rope.length / moving.ramp, 2.0 * moving.ramp]),
         _ if speed == 0.0 => None,
@@ -182,7 +182,7 @@ impl Lift {
                     &m::Z_DRUM_REST,
                     &m::Z_DRUM_LOOSE,
                 ];
-                let motor = JointMotor::new(model, drum, moving.inputs.hoist.drive, -1.0)?;
+                let motor = JointMotor::new(model, drum, moving.strongest.hoist.drive, -1.0)?;
                 Some(Lift::Motor(motor, lifting.unwrap_or_default()))
             }
             HoistKind::Ramp(_) | HoistKind::AtOnce => Some(Lift::Told(place(model, &m::V_H)?, lifting?)),
@@ -217,7 +217,7 @@ impl<T: Shown> LengthValve<T> {
             length: place(model, &d::L_D)?,
             planned: [place(&shadow, &d::L_D)?, place(&shadow, &d::V_D)?],
             shadow,
-            open: oil.q_n / area * (0.5 * moving.inputs.supply / oil.dp_n).sqrt(),
+            open: oil.q_n / area * (0.5 * moving.strongest.supply / oil.dp_n).sqrt(),
             of: PhantomData,
         })
     }
@@ -238,7 +238,7 @@ impl<'a, T: Shown> Pilot<'a, T> {
         moving: &Moving,
         model: &MovingComponent,
     ) -> Option<Pilot<'a, T>> {
-        let [drive, turning] = moving.inputs.drives;
+        let [drive, turning] = moving.strongest.drives;
         let ShownBar {
             speed, acceleration, ..
         } = bar::<T>(model);

@@ -2,7 +2,6 @@
 
 use crate::component::description::{Described, Description};
 use crate::component::moving::MovingComponent;
-use crate::component::running::Running;
 use crate::component::stages::Stages;
 use crate::drive::mount::Bore;
 use crate::kernel::symbol::Symbol;
@@ -68,8 +67,7 @@ pub trait Shown: Described<Component: Luffs> {
 }
 
 /// The model in motion, at rest at the start of the working range; none of what does not move.
-pub fn running<T: Shown>(this: &Description<T>) -> Option<Result<Box<dyn Running>, Fault>> {
+pub fn running<T: Shown>(this: &Description<T>) -> Option<Result<MovingComponent, Fault>> {
     let (given, moving) = T::moves(this)?;
-    let model = starting::<T::Component>(&given, this.motion, moving, this.motion.from);
-    Some(model.map(|model| Box::new(model) as Box<dyn Running>))
+    Some(starting::<T::Component>(&given, this.motion, moving, this.motion.from))
 }

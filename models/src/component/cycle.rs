@@ -1,0 +1,75 @@
+//! The run of a model through what its scene tells over time: the default experiment of the FMU, as a book shows it.
+
+use crate::component::description::{Described, Description};
+use crate::component::moving::MovingComponent;
+use crate::component::running::Running;
+use crate::component::series::Series;
+use crate::component::sheet::{Curve, Cycle, CycleRow};
+use crate::kernel::symbol::Symbol;
+use crate::kernel::unit;
+use crate::kernel::variable::{Role, TIME};
+
+/// Samples of the run.
+const SAMPLES: u32 = 2000;
+
+/// What is looked at, besides the commands: the coordinate with its rate, all states that are angles or lengths, what
+/// other parts are designed for.
+fn seen<T: Described>(model: &MovingComponent) -> Vec<usize> {
+    let rate = model.standing().index_of(model.standing().rate());
+    let all = model.variables().iter().enumerate();
+    let shown = all.filter(|(index, variable)| match variable.role {
+        Role::State => Some(*index) == rate || [&unit::RAD, &unit::M].contains(&variable.symbol.unit),
+        Role::Output => T::OUTLINE.forces.contains(&variable.symbol),
+        _ => false,
+    });
+    shown.map(|(index, _)| index).collect()
+}
+
+/// The cycle of a scene that tells commands over time; `None` of any other.
+pub(crate) fn cycle<T: Described>(told: &Description<T>) -> Option<Cycle> {
+    let mut model = told.moving()?.ok()?;
+    let commands = model.told();
+    if commands.is_empty() {
+        return None;
+    }
+    let commanded: Vec<usize> = commands.into_iter().map(|(index, _)| index).collect();
+    let symbol = |model: &MovingComponent, index: usize| model.variables()[index].symbol;
+    let seen: Vec<usize> = commanded.iter().copied().chain(seen::<T>(&model)).collect();
+    let end = model.stop_time();
+    let sample = end / f64::from(SAMPLES);
+    let mut series = Series::new(sample, seen.iter().copied());
+    model.start().ok()?;
+    series.look(&mut model).ok()?;
+    let time = |i: u32| end * f64::from(i) / f64::from(SAMPLES);
+    let mut ended = None;
+    for i in 0..SAMPLES {
+        if model
+            .advance(time(i), time(i + 1))
+            .and_then(|()| series.look(&mut model))
+            .is_err()
+        {
+            ended = Some(time(i));
+            break;
+        }
+    }
+    let curve = |&index: &usize| -> Option<Curve> {
+        let y = symbol(&model, index);
+        series.curve(y.id, [&TIME, y], index)
+    };
+    let row = |&index: &usize| CycleRow {
+        symbol: symbol(&model, index),
+        ends: series.stands(index),
+        last: series.last(index),
+    };
+    let course = |symbol: &'static Symbol| told.courses.iter().find(|(known, _)| *known == symbol);
+    Some(Cycle {
+        commands: commanded
+            .iter()
+            .filter_map(|&index| course(symbol(&model, index)).cloned())
+            .collect(),
+        end,
+        ended,
+        curves: seen.iter().filter_map(curve).collect(),
+        rows: seen.iter().map(row).collect(),
+    })
+}

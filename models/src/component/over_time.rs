@@ -1,0 +1,31 @@
+//! What a book shows of quantities over time, as plain data.
+
+use crate::component::diagram::Curve;
+use crate::kernel::course::Course;
+use crate::kernel::symbol::Symbol;
+
+/// A run through commands over time; times in s.
+pub struct Cycle {
+    pub commands: Vec<(&'static Symbol, Course)>,
+    pub end: f64,
+    /// When the model could not go on, if it could not.
+    pub ended: Option<f64>,
+    /// Over time, each by the id of its symbol.
+    pub curves: Vec<Curve>,
+    pub rows: Vec<CycleRow>,
+}
+
+/// Between what values a quantity lies in a cycle, and its value at the end.
+pub struct CycleRow {
+    pub symbol: &'static Symbol,
+    pub ends: [Stand; 2],
+    pub last: f64,
+}
+
+/// A value with its time (s) and the coordinate then.
+#[derive(Clone, Copy)]
+pub struct Stand {
+    pub value: f64,
+    pub time: f64,
+    pub at: f64,
+}

@@ -1,0 +1,60 @@
+//! A quantity over time, as a scene tells it: values at times, in steps or straight from one to the next.
+
+/// How a value goes on between two times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Between {
+    /// Straight from one value to the next.
+    Linear,
+    /// Each value holds until the next one's time.
+    Steps,
+}
+
+impl Between {
+    /// By its name in scenes.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Between> {
+        match name {
+            "linear" => Some(Between::Linear),
+            "steps" => Some(Between::Steps),
+            _ => None,
+        }
+    }
+}
+
+/// Values at rising times (s, SI), two at least: before the first time its value holds, after the last one its.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Course {
+    pub rows: Vec<[f64; 2]>,
+    pub between: Between,
+}
+
+impl Course {
+    /// Value and slope at a time within the piece that has begun at another one (both in s): at the end of a piece as in
+    /// it, not as in the next.
+    #[must_use]
+    pub fn at(&self, begun: f64, time: f64) -> [f64; 2] {
+        let passed = self.rows.partition_point(|[at, _]| *at <= begun);
+        let next = self.rows.get(passed);
+        match (passed.checked_sub(1).map(|last| self.rows[last]), next) {
+            (None, _) => [self.rows[0][1], 0.0],
+            (Some([from, value]), Some([to, end])) if self.between == Between::Linear => {
+                let slope = (end - value) / (to - from);
+                [value + slope * (time.clamp(from, *to) - from), slope]
+            }
+            (Some([_, value]), _) => [value, 0.0],
+        }
+    }
+
+    /// The greatest value by amount.
+    #[must_use]
+    pub fn greatest(&self) -> f64 {
+        let larger = |a: f64, [_, b]: &[f64; 2]| if b.abs() > a.abs() { *b } else { a };
+        self.rows.iter().fold(0.0, larger)
+    }
+
+    /// The last time, in s.
+    #[must_use]
+    pub fn end(&self) -> f64 {
+        self.rows.last().map_or(0.0, |[time, _]| *time)
+    }
+}

@@ -1,0 +1,119 @@
+//! Reads a quantity over time: `{ over = [["0 s", "0 kN.m"], ["2 s", "10 kN.m"]], between = "linear" }`.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::kernel::course::{Between, Course};
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::measure::quantity;
+use crate::kernel::schema::Key;
+use crate::kernel::sign::Sign;
+use crate::kernel::variable::TIME;
+
+/// Names of what a quantity over time is made of.
+pub(super) const OVER: &str = "over";
+pub(super) const BETWEEN: &str = "between";
+
+/// Rows of one quantity at least and at most.
+const ROWS: [usize; 2] = [2, 1000];
+
+/// How a quantity is given over time.
+pub(super) fn help(key: &Key) -> String {
+    let (name, unit) = (key.name, key.number().map_or("", |(symbol, _)| symbol.display.name));
+    let between = key.between.join("\" or \"");
+    format!("{name} = {{ over = [[\"0 s\", \"0 {unit}\"], [\"2 s\", \"... {unit}\"]], between = \"{between}\" }}")
+}
+
+/// What stands behind a key that says it over time; its `source` is not looked at. Mistakes go to the list.
+pub(super) fn read(
+    table: &DeTable<'_>,
+    span: &Range<usize>,
+    path: &str,
+    key: &'static Key,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Course> {
+    let before = found.len();
+    let (mut rows, mut between) = (Vec::new(), None);
+    for (name, value) in table {
+        match (name.get_ref().as_ref(), value.get_ref()) {
+            (OVER, DeValue::Array(items)) => {
+                let read = items.iter().map(|item| row(item, path, key, found));
+                rows = read.collect::<Option<Vec<_>>>().unwrap_or_default();
+                if rows.len() == items.len() && !(ROWS[0]..=ROWS[1]).contains(&rows.len()) {
+                    let message = format!("`{path}` has {} over time", count(rows.len()));
+                    let label = if rows.len() < ROWS[0] { "too few" } else { "too many" };
+                    let help = format!("give {} to {} rows, each a time and a value", ROWS[0], ROWS[1]);
+                    found.push(Diagnostic::new(value.span(), message, label).help(help));
+                }
+            }
+            (BETWEEN, DeValue::String(text)) => {
+                match Between::named(text).filter(|_| key.between.contains(&text.as_ref())) {
+                    Some(named) => between = Some(named),
+                    None => {
+                        let message = format!("`{path}` cannot go on \"{text}\" from one time to the next");
+                        let known = key.between.join("\" or \"");
+                        let help = format!("set between = \"{known}\"");
+                        found.push(Diagnostic::new(value.span(), message, "not this").help(help));
+                    }
+                }
+            }
+            ("source", _) => {}
+            _ => {
+                let message = format!("`{path}` over time has `over`, `between` and `source`, and nothing else");
+                found.push(Diagnostic::new(name.span(), message, "not this").help(help(key)));
+            }
+        }
+    }
+    let said = |name: &str| table.keys().any(|known| known.get_ref() == name);
+    if !said(BETWEEN) {
+        let message = format!("`{path}` over time has no `between`");
+        found.push(Diagnostic::new(span.clone(), message, "needed here").help(help(key)));
+    }
+    let falls = rows.windows(2).find(|pair| pair[1].0 <= pair[0].0);
+    if let Some([(first, ..), (next, _, place)]) = falls {
+        let [first, next] = [first, next].map(|time| TIME.written(*time));
+        let message = format!("`{path}`: the time {next} stands behind {first}");
+        found.push(Diagnostic::new(place.clone(), message, "not later").help("let the times of its rows rise"));
+    }
+    let rows = rows.into_iter().map(|(time, value, _)| [time, value]).collect();
+    let course = between.map(|between| Course { rows, between });
+    course.filter(|_| found.len() == before)
+}
+
+fn count(rows: usize) -> String {
+    match rows {
+        1 => "1 row".to_owned(),
+        rows => format!("{rows} rows"),
+    }
+}
+
+/// Time (s), value and place of a row.
+fn row(
+    item: &Spanned<DeValue<'_>>,
+    path: &str,
+    key: &'static Key,
+    found: &mut Vec<Diagnostic>,
+) -> Option<(f64, f64, Range<usize>)> {
+    let pair = item.get_ref().as_array().and_then(|pair| match &pair[..] {
+        [time, value] => Some((time, time.get_ref().as_str()?, value, value.get_ref().as_str()?)),
+        _ => None,
+    });
+    let Some((at, time, place, value)) = pair else {
+        let message = format!("`{path}`: a row over time is no time and value, both with units as texts");
+        found.push(Diagnostic::new(item.span(), message, "cannot be read").help(help(key)));
+        return None;
+    };
+    let (symbol, sign) = key.number()?;
+    let mut read = |text: &str, place: Range<usize>, symbol, sign| match quantity(text, symbol, sign) {
+        Ok(number) => Some(number),
+        Err((message, label, help)) => {
+            found.push(Diagnostic::new(place, format!("`{path}`: {message}"), label).help(help));
+            None
+        }
+    };
+    let time = read(time, at.span(), &TIME, Sign::NotNegative);
+    let value = read(value, place.span(), symbol, sign);
+    Some((time?, value?, at.span()))
+}

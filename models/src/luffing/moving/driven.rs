@@ -1,0 +1,96 @@
+//! A crane carried on in time under commands that may follow from it.
+
+use crate::luffing::moving::crane::{Commands, CraneState, MovingCrane, Struck};
+use crate::parts::joint::JointDrive;
+use crate::parts::solver::pieces::{self, Pieces};
+use crate::parts::solver::{Count, Halt};
+
+/// A crane under commands, for the solver.
+struct Commanded<'a, const N: usize, const J: usize> {
+    crane: &'a MovingCrane<N, J>,
+    commands: &'a Commands<J>,
+    /// How fast they change, where they do.
+    slopes: Option<&'a Commands<J>>,
+}
+
+impl<const N: usize, const J: usize> Commanded<'_, N, J> {
+    /// At a time since the start, in s.
+    #[inline]
+    fn at(&self, time: f64) -> Commands<J> {
+        match self.slopes {
+            None => *self.commands,
+            Some(slopes) => self.commands.changed(slopes, time),
+        }
+    }
+}
+
+impl<const N: usize, const J: usize> Pieces<N, CraneState<N, J>> for Commanded<'_, N, J>
+where
+    MovingCrane<N, J>: Struck<N, J>,
+{
+    fn states(state: &mut CraneState<N, J>) -> &mut [f64; N] {
+        &mut state.y
+    }
+
+    #[inline]
+    fn rates(&self, time: f64, state: &CraneState<N, J>, y: &[f64; N]) -> Option<[f64; N]> {
+        self.crane.rates(state, &self.at(time), y)
+    }
+
+    fn is_forced(&self) -> bool {
+        self.slopes.is_some()
+    }
+
+    #[inline]
+    fn crossed(&self, time: f64, state: &CraneState<N, J>, y: &[f64; N]) -> bool {
+        pieces::crossed(self.crane.indicators(state, &self.at(time), y))
+    }
+
+    fn event(&self, time: f64, state: &mut CraneState<N, J>) -> Result<(), Halt> {
+        self.crane.event(state, &self.at(time)).map(|_| ())
+    }
+}
+
+impl<const N: usize, const J: usize> MovingCrane<N, J>
+where
+    Self: Struck<N, J>,
+{
+    /// Moves on by a duration (s) in equal steps of at most `longest` (s), events located on the way
+    /// to the last bits of the step. Returns the work done.
+    ///
+    /// # Errors
+    /// See [`Halt`]; the state is that of the last step that succeeded.
+    pub fn advance(
+        &self,
+        state: &mut CraneState<N, J>,
+        commands: &Commands<J>,
+        duration: f64,
+        longest: f64,
+    ) -> Result<Count, Halt> {
+        self.follow(state, (commands, None), duration, longest)
+    }
+
+    /// The same under commands that may change at some rates.
+    ///
+    /// # Errors
+    /// As [`advance`](MovingCrane::advance).
+    pub fn follow(
+        &self,
+        state: &mut CraneState<N, J>,
+        (commands, slopes): (&Commands<J>, Option<&Commands<J>>),
+        duration: f64,
+        longest: f64,
+    ) -> Result<Count, Halt> {
+        let commanded = Commanded {
+            crane: self,
+            commands,
+            slopes,
+        };
+        let sound =
+            |Commands { drives, hoist }: Commands<J>| drives.iter().all(JointDrive::is_sound) && hoist.is_sound();
+        if ![0.0, duration].into_iter().all(|time| sound(commanded.at(time))) {
+            return Err(Halt::Outside);
+        }
+        pieces::advance(&commanded, state, duration, longest)
+    }
+}

@@ -1,0 +1,81 @@
+//! The cycle of a scene that tells commands over time: what is commanded, how the mechanism follows, and its ends.
+
+use lemnis_models::component::sheet;
+use lemnis_models::kernel::course::{Between, Course};
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::kernel::variable::TIME;
+use serde::Serialize;
+
+use crate::book::blocks::{Figure, Quantity};
+use crate::book::notation::Notation;
+use crate::print::number::Numbers;
+
+#[derive(Serialize)]
+pub(super) struct Cycle {
+    end: String,
+    /// When the model could not go on, if it could not.
+    ended: Option<String>,
+    commands: Vec<Command>,
+    figures: Vec<Drawn>,
+    rows: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct Command {
+    #[serde(flatten)]
+    quantity: Quantity,
+    between: &'static str,
+    /// Times and values.
+    rows: Vec<[String; 2]>,
+}
+
+#[derive(Serialize)]
+struct Drawn {
+    #[serde(flatten)]
+    figure: Figure,
+    symbol: &'static str,
+}
+
+#[derive(Serialize)]
+struct Row {
+    #[serde(flatten)]
+    quantity: Quantity,
+    /// Least and greatest value, each with its time.
+    ends: [[String; 2]; 2],
+    last: String,
+}
+
+impl Cycle {
+    pub(super) fn new(numbers: &Numbers, cycle: &sheet::Cycle, notation: &mut Notation) -> Cycle {
+        for row in &cycle.rows {
+            notation.meet(row.symbol);
+        }
+        let time = |at: f64| numbers.given(&TIME, at);
+        let command = |(symbol, course): &(&'static Symbol, Course)| Command {
+            quantity: Quantity::from(*symbol),
+            between: match course.between {
+                Between::Linear => "linear",
+                Between::Steps => "steps",
+            },
+            rows: (course.rows.iter())
+                .map(|[at, value]| [time(*at), numbers.given(symbol, *value)])
+                .collect(),
+        };
+        let row = |row: &sheet::CycleRow| Row {
+            quantity: row.symbol.into(),
+            ends: (row.ends).map(|end| [numbers.result(row.symbol, end.value), numbers.result(&TIME, end.time)]),
+            last: numbers.result(row.symbol, row.last),
+        };
+        let drawn = |curve: &sheet::Curve| Drawn {
+            figure: Figure::new(numbers, curve),
+            symbol: curve.y.print,
+        };
+        Cycle {
+            end: time(cycle.end),
+            ended: cycle.ended.map(time),
+            commands: cycle.commands.iter().map(command).collect(),
+            figures: cycle.curves.iter().map(drawn).collect(),
+            rows: cycle.rows.iter().map(row).collect(),
+        }
+    }
+}
