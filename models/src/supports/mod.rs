@@ -1,3 +1,4 @@
 //! What a crane stands on.
 
 pub mod mobile;
+pub mod plan;
