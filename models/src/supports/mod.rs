@@ -2,3 +2,4 @@
 
 pub mod mobile;
 pub mod plan;
+pub mod portal;
