@@ -36,6 +36,8 @@ use crate::steering;
 use crate::steering::scene::SteeringScene;
 use crate::supports::mobile;
 use crate::supports::mobile::scene::MobileScene;
+use crate::supports::portal;
+use crate::supports::portal::scene::PortalScene;
 
 pub static MECHANISMS: &[Entry] = &[
     double_link::sheet::ENTRY,
@@ -46,6 +48,7 @@ pub static MECHANISMS: &[Entry] = &[
     steering::sheet::ENTRY,
     slewing::scene::ENTRY,
     mobile::scene::ENTRY,
+    portal::scene::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
@@ -76,7 +79,10 @@ pub const STEERING: Key = Key::part(
 );
 pub const SUPPORTS: Key = Key::kinds(
     "supports",
-    &[(mobile::scene::ENTRY.kind, mobile::scene::ENTRY.keys)],
+    &[
+        (mobile::scene::ENTRY.kind, mobile::scene::ENTRY.keys),
+        (portal::scene::ENTRY.kind, portal::scene::ENTRY.keys),
+    ],
     "What a crane stands on, and what it may lift there.",
 );
 
@@ -136,6 +142,7 @@ static TELLERS: &[Teller] = &[
     teller::<SteeringScene>(),
     teller::<SlewingScene>(),
     teller::<MobileScene>(),
+    teller::<PortalScene>(),
 ];
 
 /// The symbols of every mechanism, by its id.

@@ -13,10 +13,10 @@ use lemnis_models::parts::{hanging, hydraulics, turntable};
 use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
-use lemnis_models::supports::mobile;
+use lemnis_models::supports::{mobile, portal};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 17] = [
+const TABLES: [(&str, &[&Symbol]); 18] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -33,6 +33,10 @@ const TABLES: [(&str, &[&Symbol]); 17] = [
     (
         "A mobile crane on its supports, seen from above: x forward, y to the left, angles counter-clockwise",
         mobile::symbols::ALL,
+    ),
+    (
+        "A crane on a portal, seen from above: x along the rails, y to the left, angles counter-clockwise",
+        portal::symbols::ALL,
     ),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),

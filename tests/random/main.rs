@@ -4,12 +4,14 @@
 //! `LEMNIS_SCENES=100000 cargo test --release --workspace --test random_scenes -- --nocapture` takes more of them and
 //! tells what was refused; `LEMNIS_SEED` begins another series, `LEMNIS_SCENE` takes one scene of it and prints it.
 
+mod bodies;
 mod cases;
 mod curved_trunk;
 mod ellipsograph;
 mod fmu;
 mod luffing;
 mod mobile;
+mod portal;
 mod rope;
 mod scene;
 mod slewing;

@@ -8,24 +8,12 @@ use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::supports::mobile::symbols as s;
 use toml::{Table, Value};
 
+use crate::bodies::{list, row};
 use crate::luffing::working_range;
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
 pub const RESULT: (&str, &Symbol) = ("a", &s::A);
-
-/// A table of a list.
-fn row(draw: &mut Draw, quantities: &[(&'static Symbol, f64)]) -> Value {
-    let each = quantities
-        .iter()
-        .map(|(symbol, value)| (symbol.id.to_owned(), draw.written(symbol, *value).0.into()));
-    Value::Table(each.collect())
-}
-
-fn list(n: &mut Node, name: &str, count: usize, of: &mut dyn FnMut(&mut Draw, usize) -> Value) {
-    let rows: Vec<Value> = (0..count).map(|i| of(n.draw, i)).collect();
-    n.put(name, rows);
-}
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let mut table = draw.table(keys);

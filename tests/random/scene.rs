@@ -13,7 +13,7 @@ use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::KEYS;
 use toml::{Table, Value};
 
-use crate::{curved_trunk, ellipsograph, luffing, mobile, rope, slewing, steering};
+use crate::{curved_trunk, ellipsograph, luffing, mobile, portal, rope, slewing, steering};
 
 /// What a mechanism adds: a legal table, one that lies on an edge, and a result that every level has.
 struct Maker {
@@ -59,6 +59,11 @@ fn maker(mechanism: &str) -> Option<Maker> {
             legal: mobile::legal,
             edge: mobile::edge,
             result: mobile::RESULT,
+        }),
+        "portal" => Some(Maker {
+            legal: portal::legal,
+            edge: portal::edge,
+            result: portal::RESULT,
         }),
         _ => None,
     }

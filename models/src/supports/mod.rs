@@ -1,3 +1,5 @@
 //! What a crane stands on.
 
 pub mod mobile;
+pub mod plan;
+pub mod portal;

@@ -1,7 +1,6 @@
 //! A mobile crane as scenes describe it and books tell it.
 
 use crate::component::description::{Described, Description, Vocabulary};
-use crate::component::draw::{Draw, polar};
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
 use crate::component::running::Running;
@@ -24,11 +23,12 @@ use crate::supports::mobile::chart::LoadChart;
 use crate::supports::mobile::charting::chart;
 use crate::supports::mobile::outline::OUTLINE;
 use crate::supports::mobile::rating::{Divided, Factored, Fraction, Permission, RatingBasis};
-use crate::supports::mobile::stages::{Given, LeftOpen, MobileCrane};
+use crate::supports::mobile::stages::{Given, MobileCrane};
 use crate::supports::mobile::strength::{FIRST_STRENGTH, STRENGTHS, Strength, Strengths};
 use crate::supports::mobile::symbols as s;
 use crate::supports::mobile::tipping::SupportPoint;
 use crate::supports::mobile::weights::{CarrierBody, Hook, Inclined, UpperBody, WindOnLoad};
+use crate::supports::plan::{LeftOpen, drawn, each, unbalanced};
 
 /// Most bodies of each kind, supports and lengths; a chart may have so many reaches.
 const MANY: usize = 64;
@@ -100,10 +100,6 @@ pub struct MobileScene {
 
 /// As scenes describe it.
 pub const ENTRY: Entry = Description::<MobileScene>::entry("mobile", KEYS);
-
-fn each<T>(v: &Values, name: &str, read: impl Fn(&Values) -> Option<T>) -> Option<Vec<T>> {
-    v.tables(name).iter().map(read).collect()
-}
 
 /// The tables of strengths; mistakes go to `found`.
 fn strengths(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Strengths {
@@ -251,7 +247,6 @@ impl Described for MobileScene {
         let rating = v.table("rating");
         let permission = rating.map_or(Some(Permission { s_lim: 0.15, k_w: 0.9 }), Permission::read)?;
         let [lengths, reaches] = axes(v, boom.of(&s::L_0)?, found)?;
-        let open = [&s::L, &s::PHI, &s::R, &s::Q];
         let mut given = Given {
             psi: One(&s::PSI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -281,7 +276,7 @@ impl Described for MobileScene {
             permission,
             strengths: strengths(v, gravity, found),
             chart: None,
-            open: LeftOpen(open.into_iter().filter(|symbol| v.is_input(symbol.id)).collect()),
+            open: LeftOpen::read(v, &[&s::L, &s::PHI, &s::R, &s::Q]),
         };
         if found.len() > before || !stands(v, &given, found) {
             return None;
@@ -315,6 +310,8 @@ impl Described for MobileScene {
     fn identities(this: &Description<MobileScene>, model: &mut Standing) -> Vec<Check> {
         let (mut shared, mut tipped) = (0.0_f64, 0.0_f64);
         let own = this.given.load.1;
+        let points: Vec<Point<f64>> = this.given.points.iter().map(SupportPoint::point).collect();
+        let size = points.iter().map(|p| p.norm()).fold(0.0, f64::max);
         let load = model
             .variables()
             .iter()
@@ -323,12 +320,7 @@ impl Described for MobileScene {
         for at in fine(&this.motion) {
             let forces = numbered(model, &s::N, at);
             let row = sample(model, &[&s::V, &s::X_V, &s::Y_V, &s::P], std::iter::once(at)).remove(0);
-            let (mut sum, mut moment, mut size) = (-row[0], Point::new(row[1], row[2]) * -row[0], 0.0_f64);
-            for (force, point) in forces.iter().zip(&this.given.points) {
-                (sum, moment) = (sum + force, moment + point.point() * *force);
-                size = size.max(point.point().norm());
-            }
-            shared = shared.max(sum.abs() / row[0]).max(moment.norm() / (row[0] * size));
+            shared = shared.max(unbalanced(&forces, &points, row[0], Point::new(row[1], row[2])));
             let hung = row[3] - this.given.hook.g_h;
             if hung >= 0.0 && hung.is_finite() && model.set(load, hung).is_ok() {
                 let margin = sample(model, &[&s::A], std::iter::once(at))[0][0];
@@ -380,18 +372,8 @@ impl Described for MobileScene {
     fn drawing(this: &Description<MobileScene>, at: f64) -> Drawing {
         let given = &this.given;
         let places: Vec<Point<f64>> = given.points.iter().map(SupportPoint::point).collect();
-        let size = places.iter().map(|p| p.norm()).fold(1e-3, f64::max);
         let corners = hull(&places).expect("checked when the scene was read");
-        let mut draw = Draw::default();
-        draw.body(&corners.iter().map(|&corner| places[corner]).collect::<Vec<_>>(), true);
-        (1..)
-            .zip(&places)
-            .for_each(|(number, place)| draw.number(*place, number));
-        let head = polar(1.5 * size, at);
-        draw.bar(&[Point::zeros(), head], false);
-        draw.line(Point::new(-1.2 * size, 0.0), Point::new(1.2 * size, 0.0));
-        draw.angle(Point::zeros(), 0.4 * size, at, &s::PSI);
-        draw.joint(Point::zeros(), "O", true, false);
+        let (draw, size, _) = drawn(&places, &corners, at, &s::PSI);
         draw.done(size)
     }
 }

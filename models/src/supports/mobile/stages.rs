@@ -2,7 +2,7 @@
 
 use crate::component::part::{Component, Port, ports};
 use crate::component::stages::{Found, stages};
-use crate::kernel::group::{One, group};
+use crate::kernel::group::One;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::parts::plane::Point;
 use crate::parts::springs::Springs;
@@ -14,10 +14,11 @@ use crate::supports::mobile::limiter::Utilised;
 use crate::supports::mobile::rating::{Permission, Rated, RatingBasis};
 use crate::supports::mobile::strength::Strengths;
 use crate::supports::mobile::symbols as s;
-use crate::supports::mobile::tipping::{Sides, SupportPoint, Tipping, behind, heading};
+use crate::supports::mobile::tipping::{Sides, SupportPoint, Tipping, behind};
 use crate::supports::mobile::weights::{
     CarrierBody, DeadWeight, Hook, Inclined, Leaning, Payload, UpperBody, WindOnLoad,
 };
+use crate::supports::plan::{LeftOpen, heading};
 
 stages! {
     /// A mobile crane on its supports.
@@ -63,11 +64,6 @@ stages! {
         pressures[each points]: Vec<C> = pressure(forces[each], pad[!]) => P_G;
     }
 }
-
-/// Quantities that are inputs although they are given.
-#[derive(Clone, Debug)]
-pub struct LeftOpen(pub Vec<&'static Symbol>);
-group!(LeftOpen);
 
 impl Component for MobileCrane {
     const INDICATORS: &'static [&'static Symbol] = listed!(s: Z_WARN, Z_STOP);

@@ -2,7 +2,7 @@
 
 use crate::component::stages::results;
 use crate::kernel::calc::{Among, Calc};
-use crate::kernel::group::{One, quantities};
+use crate::kernel::group::quantities;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::parts::hull::hull;
@@ -103,12 +103,6 @@ impl<C: Calc> Sides<C> {
         };
         Ok(Sides(corners.iter().zip(next).map(side).collect()))
     }
-}
-
-/// Direction of the boom, seen from above.
-pub fn heading<C: Calc>(psi: &One<C>) -> Point<C> {
-    let (sin, cos) = psi.sin_cos();
-    Point::new(cos, sin)
 }
 
 /// The least of values, each of a side; with that side.

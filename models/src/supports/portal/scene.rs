@@ -1,0 +1,155 @@
+//! A crane on a portal as scenes describe it and books tell it.
+
+use crate::component::description::{Described, Description, Vocabulary};
+use crate::component::mechanism::Entry;
+use crate::component::outline::{Limit, Outline};
+use crate::component::sheet::{Check, Drawing};
+use crate::component::standing::Standing;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::One;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Kind, Values};
+use crate::kernel::symbol::Symbol;
+use crate::parts::motion::Motion;
+use crate::parts::plane::Point;
+use crate::supports::plan::{LeftOpen, drawn, each};
+use crate::supports::portal::checks::{agreements, places};
+use crate::supports::portal::corners::CORNERS;
+use crate::supports::portal::load::Base;
+use crate::supports::portal::outline::OUTLINE;
+use crate::supports::portal::stages::{Given, PortalCrane};
+use crate::supports::portal::symbols as s;
+use crate::supports::portal::weights::{Blowing, PortalBody, SlewingBody, WindArea};
+use crate::supports::portal::wheels::{CornerWheels, FRAMES, Hinged, Sideways};
+
+/// Most bodies of each kind, and wind areas.
+const MANY: usize = 64;
+
+/// Keys of `[supports]`.
+pub const KEYS: &[Key] = keys! { s:
+    A > 0, B > 0, R [or_input], Q >= 0 [or_mass, or_input], K_L >= 0 [usually(0.1)];
+    Key::kind(&["portal"], "A crane that slews on a portal with four corners on rails."),
+    Key::new("frame", Kind::Choice(&FRAMES), "Whether the portal is rigid, or hinged so that its legs follow the rails."),
+    Key::new("corners", Kind::Tables(CORNER, MANY), "The four corners, counter-clockwise: in front on the right rail, in front on the left one, behind on the left one, behind on the right one."),
+    Key::new("portal", Kind::Tables(PORTAL, MANY), "Bodies of the portal, with its legs and travel gear.").optional(),
+    Key::new("upper", Kind::Tables(UPPER, MANY), "Bodies of the upper works, with boom and counterweight.").optional(),
+    Key::part("wind", WIND, "Wind on the crane."),
+    Key::table("motion", MOTION, "Working range of slewing, over which the corner loads are looked through."),
+    Key::part("limits", LIMITS, "What results may come to at most, or at least.")
+};
+
+static CORNER: &[Key] = keys! { s: N_W > 0 };
+static PORTAL: &[Key] = keys! { s: G_P [or_mass], X_P [usually(0.0)], Y_P [usually(0.0)] };
+static UPPER: &[Key] = keys! { s: G_U [or_mass], R_U };
+static AREA: &[Key] = keys! { s: A_W >= 0, H_W >= 0 };
+static WIND: &[Key] = keys! { s: P_W >= 0, CHI_W;
+    Key::new("areas", Kind::Tables(AREA, MANY), "Areas on which it acts, with their heights.")
+};
+const MOTION: &[Key] = &Motion::keys([&s::FROM, &s::TO], &s::PSI, (&s::OMEGA, "Angular velocity of slewing."));
+const LIMITS: &[Key] = &Limit::keys::<4>(OUTLINE.limits);
+
+/// A crane on a portal as the scene describes it; SI.
+#[derive(Clone, Debug)]
+pub struct PortalScene {
+    given: Given<f64>,
+}
+
+/// As scenes describe it.
+pub const ENTRY: Entry = Description::<PortalScene>::entry("portal", KEYS);
+
+/// The wheels of the four corners; mistakes go to `found`.
+fn corners(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Vec<CornerWheels<f64>>> {
+    let corners = each(v, "corners", CornerWheels::read)?;
+    if corners.len() != CORNERS.len() {
+        let what = format!("a portal with {} corners", corners.len());
+        let help = "give four [[supports.corners]], counter-clockwise: in front on the right rail, in front on the left one, \
+                    behind on the left one, behind on the right one";
+        found.push(v.refuse("corners", what, "not four", help));
+    }
+    for (table, corner) in v.tables("corners").iter().zip(&corners) {
+        if corner.n_w.fract() != 0.0 {
+            let what = format!("a corner with n_w = {} wheels", corner.n_w);
+            found.push(table.refuse(s::N_W.id, what, "no number of wheels", "give a whole number, from 1 on"));
+        }
+    }
+    Some(corners)
+}
+
+impl Described for PortalScene {
+    type Component = PortalCrane;
+    const ID: &'static str = "portal";
+    const TABLE: &'static str = "supports";
+    const OUTLINE: &'static Outline = &OUTLINE;
+    const VOCABULARY: &'static Vocabulary = &Vocabulary {
+        words: "portal_symbol",
+        own: &[s::ALL],
+        shared: &[],
+    };
+
+    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(PortalScene, Motion)> {
+        let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
+        let range = Motion::read(v.table("motion")?, found)?;
+        let wind = v.table("wind");
+        let given = Given {
+            psi: One(&s::PSI, range.from),
+            omega: One(&s::OMEGA, range.speed),
+            reach: one(&s::R)?,
+            load: one(&s::Q)?,
+            base: Base::read(v)?,
+            corners: corners(v, found)?,
+            portal: each(v, "portal", PortalBody::read)?,
+            upper: each(v, "upper", SlewingBody::read)?,
+            wind: v.part("wind", Blowing::read)?,
+            areas: wind.map_or(Some(Vec::new()), |wind| each(wind, "areas", WindArea::read))?,
+            sideways: Sideways::read(v)?,
+            kind: Hinged(v.text("frame") == Some(FRAMES[1])),
+            open: LeftOpen::read(v, &[&s::R, &s::Q]),
+        };
+        Some((PortalScene { given }, range))
+    }
+
+    fn given(this: &Description<PortalScene>) -> Given<f64> {
+        this.given.clone()
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        vec!["static"]
+    }
+
+    fn identities(this: &Description<PortalScene>, model: &mut Standing) -> Vec<Check> {
+        let base = &this.given.base;
+        agreements(model, [base.a, base.b], &this.motion)
+    }
+
+    fn assumptions(this: &Description<PortalScene>) -> Vec<&'static str> {
+        let kind = if this.given.kind.0 {
+            "portal_hinged"
+        } else {
+            "portal_rigid"
+        };
+        vec!["portal_level_static", kind, "portal_ground"]
+    }
+
+    fn uncovered(this: &Description<PortalScene>) -> Vec<&'static str> {
+        let wind = this.given.wind.is_none().then_some("wind");
+        wind.into_iter()
+            .chain(["portal_travel", "dynamic_coefficients", "strength", "load_cases"])
+            .collect()
+    }
+
+    /// The boom lies across no dimension.
+    fn drawn_at(this: &Description<PortalScene>) -> f64 {
+        this.motion.at(0.125)
+    }
+
+    /// From above: the portal on its corners, and the boom with its load.
+    fn drawing(this: &Description<PortalScene>, at: f64) -> Drawing {
+        let base = &this.given.base;
+        let places: [Point<f64>; 4] = places([base.a, base.b]);
+        let (mut draw, size, head) = drawn(&places, &[0, 1, 2, 3], at, &s::PSI);
+        draw.joint(head, s::Q.print, false, false);
+        draw.distance(places[3], places[0], -0.3 * size, &s::A);
+        draw.distance(places[2], places[3], -0.3 * size, &s::B);
+        draw.done(size)
+    }
+}
