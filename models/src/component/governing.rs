@@ -31,7 +31,7 @@ pub fn governing(
 ) -> Vec<Summary> {
     let coordinate = model.variables()[0].symbol;
     let extremes = outline.extremes.iter().filter(|extreme| wanted(extreme.symbol));
-    let mut search = Search::new(model, extremes.clone().map(|extreme| extreme.of));
+    let mut search = Peaks::new(model, extremes.clone().map(|extreme| extreme.of));
     let summary = |extreme: &'static Greatest| {
         Some(Summary::at(extreme.symbol, search.most(extreme)?, coordinate).of(extreme.of))
     };
@@ -41,20 +41,20 @@ pub fn governing(
 /// An extreme over the working range, of a numbered result over all of them; `None` where the scene does not have it.
 #[must_use]
 pub fn most(model: &Standing, extreme: &Greatest) -> Option<Extreme> {
-    Search::new(model, [extreme.of].into_iter()).most(extreme)
+    Peaks::new(model, [extreme.of].into_iter()).most(extreme)
 }
 
-/// Extremes of several results over the working range. All are looked at together: what they follow from is found once
+/// Peaks of several results over the working range. All are looked at together: what they follow from is found once
 /// for each place.
-pub struct Search<'a> {
+pub struct Peaks<'a> {
     model: &'a Standing,
     probe: Probe,
     looked: Vec<(Slot, Option<Box<Looked>>)>,
 }
 
-impl<'a> Search<'a> {
+impl<'a> Peaks<'a> {
     #[must_use]
-    pub fn new(model: &'a Standing, symbols: impl Iterator<Item = &'static Symbol>) -> Search<'a> {
+    pub fn new(model: &'a Standing, symbols: impl Iterator<Item = &'static Symbol>) -> Peaks<'a> {
         let stages = model.part().stages();
         let slots = symbols.flat_map(|symbol| slots(model, symbol));
         let smooth = slots.filter(|slot| !stages[usize::from(slot.stage)].searched);
@@ -69,7 +69,7 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        Search { model, probe, looked }
+        Peaks { model, probe, looked }
     }
 
     /// An extreme, of a numbered result over all of them; `None` where the scene does not have it.

@@ -7,7 +7,7 @@ use crate::component::dependencies::recorded;
 use crate::component::description::{Described, Description};
 use crate::component::extreme::Extreme;
 pub use crate::component::extreme::{between, fine};
-use crate::component::governing::Search;
+use crate::component::governing::Peaks;
 use crate::component::judged::{Judged, judged};
 use crate::component::outline::{Explained, Greatest, Line, Most, Outline, Published, SectionOutline};
 use crate::component::part::{Face, Part};
@@ -219,7 +219,7 @@ fn uses(outline: &Outline) -> Vec<(&'static str, Vec<&'static Symbol>)> {
 /// Least and greatest values over the working range of what other parts are designed for.
 fn forces(model: &Standing, outline: &'static Outline) -> Vec<[Summary; 2]> {
     let coordinate = model.variables()[0].symbol;
-    let mut search = Search::new(model, outline.forces.iter().copied());
+    let mut search = Peaks::new(model, outline.forces.iter().copied());
     let of = |&symbol: &&'static Symbol| {
         let known = outline.extremes.iter().find(|extreme| extreme.of == symbol);
         let pole = known.and_then(|extreme| extreme.pole);
@@ -400,7 +400,7 @@ pub fn lines<T: Described>(told: &Description<T>, model: &mut Standing, lines: &
     let known = lines.iter().map(|&(id, x, y)| (id, x.unwrap_or(coordinate), y));
     let known = known.filter(|&(_, x, y)| y != coordinate && exists(model, x) && exists(model, y));
     let known: Vec<_> = known.collect();
-    let mut search = Search::new(model, known.iter().map(|(.., y)| *y));
+    let mut search = Peaks::new(model, known.iter().map(|(.., y)| *y));
     let mut with_places = |(id, x, y)| {
         let each = indices(model, y).into_iter().map(|index| (index, search.drawn(index)));
         (id, x, y, each.collect::<Vec<_>>())

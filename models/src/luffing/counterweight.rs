@@ -7,7 +7,7 @@ use crate::balance::scene::{Form, PublishedBalance};
 use crate::balance::{Balance, symbols as b};
 use crate::component::draw::{Draw, polar};
 use crate::component::extreme::Extreme;
-use crate::component::governing::Search;
+use crate::component::governing::Peaks;
 use crate::component::running::Running;
 use crate::component::sheet::{BalanceSheet, Curve, Drawing, Measure, RestingPlace, Summary};
 use crate::component::standing::Standing;
@@ -133,7 +133,7 @@ impl BalancedBoom<'_> {
         list.retain(|(_, _, y)| exists(model, y) && !(exact && *y == &b::DM));
         let curve = |(id, x, y): (&'static str, &'static Symbol, &'static Symbol)| {
             let index = model.variables().iter().position(|variable| variable.symbol == y);
-            let places = Search::new(model, [y].into_iter()).drawn(index.expect("it exists"));
+            let places = Peaks::new(model, [y].into_iter()).drawn(index.expect("it exists"));
             let points = sample(model, &[x, y], places.into_iter());
             Curve {
                 id,

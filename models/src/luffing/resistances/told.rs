@@ -1,7 +1,7 @@
 //! The chapter of the cases, and their checks.
 
 use crate::component::description::{Described, Description};
-use crate::component::governing::Search;
+use crate::component::governing::Peaks;
 use crate::component::outline::Most;
 use crate::component::part::Component;
 use crate::component::probe::slots;
@@ -106,7 +106,7 @@ pub fn chapter<T: Described<Component: Resists>>(
     }
     let coordinate = model.variables()[0].symbol;
     let columns = COLUMNS.iter().chain(SHAFT_COLUMNS);
-    let mut search = Search::new(model, columns.copied());
+    let mut search = Peaks::new(model, columns.copied());
     let mut greatest = |symbol: &&'static Symbol| -> Vec<Summary> {
         let each = slots(model, symbol).filter_map(|slot| search.of(&slot, Most::Amount));
         each.map(|found| Summary::at(symbol, found, coordinate)).collect()
