@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 
+import pypdf
 import pytest
 from playwright.sync_api import expect, sync_playwright
 
@@ -260,6 +261,23 @@ def test_only_changed_pages_of_the_book_come_again(seen):
     expect(page.locator("#book-state")).to_have_text("", timeout=30000)
     kept = pages.evaluate_all("pages => pages.map(page => [page.dataset.hash, Boolean(page.old)])")
     assert [hash in first for hash, _ in kept] == [old for _, old in kept] and len(kept) == len(first)
+
+
+def test_a_result_opens_the_page_of_its_formula(seen, tmp_path):
+    """What a click turns to is the page of the book that explains the symbol, and not a table that has its value."""
+    page = seen.page
+    first = page.locator("#verdict li").first
+    assert first.locator("button").first.inner_text().startswith("μ")
+    first.get_by_role("button", name=words("en")["page"]["formula"]).click()
+    expect(page.locator("#tab-book")).to_have_attribute("aria-selected", "true")
+    page.wait_for_function("() => document.querySelector('#book').scrollTop > 0", timeout=60000)
+    tops = page.locator("#pages img").evaluate_all("pages => pages.map(page => page.getBoundingClientRect().top)")
+    top = page.locator("#book").evaluate("book => book.getBoundingClientRect().top")
+    turned = min(range(len(tops)), key=lambda i: abs(tops[i] - top))
+    lemnis("book", SCENE, "-o", tmp_path)
+    texts = [sheet.extract_text() for sheet in pypdf.PdfReader(next(tmp_path.glob("*.pdf"))).pages]
+    meaning = "Transmission angle between coupler"
+    assert turned == next(i for i, text in enumerate(texts) if meaning in " ".join(text.split()))
 
 
 def test_of_many_quick_keys_the_last_one_counts(seen):

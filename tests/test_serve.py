@@ -279,12 +279,21 @@ def test_what_cannot_be_made_is_told(served):
 
 def test_pages_of_the_book_are_known_by_their_hash(served):
     text = SCENE.read_text(encoding="utf-8")
-    first = served.ask("book", text=text, language="zh", level="summary")
+    book = served.ask("book", text=text, language="zh", level="summary")
+    first = book["sheets"]
+    assert book["places"] == {}, "a summary has no formulas"
     page = served.request("GET", f"/book/{first[0]['hash']}.svg?token={served.token}")
     assert page[0] == 200 and page[1]["content-type"] == "image/svg+xml" and b"<svg" in page[2]
     assert "immutable" in page[1]["cache-control"] and served.request("GET", f"/book/{first[0]['hash']}.svg")[0] == 403
     assert [first[0][side] for side in ("width", "height")] == pytest.approx([595.28, 841.89], abs=0.01)
-    assert served.ask("book", text=text, language="zh", level="summary") == first
+    assert served.ask("book", text=text, language="zh", level="summary") == book
+
+
+def test_a_book_says_on_which_page_each_symbol_is_explained(served):
+    book = served.ask("book", text=SCENE.read_text(encoding="utf-8"), language="bg", level="standard")
+    pages = range(1, len(book["sheets"]) + 1)
+    assert len(book["places"]) > 50 and set(book["places"].values()) <= set(pages)
+    assert book["places"]["X_1"] < book["places"]["mu"]
 
 
 TEXT = "title = \"起重机 ° кран\"\r\n"

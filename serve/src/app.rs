@@ -7,6 +7,7 @@ use hyper::header::{CACHE_CONTROL, HeaderValue};
 use hyper::http::request::Parts;
 use hyper::{Method, Request, StatusCode};
 use serde::Deserialize;
+use serde_json::json;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 use crate::books::{Books, Wanted};
@@ -151,7 +152,7 @@ impl<S: Service> App<S> {
                 } = asked;
                 let wanted = Wanted { text, language, level };
                 let made = self.books.make(self.service.books(), wanted).await?;
-                written(&self.pages.keep(made))
+                written(&json!({ "sheets": self.pages.keep(made.pages), "places": made.places }))
             }
             "/api/make" => {
                 let _place = place(&self.children).await;

@@ -1,5 +1,6 @@
 //! Books, by one child process that is kept: the next one lays out only what has changed.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::process::Stdio;
 use std::sync::Arc;
@@ -21,8 +22,15 @@ pub struct Wanted {
     pub level: String,
 }
 
-/// Its pages as SVG, or what is wrong in words: the child's line for it.
-pub type Book = Result<Vec<String>, String>;
+/// Its pages as SVG, and on which of them, counted from 1, each symbol is given or has its formula.
+#[derive(Debug, Deserialize, Serialize)]
+pub struct Printed {
+    pub pages: Vec<String>,
+    pub places: BTreeMap<String, usize>,
+}
+
+/// That, or what is wrong in words: the child's line for it.
+pub type Book = Result<Printed, String>;
 
 /// Books that one process makes, so that it cannot grow for ever.
 const BOOKS: usize = 200;
@@ -73,7 +81,7 @@ pub struct Books(Arc<Mutex<Option<Press>>>);
 
 impl Books {
     /// One at a time. What is begun is ended, whoever waits for it; who gives up waiting for his turn has none.
-    pub async fn make(&self, command: std::process::Command, wanted: Wanted) -> Result<Vec<String>, Refusal> {
+    pub async fn make(&self, command: std::process::Command, wanted: Wanted) -> Result<Printed, Refusal> {
         let mut press = Arc::clone(&self.0).lock_owned().await;
         let made = tokio::spawn(async move {
             let mut running = match press.take() {

@@ -49,6 +49,8 @@ pub struct Requirement {
     pub sentence: Script,
     /// By which the result is known in FMUs.
     pub of: &'static str,
+    /// The label of its formula in the book.
+    pub label: &'static str,
     pub symbol: Script,
     pub value: Script,
     /// With its sign of relation.
@@ -66,6 +68,8 @@ pub struct Line {
     pub name: &'static str,
     /// The result whose extreme it is.
     pub of: Option<&'static str>,
+    /// The label of its formula in the book.
+    pub label: &'static str,
     pub text: Script,
     pub symbol: Script,
     pub value: Script,
@@ -183,6 +187,7 @@ impl Teller<'_> {
         Line {
             name: result.symbol.id,
             of: result.of.map(|of| of.id),
+            label: result.of.unwrap_or(result.symbol).print,
             text: self.meaning(result.symbol),
             symbol: Script::of_math(result.symbol.print),
             value: self.result(result.symbol, result.value),
@@ -198,6 +203,7 @@ impl Teller<'_> {
         Requirement {
             sentence: self.word("check", check.id),
             of: check.of.id,
+            label: check.of.print,
             symbol: Script::of_math(symbol.print),
             value: Script::of_math(&numbers.judged(symbol, check.value, check.limit)),
             limit: Script::of_math(&format!("{relation} {}", numbers.limit(symbol, check.limit))),

@@ -8,7 +8,7 @@ use lemnis::language::Language;
 use lemnis::results;
 use lemnis::template::Templates;
 use lemnis_models::scene::Scene;
-use lemnis_serve::books::{Book, Wanted};
+use lemnis_serve::books::{Book, Printed, Wanted};
 use lemnis_typeset::{Embedded, Format};
 
 use crate::decision::decided;
@@ -31,7 +31,7 @@ pub fn run() -> Result<(), Failure> {
     Ok(())
 }
 
-fn made(Wanted { text, language, level }: &Wanted, templates: &Templates) -> Result<Vec<String>, Failure> {
+fn made(Wanted { text, language, level }: &Wanted, templates: &Templates) -> Result<Printed, Failure> {
     let scene = Scene::parse(text).map_err(|found| scene_file::failure(NAME, text, &found))?;
     let scene = decided(scene, NAME)?.scene;
     let sheet = results::sheet(&scene).map_err(Failure::of_scene)?;
@@ -45,5 +45,8 @@ fn made(Wanted { text, language, level }: &Wanted, templates: &Templates) -> Res
     let made = edition.typeset(&scene, &sheet, Format::Svg);
     let made = made.map_err(|error| Failure::Program(error.to_string()))?;
     let svg = |bytes: Vec<u8>| String::from_utf8(bytes).expect("SVG is text");
-    Ok(made.files.into_iter().map(svg).collect())
+    Ok(Printed {
+        pages: made.files.into_iter().map(svg).collect(),
+        places: made.places,
+    })
 }

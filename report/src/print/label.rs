@@ -13,6 +13,8 @@ const LOW: f64 = 1.1;
 const HIGH: f64 = 1.6;
 /// The room that a label has around it where there is some.
 const AIR: f64 = 0.5;
+/// What it costs to touch something, where a hundred things nearby are as bad.
+const TOUCHED: usize = 100;
 
 /// What is written, and the half of its width and height.
 pub(super) struct Label {
@@ -140,6 +142,19 @@ fn written([x, y]: Point, anchor: &str, half: Point) -> Obstacle {
 impl Picture {
     /// Writes a text at the first of the places where it meets nothing, or where it meets least.
     pub(super) fn label(&mut self, label: Label, places: &[Point]) {
+        let (_, at) = self.room(&label, places);
+        self.put(label.item, at, "centre", label.text);
+    }
+
+    /// Writes a text that stands in a table too, where there is room for it.
+    pub(super) fn label_if_room(&mut self, label: Label, places: &[Point]) {
+        if let (true, at) = self.room(&label, places) {
+            self.put(label.item, at, "centre", label.text);
+        }
+    }
+
+    /// The first of the places where a label meets nothing, or where it meets least; and whether it touches nothing there.
+    fn room(&self, label: &Label, places: &[Point]) -> (bool, Point) {
         let half = label.half;
         let airy = half.map(|half| half + AIR);
         let ends = |axis: usize| {
@@ -158,8 +173,8 @@ impl Picture {
         let cost = |place: Point| {
             let outside = (0..2).any(|axis| place[axis] < half[axis] || place[axis] > size[axis] - half[axis]);
             let met = near.iter().filter(|obstacle| obstacle.meets(place, airy));
-            let met = met.map(|obstacle| if obstacle.meets(place, half) { 100 } else { 1 });
-            met.sum::<usize>() + if outside { 1000 } else { 0 }
+            let met = met.map(|obstacle| if obstacle.meets(place, half) { TOUCHED } else { 1 });
+            met.sum::<usize>() + if outside { 10 * TOUCHED } else { 0 }
         };
         let mut best = (usize::MAX, [0.0; 2]);
         for &place in places {
@@ -171,7 +186,7 @@ impl Picture {
                 break;
             }
         }
-        self.put(label.item, best.1, "centre", label.text);
+        (best.0 < TOUCHED, best.1)
     }
 
     /// Writes a text to the right of a place.

@@ -365,7 +365,7 @@ pub fn curve(language: &Language, curve: &Curve) -> Picture {
         for (point, below) in extremes {
             let label = Label::plain(language.text(&four_digits(point[1], size)));
             let places = field.inside(&label, label.around(place(point), below));
-            picture.label(label, &places);
+            picture.label_if_room(label, &places);
         }
     }
     name_axes(&mut picture, [&axis_name(curve.x), &axis_name(curve.y)]);

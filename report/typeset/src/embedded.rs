@@ -1,11 +1,12 @@
 //! Typst inside this program: the world that it sees, layout and export.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use typst::diag::{FileError, FileResult, SourceDiagnostic, SourceResult, Warned};
-use typst::foundations::{Bytes, Datetime, Duration};
+use typst::foundations::{Bytes, Content, Datetime, Duration};
+use typst::introspection::Introspector;
 use typst::syntax::{FileId, RootedPath, Source, VirtualPath, VirtualRoot};
 use typst::text::{Font, FontBook};
 use typst::utils::LazyHash;
@@ -27,8 +28,7 @@ pub struct Embedded;
 
 impl Typesetter for Embedded {
     fn typeset(&self, main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Typeset, Error> {
-        let (files, warnings) = make(main, files, format, standard)?;
-        Ok(Typeset { files, warnings })
+        make(main, files, format, standard)
     }
 }
 
@@ -51,22 +51,39 @@ impl Drop for InWork {
     }
 }
 
-type Made = (Vec<Vec<u8>>, Vec<String>);
-
-fn make(main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Made, Error> {
+fn make(main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Typeset, Error> {
     if format == Format::Html {
         let _in_work = InWork::begin();
         let world = Memory::new(main, files, Fonts::embedded().clone())?;
-        return Ok((vec![html(&world)?], Vec::new()));
+        return Ok(Typeset {
+            files: vec![html(&world)?],
+            places: BTreeMap::new(),
+            warnings: Vec::new(),
+        });
     }
     let (world, document, warnings) = pages(main, files)?;
     let pages = document.pages().iter();
-    let made = match format {
+    let files = match format {
         Format::Svg => pages.map(svg).collect(),
         Format::Png => pages.map(png).collect::<Result<_, _>>()?,
         Format::Pdf | Format::Html => vec![pdf(&world, &document, standard)?],
     };
-    Ok((made, warnings))
+    Ok(Typeset {
+        files,
+        places: places(&document),
+        warnings,
+    })
+}
+
+/// On which page each label stands.
+fn places(document: &PagedDocument) -> BTreeMap<String, usize> {
+    let known = document.introspector();
+    let labelled = known.query_labelled().into_iter();
+    let place = |content: Content| {
+        let page = known.page(content.location()?)?;
+        Some((content.label()?.resolve().to_string(), page.get()))
+    };
+    labelled.filter_map(place).collect()
 }
 
 /// The pages, with the world that they are from, and the warnings.
@@ -306,6 +323,15 @@ mod tests {
             let message = pdf(source, &[]).unwrap_err().to_string();
             assert!(message.starts_with(text), "{message}");
         }
+    }
+
+    #[test]
+    fn labels_are_told_with_their_pages() {
+        let source =
+            "#set document(title: \"T\")\n#metadata(none)<one>\n#pagebreak()\n#metadata(none)#label(\"M_(1 x)\")";
+        let made = Embedded.typeset(source, &[], Format::Svg, None).unwrap();
+        let places = [("M_(1 x)".to_owned(), 2), ("one".to_owned(), 1)];
+        assert_eq!(made.places, BTreeMap::from(places));
     }
 
     #[test]

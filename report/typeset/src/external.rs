@@ -1,5 +1,6 @@
 //! An installed `typst` command in place of the embedded one.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -86,6 +87,7 @@ impl Typesetter for External {
         if !many {
             return Ok(Typeset {
                 files: vec![std::fs::read(name("")).map_err(unusable)?],
+                places: BTreeMap::new(),
                 warnings: Vec::new(),
             });
         }
@@ -99,6 +101,7 @@ impl Typesetter for External {
         let files: Result<Vec<_>, _> = paths.iter().map(std::fs::read).collect();
         Ok(Typeset {
             files: files.map_err(unusable)?,
+            places: BTreeMap::new(),
             warnings: Vec::new(),
         })
     }

@@ -1,5 +1,6 @@
 //! What makes a document out of a source, and what can come of it.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// What Typst objects to, with its place where it has one.
@@ -60,6 +61,8 @@ pub type Files = [(String, Vec<u8>)];
 pub struct Typeset {
     /// One file; of SVG and PNG one for each page. A PDF is tagged, and valid PDF/UA-1.
     pub files: Vec<Vec<u8>>,
+    /// The page, counted from 1, on which each label of the source stands; none where pages are not laid out here.
+    pub places: BTreeMap<String, usize>,
     /// Characters that could not be printed, each with its place.
     pub warnings: Vec<String>,
 }

@@ -11,6 +11,22 @@ export class Book {
     this.host = host;
     this.state = byId("book-state");
     this.wanted = null;
+    this.label = null;
+    this.places = null;
+  }
+
+  // Turns to where a symbol is given or has its formula, as soon as the book that is wanted is there.
+  open(label) {
+    this.label = label;
+    this.turn();
+  }
+
+  turn() {
+    if (this.label === null || this.places === null) return;
+    const page = this.places[this.label];
+    if (page === undefined) this.state.textContent = word("page.no_formula");
+    else this.host.children[page - 1].scrollIntoView();
+    this.label = null;
   }
 
   // Of this text, soon: when nothing newer has come for a moment.
@@ -18,6 +34,7 @@ export class Book {
     const wanted = JSON.stringify([text, level, current()]);
     if (wanted === this.wanted) return;
     this.wanted = wanted;
+    this.places = null;
     clearTimeout(this.timer);
     this.controller?.abort();
     this.timer = setTimeout(() => this.make(text, level), PAUSE);
@@ -28,8 +45,11 @@ export class Book {
     this.state.textContent = word("page.making");
     try {
       const reply = await ask("book", { text, level, language: current() }, controller.signal);
-      await this.show(await reply.json());
+      const { sheets, places } = await reply.json();
+      await this.show(sheets);
       this.state.textContent = "";
+      this.places = places;
+      this.turn();
     } catch (error) {
       if (controller.signal.aborted) return;
       this.wanted = null;

@@ -86,7 +86,7 @@ function show(next) {
   byId("title").textContent = shown.title;
   document.title = `${shown.title} – Lemnis`;
   drawing.show(shown.drawing);
-  verdict(byId("verdict"), shown, choose);
+  verdict(byId("verdict"), shown, { curve: choose, formula });
   if (!before || before.name !== shown.name || !chosen?.size) chosen = new Set(usual());
   if (byId("choice").open) choice();
   const rows = shown.columns[0].values.length;
@@ -130,6 +130,12 @@ function choose(name) {
   if (!shown.columns.some((column) => column.name === name)) return;
   chosen = new Set([name, ...chosen]);
   tabs.select("curves");
+}
+
+// The page of the book with a result's formula.
+function formula(label) {
+  tabs.select("book");
+  book.open(label);
 }
 
 const designs = () => [{ label: word("page.this_design"), shown }, ...kept];

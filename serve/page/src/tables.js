@@ -6,30 +6,33 @@ import { number, word } from "./words.js";
 const cell = (tag, ...children) => h(tag, {}, ...children);
 const head = (...names) => h("thead", {}, h("tr", {}, ...names.map((name) => h("th", { scope: "col" }, name))));
 
-// A quantity with its value and where it is so, and what it is.
-function line(symbol, of, value, chosen, ...rest) {
+const button = (onclick, ...children) => h("button", { type: "button", class: "plain", onclick }, ...children);
+
+// A quantity with its value and where it is so, what it is, and the way to its formula.
+function line({ symbol, of, label }, value, asked, ...rest) {
   const name = script(symbol);
-  const button = of ? h("button", { type: "button", class: "plain", onclick: () => chosen(of) }, name) : name;
-  return h("div", { class: "line" }, h("span", {}, button, " = ", value), ...rest);
+  const curve = of ? button(() => asked.curve(of), name) : name;
+  return h("div", { class: "line" }, h("span", {}, curve, " = ", value), ...rest, button(() => asked.formula(label), word("page.formula")));
 }
 
-function requirements(list, chosen) {
-  const row = ({ sentence, symbol, of, value, limit, passed, verdict, utilisation }) => {
+function requirements(list, asked) {
+  const row = (one) => {
+    const { sentence, value, limit, passed, verdict, utilisation } = one;
     const used = h("span", {}, utilisation ? `${utilisation} % ` : "", h("strong", {}, script(verdict)));
     const both = h("span", {}, script(value), " ", script(limit));
-    return h("li", { class: passed ? "kept" : "broken" }, h("div", {}, script(sentence)), line(symbol, of, both, chosen, used));
+    return h("li", { class: passed ? "kept" : "broken" }, h("div", {}, script(sentence)), line(one, both, asked, used));
   };
   return h("ul", { class: "results" }, ...list.map(row));
 }
 
-function results(list, chosen) {
-  const row = ({ symbol, of, text, value, at }) =>
-    h("li", {}, line(symbol, of, script(value), chosen, h("span", {}, script(at))), h("div", { class: "quiet" }, script(text)));
+function results(list, asked) {
+  const row = (one) =>
+    h("li", {}, line(one, script(one.value), asked, h("span", {}, script(one.at))), h("div", { class: "quiet" }, script(one.text)));
   return h("ul", { class: "results" }, ...list.map(row));
 }
 
-// What is always in view; `chosen` takes the name of a result whose curve is wanted.
-export function verdict(host, shown, chosen) {
+// What is always in view; `asked` takes the name of a result whose `curve` is wanted, the label of one whose `formula` is.
+export function verdict(host, shown, asked) {
   const part = (title, ...content) => [h("h2", {}, title), ...content];
   // What someone has unfolded stays so.
   const before = new Set([...host.querySelectorAll("details[open]")].map(({ id }) => id));
@@ -38,11 +41,11 @@ export function verdict(host, shown, chosen) {
   const apart = shown.identities.some(({ passed }) => !passed);
   host.replaceChildren(
     ...part(word("caption.requirements"), h("p", { class: broken ? "broken" : "kept" }, script(shown.verdict))),
-    ...(shown.requirements.length ? [requirements(shown.requirements, chosen)] : []),
+    ...(shown.requirements.length ? [requirements(shown.requirements, asked)] : []),
     ...shown.warnings.map((warning) => h("p", { class: "warning" }, script(warning))),
-    ...(shown.governing.length ? part(word("caption.governing"), results(shown.governing, chosen)) : []),
-    ...(shown.summary.length ? [folded("whole", word("caption.summary"), false, results(shown.summary, chosen))] : []),
-    ...(shown.identities.length ? [folded("identities", word("chapter.identities"), apart, requirements(shown.identities, chosen))] : []),
+    ...(shown.governing.length ? part(word("caption.governing"), results(shown.governing, asked)) : []),
+    ...(shown.summary.length ? [folded("whole", word("caption.summary"), false, results(shown.summary, asked))] : []),
+    ...(shown.identities.length ? [folded("identities", word("chapter.identities"), apart, requirements(shown.identities, asked))] : []),
   );
 }
 
