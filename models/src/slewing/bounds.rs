@@ -14,7 +14,7 @@ use crate::slewing::symbols as s;
 /// as long as reach and rope.
 const BRISKEST: [f64; 2] = [1e-4, 5e-3];
 /// Least inertia of what slews, over that of what does not add to it: a load that swings, the weight that leans.
-const LIGHTEST: f64 = 5e-5;
+const LIGHTEST: f64 = 5e-4;
 /// Shortest step that may be given, over that which sees all: below it a solver of fourth order adds up rounding.
 const SHORTEST_STEP: f64 = 1e-2;
 
