@@ -68,7 +68,7 @@ pub struct Stopped<C> {
     head: C,
 }
 results! { each Stopped as b => {
-    J_B: b.inertia;
+    J_K: b.inertia;
     PSI_B: b.turned;
     OMEGA_B: b.speed;
     ALPHA_B: b.slows;
@@ -99,7 +99,7 @@ impl<C: Calc> Stopped<C> {
                 head: zero,
             };
         }
-        let inertia = motor.inertia(sums, motor.eta).def(&s::J_B);
+        let inertia = motor.inertia(sums, motor.eta).def(&s::J_K);
         let (mut time, mut turned, mut torque) = (zero, zero, motored.against);
         let mut speed = (C::constant(TAU) * motored.n).abs();
         let behind = second.map(|second| (second.torque, second.delay));

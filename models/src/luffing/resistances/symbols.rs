@@ -90,7 +90,7 @@ symbols! {
     T_K1: "T_K1" "T_(K i,1)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque that the brakes must have, without losses.", "[Ports001, 5.7]";
     T_K: "T_K" "T_(K i)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque that the brakes must have, the losses helping.", "[Ports001, 5.7]";
     U_B: "u_B" "u_(B i)" ONE / ONE [infinite("where the drive points at the foot of its bar")], "Torque that the brakes must have over the one that they have.", "[Ports001, 5.7]";
-    J_B: "J_b" "J_(b i)" KG_M2 / KG_M2, "Inertia of all that the brakes stop, at the motor's shaft.", "[Ports001, 5.7]";
+    J_K: "J_K" "J_(K i)" KG_M2 / KG_M2, "Inertia of all that the brakes stop, at the motor's shaft.", "[Ports001, 5.7]";
     PSI_B: "psi_b" "psi_(b i)" RAD / RAD, "Turn of the motor's shaft until the last brake begins to act that stops it.", "[Ports001, 5.7]";
     OMEGA_B: "omega_b" "omega_(b i)" RAD_PER_S / RAD_PER_S, "Speed of the motor's shaft when the last brake begins to act that stops it.", "[Ports001, 5.7]";
     ALPHA_B: "alpha_b" "alpha_(b i)" RAD_PER_S2 / RAD_PER_S2, "Deceleration of the motor's shaft from then on.", "[Ports001, 5.7]";
