@@ -3,27 +3,19 @@
 
 #[path = "common/named.rs"]
 mod named;
+#[path = "common/supports.rs"]
+mod supports;
 
 use std::fmt::Write;
 
-use lemnis_models::component::model::Model;
 use lemnis_models::kernel::variable::Role;
 use lemnis_models::scene::Scene;
 
 use named::{get, index, model, near, set};
+use supports::{compared, tables};
 
 const READY: &str = include_str!("../scenes/mobile_crane.toml");
 const ORACLE: &str = include_str!("../../tests/oracles/mobile_crane.csv");
-
-/// Tables of a list, a line of numbers for each.
-fn tables(text: &mut String, name: &str, keys: &[(&str, &str)], rows: &str) {
-    for row in rows.split(';') {
-        let _ = writeln!(text, "[[supports.{name}]]");
-        for ((key, unit), number) in keys.iter().zip(row.split(' ')) {
-            let _ = writeln!(text, "{key} = \"{number} {unit}\"");
-        }
-    }
-}
 
 /// The scene of a row of the oracle, which stands at its slewing angle.
 fn scene_of(row: &[&str]) -> (String, f64) {
@@ -311,50 +303,14 @@ fn derivatives() {
     for (name, place) in [("x[1]", 2.3), ("y[2]", 3.2), ("x[4]", -2.8)] {
         set(&mut model, name, place);
     }
-    let variables = model.variables().to_vec();
-    let mut compared = 0;
+    // A part of the boom's extension has ends.
+    let given = ["omega", "s", "k_w", "phi_min", "phi_max", "s_lim"];
+    let mut count = 0;
     for psi in [70.0, 133.0, 215.0] {
         set(&mut model, "psi", f64::to_radians(psi));
-        for by in 0..variables.len() {
-            let quantity = variables[by].quantity();
-            let skipped = ["omega", "s", "k_w", "phi_min", "phi_max", "s_lim"].contains(&quantity.0.id);
-            if !matches!(variables[by].role, Role::Input | Role::Parameter) || skipped {
-                continue;
-            }
-            let at = model.get(by).expect("known");
-            // A part of the boom's extension has ends, and what is zero has no left side.
-            let near = 1e-6 * at.abs().max(1e-2);
-            let mut beside: Vec<Model> = vec![model.clone(), model.clone()];
-            let both = beside
-                .iter_mut()
-                .zip([-1.0, 1.0])
-                .all(|(model, sign)| model.set(by, at + sign * near).is_ok());
-            if !both {
-                continue;
-            }
-            let mut tangent = model.tangent(&|other| f64::from(other == quantity));
-            for of in 0..variables.len() {
-                if variables[of].role != Role::Output
-                    || ["governs", "warns", "stops"].contains(&variables[of].symbol.id)
-                {
-                    continue;
-                }
-                let exact = model.derivative(&mut tangent, of).expect("a derivative");
-                let [low, high] = [0, 1].map(|side: usize| beside[side].get(of).expect("a result"));
-                let rough = (high - low) / (2.0 * near);
-                let size = low.abs().max(high.abs());
-                let allowed = 1e-6 * rough.abs() + 1e-13 * size / near + 1e-9;
-                assert!(
-                    (exact - rough).abs() <= allowed,
-                    "{} by {} at {psi}: {exact} {rough}",
-                    variables[of],
-                    variables[by]
-                );
-                compared += 1;
-            }
-        }
+        count += compared(&mut model, &given, &["governs", "warns", "stops"]);
     }
-    assert!(compared > 3000, "{compared}");
+    assert!(count > 3000, "{count}");
 }
 
 /// Turned as a whole, the crane is the same; twice as heavy with twice the load, twice of everything.

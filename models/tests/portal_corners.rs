@@ -3,28 +3,20 @@
 
 #[path = "common/named.rs"]
 mod named;
+#[path = "common/supports.rs"]
+mod supports;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
 
-use lemnis_models::kernel::variable::Role;
 use lemnis_models::scene::Scene;
 
 use named::{get, index, model, near, set};
+use supports::{compared, tables};
 
 const READY: &str = include_str!("../scenes/portal_corner_loads.toml");
 const ORACLE: &str = include_str!("../../tests/oracles/portal_corners.csv");
 const CIRCLE: [f64; 2] = [0.0, 360.0];
-
-/// Tables of a list, a line of numbers for each.
-fn tables(text: &mut String, name: &str, keys: &[(&str, &str)], rows: &str) {
-    for row in rows.split(';').filter(|row| !row.is_empty()) {
-        let _ = writeln!(text, "[[supports.{name}]]");
-        for ((key, unit), number) in keys.iter().zip(row.split(' ')) {
-            let _ = writeln!(text, "{key} = \"{number} {unit}\"");
-        }
-    }
-}
 
 /// A scene of base and gauge, bodies of portal and upper works, wind (pressure, direction, areas), load and reach.
 fn scene(
@@ -206,50 +198,14 @@ fn a_leg_lifts_and_the_crane_tips() {
 #[test]
 fn derivatives() {
     let mut model = model(READY);
-    let variables = model.variables().to_vec();
-    let (mut compared, mut lifted) = (0, 0);
+    let (mut count, mut lifted) = (0, 0);
     for (psi, load) in [(40.0, 157e3), (133.0, 400e3), (305.0, 430e3)] {
         set(&mut model, "psi", f64::to_radians(psi));
         set(&mut model, "Q", load);
         lifted += usize::from(get(&mut model, "lifts") == 1.0);
-        for by in 0..variables.len() {
-            let quantity = variables[by].quantity();
-            if !matches!(variables[by].role, Role::Input | Role::Parameter)
-                || ["omega", "s", "n_w"].contains(&quantity.0.id)
-            {
-                continue;
-            }
-            let at = model.get(by).expect("known");
-            let near = 1e-6 * at.abs().max(1e-2);
-            let mut beside = [-1.0, 1.0].map(|sign| {
-                let mut other = model.clone();
-                other.set(by, at + sign * near).map(|()| other)
-            });
-            let mut tangent = model.tangent(&|other| f64::from(other == quantity));
-            for of in 0..variables.len() {
-                if variables[of].role != Role::Output || ["lifts", "leg"].contains(&variables[of].symbol.id) {
-                    continue;
-                }
-                let exact = model.derivative(&mut tangent, of).expect("a derivative");
-                let [Ok(low), Ok(high)] = &mut beside else { continue };
-                let [low, high] = [low, high].map(|other| other.get(of).expect("a result"));
-                if !low.is_finite() || !high.is_finite() {
-                    continue;
-                }
-                let rough = (high - low) / (2.0 * near);
-                let size = low.abs().max(high.abs());
-                let allowed = 1e-6 * rough.abs() + 1e-13 * size / near + 1e-9;
-                assert!(
-                    (exact - rough).abs() <= allowed,
-                    "{} by {} at {psi}: {exact} {rough}",
-                    variables[of],
-                    variables[by]
-                );
-                compared += 1;
-            }
-        }
+        count += compared(&mut model, &["omega", "s", "n_w"], &["lifts", "leg"]);
     }
-    assert!(compared > 2000 && lifted > 0, "{compared} {lifted}");
+    assert!(count > 2000 && lifted > 0, "{count} {lifted}");
 }
 
 /// Turned by a quarter, with base and gauge changed, each corner has the load of the one before; mirrored, of the one

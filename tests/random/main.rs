@@ -36,7 +36,7 @@ use lemnis_fmu::description::{Standard, model_description};
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::schema::{KIND, Key, Kind};
 use lemnis_models::kernel::text::LANGUAGES;
-use lemnis_models::kernel::variable::Role;
+use lemnis_models::kernel::variable::{Role, Variable};
 use lemnis_models::registry::{self, MECHANISMS};
 use lemnis_models::scene::Scene;
 use lemnis_tests::unpacked::Unpacked;
@@ -139,6 +139,16 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
             }
         }
     }
+    let model = scene.model().expect("its results are there");
+    let mut known = BTreeSet::new();
+    let twice = model
+        .variables()
+        .iter()
+        .map(Variable::name)
+        .filter(|name| !known.insert(name.clone()));
+    outcome
+        .wrong
+        .extend(twice.map(|name| format!("two variables are called {name}")));
     let _ = (Answer::of(&results).json(), results.broken_limits());
     // What depends on what takes as long as all the rest, and is the same in both.
     let standard = [Standard::Fmi2, Standard::Fmi3][number as usize % 2];

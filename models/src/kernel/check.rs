@@ -423,6 +423,14 @@ fn lines(scene: &str, text: &str, span: Range<usize>) -> Vec<(String, Range<usiz
     placed.collect()
 }
 
+/// Where a quantity comes from.
+fn note(scene: &str, value: &Spanned<DeValue<'_>>, path: &str, found: &mut Vec<Diagnostic>) -> Option<Text> {
+    match check_value(scene, value, &format!("{path}.{}", NOTE.name), &NOTE, found) {
+        Some(Value::Text(text)) => Some(text),
+        _ => None,
+    }
+}
+
 /// A quantity with a note where it comes from.
 fn noted(
     scene: &str,
@@ -446,10 +454,7 @@ fn noted(
                 }
             }
             ("source", DeValue::String(_) | DeValue::Table(_)) => {
-                match check_value(scene, value, &format!("{path}.source"), &NOTE, found) {
-                    Some(Value::Text(text)) => source = Some(text),
-                    _ => return None,
-                }
+                source = Some(note(scene, value, path, found)?);
             }
             _ => {
                 let message = match name.get_ref().as_ref() {
@@ -479,13 +484,10 @@ fn over_time(
     found: &mut Vec<Diagnostic>,
 ) -> Option<Value> {
     let course = courses::read(table, &span, path, key, found);
-    let note = table.iter().find(|(name, _)| name.get_ref() == NOTE.name);
-    let source = match note {
+    let said = table.iter().find(|(name, _)| name.get_ref() == NOTE.name);
+    let source = match said {
         None => None,
-        Some((_, note)) => match check_value(scene, note, &format!("{path}.{}", NOTE.name), &NOTE, found)? {
-            Value::Text(text) => Some(text),
-            _ => None,
-        },
+        Some((_, value)) => Some(note(scene, value, path, found)?),
     };
     let course = course?;
     Some(Value::Number(GivenNumber {
