@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from fmpy import read_model_description, simulate_fmu
+from fmpy import extract, instantiate_fmu, read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 
 from conftest import ROOT, lemnis, words
@@ -93,3 +93,57 @@ def test_the_book_has_the_chart(language, chart, tmp_path):
     assert float(chart[10.4, 3.0]["Q_rat [kN]"]) == pytest.approx(245.25) and f"[{text}#super" in here
     usual = known["text"]["usual_unconfirmed"]
     assert book.count(usual) == 5, "impact, pressure of the wind, area of the load, part left behind, warning"
+
+
+@pytest.mark.parametrize("standard", ENDS)
+def test_what_governs_changes_at_events(fmus, standard):
+    """The reach grows by 0.1 m/s: from one limit to the next between two steps of the importer, who is asked for an event."""
+    times = np.array([0.0, 100.0])
+    inputs = np.array([(t, 10e3, 4.0 + 0.1 * t, 17.7, math.radians(80.0)) for t in times],
+                      dtype=[(name, float) for name in ("time", "Q", "R", "l", "psi")])
+    at_reaches = {}
+    for kind in ("CoSimulation", "ModelExchange"):
+        result = simulate_fmu(fmus[standard], fmi_type=kind, stop_time=100.0, output_interval=0.5, input=inputs,
+                              record_events=False, output=["R", "governs"])
+        at_reaches[kind] = {round(float(row["R"]), 9): int(row["governs"]) for row in result}
+    assert len(set(at_reaches["ModelExchange"].values())) > 1
+    # In Co-Simulation the reach of a step is that of its start.
+    shared = at_reaches["CoSimulation"].keys() & at_reaches["ModelExchange"].keys()
+    assert len(shared) > 150
+    assert all(at_reaches["CoSimulation"][reach] == at_reaches["ModelExchange"][reach] for reach in shared)
+
+
+@pytest.mark.parametrize("standard", ENDS)
+def test_what_governs_is_held_between_events(fmus, standard, tmp_path):
+    description = read_model_description(fmus[standard])
+    reference = {variable.name: variable.valueReference for variable in description.modelVariables}
+    folder = extract(fmus[standard], tmp_path)
+    fmu = instantiate_fmu(folder, description, "ModelExchange")
+    if standard == "FMI 2":
+        fmu.setupExperiment()
+        fmu.enterInitializationMode()
+        get, put = fmu.getInteger, fmu.setReal
+    else:
+        fmu.enterInitializationMode()
+        get, put = fmu.getInt64, fmu.setFloat64
+    governs = lambda: get([reference["governs"]])[0]
+    reach = lambda value: put([reference["R"]], [value])
+    put([reference["l"], reference["Q"]], [17.7, 10e3])
+    reach(4.0)
+    fmu.exitInitializationMode()
+    seen = [governs()]
+    fmu.enterContinuousTimeMode()
+    for step in range(1, 120):
+        reach(4.0 + 0.1 * step)
+        held = governs()
+        assert held == seen[-1]
+        asked = fmu.completedIntegratorStep()[0]
+        if asked:
+            fmu.enterEventMode()
+            assert governs() != held
+            seen.append(governs())
+            fmu.enterContinuousTimeMode()
+            assert not fmu.completedIntegratorStep()[0]
+    assert len(seen) > 1
+    fmu.terminate()
+    fmu.freeInstance()

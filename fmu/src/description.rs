@@ -250,7 +250,7 @@ fn write(xml: &mut Xml, scene: &Scene, entries: &[Entry], standard: Standard) ->
         root.push(("numberOfEventIndicators", model.indicators().to_string()));
     }
     element(xml, "fmiModelDescription", &root, |xml| {
-        interfaces(xml, scene, model.has_derivatives(), standard)?;
+        interfaces(xml, scene, entries, model.has_derivatives(), standard)?;
         element(xml, "UnitDefinitions", &[], |xml| units(xml, entries))?;
         element(xml, "TypeDefinitions", &[], |xml| types(xml, entries, standard))?;
         element(xml, "LogCategories", &[], |xml| {
@@ -277,7 +277,16 @@ fn write(xml: &mut Xml, scene: &Scene, entries: &[Entry], standard: Standard) ->
     })
 }
 
-fn interfaces(xml: &mut Xml, scene: &Scene, derivatives: bool, standard: Standard) -> io::Result<()> {
+fn interfaces(
+    xml: &mut Xml,
+    scene: &Scene,
+    entries: &[Entry],
+    derivatives: bool,
+    standard: Standard,
+) -> io::Result<()> {
+    // A result of a few names has no indicator that tells its change: the end of a step does.
+    let named = |entry: &Entry| matches!(entry.kind, Kind::Enumeration(_)) && entry.role == Some(Role::Output);
+    let ends = entries.iter().any(named);
     let yes = || "true".to_owned();
     let (get_and_set, serialize, directional) = match standard {
         Standard::Fmi2 => (
@@ -300,8 +309,11 @@ fn interfaces(xml: &mut Xml, scene: &Scene, derivatives: bool, standard: Standar
     let mut model_exchange = Vec::new();
     let mut co_simulation = vec![("canHandleVariableCommunicationStepSize", yes())];
     match standard {
-        Standard::Fmi2 => model_exchange.push(("completedIntegratorStepNotNeeded", yes())),
+        Standard::Fmi2 => model_exchange.push(("completedIntegratorStepNotNeeded", (!ends).to_string())),
         Standard::Fmi3 => {
+            if ends {
+                model_exchange.push(("needsCompletedIntegratorStep", yes()));
+            }
             common.push(("providesAdjointDerivatives", derivatives.to_string()));
             co_simulation.push(("hasEventMode", yes()));
         }

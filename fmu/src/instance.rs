@@ -114,8 +114,8 @@ pub struct Instance {
     tangent: RefCell<Tangent>,
     interface: Interface,
     token: String,
-    /// Truth values by index, as they were at the last event: they may change at events only.
-    held: Vec<(usize, bool)>,
+    /// Truth values and enumerations by index, as they were at the last event: they may change at events only.
+    held: Vec<(usize, f64)>,
     vectors: Vec<Vector>,
     /// Which of [`CATEGORIES`] are reported.
     logged: [bool; CATEGORIES.len()],
@@ -147,7 +147,7 @@ struct Now {
 struct Saved {
     now: Now,
     model: State,
-    held: Vec<(usize, bool)>,
+    held: Vec<(usize, f64)>,
 }
 
 impl Instance {
@@ -185,9 +185,9 @@ impl Instance {
         }
         let model = scene.model()?;
         let variables = model.variables().iter().enumerate();
-        let held: Vec<(usize, bool)> = variables
-            .filter(|(_, v)| v.kind == Type::Boolean)
-            .map(|(i, _)| (i, false))
+        let held: Vec<(usize, f64)> = variables
+            .filter(|(_, v)| v.kind != Type::Real)
+            .map(|(i, _)| (i, 0.0))
             .collect();
         let vectors = layout::vectors(model.variables());
         let now = Now {
@@ -285,7 +285,7 @@ impl Instance {
         if state == CONTINUOUS {
             for (index, value) in &mut self.held {
                 // Where there is no value, the last one stays.
-                *value = self.model.get(*index).map_or(*value, |now| now != 0.0);
+                *value = self.model.get(*index).unwrap_or(*value);
             }
         }
         self.now.state = state;
@@ -502,14 +502,25 @@ impl Instance {
         expect_length(values.len(), references.len())?;
         for (&reference, value) in references.iter().zip(values) {
             let index = self.boolean(reference)?;
-            let held = self.held.iter().find(|(held, _)| *held == index);
-            *value = match held {
-                Some((_, held)) if self.now.state == CONTINUOUS => *held,
-                _ => self.value(index)? != 0.0,
-            }
-            .into();
+            *value = (self.at_event(index)? != 0.0).into();
         }
         Ok(())
+    }
+
+    /// What may change at events only: between them as it was at the last one.
+    fn at_event(&mut self, index: usize) -> Result<f64, Fault> {
+        let held = self.held.iter().find(|(held, _)| *held == index);
+        match held {
+            Some((_, held)) if self.now.state == CONTINUOUS => Ok(*held),
+            _ => self.value(index),
+        }
+    }
+
+    /// Whether what may change at events only is to change: at the end of a step the importer is asked for an event.
+    pub fn wants_event(&mut self) -> bool {
+        let Instance { held, model, .. } = self;
+        held.iter()
+            .any(|(index, value)| model.get(*index).is_ok_and(|now| now != *value))
     }
 
     /// Reads strings; they live as long as the instance.
@@ -559,7 +570,7 @@ impl Instance {
         expect_length(values.len(), references.len())?;
         for (&reference, value) in references.iter().zip(values) {
             let index = self.enumeration(reference)?;
-            *value = (self.value(index)? as i32).into();
+            *value = (self.at_event(index)? as i32).into();
         }
         Ok(())
     }
@@ -882,7 +893,7 @@ impl Instance {
             stop,
         } = saved.now;
         let mut numbers = vec![f64::from(state), time, tried, stop];
-        numbers.extend(saved.held.iter().map(|&(_, value)| f64::from(value)));
+        numbers.extend(saved.held.iter().map(|&(_, value)| value));
         numbers.extend(self.model.numbers(&saved.model));
         numbers
     }
@@ -911,7 +922,7 @@ impl Instance {
                 .held
                 .iter()
                 .zip(held)
-                .map(|(&(index, _), &value)| (index, value != 0.0))
+                .map(|(&(index, _), &value)| (index, value))
                 .collect(),
         })
     }

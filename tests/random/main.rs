@@ -223,7 +223,10 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
     if own.taken > 0.0 {
         // Under the gravity that the scene has in the end; where a PLC samples, each cycle begins a motion of its own.
         // What begins costs something, however soon it is over.
-        let cycle = before.variables().iter().position(|variable| variable.symbol.id == "T_c");
+        let cycle = before
+            .variables()
+            .iter()
+            .position(|variable| variable.symbol.id == "T_c");
         let natural = match cycle.map(|at| model.get(at)) {
             Some(Ok(cycle)) => cycle,
             _ => (case.scale[0] / scene.gravity).sqrt(),

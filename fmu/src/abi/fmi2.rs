@@ -235,7 +235,7 @@ exports! { FMI2, i;
     fn fmi2EnterContinuousTimeMode() in EVENT => i.enter(CONTINUOUS);
     fn fmi2CompletedIntegratorStep(_: fmi2Boolean, enter_event: *mut fmi2Boolean, terminate: *mut fmi2Boolean)
         in CONTINUOUS => {
-        *place(enter_event)? = 0;
+        *place(enter_event)? = i.wants_event().into();
         *place(terminate)? = 0;
         Ok(())
     };

@@ -256,7 +256,7 @@ exports! { FMI3, i;
     fn fmi3EnterContinuousTimeMode() in EVENT => i.enter(CONTINUOUS);
     fn fmi3CompletedIntegratorStep(_: fmi3Boolean, enter_event: *mut fmi3Boolean, terminate: *mut fmi3Boolean)
         in CONTINUOUS => {
-        *place(enter_event)? = 0;
+        *place(enter_event)? = i.wants_event().into();
         *place(terminate)? = 0;
         Ok(())
     };
