@@ -192,3 +192,17 @@ def test_auto_of_a_steering_with_half_its_tables(tmp_path):
     path = tmp_path / "half.toml"
     path.write_text(f'accuracy = {{ "theta[1]" = "1 deg" }}\n{text}', encoding="utf-8")
     assert 'fidelity = "auto" without [steering.plc]' in lemnis("check", path, expect=1)
+
+
+def test_steps_by_the_clock(tmp_path):
+    """The default crane in steps of a millisecond, a million of each level: what the last line says follows from the table."""
+    text = lemnis("trade", "--realtime")
+    rows = [line.split() for line in text.splitlines()[3:-1]]
+    assert [row[0] for row in rows] == ["table", "static"] and "1000000 communication steps of 1 ms" in text
+    for _, median, nearly_all, worst, rates, most in rows:
+        assert 0.0 < float(median) <= float(nearly_all) <= float(worst) and rates == most == "0"
+    keeps = [row[0] for row in rows if float(row[3]) < 1000]
+    assert text.splitlines()[-1].strip() == (
+        f"the largest model that keeps to a step of 1 ms on this machine: {keeps[-1]}" if keeps
+        else "no model keeps to a step of 1 ms on this machine: take a longer --step")
+    assert "cannot be used with" in lemnis("trade", "--realtime", "--rounds", 2, expect=2)

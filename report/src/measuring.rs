@@ -1,20 +1,46 @@
 //! What every setting of a scene costs, measured, and the verdict.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use lemnis_models::kernel::number::rough;
+use lemnis_models::kernel::number::{rough, short};
+use lemnis_models::kernel::variable::Fault;
 use lemnis_models::scene::Scene;
+use lemnis_trade::realtime::{Paces, STEPS};
 use lemnis_trade::trade::{self, Trade};
 
 use crate::progress::TICK;
 
 /// All settings of a scene, with a bar that moves from the start: a reference takes longer than all that follows.
 pub fn measured(scene: &Scene, step: f64, rounds: usize) -> Result<Trade, trade::Failure> {
+    watched(Trade::steps(scene, step), &|done| Trade::new(scene, step, rounds, done))
+}
+
+/// All levels of a scene by the clock, one communication step after the other, with such a bar.
+///
+/// # Errors
+/// As [`Paces::new`].
+pub fn paced(scene: &Scene, step: f64) -> Result<Paces, Fault> {
+    watched(scene.levels().len(), &|done| Paces::new(scene, step, STEPS, done))
+}
+
+fn watched<T>(steps: usize, work: &dyn Fn(&dyn Fn()) -> T) -> T {
     let style = ProgressStyle::with_template("{spinner} measuring {wide_bar} {percent} %, {elapsed}");
-    let bar = ProgressBar::new(Trade::steps(scene, step) as u64).with_style(style.expect("a template"));
+    let bar = ProgressBar::new(steps as u64).with_style(style.expect("a template"));
     bar.enable_steady_tick(TICK);
-    let traded = Trade::new(scene, step, rounds, &|| bar.inc(1));
+    let done = work(&|| bar.inc(1));
     bar.finish_and_clear();
-    traded
+    done
+}
+
+/// Which level keeps to the time.
+pub fn keeping(paces: &Paces) -> String {
+    let step = format!("{} ms", short(paces.sample * 1e3));
+    match paces.largest() {
+        Some(pace) => format!(
+            "the largest model that keeps to a step of {step} on this machine: {}",
+            pace.level
+        ),
+        None => format!("no model keeps to a step of {step} on this machine: take a longer --step"),
+    }
 }
 
 /// What was chosen and why, or what is missed.

@@ -140,15 +140,7 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
         }
     }
     let model = scene.model().expect("its results are there");
-    let mut known = BTreeSet::new();
-    let twice = model
-        .variables()
-        .iter()
-        .map(Variable::name)
-        .filter(|name| !known.insert(name.clone()));
-    outcome
-        .wrong
-        .extend(twice.map(|name| format!("two variables are called {name}")));
+    outcome.wrong.extend(twice(&model));
     let _ = (Answer::of(&results).json(), results.broken_limits());
     // What depends on what takes as long as all the rest, and is the same in both.
     let standard = [Standard::Fmi2, Standard::Fmi3][number as usize % 2];
@@ -175,6 +167,16 @@ fn all(case: &Case, number: u64, outcome: &mut Outcome) {
         read(&message, "message", &mut outcome.wrong);
         outcome.refused.push(("trade", message));
     }
+}
+
+/// Variables that have the name of another one.
+fn twice(model: &Model) -> Vec<String> {
+    let mut known = BTreeSet::new();
+    let names = model.variables().iter().map(Variable::name);
+    names
+        .filter(|name| !known.insert(name.clone()))
+        .map(|name| format!("two variables are called {name}"))
+        .collect()
 }
 
 fn level(scene: &Scene) -> String {

@@ -197,14 +197,21 @@ impl Experiment {
         let indices: Vec<usize> = names.iter().filter_map(|name| index(model, name)).collect();
         let mut sum = 0.0;
         for (i, command) in commands.iter().enumerate() {
-            tell(model, *command)?;
-            let now = i as f64 * self.sample;
-            model.advance(now, now + self.sample)?;
+            self.step(model, *command, i as f64 * self.sample)?;
             for index in &indices {
                 sum += model.get(*index)?;
             }
         }
         Ok(sum)
+    }
+
+    /// One communication step from a time (s) under what the drive is told.
+    ///
+    /// # Errors
+    /// As [`run`](Experiment::run).
+    pub fn step(&self, model: &mut Model, command: [(usize, f64); 2], from: f64) -> Result<(), Fault> {
+        tell(model, command)?;
+        model.advance(from, from + self.sample)
     }
 }
 
@@ -286,7 +293,7 @@ fn rise(way: f64, speed: f64, time: f64) -> Wanted {
             ..Wanted::default()
         };
     }
-    if time < whole / 2.0 {
+    if time <= whole / 2.0 {
         let [gone, rate, acceleration] = on(time / ramp);
         let steady = (time - ramp).max(0.0);
         return Wanted {

@@ -7,6 +7,7 @@
 //! | [`setting`] | a level with its solver and step, and the price of counted work |
 //! | [`library`] | a second solver, of a library, over the model's rates and events |
 //! | [`trade`] | references that two codes agree on, errors, the front, the choice |
+//! | [`realtime`] | communication steps by the clock, one by one |
 //!
 //! *Modelling* error is a level's own solution against that of the deepest level;
 //! *numerical* error is a setting against the solution of its level. All but the
@@ -16,5 +17,6 @@
 
 pub mod experiment;
 pub mod library;
+pub mod realtime;
 pub mod setting;
 pub mod trade;

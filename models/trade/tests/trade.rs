@@ -1,6 +1,7 @@
 //! Speed against accuracy of the default crane at each level.
 
 use lemnis_models::scene::Scene;
+use lemnis_trade::realtime::Paces;
 use lemnis_trade::setting::{Method, Setting, index};
 use lemnis_trade::trade::{Failure, SAMPLE, Trade};
 
@@ -202,4 +203,27 @@ fn a_steering_with_its_plc() {
     // The cylinders lag behind the command; finer tolerances are dearer and nearer.
     assert!(off(&found.rows[0]).modelling.max > 1e-4 && found.rows[0].setting.level == "kinematic");
     assert!(off(first).numerical.max > 10.0 * off(last).numerical.max && first.cost < last.cost);
+}
+
+/// Steps of a millisecond: what one takes is bounded, whatever happens in it, and every turn of the motion is the same.
+#[test]
+fn communication_steps_are_bounded() {
+    let scene = scene("swing", "");
+    let steps = 150_000;
+    let paces = Paces::new(&scene, 1e-3, steps, &|| {}).unwrap_or_else(|fault| panic!("{}", fault.message));
+    let found: Vec<&str> = paces.levels.iter().map(|pace| pace.level).collect();
+    assert_eq!(found, ["table", "static", "rigid", "swing"]);
+    for pace in &paces.levels {
+        println!("{pace:?}");
+        assert!(0.0 < pace.median && pace.median <= pace.nearly_all && pace.nearly_all <= pace.worst);
+        assert!(pace.rates <= pace.most_rates);
+    }
+    // A step of RK4 has four, and as many more each time that an event is located: fewer than 64 halvings of one step.
+    for pace in &paces.levels[2..] {
+        assert!((4..=4 * 64).contains(&pace.most_rates), "{pace:?}");
+    }
+    assert!(paces.levels[..2].iter().all(|pace| pace.most_rates == 0));
+    // What no machine keeps to.
+    let hurried = Paces { sample: 0.0, ..paces };
+    assert!(hurried.largest().is_none());
 }

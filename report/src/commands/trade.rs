@@ -11,12 +11,13 @@ use lemnis::print::diagram;
 use lemnis::template::Templates;
 use lemnis_models::kernel::number::{rough, short};
 use lemnis_models::scene::Scene;
+use lemnis_trade::realtime::{Paces, STEP};
 use lemnis_trade::trade::{self, AGREEMENT, SAMPLE, Size, Trade as Traded};
 use lemnis_typeset::{Embedded, Format, Typesetter};
 use serde_json::{Map, Value, json};
 
 use crate::failure::Failure;
-use crate::measuring::{digits, measured, verdict};
+use crate::measuring::{digits, keeping, measured, paced, verdict};
 use crate::output::{Output, say, write};
 use crate::scene_file;
 
@@ -27,12 +28,15 @@ pub struct Trade {
     /// Folder for the results: NAME_trade.json, NAME_trade.csv and the diagram as NAME_trade.svg and .pdf
     #[arg(short, long, default_value = "out")]
     output: PathBuf,
-    /// Communication step, in s
-    #[arg(long, value_name = "SECONDS", default_value_t = SAMPLE, value_parser = positive)]
-    step: f64,
+    /// Communication step, in s [default: 0.1; with --realtime 0.001]
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    step: Option<f64>,
     /// Rounds by the clock, of which the median counts
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..=1000))]
     rounds: u16,
+    /// Print how long communication steps take, the worst beside the median over a million of each level; writes no files
+    #[arg(long, conflicts_with_all = ["output", "rounds"])]
+    realtime: bool,
 }
 
 fn positive(text: &str) -> Result<f64, String> {
@@ -46,7 +50,12 @@ fn positive(text: &str) -> Result<f64, String> {
 impl Trade {
     pub fn run(&self) -> Result<(), Failure> {
         let scene = scene_file::read(self.scene.as_deref())?;
-        let traded = measured(&scene, self.step, self.rounds.into())
+        if self.realtime {
+            let paces = paced(&scene, self.step.unwrap_or(STEP))
+                .map_err(|fault| Failure::Scene(format!("error: {}", fault.message)))?;
+            return say(format_args!("{}\n{}", scene.title(), steps(&paces).trim_end()));
+        }
+        let traded = measured(&scene, self.step.unwrap_or(SAMPLE), self.rounds.into())
             .map_err(|failure| Failure::Scene(format!("error: {failure}")))?;
         say(format_args!("{}\n{}", scene.title(), table(&scene, &traded).trim_end()))?;
         let name = |suffix: &str| format!("{}_trade.{suffix}", scene.name());
@@ -87,7 +96,7 @@ fn table(scene: &Scene, traded: &Traded) -> String {
             );
         }
     }
-    align(&cells(traded), &mut text);
+    align(&cells(traded), 4, &mut text);
     text.push_str(
         "  errors are the greatest; numerical and modelling are parts of the range, the worst of all results\n",
     );
@@ -113,6 +122,33 @@ fn table(scene: &Scene, traded: &Traded) -> String {
         );
     }
     let _ = writeln!(text, "  {}", verdict(scene, traded));
+    text
+}
+
+/// How long communication steps take, a line for each level.
+fn steps(paces: &Paces) -> String {
+    let mut text = format!(
+        "  {} communication steps of {} ms of each level\n",
+        paces.steps,
+        short(paces.sample * 1e3)
+    );
+    let heads = [
+        "level",
+        "median us",
+        "99.9 % us",
+        "worst us",
+        "rates in it",
+        "most rates",
+    ];
+    let mut rows = vec![heads.map(str::to_owned).to_vec()];
+    for pace in &paces.levels {
+        let mut cells = vec![pace.level.to_owned()];
+        cells.extend([pace.median, pace.nearly_all, pace.worst].map(|seconds| digits(seconds * 1e6)));
+        cells.extend([pace.rates, pace.most_rates].map(|count| count.to_string()));
+        rows.push(cells);
+    }
+    align(&rows, 1, &mut text);
+    let _ = writeln!(text, "  {}", keeping(paces));
     text
 }
 
@@ -167,15 +203,19 @@ fn cells(traded: &trade::Trade) -> Vec<Vec<String>> {
     rows
 }
 
-/// Writes rows with columns of one width: words to the left, numbers to the right.
-fn align(rows: &[Vec<String>], text: &mut String) {
+/// Writes rows with columns of one width: words, the first ones, to the left, numbers to the right.
+fn align(rows: &[Vec<String>], words: usize, text: &mut String) {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
     for row in rows {
-        let cells = row.iter().zip(&widths).enumerate().map(|(i, (cell, &width))| match i {
-            0..4 => format!("{cell:<width$}"),
-            _ => format!("{cell:>width$}"),
-        });
+        let cells = row
+            .iter()
+            .zip(&widths)
+            .enumerate()
+            .map(|(i, (cell, &width))| match i < words {
+                true => format!("{cell:<width$}"),
+                false => format!("{cell:>width$}"),
+            });
         let _ = writeln!(text, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end());
     }
 }

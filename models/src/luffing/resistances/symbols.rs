@@ -34,7 +34,7 @@ symbols! {
     N_N: "n_N" "n_N" PER_S / PER_MIN [positive], "Rated speed of the motor.", "[Ports001, 5.6]";
     LAMBDA_M: "lambda_M" "lambda_M" ONE / ONE [positive], "Greatest power that the motor may give for a short time, over its rated power.", "[Ports001, 5.6]";
     K_A: "k_a" "k_a" ONE / ONE [positive], "Mean torque of the motor while it starts, over its rated torque.", "[Ports001, 5.6]";
-    J_M: "J_M" "J_M" KG_M2 / KG_M2 [not_negative], "Inertia of the motor's shaft with coupling and brake drums.", "[Ports001, 5.6]";
+    J_M: "J_M" "J_M" KG_M2 / KG_M2 [positive], "Inertia of the motor's shaft with coupling and brake drums.", "[Ports001, 5.6]";
     L_M: "l_M" "l_M" M / MM [positive], "Travel of the drive for one turn of the motor: that of a pinion, 2 π r, or a screw's lead, over the ratio of the gear.", "input";
     ETA_M: "eta_M" "eta_M" ONE / ONE [within(Range::new(0.0, 1.0))], "Efficiency of all between motor and drive.", "[Ports001, 5.6]";
     T_B: "T_b" "T_(b 1)" N_M / N_M [positive], "Torque of the brake on the motor's shaft.", "[Ports001, 5.7]";

@@ -19,7 +19,7 @@ pub const BRAKE: Key = Key::part("brake", BRAKE_KEYS, "The brake on the motor's 
 pub const SECOND: Key = Key::part("second_brake", SECOND_KEYS, "Another brake there, which acts after it.");
 
 const MOTOR_KEYS: &[Key] = keys! { s:
-    P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_M >= 0, L_M > 0, ETA_M > 0;
+    P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_M > 0, L_M > 0, ETA_M > 0;
     Key::new("heating", Kind::Name, "The case for whose motion in and out the heating of the motor is asked.")
 };
 
