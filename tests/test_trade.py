@@ -206,3 +206,13 @@ def test_steps_by_the_clock(tmp_path):
         f"the largest model that keeps to a step of 1 ms on this machine: {keeps[-1]}" if keeps
         else "no model keeps to a step of 1 ms on this machine: take a longer --step")
     assert "cannot be used with" in lemnis("trade", "--realtime", "--rounds", 2, expect=2)
+
+
+def test_what_slews_alone_has_steps_by_the_clock():
+    """Its own moment turns it; its step is a key, which `trade` cannot vary, and says so."""
+    scene = ROOT / "models/scenes/slewing_swing.toml"
+    rows = [line.split() for line in lemnis("trade", scene, "--realtime").splitlines()[3:-1]]
+    assert [row[0] for row in rows] == ["static", "rigid", "swing"]
+    # Four evaluations of RK4 in a quiet step.
+    assert all(int(row[5]) % 4 == 0 and int(row[5]) >= 4 for row in rows[1:])
+    assert "--realtime" in lemnis("trade", scene, expect=1)

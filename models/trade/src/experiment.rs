@@ -52,6 +52,8 @@ pub struct Experiment {
 
 /// Inputs that drive a level, by their ids.
 const COMMANDS: [&str; 2] = ["M_A", "u_v"];
+/// That of what slews alone, which follows no plan: the scene's own moment turns it.
+const SLEWING: &str = "M_sl";
 
 /// What was seen at the communication points.
 #[derive(Clone, Debug, Default)]
@@ -78,6 +80,10 @@ impl Experiment {
                 let told = model.variables()[index].role == Role::Output;
                 own = own.or((told || model.get(index)? != 0.0).then_some(id));
             }
+        }
+        let driven = COMMANDS.iter().any(|id| index(&model, id).is_some());
+        if !driven && index(&model, SLEWING).is_some() {
+            own = Some(SLEWING);
         }
         let cycle = Cycle::new(scene.mechanism.motion());
         let duration = if own.is_some() {

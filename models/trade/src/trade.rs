@@ -11,7 +11,7 @@ use lemnis_models::scene::Scene;
 
 use crate::experiment::{Experiment, Seen};
 use crate::library::Library;
-use crate::setting::{Setting, index};
+use crate::setting::{Method, Setting, index};
 
 /// Part of a result's range to which the two codes must agree.
 pub const AGREEMENT: f64 = 1e-6;
@@ -166,6 +166,14 @@ impl Trade {
         let levels = scene.levels();
         let deepest = levels.last().copied().unwrap_or("static");
         let mut experiment = Experiment::new(&scene.at(deepest), sample)?;
+        if let (Method::Explicit(_), model) = (Setting::fine(scene, deepest).method, scene.at(deepest).model()?)
+            && index(&model, "step").is_none()
+        {
+            return Err(Failure::Refused(Fault::new(format!(
+                "the solver's step at level {deepest} is a key of the scene and no variable: what other steps cost is not \
+                 compared; `lemnis trade --realtime` tells how long its own take"
+            ))));
+        }
         let mut asked = asked(scene, deepest)?;
         let mut names: Vec<String> = asked.iter().map(|asked| asked.name.clone()).collect();
         // What moves is followed by the levels where it is an input.
