@@ -7,7 +7,7 @@ use lemnis_models::luffing::ellipsograph::symbols as s;
 use toml::Table;
 
 use crate::cases::cases;
-use crate::luffing::{drive_about_origin, dynamics, tail_balance, working_range};
+use crate::luffing::{LEAST_LENGTH, drive_about_origin, dynamics, tail_balance, working_range};
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
@@ -30,7 +30,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     // Level, or on an ellipse that is nearly a line, a circle or anything else.
     let part = n.draw.decades(-2, 1);
     let a = c * n.draw.pick(&[1.0, 1.0 + 1e-6, part]);
-    n.set("a", a.min(LONGEST));
+    n.set("a", a.clamp(LEAST_LENGTH, LONGEST));
     n.put("fidelity", level);
     n.keep("dynamics", moves);
     let hoists = n.draw.coin(0.5);

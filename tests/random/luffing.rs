@@ -287,7 +287,7 @@ fn shaft(drive: &mut Node, thick: f64, screw: bool) {
         return;
     }
     let diameter = drive.set("d_2", thick);
-    let lead = (diameter * drive.draw.between(0.05, 1.5)).max(LEAST_LEAD);
+    let lead = (diameter * drive.draw.between(0.05, 1.5)).max(LEAST_LENGTH);
     drive.set("p_h", lead);
     let friction = drive.draw.between(0.0, 0.5);
     drive.set("mu_d", friction);
@@ -295,8 +295,8 @@ fn shaft(drive: &mut Node, thick: f64, screw: bool) {
     drive.set("beta_d", flank);
 }
 
-/// Least lead of a screw that a scene may give, in m.
-const LEAST_LEAD: f64 = 1e-4;
+/// Least length that a scene may give, in m.
+pub const LEAST_LENGTH: f64 = 1e-4;
 
 /// A frame and bars of any size.
 fn pose(n: &mut Node) -> Linkage {
