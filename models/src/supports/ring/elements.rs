@@ -1,7 +1,7 @@
 //! Forces on the rolling elements in each load case, and under a moment alone.
 
 use crate::component::stages::results;
-use crate::kernel::calc::Calc;
+use crate::kernel::calc::{Among, Calc};
 use crate::kernel::group::{One, quantities};
 use crate::kernel::number::short;
 use crate::kernel::variable::Fault;
@@ -116,20 +116,40 @@ pub fn spreads<C: Calc>(
     Ok(())
 }
 
-/// Whether the far side would be lifted in a case, by the least of the approaches there.
+/// Of all cases the greatest horizontal force and force on a rolling element (N) and moment (N·m), and the least approach on
+/// the far side.
 #[derive(Clone, Copy, Debug)]
-pub struct Uplift<C>(C);
-results! { Uplift as u => {
-    LIFTS: C::constant(f64::from(u8::from(u.0.value() < 0.0))).over(u.0);
-    Z_LIFT: u.0;
+pub struct AllCases<C> {
+    moment: C,
+    horizontal: C,
+    greatest: C,
+    far: C,
+}
+results! { AllCases as a => {
+    M_ALL: a.moment;
+    H_ALL: a.horizontal;
+    P_ALL: a.greatest;
+    LIFTS: C::constant(f64::from(u8::from(a.far.value() < 0.0))).over(a.far);
+    Z_LIFT: a.far;
 } }
 
-impl<C: Calc> Uplift<C> {
-    /// min q_f.
-    pub fn new(spreads: &[Spread<C>]) -> Uplift<C> {
+impl<C: Calc> AllCases<C> {
+    /// max M, max H, max P_max, min q_f.
+    pub fn new(loads: &[RingLoad<C>], spreads: &[Spread<C>]) -> AllCases<C> {
         let far = spreads.iter().map(|spread| spread.far);
-        Uplift(far.reduce(C::smaller).expect("one case at least"))
+        AllCases {
+            moment: most(loads.iter().map(|load| load.moment)).def(&s::M_ALL),
+            horizontal: most(loads.iter().map(|load| load.horizontal)).def(&s::H_ALL),
+            greatest: most(spreads.iter().map(|spread| spread.greatest)).def(&s::P_ALL),
+            far: far.reduce(C::smaller).expect("one case at least"),
+        }
     }
+}
+
+/// The greatest of all cases, of which there is one at least.
+fn most<C: Calc>(mut of: impl Iterator<Item = C>) -> C {
+    let first = of.next().expect("one case at least");
+    of.fold(first, C::greater).among(Among::Greatest, first)
 }
 
 /// Coefficients of a moment alone, on two rows.

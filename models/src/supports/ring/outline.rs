@@ -19,11 +19,12 @@ pub const OUTLINE: Outline = Outline {
     sections: &[
         ("ring_loads", &[Stage("loads")]),
         ("ring_elements", &[Stage("spreads")]),
+        ("ring_all", &[Stage("all")]),
         ("ring_contact", &[Stage("stresses")]),
         ("ring_static", &[Stage("statics")]),
         ("ring_friction", &[Stage("turning"), Stage("makers")]),
     ],
-    table: listed!(s: V, H, M, P_MAX),
+    table: listed!(s: M_ALL, H_ALL, P_ALL),
     curves: &[
         ("ring_moment", None, &s::M),
         ("ring_horizontal", None, &s::H),

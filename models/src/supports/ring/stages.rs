@@ -8,7 +8,7 @@ use crate::parts::load_curve::LoadCurve;
 use crate::supports::plan::LeftOpen;
 use crate::supports::ring::capacity::{Equivalent, StaticLoad, static_loads};
 use crate::supports::ring::contact::{ContactStress, Hardness, RollingContact};
-use crate::supports::ring::elements::{MomentAlone, Raceway, Spread, Uplift, spreads};
+use crate::supports::ring::elements::{AllCases, MomentAlone, Raceway, Spread, spreads};
 use crate::supports::ring::friction::{ElementFriction, MakerForm, MakerFriction, by_elements, by_maker};
 use crate::supports::ring::law::Rolling;
 use crate::supports::ring::load::{RingCase, RingLoad};
@@ -41,7 +41,7 @@ stages! {
         upper: UpperWorks<C> = UpperWorks::new(bodies, slope, areas);
         loads[each cases]: Vec<RingLoad<C>> = RingLoad::new(psi, reach, load, slope, upper, cases[each]);
         spreads[cases]: Vec<Spread<C>> = spreads(psi, raceway, rolling, loads);
-        uplift: Uplift<C> = Uplift::new(spreads);
+        all: AllCases<C> = AllCases::new(loads, spreads);
         hardness: Hardness<C> = Hardness::new(contact[!]);
         stresses[each cases]: Vec<ContactStress<C>> =
             ContactStress::new(contact[!], length, hardness, spreads[each]);

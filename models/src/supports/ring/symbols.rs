@@ -76,6 +76,9 @@ symbols! {
     P_MIN: "P_min" "P_(min i)" N / KN, "Force on the rolling element on the far side, square to the ring; negative where the hold-down row bears it, zero where nothing does.", "[Ports001, 6.3.1.1]";
     S_N: "S_N" "N_(Sigma i)" N / KN, "Sum of the forces on all rolling elements, by amount, in their direction of contact.", "[Ports001, 6.3.1.3]";
     N_MAX: "N_max" "N_(max i)" N / KN, "Greatest force on a rolling element in its direction of contact.", "[Ports001, 6.3.1.1]";
+    M_ALL: "M_all" "M_\"all\"" N_M / KN_M, "Greatest overturning moment of all load cases.", "derived";
+    H_ALL: "H_all" "H_\"all\"" N / KN, "Greatest horizontal force of all load cases.", "derived";
+    P_ALL: "P_all" "P_\"all\"" N / KN, "Greatest force on a rolling element of all load cases, square to the ring.", "derived";
     LIFTS: "lifts" "\"lifts\"" ONE / ONE [boolean], "Whether the far side would be lifted in one of the cases: a hold-down row bears there, or nothing.", "derived";
     Z_LIFT: "z.lift" "z_1" ONE / ONE, "Falls below zero where the far side of the ring would be lifted in one of the cases.", "event";
 
@@ -100,9 +103,9 @@ symbols! {
     M_FM: "M_fm" "M_(\"fm\" i)" N_M / KN_M, "Friction moment by the maker's form, with its coefficient.", "[Rothe Erde]";
 
     // The whole range.
-    V_TOP: "V_max" "V_max" N / KN, "Greatest vertical force in the working range.", "derived";
-    H_TOP: "H_max" "H_max" N / KN, "Greatest horizontal force in the working range.", "derived";
-    M_TOP: "M_max" "M_max" N_M / KN_M, "Greatest overturning moment in the working range.", "derived";
+    V_TOP: "V_top" "V_max" N / KN, "Greatest vertical force in the working range.", "derived";
+    H_TOP: "H_top" "H_max" N / KN, "Greatest horizontal force in the working range.", "derived";
+    M_TOP: "M_top" "M_max" N_M / KN_M, "Greatest overturning moment in the working range.", "derived";
     P_TOP: "P_top" "P_max" N / KN, "Greatest force on a rolling element in the working range, square to the ring.", "derived";
     P_LOW: "P_low" "P_min" N / KN, "Least force on a rolling element in the working range; negative where the hold-down row bears it.", "derived";
     Q_LOW: "q_low" "q_min" ONE / ONE, "Least approach on the far side in the working range, over the greatest; negative where ring and rolling element would part.", "derived";
