@@ -11,7 +11,7 @@ use std::fmt::Write;
 
 use lemnis_models::scene::Scene;
 use lemnis_models::supports::ring::elements::MomentAlone;
-use lemnis_models::supports::ring::law::{LAWS, Rolling};
+use lemnis_models::supports::ring::law::{LAWS, RollingElements};
 
 use named::{get, index, model, near, set};
 use supports::{compared, tables};
@@ -193,11 +193,11 @@ fn the_sums_of_a_maker() {
 #[test]
 fn a_moment_alone() {
     for (law, [force, sum]) in [[4.0, 2.546], [4.085, 2.516], [4.370, 2.432]].into_iter().enumerate() {
-        let rolling = Rolling::new(720, law, true);
+        let rolling = RollingElements::new(720, law, true);
         let alone = MomentAlone::<f64>::new(&rolling);
         near(alone.force, force, 5e-4);
         near(alone.sum, sum, 5e-4);
-        let many = MomentAlone::<f64>::new(&Rolling::new(1000, law, true));
+        let many = MomentAlone::<f64>::new(&RollingElements::new(1000, law, true));
         near(many.force, alone.force, 1e-6);
         let [lambda, ..] = rolling.solved(1.0);
         near(lambda, 1.0, 1e-14);
@@ -222,7 +222,7 @@ fn a_moment_alone() {
         }
     }
     // Springs, exactly: 4, and 8/π in the limit.
-    let linear = MomentAlone::<f64>::new(&Rolling::new(1000, 0, true));
+    let linear = MomentAlone::<f64>::new(&RollingElements::new(1000, 0, true));
     near(linear.force, 4.0, 1e-14);
     near(linear.sum, 8.0 / PI, 2e-5);
 }

@@ -14,7 +14,7 @@ const POINT: [&Symbol; 2] = [&s::F_CURVE, &s::M_CURVE];
 
 quantities! {
     /// How forces and moment make equivalent ones, and by what these are raised.
-    Equivalent { k_a: K_A, k_r: K_R, k_m: K_M, f_st: F_STAT }
+    Equivalent { k_a: K_A, k_r: K_R, k_m: K_M, f_st: F_ST }
 }
 
 /// Equivalent and reference loads of a case (N, N·m), static safety, and use of the load curve.

@@ -3,12 +3,12 @@
 use crate::component::sheet::Check;
 use crate::component::standing::Standing;
 use crate::component::telling::{fine, numbered};
-use crate::supports::ring::law::Rolling;
+use crate::supports::ring::law::RollingElements;
 use crate::supports::ring::symbols as s;
 
 /// The forces on all rolling elements against V and M; where they yield linearly and all bear, the greatest against
 /// V/z + 4M/(z D).
-pub fn agreements(model: &mut Standing, rolling: &Rolling, diameter: f64) -> Vec<Check> {
+pub fn agreements(model: &mut Standing, rolling: &RollingElements, diameter: f64) -> Vec<Check> {
     let count = rolling.cosines.len() as f64;
     let (mut balance, mut closed) = ([0.0_f64; 2], None);
     for at in fine(model.motion()).collect::<Vec<_>>() {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::component::stages::results;
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, quantities};
-use crate::supports::ring::elements::Spread;
+use crate::supports::ring::elements::RollingForces;
 use crate::supports::ring::symbols as s;
 
 quantities! {
@@ -46,7 +46,7 @@ impl<C: Calc> ContactStress<C> {
         contact: &RollingContact<C>,
         length: &Option<One<C>>,
         hardness: &Hardness<C>,
-        spread: &Spread<C>,
+        spread: &RollingForces<C>,
     ) -> ContactStress<C> {
         let pi = C::constant(PI);
         let stress = match length {

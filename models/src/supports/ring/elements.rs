@@ -5,7 +5,7 @@ use crate::kernel::calc::{Among, Calc};
 use crate::kernel::group::{One, quantities};
 use crate::kernel::number::short;
 use crate::kernel::variable::Fault;
-use crate::supports::ring::law::Rolling;
+use crate::supports::ring::law::RollingElements;
 use crate::supports::ring::load::RingLoad;
 use crate::supports::ring::symbols as s;
 
@@ -16,7 +16,7 @@ quantities! {
 
 /// Forces on the rolling elements, in N; falls and means without dimension.
 #[derive(Clone, Copy, Debug)]
-pub struct Spread<C> {
+pub struct RollingForces<C> {
     whole: C,
     kappa: C,
     lambda: C,
@@ -27,7 +27,7 @@ pub struct Spread<C> {
     pub sum: C,
     pub normal: C,
 }
-results! { each Spread as p => {
+results! { each RollingForces as p => {
     P_MAX: p.greatest;
     P_MIN: p.least;
     N_MAX: p.normal;
@@ -40,11 +40,11 @@ results! { each Spread as p => {
     Q_FAR: p.far;
 } }
 
-impl<C: Calc> Spread<C> {
+impl<C: Calc> RollingForces<C> {
     /// V_M = V + 2M/D = z J_s P_max and κ = 2M/(D V_M) = Σ P c / Σ P (1 + c). Where λ is found with plain numbers a last
     /// step of Newton's method over any scalar gives the derivatives, by the theorem of the implicit function.
     /// [Ports001, 6.3.1.1]
-    fn new(raceway: &Raceway<C>, rolling: &Rolling, load: &RingLoad<C>) -> Spread<C> {
+    fn new(raceway: &Raceway<C>, rolling: &RollingElements, load: &RingLoad<C>) -> RollingForces<C> {
         let (one, zero) = (C::constant(1.0), C::constant(0.0));
         let couple = load.moment.scaled(2.0) / raceway.d;
         let whole = (load.vertical + couple).def(&s::V_M);
@@ -68,7 +68,7 @@ impl<C: Calc> Spread<C> {
             (greatest * rolling.force(far)).def(&s::P_MIN)
         };
         let steep = raceway.alpha.sin();
-        Spread {
+        RollingForces {
             whole,
             kappa,
             lambda,
@@ -89,9 +89,9 @@ impl<C: Calc> Spread<C> {
 pub fn spreads<C: Calc>(
     psi: &One<C>,
     raceway: &Raceway<C>,
-    rolling: &Rolling,
+    rolling: &RollingElements,
     loads: &[RingLoad<C>],
-    room: &mut Vec<Spread<C>>,
+    room: &mut Vec<RollingForces<C>>,
 ) -> Result<(), Fault> {
     room.clear();
     for (at, load) in loads.iter().enumerate() {
@@ -111,7 +111,7 @@ pub fn spreads<C: Calc>(
             let what = format!("2M/(V D) = {} in case {}: give more weight", short(ratio), at + 1);
             return Err(Fault::outside(what));
         }
-        room.push(C::body(at, || Spread::new(raceway, rolling, load)));
+        room.push(C::body(at, || RollingForces::new(raceway, rolling, load)));
     }
     Ok(())
 }
@@ -135,7 +135,7 @@ results! { AllCases as a => {
 
 impl<C: Calc> AllCases<C> {
     /// max M, max H, max P_max, min q_f.
-    pub fn new(loads: &[RingLoad<C>], spreads: &[Spread<C>]) -> AllCases<C> {
+    pub fn new(loads: &[RingLoad<C>], spreads: &[RollingForces<C>]) -> AllCases<C> {
         let far = spreads.iter().map(|spread| spread.far);
         AllCases {
             moment: most(loads.iter().map(|load| load.moment)).def(&s::M_ALL),
@@ -163,7 +163,7 @@ results! { MomentAlone as m => { C_P: m.force; C_SIGMA: m.sum; J_1: m.means[0]; 
 
 impl<C: Calc> MomentAlone<C> {
     /// P_max z D/M = 2/J_1 and Σ|P| D/M = 2 J_2/J_1, where J_1 = (1/z) Σ |c|ⁿ⁺¹ and J_2 = (1/z) Σ |c|ⁿ.
-    pub fn new(rolling: &Rolling) -> MomentAlone<C> {
+    pub fn new(rolling: &RollingElements) -> MomentAlone<C> {
         let both = rolling.on_two_rows();
         let two = C::constant(2.0);
         let turns = both

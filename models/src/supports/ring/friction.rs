@@ -3,7 +3,7 @@
 
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
-use crate::supports::ring::elements::{Raceway, Spread};
+use crate::supports::ring::elements::{Raceway, RollingForces};
 use crate::supports::ring::load::RingLoad;
 use crate::supports::ring::symbols as s;
 
@@ -28,7 +28,7 @@ quantities! {
 }
 
 /// M_fn = μ_n (D/2) Σ|N|, in N·m. [Ports001, 6.3.1.3]
-pub fn by_elements<C: Calc>(raceway: &Raceway<C>, friction: &ElementFriction<C>, spread: &Spread<C>) -> C {
+pub fn by_elements<C: Calc>(raceway: &Raceway<C>, friction: &ElementFriction<C>, spread: &RollingForces<C>) -> C {
     (friction.mu_n * raceway.d / C::constant(2.0) * spread.sum).def(&s::M_FN)
 }
 

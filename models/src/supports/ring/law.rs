@@ -19,20 +19,20 @@ pub const ROWS: [&str; 2] = ["pressure", "hold_down"];
 
 /// The rolling elements of a ring.
 #[derive(Clone, Debug)]
-pub struct Rolling {
+pub struct RollingElements {
     exponent: [u8; 2],
     pub held_down: bool,
     pub cosines: Vec<f64>,
 }
-group!(Rolling);
+group!(RollingElements);
 
-impl Rolling {
+impl RollingElements {
     /// So many rolling elements, by the place of the law and of the rows in their lists.
     #[must_use]
-    pub fn new(count: usize, law: usize, held_down: bool) -> Rolling {
+    pub fn new(count: usize, law: usize, held_down: bool) -> RollingElements {
         // Those of both halves alike, so that a moment alone leaves no force.
         let cosine = |j: usize| Calc::sin_cos(TAU * j.min(count - j) as f64 / count as f64).1;
-        Rolling {
+        RollingElements {
             exponent: EXPONENTS[law],
             held_down,
             cosines: (0..count).map(cosine).collect(),
@@ -41,7 +41,7 @@ impl Rolling {
 
     /// The same with a hold-down row.
     #[must_use]
-    pub fn on_two_rows(&self) -> Rolling {
+    pub fn on_two_rows(&self) -> RollingElements {
         let mut both = self.clone();
         both.held_down = true;
         both
@@ -75,7 +75,7 @@ impl Rolling {
         let mut all = self.cosines.iter().copied().map(C::constant).filter(bears).map(each);
         let first = all.next().expect("the first one bears");
         let sum = all.fold(first, |sum, one| sum + one);
-        sum.among(Among::Sum, each(C::known(&s::C_I, self.cosines[0]))) / C::known(&s::Z, self.cosines.len() as f64)
+        sum.among(Among::Sum, each(C::known(&s::C_J, self.cosines[0]))) / C::known(&s::Z, self.cosines.len() as f64)
     }
 
     /// κ = Σ P c / Σ P (1 + c) at a fall λ of the approach, and its derivative.

@@ -18,7 +18,7 @@
 //! |---|---|---|
 //! | `ring.weights` | [`weights::UpperWorks::new`] | equilibrium |
 //! | `ring.load` | [`load::RingLoad::new`] | Ports001, 6.1: equilibrium |
-//! | `ring.law` | [`law::Rolling::solved`] | statics of a rigid ring on elements that yield by a power |
+//! | `ring.law` | [`law::RollingElements::solved`] | statics of a rigid ring on elements that yield by a power |
 //! | `ring.elements` | [`elements::spreads`], [`elements::MomentAlone::new`] | Ports001, 6.3.1.1; implicit function |
 //! | `ring.contact` | [`contact::ContactStress::new`] | Ports001, 6.3.1.2; Hertz |
 //! | `ring.capacity` | [`capacity::static_loads`] | Rothe Erde |

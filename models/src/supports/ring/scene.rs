@@ -21,7 +21,7 @@ use crate::supports::ring::checks::agreements;
 use crate::supports::ring::contact::RollingContact;
 use crate::supports::ring::elements::Raceway;
 use crate::supports::ring::friction::{ElementFriction, FORMS, MakerForm, MakerFriction};
-use crate::supports::ring::law::{LAWS, ROWS, Rolling};
+use crate::supports::ring::law::{LAWS, ROWS, RollingElements};
 use crate::supports::ring::load::RingCase;
 use crate::supports::ring::outline::OUTLINE;
 use crate::supports::ring::stages::{Given, SlewingRing};
@@ -57,7 +57,7 @@ static CONTACT: &[Key] = keys! { s: E > 0 [usually(206e9)], NU >= 0 [usually(0.3
 K_HB > 0 [usually(2.7e6)] };
 static POINT: &[Key] = keys! { s: F_CURVE >= 0, M_CURVE >= 0 };
 static CAPACITY: &[Key] = keys! { s: K_A > 0 [usually(1.0)], K_R >= 0 [usually(5.046)], K_M > 0 [usually(1.0)],
-    F_STAT > 0 [usually(1.25)];
+    F_ST > 0 [usually(1.25)];
     Key::new("curve", Kind::Tables(POINT, MANY), "Points of the load curve: the first without force, then with rising force.")
 };
 static FRICTION: &[Key] = keys! { s: MU_N >= 0 };
@@ -77,7 +77,7 @@ pub struct RingScene {
 pub const ENTRY: Entry = Description::<RingScene>::entry("ring", KEYS);
 
 /// The rolling elements; mistakes go to `found`.
-fn rolling(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Rolling> {
+fn rolling(v: &Values, found: &mut Vec<Diagnostic>) -> Option<RollingElements> {
     let count = v.of(&s::Z)?;
     if count.fract() != 0.0 {
         let what = format!("a ring with z = {count} rolling elements");
@@ -90,7 +90,11 @@ fn rolling(v: &Values, found: &mut Vec<Diagnostic>) -> Option<Rolling> {
         return None;
     }
     let law = LAWS.iter().position(|law| v.text("law") == Some(law))?;
-    Some(Rolling::new(count as usize, law, v.text("rows") == Some(ROWS[1])))
+    Some(RollingElements::new(
+        count as usize,
+        law,
+        v.text("rows") == Some(ROWS[1]),
+    ))
 }
 
 /// The points of the load curve; mistakes go to `found`.
@@ -217,7 +221,7 @@ impl Described for RingScene {
 
     /// The load curve, with the reference loads of the cases where the curve is used most.
     fn more(this: &Description<RingScene>, model: &mut Standing, sheet: &mut Sheet) {
-        let most = sheet.governing.iter().find(|found| found.symbol == &s::U_ST_TOP);
+        let most = sheet.governing.iter().find(|found| found.symbol == &s::U_ST_MAX);
         let Some((_, at)) = most.and_then(|found| found.at) else {
             return;
         };
@@ -228,6 +232,10 @@ impl Described for RingScene {
         {
             points.push([force, 0.0]);
         }
+        // Backward, and to the middle of the first line, so that its number stands there.
+        let middle = [0, 1].map(|i| f64::midpoint(points[0][i], points[1][i]));
+        points.reverse();
+        points.push(middle);
         let loads = forces
             .into_iter()
             .zip(moments)
@@ -247,7 +255,7 @@ impl Described for RingScene {
         this.motion.at(0.125)
     }
 
-    /// From above: the raceway with its rolling elements, and the boom with its load.
+    /// From above: the raceway, and the boom with its load.
     fn drawing(this: &Description<RingScene>, at: f64) -> Drawing {
         let radius = this.given.raceway.d / 2.0;
         let mut draw = Draw::default();

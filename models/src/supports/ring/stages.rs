@@ -8,9 +8,9 @@ use crate::parts::load_curve::LoadCurve;
 use crate::supports::plan::LeftOpen;
 use crate::supports::ring::capacity::{Equivalent, StaticLoad, static_loads};
 use crate::supports::ring::contact::{ContactStress, Hardness, RollingContact};
-use crate::supports::ring::elements::{AllCases, MomentAlone, Raceway, Spread, spreads};
+use crate::supports::ring::elements::{AllCases, MomentAlone, Raceway, RollingForces, spreads};
 use crate::supports::ring::friction::{ElementFriction, MakerForm, MakerFriction, by_elements, by_maker};
-use crate::supports::ring::law::Rolling;
+use crate::supports::ring::law::RollingElements;
 use crate::supports::ring::load::{RingCase, RingLoad};
 use crate::supports::ring::symbols as s;
 use crate::supports::ring::weights::{RingArea, RingBody, RingSlope, UpperWorks};
@@ -32,7 +32,7 @@ stages! {
         Parameter equivalent: Option<Equivalent<C>>,
         Parameter friction: Option<ElementFriction<C>>,
         Parameter maker: Option<MakerFriction<C>>,
-        Fixed rolling: Rolling,
+        Fixed rolling: RollingElements,
         Fixed curve: LoadCurve,
         Fixed form: MakerForm,
         Fixed open: LeftOpen,
@@ -40,7 +40,7 @@ stages! {
         alone: MomentAlone<C> = MomentAlone::new(rolling);
         upper: UpperWorks<C> = UpperWorks::new(bodies, slope, areas);
         loads[each cases]: Vec<RingLoad<C>> = RingLoad::new(psi, reach, load, slope, upper, cases[each]);
-        spreads[cases]: Vec<Spread<C>> = spreads(psi, raceway, rolling, loads);
+        spreads[cases]: Vec<RollingForces<C>> = spreads(psi, raceway, rolling, loads);
         all: AllCases<C> = AllCases::new(loads, spreads);
         hardness: Hardness<C> = Hardness::new(contact[!]);
         stresses[each cases]: Vec<ContactStress<C>> =

@@ -32,7 +32,7 @@ symbols! {
     K_A: "k_a" "k_\"a\"" ONE / ONE [positive, unconfirmed], "Factor of the vertical force in the equivalent force.", "input";
     K_R: "k_r" "k_\"r\"" ONE / ONE [not_negative, unconfirmed], "Factor of the horizontal force in the equivalent force.", "input";
     K_M: "k_m" "k_\"m\"" ONE / ONE [positive, unconfirmed], "Factor of the moment in the equivalent moment.", "input";
-    F_STAT: "f_st" "f_\"st\"" ONE / ONE [positive, unconfirmed], "Factor of the equivalent loads with which the ring is looked up in its load curve.", "input";
+    F_ST: "f_st" "f_\"st\"" ONE / ONE [positive, unconfirmed], "Factor of the equivalent loads with which the ring is looked up in its load curve.", "input";
     F_CURVE: "F_curve" "F_(\"c\" i)" N / KN [not_negative], "Force at a point of the load curve.", "input";
     M_CURVE: "M_curve" "M_(\"c\" i)" N_M / KN_M [not_negative], "Moment that may act with this force.", "input";
     MU_N: "mu_n" "mu_\"n\"" ONE / ONE [not_negative, unconfirmed], "Friction coefficient of the textbook's form, for the forces on all rolling elements.", "input";
@@ -68,7 +68,7 @@ symbols! {
     KAPPA_0: "kappa_0" "kappa_(0 i)" ONE / ONE, "Part of the couple that the forces have there.", "derived";
     D_KAPPA: "d_kappa" "kappa'_(0 i)" ONE / ONE, "How it grows there with the fall.", "derived";
     LAMBDA: "lambda" "lambda_i" ONE / ONE, "Fall of the approach over the ring: an element yields by 1 − λ (1 − c), c being the cosine of its angle from the direction of the moment.", "equilibrium";
-    C_I: "c_j" "c_j" ONE / ONE, "Cosine of the angle of rolling element j from the direction of the moment; the first one lies there.", "derived";
+    C_J: "c_j" "c_j" ONE / ONE, "Cosine of the angle of rolling element j from the direction of the moment; the first one lies there.", "derived";
     J_S: "J_s" "J_(\"s\" i)" ONE / ONE, "Mean of the forces on the rolling elements with 1 + c, over the greatest force.", "equilibrium";
     J_N: "J_n" "J_(\"n\" i)" ONE / ONE, "Mean of the forces on the rolling elements by amount, over the greatest force.", "equilibrium";
     P_MAX: "P_max" "P_(max i)" N / KN, "Greatest force on a rolling element, square to the ring.", "[Ports001, 6.3.1.1]";
@@ -109,10 +109,10 @@ symbols! {
     P_TOP: "P_top" "P_max" N / KN, "Greatest force on a rolling element in the working range, square to the ring.", "derived";
     P_LOW: "P_low" "P_min" N / KN, "Least force on a rolling element in the working range; negative where the hold-down row bears it.", "derived";
     Q_LOW: "q_low" "q_min" ONE / ONE, "Least approach on the far side in the working range, over the greatest; negative where ring and rolling element would part.", "derived";
-    U_H_TOP: "u_H_max" "u_(H,max)" ONE / ONE, "Greatest contact stress in the working range over what the hardness allows.", "derived";
-    U_ST_TOP: "u_st_max" "u_(\"st\",max)" ONE / ONE, "Greatest use of the load curve in the working range.", "derived";
-    S_0_LOW: "S_0_min" "S_(0,min)" ONE / ONE, "Least static safety in the working range.", "derived";
-    M_FN_TOP: "M_fn_max" "M_(\"fn\",max)" N_M / KN_M, "Greatest friction moment in the working range, with the textbook's coefficient.", "derived";
-    M_FM_TOP: "M_fm_max" "M_(\"fm\",max)" N_M / KN_M, "Greatest friction moment in the working range, by the maker's form.", "derived";
+    U_H_MAX: "u_H_max" "u_(H,max)" ONE / ONE, "Greatest contact stress in the working range over what the hardness allows.", "derived";
+    U_ST_MAX: "u_st_max" "u_(\"st\",max)" ONE / ONE, "Greatest use of the load curve in the working range.", "derived";
+    S_0_MIN: "S_0_min" "S_(0,min)" ONE / ONE, "Least static safety in the working range.", "derived";
+    M_FN_MAX: "M_fn_max" "M_(\"fn\",max)" N_M / KN_M, "Greatest friction moment in the working range, with the textbook's coefficient.", "derived";
+    M_FM_MAX: "M_fm_max" "M_(\"fm\",max)" N_M / KN_M, "Greatest friction moment in the working range, by the maker's form.", "derived";
     AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
 }
