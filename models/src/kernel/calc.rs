@@ -189,10 +189,9 @@ impl Takes<Dual64> for Dual64 {
     }
 }
 
-/// The power and its derivative.
-fn raised(x: f64, [above, below]: [u8; 2]) -> [f64; 2] {
-    let exponent = f64::from(above) / f64::from(below);
-    [libm::pow(x, exponent), exponent * libm::pow(x, exponent - 1.0)]
+/// A number to a power that is a fraction.
+fn raised(x: f64, [above, below]: [u8; 2]) -> f64 {
+    libm::pow(x, f64::from(above) / f64::from(below))
 }
 
 /// Moves an angle from (−π, π] to (−π/2, 3π/2].
@@ -237,7 +236,7 @@ impl Calc for f64 {
     }
     #[inline]
     fn power(self, exponent: [u8; 2]) -> f64 {
-        raised(self, exponent)[0]
+        raised(self, exponent)
     }
     #[inline]
     fn direction(x: f64, y: f64) -> f64 {
@@ -277,7 +276,12 @@ impl Calc for Dual64 {
         Dual64::new(Calc::acos(self.re), -self.eps / (1.0 - self.re * self.re).sqrt())
     }
     fn power(self, exponent: [u8; 2]) -> Dual64 {
-        let [value, slope] = raised(self.re, exponent);
+        let (value, order) = (
+            raised(self.re, exponent),
+            f64::from(exponent[0]) / f64::from(exponent[1]),
+        );
+        // Of nothing, to a power above one.
+        let slope = if self.re == 0.0 { 0.0 } else { order * value / self.re };
         Dual64::new(value, self.eps * slope)
     }
     fn direction(x: Dual64, y: Dual64) -> Dual64 {

@@ -1,7 +1,7 @@
 //! Forces on the rolling elements in each load case, and under a moment alone.
 
 use crate::component::stages::results;
-use crate::kernel::calc::{Among, Calc};
+use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, quantities};
 use crate::kernel::number::short;
 use crate::kernel::variable::Fault;
@@ -138,18 +138,17 @@ impl<C: Calc> AllCases<C> {
     pub fn new(loads: &[RingLoad<C>], spreads: &[RollingForces<C>]) -> AllCases<C> {
         let far = spreads.iter().map(|spread| spread.far);
         AllCases {
-            moment: most(loads.iter().map(|load| load.moment)).def(&s::M_ALL),
-            horizontal: most(loads.iter().map(|load| load.horizontal)).def(&s::H_ALL),
-            greatest: most(spreads.iter().map(|spread| spread.greatest)).def(&s::P_ALL),
+            moment: most(loads.iter().map(|load| load.moment)).tabled(&s::M_ALL),
+            horizontal: most(loads.iter().map(|load| load.horizontal)).tabled(&s::H_ALL),
+            greatest: most(spreads.iter().map(|spread| spread.greatest)).tabled(&s::P_ALL),
             far: far.reduce(C::smaller).expect("one case at least"),
         }
     }
 }
 
 /// The greatest of all cases, of which there is one at least.
-fn most<C: Calc>(mut of: impl Iterator<Item = C>) -> C {
-    let first = of.next().expect("one case at least");
-    of.fold(first, C::greater).among(Among::Greatest, first)
+fn most<C: Calc>(of: impl Iterator<Item = C>) -> C {
+    of.reduce(C::greater).expect("one case at least")
 }
 
 /// Coefficients of a moment alone, on two rows.
@@ -166,6 +165,8 @@ impl<C: Calc> MomentAlone<C> {
     pub fn new(rolling: &RollingElements) -> MomentAlone<C> {
         let both = rolling.on_two_rows();
         let two = C::constant(2.0);
+        // That of the first element, which sums over all of them name.
+        let _ = C::constant(both.cosines[0]).def(&s::C_J);
         let turns = both
             .mean(|cosine: C| cosine, |cosine, force| cosine * force)
             .def(&s::J_1);

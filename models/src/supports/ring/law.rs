@@ -126,7 +126,8 @@ impl RollingElements {
             } else {
                 f64::midpoint(low, high)
             };
-            if apart == 0.0 || (next - lambda).abs() <= 1e-16 * last.min(1.0) || next == lambda {
+            // The last step, over any scalar, leaves the square of this.
+            if apart == 0.0 || (next - lambda).abs() <= 1e-13 * lambda.max(1.0) {
                 break;
             }
             lambda = next;

@@ -19,7 +19,6 @@ pub const OUTLINE: Outline = Outline {
     sections: &[
         ("ring_loads", &[Stage("loads")]),
         ("ring_elements", &[Stage("spreads")]),
-        ("ring_all", &[Stage("all")]),
         ("ring_contact", &[Stage("stresses")]),
         ("ring_static", &[Stage("statics")]),
         ("ring_friction", &[Stage("turning"), Stage("makers")]),
