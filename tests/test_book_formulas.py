@@ -46,7 +46,9 @@ def read(text):
     # Exponents are no numbers of their own.
     words = "ZERO ONE TWO THREE FOUR FIVE SIX".split()
     text = re.sub(r"\^(\d)", lambda found: "**" + words[int(found[1])], text.replace("\\ &more", ""))
+    text = re.sub(r"\^\((\d+)\\/(\d+)\)", r"**F\1O\2", text)
     text = NUMBER.sub(take, text)
+    text = re.sub(r"F(\d+)O(\d+)", r"(\1/\2)", text)
     for number, name in enumerate(words):
         text = text.replace(f"**{name}", f"**{number}")
     text = text.replace(" dot ", "*").replace(" slash ", "/")

@@ -38,6 +38,8 @@ use crate::supports::mobile;
 use crate::supports::mobile::scene::MobileScene;
 use crate::supports::portal;
 use crate::supports::portal::scene::PortalScene;
+use crate::supports::ring;
+use crate::supports::ring::scene::RingScene;
 
 pub static MECHANISMS: &[Entry] = &[
     double_link::sheet::ENTRY,
@@ -49,6 +51,7 @@ pub static MECHANISMS: &[Entry] = &[
     slewing::scene::ENTRY,
     mobile::scene::ENTRY,
     portal::scene::ENTRY,
+    ring::scene::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
@@ -82,8 +85,9 @@ pub const SUPPORTS: Key = Key::kinds(
     &[
         (mobile::scene::ENTRY.kind, mobile::scene::ENTRY.keys),
         (portal::scene::ENTRY.kind, portal::scene::ENTRY.keys),
+        (ring::scene::ENTRY.kind, ring::scene::ENTRY.keys),
     ],
-    "What a crane stands on, and what it may lift there.",
+    "What a crane stands or slews on, and what it may lift there.",
 );
 
 /// Parts of a crane that may stand beside its mechanism, at the top of the scene, as well as within it.
@@ -143,6 +147,7 @@ static TELLERS: &[Teller] = &[
     teller::<SlewingScene>(),
     teller::<MobileScene>(),
     teller::<PortalScene>(),
+    teller::<RingScene>(),
 ];
 
 /// The symbols of every mechanism, by its id.

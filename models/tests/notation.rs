@@ -13,10 +13,10 @@ use lemnis_models::parts::{hanging, hydraulics, turntable};
 use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
-use lemnis_models::supports::{mobile, portal};
+use lemnis_models::supports::{mobile, portal, ring};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 18] = [
+const TABLES: [(&str, &[&Symbol]); 19] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -37,6 +37,10 @@ const TABLES: [(&str, &[&Symbol]); 18] = [
     (
         "A crane on a portal, seen from above: x along the rails, y to the left, angles counter-clockwise",
         portal::symbols::ALL,
+    ),
+    (
+        "A slewing ring: moments in the direction of the side that they load, angles counter-clockwise from above",
+        ring::symbols::ALL,
     ),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::record::{Rec, record};
+use lemnis_models::parts::load_curve::LoadCurve;
 use lemnis_models::parts::plane::{self, Point};
 use lemnis_models::steering::accuracy::Accuracy;
 use lemnis_models::steering::built::Built;
@@ -21,7 +22,7 @@ use lemnis_models::steering::progress::Moment;
 use lemnis_models::steering::published::Layout;
 use lemnis_models::steering::reach::{Reach, reach};
 use lemnis_models::steering::refusal::{Refusal, within};
-use lemnis_models::steering::ring::{Bearing, Catalogue, Duty, LoadCurve, Ring, Safety, friction};
+use lemnis_models::steering::ring::{Bearing, Catalogue, Duty, Ring, Safety, friction};
 use lemnis_models::steering::sizing::{
     BORES, EXAMPLE_STROKES, Rod, bore, buckling, choose_stroke, next, power, pump, relief, slenderness,
 };

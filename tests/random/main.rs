@@ -12,6 +12,7 @@ mod fmu;
 mod luffing;
 mod mobile;
 mod portal;
+mod ring;
 mod rope;
 mod scene;
 mod slewing;

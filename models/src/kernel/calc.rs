@@ -53,6 +53,10 @@ pub trait Calc:
     /// `other` + `tail`: exact where the two nearly cancel.
     fn minus_exact(self, other: Self, tail: f64) -> Self;
 
+    /// To a power that is a fraction of whole numbers; this is not negative, and above zero where the power is below one.
+    #[must_use]
+    fn power(self, exponent: [u8; 2]) -> Self;
+
     #[must_use]
     fn square(self) -> Self {
         self * self
@@ -185,6 +189,11 @@ impl Takes<Dual64> for Dual64 {
     }
 }
 
+/// A number to a power that is a fraction.
+fn raised(x: f64, [above, below]: [u8; 2]) -> f64 {
+    libm::pow(x, f64::from(above) / f64::from(below))
+}
+
 /// Moves an angle from (−π, π] to (−π/2, 3π/2].
 #[inline]
 fn upright(angle: f64) -> f64 {
@@ -226,6 +235,10 @@ impl Calc for f64 {
         libm::acos(self)
     }
     #[inline]
+    fn power(self, exponent: [u8; 2]) -> f64 {
+        raised(self, exponent)
+    }
+    #[inline]
     fn direction(x: f64, y: f64) -> f64 {
         upright(libm::atan2(y, x))
     }
@@ -261,6 +274,15 @@ impl Calc for Dual64 {
     }
     fn acos(self) -> Dual64 {
         Dual64::new(Calc::acos(self.re), -self.eps / (1.0 - self.re * self.re).sqrt())
+    }
+    fn power(self, exponent: [u8; 2]) -> Dual64 {
+        let (value, order) = (
+            raised(self.re, exponent),
+            f64::from(exponent[0]) / f64::from(exponent[1]),
+        );
+        // Of nothing, to a power above one.
+        let slope = if self.re == 0.0 { 0.0 } else { order * value / self.re };
+        Dual64::new(value, self.eps * slope)
     }
     fn direction(x: Dual64, y: Dual64) -> Dual64 {
         let turn = (x.re * y.eps - y.re * x.eps) / (x.re * x.re + y.re * y.re);
@@ -315,6 +337,12 @@ impl<T: Calc + DualNum> Calc for Dual2<T> {
         let slope = -(one / Calc::sqrt(one - self.re * self.re));
         chain(self, [Calc::acos(self.re), slope, self.re * slope * slope * slope])
     }
+    fn power(self, exponent: [u8; 2]) -> Dual2<T> {
+        let order = f64::from(exponent[0]) / f64::from(exponent[1]);
+        let value = self.re.power(exponent);
+        let first = value / self.re * T::constant(order);
+        chain(self, [value, first, first / self.re * T::constant(order - 1.0)])
+    }
     fn direction(x: Dual2<T>, y: Dual2<T>) -> Dual2<T> {
         let square = x.re * x.re + y.re * y.re;
         let turn = (x.re * y.v1 - y.re * x.v1) / square;
@@ -352,8 +380,9 @@ mod tests {
     #[test]
     fn dual_rules_agree_with_differences() {
         type Rule = fn(Dual64) -> Dual64;
-        let rules: [(&str, Rule); 6] = [
+        let rules: [(&str, Rule); 7] = [
             ("sqrt", |x| Calc::sqrt(x)),
+            ("power", |x| x.power([10, 9])),
             ("sin", |x| Calc::sin(x)),
             ("cos", |x| Calc::sin_cos(x).1),
             ("asin", |x| Calc::asin(x)),
@@ -378,8 +407,9 @@ mod tests {
     #[test]
     fn second_derivatives_agree_with_differences_of_the_first() {
         type Rules = (&'static str, fn(Dual64) -> Dual64, fn(Dual2_64) -> Dual2_64);
-        let rules: [Rules; 6] = [
+        let rules: [Rules; 7] = [
             ("sqrt", |x| Calc::sqrt(x), |x| Calc::sqrt(x)),
+            ("power", |x| x.power([1, 3]), |x| x.power([1, 3])),
             ("sin", |x| Calc::sin(x), |x| Calc::sin(x)),
             ("cos", |x| Calc::sin_cos(x).1, |x| Calc::sin_cos(x).1),
             ("asin", |x| Calc::asin(x), |x| Calc::asin(x)),

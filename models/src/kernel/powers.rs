@@ -20,6 +20,21 @@ impl Powers {
     pub fn over(self, other: Powers) -> Powers {
         Powers(self.0.over(other.0))
     }
+
+    /// To a power that is a fraction; `None` where exponents would be none of whole numbers.
+    pub fn raised(self, [above, below]: [u8; 2]) -> Option<Powers> {
+        let each = |exponent: i8| {
+            let all = i32::from(exponent) * i32::from(above);
+            let whole = (all % i32::from(below) == 0).then_some(all / i32::from(below))?;
+            i8::try_from(whole).ok()
+        };
+        let Dimension { m, kg, s } = self.0;
+        Some(Powers(Dimension {
+            m: each(m)?,
+            kg: each(kg)?,
+            s: each(s)?,
+        }))
+    }
 }
 
 impl std::fmt::Display for Powers {

@@ -22,6 +22,8 @@ pub enum Op {
     Abs,
     Square,
     Sqrt,
+    /// To a power that is a fraction.
+    Power([u8; 2]),
     Sin,
     Cos,
     Asin,
@@ -256,6 +258,10 @@ impl Rec {
                     trace.fault(format!("square root of {given}"));
                     given.0
                 })),
+                Op::Power(exponent) => given.raised(exponent).unwrap_or_else(|| {
+                    trace.fault(format!("{given} to the power of {exponent:?}"));
+                    given
+                }),
                 _ => {
                     if given != Powers::ONE {
                         trace.fault(format!("{op:?} of {given}"));
@@ -382,6 +388,9 @@ impl Calc for Rec {
     }
     fn acos(self) -> Rec {
         self.unary(Op::Acos, Calc::acos(self.value()))
+    }
+    fn power(self, exponent: [u8; 2]) -> Rec {
+        self.unary(Op::Power(exponent), self.value().power(exponent))
     }
     fn direction(x: Rec, y: Rec) -> Rec {
         x.binary(Op::Direction, y, f64::direction(x.value(), y.value()))

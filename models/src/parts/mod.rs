@@ -1,4 +1,4 @@
-//! What several mechanisms are made of: plane geometry, a four-bar, joints, slewing, a load on its rope, a hoist, a body on springs, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, a four-bar, joints, slewing, a load curve, a load on its rope, a hoist, a body on springs, motion over a range, oil, solvers.
 
 pub mod arcs;
 pub mod closure;
@@ -9,6 +9,7 @@ pub mod hoist;
 pub mod hull;
 pub mod hydraulics;
 pub mod joint;
+pub mod load_curve;
 pub mod motion;
 pub mod plane;
 pub mod smooth_curve;

@@ -1,9 +1,11 @@
 //! The slewing ring of a group, chosen from a maker's load curves. [Zhang2016, 4]
 
 use crate::component::sheet::{Curve, Table};
-use crate::kernel::calc::{Among, Calc};
+use crate::kernel::calc::Calc;
 use crate::kernel::group::quantities;
 use crate::kernel::number::short;
+use crate::kernel::symbol::Symbol;
+use crate::parts::load_curve::{LoadCurve, corner};
 use crate::steering::refusal::Refusal;
 use crate::steering::symbols as s;
 
@@ -48,30 +50,8 @@ pub fn friction<C: Calc>(ring: &Bearing<C>, f_a: C) -> C {
     (ring.mu_r / C::constant(2.0) * load).def(&s::M_F)
 }
 
-/// A load curve: points (force N, moment N·m) with rising force.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LoadCurve(pub Vec<[f64; 2]>);
-
-impl LoadCurve {
-    /// The moment that may act with a force, in N·m, on the straight line between two points, which have numbers after
-    /// `before` others; `None` beyond the curve.
-    #[must_use]
-    pub fn limit<C: Calc>(&self, f: C, before: u16) -> Option<C> {
-        let point = |number: u16, [f, m]: [f64; 2]| {
-            [(&s::F_CURVE, f), (&s::M_CURVE, m)].map(|(symbol, value)| {
-                let value = C::known(symbol, value);
-                value.among(Among::Of(number), value)
-            })
-        };
-        (before + 1..).zip(self.0.windows(2)).find_map(|(number, pair)| {
-            let within = f.value() >= pair[0][0] && f.value() <= pair[1][0] && pair[1][0] > pair[0][0];
-            within.then(|| {
-                let ([f_1, m_1], [f_2, m_2]) = (point(number, pair[0]), point(number + 1, pair[1]));
-                m_1 + (m_2 - m_1) * (f - f_1) / (f_2 - f_1)
-            })
-        })
-    }
-}
+/// What a point of a load curve is called.
+const POINT_NAMES: [&Symbol; 2] = [&s::F_CURVE, &s::M_CURVE];
 
 /// A ring of a catalogue.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,10 +67,10 @@ impl Ring {
     /// Moment over the moment allowed, of the ring and of its bolts; `None` where the force alone is too great.
     #[must_use]
     pub fn use_of<C: Calc>(&self, duty: &Duty<C>) -> Option<[C; 2]> {
-        let ring = self.ring.limit(duty.f, 0)?.def(&s::M_RING);
+        let ring = self.ring.limit(duty.f, 0, POINT_NAMES)?.def(&s::M_RING);
         let bolts = self
             .bolts
-            .limit(duty.f_bolt, self.ring.0.len() as u16)?
+            .limit(duty.f_bolt, self.ring.0.len() as u16, POINT_NAMES)?
             .def(&s::M_BOLTS);
         Some([
             (duty.m / ring).def(&s::RING_USE),
@@ -111,8 +91,6 @@ impl Ring {
     /// The curves of ring and bolts, 1 and 2, and the duty of both, the corners of 3 and 4.
     #[must_use]
     pub fn curves(&self, duty: &Duty<f64>) -> Curve {
-        // To the point and back, so that the number stands there.
-        let to = |f: f64, m: f64| vec![[0.0, m], [f, m], [f, 0.0], [f, m]];
         Curve {
             id: "ring",
             x: &s::F_CURVE,
@@ -120,8 +98,8 @@ impl Ring {
             pieces: vec![
                 self.ring.0.clone(),
                 self.bolts.0.clone(),
-                to(duty.f, duty.m),
-                to(duty.f_bolt, duty.m_bolt),
+                corner([duty.f, duty.m]),
+                corner([duty.f_bolt, duty.m_bolt]),
             ],
             numbers: vec![1, 2, 3, 4],
         }

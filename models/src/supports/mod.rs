@@ -3,3 +3,4 @@
 pub mod mobile;
 pub mod plan;
 pub mod portal;
+pub mod ring;

@@ -4,7 +4,7 @@
 //! The numeric form keeps to a small grammar, so that it can be read back and
 //! recalculated: numbers with their unit as `19.3 thin"m"`, `60"°"` or
 //! `1.2 times 10^(-5)`, with a decimal comma as `"19,3" thin"m"`, `pi`, `+`, `-`, `dot`, `slash`, `frac(a, b)`, `a^2`, `a^3`,
-//! `sqrt(a)`, `abs(a)`, `sin(a)`, `cos(a)`, `arcsin(a)`, `arccos(a)`,
+//! `a^(10\/9)`, `sqrt(a)`, `abs(a)`, `sin(a)`, `cos(a)`, `arcsin(a)`, `arccos(a)`,
 //! `arctan2(y, x)`, and parentheses. A long sum is broken with `\ &more` before a sign, a long `arctan2` after its comma.
 
 use std::collections::BTreeSet;

@@ -154,6 +154,7 @@ fn unary(op: Op, inner: Known, value: f64) -> Known {
         Op::Abs => Known::around([least, most], scale),
         Op::Square => Known::around([least.square(), most.square()], scale.square()),
         Op::Sqrt => inner.through(scale.sqrt(), |x| x.max(0.0).sqrt()),
+        Op::Power(exponent) => inner.through(scale.power(exponent), |x| x.max(0.0).power(exponent)),
         Op::Sin => turned(inner, FRAC_PI_2, scale.min(1.0).max(value.abs())),
         Op::Cos => turned(inner, 0.0, 1.0),
         Op::Asin => inner.through(scale.min(1.0), |x| Calc::asin(inside(x))),

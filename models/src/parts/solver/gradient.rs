@@ -173,6 +173,9 @@ impl<const N: usize> Calc for Gradient<N> {
     fn acos(self) -> Self {
         self.chain(Calc::acos(Dual64::new(self.re, 1.0)))
     }
+    fn power(self, exponent: [u8; 2]) -> Self {
+        self.chain(Dual64::new(self.re, 1.0).power(exponent))
+    }
     fn direction(x: Self, y: Self) -> Self {
         let square = x.re * x.re + y.re * y.re;
         x.combine(y, f64::direction(x.re, y.re), -y.re / square, x.re / square)

@@ -1,0 +1,63 @@
+//! What the book tells of a slewing ring, in its order.
+
+use crate::component::outline::Explained::Stage;
+use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::kernel::symbol::listed;
+use crate::supports::ring::symbols as s;
+
+pub const OUTLINE: Outline = Outline {
+    inputs: chapters!(
+        ring_raceway "", load "Q", load "R", ring_bodies "upper", ring_slope "slope", ring_areas "areas",
+        ring_cases "cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
+        ring_friction "friction", ring_maker "maker_friction", motion, limits
+    ),
+    constants: &[
+        ("ring_weights", &[Stage("upper")]),
+        ("ring_alone", &[Stage("alone")]),
+        ("ring_hardness", &[Stage("hardness")]),
+    ],
+    sections: &[
+        ("ring_loads", &[Stage("loads")]),
+        ("ring_elements", &[Stage("spreads")]),
+        ("ring_contact", &[Stage("stresses")]),
+        ("ring_static", &[Stage("statics")]),
+        ("ring_friction", &[Stage("turning"), Stage("makers")]),
+    ],
+    table: listed!(s: M_ALL, H_ALL, P_ALL),
+    curves: &[
+        ("ring_moment", None, &s::M),
+        ("ring_horizontal", None, &s::H),
+        ("ring_vertical", None, &s::V),
+        ("ring_greatest", None, &s::P_MAX),
+        ("ring_least", None, &s::P_MIN),
+    ],
+    extremes: &[
+        Greatest::new(&s::V_TOP, Most::Greatest, &s::V),
+        Greatest::new(&s::H_TOP, Most::Greatest, &s::H),
+        Greatest::new(&s::M_TOP, Most::Greatest, &s::M),
+        Greatest::new(&s::P_TOP, Most::Greatest, &s::P_MAX),
+        Greatest::new(&s::P_LOW, Most::Least, &s::P_MIN),
+        Greatest::new(&s::Q_LOW, Most::Least, &s::Q_FAR),
+        Greatest::new(&s::U_H_MAX, Most::Greatest, &s::U_H),
+        Greatest::new(&s::U_ST_MAX, Most::Greatest, &s::U_ST),
+        Greatest::new(&s::S_0_MIN, Most::Least, &s::S_0),
+        Greatest::new(&s::M_FN_MAX, Most::Greatest, &s::M_FN),
+        Greatest::new(&s::M_FM_MAX, Most::Greatest, &s::M_FM),
+    ],
+    summary: &[],
+    sensitivity: listed!(s: P_TOP, U_ST_MAX, M_TOP),
+    limits: &[
+        Limit::at_most("ring_force", &s::P_TOP),
+        Limit::at_least("ring_uplift", &s::Q_LOW),
+        Limit::at_most("ring_contact", &s::U_H_MAX),
+        Limit::at_most("ring_use", &s::U_ST_MAX),
+        Limit::at_least("ring_safety", &s::S_0_MIN),
+    ],
+    uses: &[
+        ("ring_heights", listed!(s: H_U)),
+        ("ring_cases", listed!(s: K_Q, P_W, CHI_W)),
+        ("ring_curve", listed!(s: F_CURVE, M_CURVE)),
+    ],
+    forces: listed!(s: V, H, M, P_MAX, P_MIN),
+    worst: &[("greatest_rolling_force", &s::P_TOP)],
+};

@@ -1,0 +1,272 @@
+//! A slewing ring as scenes describe it and books tell it.
+
+use crate::component::description::{Described, Description, Vocabulary};
+use crate::component::draw::{Draw, polar};
+use crate::component::mechanism::Entry;
+use crate::component::outline::{Limit, Outline};
+use crate::component::sheet::{Check, Curve, Drawing, Sheet};
+use crate::component::standing::Standing;
+use crate::component::telling::numbered;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::One;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Kind, Values};
+use crate::kernel::symbol::Symbol;
+use crate::parts::load_curve::{LoadCurve, corner};
+use crate::parts::motion::Motion;
+use crate::parts::plane::Point;
+use crate::supports::plan::{LeftOpen, each};
+use crate::supports::ring::capacity::Equivalent;
+use crate::supports::ring::checks::agreements;
+use crate::supports::ring::contact::RollingContact;
+use crate::supports::ring::elements::Raceway;
+use crate::supports::ring::friction::{ElementFriction, FORMS, MakerForm, MakerFriction};
+use crate::supports::ring::law::{LAWS, ROWS, RollingElements};
+use crate::supports::ring::load::RingCase;
+use crate::supports::ring::outline::OUTLINE;
+use crate::supports::ring::stages::{Given, SlewingRing};
+use crate::supports::ring::symbols as s;
+use crate::supports::ring::weights::{RingArea, RingBody, RingSlope};
+
+/// Most bodies, wind areas, cases, and points of the load curve.
+const MANY: usize = 64;
+
+/// Keys of `[supports]`.
+pub const KEYS: &[Key] = keys! { s:
+    D > 0, Z > 0, ALPHA > 0, R [or_input], Q >= 0 [or_mass, or_input];
+    Key::kind(&["ring"], "A crane that slews on a ring of balls or rollers."),
+    Key::new("law", Kind::Choice(&LAWS), "How a rolling element yields: \"linear\" as a spring, \"line\" with the power 10/9 of its approach as rollers, \"point\" with the power 3/2 as balls."),
+    Key::new("rows", Kind::Choice(&ROWS), "Whether rolling elements bear pressure alone, or a hold-down row bears by the same law where the ring would be lifted."),
+    Key::new("upper", Kind::Tables(UPPER, MANY), "Bodies of the upper works, with boom and counterweight."),
+    Key::new("cases", Kind::Tables(CASE, MANY), "Load cases: how the load counts, and the wind."),
+    Key::new("areas", Kind::Tables(AREA, MANY), "Areas of what slews on which the wind acts, with their heights.").optional(),
+    Key::part("slope", SLOPE, "Slope on which the crane stands."),
+    Key::part("contact", CONTACT, "Contact of rolling elements and raceway, and its hardness."),
+    Key::part("capacity", CAPACITY, "The maker's load curve of the ring, and the equivalent loads that it asks for."),
+    Key::part("friction", FRICTION, "Friction by the forces on all rolling elements, with the textbook's coefficient."),
+    Key::part("maker_friction", MAKER, "Friction by a maker's form, with that maker's coefficient."),
+    Key::table("motion", MOTION, "Working range of slewing, over which the loads are looked through."),
+    Key::part("limits", LIMITS, "What results may come to at most, or at least.")
+};
+
+static UPPER: &[Key] = keys! { s: G_U [or_mass], R_U, H_U [usually(0.0)] };
+static CASE: &[Key] = keys! { s: K_Q >= 0 [usually(1.0)], P_W >= 0 [usually(0.0)], CHI_W [usually(0.0)] };
+static AREA: &[Key] = keys! { s: A_W >= 0, H_W };
+static SLOPE: &[Key] = keys! { s: GAMMA >= 0, H_Q };
+static CONTACT: &[Key] = keys! { s: E > 0 [usually(206e9)], NU >= 0 [usually(0.3)], RHO > 0, B_R > 0 [optional], HB > 0,
+K_HB > 0 [usually(2.7e6)] };
+static POINT: &[Key] = keys! { s: F_CURVE >= 0, M_CURVE >= 0 };
+static CAPACITY: &[Key] = keys! { s: K_A > 0 [usually(1.0)], K_R >= 0 [usually(5.046)], K_M > 0 [usually(1.0)],
+    F_ST > 0 [usually(1.25)];
+    Key::new("curve", Kind::Tables(POINT, MANY), "Points of the load curve: the first without force, then with rising force.")
+};
+static FRICTION: &[Key] = keys! { s: MU_N >= 0 };
+static MAKER: &[Key] = keys! { s: MU_M >= 0;
+    Key::new("form", Kind::Choice(&FORMS), "The maker's form: Rothe Erde's of ball or of roller rings, or another maker's of ball rings, in which the horizontal force counts 2.2 times.")
+};
+const MOTION: &[Key] = &Motion::keys([&s::FROM, &s::TO], &s::PSI, (&s::OMEGA, "Angular velocity of slewing."));
+const LIMITS: &[Key] = &Limit::keys::<6>(OUTLINE.limits);
+
+/// A slewing ring as the scene describes it; SI.
+#[derive(Clone, Debug)]
+pub struct RingScene {
+    given: Given<f64>,
+}
+
+/// As scenes describe it.
+pub const ENTRY: Entry = Description::<RingScene>::entry("ring", KEYS);
+
+/// The rolling elements; mistakes go to `found`.
+fn rolling(v: &Values, found: &mut Vec<Diagnostic>) -> Option<RollingElements> {
+    let count = v.of(&s::Z)?;
+    if count.fract() != 0.0 {
+        let what = format!("a ring with z = {count} rolling elements");
+        found.push(v.refuse(
+            s::Z.id,
+            what,
+            "no number of rolling elements",
+            "give a whole number, from 3 on",
+        ));
+        return None;
+    }
+    let law = LAWS.iter().position(|law| v.text("law") == Some(law))?;
+    Some(RollingElements::new(
+        count as usize,
+        law,
+        v.text("rows") == Some(ROWS[1]),
+    ))
+}
+
+/// The points of the load curve; mistakes go to `found`.
+fn curve(capacity: &Values, found: &mut Vec<Diagnostic>) -> Option<LoadCurve> {
+    let tables = capacity.tables("curve");
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    let mut refuse = |place: usize, key: &Symbol, what: String, help: &str| {
+        found.push(tables[place].refuse(key.id, what, "not on a load curve", help));
+    };
+    for (place, table) in tables.iter().enumerate() {
+        let point = [table.of(&s::F_CURVE)?, table.of(&s::M_CURVE)?];
+        let [force, moment] = [s::F_CURVE.written(point[0]), s::M_CURVE.written(point[1])];
+        match points.last() {
+            None if point[0] != 0.0 => {
+                let what = format!("the load curve begins at F_curve = {force}");
+                refuse(
+                    place,
+                    &s::F_CURVE,
+                    what,
+                    "begin with the moment that the ring bears without force: F_curve = \"0 kN\"",
+                );
+            }
+            None if point[1] == 0.0 => {
+                let what = format!("the load curve begins at M_curve = {moment}");
+                refuse(
+                    place,
+                    &s::M_CURVE,
+                    what,
+                    "give the moment that the ring bears without force: above zero",
+                );
+            }
+            Some(last) if point[0] <= last[0] => {
+                let what = format!("F_curve = {force} after {}", s::F_CURVE.written(last[0]));
+                refuse(place, &s::F_CURVE, what, "give the points with rising force");
+            }
+            _ => {}
+        }
+        points.push(point);
+    }
+    if points.len() == 1 {
+        refuse(
+            0,
+            &s::F_CURVE,
+            "a load curve with one point".to_owned(),
+            "give two points at least",
+        );
+    }
+    Some(LoadCurve(points))
+}
+
+impl Described for RingScene {
+    type Component = SlewingRing;
+    const ID: &'static str = "slewing_ring";
+    const TABLE: &'static str = "supports";
+    const OUTLINE: &'static Outline = &OUTLINE;
+    const VOCABULARY: &'static Vocabulary = &Vocabulary {
+        words: "ring_symbol",
+        own: &[s::ALL],
+        shared: &[],
+    };
+
+    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(RingScene, Motion)> {
+        let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
+        let range = Motion::read(v.table("motion")?, found)?;
+        let form = v.table("maker_friction").and_then(|table| table.text("form"));
+        let given = Given {
+            psi: One(&s::PSI, range.from),
+            omega: One(&s::OMEGA, range.speed),
+            reach: one(&s::R)?,
+            load: one(&s::Q)?,
+            raceway: Raceway::read(v)?,
+            bodies: each(v, "upper", RingBody::read)?,
+            areas: each(v, "areas", RingArea::read)?,
+            slope: v.part("slope", RingSlope::read)?,
+            cases: each(v, "cases", RingCase::read)?,
+            contact: v.part("contact", RollingContact::read)?,
+            length: v
+                .table("contact")
+                .and_then(|table| table.of(&s::B_R))
+                .map(|length| One(&s::B_R, length)),
+            equivalent: v.part("capacity", Equivalent::read)?,
+            friction: v.part("friction", ElementFriction::read)?,
+            maker: v.part("maker_friction", MakerFriction::read)?,
+            rolling: rolling(v, found)?,
+            curve: v.part("capacity", |table| curve(table, found))?.unwrap_or_default(),
+            form: MakerForm(FORMS.iter().position(|known| form == Some(known)).unwrap_or(0)),
+            open: LeftOpen::read(v, &[&s::R, &s::Q]),
+        };
+        Some((RingScene { given }, range))
+    }
+
+    fn given(this: &Description<RingScene>) -> Given<f64> {
+        this.given.clone()
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        vec!["static"]
+    }
+
+    fn identities(this: &Description<RingScene>, model: &mut Standing) -> Vec<Check> {
+        agreements(model, &this.given.rolling, this.given.raceway.d)
+    }
+
+    fn assumptions(this: &Description<RingScene>) -> Vec<&'static str> {
+        let law = if this.given.rolling.is_linear() {
+            "ring_springs"
+        } else {
+            "ring_power"
+        };
+        let rows = if this.given.rolling.held_down {
+            "ring_hold_down"
+        } else {
+            "ring_pressure"
+        };
+        vec!["ring_level_static", law, rows, "ring_rigid"]
+    }
+
+    fn uncovered(this: &Description<RingScene>) -> Vec<&'static str> {
+        let wind = this.given.areas.is_empty().then_some("wind");
+        wind.into_iter()
+            .chain(["ring_inertia", "ring_bolts", "dynamic_coefficients"])
+            .collect()
+    }
+
+    /// The load curve, with the reference loads of the cases where the curve is used most.
+    fn more(this: &Description<RingScene>, model: &mut Standing, sheet: &mut Sheet) {
+        let most = sheet.governing.iter().find(|found| found.symbol == &s::U_ST_MAX);
+        let Some((_, at)) = most.and_then(|found| found.at) else {
+            return;
+        };
+        let [forces, moments] = [&s::F_REF, &s::M_REF].map(|symbol| numbered(model, symbol, at));
+        let mut points = this.given.curve.0.clone();
+        if let Some(&[force, moment]) = points.last()
+            && moment > 0.0
+        {
+            points.push([force, 0.0]);
+        }
+        // Backward, and to the middle of the first line, so that its number stands there.
+        let middle = [0, 1].map(|i| f64::midpoint(points[0][i], points[1][i]));
+        points.reverse();
+        points.push(middle);
+        let loads = forces
+            .into_iter()
+            .zip(moments)
+            .map(|(force, moment)| corner([force, moment]));
+        let pieces: Vec<_> = std::iter::once(points).chain(loads).collect();
+        sheet.curves.push(Curve {
+            id: "ring_capacity",
+            x: &s::F_CURVE,
+            y: &s::M_CURVE,
+            numbers: (0..pieces.len()).collect(),
+            pieces,
+        });
+    }
+
+    /// The boom lies across no dimension.
+    fn drawn_at(this: &Description<RingScene>) -> f64 {
+        this.motion.at(0.125)
+    }
+
+    /// From above: the raceway, and the boom with its load.
+    fn drawing(this: &Description<RingScene>, at: f64) -> Drawing {
+        let radius = this.given.raceway.d / 2.0;
+        let mut draw = Draw::default();
+        draw.path((0..=72).map(|i| polar(radius, f64::from(i).to_radians() * 5.0)));
+        let head = polar(2.5 * radius, at);
+        draw.bar(&[Point::zeros(), head], false);
+        draw.line(Point::new(-1.5 * radius, 0.0), Point::new(2.0 * radius, 0.0));
+        draw.angle(Point::zeros(), 0.6 * radius, at, &s::PSI);
+        draw.joint(Point::zeros(), "O", true, false);
+        draw.joint(head, s::Q.print, false, false);
+        draw.distance(Point::new(0.0, -radius), Point::new(0.0, radius), 1.3 * radius, &s::D);
+        draw.done(radius)
+    }
+}

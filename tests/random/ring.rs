@@ -1,0 +1,106 @@
+//! What makes a scene of a slewing ring legal: weights that stand within the raceway, or a row that holds the ring down.
+
+use std::f64::consts::PI;
+
+use lemnis_models::kernel::schema::Key;
+use lemnis_models::kernel::symbol::Symbol;
+use lemnis_models::supports::ring::symbols as s;
+use toml::Table;
+
+use crate::bodies::{list, row};
+use crate::luffing::working_range;
+use crate::scene::{Draw, Node};
+
+/// A result that every level has.
+pub const RESULT: (&str, &Symbol) = ("G_0", &s::G_0);
+
+pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
+    let mut table = draw.table(keys);
+    let mut n = Node::new(draw, keys, &mut table);
+    let (size, weight) = (n.draw.scale[0], n.draw.natural(&s::V));
+    let (diameter, angle) = (size * n.draw.between(0.8, 2.0), n.draw.between(0.3, 1.57));
+    let count = f64::from(n.draw.rng.u32(3..401));
+    n.set("D", diameter);
+    n.set("z", count);
+    n.set("alpha", angle);
+    // A ring that is held down may bear far more than its own weight holds.
+    let far = if n.text("rows") == Some("hold_down") {
+        n.draw.pick(&[1.0, 30.0, 1000.0])
+    } else {
+        1.0
+    };
+    let bodies = n.draw.rng.usize(1..4);
+    list(&mut n, "upper", bodies, &mut |draw, _| {
+        let (own, place) = (weight * draw.between(0.5, 1.0), far * size * draw.between(-0.1, 0.1));
+        let high = size * draw.between(0.0, 0.5);
+        row(draw, &[(&s::G_U, own), (&s::R_U, place), (&s::H_U, high)])
+    });
+    let (load, reach) = (n.draw.between(0.0, 0.1), n.draw.between(0.0, 0.5));
+    n.set("Q", weight * load);
+    n.set("R", far * size * reach);
+    if let Some(mut slope) = n.child("slope") {
+        let (gamma, high) = (slope.draw.between(0.0, 0.05), size * slope.draw.between(0.0, 1.0));
+        slope.set("gamma", gamma);
+        slope.set("h_Q", high);
+    }
+    let areas = n.draw.rng.usize(0..3);
+    list(&mut n, "areas", areas, &mut |draw, _| {
+        let (area, height) = (size * size * draw.between(0.0, 1.0), size * draw.between(0.0, 1.0));
+        row(draw, &[(&s::A_W, area), (&s::H_W, height)])
+    });
+    let cases = n.draw.rng.usize(1..4);
+    list(&mut n, "cases", cases, &mut |draw, _| {
+        let (factor, to) = (draw.between(0.0, 1.5), draw.angle());
+        let pressure = draw.between(0.0, 0.02) * weight / (size * size);
+        row(draw, &[(&s::K_Q, factor), (&s::P_W, pressure), (&s::CHI_W, to)])
+    });
+    if let Some(mut capacity) = n.child("capacity") {
+        curve(&mut capacity, weight, size);
+    }
+    working_range(&mut n, [-PI, PI]);
+    table
+}
+
+/// Points with rising force, the first without one.
+fn curve(capacity: &mut Node, weight: f64, size: f64) {
+    let count = capacity.draw.rng.usize(2..6);
+    list(capacity, "curve", count, &mut |draw, i| {
+        let force = weight * (i as f64 + if i == 0 { 0.0 } else { draw.between(0.0, 0.5) });
+        let moment = weight * size * draw.between(0.1, 5.0);
+        row(draw, &[(&s::F_CURVE, force), (&s::M_CURVE, moment)])
+    });
+}
+
+/// Next to what cannot be: a load beyond the raceway, half a rolling element, two of them, a load curve that begins with a
+/// force, no weight.
+pub fn edge(n: &mut Node) {
+    let (size, weight) = (n.draw.scale[0], n.draw.natural(&s::V));
+    match n.draw.rng.u8(0..5) {
+        0 => {
+            let load = weight * n.draw.pick(&[1.0, 10.0, 1000.0]);
+            n.set("Q", load);
+            n.set("R", size);
+        }
+        1 => {
+            let count = n.draw.pick(&[2.0, 2.5, 7.5, 1001.0]);
+            n.set("z", count);
+        }
+        2 => {
+            if let Some(mut capacity) = n.child("capacity") {
+                list(&mut capacity, "curve", 2, &mut |draw, _| {
+                    row(draw, &[(&s::F_CURVE, weight), (&s::M_CURVE, weight * size)])
+                });
+            }
+        }
+        3 => {
+            let width = size * n.draw.pick(&[1e-9, 1e-3, 0.1]);
+            n.set("D", width);
+        }
+        _ => {
+            let own = weight * n.draw.pick(&[0.0, 1e-9]);
+            list(n, "upper", 1, &mut |draw, _| {
+                row(draw, &[(&s::G_U, own), (&s::R_U, size)])
+            });
+        }
+    }
+}
