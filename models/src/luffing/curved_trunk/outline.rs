@@ -64,7 +64,7 @@ pub const OUTLINE: Outline = Outline {
         ("trunk_wrap", None, &s::W),
         ("trunk_tie", None, &s::N_T),
     ],
-    extremes: &joined::<_, 15, 30, 45>(
+    extremes: &joined::<_, 15, 31, 46>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -97,7 +97,7 @@ pub const OUTLINE: Outline = Outline {
         &s::N_T_MAX,
         &b::DM_MAX,
     ],
-    limits: &joined::<_, 13, 18, 31>(
+    limits: &joined::<_, 13, 19, 32>(
         [
             Limit::at_most("level_error", &s::EPSILON_Y),
             Limit::at_least("trunk_transmission", &s::MU_MIN),

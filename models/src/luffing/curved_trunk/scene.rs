@@ -97,7 +97,7 @@ const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_T [or_mass], R_T >= 0, CHI_T [usually(0.0)]
 };
 
-const LIMITS: &[Key] = &Limit::keys::<26>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<27>(OUTLINE.limits);
 
 /// A boom with a curved trunk as the scene describes it; SI.
 #[derive(Clone, Debug)]

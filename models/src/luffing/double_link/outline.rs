@@ -57,7 +57,7 @@ pub const OUTLINE: Outline = Outline {
         ("li2022_fig_7", None, &s::V_AX),
         ("li2022_fig_8", None, &s::M_Q),
     ],
-    extremes: &joined::<_, 10, 30, 40>(
+    extremes: &joined::<_, 10, 31, 41>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -85,7 +85,7 @@ pub const OUTLINE: Outline = Outline {
         &b::DM_MAX,
         &b::N_MAX,
     ],
-    limits: &joined::<_, 9, 18, 27>(
+    limits: &joined::<_, 9, 19, 28>(
         [
             Limit::at_least("transmission_angle", &s::MU_MIN),
             Limit::at_most("level_error", &s::EPSILON_Y),

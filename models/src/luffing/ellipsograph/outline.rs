@@ -60,7 +60,7 @@ pub const OUTLINE: Outline = Outline {
         ("ellipsograph_guide", None, &s::F_BX),
         ("ellipsograph_link", None, &s::N_L),
     ],
-    extremes: &joined::<_, 10, 30, 40>(
+    extremes: &joined::<_, 10, 31, 41>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -95,7 +95,7 @@ pub const OUTLINE: Outline = Outline {
         &s::N_L_MAX,
         &b::DM_MAX,
     ],
-    limits: &joined::<_, 11, 18, 29>(
+    limits: &joined::<_, 11, 19, 30>(
         [
             Limit::at_most("level_error", &s::EPSILON_Y),
             Limit::at_most("ellipsograph_drive", &s::M_D_MAX),

@@ -49,7 +49,7 @@ const OWN_WORKED: [WorkedOutline; 4] = [
 ];
 
 /// With those of strength.
-pub const EXTREMES: [Greatest; 30] = joined(OWN_EXTREMES, strength::EXTREMES);
+pub const EXTREMES: [Greatest; 31] = joined(OWN_EXTREMES, strength::EXTREMES);
 
 const OWN_EXTREMES: [Greatest; 20] = [
     Greatest::new(&s::M_R_OWN_MAX, Most::Amount, &s::M_R_OWN),
@@ -86,7 +86,7 @@ pub const WHOLE: [Whole; 4] = [
 pub const SUMMARY: [&Symbol; 6] = joined([&s::P_RMS, &s::U_RMS, &s::T_LUFF, &s::V_MEAN], strength::SUMMARY);
 
 /// With those of strength.
-pub const LIMITS: [Limit; 18] = joined(OWN_LIMITS, strength::LIMITS);
+pub const LIMITS: [Limit; 19] = joined(OWN_LIMITS, strength::LIMITS);
 
 const OWN_LIMITS: [Limit; 6] = [
     Limit::within("motor_heating", &s::U_RMS, 1.0),

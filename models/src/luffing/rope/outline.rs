@@ -37,7 +37,7 @@ pub const OUTLINE: Outline = Outline {
         ("rope_pull", None, &s::T),
         ("rope_drum", None, &s::S_L_UP),
     ],
-    extremes: &joined::<_, 7, 30, 37>(
+    extremes: &joined::<_, 7, 31, 38>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -61,7 +61,7 @@ pub const OUTLINE: Outline = Outline {
         SUMMARY,
     ),
     sensitivity: &[&s::EPSILON_Y, &s::R_MAX, &s::T_MAX, &s::N_B_MAX, &b::DM_MAX],
-    limits: &joined::<_, 9, 18, 27>(
+    limits: &joined::<_, 9, 19, 28>(
         [
             Limit::at_most("level_error", &s::EPSILON_Y),
             Limit::at_most("rope_pull", &s::T_MAX),

@@ -109,7 +109,7 @@ static DYNAMICS: &[Key] = &dynamics::<13>(&[Key::quantity(&s::J_B, Sign::NotNega
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B);
 
-const LIMITS: &[Key] = &Limit::keys::<21>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<22>(OUTLINE.limits);
 
 /// A boom on a luffing rope as the scene describes it; SI.
 #[derive(Clone, Debug)]

@@ -49,7 +49,7 @@ pub const WORKED: [WorkedOutline; 6] = [
     ("worked_pins", &s::P_B, &[("strength_pins", &[Stage("sheared")])], &[]),
 ];
 
-pub const EXTREMES: [Greatest; 10] = [
+pub const EXTREMES: [Greatest; 11] = [
     Greatest::new(&s::LAMBDA_K_MAX, Most::Greatest, &s::LAMBDA_K),
     Greatest::new(&s::U_K_MAX, Most::Greatest, &s::U_K).with_pole(&H_D),
     Greatest::new(&s::SIGMA_F_MAX, Most::Greatest, &s::SIGMA_F).with_pole(&H_D),
@@ -58,13 +58,14 @@ pub const EXTREMES: [Greatest; 10] = [
     Greatest::new(&s::SIGMA_V_MAX, Most::Greatest, &s::SIGMA_V).with_pole(&H_D),
     Greatest::new(&s::P_C_MAX, Most::Greatest, &s::P_C).with_pole(&H_D),
     Greatest::new(&s::U_W_MAX, Most::Greatest, &s::U_W),
+    Greatest::new(&s::S_W_MIN, Most::Least, &s::S_W),
     Greatest::new(&s::P_B_MAX, Most::Greatest, &s::P_B),
     Greatest::new(&s::TAU_P_MAX, Most::Greatest, &s::TAU_P),
 ];
 
 pub const SUMMARY: [&Symbol; 2] = [&s::H_TR, &s::H_SH];
 
-pub const LIMITS: [Limit; 12] = [
+pub const LIMITS: [Limit; 13] = [
     Limit::at_most("strength_slenderness", &s::LAMBDA_K_MAX),
     Limit::within("strength_buckling", &s::U_K_MAX, 1.0),
     Limit::at_most("strength_bending", &s::SIGMA_F_MAX),
@@ -73,6 +74,7 @@ pub const LIMITS: [Limit; 12] = [
     Limit::at_most("strength_screw", &s::SIGMA_V_MAX),
     Limit::at_most("strength_cylinder", &s::P_C_MAX),
     Limit::within("strength_rope", &s::U_W_MAX, 1.0),
+    Limit::at_least("strength_slack", &s::S_W_MIN),
     Limit::at_least("strength_drum", &s::H_TR),
     Limit::at_least("strength_sheave", &s::H_SH),
     Limit::at_most("strength_pressure", &s::P_B_MAX),

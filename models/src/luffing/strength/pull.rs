@@ -47,18 +47,15 @@ pub struct Tensed<C> {
 results! { each Tensed as t => { S_W: t.pull; U_W: t.used; } }
 
 impl<C: Calc> Tensed<C> {
-    /// S Z_p ≤ F_min, where S = T / (m η) for a tackle of m falls and its efficiency that pulls with T; a force that would
-    /// press (N, positive) leaves the rope slack. [Ports001, 5.8]
+    /// S Z_p ≤ F_min, where S = T / (m η) for a tackle of m falls and its efficiency that pulls with T; under a force that
+    /// would press (N, positive) the rope is slack. [Ports001, 5.8]
     pub fn new(wire: &Wire<C>, [falls, eta]: [C; 2], force: &C) -> Tensed<C> {
-        if force.value() >= 0.0 {
-            let nothing = C::constant(0.0).over(*force).over(falls).over(eta);
-            let used = nothing.over(wire.z_p).over(wire.f_min);
-            return Tensed { pull: nothing, used };
-        }
-        let pull = under(*force, |force| (force / (falls * eta)).def(&s::S_W));
-        Tensed {
-            pull,
-            used: under(pull, |pull| (wire.z_p * pull / wire.f_min).def(&s::U_W)),
-        }
+        let pull = (-*force / (falls * eta)).def(&s::S_W);
+        let used = if pull.value() > 0.0 {
+            (wire.z_p * pull / wire.f_min).def(&s::U_W)
+        } else {
+            C::constant(0.0).over(pull).over(wire.z_p).over(wire.f_min)
+        };
+        Tensed { pull, used }
     }
 }

@@ -36,11 +36,12 @@ const OF_KINDS: [(&str, &[&str]); 4] = [
 ];
 
 /// What limits ask of, and whether a table that is there cannot do without them.
-const JUDGED: [(&str, bool, &[&Symbol]); 6] = [
+const JUDGED: [(&str, bool, &[&Symbol]); 7] = [
     ("buckling", false, listed!(s: LAMBDA_K_MAX)),
     ("teeth", true, listed!(s: SIGMA_F_MAX, SIGMA_H_MAX)),
     ("nut", true, listed!(s: P_N_MAX, SIGMA_V_MAX)),
     ("rope", true, listed!(s: H_TR, H_SH)),
+    ("rope", false, listed!(s: S_W_MIN)),
     ("pin_size", true, listed!(s: P_B_MAX, TAU_P_MAX)),
     ("cylinder", false, listed!(s: P_C_MAX)),
 ];

@@ -56,8 +56,8 @@ symbols! {
     TAU_D: "tau_d" "tau_(d i)" PA / MPA [infinite("where the drive points at the foot of its bar")], "Greatest stress of the screw's core by torsion.", "[Ports001, 5.8]";
     SIGMA_V: "sigma_v" "sigma_(v i)" PA / MPA [infinite("where the drive points at the foot of its bar")], "Equivalent stress of the screw's core.", "[Ports001, 5.8]";
     P_C: "p_C" "p_(C i)" PA / MPA [infinite("where the drive points at the foot of its bar")], "Oil pressure that the force of the cylinder asks for: on the bore where it pushes, else on the annulus.", "[Ports001, 5.8]";
-    S_W: "S_w" "S_(w i)" N / KN, "Pull of the luffing rope at its drum, with the tackle's losses.", "[Ports001, 5.8]";
-    U_W: "u_w" "u_(w i)" ONE / ONE, "Pull of the luffing rope times its safety factor, over its minimum breaking force.", "[Ports001, 5.8]";
+    S_W: "S_w" "S_(w i)" N / KN [infinite("where the drive points at the foot of its bar")], "Pull of the luffing rope at its drum, with the tackle's losses; where negative the boom falls back on a slack rope.", "[Ports001, 5.8]";
+    U_W: "u_w" "u_(w i)" ONE / ONE [infinite("where the drive points at the foot of its bar")], "Pull of the luffing rope times its safety factor, over its minimum breaking force.", "[Ports001, 5.8]";
     P_B: "p_b" "p_(b i)" PA / MPA, "Greatest pressure of all pins whose sizes are given.", "[Ports001, 5.8]";
     TAU_P: "tau_p" "tau_(p i)" PA / MPA, "Greatest mean shear stress of these pins, each sheared twice.", "[Ports001, 5.8]";
 
@@ -69,7 +69,8 @@ symbols! {
     P_N_MAX: "p_n_max" "p_(n,max)" PA / MPA [infinite("where the drive points at the foot of its bar")], "Greatest pressure on the flanks of the nut in all cases.", "[Ports001, 5.8]";
     SIGMA_V_MAX: "sigma_v_max" "sigma_(v,max)" PA / MPA [infinite("where the drive points at the foot of its bar")], "Greatest equivalent stress of the screw's core in all cases.", "[Ports001, 5.8]";
     P_C_MAX: "p_C_max" "p_(C,max)" PA / MPA [infinite("where the drive points at the foot of its bar")], "Greatest oil pressure that the force of the cylinder asks for in all cases.", "[Ports001, 5.8]";
-    U_W_MAX: "u_w_max" "u_(w,max)" ONE / ONE, "Greatest use of the luffing rope in all cases, its safety factor included.", "[Ports001, 5.8]";
+    U_W_MAX: "u_w_max" "u_(w,max)" ONE / ONE [infinite("where the drive points at the foot of its bar")], "Greatest use of the luffing rope in all cases, its safety factor included.", "[Ports001, 5.8]";
+    S_W_MIN: "S_w_min" "S_(w,\"min\")" N / KN [infinite("where the drive points at the foot of its bar")], "Smallest pull of the luffing rope in all cases; where negative the boom falls back on a slack rope.", "[Ports001, 5.8]";
     P_B_MAX: "p_b_max" "p_(b,max)" PA / MPA, "Greatest pressure of the pins in all cases.", "[Ports001, 5.8]";
     TAU_P_MAX: "tau_p_max" "tau_(p,max)" PA / MPA, "Greatest shear stress of the pins in all cases.", "[Ports001, 5.8]";
 
