@@ -6,7 +6,7 @@ import io
 import json
 
 import pytest
-from mpmath import diff, mpf
+from mpmath import diff, mpf, pi
 
 from conftest import ROOT, lemnis
 from oracles import drive_strength as strength
@@ -34,6 +34,10 @@ def ready(scene):
     return table(ROOT / f"models/scenes/{scene}.toml")
 
 
+def summary(scene):
+    return json.loads(lemnis("check", ROOT / f"models/scenes/{scene}.toml", "--json"))["summary"]
+
+
 def near(found, expected, what, within=1e-12):
     assert abs(found - expected) <= within * max(abs(expected), 1e-30), (what, found, expected)
 
@@ -48,11 +52,11 @@ def pins(scene, forces):
 
 
 def rack(length, push):
-    return strength.buckling(*STEEL, 4, 1, length, mpf("0.0204"), mpf("0.0346"), push)
+    return strength.buckling(*STEEL, 4, 1, length, mpf("0.0238"), mpf("0.0404"), push)
 
 
 def toothed(force, sector=None):
-    width, module, pinion = mm("160 20 200")
+    width, module, pinion = mm("220 20 200")
     return strength.teeth(mpf("1.5"), mpf("2.8"), width, module, rad(20), mpf("206e9"), mpf("0.3"), pinion, force, sector)
 
 
@@ -91,8 +95,10 @@ def test_rope_and_pin_of_the_boom_are_those_of_the_oracle():
             near(at[f"p_b[{number}]"], pressure, (degrees, number))
             near(at[f"tau_p[{number}]"], shear, (degrees, number))
             slack |= pull < 0
-    near(at["h_tr"], mpf(20), "h_tr")
-    near(at["h_sh"], mpf("22.5"), "h_sh")
+    told = summary("rope_luffing_drive")
+    near(told["h_tr"]["value"], mpf(20), "h_tr")
+    near(told["h_sh"]["value"], mpf("22.5"), "h_sh")
+    assert told["S_w_min"]["value"] < 0
     assert slack, "empty, with the storm from the front, the boom falls back"
 
 
@@ -103,10 +109,11 @@ def test_the_screw_at_rest_is_that_of_the_oracle():
         at, rest = found[float(degrees)], ("1", "0", "0", "0", "0", "0", "0")
         power, _, stroke = resistances.resistances(crane, rest, rad(degrees))
         force, length = -sum(power) / stroke, crane.driven(rad(degrees))
-        within = 1e-12 * float(max(abs(x) for x in power) / abs(sum(power)))
+        # As the balance's own moments, of which these are small differences.
+        within = 1e-13 * float(4e6 / abs(sum(power)))
         near(at["F_r[1]"], force, degrees, within)
         near(at["F_d"], force, degrees, within)
-        lam, use = strength.buckling(*STEEL, mpf("2.5"), 1, length - mpf("1.5"), *strength.round_bar(core), force)
+        lam, use = strength.buckling(*STEEL, mpf("2.5"), 1, length - mpf("2.5"), *strength.round_bar(core), force)
         near(at["lambda_k"], lam, degrees)
         near(at["u_k[1]"], use, degrees, within)
         pressure, torque, stress = strength.screw(d_2, lead, mpf("0.12"), rad(15), core, overlap, pitch, nut, force)
@@ -146,7 +153,7 @@ def other(folder, old, new, *tables):
 
 TEETH = ('sigma_F_max = "250 MPa"       # root of the teeth\n', 'sigma_H_max = "1150 MPa"      # their flanks\n')
 PINION = ('r_z    = "200 mm"             # pitch radius of the pinion\n', 'eta_d  = "0.97"               # pinion and rack\n')
-PROFILE = ('A_k     = "0.0204 m2"\n', 'i_min   = "34.6 mm"\n')
+PROFILE = ('A_k     = "0.0238 m2"\n', 'i_min   = "40.4 mm"\n')
 
 
 def test_a_cylinder_is_pressed_on_bore_or_annulus_and_buckles_as_its_rod(tmp_path):
@@ -170,14 +177,18 @@ def test_a_cylinder_is_pressed_on_bore_or_annulus_and_buckles_as_its_rod(tmp_pat
 
 
 def test_teeth_of_a_sector_are_curved_themselves(tmp_path):
-    lines = [line + "\n" for line in DRIVE.splitlines() if line.startswith(("E_x ", "E_y ", "s_d ", "chi_d "))]
-    kind = 'kind = "sector"\nr_s = "3 m"\ndelta_s = "200 deg"\n'
-    found = table(other(tmp_path, (*lines, *PROFILE), kind, "cases.buckling", "cases.motor", "cases.brake", "cases.second_brake"))
+    lines = dict.fromkeys(line + "\n" for line in DRIVE.splitlines() if line.startswith(("E_x ", "E_y ", "s_d ", "chi_d ", "K_b ")))
+    kind = 'kind = "sector"\nr_s = "4 m"\ndelta_s = "200 deg"\n'
+    found = table(other(tmp_path, lines, kind, "cases.buckling", "cases.motor", "cases.brake", "cases.second_brake"))
     for at in found.values():
         for number in (1, 2, 3):
-            bending, contact = toothed(mpf(at[f"F_r[{number}]"]), mpf(3))
+            bending, contact = toothed(mpf(at[f"F_r[{number}]"]), mpf(4))
             near(at[f"sigma_F[{number}]"], bending, number)
             near(at[f"sigma_H[{number}]"], contact, number)
+
+
+def degrees_of(place):
+    return float(place * 180 / pi)
 
 
 @pytest.mark.parametrize("scene, results", [
@@ -187,10 +198,10 @@ def test_teeth_of_a_sector_are_curved_themselves(tmp_path):
 ])
 def test_the_governing_case_and_position_are_those_of_the_table(scene, results):
     found = ready(scene)
-    told = json.loads(lemnis("check", ROOT / f"models/scenes/{scene}.toml", "--json"))
+    told = summary(scene)
     for id in results:
         most, at = max((value, degrees) for degrees, row in found.items() for name, value in row.items() if name.split("[")[0] == id)
-        governing = told["governing"][f"{id}_max"]
-        scale = 10.0 ** UNITS.get(governing.get("unit"), 0)
-        value = governing["value"] * scale
-        assert most * (1 - 1e-12) <= value <= most * 1.05, (id, most, governing)
+        governing = told[f"{id}_max"]
+        (place,) = governing["at"].values()
+        assert most * (1 - 1e-12) <= governing["value"] <= most * 1.01, (id, most, governing)
+        assert abs(degrees_of(place) - at) <= 1, (id, at, governing)

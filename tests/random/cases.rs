@@ -26,7 +26,7 @@ const LIMITS: [(&str, &str, bool); 11] = [
 
 /// Cases of a mechanism that is legal without them, or none, with limits of what is checked in them.
 pub fn cases(n: &mut Node, parts: &CaseParts) {
-    let drive = n.child("drive").map(|mut drive| {
+    let drive = n.child("drive").map(|drive| {
         let kind = drive.text("kind").unwrap_or("").to_owned();
         (kind, drive.has("r_z"), drive.get("d_2"), drive.get("d_r"))
     });
@@ -42,11 +42,11 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
         n.keep("limits", true);
     }
     let Some(mut limits) = n.child("limits") else { return };
-    for (table, name, needed) in LIMITS.iter().filter(|(_, name, _)| limits.knows(name)) {
-        match there.contains(table) {
-            true if *needed => limits.keep(name, true),
-            true => {}
-            false => limits.remove(&[name]),
+    for (table, name, needed) in LIMITS {
+        if !there.contains(&table) {
+            limits.remove(&[name]);
+        } else if needed && limits.knows(name) {
+            limits.keep(name, true);
         }
     }
 }

@@ -44,14 +44,14 @@ impl<C: Calc> Slender<C> {
     ) -> Found<Slender<C>> {
         let four = C::constant(4.0);
         let round = nut.map(|nut| nut.d_3).or(cylinder.map(|bore| bore.d_r));
-        let (area, radius) = match (profile, round) {
-            (Some(profile), _) => (profile.area, profile.radius),
-            (None, Some(d)) => (C::constant(PI) * d.square() / four, d / four),
+        let length = (strut.mu * (drive.l_d - strut.l_0)).def(&s::L_K);
+        let (area, lambda) = match (profile, round) {
+            (Some(profile), _) => (profile.area, length / profile.radius),
+            // The radius of gyration of a circle is a fourth of its diameter.
+            (None, Some(d)) => (C::constant(PI) * d.square() / four, four * length / d),
             (None, None) => return Err(absent()),
         };
-        let steel = [strut.e, strut.sigma_y];
-        let length = (strut.mu * (drive.l_d - strut.l_0)).def(&s::L_K);
-        let lambda = (length / radius).def(&s::LAMBDA_K);
+        let (steel, lambda) = ([strut.e, strut.sigma_y], lambda.def(&s::LAMBDA_K));
         let meets = buckling::meeting(steel).def(&s::LAMBDA_G);
         let stress = buckling::critical(lambda, meets, steel).def(&s::SIGMA_CR);
         Ok(Slender {

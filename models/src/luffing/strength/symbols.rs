@@ -10,7 +10,7 @@ symbols! {
     SIGMA_Y: "sigma_y" "sigma_y" PA / MPA [positive], "Yield point of the drive's bar.", "[Ports001, 5.8]";
     S_K: "S_k" "S_k" ONE / ONE [positive], "Safety that is asked for against buckling.", "[Ports001, 5.8]";
     MU_K: "mu_k" "mu_k" ONE / ONE [positive], "End factor: buckling length over free length, 1 where both ends are hinged.", "[Ports001, 5.8]";
-    L_0: "l_0" "l_0" M / MM [not_negative], "Part of the drive's length that is not free: guided, or stiff.", "input";
+    L_0: "l_0" "l_0" M / M [not_negative], "Part of the drive's length that is not free: guided, or stiff.", "input";
     A_K: "A_k" "A_k" M2 / M2 [positive], "Cross-section of the rack, or of the crank's rod.", "input";
     I_MIN: "i_min" "i_\"min\"" M / MM [positive], "Smallest radius of gyration of this cross-section.", "input";
 
@@ -37,9 +37,9 @@ symbols! {
     // At a position.
     L_K: "l_k" "l_k" M / M, "Buckling length of the drive's bar.", "Euler";
     LAMBDA_K: "lambda_k" "lambda_k" ONE / ONE, "Slenderness of the drive's bar: its buckling length over its radius of gyration.", "Euler";
-    LAMBDA_G: "lambda_g" "lambda_g" ONE / ONE, "Slenderness from which the bar buckles before it yields anywhere; there the critical stress is half the yield point.", "Euler";
-    SIGMA_CR: "sigma_cr" "sigma_\"cr\"" PA / MPA, "Critical stress of the drive's bar.", "Euler";
-    N_CR: "N_cr" "N_\"cr\"" N / KN, "Push at which the drive's bar buckles.", "Euler";
+    LAMBDA_G: "lambda_g" "lambda_g" ONE / ONE, "Slenderness from which the bar buckles before it yields anywhere; there the critical stress is half the yield point.", "Euler and Johnson";
+    SIGMA_CR: "sigma_cr" "sigma_\"cr\"" PA / MPA, "Critical stress of the drive's bar.", "Euler and Johnson";
+    N_CR: "N_cr" "N_\"cr\"" N / KN, "Push at which the drive's bar buckles.", "Euler and Johnson";
     RHO_C: "rho_c" "rho_c" M / MM, "Radius of curvature of the teeth against each other at the pitch point.", "[Ports001, 5.8]";
     A_3: "A_3" "A_3" M2 / M2, "Cross-section of the screw's core.", "[Ports001, 5.8]";
     A_N: "A_n" "A_n" M2 / M2, "Flanks on which the nut carries, seen along the screw.", "[Ports001, 5.8]";
