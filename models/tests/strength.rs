@@ -90,8 +90,6 @@ fn a_rope_that_would_press_is_slack() {
         }
     }
     assert!(slack > 0);
-    let least = get(&mut drive, "S_w_min");
-    assert!(least < 0.0, "{least}");
 }
 
 #[test]
