@@ -24,6 +24,7 @@ const TABLES: [(&str, &[&Symbol]); 19] = [
     ),
     ("Any luffing mechanism in motion", luffing::moving::symbols::ALL),
     ("What a luffing drive must overcome", luffing::resistances::symbols::ALL),
+    ("Strength of a luffing drive", luffing::strength::symbols::ALL),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
     ("The boom on guide and link", luffing::ellipsograph::symbols::ALL),
     ("The boom with a curved trunk", luffing::curved_trunk::symbols::ALL),

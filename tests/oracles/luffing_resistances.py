@@ -269,6 +269,7 @@ def resistances(crane, case, phi):
     forces = own + pressed + flung + slowed + tilted
     couples = [x + y for x, y in zip(spun, stopped)]
     _, pins = held(crane, phi, forces, couples, -1j * q + q * tan(sway) + (down + 1j) * q, q)
+    crane.carried = pins
     way = (rate > 0) - (rate < 0)
     turned = [mu * r * f * ((w > 0) - (w < 0)) * way for (mu, r), f, w in zip(crane.pins, pins, relative)]
     power.append(-sum(m * w for m, w in zip(turned, relative)))

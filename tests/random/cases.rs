@@ -9,8 +9,86 @@ use crate::scene::Node;
 const SWAY: f64 = 0.5;
 const SLOPE: f64 = 0.2;
 
-/// Cases of a mechanism that is legal without them, or none.
+/// Limits of what is checked in cases, with the table that has it, and whether this needs them.
+const LIMITS: [(&str, &str, bool); 11] = [
+    ("buckling", "lambda_k_max", false),
+    ("teeth", "sigma_F_max", true),
+    ("teeth", "sigma_H_max", true),
+    ("nut", "p_n_max", true),
+    ("nut", "sigma_v_max", true),
+    ("rope", "h_tr", true),
+    ("rope", "h_sh", true),
+    ("rope", "S_w_min", false),
+    ("pin_size", "p_b_max", true),
+    ("pin_size", "tau_p_max", true),
+    ("cylinder", "p_C_max", false),
+];
+
+/// Cases of a mechanism that is legal without them, or none, with limits of what is checked in them.
 pub fn cases(n: &mut Node, parts: &CaseParts) {
+    let drive = n.child("drive").map(|drive| {
+        let kind = drive.text("kind").unwrap_or("").to_owned();
+        (kind, drive.has("r_z"), drive.get("d_2"), drive.get("d_r"))
+    });
+    all(n, parts);
+    let mut there = Vec::new();
+    if let Some(mut c) = n.child("cases") {
+        sizes(&mut c, parts, drive.as_ref());
+        let tables = LIMITS.iter().map(|(table, ..)| *table);
+        there.extend(tables.filter(|table| c.has(table)));
+        there.extend(drive.filter(|(kind, ..)| kind == "cylinder").map(|_| "cylinder"));
+    }
+    if LIMITS.iter().any(|(table, _, needed)| *needed && there.contains(table)) {
+        n.keep("limits", true);
+    }
+    let Some(mut limits) = n.child("limits") else { return };
+    for (table, name, needed) in LIMITS {
+        if !there.contains(&table) {
+            limits.remove(&[name]);
+        } else if needed && limits.knows(name) {
+            limits.keep(name, true);
+        }
+    }
+}
+
+/// Sizes of what this drive has, and of pins.
+fn sizes(c: &mut Node, parts: &CaseParts, drive: Option<&(String, bool, f64, f64)>) {
+    let kind = drive.map_or("", |(kind, ..)| kind);
+    let (pinion, pitch, rod) = drive.map_or((false, 0.0, 0.0), |(_, pinion, pitch, rod)| (*pinion, *pitch, *rod));
+    let nut = kind == "screw";
+    if !nut {
+        c.remove(&["nut"]);
+    }
+    if !(kind == "sector" || kind == "rack" && pinion) {
+        c.remove(&["teeth"]);
+    }
+    if drive.is_some() {
+        c.remove(&["rope"]);
+    }
+    if let Some(mut nut) = c.child("nut") {
+        let part = nut.draw.between(0.3, 0.95);
+        nut.set("d_3", part * pitch);
+    }
+    let profile = ["rack", "crank"].contains(&kind);
+    let round = nut && c.has("nut") || kind == "cylinder" && rod > 0.0;
+    if !profile && !round {
+        c.remove(&["buckling"]);
+    }
+    if let Some(mut buckling) = c.child("buckling") {
+        buckling.remove(&["l_0"]);
+        buckling.keep("A_k", profile);
+        buckling.keep("i_min", profile);
+    }
+    c.remove(&["pin_size"]);
+    for name in parts.pins.iter().filter(|name| parts.guide != Some(**name)) {
+        if c.draw.coin(0.4) {
+            c.more("pin_size", |pin| pin.put("at", *name));
+        }
+    }
+}
+
+/// Cases, or none.
+fn all(n: &mut Node, parts: &CaseParts) {
     let behind = n.child("balance").map(|balance| {
         let kind = balance.text("kind").unwrap_or("").to_owned();
         (kind, balance.has("s_5"))

@@ -56,6 +56,11 @@ impl<C: Calc> Gearing<C> {
         }
     }
 
+    /// Torque, in N·m, for one newton that the motion works against.
+    pub fn against(&self) -> C {
+        self.arms[1]
+    }
+
     /// With lever arms as many times as long.
     #[must_use]
     pub fn times(&self, longer: C) -> Gearing<C> {

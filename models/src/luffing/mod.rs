@@ -10,4 +10,5 @@ pub mod ellipsograph;
 pub mod moving;
 pub mod resistances;
 pub mod rope;
+pub mod strength;
 pub mod with_balance;

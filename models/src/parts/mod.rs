@@ -1,6 +1,7 @@
-//! What several mechanisms are made of: plane geometry, a four-bar, joints, slewing, a load curve, a load on its rope, a hoist, a body on springs, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, a four-bar, joints, buckling, slewing, a load curve, a load on its rope, a hoist, a body on springs, motion over a range, oil, solvers.
 
 pub mod arcs;
+pub mod buckling;
 pub mod closure;
 mod dead_points;
 pub mod four_bar;

@@ -13,7 +13,8 @@ const OWN_USES: [Purpose; 2] = [("tail_points", &[&s::X_T, &s::Y_T]), ("annulus"
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", tail, tail_points "tail.points", weights, drive, balance, load "Q", motion,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake", limits),
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
+        case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits),
     constants: &[
         ("trunk_tail", &[Stage("tail")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -63,7 +64,7 @@ pub const OUTLINE: Outline = Outline {
         ("trunk_wrap", None, &s::W),
         ("trunk_tie", None, &s::N_T),
     ],
-    extremes: &joined::<_, 15, 20, 35>(
+    extremes: &joined::<_, 15, 31, 46>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -83,7 +84,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &joined::<_, 5, 4, 9>(
+    summary: &joined::<_, 5, 6, 11>(
         [&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
         SUMMARY,
     ),
@@ -96,7 +97,7 @@ pub const OUTLINE: Outline = Outline {
         &s::N_T_MAX,
         &b::DM_MAX,
     ],
-    limits: &joined::<_, 13, 6, 19>(
+    limits: &joined::<_, 13, 19, 32>(
         [
             Limit::at_most("level_error", &s::EPSILON_Y),
             Limit::at_least("trunk_transmission", &s::MU_MIN),

@@ -34,6 +34,7 @@ use crate::luffing::curved_trunk::symbols as s;
 use crate::luffing::curved_trunk::tail::{Leaving, TailArc, Trunk, TrunkChoice, TrunkTail};
 use crate::luffing::resistances::scene::{CASES, Cases, left};
 use crate::luffing::resistances::{self, checks, told};
+use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
@@ -96,7 +97,7 @@ const WEIGHTS: &[Key] = keys! { s:
     G_B [or_mass], R_B >= 0, CHI_B [usually(0.0)], G_T [or_mass], R_T >= 0, CHI_T [usually(0.0)]
 };
 
-const LIMITS: &[Key] = &Limit::keys::<16>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<27>(OUTLINE.limits);
 
 /// A boom with a curved trunk as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -120,7 +121,13 @@ impl Described for CurvedTrunk {
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "curved_trunk_symbol",
         own: &[s::ALL],
-        shared: &[b::ALL, drive::symbols::ALL, resistances::symbols::ALL, gravity::ALL],
+        shared: &[
+            b::ALL,
+            drive::symbols::ALL,
+            resistances::symbols::ALL,
+            strength::symbols::ALL,
+            gravity::ALL,
+        ],
     };
 
     fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(CurvedTrunk, Motion)> {
@@ -154,6 +161,11 @@ impl Described for CurvedTrunk {
             brake: cases.brake,
             second: cases.second,
             holds: cases.holds.clone(),
+            strut: cases.sizes.strut,
+            profile: cases.sizes.profile,
+            teeth: cases.sizes.teeth,
+            nut: cases.sizes.nut,
+            sizes: cases.sizes.pins.clone(),
             chosen: cases.choice.clone(),
             choice: TrunkChoice {
                 range,

@@ -39,6 +39,12 @@ use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::placed::{MovedBars, Weighty};
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
+use crate::luffing::strength::given::{Nut, PinSize, Profile, Strut, Teeth};
+use crate::luffing::strength::nut::{Core, Threaded};
+use crate::luffing::strength::pins::Sheared;
+use crate::luffing::strength::pull::pressed;
+use crate::luffing::strength::strut::{Slender, buckled};
+use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::four_bar::FourBar;
 use crate::parts::plane::Point;
@@ -48,6 +54,7 @@ mod s {
     pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
     pub use crate::luffing::curved_trunk::symbols::*;
     pub use crate::luffing::resistances::symbols::F_R;
+    pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
 
 stages! {
@@ -73,6 +80,11 @@ stages! {
         Parameter brake: Option<CaseBrake<C>>,
         Parameter second: Option<SecondBrake<C>>,
         Parameter holds: Vec<CaseHold<C>>,
+        Parameter strut: Option<Strut<C>>,
+        Parameter profile: Option<Profile<C>>,
+        Parameter teeth: Option<Teeth<C>>,
+        Parameter nut: Option<Nut<C>>,
+        Parameter sizes: Option<Vec<PinSize<C>>>,
         Fixed chosen: Option<CasesChoice>,
         Fixed choice: TrunkChoice,
     } find {
@@ -119,6 +131,14 @@ stages! {
         heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
         holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brake[!], second, sums, holds[each], resisted[each]);
         stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brake[!], second, sums, cases[each], motored[each]);
+        slender: Slender<C> = Slender::new(strut[!], profile, nut, cylinder, drive);
+        buckled[each cases]: Vec<C> = buckled(strut[!], slender, force[each]) => U_K;
+        mesh: Mesh<C> = Mesh::new(teeth[!], gear[!], mount[!]);
+        toothed[each cases]: Vec<Toothed<C>> = Toothed::new(teeth[!], mesh, force[each]);
+        core: Core<C> = Core::new(nut[!], gear[!], gearing);
+        threaded[each cases]: Vec<Threaded<C>> = Threaded::new(nut[!], core, force[each]);
+        pressed[each cases]: Vec<C> = pressed(cylinder[!], force[each]) => P_C;
+        sheared[each cases]: Vec<Sheared<C>> = Sheared::new(sizes[!], chosen[!], pinned[each]);
     }
 }
 

@@ -24,7 +24,8 @@ const OWN_USES: [Purpose; 6] = [
 pub const OUTLINE: Outline = Outline {
     inputs: chapters! {
         geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting, slewing, oil "hydraulics",
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake", limits
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
+        case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits
     },
     constants: &[
         ("geometry_constants", &[Stage("geometry")]),
@@ -56,7 +57,7 @@ pub const OUTLINE: Outline = Outline {
         ("li2022_fig_7", None, &s::V_AX),
         ("li2022_fig_8", None, &s::M_Q),
     ],
-    extremes: &joined::<_, 10, 20, 30>(
+    extremes: &joined::<_, 10, 31, 41>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -71,7 +72,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &joined::<_, 5, 4, 9>(
+    summary: &joined::<_, 5, 6, 11>(
         [&s::DELTA_Y, &s::EPSILON_Y, &d::LAMBDA_D, &d::RHO_D, &d::LOCK_D],
         SUMMARY,
     ),
@@ -84,7 +85,7 @@ pub const OUTLINE: Outline = Outline {
         &b::DM_MAX,
         &b::N_MAX,
     ],
-    limits: &joined::<_, 9, 6, 15>(
+    limits: &joined::<_, 9, 19, 28>(
         [
             Limit::at_least("transmission_angle", &s::MU_MIN),
             Limit::at_most("level_error", &s::EPSILON_Y),

@@ -41,8 +41,8 @@ use crate::luffing::moving::given::Fitted;
 use crate::luffing::moving::hoisting::load_taken;
 use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
-use crate::luffing::resistances;
 use crate::luffing::with_balance::{WithBalance, agreement, searched};
+use crate::luffing::{resistances, strength};
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
 use crate::parts::{hanging, hydraulics};
@@ -78,6 +78,7 @@ impl Described for LuffingScene {
             moving::symbols::ALL,
             crate::luffing::moving::symbols::ALL,
             resistances::symbols::ALL,
+            strength::symbols::ALL,
             hanging::ALL,
             turntable::ALL,
             gravity::ALL,
@@ -116,6 +117,11 @@ impl Described for LuffingScene {
             brake: this.cases.brake,
             second: this.cases.second,
             holds: this.cases.holds.clone(),
+            strut: this.cases.sizes.strut,
+            profile: this.cases.sizes.profile,
+            teeth: this.cases.sizes.teeth,
+            nut: this.cases.sizes.nut,
+            sizes: this.cases.sizes.pins.clone(),
             chosen: this.cases.choice.clone(),
             states: None,
             inputs: None,

@@ -58,6 +58,12 @@ use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::placed::{MovedBars, Weighty};
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
+use crate::luffing::strength::given::{Nut, PinSize, Profile, Strut, Teeth};
+use crate::luffing::strength::nut::{Core, Threaded};
+use crate::luffing::strength::pins::Sheared;
+use crate::luffing::strength::pull::pressed;
+use crate::luffing::strength::strut::{Slender, buckled};
+use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::four_bar::FourBar;
 use crate::parts::motion::{Motion, degrees};
@@ -70,6 +76,7 @@ mod s {
     pub use crate::luffing::double_link::moving::symbols::*;
     pub use crate::luffing::double_link::symbols::*;
     pub use crate::luffing::resistances::symbols::F_R;
+    pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
 
 stages! {
@@ -105,6 +112,11 @@ stages! {
         Parameter brake: Option<CaseBrake<C>>,
         Parameter second: Option<SecondBrake<C>>,
         Parameter holds: Vec<CaseHold<C>>,
+        Parameter strut: Option<Strut<C>>,
+        Parameter profile: Option<Profile<C>>,
+        Parameter teeth: Option<Teeth<C>>,
+        Parameter nut: Option<Nut<C>>,
+        Parameter sizes: Option<Vec<PinSize<C>>>,
         Fixed chosen: Option<CasesChoice>,
         Fixed choice: Choice,
         Fixed fitted: Fitted,
@@ -153,6 +165,14 @@ stages! {
         heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
         holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brake[!], second, sums, holds[each], resisted[each]);
         stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brake[!], second, sums, cases[each], motored[each]);
+        slender: Slender<C> = Slender::new(strut[!], profile, nut, cylinder, drive);
+        buckled[each cases]: Vec<C> = buckled(strut[!], slender, force[each]) => U_K;
+        mesh: Mesh<C> = Mesh::new(teeth[!], gear[!], mount[!]);
+        toothed[each cases]: Vec<Toothed<C>> = Toothed::new(teeth[!], mesh, force[each]);
+        core: Core<C> = Core::new(nut[!], gear[!], gearing);
+        threaded[each cases]: Vec<Threaded<C>> = Threaded::new(nut[!], core, force[each]);
+        pressed[each cases]: Vec<C> = pressed(cylinder[!], force[each]) => P_C;
+        sheared[each cases]: Vec<Sheared<C>> = Sheared::new(sizes[!], chosen[!], pinned[each]);
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
             parameters, load[!], inertias[!], constants[!], ramp, motor, give, turning, oil, fitted, choice

@@ -18,7 +18,8 @@ const OWN_USES: [Purpose; 3] = [
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", weights, drive, balance, load "Q", motion, moving "dynamics", hoisting,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake", limits),
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
+        case_buckling "cases.buckling", case_teeth "cases.teeth", case_nut "cases.nut", case_pin_sizes "cases.pin_size", limits),
     constants: &[
         ("ellipsograph_axes", &[Stage("axes")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -59,7 +60,7 @@ pub const OUTLINE: Outline = Outline {
         ("ellipsograph_guide", None, &s::F_BX),
         ("ellipsograph_link", None, &s::N_L),
     ],
-    extremes: &joined::<_, 10, 20, 30>(
+    extremes: &joined::<_, 10, 31, 41>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -74,7 +75,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &joined::<_, 6, 4, 10>(
+    summary: &joined::<_, 6, 6, 12>(
         [
             &s::DELTA_Y,
             &s::EPSILON_Y,
@@ -94,7 +95,7 @@ pub const OUTLINE: Outline = Outline {
         &s::N_L_MAX,
         &b::DM_MAX,
     ],
-    limits: &joined::<_, 11, 6, 17>(
+    limits: &joined::<_, 11, 19, 30>(
         [
             Limit::at_most("level_error", &s::EPSILON_Y),
             Limit::at_most("ellipsograph_drive", &s::M_D_MAX),

@@ -42,6 +42,7 @@ use crate::luffing::moving::told::motion::moved;
 use crate::luffing::moving::told::shown::running;
 use crate::luffing::resistances::scene::{CASES, Cases, left};
 use crate::luffing::resistances::{self, checks, told};
+use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
@@ -87,7 +88,7 @@ static DYNAMICS: &[Key] = &dynamics::<14>(&[
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B, J_L);
 
-const LIMITS: &[Key] = &Limit::keys::<15>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<26>(OUTLINE.limits);
 
 /// A boom on guide and link as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -119,6 +120,7 @@ impl Described for Ellipsograph {
             gravity::ALL,
             moving::symbols::ALL,
             resistances::symbols::ALL,
+            strength::symbols::ALL,
             hanging::ALL,
             hydraulics::symbols::ALL,
         ],
@@ -153,6 +155,11 @@ impl Described for Ellipsograph {
             brake: cases.brake,
             second: cases.second,
             holds: cases.holds.clone(),
+            strut: cases.sizes.strut,
+            profile: cases.sizes.profile,
+            teeth: cases.sizes.teeth,
+            nut: cases.sizes.nut,
+            sizes: cases.sizes.pins.clone(),
             chosen: cases.choice.clone(),
             choice: GuidedChoice {
                 range,

@@ -50,6 +50,12 @@ use crate::luffing::resistances::outline::WHOLE;
 use crate::luffing::resistances::placed::{MovedBars, Weighty};
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
+use crate::luffing::strength::given::{Nut, PinSize, Profile, Strut, Teeth};
+use crate::luffing::strength::nut::{Core, Threaded};
+use crate::luffing::strength::pins::Sheared;
+use crate::luffing::strength::pull::pressed;
+use crate::luffing::strength::strut::{Slender, buckled};
+use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::four_bar::FourBar;
 use crate::parts::plane::Point;
@@ -60,6 +66,7 @@ mod s {
     pub use crate::luffing::ellipsograph::symbols::*;
     pub use crate::luffing::moving::symbols::{M_R, M_R_H, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
+    pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
 
 stages! {
@@ -92,6 +99,11 @@ stages! {
         Parameter brake: Option<CaseBrake<C>>,
         Parameter second: Option<SecondBrake<C>>,
         Parameter holds: Vec<CaseHold<C>>,
+        Parameter strut: Option<Strut<C>>,
+        Parameter profile: Option<Profile<C>>,
+        Parameter teeth: Option<Teeth<C>>,
+        Parameter nut: Option<Nut<C>>,
+        Parameter sizes: Option<Vec<PinSize<C>>>,
         Fixed chosen: Option<CasesChoice>,
         Fixed choice: GuidedChoice,
         Fixed fitted: Fitted,
@@ -137,6 +149,14 @@ stages! {
         heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
         holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brake[!], second, sums, holds[each], resisted[each]);
         stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brake[!], second, sums, cases[each], motored[each]);
+        slender: Slender<C> = Slender::new(strut[!], profile, nut, cylinder, drive);
+        buckled[each cases]: Vec<C> = buckled(strut[!], slender, force[each]) => U_K;
+        mesh: Mesh<C> = Mesh::new(teeth[!], gear[!], mount[!]);
+        toothed[each cases]: Vec<Toothed<C>> = Toothed::new(teeth[!], mesh, force[each]);
+        core: Core<C> = Core::new(nut[!], gear[!], gearing);
+        threaded[each cases]: Vec<Threaded<C>> = Threaded::new(nut[!], core, force[each]);
+        pressed[each cases]: Vec<C> = pressed(cylinder[!], force[each]) => P_C;
+        sheared[each cases]: Vec<Sheared<C>> = Sheared::new(sizes[!], chosen[!], pinned[each]);
         guided: GuidedParts<C> = GuidedParts::new(bars, weights[!], inertias[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
         parts[constants]: Vec<SingleParts<Guided, C>> = single::parts(

@@ -46,6 +46,8 @@ pub struct CasesChoice {
     pub bodies: Vec<usize>,
     /// Of each given pin, which of the mechanism's it is.
     pub pins: Vec<usize>,
+    /// Of each pin whose size is given, which of the mechanism's it is.
+    pub sizes: Vec<usize>,
     /// The case of the motor's heating, from 0.
     pub heating: Option<usize>,
     /// Acceleration of gravity, in m/s².

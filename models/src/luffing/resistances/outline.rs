@@ -1,15 +1,23 @@
 //! What the book tells of the cases.
 
 use crate::component::outline::Explained::Stage;
-use crate::component::outline::{Greatest, Limit, Line, Most, Purpose, SectionOutline};
+use crate::component::outline::{Greatest, Limit, Line, Most, Purpose, joined};
 use crate::component::whole::{How, Whole};
 use crate::drive::symbols::H_D;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::luffing::resistances::symbols as s;
+use crate::luffing::strength::outline as strength;
+use crate::luffing::strength::outline::WorkedOutline;
+
+/// What formulas of motor and brakes take from places and bodies, and what from the moments of the case.
+pub const MOVED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R);
+const RESISTED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R, M_R_INERTIA, M_R_FRICTION, M_R_SUM, F_R);
 
 /// What is worked out, each for the case and at the place in which a result is greatest by amount: id of the words, that
-/// result, and the formulas.
-pub const WORKED: &[(&str, &Symbol, &[SectionOutline])] = &[
+/// result, the formulas, and what they take from elsewhere; the first of them takes all of the bodies.
+pub const WORKED: [WorkedOutline; 10] = joined(OWN_WORKED, strength::WORKED);
+
+const OWN_WORKED: [WorkedOutline; 4] = [
     (
         "worked",
         &s::M_R_SUM,
@@ -18,21 +26,32 @@ pub const WORKED: &[(&str, &Symbol, &[SectionOutline])] = &[
             ("resistances_case", &[Stage("resisted")]),
             ("resistances_sum", &[Stage("rubbed"), Stage("force")]),
         ],
+        &[],
     ),
-    ("worked_motor", &s::P_M, &[("resistances_motor", &[Stage("motored")])]),
+    (
+        "worked_motor",
+        &s::P_M,
+        &[("resistances_motor", &[Stage("motored")])],
+        RESISTED,
+    ),
     (
         "worked_holding",
         &s::T_K,
         &[("resistances_holding", &[Stage("holding")])],
+        RESISTED,
     ),
     (
         "worked_stopping",
         &s::T_STOP,
         &[("resistances_stopping", &[Stage("stopped")])],
+        RESISTED,
     ),
 ];
 
-pub const EXTREMES: [Greatest; 20] = [
+/// With those of strength.
+pub const EXTREMES: [Greatest; 31] = joined(OWN_EXTREMES, strength::EXTREMES);
+
+const OWN_EXTREMES: [Greatest; 20] = [
     Greatest::new(&s::M_R_OWN_MAX, Most::Amount, &s::M_R_OWN),
     Greatest::new(&s::M_R_LOAD_MAX, Most::Amount, &s::M_R_LOAD),
     Greatest::new(&s::M_R_SWAY_MAX, Most::Amount, &s::M_R_SWAY),
@@ -63,9 +82,13 @@ pub const WHOLE: [Whole; 4] = [
     Whole::new(&s::V_MEAN, How::Mean(&s::TAU_H), &s::V_H_A),
 ];
 
-pub const SUMMARY: [&Symbol; 4] = [&s::P_RMS, &s::U_RMS, &s::T_LUFF, &s::V_MEAN];
+/// With those of strength.
+pub const SUMMARY: [&Symbol; 6] = joined([&s::P_RMS, &s::U_RMS, &s::T_LUFF, &s::V_MEAN], strength::SUMMARY);
 
-pub const LIMITS: [Limit; 6] = [
+/// With those of strength.
+pub const LIMITS: [Limit; 19] = joined(OWN_LIMITS, strength::LIMITS);
+
+const OWN_LIMITS: [Limit; 6] = [
     Limit::within("motor_heating", &s::U_RMS, 1.0),
     Limit::within("motor_overload", &s::U_M_MAX, 1.0),
     Limit::within("brakes_hold", &s::U_B_MAX, 1.0),
@@ -84,7 +107,10 @@ pub const SHAFT_COLUMNS: &[&Symbol] = listed!(s:
     T_M, P_M, U_M, T_0, T_START, A_START, T_H, T_K, T_STOP, S_STOP, A_STOP
 );
 
-pub const CURVES: &[Line] = &[
+/// With those of strength.
+pub const CURVES: [Line; 16] = joined(OWN_CURVES, strength::CURVES);
+
+const OWN_CURVES: [Line; 12] = [
     ("resistance_own", None, &s::M_R_OWN),
     ("resistance_load", None, &s::M_R_LOAD),
     ("resistance_sway", None, &s::M_R_SWAY),

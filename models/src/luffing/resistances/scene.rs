@@ -14,6 +14,7 @@ use crate::luffing::resistances::given::{
 use crate::luffing::resistances::placed::BARS;
 use crate::luffing::resistances::symbols as s;
 use crate::luffing::resistances::train::{BRAKE, MOTOR, SECOND, Train, named};
+use crate::luffing::strength::scene::{BUCKLING, NUT, PIN_SIZE, ROPE, Sizes, TEETH};
 
 /// The table `[cases]`, also beside the mechanism.
 pub const CASES: Key = Key::part(
@@ -32,7 +33,7 @@ static KEYS: &[Key] = keys! { s:
     Key::new("case", Kind::Tables(CASE, 12), "The cases: I for heating and fatigue, II the greatest at work, III out of service, or others."),
     Key::new("body", Kind::Tables(BODY, 24), "The bodies' inertias, and the areas that the wind meets."),
     Key::new("pin", Kind::Tables(PIN, 16), "Pins that rub.").optional(),
-    MOTOR, BRAKE, SECOND
+    MOTOR, BRAKE, SECOND, BUCKLING, TEETH, NUT, ROPE, PIN_SIZE
 };
 
 static CASE: &[Key] = keys! { s:
@@ -70,6 +71,8 @@ pub struct Cases {
     pub second: Option<SecondBrake<f64>>,
     /// Of each case, where there are brakes.
     pub holds: Vec<CaseHold<f64>>,
+    /// What is checked of the drive and of pins.
+    pub sizes: Sizes,
     pub choice: Option<CasesChoice>,
     pub unconfirmed: Vec<Coefficient>,
 }
@@ -91,6 +94,10 @@ impl Cases {
         gravity: f64,
         found: &mut Vec<Diagnostic>,
     ) -> Cases {
+        let rod = matches!(balance, Some(Form::Lever(..) | Form::Parallelogram(_)));
+        let behind = OF_BALANCE.iter().filter(|_| rod);
+        let pins: Vec<&str> = parts.pins.iter().chain(behind).copied().collect();
+        let sizes = Sizes::read(v, v.table("cases"), (&pins, parts.guide), found);
         let Some(table) = v.table("cases") else {
             return Cases::default();
         };
@@ -100,12 +107,14 @@ impl Cases {
         let mut read = Cases {
             choice: Some(CasesChoice {
                 gravity,
+                sizes: sizes.at.clone(),
                 ..CasesChoice::default()
             }),
+            sizes,
             ..Cases::default()
         };
         read.take_bodies(table, parts, balance, found);
-        read.take_pins(table, parts, balance, found);
+        read.take_pins(table, (&pins, parts.guide), found);
         read.take_air(table, standard, found);
         for case in table.tables("case") {
             read.take_case(case, standard.map(|(name, _)| *name), found);
@@ -164,21 +173,12 @@ impl Cases {
         }
     }
 
-    fn take_pins(
-        &mut self,
-        table: &Values,
-        parts: &CaseParts,
-        balance: Option<&Form<f64>>,
-        found: &mut Vec<Diagnostic>,
-    ) {
-        let rod = matches!(balance, Some(Form::Lever(..) | Form::Parallelogram(_)));
-        let behind = OF_BALANCE.iter().filter(|_| rod);
-        let known: Vec<&str> = parts.pins.iter().chain(behind).copied().collect();
+    fn take_pins(&mut self, table: &Values, (known, guide): (&[&str], Option<&str>), found: &mut Vec<Diagnostic>) {
         for pin in table.tables("pin") {
-            let Some(at) = named(pin, "at", "pin", &known, found) else {
+            let Some(at) = named(pin, "at", "pin", known, found) else {
                 continue;
             };
-            let is_guide = parts.guide == Some(known[at]);
+            let is_guide = guide == Some(known[at]);
             if pin.has(s::R_P.id) == is_guide {
                 let (what, label, help) = if is_guide {
                     ("is a guide and has no radius", "not used", "remove it")

@@ -18,12 +18,15 @@ use crate::luffing::resistances::friction::{OF_BALANCE, Pins};
 use crate::luffing::resistances::given::{Case, CaseBody, CasePin, CasesChoice};
 use crate::luffing::resistances::loads::Loads;
 use crate::luffing::resistances::moments::Resisted;
-use crate::luffing::resistances::outline::{COLUMNS, CURVES, SHAFT_COLUMNS, WORKED};
+use crate::luffing::resistances::outline::{COLUMNS, CURVES, MOVED, SHAFT_COLUMNS, WORKED};
 use crate::luffing::resistances::placed::{BARS, MovedBars};
 use crate::luffing::resistances::scene::{CaseParts, Cases};
 use crate::luffing::resistances::sums::{BodySums, Sums, pointing, swept};
 use crate::luffing::resistances::symbols as s;
 use crate::luffing::resistances::train::able;
+use crate::luffing::strength::given::PinSize;
+use crate::luffing::strength::outline::COLUMNS as STRENGTH_COLUMNS;
+use crate::luffing::strength::symbols as t;
 
 /// What is found of all cases at one position.
 pub struct Felt {
@@ -85,6 +88,7 @@ pub fn check<T: Resists>(model: &Standing, cases: &Cases, v: &Values, found: &mu
             return;
         }
     }
+    free(model, v, found);
     able(
         model,
         cases.motor.as_ref(),
@@ -93,6 +97,26 @@ pub fn check<T: Resists>(model: &Standing, cases: &Cases, v: &Values, found: &mu
         v,
         found,
     );
+}
+
+/// Checks that the drive's bar has a free length all over the working range.
+fn free(model: &Standing, v: &Values, found: &mut Vec<Diagnostic>) {
+    let length = |at: f64| Some((result(model, &t::L_K, 0, at)?, at));
+    let short = fine(model.motion())
+        .filter_map(length)
+        .find(|(length, _)| *length <= 0.0);
+    if let Some((length, at)) = short {
+        let coordinate = model.variables()[0].symbol;
+        let what = format!(
+            "no free length at {} = {}: l_k = {}",
+            coordinate.id,
+            coordinate.written(at),
+            t::L_K.written(length)
+        );
+        let table = v.table("cases").unwrap_or(v);
+        let help = "l_0 must be shorter than the drive is anywhere in the working range";
+        found.push(table.refuse("buckling", what, "nothing to buckle", help));
+    }
 }
 
 /// The chapter; `None` where the scene has no cases.
@@ -105,41 +129,36 @@ pub fn chapter<T: Described<Component: Resists>>(
         return None;
     }
     let coordinate = model.variables()[0].symbol;
-    let columns = COLUMNS.iter().chain(SHAFT_COLUMNS);
+    const ALL: [&[&Symbol]; 3] = [COLUMNS, SHAFT_COLUMNS, STRENGTH_COLUMNS];
+    let columns = ALL.into_iter().flatten();
     let mut search = Peaks::new(model, columns.copied());
     let mut greatest = |symbol: &&'static Symbol| -> Vec<Summary> {
         let each = slots(model, symbol).filter_map(|slot| search.of(&slot, Most::Amount));
         each.map(|found| Summary::at(symbol, found, coordinate)).collect()
     };
-    let (own, shaft): (Vec<_>, Vec<_>) = (
-        COLUMNS.iter().map(&mut greatest).collect(),
-        SHAFT_COLUMNS.iter().map(greatest).collect(),
-    );
+    let all: Vec<Vec<Summary>> = ALL.into_iter().flatten().map(&mut greatest).collect();
     // The case and the place where one of them is greatest.
     let most = |symbol: &'static Symbol| {
-        let all = own
+        let all = all
             .iter()
-            .chain(&shaft)
             .find(|all| all.first().is_some_and(|one| one.symbol == symbol))?;
         let (case, most) = (all.iter().enumerate().rev()).max_by(|a, b| a.1.value.abs().total_cmp(&b.1.value.abs()))?;
         (most.value != 0.0).then_some((case, most.at?.1))
     };
     let mut worked = Vec::new();
     let mut told_before = Vec::new();
-    for (id, symbol, outline) in WORKED {
+    for (id, symbol, outline, takes) in WORKED {
         let Some((case, at)) = most(symbol) else { continue };
         let felt = felt::<T::Component>(model, at).ok()?;
         let mut taken = bodies_taken(cases, &felt, case);
         let terms = if told_before.is_empty() {
             terms(&T::Component::PARTS, cases, &felt, case)
         } else {
-            taken.retain(|(symbol, _)| MOVED.contains(symbol));
-            taken.extend(
-                RESISTED
-                    .iter()
-                    .filter_map(|symbol| Some((*symbol, result(model, symbol, case, at)?))),
-            );
-            Vec::new()
+            taken.retain(|(symbol, _)| takes.contains(symbol));
+            let other = takes.iter().filter(|symbol| !MOVED.contains(symbol));
+            taken.extend(other.filter_map(|symbol| Some((*symbol, result(model, symbol, case, at)?))));
+            let pins = (id == "worked_pins").then(|| sizes(&T::Component::PARTS, cases, &felt.pins[case]));
+            pins.into_iter().collect()
         };
         worked.push(WorkedCase {
             id,
@@ -153,7 +172,11 @@ pub fn chapter<T: Described<Component: Resists>>(
         told_before.extend_from_slice(outline);
     }
     let mut ranges = Vec::new();
-    for (id, columns) in [("case_range", COLUMNS), ("shaft_range", SHAFT_COLUMNS)] {
+    for (id, columns) in [
+        ("case_range", COLUMNS),
+        ("shaft_range", SHAFT_COLUMNS),
+        ("strength_range", STRENGTH_COLUMNS),
+    ] {
         let all = (0..cases.names.len()).map(|case| (id, case, range(model, case, columns)));
         ranges.extend(all.filter(|(.., table)| table.columns.len() > 1));
     }
@@ -164,19 +187,19 @@ pub fn chapter<T: Described<Component: Resists>>(
             .map(|it| (it.symbol, it.number, it.value, it.standard))
             .collect(),
         worked,
-        greatest: own.into_iter().chain(shaft).filter(|all| !all.is_empty()).collect(),
+        greatest: all.into_iter().filter(|all| !all.is_empty()).collect(),
         ranges,
-        curves: lines(told, model, CURVES),
+        curves: lines(told, model, &CURVES),
     })
 }
 
-/// What formulas of motor and brakes take from places and bodies, and what from the moments of the case.
-const MOVED: &[&Symbol] = listed!(s: DS_S, DX_H, J_R);
-const RESISTED: &[&Symbol] = listed!(s: M_R_INERTIA, M_R_FRICTION, M_R_SUM, F_R);
-
-/// A result of a case, from 0, at a place.
+/// A result of a case, from 0, or of all of them, at a place.
 fn result(model: &Standing, symbol: &'static Symbol, case: usize, at: f64) -> Option<f64> {
-    let (slot, mut part, mut value) = (slots(model, symbol).nth(case)?, model.part().duplicate(), 0.0);
+    let (slot, mut part, mut value) = (
+        slots(model, symbol).nth(case).or(slots(model, symbol).next())?,
+        model.part().duplicate(),
+        0.0,
+    );
     part.put(model.coordinate(), at);
     part.result(&slot, &mut value).ok().map(|()| value)
 }
@@ -264,15 +287,6 @@ fn bodies(parts: &CaseParts, (given, choice): (&[CaseBody<f64>], &CasesChoice), 
 
 fn pins(parts: &CaseParts, (given, choice): (&[CasePin<f64>], &CasesChoice), carried: &Pins<f64>) -> Terms {
     let all = given.iter().zip(&choice.pins);
-    let name = |at: usize| {
-        parts
-            .pins
-            .iter()
-            .chain(&OF_BALANCE)
-            .nth(at)
-            .copied()
-            .unwrap_or_default()
-    };
     let row = |(pin, at): (&CasePin<f64>, &usize)| {
         let on = carried.at(*at);
         let (force, way) = (on.force(), on.way(pin.r));
@@ -282,7 +296,27 @@ fn pins(parts: &CaseParts, (given, choice): (&[CasePin<f64>], &CasesChoice), car
         columns: listed!(s: MU_P, F_PK, L_PK, M_MUK).to_vec(),
         rows: all.clone().map(row).collect(),
     };
-    (all.map(|(_, at)| name(*at)).collect(), table)
+    (all.map(|(_, at)| pin(parts, *at)).collect(), table)
+}
+
+/// A pin by its place.
+fn pin(parts: &CaseParts, at: usize) -> &'static str {
+    let all = parts.pins.iter().chain(&OF_BALANCE);
+    all.copied().nth(at).unwrap_or_default()
+}
+
+/// Stresses of the pins whose sizes are given.
+fn sizes(parts: &CaseParts, cases: &Cases, carried: &Pins<f64>) -> (&'static str, Vec<&'static str>, Table) {
+    let all = cases.sizes.pins.iter().flatten().zip(&cases.sizes.at);
+    let row = |(size, at): (&PinSize<f64>, &usize)| {
+        let force = carried.at(*at).force();
+        vec![force, size.d, size.b, size.pressure(force), size.shear(force)]
+    };
+    let table = Table {
+        columns: vec![&s::F_PK, &t::D_P, &t::B_P, &t::P_BK, &t::TAU_PK],
+        rows: all.clone().map(row).collect(),
+    };
+    ("strength_pins", all.map(|(_, at)| pin(parts, *at)).collect(), table)
 }
 
 /// Results of a case, from 0, over the working range.

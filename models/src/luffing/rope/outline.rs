@@ -13,7 +13,8 @@ const OWN_USES: [Purpose; 2] = [("start", &[&m::L_R, &m::PHI_R]), ("hoist", &[&m
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(geometry "", tackle, hoist_rope, weights, balance, load "Q", motion, moving "dynamics", hoisting,
-        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake", limits),
+        cases, case "cases.case", case_bodies "cases.body", case_pins "cases.pin", case_motor "cases.motor", case_brake "cases.brake", case_second_brake "cases.second_brake",
+        case_rope "cases.rope", case_pin_sizes "cases.pin_size", limits),
     constants: &[
         ("rope_constants", &[Stage("level")]),
         ("balance_constants", &[Stage("balancing")]),
@@ -36,7 +37,7 @@ pub const OUTLINE: Outline = Outline {
         ("rope_pull", None, &s::T),
         ("rope_drum", None, &s::S_L_UP),
     ],
-    extremes: &joined::<_, 7, 20, 27>(
+    extremes: &joined::<_, 7, 31, 38>(
         [
             Greatest::new(&s::R_MAX, Most::Greatest, &s::R),
             Greatest::new(&s::R_MIN, Most::Least, &s::R),
@@ -48,7 +49,7 @@ pub const OUTLINE: Outline = Outline {
         ],
         EXTREMES,
     ),
-    summary: &joined::<_, 6, 4, 10>(
+    summary: &joined::<_, 6, 6, 12>(
         [
             &s::DELTA_Y,
             &s::EPSILON_Y,
@@ -60,7 +61,7 @@ pub const OUTLINE: Outline = Outline {
         SUMMARY,
     ),
     sensitivity: &[&s::EPSILON_Y, &s::R_MAX, &s::T_MAX, &s::N_B_MAX, &b::DM_MAX],
-    limits: &joined::<_, 9, 6, 15>(
+    limits: &joined::<_, 9, 19, 28>(
         [
             Limit::at_most("level_error", &s::EPSILON_Y),
             Limit::at_most("rope_pull", &s::T_MAX),

@@ -15,6 +15,8 @@ use crate::luffing::resistances::placed::{BARS, MovedBars, Placed, Placing, Weig
 use crate::luffing::resistances::scene::CaseParts;
 use crate::luffing::resistances::symbols as s;
 use crate::luffing::rope::position::{BoomPosition, Compensation, Falls, Rig, Stretch};
+use crate::luffing::strength::given::Wire;
+use crate::luffing::strength::pull::Tensed;
 use crate::parts::plane::Point;
 
 /// Bars and pins in their order.
@@ -138,4 +140,9 @@ pub fn pins<C: Calc>(
 /// Force of the tackle between its ends, in N: it pulls where negative.
 pub fn force<C: Calc>(falls: &Falls<C>, rubbed: &Rubbed<C>) -> C {
     (rubbed.sum / falls.line.arm).def(&s::F_R)
+}
+
+/// The luffing rope in a case, under the force of its tackle, in N.
+pub fn tensed<C: Calc>(wire: &Wire<C>, rig: &Rig<C>, force: &C) -> Tensed<C> {
+    Tensed::new(wire, [rig.m_l, rig.eta_l], force)
 }

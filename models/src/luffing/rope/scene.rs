@@ -38,6 +38,7 @@ use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Rig
 use crate::luffing::rope::resisting;
 use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
+use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
@@ -108,7 +109,7 @@ static DYNAMICS: &[Key] = &dynamics::<13>(&[Key::quantity(&s::J_B, Sign::NotNega
 
 const INERTIAS: &[&Symbol] = listed!(s: J_B);
 
-const LIMITS: &[Key] = &Limit::keys::<11>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<22>(OUTLINE.limits);
 
 /// A boom on a luffing rope as the scene describes it; SI.
 #[derive(Clone, Debug)]
@@ -140,6 +141,7 @@ impl Described for Rope {
             gravity::ALL,
             moving::symbols::ALL,
             resistances::symbols::ALL,
+            strength::symbols::ALL,
             hanging::ALL,
             hydraulics::symbols::ALL,
         ],
@@ -168,6 +170,8 @@ impl Described for Rope {
             brake: cases.brake,
             second: cases.second,
             holds: cases.holds.clone(),
+            wire: cases.sizes.wire,
+            sizes: cases.sizes.pins.clone(),
             chosen: cases.choice.clone(),
             choice: BoomChoice { range },
             inertia: match &moving {

@@ -45,6 +45,9 @@ use crate::luffing::rope::resisting::{self, BoomPlaces};
 use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, power};
 use crate::luffing::rope::symbols as r;
 use crate::luffing::rope::velocity::{RopeTravel, Speeds};
+use crate::luffing::strength::given::{PinSize, Wire};
+use crate::luffing::strength::pins::Sheared;
+use crate::luffing::strength::pull::{RopeRatios, Tensed};
 use crate::luffing::with_balance::WithBalance;
 use crate::parts::plane::Point;
 
@@ -82,6 +85,8 @@ stages! {
         Parameter brake: Option<CaseBrake<C>>,
         Parameter second: Option<SecondBrake<C>>,
         Parameter holds: Vec<CaseHold<C>>,
+        Parameter wire: Option<Wire<C>>,
+        Parameter sizes: Option<Vec<PinSize<C>>>,
         Fixed chosen: Option<CasesChoice>,
         Fixed choice: BoomChoice,
         Fixed fitted: Fitted,
@@ -119,6 +124,9 @@ stages! {
         heating: Heating<C> = Heating::new(driver[!], sums, resisted, motored, chosen[!]);
         holding[each holds]: Vec<Holding<C>> = Holding::new(driver[!], brake[!], second, sums, holds[each], resisted[each]);
         stopped[each holds]: Vec<Stopped<C>> = Stopped::new(driver[!], brake[!], second, sums, cases[each], motored[each]);
+        ratios: RopeRatios<C> = RopeRatios::new(wire[!]);
+        tensed[each cases]: Vec<Tensed<C>> = resisting::tensed(wire[!], rig, force[each]);
+        sheared[each cases]: Vec<Sheared<C>> = Sheared::new(sizes[!], chosen[!], pinned[each]);
         roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
         parts[constants]: Vec<SingleParts<Roped, C>> = single::parts(
