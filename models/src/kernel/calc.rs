@@ -189,9 +189,14 @@ impl Takes<Dual64> for Dual64 {
     }
 }
 
-/// A number to a power that is a fraction.
-fn raised(x: f64, [above, below]: [u8; 2]) -> f64 {
-    libm::pow(x, f64::from(above) / f64::from(below))
+/// A number to a power that is a fraction: by roots where these do, which take a tenth of the time.
+fn raised(x: f64, exponent: [u8; 2]) -> f64 {
+    match exponent {
+        [1, 3] => libm::cbrt(x),
+        [3, 2] => x * x.sqrt(),
+        [10, 9] => x * libm::cbrt(libm::cbrt(x)),
+        [above, below] => libm::pow(x, f64::from(above) / f64::from(below)),
+    }
 }
 
 /// Moves an angle from (−π, π] to (−π/2, 3π/2].

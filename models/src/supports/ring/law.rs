@@ -71,18 +71,30 @@ impl RollingElements {
     /// (1/z) Σ of something of c_j and of the force (1 − λ (1 − c_j))ⁿ, or another approach, over the elements that bear.
     pub fn mean<C: Calc>(&self, approach: impl Fn(C) -> C, of: impl Fn(C, C) -> C) -> C {
         let each = |cosine: C| of(cosine, self.force(approach(cosine)));
-        let bears = |cosine: &C| self.held_down || approach(*cosine).value() > 0.0;
-        let mut all = self.cosines.iter().copied().map(C::constant).filter(bears).map(each);
-        let first = all.next().expect("the first one bears");
-        let sum = all.fold(first, |sum, one| sum + one);
+        let first = each(C::constant(self.cosines[0]));
+        let sum = self.pairs().skip(1).fold(first, |sum, (cosine, times)| {
+            let cosine = C::constant(cosine);
+            if self.held_down || approach(cosine).value() > 0.0 {
+                sum + each(cosine).scaled(times)
+            } else {
+                sum
+            }
+        });
         sum.among(Among::Sum, each(C::known(&s::C_J, self.cosines[0]))) / C::known(&s::Z, self.cosines.len() as f64)
+    }
+
+    /// Cosines of both halves, which are alike, each with how many elements have it.
+    fn pairs(&self) -> impl Iterator<Item = (f64, f64)> {
+        let count = self.cosines.len();
+        let times = move |j: usize| if j == 0 || 2 * j == count { 1.0 } else { 2.0 };
+        (0..=count / 2).map(move |j| (self.cosines[j], times(j)))
     }
 
     /// κ = Σ P c / Σ P (1 + c) at a fall λ of the approach, and its derivative.
     fn couple(&self, lambda: f64) -> [f64; 2] {
         let order = f64::from(self.exponent[0]) / f64::from(self.exponent[1]);
         let [mut turns, mut whole] = [[0.0; 2]; 2];
-        for &cosine in &self.cosines {
+        for (cosine, times) in self.pairs() {
             let approach = 1.0 - lambda * (1.0 - cosine);
             if approach < 0.0 && !self.held_down {
                 continue;
@@ -93,7 +105,7 @@ impl RollingElements {
                 _ if approach == 0.0 => 0.0,
                 _ => order * force / approach * (cosine - 1.0),
             };
-            for (sum, arm) in [(&mut turns, cosine), (&mut whole, 1.0 + cosine)] {
+            for (sum, arm) in [(&mut turns, times * cosine), (&mut whole, times * (1.0 + cosine))] {
                 *sum = [sum[0] + force * arm, sum[1] + slope * arm];
             }
         }
