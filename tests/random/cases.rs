@@ -2,6 +2,7 @@
 //! mechanism.
 
 use lemnis_models::luffing::resistances::scene::CaseParts;
+use toml::Table;
 
 use crate::scene::Node;
 
@@ -38,8 +39,8 @@ pub fn cases(n: &mut Node, parts: &CaseParts) {
         there.extend(tables.filter(|table| c.has(table)));
         there.extend(drive.filter(|(kind, ..)| kind == "cylinder").map(|_| "cylinder"));
     }
-    if LIMITS.iter().any(|(table, _, needed)| *needed && there.contains(table)) {
-        n.keep("limits", true);
+    if !n.has("limits") && LIMITS.iter().any(|(table, _, needed)| *needed && there.contains(table)) {
+        n.put("limits", Table::new());
     }
     let Some(mut limits) = n.child("limits") else { return };
     for (table, name, needed) in LIMITS {

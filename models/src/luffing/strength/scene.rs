@@ -113,13 +113,16 @@ fn judged(v: &Values, table: Option<&Values>, kind: &str, found: &mut Vec<Diagno
         let there = table.is_some_and(|table| match name {
             "cylinder" => kind == name,
             "pin_size" => !table.tables(name).is_empty(),
-            _ => table.has(name),
+            _ => table.has(name) && of_kind(name, kind),
         });
         for symbol in symbols {
             match (limits.filter(|limits| limits.has(symbol.id)), there, table) {
                 (Some(limits), false, _) => {
                     let what = format!("a limit {} that this scene has no result for", symbol.id);
-                    let help = format!("add [cases] with {name}, or remove the limit");
+                    let help = match name {
+                        "cylinder" => "remove it: it is for a cylinder in cases".to_owned(),
+                        _ => format!("add [cases.{name}], or remove the limit"),
+                    };
                     found.push(limits.refuse(symbol.id, what, "nothing to check", help));
                 }
                 (None, true, Some(table)) if needed => {
@@ -133,13 +136,20 @@ fn judged(v: &Values, table: Option<&Values>, kind: &str, found: &mut Vec<Diagno
     }
 }
 
+/// Whether a drive of a kind has a table.
+fn of_kind(name: &str, kind: &str) -> bool {
+    OF_KINDS
+        .iter()
+        .any(|(table, kinds)| *table == name && kinds.contains(&kind))
+}
+
 /// Refuses sizes of what this drive does not have, and asks for what else they need.
 fn fits(drive: Option<&Values>, table: &Values, kind: &str, found: &mut Vec<Diagnostic>) {
     let mut refuse = |name: &str, what: String, label: &str, help: &str| {
         found.push(table.refuse(name, what, label, help));
     };
     for (name, kinds) in OF_KINDS {
-        if table.has(name) && !kinds.contains(&kind) {
+        if table.has(name) && !of_kind(name, kind) {
             let what = format!("[cases.{name}] with a {kind}, which has none");
             refuse(
                 name,
