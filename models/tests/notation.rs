@@ -16,7 +16,7 @@ use lemnis_models::steering;
 use lemnis_models::supports::{mobile, portal, ring};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 19] = [
+const TABLES: [(&str, &[&Symbol]); 20] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
