@@ -64,7 +64,7 @@ fn scene(said: &Said<'_>) -> String {
     tables(&mut text, "areas", &[("A_w", "m2"), ("h_w", "m")], said.areas);
     tables(
         &mut text,
-        "cases",
+        "load_cases",
         &[("k_Q", ""), ("p_w", "Pa"), ("chi_w", "rad")],
         said.cases,
     );

@@ -12,7 +12,7 @@ use crate::luffing::working_range;
 use crate::scene::{Draw, Node};
 
 /// A result that every level has.
-pub const RESULT: (&str, &Symbol) = ("G_0", &s::G_0);
+pub const RESULT: (&str, &Symbol) = ("P_all", &s::P_ALL);
 
 pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let mut table = draw.table(keys);
@@ -25,7 +25,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     n.set("alpha", angle);
     // A ring that is held down may bear far more than its own weight holds.
     let far = if n.text("rows") == Some("hold_down") {
-        n.draw.pick(&[1.0, 30.0, 1000.0])
+        n.draw.pick(&[1.0, 30.0, 1000.0]).min(1e6 / size)
     } else {
         1.0
     };
@@ -49,7 +49,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
         row(draw, &[(&s::A_W, area), (&s::H_W, height)])
     });
     let cases = n.draw.rng.usize(1..4);
-    list(&mut n, "cases", cases, &mut |draw, _| {
+    list(&mut n, "load_cases", cases, &mut |draw, _| {
         let (factor, to) = (draw.between(0.0, 1.5), draw.angle());
         let pressure = draw.between(0.0, 0.02) * weight / (size * size);
         row(draw, &[(&s::K_Q, factor), (&s::P_W, pressure), (&s::CHI_W, to)])

@@ -8,7 +8,7 @@ use crate::supports::ring::symbols as s;
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
         ring_raceway "", load "Q", load "R", ring_bodies "upper", ring_slope "slope", ring_areas "areas",
-        ring_cases "cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
+        ring_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
         ring_friction "friction", ring_maker "maker_friction", motion, limits
     ),
     constants: &[

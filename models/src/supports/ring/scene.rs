@@ -38,7 +38,7 @@ pub const KEYS: &[Key] = keys! { s:
     Key::new("law", Kind::Choice(&LAWS), "How a rolling element yields: \"linear\" as a spring, \"line\" with the power 10/9 of its approach as rollers, \"point\" with the power 3/2 as balls."),
     Key::new("rows", Kind::Choice(&ROWS), "Whether rolling elements bear pressure alone, or a hold-down row bears by the same law where the ring would be lifted."),
     Key::new("upper", Kind::Tables(UPPER, MANY), "Bodies of the upper works, with boom and counterweight."),
-    Key::new("cases", Kind::Tables(CASE, MANY), "Load cases: how the load counts, and the wind."),
+    Key::new("load_cases", Kind::Tables(CASE, MANY), "Load cases: how the load counts, and the wind."),
     Key::new("areas", Kind::Tables(AREA, MANY), "Areas of what slews on which the wind acts, with their heights.").optional(),
     Key::part("slope", SLOPE, "Slope on which the crane stands."),
     Key::part("contact", CONTACT, "Contact of rolling elements and raceway, and its hardness."),
@@ -169,7 +169,7 @@ impl Described for RingScene {
             bodies: each(v, "upper", RingBody::read)?,
             areas: each(v, "areas", RingArea::read)?,
             slope: v.part("slope", RingSlope::read)?,
-            cases: each(v, "cases", RingCase::read)?,
+            cases: each(v, "load_cases", RingCase::read)?,
             contact: v.part("contact", RollingContact::read)?,
             length: v
                 .table("contact")
