@@ -25,7 +25,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     n.set("alpha", angle);
     // A ring that is held down may bear far more than its own weight holds.
     let far = if n.text("rows") == Some("hold_down") {
-        n.draw.pick(&[1.0, 30.0, 1000.0]).min(1e6 / size)
+        n.draw.pick(&[1.0_f64, 30.0, 1000.0]).min(1e6 / size)
     } else {
         1.0
     };
