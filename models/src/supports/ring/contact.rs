@@ -41,7 +41,7 @@ pub struct ContactStress<C> {
 results! { each ContactStress as c => { SIGMA_H: c.stress; U_H: c.used; } }
 
 impl<C: Calc> ContactStress<C> {
-    /// On a line √(N E* / (π b ρ)), at a point (1/π) ∛(6 N E*² / ρ²). [Hertz]
+    /// On a line √(N E* / (π b ρ)), at a point (1/π) ∛(6 N E*² / ρ²). [Ports001, 6.3.1.2]
     pub fn new(
         contact: &RollingContact<C>,
         length: &Option<One<C>>,
