@@ -70,6 +70,16 @@ fn without(text: &str, table: &str) -> String {
     format!("{}{}", &text[..start], &text[end..])
 }
 
+/// A scene without its own cases and what it allows there.
+fn plain(text: &str) -> String {
+    let text = text.split("\n[cases]").next().expect("a scene");
+    let allowed = |line: &&str| !["p_n_max", "sigma_v_max"].iter().any(|key| line.starts_with(key));
+    text.lines()
+        .filter(allowed)
+        .map(|line| line.to_owned() + "\n")
+        .collect()
+}
+
 /// With a load, weights, a drive and the cases.
 fn systems() -> Vec<(String, String)> {
     let link = cases(LINK, None);
@@ -83,7 +93,7 @@ fn systems() -> Vec<(String, String)> {
     all.extend(
         (1..)
             .zip(KINDS)
-            .map(|(i, kind)| (format!("drive {i}"), kind.to_owned() + &link)),
+            .map(|(i, kind)| (format!("drive {i}"), plain(kind) + &link)),
     );
     all.push(("parallelogram".to_owned(), PARALLELOGRAM.to_owned() + RACK + &link));
     all.push(("compensated".to_owned(), COMPENSATED.to_owned() + &cases(BOOM, None)));

@@ -68,6 +68,10 @@ impl Sizes {
         found: &mut Vec<Diagnostic>,
     ) -> Sizes {
         let drive = v.table("drive");
+        if table.is_some() && drive.is_none() && !v.has("tackle") {
+            // Cases without a drive are refused as such.
+            return Sizes::default();
+        }
         let kind = drive.and_then(|drive| drive.text("kind")).unwrap_or(TACKLE);
         judged(v, table, kind, found);
         let Some(table) = table else { return Sizes::default() };
