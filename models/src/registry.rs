@@ -34,6 +34,8 @@ use crate::slewing;
 use crate::slewing::scene::SlewingScene;
 use crate::steering;
 use crate::steering::scene::SteeringScene;
+use crate::supports::column;
+use crate::supports::column::scene::ColumnScene;
 use crate::supports::mobile;
 use crate::supports::mobile::scene::MobileScene;
 use crate::supports::portal;
@@ -52,6 +54,7 @@ pub static MECHANISMS: &[Entry] = &[
     mobile::scene::ENTRY,
     portal::scene::ENTRY,
     ring::scene::ENTRY,
+    column::scene::ENTRY,
 ];
 
 /// Tables of a scene that describe a mechanism.
@@ -86,6 +89,7 @@ pub const SUPPORTS: Key = Key::kinds(
         (mobile::scene::ENTRY.kind, mobile::scene::ENTRY.keys),
         (portal::scene::ENTRY.kind, portal::scene::ENTRY.keys),
         (ring::scene::ENTRY.kind, ring::scene::ENTRY.keys),
+        (column::scene::ENTRY.kind, column::scene::ENTRY.keys),
     ],
     "What a crane stands or slews on, and what it may lift there.",
 );
@@ -148,6 +152,7 @@ static TELLERS: &[Teller] = &[
     teller::<MobileScene>(),
     teller::<PortalScene>(),
     teller::<RingScene>(),
+    teller::<ColumnScene>(),
 ];
 
 /// The symbols of every mechanism, by its id.

@@ -13,10 +13,10 @@ use lemnis_models::parts::{hanging, hydraulics, turntable};
 use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
-use lemnis_models::supports::{mobile, portal, ring};
+use lemnis_models::supports::{column, mobile, portal, ring, upper};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 20] = [
+const TABLES: [(&str, &[&Symbol]); 22] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -40,9 +40,11 @@ const TABLES: [(&str, &[&Symbol]); 20] = [
         portal::symbols::ALL,
     ),
     (
-        "A slewing ring: moments in the direction of the side that they load, angles counter-clockwise from above",
-        ring::symbols::ALL,
+        "What slews on a support: moments in the direction of the side that they load, angles counter-clockwise from above",
+        upper::symbols::ALL,
     ),
+    ("A slewing ring", ring::symbols::ALL),
+    ("A column in three bearings", column::symbols::ALL),
     ("Gravity", gravity::ALL),
     ("The balance of the boom system", balance::symbols::ALL),
     ("Screw, pinion or crank of a drive", drive::symbols::ALL),

@@ -202,7 +202,7 @@ impl Words {
                     .flat_map(|table| *table)
                     .filter(|symbol| !matches!(symbol.source, "event" | "state"))
                     .map(|symbol| (symbol.id.to_owned(), prose(symbol.text, |id| find(symbols, id)).into()));
-                words.insert(symbols.words.to_owned(), meanings.collect());
+                words.entry(symbols.words.to_owned()).or_default().extend(meanings);
             }
             words.insert("reference".to_owned(), parse("references.toml", REFERENCES)?);
         }

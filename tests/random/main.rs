@@ -6,6 +6,7 @@
 
 mod bodies;
 mod cases;
+mod column;
 mod curved_trunk;
 mod ellipsograph;
 mod fmu;
@@ -17,6 +18,7 @@ mod rope;
 mod scene;
 mod slewing;
 mod steering;
+mod upper;
 
 use std::any::Any;
 use std::cell::RefCell;

@@ -10,6 +10,7 @@ use toml::Table;
 use crate::bodies::{list, row};
 use crate::luffing::working_range;
 use crate::scene::{Draw, Node};
+use crate::upper::{slewing, weightless};
 
 /// A result that every level has.
 pub const RESULT: (&str, &Symbol) = ("P_all", &s::P_ALL);
@@ -29,31 +30,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     } else {
         1.0
     };
-    let bodies = n.draw.rng.usize(1..4);
-    list(&mut n, "upper", bodies, &mut |draw, _| {
-        let (own, place) = (weight * draw.between(0.5, 1.0), far * size * draw.between(-0.1, 0.1));
-        let high = size * draw.between(0.0, 0.5);
-        row(draw, &[(&s::G_U, own), (&s::R_U, place), (&s::H_U, high)])
-    });
-    let (load, reach) = (n.draw.between(0.0, 0.1), n.draw.between(0.0, 0.5));
-    n.set("Q", weight * load);
-    n.set("R", far * size * reach);
-    if let Some(mut slope) = n.child("slope") {
-        let (gamma, high) = (slope.draw.between(0.0, 0.05), size * slope.draw.between(0.0, 1.0));
-        slope.set("gamma", gamma);
-        slope.set("h_Q", high);
-    }
-    let areas = n.draw.rng.usize(0..3);
-    list(&mut n, "areas", areas, &mut |draw, _| {
-        let (area, height) = (size * size * draw.between(0.0, 1.0), size * draw.between(0.0, 1.0));
-        row(draw, &[(&s::A_W, area), (&s::H_W, height)])
-    });
-    let cases = n.draw.rng.usize(1..4);
-    list(&mut n, "load_cases", cases, &mut |draw, _| {
-        let (factor, to) = (draw.between(0.0, 1.5), draw.angle());
-        let pressure = draw.between(0.0, 0.02) * weight / (size * size);
-        row(draw, &[(&s::K_Q, factor), (&s::P_W, pressure), (&s::CHI_W, to)])
-    });
+    slewing(&mut n, [size, weight, far]);
     if let Some(mut capacity) = n.child("capacity") {
         curve(&mut capacity, weight, size);
     }
@@ -96,11 +73,6 @@ pub fn edge(n: &mut Node) {
             let width = size * n.draw.pick(&[1e-9, 1e-3, 0.1]);
             n.set("D", width);
         }
-        _ => {
-            let own = weight * n.draw.pick(&[0.0, 1e-9]);
-            list(n, "upper", 1, &mut |draw, _| {
-                row(draw, &[(&s::G_U, own), (&s::R_U, size)])
-            });
-        }
+        _ => weightless(n),
     }
 }

@@ -1,6 +1,8 @@
 //! What a crane stands on.
 
+pub mod column;
 pub mod mobile;
 pub mod plan;
 pub mod portal;
 pub mod ring;
+pub mod upper;

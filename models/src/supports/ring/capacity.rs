@@ -6,8 +6,8 @@ use crate::kernel::group::quantities;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
 use crate::parts::load_curve::LoadCurve;
-use crate::supports::ring::load::RingLoad;
 use crate::supports::ring::symbols as s;
+use crate::supports::upper::load::SupportLoad;
 
 /// What a point of the load curve is called.
 const POINT: [&Symbol; 2] = [&s::F_CURVE, &s::M_CURVE];
@@ -41,7 +41,7 @@ results! { each StaticLoad as l => {
 pub fn static_loads<C: Calc>(
     curve: &LoadCurve,
     by: &Equivalent<C>,
-    loads: &[RingLoad<C>],
+    loads: &[SupportLoad<C>],
     room: &mut Vec<StaticLoad<C>>,
 ) -> Result<(), Fault> {
     room.clear();

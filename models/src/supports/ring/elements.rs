@@ -6,8 +6,8 @@ use crate::kernel::group::{One, quantities};
 use crate::kernel::number::short;
 use crate::kernel::variable::Fault;
 use crate::supports::ring::law::RollingElements;
-use crate::supports::ring::load::RingLoad;
 use crate::supports::ring::symbols as s;
+use crate::supports::upper::load::{SupportLoad, most};
 
 quantities! {
     /// Raceway: diameter and contact angle.
@@ -44,7 +44,7 @@ impl<C: Calc> RollingForces<C> {
     /// V_M = V + 2M/D = z J_s P_max and κ = 2M/(D V_M) = Σ P c / Σ P (1 + c). Where λ is found with plain numbers a last
     /// step of Newton's method over any scalar gives the derivatives, by the theorem of the implicit function.
     /// [Ports001, 6.3.1.1]
-    fn new(raceway: &Raceway<C>, rolling: &RollingElements, load: &RingLoad<C>) -> RollingForces<C> {
+    fn new(raceway: &Raceway<C>, rolling: &RollingElements, load: &SupportLoad<C>) -> RollingForces<C> {
         let (one, zero) = (C::constant(1.0), C::constant(0.0));
         let couple = load.moment.scaled(2.0) / raceway.d;
         let whole = (load.vertical + couple).def(&s::V_M);
@@ -90,7 +90,7 @@ pub fn spreads<C: Calc>(
     psi: &One<C>,
     raceway: &Raceway<C>,
     rolling: &RollingElements,
-    loads: &[RingLoad<C>],
+    loads: &[SupportLoad<C>],
     room: &mut Vec<RollingForces<C>>,
 ) -> Result<(), Fault> {
     room.clear();
@@ -116,39 +116,27 @@ pub fn spreads<C: Calc>(
     Ok(())
 }
 
-/// Of all cases the greatest horizontal force and force on a rolling element (N) and moment (N·m), and the least approach on
-/// the far side.
+/// Of all cases the greatest force on a rolling element (N), and the least approach on the far side.
 #[derive(Clone, Copy, Debug)]
 pub struct AllCases<C> {
-    moment: C,
-    horizontal: C,
     greatest: C,
     far: C,
 }
 results! { AllCases as a => {
-    M_ALL: a.moment;
-    H_ALL: a.horizontal;
     P_ALL: a.greatest;
     LIFTS: C::constant(f64::from(u8::from(a.far.value() < 0.0))).over(a.far);
     Z_LIFT: a.far;
 } }
 
 impl<C: Calc> AllCases<C> {
-    /// max M, max H, max P_max, min q_f.
-    pub fn new(loads: &[RingLoad<C>], spreads: &[RollingForces<C>]) -> AllCases<C> {
+    /// max P_max, min q_f.
+    pub fn new(spreads: &[RollingForces<C>]) -> AllCases<C> {
         let far = spreads.iter().map(|spread| spread.far);
         AllCases {
-            moment: most(loads.iter().map(|load| load.moment)).tabled(&s::M_ALL),
-            horizontal: most(loads.iter().map(|load| load.horizontal)).tabled(&s::H_ALL),
             greatest: most(spreads.iter().map(|spread| spread.greatest)).tabled(&s::P_ALL),
             far: far.reduce(C::smaller).expect("one case at least"),
         }
     }
-}
-
-/// The greatest of all cases, of which there is one at least.
-fn most<C: Calc>(of: impl Iterator<Item = C>) -> C {
-    of.reduce(C::greater).expect("one case at least")
 }
 
 /// Coefficients of a moment alone, on two rows.

@@ -4,8 +4,8 @@
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
 use crate::supports::ring::elements::{Raceway, RollingForces};
-use crate::supports::ring::load::RingLoad;
 use crate::supports::ring::symbols as s;
+use crate::supports::upper::load::SupportLoad;
 
 /// Makers' forms, as scenes name them: Rothe Erde's of ball and of roller rings, and another maker's of ball rings.
 pub const FORMS: [&str; 3] = ["ball", "roller", "ball_2.2"];
@@ -33,7 +33,12 @@ pub fn by_elements<C: Calc>(raceway: &Raceway<C>, friction: &ElementFriction<C>,
 }
 
 /// M_fm = (μ_m/2) (4.4 M + V D + 3.806 H D) of a ball ring, in N·m. [Rothe Erde]
-pub fn by_maker<C: Calc>(raceway: &Raceway<C>, form: &MakerForm, friction: &MakerFriction<C>, load: &RingLoad<C>) -> C {
+pub fn by_maker<C: Calc>(
+    raceway: &Raceway<C>,
+    form: &MakerForm,
+    friction: &MakerFriction<C>,
+    load: &SupportLoad<C>,
+) -> C {
     let [moment, across] = FACTORS[form.0];
     let forces = load.vertical * raceway.d + load.horizontal.scaled(across) * raceway.d;
     (friction.mu_m / C::constant(2.0) * (load.moment.scaled(moment) + forces)).def(&s::M_FM)

@@ -4,20 +4,21 @@ use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
 use crate::kernel::symbol::listed;
 use crate::supports::ring::symbols as s;
+use crate::supports::upper::symbols as u;
 
 pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
-        ring_raceway "", load "Q", load "R", ring_bodies "upper", ring_slope "slope", ring_areas "areas",
-        ring_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
+        ring_raceway "", load "Q", load "R", upper_bodies "upper", upper_slope "slope", upper_areas "areas",
+        upper_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
         ring_friction "friction", ring_maker "maker_friction", motion, limits
     ),
     constants: &[
-        ("ring_weights", &[Stage("upper")]),
+        ("upper_weights", &[Stage("upper")]),
         ("ring_alone", &[Stage("alone")]),
         ("ring_hardness", &[Stage("hardness")]),
     ],
     sections: &[
-        ("ring_loads", &[Stage("loads")]),
+        ("upper_loads", &[Stage("loads")]),
         ("ring_elements", &[Stage("spreads")]),
         ("ring_contact", &[Stage("stresses")]),
         ("ring_static", &[Stage("statics")]),
@@ -25,9 +26,9 @@ pub const OUTLINE: Outline = Outline {
     ],
     table: listed!(s: M_ALL, H_ALL, P_ALL),
     curves: &[
-        ("ring_moment", None, &s::M),
-        ("ring_horizontal", None, &s::H),
-        ("ring_vertical", None, &s::V),
+        ("upper_moment", None, &s::M),
+        ("upper_horizontal", None, &s::H),
+        ("upper_vertical", None, &s::V),
         ("ring_greatest", None, &s::P_MAX),
         ("ring_least", None, &s::P_MIN),
     ],
@@ -54,8 +55,8 @@ pub const OUTLINE: Outline = Outline {
         Limit::at_least("ring_safety", &s::S_0_MIN),
     ],
     uses: &[
-        ("ring_heights", listed!(s: H_U)),
-        ("ring_cases", listed!(s: K_Q, P_W, CHI_W)),
+        ("upper_heights", listed!(u: H_U)),
+        ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
         ("ring_curve", listed!(s: F_CURVE, M_CURVE)),
     ],
     forces: listed!(s: V, H, M, P_MAX, P_MIN),

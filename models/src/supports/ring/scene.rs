@@ -22,13 +22,15 @@ use crate::supports::ring::contact::RollingContact;
 use crate::supports::ring::elements::Raceway;
 use crate::supports::ring::friction::{ElementFriction, FORMS, MakerForm, MakerFriction};
 use crate::supports::ring::law::{LAWS, ROWS, RollingElements};
-use crate::supports::ring::load::RingCase;
 use crate::supports::ring::outline::OUTLINE;
 use crate::supports::ring::stages::{Given, SlewingRing};
 use crate::supports::ring::symbols as s;
-use crate::supports::ring::weights::{RingArea, RingBody, RingSlope};
+use crate::supports::upper;
+use crate::supports::upper::keys::{AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
+use crate::supports::upper::load::SupportCase;
+use crate::supports::upper::weights::{UpperArea, UpperSlope, UpperWeight};
 
-/// Most bodies, wind areas, cases, and points of the load curve.
+/// Most points of the load curve.
 const MANY: usize = 64;
 
 /// Keys of `[supports]`.
@@ -37,22 +39,15 @@ pub const KEYS: &[Key] = keys! { s:
     Key::kind(&["ring"], "A crane that slews on a ring of balls or rollers."),
     Key::new("law", Kind::Choice(&LAWS), "How a rolling element yields: \"linear\" as a spring, \"line\" with the power 10/9 of its approach as rollers, \"point\" with the power 3/2 as balls."),
     Key::new("rows", Kind::Choice(&ROWS), "Whether rolling elements bear pressure alone, or a hold-down row bears by the same law where the ring would be lifted."),
-    Key::new("upper", Kind::Tables(UPPER, MANY), "Bodies of the upper works, with boom and counterweight."),
-    Key::new("load_cases", Kind::Tables(CASE, MANY), "Load cases: how the load counts, and the wind."),
-    Key::new("areas", Kind::Tables(AREA, MANY), "Areas of what slews on which the wind acts, with their heights.").optional(),
-    Key::part("slope", SLOPE, "Slope on which the crane stands."),
+    UPPER, LOAD_CASES, AREAS, SLOPE,
     Key::part("contact", CONTACT, "Contact of rolling elements and raceway, and its hardness."),
     Key::part("capacity", CAPACITY, "The maker's load curve of the ring, and the equivalent loads that it asks for."),
     Key::part("friction", FRICTION, "Friction by the forces on all rolling elements, with the textbook's coefficient."),
     Key::part("maker_friction", MAKER, "Friction by a maker's form, with that maker's coefficient."),
-    Key::table("motion", MOTION, "Working range of slewing, over which the loads are looked through."),
+    MOTION,
     Key::part("limits", LIMITS, "What results may come to at most, or at least.")
 };
 
-static UPPER: &[Key] = keys! { s: G_U [or_mass], R_U, H_U [usually(0.0)] };
-static CASE: &[Key] = keys! { s: K_Q >= 0 [usually(1.0)], P_W >= 0 [usually(0.0)], CHI_W [usually(0.0)] };
-static AREA: &[Key] = keys! { s: A_W >= 0, H_W };
-static SLOPE: &[Key] = keys! { s: GAMMA >= 0, H_Q };
 static CONTACT: &[Key] = keys! { s: E > 0 [usually(206e9)], NU >= 0 [usually(0.3)], RHO > 0, B_R > 0 [optional], HB > 0,
 K_HB > 0 [usually(2.7e6)] };
 static POINT: &[Key] = keys! { s: F_CURVE >= 0, M_CURVE >= 0 };
@@ -64,7 +59,6 @@ static FRICTION: &[Key] = keys! { s: MU_N >= 0 };
 static MAKER: &[Key] = keys! { s: MU_M >= 0;
     Key::new("form", Kind::Choice(&FORMS), "The maker's form: Rothe Erde's of ball or of roller rings, or another maker's of ball rings, in which the horizontal force counts 2.2 times.")
 };
-const MOTION: &[Key] = &Motion::keys([&s::FROM, &s::TO], &s::PSI, (&s::OMEGA, "Angular velocity of slewing."));
 const LIMITS: &[Key] = &Limit::keys::<6>(OUTLINE.limits);
 
 /// A slewing ring as the scene describes it; SI.
@@ -151,8 +145,8 @@ impl Described for RingScene {
     const TABLE: &'static str = "supports";
     const OUTLINE: &'static Outline = &OUTLINE;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
-        words: "ring_symbol",
-        own: &[s::ALL],
+        words: "upper_symbol",
+        own: &[s::ALL, upper::symbols::ALL],
         shared: &[],
     };
 
@@ -166,10 +160,10 @@ impl Described for RingScene {
             reach: one(&s::R)?,
             load: one(&s::Q)?,
             raceway: Raceway::read(v)?,
-            bodies: each(v, "upper", RingBody::read)?,
-            areas: each(v, "areas", RingArea::read)?,
-            slope: v.part("slope", RingSlope::read)?,
-            cases: each(v, "load_cases", RingCase::read)?,
+            bodies: each(v, "upper", UpperWeight::read)?,
+            areas: each(v, "areas", UpperArea::read)?,
+            slope: v.part("slope", UpperSlope::read)?,
+            cases: each(v, "load_cases", SupportCase::read)?,
             contact: v.part("contact", RollingContact::read)?,
             length: v
                 .table("contact")
@@ -209,13 +203,13 @@ impl Described for RingScene {
         } else {
             "ring_pressure"
         };
-        vec!["ring_level_static", law, rows, "ring_rigid"]
+        vec!["upper_level_static", law, rows, "ring_rigid"]
     }
 
     fn uncovered(this: &Description<RingScene>) -> Vec<&'static str> {
         let wind = this.given.areas.is_empty().then_some("wind");
         wind.into_iter()
-            .chain(["ring_inertia", "ring_bolts", "dynamic_coefficients"])
+            .chain(["upper_inertia", "ring_bolts", "dynamic_coefficients"])
             .collect()
     }
 

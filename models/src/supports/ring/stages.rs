@@ -11,9 +11,10 @@ use crate::supports::ring::contact::{ContactStress, Hardness, RollingContact};
 use crate::supports::ring::elements::{AllCases, MomentAlone, Raceway, RollingForces, spreads};
 use crate::supports::ring::friction::{ElementFriction, MakerForm, MakerFriction, by_elements, by_maker};
 use crate::supports::ring::law::RollingElements;
-use crate::supports::ring::load::{RingCase, RingLoad};
 use crate::supports::ring::symbols as s;
-use crate::supports::ring::weights::{RingArea, RingBody, RingSlope, UpperWorks};
+use crate::supports::upper;
+use crate::supports::upper::load::{SupportCase, SupportLoad, WorstLoad};
+use crate::supports::upper::weights::{UpperArea, UpperSlope, UpperWeight, UpperWorks};
 
 stages! {
     /// A slewing ring under a crane.
@@ -23,10 +24,10 @@ stages! {
         Parameter reach: One<C>,
         Parameter load: One<C>,
         Parameter raceway: Raceway<C>,
-        Parameter bodies: Vec<RingBody<C>>,
-        Parameter areas: Vec<RingArea<C>>,
-        Parameter slope: Option<RingSlope<C>>,
-        Parameter cases: Vec<RingCase<C>>,
+        Parameter bodies: Vec<UpperWeight<C>>,
+        Parameter areas: Vec<UpperArea<C>>,
+        Parameter slope: Option<UpperSlope<C>>,
+        Parameter cases: Vec<SupportCase<C>>,
         Parameter contact: Option<RollingContact<C>>,
         Parameter length: Option<One<C>>,
         Parameter equivalent: Option<Equivalent<C>>,
@@ -39,9 +40,10 @@ stages! {
     } find {
         alone: MomentAlone<C> = MomentAlone::new(rolling);
         upper: UpperWorks<C> = UpperWorks::new(bodies, slope, areas);
-        loads[each cases]: Vec<RingLoad<C>> = RingLoad::new(psi, reach, load, slope, upper, cases[each]);
+        loads[each cases]: Vec<SupportLoad<C>> = SupportLoad::new(psi, reach, load, slope, upper, cases[each]);
         spreads[cases]: Vec<RollingForces<C>> = spreads(psi, raceway, rolling, loads);
-        all: AllCases<C> = AllCases::new(loads, spreads);
+        worst: WorstLoad<C> = WorstLoad::new(loads);
+        all: AllCases<C> = AllCases::new(spreads);
         hardness: Hardness<C> = Hardness::new(contact[!]);
         stresses[each cases]: Vec<ContactStress<C>> =
             ContactStress::new(contact[!], length, hardness, spreads[each]);
@@ -60,12 +62,8 @@ impl Component for SlewingRing {
         ring "The ring in a load case.": fz V, fr H, tau M;
     };
 
-    /// Without slope and wind there is nothing of them.
     fn has(given: &Given<f64>, symbol: &'static Symbol) -> bool {
-        let there = |of: &[&'static Symbol]| of.contains(&symbol);
-        let inclined = given.slope.is_some() || !there(listed!(s: S_U, M_GAMMA));
-        let blown = !given.areas.is_empty() || !there(listed!(s: A_SUM, S_W, BETA_W, F_W, M_W));
-        inclined && blown
+        upper::keys::has(symbol, [given.slope.is_some(), !given.areas.is_empty()])
     }
 
     fn is_input(given: &Given<f64>, symbol: &'static Symbol) -> bool {

@@ -1,28 +1,15 @@
-//! Every quantity of a slewing ring.
+//! Quantities of a slewing ring besides those of what slews on it.
 
 use crate::kernel::symbol::{Range, symbols};
+pub use crate::supports::upper::symbols::{
+    AGREEMENT, FROM, H, H_ALL, H_TOP, M, M_ALL, M_TOP, OMEGA, PSI, Q, R, TO, V, V_TOP,
+};
 
 symbols! {
     // Given.
-    PSI: "psi" "psi" RAD / DEG, "Slewing angle of the boom; positive counter-clockwise, seen from above. On a slope it counts from the downhill direction.", "input";
-    OMEGA: "omega" "omega" RAD_PER_S / DEG_PER_S, "Angular velocity of slewing.", "input";
-    FROM: "from" "psi_a" RAD / DEG, "Slewing angle at the start of the working range.", "input";
-    TO: "to" "psi_e" RAD / DEG, "Slewing angle at the end of the working range.", "input";
     D: "D" "D" M / M [positive], "Diameter of the raceway.", "input";
     Z: "z" "z" ONE / ONE [within(Range::new(3.0, 1000.0))], "Number of rolling elements in the row that bears the weight.", "input";
     ALPHA: "alpha" "alpha" RAD / DEG [from_to(0.1, 1.6)], "Contact angle: of the force on a rolling element from the plane of the ring.", "input";
-    R: "R" "R" M / M, "Reach: distance of the load from the slewing axis.", "input";
-    Q: "Q" "Q" N / KN [not_negative], "Weight of the load with hook block or grab.", "input";
-    G_U: "G_u" "G_(u i)" N / KN [not_negative], "Weight of a body of the upper works.", "input";
-    R_U: "r_u" "r_(u i)" M / M, "Centre of gravity of a body of the upper works, in front of the slewing axis; negative behind it.", "input";
-    H_U: "h_u" "h_(u i)" M / M, "Centre of gravity of a body of the upper works, above the ring.", "input";
-    A_W: "A_w" "A_(\"w\" i)" M2 / M2 [not_negative], "Wind area of what slews, with its shape coefficient.", "input";
-    H_W: "h_w" "h_(\"w\" i)" M / M, "Centre of a wind area, above the ring.", "input";
-    GAMMA: "gamma" "gamma" RAD / DEG [from_to(0.0, 0.5)], "Slope on which the crane stands.", "input";
-    H_Q: "h_Q" "h_Q" M / M, "Height above the ring of the point from which the load hangs.", "input";
-    K_Q: "k_Q" "k_(Q i)" ONE / ONE [not_negative], "Factor by which the load counts in the case.", "input";
-    P_W: "p_w" "p_(\"w\" i)" PA / PA [not_negative], "Pressure of the wind in the case.", "input";
-    CHI_W: "chi_w" "chi_(\"w\" i)" RAD / DEG, "Direction to which the wind blows in the case, counted as the slewing angle.", "input";
     E: "E" "E" PA / MPA [positive], "Modulus of elasticity of rolling elements and raceways.", "input";
     NU: "nu" "nu" ONE / ONE [from_to(0.0, 0.5)], "Poisson's ratio of rolling elements and raceways.", "input";
     RHO: "rho" "rho" M / MM [positive], "Equivalent radius of curvature of rolling element and raceway.", "input";
@@ -37,29 +24,6 @@ symbols! {
     M_CURVE: "M_curve" "M_(\"c\" i)" N_M / KN_M [not_negative], "Moment that may act with this force.", "input";
     MU_N: "mu_n" "mu_\"n\"" ONE / ONE [not_negative, unconfirmed], "Friction coefficient of the textbook's form, for the forces on all rolling elements.", "input";
     MU_M: "mu_m" "mu_\"m\"" ONE / ONE [not_negative, unconfirmed], "Friction coefficient of the maker's form, for no other form.", "input";
-
-    // What slews.
-    G_0: "G_0" "G_0" N / KN, "Weight of the upper works.", "derived";
-    M_U: "M_u" "M_u" N_M / KN_M, "Moment of the upper works' weight about the slewing axis; positive in the boom's direction.", "equilibrium";
-    S_U: "S_u" "S_u" N_M / KN_M, "Sum of the upper works' weights with their heights above the ring.", "derived";
-    A_SUM: "A_sum" "A_\"w\"" M2 / M2, "Sum of the wind areas.", "derived";
-    S_W: "S_w" "S_\"w\"" M3 / M3, "Sum of the wind areas with their heights above the ring.", "derived";
-
-    // Loads of a case.
-    Q_C: "Q_c" "Q_i" N / KN, "Load as it counts in the case.", "derived";
-    G_C: "G_c" "G_i" N / KN, "Weight of all that slews in the case.", "derived";
-    M_V: "M_v" "M_(\"v\" i)" N_M / KN_M, "Moment of the weights square to the ring; positive in the boom's direction.", "equilibrium";
-    M_GAMMA: "M_gamma" "M_(gamma i)" N_M / KN_M, "Moment of the weights down the slope at their heights; in the downhill direction.", "equilibrium";
-    BETA_W: "beta_w" "beta_i" RAD / DEG, "Direction to which the wind blows, from that of the boom.", "derived";
-    F_W: "F_w" "F_(\"w\" i)" N / KN, "Force of the wind.", "[Ports001, 6.1]";
-    M_W: "M_w" "M_(\"w\" i)" N_M / KN_M, "Moment of the wind about the ring, in its direction.", "equilibrium";
-    M_L: "M_l" "M_(\"l\" i)" N_M / KN_M, "Part of the moment along the boom; positive where it loads the ring in front.", "equilibrium";
-    M_T: "M_t" "M_(\"t\" i)" N_M / KN_M, "Part of the moment across the boom; positive where it loads the ring on the left.", "equilibrium";
-    H_L: "H_l" "H_(\"l\" i)" N / KN, "Part of the horizontal force along the boom; positive forward.", "equilibrium";
-    H_T: "H_t" "H_(\"t\" i)" N / KN, "Part of the horizontal force across the boom; positive to the left.", "equilibrium";
-    V: "V" "V_i" N / KN, "Vertical force on the ring: square to its plane.", "[Ports001, 6.1]";
-    H: "H" "H_i" N / KN, "Horizontal force on the ring: in its plane.", "[Ports001, 6.1]";
-    M: "M" "M_i" N_M / KN_M, "Overturning moment on the ring.", "[Ports001, 6.1]";
 
     // Rolling elements.
     V_M: "V_M" "V_(M i)" N / KN, "Vertical force and the couple on the diameter that stands for the moment.", "derived";
@@ -76,8 +40,6 @@ symbols! {
     P_MIN: "P_min" "P_(min i)" N / KN, "Force on the rolling element on the far side, square to the ring; negative where the hold-down row bears it, zero where nothing does.", "[Ports001, 6.3.1.1]";
     S_N: "S_N" "N_(Sigma i)" N / KN, "Sum of the forces on all rolling elements, by amount, in their direction of contact.", "[Ports001, 6.3.1.3]";
     N_MAX: "N_max" "N_(max i)" N / KN, "Greatest force on a rolling element in its direction of contact.", "[Ports001, 6.3.1.1]";
-    M_ALL: "M_all" "M_\"all\"" N_M / KN_M, "Greatest overturning moment of all load cases.", "derived";
-    H_ALL: "H_all" "H_\"all\"" N / KN, "Greatest horizontal force of all load cases.", "derived";
     P_ALL: "P_all" "P_\"all\"" N / KN, "Greatest force on a rolling element of all load cases, square to the ring.", "derived";
     LIFTS: "lifts" "\"lifts\"" ONE / ONE [boolean], "Whether the far side would be lifted in one of the cases: a hold-down row bears there, or nothing.", "derived";
     Z_LIFT: "z.lift" "z_1" ONE / ONE, "Falls below zero where the far side of the ring would be lifted in one of the cases.", "event";
@@ -103,9 +65,6 @@ symbols! {
     M_FM: "M_fm" "M_(\"fm\" i)" N_M / KN_M, "Friction moment by the maker's form, with its coefficient.", "[Rothe Erde]";
 
     // The whole range.
-    V_TOP: "V_top" "V_max" N / KN, "Greatest vertical force in the working range.", "derived";
-    H_TOP: "H_top" "H_max" N / KN, "Greatest horizontal force in the working range.", "derived";
-    M_TOP: "M_top" "M_max" N_M / KN_M, "Greatest overturning moment in the working range.", "derived";
     P_TOP: "P_top" "P_max" N / KN, "Greatest force on a rolling element in the working range, square to the ring.", "derived";
     P_LOW: "P_low" "P_min" N / KN, "Least force on a rolling element in the working range; negative where the hold-down row bears it.", "derived";
     Q_LOW: "q_low" "q_min" ONE / ONE, "Least approach on the far side in the working range, over the greatest; negative where ring and rolling element would part.", "derived";
@@ -114,5 +73,4 @@ symbols! {
     S_0_MIN: "S_0_min" "S_(0,min)" ONE / ONE, "Least static safety in the working range.", "derived";
     M_FN_MAX: "M_fn_max" "M_(\"fn\",max)" N_M / KN_M, "Greatest friction moment in the working range, with the textbook's coefficient.", "derived";
     M_FM_MAX: "M_fm_max" "M_(\"fm\",max)" N_M / KN_M, "Greatest friction moment in the working range, by the maker's form.", "derived";
-    AGREEMENT: "agreement" "delta" ONE / ONE, "Difference of two independent ways, relative to the largest value.", "derived";
 }

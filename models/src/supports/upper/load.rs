@@ -1,31 +1,32 @@
-//! Vertical and horizontal force and moment on the ring in each load case, over the slewing angle.
+//! Vertical and horizontal force and moment on a slewing support in each load case, over the slewing angle.
 
 use crate::component::stages::{absent, results};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{One, quantities};
 use crate::parts::plane::{self, Point};
-use crate::supports::ring::symbols as s;
-use crate::supports::ring::weights::{RingSlope, UpperWorks};
+use crate::supports::upper::symbols as s;
+use crate::supports::upper::weights::{UpperSlope, UpperWorks};
 
 quantities! {
     /// A load case: how the load counts, pressure and direction of the wind.
-    RingCase { k_q: K_Q, p_w: P_W, chi_w: CHI_W }
+    SupportCase { k_q: K_Q, p_w: P_W, chi_w: CHI_W }
 }
 
 /// Loads of a case: forces in N, moments in N·m, vectors along the boom and to the left of it.
 #[derive(Clone, Copy, Debug)]
-pub struct RingLoad<C> {
+pub struct SupportLoad<C> {
     load: C,
     weight: C,
     upright: C,
     leaning: Option<C>,
     wind: Option<[C; 3]>,
-    along: [Point<C>; 2],
+    /// Moment and horizontal force, along the boom and to the left of it.
+    pub along: [Point<C>; 2],
     pub vertical: C,
     pub horizontal: C,
     pub moment: C,
 }
-results! { each RingLoad as l => {
+results! { each SupportLoad as l => {
     V: l.vertical;
     H: l.horizontal;
     M: l.moment;
@@ -43,7 +44,7 @@ results! { each RingLoad as l => {
 } }
 
 /// Length of a vector: of one along an axis its amount, whose derivative exists.
-fn amount<C: Calc>(of: Point<C>) -> C {
+pub fn amount<C: Calc>(of: Point<C>) -> C {
     match [of.x.value() == 0.0, of.y.value() == 0.0] {
         [_, true] => of.x.abs().over(of.y),
         [true, false] => of.y.abs().over(of.x),
@@ -51,17 +52,17 @@ fn amount<C: Calc>(of: Point<C>) -> C {
     }
 }
 
-impl<C: Calc> RingLoad<C> {
+impl<C: Calc> SupportLoad<C> {
     /// V = G cos γ, M_l = M_v + M_γ cos ψ + M_w cos β, M_t = M_w sin β − M_γ sin ψ with M_v = (M_u + Q R) cos γ,
     /// M_γ = (S_u + Q h_Q) sin γ, M_w = p_w S_w and β = χ_w − ψ; H likewise of G sin γ and p_w A_w. [Ports001, 6.1]
     pub fn new(
         psi: &One<C>,
         reach: &One<C>,
         load: &One<C>,
-        slope: &Option<RingSlope<C>>,
+        slope: &Option<UpperSlope<C>>,
         upper: &UpperWorks<C>,
-        case: &RingCase<C>,
-    ) -> RingLoad<C> {
+        case: &SupportCase<C>,
+    ) -> SupportLoad<C> {
         let zero = Point::new(C::constant(0.0), C::constant(0.0));
         let load = (case.k_q * **load).def(&s::Q_C);
         let weight = (upper.weight + load).def(&s::G_C);
@@ -90,7 +91,7 @@ impl<C: Calc> RingLoad<C> {
         let moments = Point::new(upright, C::constant(0.0)) + down[0] + wind[0];
         let moments = plane::def(moments, [&s::M_L, &s::M_T]);
         let forces = plane::def(down[1] + wind[1], [&s::H_L, &s::H_T]);
-        RingLoad {
+        SupportLoad {
             load,
             weight,
             upright,
@@ -102,4 +103,27 @@ impl<C: Calc> RingLoad<C> {
             moment: amount(moments).def(&s::M),
         }
     }
+}
+
+/// The greatest of all cases.
+#[derive(Clone, Copy, Debug)]
+pub struct WorstLoad<C> {
+    moment: C,
+    horizontal: C,
+}
+results! { WorstLoad as w => { M_ALL: w.moment; H_ALL: w.horizontal; } }
+
+impl<C: Calc> WorstLoad<C> {
+    /// max M, max H.
+    pub fn new(loads: &[SupportLoad<C>]) -> WorstLoad<C> {
+        WorstLoad {
+            moment: most(loads.iter().map(|load| load.moment)).tabled(&s::M_ALL),
+            horizontal: most(loads.iter().map(|load| load.horizontal)).tabled(&s::H_ALL),
+        }
+    }
+}
+
+/// The greatest of all cases, of which there is one at least.
+pub fn most<C: Calc>(of: impl Iterator<Item = C>) -> C {
+    of.reduce(C::greater).expect("one case at least")
 }

@@ -1,24 +1,24 @@
-//! What slews on the ring besides the load: its weights, and the areas on which the wind acts.
+//! What slews on a support besides the load: its weights, and the areas on which the wind acts.
 
 use crate::component::stages::{absent, results};
 use crate::kernel::calc::{Calc, sum};
 use crate::kernel::group::quantities;
 use crate::kernel::variable::Fault;
-use crate::supports::ring::symbols as s;
+use crate::supports::upper::symbols as s;
 
 quantities! {
     /// A body of the upper works.
-    RingBody { g_u: G_U, r_u: R_U, h_u: H_U }
+    UpperWeight { g_u: G_U, r_u: R_U, h_u: H_U }
 }
 
 quantities! {
     /// An area on which the wind acts.
-    RingArea { a_w: A_W, h_w: H_W }
+    UpperArea { a_w: A_W, h_w: H_W }
 }
 
 quantities! {
     /// Slope, and the height from which the load hangs.
-    RingSlope { gamma: GAMMA, h_q: H_Q }
+    UpperSlope { gamma: GAMMA, h_q: H_Q }
 }
 
 /// The upper works: weight (N), its moment (N·m), with a slope its sum with the heights (N·m); the wind areas (m²) and
@@ -44,13 +44,13 @@ impl<C: Calc> UpperWorks<C> {
     /// # Errors
     /// Nothing weighs anything.
     pub fn new(
-        upper: &[RingBody<C>],
-        slope: &Option<RingSlope<C>>,
-        areas: &[RingArea<C>],
+        upper: &[UpperWeight<C>],
+        slope: &Option<UpperSlope<C>>,
+        areas: &[UpperArea<C>],
     ) -> Result<UpperWorks<C>, Fault> {
         let weight = sum(upper.iter().map(|body| body.g_u)).def(&s::G_0);
         if weight.value() <= 0.0 {
-            let what = "G_0 = 0: upper works without weight load no ring; give the weights of what slews";
+            let what = "G_0 = 0: upper works without weight load no slewing support; give the weights of what slews";
             return Err(Fault::outside(what));
         }
         let high = || sum(upper.iter().map(|body| body.g_u * body.h_u)).def(&s::S_U);

@@ -1,0 +1,150 @@
+//! A column as scenes describe it and books tell it.
+
+use crate::component::description::{Described, Description, Vocabulary};
+use crate::component::draw::{Draw, polar};
+use crate::component::mechanism::Entry;
+use crate::component::outline::{Limit, Outline};
+use crate::component::sheet::{Check, Drawing};
+use crate::component::standing::Standing;
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::One;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Values};
+use crate::kernel::symbol::Symbol;
+use crate::parts::motion::Motion;
+use crate::parts::plane::Point;
+use crate::supports::column::checks::about_the_foot;
+use crate::supports::column::counterweight::EvenedAt;
+use crate::supports::column::friction::ColumnFriction;
+use crate::supports::column::outline::OUTLINE;
+use crate::supports::column::pressure::Bearings;
+use crate::supports::column::stages::{Given, SlewingColumn};
+use crate::supports::column::symbols as s;
+use crate::supports::plan::{LeftOpen, each};
+use crate::supports::upper;
+use crate::supports::upper::keys::{AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
+use crate::supports::upper::load::SupportCase;
+use crate::supports::upper::weights::{UpperArea, UpperSlope, UpperWeight};
+
+/// Keys of `[supports]`.
+pub const KEYS: &[Key] = keys! { s:
+    H_UF > 0, R [or_input], Q >= 0 [or_mass, or_input];
+    Key::kind(&["column"], "A crane that slews on a column in an upper bearing, a foot bearing and a pivot."),
+    UPPER, LOAD_CASES, AREAS, SLOPE,
+    Key::part("bearings", BEARINGS, "Sizes of the three bearings, for their pressures and friction."),
+    Key::part("friction", FRICTION, "Friction of the three bearings."),
+    Key::part("counterweight", COUNTERWEIGHT, "Where a counterweight would make the moment without load minus that with it."),
+    MOTION,
+    Key::part("limits", LIMITS, "What results may come to at most.")
+};
+
+static BEARINGS: &[Key] = keys! { s: D_U > 0, B_U > 0, D_F > 0, B_F > 0, D_P > 0, D_I >= 0 [usually(0.0)] };
+static FRICTION: &[Key] = keys! { s: MU_U >= 0, MU_F >= 0, MU_P >= 0 };
+static COUNTERWEIGHT: &[Key] = keys! { s: R_D > 0 };
+const LIMITS: &[Key] = &Limit::keys::<6>(OUTLINE.limits);
+
+/// A column as the scene describes it; SI.
+#[derive(Clone, Debug)]
+pub struct ColumnScene {
+    given: Given<f64>,
+}
+
+/// As scenes describe it.
+pub const ENTRY: Entry = Description::<ColumnScene>::entry("column", KEYS);
+
+/// Refuses a pivot that is a hole, and friction of bearings without sizes.
+fn suits(v: &Values, found: &mut Vec<Diagnostic>) {
+    let bearings = v.table("bearings");
+    if let Some(table) = bearings
+        && let Some((outer, inner)) = table.of(&s::D_P).zip(table.of(&s::D_I))
+        && inner >= outer
+    {
+        let [outer, inner] = [s::D_P.written(outer), s::D_I.written(inner)];
+        let what = format!("a pivot of D_p = {outer} with d_i = {inner} within");
+        found.push(table.refuse(s::D_I.id, what, "nothing is left of it", "give d_i below D_p"));
+    }
+    if let (Some(friction), None) = (v.table("friction"), bearings) {
+        let what = "friction of bearings without sizes";
+        let help = "add [supports.bearings] with D_u, b_u, D_f, b_f and D_p";
+        found.push(Diagnostic::new(friction.span.clone(), what, "needs [supports.bearings]").help(help));
+    }
+}
+
+impl Described for ColumnScene {
+    type Component = SlewingColumn;
+    const ID: &'static str = "slewing_column";
+    const TABLE: &'static str = "supports";
+    const OUTLINE: &'static Outline = &OUTLINE;
+    const VOCABULARY: &'static Vocabulary = &Vocabulary {
+        words: "upper_symbol",
+        own: &[s::ALL, upper::symbols::ALL],
+        shared: &[],
+    };
+
+    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(ColumnScene, Motion)> {
+        let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
+        suits(v, found);
+        let range = Motion::read(v.table("motion")?, found)?;
+        let given = Given {
+            psi: One(&s::PSI, range.from),
+            omega: One(&s::OMEGA, range.speed),
+            reach: one(&s::R)?,
+            load: one(&s::Q)?,
+            height: one(&s::H_UF)?,
+            bodies: each(v, "upper", UpperWeight::read)?,
+            areas: each(v, "areas", UpperArea::read)?,
+            slope: v.part("slope", UpperSlope::read)?,
+            cases: each(v, "load_cases", SupportCase::read)?,
+            bearings: v.part("bearings", Bearings::read)?,
+            friction: v.part("friction", ColumnFriction::read)?,
+            balancing: v.part("counterweight", EvenedAt::read)?,
+            open: LeftOpen::read(v, &[&s::R, &s::Q]),
+        };
+        Some((ColumnScene { given }, range))
+    }
+
+    fn given(this: &Description<ColumnScene>) -> Given<f64> {
+        this.given.clone()
+    }
+
+    fn levels(&self) -> Vec<&'static str> {
+        vec!["static"]
+    }
+
+    fn identities(this: &Description<ColumnScene>, model: &mut Standing) -> Vec<Check> {
+        about_the_foot(model, *this.given.height)
+    }
+
+    fn assumptions(this: &Description<ColumnScene>) -> Vec<&'static str> {
+        let pivot = this.given.friction.map(|_| "column_even");
+        let rest = ["upper_level_static", "column_rigid"];
+        rest.into_iter().chain(pivot).collect()
+    }
+
+    fn uncovered(this: &Description<ColumnScene>) -> Vec<&'static str> {
+        let wind = this.given.areas.is_empty().then_some("wind");
+        wind.into_iter()
+            .chain(["upper_inertia", "column_strength", "dynamic_coefficients"])
+            .collect()
+    }
+
+    /// The boom lies across no dimension.
+    fn drawn_at(this: &Description<ColumnScene>) -> f64 {
+        this.motion.at(0.125)
+    }
+
+    /// From the side: the column between its bearings, the boom above as it is seen at a slewing angle.
+    fn drawing(this: &Description<ColumnScene>, at: f64) -> Drawing {
+        let height = *this.given.height;
+        let mut draw = Draw::default();
+        let foot = Point::new(0.0, -height);
+        draw.bar(&[foot, Point::zeros()], true);
+        let head = Point::new(polar(1.5 * height, at).x, 0.8 * height);
+        draw.bar(&[Point::zeros(), head], false);
+        draw.joint(Point::zeros(), s::H_U.print, true, false);
+        draw.joint(foot, s::H_F.print, true, false);
+        draw.joint(head, s::Q.print, false, false);
+        draw.distance(foot, Point::zeros(), 0.3 * height, &s::H_UF);
+        draw.done(height)
+    }
+}
