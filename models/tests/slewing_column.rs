@@ -12,7 +12,7 @@ use std::fmt::Write;
 use lemnis_models::scene::Scene;
 
 use named::{get, model, near, set};
-use supports::{compared, tables};
+use supports::{compared, slewing};
 
 const READY: &str = include_str!("../scenes/slewing_column.toml");
 const ORACLE: &str = include_str!("../../tests/oracles/slewing_column.csv");
@@ -50,22 +50,7 @@ fn scene(said: &Said<'_>) -> String {
         "name = \"Test\"\ntitle = \"Test\"\n[supports]\nkind = \"column\"\nh_uf = \"{height} m\"\nQ = {{ input = \"{load} N\" }}\n\
          R = {{ input = \"{reach} m\" }}\n"
     );
-    tables(
-        &mut text,
-        "upper",
-        &[("G_u", "N"), ("r_u", "m"), ("h_u", "m")],
-        said.upper,
-    );
-    tables(&mut text, "areas", &[("A_w", "m2"), ("h_w", "m")], said.areas);
-    tables(
-        &mut text,
-        "load_cases",
-        &[("k_Q", ""), ("p_w", "Pa"), ("chi_w", "rad")],
-        said.cases,
-    );
-    if let Some([gamma, high]) = said.slope {
-        let _ = writeln!(text, "[supports.slope]\ngamma = \"{gamma} rad\"\nh_Q = \"{high} m\"");
-    }
+    slewing(&mut text, said.upper, said.areas, said.cases, said.slope);
     let mut table = |name: &str, unit: &str, keys: &[&str], numbers: &str| {
         let _ = writeln!(text, "[supports.{name}]");
         for (key, number) in keys.iter().zip(numbers.split(' ')) {

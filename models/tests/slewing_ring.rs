@@ -7,14 +7,13 @@ mod named;
 mod supports;
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::fmt::Write;
 
 use lemnis_models::scene::Scene;
 use lemnis_models::supports::ring::elements::MomentAlone;
 use lemnis_models::supports::ring::law::{LAWS, RollingElements};
 
 use named::{get, index, model, near, set};
-use supports::{compared, tables};
+use supports::{compared, slewing, tables};
 
 const READY: &str = include_str!("../scenes/slewing_portal.toml");
 const ORACLE: &str = include_str!("../../tests/oracles/slewing_ring.csv");
@@ -55,22 +54,7 @@ fn scene(said: &Said<'_>) -> String {
          law = \"{}\"\nrows = \"{}\"\nQ = {{ input = \"{load} N\" }}\nR = {{ input = \"{reach} m\" }}\n",
         said.law, said.rows
     );
-    tables(
-        &mut text,
-        "upper",
-        &[("G_u", "N"), ("r_u", "m"), ("h_u", "m")],
-        said.upper,
-    );
-    tables(&mut text, "areas", &[("A_w", "m2"), ("h_w", "m")], said.areas);
-    tables(
-        &mut text,
-        "load_cases",
-        &[("k_Q", ""), ("p_w", "Pa"), ("chi_w", "rad")],
-        said.cases,
-    );
-    if let Some([gamma, high]) = said.slope {
-        let _ = writeln!(text, "[supports.slope]\ngamma = \"{gamma} rad\"\nh_Q = \"{high} m\"");
-    }
+    slewing(&mut text, said.upper, said.areas, said.cases, said.slope);
     text + said.more
         + "[supports.motion]\nfrom = \"-180 deg\"\nto = \"180 deg\"\nstep = \"15 deg\"\nspeed = \"9 deg/s\"\n"
 }

@@ -15,6 +15,19 @@ pub fn tables(text: &mut String, name: &str, keys: &[(&str, &str)], rows: &str) 
     }
 }
 
+/// What slews on a support: bodies, wind areas and load cases, a line of numbers for each; slope (rad) and height of the load's
+/// suspension.
+#[allow(dead_code, reason = "not every support is slewed on")]
+pub fn slewing(text: &mut String, upper: &str, areas: &str, cases: &str, slope: Option<[&str; 2]>) {
+    tables(text, "upper", &[("G_u", "N"), ("r_u", "m"), ("h_u", "m")], upper);
+    tables(text, "areas", &[("A_w", "m2"), ("h_w", "m")], areas);
+    let of_case = [("k_Q", ""), ("p_w", "Pa"), ("chi_w", "rad")];
+    tables(text, "load_cases", &of_case, cases);
+    if let Some([gamma, high]) = slope {
+        let _ = writeln!(text, "[supports.slope]\ngamma = \"{gamma} rad\"\nh_Q = \"{high} m\"");
+    }
+}
+
 /// Every result by every input and parameter where the model stands, against differences: how many were compared. Without
 /// those named: by `given` nothing changes there or only to one side, and `results` are no real numbers. What is zero has
 /// no left side either, and what may be infinite has no difference there.

@@ -377,7 +377,9 @@ pub fn turns(table: &Values, weight: &Symbol, at: &Symbol) -> bool {
 
 /// Whether anything that the linkage moves has inertia.
 fn inert(v: &Values, dynamics: &Values, bodies: &Inert) -> bool {
-    let balances = |balance: &Values| positive(balance, &b::M_5) || turns(balance, &b::G_C, &b::R_C);
+    // A rope over a pulley at the boom's foot leads its counterweight nowhere.
+    let led = |balance: &Values| [&b::H_X, &b::H_Y].iter().any(|at| balance.number(at.id) != Some(0.0));
+    let balances = |balance: &Values| positive(balance, &b::M_5) || turns(balance, &b::G_C, &b::R_C) && led(balance);
     v.number("Q").is_some_and(|q| q > 0.0)
         || bodies.inertias.iter().any(|bar| positive(dynamics, bar))
         || v.table("weights").is_some_and(bodies.weighs)
