@@ -11,6 +11,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::schema::Values;
 use crate::kernel::symbol::{Symbol, symbols};
+use crate::parts::air::Stream;
 use crate::parts::hoist::RopeAction;
 
 symbols! {
@@ -319,13 +320,14 @@ pub struct Accelerations<C, const J: usize> {
 
 impl<C: Calc, const J: usize> HeadJoints<C, J> {
     /// With a load of a mass (kg), and the mass that [cancels](cancelling), under gravity (m/s²) on a rope which acts on it
-    /// as a line.
+    /// as a line, where there is air in that.
     pub fn hung(
         &self,
         load: HangingLoad<C>,
         [mass, any]: [C; 2],
         gravity: Vector3<C>,
         line: RopeAction<C>,
+        air: Option<&Stream<C>>,
     ) -> Accelerations<C, J> {
         let (zero, two, last) = (C::constant(0.0), C::constant(2.0), J - 1);
         let (head, turning) = (&self.head, self.rates[last]);
@@ -347,6 +349,9 @@ impl<C: Calc, const J: usize> HeadJoints<C, J> {
             rate += scaled(head[0], self.rates[0]);
             rate = Vector3::new(rate.x.def(&U_X), rate.y.def(&U_Y), rate.z);
             fall -= scaled(bend, self.rates[0].square());
+        }
+        if let Some(air) = air {
+            fall += air.on(rate + scaled(turned(from_axis), turning));
         }
         let coriolis = scaled(turned(rate), two * turning);
         let centripetal = scaled(turned(turned(from_axis)), turning.square());

@@ -1,5 +1,6 @@
-//! What several mechanisms are made of: plane geometry, a four-bar, joints, buckling, slewing, a load curve, a load on its rope, a hoist, a body on springs, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, air, a four-bar, joints, buckling, slewing, a load curve, a load on its rope, a hoist, a body on springs, motion over a range, oil, solvers.
 
+pub mod air;
 pub mod arcs;
 pub mod buckling;
 pub mod closure;

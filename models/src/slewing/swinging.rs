@@ -131,7 +131,7 @@ impl<C: Calc> Swinging<C> {
             RopeAction::Slack
         };
         let masses = [carried.mass, cancelling(carried.mass)];
-        let found = joints.hung(load, masses, gravity(hung, slope.as_ref(), psi), line);
+        let found = joints.hung(load, masses, gravity(hung, slope.as_ref(), psi), line, None);
         Swinging {
             load,
             needs: -driving(driven, leaning) - found.rope * found.arms[0],

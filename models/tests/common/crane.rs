@@ -26,6 +26,11 @@ pub const PENDULUM: Pendulum = Pendulum {
     hoist: Hoist::AT_ONCE,
 };
 
+/// The same with another load (kg).
+pub fn pendulum(mass: f64) -> Pendulum {
+    Pendulum { mass, ..PENDULUM }
+}
+
 /// Uniform bars of 20 t, 6 t and 4 t; with a load on a rope, or one of 16 t fixed to the head. `mass` multiplies all.
 pub fn bodies(g: &Geometry<f64>, mass: f64, pendulum: Option<Pendulum>) -> Bodies {
     let l = g.lengths;

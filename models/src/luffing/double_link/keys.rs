@@ -14,6 +14,7 @@ use crate::luffing::double_link::symbols as s;
 use crate::luffing::moving::hoisting::HOISTING_KEYS;
 use crate::luffing::moving::scene::{OIL_KEYS, SLEWING_KEYS};
 use crate::luffing::resistances::scene::CASES;
+use crate::parts::air::AIR;
 use crate::parts::motion::Motion;
 
 /// Keys of `[luffing]`.
@@ -43,6 +44,7 @@ pub const KEYS: &[Key] = &[
     Key::part("synthesis", SYNTHESIS, "What `lemnis synth` finds."),
     Key::part("dynamics", moving::scene::KEYS, "Inertias, friction, drive and rope of a mechanism in motion."),
     HOISTING,
+    AIR,
     Key::part("hydraulics", OIL_KEYS, "Oil, valve and lines of the luffing cylinder in motion."),
     Key::part("table", TABLE, "Interpolation of the level \"table\"."),
     SLEWING,

@@ -45,7 +45,7 @@ use crate::luffing::with_balance::{WithBalance, agreement, searched};
 use crate::luffing::{resistances, strength};
 use crate::parts::motion::Motion;
 use crate::parts::turntable;
-use crate::parts::{hanging, hydraulics};
+use crate::parts::{air, hanging, hydraulics};
 
 /// What is told of a plain boom, for which jib and rocker only stand in: its balance, its drive and these.
 const OF_BOOM: [&Symbol; 10] = [
@@ -79,6 +79,7 @@ impl Described for LuffingScene {
             crate::luffing::moving::symbols::ALL,
             resistances::symbols::ALL,
             strength::symbols::ALL,
+            air::ALL,
             hanging::ALL,
             turntable::ALL,
             gravity::ALL,
@@ -130,6 +131,7 @@ impl Described for LuffingScene {
             ramp: None,
             motor: None,
             give: None,
+            around: None,
             turning: None,
             oil: None,
             wound: None,
@@ -195,6 +197,7 @@ impl Described for LuffingScene {
             "static" | "table" => vec![
                 ("dynamics", &[]),
                 ("hoisting", &[]),
+                ("air", &[]),
                 ("slewing", &[]),
                 ("hydraulics", &[]),
             ],

@@ -65,6 +65,7 @@ use crate::luffing::strength::pull::pressed;
 use crate::luffing::strength::strut::{Slender, buckled};
 use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
+use crate::parts::air::AirAround;
 use crate::parts::four_bar::FourBar;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
@@ -91,6 +92,7 @@ stages! {
         Parameter ramp: Option<HoistRamp<C>>,
         Parameter motor: Option<HoistMotor<C>>,
         Parameter give: Option<RopeGive<C>>,
+        Parameter around: Option<AirAround<C>>,
         Parameter turning: Option<Turning<C>>,
         Parameter oil: Option<CylinderOil<C>>,
         Memory wound: Option<One<C>>,
@@ -175,7 +177,7 @@ stages! {
         sheared[each cases]: Vec<Sheared<C>> = Sheared::new(sizes[!], chosen[!], pinned[each]);
         parameters: Parameters<C> = parameters(lengths, jib, weights, mount, cylinder, balance, choice) => _;
         parts[constants]: Vec<CraneParts<C>> = motion::parts(
-            parameters, load[!], inertias[!], constants[!], ramp, motor, give, turning, oil, fitted, choice
+            parameters, load[!], inertias[!], constants[!], ramp, motor, give, around, turning, oil, fitted, choice
         ) => _;
         linkage[constants]: Vec<Renewed<HeavyLinkage<C>>> = motion::linkage(parts) => _;
         built[constants]: Vec<Level<C>> = motion::built(parts, linkage) => _;
@@ -189,6 +191,8 @@ stages! {
         pull: C = stages::pull(built, told, at, theta) => S_R;
         drum: C = stages::drum(built, told, at, theta) => M_R_H;
         forces: CraneForces<C> = motion::forces(linkage, built, told, at, theta);
+        drag: C = stages::drag(built, told, at, theta, around[!]) => F_AIR;
+        airy: C = stages::airy(built, told, at, theta, around[!]) => P_AIR;
         blown: C = stages::blown(at) => W_BLOW;
         resisting_slewing: C = stages::resisting_slewing(built, told, at, theta) => M_R_SL;
         seen: LoadSeen<C> = LoadSeen::new(at, fitted);

@@ -44,9 +44,10 @@ use crate::luffing::resistances::scene::{CASES, Cases, left};
 use crate::luffing::resistances::{self, checks, told};
 use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
+use crate::parts::air::AIR;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::Point;
-use crate::parts::{hanging, hydraulics};
+use crate::parts::{air, hanging, hydraulics};
 
 /// Keys of `[luffing]` with `kind = "ellipsograph"`.
 pub const KEYS: &[Key] = &[
@@ -68,6 +69,7 @@ pub const KEYS: &[Key] = &[
         DYNAMICS,
         "Inertias, friction, drive and rope of a boom in motion.",
     ),
+    AIR,
     Key::part("hoisting", HOISTING_KEYS, "Rope and hoist of a load that swings."),
     INTERPOLATION,
     CASES,
@@ -121,6 +123,7 @@ impl Described for Ellipsograph {
             moving::symbols::ALL,
             resistances::symbols::ALL,
             strength::symbols::ALL,
+            air::ALL,
             hanging::ALL,
             hydraulics::symbols::ALL,
         ],
@@ -175,6 +178,7 @@ impl Described for Ellipsograph {
             ramp: None,
             motor: None,
             give: None,
+            around: None,
             wound: None,
             past: None,
             fitted: Fitted::default(),

@@ -57,6 +57,7 @@ use crate::luffing::strength::pull::pressed;
 use crate::luffing::strength::strut::{Slender, buckled};
 use crate::luffing::strength::teeth::{Mesh, Toothed};
 use crate::luffing::with_balance::WithBalance;
+use crate::parts::air::AirAround;
 use crate::parts::four_bar::FourBar;
 use crate::parts::plane::Point;
 
@@ -64,7 +65,7 @@ use crate::parts::plane::Point;
 mod s {
     pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
     pub use crate::luffing::ellipsograph::symbols::*;
-    pub use crate::luffing::moving::symbols::{M_R, M_R_H, S_R, W_BLOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, M_R, M_R_H, P_AIR, S_R, W_BLOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::strength::symbols::{P_C, U_K};
 }
@@ -81,6 +82,7 @@ stages! {
         Parameter ramp: Option<HoistRamp<C>>,
         Parameter motor: Option<HoistMotor<C>>,
         Parameter give: Option<RopeGive<C>>,
+        Parameter around: Option<AirAround<C>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Load load: Option<One<C>>,
@@ -160,7 +162,7 @@ stages! {
         guided: GuidedParts<C> = GuidedParts::new(bars, weights[!], inertias[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::new(ramp, motor, give) => _;
         parts[constants]: Vec<SingleParts<Guided, C>> = single::parts(
-            guided, load[!], balance, hoist, constants[!], fitted
+            guided, load[!], balance, hoist, around, constants[!], fitted
         ) => _;
         boom[constants]: Vec<Renewed<Heavy<Guided, C>>> = single::heavy(parts) => _;
         built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
@@ -172,6 +174,8 @@ stages! {
         resisting: C = stages::resisting(built, told, at, phi) => M_R;
         pull: C = stages::pull(built, told, at, phi) => S_R;
         drum: C = stages::drum(built, told, at, phi) => M_R_H;
+        drag: C = stages::drag(built, told, at, phi, around[!]) => F_AIR;
+        airy: C = stages::airy(built, told, at, phi, around[!]) => P_AIR;
         blown: C = stages::blown(at) => W_BLOW;
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }

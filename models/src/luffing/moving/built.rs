@@ -2,7 +2,7 @@
 
 use crate::kernel::calc::Calc;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
-use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
+use crate::luffing::moving::dynamics::{Coordinate, Dynamics, Wind};
 use crate::luffing::moving::given::{Constants, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::{Crane, Hydraulic};
@@ -10,6 +10,7 @@ use crate::luffing::moving::level::Level;
 use crate::luffing::moving::motion::MovingLinkage;
 use crate::luffing::moving::space::Slewing;
 use crate::luffing::moving::symbols as m;
+use crate::parts::air::{AirAround, Drag};
 use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::joint::{Friction, Joint, JointDrive};
@@ -89,6 +90,8 @@ pub struct LevelParts<P: Calc> {
     pub constants: Constants<P>,
     pub turning: Option<Turning<P>>,
     pub cylinder: Option<Cylinder<P>>,
+    /// Around the load.
+    pub around: Option<AirAround<P>>,
     pub fitted: Fitted,
 }
 
@@ -102,6 +105,13 @@ impl<P: Coordinate<P>> LevelParts<P> {
         };
         let luffing = joint(constants.c_v, constants.m_f, [self.range.from, self.range.to]);
         let slewing = (self.turning.zip(fitted.slewing)).map(|(t, stops)| joint(t.c_sl, t.m_f_sl, stops));
+        if let Some(around) = &self.around {
+            let still = P::constant(0.0);
+            dynamics = dynamics.in_air(Wind {
+                drag: Drag::new(around, constants.g),
+                blows: [still; 2],
+            });
+        }
         if let Some(turning) = self.turning {
             dynamics = dynamics.with_slewing(Turntable {
                 axis: self.axis,

@@ -128,6 +128,9 @@ pub trait Hangs<const N: usize, const J: usize, P: Calc> {
     /// Its sign, that of an empty hook too.
     fn slackening_by<C: Coordinate<P>>(&self, a: &Self::Accelerations<C>, at: &Snapshot<N, J, C>) -> C;
 
+    /// Force of the air over the mass of the load (m/s²), and the power over mass that it takes (W/kg), where there is any.
+    fn felt<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> Option<[C; 2]>;
+
     /// Moment that friction, brake and stops must give to hold joint `i` at rest, in N·m.
     fn needs<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<N, J, C>) -> C;
 }
@@ -330,6 +333,13 @@ where
     }
 
     /// Moment of brake and friction on the drum of a motor, in N·m; positive reels in.
+    /// Force of the air on the load, in N, and the power that it takes, in W.
+    pub(crate) fn in_air<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> [C; 2] {
+        let mass = self.dynamics.pendulum().map(|load| C::of(load.mass));
+        let felt = mass.zip(self.felt(at));
+        felt.map_or([C::constant(0.0); 2], |(mass, felt)| felt.map(|of| mass * of))
+    }
+
     pub(crate) fn drum_friction<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> C {
         let friction = |hoist: &Hoist<P>| (at.state.drum).friction(hoist, &at.commands.hoist, self.tension(at));
         self.hoist().map_or(C::constant(0.0), friction)

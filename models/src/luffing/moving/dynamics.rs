@@ -9,6 +9,7 @@ use crate::kernel::calc::{Calc, Over};
 use crate::kernel::record::Rec;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
+use crate::parts::air::Drag;
 use crate::parts::solver::Gradient;
 
 /// What the mechanism was at the angle (rad) that was asked for last: rates, events, powers and forces of one instant
@@ -30,6 +31,13 @@ impl Latest {
     }
 }
 
+/// What the air does to any load over its mass, and how it blows: speed (m/s) and direction (rad).
+#[derive(Clone, Copy, Debug)]
+pub struct Wind<P = f64> {
+    pub drag: Drag<P>,
+    pub blows: [P; 2],
+}
+
 /// A mechanism that moves, with what hangs on it and what it stands on.
 #[derive(Clone)]
 pub struct Dynamics<P = f64> {
@@ -38,6 +46,7 @@ pub struct Dynamics<P = f64> {
     pendulum: Option<Pendulum<P>>,
     /// In m/s².
     gravity: P,
+    air: Option<Wind<P>>,
     latest: Latest,
 }
 
@@ -96,8 +105,29 @@ impl<P: Calc> Dynamics<P> {
             },
             pendulum,
             gravity,
+            air: None,
             latest: Latest::default(),
         }
+    }
+
+    /// With air that resists the load.
+    #[must_use]
+    pub fn in_air(mut self, air: Wind<P>) -> Dynamics<P> {
+        self.air = Some(air);
+        self
+    }
+
+    /// With the wind that blows: speed (m/s) and direction (rad), where there is air.
+    pub(crate) fn put_wind(&mut self, blows: [P; 2]) {
+        if let Some(air) = &mut self.air {
+            air.blows = blows;
+        }
+    }
+
+    /// Where there is any.
+    #[must_use]
+    pub fn air(&self) -> Option<&Wind<P>> {
+        self.air.as_ref()
     }
 
     /// With a cylinder for its drive, whose line the equations of motion ask for.

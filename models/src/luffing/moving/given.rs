@@ -36,10 +36,12 @@ pub struct Inputs<P = f64> {
     /// Command of the valve in [−1, 1], and pressure of the pump in Pa.
     pub valve: P,
     pub supply: P,
+    /// Speed (m/s) and direction (rad) of the wind.
+    pub wind: [P; 2],
 }
 
 /// Their symbols.
-pub const INPUTS: [&Symbol; 9] = *listed!(s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL);
+pub const INPUTS: [&Symbol; 11] = *listed!(s: M_A, M_S, U_V, P_P, M_M_H, M_B_H, V_H, M_SL, M_B_SL, V_AIR, CHI_AIR);
 
 impl<P: Copy> Inputs<P> {
     /// Of a crane of J joints.
@@ -64,10 +66,14 @@ impl<P: Copy> Inputs<P> {
             hoist.speed,
             slewing.moment,
             slewing.brake,
+            self.wind[0],
+            self.wind[1],
         ]
     }
 
-    fn from([m_a, m_s, valve, supply, m_h, m_b_h, speed, m_sl, m_b_sl]: [P; INPUTS.len()]) -> Inputs<P> {
+    fn from(
+        [m_a, m_s, valve, supply, m_h, m_b_h, speed, m_sl, m_b_sl, v_air, chi_air]: [P; INPUTS.len()],
+    ) -> Inputs<P> {
         let drive = |moment, brake| JointDrive { moment, brake };
         Inputs {
             drives: [drive(m_a, m_s), drive(m_sl, m_b_sl)],
@@ -77,6 +83,7 @@ impl<P: Copy> Inputs<P> {
             },
             valve,
             supply,
+            wind: [v_air, chi_air],
         }
     }
 }

@@ -12,6 +12,7 @@ use crate::kernel::calc::Calc;
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
+use crate::parts::air::Stream;
 use crate::parts::hanging::{Accelerations, HangingLoad, HeadJoints};
 use crate::parts::hoist::RopeAction;
 
@@ -24,6 +25,12 @@ impl<P: Calc> Dynamics<P> {
         [Vector3::new(d.x, d.y, zero), Vector3::new(zero, zero, a.x - axis)]
     }
 
+    /// The air as the load meets it at a slewing angle (rad), where there is any.
+    pub(crate) fn stream<C: Coordinate<P>>(&self, psi: C) -> Option<Stream<C>> {
+        let air = self.air()?;
+        Some(Stream::new(air.drag.over(), air.blows.map(C::of), psi))
+    }
+
     /// Motion under moments on both joints (N·m) at rates of the joints (rad/s), of those that are free; the load only
     /// where there is one on a rope, which acts on it as a line.
     pub fn slewed<C: Coordinate<P>>(
@@ -34,6 +41,7 @@ impl<P: Calc> Dynamics<P> {
         moments: [C; 2],
         line: RopeAction<C>,
         free: [bool; 2],
+        air: Option<&Stream<C>>,
     ) -> Accelerations<C, 2> {
         let (zero, half) = (C::constant(0.0), C::constant(0.5));
         let [inertia, slope] = r.turn;
@@ -70,6 +78,6 @@ impl<P: Calc> Dynamics<P> {
         };
         let masses = [C::of(pendulum.mass), C::of(pendulum.cancelling())];
         let gravity = Vector3::new(zero, -C::of(self.gravity()), zero);
-        joints.hung(load, masses, gravity, line)
+        joints.hung(load, masses, gravity, line, air)
     }
 }

@@ -6,6 +6,7 @@ use crate::kernel::keys::keys;
 use crate::kernel::schema::{Key, Values};
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::symbols as s;
+use crate::parts::air::AirAround;
 
 /// Keys of `[luffing.hoisting]`.
 pub static HOISTING_KEYS: &[Key] = keys! { s:
@@ -53,6 +54,8 @@ pub struct LoadRope {
     pub hoist: HoistKind,
     /// `None` where it keeps its length under any force.
     pub give: Option<RopeGive<f64>>,
+    /// `None` where nothing resists the load.
+    pub air: Option<AirAround<f64>>,
 }
 
 /// Ids of what the model takes for granted of load, rope and hoist; `fixed` where there is no rope.
@@ -69,7 +72,8 @@ pub fn load_taken(rope: Option<&LoadRope>, fixed: &'static str) -> impl Iterator
         HoistKind::Ramp(_) => "hoist_ramp",
         HoistKind::Motor(_) => "hoist_motor",
     });
-    [Some(load), slack, hoist].into_iter().flatten()
+    let air = rope.and_then(|rope| rope.air).map(|_| "air");
+    [Some(load), slack, hoist, air].into_iter().flatten()
 }
 
 /// The table that has the rope and its hoist: `[luffing.hoisting]`, or `[luffing.dynamics]`.
@@ -110,6 +114,7 @@ pub fn load_rope(table: &Values, fidelity: &str) -> Result<Option<LoadRope>, Dia
             swing: n(&s::PHI_R).unwrap_or(0.0),
             hoist: winch(table)?,
             give: give(table)?,
+            air: None,
         })),
         ("swing", None) => {
             let what = "a swinging load without a rope";

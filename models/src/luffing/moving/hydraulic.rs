@@ -195,6 +195,11 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
         self.joint().stops
     }
 
+    /// With the wind that blows, as [`Dynamics::put_wind`].
+    pub(crate) fn put_wind(&mut self, blows: [P; 2]) {
+        either!(&mut self.crane, crane => crane.dynamics.put_wind(blows));
+    }
+
     /// Whether there is a rope that keeps its length under any force.
     fn keeps(&self) -> bool {
         self.dynamics().pendulum().is_some_and(|load| load.hoist.rope.is_none())
@@ -356,6 +361,14 @@ impl<const N: usize, P: Calc> Hydraulic<N, P> {
             return Some(C::constant(0.0));
         }
         Some(driven!(self, modes, y, crane, at => crane.tension(at)))
+    }
+
+    /// Force of the air on the load, in N, and the power that it takes, in W.
+    pub fn in_air<C: Coordinate<P>>(&self, modes: Modes, y: &[C; N]) -> Option<[C; 2]> {
+        if N == FIXED {
+            return Some([C::constant(0.0); 2]);
+        }
+        Some(driven!(self, modes, y, crane, at => crane.in_air(at)))
     }
 
     /// Moment of brake and friction on the drum of a motor, in N·m; positive reels in.

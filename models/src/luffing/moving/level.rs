@@ -7,7 +7,8 @@ use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Sn
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Inputs, MOST_STATES};
 use crate::luffing::moving::hydraulic::{self, FIRST, FIXED, Hydraulic, Modes, PresentCrane};
-use crate::luffing::moving::motion::{MovingLinkage, directions};
+use crate::luffing::moving::motion::MovingLinkage;
+use crate::luffing::moving::pendulum::directions;
 use crate::luffing::moving::shares::{Instant, rope_on_head};
 use crate::luffing::moving::space::{self, Slewing};
 use crate::parts::hanging::to_load;
@@ -65,6 +66,9 @@ pub enum MotionResult {
     /// Of motor and brake on the driven bar: what the line of its drive carries.
     Drive,
     Cylinder,
+    /// Of the air on the load, and the power that it takes.
+    Air,
+    AirPower,
 }
 
 /// The same of cranes without oil, and of those with it.
@@ -122,6 +126,8 @@ fn oil_reaction<const N: usize, P: Coordinate<P>>(
         MotionResult::SlewingFriction => system.slewing_friction(modes, y),
         MotionResult::Pull => system.rope_force(modes, y),
         MotionResult::Drum => system.drum_friction(modes, y),
+        MotionResult::Air => Some(system.in_air(modes, y)?[0]),
+        MotionResult::AirPower => Some(system.in_air(modes, y)?[1]),
     }
 }
 
@@ -149,6 +155,11 @@ where
                 _ => P::constant(0.0),
             };
             Some(crane.shares(state, commands, y, together).drive)
+        }
+        MotionResult::Air | MotionResult::AirPower => {
+            let r = &P::reduced(&crane.dynamics, y[0])?;
+            let [force, power] = crane.in_air(&Snapshot { state, r, y, commands });
+            Some(if reaction == MotionResult::Air { force } else { power })
         }
         MotionResult::SlewingFriction => crane.friction_moment(1, state, commands, y),
         MotionResult::Friction | MotionResult::Cylinder => crane.friction_moment(0, state, commands, y),
@@ -185,8 +196,10 @@ impl<P: Calc> Level<P> {
     /// Under inputs; `None` where they are no part of its equations.
     #[must_use]
     pub fn told(&self, inputs: &Inputs<P>) -> Option<Level<P>> {
-        let mut told = self.has_oil().then(|| self.clone())?;
-        either!(&mut told, _crane => {}, system => {
+        let asked = self.has_oil() || self.dynamics().air().is_some();
+        let mut told = asked.then(|| self.clone())?;
+        either!(&mut told, crane => crane.dynamics.put_wind(inputs.wind), system => {
+            system.put_wind(inputs.wind);
             (system.command, system.supply) = (inputs.valve, inputs.supply);
             (system.hoist, system.slewing) = (inputs.hoist, inputs.drives[1]);
         });
@@ -436,6 +449,8 @@ pub(crate) struct Powers {
     pub throttles: f64,
     /// What compresses the oil.
     pub compression: f64,
+    /// What the air takes from the load.
+    pub air: f64,
 }
 
 fn powers_of<const N: usize, const J: usize>(
@@ -453,10 +468,12 @@ where
         drives[i] = drive.moment * rate;
         friction += -crane.friction_moment(i, state, commands, y)? * rate;
     }
+    let r = &f64::reduced(&crane.dynamics, y[0])?;
     let powers = Powers {
         drive: drives[0],
         slewing: drives[1],
         hoist: hoist.given,
+        air: crane.in_air(&Snapshot { state, r, y, commands })[1],
         friction: friction + hoist.lost,
         ..Powers::default()
     };
@@ -479,6 +496,7 @@ fn oil_powers<const N: usize>(system: &Hydraulic<N>, modes: Modes, y: &[f64; N])
         pump,
         throttles,
         compression,
+        air: system.in_air(modes, y)?[1],
         friction: -system.reaction(y[0], y[1]) * y[1] - system.slewing_friction(modes, y)? * turning + hoist.lost,
         ..Powers::default()
     };

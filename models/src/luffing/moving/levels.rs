@@ -33,8 +33,12 @@ pub fn set_level(moving: &mut Option<Moving>, level: &str) -> bool {
 pub fn unused(level: &str) -> Vec<(&'static str, &'static [&'static str])> {
     match level {
         "swing" => Vec::new(),
-        "rigid" => vec![("hoisting", &[]), ("dynamics", &["l_R", "phi_R", "v_h", "a_h"])],
-        _ => vec![("dynamics", &[]), ("hoisting", &[])],
+        "rigid" => vec![
+            ("hoisting", &[]),
+            ("air", &[]),
+            ("dynamics", &["l_R", "phi_R", "v_h", "a_h"]),
+        ],
+        _ => vec![("dynamics", &[]), ("hoisting", &[]), ("air", &[])],
     }
 }
 

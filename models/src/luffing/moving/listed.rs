@@ -22,6 +22,7 @@ pub struct Fittings {
     /// Of its hoist.
     pub ramp: bool,
     pub motor: bool,
+    pub air: bool,
 }
 
 fn place(list: &[&'static Symbol], symbol: &'static Symbol) -> Option<usize> {
@@ -38,6 +39,7 @@ impl Fittings {
             slews: sources.turning.is_some(),
             ramp: sources.ramp.is_some(),
             motor: sources.motor.is_some(),
+            air: sources.around.is_some(),
         })
     }
 
@@ -54,6 +56,8 @@ impl Fittings {
             (_, Some(0 | 1)) => !self.oil,
             (_, Some(4 | 5)) => self.motor,
             (_, Some(6)) => self.rope && !self.motor,
+            (_, Some(9)) => self.air,
+            (_, Some(10)) => self.air && self.slews,
             _ => true,
         }
     }

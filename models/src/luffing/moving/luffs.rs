@@ -8,6 +8,7 @@ use crate::luffing::moving::given::{Constants, CraneStates, CylinderOil, Fitted,
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::hydraulic::Modes;
 use crate::luffing::moving::level::{CraneAt, Level};
+use crate::parts::air::AirAround;
 use crate::parts::motion::Motion;
 use crate::parts::turntable::Turning;
 
@@ -20,6 +21,7 @@ pub struct MotionSources<C: Calc = f64> {
     pub ramp: Option<HoistRamp<C>>,
     pub motor: Option<HoistMotor<C>>,
     pub give: Option<RopeGive<C>>,
+    pub around: Option<AirAround<C>>,
     pub turning: Option<Turning<C>>,
     pub oil: Option<CylinderOil<C>>,
     pub wound: Option<One<C>>,
@@ -37,6 +39,7 @@ impl MotionSources {
         ramp: None,
         motor: None,
         give: None,
+        around: None,
         turning: None,
         oil: None,
         wound: None,
@@ -105,6 +108,7 @@ macro_rules! luffs {
                         constants: given.constants,
                         ramp: given.ramp,
                         give: given.give,
+                        around: given.around,
                         wound: given.wound,
                         past: given.past,
                         fitted: given.fitted,
@@ -126,6 +130,7 @@ macro_rules! luffs {
                     constants,
                     ramp,
                     give,
+                    around,
                     wound,
                     past,
                     fitted,
@@ -141,6 +146,7 @@ macro_rules! luffs {
                     constants,
                     ramp,
                     give,
+                    around,
                     wound,
                     past,
                     fitted,

@@ -4,7 +4,7 @@
 use crate::kernel::calc::Calc;
 use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::moving::dynamics::Coordinate;
-use crate::luffing::moving::pendulum::{Phase, Reel};
+use crate::luffing::moving::pendulum::{Phase, Reel, directions};
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
 use crate::parts::hoist::RopeAction;
@@ -93,7 +93,10 @@ impl<P: Calc> MovingLinkage<P> {
         let (m, reel, still) = (phase(y), self.reel(state, r, y), C::constant(0.0));
         let [_, d, dd] = r.head;
         let (out, along) = directions(m.swing);
-        let weight = Point::new(still, C::of(self.dynamics.gravity()));
+        let mut weight = Point::new(still, C::of(self.dynamics.gravity()));
+        if let Some(air) = self.dynamics.resisted(r, &m, &reel) {
+            weight -= air;
+        }
         let held = state.joints[0] == Bar::Held;
         let alone = if held {
             still
@@ -150,8 +153,12 @@ impl<P: Calc> MovingLinkage<P> {
         let [_, d, dd] = r.head;
         let (out, _) = directions(y[2]);
         let head = plane::def(d * a.bar + dd * (y[1] * y[1]), [&s::A_AX, &s::A_AY]);
-        let head = head + Point::new(C::constant(0.0), C::of(self.dynamics.gravity()));
-        let mut inward = self.reel(state, r, y).less_gain(y[4] * y[3] * y[3]) - dot(head, out).def(&s::A_AR);
+        let mut head = head + Point::new(C::constant(0.0), C::of(self.dynamics.gravity()));
+        let reel = self.reel(state, r, y);
+        if let Some(air) = self.dynamics.resisted(r, &phase(y), &reel) {
+            head -= air;
+        }
+        let mut inward = reel.less_gain(y[4] * y[3] * y[3]) - dot(head, out).def(&s::A_AR);
         if let Some((lead, bend)) = led(r, y[1], a.bar) {
             inward -= (lead + bend).def(&s::A_LR);
         }
@@ -219,6 +226,12 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
             Some(load) => self.pull(load.cancelling(), a, at),
             None => C::constant(1.0),
         }
+    }
+
+    fn felt<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 1, C>) -> Option<[C; 2]> {
+        let Snapshot { state, r, y, .. } = *at;
+        let ([speed, against], drag) = self.dynamics.blown(r, &phase(y), &self.reel(state, r, y))?;
+        Some(drag.felt(speed, against))
     }
 
     fn needs<C: Coordinate<P>>(&self, _: usize, at: &Snapshot<STATES, 1, C>) -> C {
@@ -312,10 +325,4 @@ impl Struck<STATES, 1> for MovingLinkage {
 fn led<C: Calc>(r: &Reduced<C>, omega: C, bar: C) -> Option<(C, C)> {
     let ([lead, _], bend) = r.lead.zip(r.bend(omega))?;
     Some((lead * bar, bend))
-}
-
-/// From the head to the load, and where it swings to, at an angle of the rope.
-pub(crate) fn directions<C: Calc>(swing: C) -> (Point<C>, Point<C>) {
-    let (sin, cos) = swing.sin_cos();
-    (Point::new(sin, -cos), Point::new(cos, sin))
 }

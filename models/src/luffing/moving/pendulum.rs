@@ -9,7 +9,8 @@ use crate::luffing::moving::bodies::Pendulum;
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
-use crate::parts::plane::{Point, dot, squared};
+use crate::parts::air::Drag;
+use crate::parts::plane::{self, Point, dot, squared};
 use crate::parts::solver::runge_kutta;
 
 /// Angles in rad and their rates in rad/s: where the mechanism is and how it moves.
@@ -59,7 +60,36 @@ struct Swing<C> {
     forces: [C; 2],
 }
 
+/// From the head to the load, and where it swings to, at an angle of the rope.
+pub(crate) fn directions<C: Calc>(swing: C) -> (Point<C>, Point<C>) {
+    let (sin, cos) = swing.sin_cos();
+    (Point::new(sin, -cos), Point::new(cos, sin))
+}
+
 impl<P: Calc> Dynamics<P> {
+    /// Velocity of the load against the ground and against the air, in m/s, with its drag, where there is air.
+    pub(crate) fn blown<C: Coordinate<P>>(
+        &self,
+        r: &Reduced<C>,
+        m: &Phase<C>,
+        reel: &Reel<C>,
+    ) -> Option<([[C; 2]; 2], Drag<C>)> {
+        let air = self.air()?;
+        let (out, along) = directions(m.swing);
+        let velocity = r.head[1] * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;
+        let against = plane::def(
+            velocity - Point::new(C::of(air.blows[0]), C::constant(0.0)),
+            [&s::U_AIR_X, &s::U_AIR_Y],
+        );
+        Some(([velocity, against].map(Into::into), air.drag.over()))
+    }
+
+    /// What the air makes of the load, in m/s², where there is any.
+    pub(crate) fn resisted<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: &Reel<C>) -> Option<Point<C>> {
+        let ([_, against], drag) = self.blown(r, m, reel)?;
+        Some(drag.on(against).into())
+    }
+
     /// The pendulum's part of the equations of motion, for the coordinates (theta, swing).
     fn swing<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, load: &Pendulum<P>, reel: Reel<C>) -> Swing<C> {
         let [_, d, dd] = r.head;
@@ -82,7 +112,17 @@ impl<P: Calc> Dynamics<P> {
             rise = (rise - lead * cos).def(&s::DH_R);
             along = (along - lead).def(&s::D_L);
         }
-        let work = (bend * square + along * pull + forward * coriolis + gravity * rise).def(&s::W_1);
+        let mut work = bend * square + along * pull + forward * coriolis + gravity * rise;
+        let mut across = change * square + coriolis + gravity * sin;
+        if let Some(air) = self.resisted(r, m, &reel) {
+            let mut given = dot(air, d);
+            if let Some([lead, _]) = r.lead {
+                given -= lead * dot(air, inward);
+            }
+            work -= given;
+            across -= dot(air, swing);
+        }
+        let work = work.def(&s::W_1);
         let (own, coupled) = ((mass * travel).def(&s::M_11), (mass * l * forward).def(&s::M_12));
         Swing {
             own,
@@ -93,10 +133,7 @@ impl<P: Calc> Dynamics<P> {
                 (any * l * forward).def(&s::M_21)
             },
             inertia: (any * l.square()).def(&s::M_22),
-            forces: [
-                (-mass * work).def(&s::TAU_1),
-                (-any * l * (change * square + coriolis + gravity * sin)).def(&s::TAU_2),
-            ],
+            forces: [(-mass * work).def(&s::TAU_1), (-any * l * across).def(&s::TAU_2)],
         }
     }
 

@@ -10,6 +10,7 @@ use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::given::{Constants, CylinderOil, Inputs};
 use crate::luffing::moving::hoisting::{HoistKind, LoadRope, hoisting, load_rope};
 use crate::luffing::moving::symbols as s;
+use crate::parts::air::{AIR, around};
 use crate::parts::hanging::too_short;
 use crate::parts::hoist::HoistCommand;
 use crate::parts::hydraulics::valve::supersonic;
@@ -120,7 +121,30 @@ impl Moving {
         let mut told = |refused: Diagnostic| found.push(refused);
         let table = table(v, fidelity, bodies).map_err(&mut told).ok()??;
         let hoisting = hoisting(v, table, fidelity).map_err(&mut told).ok()?;
-        let rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
+        let mut rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
+        match (v.table(AIR.name), &mut rope) {
+            (Some(table), Some(rope)) => {
+                let load = v.number("Q").unwrap_or(0.0);
+                let swings = (gravity / rope.length).sqrt();
+                rope.air = Some(around(
+                    table,
+                    [load, gravity],
+                    swings,
+                    v.table("slewing").is_some(),
+                    found,
+                )?);
+            }
+            (Some(_), None) => {
+                let what = "air around a load that does not swing";
+                found.push(v.refuse(
+                    AIR.name,
+                    what,
+                    "not used",
+                    "set fidelity = \"swing\", or remove this table",
+                ));
+            }
+            (None, _) => {}
+        }
         let reach = (bodies.reach, v.of(bodies.reach).unwrap_or(0.0));
         found.extend(rope.and_then(|rope| too_short(hoisting, rope.length, reach)));
         let oil = oil_drive(v, fidelity, found)?;
@@ -172,6 +196,7 @@ fn inputs(v: &Values, [dynamics, hoisting]: [&Values; 2], of: fn(&Values, &str) 
         },
         valve: number(oil, &s::U_V),
         supply: number(oil, &s::P_P),
+        wind: [&s::V_AIR, &s::CHI_AIR].map(|symbol| number(v.table(AIR.name), symbol)),
     }
 }
 

@@ -22,6 +22,7 @@ use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces, 
 use crate::luffing::moving::stages::CraneMoves;
 use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::weighed::{Balanceable, MovedBalance, Weighing, Weight};
+use crate::parts::air::AirAround;
 use crate::parts::motion::Motion;
 
 /// A mechanism with one boom and one coordinate, the boom's angle: what is its own in motion.
@@ -194,6 +195,7 @@ pub fn parts<B: SingleBoom, C: Calc>(
     load: &One<C>,
     balance: &Option<Form<C>>,
     hoist: &HoistParts<C>,
+    around: &Option<AirAround<C>>,
     constants: &Constants<C>,
     fitted: &Fitted,
     room: &mut Vec<SingleParts<B, C>>,
@@ -211,6 +213,7 @@ pub fn parts<B: SingleBoom, C: Calc>(
             constants: *constants,
             turning: None,
             cylinder: None,
+            around: *around,
             fitted: *fitted,
         },
     });

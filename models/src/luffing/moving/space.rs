@@ -102,7 +102,9 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
         let free = state.joints.map(|joint| joint != Bar::Held);
         let line = self.line(at);
         let moments = [moment(0), moment(1)];
-        self.dynamics.slewed(r, [y[1], y[3]], load_of(y), moments, line, free)
+        let air = self.dynamics.stream(y[2]);
+        self.dynamics
+            .slewed(r, [y[1], y[3]], load_of(y), moments, line, free, air.as_ref())
     }
 
     fn rates_by<C: Coordinate<P>>(&self, a: &Accelerations<C, 2>, at: &Snapshot<STATES, 2, C>) -> [C; STATES] {
@@ -125,6 +127,12 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
         a.slackening
     }
 
+    fn felt<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 2, C>) -> Option<[C; 2]> {
+        let Snapshot { state, r, y, .. } = *at;
+        let stream = self.dynamics.stream(y[2])?;
+        Some(stream.felt(self.velocity(state, r, y).1))
+    }
+
     fn needs<C: Coordinate<P>>(&self, i: usize, at: &Snapshot<STATES, 2, C>) -> C {
         let Snapshot { state, r, y, commands } = *at;
         let [_, slope] = r.turn;
@@ -139,6 +147,25 @@ impl<P: Calc> Hangs<STATES, 2, P> for Slewing<P> {
             force += a.rope * a.arms[i];
         }
         -force
+    }
+}
+
+impl<P: Calc> Slewing<P> {
+    /// The load's place from the slewing axis (m) and its velocity (m/s) against the ground, in the frame that slews.
+    fn velocity<C: Coordinate<P>>(
+        &self,
+        state: &SlewingState,
+        r: &Reduced<C>,
+        y: &[C; STATES],
+    ) -> (Vector3<C>, Vector3<C>) {
+        let head = self.dynamics.head(r);
+        let mut load = load_of(y);
+        if self.is_kept(state) {
+            load = load.on_rope(&HeadRope::new(load.place, &head), y[11]);
+        }
+        let place = load.place + Vector3::new(head[1].z, r.head[0].y, C::constant(0.0));
+        let of_luffing = head[0].map(|part| part * y[1]);
+        (place, load.rate + of_luffing + turned(place).map(|part| part * y[3]))
     }
 }
 
@@ -195,7 +222,7 @@ impl Struck<STATES, 2> for Slewing {
     }
 
     fn height_and_speed(&self, state: &SlewingState, r: &Reduced<f64>) -> [f64; 2] {
-        let (place, velocity) = self.velocity(state, r);
+        let (place, velocity) = self.velocity(state, r, &state.y);
         [place.y, velocity.norm_squared()]
     }
 }
@@ -265,18 +292,7 @@ impl Slewing {
         let Some(pendulum) = self.dynamics.pendulum().copied() else {
             return Some(own);
         };
-        let (place, velocity) = self.velocity(state, &r);
+        let (place, velocity) = self.velocity(state, &r, &state.y);
         Some(own + pendulum.mass * (place.x * velocity.z - place.z * velocity.x))
-    }
-
-    /// The load's place from the slewing axis (m) and its velocity (m/s) against the ground, in the frame that slews.
-    fn velocity(&self, state: &SlewingState, r: &Reduced<f64>) -> (Vector3<f64>, Vector3<f64>) {
-        let head = self.dynamics.head(r);
-        let mut load = load_of(&state.y);
-        if self.is_kept(state) {
-            load = load.on_rope(&HeadRope::new(load.place, &head), state.y[11]);
-        }
-        let place = load.place + Vector3::new(head[1].z, r.head[0].y, 0.0);
-        (place, load.rate + head[0] * state.y[1] + turned(place) * state.y[3])
     }
 }

@@ -14,6 +14,7 @@ use crate::luffing::moving::given::{CraneStates, CylinderOil, Fitted, Inputs, MO
 use crate::luffing::moving::hydraulic::{Hydraulic, MOST, Modes};
 use crate::luffing::moving::level::{CraneAt, Level, MOST_INDICATORS, MotionResult, seen};
 use crate::luffing::moving::symbols as s;
+use crate::parts::air::AirAround;
 use crate::parts::hydraulics::symbols as h;
 
 /// The equations over a scalar.
@@ -175,12 +176,13 @@ impl<C: Calc> CraneRates<C> {
 
 /// Results that are one number each.
 macro_rules! reactions {
-    ($($name:ident: $of:ident;)*) => {
+    ($($name:ident: $of:ident $(with $part:ty)?;)*) => {
         $(pub fn $name<C: Scalar>(
             built: &[Level<C>],
             told: &[Level<C>],
             at: &CraneAt<C>,
             theta: &One<C>,
+            $(_: &$part,)?
         ) -> Result<C, Fault> {
             let found = (C::own::<InMotion>().reaction)(present(built, told), at, MotionResult::$of);
             found.ok_or_else(|| open(theta))
@@ -194,6 +196,8 @@ reactions! {
     drum: Drum;
     driving: Drive;
     resisting_slewing: SlewingFriction;
+    drag: Air with AirAround<C>;
+    airy: AirPower with AirAround<C>;
 }
 
 /// Energy that blows have taken, in J.

@@ -15,7 +15,8 @@ use crate::luffing::moving::hoisting::HoistKind;
 use crate::luffing::moving::hydraulic::{FIXED, Modes};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::luffs::{Luffs, MotionSources};
-use crate::luffing::moving::motion::{self, MotionState, directions};
+use crate::luffing::moving::motion::{self, MotionState};
+use crate::luffing::moving::pendulum::directions;
 use crate::luffing::moving::scene::Moving;
 use crate::luffing::moving::space::{self, SlewingState};
 use crate::luffing::moving::symbols as m;
@@ -119,6 +120,7 @@ fn sources(moving: &Moving) -> MotionSources {
             _ => None,
         },
         give: rope.and_then(|rope| rope.give),
+        around: rope.and_then(|rope| rope.air),
         turning: slewing.map(|turn| turn.joint.turning),
         oil,
         wound: moving.winds_at_once().then_some(One(&m::V_H, 0.0)),

@@ -40,12 +40,13 @@ use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
 use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
+use crate::parts::air::AIR;
 use crate::parts::motion::{Motion, degrees};
 use crate::parts::plane::{self, Point};
-use crate::parts::{hanging, hydraulics};
+use crate::parts::{air, hanging, hydraulics};
 
 /// Keys of `[luffing]` with one of the two kinds.
-const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 17] {
+const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 18] {
     [
         kind,
         Key::quantity(&s::L, Sign::Positive),
@@ -67,6 +68,7 @@ const fn keys(kind: Key, hoist_rope: &'static [Key]) -> [Key; 17] {
             DYNAMICS,
             "Inertia, friction, drive and rope of a boom in motion.",
         ),
+        AIR,
         Key::part("hoisting", BY_SPEED_KEYS, "Rope and hoist of a load that swings."),
         INTERPOLATION,
         CASES,
@@ -142,6 +144,7 @@ impl Described for Rope {
             moving::symbols::ALL,
             resistances::symbols::ALL,
             strength::symbols::ALL,
+            air::ALL,
             hanging::ALL,
             hydraulics::symbols::ALL,
         ],
@@ -183,6 +186,7 @@ impl Described for Rope {
             constants: None,
             ramp: None,
             give: None,
+            around: None,
             wound: None,
             past: None,
             slack: None,

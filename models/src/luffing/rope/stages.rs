@@ -49,11 +49,12 @@ use crate::luffing::strength::given::{PinSize, Wire};
 use crate::luffing::strength::pins::Sheared;
 use crate::luffing::strength::pull::{RopeRatios, Tensed};
 use crate::luffing::with_balance::WithBalance;
+use crate::parts::air::AirAround;
 use crate::parts::plane::Point;
 
 /// Quantities at rest and in motion.
 mod s {
-    pub use crate::luffing::moving::symbols::{M_R, S_R, W_BLOW, Z_LOW};
+    pub use crate::luffing::moving::symbols::{F_AIR, M_R, P_AIR, S_R, W_BLOW, Z_LOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::rope::symbols::*;
 }
@@ -69,6 +70,7 @@ stages! {
         Parameter constants: Option<Constants<C>>,
         Parameter ramp: Option<HoistRamp<C>>,
         Parameter give: Option<RopeGive<C>>,
+        Parameter around: Option<AirAround<C>>,
         Memory wound: Option<One<C>>,
         Memory past: Option<Modes>,
         Memory slack: Option<Slack>,
@@ -130,7 +132,7 @@ stages! {
         roped: RopedParts<C> = RopedParts::new(rig, compensation, weights[!], inertia[!], choice) => _;
         hoist: HoistParts<C> = HoistParts::by_speed(ramp, give) => _;
         parts[constants]: Vec<SingleParts<Roped, C>> = single::parts(
-            roped, load[!], balance, hoist, constants[!], fitted
+            roped, load[!], balance, hoist, around, constants[!], fitted
         ) => _;
         boom[constants]: Vec<Renewed<Heavy<Roped, C>>> = single::heavy(parts) => _;
         built[constants]: Vec<Level<C>> = single::built(parts, boom) => _;
@@ -144,6 +146,8 @@ stages! {
         driving: C = stages::driving(built, told, at, phi) => _;
         tackle: C = moving::pull(driving, falls) => T_DYN;
         led: C = stages::pull(built, told, at, phi) => S_R;
+        drag: C = stages::drag(built, told, at, phi, around[!]) => F_AIR;
+        airy: C = stages::airy(built, told, at, phi, around[!]) => P_AIR;
         blown: C = stages::blown(at) => W_BLOW;
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }

@@ -38,6 +38,12 @@ pub fn measured<const N: usize>(
     let size = |of: &dyn Fn(usize) -> f64| (0..N).map(|i| of(i) * of(i)).sum::<f64>().sqrt();
     let middle = if forced { size(&|i| k_2[i]) } else { 0.0 };
     let (change, rate) = (size(&|i| k_3[i] - k_2[i]), size(&|i| k_1[i]).max(middle));
-    let fast = if change > 0.0 { 4.0 * change / rate } else { 0.0 };
+    // What stands still but for its rounding is not fast.
+    let rounding = f64::EPSILON * size(&|i| y[i]);
+    let fast = if h * change > rounding {
+        4.0 * change / rate
+    } else {
+        0.0
+    };
     Some((moved(&mean, h), Fast(fast))).filter(|(end, _)| finite(end))
 }

@@ -20,6 +20,7 @@ use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Constants, CylinderOil, Fitted};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::Level;
+use crate::parts::air::AirAround;
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::hydraulics::valve::Valve;
 use crate::parts::motion::Motion;
@@ -42,6 +43,7 @@ pub struct CraneParts<P: Calc> {
     pub ramp: Option<HoistRamp<P>>,
     pub motor: Option<HoistMotor<P>>,
     pub give: Option<RopeGive<P>>,
+    pub around: Option<AirAround<P>>,
     pub turning: Option<Turning<P>>,
     pub oil: Option<CylinderOil<P>>,
     pub fitted: Fitted,
@@ -81,6 +83,7 @@ where
             constants: self.constants,
             turning: self.turning,
             cylinder: oil.map(|(oil, bore)| cylinder(&oil, &bore)),
+            around: self.around,
             fitted: self.fitted,
         }
         .level(dynamics)

@@ -24,6 +24,7 @@ use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
 use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::reduced::Renewed;
 use crate::luffing::moving::stages::{CraneMoves, open, present, rates_after};
+use crate::parts::air::AirAround;
 use crate::parts::turntable::Turning;
 
 type ForcesOf<P> = fn(&Level<P>, &HeavyLinkage<P>, &CraneAt<P>) -> Option<ForcesInMotion<P>>;
@@ -74,6 +75,7 @@ pub fn parts<C: Scalar>(
     ramp: &Option<HoistRamp<C>>,
     motor: &Option<HoistMotor<C>>,
     give: &Option<RopeGive<C>>,
+    around: &Option<AirAround<C>>,
     turning: &Option<Turning<C>>,
     oil: &Option<CylinderOil<C>>,
     fitted: &Fitted,
@@ -90,6 +92,7 @@ pub fn parts<C: Scalar>(
         ramp: *ramp,
         motor: *motor,
         give: *give,
+        around: *around,
         turning: *turning,
         oil: *oil,
         fitted: *fitted,

@@ -35,6 +35,7 @@ impl Energy {
     pub(super) fn list(&self, moving: &Moving) -> sheet::Energy {
         let (oil, work) = (moving.oil.is_some(), &self.work);
         let (slews, hangs) = (moving.slewing.is_some(), moving.rope.is_some());
+        let air = moving.rope.is_some_and(|rope| rope.air.is_some());
         let there = |lines: &[(bool, &'static Symbol, f64)]| {
             let lines = lines.iter().filter(|(there, _, _)| *there);
             lines.map(|&(_, symbol, value)| (symbol, value)).collect()
@@ -53,6 +54,7 @@ impl Energy {
             taken: there(&[
                 (true, &m::W_R, work.friction),
                 (oil, &m::W_T, work.throttles),
+                (air, &m::W_AIR, work.air),
                 (!oil || slews || hangs, &m::W_BLOW, self.blows),
                 (true, &m::W_E, self.rest),
             ]),
@@ -62,7 +64,7 @@ impl Energy {
 
 /// What is left of the powers for the bodies.
 pub(super) fn net(p: &Powers) -> f64 {
-    p.drive + p.slewing + p.hoist + p.pump - p.friction - p.throttles - p.compression
+    p.drive + p.slewing + p.hoist + p.pump - p.friction - p.throttles - p.compression - p.air
 }
 
 /// What rounding may leave between two energies.
@@ -73,7 +75,7 @@ pub(super) fn rounding(before: f64, after: f64) -> f64 {
 /// What was given and taken.
 pub(super) fn turnover(work: &Powers) -> f64 {
     let given = work.pump.abs() + work.slewing.abs() + work.hoist.abs();
-    given + work.throttles + work.friction + work.compression.abs()
+    given + work.throttles + work.friction + work.compression.abs() + work.air.abs()
 }
 
 /// Powers, each times a number.
@@ -87,6 +89,7 @@ pub(super) fn sum(parts: &[(&Powers, f64)]) -> Powers {
         friction: of(|p| p.friction),
         throttles: of(|p| p.throttles),
         compression: of(|p| p.compression),
+        air: of(|p| p.air),
     }
 }
 
@@ -99,6 +102,7 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
     };
     let integral = |there: bool, symbol: &'static Symbol, of: Vec<Power>| there.then_some(Integral { symbol, of });
     let (oil, slews, hangs) = (moving.oil.is_some(), moving.slewing.is_some(), moving.rope.is_some());
+    let air = moving.rope.is_some_and(|rope| rope.air.is_some());
     let motor = moving.has_motor();
     let elastic = moving.rope.is_some_and(|rope| rope.give.is_some());
     let hoist = match moving.rope.map(|rope| rope.hoist) {
@@ -137,6 +141,7 @@ pub(super) fn integrals(moving: &Moving, rate: &'static Symbol) -> Vec<Integral>
         integral(oil, &m::E_OIL, compression(false)),
         integral(true, &m::W_R, friction.into_iter().flatten().collect()),
         integral(oil, &m::W_T, resisted),
+        integral(air, &m::W_AIR, vec![of(false, &[&m::P_AIR], None)]),
     ];
     all.into_iter().flatten().collect()
 }

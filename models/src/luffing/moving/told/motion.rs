@@ -30,7 +30,7 @@ use crate::parts::hydraulics::symbols as h;
 use crate::parts::hydraulics::throttle::LAMINAR;
 
 /// What the formulas of a section give; those of the assembled model stand among them. A mechanism has its own besides.
-const SECTIONS: [(&str, &[&Symbol]); 9] = [
+const SECTIONS: [(&str, &[&Symbol]); 10] = [
     (
         "motion_counterweight",
         &[&m::MASS_5, &b::C_5X, &b::C_5Y, &m::DX_5, &m::DY_5, &m::DDX_5, &m::DDY_5],
@@ -64,6 +64,12 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
         &[&h::V_A, &h::V_B, &m::D_P_1, &m::D_P_2, &m::D_P_A, &m::D_P_B, &m::D_V_V],
     ),
     (
+        "motion_air",
+        listed! { m:
+            DELTA_AIR, KAPPA_AIR, U_AIR_X, U_AIR_Y, U_AIR_Z, U_AIR, A_AIR_X, A_AIR_Y, A_AIR_Z
+        },
+    ),
+    (
         "motion_pendulum",
         listed! { m:
             D_PHI, D_N, Q_A, D_L, Q_L, A_L, A_C, DH_R, DD_PHI, M_11, M_12, M_21, M_22, W_1, TAU_1, TAU_2
@@ -86,7 +92,7 @@ const SECTIONS: [(&str, &[&Symbol]); 9] = [
 ];
 
 /// What is found while the model is assembled, before it moves, besides a mechanism's own.
-const ASSEMBLED: [&Symbol; 4] = [&m::MASS_Q, &m::MASS_H, &h::A_A, &h::A_B];
+const ASSEMBLED: [&Symbol; 6] = [&m::MASS_Q, &m::MASS_H, &m::DELTA_AIR, &m::KAPPA_AIR, &h::A_A, &h::A_B];
 
 type Given<T> = <<T as Described>::Component as Stages>::Given<f64>;
 
