@@ -281,7 +281,7 @@ fn kind_of_drive(drive: &mut Node, bore: f64, [moves, oil]: [bool; 2]) {
 fn shaft(drive: &mut Node, thick: f64, screw: bool) {
     if !screw {
         let radius = thick * drive.draw.between(0.5, 3.0);
-        drive.set("r_z", radius);
+        drive.set("r_z", radius.max(LEAST_LENGTH));
         let efficiency = drive.draw.between(0.5, 1.0);
         drive.set("eta_d", efficiency);
         return;

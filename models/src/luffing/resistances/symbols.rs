@@ -16,7 +16,7 @@ symbols! {
     N_S: "n_s" "n_(s i)" PER_S / PER_MIN, "Speed of steady slewing in a case.", "[Ports001, 5.5.6]";
     V_S: "v_s" "v_(s i)" M_PER_S / MM_PER_S, "Speed of the drive in a case: of its length, lengthening positive, of a sector's teeth, or of a crank's pin counter-clockwise.", "[Ports001, 5.5]";
     A_S: "a_s" "a_(s i)" M_PER_S2 / M_PER_S2, "Acceleration of the drive in a case, as its speed is counted.", "[Ports001, 5.5.5]";
-    C_AIR: "c_air" "c_\"air\"" KG_PER_M3 / KG_PER_M3 [positive], "Pressure of the wind over the square of its speed.", "input";
+    C_AIR: "c_air" "c_\"air\"" KG_PER_M3 / KG_PER_M3 [not_negative], "Pressure of the wind over the square of its speed.", "input";
 
     // Given: of each body.
     J_S: "J_s" "J_(s i)" KG_M2 / KG_M2 [not_negative], "Inertia of the body about its centre of gravity.", "input";
