@@ -154,6 +154,7 @@ fn inputs(moment: f64, brake: f64) -> Inputs {
         hoist: HoistCommand::speed(0.0),
         valve: 0.0,
         supply: 250e5,
+        wind: [0.0; 2],
     }
 }
 

@@ -95,7 +95,7 @@ fn accelerations_agree_with_points_in_space() {
             drum: None,
         };
         let r = f64::reduced(&d, theta).expect("closes");
-        let a = d.slewed(&r, [omega, turning], load, [m_1, m_2], line, [true; 2]);
+        let a = d.slewed(&r, [omega, turning], load, [m_1, m_2], line, [true; 2], None);
         let found = [a.joints[0], a.joints[1], a.load.x, a.load.y, a.load.z, a.rope / M];
         for (i, (found, expected)) in found.iter().zip(&cells[12..]).enumerate() {
             let expected = if i == 5 { expected / M } else { *expected };

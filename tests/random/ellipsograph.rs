@@ -35,6 +35,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     n.keep("dynamics", moves);
     let hoists = n.draw.coin(0.5);
     n.keep("hoisting", rope && hoists);
+    let blows = n.draw.coin(0.5);
+    n.keep("air", rope && blows);
     if moves {
         n.keep("weights", true);
     }

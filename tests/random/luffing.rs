@@ -133,6 +133,8 @@ fn parts(n: &mut Node, level: &str, [moves, oil, rope]: [bool; 3]) {
     n.keep("slewing", moves && turns);
     let hoists = n.draw.coin(0.5);
     n.keep("hoisting", rope && hoists);
+    let blows = n.draw.coin(0.5);
+    n.keep("air", rope && blows);
     let tabulated = n.draw.coin(0.5);
     n.keep("table", matches!(level, "table" | "auto") && tabulated);
     if moves {
@@ -623,6 +625,28 @@ fn reeled(d: &mut Node, rope: bool, lasts: f64) {
     }
 }
 
+/// Air around a load, which takes no more of its speed than swinging does.
+fn air(n: &mut Node) {
+    let (load, slews) = (n.get("Q"), n.has("slewing"));
+    let table = if n.has("hoisting") { "hoisting" } else { "dynamics" };
+    let long = n.child(table).expect("there").get("l_R");
+    let mut air = n.child("air").expect("there");
+    let (mass, swings) = (air.draw.scale[1].max(load / air.draw.g), (air.draw.g / long).sqrt());
+    air.set("Q_air", mass * air.draw.g);
+    let damping = mass * swings * air.draw.between(0.0, 1.0);
+    air.set("d_Q", damping);
+    let (density, drag) = (air.draw.between(0.5, 2.0), air.draw.between(0.1, 2.0));
+    air.set("rho_air", density);
+    air.set("c_wQ", drag);
+    let area = mass * swings / (0.5 * density * drag * 70.0) * air.draw.between(0.0, 1.0);
+    air.set("A_Q", area);
+    if air.has("v_air") {
+        let speed = air.draw.between(-30.0, 30.0);
+        air.set("v_air", speed);
+    }
+    air.keep("chi_air", slews && air.has("chi_air"));
+}
+
 /// What moves a mechanism; `turns` names the inertia of a body that does.
 pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
     let [length, mass, time] = n.draw.scale;
@@ -683,6 +707,9 @@ pub fn dynamics(n: &mut Node, turns: &str, rope: bool, oil: bool) {
                 turning.set(name, stop);
             }
         }
+    }
+    if n.has("air") {
+        air(n);
     }
 }
 

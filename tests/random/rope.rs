@@ -34,6 +34,8 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     n.keep("dynamics", moves);
     let hoists = n.draw.coin(0.5);
     n.keep("hoisting", swings && hoists);
+    let blows = n.draw.coin(0.5);
+    n.keep("air", swings && blows);
     if moves {
         n.keep("weights", true);
     }

@@ -14,7 +14,7 @@ symbols! {
     // Given.
     Q_AIR: "Q_air" "Q_\"air\"" N / KN [positive], "Load that has this area and damping: another one has as much of both as it weighs of this.", "input";
     D_Q: "d_Q" "d_Q" N_S_PER_M / KN_S_PER_M [not_negative], "Damping of the load: force of the air over its speed, as far as it goes with that.", "input";
-    C_Q: "c_Q" "c_Q" ONE / ONE [not_negative], "Drag coefficient of the load.", "input";
+    C_WQ: "c_wQ" "c_\"wQ\"" ONE / ONE [not_negative], "Drag coefficient of the load.", "input";
     A_Q: "A_Q" "A_Q" M2 / M2 [not_negative], "Area of the load that the air meets.", "input";
     RHO_AIR: "rho_air" "rho_\"air\"" KG_PER_M3 / KG_PER_M3 [positive], "Density of the air.", "input";
     V_AIR: "v_air" "v_\"air\"" M_PER_S / M_PER_S [from_to(-70.0, 70.0)], "Speed of the wind at the load; positive forward or, where the crane slews, in its direction.", "input";
@@ -37,14 +37,14 @@ symbols! {
 
 quantities! {
     /// Of a load and the air around it.
-    AirAround { q_air: Q_AIR, d_q: D_Q, c_q: C_Q, a_q: A_Q, rho_air: RHO_AIR }
+    AirAround { q_air: Q_AIR, d_q: D_Q, c_wq: C_WQ, a_q: A_Q, rho_air: RHO_AIR }
 }
 
 /// The table of a scene that has the air around a load that swings.
 pub const AIR: Key = Key::part("air", AIR_KEYS, "Air that resists a load on its rope, and the wind.");
 
 static AIR_KEYS: &[Key] = keys! { s:
-    Q_AIR > 0 [optional], D_Q >= 0 [usually(0.0)], C_Q >= 0 [usually(0.0)], A_Q >= 0 [usually(0.0)],
+    Q_AIR > 0 [optional], D_Q >= 0 [usually(0.0)], C_WQ >= 0 [usually(0.0)], A_Q >= 0 [usually(0.0)],
     RHO_AIR > 0 [usually(1.225)], V_AIR [in_steps, optional], CHI_AIR [in_steps, optional]
 };
 
@@ -79,7 +79,7 @@ pub fn around(
     let air = AirAround {
         q_air,
         d_q: table.of(&D_Q)?,
-        c_q: table.of(&C_Q)?,
+        c_wq: table.of(&C_WQ)?,
         a_q: table.of(&A_Q)?,
         rho_air: table.of(&RHO_AIR)?,
     };
@@ -114,10 +114,10 @@ pub struct Drag<C> {
 }
 
 impl<C: Calc> Drag<C> {
-    /// δ = d_Q g/Q_air, κ = ½ ρ_air c_Q A_Q g/Q_air, gravity in m/s².
+    /// δ = d_Q g/Q_air, κ = ½ ρ_air c_wQ A_Q g/Q_air, gravity in m/s².
     pub fn new(around: &AirAround<C>, gravity: C) -> Drag<C> {
         let mass = around.q_air / gravity;
-        let area = C::constant(0.5) * around.rho_air * around.c_q * around.a_q;
+        let area = C::constant(0.5) * around.rho_air * around.c_wq * around.a_q;
         Drag {
             linear: (around.d_q / mass).def(&DELTA_AIR),
             square: (area / mass).def(&KAPPA_AIR),

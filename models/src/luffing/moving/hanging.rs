@@ -33,6 +33,7 @@ impl<P: Calc> Dynamics<P> {
 
     /// Motion under moments on both joints (N·m) at rates of the joints (rad/s), of those that are free; the load only
     /// where there is one on a rope, which acts on it as a line.
+    #[expect(clippy::too_many_arguments, reason = "all that moves it")]
     pub fn slewed<C: Coordinate<P>>(
         &self,
         r: &Reduced<C>,

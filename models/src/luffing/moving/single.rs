@@ -190,6 +190,7 @@ impl<B: SingleBoom> EachScalar for SingleInMotion<B> {
 }
 
 /// All that it is made of, into the room for it.
+#[expect(clippy::too_many_arguments, reason = "all that it is made of")]
 pub fn parts<B: SingleBoom, C: Calc>(
     own: &B::Own<C>,
     load: &One<C>,
