@@ -5,7 +5,7 @@ use lemnis_models::luffing::moving::crane::Commands;
 use lemnis_models::luffing::moving::dynamics::Wind;
 use lemnis_models::luffing::moving::motion::{self, MotionState, MovingLinkage};
 use lemnis_models::luffing::moving::space::{Slewing, SlewingState};
-use lemnis_models::parts::air::Drag;
+use lemnis_models::parts::air::AirDrag;
 use lemnis_models::parts::hoist::{Drum, HoistCommand};
 use lemnis_models::parts::joint::{Friction, Joint, JointDrive};
 
@@ -25,7 +25,7 @@ const BRAKED: Commands<2> = Commands {
 
 fn wind(linear: f64, square: f64, blows: [f64; 2]) -> Wind {
     Wind {
-        drag: Drag { linear, square },
+        drag: AirDrag { linear, square },
         blows,
     }
 }

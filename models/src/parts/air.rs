@@ -83,7 +83,7 @@ pub fn around(
         a_q: table.of(&A_Q)?,
         rho_air: table.of(&RHO_AIR)?,
     };
-    let drag = Drag::new(&air, gravity);
+    let drag = AirDrag::new(&air, gravity);
     let takes = drag.linear + drag.square * V_AIR.range.most;
     if found.len() == before && takes > THICKEST * swings {
         let what = format!(
@@ -108,25 +108,25 @@ pub fn around(
 
 /// What the air does to any load over its mass: by its speed (1/s), and by the square of that (1/m).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drag<C> {
+pub struct AirDrag<C> {
     pub linear: C,
     pub square: C,
 }
 
-impl<C: Calc> Drag<C> {
+impl<C: Calc> AirDrag<C> {
     /// δ = d_Q g/Q_air, κ = ½ ρ_air c_wQ A_Q g/Q_air, gravity in m/s².
-    pub fn new(around: &AirAround<C>, gravity: C) -> Drag<C> {
+    pub fn new(around: &AirAround<C>, gravity: C) -> AirDrag<C> {
         let mass = around.q_air / gravity;
         let area = C::constant(0.5) * around.rho_air * around.c_wq * around.a_q;
-        Drag {
+        AirDrag {
             linear: (around.d_q / mass).def(&DELTA_AIR),
             square: (area / mass).def(&KAPPA_AIR),
         }
     }
 
     /// Over a scalar that has derivatives besides.
-    pub fn over<D: Over<C>>(self) -> Drag<D> {
-        Drag {
+    pub fn over<D: Over<C>>(self) -> AirDrag<D> {
+        AirDrag {
             linear: D::of(self.linear),
             square: D::of(self.square),
         }
@@ -169,13 +169,13 @@ fn named<C: Calc, const N: usize>(of: [C; N], names: [&'static Symbol; N]) -> [C
 /// The air as a load meets it whose head slews: its drag, and the wind in the frame that slews (m/s).
 #[derive(Clone, Copy, Debug)]
 pub struct Stream<C> {
-    pub drag: Drag<C>,
+    pub drag: AirDrag<C>,
     pub wind: Vector3<C>,
 }
 
 impl<C: Calc> Stream<C> {
     /// At a slewing angle (rad), with the speed (m/s) and the direction (rad) of the wind.
-    pub fn new(drag: Drag<C>, [speed, to]: [C; 2], psi: C) -> Stream<C> {
+    pub fn new(drag: AirDrag<C>, [speed, to]: [C; 2], psi: C) -> Stream<C> {
         let (aside, ahead) = (to - psi).sin_cos();
         Stream {
             drag,
@@ -193,7 +193,7 @@ impl<C: Calc> Stream<C> {
         self.drag.on(self.against(speed)).into()
     }
 
-    /// As [`Drag::felt`].
+    /// As [`AirDrag::felt`].
     pub fn felt(&self, speed: Vector3<C>) -> [C; 2] {
         self.drag.felt(speed.into(), self.against(speed))
     }

@@ -10,7 +10,7 @@ use crate::luffing::moving::level::Level;
 use crate::luffing::moving::motion::MovingLinkage;
 use crate::luffing::moving::space::Slewing;
 use crate::luffing::moving::symbols as m;
-use crate::parts::air::{AirAround, Drag};
+use crate::parts::air::{AirAround, AirDrag};
 use crate::parts::hoist::{Elastic, Hoist, HoistCommand, Winch, WinchDrive};
 use crate::parts::hydraulics::cylinder::Cylinder;
 use crate::parts::joint::{Friction, Joint, JointDrive};
@@ -108,7 +108,7 @@ impl<P: Coordinate<P>> LevelParts<P> {
         if let Some(around) = &self.around {
             let still = P::constant(0.0);
             dynamics = dynamics.in_air(Wind {
-                drag: Drag::new(around, constants.g),
+                drag: AirDrag::new(around, constants.g),
                 blows: [still; 2],
             });
         }

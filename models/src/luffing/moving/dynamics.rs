@@ -9,7 +9,7 @@ use crate::kernel::calc::{Calc, Over};
 use crate::kernel::record::Rec;
 use crate::luffing::moving::bodies::{Pendulum, Turntable};
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
-use crate::parts::air::Drag;
+use crate::parts::air::AirDrag;
 use crate::parts::solver::Gradient;
 
 /// What the mechanism was at the angle (rad) that was asked for last: rates, events, powers and forces of one instant
@@ -34,7 +34,7 @@ impl Latest {
 /// What the air does to any load over its mass, and how it blows: speed (m/s) and direction (rad).
 #[derive(Clone, Copy, Debug)]
 pub struct Wind<P = f64> {
-    pub drag: Drag<P>,
+    pub drag: AirDrag<P>,
     pub blows: [P; 2],
 }
 

@@ -3,12 +3,13 @@
 use nalgebra::Vector3;
 
 use crate::kernel::calc::Calc;
+use crate::luffing::moving::blown::directions;
 use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Inputs, MOST_STATES};
 use crate::luffing::moving::hydraulic::{self, FIRST, FIXED, Hydraulic, Modes, PresentCrane};
 use crate::luffing::moving::motion::MovingLinkage;
-use crate::luffing::moving::pendulum::directions;
+use crate::luffing::moving::powers::Powers;
 use crate::luffing::moving::shares::{Instant, rope_on_head};
 use crate::luffing::moving::space::{self, Slewing};
 use crate::parts::hanging::to_load;
@@ -433,24 +434,6 @@ impl Level {
             (true, true) => &[1, 9, 13, 14, 15, 17],
         }
     }
-}
-
-/// Powers at one instant, in W; losses are positive.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Powers {
-    /// Of the drives of luffing and slewing, of the hoist, and of the pump.
-    pub drive: f64,
-    pub slewing: f64,
-    pub hoist: f64,
-    pub pump: f64,
-    /// What friction, brakes and end stops take.
-    pub friction: f64,
-    /// What edges, lines, relief valves and leakage take.
-    pub throttles: f64,
-    /// What compresses the oil.
-    pub compression: f64,
-    /// What the air takes from the load.
-    pub air: f64,
 }
 
 fn powers_of<const N: usize, const J: usize>(

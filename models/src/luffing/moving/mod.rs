@@ -4,12 +4,12 @@
 //! | file | what |
 //! |---|---|
 //! | `bodies`, `reduced` | bodies with their derivatives; what a mechanism is to the equations of motion |
-//! | `dynamics`, `pendulum` | the mechanism with what hangs on it; with its load as a pendulum, between events |
+//! | `dynamics`, `pendulum`, `blown` | the mechanism with what hangs on it; with its load as a pendulum, between events; that in the air |
 //! | `crane`, `driven`, `motion`, `space`, `hanging` | joints that stick, stops, a rope that goes slack; load in the plane and in space |
 //! | `pulled` | a crane that a rope luffs, which may go slack |
 //! | `hydraulic` | the same moved by a cylinder |
 //! | `weighed` | the counterweight of a balance with its derivatives |
-//! | `level`, `shares` | what the levels have in common; what turns the driving link |
+//! | `level`, `shares`, `powers` | what the levels have in common; what turns the driving link; what gives and takes power |
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
 //! | `scene`, `hoisting`, `levels` | keys of motion, of rope and hoist; what descriptions of single booms have in common |
 //! | `stages`, `luffs` | rates, event indicators, reactions as stages; a component that has them |
@@ -17,6 +17,7 @@
 //! | `single` | a single boom in motion, from what a mechanism says of it |
 //! | `built`, `start`, `carried`, `follows` | the equations of a level; where the motion begins, how it is carried on; what depends on what |
 
+mod blown;
 pub mod bodies;
 pub mod built;
 pub(crate) mod carried;
@@ -34,6 +35,7 @@ pub mod listed;
 pub mod luffs;
 pub mod motion;
 pub mod pendulum;
+mod powers;
 mod pulled;
 pub mod reduced;
 pub mod scene;

@@ -2,9 +2,10 @@
 //! any angle.
 
 use crate::kernel::calc::Calc;
+use crate::luffing::moving::blown::directions;
 use crate::luffing::moving::crane::{Commands, CraneState, Hangs, MovingCrane, Snapshot, Struck};
 use crate::luffing::moving::dynamics::Coordinate;
-use crate::luffing::moving::pendulum::{Phase, Reel, directions};
+use crate::luffing::moving::pendulum::{Phase, Reel};
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
 use crate::parts::hoist::RopeAction;

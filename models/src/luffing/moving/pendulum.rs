@@ -9,8 +9,7 @@ use crate::luffing::moving::bodies::Pendulum;
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::reduced::Reduced;
 use crate::luffing::moving::symbols as s;
-use crate::parts::air::Drag;
-use crate::parts::plane::{self, Point, dot, squared};
+use crate::parts::plane::{Point, dot, squared};
 use crate::parts::solver::runge_kutta;
 
 /// Angles in rad and their rates in rad/s: where the mechanism is and how it moves.
@@ -60,36 +59,7 @@ struct Swing<C> {
     forces: [C; 2],
 }
 
-/// From the head to the load, and where it swings to, at an angle of the rope.
-pub(crate) fn directions<C: Calc>(swing: C) -> (Point<C>, Point<C>) {
-    let (sin, cos) = swing.sin_cos();
-    (Point::new(sin, -cos), Point::new(cos, sin))
-}
-
 impl<P: Calc> Dynamics<P> {
-    /// Velocity of the load against the ground and against the air, in m/s, with its drag, where there is air.
-    pub(crate) fn blown<C: Coordinate<P>>(
-        &self,
-        r: &Reduced<C>,
-        m: &Phase<C>,
-        reel: &Reel<C>,
-    ) -> Option<([[C; 2]; 2], Drag<C>)> {
-        let air = self.air()?;
-        let (out, along) = directions(m.swing);
-        let velocity = r.head[1] * m.omega + along * (reel.length * m.swing_rate) + out * reel.rate;
-        let against = plane::def(
-            velocity - Point::new(C::of(air.blows[0]), C::constant(0.0)),
-            [&s::U_AIR_X, &s::U_AIR_Y],
-        );
-        Some(([velocity, against].map(Into::into), air.drag.over()))
-    }
-
-    /// What the air makes of the load, in m/s², where there is any.
-    pub(crate) fn resisted<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: &Reel<C>) -> Option<Point<C>> {
-        let ([_, against], drag) = self.blown(r, m, reel)?;
-        Some(drag.on(against).into())
-    }
-
     /// The pendulum's part of the equations of motion, for the coordinates (theta, swing).
     fn swing<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, load: &Pendulum<P>, reel: Reel<C>) -> Swing<C> {
         let [_, d, dd] = r.head;
@@ -114,13 +84,8 @@ impl<P: Calc> Dynamics<P> {
         }
         let mut work = bend * square + along * pull + forward * coriolis + gravity * rise;
         let mut across = change * square + coriolis + gravity * sin;
-        if let Some(air) = self.resisted(r, m, &reel) {
-            let mut given = dot(air, d);
-            if let Some([lead, _]) = r.lead {
-                given -= lead * dot(air, inward);
-            }
-            work -= given;
-            across -= dot(air, swing);
+        if let Some([lift, push]) = self.lifted(r, m, &reel) {
+            (work, across) = (work - lift, across - push);
         }
         let work = work.def(&s::W_1);
         let (own, coupled) = ((mass * travel).def(&s::M_11), (mass * l * forward).def(&s::M_12));
@@ -190,8 +155,7 @@ impl Dynamics {
         Some(r.inertia + load * r.head[1].norm_squared())
     }
 
-    /// Accelerations of the driven bar and of the rope (rad/s²) under a moment on the driven bar
-    /// (N·m, positive raises it); `None` where the linkage does not close.
+    /// The same at any angle, on a rope of constant length; `None` where the linkage does not close.
     #[must_use]
     pub fn accelerations(&self, m: &Phase, moment: f64) -> Option<[f64; 2]> {
         let r = f64::reduced(self, m.theta)?;
@@ -217,8 +181,7 @@ impl Dynamics {
         Some(bars + mass * (0.5 * velocity.norm_squared() + self.gravity() * height))
     }
 
-    /// One step of the classical Runge-Kutta method of fourth order, of `h` s, under a constant
-    /// moment (N·m); `None` where the linkage does not close on the way.
+    /// A step of `h` s of the classical Runge-Kutta method under a constant moment (N·m); `None` where the linkage opens.
     #[must_use]
     pub fn step(&self, m: &Phase, moment: f64, h: f64) -> Option<Phase> {
         let phase = |&[theta, omega, swing, swing_rate]: &[f64; 4]| Phase {

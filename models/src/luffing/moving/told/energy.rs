@@ -4,7 +4,7 @@ use crate::component::sheet::{self, Integral, Power};
 use crate::drive::symbols as d;
 use crate::kernel::symbol::Symbol;
 use crate::luffing::moving::hoisting::HoistKind;
-use crate::luffing::moving::level::Powers;
+use crate::luffing::moving::powers::Powers;
 use crate::luffing::moving::scene::Moving;
 use crate::luffing::moving::symbols as m;
 use crate::parts::hydraulics::symbols as h;

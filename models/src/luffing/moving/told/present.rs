@@ -9,8 +9,9 @@ use crate::kernel::calc::Calc;
 use crate::kernel::record::{self, Rec};
 use crate::kernel::variable::Fault;
 use crate::luffing::moving::carried::{self, CarriedCrane};
-use crate::luffing::moving::level::{CraneAt, Powers};
+use crate::luffing::moving::level::CraneAt;
 use crate::luffing::moving::luffs::Luffs;
+use crate::luffing::moving::powers::Powers;
 use crate::luffing::moving::stages::open;
 use crate::luffing::moving::told::shown::Shown;
 
