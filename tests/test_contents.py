@@ -124,7 +124,7 @@ def test_the_first_page_says_what_this_fmu_is(name, tmp_path):
             page.feed(archive.read("documentation/index.html").decode("utf-8"))
         whole = " ".join("".join(page.words).split())
         names = {"$h$": "step", "$g$": "g", "$omega_c$": "omega_c", "$a_h$": "a_h", "$c_R$": "c_R", "$d_R$": "d_R", "$M_D$": "M_D", "$M_A$": "M_A",
-                 "$R$": "R", "$X_8 = 0$": "X_8 = 0", "$C$": "C", "$O_1$": "O_1", "$A$": "A", "$B$": "B", "$v_h$": "v_h", "$M_S$": "M_S",
+                 "$R$": "R", "$X_8 = 0$": "X_8 = 0", "$C$": "C", "$O_1$": "O_1", "$A$": "A", "$B$": "B", "$v_h$": "v_h", "$M_S$": "M_S", "$d_Q$": "d_Q", '$Q_"air"$': "Q_air",
                  "$S_R$": "S_R", '$T_"dyn"$': "T_dyn"}
         plain = {id: re.sub(r"\$.*?\$", lambda found: names[found.group()], words) for id, words in WORDS.items()}
         said, wrong = SAID[name]

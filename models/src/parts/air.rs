@@ -44,7 +44,7 @@ quantities! {
 pub const AIR: Key = Key::part("air", AIR_KEYS, "Air that resists a load on its rope, and the wind.");
 
 static AIR_KEYS: &[Key] = keys! { s:
-    Q_AIR > 0 [optional], D_Q >= 0 [usually(0.0)], C_WQ >= 0 [usually(0.0)], A_Q >= 0 [usually(0.0)],
+    Q_AIR > 0 [or_mass], D_Q >= 0 [usually(0.0)], C_WQ >= 0 [usually(0.0)], A_Q >= 0 [usually(0.0)],
     RHO_AIR > 0 [usually(1.225)], V_AIR [in_steps, optional], CHI_AIR [in_steps, optional]
 };
 
@@ -52,21 +52,15 @@ static AIR_KEYS: &[Key] = keys! { s:
 /// the load does not swing any more.
 const THICKEST: f64 = 4.0;
 
-/// The air that a table has around a load (N) under gravity (m/s²) that swings with a frequency (rad/s), where the crane slews
-/// or does not; mistakes go to `found`.
+/// The air that a table has around a load that swings with a frequency (rad/s) under gravity (m/s²), where the crane slews or
+/// does not; mistakes go to `found`.
 pub fn around(
     table: &Values,
-    [load, gravity]: [f64; 2],
-    swings: f64,
+    [swings, gravity]: [f64; 2],
     slews: bool,
     found: &mut Vec<Diagnostic>,
 ) -> Option<AirAround<f64>> {
     let before = found.len();
-    let q_air = table.number(Q_AIR.id).unwrap_or(load);
-    if q_air <= 0.0 {
-        let help = "add Q_air, the load that has the area and the damping";
-        found.push(Diagnostic::new(table.span.clone(), "air around an empty hook", "Q_air is needed here").help(help));
-    }
     if !slews && table.has(CHI_AIR.id) {
         let what = "chi_air of a crane that does not slew";
         found.push(table.refuse(
@@ -77,7 +71,7 @@ pub fn around(
         ));
     }
     let air = AirAround {
-        q_air,
+        q_air: table.of(&Q_AIR)?,
         d_q: table.of(&D_Q)?,
         c_wq: table.of(&C_WQ)?,
         a_q: table.of(&A_Q)?,

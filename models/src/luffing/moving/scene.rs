@@ -124,15 +124,9 @@ impl Moving {
         let mut rope = load_rope(hoisting, fidelity).map_err(told).ok()?;
         match (v.table(AIR.name), &mut rope) {
             (Some(table), Some(rope)) => {
-                let load = v.number("Q").unwrap_or(0.0);
                 let swings = (gravity / rope.length).sqrt();
-                rope.air = Some(around(
-                    table,
-                    [load, gravity],
-                    swings,
-                    v.table("slewing").is_some(),
-                    found,
-                )?);
+                let slews = v.table("slewing").is_some();
+                rope.air = Some(around(table, [swings, gravity], slews, found)?);
             }
             (Some(_), None) => {
                 let what = "air around a load that does not swing";
