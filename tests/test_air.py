@@ -85,6 +85,7 @@ def test_gusts_against_an_independent_pendulum(windy, standard, kind):
     for time, place in zip(times, wanted):
         at = np.argmin(np.abs(result["time"] - time))
         found = [result[name][at] for name in ("x_Q", "y_Q", "z_Q")]
+        # In Model Exchange FMPy's own solver goes over the steps of the wind.
         allowed = 1e-7 if kind == "CoSimulation" else 1e-4
         assert np.allclose(found, place, atol=allowed), (time, found, place)
     assert result["F_air"].max() > 2e3
@@ -120,8 +121,7 @@ def test_the_book_tells_of_it(language, tmp_path):
     lemnis("book", SCENE, "--language", language, "--format", "typ", "--output", tmp_path)
     book = (tmp_path / "ContainerInWind.typ").read_text(encoding="utf-8")
     known = words(language)
-    for group, word in (("input", "air"), ("section", "motion_air"), ("symbol", "W_air")):
-        if word in known.get(group, {}):
-            assert known[group][word] in book, word
+    for group, word in (("input", "air"), ("section", "motion_air"), ("purpose", "motion_air")):
+        assert known[group][word] in book, (group, word)
     for symbol in ('delta_"air"', 'kappa_"air"', 'u_"air"', 'W_"air"', 'P_"air"'):
         assert symbol in book, symbol

@@ -320,7 +320,7 @@ pub struct Accelerations<C, const J: usize> {
 
 impl<C: Calc, const J: usize> HeadJoints<C, J> {
     /// With a load of a mass (kg), and the mass that [cancels](cancelling), under gravity (m/s²) on a rope which acts on it
-    /// as a line, where there is air in that.
+    /// as a line, and in air where there is any.
     pub fn hung(
         &self,
         load: HangingLoad<C>,

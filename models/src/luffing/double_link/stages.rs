@@ -191,8 +191,8 @@ stages! {
         pull: C = stages::pull(built, told, at, theta) => S_R;
         drum: C = stages::drum(built, told, at, theta) => M_R_H;
         forces: CraneForces<C> = motion::forces(linkage, built, told, at, theta);
-        drag: C = stages::drag(built, told, at, theta, around[!]) => F_AIR;
-        airy: C = stages::airy(built, told, at, theta, around[!]) => P_AIR;
+        air_force: C = stages::air_force(built, told, at, theta, around[!]) => F_AIR;
+        air_power: C = stages::air_power(built, told, at, theta, around[!]) => P_AIR;
         blown: C = stages::blown(at) => W_BLOW;
         resisting_slewing: C = stages::resisting_slewing(built, told, at, theta) => M_R_SL;
         seen: LoadSeen<C> = LoadSeen::new(at, fitted);

@@ -174,8 +174,8 @@ stages! {
         resisting: C = stages::resisting(built, told, at, phi) => M_R;
         pull: C = stages::pull(built, told, at, phi) => S_R;
         drum: C = stages::drum(built, told, at, phi) => M_R_H;
-        drag: C = stages::drag(built, told, at, phi, around[!]) => F_AIR;
-        airy: C = stages::airy(built, told, at, phi, around[!]) => P_AIR;
+        air_force: C = stages::air_force(built, told, at, phi, around[!]) => F_AIR;
+        air_power: C = stages::air_power(built, told, at, phi, around[!]) => P_AIR;
         blown: C = stages::blown(at) => W_BLOW;
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }

@@ -16,7 +16,7 @@ pub(crate) fn directions<C: Calc>(swing: C) -> (Point<C>, Point<C>) {
 
 impl<P: Calc> Dynamics<P> {
     /// Velocity of the load against the ground and against the air, in m/s, with its drag, where there is air.
-    pub(crate) fn blown<C: Coordinate<P>>(
+    pub(crate) fn in_wind<C: Coordinate<P>>(
         &self,
         r: &Reduced<C>,
         m: &Phase<C>,
@@ -32,15 +32,20 @@ impl<P: Calc> Dynamics<P> {
         Some(([velocity, against].map(Into::into), air.drag.over()))
     }
 
-    /// What the air makes of the load, in m/s², where there is any.
-    pub(crate) fn resisted<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: &Reel<C>) -> Option<Point<C>> {
-        let ([_, against], drag) = self.blown(r, m, reel)?;
+    /// Acceleration that the air gives the load, in m/s², where there is any.
+    pub(crate) fn air_acceleration<C: Coordinate<P>>(
+        &self,
+        r: &Reduced<C>,
+        m: &Phase<C>,
+        reel: &Reel<C>,
+    ) -> Option<Point<C>> {
+        let ([_, against], drag) = self.in_wind(r, m, reel)?;
         Some(drag.on(against).into())
     }
 
     /// The same along the load's travel for one radian of the driving link (m²/s²), and across the rope (m/s²).
-    pub(crate) fn lifted<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: &Reel<C>) -> Option<[C; 2]> {
-        let air = self.resisted(r, m, reel)?;
+    pub(crate) fn air_along<C: Coordinate<P>>(&self, r: &Reduced<C>, m: &Phase<C>, reel: &Reel<C>) -> Option<[C; 2]> {
+        let air = self.air_acceleration(r, m, reel)?;
         let (out, along) = directions(m.swing);
         let mut given = dot(air, r.head[1]);
         if let Some([lead, _]) = r.lead {

@@ -332,7 +332,6 @@ where
         }
     }
 
-    /// Moment of brake and friction on the drum of a motor, in N·m; positive reels in.
     /// Force of the air on the load, in N, and the power that it takes, in W.
     pub(crate) fn in_air<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> [C; 2] {
         let mass = self.dynamics.pendulum().map(|load| C::of(load.mass));
@@ -340,6 +339,7 @@ where
         felt.map_or([C::constant(0.0); 2], |(mass, felt)| felt.map(|of| mass * of))
     }
 
+    /// Moment of brake and friction on the drum of a motor, in N·m; positive reels in.
     pub(crate) fn drum_friction<C: Coordinate<P>>(&self, at: &Snapshot<N, J, C>) -> C {
         let friction = |hoist: &Hoist<P>| (at.state.drum).friction(hoist, &at.commands.hoist, self.tension(at));
         self.hoist().map_or(C::constant(0.0), friction)

@@ -95,7 +95,7 @@ impl<P: Calc> MovingLinkage<P> {
         let [_, d, dd] = r.head;
         let (out, along) = directions(m.swing);
         let mut weight = Point::new(still, C::of(self.dynamics.gravity()));
-        if let Some(air) = self.dynamics.resisted(r, &m, &reel) {
+        if let Some(air) = self.dynamics.air_acceleration(r, &m, &reel) {
             weight -= air;
         }
         let held = state.joints[0] == Bar::Held;
@@ -156,7 +156,7 @@ impl<P: Calc> MovingLinkage<P> {
         let head = plane::def(d * a.bar + dd * (y[1] * y[1]), [&s::A_AX, &s::A_AY]);
         let mut head = head + Point::new(C::constant(0.0), C::of(self.dynamics.gravity()));
         let reel = self.reel(state, r, y);
-        if let Some(air) = self.dynamics.resisted(r, &phase(y), &reel) {
+        if let Some(air) = self.dynamics.air_acceleration(r, &phase(y), &reel) {
             head -= air;
         }
         let mut inward = reel.less_gain(y[4] * y[3] * y[3]) - dot(head, out).def(&s::A_AR);
@@ -231,7 +231,7 @@ impl<P: Calc> Hangs<STATES, 1, P> for MovingLinkage<P> {
 
     fn felt<C: Coordinate<P>>(&self, at: &Snapshot<STATES, 1, C>) -> Option<[C; 2]> {
         let Snapshot { state, r, y, .. } = *at;
-        let ([speed, against], drag) = self.dynamics.blown(r, &phase(y), &self.reel(state, r, y))?;
+        let ([speed, against], drag) = self.dynamics.in_wind(r, &phase(y), &self.reel(state, r, y))?;
         Some(drag.felt(speed, against))
     }
 

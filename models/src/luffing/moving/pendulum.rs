@@ -84,7 +84,7 @@ impl<P: Calc> Dynamics<P> {
         }
         let mut work = bend * square + along * pull + forward * coriolis + gravity * rise;
         let mut across = change * square + coriolis + gravity * sin;
-        if let Some([lift, push]) = self.lifted(r, m, &reel) {
+        if let Some([lift, push]) = self.air_along(r, m, &reel) {
             (work, across) = (work - lift, across - push);
         }
         let work = work.def(&s::W_1);

@@ -196,8 +196,8 @@ reactions! {
     drum: Drum;
     driving: Drive;
     resisting_slewing: SlewingFriction;
-    drag: Air with AirAround<C>;
-    airy: AirPower with AirAround<C>;
+    air_force: Air with AirAround<C>;
+    air_power: AirPower with AirAround<C>;
 }
 
 /// Energy that blows have taken, in J.

@@ -146,8 +146,8 @@ stages! {
         driving: C = stages::driving(built, told, at, phi) => _;
         tackle: C = moving::pull(driving, falls) => T_DYN;
         led: C = stages::pull(built, told, at, phi) => S_R;
-        drag: C = stages::drag(built, told, at, phi, around[!]) => F_AIR;
-        airy: C = stages::airy(built, told, at, phi, around[!]) => P_AIR;
+        air_force: C = stages::air_force(built, told, at, phi, around[!]) => F_AIR;
+        air_power: C = stages::air_power(built, told, at, phi, around[!]) => P_AIR;
         blown: C = stages::blown(at) => W_BLOW;
         events: CraneEvents<C> = stages::events(built, told, at, phi, fitted);
     }
