@@ -125,14 +125,14 @@ def test_dask_loses_a_worker_and_no_bit(monkeypatch):
     scene = lemnis.Scene.read(SCENES / "portal_004_study.toml")
     here = scene.monte_carlo(512, threads=1)
     with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster, Client(cluster) as client:
-        executor, killed = client.get_executor(), []
+        killed = []
 
         def kill():
             nanny = next(iter(cluster.workers.values()))
             killed.append(nanny.worker_address)
             client.sync(nanny.kill)
 
-        submit, count = executor.submit, []
+        submit, count = client.submit, []
 
         def submitted(*task):
             count.append(task)
@@ -140,8 +140,8 @@ def test_dask_loses_a_worker_and_no_bit(monkeypatch):
                 threading.Timer(0.1, kill).start()
             return submit(*task)
 
-        monkeypatch.setattr(executor, "submit", submitted)
-        there = scene.monte_carlo(512, executor=executor)
+        monkeypatch.setattr(client, "submit", submitted)
+        there = scene.monte_carlo(512, executor=client)
     assert killed and len(count) == 64
     assert all(here[name].tobytes() == there[name].tobytes() for name in here) and here.faults == there.faults
     assert all(np.array_equal(here.fails[name], there.fails[name]) for name in here.fails)

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
-from concurrent.futures import Executor
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
-from typing import Union
+from typing import Any, Protocol, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +18,24 @@ Rows = tuple[list[Column], list[NDArray[np.bool_]], list[tuple[int, str]]]
 
 CHUNK = 512
 """Rows of a task for an executor: half a second of work, beside which a few milliseconds for sending it are nothing."""
+
+
+class Task(Protocol):
+    """Rows that an executor computes."""
+
+    def result(self) -> Any:
+        """Waits for the rows, and raises what they raised."""
+
+    def cancel(self) -> Any:
+        """Lets the rows be."""
+
+
+class Executor(Protocol):
+    """What computes elsewhere: `concurrent.futures.Executor`, or a `dask.distributed.Client`."""
+
+    def submit(self, task: Callable[..., Any], /, *values: Any) -> Task:
+        """Begins with `task(*values)`."""
+        ...
 
 
 class Study(Table):
@@ -62,8 +79,8 @@ class Studies:
         "18 m, 19 m or 20 m"; the last one changes fastest. `outputs` names results of the whole range, such as "R_max", or
         at a position, such as "R at theta_1 = 60 deg"; without it those of the scene's study. Each design is read as a scene
         of its own. The rows are shared by `threads` (one for each core), or by an `executor`, any of
-        `concurrent.futures`, also `dask.distributed.Client(...).get_executor()`: they have the same bits whoever computes
-        them. Raises `SceneError` for what is no study, and what the executor raises where its workers are lost.
+        `concurrent.futures`, or a `dask.distributed.Client`: they have the same bits whoever computes them. Raises
+        `SceneError` for what is no study, and what the executor raises where its workers are lost.
 
         >>> import lemnis
         >>> study = lemnis.Scene.default().sweep({"luffing.X_1": [19.3, 19.5]}, ["R_max", "R at theta_1 = 60 deg"])
