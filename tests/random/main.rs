@@ -61,6 +61,9 @@ const LONGEST: Duration = Duration::from_secs(60);
 /// Most work for each simulated second over the median of the level.
 const MOST_WORK: f64 = 20.0;
 
+/// Longest steps in a natural time that a legal scene asks for at most.
+const STEPS: f64 = 250.0;
+
 /// What became of a scene.
 #[derive(Default)]
 struct Outcome {
@@ -86,6 +89,16 @@ fn examine(case: &Case, number: u64) -> Outcome {
         outcome.wrong.push(format!("panic: {told}"));
     }
     outcome
+}
+
+/// Whether the scene itself gives the longest step of its solver.
+fn asks_for_step(case: &Case) -> bool {
+    let mut tables = case.table.values();
+    tables.any(|table| {
+        table
+            .get("dynamics")
+            .is_some_and(|dynamics| dynamics.get("step").is_some())
+    })
 }
 
 fn all(case: &Case, number: u64, outcome: &mut Outcome) {
@@ -236,6 +249,12 @@ fn run(case: &Case, scene: &Scene, number: u64, outcome: &mut Outcome) -> f64 {
             Some(Ok(cycle)) => cycle,
             _ => (case.scale[0] / scene.gravity).sqrt(),
         };
+        // A finer step than any that a legal scene asks for costs what was asked for.
+        let asked = scene
+            .mechanism
+            .solver()
+            .filter(|solver| solver.explicit && asks_for_step(case));
+        let natural = asked.map_or(natural, |solver| natural.min(STEPS * solver.longest));
         outcome.work = Some(f64::from(own.rates) / f64::from(bodies) * natural / own.taken.max(natural));
     }
     let fmu = Unpacked::new(scene.text());

@@ -66,6 +66,9 @@ pub struct LuffingGiven {
 
 /// A luffing mechanism that may move by itself: the macro `luffs!` implements it.
 pub trait Luffs: Component {
+    /// Whether a rope luffs it, which gives no force below zero.
+    const PULLED: bool;
+
     fn luffing(given: &Self::Given<f64>) -> LuffingGiven;
 
     /// With angle and angular velocity of the driven bar and other sources of its motion.
@@ -95,6 +98,11 @@ pub trait Luffs: Component {
 macro_rules! luffs {
     ($component:ident by $theta:ident, $omega:ident $(with $($more:ident),+)? $(on $slack:ident)?) => {
         impl $crate::luffing::moving::luffs::Luffs for $component {
+            const PULLED: bool = {
+                let on: &[&str] = &[$(stringify!($slack))?];
+                !on.is_empty()
+            };
+
             #[allow(clippy::needless_update, reason = "some have all that there is")]
             fn luffing(given: &Given<f64>) -> $crate::luffing::moving::luffs::LuffingGiven {
                 $crate::luffing::moving::luffs::LuffingGiven {

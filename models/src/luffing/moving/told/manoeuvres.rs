@@ -16,6 +16,7 @@ use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::{Fault, Role};
 use crate::luffing::moving::given::CylinderOil;
 use crate::luffing::moving::hoisting::HoistKind;
+use crate::luffing::moving::luffs::Luffs;
 use crate::luffing::moving::scene::Moving;
 use crate::luffing::moving::symbols as m;
 use crate::luffing::moving::told::motor::{JointMotor, braking, place};
@@ -256,7 +257,11 @@ impl<'a, T: Shown> Pilot<'a, T> {
             ramp: moving.ramp,
             luffing: match &moving.oil {
                 Some(oil) => Drive::Valve(Box::new(LengthValve::new(luffing, moving, oil, model)?)),
-                None => Drive::Motor(JointMotor::new(model, motor, drive, 1.0)?),
+                None => {
+                    let motor = JointMotor::new(model, motor, drive, 1.0)?;
+                    let least = if T::Component::PULLED { 0.0 } else { motor.least };
+                    Drive::Motor(JointMotor { least, ..motor })
+                }
             },
             slewing: JointMotor::new(model, slewing, turning, 1.0),
             reached: 0.0,

@@ -15,14 +15,15 @@ pub(super) struct JointMotor {
     /// Inputs of drive and brake.
     pub inputs: [usize; 2],
     pub rate: usize,
-    acceleration: usize,
+    pub acceleration: usize,
     /// Fall below zero where it breaks loose backwards and forwards.
-    margins: [usize; 2],
+    pub margins: [usize; 2],
     /// Least, greatest moment of the drive, and that of the brake, in N·m.
+    pub least: f64,
     pub most: f64,
     pub braking: f64,
     /// 1 where a positive moment turns it forwards, −1 where backwards.
-    sense: f64,
+    pub sense: f64,
     /// Which way the scene's own moment turns it.
     pub way: f64,
 }
@@ -36,6 +37,17 @@ pub(super) fn place(model: &dyn Running, symbol: &Symbol) -> Option<usize> {
     model.variables().iter().position(|variable| variable.symbol == symbol)
 }
 
+/// By how much more moment a joint that is held comes to the middle of what holds it (way zero), or just beyond that; its
+/// margins against breaking loose backwards and forwards. Where an end stop holds it no moment goes beyond.
+fn beyond([back, forth]: [f64; 2], way: f64) -> f64 {
+    match [back, forth].map(|margin| margin == f64::MAX) {
+        [false, false] => 0.5 * (forth - back) + way * (0.5 + BREAKAWAY) * (forth + back),
+        [true, false] if way > 0.0 => (1.0 + BREAKAWAY) * forth,
+        [false, true] if way < 0.0 => -(1.0 + BREAKAWAY) * back,
+        _ => 0.0,
+    }
+}
+
 impl JointMotor {
     pub(super) fn new(
         model: &MovingComponent,
@@ -45,12 +57,14 @@ impl JointMotor {
     ) -> Option<JointMotor> {
         let [input, brake, rate, acceleration, back, forth] = symbols.map(|symbol| place(model, symbol));
         let moment = drive.moment;
+        let most = if moment == 0.0 { f64::INFINITY } else { moment.abs() };
         Some(JointMotor {
             inputs: [input?, brake?],
             rate: rate?,
             acceleration: acceleration?,
             margins: [back?, forth?],
-            most: if moment == 0.0 { f64::INFINITY } else { moment.abs() },
+            least: -most,
+            most,
             braking: braking(drive),
             sense,
             way: moment.signum(),
@@ -67,20 +81,19 @@ impl JointMotor {
         let slope = (model.get(self.acceleration)? - acceleration) / unit;
         model.set(input, now)?;
         let moment = if slope == 0.0 {
-            // Held: in the middle of what friction holds, or just beyond it.
             let [back, forth] = [model.get(self.margins[0])?, model.get(self.margins[1])?];
             let way = if wanted == 0.0 {
                 0.0
             } else {
                 self.sense * wanted.signum()
             };
-            now + 0.5 * (forth - back) + way * (0.5 + BREAKAWAY) * (forth + back)
+            now + beyond([back, forth], way)
         } else if braked {
             now
         } else {
             now + ((wanted - model.get(self.rate)?) / time - acceleration) / slope
         };
-        Ok(moment.clamp(-self.most, self.most))
+        Ok(moment.clamp(self.least, self.most))
     }
 
     /// Brakes a joint whose rates (rad/s) at the start and the end of a time (s) are zero, and drives it to the latter.
