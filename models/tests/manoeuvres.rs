@@ -194,6 +194,36 @@ fn a_luffing_tackle_pulls_in_every_manoeuvre() {
     assert!(account.expect("checked").value < 1e-5);
 }
 
+/// A crane whose compensated hoist rope pulls the boom up beyond 40 deg, against its upper stop, from where its tackle
+/// cannot push it down: it is told no moment that a rope cannot give, and none that the stop would bear.
+#[test]
+fn a_luffing_tackle_is_told_no_push() {
+    let scene = "name = \"Test\"\ntitle = \"Test\"\n[luffing]\nkind = \"rope_compensation\"\nfidelity = \"rigid\"\n\
+        Q = \"60 kg\"\nX_8 = \"0 m\"\nl = \"0.128 m\"\n[luffing.dynamics]\nJ_b = \"0 kg.m2\"\nstep = \"2 ms\"\n\
+        [luffing.hoist_rope]\nB_x = \"-50 mm\"\nB_y = \"8 mm\"\nh_Q = \"0.1 m\"\nm_h = \"2\"\nm_k = \"8\"\n\
+        [luffing.motion]\nfrom = \"-8 deg\"\nto = \"59 deg\"\nstep = \"2 deg\"\nspeed = \"21 deg/s\"\n\
+        [luffing.tackle]\nE_x = \"-50 mm\"\nE_y = \"95 mm\"\nm_l = \"9\"\ns_K = \"0.143 m\"\n\
+        [luffing.weights]\nG_b = \"58 kg\"\nr_b = \"30 mm\"\n";
+    let motion = motion(&parsed(scene));
+    for manoeuvre in &motion.manoeuvres {
+        let told = manoeuvre.commands.iter().find(|(symbol, _)| symbol.id == "M_A");
+        let told = &told.expect("an input").1;
+        assert!(
+            told.iter().all(|[_, moment]| (0.0..1e3).contains(moment)),
+            "{}",
+            manoeuvre.id
+        );
+        let mut points = manoeuvre.curves.iter().flat_map(|curve| curve.pieces.iter().flatten());
+        assert!(points.all(|point| point[1].is_finite()), "{}", manoeuvre.id);
+    }
+    let out = named(&motion, "luff_out");
+    assert!(
+        out.events.iter().any(|(_, id)| *id == "luffing_high"),
+        "{:?}",
+        out.events
+    );
+}
+
 /// From the brake's fall to rest the energy of motion goes into brake, friction and weights: over a way so short that
 /// inertia and weights' moment hardly change.
 #[test]

@@ -9,14 +9,14 @@ use lemnis_models::kernel::gravity;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::luffing;
 use lemnis_models::luffing::double_link;
-use lemnis_models::parts::{air, hanging, hydraulics, turntable};
+use lemnis_models::parts::{air, hanging, hydraulics, motor, teeth, turntable};
 use lemnis_models::registry;
 use lemnis_models::slewing;
 use lemnis_models::steering;
-use lemnis_models::supports::{column, mobile, portal, ring, upper};
+use lemnis_models::supports::{column, drive as drive_of_supports, mobile, portal, ring, upper};
 
 /// Every mechanism with its table.
-const TABLES: [(&str, &[&Symbol]); 23] = [
+const TABLES: [(&str, &[&Symbol]); 26] = [
     ("The double-link luffing mechanism", double_link::symbols::ALL),
     (
         "The double-link luffing mechanism in motion",
@@ -24,6 +24,8 @@ const TABLES: [(&str, &[&Symbol]); 23] = [
     ),
     ("Any luffing mechanism in motion", luffing::moving::symbols::ALL),
     ("What a luffing drive must overcome", luffing::resistances::symbols::ALL),
+    ("A motor with its brake, in cases", motor::ALL),
+    ("Teeth", teeth::ALL),
     ("Strength of a luffing drive", luffing::strength::symbols::ALL),
     ("The boom on a luffing rope", luffing::rope::symbols::ALL),
     ("The boom on guide and link", luffing::ellipsograph::symbols::ALL),
@@ -43,6 +45,10 @@ const TABLES: [(&str, &[&Symbol]); 23] = [
     (
         "What slews on a support: moments in the direction of the side that they load, angles counter-clockwise from above",
         upper::symbols::ALL,
+    ),
+    (
+        "What a slewing drive turns, and its results",
+        drive_of_supports::symbols::ALL,
     ),
     ("A slewing ring", ring::symbols::ALL),
     ("A column in three bearings", column::symbols::ALL),

@@ -262,7 +262,7 @@ fn derivatives() {
     let (mut count, mut lifted) = (0, 0);
     for psi in [40.0, 133.0, 305.0] {
         set(&mut ready, "psi", f64::to_radians(psi));
-        count += compared(&mut ready, &["omega", "s"], &["lifts"]);
+        count += compared(&mut ready, &["omega", "s", "z_d", "n_s"], &["lifts"]);
     }
     for line in ORACLE.lines().skip(1).step_by(2) {
         let row: Vec<&str> = line.split(',').collect();

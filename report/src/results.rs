@@ -218,7 +218,8 @@ const MOST_STEPS: [f64; 2] = [1e7, 1e6];
 ///
 /// # Errors
 ///
-/// Where it takes more than 1e7 explicit or 1e6 implicit inner steps, at the speed that the scene gives.
+/// Where it takes more than 1e7 explicit or 1e6 implicit inner steps, at the speed that the scene gives; likewise the way
+/// through the working range, by which manoeuvres go whatever the scene tells its inputs over time.
 pub fn lasting(scene: &Scene) -> Result<f64, Box<Diagnostic>> {
     let speed = scene.given.of(&format!("{}.motion.speed", scene.table));
     let place = || speed.map_or(0..0, |given| given.place.clone());
@@ -226,10 +227,19 @@ pub fn lasting(scene: &Scene) -> Result<f64, Box<Diagnostic>> {
         .model()
         .map_err(|fault| Diagnostic::new(place(), fault.message, ""))?;
     let lasts = model.stop_time();
+    let range = scene.mechanism.motion();
+    let ways = [
+        ("default experiment", lasts),
+        (
+            "way through the working range",
+            (range.to - range.from) / range.speed.abs(),
+        ),
+    ];
+    let (what, longest) = if ways[1].1 > lasts { ways[1] } else { ways[0] };
     let [explicit, implicit] = MOST_STEPS;
     let (steps, most) = match scene.mechanism.solver() {
         Some(solver) if model.states() > 0 => (
-            lasts / solver.longest.min(model.step_size()),
+            longest / solver.longest.min(model.step_size()),
             if solver.explicit { explicit } else { implicit },
         ),
         _ => (0.0, explicit),
@@ -238,8 +248,8 @@ pub fn lasting(scene: &Scene) -> Result<f64, Box<Diagnostic>> {
         return Ok(lasts);
     }
     let message = format!(
-        "the default experiment lasts {} s, which takes {} inner steps",
-        short(lasts),
+        "the {what} lasts {} s, which takes {} inner steps",
+        short(longest),
         short(steps.round())
     );
     let help = format!("at most {} are run: raise the speed", short(most));

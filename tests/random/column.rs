@@ -20,7 +20,6 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     let (size, weight) = (n.draw.scale[0], n.draw.natural(&s::V));
     let height = size * n.draw.between(0.05, 2.0);
     n.set("h_uf", height);
-    slewing(&mut n, [size, weight, 1.0]);
     let sized = n.child("bearings").map(|mut bearings| {
         let outer = size * bearings.draw.between(0.01, 0.1);
         let inner = outer * bearings.draw.between(0.0, 0.9);
@@ -30,6 +29,7 @@ pub fn legal(draw: &mut Draw, keys: &'static [Key]) -> Table {
     if sized.is_none() {
         n.remove(&["friction"]);
     }
+    slewing(&mut n, [size, weight, 1.0]);
     working_range(&mut n, [-PI, PI]);
     table
 }

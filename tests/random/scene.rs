@@ -289,7 +289,7 @@ impl Draw {
         };
         if let Some((symbol, sign)) = key.number() {
             let mut text = one(self, symbol, sign).0;
-            if matches!(key.kind, Kind::Weight(_)) && self.coin(0.3) {
+            if matches!(key.kind, Kind::Weight(..)) && self.coin(0.3) {
                 text = format!("{:.3e} kg", self.natural(symbol) / self.g);
             }
             if self.coin(0.9) {
@@ -329,7 +329,7 @@ impl Draw {
                 let count = self.rng.u64(least..=most.min(u16::MAX.into()));
                 i64::try_from(count).expect("small").into()
             }
-            Kind::Quantity(..) | Kind::Weight(_) | Kind::Named => Value::Table(Table::new()),
+            Kind::Quantity(..) | Kind::Weight(..) | Kind::Named => Value::Table(Table::new()),
         }
     }
 
@@ -452,7 +452,7 @@ impl Draw {
                     None => None,
                 }
             }
-            (Kind::Quantity(symbol, _) | Kind::Weight(symbol), Some(Value::String(text))) => {
+            (Kind::Quantity(symbol, _) | Kind::Weight(symbol, _), Some(Value::String(text))) => {
                 let value = read(text, self.g).unwrap_or(1.0);
                 let other = match self.rng.u8(0..10) {
                     0 => None,

@@ -1,5 +1,6 @@
 //! What slews on a support in random scenes: bodies, load, slope, wind areas, cases.
 
+use lemnis_models::supports::drive::symbols as d;
 use lemnis_models::supports::upper::symbols as s;
 
 use crate::bodies::{list, row};
@@ -21,17 +22,68 @@ pub fn slewing(n: &mut Node, [size, weight, far]: [f64; 3]) {
         slope.set("gamma", gamma);
         slope.set("h_Q", high);
     }
-    let areas = n.draw.rng.usize(0..3);
+    let (areas, cases) = (n.draw.rng.usize(0..3), n.draw.rng.usize(1..4));
+    let [drives, brakes] = turning(n, [size, weight]);
     list(n, "areas", areas, &mut |draw, _| {
         let (area, height) = (size * size * draw.between(0.0, 1.0), size * draw.between(0.0, 1.0));
-        row(draw, &[(&s::A_W, area), (&s::H_W, height)])
+        let place = (&d::R_W, size * draw.between(-0.5, 0.5));
+        let own = [(&s::A_W, area), (&s::H_W, height), place];
+        row(draw, if drives { &own } else { &own[..2] })
     });
-    let cases = n.draw.rng.usize(1..4);
-    list(n, "load_cases", cases, &mut |draw, _| {
+    let sways = n.draw.coin(0.5);
+    let time = n.draw.scale[2];
+    list(n, "load_cases", cases, &mut |draw, at| {
         let (factor, to) = (draw.between(0.0, 1.5), draw.angle());
         let pressure = draw.between(0.0, 0.02) * weight / (size * size);
-        row(draw, &[(&s::K_Q, factor), (&s::P_W, pressure), (&s::CHI_W, to)])
+        let mut own = vec![(&s::K_Q, factor), (&s::P_W, pressure), (&s::CHI_W, to)];
+        if drives {
+            // The first one slews.
+            let least = if at == 0 { 0.001 } else { 0.0 };
+            let sway = if sways { draw.between(0.0, 0.3) } else { 0.0 };
+            own.extend([(&d::N_S, draw.between(least, 0.05) / time), (&d::ALPHA_Q, sway)]);
+        }
+        if brakes {
+            own.push((&d::K_B, draw.between(1.0, 2.0)));
+        }
+        row(draw, &own)
     });
+}
+
+/// What makes a drive legal, of a crane of a size (m) and a weight (N); whether there is one, and its brake.
+fn turning(n: &mut Node, [size, weight]: [f64; 2]) -> [bool; 2] {
+    let rubs = n.has("friction") || n.has("maker_friction");
+    if !rubs {
+        n.remove(&["slewing_drive"]);
+    }
+    let time = n.draw.scale[2];
+    let Some(mut drive) = n.child("slewing_drive") else {
+        return [false; 2];
+    };
+    let count = f64::from(drive.draw.rng.u32(1..5));
+    let ratio = drive.draw.between(100.0, 2000.0);
+    let power = weight * size / time * drive.draw.between(0.001, 0.1);
+    let turns = ratio * 0.05 / time;
+    for (name, value) in [("z_d", count), ("i_sl", ratio), ("P_N", power), ("n_N", turns)] {
+        drive.set(name, value);
+    }
+    drive.put("heating", 1);
+    let shaft = power * time * time * time / (ratio * ratio) * drive.draw.between(0.01, 1.0);
+    drive.set("J_M", shaft.max(1e-8));
+    let torque = power / turns;
+    let braked = drive.child("brake").map(|mut brake| {
+        let own = torque * brake.draw.between(0.1, 2.0);
+        brake.set("T_b", own);
+    });
+    if braked.is_none() {
+        drive.remove(&["coupling"]);
+    }
+    if let Some(mut pinion) = drive.child("pinion") {
+        let own = size * pinion.draw.between(0.005, 0.05);
+        let ring = size * pinion.draw.between(0.1, 0.5);
+        pinion.set("r_z", own);
+        pinion.set("r_g", ring);
+    }
+    [true, braked.is_some()]
 }
 
 /// Upper works that weigh nothing, or next to nothing.

@@ -142,7 +142,7 @@ fn check_value(
             Some(Value::Table(check(source, table, value.span(), path, keys, found)))
         }
         (Kind::Kinds(kinds), DeValue::Table(table)) => of_kind(source, table, value.span(), path, kinds, found),
-        (Kind::Quantity(..) | Kind::Weight(_), DeValue::String(text)) => match number(text, key) {
+        (Kind::Quantity(..) | Kind::Weight(..), DeValue::String(text)) => match number(text, key) {
             Ok(number) => Some(Value::Number(number)),
             Err((message, label, help)) => {
                 let wrong = Diagnostic::new(value.span(), format!("`{path}`: {message}"), label).help(help);
@@ -153,7 +153,7 @@ fn check_value(
         (Kind::Quantity(..), DeValue::Table(table)) if !key.between.is_empty() && table.contains_key(OVER) => {
             over_time(source, table, value.span(), path, key, found)
         }
-        (Kind::Quantity(..) | Kind::Weight(_), DeValue::Table(table)) => {
+        (Kind::Quantity(..) | Kind::Weight(..), DeValue::Table(table)) => {
             noted(source, table, value.span(), path, key, found)
         }
         (Kind::Texts(most) | Kind::Tables(_, most), DeValue::Array(items)) if items.len() > *most => {
@@ -180,7 +180,7 @@ fn check_value(
             _ => wrong(format!("`{}` is none", number.as_str())),
         },
         (Kind::Named, DeValue::Table(table)) => Some(named(table, path, key, found)),
-        (Kind::Quantity(symbol, _) | Kind::Weight(symbol), DeValue::Integer(_) | DeValue::Float(_)) => {
+        (Kind::Quantity(symbol, _) | Kind::Weight(symbol, _), DeValue::Integer(_) | DeValue::Float(_)) => {
             let text = match value.get_ref() {
                 DeValue::Integer(number) => number.as_str().to_owned(),
                 other => other

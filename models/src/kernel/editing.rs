@@ -198,7 +198,7 @@ fn inside(key: &Key, kind: Option<&str>) -> Vec<Key> {
             let named = kinds.iter().find(|(known, _)| Some(*known) == kind);
             named.unwrap_or(&kinds[0]).1.to_vec()
         }
-        Kind::Quantity(..) | Kind::Weight(_) => {
+        Kind::Quantity(..) | Kind::Weight(..) => {
             let input = key.input.then_some("input");
             let values = ["value"].into_iter().chain(input);
             let over = [

@@ -9,7 +9,7 @@ pub(super) fn wanted(key: &Key) -> String {
         Kind::Text | Kind::Line => "a text, or a table of it in several languages".to_owned(),
         Kind::Name | Kind::Date | Kind::Lines => "a text".to_owned(),
         Kind::Choice(choices) => format!("one of {}", choices.join(", ")),
-        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
+        Kind::Quantity(symbol, _) | Kind::Weight(symbol, _) => {
             format!("a number with a unit such as \"1 {}\"", symbol.display.name)
         }
         Kind::Table(_) | Kind::Kinds(_) => "a table".to_owned(),
@@ -36,7 +36,7 @@ pub(super) fn example(key: &Key) -> String {
     match key.kind {
         Kind::Text | Kind::Line | Kind::Name | Kind::Date | Kind::Lines => format!("{} = \"...\"", key.name),
         Kind::Choice(choices) => format!("{} = \"{}\"", key.name, choices[0]),
-        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
+        Kind::Quantity(symbol, _) | Kind::Weight(symbol, _) => {
             format!("{} = \"... {}\"  ({})", key.name, symbol.display.name, key.text)
         }
         Kind::Table(_) | Kind::Kinds(_) => format!("a table [{}]  ({})", key.name, key.text),
@@ -60,7 +60,7 @@ pub(super) fn is_table(key: &Key) -> bool {
 /// A key to begin with, and where one goes on writing, in bytes.
 pub(super) fn template(key: &Key) -> (String, usize) {
     let (open, close) = match key.kind {
-        Kind::Quantity(symbol, _) | Kind::Weight(symbol) if symbol.display != &unit::ONE => {
+        Kind::Quantity(symbol, _) | Kind::Weight(symbol, _) if symbol.display != &unit::ONE => {
             ("\"", format!(" {}\"", symbol.display.name))
         }
         Kind::Texts(_) | Kind::Choices(_) | Kind::Tables(..) | Kind::Quantities(..) => ("[", "]".to_owned()),

@@ -69,7 +69,7 @@ fn property(key: &Key) -> Json {
             }
         }
         Kind::Choice(choices) => json!({ "type": "string", "enum": choices }),
-        Kind::Quantity(symbol, _) | Kind::Weight(symbol) => {
+        Kind::Quantity(symbol, _) | Kind::Weight(symbol, _) => {
             let value = text(symbol);
             let noted = |name: &str| {
                 json!({
@@ -106,7 +106,7 @@ fn property(key: &Key) -> Json {
     let limits = key.number().map_or_else(String::new, |(symbol, sign)| {
         let [least, most] = sign.limits(symbol, symbol.unit);
         let mass = match key.kind {
-            Kind::Weight(_) => "; or a mass, in kg or t",
+            Kind::Weight(..) => "; or a mass, in kg or t",
             _ => "",
         };
         format!(

@@ -19,13 +19,13 @@ pub fn number(text: &str, key: &Key) -> Result<GivenNumber, Problem> {
         source: None,
     };
     match key.kind {
-        Kind::Weight(symbol) => {
+        Kind::Weight(symbol, sign) => {
             let (number, unit) = measured(text, symbol, &[symbol.unit, &unit::KG])?;
             if unit.dimension != unit::KG.dimension {
-                return allowed(number * unit.factor, text, symbol, symbol.unit, Sign::NotNegative)
+                return allowed(number * unit.factor, text, symbol, symbol.unit, sign)
                     .map(|weight| given(weight, None));
             }
-            let mass = allowed(number * unit.factor, text, symbol, &unit::KG, Sign::NotNegative)?;
+            let mass = allowed(number * unit.factor, text, symbol, &unit::KG, sign)?;
             // What it weighs is known when the whole scene has been read.
             Ok(given(f64::NAN, Some(mass)))
         }
@@ -132,7 +132,7 @@ fn like(units: &[&'static Unit]) -> String {
 pub fn units(key: &Key) -> Vec<&'static str> {
     let (symbol, mut names) = match key.kind {
         Kind::Quantity(symbol, _) | Kind::Quantities(symbol, ..) => (symbol, named(&[symbol.unit])),
-        Kind::Weight(symbol) => (symbol, named(&[symbol.unit, &unit::KG])),
+        Kind::Weight(symbol, _) => (symbol, named(&[symbol.unit, &unit::KG])),
         _ => return Vec::new(),
     };
     names.sort_by_key(|name| *name != symbol.display.name);

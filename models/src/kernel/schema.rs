@@ -52,8 +52,8 @@ pub enum Kind {
     /// A number with a unit, as text: `"19.3 m"`; or with a note where it comes
     /// from: `{ value = "19.3 m", source = "drawing 12-345" }`.
     Quantity(&'static Symbol, Sign),
-    /// A weight, zero or greater, or the mass that weighs it: `"160 kN"`, `"16 t"`.
-    Weight(&'static Symbol),
+    /// A weight, greater than zero or that too, or the mass that weighs it: `"160 kN"`, `"16 t"`.
+    Weight(&'static Symbol, Sign),
     Table(&'static [Key]),
     /// A table whose keys hang on the value of its key [`KIND`]: each value with its keys, the first one without that key.
     Kinds(&'static [(&'static str, &'static [Key])]),
@@ -112,8 +112,13 @@ impl Key {
     /// As a weight, which may be given as a mass.
     #[must_use]
     pub const fn or_mass(mut self) -> Key {
-        if let Kind::Quantity(symbol, _) = self.kind {
-            self.kind = Kind::Weight(symbol);
+        if let Kind::Quantity(symbol, sign) = self.kind {
+            let sign = if matches!(sign, Sign::Positive) {
+                sign
+            } else {
+                Sign::NotNegative
+            };
+            self.kind = Kind::Weight(symbol, sign);
         }
         self
     }
@@ -152,8 +157,7 @@ impl Key {
     #[must_use]
     pub fn number(&self) -> Option<(&'static Symbol, Sign)> {
         match self.kind {
-            Kind::Quantity(symbol, sign) => Some((symbol, sign)),
-            Kind::Weight(symbol) => Some((symbol, Sign::NotNegative)),
+            Kind::Quantity(symbol, sign) | Kind::Weight(symbol, sign) => Some((symbol, sign)),
             _ => None,
         }
     }

@@ -1,4 +1,4 @@
-//! What several mechanisms are made of: plane geometry, air, a four-bar, joints, buckling, slewing, a load curve, a load on its rope, a hoist, a body on springs, motion over a range, oil, solvers.
+//! What several mechanisms are made of: plane geometry, air, a four-bar, joints, buckling, slewing, teeth, a load curve, a load on its rope, a hoist, a body on springs, motors with brakes, motion over a range, oil, solvers.
 
 pub mod air;
 pub mod arcs;
@@ -13,8 +13,10 @@ pub mod hydraulics;
 pub mod joint;
 pub mod load_curve;
 pub mod motion;
+pub mod motor;
 pub mod plane;
 pub mod smooth_curve;
 pub mod solver;
 pub mod springs;
+pub mod teeth;
 pub mod turntable;

@@ -20,9 +20,9 @@ const LOOK: f64 = 0.005;
 const ROUNDING: f64 = 1e-12;
 /// Halvings by which an event is located.
 const HALVINGS: u32 = 60;
-/// Most evaluations of the rates in one run for each state: to begin with, and for each look. A bar that friction
-/// neither holds nor lets go has an event after the other.
-const RATES: [f64; 2] = [1e5, 1e3];
+/// Most evaluations of the rates in one run for each state, by an explicit and by an implicit method: to begin with, and
+/// for each look. A bar that friction neither holds nor lets go has an event after the other.
+const RATES: [[f64; 2]; 2] = [[1e4, 30.0], [1e5, 200.0]];
 /// Steps of the library in one piece.
 const MOST_STEPS: usize = 1_000_000;
 
@@ -38,10 +38,10 @@ pub struct Library {
 }
 
 impl Library {
-    /// For a run of a model over a duration in s.
+    /// For a run of a model by a method over a duration in s.
     #[must_use]
-    pub fn new(model: &Model, duration: f64) -> Library {
-        let [least, each] = RATES;
+    pub fn new(model: &Model, method: Method, duration: f64) -> Library {
+        let [least, each] = RATES[usize::from(matches!(method, Method::Implicit(_)))];
         Library {
             left: ((1 + model.states()) as f64 * (least + each * duration / LOOK)) as u32,
         }

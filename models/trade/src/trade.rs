@@ -324,7 +324,7 @@ fn reference(
     let mut apart: Option<Apart> = None;
     if solved {
         let mut model = setting.model(scene, experiment.sample)?;
-        let mut library = Library::new(&model, experiment.duration());
+        let mut library = Library::new(&model, setting.method, experiment.duration());
         let second = experiment.run(scene, &mut model, names, &mut |model, from, to| {
             library.advance(model, setting.method, from, to)
         })?;

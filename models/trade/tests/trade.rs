@@ -153,7 +153,7 @@ fn two_codes_that_part_are_named() {
     }
     coarse.advance(0.0, 0.1).expect("moves");
     fine.advance(0.0, 0.1).expect("moves");
-    let mut solver = Library::new(&library, 0.1);
+    let mut solver = Library::new(&library, setting.method, 0.1);
     solver.advance(&mut library, setting.method, 0.0, 0.1).expect("moves");
     let pressure = index(&fine, "p_A").expect("exists");
     let [coarse, fine, library] = [coarse, fine, library].map(|mut model| model.get(pressure).expect("exists"));

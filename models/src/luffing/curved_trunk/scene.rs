@@ -37,8 +37,10 @@ use crate::luffing::resistances::{self, checks, told};
 use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::motion::{Motion, degrees};
+use crate::parts::motor;
 use crate::parts::plane::{self, Point};
 use crate::parts::smooth_curve::{NoCurve, SmoothCurve};
+use crate::parts::teeth;
 
 /// Keys of `[luffing]` with `kind = "curved_trunk"`.
 pub const KEYS: &[Key] = &[
@@ -125,6 +127,8 @@ impl Described for CurvedTrunk {
             b::ALL,
             drive::symbols::ALL,
             resistances::symbols::ALL,
+            motor::ALL,
+            teeth::ALL,
             strength::symbols::ALL,
             gravity::ALL,
         ],

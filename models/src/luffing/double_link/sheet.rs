@@ -44,6 +44,8 @@ use crate::luffing::moving::told::shown::running;
 use crate::luffing::with_balance::{WithBalance, agreement, searched};
 use crate::luffing::{resistances, strength};
 use crate::parts::motion::Motion;
+use crate::parts::motor;
+use crate::parts::teeth;
 use crate::parts::turntable;
 use crate::parts::{air, hanging, hydraulics};
 
@@ -78,6 +80,8 @@ impl Described for LuffingScene {
             moving::symbols::ALL,
             crate::luffing::moving::symbols::ALL,
             resistances::symbols::ALL,
+            motor::ALL,
+            teeth::ALL,
             strength::symbols::ALL,
             air::ALL,
             hanging::ALL,

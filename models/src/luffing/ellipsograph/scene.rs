@@ -46,7 +46,9 @@ use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::air::AIR;
 use crate::parts::motion::{Motion, degrees};
+use crate::parts::motor;
 use crate::parts::plane::Point;
+use crate::parts::teeth;
 use crate::parts::{air, hanging, hydraulics};
 
 /// Keys of `[luffing]` with `kind = "ellipsograph"`.
@@ -122,6 +124,8 @@ impl Described for Ellipsograph {
             gravity::ALL,
             moving::symbols::ALL,
             resistances::symbols::ALL,
+            motor::ALL,
+            teeth::ALL,
             strength::symbols::ALL,
             air::ALL,
             hanging::ALL,

@@ -2,6 +2,7 @@
 
 use crate::kernel::group::{group, quantities};
 use crate::luffing::resistances::symbols as s;
+pub use crate::parts::motor::{CaseBrake, CaseHold};
 
 quantities! {
     /// A case: part of the load, sway (rad), wind (Pa, m/s), slope (rad), slewing (1/s), the drive's speed and acceleration.
@@ -25,18 +26,8 @@ quantities! {
 }
 
 quantities! {
-    /// A brake on the motor's shaft: its torque (N·m) and after how long it acts (s).
-    CaseBrake { torque: T_B, delay: TAU_B }
-}
-
-quantities! {
     /// Another one, which acts after it.
     SecondBrake { torque: T_B2, delay: TAU_B2 }
-}
-
-quantities! {
-    /// How often the brakes must hold what acts in a case.
-    CaseHold { k_b: K_B }
 }
 
 /// What the scene has chosen.

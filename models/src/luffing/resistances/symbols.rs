@@ -5,6 +5,10 @@
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 
 use crate::kernel::symbol::{Range, symbols};
+pub use crate::parts::motor::{
+    A_START, A_START_MAX, A_STOP, A_STOP_MAX, J_K, J_M, J_T, K_A, K_B, LAMBDA_M, N_MOT, N_N, N_S, OMEGA_B, P_M,
+    P_M_MAX, P_N, PSI_B, T_0, T_B, T_START, T_START_MAX, T_STOP, T_STOP_MAX, TAU_B, U_M, U_M_MAX,
+};
 
 symbols! {
     // Given: of each case.
@@ -13,7 +17,6 @@ symbols! {
     P_W: "p_w" "p_(w i)" PA / PA, "Wind pressure in a case, besides that of a wind speed; positive from the rear.", "[Ports001, 5.5.4]";
     V_W: "v_w" "v_(w i)" M_PER_S / M_PER_S, "Wind speed in a case; positive from the rear.", "[Ports001, 5.5.4]";
     SIGMA: "sigma" "sigma_i" RAD / DEG [within(Range::new(-FRAC_PI_6, FRAC_PI_6))], "Slope of the ground in a case; positive where the front is lower.", "input";
-    N_S: "n_s" "n_(s i)" PER_S / PER_MIN, "Speed of steady slewing in a case.", "[Ports001, 5.5.6]";
     V_S: "v_s" "v_(s i)" M_PER_S / MM_PER_S, "Speed of the drive in a case: of its length, lengthening positive, of a sector's teeth, or of a crank's pin counter-clockwise.", "[Ports001, 5.5]";
     A_S: "a_s" "a_(s i)" M_PER_S2 / M_PER_S2, "Acceleration of the drive in a case, as its speed is counted.", "[Ports001, 5.5.5]";
     C_AIR: "c_air" "c_\"air\"" KG_PER_M3 / KG_PER_M3 [not_negative], "Pressure of the wind over the square of its speed.", "input";
@@ -30,18 +33,10 @@ symbols! {
     R_P: "r_p" "r_(p i)" M / MM [not_negative], "Radius of the pin; none of a guide.", "input";
 
     // Given: of the motor and its brakes.
-    P_N: "P_N" "P_N" W / KW [positive], "Rated power of the motor, at its duty.", "[Ports001, 5.6]";
-    N_N: "n_N" "n_N" PER_S / PER_MIN [positive], "Rated speed of the motor.", "[Ports001, 5.6]";
-    LAMBDA_M: "lambda_M" "lambda_M" ONE / ONE [positive], "Greatest power that the motor may give for a short time, over its rated power.", "[Ports001, 5.6]";
-    K_A: "k_a" "k_a" ONE / ONE [positive], "Mean torque of the motor while it starts, over its rated torque.", "[Ports001, 5.6]";
-    J_M: "J_M" "J_M" KG_M2 / KG_M2 [positive], "Inertia of the motor's shaft with coupling and brake drums.", "[Ports001, 5.6]";
     L_M: "l_M" "l_M" M / MM [positive], "Travel of the drive for one turn of the motor: that of a pinion, 2 π r, or a screw's lead, over the ratio of the gear.", "input";
     ETA_M: "eta_M" "eta_M" ONE / ONE [within(Range::new(0.0, 1.0))], "Efficiency of all between motor and drive.", "[Ports001, 5.6]";
-    T_B: "T_b" "T_(b 1)" N_M / N_M [positive], "Torque of the brake on the motor's shaft.", "[Ports001, 5.7]";
     T_B2: "T_b2" "T_(b 2)" N_M / N_M [positive], "Torque of the second brake on the motor's shaft.", "[Ports001, 5.7]";
-    TAU_B: "tau_b" "tau_(b 1)" S / S [not_negative], "Time after which the brake acts.", "[Ports001, 5.7]";
     TAU_B2: "tau_b2" "tau_(b 2)" S / S [not_negative], "Time after which the second brake acts.", "[Ports001, 5.7]";
-    K_B: "K_b" "K_(b i)" ONE / ONE [positive], "Safety with which the brakes must hold what acts in a case.", "[Ports001, 5.7]";
 
     // What the bodies come to at a position.
     DS_S: "ds_s" "s'_d" M / M, "Travel of the drive for one radian of the luffing angle.", "dual numbers";
@@ -76,27 +71,15 @@ symbols! {
     F_R: "F_r" "F_(r i)" N / KN [infinite("where the drive points at the foot of its bar")], "Force that the drive must give; positive where it presses its ends apart.", "[Ports001, 5.5]";
 
     // At the motor's shaft in each case.
-    N_MOT: "n_mot" "n_(M i)" PER_S / PER_MIN, "Speed of the motor in a case; its sign is that of the drive's speed.", "[Ports001, 5.6]";
     T_M: "T_M" "T_(M i)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque at the motor's shaft; positive where the drive presses its ends apart.", "[Ports001, 5.6]";
-    P_M: "P_M" "P_(M i)" W / KW, "Power at the motor's shaft; positive where the motor drives.", "[Ports001, 5.6]";
-    U_M: "u_M" "u_(M i)" ONE / ONE, "Power at the motor's shaft over the greatest that the motor may give.", "[Ports001, 5.6]";
     P_C: "P_c" "P_(c i)" W / KW, "Root mean square of the powers of the way there and of the way back, on which friction is turned round.", "[Ports001, 5.6]";
-    T_0: "T_0" "T_(0 i)" N_M / N_M, "Torque at the motor's shaft against steady motion, without inertia; negative where the load drives.", "[Ports001, 5.6]";
-    J_T: "J_t" "J_(t i)" KG_M2 / KG_M2, "Inertia of all that a start accelerates, at the motor's shaft.", "[Ports001, 5.6]";
-    T_START: "t_start" "t_(a i)" S / S [infinite("where the motor cannot start")], "Time of a start from this position.", "[Ports001, 5.6]";
-    A_START: "a_start" "a_(a i)" M_PER_S2 / M_PER_S2, "Mean horizontal acceleration of the head in a start.", "[Ports001, 5.6]";
     M_R_HELD: "M_r_held" "M_(r h i)" N_M / KN_M, "Sum of all moments but those of friction and inertia, which the brakes must hold; positive raises the boom.", "[Ports001, 5.7]";
     T_H: "T_H" "T_(H i)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque at the motor's shaft that all but friction and inertia asks for, without losses; positive where the drive presses its ends apart.", "[Ports001, 5.7]";
     T_K1: "T_K1" "T_(K i,1)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque that the brakes must have, without losses.", "[Ports001, 5.7]";
     T_K: "T_K" "T_(K i)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Torque that the brakes must have, the losses helping.", "[Ports001, 5.7]";
     U_B: "u_B" "u_(B i)" ONE / ONE [infinite("where the drive points at the foot of its bar")], "Torque that the brakes must have over the one that they have.", "[Ports001, 5.7]";
-    J_K: "J_K" "J_(K i)" KG_M2 / KG_M2, "Inertia of all that the brakes stop, at the motor's shaft.", "[Ports001, 5.7]";
-    PSI_B: "psi_b" "psi_(b i)" RAD / RAD, "Turn of the motor's shaft until the last brake begins to act that stops it.", "[Ports001, 5.7]";
-    OMEGA_B: "omega_b" "omega_(b i)" RAD_PER_S / RAD_PER_S, "Speed of the motor's shaft when the last brake begins to act that stops it.", "[Ports001, 5.7]";
     ALPHA_B: "alpha_b" "alpha_(b i)" RAD_PER_S2 / RAD_PER_S2, "Deceleration of the motor's shaft from then on.", "[Ports001, 5.7]";
-    T_STOP: "t_stop" "t_(s i)" S / S [infinite("where the brakes do not stop the drive")], "Time of a stop from this position, all brakes called at once.", "[Ports001, 5.7]";
     S_STOP: "s_stop" "s_(s i)" M / MM [infinite("where the brakes do not stop the drive")], "Travel of the drive in it.", "[Ports001, 5.7]";
-    A_STOP: "a_stop" "a_(s i)" M_PER_S2 / M_PER_S2, "Greatest horizontal deceleration of the head in it.", "[Ports001, 5.7]";
     P_H: "P_h" "P_h" W / KW, "Root mean square of both ways' powers in the case of heating.", "[Ports001, 5.6]";
     U_H: "u_h" "u_h" ONE / ONE, "The same over the rated power.", "[Ports001, 5.6]";
     TAU_H: "tau_h" "tau_h" S / S, "Time for one radian of the luffing angle in the case of heating.", "[Ports001, 5.6]";
@@ -114,15 +97,9 @@ symbols! {
     M_R_MAX: "M_r_max" "M_(r,max)" N_M / KN_M, "Greatest sum of all moments that the drive must overcome in all cases, by amount.", "[Ports001, 5.5]";
     F_R_MAX: "F_r_max" "F_(r,max)" N / KN [infinite("where the drive points at the foot of its bar")], "Greatest force that the drive must give in all cases, by amount; positive where it presses its ends apart.", "[Ports001, 5.5]";
     T_M_MAX: "T_M_max" "T_(M,max)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Greatest torque at the motor's shaft in all cases, by amount.", "[Ports001, 5.6]";
-    P_M_MAX: "P_M_max" "P_(M,max)" W / KW, "Greatest power at the motor's shaft in all cases.", "[Ports001, 5.6]";
-    U_M_MAX: "u_M_max" "u_(M,max)" ONE / ONE, "Greatest power over the greatest that the motor may give.", "[Ports001, 5.6]";
-    T_START_MAX: "t_start_max" "t_(a,max)" S / S [infinite("where the motor cannot start")], "Longest start in all cases.", "[Ports001, 5.6]";
-    A_START_MAX: "a_start_max" "a_(a,max)" M_PER_S2 / M_PER_S2, "Greatest mean acceleration of the head in a start.", "[Ports001, 5.6]";
     T_K_MAX: "T_K_max" "T_(K,max)" N_M / N_M [infinite("where the drive points at the foot of its bar")], "Greatest torque that the brakes must have, in all cases.", "[Ports001, 5.7]";
     U_B_MAX: "u_B_max" "u_(B,max)" ONE / ONE [infinite("where the drive points at the foot of its bar")], "Greatest torque that the brakes must have over the one that they have.", "[Ports001, 5.7]";
-    T_STOP_MAX: "t_stop_max" "t_(s,max)" S / S [infinite("where the brakes do not stop the drive")], "Longest stop in all cases.", "[Ports001, 5.7]";
     S_STOP_MAX: "s_stop_max" "s_(s,max)" M / MM [infinite("where the brakes do not stop the drive")], "Longest travel of the drive in a stop.", "[Ports001, 5.7]";
-    A_STOP_MAX: "a_stop_max" "a_(s,max)" M_PER_S2 / M_PER_S2, "Greatest deceleration of the head in a stop.", "[Ports001, 5.7]";
     P_RMS: "P_rms" "P_\"rms\"" W / KW, "Root mean square in time of the motor's power over luffing in and out in the case of heating.", "[Ports001, 5.6]";
     U_RMS: "u_rms" "u_\"rms\"" ONE / ONE, "The same over the rated power.", "[Ports001, 5.6]";
     T_LUFF: "t_luff" "t_L" S / S, "Time of luffing through the working range in the case of heating.", "[Ports001, 5.6]";

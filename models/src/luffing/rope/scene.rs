@@ -42,7 +42,9 @@ use crate::luffing::strength;
 use crate::luffing::with_balance::{WithBalance, searched};
 use crate::parts::air::AIR;
 use crate::parts::motion::{Motion, degrees};
+use crate::parts::motor;
 use crate::parts::plane::{self, Point};
+use crate::parts::teeth;
 use crate::parts::{air, hanging, hydraulics};
 
 /// Keys of `[luffing]` with one of the two kinds.
@@ -143,6 +145,8 @@ impl Described for Rope {
             gravity::ALL,
             moving::symbols::ALL,
             resistances::symbols::ALL,
+            motor::ALL,
+            teeth::ALL,
             strength::symbols::ALL,
             air::ALL,
             hanging::ALL,

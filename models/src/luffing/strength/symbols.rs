@@ -1,8 +1,7 @@
 //! Every quantity of the strength of what drives a luffing mechanism.
 
-use std::f64::consts::FRAC_PI_4;
-
-use crate::kernel::symbol::{Range, symbols};
+use crate::kernel::symbol::symbols;
+pub use crate::parts::teeth::{ALPHA_T, E_T, K_F, M_T, NU_T, RHO_C, Y_F};
 
 symbols! {
     // Given: of buckling.
@@ -15,13 +14,7 @@ symbols! {
     I_MIN: "i_min" "i_\"min\"" M / MM [positive], "Smallest radius of gyration of this cross-section.", "input";
 
     // Given: of teeth, screw and nut, rope, pins.
-    K_F: "K_F" "K_F" ONE / ONE [positive], "Load factor of the teeth: what the greatest force of one tooth is over that of the drive.", "[Ports001, 5.8]";
-    Y_F: "Y_F" "Y_F" ONE / ONE [positive], "Form factor of the weaker teeth.", "[Ports001, 5.8]";
     B_F: "b_f" "b_f" M / MM [positive], "Width of the teeth.", "input";
-    M_T: "m_t" "m_t" M / MM [positive], "Module of the teeth.", "input";
-    ALPHA_T: "alpha_t" "alpha_t" RAD / DEG [within(Range::new(0.0, FRAC_PI_4).above())], "Pressure angle of the teeth.", "input";
-    E_T: "E_t" "E_t" PA / MPA [positive], "Young's modulus of the teeth.", "[Ports001, 5.8]";
-    NU_T: "nu_t" "nu_t" ONE / ONE [within(Range::new(0.0, 0.5))], "Poisson's ratio of the teeth.", "[Ports001, 5.8]";
     D_3: "d_3" "d_3" M / MM [positive], "Core diameter of the drive's screw.", "input";
     H_1: "H_1" "H_1" M / MM [positive], "Depth to which the threads of screw and nut overlap.", "input";
     P_1: "P_1" "P_1" M / MM [positive], "Pitch of the drive's screw: from one turn of a thread to the next thread.", "input";
@@ -40,7 +33,6 @@ symbols! {
     LAMBDA_G: "lambda_g" "lambda_g" ONE / ONE, "Slenderness from which the bar buckles before it yields anywhere; there the critical stress is half the yield point.", "Euler and Johnson";
     SIGMA_CR: "sigma_cr" "sigma_\"cr\"" PA / MPA, "Critical stress of the drive's bar.", "Euler and Johnson";
     N_CR: "N_cr" "N_\"cr\"" N / KN, "Push at which the drive's bar buckles.", "Euler and Johnson";
-    RHO_C: "rho_c" "rho_c" M / MM, "Radius of curvature of the teeth against each other at the pitch point.", "[Ports001, 5.8]";
     A_3: "A_3" "A_3" M2 / M2, "Cross-section of the screw's core.", "[Ports001, 5.8]";
     A_N: "A_n" "A_n" M2 / M2, "Flanks on which the nut carries, seen along the screw.", "[Ports001, 5.8]";
     H_TR: "h_tr" "h_\"tr\"" ONE / ONE, "Diameter of the drum over that of the luffing rope.", "[Ports001, 5.8]";

@@ -1,13 +1,12 @@
 //! Teeth of the pinion with its rack, or with a sector that has its teeth outside.
 
-use std::f64::consts::TAU;
-
 use crate::component::stages::{Found, absent, results};
 use crate::drive::gear::Gear;
 use crate::drive::mount::DriveMount;
 use crate::kernel::calc::Calc;
 use crate::luffing::strength::given::{Teeth, under};
 use crate::luffing::strength::symbols as s;
+use crate::parts::teeth;
 
 /// How the teeth touch at the pitch point.
 #[derive(Clone, Copy, Debug)]
@@ -49,12 +48,11 @@ impl<C: Calc> Toothed<C> {
     /// flank is F / cos α, σ_H² = K F E / (2π (1 − ν²) b ρ cos α) (Hertz). [Ports001, 5.8]
     pub fn new(teeth: &Teeth<C>, mesh: &Mesh<C>, force: &C) -> Toothed<C> {
         let bending = under(*force, |force| {
-            (teeth.k * force * teeth.y / (teeth.b * teeth.m)).def(&s::SIGMA_F)
+            teeth::bending(teeth.k, force, teeth.y, [teeth.b, teeth.m]).def(&s::SIGMA_F)
         });
         let contact = under(*force, |force| {
-            let stiff = teeth.e / (C::constant(TAU) * (C::constant(1.0) - teeth.nu.square()));
-            let line = teeth.b * mesh.radius * teeth.alpha.sin_cos().1;
-            (teeth.k * force * stiff / line).sqrt().def(&s::SIGMA_H)
+            let (steel, line) = ([teeth.e, teeth.nu], [teeth.b, mesh.radius]);
+            teeth::contact(teeth.k, force, steel, line, teeth.alpha).def(&s::SIGMA_H)
         });
         Toothed { bending, contact }
     }

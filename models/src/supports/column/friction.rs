@@ -6,6 +6,8 @@ use crate::kernel::group::quantities;
 use crate::supports::column::bearings::ColumnForces;
 use crate::supports::column::pressure::Bearings;
 use crate::supports::column::symbols as s;
+use crate::supports::drive::given::TurningDrive;
+use crate::supports::drive::symbols::M_FS;
 use crate::supports::upper::load::SupportLoad;
 
 quantities! {
@@ -54,4 +56,9 @@ impl<C: Calc> ColumnTurning<C> {
             sum: (parts[0] + parts[1] + parts[2]).def(&s::M_FB),
         }
     }
+}
+
+/// What the drive overcomes of them, in N·m.
+pub fn rubbing<C: Calc>(_: &TurningDrive<C>, turning: &ColumnTurning<C>) -> C {
+    turning.sum.def(&M_FS)
 }

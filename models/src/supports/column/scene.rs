@@ -20,6 +20,9 @@ use crate::supports::column::outline::OUTLINE;
 use crate::supports::column::pressure::Bearings;
 use crate::supports::column::stages::{Given, SlewingColumn};
 use crate::supports::column::symbols as s;
+use crate::supports::drive;
+use crate::supports::drive::checks::{StandingThere, about_the_axis};
+use crate::supports::drive::scene::{DRIVE, TurningScene};
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::upper;
 use crate::supports::upper::keys::{AREAS, LOAD_CASES, MOTION, SLOPE, UPPER};
@@ -34,19 +37,20 @@ pub const KEYS: &[Key] = keys! { s:
     Key::part("bearings", BEARINGS, "Sizes of the three bearings, for their pressures and friction."),
     Key::part("friction", FRICTION, "Friction of the three bearings."),
     Key::part("counterweight", COUNTERWEIGHT, "Where a counterweight would make the moment without load minus that with it."),
-    MOTION,
+    DRIVE, MOTION,
     Key::part("limits", LIMITS, "What results may come to at most.")
 };
 
 static BEARINGS: &[Key] = keys! { s: D_U > 0, B_U > 0, D_F > 0, B_F > 0, D_P > 0, D_I >= 0 [usually(0.0)] };
 static FRICTION: &[Key] = keys! { s: MU_U >= 0, MU_F >= 0, MU_P >= 0 };
 static COUNTERWEIGHT: &[Key] = keys! { s: R_D > 0 };
-const LIMITS: &[Key] = &Limit::keys::<6>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<12>(OUTLINE.limits);
 
 /// A column as the scene describes it; SI.
 #[derive(Clone, Debug)]
 pub struct ColumnScene {
     given: Given<f64>,
+    turning: TurningScene,
 }
 
 /// As scenes describe it.
@@ -70,6 +74,19 @@ fn suits(v: &Values, found: &mut Vec<Diagnostic>) {
     }
 }
 
+/// What resists slewing, another way.
+fn turned(this: &ColumnScene, model: &mut Standing) -> Option<Check> {
+    let given = &this.given;
+    let there = StandingThere {
+        bodies: &given.bodies,
+        areas: &given.areas,
+        slope: given.slope,
+        cases: &given.cases,
+        hung: [*given.reach, *given.load],
+    };
+    about_the_axis(model, &this.turning, &there)
+}
+
 impl Described for ColumnScene {
     type Component = SlewingColumn;
     const ID: &'static str = "slewing_column";
@@ -77,14 +94,15 @@ impl Described for ColumnScene {
     const OUTLINE: &'static Outline = &OUTLINE;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "upper_symbol",
-        own: &[s::ALL, upper::symbols::ALL],
-        shared: &[],
+        own: &[s::ALL, upper::symbols::ALL, drive::symbols::ALL],
+        shared: &drive::SHARED,
     };
 
-    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(ColumnScene, Motion)> {
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(ColumnScene, Motion)> {
         let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
         suits(v, found);
         let range = Motion::read(v.table("motion")?, found)?;
+        let turning = TurningScene::read(v, &["friction"], gravity, found)?;
         let given = Given {
             psi: One(&s::PSI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -98,9 +116,19 @@ impl Described for ColumnScene {
             bearings: v.part("bearings", Bearings::read)?,
             friction: v.part("friction", ColumnFriction::read)?,
             balancing: v.part("counterweight", EvenedAt::read)?,
+            gravity: turning.gravity,
+            drive: turning.drive,
+            rope: turning.rope,
+            works: turning.works.clone(),
+            places: turning.places.clone(),
+            holds: turning.holds.clone(),
+            brake: turning.brake,
+            limit: turning.limit,
+            pinion: turning.pinion,
+            turns: turning.choice,
             open: LeftOpen::read(v, &[&s::R, &s::Q]),
         };
-        Some((ColumnScene { given }, range))
+        Some((ColumnScene { given, turning }, range))
     }
 
     fn given(this: &Description<ColumnScene>) -> Given<f64> {
@@ -112,19 +140,23 @@ impl Described for ColumnScene {
     }
 
     fn identities(this: &Description<ColumnScene>, model: &mut Standing) -> Vec<Check> {
-        about_the_foot(model, *this.given.height)
+        let mut checks = about_the_foot(model, *this.given.height);
+        checks.extend(turned(this, model));
+        checks
     }
 
     fn assumptions(this: &Description<ColumnScene>) -> Vec<&'static str> {
         let pivot = this.given.friction.map(|_| "column_even");
         let rest = ["upper_level_static", "column_rigid"];
-        rest.into_iter().chain(pivot).collect()
+        let own = rest.into_iter().chain(pivot);
+        own.chain(this.turning.assumptions()).collect()
     }
 
     fn uncovered(this: &Description<ColumnScene>) -> Vec<&'static str> {
         let wind = this.given.areas.is_empty().then_some("wind");
         wind.into_iter()
             .chain(["upper_inertia", "column_strength", "dynamic_coefficients"])
+            .chain(this.turning.uncovered())
             .collect()
     }
 

@@ -14,7 +14,7 @@ const POINT: [&Symbol; 2] = [&s::F_CURVE, &s::M_CURVE];
 
 quantities! {
     /// How forces and moment make equivalent ones, and by what these are raised.
-    Equivalent { k_a: K_A, k_r: K_R, k_m: K_M, f_st: F_ST }
+    Equivalent { k_v: K_V, k_r: K_R, k_m: K_M, f_st: F_ST }
 }
 
 /// Equivalent and reference loads of a case (N, N·m), static safety, and use of the load curve.
@@ -34,7 +34,7 @@ results! { each StaticLoad as l => {
     U_ST: l.used;
 } }
 
-/// F_e = k_a V + k_r H, M_e = k_m M; F_st = f_st F_e, M_st = f_st M_e; S_0 to the load curve, u_st = f_st / S_0.
+/// F_e = k_v V + k_r H, M_e = k_m M; F_st = f_st F_e, M_st = f_st M_e; S_0 to the load curve, u_st = f_st / S_0.
 ///
 /// # Errors
 /// A load curve without points.
@@ -47,7 +47,7 @@ pub fn static_loads<C: Calc>(
     room.clear();
     for (at, load) in loads.iter().enumerate() {
         let one = || {
-            let force = (by.k_a * load.vertical + by.k_r * load.horizontal).def(&s::F_E);
+            let force = (by.k_v * load.vertical + by.k_r * load.horizontal).def(&s::F_E);
             let moment = (by.k_m * load.moment).def(&s::M_E);
             let reference = [(by.f_st * force).def(&s::F_REF), (by.f_st * moment).def(&s::M_REF)];
             let safety = curve.growth(force, moment, POINT)?.def(&s::S_0);

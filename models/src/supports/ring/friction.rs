@@ -3,9 +3,11 @@
 
 use crate::kernel::calc::Calc;
 use crate::kernel::group::{group, quantities};
+use crate::supports::drive::given::TurningDrive;
+use crate::supports::drive::symbols::M_FS;
 use crate::supports::ring::elements::{Raceway, RollingForces};
 use crate::supports::ring::symbols as s;
-use crate::supports::upper::load::SupportLoad;
+use crate::supports::upper::load::{SupportLoad, most};
 
 /// Makers' forms, as scenes name them: Rothe Erde's of ball and of roller rings, and another maker's of ball rings.
 pub const FORMS: [&str; 3] = ["ball", "roller", "ball_2.2"];
@@ -30,6 +32,16 @@ quantities! {
 /// M_fn = μ_n (D/2) Σ|N|, in N·m. [Ports001, 6.3.1.3]
 pub fn by_elements<C: Calc>(raceway: &Raceway<C>, friction: &ElementFriction<C>, spread: &RollingForces<C>) -> C {
     (friction.mu_n * raceway.d / C::constant(2.0) * spread.sum).def(&s::M_FN)
+}
+
+/// The greatest of the forms that there are, in N·m: each has its own coefficient, and the scene gives one at least.
+pub fn rubbing<C: Calc>(_: &TurningDrive<C>, elements: Option<&Vec<C>>, maker: Option<&Vec<C>>, room: &mut Vec<C>) {
+    let forms = [elements, maker];
+    let cases = forms.iter().flatten().map(|form| form.len()).max().unwrap_or(0);
+    room.clear();
+    room.extend(
+        (0..cases).map(|case| C::body(case, || most(forms.iter().flatten().map(|form| form[case])).def(&M_FS))),
+    );
 }
 
 /// M_fm = (μ_m/2) (4.4 M + V D + 3.806 H D) of a ball ring, in N·m. [Rothe Erde]

@@ -1,8 +1,10 @@
 //! What the book tells of a slewing ring, in its order.
 
 use crate::component::outline::Explained::Stage;
-use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
+use crate::component::outline::{Greatest, Limit, Line, Most, Outline, SectionOutline, chapters, joined};
 use crate::kernel::symbol::listed;
+use crate::supports::drive::outline as drive;
+use crate::supports::drive::symbols as d;
 use crate::supports::ring::symbols as s;
 use crate::supports::upper::symbols as u;
 
@@ -10,55 +12,77 @@ pub const OUTLINE: Outline = Outline {
     inputs: chapters!(
         ring_raceway "", load "Q", load "R", upper_bodies "upper", upper_slope "slope", upper_areas "areas",
         upper_cases "load_cases", ring_contact "contact", ring_capacity "capacity", ring_curve "capacity.curve",
-        ring_friction "friction", ring_maker "maker_friction", motion, limits
+        ring_friction "friction", ring_maker "maker_friction", turning_drive "slewing_drive", turning_brake "slewing_drive.brake", turning_coupling "slewing_drive.coupling", turning_pinion "slewing_drive.pinion",
+        motion, limits
     ),
-    constants: &[
-        ("upper_weights", &[Stage("upper")]),
-        ("ring_alone", &[Stage("alone")]),
-        ("ring_hardness", &[Stage("hardness")]),
-    ],
-    sections: &[
-        ("upper_loads", &[Stage("loads")]),
-        ("ring_elements", &[Stage("spreads")]),
-        ("ring_contact", &[Stage("stresses")]),
-        ("ring_static", &[Stage("statics")]),
-        ("ring_friction", &[Stage("turning"), Stage("makers")]),
-    ],
+    constants: &CONSTANTS,
+    sections: &SECTIONS,
     table: listed!(s: M_ALL, H_ALL, P_ALL),
-    curves: &[
-        ("upper_moment", None, &s::M),
-        ("upper_horizontal", None, &s::H),
-        ("upper_vertical", None, &s::V),
-        ("ring_greatest", None, &s::P_MAX),
-        ("ring_least", None, &s::P_MIN),
-    ],
-    extremes: &[
-        Greatest::new(&s::V_TOP, Most::Greatest, &s::V),
-        Greatest::new(&s::H_TOP, Most::Greatest, &s::H),
-        Greatest::new(&s::M_TOP, Most::Greatest, &s::M),
-        Greatest::new(&s::P_TOP, Most::Greatest, &s::P_MAX),
-        Greatest::new(&s::P_LOW, Most::Least, &s::P_MIN),
-        Greatest::new(&s::Q_LOW, Most::Least, &s::Q_FAR),
-        Greatest::new(&s::U_H_MAX, Most::Greatest, &s::U_H),
-        Greatest::new(&s::U_ST_MAX, Most::Greatest, &s::U_ST),
-        Greatest::new(&s::S_0_MIN, Most::Least, &s::S_0),
-        Greatest::new(&s::M_FN_MAX, Most::Greatest, &s::M_FN),
-        Greatest::new(&s::M_FM_MAX, Most::Greatest, &s::M_FM),
-    ],
-    summary: &[],
+    curves: &CURVES,
+    extremes: &EXTREMES,
+    summary: &drive::SUMMARY,
     sensitivity: listed!(s: P_TOP, U_ST_MAX, M_TOP),
-    limits: &[
-        Limit::at_most("ring_force", &s::P_TOP),
-        Limit::at_least("ring_uplift", &s::Q_LOW),
-        Limit::at_most("ring_contact", &s::U_H_MAX),
-        Limit::at_most("ring_use", &s::U_ST_MAX),
-        Limit::at_least("ring_safety", &s::S_0_MIN),
-    ],
+    limits: &LIMITS,
     uses: &[
         ("upper_heights", listed!(u: H_U)),
         ("upper_cases", listed!(u: K_Q, P_W, CHI_W)),
+        ("upper_cases", listed!(d: N_S, ALPHA_Q, K_B)),
         ("ring_curve", listed!(s: F_CURVE, M_CURVE)),
     ],
     forces: listed!(s: V, H, M, P_MAX, P_MIN),
     worst: &[("greatest_rolling_force", &s::P_TOP)],
 };
+
+const CONSTANTS: [SectionOutline; 5] = joined(OWN_CONSTANTS, drive::CONSTANTS);
+
+const OWN_CONSTANTS: [SectionOutline; 3] = [
+    ("upper_weights", &[Stage("upper")]),
+    ("ring_alone", &[Stage("alone")]),
+    ("ring_hardness", &[Stage("hardness")]),
+];
+
+const SECTIONS: [SectionOutline; 11] = joined(OWN_SECTIONS, drive::SECTIONS);
+
+const OWN_SECTIONS: [SectionOutline; 5] = [
+    ("upper_loads", &[Stage("loads")]),
+    ("ring_elements", &[Stage("spreads")]),
+    ("ring_contact", &[Stage("stresses")]),
+    ("ring_static", &[Stage("statics")]),
+    ("ring_friction", &[Stage("turning"), Stage("makers")]),
+];
+
+const CURVES: [Line; 8] = joined(OWN_CURVES, drive::CURVES);
+
+const OWN_CURVES: [Line; 5] = [
+    ("upper_moment", None, &s::M),
+    ("upper_horizontal", None, &s::H),
+    ("upper_vertical", None, &s::V),
+    ("ring_greatest", None, &s::P_MAX),
+    ("ring_least", None, &s::P_MIN),
+];
+
+const EXTREMES: [Greatest; 24] = joined(OWN_EXTREMES, drive::EXTREMES);
+
+const OWN_EXTREMES: [Greatest; 11] = [
+    Greatest::new(&s::V_TOP, Most::Greatest, &s::V),
+    Greatest::new(&s::H_TOP, Most::Greatest, &s::H),
+    Greatest::new(&s::M_TOP, Most::Greatest, &s::M),
+    Greatest::new(&s::P_TOP, Most::Greatest, &s::P_MAX),
+    Greatest::new(&s::P_LOW, Most::Least, &s::P_MIN),
+    Greatest::new(&s::Q_LOW, Most::Least, &s::Q_FAR),
+    Greatest::new(&s::U_H_MAX, Most::Greatest, &s::U_H),
+    Greatest::new(&s::U_ST_MAX, Most::Greatest, &s::U_ST),
+    Greatest::new(&s::S_0_MIN, Most::Least, &s::S_0),
+    Greatest::new(&s::M_FN_MAX, Most::Greatest, &s::M_FN),
+    Greatest::new(&s::M_FM_MAX, Most::Greatest, &s::M_FM),
+];
+
+const LIMITS: [Limit; 14] = joined(OWN_LIMITS, drive::LIMITS);
+
+const OWN_LIMITS: [Limit; 5] = [
+    Limit::at_most("ring_force", &s::P_TOP),
+    Limit::at_least("ring_uplift", &s::Q_LOW),
+    Limit::at_most("ring_contact", &s::U_H_MAX),
+    Limit::at_most("ring_use", &s::U_ST_MAX),
+    Limit::at_least("ring_safety", &s::S_0_MIN),
+];

@@ -15,6 +15,9 @@ use crate::kernel::symbol::Symbol;
 use crate::parts::load_curve::{LoadCurve, corner};
 use crate::parts::motion::Motion;
 use crate::parts::plane::Point;
+use crate::supports::drive;
+use crate::supports::drive::checks::{StandingThere, about_the_axis};
+use crate::supports::drive::scene::{DRIVE, TurningScene};
 use crate::supports::plan::{LeftOpen, each};
 use crate::supports::ring::capacity::Equivalent;
 use crate::supports::ring::checks::agreements;
@@ -44,14 +47,14 @@ pub const KEYS: &[Key] = keys! { s:
     Key::part("capacity", CAPACITY, "The maker's load curve of the ring, and the equivalent loads that it asks for."),
     Key::part("friction", FRICTION, "Friction by the forces on all rolling elements, with the textbook's coefficient."),
     Key::part("maker_friction", MAKER, "Friction by a maker's form, with that maker's coefficient."),
-    MOTION,
+    DRIVE, MOTION,
     Key::part("limits", LIMITS, "What results may come to at most, or at least.")
 };
 
 static CONTACT: &[Key] = keys! { s: E > 0 [usually(206e9)], NU >= 0 [usually(0.3)], RHO > 0, B_R > 0 [optional], HB > 0,
 K_HB > 0 [usually(2.7e6)] };
 static POINT: &[Key] = keys! { s: F_CURVE >= 0, M_CURVE >= 0 };
-static CAPACITY: &[Key] = keys! { s: K_A > 0 [usually(1.0)], K_R >= 0 [usually(5.046)], K_M > 0 [usually(1.0)],
+static CAPACITY: &[Key] = keys! { s: K_V > 0 [usually(1.0)], K_R >= 0 [usually(5.046)], K_M > 0 [usually(1.0)],
     F_ST > 0 [usually(1.25)];
     Key::new("curve", Kind::Tables(POINT, MANY), "Points of the load curve: the first without force, then with rising force.")
 };
@@ -59,12 +62,13 @@ static FRICTION: &[Key] = keys! { s: MU_N >= 0 };
 static MAKER: &[Key] = keys! { s: MU_M >= 0;
     Key::new("form", Kind::Choice(&FORMS), "The maker's form: Rothe Erde's of ball or of roller rings, or another maker's of ball rings, in which the horizontal force counts 2.2 times.")
 };
-const LIMITS: &[Key] = &Limit::keys::<6>(OUTLINE.limits);
+const LIMITS: &[Key] = &Limit::keys::<12>(OUTLINE.limits);
 
 /// A slewing ring as the scene describes it; SI.
 #[derive(Clone, Debug)]
 pub struct RingScene {
     given: Given<f64>,
+    turning: TurningScene,
 }
 
 /// As scenes describe it.
@@ -139,6 +143,19 @@ fn curve(capacity: &Values, found: &mut Vec<Diagnostic>) -> Option<LoadCurve> {
     Some(LoadCurve(points))
 }
 
+/// What resists slewing, another way.
+fn turned(this: &RingScene, model: &mut Standing) -> Option<Check> {
+    let given = &this.given;
+    let there = StandingThere {
+        bodies: &given.bodies,
+        areas: &given.areas,
+        slope: given.slope,
+        cases: &given.cases,
+        hung: [*given.reach, *given.load],
+    };
+    about_the_axis(model, &this.turning, &there)
+}
+
 impl Described for RingScene {
     type Component = SlewingRing;
     const ID: &'static str = "slewing_ring";
@@ -146,14 +163,15 @@ impl Described for RingScene {
     const OUTLINE: &'static Outline = &OUTLINE;
     const VOCABULARY: &'static Vocabulary = &Vocabulary {
         words: "upper_symbol",
-        own: &[s::ALL, upper::symbols::ALL],
-        shared: &[],
+        own: &[s::ALL, upper::symbols::ALL, drive::symbols::ALL],
+        shared: &drive::SHARED,
     };
 
-    fn read(v: &Values, _: f64, found: &mut Vec<Diagnostic>) -> Option<(RingScene, Motion)> {
+    fn read(v: &Values, gravity: f64, found: &mut Vec<Diagnostic>) -> Option<(RingScene, Motion)> {
         let one = |symbol: &'static Symbol| v.of(symbol).map(|value| One(symbol, value));
         let range = Motion::read(v.table("motion")?, found)?;
         let form = v.table("maker_friction").and_then(|table| table.text("form"));
+        let turning = TurningScene::read(v, &["friction", "maker_friction"], gravity, found)?;
         let given = Given {
             psi: One(&s::PSI, range.from),
             omega: One(&s::OMEGA, range.speed),
@@ -175,9 +193,19 @@ impl Described for RingScene {
             rolling: rolling(v, found)?,
             curve: v.part("capacity", |table| curve(table, found))?.unwrap_or_default(),
             form: MakerForm(FORMS.iter().position(|known| form == Some(known)).unwrap_or(0)),
+            gravity: turning.gravity,
+            drive: turning.drive,
+            rope: turning.rope,
+            works: turning.works.clone(),
+            places: turning.places.clone(),
+            holds: turning.holds.clone(),
+            brake: turning.brake,
+            limit: turning.limit,
+            pinion: turning.pinion,
+            turns: turning.choice,
             open: LeftOpen::read(v, &[&s::R, &s::Q]),
         };
-        Some((RingScene { given }, range))
+        Some((RingScene { given, turning }, range))
     }
 
     fn given(this: &Description<RingScene>) -> Given<f64> {
@@ -189,7 +217,9 @@ impl Described for RingScene {
     }
 
     fn identities(this: &Description<RingScene>, model: &mut Standing) -> Vec<Check> {
-        agreements(model, &this.given.rolling, this.given.raceway.d)
+        let mut checks = agreements(model, &this.given.rolling, this.given.raceway.d);
+        checks.extend(turned(this, model));
+        checks
     }
 
     fn assumptions(this: &Description<RingScene>) -> Vec<&'static str> {
@@ -203,13 +233,15 @@ impl Described for RingScene {
         } else {
             "ring_pressure"
         };
-        vec!["upper_level_static", law, rows, "ring_rigid"]
+        let own = ["upper_level_static", law, rows, "ring_rigid"];
+        own.into_iter().chain(this.turning.assumptions()).collect()
     }
 
     fn uncovered(this: &Description<RingScene>) -> Vec<&'static str> {
         let wind = this.given.areas.is_empty().then_some("wind");
         wind.into_iter()
             .chain(["upper_inertia", "ring_bolts", "dynamic_coefficients"])
+            .chain(this.turning.uncovered())
             .collect()
     }
 

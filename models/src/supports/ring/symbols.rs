@@ -1,6 +1,7 @@
 //! Quantities of a slewing ring besides those of what slews on it.
 
 use crate::kernel::symbol::{Range, symbols};
+pub use crate::supports::drive::symbols::{M_FS, RHO_C};
 pub use crate::supports::upper::symbols::{
     AGREEMENT, FROM, H, H_ALL, H_TOP, M, M_ALL, M_TOP, OMEGA, PSI, Q, R, TO, V, V_TOP,
 };
@@ -16,7 +17,7 @@ symbols! {
     B_R: "b_r" "b_\"r\"" M / MM [positive], "Length on which a roller bears.", "input";
     HB: "HB" "\"HB\"" ONE / ONE [positive], "Brinell hardness of the raceway.", "input";
     K_HB: "k_HB" "k_\"HB\"" PA / MPA [positive, unconfirmed], "Contact stress that may act for each unit of hardness.", "input";
-    K_A: "k_a" "k_\"a\"" ONE / ONE [positive, unconfirmed], "Factor of the vertical force in the equivalent force.", "input";
+    K_V: "k_v" "k_\"v\"" ONE / ONE [positive, unconfirmed], "Factor of the vertical force in the equivalent force.", "input";
     K_R: "k_r" "k_\"r\"" ONE / ONE [not_negative, unconfirmed], "Factor of the horizontal force in the equivalent force.", "input";
     K_M: "k_m" "k_\"m\"" ONE / ONE [positive, unconfirmed], "Factor of the moment in the equivalent moment.", "input";
     F_ST: "f_st" "f_\"st\"" ONE / ONE [positive, unconfirmed], "Factor of the equivalent loads with which the ring is looked up in its load curve.", "input";

@@ -15,7 +15,7 @@ quantities! {
 /// Loads of a case: forces in N, moments in N·m, vectors along the boom and to the left of it.
 #[derive(Clone, Copy, Debug)]
 pub struct SupportLoad<C> {
-    load: C,
+    pub load: C,
     weight: C,
     upright: C,
     leaning: Option<C>,
@@ -102,6 +102,13 @@ impl<C: Calc> SupportLoad<C> {
             horizontal: amount(forces).def(&s::H),
             moment: amount(moments).def(&s::M),
         }
+    }
+}
+
+impl<C: Calc> SupportLoad<C> {
+    /// Direction to which the wind blows, from that of the boom, in rad.
+    pub fn to(&self) -> Option<C> {
+        self.wind.map(|wind| wind[0])
     }
 }
 

@@ -1,0 +1,53 @@
+//! An independent way to what resists slewing.
+
+use crate::component::sheet::Check;
+use crate::component::standing::Standing;
+use crate::component::telling::{fine, numbered};
+use crate::kernel::calc::Calc;
+use crate::supports::drive::scene::TurningScene;
+use crate::supports::drive::symbols as s;
+use crate::supports::upper::load::SupportCase;
+use crate::supports::upper::symbols as u;
+use crate::supports::upper::weights::{UpperArea, UpperSlope, UpperWeight};
+
+/// What stands on the support, as the scene gives it.
+pub struct StandingThere<'a> {
+    pub bodies: &'a [UpperWeight<f64>],
+    pub areas: &'a [UpperArea<f64>],
+    pub slope: Option<UpperSlope<f64>>,
+    pub cases: &'a [SupportCase<f64>],
+    /// Reach (m) and load (N).
+    pub hung: [f64; 2],
+}
+
+/// The moment of slope and wind against forces at their places in directions that do not slew: their difference over the sum
+/// of all amounts.
+pub fn about_the_axis(model: &mut Standing, turning: &TurningScene, there: &StandingThere) -> Option<Check> {
+    turning.drive?;
+    let down = there.slope.map_or(0.0, |slope| Calc::sin(slope.gamma));
+    let mut apart = 0.0_f64;
+    for at in fine(model.motion()).collect::<Vec<_>>() {
+        let found = numbered(model, &s::M_Z, at);
+        let (across, ahead) = Calc::sin_cos(at);
+        for (case, found) in there.cases.iter().zip(found) {
+            let load = (case.k_q * there.hung[1], there.hung[0]);
+            let weights = there.bodies.iter().map(|body| (body.g_u, body.r_u)).chain([load]);
+            let weighed = weights.map(|(weight, r)| [-weight * down * (r * across), 0.0]);
+            let (aside, along) = Calc::sin_cos(case.chi_w);
+            let areas = there.areas.iter().zip(&turning.places);
+            let blown = areas.map(|(area, place)| {
+                let force = case.p_w * area.a_w;
+                [
+                    place.r_w * ahead * (force * aside),
+                    -place.r_w * across * (force * along),
+                ]
+            });
+            let (mut sum, mut size) = (0.0, f64::MIN_POSITIVE);
+            for [one, other] in weighed.chain(blown) {
+                (sum, size) = (sum + one + other, size + one.abs() + other.abs());
+            }
+            apart = apart.max((found - sum).abs() / size);
+        }
+    }
+    Some(Check::at_most("turning_axis", &u::AGREEMENT, apart, 1e-12))
+}

@@ -1,0 +1,54 @@
+//! The drive by which a crane slews on its support: what resists it in each load case over the slewing angle, its motors with
+//! start and heating, brakes, couplings that slip, and pinions on the toothed ring. [Ports001, 6.4 and 6.5, of which the
+//! contents name the moments and the forms are derived]
+//!
+//! ```text
+//!   motor --||-- coupling -- gear, i_sl : 1 -- pinion r_z
+//!   T_b brake                                     |  toothed ring r_g about the slewing axis
+//! ```
+//!
+//! A steady moment is that of the way round in which slope and wind resist. A start has them against it; the longest stop has
+//! them from behind, the hardest against it.
+//!
+//! | id | function | source |
+//! |---|---|---|
+//! | `drive.inertia` | [`inertia::TurnedWorks::new`], [`inertia::Outswing::new`] | Ports001, 6.5.1; implicit function |
+//! | `drive.resistance` | [`resistance::TurningMoments::new`] | Ports001, 6.5.1 |
+//! | `drive.motor` | [`motor::TurningMotor::new`], [`motor::TurningHeat::new`] | Ports001, 6.5.2 |
+//! | `drive.brake` | [`brake::TurningHold::new`], [`brake::TurningStop::new`], [`brake::Coupled::new`] | Ports001, 6.5.4 |
+//! | `drive.pinion` | [`pinion::meshed`], [`pinion::PinionForce::new`] | Ports001, 6.5.4; Hertz, Lewis |
+
+pub mod brake;
+pub mod checks;
+pub mod given;
+pub mod inertia;
+pub mod motor;
+pub mod outline;
+pub mod pinion;
+pub mod resistance;
+pub mod scene;
+pub mod symbols;
+
+use crate::kernel::gravity;
+use crate::kernel::symbol::{Symbol, listed};
+use crate::parts::{self, hanging, teeth};
+use crate::supports::drive::symbols as s;
+
+/// Symbols that it shares with other drives.
+pub const SHARED: [&[&Symbol]; 5] = [
+    parts::motor::ALL,
+    teeth::ALL,
+    crate::drive::symbols::ALL,
+    hanging::ALL,
+    gravity::ALL,
+];
+
+/// Whether there is a result of the drive: without a slope (0) and wind areas (1) there is nothing of them, without a drive
+/// (0) and a rope (1) nothing of these.
+pub fn has(symbol: &Symbol, [inclined, blown]: [bool; 2], [drives, hangs]: [bool; 2]) -> bool {
+    let of = |there: &[&Symbol]| there.contains(&symbol);
+    (drives || !of(listed!(s: P_SL_RMS, U_SL_RMS)))
+        && (inclined || symbol != &s::M_GZ)
+        && (blown || !of(listed!(s: M_WZ, S_R)))
+        && (hangs || !of(listed!(s: THETA_Q, R_O)))
+}

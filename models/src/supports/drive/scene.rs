@@ -1,0 +1,174 @@
+//! What a scene says of its slewing drive, beside the support that it turns.
+
+use crate::kernel::diagnostic::Diagnostic;
+use crate::kernel::group::One;
+use crate::kernel::keys::keys;
+use crate::kernel::schema::{Key, Kind, Values};
+use crate::kernel::symbol::Symbol;
+use crate::parts::motor::{CaseBrake, CaseHold};
+use crate::supports::drive::given::{RingPinion, TurnedArea, TurningCase, TurningChoice, TurningDrive};
+use crate::supports::drive::symbols as s;
+
+/// Beside the support.
+pub const DRIVE: Key = Key::part(
+    "slewing_drive",
+    KEYS,
+    "The slewing drive: motors, gears, brakes, pinions.",
+);
+
+/// Where the toothed ring has its teeth.
+const SIDES: [&str; 2] = ["outside", "inside"];
+
+const KEYS: &[Key] = keys! { s:
+    Z_D > 0 [usually(1.0)], I_SL > 0, ETA_SL > 0, J_E >= 0 [usually(0.0)], P_N > 0, N_N > 0, LAMBDA_M > 0, K_A > 0, J_M > 0,
+    L_R > 0 [optional];
+    Key::new("heating", Kind::Count([1, 64]), "The load case for whose slewing to either side the heating of the motors is asked."),
+    Key::part("brake", BRAKE, "The brake on each motor's shaft."),
+    Key::part("coupling", COUPLING, "The coupling behind each motor, which slips."),
+    Key::part("pinion", PINION, "The pinion of each drive, and the toothed ring.")
+};
+
+const BRAKE: &[Key] = keys! { s: T_B > 0, TAU_B >= 0 };
+const COUPLING: &[Key] = keys! { s: K_LIM > 0 [usually(1.1)] };
+const PINION: &[Key] = keys! { s: R_Z > 0, R_G > 0, K_F > 0, Y_F > 0, B_Z > 0, M_T > 0, ALPHA_T > 0, E_T > 0, NU_T >= 0;
+    Key::new("teeth", Kind::Choice(&SIDES), "Whether the ring has its teeth outside or inside.")
+};
+
+/// A slewing drive as the scene describes it; nothing where it has none.
+#[derive(Clone, Debug, Default)]
+pub struct TurningScene {
+    pub drive: Option<TurningDrive<f64>>,
+    pub gravity: Option<One<f64>>,
+    pub rope: Option<One<f64>>,
+    /// Of each load case, and of each wind area.
+    pub works: Vec<TurningCase<f64>>,
+    pub places: Vec<TurnedArea<f64>>,
+    pub holds: Vec<CaseHold<f64>>,
+    pub brake: Option<CaseBrake<f64>>,
+    pub limit: Option<One<f64>>,
+    pub pinion: Option<RingPinion<f64>>,
+    pub choice: TurningChoice,
+}
+
+impl TurningScene {
+    /// Of a support whose friction is in one of these tables, under gravity (m/s²); mistakes go to `found`.
+    pub fn read(v: &Values, friction: &[&str], gravity: f64, found: &mut Vec<Diagnostic>) -> Option<TurningScene> {
+        let (before, table) = (found.len(), v.table("slewing_drive"));
+        let brake = table.and_then(|table| table.table("brake"));
+        let cases = v.tables("load_cases");
+        let drive = "[supports.slewing_drive]";
+        each(cases, &s::N_S, table.is_some(), (drive, "0 1/min"), found);
+        each(cases, &s::ALPHA_Q, table.is_some(), (drive, "0 deg"), found);
+        each(
+            cases,
+            &s::K_B,
+            brake.is_some(),
+            ("[supports.slewing_drive.brake]", "1.25"),
+            found,
+        );
+        each(v.tables("areas"), &s::R_W, table.is_some(), (drive, "0 m"), found);
+        let Some(table) = table else {
+            return (found.len() == before).then(TurningScene::default);
+        };
+        if !friction.iter().any(|name| v.has(name)) {
+            let help = format!("add [supports.{}]", friction[0]);
+            found.push(v.refuse(
+                "drive",
+                "a drive without friction of what it turns",
+                "friction is needed",
+                help,
+            ));
+        }
+        let heating = table.count("heating")? as usize - 1;
+        suits(table, cases, heating, found);
+        let one = |symbol: &'static Symbol| table.of(symbol).map(|value| One(symbol, value));
+        let pinion = table.table("pinion");
+        let read = TurningScene {
+            drive: TurningDrive::read(table),
+            gravity: Some(One(&s::G, gravity)),
+            rope: one(&s::L_R),
+            works: cases.iter().filter_map(TurningCase::read).collect(),
+            places: v.tables("areas").iter().filter_map(TurnedArea::read).collect(),
+            holds: cases.iter().filter_map(CaseHold::read).collect(),
+            brake: brake.and_then(CaseBrake::read),
+            limit: one(&s::K_LIM),
+            pinion: pinion.and_then(RingPinion::read),
+            choice: TurningChoice {
+                heating,
+                inside: pinion.and_then(|pinion| pinion.text("teeth")) == Some(SIDES[1]),
+            },
+        };
+        (found.len() == before).then_some(read)
+    }
+}
+
+impl TurningScene {
+    /// Ids of what its model takes for granted.
+    pub fn assumptions(&self) -> impl Iterator<Item = &'static str> {
+        let sways = self.works.iter().any(|case| case.alpha > 0.0);
+        let load = if sways { "turning_sway" } else { "turning_load" };
+        self.drive.iter().flat_map(move |_| ["turning_places", load])
+    }
+
+    /// Ids of what it does not calculate.
+    pub fn uncovered(&self) -> Option<&'static str> {
+        self.drive.map(|_| "turning_starter")
+    }
+}
+
+/// Refuses a quantity of each of these tables that is missing where it is needed, or there where it has no use: a table
+/// needs it, of which an example of it is given.
+fn each(
+    tables: &[Values],
+    symbol: &'static Symbol,
+    needed: bool,
+    (by, example): (&str, &str),
+    found: &mut Vec<Diagnostic>,
+) {
+    for table in tables {
+        let id = symbol.id;
+        match (needed, table.has(id)) {
+            (true, false) => {
+                let label = format!("{by} needs {id}");
+                let help = format!("add {id} = \"{example}\", or what it is");
+                found.push(table.refuse(id, format!("`{id}` is missing here"), label, help));
+            }
+            (false, true) => {
+                let help = format!("add {by}, or remove it");
+                found.push(table.refuse(id, format!("`{id}` without {by}"), "not used", help));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Refuses part of a drive, motors that nothing heats, a coupling without a brake, and a ring within its pinion.
+fn suits(table: &Values, cases: &[Values], heating: usize, found: &mut Vec<Diagnostic>) {
+    if let Some(count) = table.of(&s::Z_D).filter(|count| count.fract() != 0.0) {
+        let what = format!("z_d = {} drives", s::Z_D.written(count));
+        found.push(table.refuse(s::Z_D.id, what, "no number of drives", "give a whole number"));
+    }
+    match cases.get(heating).map(|case| case.number(s::N_S.id)) {
+        None => {
+            let what = format!("heating in load case {}, and there are {}", heating + 1, cases.len());
+            found.push(table.refuse("heating", what, "there is none", "name the number of a load case"));
+        }
+        Some(Some(0.0)) => {
+            let what = format!("in load case {} nothing slews: it heats no motor", heating + 1);
+            let help = "name a load case with a speed n_s";
+            found.push(table.refuse("heating", what, "at rest", help));
+        }
+        Some(_) => {}
+    }
+    if table.has("coupling") && !table.has("brake") {
+        let help = "add [supports.slewing_drive.brake]: the coupling must transmit what it gives";
+        found.push(table.refuse("coupling", "a coupling without a brake", "a brake is needed", help));
+    }
+    let Some(pinion) = table.table("pinion") else { return };
+    let radii = pinion.of(&s::R_Z).zip(pinion.of(&s::R_G));
+    if let Some((own, ring)) = radii.filter(|(own, ring)| ring <= own && pinion.text("teeth") == Some(SIDES[1])) {
+        let [own, ring] = [s::R_Z.written(own), s::R_G.written(ring)];
+        let what = format!("a ring of r_g = {ring} with teeth inside, and a pinion of r_z = {own}");
+        found.push(pinion.refuse(s::R_G.id, what, "the pinion has no room", "give r_g above r_z"));
+    }
+}

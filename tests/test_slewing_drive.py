@@ -1,0 +1,88 @@
+"""The drive of a crane that slews on a ring in FMPy, both standards and both interfaces, and in the book."""
+
+import math
+
+import numpy as np
+import pytest
+from fmpy import read_model_description, simulate_fmu
+from fmpy.validation import validate_fmu
+
+from conftest import ROOT, lemnis, words
+
+ENDS = {"FMI 2": ".fmi2.fmu", "FMI 3": ".fmu"}
+SCENE = ROOT / "models/scenes/slewing_portal.toml"
+G = 9.81
+# Weights and places of the scene; its slope; wind areas with their places; cases with load, pressure, speed in 1/min.
+UPPER = [(62e3 * G, -1.1), (19e3 * G, 8.5), (24e3 * G, -5.2)]
+SLOPE = math.radians(0.3)
+AREAS = [(38.0, -0.5), (24.0, 8.5)]
+CASES = [(1.0, 250.0, 1.5), (1.25, 40.0, 0.5), (0.0, 800.0, 0.0)]
+RATIO, EFFICIENCY, DRIVES, OWN, SHAFT = 640.0, 0.85, 2.0, 1.2e6, 0.9
+
+
+def by_hand(psi, reach, load, case, friction):
+    """Moment of slope and wind about the axis, steady moment, power, and time of a start, the wind blowing across the slope."""
+    factor, pressure, speed = CASES[case]
+    load, omega = factor * load, speed / 60 * 2 * np.pi
+    outer = -np.sin(SLOPE) * np.sin(psi) * (sum(g * r for g, r in UPPER) + load * reach) \
+        + pressure * np.cos(psi) * sum(a * r for a, r in AREAS)
+    swung = np.array([outswing(omega, one, 20.0) for one in reach])
+    inertia = OWN + sum(g / G * r * r for g, r in UPPER) + load / G * swung**2
+    steady = friction + np.abs(outer)
+    against = steady / (RATIO * DRIVES * EFFICIENCY)
+    spare = 1.6 * 22e3 / (960 / 60 * 2 * np.pi) - against
+    start = (SHAFT + inertia / (RATIO**2 * DRIVES * EFFICIENCY)) * omega * RATIO / spare
+    return outer, steady, against * omega * RATIO, start
+
+
+def outswing(omega, reach, rope):
+    """Distance from the axis of a load that swings out, by bisection."""
+    low, high = 0.0, math.pi / 2
+    for _ in range(60):
+        middle = (low + high) / 2
+        out = omega**2 * (reach + rope * math.sin(middle)) * math.cos(middle) > G * math.sin(middle)
+        low, high = (middle, high) if out else (low, middle)
+    return reach + rope * math.sin(low)
+
+
+@pytest.fixture(scope="module")
+def fmus(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("drive")
+    lemnis("fmu", SCENE, "--output", folder)
+    return {standard: str(folder / f"SlewingPortal{end}") for standard, end in ENDS.items()}
+
+
+@pytest.mark.parametrize("standard", ENDS)
+def test_its_parameters_and_results(fmus, standard):
+    assert not validate_fmu(fmus[standard])
+    variables = {variable.name: variable for variable in read_model_description(fmus[standard]).modelVariables}
+    assert {name: variables[name].causality for name in ("i_sl", "n_s[1]", "r_w[2]", "g", "J_0", "M_st[1]", "t_stop[2]", "F_t[1]")} == {
+        "i_sl": "parameter", "n_s[1]": "parameter", "r_w[2]": "parameter", "g": "parameter", "J_0": "calculatedParameter",
+        "M_st[1]": "output", "t_stop[2]": "output", "F_t[1]": "output"}
+
+
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+@pytest.mark.parametrize("standard", ENDS)
+def test_a_drive_that_slews_and_a_reach_that_changes(fmus, standard, kind):
+    times = np.linspace(0.0, 40.0, 41)
+    given = {"psi": np.radians(9.0) * times, "R": 8.0 + 0.3 * times, "Q": 150e3 - 1e3 * times}
+    inputs = np.array(list(zip(times, *given.values())), dtype=[(name, float) for name in ("time", *given)])
+    names = [f"{name}[{case}]" for name in ("M_z", "M_st", "P_M", "t_start", "M_fn", "M_fm") for case in (1, 2, 3)]
+    result = simulate_fmu(fmus[standard], fmi_type=kind, stop_time=40.0, output_interval=1.0, input=inputs,
+                          output=["psi", "R", "Q", *names])
+    for case in range(3):
+        friction = np.maximum(result[f"M_fn[{case + 1}]"], result[f"M_fm[{case + 1}]"])
+        wanted = by_hand(result["psi"], result["R"], result["Q"], case, friction)
+        for name, one in zip(("M_z", "M_st", "P_M", "t_start"), wanted):
+            assert np.allclose(result[f"{name}[{case + 1}]"], one, rtol=1e-10, atol=1e-6), name
+
+
+@pytest.mark.parametrize("language", ["en", "zh", "bg"])
+def test_the_book_has_all_of_it(language, tmp_path):
+    lemnis("book", SCENE, "--language", language, "--format", "typ", "--output", tmp_path)
+    book = (tmp_path / "SlewingPortal.typ").read_text(encoding="utf-8")
+    known = words(language)
+    for section in ("works", "mesh", "steady", "moments", "motor", "hold", "stop", "teeth"):
+        assert known["section"][f"turning_{section}"] in book, section
+    for check in ("heating", "overload", "start", "quick", "hold", "stop", "hard", "bending", "contact", "axis"):
+        assert known["check"][f"turning_{check}"] in book, check
