@@ -4,8 +4,9 @@ use crate::kernel::group::{group, quantities};
 use crate::supports::drive::symbols as s;
 
 quantities! {
-    /// Own inertias of what is turned (kg·m²); drives with their motors: number, ratio and efficiency to the slewing axis; rated power (W) and speed (1/s),
-    /// greatest power and mean starting torque over the rated ones, inertia of the shaft (kg·m²).
+    /// Own inertias of what is turned (kg·m²); drives with their motors: number, ratio and efficiency to the slewing axis;
+    /// rated power (W) and speed (1/s), greatest power and mean starting torque over the rated ones, inertia of the shaft
+    /// (kg·m²).
     TurningDrive { j_e: J_E, z: Z_D, i: I_SL, eta: ETA_SL, p_n: P_N, n_n: N_N, lambda: LAMBDA_M, k_a: K_A, j: J_M }
 }
 
