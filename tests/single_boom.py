@@ -59,6 +59,23 @@ def solved(rates, y, times, steps=250):
     return np.array(states).T
 
 
+# What tells where the load is, and how it moves, in a row.
+ROPE = ["phi_R", "omega_R", "l_R"]
+
+
+def states(row, head, rope=None):
+    """Angle, angular velocity and, where it swings, the load as a point in the plane with its velocity: on a rope of a length
+    (m) of which the mechanism takes so much for one radian of the bar."""
+    own = [row["phi"], row["omega"]]
+    if rope is None:
+        return own
+    long, taken = rope
+    along = np.array([np.sin(row["phi_R"]), -np.cos(row["phi_R"])])
+    across = np.array([-along[1], along[0]])
+    speed = head[1] * row["omega"] - along * taken * row["omega"] + across * long * row["omega_R"]
+    return [*own, *(head[0] + along * long), *speed]
+
+
 def runs(paths, stop, output):
     """Of both standards by both interfaces."""
     return {(standard, kind): simulate_fmu(path, fmi_type=kind, stop_time=stop, output_interval=0.25, relative_tolerance=1e-10,

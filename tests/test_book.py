@@ -524,6 +524,20 @@ def test_chapters_and_positions_are_those_of_the_scene(tmp_path):
     assert "75" in outline[1]
 
 
+def test_a_symbol_that_a_table_shows_first_is_defined_where_its_formula_stands(tmp_path):
+    text = (ROOT / "models/scenes/rope_luffing_drive.toml").read_text(encoding="utf-8")
+    motion = (ROOT / "models/scenes/rope_motion.toml").read_text(encoding="utf-8")
+    more = motion[motion.index("[luffing.dynamics]"):motion.index("[luffing.limits]")]
+    text = text.replace("[luffing]\n", '[book]\nchapters = ["cases", "motion"]\n\n[luffing]\nfidelity = "swing"\n', 1)
+    (tmp_path / "crane.toml").write_text(text.replace("[luffing.limits]", more + "[luffing.limits]", 1), encoding="utf-8")
+    lemnis("book", tmp_path / "crane.toml", "--format", "typ", "--output", tmp_path)
+    source = next(tmp_path.glob("*.typ")).read_text(encoding="utf-8")
+    name = r'\("((?:[^"\\]|\\.)*)"'
+    defined = set(re.findall("#define" + name, source))
+    assert "x'_A" in defined and set(re.findall("[^#]go" + name, source)) <= defined
+    lemnis("book", tmp_path / "crane.toml", "--output", tmp_path)
+
+
 def test_symbols_link_to_their_definition_and_the_index_knows_the_page(standard):
     reader = pypdf.PdfReader(standard)
     links = [a for page in reader.pages for a in page.get("/Annots", []) if a.get_object()["/Subtype"] == "/Link"]

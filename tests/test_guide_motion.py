@@ -63,7 +63,8 @@ def test_what_moves_is_described(fmus, standard):
     variables = {variable.name: variable for variable in read_model_description(paths[standard]).modelVariables}
     states = {"phi", "omega"} | ({"phi_R", "omega_R"} if level == "swing" else set())
     assert states <= set(variables) and {"M_A", "M_S", "der(phi)", "der(omega)", "M_R"} <= set(variables)
-    assert "As at rest" in variables["M_D"].description and "As at rest" not in variables["M_R"].description
+    assert "As at rest" in variables["M_Q"].description and "As at rest" not in variables["M_R"].description
+    assert all("In motion" in variables[name].description for name in ["M_D", "F_B.x", "F_C.y", "N_l", "F_O1.x", "F_K.y"])
 
 
 def test_a_run_is_that_of_equations_solved_elsewhere(fmus):
@@ -78,3 +79,47 @@ def test_a_run_is_that_of_equations_solved_elsewhere(fmus):
     found = single_boom.solved(rates(swings, MOMENT), start, first["time"])
     assert first["phi"][-1] - first["phi"][0] > 0.1
     single_boom.agrees(runs, found, np.array([head(phi)[0] for phi in found[0]]))
+
+
+def cross(a, b):
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def test_forces_are_those_of_the_motion(fmus):
+    """By Newton and Euler of the whole, about O1, with the accelerations of the equations above; the boom alone gives the link."""
+    level, paths = fmus
+    swings = level == "swing"
+    names = ["phi", "omega", "M_D", "P_D", "F_B.x", "F_C.x", "F_C.y", "N_l", "F_O1.x", "F_O1.y", "F_K.x", "F_K.y"]
+    runs = single_boom.runs(paths, 10.0, names + (single_boom.ROPE[:2] if swings else []))
+    up = np.array([0.0, G])
+    for key, run in runs.items():
+        for row in run[1:]:
+            phi, omega = row["phi"], row["omega"]
+            y = single_boom.states(row, head(phi), [ROPE, 0.0] if swings else None)
+            rated = rates(swings, MOMENT)(0.0, y)
+            turning = rated[1]
+            sin, cos, sin_s, cos_s = math.sin(phi), math.cos(phi), math.sin(phi + CHI), math.cos(phi + CHI)
+            # Mass, place, travel and its change for one radian: boom, link, counterweight.
+            parts = [(G_B, (R_B * cos_s, R_B * sin_s - 2 * C * sin), (-R_B * sin_s, R_B * cos_s - 2 * C * cos)),
+                     (G_L, (R_L * cos, -R_L * sin), (-R_L * sin, -R_L * cos)),
+                     (G_C, (-R_C * cos, R_C * sin), (R_C * sin, R_C * cos))]
+            pushes = [(place, mass * (np.array(travel) * turning - np.array(place) * omega ** 2 + up))
+                      for mass, place, travel in parts]
+            if swings:
+                pushes.append((y[2:4], Q * (np.array(rated[4:6]) + up)))
+            else:
+                at, travel, bend = head(phi)
+                pushes.append((at, Q * (travel * turning + bend * omega ** 2 + up)))
+            # Drive and friction turn the link the other way than the boom's angle.
+            moment = sum(cross(place, push) for place, push in pushes) + (J_B - J_L) * turning
+            foot = -2 * C * sin
+            guide = (moment + MOMENT - VISCOUS * omega - COULOMB) / -foot
+            whole = sum(push for _, push in pushes)
+            size = math.hypot(*whole) + abs(guide)
+            on_boom = pushes[0][1] + pushes[3][1] - [guide, 0.0]
+            expected = {"F_B.x": guide, "F_O1.x": whole[0] - guide, "F_O1.y": whole[1], "F_C.x": on_boom[0],
+                        "F_C.y": on_boom[1], "N_l": -(on_boom @ [cos, -sin]), "F_K.x": -pushes[2][1][0],
+                        "F_K.y": -pushes[2][1][1]}
+            for name, value in expected.items():
+                assert abs(row[name] - value) < 1e-9 * size, (key, row["time"], name, row[name], value)
+            assert row["M_D"] == MOMENT and math.isclose(row["P_D"], MOMENT * omega, rel_tol=1e-12)

@@ -76,6 +76,7 @@ def test_what_moves_is_described(fmus, standard):
     states = {"phi", "omega"} | ({"phi_R", "omega_R", "l_R"} if level == "swing" else set())
     assert states <= set(variables) and {"M_A", "M_S", "der(phi)", "der(omega)", "M_R", "T_dyn"} <= set(variables)
     assert "As at rest" in variables["T"].description and "As at rest" not in variables["T_dyn"].description
+    assert all("with the inertia" in variables[name].description for name in ["F_O1.x", "F_O1.y", "N_b", "S_h"])
 
 
 def test_a_run_is_that_of_equations_solved_elsewhere(fmus):
@@ -100,6 +101,46 @@ def test_a_run_is_that_of_equations_solved_elsewhere(fmus):
             assert np.ptp(long) > 1.0
             speed = np.array([-below(phi)[1] * omega for phi, omega in zip(found[0], found[1])])
             assert np.max(np.abs(run["v_Q"] - speed)) < 10 * bound * ROPE, key
+
+
+def test_forces_are_those_of_the_motion(fmus):
+    """The whole crane by Newton, with the accelerations of the equations above: tackle, hoist rope, weights and foot give it
+    the change of its momentum."""
+    level, paths = fmus
+    swings = level == "swing"
+    names = ["phi", "omega", "F_O1.x", "F_O1.y", "N_b", "S_h", "M_Rc", "M_Rv", "M_Rs", "T_dyn"]
+    runs = single_boom.runs(paths, 4.0, names + (single_boom.ROPE + ["F_A.x", "F_A.y"] if swings else []))
+    for key, run in runs.items():
+        for row in run[1:]:
+            phi, omega = row["phi"], row["omega"]
+            places = head(phi)
+            led = below(phi)
+            y = single_boom.states(row, places, [row["l_R"], led[1]] if swings else None)
+            rated = rates(swings, MOMENT)(0.0, y)
+            centre, travel, bend = turned(R_B, phi + CHI)
+            up = np.array([0.0, G])
+            boom = G_B * (travel * rated[1] + bend * omega ** 2 + up)
+            down = np.array([0.0, 1.0])
+            load = np.array(rated[4:6]) if swings else ((places[1] + down * led[1]) * rated[1]
+                                                        + (places[2] + down * led[2]) * omega ** 2)
+            on_load = Q * (load + up)
+            tension = math.hypot(*on_load) if swings else on_load[1]
+            to_sheave = SHEAVE - places[0]
+            point = turned(30.0, phi + math.radians(1.5))[0]
+            to_frame = np.array([-4.5, 13.0]) - point
+            arm = (point[0] * to_frame[1] - point[1] * to_frame[0]) / math.hypot(*to_frame)
+            frame = tension / FALLS * to_sheave / math.hypot(*to_sheave) + MOMENT / arm * to_frame / math.hypot(*to_frame)
+            foot = boom + on_load - frame
+            size = math.hypot(*foot) + math.hypot(*frame)
+            assert np.allclose([row["F_O1.x"], row["F_O1.y"]], foot, rtol=0, atol=1e-9 * size), (key, row["time"])
+            along = foot @ [math.cos(phi), math.sin(phi)]
+            assert abs(row["N_b"] + along) < 1e-9 * size and abs(row["S_h"] - tension / FALLS) < 1e-9 * size
+            assert [row["M_Rc"], row["M_Rs"]] == [-COULOMB, 0.0] and math.isclose(row["M_Rv"], -VISCOUS * omega)
+            if swings:
+                assert np.allclose([row["F_A.x"], row["F_A.y"]], -on_load, rtol=0, atol=1e-9 * size)
+    # The inertia that forces of rest leave out counts.
+    first = runs["FMI 3", "CoSimulation"][1:]
+    assert np.max(np.abs(first["S_h"] - Q * G / FALLS)) > 0.01 * Q * G
 
 
 # Raised fast, stopped by a brake that stands while the boom goes on, the load lifted all the while.

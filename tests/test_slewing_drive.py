@@ -86,3 +86,14 @@ def test_the_book_has_all_of_it(language, tmp_path):
         assert known["section"][f"turning_{section}"] in book, section
     for check in ("heating", "overload", "start", "quick", "hold", "stop", "hard", "bending", "contact", "axis"):
         assert known["check"][f"turning_{check}"] in book, check
+
+
+def test_a_curve_is_broken_where_a_brake_never_stops(tmp_path):
+    text = SCENE.read_text(encoding="utf-8").replace('T_b   = "250 N.m"', 'T_b   = "1 N.m"', 1)
+    (tmp_path / "crane.toml").write_text(text[:text.index("[supports.limits]")], encoding="utf-8")
+    # It does not hold either.
+    assert "turning_hold" in lemnis("check", tmp_path / "crane.toml", expect=4)
+    lemnis("book", tmp_path / "crane.toml", "--output", tmp_path, expect=4)
+    lemnis("book", tmp_path / "crane.toml", "--format", "typ", "--output", tmp_path, expect=4)
+    source = next(tmp_path.glob("*.typ")).read_text(encoding="utf-8")
+    assert words("en")["curve"]["turning_stop"] in source

@@ -369,6 +369,7 @@ fn a_balance_in_motion_keeps_power_and_equilibrium() {
                     alpha,
                     turning: Some(turning),
                     pull: None,
+                    tension: None,
                     shares: none,
                 };
                 let balance = ForcesInMotion::new(&pose, &at, G).balance.expect("there");

@@ -14,7 +14,8 @@ use lemnis_models::parts::hoist::Hoist;
 use lemnis_models::parts::motion::Motion;
 use lemnis_models::scene::Scene;
 use single_boom::{
-    G, derivatives_are_those_of_the_values, holds_as_at_rest, model, moves_by, slopes_are_derivatives, swings_by,
+    G, balanced, derivatives_are_those_of_the_values, holds_as_at_rest, model, moves_by, slopes_are_derivatives,
+    swings_by,
 };
 
 const SCENE: &str = include_str!("../scenes/ellipsograph.toml");
@@ -176,12 +177,23 @@ fn work_is_energy() {
 const MOTION: &str = "J_b = \"900000 kg.m2\"\nJ_l = \"100000 kg.m2\"\n";
 const LEVELS: [(&str, &str); 2] = [("rigid", ""), ("swing", "l_R = \"15 m\"\n")];
 
-/// What a brake holds at rest is the moment that the drive must give at rest, balance and all.
+/// What a brake holds at rest is the moment that the drive must give at rest, balance and all, and so are the forces of guide,
+/// link, frame, drive and balance.
 #[test]
 fn what_holds_it_at_rest_is_the_moment_of_the_drive_at_rest() {
-    for (fidelity, rope) in LEVELS {
-        let mut model = model(SCENE, fidelity, &format!("{MOTION}M_S = \"100 MN.m\"\n{rope}"));
-        holds_as_at_rest(&mut model, 25..=72, &[(["M_R", "M_D"], 11e3 * G * 20.0)]);
+    let size = 46e3 * G * 5.0;
+    let mut pairs = vec![(["M_R", "M_D"], size), (["M_D", "M_D"], size)];
+    let forces = [
+        "F_B.x", "F_C.x", "F_C.y", "N_l", "F_O1.x", "F_O1.y", "F_d", "N_1", "F_K.x", "F_K.y", "F_M.x", "F_M.y",
+    ];
+    pairs.extend(forces.map(|name| ([name; 2], size)));
+    let rack = "[luffing.drive]\nkind = \"rack\"\nE_x = \"-3 m\"\nE_y = \"2 m\"\ns_d = \"6 m\"\nchi_d = \"10 deg\"\n\n";
+    let driven = SCENE.replacen("[luffing.balance]", &format!("{rack}[luffing.balance]"), 1);
+    for text in [SCENE.to_string(), driven].into_iter().chain(balanced(SCENE, true)) {
+        for (fidelity, rope) in LEVELS {
+            let mut model = model(&text, fidelity, &format!("{MOTION}M_S = \"100 MN.m\"\n{rope}"));
+            holds_as_at_rest(&mut model, &text, 25..=72, &pairs);
+        }
     }
 }
 
@@ -206,7 +218,21 @@ fn derivatives_are_those_of_its_values() {
             ("v_h", 0.2),
             ("v_R", 0.05),
         ];
-        let asked = ["der(omega)", "M_R", "S_R", "der(omega_R)", "A.x", "M_D"];
+        let asked = [
+            "der(omega)",
+            "M_R",
+            "S_R",
+            "der(omega_R)",
+            "A.x",
+            "M_D",
+            "F_B.x",
+            "F_C.y",
+            "N_l",
+            "F_O1.x",
+            "F_O1.y",
+            "F_A.x",
+            "P_D",
+        ];
         derivatives_are_those_of_the_values(model, &states, &asked, 30);
     }
 }

@@ -20,7 +20,7 @@ use lemnis_models::parts::joint::{Bar, Friction, Joint, JointDrive};
 use lemnis_models::parts::plane::{Point, length};
 use lemnis_models::scene::Scene;
 use single_boom::{
-    G, derivatives_are_those_of_the_values, holds_as_at_rest, moves_by, slopes_are_derivatives, swings_by,
+    G, balanced, derivatives_are_those_of_the_values, holds_as_at_rest, moves_by, slopes_are_derivatives, swings_by,
 };
 
 const SINGLE: &str = include_str!("../scenes/rope_luffing.toml");
@@ -357,17 +357,19 @@ fn model(text: &str, (fidelity, rope): (&str, &str)) -> Model {
     single_boom::model(text, fidelity, &dynamics)
 }
 
-/// What a brake holds at rest is the moment of the drive at rest, and the tackle pulls as at rest.
+/// What a brake holds at rest is the moment of the drive at rest, and tackle, rope, foot and balance pull as at rest.
 #[test]
 fn what_holds_it_at_rest_is_the_tackle_at_rest() {
-    let tail =
-        "[luffing.balance]\nkind = \"tail\"\nG_c = \"20 t\"\nr_c = \"5 m\"\nchi_c = \"3 deg\"\n\n[luffing.limits]";
-    let balanced = SINGLE.replacen("[luffing.limits]", tail, 1);
     let size = 19e3 * G * 33.0;
-    for text in [SINGLE, COMPENSATED, &balanced] {
+    let mut pairs = vec![(["M_R", "M_D"], size), (["T_dyn", "T"], size / 3.0)];
+    let same = [
+        "S_h", "F_k", "F_O1.x", "F_O1.y", "N_b", "N_1", "F_K.x", "F_K.y", "F_M.x", "F_M.y",
+    ];
+    pairs.extend(same.map(|name| ([name; 2], size / 3.0)));
+    let balanced = balanced(SINGLE, false);
+    for text in [SINGLE, COMPENSATED].into_iter().map(str::to_string).chain(balanced) {
         for level in [("rigid", ""), ("swing", "l_R = \"12 m\"\n")] {
-            let pairs = [(["M_R", "M_D"], size), (["T_dyn", "T"], size / 3.0)];
-            holds_as_at_rest(&mut model(text, level), 25..=78, &pairs);
+            holds_as_at_rest(&mut model(&text, level), &text, 25..=78, &pairs);
         }
     }
 }
@@ -400,6 +402,13 @@ fn derivatives_are_those_of_its_values() {
             "der(v_Q)",
             "Y_Q",
             "T",
+            "S_h",
+            "F_k",
+            "F_O1.x",
+            "F_O1.y",
+            "N_b",
+            "P_l",
+            "F_A.x",
         ];
         derivatives_are_those_of_the_values(model(COMPENSATED, level), &states, &asked, least);
     }

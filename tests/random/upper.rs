@@ -4,6 +4,7 @@ use lemnis_models::supports::drive::symbols as d;
 use lemnis_models::supports::upper::symbols as s;
 
 use crate::bodies::{list, row};
+use crate::luffing::LEAST_LENGTH;
 use crate::scene::Node;
 
 /// So much weight at so great a size, the bodies and the load as many times that size from the axis as `far` says.
@@ -80,7 +81,7 @@ fn turning(n: &mut Node, [size, weight]: [f64; 2]) -> [bool; 2] {
     if let Some(mut pinion) = drive.child("pinion") {
         let own = size * pinion.draw.between(0.005, 0.05);
         let ring = size * pinion.draw.between(0.1, 0.5);
-        pinion.set("r_z", own);
+        pinion.set("r_z", own.max(LEAST_LENGTH));
         pinion.set("r_g", ring);
     }
     [true, braked.is_some()]

@@ -412,8 +412,15 @@ pub fn lines<T: Described>(told: &Description<T>, model: &mut Standing, lines: &
         let (mut pieces, mut numbers) = (Vec::new(), Vec::new());
         for (index, places) in each {
             let points = values(model, &[xs[0], index], places.into_iter());
-            pieces.extend(told.pieces(id, points.into_iter().map(|point| [point[0], point[1]]).collect()));
-            numbers.extend(model.variables()[index].number.map(usize::from));
+            let points: Vec<_> = points.into_iter().map(|point| [point[0], point[1]]).collect();
+            // Where it is infinite it is broken.
+            let finite = points.split(|point: &[f64; 2]| !point.iter().all(|x| x.is_finite()));
+            for points in finite.filter(|points| !points.is_empty()) {
+                let found = told.pieces(id, points.to_vec());
+                let number = model.variables()[index].number.map(usize::from);
+                numbers.extend(found.iter().filter_map(|_| number));
+                pieces.extend(found);
+            }
         }
         if !pieces.is_empty() {
             list.push(Curve {

@@ -12,7 +12,7 @@ use crate::kernel::schema::{Key, Kind, Values};
 use crate::kernel::sign::Sign;
 use crate::kernel::symbol::{Symbol, listed};
 use crate::parts::four_bar::Branch;
-use crate::parts::plane::Point;
+use crate::parts::plane::{self, Point};
 
 /// The table `[drive]`, also beside the mechanism that it drives.
 pub const DRIVE: Key = Key::part(
@@ -189,6 +189,12 @@ pub fn meets(v: &Values, driving: &Driving, foot: Option<Point<f64>>, range: [f6
     let (Some(d), Some((rod, crank)), Some(anchors)) = (v.table("drive"), driving.crank, driving.anchors()) else {
         return;
     };
+    let centre = Point::new(anchors.e_x, anchors.e_y) - foot.unwrap_or(Point::new(0.0, 0.0));
+    if plane::length(centre) <= 1e-9 * (anchors.s_d + rod.r_cr) {
+        let what = "the crank's centre lies at the foot of the driving link: both turn as one, and nothing drives";
+        found.push(d.refuse("E_x", what, "at the foot", "move the crank's centre away from there"));
+        return;
+    }
     let Some(linkage) = crank_linkage(&rod, &anchors, foot, crank) else {
         let what = "crank and rod meet the anchor on the driving link at no angle";
         found.push(d.refuse(

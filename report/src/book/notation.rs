@@ -23,6 +23,8 @@ pub(super) struct Notation {
     /// Typeset forms of the symbols that some place of the book defines, and
     /// that others can link to.
     pub defined: BTreeSet<&'static str>,
+    /// Those whose place has come.
+    placed: BTreeSet<&'static str>,
 }
 
 impl Notation {
@@ -35,7 +37,14 @@ impl Notation {
         Notation {
             met: Vec::new(),
             defined,
+            placed: BTreeSet::new(),
         }
+    }
+
+    /// Whether here is the place that defines the symbol: a table before it only shows it.
+    pub(super) fn place(&mut self, symbol: &'static Symbol) -> bool {
+        self.meet(symbol);
+        self.placed.insert(symbol.print)
     }
 
     /// Whether the symbol is new; another way to one quantity has the same symbol.

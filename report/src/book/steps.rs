@@ -128,7 +128,7 @@ fn steps(
         } = formula::step(numbers, &notation.defined, trace, step, in_full, checks.len());
         Step {
             quantity: step.symbol.into(),
-            first: notation.meet(step.symbol),
+            first: notation.place(step.symbol),
             formula,
             numbers,
             result,

@@ -228,7 +228,7 @@ fn input(numbers: &Numbers, input: &sheet::Input, notation: &mut Notation) -> In
     let given = input.given.as_ref();
     Input {
         quantity: input.symbol.into(),
-        first: notation.meet(input.symbol),
+        first: notation.place(input.symbol),
         shown: shown(input),
         value: match given.and_then(|given| given.mass) {
             Some(mass) => {

@@ -27,14 +27,13 @@
 //! | `lemniscate.balance` | [`balancing::at`] | [`crate::balance`] |
 //! | `lemniscate.drive` | [`driving::bar`], [`crate::drive::line::Drive::new`] | derived |
 //! | `lemniscate.dynamics` | [`crate::luffing::moving::dynamics::Dynamics::accelerations`] | Lagrange, by derivatives |
-//! | `lemniscate.inertia_forces` | [`inertia_forces::weight_and_inertia`] | Newton and Euler |
-//! | `lemniscate.forces_in_motion` | [`pins_in_motion::PinsInMotion::new`], [`balance_in_motion::BalanceInMotion::new`], [`crate::luffing::moving::shares::Shares::new`] | Newton and Euler |
+//! | `lemniscate.inertia_forces` | [`crate::luffing::moving::inertia_forces::weight_and_inertia`] | Newton and Euler |
+//! | `lemniscate.forces_in_motion` | [`pins_in_motion::PinsInMotion::new`], [`crate::luffing::moving::balance_in_motion::BalanceInMotion::new`], [`crate::luffing::moving::shares::Shares::new`] | Newton and Euler |
 //! | `lemniscate.governing` | [`crate::component::governing::governing`] | derived |
 //! | `lemniscate.sensitivity` | [`crate::component::sensitivity::sensitivity`] | derived |
 //! | `lemniscate.resistances` | [`resisting::moved`], [`resisting::pins`] | [`crate::luffing::resistances`] |
 //! | `lemniscate.published` | [`published::PublishedFormulas::new`] | Li2022, eq. 1, 4-7 |
 
-pub mod balance_in_motion;
 pub mod balancing;
 pub mod drawing;
 pub mod driving;
@@ -42,7 +41,6 @@ pub mod feet;
 pub mod forces_in_motion;
 pub mod geometry;
 pub mod held;
-pub mod inertia_forces;
 pub mod keys;
 pub mod linkage;
 pub mod misfit;

@@ -2,12 +2,13 @@
 //! their inertia and the rope. [Newton and Euler]
 
 use crate::kernel::calc::Calc;
-use crate::luffing::double_link::balance_in_motion::BalanceInMotion;
 use crate::luffing::double_link::moving::symbols as s;
 use crate::luffing::double_link::parameters::Driven;
 use crate::luffing::double_link::pin_forces::{JibLoad, MomentNames, PinForces};
-use crate::luffing::double_link::pose::{PosedBody, PosedLinkage};
+use crate::luffing::double_link::pose::PosedLinkage;
 use crate::luffing::double_link::symbols as g;
+use crate::luffing::moving::balance_in_motion::BalanceInMotion;
+use crate::luffing::moving::inertia_forces::PosedBody;
 use crate::luffing::moving::shares::Instant;
 use crate::parts::plane::{self, Point, cross, dot};
 
@@ -22,7 +23,7 @@ pub struct PinsInMotion<C> {
     /// Axial force in the rocker at C, tension positive.
     pub n_3: C,
     /// What cancels to the moment on the driving link, in N·m: its length times the force in its pin, or what the boom's
-    /// own weight and inertia have about its foot, if that is more.
+    /// own weight and inertia have about its foot, if that is more; the nearer to a dead point the more of it is lost.
     pub lift: f64,
 }
 
@@ -76,7 +77,7 @@ impl<C: Calc> PinsInMotion<C> {
             Driven::Rocker => (p.x_3, on_jib.c),
         };
         let lift = plane::length(bar.map(C::value)) * plane::length(pin.map(C::value));
-        let lift = lift.max(own.value().abs());
+        let lift = lift.max(own.value().abs()) / p.sine();
         PinsInMotion {
             on_jib,
             o1,

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use num_dual::{Dual2, Dual64, DualNum};
 
-use crate::balance::action::RodLine;
 use crate::balance::symbols as b;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::record::Rec;
@@ -18,10 +17,12 @@ use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::statics::Centres;
 use crate::luffing::double_link::symbols as g;
 use crate::luffing::double_link::system::height;
+use crate::luffing::moving::balance_in_motion::{PosedCounterweight, named};
 use crate::luffing::moving::bodies::{
     Bar, Body, MovedBody, Moves, Turntable, about_axis, changes, deviation, parts, spread,
 };
 use crate::luffing::moving::dynamics::Dynamics;
+use crate::luffing::moving::inertia_forces::PosedBody;
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces};
 use crate::parts::plane::{self, Point, cross, dot};
 
@@ -36,37 +37,6 @@ pub struct PosedLinkage<C> {
     pub counterweight: Option<PosedCounterweight<C>>,
     /// From the anchor on the frame to the one on the driving link, its length, and its lever arm about that bar's foot.
     pub drive: Option<(Point<C>, [C; 2])>,
-}
-
-/// A body in its bar.
-#[derive(Clone, Copy, Debug)]
-pub struct PosedBody<C> {
-    /// In kg, and about its centre of gravity in kg·m².
-    pub mass: C,
-    pub inertia: C,
-    /// Mass times forward and upward distance from the centre, in kg·m².
-    pub deviation: C,
-    /// Centre of gravity from the bar's first joint and, forward, from the slewing axis, in m.
-    pub place: Point<C>,
-    pub reach: C,
-    /// Travel of the centre (m) and turning of the bar for one radian of the driving link, and how they change.
-    pub travel: [Point<C>; 2],
-    pub turn: [C; 2],
-}
-
-/// The counterweight of a balance.
-#[derive(Clone, Copy, Debug)]
-pub struct PosedCounterweight<C> {
-    /// In kg.
-    pub mass: C,
-    /// Forward of the slewing axis, in m.
-    pub reach: C,
-    /// Travel (m) for one radian of the driving link, and how it changes.
-    pub travel: [Point<C>; 2],
-    /// Turning of the boom for one radian of the driving link.
-    pub boom: C,
-    /// None where it is fixed to the boom.
-    pub line: Option<RodLine<C>>,
 }
 
 /// A scalar over which the mechanism moves and forces of motion are found, with parameters known as `P`.
@@ -381,9 +351,6 @@ fn counterweight(
         Driven::Rocker => Rec::given(&g::I_1, it.boom),
     };
     let line = balancing.balance.line(phi, place, travel[0] / boom).zip(it.line);
-    let named = |of: Point<Rec>, value: Point<f64>, names| {
-        plane::def(Point::new(of.x.rounded_as(value.x), of.y.rounded_as(value.y)), names)
-    };
     Some(PosedCounterweight {
         mass: (balancing.balance.weight()? / d.bodies.gravity)
             .rounded_as(it.mass)
@@ -391,11 +358,7 @@ fn counterweight(
         reach: from_axis(place.x, it.reach, &s::X_S5),
         travel,
         boom,
-        line: line.map(|(line, values)| RodLine {
-            per_force: named(line.per_force, values.per_force, [&s::N_5X, &s::N_5Y]),
-            along: named(line.along, values.along, [&s::E_1X, &s::E_1Y]),
-            rail: line.rail,
-        }),
+        line: line.map(|(line, values)| named(&line, &values)),
     })
 }
 

@@ -115,6 +115,13 @@ impl<C: Calc> Position<C> {
         self.k.value().abs() <= 4.0 * f64::EPSILON * plane::dot(self.x_2, self.follower()).value().abs()
     }
 
+    /// Sine of the transmission angle, by amount: what velocities and forces are divided by.
+    #[must_use]
+    pub fn sine(&self) -> f64 {
+        let [coupler, follower] = [self.x_2, self.follower()].map(|bar| bar.map(C::value));
+        plane::cross(coupler, follower).abs() / (plane::length(coupler) * plane::length(follower))
+    }
+
     /// Angle of the bar that is not driven: theta_3 or theta_1, in rad. [Li2022, eq. 5]
     pub fn follower_angle(&self) -> C {
         match self.driven {

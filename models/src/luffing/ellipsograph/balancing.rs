@@ -37,6 +37,8 @@ impl Balanceable for OnLink {
         balancing(bars, weights, form, choice)
     }
 
+    const SENSE: f64 = -1.0;
+
     fn angle<C: Calc>(phi: C) -> C {
         -phi
     }

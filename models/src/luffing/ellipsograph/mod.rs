@@ -29,10 +29,12 @@
 //! | `ellipsograph.pins` | [`pins::GuidedPins::new`] | by equilibrium of boom and link |
 //! | `ellipsograph.drive` | [`driving::bar`], [`crate::drive::line::Drive::new`] | derived |
 //! | `ellipsograph.motion` | [`moving::Guided`] | Lagrange, in closed form |
+//! | `ellipsograph.forces_in_motion` | [`forces_in_motion::GuidedForces::new`] | Newton and Euler |
 //! | `ellipsograph.range` | [`crate::component::whole`] | Ports001, 5.9.2.3 |
 
 mod balancing;
 pub mod driving;
+pub mod forces_in_motion;
 pub mod moving;
 mod outline;
 pub mod pins;

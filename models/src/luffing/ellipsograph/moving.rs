@@ -64,7 +64,34 @@ impl<C: Calc> GuidedParts<C> {
 pub struct GuidedBodies<P> {
     bars: Bars<P>,
     /// Of boom, from its foot, and link, from its pivot.
-    bodies: [Body<P>; 2],
+    pub bodies: [Body<P>; 2],
+}
+
+/// Centres of gravity of boom and link, in m from O1, and what they move by for one radian of the boom's angle.
+pub struct GuidedCentres<C> {
+    pub boom: [Point<C>; 2],
+    pub link: [Point<C>; 2],
+}
+
+impl<C: Calc> GuidedCentres<C> {
+    /// Of their places in their bars (m), on a link of length `c` (m), at the boom's angle (rad).
+    pub fn new(c: C, [boom, link]: [Point<C>; 2], phi: C) -> GuidedCentres<C> {
+        let (sin, cos) = phi.sin_cos();
+        let foot = C::constant(2.0) * c;
+        let s = Point::new(boom.x * cos - boom.y * sin, boom.x * sin + boom.y * cos - foot * sin);
+        let ds = Point::new(-(boom.x * sin) - boom.y * cos, boom.x * cos - boom.y * sin - foot * cos);
+        let dl = Point::new(-(link.x * sin), -(link.x * cos));
+        GuidedCentres {
+            boom: [
+                plane::def(s, [&s::S_MX, &s::S_MY]),
+                plane::def(ds, [&s::DS_MX, &s::DS_MY]),
+            ],
+            link: [
+                Point::new(link.x * cos, -(link.x * sin)),
+                plane::def(dl, [&s::DS_LX, &s::DS_LY]),
+            ],
+        }
+    }
 }
 
 /// A boom on guide and link, as its equations of motion see it.
@@ -117,18 +144,10 @@ impl SingleBoom for Guided {
     ) -> Option<Reduced<C>> {
         let (sin, cos) = phi.sin_cos();
         let zero = C::constant(0.0);
-        let foot = C::constant(2.0) * C::of(of.bars.c);
-        let [boom, link] = of.bodies.map(|body| body.centre.map(C::of));
-        let s = plane::def(
-            Point::new(boom.x * cos - boom.y * sin, boom.x * sin + boom.y * cos - foot * sin),
-            [&s::S_MX, &s::S_MY],
-        );
-        let ds = plane::def(
-            Point::new(-(boom.x * sin) - boom.y * cos, boom.x * cos - boom.y * sin - foot * cos),
-            [&s::DS_MX, &s::DS_MY],
-        );
-        let l = Point::new(link.x * cos, -(link.x * sin));
-        let dl = plane::def(Point::new(-(link.x * sin), -(link.x * cos)), [&s::DS_LX, &s::DS_LY]);
+        let GuidedCentres {
+            boom: [s, ds],
+            link: [l, dl],
+        } = GuidedCentres::new(C::of(of.bars.c), of.bodies.map(|body| body.centre.map(C::of)), phi);
         let axes = [C::of(of.bars.c) + C::of(of.bars.a), C::of(of.bars.a) - C::of(of.bars.c)];
         let head = Point::new(axes[0] * cos, axes[1] * sin);
         let travel = plane::def(Point::new(-(axes[0] * sin), axes[1] * cos), [&s::DA_X, &s::DA_Y]);

@@ -33,6 +33,19 @@ results! { GuidedPins as f => {
     F_O1Y: f.frame.y;
 } }
 
+/// # Errors
+/// A boom that lies level, at an angle (rad): no force of the guide holds its head there.
+pub fn held<C: Calc>(position: &GuidedPosition<C>, phi: C) -> Found<()> {
+    if position.along.y.value().abs() > 4.0 * f64::EPSILON {
+        return Ok(());
+    }
+    Err(Box::new(Fault::outside(format!(
+        "phi = {}: the boom lies level with its foot in O1, no force of the guide holds its head; \
+         keep the angle away from there",
+        degrees(phi.value())
+    ))))
+}
+
 impl<C: Calc> GuidedPins<C> {
     /// The boom about C: F_Bx c sin φ = Q (x_A − x_C) + G_b (x_S − x_C).
     ///
@@ -47,13 +60,7 @@ impl<C: Calc> GuidedPins<C> {
         residual: Option<&Residual<C>>,
         drive: Option<&Reaction<C>>,
     ) -> Found<GuidedPins<C>> {
-        if position.along.y.value().abs() <= 4.0 * f64::EPSILON {
-            return Err(Box::new(Fault::outside(format!(
-                "phi = {}: the boom lies level with its foot in O1, no force of the guide holds its head; \
-                 keep the angle away from there",
-                degrees(phi.value())
-            ))));
-        }
+        held(position, *phi)?;
         let (m_c, on_pin, below) = match weights {
             None => (*q * (position.a.x - position.c.x), *q, C::constant(0.0)),
             Some(w) => {

@@ -293,7 +293,7 @@ impl Described for Ellipsograph {
                 "ellipsograph_rope",
                 "sticking",
                 "stops",
-                "ellipsograph_at_rest",
+                "forces_in_motion",
                 "solver_runge_kutta",
             ])
             .collect()

@@ -15,12 +15,13 @@ use crate::drive::line::{self, Drive, Mounted, Reaction};
 use crate::drive::mount::{Bore, DriveMount, DrivenBar};
 use crate::drive::shaft::{Gearing, Shaft};
 use crate::kernel::group::One;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Variable;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
 use crate::luffing::ellipsograph::balancing::{analysed, balanced, balancing, criteria, residual};
 use crate::luffing::ellipsograph::driving;
+use crate::luffing::ellipsograph::forces_in_motion::{GuidedForces, forces};
 use crate::luffing::ellipsograph::moving::{Guided, GuidedInertias, GuidedParts};
 use crate::luffing::ellipsograph::pins::GuidedPins;
 use crate::luffing::ellipsograph::position::{Bars, GuidedChoice, GuidedPosition, axes, pole};
@@ -28,6 +29,7 @@ use crate::luffing::ellipsograph::resisting::{self, GuidedPlaces};
 use crate::luffing::ellipsograph::statics::{GuidedWeights, HeadLoad, WeightMoment, needed, power};
 use crate::luffing::ellipsograph::symbols as g;
 use crate::luffing::ellipsograph::velocity::{GuidedSpeeds, GuidedTravel};
+use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs};
 use crate::luffing::moving::hoisting::{HoistMotor, HoistRamp, RopeGive};
@@ -36,7 +38,7 @@ use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{Fittings, Said};
 use crate::luffing::moving::luffs::{Luffs, luffs};
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::single::{self, BoomRates, Heavy, SingleBoom, SingleParts};
+use crate::luffing::moving::single::{self, Acting, BoomRates, Heavy, SingleBoom, SingleParts};
 use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS, rates_after};
 use crate::luffing::resistances::brakes::{Holding, Stopped};
 use crate::luffing::resistances::friction::{Pins, Rubbed};
@@ -63,6 +65,7 @@ use crate::parts::plane::Point;
 
 /// Quantities at rest and in motion, and of the drive.
 mod s {
+    pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
     pub use crate::drive::symbols::{F_D, L_D, Q_D, T_CR, V_D};
     pub use crate::luffing::ellipsograph::symbols::*;
     pub use crate::luffing::moving::symbols::{F_AIR, M_R, M_R_H, P_AIR, S_R, W_BLOW};
@@ -174,6 +177,9 @@ stages! {
         resisting: C = stages::resisting(built, told, at, phi) => M_R;
         pull: C = stages::pull(built, told, at, phi) => S_R;
         drum: C = stages::drum(built, told, at, phi) => M_R_H;
+        acting: Acting<C> = single::acting(boom, built, told, at, phi);
+        countered: BalanceInMotion<C> = single::countered(acting, balance[!]);
+        forces: GuidedForces<C> = forces(bars, boom, phi, position, acting, drive[?]);
         air_force: C = stages::air_force(built, told, at, phi, around[!]) => F_AIR;
         air_power: C = stages::air_power(built, told, at, phi, around[!]) => P_AIR;
         blown: C = stages::blown(at) => W_BLOW;
@@ -189,8 +195,8 @@ resists!(EllipsographBoom with resisting::PARTS);
 const SAID: Said = Said {
     bar: [&[&b::PHI, &s::OMEGA], &rates_after::<22>(Guided::RATES)],
     still: &[g::ALL, b::ALL, crate::drive::symbols::ALL],
-    moving: &[],
-    drive: None,
+    moving: listed!(s: M_D, P_D, F_BX, F_CX, F_CY, N_L, F_O1X, F_O1Y, F_D, N_1, F_KX, F_KY, F_MX, F_MY),
+    drive: Some(&s::M_D),
 };
 
 /// What it has in motion; `None` at rest.

@@ -68,6 +68,10 @@ symbols! {
     DS_LY: "dS_l.y" "y'_l" M / M, "Rise of the link's centre of gravity for one radian of the boom.", "derived";
     I_RB: "I_rb" "I_b" KG_M2 / KG_M2, "Inertia of the boom, reduced to its angle.", "Lagrange";
     DI_RB: "dI_rb" "I'_b" KG_M2 / KG_M2, "Change of the boom's reduced inertia for one radian of it.", "Lagrange";
+    M_BC: "M_bC" "M_(b C)" N_M / KN_M, "Moment of the rope and of the boom's weight and inertia about C; clockwise positive.", "Newton and Euler";
+    F_ILX: "F_il.x" "F_(i l x)" N / KN, "Inertia of the link, forward.", "Newton and Euler";
+    F_ILY: "F_il.y" "F_(i l y)" N / KN, "Weight and inertia of the link, upward.", "Newton and Euler";
+    M_LO: "M_lO" "M_(l O)" N_M / KN_M, "Moment of the link's weight and inertia about O1; clockwise positive.", "Newton and Euler";
     I_RL: "I_rl" "I_l" KG_M2 / KG_M2, "Inertia of the link, reduced to the boom's angle.", "Lagrange";
     DI_RL: "dI_rl" "I'_l" KG_M2 / KG_M2, "Change of the link's reduced inertia for one radian of the boom.", "Lagrange";
     D_PHI: "der(phi)" "dot(phi)" RAD_PER_S / DEG_PER_S, "Rate of the boom's angle.", "state";

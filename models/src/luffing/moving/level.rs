@@ -250,18 +250,16 @@ impl<P: Coordinate<P>> Level<P> {
         // Where slewing and load begin, behind the angle, its rate and the oil.
         let own = &y[if self.has_oil() { FIXED } else { 2 }..];
         let slews = dynamics.turntable().is_some();
-        let pull = match dynamics.pendulum() {
-            Some(_) => {
-                let pull = self.reaction(at, MotionResult::Pull)?;
-                let direction = if slews {
-                    to_load(Vector3::new(own[2], own[3], own[4])).1.xy()
-                } else {
-                    directions(own[0]).0
-                };
-                Some(rope_on_head(pull, direction))
-            }
-            None => None,
-        };
+        let (mut pull, mut tension) = (None, None);
+        if dynamics.pendulum().is_some() {
+            let along = self.reaction(at, MotionResult::Pull)?;
+            let direction = if slews {
+                to_load(Vector3::new(own[2], own[3], own[4])).1.xy()
+            } else {
+                directions(own[0]).0
+            };
+            (pull, tension) = (Some(rope_on_head(along, direction)), Some(along));
+        }
         let together = self.reaction(at, MotionResult::Friction)?;
         let shares = either!(
             self,
@@ -273,6 +271,7 @@ impl<P: Coordinate<P>> Level<P> {
             alpha: rates[1],
             turning: slews.then(|| own[1]),
             pull,
+            tension,
             shares,
         })
     }

@@ -10,6 +10,7 @@
 //! | `hydraulic` | the same moved by a cylinder |
 //! | `weighed` | the counterweight of a balance with its derivatives |
 //! | `level`, `shares`, `powers` | what the levels have in common; what turns the driving link; what gives and takes power |
+//! | `inertia_forces`, `balance_in_motion` | weight and inertia of one body; what a balance does to its boom |
 //! | `given`, `symbols`, `listed` | inputs, states and memory as groups; quantities; which of them a scene has |
 //! | `scene`, `hoisting`, `levels` | keys of motion, of rope and hoist; what descriptions of single booms have in common |
 //! | `stages`, `luffs` | rates, event indicators, reactions as stages; a component that has them |
@@ -17,6 +18,7 @@
 //! | `single` | a single boom in motion, from what a mechanism says of it |
 //! | `built`, `start`, `carried`, `follows` | the equations of a level; where the motion begins, how it is carried on; what depends on what |
 
+pub mod balance_in_motion;
 mod blown;
 pub mod bodies;
 pub mod built;
@@ -29,6 +31,7 @@ pub mod given;
 pub mod hanging;
 pub mod hoisting;
 pub mod hydraulic;
+pub mod inertia_forces;
 pub mod level;
 pub mod levels;
 pub mod listed;

@@ -78,6 +78,8 @@ pub struct Instant<C> {
     pub turning: Option<C>,
     /// Force of the rope on the head (N), where the load hangs on one.
     pub pull: Option<Point<C>>,
+    /// The same along the rope.
+    pub tension: Option<C>,
     pub shares: Shares<C>,
 }
 

@@ -7,23 +7,27 @@ use num_dual::Dual64;
 
 use crate::balance::scene::Form;
 use crate::component::scalar::{EachScalar, Scalar};
-use crate::component::stages::{Found, Rows};
+use crate::component::stages::{Found, Rows, absent, results};
 use crate::kernel::allowed::OutOfRange;
 use crate::kernel::calc::{Calc, Over};
 use crate::kernel::group::One;
 use crate::kernel::record::Rec;
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Fault;
+use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::{HoistParts, LevelParts};
 use crate::luffing::moving::dynamics::{Coordinate, Dynamics};
 use crate::luffing::moving::given::{Constants, Fitted};
-use crate::luffing::moving::level::Level;
+use crate::luffing::moving::inertia_forces::weight_and_inertia;
+use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::reduced::{Asked, CoordinateNames, Reduced, Reduces, Renewed};
-use crate::luffing::moving::stages::CraneMoves;
-use crate::luffing::moving::symbols as m;
+use crate::luffing::moving::shares::{Instant, Shares};
+use crate::luffing::moving::stages::{CraneMoves, open, present};
+use crate::luffing::moving::symbols as s;
 use crate::luffing::moving::weighed::{Balanceable, MovedBalance, Weighing, Weight};
 use crate::parts::air::AirAround;
 use crate::parts::motion::Motion;
+use crate::parts::plane::{self, Point};
 
 /// A mechanism with one boom and one coordinate, the boom's angle: what is its own in motion.
 pub trait SingleBoom: Copy + Send + Sync + 'static {
@@ -54,6 +58,12 @@ pub trait SingleBoom: Copy + Send + Sync + 'static {
 
     /// With the mass (kg) of a load on no rope that swings, under gravity (m/s²).
     fn bodies<P: Calc>(own: &Self::Own<P>, fixed: Option<P>, gravity: P) -> Self::Bodies<P>;
+
+    /// A load that hangs straight down at any time: its mass (kg), what it moves by for one radian of the boom's angle, and how
+    /// that changes (m); `None` where a body has it, or where a rope does on which it swings.
+    fn load<P: Over<P>>(_: &Self::Bodies<P>, _: P) -> Option<(P, [Point<P>; 2])> {
+        None
+    }
 
     /// At the boom's angle (rad), the counterweight by its mass (kg) and place (m); `None` where there is no such place.
     fn at<P: Calc, C: Over<P>>(
@@ -96,6 +106,13 @@ where
     }
 }
 
+impl<B: SingleBoom, P: Calc> Heavy<B, P> {
+    /// What of it moves and weighs, and gravity (m/s²).
+    pub fn bodies(&self) -> (&B::Bodies<P>, P) {
+        (&self.bodies, self.gravity)
+    }
+}
+
 impl<B: SingleBoom, P: Weighing<P>> Reduces<P> for Heavy<B, P>
 where
     Dual64: Over<P>,
@@ -118,6 +135,71 @@ where
 
     fn is_pulled(&self) -> bool {
         B::PULLED
+    }
+}
+
+/// What acts on a boom in motion besides what it weighs.
+#[derive(Clone, Copy, Debug)]
+pub struct Acting<C> {
+    pub at: Instant<C>,
+    pub balance: Option<BalanceInMotion<C>>,
+}
+results! { Acting as a => {
+    F_AX: a.at.pull.ok_or_else(absent)?.x;
+    F_AY: a.at.pull.ok_or_else(absent)?.y;
+    M_RC: a.at.shares.dry;
+    M_RV: a.at.shares.viscous;
+    M_RS: a.at.shares.stop;
+} }
+
+impl<P: Coordinate<P>> Acting<P> {
+    /// Of a crane at an instant; `None` where its balance cannot be.
+    fn of<B: SingleBoom>(level: &Level<P>, heavy: &Heavy<B, P>, at: &CraneAt<P>) -> Option<Acting<P>>
+    where
+        P: Weighing<P>,
+    {
+        let (zero, phi) = (P::constant(0.0), at.y[0]);
+        let instant = level.instant(at, zero)?;
+        let balance = heavy.balance.as_ref().map(|balance| P::posed(balance, phi));
+        let balance = balance.map_or(Some(None), |found| found.map(Some))?;
+        let instant = match B::load(&heavy.bodies, phi).filter(|_| instant.pull.is_none()) {
+            Some((mass, travel)) => {
+                let pull = weight_and_inertia(mass, travel, zero, &instant, heavy.gravity);
+                let pull = plane::def(pull, [&s::F_AX, &s::F_AY]);
+                let (pull, tension) = (Some(pull), Some(-pull.y));
+                Instant {
+                    pull,
+                    tension,
+                    ..instant
+                }
+            }
+            None => instant,
+        };
+        Some(Acting {
+            balance: balance.map(|it| BalanceInMotion::new(&it, &instant, heavy.gravity)),
+            at: instant,
+        })
+    }
+}
+
+impl<C: Calc> Acting<C> {
+    /// How far the moment on the boom that equilibrium asks for (N·m) is from that of drive, friction and end stop, and the
+    /// greatest of what they are made of: of forces (N) on arms (m) what they have at most.
+    #[must_use]
+    pub fn apart<const N: usize>(&self, asked: C, levers: [[Point<C>; 2]; N]) -> [f64; 2] {
+        let Shares {
+            drive,
+            dry,
+            viscous,
+            stop,
+            ..
+        } = self.at.shares;
+        let own = [drive, dry, viscous, stop, asked].map(|size| size.value().abs());
+        let most = levers.map(|lever| lever.map(|of| plane::length(of.map(C::value))));
+        let sizes = own.into_iter().chain(most.map(|[arm, force]| arm * force));
+        let acting = drive + dry + viscous + stop;
+        let lift = self.balance.map_or(0.0, |balance| balance.lift);
+        [(asked - acting).value().abs(), sizes.fold(lift, f64::max)]
     }
 }
 
@@ -144,7 +226,7 @@ where
     fn level(&self, heavy: &Arc<Heavy<B, P>>) -> Level<P> {
         let gravity = self.rest.constants.g;
         let pendulum = self.rest.fitted.rope.and_then(|rope| {
-            let load = (self.load / gravity).def(&m::MASS_Q);
+            let load = (self.load / gravity).def(&s::MASS_Q);
             self.hoist.pendulum(load, Some(rope))
         });
         let dynamics = Dynamics::new(heavy.clone(), pendulum, gravity);
@@ -156,12 +238,14 @@ where
 struct SingleInMotion<B>(PhantomData<B>);
 
 type Making<B, P> = fn(&SingleParts<B, P>) -> Result<Heavy<B, P>, Fault>;
+type ActingOf<B, P> = fn(&Level<P>, &Heavy<B, P>, &CraneAt<P>) -> Option<Acting<P>>;
 type Levelling<B, P> = fn(&SingleParts<B, P>, &Arc<Heavy<B, P>>) -> Level<P>;
 
 /// What the equations of motion have of it, over a scalar.
 pub struct SingleEquations<B: SingleBoom, P: Calc> {
     heavy: Making<B, P>,
     level: Levelling<B, P>,
+    acting: ActingOf<B, P>,
 }
 
 impl<B: SingleBoom, P: Weighing<P> + Coordinate<P>> SingleEquations<B, P>
@@ -172,6 +256,7 @@ where
         SingleEquations {
             heavy: SingleParts::heavy,
             level: SingleParts::level,
+            acting: Acting::of,
         }
     }
 }
@@ -240,6 +325,29 @@ pub fn built<B: SingleBoom, C: Scalar>(
 ) {
     room.clear();
     room.push((C::own::<SingleInMotion<B>>().level)(&parts[0], heavy[0].now()));
+}
+
+/// What acts on it, under present inputs.
+///
+/// # Errors
+/// An angle at which its balance cannot be.
+pub fn acting<B: SingleBoom, C: Scalar>(
+    heavy: &[Renewed<Heavy<B, C>>],
+    built: &[Level<C>],
+    told: &[Level<C>],
+    at: &CraneAt<C>,
+    phi: &One<C>,
+) -> Result<Acting<C>, Fault> {
+    let found = (C::own::<SingleInMotion<B>>().acting)(present(built, told), heavy[0].now(), at);
+    found.ok_or_else(|| open(phi))
+}
+
+/// What its balance does to it.
+///
+/// # Errors
+/// None where there is one.
+pub fn countered<C: Calc>(acting: &Acting<C>, _: &Form<C>) -> Found<BalanceInMotion<C>> {
+    acting.balance.ok_or_else(absent)
 }
 
 /// Rates of angle and angular velocity of the boom.

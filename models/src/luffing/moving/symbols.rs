@@ -130,6 +130,9 @@ symbols! {
     M_RC: "M_Rc" "M_(R c)" N_M / KN_M, "Moment of dry friction in the pins on the driving link; a bar at rest is held by brake and dry friction in proportion to what they can hold.", "equations of motion";
     M_RV: "M_Rv" "M_(R v)" N_M / KN_M, "Moment of viscous friction on the driving link.", "equations of motion";
     M_RS: "M_Rs" "M_(R s)" N_M / KN_M, "Moment of the end stop on the driving link.", "equations of motion";
+    M_T: "M_T" "M_T" N_M / KN_M, "Moment on the driving link that equilibrium of the moving bodies asks for: of drive, friction and end stop together.", "Newton and Euler";
+    F_IBX: "F_ib.x" "F_(i b x)" N / KN, "Inertia of the boom, forward; with the load where a boom has it that hangs on no rope.", "Newton and Euler";
+    F_IBY: "F_ib.y" "F_(i b y)" N / KN, "Weight and inertia of the boom, upward; with the load where a boom has it that hangs on no rope.", "Newton and Euler";
     F_5X: "F_5.x" "F_(5 x)" N / KN, "Inertia of the counterweight, forward.", "Newton and Euler";
     F_5Y: "F_5.y" "F_(5 y)" N / KN, "Weight and inertia of the counterweight, upward.", "Newton and Euler";
     M_I5: "M_i5" "M_(i 5)" N_M / KN_M, "Moment of the balance in motion about the boom foot; positive raises the boom.", "Newton and Euler";

@@ -2,6 +2,7 @@
 
 use num_dual::{Dual2, Dual64, DualNum};
 
+use crate::balance::action::RodLine;
 use crate::balance::scene::Form;
 use crate::balance::symbols as b;
 use crate::kernel::allowed::OutOfRange;
@@ -9,6 +10,7 @@ use crate::kernel::calc::{Calc, Over, Takes};
 use crate::kernel::group::Group;
 use crate::kernel::record::Rec;
 use crate::luffing::balancing::Balancing;
+use crate::luffing::moving::balance_in_motion::{PosedCounterweight, named};
 use crate::luffing::moving::bodies::{changes, parts};
 use crate::luffing::moving::symbols as m;
 use crate::parts::plane::{self, Point};
@@ -28,7 +30,10 @@ pub trait Balanceable: Copy + Send + Sync {
     /// Quantities with which there is no such balance.
     fn balancing<C: Calc>(of: &Self::Of<C>, form: &Form<C>, choice: &Self::Choice) -> Result<Balancing<C>, OutOfRange>;
 
-    /// Angle (rad) of the boom that the balance sees, at the coordinate (rad).
+    /// Turning of the boom that the balance sees for one radian of the coordinate, 1 or -1.
+    const SENSE: f64;
+
+    /// Angle (rad) of that boom, at the coordinate (rad).
     fn angle<C: Calc>(phi: C) -> C;
 
     /// Potential energy of what is balanced (J), at the coordinate (rad).
@@ -64,6 +69,31 @@ impl<T: Calc + DualNum, B> Moved<T, B> {
         let phi = Dual2::new(phi, T::constant(1.0), T::constant(0.0));
         let place = self.balancing.place(K::angle(phi), || K::energy(&self.boom, phi))?;
         Some((self.mass, parts(place)))
+    }
+
+    fn posed<K: Balanceable<Of<Dual2<T>> = B>>(&self, phi: T) -> Option<PosedCounterweight<T>> {
+        let weight = self.weighed::<K>(phi)?;
+        let balance = self.balancing.balance.map(|x: Dual2<T>| x.re);
+        Some(posed::<T, K>(weight, phi, |boom, [at, travel]| {
+            balance.line(boom, at, travel)
+        }))
+    }
+}
+
+/// In a plane that does not turn, at the coordinate (rad); with what carries a force where the boom that the balance sees is at
+/// an angle, and the counterweight at a place from which it moves for one radian of that boom.
+fn posed<T: Calc, K: Balanceable>(
+    (mass, [at, travel, bend]): Weight<T>,
+    phi: T,
+    line: impl FnOnce(T, [Point<T>; 2]) -> Option<RodLine<T>>,
+) -> PosedCounterweight<T> {
+    let boom = T::constant(K::SENSE);
+    PosedCounterweight {
+        mass,
+        reach: T::constant(0.0),
+        travel: [travel, bend],
+        boom,
+        line: line(K::angle(phi), [at, travel / boom]),
     }
 }
 
@@ -118,17 +148,28 @@ where
 pub trait Weighing<P: Calc = f64>: Over<P> {
     /// At the coordinate (rad); `None` where the balance cannot be.
     fn weighed<K: Balanceable>(of: &MovedBalance<K, P>, phi: Self) -> Option<Weight<Self>>;
+
+    /// As [`weighed`](Weighing::weighed), with how it carries a force.
+    fn posed<K: Balanceable>(of: &MovedBalance<K, P>, phi: Self) -> Option<PosedCounterweight<Self>>;
 }
 
 impl Weighing for f64 {
     fn weighed<K: Balanceable>(of: &MovedBalance<K, f64>, phi: f64) -> Option<Weight<f64>> {
         of.twice.weighed::<K>(phi)
     }
+
+    fn posed<K: Balanceable>(of: &MovedBalance<K, f64>, phi: f64) -> Option<PosedCounterweight<f64>> {
+        of.twice.posed::<K>(phi)
+    }
 }
 
 impl Weighing<Dual64> for Dual64 {
     fn weighed<K: Balanceable>(of: &MovedBalance<K, Dual64>, phi: Dual64) -> Option<Weight<Dual64>> {
         of.thrice.weighed::<K>(phi)
+    }
+
+    fn posed<K: Balanceable>(of: &MovedBalance<K, Dual64>, phi: Dual64) -> Option<PosedCounterweight<Dual64>> {
+        of.thrice.posed::<K>(phi)
     }
 }
 
@@ -142,5 +183,14 @@ impl Weighing<Rec> for Rec {
         let [travel, bend] = changes(place, phi, [travel, bend], m::OF_COUNTERWEIGHT);
         let mass = (balancing.balance.weight()? / of.gravity).rounded_as(mass);
         Some((mass.def(&m::MASS_5), [place, travel, bend]))
+    }
+
+    fn posed<K: Balanceable>(of: &MovedBalance<K, Rec>, phi: Rec) -> Option<PosedCounterweight<Rec>> {
+        let (weight, values) = (Rec::weighed(of, phi)?, of.twice.posed::<K>(phi.value())?);
+        let balancing = K::balancing(&of.boom, &of.form, &of.choice).ok()?;
+        Some(posed::<Rec, K>(weight, phi, |boom, [at, travel]| {
+            let line = balancing.balance.line(boom, at, travel).zip(values.line);
+            line.map(|(line, values)| named(&line, &values))
+        }))
     }
 }

@@ -30,6 +30,8 @@ impl Balanceable for OnBoom {
         balancing(weights, form, choice)
     }
 
+    const SENSE: f64 = 1.0;
+
     fn angle<C: Calc>(phi: C) -> C {
         phi
     }

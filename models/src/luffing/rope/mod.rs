@@ -22,10 +22,12 @@
 //! | `rope.pull` | [`statics::Pull::new`] | Ports001, 5.1, by equilibrium |
 //! | `rope.losses` | [`losses::Losses::new`] | Ports001, 5.1 |
 //! | `rope.motion` | [`moving::Roped`] | Lagrange, in closed form |
+//! | `rope.forces_in_motion` | [`forces_in_motion::RopeForces::new`] | Newton and Euler |
 //! | `rope.range` | [`crate::component::whole`] | Ports001, 5.2.3 |
 //! | `rope.fall_back` | [`crate::component::whole`] | Ports001, 5.1 |
 
 mod balancing;
+pub mod forces_in_motion;
 pub mod losses;
 pub mod moving;
 mod outline;

@@ -1,4 +1,4 @@
-//! The boom in motion: what boom and load are to the equations of motion, in closed form, and the pull of the tackle.
+//! The boom in motion: what boom and load are to the equations of motion, in closed form.
 
 use crate::balance::boom::Plain;
 use crate::kernel::calc::{Calc, Over};
@@ -10,7 +10,7 @@ use crate::luffing::moving::single::SingleBoom;
 use crate::luffing::moving::symbols::{self as m, OfSums};
 use crate::luffing::moving::weighed::Weight;
 use crate::luffing::rope::balancing::OnBoom;
-use crate::luffing::rope::position::{BoomChoice, Compensation, Falls, Rig};
+use crate::luffing::rope::position::{BoomChoice, Compensation, Rig};
 use crate::luffing::rope::symbols as s;
 use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
@@ -95,6 +95,15 @@ impl<P: Calc> RopedBodies<P> {
     }
 }
 
+/// A load that hangs straight below the head at any time, in m: place, rise for one radian of the boom, and how that changes.
+fn below<C: Calc>([head, travel, bend]: [Point<C>; 3], [length, arm, change]: [C; 3]) -> [Point<C>; 3] {
+    [
+        Point::new(head.x, head.y + length),
+        Point::new(travel.x, (travel.y - arm).def(&s::DY_Q)),
+        Point::new(bend.x, (bend.y - change).def(&s::DDY_Q)),
+    ]
+}
+
 /// A boom on a luffing rope, as its equations of motion see it.
 #[derive(Clone, Copy, Debug)]
 pub struct Roped;
@@ -132,6 +141,16 @@ impl SingleBoom for Roped {
         }
     }
 
+    fn load<P: Over<P>>(of: &RopedBodies<P>, phi: P) -> Option<(P, [Point<P>; 2])> {
+        let load = of.load.as_ref()?;
+        let (sin, cos) = phi.sin_cos();
+        let head = plane::turned(Point::new(cos, sin), of.rig.l, of.rig.f_a);
+        let head = plane::def(head, [&s::A_X, &s::A_Y]);
+        let travel = plane::def(Point::new(-head.y, head.x), [&s::DA_X, &s::DA_Y]);
+        let [_, travel, bend] = below([head, travel, -head], of.led(head)?);
+        Some((load.mass.def(&m::MASS_Q), [travel, bend]))
+    }
+
     /// `None` where the head is at the sheave. What turns about the foot has x″ = −x, y″ = −y.
     fn at<P: Calc, C: Over<P>>(
         of: &RopedBodies<P>,
@@ -146,7 +165,7 @@ impl SingleBoom for Roped {
         let centre = plane::def(place(of.boom.centre.x, of.boom.centre.y), [&s::S_BX, &s::S_BY]);
         let head = plane::def(place(of.rig.l, of.rig.f_a), [&s::A_X, &s::A_Y]);
         let travel = plane::def(turned(head), [&s::DA_X, &s::DA_Y]);
-        let [length, arm, change] = of.led(head)?;
+        let led = of.led(head)?;
         let boom = MovedBody {
             centre: [centre, turned(centre), -centre],
             turn: [one, zero],
@@ -159,16 +178,12 @@ impl SingleBoom for Roped {
                 head: [head, travel, bend],
                 drive: [zero; 2],
                 turn: [zero; 2],
-                lead: Some([arm, change]),
+                lead: Some([led[1], led[2]]),
             };
             return Some(Reduced::of([&of.boom], [&OF_BODY[0]], gravity, moves));
         };
         let hanging = MovedBody {
-            centre: [
-                Point::new(head.x, head.y + length),
-                Point::new(travel.x, (travel.y - arm).def(&s::DY_Q)),
-                Point::new(-head.x, (-head.y - change).def(&s::DDY_Q)),
-            ],
+            centre: below([head, travel, -head], led),
             turn: [zero; 2],
         };
         let moves = Moves {
@@ -182,9 +197,4 @@ impl SingleBoom for Roped {
         let names = OF_BODY.each_ref();
         Some(Reduced::of([&of.boom, load], names, gravity, moves))
     }
-}
-
-/// Pull of the luffing tackle in motion, in N, that gives the boom a moment (N·m).
-pub fn pull<C: Calc>(moment: &C, falls: &Falls<C>) -> C {
-    (*moment / falls.line.arm).def(&s::T_DYN)
 }

@@ -2,12 +2,14 @@
 
 use crate::balance::symbols as b;
 use crate::component::description::Description;
+use crate::component::moving::MovingComponent;
 use crate::kernel::symbol::{Symbol, listed};
+use crate::luffing::moving::carried;
 use crate::luffing::moving::scene::Moving;
 use crate::luffing::moving::symbols as m;
-use crate::luffing::moving::told::shown::{Drawn, OwnPart, Shown, ShownBar};
+use crate::luffing::moving::told::shown::{Apart, Drawn, OwnPart, Shown, ShownBar};
 use crate::luffing::rope::scene::Rope;
-use crate::luffing::rope::stages::Given;
+use crate::luffing::rope::stages::{Given, RopeBoom};
 use crate::luffing::rope::symbols as s;
 
 impl Shown for Rope {
@@ -31,21 +33,29 @@ impl Shown for Rope {
         (
             "motion_forces",
             "rope_dynamic",
-            listed!(s: K_LX, K_LY, L_TX, L_TY, L_T, H_T, T_DYN),
+            listed! { s:
+                K_LX, K_LY, L_TX, L_TY, L_T, H_T, T_DYN, M_BO, L_SX, L_SY, S_H, F_K, F_O1X, F_O1Y, N_B
+            },
         ),
     ];
 
-    const STAGES: &'static [&'static str] = &["moves", "led", "tackle"];
+    const STAGES: &'static [&'static str] = &["moves", "led", "tackle", "acting", "countered", "forces"];
 
     const DRIVE: Drawn = ("rope_dynamic", &s::T_DYN);
 
     const BODY: Drawn = ("motion_resisting", &m::M_R);
 
-    const FORCES: &'static [&'static Symbol] = &[&s::T_DYN, &m::M_R];
+    const FORCES: &'static [&'static Symbol] = &[&s::T_DYN, &m::M_R, &s::S_H, &s::F_O1X, &s::F_O1Y, &s::N_B];
 
     const AGREEMENT: &'static Symbol = &s::AGREEMENT;
+
+    const APART: Option<Apart> = Some(apart);
 
     fn moves(this: &Description<Rope>) -> Option<(Given<f64>, &Moving)> {
         Some((this.given.clone(), this.moving.as_ref()?))
     }
+}
+
+fn apart(model: &mut MovingComponent) -> Option<[f64; 2]> {
+    Some(carried::known::<RopeBoom>(model.parts().0).forces().ok()?.apart())
 }

@@ -11,10 +11,11 @@ use crate::component::scalar::Scalar;
 use crate::component::stages::{Found, stages};
 use crate::component::whole::{How, Whole};
 use crate::kernel::group::One;
-use crate::kernel::symbol::Symbol;
+use crate::kernel::symbol::{Symbol, listed};
 use crate::kernel::variable::Variable;
 use crate::luffing::balancing::{Balanced, Balancing};
 use crate::luffing::criteria::Criteria;
+use crate::luffing::moving::balance_in_motion::BalanceInMotion;
 use crate::luffing::moving::built::HoistParts;
 use crate::luffing::moving::given::{Constants, CraneStates, Fitted, Inputs, Slack};
 use crate::luffing::moving::hoisting::{HoistRamp, RopeGive};
@@ -23,7 +24,7 @@ use crate::luffing::moving::level::{CraneAt, Level};
 use crate::luffing::moving::listed::{Fittings, Said};
 use crate::luffing::moving::luffs::{Luffs, luffs};
 use crate::luffing::moving::reduced::Renewed;
-use crate::luffing::moving::single::{self, BoomRates, Heavy, SingleBoom, SingleParts};
+use crate::luffing::moving::single::{self, Acting, BoomRates, Heavy, SingleBoom, SingleParts};
 use crate::luffing::moving::stages::{self, CraneEvents, CraneMoves, CraneRates, INDICATORS, rates_after};
 use crate::luffing::resistances::brakes::{Holding, Stopped};
 use crate::luffing::resistances::friction::{Pins, Rubbed};
@@ -38,11 +39,12 @@ use crate::luffing::resistances::placed::{MovedBars, Weighty};
 use crate::luffing::resistances::sums::Sums;
 use crate::luffing::resistances::told::resists;
 use crate::luffing::rope::balancing::{analysed, balanced, balancing, criteria, residual};
+use crate::luffing::rope::forces_in_motion::{self, RopeForces};
 use crate::luffing::rope::losses::Losses;
-use crate::luffing::rope::moving::{self, BoomInertia, Roped, RopedParts};
+use crate::luffing::rope::moving::{BoomInertia, Roped, RopedParts};
 use crate::luffing::rope::position::{BoomChoice, BoomPosition, Compensation, Falls, LoadLevel, Path, Rig, Stretch};
 use crate::luffing::rope::resisting::{self, BoomPlaces};
-use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, power};
+use crate::luffing::rope::statics::{Hanging, OwnMoment, Pull, RopePulls, hauled, power};
 use crate::luffing::rope::symbols as r;
 use crate::luffing::rope::velocity::{RopeTravel, Speeds};
 use crate::luffing::strength::given::{PinSize, Wire};
@@ -54,6 +56,7 @@ use crate::parts::plane::Point;
 
 /// Quantities at rest and in motion.
 mod s {
+    pub use crate::balance::symbols::{F_KX, F_KY, F_MX, F_MY, N_1};
     pub use crate::luffing::moving::symbols::{F_AIR, M_R, P_AIR, S_R, W_BLOW, Z_LOW};
     pub use crate::luffing::resistances::symbols::F_R;
     pub use crate::luffing::rope::symbols::*;
@@ -144,8 +147,14 @@ stages! {
         rates: CraneRates<C> = CraneRates::new(moves, fitted);
         resisting: C = stages::resisting(built, told, at, phi) => M_R;
         driving: C = stages::driving(built, told, at, phi) => _;
-        tackle: C = moving::pull(driving, falls) => T_DYN;
+        tackle: C = forces_in_motion::pull(driving, falls) => T_DYN;
+        hauled: C = hauled(rig, tackle, speeds) => P_L;
         led: C = stages::pull(built, told, at, phi) => S_R;
+        acting: Acting<C> = single::acting(boom, built, told, at, phi);
+        countered: BalanceInMotion<C> = single::countered(acting, balance[!]);
+        forces: RopeForces<C> = RopeForces::new(
+            rig, position, falls, stretch, weights[!], inertia[!], constants[!], acting, tackle
+        );
         air_force: C = stages::air_force(built, told, at, phi, around[!]) => F_AIR;
         air_power: C = stages::air_power(built, told, at, phi, around[!]) => P_AIR;
         blown: C = stages::blown(at) => W_BLOW;
@@ -161,7 +170,7 @@ resists!(RopeBoom with resisting::PARTS);
 const SAID: Said = Said {
     bar: [&[&b::PHI, &s::OMEGA], &rates_after::<22>(Roped::RATES)],
     still: &[r::ALL, b::ALL],
-    moving: &[&s::T_DYN],
+    moving: listed!(s: T_DYN, S_H, F_K, F_O1X, F_O1Y, N_B, P_L, N_1, F_KX, F_KY, F_MX, F_MY),
     drive: None,
 };
 

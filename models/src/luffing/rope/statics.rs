@@ -129,5 +129,10 @@ impl<C: Calc> Pull<C> {
 /// Power of the luffing rope at its drum, in W; positive where the drum gives it.
 /// T / m_l in the rope, at its speed.
 pub fn power<C: Calc>(rig: &Rig<C>, pull: &Pull<C>, speeds: &Speeds<C>) -> C {
-    (pull.t / rig.m_l * speeds.v_l).def(&s::P_L)
+    hauled(rig, &pull.t, speeds)
+}
+
+/// The same with a pull of the luffing tackle, in N.
+pub fn hauled<C: Calc>(rig: &Rig<C>, pull: &C, speeds: &Speeds<C>) -> C {
+    (*pull / rig.m_l * speeds.v_l).def(&s::P_L)
 }

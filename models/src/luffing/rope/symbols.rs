@@ -91,6 +91,7 @@ symbols! {
     DI_RB: "dI_rb" "I'_b" KG_M2 / KG_M2, "Change of the boom's inertia for one radian of it.", "Lagrange";
     I_RQ: "I_rQ" "I_Q" KG_M2 / KG_M2, "Inertia of the load, reduced to the boom's angle.", "Lagrange";
     DI_RQ: "dI_rQ" "I'_Q" KG_M2 / KG_M2, "Change of the load's reduced inertia for one radian of the boom.", "Lagrange";
+    M_BO: "M_bO" "M_(b O)" N_M / KN_M, "Moment of the boom's weight and inertia about O1; clockwise positive.", "Newton and Euler";
     T_DYN: "T_dyn" "T_\"dyn\"" N / KN, "Pull of the luffing tackle as motor and brake give it; zero where the tackle is slack.", "equations of motion";
     D_PHI: "der(phi)" "dot(phi)" RAD_PER_S / DEG_PER_S, "Rate of the boom's angle.", "state";
     D_OMEGA: "der(omega)" "dot(omega)" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the boom.", "equations of motion";

@@ -1,6 +1,5 @@
 //! What is the double link's own in what its book tells of it in motion.
 
-use crate::balance::symbols as b;
 use crate::component::description::Described;
 use crate::component::moving::MovingComponent;
 use crate::drive::mount::Bore;
@@ -53,24 +52,7 @@ impl Shown for LuffingScene {
             "motion_forces",
             "motion_forces",
             &[
-                &m::F_AX,
-                &m::F_AY,
-                &m::M_RC,
-                &m::M_RV,
-                &m::M_RS,
                 &s::M_D,
-                &m::F_5X,
-                &m::F_5Y,
-                &m::M_I5,
-                &m::N_5X,
-                &m::N_5Y,
-                &b::N_1,
-                &m::E_1X,
-                &m::E_1Y,
-                &b::F_KX,
-                &b::F_KY,
-                &b::F_MX,
-                &b::F_MY,
                 &m::F_1X,
                 &m::F_1Y,
                 &m::F_2X,
@@ -88,7 +70,6 @@ impl Shown for LuffingScene {
                 &s::F_BY,
                 &s::F_CX,
                 &s::F_CY,
-                &m::M_T,
                 &s::F_D,
                 &s::F_O1X,
                 &s::F_O1Y,

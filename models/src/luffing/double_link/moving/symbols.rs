@@ -42,7 +42,6 @@ symbols! {
     M_I3: "M_i3" "M_(i 3)" N_M / KN_M, "Moment of the rocker's weight and inertia about O3; clockwise positive.", "Newton and Euler";
     M_IB: "M_iB" "M_(i B)" N_M / KN_M, "Moment of the rope and of the jib's weight and inertia about B; clockwise positive.", "Newton and Euler";
     M_IC: "M_iC" "M_(i C)" N_M / KN_M, "Moment of the rope and of the jib's weight and inertia about C; counter-clockwise positive.", "Newton and Euler";
-    M_T: "M_T" "M_T" N_M / KN_M, "Moment on the driving link that equilibrium of the moving bodies asks for: of drive, friction and end stop together.", "Newton and Euler";
     R_2QX: "R_2Q.x" "x_(2 Q)" M / M, "Centre of gravity of the jib with the load, from B, forward.", "derived";
     R_2QY: "R_2Q.y" "y_(2 Q)" M / M, "Centre of gravity of the jib with the load, from B, upward.", "derived";
     DI_1: "di_1" "i'_1" ONE / ONE, "Change of the boom's ratio of angular velocities for one radian of the driving link.", "dual numbers";

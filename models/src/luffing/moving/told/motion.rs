@@ -88,7 +88,31 @@ const SECTIONS: [(&str, &[&Symbol]); 10] = [
             D_OMEGA_R, D_V_QX, D_V_QY, D_V_QZ, D_V_Q, S_R, D_V_R
         },
     ),
-    ("motion_forces", &[]),
+    (
+        "motion_forces",
+        &[
+            &m::F_AX,
+            &m::F_AY,
+            &m::M_RC,
+            &m::M_RV,
+            &m::M_RS,
+            &m::F_5X,
+            &m::F_5Y,
+            &m::M_I5,
+            &m::N_5X,
+            &m::N_5Y,
+            &b::N_1,
+            &m::E_1X,
+            &m::E_1Y,
+            &b::F_KX,
+            &b::F_KY,
+            &b::F_MX,
+            &b::F_MY,
+            &m::F_IBX,
+            &m::F_IBY,
+            &m::M_T,
+        ],
+    ),
 ];
 
 /// What is found while the model is assembled, before it moves, besides a mechanism's own.

@@ -58,7 +58,8 @@ pub(super) fn present<T: Luffs>(model: &mut MovingComponent) -> (CraneAt, f64) {
 /// Runs the equations of motion as they are now under the recorder. Returns how many steps were recorded while
 /// they were assembled.
 pub(super) fn recorded<T: Shown>(model: &MovingComponent) -> usize {
-    let plain = model.standing().of::<T::Component>().given();
+    let runner = model.standing().of::<T::Component>();
+    let plain = runner.given();
     let given = T::Component::map(plain, &mut |source, (symbol, _), value| {
         let past = T::Component::GROUPS[usize::from(source.group)].0 == "past";
         match past || !T::Component::gives(plain, symbol) {
@@ -73,9 +74,10 @@ pub(super) fn recorded<T: Shown>(model: &MovingComponent) -> usize {
             .iter()
             .position(|stage| stage.id == id)
             .expect("one of its stages");
-        let rows = stages[found].rows;
+        let (rows, stage) = (stages[found].rows, found as u8);
         let there = rows.is_empty() || rows.iter().any(|row| T::Component::has(plain, row));
-        there && T::Component::make(&mut known, found as u8).is_ok()
+        let there = there && T::Component::count(&runner.0, stage).is_some();
+        there && T::Component::make(&mut known, stage).is_ok()
     };
     let built = make("built");
     let assembled = record::steps();

@@ -2,11 +2,41 @@
 
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::luffing::double_link::pose::PosedBody;
 use crate::luffing::moving::shares::Instant;
 use crate::parts::plane::{self, Point, cross};
 
+/// A body in its bar.
+#[derive(Clone, Copy, Debug)]
+pub struct PosedBody<C> {
+    /// In kg, and about its centre of gravity in kg·m².
+    pub mass: C,
+    pub inertia: C,
+    /// Mass times forward and upward distance from the centre, in kg·m².
+    pub deviation: C,
+    /// Centre of gravity from the bar's first joint and, forward, from the slewing axis, in m.
+    pub place: Point<C>,
+    pub reach: C,
+    /// Travel of the centre (m) and turning of the bar for one radian of the driving link, and how they change.
+    pub travel: [Point<C>; 2],
+    pub turn: [C; 2],
+}
+
 impl<C: Calc> PosedBody<C> {
+    /// One that turns with the coordinate about a joint: mass (kg), inertia about its centre (kg·m²), place of the centre from
+    /// the joint (m) and what it moves by, once and once more, all in a plane that does not turn.
+    pub fn in_plane([mass, inertia]: [C; 2], place: Point<C>, travel: [Point<C>; 2]) -> PosedBody<C> {
+        let zero = C::constant(0.0);
+        PosedBody {
+            mass,
+            inertia,
+            deviation: zero,
+            place,
+            reach: zero,
+            travel,
+            turn: [C::constant(1.0), zero],
+        }
+    }
+
     /// Weight and inertia, in N.
     pub fn force(&self, at: &Instant<C>, gravity: C, names: [&'static Symbol; 2]) -> Point<C> {
         let force = weight_and_inertia(self.mass, self.travel, self.reach, at, gravity);
