@@ -93,7 +93,7 @@ def test_a_curve_is_broken_where_a_brake_never_stops(tmp_path):
     (tmp_path / "crane.toml").write_text(text[:text.index("[supports.limits]")], encoding="utf-8")
     # It does not hold either.
     assert "turning_hold" in lemnis("check", tmp_path / "crane.toml", expect=4)
-    lemnis("book", tmp_path / "crane.toml", "--output", tmp_path, expect=4)
-    lemnis("book", tmp_path / "crane.toml", "--format", "typ", "--output", tmp_path, expect=4)
+    lemnis("book", tmp_path / "crane.toml", "--output", tmp_path)
+    lemnis("book", tmp_path / "crane.toml", "--format", "typ", "--output", tmp_path)
     source = next(tmp_path.glob("*.typ")).read_text(encoding="utf-8")
     assert words("en")["curve"]["turning_stop"] in source
