@@ -54,6 +54,10 @@ impl Found {
                 self.collect(trace, inner, exponent);
             }
             Node::Constant(1.0) => self.tidier = true,
+            Node::Constant(-1.0) => {
+                self.minus ^= exponent % 2 != 0;
+                self.tidier = true;
+            }
             _ => match self.factors.iter_mut().find(|(base, _)| alike(trace, *base, rec)) {
                 Some((_, sum)) => (*sum, self.tidier) = (*sum + exponent, true),
                 None => self.factors.push((rec, exponent)),

@@ -246,7 +246,7 @@ mod tests {
     #[test]
     fn equal_factors_are_powers() {
         type Formula = fn([Rec; 4]) -> Rec;
-        let cases: [(Formula, &str, &str); 8] = [
+        let cases: [(Formula, &str, &str); 10] = [
             (|[a, b, ..]| a * b * a, "X_1^2 X_2", r#"(3 thin"m")^2 dot (-2 thin"m")"#),
             (
                 |[a, _, c, _]| a * a.square() / c,
@@ -277,6 +277,16 @@ mod tests {
                 |[a, b, c, _]| a * b / (a * c),
                 "frac(X_2, X_3)",
                 r#"frac(-2 thin"m", 0.5 thin"m")"#,
+            ),
+            (
+                |[a, b, c, _]| (a * c + b) / Rec::constant(-1.0),
+                "-(X_1 X_3 + X_2)",
+                r#"-(3 thin"m" dot 0.5 thin"m" + (-2 thin"m"))"#,
+            ),
+            (
+                |[a, b, ..]| Rec::constant(1.0) * -(a - b),
+                "-(X_1 - X_2)",
+                r#"-(3 thin"m" - (-2 thin"m"))"#,
             ),
             // Nothing is equal: as it is calculated.
             (

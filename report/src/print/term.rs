@@ -151,6 +151,12 @@ fn product(print: Print, nested: bool, product: &Product) -> Term {
         Some(below) => binary(print.form, nested, Op::Div, above, below),
         None => above,
     };
+    // What is left may be a lone sum.
+    let term = if product.minus {
+        term.within(Level::Product)
+    } else {
+        term
+    };
     Term {
         minus: term.minus != product.minus,
         ..term

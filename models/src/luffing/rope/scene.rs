@@ -285,14 +285,7 @@ impl Described for Rope {
             .chain(balance)
             .chain(load_taken(moving.rope.as_ref(), "rope_load"))
             .chain(led)
-            .chain([
-                "rope_winch",
-                "sticking",
-                "stops",
-                "forces_in_motion",
-                "rope_at_rest",
-                "solver_runge_kutta",
-            ])
+            .chain(["rope_winch", "sticking", "stops", "rope_at_rest", "solver_runge_kutta"])
             .chain(foot)
             .collect()
     }
