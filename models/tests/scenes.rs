@@ -102,6 +102,19 @@ fn a_slip_of_the_unit_is_told() {
     }
 }
 
+/// 1e-7 km and 0.1 mm are one length, whatever the product of a number and its unit is rounded to.
+#[test]
+fn a_limit_in_another_unit_is_that_limit() {
+    assert_ne!(1e-7 * 1e3, 1e-4);
+    let refused = |length: &str| {
+        let text = changed(&[(r#"X_1 = "19.3 m""#, &format!("X_1 = \"{length}\""))]);
+        mistakes(&text)
+            .iter()
+            .any(|mistake| mistake.message.contains("it must be from"))
+    };
+    assert!(!refused("0.1 mm") && !refused("1e-7 km") && refused("0.9999999e-7 km"));
+}
+
 /// How far a result may be off can be as little as one likes.
 #[test]
 fn an_accuracy_may_be_small() {

@@ -48,8 +48,14 @@ fn allowed(value: f64, text: &str, symbol: &'static Symbol, unit: &Unit, sign: S
         let message = format!("{text} is not allowed, it must be {}", sign.words());
         return Err((message, "out of range".to_owned(), help));
     }
-    let [least, most] = sign.limits(symbol, unit);
+    let limits = sign.limits(symbol, unit);
+    let [least, most] = limits;
     if !(least..=most).contains(&value) {
+        // "1e-7 km" is rounded to less than 0.1 mm.
+        let near = |limit: &f64| (value - limit).abs() <= 4.0 * f64::EPSILON * limit.abs();
+        if let Some(limit) = limits.into_iter().find(near) {
+            return Ok(limit);
+        }
         let shown = if unit == symbol.unit { symbol.display } else { unit };
         let written = |value: f64| match shown.name {
             "1" => short(value).to_string(),
