@@ -44,7 +44,7 @@ symbols! {
     M_D: "M_D" "M_D" N_M / KN_M, "Moment that the drive must give to the link about O1; positive raises the boom and lowers the link.", "virtual work";
     P_D: "P_D" "P_D" W / KW, "Power of the drive; positive where it gives it.", "virtual work";
 
-    // Forces, of rest.
+    // Forces, of rest or of the motion.
     S_BX: "S_b.x" "x_S" M / M, "Centre of gravity of the boom, forward of O1.", "derived";
     M_C: "M_C" "M_C" N_M / KN_M, "Moment of load and own weight of the boom about C; positive lowers the head.", "equilibrium";
     F_BX: "F_B.x" "F_(B x)" N / KN, "Force of the guide on the boom's foot B, forward.", "equilibrium";
