@@ -135,6 +135,7 @@ units! {
     BAR         = "bar"      "bar"     [-1 1 -2 0]   1e5;
     MPA         = "MPa"      "MPa"     [-1 1 -2 0]   1e6;
     KG_M2       = "kg.m2"    "kg·m²"   [2 1 0 0]     1.0;
+    T_M2        = "t.m2"     "t·m²"    [2 1 0 0]     1e3;
     N_M_S       = "N.m.s"    "N·m·s"   [2 1 -1 0]    1.0;
     KN_M_S      = "kN.m.s"   "kN·m·s"  [2 1 -1 0]    1e3;
     J_PER_KG    = "J/kg"     "J/kg"    [2 0 -2 0]    1.0;

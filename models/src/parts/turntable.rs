@@ -9,7 +9,7 @@ use crate::parts::motion::degrees;
 use crate::parts::turntable as s;
 
 symbols! {
-    J_SL: "J_sl" "J_\"sl\"" KG_M2 / KG_M2 [not_negative], "Inertia about the slewing axis of all that slews but the bodies of a luffing mechanism beside it and the load.", "input";
+    J_SL: "J_sl" "J_\"sl\"" KG_M2 / T_M2 [not_negative], "Inertia about the slewing axis of all that slews but the bodies of a luffing mechanism beside it and the load.", "input";
     C_SL: "c_sl" "c_\"sl\"" N_M_S / KN_M_S [not_negative], "Viscous friction of slewing: moment over angular velocity.", "input";
     M_F_SL: "M_Fsl" "M_\"F sl\"" N_M / KN_M [not_negative], "Dry friction of slewing: the moment that it holds, and that it sets against motion.", "input";
     PSI_MIN: "psi_min" "psi_\"min\"" RAD / DEG, "Slewing angle of the right end stop.", "input";

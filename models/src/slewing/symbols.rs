@@ -22,8 +22,8 @@ symbols! {
 
     // Results at any angle.
     MASS_Q: "mass_Q" "m_Q" KG / T [not_negative], "Mass of the load: weight over g.", "derived";
-    J_Q: "J_Q" "J_Q" KG_M2 / KG_M2 [not_negative], "Inertia of the load about the slewing axis.", "derived";
-    J_TOT: "J_tot" "J_\"tot\"" KG_M2 / KG_M2 [not_negative], "Inertia of all that slews about the slewing axis, with the load.", "[Ports001, 6.5]";
+    J_Q: "J_Q" "J_Q" KG_M2 / T_M2 [not_negative], "Inertia of the load about the slewing axis.", "derived";
+    J_TOT: "J_tot" "J_\"tot\"" KG_M2 / T_M2 [not_negative], "Inertia of all that slews about the slewing axis, with the load.", "[Ports001, 6.5]";
     M_GAMMA: "M_gamma" "M_gamma" N_M / KN_M, "Moment of the weights on the slope about the slewing axis; positive counter-clockwise, seen from above.", "virtual work";
     M_ST: "M_st" "M_\"st\"" N_M / KN_M, "Moment that the drive must give to slew steadily counter-clockwise.", "[Ports001, 6.4]";
     P_ST: "P_st" "P_\"st\"" W / KW, "Power of the drive while the crane slews steadily; negative where the slope drives it.", "derived";

@@ -55,25 +55,25 @@ symbols! {
     F_O1Y: "F_O1.y" "F_(O 1 y)" N / KN, "Force of the frame on the link at O1, upward.", "equilibrium";
 
     // In motion.
-    J_B: "J_b" "J_b" KG_M2 / KG_M2 [not_negative], "Inertia of the boom about its centre of gravity.", "input";
-    J_L: "J_l" "J_l" KG_M2 / KG_M2 [not_negative], "Inertia of the link about its centre of gravity.", "input";
+    J_B: "J_b" "J_b" KG_M2 / T_M2 [not_negative], "Inertia of the boom about its centre of gravity.", "input";
+    J_L: "J_l" "J_l" KG_M2 / T_M2 [not_negative], "Inertia of the link about its centre of gravity.", "input";
     MASS_B: "mass_b" "m_b" KG / T, "Mass of the boom, with the load where it hangs on no rope: weight over g.", "derived";
     MASS_L: "mass_l" "m_l" KG / T, "Mass of the link: weight over g.", "derived";
-    J_BQ: "J_bQ" "J_(b Q)" KG_M2 / KG_M2, "Inertia of the boom with the load about their common centre of gravity.", "derived";
+    J_BQ: "J_bQ" "J_(b Q)" KG_M2 / T_M2, "Inertia of the boom with the load about their common centre of gravity.", "derived";
     S_MX: "S_m.x" "x_m" M / M, "Centre of gravity of the boom, with the load where it hangs on no rope, forward of O1.", "derived";
     S_MY: "S_m.y" "y_m" M / M, "Centre of gravity of the boom, with the load where it hangs on no rope, above O1.", "derived";
     DS_MX: "dS_m.x" "x'_m" M / M, "Forward travel of this centre of gravity for one radian of the boom.", "derived";
     DS_MY: "dS_m.y" "y'_m" M / M, "Rise of this centre of gravity for one radian of the boom.", "derived";
     DS_LX: "dS_l.x" "x'_l" M / M, "Forward travel of the link's centre of gravity for one radian of the boom.", "derived";
     DS_LY: "dS_l.y" "y'_l" M / M, "Rise of the link's centre of gravity for one radian of the boom.", "derived";
-    I_RB: "I_rb" "I_b" KG_M2 / KG_M2, "Inertia of the boom, reduced to its angle.", "Lagrange";
-    DI_RB: "dI_rb" "I'_b" KG_M2 / KG_M2, "Change of the boom's reduced inertia for one radian of it.", "Lagrange";
+    I_RB: "I_rb" "I_b" KG_M2 / T_M2, "Inertia of the boom, reduced to its angle.", "Lagrange";
+    DI_RB: "dI_rb" "I'_b" KG_M2 / T_M2, "Change of the boom's reduced inertia for one radian of it.", "Lagrange";
     M_BC: "M_bC" "M_(b C)" N_M / KN_M, "Moment of the rope and of the boom's weight and inertia about C; clockwise positive.", "Newton and Euler";
     F_ILX: "F_il.x" "F_(i l x)" N / KN, "Inertia of the link, forward.", "Newton and Euler";
     F_ILY: "F_il.y" "F_(i l y)" N / KN, "Weight and inertia of the link, upward.", "Newton and Euler";
     M_LO: "M_lO" "M_(l O)" N_M / KN_M, "Moment of the link's weight and inertia about O1; clockwise positive.", "Newton and Euler";
-    I_RL: "I_rl" "I_l" KG_M2 / KG_M2, "Inertia of the link, reduced to the boom's angle.", "Lagrange";
-    DI_RL: "dI_rl" "I'_l" KG_M2 / KG_M2, "Change of the link's reduced inertia for one radian of the boom.", "Lagrange";
+    I_RL: "I_rl" "I_l" KG_M2 / T_M2, "Inertia of the link, reduced to the boom's angle.", "Lagrange";
+    DI_RL: "dI_rl" "I'_l" KG_M2 / T_M2, "Change of the link's reduced inertia for one radian of the boom.", "Lagrange";
     D_PHI: "der(phi)" "dot(phi)" RAD_PER_S / DEG_PER_S, "Rate of the boom's angle.", "state";
     D_OMEGA: "der(omega)" "dot(omega)" RAD_PER_S2 / RAD_PER_S2, "Angular acceleration of the boom.", "equations of motion";
 

@@ -83,10 +83,10 @@ symbols! {
     DY_5: "dy_5" "y'_5" M / M, "Rise of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
     DDX_5: "ddx_5" "x''_5" M / M, "Change of the forward travel of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
     DDY_5: "ddy_5" "y''_5" M / M, "Change of the rise of the counterweight's centre of gravity for one radian of the driving link.", "dual numbers";
-    I_R5: "I_r5" "I_5" KG_M2 / KG_M2, "Inertia of the counterweight, reduced to the driving link.", "Lagrange";
-    DI_R5: "dI_r5" "I'_5" KG_M2 / KG_M2, "Change of the counterweight's reduced inertia for one radian of the driving link.", "Lagrange";
-    I_R: "I_r" "I" KG_M2 / KG_M2, "Inertia of all bars and the counterweight, reduced to the driving link.", "Lagrange";
-    DI_R: "dI_r" "I'" KG_M2 / KG_M2, "Change of the reduced inertia for one radian of the driving link.", "Lagrange";
+    I_R5: "I_r5" "I_5" KG_M2 / T_M2, "Inertia of the counterweight, reduced to the driving link.", "Lagrange";
+    DI_R5: "dI_r5" "I'_5" KG_M2 / T_M2, "Change of the counterweight's reduced inertia for one radian of the driving link.", "Lagrange";
+    I_R: "I_r" "I" KG_M2 / T_M2, "Inertia of all bars and the counterweight, reduced to the driving link.", "Lagrange";
+    DI_R: "dI_r" "I'" KG_M2 / T_M2, "Change of the reduced inertia for one radian of the driving link.", "Lagrange";
     M_W: "M_W" "M_W" N_M / KN_M, "Moment of the weights of bars and counterweight about the foot of the driving link; positive lowers it.", "virtual work";
     M_NET: "M_net" "M" N_M / KN_M, "Moment that accelerates the driving link, the load on its rope left aside.", "Lagrange";
     MASS_Q: "mass_Q" "m_Q" KG / T, "Mass of the load: weight over g.", "derived";
@@ -105,10 +105,10 @@ symbols! {
     A_C: "a_c" "a_c" M_PER_S2 / M_PER_S2, "Acceleration of the load across the rope, as this swings while it is paid out.", "derived";
     DH_R: "dh_R" "h'_R" M / M, "Rise of the load, with the rope that luffing adds, for one radian of the driving link.", "derived";
     DD_PHI: "dd_phi" "d'_phi" M / M, "Change of A's travel, across the rope, for one radian of the driving link.", "derived";
-    M_11: "m_11" "m_11" KG_M2 / KG_M2, "Inertia of the load at the driving link.", "Lagrange";
-    M_12: "m_12" "m_12" KG_M2 / KG_M2, "Inertia that couples driving link and rope.", "Lagrange";
-    M_21: "m_21" "m_21" KG_M2 / KG_M2, "Inertia that couples the rope of an empty hook and driving link.", "Lagrange";
-    M_22: "m_22" "m_22" KG_M2 / KG_M2, "Inertia of the load about the head.", "Lagrange";
+    M_11: "m_11" "m_11" KG_M2 / T_M2, "Inertia of the load at the driving link.", "Lagrange";
+    M_12: "m_12" "m_12" KG_M2 / T_M2, "Inertia that couples driving link and rope.", "Lagrange";
+    M_21: "m_21" "m_21" KG_M2 / T_M2, "Inertia that couples the rope of an empty hook and driving link.", "Lagrange";
+    M_22: "m_22" "m_22" KG_M2 / T_M2, "Inertia of the load about the head.", "Lagrange";
     W_1: "w_1" "w_1" J_PER_KG / J_PER_KG, "Work of a kilogram of the load, against its weight and inertia, for one radian of the driving link.", "Lagrange";
     TAU_1: "tau_1" "tau_1" N_M / KN_M, "Moment of the load's weight and inertia on the driving link.", "Lagrange";
     TAU_2: "tau_2" "tau_2" N_M / KN_M, "Moment of the load's weight and inertia on the rope.", "Lagrange";
@@ -120,8 +120,8 @@ symbols! {
     D_S: "d_s" "d_s" N_M_S / KN_M_S, "Damping of the end stops.", "derived";
 
     // The same of a crane that slews.
-    I_SL: "I_sl" "I_\"sl\"" KG_M2 / KG_M2, "Inertia of the whole crane about the slewing axis, without the load.", "dual numbers";
-    DI_SL: "dI_sl" "I'_\"sl\"" KG_M2 / KG_M2, "Change of the inertia about the slewing axis for one radian of the driving link.", "dual numbers";
+    I_SL: "I_sl" "I_\"sl\"" KG_M2 / T_M2, "Inertia of the whole crane about the slewing axis, without the load.", "dual numbers";
+    DI_SL: "dI_sl" "I'_\"sl\"" KG_M2 / T_M2, "Change of the inertia about the slewing axis for one radian of the driving link.", "dual numbers";
     M_NET_SL: "M_netsl" "M_\"N sl\"" N_M / KN_M, "Moment that accelerates slewing, the load on its rope left aside.", "Lagrange";
 
     // Forces of the motion: equilibrium of each body under its weight, its inertia and the rope.

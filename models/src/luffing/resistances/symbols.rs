@@ -22,7 +22,7 @@ symbols! {
     C_AIR: "c_air" "c_\"air\"" KG_PER_M3 / KG_PER_M3 [not_negative], "Pressure of the wind over the square of its speed.", "input";
 
     // Given: of each body.
-    J_S: "J_s" "J_(s i)" KG_M2 / KG_M2 [not_negative], "Inertia of the body about its centre of gravity.", "input";
+    J_S: "J_s" "J_(s i)" KG_M2 / T_M2 [not_negative], "Inertia of the body about its centre of gravity.", "input";
     A_W: "A_w" "A_(w i)" M2 / M2 [not_negative], "Area of the body that the wind meets.", "[Ports001, 5.5.4]";
     C_W: "c_w" "c_(w i)" ONE / ONE [not_negative], "Drag coefficient of this area.", "input";
     S_W: "s_w" "s_(w i)" M / M, "Centre of this area, from the body's first joint.", "input";
@@ -47,10 +47,10 @@ symbols! {
     W_GX: "W_Gx" "W_(G x)" N_M / KN_M, "Weights of all bodies times their forward travel for one radian of the luffing angle.", "virtual work";
     W_GY: "W_Gy" "W_(G y)" N_M / KN_M, "Weights of all bodies times their rise for one radian of the luffing angle.", "virtual work";
     V_CA: "V_cA" "V_(c A)" M3 / M3, "Areas times drag coefficients times the forward travel of their centres for one radian of the luffing angle.", "virtual work";
-    J_R: "J_r" "J_r" KG_M2 / KG_M2, "Inertia of all bodies, reduced to the luffing angle; the hanging load has none.", "Lagrange";
-    DJ_R: "dJ_r" "J'_r" KG_M2 / KG_M2, "Change of the reduced inertia for one radian of the luffing angle.", "Lagrange";
-    DI_Z: "dI_z" "I'_z" KG_M2 / KG_M2, "Change of the inertia of all bodies about the slewing axis for one radian of the luffing angle.", "Lagrange";
-    D_P: "D_p" "D_p" KG_M2 / KG_M2, "Masses times distance of their centres from the slewing axis times the forward travel of these for one radian of the luffing angle.", "[Ports001, 5.5.6]";
+    J_R: "J_r" "J_r" KG_M2 / T_M2, "Inertia of all bodies, reduced to the luffing angle; the hanging load has none.", "Lagrange";
+    DJ_R: "dJ_r" "J'_r" KG_M2 / T_M2, "Change of the reduced inertia for one radian of the luffing angle.", "Lagrange";
+    DI_Z: "dI_z" "I'_z" KG_M2 / T_M2, "Change of the inertia of all bodies about the slewing axis for one radian of the luffing angle.", "Lagrange";
+    D_P: "D_p" "D_p" KG_M2 / T_M2, "Masses times distance of their centres from the slewing axis times the forward travel of these for one radian of the luffing angle.", "[Ports001, 5.5.6]";
     M_MU: "M_mu" "M_(mu i)" N_M / KN_M, "Friction in all pins for one radian of the luffing angle, whichever way it turns.", "virtual work";
 
     // In each case.
@@ -112,9 +112,9 @@ symbols! {
     DX_K: "dx_k" "x'_k" M / M, "Its forward travel for one radian of the luffing angle.", "dual numbers";
     DY_K: "dy_k" "y'_k" M / M, "Its rise for one radian of the luffing angle.", "dual numbers";
     I_K: "i_k" "i_k" ONE / ONE, "Turn of a body for one radian of the luffing angle.", "dual numbers";
-    J_RK: "J_rk" "J_(r k)" KG_M2 / KG_M2, "Inertia of a body, reduced to the luffing angle.", "Lagrange";
-    DJ_RK: "dJ_rk" "J'_(r k)" KG_M2 / KG_M2, "Change of that for one radian of the luffing angle.", "Lagrange";
-    DI_ZK: "dI_zk" "I'_(z k)" KG_M2 / KG_M2, "Change of a body's inertia about the slewing axis for one radian of the luffing angle.", "Lagrange";
+    J_RK: "J_rk" "J_(r k)" KG_M2 / T_M2, "Inertia of a body, reduced to the luffing angle.", "Lagrange";
+    DJ_RK: "dJ_rk" "J'_(r k)" KG_M2 / T_M2, "Change of that for one radian of the luffing angle.", "Lagrange";
+    DI_ZK: "dI_zk" "I'_(z k)" KG_M2 / T_M2, "Change of a body's inertia about the slewing axis for one radian of the luffing angle.", "Lagrange";
     V_CAK: "V_cAk" "V_(c A k)" M3 / M3, "Areas of a body times drag coefficients times the forward travel of their centres for one radian of the luffing angle.", "virtual work";
     F_PK: "F_pk" "F_(p k)" N / KN, "Force in a pin, or of a guide.", "equilibrium";
     L_PK: "l_pk" "l_(p k)" M / MM, "Way of a pin's surface, or along a guide, for one radian of the luffing angle.", "dual numbers";

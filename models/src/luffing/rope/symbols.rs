@@ -79,7 +79,7 @@ symbols! {
     S_L_DOWN: "S_l.down" "S_(l, arrow.b)" N / KN, "Pull of the luffing rope at its drum, with losses, while the boom is lowered.", "[Ports001, 5.1]";
 
     // In motion.
-    J_B: "J_b" "J_b" KG_M2 / KG_M2 [not_negative], "Inertia of the boom about its centre of gravity.", "input";
+    J_B: "J_b" "J_b" KG_M2 / T_M2 [not_negative], "Inertia of the boom about its centre of gravity.", "input";
     MASS_B: "mass_b" "m_b" KG / T, "Mass of the boom: weight over g.", "derived";
     S_BX: "S_b.x" "x_S" M / M, "Centre of gravity of the boom, forward of O1.", "derived";
     S_BY: "S_b.y" "y_S" M / M, "Centre of gravity of the boom, above O1.", "derived";
@@ -87,10 +87,10 @@ symbols! {
     DL_R: "dl_R" "l'_R" M / M, "Rope that one radian of the boom adds between head and load, the hoist drum at rest.", "[Ports001, 5.2.3.1]";
     DDL_R: "ddl_R" "l''_R" M / M, "Change of that for one radian of the boom.", "derived";
     DDY_Q: "ddY_Q" "y''_Q" M / M, "Change of the load's rise for one radian of the boom.", "derived";
-    I_RB: "I_rb" "I_b" KG_M2 / KG_M2, "Inertia of the boom about its foot.", "Lagrange";
-    DI_RB: "dI_rb" "I'_b" KG_M2 / KG_M2, "Change of the boom's inertia for one radian of it.", "Lagrange";
-    I_RQ: "I_rQ" "I_Q" KG_M2 / KG_M2, "Inertia of the load, reduced to the boom's angle.", "Lagrange";
-    DI_RQ: "dI_rQ" "I'_Q" KG_M2 / KG_M2, "Change of the load's reduced inertia for one radian of the boom.", "Lagrange";
+    I_RB: "I_rb" "I_b" KG_M2 / T_M2, "Inertia of the boom about its foot.", "Lagrange";
+    DI_RB: "dI_rb" "I'_b" KG_M2 / T_M2, "Change of the boom's inertia for one radian of it.", "Lagrange";
+    I_RQ: "I_rQ" "I_Q" KG_M2 / T_M2, "Inertia of the load, reduced to the boom's angle.", "Lagrange";
+    DI_RQ: "dI_rQ" "I'_Q" KG_M2 / T_M2, "Change of the load's reduced inertia for one radian of the boom.", "Lagrange";
     M_BO: "M_bO" "M_(b O)" N_M / KN_M, "Moment of the boom's weight and inertia about O1; clockwise positive.", "Newton and Euler";
     T_DYN: "T_dyn" "T_\"dyn\"" N / KN, "Pull of the luffing tackle as motor and brake give it; zero where the tackle is slack.", "equations of motion";
     D_PHI: "der(phi)" "dot(phi)" RAD_PER_S / DEG_PER_S, "Rate of the boom's angle.", "state";

@@ -20,11 +20,11 @@ symbols! {
     R_G: "r_g" "r_g" M / M [positive], "Pitch radius of the toothed ring about the slewing axis.", "[Ports001, 6.5.4]";
     B_Z: "b_z" "b_z" M / MM [positive], "Width of the teeth.", "input";
 
-    J_E: "J_e" "J_e" KG_M2 / KG_M2 [not_negative], "Inertias of all bodies of the upper works about upright axes through their centres of gravity, together.", "[Ports001, 6.5.1]";
+    J_E: "J_e" "J_e" KG_M2 / T_M2 [not_negative], "Inertias of all bodies of the upper works about upright axes through their centres of gravity, together.", "[Ports001, 6.5.1]";
     R_W: "r_w" "r_(\"w\" i)" M / M, "Centre of a wind area, in front of the slewing axis; negative behind it.", "[Ports001, 6.5.1]";
 
     // What slews.
-    J_0: "J_0" "J_0" KG_M2 / KG_M2, "Inertia of the upper works about the slewing axis.", "[Ports001, 6.5.1]";
+    J_0: "J_0" "J_0" KG_M2 / T_M2, "Inertia of the upper works about the slewing axis.", "[Ports001, 6.5.1]";
     S_R: "S_r" "S_r" M3 / M3, "Sum of the wind areas with their distances in front of the slewing axis.", "derived";
 
     // About the slewing axis, in a case.
@@ -32,8 +32,8 @@ symbols! {
     THETA_0: "theta_0" "theta_(0 i)" RAD / DEG, "Outswing of the load as a search has found it.", "derived";
     THETA_Q: "theta_Q" "theta_i" RAD / DEG, "Outswing of the load on its rope while the crane slews steadily.", "equilibrium";
     R_O: "R_o" "R_i" M / M, "Distance of the load that swings out from the slewing axis.", "equilibrium";
-    J_QC: "J_Qc" "J_(Q i)" KG_M2 / KG_M2, "Inertia of the load about the slewing axis; none where its sway is given.", "[Ports001, 6.5.1]";
-    J_C: "J_c" "J_i" KG_M2 / KG_M2, "Inertia of all that slews about the slewing axis.", "[Ports001, 6.5.1]";
+    J_QC: "J_Qc" "J_(Q i)" KG_M2 / T_M2, "Inertia of the load about the slewing axis; none where its sway is given.", "[Ports001, 6.5.1]";
+    J_C: "J_c" "J_i" KG_M2 / T_M2, "Inertia of all that slews about the slewing axis.", "[Ports001, 6.5.1]";
     M_GZ: "M_gz" "M_(gamma z i)" N_M / KN_M, "Moment of the weights on the slope about the slewing axis; positive counter-clockwise, seen from above.", "[Ports001, 6.5.1]";
     M_WZ: "M_wz" "M_(\"w\" z i)" N_M / KN_M, "Moment of the wind about the slewing axis; positive counter-clockwise, seen from above.", "[Ports001, 6.5.1]";
     M_Z: "M_z" "M_(z i)" N_M / KN_M, "Moment of slope and wind about the slewing axis; positive counter-clockwise, seen from above.", "equilibrium";
