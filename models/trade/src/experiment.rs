@@ -6,6 +6,7 @@
 //! the drive has a controller, sampled at the communication steps, the same at
 //! all settings of a level: a moment that would move the crane so, or a valve
 //! that would let as much oil through, each with what corrects the angle.
+//! A hoist rests meanwhile: it would lift for as long as the cycle lasts.
 
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::number::short;
@@ -52,6 +53,8 @@ pub struct Experiment {
 
 /// Inputs that drive a level, by their ids.
 const COMMANDS: [&str; 2] = ["M_A", "u_v"];
+/// That of a hoist.
+const HOIST: &str = "v_h";
 /// That of what slews alone, which follows no plan: the scene's own moment turns it.
 const SLEWING: &str = "M_sl";
 
@@ -150,6 +153,7 @@ impl Experiment {
         solve: &mut Solve<'_>,
     ) -> Result<Seen, Fault> {
         let mut drive = Controller::new(self, scene, model)?;
+        self.begin(model)?;
         let indices: Vec<Option<usize>> = names.iter().map(|name| index(model, name)).collect();
         let mut seen = Seen {
             series: vec![Vec::new(); names.len()],
@@ -195,6 +199,15 @@ impl Experiment {
         Ok(seen)
     }
 
+    /// What rests while the crane luffs by a plan is told so.
+    ///
+    /// # Errors
+    /// A model that cannot be told.
+    pub fn begin(&self, model: &mut Model) -> Result<(), Fault> {
+        let hoist = index(model, HOIST).filter(|_| self.own.is_none());
+        hoist.map_or(Ok(()), |hoist| tell(model, [(hoist, 0.0); 2]))
+    }
+
     /// The same motion again from what the drive was told, as an importer would make it: for the clock.
     ///
     /// # Errors
@@ -202,6 +215,7 @@ impl Experiment {
     pub fn replay(&self, model: &mut Model, names: &[String], commands: &[[(usize, f64); 2]]) -> Result<f64, Fault> {
         let indices: Vec<usize> = names.iter().filter_map(|name| index(model, name)).collect();
         let mut sum = 0.0;
+        self.begin(model)?;
         for (i, command) in commands.iter().enumerate() {
             self.step(model, *command, i as f64 * self.sample)?;
             for index in &indices {

@@ -93,6 +93,7 @@ fn pace(
     steps: usize,
 ) -> Result<Pace, Fault> {
     let mut model = scene.model()?;
+    experiment.begin(&mut model)?;
     let start = model.state();
     let mut taken: Vec<(f64, u32)> = Vec::with_capacity(steps);
     while taken.len() < steps {

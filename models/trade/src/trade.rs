@@ -206,8 +206,7 @@ impl Trade {
         }
         let truth = references[0].seen.clone();
         for (asked, series) in asked.iter_mut().zip(&truth.series) {
-            let [low, high] = extent(series);
-            asked.range = high - low;
+            asked.range = covered(series);
         }
         let mut rows = Vec::new();
         for reference in &references {
@@ -329,9 +328,9 @@ fn reference(
             library.advance(model, setting.method, from, to)
         })?;
         for ((name, ours), theirs) in names.iter().zip(&seen.series).zip(&second.series) {
-            let [low, high] = extent(ours);
+            let range = covered(ours).max(f64::MIN_POSITIVE);
             for (i, (a, b)) in ours.iter().zip(theirs).enumerate() {
-                let part = (a - b).abs() / (high - low).max(f64::MIN_POSITIVE);
+                let part = (a - b).abs() / range;
                 if apart.as_ref().is_none_or(|apart| part > apart.part || part.is_nan()) {
                     apart = Some(Apart {
                         result: name.clone(),
@@ -433,9 +432,14 @@ fn mark_front(rows: &mut [Row], asked: &[Asked]) {
     }
 }
 
-fn extent(series: &[f64]) -> [f64; 2] {
+/// A part of what never changes that is still a change: rounding is less.
+const STILL: f64 = 1e-9;
+
+/// How much a series changes; of one that stands still that part of its amount.
+fn covered(series: &[f64]) -> f64 {
     let least = series.iter().copied().fold(f64::INFINITY, f64::min);
-    [least, series.iter().copied().fold(f64::NEG_INFINITY, f64::max)]
+    let most = series.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    (most - least).max(STILL * most.abs().max(least.abs()))
 }
 
 fn distance(a: &[f64], b: &[f64]) -> Size {
