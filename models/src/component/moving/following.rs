@@ -15,6 +15,10 @@ use crate::parts::solver::MOST_STEPS;
 /// Times that are no further apart than this part of a step of the grid are one: importers add up steps.
 const SAME: f64 = 1e-9;
 
+/// Steps of the grid between two breaks, at least. What lies between two of its times is solved again in each
+/// communication step, and an event there is located again: of a coarse grid that would be many times.
+const FINE: f64 = 32.0;
+
 impl MovingComponent {
     /// Under commands over time, as far as they are inputs of it.
     ///
@@ -121,14 +125,14 @@ impl MovingComponent {
 
     /// As [`Running::advance`] under commands, followed so far; what fails leaves it anywhere.
     pub(super) fn follow(&mut self, mut now: Followed, [from, to]: [f64; 2]) -> Result<(), Fault> {
-        let step = self.carrier.longest(&self.standing);
-        let near = SAME * step;
-        if (to - from) / step > f64::from(MOST_STEPS) {
+        let longest = self.carrier.longest(&self.standing);
+        let near = SAME * longest;
+        if (to - from) / longest > f64::from(MOST_STEPS) {
             return Err(Fault::outside(format!(
                 "the step of {} s needs more than the {MOST_STEPS} inner steps that are allowed, at step = {} s: take \
                  smaller communication steps, or a longer step",
                 short(to - from),
-                short(step)
+                short(longest)
             )));
         }
         if from != now.shown {
@@ -140,7 +144,8 @@ impl MovingComponent {
         now.kept.clear();
         let mut next_break = self.next_break();
         loop {
-            let next = now.begun + (now.steps + 1.0) * step;
+            let between = next_break.map_or(longest, |at| (at - now.begun) / FINE);
+            let next = now.begun + (now.steps + 1.0) * between.min(longest);
             let end = next_break.filter(|at| *at <= next + near).unwrap_or(next);
             if end > to + near {
                 break;
