@@ -135,6 +135,7 @@ fn all(n: &mut Node, parts: &CaseParts) {
             ("n_N", 5.0, 50.0),
             ("k_a", 1e5, 9e5),
             ("eta_M", 0.5, 1.0),
+            ("J_M", 1e-3, 1e3),
         ] {
             let value = motor.draw.between(least, most);
             motor.set(name, value);
