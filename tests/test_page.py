@@ -280,6 +280,175 @@ def test_a_result_opens_the_page_of_its_formula(seen, tmp_path):
     assert turned == next(i for i, text in enumerate(texts) if meaning in " ".join(text.split()))
 
 
+def centre(locator):
+    box = locator.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def downloaded(page):
+    """The whole text, as the page would download it."""
+    page.click("#downloads summary")
+    with page.expect_download() as download:
+        page.click("[data-make=toml]")
+    with open(download.value.path(), encoding="utf-8", newline="") as file:
+        return file.read()
+
+
+def written(page, key):
+    """What the scene has behind a key, with its comment."""
+    return re.search(rf"^{key} += +(.*)$", downloaded(page), re.MULTILINE).group(1)
+
+
+def test_a_joint_is_dragged_and_its_keys_follow(seen):
+    """C is placed by rear arm and rocker: both lengths become what the drawing shows, comments stay, and one undoes it."""
+    page = seen.page
+    joint = page.get_by_role("button", name="X2, X3")
+    before = [written(page, key) for key in ("X_2", "X_3")]
+    x, y = centre(joint)
+    ends = [centre(page.get_by_role("button", name=name)) for name in ("X1", "X5, X6")]
+    metre = 6.5 / ((x - ends[0][0]) ** 2 + (y - ends[0][1]) ** 2) ** 0.5
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for far in range(1, 6):
+        page.mouse.move(x + far, y - far)
+    expect(page.locator("#verdict")).not_to_contain_text("47.32")
+    page.mouse.up()
+    after = [written(page, key) for key in ("X_2", "X_3")]
+    assert [line.split("#")[1] for line in after] == [line.split("#")[1] for line in before]
+    # Five pixels to the right and five up, at the drawing's scale.
+    number = lambda line: float(line.split('"')[1].split()[0])
+    away = lambda end: ((x + 5 - end[0]) ** 2 + (y - 5 - end[1]) ** 2) ** 0.5
+    assert [number(line) for line in after] == pytest.approx([away(ends[0]) * metre, away(ends[1]) * metre], abs=metre)
+    scene = downloaded(page)
+    assert scene != TEXT and "No mistakes" in page.inner_text("#mistakes")
+    for _ in range(10):
+        page.locator(".cm-content").focus()
+        page.keyboard.press("ControlOrMeta+z")
+    assert downloaded(page) == TEXT
+
+
+def test_a_joint_is_moved_by_the_keyboard(seen):
+    page = seen.page
+    anchor = page.get_by_role("button", name="xE, yE")
+    before = written(page, "E_x"), written(page, "E_y")
+    anchor.focus()
+    for _ in range(3):
+        page.keyboard.press("ArrowRight")
+    page.keyboard.press("Shift+ArrowUp")
+    assert page.evaluate("document.activeElement.getAttribute('aria-label')").endswith("xE, yE")
+    expect(page.locator("#mistakes")).to_contain_text("No mistakes")
+    number = lambda line: float(line.split('"')[1].split()[0])
+    x, y = number(written(page, "E_x")) - number(before[0]), number(written(page, "E_y")) - number(before[1])
+    # Ten units up are as far as three to the right, times ten thirds; both are written to what can be seen.
+    assert 0 < x < y and abs(y / x - 10 / 3) < 0.4
+
+
+def test_other_joints_do_not_drag(seen):
+    """What follows from others is no handle: of the lemniscate's joints the heads, the anchors and the frame's points are."""
+    labels = seen.page.locator(".handle").evaluate_all("all => all.map(one => one.getAttribute('aria-label').split(': ')[1])")
+    assert labels == ["xE, yE", "sd, χd", "X1", "X2, X3", "X4", "X5, X6", "X8"]
+    seen.write(TEXT + "\nnonsense = 1\n")
+    expect(seen.page.locator("#stale")).to_be_visible()
+    assert not seen.page.locator(".handle").first.is_visible()
+
+
+def test_forces_are_arrows_to_one_scale(seen):
+    """Each arrow has the amount that the table has, and a length of so many kilonewtons as the measure beside them says."""
+    page = seen.page
+    page.locator("#position").evaluate("slider => { slider.value = slider.max; slider.dispatchEvent(new Event('input')); }")
+    expect(page.locator("#place")).to_contain_text("120°")
+    page.check("#forces")
+    results = json.loads(lemnis("check", "--json", SCENE))["variables"]
+    row = int(page.input_value("#position"))
+    value = lambda name: results[name]["values"][row] / 1e3
+    forces = [(value("F_d"),)] + [(value(f"F_{joint}.x"), value(f"F_{joint}.y")) for joint in ("O1", "O3", "B", "C")]
+    amounts = sorted(float(f"{sum(part**2 for part in force) ** 0.5:.3g}") for force in forces)
+    shown = page.locator(".forces text").all_text_contents()
+    measure, unit = shown.pop().split()
+    assert unit == "kN" and sorted(float(text.replace("−", "-")) for text in shown) == amounts
+    ends = page.locator(".forces polyline").evaluate_all("all => all.map(one => one.getAttribute('points').split(/[ ,]/).map(Number))")
+    length = lambda x, y, u, v: ((u - x) ** 2 + (v - y) ** 2) ** 0.5
+    scale = length(*ends[-1]) / float(measure)
+    assert sorted(float(f"{length(*end) / scale:.3g}") for end in ends[:-1]) == pytest.approx(amounts, rel=0.01)
+    page.uncheck("#forces")
+    assert page.locator(".forces text").count() == 0
+
+
+def test_runs_are_played_in_time(chromium):
+    """The manoeuvres of the book: the load hangs from the head, slewing is seen from above, and the range comes back."""
+    with serving(ROOT / "models/scenes/portal_crane.toml") as served:
+        seen = Seen(chromium, served)
+        page = seen.page
+        page.select_option("#run", index=1)
+        expect(page.locator("#run option")).to_have_count(6)
+        names = words("en")["manoeuvre"]
+        assert names["slew_and_stop"] in page.locator("#run option").all_inner_texts()
+        page.select_option("#run", label=names["slew_and_stop"])
+        expect(page.locator("#place")).to_contain_text("t = 0.00")
+        page.locator("#position").evaluate("slider => { slider.value = slider.max; slider.dispatchEvent(new Event('input')); }")
+        expect(page.locator("#place")).not_to_contain_text("t = 0.00")
+        load, head = page.locator("#drawing > .mechanism rect.weight"), page.locator("#drawing > .mechanism text.name", has_text="A").last
+        assert load.bounding_box()["y"] > head.bounding_box()["y"] + 50
+        boom = lambda: page.locator("#plan .bar").get_attribute("points").split(" ")[1]
+        end = boom()
+        page.locator("#position").evaluate("slider => { slider.value = 0; slider.dispatchEvent(new Event('input')); }")
+        page.wait_for_function("end => document.querySelector('#plan .bar').getAttribute('points').split(' ')[1] !== end", arg=end)
+        page.click("#play")
+        page.wait_for_function("() => Number(document.getElementById('position').value) > 2")
+        page.click("#play")
+        assert page.locator(".handle").count() == 0
+        page.select_option("#run", index=0)
+        expect(page.locator("#place")).to_contain_text("θ")
+        assert page.locator("#plan").is_hidden() and page.locator(".handle").count() > 0
+        assert seen.wrong == []
+        seen.context.close()
+
+
+def test_a_search_is_watched_and_what_it_found_opens_beside(chromium, tmp_path):
+    scene = ROOT / "models/scenes/rope_luffing.toml"
+    lemnis("synth", scene, "-o", tmp_path)
+    with serving(scene) as served:
+        seen = Seen(chromium, served)
+        page = seen.page
+        page.click("#tab-work")
+        page.click("[data-begin=synth]")
+        expect(page.locator("#progress")).to_be_hidden(timeout=120000)
+        expect(page.locator("#said")).to_contain_text("least T_max")
+        assert str(tmp_path) not in page.inner_text("#said") and "/tmp" not in page.inner_text("#said")
+        expect(page.locator("#scene option:checked")).to_have_text("RopeLuffing_synth")
+        assert downloaded(page) == (tmp_path / "RopeLuffing_synth.toml").read_text(encoding="utf-8")
+        page.click("#tab-comparison")
+        expect(page.locator("#comparison tr", has_text="luffing.tackle.E_y")).to_contain_text("13 m")
+        assert seen.wrong == []
+        seen.context.close()
+
+
+def test_a_search_is_stopped_and_gives_its_best_so_far(chromium):
+    with serving(ROOT / "models/scenes/portal_004_synthesis.toml") as served:
+        seen = Seen(chromium, served)
+        page = seen.page
+        page.click("#tab-work")
+        page.click("[data-begin=synth]")
+        page.wait_for_function("() => document.getElementById('progress').value > 0", timeout=60000)
+        page.click("#stop")
+        expect(page.locator("#said")).to_contain_text("broken off", timeout=60000)
+        expect(page.locator("#scene option:checked")).to_have_text("PortalCraneSynthesis_synth")
+        seen.context.close()
+
+
+def test_speed_against_accuracy_is_measured_from_the_page(chromium):
+    with serving(ROOT / "models/scenes/rope_motion.toml") as served:
+        seen = Seen(chromium, served)
+        page = seen.page
+        page.click("#tab-work")
+        page.click("[data-begin=trade]")
+        expect(page.locator("#said img")).to_be_visible(timeout=120000)
+        assert page.evaluate("document.querySelector('#said img').naturalWidth") > 0
+        expect(page.locator("#said pre")).to_contain_text("a cycle through the working range")
+        assert seen.wrong == []
+        seen.context.close()
+
+
 def test_of_many_quick_keys_the_last_one_counts(seen):
     page = seen.page
     seen.caret_behind('X_8 = "5')

@@ -277,6 +277,48 @@ def test_what_cannot_be_made_is_told(served):
     assert b"nothing is made" in served.ask("make", expect=422, text=SCENE.read_text(encoding="utf-8"), language="en", what="../x")
 
 
+def ended(served, task):
+    while True:
+        stand = served.ask("look", task=task)
+        if stand["ended"]:
+            return stand
+        time.sleep(0.1)
+
+
+def test_work_that_fails_says_why(served):
+    """A scene that asks for no synthesis: as the command says it, without the names of files that nobody knows."""
+    text = SCENE.read_text(encoding="utf-8")
+    stand = ended(served, served.ask("begin", what="synth", text=text)["task"])
+    assert stand["ended"]["failed"] and stand["ended"]["printed"].startswith("scene asks for no synthesis")
+    assert stand["ended"]["scene"] is None and stand["picture"] is None
+    assert b"not TOML" in served.ask("begin", expect=422, what="synth", text="nonsense")
+
+
+def test_work_is_one_at_a_time(served):
+    """What is begun takes the place of what runs, which ends; of that nothing can be asked any more."""
+    text = (ROOT / "models/scenes/portal_004_synthesis.toml").read_text(encoding="utf-8")
+    first = served.ask("begin", what="synth", text=text)["task"]
+    second = served.ask("begin", what="synth", text=text)["task"]
+    served.ask("look", expect=404, task=first)
+    served.ask("stop", task=second)
+    stand = ended(served, second)
+    assert not stand["ended"]["failed"] and "broken off" in stand["ended"]["printed"]
+    assert "PortalCraneSynthesis_synth" in stand["ended"]["scene"]
+
+
+def test_runs_are_those_of_the_book(served):
+    text = (ROOT / "models/scenes/portal_crane.toml").read_text(encoding="utf-8")
+    runs = served.ask("runs", text=text, language="en")
+    assert ["".join(piece for piece, _ in run["name"]) for run in runs][:2] == ["Luffing in", "Luffing out"]
+    for run in runs:
+        frames = len(run["time"]["texts"])
+        assert frames > 50 and len(run["drawing"]["positions"]) == frames
+        assert len(run["hangs"]) == len(run["slewed"]) == frames
+        # The hoist lifts, and the rope stretches a little under the load.
+        assert all(5 < sum(part**2 for part in rope) ** 0.5 < 18.5 for rope in run["hangs"])
+    assert served.ask("runs", text="nonsense", language="en") == []
+
+
 def test_pages_of_the_book_are_known_by_their_hash(served):
     text = SCENE.read_text(encoding="utf-8")
     book = served.ask("book", text=text, language="zh", level="summary")

@@ -1,13 +1,12 @@
 //! What every setting of a scene costs, measured, and the verdict.
 
-use indicatif::{ProgressBar, ProgressStyle};
 use lemnis_models::kernel::number::{rough, short};
 use lemnis_models::kernel::variable::Fault;
 use lemnis_models::scene::Scene;
 use lemnis_trade::realtime::{Paces, STEPS};
 use lemnis_trade::trade::{self, Trade};
 
-use crate::progress::TICK;
+use crate::progress::Steps;
 
 /// All settings of a scene, with a bar that moves from the start: a reference takes longer than all that follows.
 pub fn measured(scene: &Scene, step: f64, rounds: usize) -> Result<Trade, trade::Failure> {
@@ -23,11 +22,9 @@ pub fn paced(scene: &Scene, step: f64) -> Result<Paces, Fault> {
 }
 
 fn watched<T>(steps: usize, work: &dyn Fn(&dyn Fn()) -> T) -> T {
-    let style = ProgressStyle::with_template("{spinner} measuring {wide_bar} {percent} %, {elapsed}");
-    let bar = ProgressBar::new(steps as u64).with_style(style.expect("a template"));
-    bar.enable_steady_tick(TICK);
-    let done = work(&|| bar.inc(1));
-    bar.finish_and_clear();
+    let bar = Steps::new("{spinner} measuring {wide_bar} {percent} %, {elapsed}", steps);
+    let done = work(&|| bar.step());
+    bar.finish();
     done
 }
 

@@ -15,7 +15,8 @@ use crate::guard::{Guard, Refusal, Reply, body, protect, reply};
 use crate::latest::Latest;
 use crate::making;
 use crate::pages::Pages;
-use crate::service::Service;
+use crate::service::{Making, Service};
+use crate::task::Task;
 
 /// What the page is made of, and what kind each is.
 const ASSETS: [(&str, &str, &[u8]); 3] = [
@@ -56,6 +57,8 @@ struct Asked {
     /// What is to be made.
     what: String,
     level: String,
+    /// The number of one that was begun.
+    task: u64,
 }
 
 pub struct App<S> {
@@ -64,6 +67,7 @@ pub struct App<S> {
     latest: Latest,
     books: Books,
     pages: Pages,
+    task: Task,
     threads: Arc<Semaphore>,
     children: Arc<Semaphore>,
 }
@@ -80,6 +84,7 @@ impl<S: Service> App<S> {
             latest: Latest::default(),
             books: Books::default(),
             pages: Pages::default(),
+            task: Task::default(),
             threads: Arc::new(Semaphore::new(
                 std::thread::available_parallelism().map_or(1, usize::from),
             )),
@@ -129,6 +134,10 @@ impl<S: Service> App<S> {
         let json = match head.uri.path() {
             "/api/start" => self.computed(move |service| service.start()).await?,
             "/api/answer" => self.answer(asked).await?,
+            "/api/runs" => {
+                let runs = move |service: &S| service.runs(&asked.text, &asked.language);
+                self.computed(runs).await?
+            }
             "/api/complete" => {
                 let complete = move |service: &S| service.complete(&asked.text, asked.at, &asked.language);
                 self.computed(complete).await?
@@ -158,6 +167,25 @@ impl<S: Service> App<S> {
                 let _place = place(&self.children).await;
                 let made = making::file(&*self.service, &asked.what, &asked.text, &asked.language).await?;
                 return Ok(reply("application/octet-stream", made));
+            }
+            "/api/begin" => {
+                let Asked {
+                    what, text, language, ..
+                } = asked;
+                let prepared = self.computed(move |service| making::prepared(service, &what, &text, &language));
+                let (Making { command, .. }, place) = prepared.await??;
+                written(&json!({ "task": self.task.begin(command, place) }))
+            }
+            "/api/look" => {
+                let gone = || Refusal::new(StatusCode::NOT_FOUND, "another one was begun");
+                let stand = self.task.look(asked.task).ok_or_else(gone)?;
+                let drawn = stand.ended.as_ref().and_then(|ended| ended.picture.clone());
+                let picture = drawn.and_then(|svg| self.pages.keep(vec![svg]).pop());
+                written(&json!({ "percent": stand.percent, "ended": stand.ended, "picture": picture }))
+            }
+            "/api/stop" => {
+                self.task.stop(asked.task);
+                written(&json!({}))
             }
             _ => return Err(Refusal::new(StatusCode::NOT_FOUND, "nothing is asked so")),
         };

@@ -10,6 +10,7 @@
 //! making.rs   files, made by child processes
 //! books.rs    books, made by one that is kept
 //! pages.rs    their pages by hash
+//! task.rs     work that takes minutes, watched and stopped
 //! page/       the page itself; page/dist/ is what esbuild bundles of it
 //! ```
 //!
@@ -24,3 +25,4 @@ mod making;
 mod pages;
 pub mod server;
 pub mod service;
+mod task;

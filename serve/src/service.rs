@@ -11,6 +11,8 @@ pub trait Service: Send + Sync + 'static {
     fn start(&self) -> String;
     /// What a text gives.
     fn answer(&self, text: &str, language: &str) -> String;
+    /// How a text moves in time, frame by frame.
+    fn runs(&self, text: &str, language: &str) -> String;
     /// What may be written at a code unit of UTF-16.
     fn complete(&self, text: &str, at: usize, language: &str) -> String;
     /// What stands at a code unit of UTF-16.

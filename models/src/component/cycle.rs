@@ -3,7 +3,7 @@
 use crate::component::description::{Described, Description};
 use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
-use crate::component::series::Series;
+use crate::component::series::{self, Series};
 use crate::component::sheet::{Curve, Cycle, CycleRow};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::unit;
@@ -37,7 +37,8 @@ pub(crate) fn cycle<T: Described>(told: &Description<T>) -> Option<Cycle> {
     let seen: Vec<usize> = commanded.iter().copied().chain(seen::<T>(&model)).collect();
     let end = model.stop_time();
     let sample = end / f64::from(SAMPLES);
-    let mut series = Series::new(sample, seen.iter().copied());
+    let frames = series::seen(&model);
+    let mut series = Series::new(sample, seen.iter().chain(&frames).copied());
     model.start().ok()?;
     series.look(&mut model).ok()?;
     let time = |i: u32| end * f64::from(i) / f64::from(SAMPLES);
@@ -70,6 +71,7 @@ pub(crate) fn cycle<T: Described>(told: &Description<T>) -> Option<Cycle> {
         end,
         ended,
         curves: seen.iter().filter_map(curve).collect(),
+        seen: series.frames(&model, &frames),
         rows: seen.iter().map(row).collect(),
     })
 }

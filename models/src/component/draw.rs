@@ -1,6 +1,6 @@
 //! Drawings of mechanisms, to scale and in m.
 
-use crate::component::sheet::{Drawing, Shape};
+use crate::component::sheet::{Drawing, Gauge, Shape};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
 use crate::parts::plane::Point;
@@ -20,6 +20,30 @@ pub fn polar(distance: f64, direction: f64) -> Point<f64> {
 
 fn array(point: Point<f64>) -> [f64; 2] {
     [point.x, point.y]
+}
+
+/// Its distance from a point sets what is dragged.
+#[must_use]
+pub fn distance(from: Point<f64>) -> Gauge {
+    Gauge::Distance { from: array(from) }
+}
+
+/// How far it lies in a direction from a point does.
+#[must_use]
+pub fn along(from: Point<f64>, direction: [f64; 2]) -> Gauge {
+    Gauge::Along {
+        from: array(from),
+        direction,
+    }
+}
+
+/// Where it is seen from a point does, counter-clockwise from a direction (rad).
+#[must_use]
+pub fn direction(from: Point<f64>, zero: f64) -> Gauge {
+    Gauge::Direction {
+        from: array(from),
+        zero,
+    }
 }
 
 impl Draw {
@@ -126,6 +150,33 @@ impl Draw {
     /// A vertical centre line.
     pub fn axis(&mut self, x: f64, from: f64, to: f64) {
         self.shapes.push(Shape::CentreLine { x, from, to });
+    }
+
+    /// A point that one may drag, and what sets it.
+    pub fn handle(&mut self, at: Point<f64>, sets: &[(&'static Symbol, Gauge)]) {
+        let (at, sets) = (array(at), sets.to_vec());
+        self.shapes.push(Shape::Handle { at, sets });
+    }
+
+    /// One that is placed forward and upward from the origin.
+    pub fn placed(&mut self, at: Point<f64>, [x, y]: [&'static Symbol; 2]) {
+        let axis = |symbol, direction| (symbol, along(Point::zeros(), direction));
+        self.handle(at, &[axis(x, [1.0, 0.0]), axis(y, [0.0, 1.0])]);
+    }
+
+    /// A force by its components, forward and upward.
+    pub fn force(&mut self, at: Point<f64>, [x, y]: [&'static Symbol; 2]) {
+        let (at, sum) = (array(at), vec![(x, [1.0, 0.0]), (y, [0.0, 1.0])]);
+        self.shapes.push(Shape::Force { at, sum });
+    }
+
+    /// A force towards another point, where it is positive.
+    pub fn pull(&mut self, at: Point<f64>, towards: Point<f64>, symbol: &'static Symbol) {
+        let (line, at) = (towards - at, array(at));
+        if line.norm() > 0.0 {
+            let sum = vec![(symbol, array(line / line.norm()))];
+            self.shapes.push(Shape::Force { at, sum });
+        }
     }
 
     /// Of a mechanism of about this size, in m: a distance that cannot be told from nothing is left out.

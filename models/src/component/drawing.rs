@@ -1,11 +1,25 @@
 //! What a mechanism looks like, as plain data.
 
+use crate::kernel::symbol::Symbol;
+
 /// The mechanism to scale, in metres, y upwards.
 #[derive(Debug, Default)]
 pub struct Drawing {
     pub shapes: Vec<Shape>,
 }
 
+/// What a quantity measures to a point.
+#[derive(Clone, Copy, Debug)]
+pub enum Gauge {
+    /// Its distance from another point.
+    Distance { from: [f64; 2] },
+    /// How far it lies in a direction from another point: the length of the direction counts.
+    Along { from: [f64; 2], direction: [f64; 2] },
+    /// Where it is seen from another point, counter-clockwise from a direction (rad).
+    Direction { from: [f64; 2], zero: f64 },
+}
+
+/// What is drawn, and what a page that moves has besides: where one may drag, and forces.
 #[derive(Debug)]
 pub enum Shape {
     /// A bar or a polygon of one body. `faint` for the positions beside the main one.
@@ -44,5 +58,15 @@ pub enum Shape {
         from: f64,
         to: f64,
         text: &'static str,
+    },
+    /// A point that one may drag: quantities of the scene that place it, with what each measures to it.
+    Handle {
+        at: [f64; 2],
+        sets: Vec<(&'static Symbol, Gauge)>,
+    },
+    /// A force on a body at a point: results, each in a direction.
+    Force {
+        at: [f64; 2],
+        sum: Vec<(&'static Symbol, [f64; 2])>,
     },
 }

@@ -4,6 +4,15 @@ use crate::component::diagram::Curve;
 use crate::kernel::course::Course;
 use crate::kernel::symbol::Symbol;
 
+/// What can be seen of a run, frame by frame.
+#[derive(Default)]
+pub struct Seen {
+    /// From one frame to the next, in s.
+    pub step: f64,
+    /// Of the coordinate first, and of what else moves the picture.
+    pub values: Vec<(&'static Symbol, Vec<f64>)>,
+}
+
 /// A run through commands over time; times in s.
 pub struct Cycle {
     pub commands: Vec<(&'static Symbol, Course)>,
@@ -12,6 +21,7 @@ pub struct Cycle {
     pub ended: Option<f64>,
     /// Over time, each by the id of its symbol.
     pub curves: Vec<Curve>,
+    pub seen: Seen,
     pub rows: Vec<CycleRow>,
 }
 

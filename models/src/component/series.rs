@@ -2,15 +2,36 @@
 
 use std::collections::BTreeSet;
 
+use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
-use crate::component::sheet::{Curve, Stand};
+use crate::component::sheet::{Curve, Seen, Stand};
 use crate::kernel::symbol::Symbol;
-use crate::kernel::variable::Fault;
+use crate::kernel::variable::{Fault, Role};
+use crate::parts::{hanging, turntable};
 
 /// Points of a drawn curve, besides its extremes.
 const CURVE: usize = 300;
 /// Curves of one figure, each with all these points.
 const FEW: usize = 8;
+/// Frames in which a run is seen.
+const FRAMES: usize = 150;
+
+/// What moves the picture besides the coordinate: the load on its rope, and slewing.
+const SEEN: [&Symbol; 4] = [&hanging::PHI_R, &turntable::CHI_R, &hanging::L_R, &turntable::PSI_SL];
+
+/// Where the coordinate and what else moves the picture stand among the variables.
+#[must_use]
+pub fn seen(model: &MovingComponent) -> Vec<usize> {
+    let known = |symbol: &&Symbol| {
+        let mut all = model.variables().iter();
+        all.position(|variable| {
+            variable.symbol == *symbol && matches!(variable.role, Role::State | Role::Output | Role::Calculated)
+        })
+    };
+    let mut places: Vec<usize> = std::iter::once(0).chain(SEEN.iter().filter_map(known)).collect();
+    places.dedup();
+    places
+}
 
 /// Values of variables at the end of every sample.
 pub struct Series {
@@ -132,6 +153,23 @@ impl Series {
         let stride = (last * of.max(FEW) / (CURVE * FEW)).max(1);
         let shown = (0..=last).filter(|&i| i % stride == 0 || [last, least, most].contains(&i));
         Some(shown.map(|i| [i as f64 * self.sample, series[i]]).collect())
+    }
+
+    /// The frames of what is [`seen`].
+    ///
+    /// # Panics
+    /// For a variable that nobody looked at.
+    #[must_use]
+    pub fn frames(&self, model: &MovingComponent, seen: &[usize]) -> Seen {
+        let stride = (self.rows.len() / self.seen.len()).div_ceil(FRAMES);
+        let values = |&index: &usize| {
+            let values = self.values(index).step_by(stride).collect();
+            (model.variables()[index].symbol, values)
+        };
+        Seen {
+            step: self.sample * stride as f64,
+            values: seen.iter().map(values).collect(),
+        }
     }
 
     /// The curve of a variable over time.

@@ -4,9 +4,9 @@
 
 pub use crate::component::account::{Energy, Integral, Power};
 pub use crate::component::diagram::{Chart, Curve, Table};
-pub use crate::component::drawing::{Drawing, Shape};
+pub use crate::component::drawing::{Drawing, Gauge, Shape};
 use crate::component::extreme::Extreme;
-pub use crate::component::over_time::{Cycle, CycleRow, Stand};
+pub use crate::component::over_time::{Cycle, CycleRow, Seen, Stand};
 
 use crate::kernel::origin::Origin;
 use crate::kernel::record::Trace;
@@ -168,6 +168,7 @@ pub struct Manoeuvre {
     /// Duration of the run, and the time between its samples, in s.
     pub run: [f64; 2],
     pub curves: Vec<Curve>,
+    pub seen: Seen,
     /// What happened: when (s), and its id.
     pub events: Vec<(f64, &'static str)>,
     /// How many more events there were.

@@ -1,10 +1,11 @@
 //! The drive to scale.
 
-use crate::component::draw::{Draw, polar};
+use crate::component::draw::{Draw, direction, distance, polar};
 use crate::component::extreme::between;
 use crate::drive::crank::crank_linkage;
 use crate::drive::mount::{Anchors, DriveMount, DrivenBar};
 use crate::drive::scene::Driving;
+use crate::drive::symbols as d;
 use crate::kernel::calc::Calc;
 use crate::parts::motion::Motion;
 use crate::parts::plane::{self, Point};
@@ -19,7 +20,12 @@ pub fn drive(draw: &mut Draw, bar: &DrivenBar<f64>, driving: &Driving, motion: &
             let rim = between(sector.delta_s - half, sector.delta_s + half).map(|at| foot + polar(sector.r_s, at));
             let points: Vec<Point<f64>> = std::iter::once(foot).chain(rim).collect();
             draw.body(&points, false);
-            draw.pin(foot + polar(sector.r_s, sector.delta_s), true, false);
+            let pinion = foot + polar(sector.r_s, sector.delta_s);
+            draw.pin(pinion, true, false);
+            draw.handle(
+                pinion,
+                &[(&d::R_S, distance(foot)), (&d::DELTA_S, direction(foot, 0.0))],
+            );
             return;
         }
         Some(DriveMount::Anchors(anchors)) => anchors,
@@ -31,19 +37,29 @@ pub fn drive(draw: &mut Draw, bar: &DrivenBar<f64>, driving: &Driving, motion: &
         anchors.s_d * cos / bar.length,
         anchors.s_d * sin / bar.length,
     );
-    let (e, d) = (Point::new(anchors.e_x, anchors.e_y), foot + arm);
-    draw.bar(&[d, foot + along], false);
-    match crank_pin(bar, driving, &anchors, d - foot) {
+    let (e, joint) = (Point::new(anchors.e_x, anchors.e_y), foot + arm);
+    draw.bar(&[joint, foot + along], false);
+    match crank_pin(bar, driving, &anchors, joint - foot) {
         Some(pin) => {
             draw.bar(&[e, pin], false);
-            draw.bar(&[pin, d], false);
+            draw.bar(&[pin, joint], false);
             draw.pin(pin, false, false);
+            draw.handle(pin, &[(&d::R_CR, distance(e)), (&d::L_CR, distance(joint))]);
         }
-        None => draw.bar(&[e, d], false),
+        None => {
+            draw.bar(&[e, joint], false);
+            draw.pull(joint, joint * 2.0 - e, &d::F_D);
+        }
     }
     draw.pin(e, true, false);
-    draw.pin(d, false, false);
+    draw.pin(joint, false, false);
     draw.label(e, "E");
+    draw.placed(e, [&d::E_X, &d::E_Y]);
+    let bearing = Calc::direction(bar.along.x, bar.along.y);
+    draw.handle(
+        joint,
+        &[(&d::S_D, distance(foot)), (&d::CHI_D, direction(foot, bearing))],
+    );
 }
 
 /// Where crank and rod meet, with the link's arm to its anchor; `None` without a crank.

@@ -1,7 +1,7 @@
 //! Slewing by itself as scenes describe it and books tell it.
 
 use crate::component::description::{Described, Description, Vocabulary};
-use crate::component::draw::{Draw, polar};
+use crate::component::draw::{Draw, distance, polar};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moving::MovingComponent;
 use crate::component::moving::smooth::SmoothPieces;
@@ -319,6 +319,7 @@ impl Described for SlewingScene {
         }
         draw.angle(axis, 0.3 * reach, told, &s::PSI_SL);
         draw.distance(axis, head(told), 0.06 * reach, &s::R);
+        draw.handle(head(told), &[(&s::R, distance(axis))]);
         draw.joint(axis, "O", true, false);
         draw.done(reach)
     }

@@ -4,13 +4,15 @@ use lemnis_models::component::sheet::Shape;
 use lemnis_models::scene::Scene;
 use serde::Serialize;
 
+use crate::answer::dragged::{Draggable, Set, sets};
+use crate::answer::point::{Point, rounded};
 use crate::print::script::Script;
-
-type Point = [f64; 2];
 
 /// A drawing at one position after the other.
 #[derive(Serialize)]
 pub struct Drawn {
+    /// Numbers of the scene's text that handles set.
+    pub numbers: Vec<Draggable>,
     /// What stands still.
     pub still: Vec<Mark>,
     /// The marks of each position, the farthest behind first.
@@ -76,18 +78,24 @@ pub enum Mark {
         to: f64,
         text: Script,
     },
+    /// A point that one may drag.
+    Handle {
+        at: Point,
+        sets: Vec<Set>,
+    },
+    /// A force on a body: results by their names in FMUs, each in a direction.
+    Force {
+        at: Point,
+        sum: Vec<(&'static str, Point)>,
+    },
 }
 
-/// To a tenth of a millimetre, zero without a sign.
-fn rounded(point: Point) -> Point {
-    point.map(|x| (x * 1e4).round() / 1e4 + 0.0)
-}
-
-impl From<&Shape> for Mark {
-    fn from(shape: &Shape) -> Mark {
+impl Mark {
+    /// `None` of a handle of which the scene does not give what it would set; those are added to what is known.
+    fn new(scene: &Scene, shape: &Shape, numbers: &mut Vec<Draggable>) -> Option<Mark> {
         let all = |points: &[Point]| points.iter().copied().map(rounded).collect();
         let text = |text: &str| Script::of_math(text);
-        match shape {
+        Some(match shape {
             Shape::Body { points, closed, faint } => Mark::Body {
                 points: all(points),
                 closed: *closed,
@@ -147,7 +155,15 @@ impl From<&Shape> for Mark {
                 to: *to,
                 text: text(name),
             },
-        }
+            Shape::Handle { at, sets: wanted } => Mark::Handle {
+                at: rounded(*at),
+                sets: sets(scene, wanted, numbers)?,
+            },
+            Shape::Force { at, sum } => Mark::Force {
+                at: rounded(*at),
+                sum: sum.iter().map(|(symbol, direction)| (symbol.id, *direction)).collect(),
+            },
+        })
     }
 }
 
@@ -155,7 +171,15 @@ impl Drawn {
     /// At values of the coordinate in its working range, in SI.
     #[must_use]
     pub fn new(scene: &Scene, positions: impl Iterator<Item = f64>) -> Drawn {
-        let marks = |at: f64| -> Vec<Mark> { scene.drawing(at).shapes.iter().map(Mark::from).collect() };
+        let mut numbers = Vec::new();
+        let marks = |at: f64| -> Vec<Mark> {
+            let drawing = scene.drawing(at);
+            let marks = drawing
+                .shapes
+                .iter()
+                .filter_map(|shape| Mark::new(scene, shape, &mut numbers));
+            marks.collect()
+        };
         let all: Vec<Vec<Mark>> = positions.map(marks).collect();
         let mut still: Vec<Mark> = all.first().cloned().unwrap_or_default();
         for marks in &all {
@@ -169,6 +193,7 @@ impl Drawn {
         Drawn {
             positions: positions.collect(),
             still,
+            numbers,
         }
     }
 }

@@ -1,9 +1,12 @@
 //! What a scene's text gives, as one value for all who ask: the command line, the page in a browser, and other programs.
 
+pub mod dragged;
 pub mod drawn;
 pub mod editing;
 pub mod gallery;
 pub mod place;
+mod point;
+pub mod runs;
 pub mod shown;
 pub mod told;
 

@@ -6,6 +6,7 @@ use lemnis_models::kernel::number::Number;
 use lemnis_models::kernel::origin::Written;
 use lemnis_models::kernel::symbol::Symbol;
 use lemnis_models::kernel::variable::{Fault, PART_OF_RANGE, Role, Variable};
+use lemnis_models::scene::Scene;
 use serde::Serialize;
 
 use crate::answer::drawn::Drawn;
@@ -41,6 +42,8 @@ pub struct Shown {
     /// All that the scene says, by its keys.
     pub given: Vec<Said>,
     pub drawing: Drawn,
+    /// Whether the book has runs in time.
+    pub runs: bool,
 }
 
 /// Something that is asked of a result.
@@ -138,7 +141,7 @@ impl From<&Written> for Said {
 }
 
 /// The words for a scene, and how its numbers are written.
-struct Teller<'a> {
+pub(super) struct Teller<'a> {
     words: &'static Words,
     parts: Vec<&'static str>,
     /// The group of the words for its symbols.
@@ -146,8 +149,17 @@ struct Teller<'a> {
     numbers: &'a Numbers,
 }
 
-impl Teller<'_> {
-    fn word(&self, group: &str, id: &str) -> Script {
+impl<'a> Teller<'a> {
+    pub(super) fn new(scene: &Scene, sheet: &Sheet, language: &'static Language, numbers: &'a Numbers) -> Teller<'a> {
+        Teller {
+            words: language.dictionary(),
+            parts: parts(sheet),
+            symbols: symbols(scene.mechanism.id()),
+            numbers,
+        }
+    }
+
+    pub(super) fn word(&self, group: &str, id: &str) -> Script {
         self.sentence(group, id, &[])
     }
 
@@ -166,7 +178,7 @@ impl Teller<'_> {
         }
     }
 
-    fn axis(&self, symbol: &'static Symbol, number: Option<u16>) -> Axis {
+    pub(super) fn axis(&self, symbol: &'static Symbol, number: Option<u16>) -> Axis {
         let print = number.map(|number| symbol.numbered(number));
         Axis {
             symbol: Script::of_math(print.as_deref().unwrap_or(symbol.print)),
@@ -284,12 +296,7 @@ impl Shown {
             rows,
         } = results;
         let numbers = &precision::of_results(language, scene.book.digits, sheet);
-        let teller = Teller {
-            words: language.dictionary(),
-            parts: parts(sheet),
-            symbols: symbols(scene.mechanism.id()),
-            numbers,
-        };
+        let teller = Teller::new(scene, sheet, language, numbers);
         let column = |(i, variable): (usize, &Variable)| {
             let values: Vec<f64> = rows.iter().map(|row| row[i]).collect();
             teller.column(variable, &values)
@@ -321,6 +328,7 @@ impl Shown {
             published: sheet.published.iter().map(published).collect(),
             given: scene.given.written().iter().map(Said::from).collect(),
             drawing: Drawn::new(scene, rows.iter().map(|row| row[0])),
+            runs: sheet.motion.is_some() || sheet.cycle.is_some(),
         })
     }
 }

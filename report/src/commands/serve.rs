@@ -9,6 +9,7 @@ use clap::builder::PossibleValuesParser;
 use lemnis::answer::Answer;
 use lemnis::answer::editing::{complete, hover};
 use lemnis::answer::gallery::{self, Ready};
+use lemnis::answer::runs::runs;
 use lemnis::language::{LANGUAGES, Language};
 use lemnis_models::kernel::text;
 use lemnis_models::scene::{LONGEST, Scene};
@@ -19,6 +20,7 @@ use serde_json::json;
 
 use crate::failure::Failure;
 use crate::output::{Output, say, write};
+use crate::progress::WATCHED;
 use crate::scene_file::INPUT;
 
 #[derive(Args)]
@@ -142,6 +144,10 @@ impl Service for Desk {
         written(&Answer::in_language(text, found(language)))
     }
 
+    fn runs(&self, text: &str, language: &str) -> String {
+        written(&runs(text, found(language)))
+    }
+
     fn complete(&self, text: &str, at: usize, language: &str) -> String {
         written(&complete(text, at, found(language)))
     }
@@ -212,6 +218,11 @@ impl Service for Desk {
                 command.args(["check", &format!("--{}", made.what)]);
                 // Limits that are not kept are told by the table too.
                 (None, &[4])
+            }
+            "synth" | "trade" => {
+                command.args([made.what, "--output"]).arg(made.folder);
+                command.env(WATCHED, "1");
+                (None, &[])
             }
             other => return Err(format!("nothing is made that is called {other}")),
         };

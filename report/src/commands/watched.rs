@@ -2,8 +2,9 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use indicatif::{ProgressBar, ProgressStyle};
 use lemnis_models::kernel::shared::Watch;
+
+use crate::progress::Steps;
 
 /// What a search says of itself: what it does, and what is kept of it.
 pub const SEARCHING: [&str; 2] = ["searching", "the best so far"];
@@ -23,16 +24,18 @@ pub fn watched<T>([does, kept]: [&str; 2], steps: usize, work: impl FnOnce(usize
         eprintln!("warning: Ctrl-C will end the program without a result: {error}");
     }
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let style = format!("{does} {{wide_bar}} {{percent}} %, Ctrl-C keeps {kept}");
-    let style = ProgressStyle::with_template(&style);
-    let bar = ProgressBar::new(steps as u64).with_style(style.expect("a template"));
+    let bar = Steps::new(
+        &format!("{does} {{wide_bar}} {{percent}} %, Ctrl-C keeps {kept}"),
+        steps,
+    );
+    bar.ended_early(|| STOP.store(true, Ordering::Relaxed));
     let found = work(
         threads,
         Watch {
             stop: &STOP,
-            run: &|| bar.inc(1),
+            run: &|| bar.step(),
         },
     );
-    bar.finish_and_clear();
+    bar.finish();
     found
 }

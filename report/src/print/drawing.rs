@@ -66,6 +66,8 @@ fn extent(shape: &Shape) -> Vec<Point> {
         | Shape::Angle { at, .. } => vec![*at],
         Shape::Axis { from, to } | Shape::Arrow { from, to } => vec![*from, *to],
         Shape::CentreLine { x, from, to } => vec![[*x, *from], [*x, *to]],
+        // On paper nothing is dragged, and forces stand in tables.
+        Shape::Handle { .. } | Shape::Force { .. } => Vec::new(),
         Shape::Distance { from, to, offset, .. } => {
             let [x, y] = unit(*from, *to);
             [from, to].map(|p| [p[0] - y * offset, p[1] + x * offset]).to_vec()
@@ -135,7 +137,7 @@ fn draw(picture: &mut Picture, shape: &Shape, place: &impl Fn(Point) -> Point, m
             picture.line("thin", &arc);
             picture.arrow(arc[30], arc[32]);
         }
-        Shape::Label { .. } | Shape::Number { .. } => {}
+        Shape::Label { .. } | Shape::Number { .. } | Shape::Handle { .. } | Shape::Force { .. } => {}
     }
 }
 

@@ -20,6 +20,9 @@ function extent(mark) {
     case "line":
     case "arrow":
       return [mark.from, mark.to];
+    case "handle":
+    case "force":
+      return [];
     case "distance": {
       const [x, y] = along(mark.from, mark.to);
       return [mark.from, mark.to].map(([u, v]) => [u - y * mark.offset, v + x * mark.offset]);
@@ -31,33 +34,35 @@ function extent(mark) {
 
 const marksAt = (drawn, row) => drawn.positions[row].map((mark) => (typeof mark === "number" ? drawn.still[mark] : mark));
 
-// One frame for all positions, so that nothing but the mechanism moves.
-function frame(drawings) {
+// One frame for all positions, so that nothing but the mechanism moves; further points may have to be in it.
+function frame(drawings, further = []) {
   const low = [Infinity, Infinity];
   const high = [-Infinity, -Infinity];
+  const include = (point) => {
+    for (const axis of [0, 1]) {
+      low[axis] = Math.min(low[axis], point[axis]);
+      high[axis] = Math.max(high[axis], point[axis]);
+    }
+  };
   for (const drawn of drawings) {
     for (const mark of [...drawn.still, ...drawn.positions.flat()]) {
-      if (typeof mark === "number") continue;
-      for (const point of extent(mark)) {
-        for (const axis of [0, 1]) {
-          low[axis] = Math.min(low[axis], point[axis]);
-          high[axis] = Math.max(high[axis], point[axis]);
-        }
-      }
+      if (typeof mark !== "number") extent(mark).forEach(include);
     }
   }
+  further.forEach(include);
   const size = [0, 1].map((axis) => Math.max(high[axis] - low[axis], 1e-6));
   const scale = Math.min(...[0, 1].map((axis) => (LARGEST[axis] - 2 * MARGIN[axis]) / size[axis]));
   return {
     scale,
     size: [0, 1].map((axis) => size[axis] * scale + 2 * MARGIN[axis]),
+    world: ([u, v]) => [(u - MARGIN[0]) / scale + low[0], high[1] - (v - MARGIN[1]) / scale],
     place: ([x, y]) => [(x - low[0]) * scale + MARGIN[0], (high[1] - y) * scale + MARGIN[1]].map((v) => Math.round(v * 100) / 100),
   };
 }
 
-const line = (points, properties) => s("polyline", { points: points.join(" "), ...properties });
+export const line = (points, properties) => s("polyline", { points: points.join(" "), ...properties });
 
-function head(from, tip) {
+export function head(from, tip) {
   const [x, y] = along(from, tip);
   const corner = (side) => [tip[0] - 9 * x - 2.6 * side * y, tip[1] - 9 * y + 2.6 * side * x];
   return s("polygon", { class: "head", points: [tip, corner(1), corner(-1)].join(" ") });
@@ -165,23 +170,92 @@ export function picture(drawing, row = 0) {
   return svg;
 }
 
-// A drawing that moves: each position is built once, when it is first seen.
+// Where the load hangs in a frame of a run: its head, and itself.
+function hung(drawing, row, hangs) {
+  const head = marksAt(drawing, row).find((mark) => mark.kind === "load")?.at;
+  const [forward, up] = hangs?.[row] ?? [];
+  return head && forward != null ? [head, [head[0] + forward, head[1] + up]] : null;
+}
+
+// The load on its rope, in place of the weight at the head.
+function rope([head, load], frame) {
+  const [x, y] = frame.place(load);
+  return s("g", {}, line([frame.place(head), [x, y]], { class: "medium" }), s("rect", { class: "weight", x: x - 6, y, width: 12, height: 10 }));
+}
+
+// A drawing that moves: each position is built once, when it is first seen. Over it lie forces, and handles to drag by.
 export class Drawing {
-  constructor(host) {
-    this.host = host;
+  constructor(host, handles, forces) {
+    Object.assign(this, { host, handles, forces });
   }
 
-  show(drawing) {
-    this.drawing = drawing;
-    this.frame = frame([drawing]);
-    this.built = new Map();
-    this.svg = canvas(this.frame);
-    this.host.replaceChildren(this.svg);
+  // Positions of the working range, with what varies over it; while something is dragged the frame stays.
+  show(drawing, columns) {
+    this.set(drawing, null, this.handles.held && !this.hangs ? this.frame : frame([drawing]));
+    this.handles.loose = false;
+    this.forces.take(drawing, columns, this.frame);
+  }
+
+  // Frames of a run, in which the load may hang from the head.
+  play(drawing, hangs) {
+    const loads = hangs.length ? drawing.positions.map((_, row) => hung(drawing, row, hangs)?.[1]).filter(Boolean) : [];
+    this.set(drawing, hangs, frame([drawing], loads));
+    this.forces.take(null);
+  }
+
+  set(drawing, hangs, frame) {
+    Object.assign(this, { drawing, hangs, frame, built: new Map() });
+    this.moves ??= s("g");
+    this.svg ??= canvas(frame);
+    this.svg.setAttribute("viewBox", `0 0 ${frame.size.join(" ")}`);
+    this.svg.replaceChildren(this.moves, this.forces.layer, this.handles.layer);
+    if (!this.svg.isConnected) this.host.prepend(this.svg);
+  }
+
+  build(row) {
+    const load = hung(this.drawing, row, this.hangs);
+    const marks = marksAt(this.drawing, row).filter((mark) => !(load && mark.kind === "load"));
+    const all = group(marks, this.frame);
+    if (load) all.append(rope(load, this.frame));
+    return all;
   }
 
   at(row, says) {
-    if (!this.built.has(row)) this.built.set(row, group(marksAt(this.drawing, row), this.frame));
-    this.svg.replaceChildren(this.built.get(row));
+    if (!this.built.has(row)) this.built.set(row, this.build(row));
+    this.moves.replaceChildren(this.built.get(row));
     this.svg.setAttribute("aria-label", says);
+    const marks = marksAt(this.drawing, row);
+    this.forces.at(marks, row);
+    this.handles.at(this.hangs ? [] : marks, this);
   }
+}
+
+// The crane from above in a frame of a run: the boom, and the load beside its head.
+export function above(drawing, run, row) {
+  const at = (row) => {
+    const marks = marksAt(drawing, row);
+    const axis = marks.find((mark) => mark.kind === "line" && mark.from[0] === mark.to[0])?.from[0] ?? 0;
+    const reach = (marks.find((mark) => mark.kind === "load")?.at[0] ?? axis) - axis;
+    const [forward, , left] = run.hangs[row] ?? [0, 0, 0];
+    return { reach, load: [reach + forward, left] };
+  };
+  const far = Math.max(...run.slewed.map((_, row) => Math.hypot(...at(row).load)), 1e-6);
+  const [middle, scale] = [80, 66 / far];
+  const angle = run.slewed[row];
+  const turned = ([x, y]) => {
+    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+    return [middle + scale * (x * cos - y * sin), middle - scale * (x * sin + y * cos)];
+  };
+  const { reach, load } = at(row);
+  const [cx, cy] = turned(load);
+  return s(
+    "svg",
+    { viewBox: "0 0 160 160", class: "mechanism above", "aria-hidden": "true" },
+    s("circle", { class: "faint", cx: middle, cy: middle, r: scale * far }),
+    line([[middle - 72, middle], [middle + 72, middle]], { class: "axis" }),
+    line([[middle, middle], turned([reach, 0])], { class: "bar" }),
+    line([turned([reach, 0]), [cx, cy]], { class: "thin" }),
+    s("circle", { class: "pin", cx: middle, cy: middle, r: 3.4 }),
+    s("circle", { class: "weight", cx, cy, r: 4 }),
+  );
 }

@@ -178,6 +178,11 @@ export class Editor {
     this.view.focus();
   }
 
+  // What is written elsewhere than in the text: it stays where it is seen.
+  change(changes) {
+    this.view.dispatch({ changes, userEvent: "input.drag" });
+  }
+
   go(at) {
     const place = Math.min(at, this.view.state.doc.length);
     this.view.dispatch({ selection: { anchor: place }, effects: EditorView.scrollIntoView(place, { y: "center" }) });

@@ -10,12 +10,16 @@ import { Curves } from "./curves.js";
 import { byId, h, plain, script } from "./dom.js";
 import { Drawing } from "./drawing.js";
 import { Editor } from "./editor.js";
+import { Forces } from "./forces.js";
 import { Gallery } from "./gallery.js";
+import { Handles } from "./handles.js";
 import { Player } from "./player.js";
+import { Runs } from "./runs.js";
 import { Scenes } from "./scenes.js";
 import { Table, verdict } from "./tables.js";
 import { Tabs } from "./tabs.js";
 import { current, measured, speak, word } from "./words.js";
+import { Work } from "./work.js";
 
 // Curves that are shown until others are chosen, and designs beside the one that is edited.
 const CURVES = 3;
@@ -26,26 +30,32 @@ let edit = 0;
 let shown = null;
 let chosen = null;
 let kept = [];
+// The run that is in view, if one is.
+let seen = null;
 
 // A screen reader reads what has changed.
 const say = (text) => {
   if (byId("notice").textContent !== text) byId("notice").textContent = text;
 };
 
-const drawing = new Drawing(byId("drawing"));
 const table = new Table(byId("table"));
 const player = new Player(at);
 const curves = new Curves(byId("charts"), (row) => player.set(row));
 const book = new Book(byId("pages"));
 const tabs = new Tabs(byId("tabs"), refresh);
 const editor = new Editor(byId("editor"), () => {
+  handles.release();
   scenes.changed(editor.text);
   answer();
 });
+const handles = new Handles(editor);
+const drawing = new Drawing(byId("drawing"), handles, new Forces());
+const runs = new Runs(view);
 const scenes = new Scenes(editor, say, () => answer());
 const gallery = new Gallery((id) => scenes.show(id).catch(failed));
 
 const failed = (error) => say(error.message);
+new Work(() => editor.text, beside, failed);
 
 const answer = newest(async () => {
   edit += 1;
@@ -85,12 +95,26 @@ function show(next) {
   shown = next;
   byId("title").textContent = shown.title;
   document.title = `${shown.title} – Lemnis`;
-  drawing.show(shown.drawing);
   verdict(byId("verdict"), shown, { curve: choose, formula });
   if (!before || before.name !== shown.name || !chosen?.size) chosen = new Set(usual());
   if (byId("choice").open) choice();
-  const rows = shown.columns[0].values.length;
-  player.range(rows, before ? null : Math.floor(rows / 2));
+  runs.of(editor.text, shown.runs);
+  view(before);
+}
+
+// The working range, or a run that was chosen.
+function view(before = shown) {
+  const { run } = runs;
+  if (run) {
+    drawing.play(run.drawing, run.hangs);
+    const frames = run.time.texts.length;
+    player.range(frames, seen === run.name ? null : 0, frames * run.step);
+  } else {
+    drawing.show(shown.drawing, shown.columns);
+    const rows = shown.columns[0].values.length;
+    player.range(rows, before && !seen ? null : Math.floor(rows / 2));
+  }
+  seen = run && run.name;
   refresh();
 }
 
@@ -152,12 +176,15 @@ function refresh() {
 
 function at(row) {
   if (!shown) return;
-  const { symbol, unit, texts } = shown.columns[0];
-  const value = ` = ${measured(texts[row], unit)}`;
-  const place = plain(symbol) + value;
-  byId("place").replaceChildren(script(symbol), value);
+  const { run } = runs;
+  const places = run ? [run.time, run.coordinate] : [shown.columns[0]];
+  const told = places.map(({ symbol, unit, texts }) => [symbol, ` = ${measured(texts[row], unit)}`]);
+  const place = told.map(([symbol, value]) => plain(symbol) + value).join(", ");
+  byId("place").replaceChildren(...told.flatMap(([symbol, value], i) => [i ? ", " : "", script(symbol), value]));
   byId("position").setAttribute("aria-valuetext", place);
   drawing.at(row, `${shown.title}, ${place}`);
+  runs.at(row);
+  if (run) return;
   if (tabs.current === "curves") curves.at(row);
   if (tabs.current === "table") table.at(row);
 }
@@ -167,6 +194,12 @@ function keep() {
   kept = [...kept, { label: `${shown.title} (${kept.length + 1})`, text: editor.text, shown }].slice(-KEPT);
   say(word("page.kept"));
   refresh();
+}
+
+// A scene that was found, with the one that it came of beside it.
+function beside(text) {
+  keep();
+  scenes.add(text).then(() => say(word("page.found"))).catch(failed);
 }
 
 function forget(place) {
@@ -208,6 +241,7 @@ async function start() {
   await talk(languages, language);
   byId("open-gallery").addEventListener("click", () => gallery.open().catch(failed));
   byId("keep").addEventListener("click", keep);
+  byId("forces").addEventListener("change", () => at(player.row));
   byId("level").addEventListener("change", refresh);
   byId("choice").addEventListener("toggle", () => byId("choice").open && shown && choice());
   for (const button of document.querySelectorAll("[data-make]")) {

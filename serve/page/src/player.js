@@ -3,8 +3,9 @@
 import { byId } from "./dom.js";
 import { word } from "./words.js";
 
-// How long the whole range takes, in ms.
+// How long the whole range takes, in ms; a run takes its own time, but for these limits.
 const SWEEP = 5000;
+const RUN = [3000, 30000];
 
 export class Player {
   constructor(moved) {
@@ -22,9 +23,11 @@ export class Player {
     return Number(this.slider.value);
   }
 
-  // Of so many rows; it stays where it is unless a row is given.
-  range(rows, row) {
+  // Of so many rows, there and back; or frames of a run of a duration, in s. It stays where it is unless a row is given.
+  range(rows, row, duration) {
     this.slider.max = rows - 1;
+    this.sweep = duration == null ? SWEEP : Math.min(Math.max(1000 * duration, RUN[0]), RUN[1]);
+    this.back = duration == null;
     if (row != null) this.slider.value = row;
   }
 
@@ -44,10 +47,9 @@ export class Player {
 
   play() {
     const last = Number(this.slider.max);
-    // There and back: twice the range.
-    const begun = performance.now() - (this.row / Math.max(last, 1)) * SWEEP;
+    const begun = performance.now() - (this.row / Math.max(last, 1)) * this.sweep;
     const step = (now) => {
-      const part = ((now - begun) / SWEEP) % 2;
+      const part = ((now - begun) / this.sweep) % (this.back ? 2 : 1);
       this.slider.value = Math.round(last * (part < 1 ? part : 2 - part));
       this.moved(this.row);
       this.playing = requestAnimationFrame(step);

@@ -51,6 +51,16 @@ export class Scenes {
     this.opened();
   }
 
+  // A scene that was found here, under its own name: no file has it.
+  add(text) {
+    const name = text.match(/^name\s*=\s*"([^"]*)"/m)?.[1] ?? "scene";
+    let id = name;
+    for (let i = 2; this.known.has(id); i += 1) id = `${name} (${i})`;
+    const own = lines(text);
+    this.known.set(id, { id, called: id, writable: false, text: own, saved: own, returns: false });
+    return this.show(id);
+  }
+
   changed(text) {
     this.scene.text = text;
     this.state();

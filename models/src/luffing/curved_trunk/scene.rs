@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary};
-use crate::component::draw::{Draw, polar};
+use crate::component::draw::{Draw, along, distance, polar};
 use crate::component::extreme::between;
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
@@ -304,6 +304,11 @@ impl Described for CurvedTrunk {
             draw.angle(o1, 0.2 * size, phi, &b::PHI);
             draw.distance(o1, contact.b, -0.05 * size, &s::B);
             draw.distance(p.b, p.a, -0.05 * size, &s::A);
+            draw.handle(p.b, &[(&s::B, distance(o1))]);
+            draw.handle(p.a, &[(&s::A, distance(p.b))]);
+            draw.force(o1, [&s::F_O1X, &s::F_O1Y]);
+            draw.force(p.b, [&s::F_BX, &s::F_BY]);
+            draw.pull(p.t, o3, &s::N_T);
             draw.distance(Point::new(-trunk.x_8, 0.0), Point::new(p.a.x, 0.0), -0.1 * size, &s::R);
             if this.given.load.is_some() {
                 draw.load(p.a, &s::Q);
@@ -311,6 +316,8 @@ impl Described for CurvedTrunk {
         }
         draw.joint(o1, "O_1", true, false);
         draw.joint(o3, "O_3", true, false);
+        draw.placed(o3, [&s::O3_X, &s::O3_Y]);
+        draw.handle(Point::new(-trunk.x_8, 0.0), &[(&s::X_8, along(o1, [-1.0, 0.0]))]);
         draw.axis(-trunk.x_8, -0.15 * size, 0.6 * size);
         draw.done(size)
     }

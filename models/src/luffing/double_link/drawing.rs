@@ -1,6 +1,6 @@
 //! The mechanism to scale.
 
-use crate::component::draw::Draw;
+use crate::component::draw::{Draw, along, distance};
 use crate::component::sheet::Drawing;
 use crate::component::telling::fine;
 use crate::drive::drawing::drive;
@@ -46,6 +46,13 @@ pub fn drawing(g: &Geometry<f64>, luffing: &Luffing, told: f64) -> Drawing {
         draw.distance(p.c, p.b, 1.3, &s::X_2);
         draw.distance(o3, p.c, -2.0, &s::X_3);
         draw.distance(p.b, p.a, -1.3, &s::X_4);
+        draw.handle(p.b, &[(&s::X_1, distance(o1))]);
+        draw.handle(p.c, &[(&s::X_2, distance(p.b)), (&s::X_3, distance(o3))]);
+        draw.handle(p.a, &[(&s::X_4, distance(p.b))]);
+        draw.force(o1, [&s::F_O1X, &s::F_O1Y]);
+        draw.force(o3, [&s::F_O3X, &s::F_O3Y]);
+        draw.force(p.b, [&s::F_BX, &s::F_BY]);
+        draw.force(p.c, [&s::F_CX, &s::F_CY]);
         if luffing.q.is_some() {
             draw.load(p.a, &s::Q);
         }
@@ -59,6 +66,11 @@ pub fn drawing(g: &Geometry<f64>, luffing: &Luffing, told: f64) -> Drawing {
     draw.distance(below, o1, -2.3, &s::X_5);
     draw.distance(below, o3, 2.6, &s::X_6);
     draw.distance(axis, o1, -4.1, &s::X_8);
+    draw.handle(
+        o3,
+        &[(&s::X_5, along(o1, [-1.0, 0.0])), (&s::X_6, along(o1, [0.0, 1.0]))],
+    );
+    draw.handle(axis, &[(&s::X_8, along(o1, [-1.0, 0.0]))]);
     draw.done(g.lengths.x_1 + g.lengths.x_4)
 }
 
@@ -77,6 +89,8 @@ fn boom(g: &Geometry<f64>, luffing: &Luffing, told: f64) -> Drawing {
             draw.label(p.b, "B");
             draw.angle(o1, 4.0, theta, &s::THETA_1);
             draw.distance(o1, p.b, -2.0, &s::X_1);
+            draw.handle(p.b, &[(&s::X_1, distance(o1))]);
+            draw.force(o1, [&s::F_O1X, &s::F_O1Y]);
         }
     }
     draw.joint(o1, "O_1", true, false);

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary, possible};
-use crate::component::draw::{Draw, polar};
+use crate::component::draw::{Draw, along, distance, polar};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moved::Moved;
 use crate::component::moving::MovingComponent;
@@ -335,6 +335,11 @@ impl Described for Ellipsograph {
             draw.angle(b, 0.2 * size, phi, &b::PHI);
             draw.distance(o1, p.c, -0.05 * size, &s::C);
             draw.distance(p.c, p.a, -0.05 * size, &s::A);
+            draw.handle(p.c, &[(&s::C, distance(o1))]);
+            draw.handle(p.a, &[(&s::A, distance(p.c))]);
+            draw.force(o1, [&s::F_O1X, &s::F_O1Y]);
+            draw.force(p.c, [&s::F_CX, &s::F_CY]);
+            draw.pull(b, b + Point::new(1.0, 0.0), &s::F_BX);
             draw.distance(
                 Point::new(-bars.x_8, p.b_y),
                 Point::new(p.a.x, p.b_y),
@@ -346,6 +351,7 @@ impl Described for Ellipsograph {
             }
         }
         draw.joint(o1, "O_1", true, false);
+        draw.handle(Point::new(-bars.x_8, 0.0), &[(&s::X_8, along(o1, [-1.0, 0.0]))]);
         draw.axis(-bars.x_8, low, 0.15 * size);
         draw.done(size)
     }

@@ -4,7 +4,7 @@ use crate::balance::boom::Plain;
 use crate::balance::scene::{BALANCE, PublishedBalance};
 use crate::balance::symbols as b;
 use crate::component::description::{Described, Description, Vocabulary, possible};
-use crate::component::draw::Draw;
+use crate::component::draw::{Draw, along, direction, distance};
 use crate::component::mechanism::{Entry, Solver};
 use crate::component::moved::Moved;
 use crate::component::moving::MovingComponent;
@@ -324,6 +324,12 @@ impl Described for Rope {
             draw.angle(o1, 0.2 * rig.l, phi, &b::PHI);
             draw.distance(Point::new(-rig.x_8, 0.0), Point::new(p.a.x, 0.0), -0.1 * rig.l, &s::R);
             draw.distance(o1, p.a, -0.06 * rig.l, &s::L);
+            let (sin, cos) = Calc::sin_cos(phi);
+            let line = [(&s::L, along(o1, [cos, sin])), (&s::F_A, along(o1, [-sin, cos]))];
+            draw.handle(p.a, &line);
+            draw.handle(k, &[(&s::S_K, distance(o1)), (&s::CHI_K, direction(o1, phi))]);
+            draw.force(o1, [&s::F_O1X, &s::F_O1Y]);
+            draw.pull(k, e, &s::T);
             if this.given.load.is_some() {
                 draw.load(p.a, &s::Q);
             }
@@ -331,7 +337,10 @@ impl Described for Rope {
         for (at, text) in [(o1, "O_1"), (e, "E"), (b, "B")] {
             draw.joint(at, text, true, false);
         }
+        draw.placed(e, [&s::E_X, &s::E_Y]);
+        draw.placed(b, [&s::B_X, &s::B_Y]);
         draw.axis(-rig.x_8, -0.15 * rig.l, 0.6 * rig.l);
+        draw.handle(Point::new(-rig.x_8, 0.0), &[(&s::X_8, along(o1, [-1.0, 0.0]))]);
         draw.done(rig.l)
     }
 

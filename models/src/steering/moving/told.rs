@@ -4,7 +4,7 @@
 use crate::component::moved::Moved;
 use crate::component::moving::MovingComponent;
 use crate::component::running::{Running, State};
-use crate::component::series::Series;
+use crate::component::series::{self, Series};
 use crate::component::sheet::{Curve, Energy, Envelope, InMotion, Manoeuvre, Section, Stand, Summary, Warning};
 use crate::kernel::calc::Calc;
 use crate::kernel::group::Group;
@@ -297,6 +297,7 @@ pub fn motion(this: &Steering, moving: &MovingGroups<f64>) -> Option<Moved> {
             commands: Vec::new(),
             run: [found.series.duration(), found.series.sample],
             curves: ids.zip(&drawn).filter_map(curve).collect(),
+            seen: found.series.frames(&model, &series::seen(&model)),
             events: Vec::new(),
             more_events: 0,
             energy: Energy::default(),

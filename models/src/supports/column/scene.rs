@@ -1,7 +1,7 @@
 //! A column as scenes describe it and books tell it.
 
 use crate::component::description::{Described, Description, Vocabulary};
-use crate::component::draw::{Draw, polar};
+use crate::component::draw::{Draw, along, polar};
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Drawing};
@@ -177,6 +177,7 @@ impl Described for ColumnScene {
         draw.joint(foot, s::H_F.print, true, false);
         draw.joint(head, s::Q.print, false, false);
         draw.distance(foot, Point::zeros(), 0.3 * height, &s::H_UF);
+        draw.handle(foot, &[(&s::H_UF, along(Point::zeros(), [0.0, -1.0]))]);
         draw.done(height)
     }
 }

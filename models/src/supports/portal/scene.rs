@@ -1,6 +1,7 @@
 //! A crane on a portal as scenes describe it and books tell it.
 
 use crate::component::description::{Described, Description, Vocabulary};
+use crate::component::draw::along;
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Drawing};
@@ -150,6 +151,11 @@ impl Described for PortalScene {
         draw.joint(head, s::Q.print, false, false);
         draw.distance(places[3], places[0], -0.3 * size, &s::A);
         draw.distance(places[2], places[3], -0.3 * size, &s::B);
+        let sides = [
+            (&s::A, along(Point::zeros(), [2.0, 0.0])),
+            (&s::B, along(Point::zeros(), [0.0, 2.0])),
+        ];
+        draw.handle(places[1], &sides);
         draw.done(size)
     }
 }

@@ -1,7 +1,7 @@
 //! A slewing ring as scenes describe it and books tell it.
 
 use crate::component::description::{Described, Description, Vocabulary};
-use crate::component::draw::{Draw, polar};
+use crate::component::draw::{Draw, along, polar};
 use crate::component::mechanism::Entry;
 use crate::component::outline::{Limit, Outline};
 use crate::component::sheet::{Check, Curve, Drawing, Sheet};
@@ -293,6 +293,7 @@ impl Described for RingScene {
         draw.joint(Point::zeros(), "O", true, false);
         draw.joint(head, s::Q.print, false, false);
         draw.distance(Point::new(0.0, -radius), Point::new(0.0, radius), 1.3 * radius, &s::D);
+        draw.handle(Point::new(0.0, radius), &[(&s::D, along(Point::zeros(), [0.0, 2.0]))]);
         draw.done(radius)
     }
 }

@@ -9,6 +9,7 @@ use crate::component::description::{Described, Description};
 use crate::component::moved::Moved;
 use crate::component::moving::MovingComponent;
 use crate::component::running::Running;
+use crate::component::series;
 use crate::component::sheet::{Check, Envelope, InMotion, Manoeuvre, Section, Summary};
 use crate::component::stages::Stages;
 use crate::drive::symbols as d;
@@ -195,8 +196,10 @@ fn ran<T: Shown>(
     let drawn = drawn::<T>(plan, &model);
     let lead = model.variables().iter().position(|variable| variable.symbol == lead)?;
     let drawn_indices = drawn.iter().map(|(_, index)| *index);
-    let seen = drawn_indices.chain(designed.iter().map(|(_, index)| *index));
-    let run = Run::new(luffing, rest, &mut model, (lead, seen), &mut pilot)?;
+    let frames = series::seen(&model);
+    let looked = drawn_indices.chain(designed.iter().map(|(_, index)| *index));
+    let looked = looked.chain(frames.iter().copied());
+    let run = Run::new(luffing, rest, &mut model, (lead, looked), &mut pilot)?;
     let symbol = |index: usize| model.variables()[index].symbol;
     let manoeuvre = Manoeuvre {
         id: plan.id,
@@ -211,6 +214,7 @@ fn ran<T: Shown>(
             .iter()
             .filter_map(|&(id, index)| run.series.curve(id, [&m::T, symbol(index)], index))
             .collect(),
+        seen: run.series.frames(&model, &frames),
         events: run.listed(),
         more_events: run.events.len().saturating_sub(EVENTS),
         energy: run.energy.list(moving),
