@@ -157,6 +157,17 @@ def test_what_nothing_keeps_to_is_said(tmp_path):
     assert found["choice"] is None and "nothing keeps to the accuracy" in text
 
 
+@pytest.mark.parametrize("name", ["rope_motion", "ellipsograph_motion"])
+def test_single_booms_have_a_trade(tmp_path, name):
+    """Their hoist would lift for as long as the crane luffs by a plan, and rests; where the brake holds the boom against its
+    motor nothing moves, in which two codes agree."""
+    text = lemnis("trade", ROOT / f"models/scenes/{name}.toml", "--rounds", 1, "--output", tmp_path)
+    assert "two codes agree" in text and ("a cycle" in text) == (name == "rope_motion")
+    told = json.loads(next(tmp_path.glob("*.json")).read_text(encoding="utf-8"))
+    swing = [row["errors"] for row in told["settings"] if row["level"] == "swing"]
+    assert swing and all(error["total"]["max"] < 1e-4 for row in swing for error in row.values())
+
+
 def test_a_steering_has_a_trade_too(tmp_path):
     text = lemnis("trade", ROOT / "models/scenes/car_4x2.toml", "--output", tmp_path, "--rounds", 1)
     assert "kinematic" in text and (tmp_path / "Car_trade.svg").exists()
