@@ -1,15 +1,13 @@
 //! Benchmarks beside their goals: `cargo bench --workspace --bench goals`, with `-- motion` those of mechanisms in
-//! motion alone, with `-- supports` those of what a crane stands on. Figures are the best of several rounds on this machine; nothing here fails.
+//! motion alone, with `-- supports` those of what a crane stands on, with `-- books` those of books. Figures are the best of several rounds on this machine; nothing here fails.
 
 use std::hint::black_box;
-use std::io::BufRead;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use lemnis_fmu::package::{self, Library};
-use lemnis_models::book::LEVELS;
 use lemnis_models::component::model::Model;
 use lemnis_models::kernel::calc::Calc;
 use lemnis_models::kernel::shared::Watch;
@@ -28,6 +26,8 @@ use lemnis_synthesis::candidate::Positions;
 use lemnis_synthesis::run::run;
 use lemnis_tests::unpacked::{DoStep, GetState, Real, SetReal, SetState, Unpacked};
 
+#[path = "goals/books.rs"]
+mod books;
 #[path = "goals/motion.rs"]
 mod motion;
 #[path = "goals/supports.rs"]
@@ -53,7 +53,11 @@ fn row(what: &str, value: f64, unit: &str, goal: f64) {
 }
 
 fn main() {
-    for (name, rows) in [("motion", motion::rows as fn()), ("supports", supports::rows)] {
+    for (name, rows) in [
+        ("books", books::rows as fn()),
+        ("motion", motion::rows),
+        ("supports", supports::rows),
+    ] {
         if std::env::args().any(|argument| argument == name) {
             rows();
             return;
@@ -467,16 +471,18 @@ fn resident() -> Option<usize> {
     Some(1024 * line.trim().strip_suffix(" kB")?.parse::<usize>().ok()?)
 }
 
+/// The program, which lies where the library does.
+fn program() -> PathBuf {
+    let library = package::find_library().expect("built");
+    let folder = library.parent().and_then(Path::parent).expect("target/release");
+    folder.join(format!("lemnis{}", std::env::consts::EXE_SUFFIX))
+}
+
 /// The program itself, each command in a process of its own.
 fn programs() {
     let library = Library::of_this_platform().expect("built");
     row("library in the FMU", library.bytes.len() as f64 / 1e6, "MB", 2.0);
-    let program = package::find_library().expect("built");
-    let program = program
-        .parent()
-        .and_then(Path::parent)
-        .expect("target/release")
-        .join(format!("lemnis{}", std::env::consts::EXE_SUFFIX));
+    let program = program();
     let folder = tempfile::tempdir().expect("a folder");
     let run = |arguments: &[&str]| -> Duration {
         let times = (0..5).map(|_| {
@@ -501,112 +507,5 @@ fn programs() {
         "ms",
         30.0,
     );
-    for level in LEVELS {
-        let time = run(&["book", "--level", level]).as_secs_f64() * 1e3;
-        row(&format!("lemnis book, {level}, cold"), time, "ms", 1000.0);
-    }
-    many(&program);
-    for (what, from, to) in [
-        ("a limit", "mu_min    = \"30 deg\"", "mu_min    = \"31 deg\""),
-        ("the load", "Q = \"160 kN\"", "Q = \"161 kN\""),
-        ("a length", "X_1 = \"19.3 m\"", "X_1 = \"19.31 m\""),
-    ] {
-        watch(&program, what, from, to);
-    }
-}
-
-/// A hundred books of a hundred cranes, each with another boom, in one call.
-fn many(program: &Path) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scenes = (0..100).map(|i| {
-        let text = DEFAULT.replace("LemniscateCrane", &format!("Crane{i}"));
-        let path = folder.path().join(format!("{i}.toml"));
-        std::fs::write(
-            &path,
-            text.replace("\"19.3 m\"", &format!("\"{} m\"", 19.3 + 0.001 * f64::from(i))),
-        )
-        .expect("writable");
-        path
-    });
-    let scenes: Vec<_> = scenes.collect();
-    for level in LEVELS {
-        let start = Instant::now();
-        let mut child = Command::new(program)
-            .args(["book", "--level", level, "--output"])
-            .arg(folder.path())
-            .args(&scenes)
-            .stdout(std::process::Stdio::null())
-            .spawn()
-            .expect("built");
-        let mut memory = 0.0_f64;
-        while child.try_wait().expect("ours").is_none() {
-            memory = memory.max(shared_memory(child.id()));
-            std::thread::sleep(Duration::from_millis(50));
-        }
-        let each = start.elapsed().as_secs_f64() * 10.0;
-        row(&format!("lemnis book, {level}, 100 scenes, each"), each, "ms", 100.0);
-        row(
-            &format!("lemnis book, {level}, 100 scenes, memory"),
-            memory,
-            "MB",
-            300.0,
-        );
-    }
-}
-
-/// Greatest memory that a process has had, in MB; zero where the system does not say.
-fn peak_memory(process: u32) -> f64 {
-    let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    let kilobytes = line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok());
-    kilobytes.unwrap_or(0.0) / 1024.0
-}
-
-/// Memory of a process and of those that it started, in MB, what they share counted once; zero where the system does
-/// not say.
-fn shared_memory(process: u32) -> f64 {
-    let read = |file: String| std::fs::read_to_string(format!("/proc/{process}/{file}")).unwrap_or_default();
-    let roll = read("smaps_rollup".to_owned());
-    let line = roll.lines().find_map(|line| line.strip_prefix("Pss:"));
-    let kilobytes = line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok());
-    let children = read(format!("task/{process}/children"));
-    let children = children.split_whitespace().filter_map(|child| child.parse().ok());
-    kilobytes.unwrap_or(0.0) / 1024.0 + children.map(shared_memory).sum::<f64>()
-}
-
-/// From the saving of a changed number to the new book on disk.
-fn watch(program: &Path, what: &str, from: &str, to: &str) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("scene.toml");
-    std::fs::write(&path, DEFAULT).expect("writable");
-    let mut child = Command::new(program)
-        .arg("book")
-        .arg(&path)
-        .arg("--watch")
-        .arg("--output")
-        .arg(folder.path().join("out"))
-        .stdout(std::process::Stdio::piped())
-        .spawn()
-        .expect("built");
-    let mut lines = std::io::BufReader::new(child.stdout.take().expect("piped")).lines();
-    let mut wait = || while !lines.next().expect("goes on").expect("text").contains("waiting") {};
-    wait();
-    let mut best = f64::INFINITY;
-    for round in 0..6 {
-        // The watcher is listening again a moment after it says so.
-        std::thread::sleep(Duration::from_millis(50));
-        let text = if round % 2 == 0 {
-            DEFAULT.replace(from, to)
-        } else {
-            DEFAULT.to_owned()
-        };
-        let start = Instant::now();
-        std::fs::write(&path, text).expect("writable");
-        wait();
-        best = best.min(start.elapsed().as_secs_f64() * 1e3);
-    }
-    row(&format!("lemnis book --watch, {what} changed"), best, "ms", 150.0);
-    row("lemnis book --watch, memory", peak_memory(child.id()), "MB", 300.0);
-    child.kill().expect("ours");
-    child.wait().expect("ours");
+    books::rows();
 }
