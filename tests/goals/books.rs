@@ -24,7 +24,7 @@ print(time.perf_counter() - begun)";
 
 pub fn rows() {
     let program = program();
-    LEVELS.into_iter().for_each(|level| cold(&program, level));
+    LEVELS.iter().for_each(|level| cold(&program, level));
     many(&program);
     for (what, from, to) in [
         ("a limit", "mu_min    = \"30 deg\"", "mu_min    = \"31 deg\""),
