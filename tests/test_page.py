@@ -374,6 +374,30 @@ def test_forces_are_arrows_to_one_scale(seen):
     assert page.locator(".forces text").count() == 0
 
 
+def test_centre_dead_points_and_transmission_angle_are_shown_where_asked_for(seen):
+    """The centre lies on the boom's line as far from its foot as the table says; a boom has two dead points."""
+    page = seen.page
+    page.locator("#position").evaluate("slider => { slider.value = 0; slider.dispatchEvent(new Event('input')); }")
+    expect(page.locator("#place")).to_contain_text("60°")
+    lines = page.locator("#drawing .axis")
+    plain, angles = lines.count(), page.locator("#drawing text", has_text="μ").count()
+    page.check("#with-dead_points")
+    expect(lines).to_have_count(plain + 2)
+    page.uncheck("#with-dead_points")
+    page.check("#with-transmission")
+    expect(page.locator("#drawing text", has_text="μ")).to_have_count(angles + 1)
+    page.check("#with-centre")
+    expect(lines).to_have_count(plain + 2)
+    results = json.loads(lemnis("check", "--json", SCENE))["variables"]
+    ends = lines.evaluate_all("all => all.map(one => one.getAttribute('points').split(/[ ,]/).map(Number))")
+    ends = [line for line in ends if [other[2:] for other in ends].count(line[2:]) == 2]
+    assert len(ends) == 2, "both lines end in the centre"
+    length = lambda x, y, u, v: ((u - x) ** 2 + (v - y) ** 2) ** 0.5
+    at = lambda name: (results[f"{name}.x"]["values"][0], results[f"{name}.y"]["values"][0])
+    far = [length(*at(joint), *at("P")) for joint in ("B", "C")]
+    assert length(*ends[0]) / length(*ends[1]) == pytest.approx(far[0] / far[1], rel=1e-3)
+
+
 def test_runs_are_played_in_time(chromium):
     """The manoeuvres of the book: the load hangs from the head, slewing is seen from above, and the range comes back."""
     with serving(ROOT / "models/scenes/portal_crane.toml") as served:

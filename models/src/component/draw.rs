@@ -3,7 +3,7 @@
 use crate::component::sheet::{Drawing, Gauge, Shape};
 use crate::kernel::calc::Calc;
 use crate::kernel::symbol::Symbol;
-use crate::parts::plane::Point;
+use crate::parts::plane::{Point, cross};
 
 /// A drawing that grows. What is `faint` stands behind what is told.
 #[derive(Default)]
@@ -150,6 +150,52 @@ impl Draw {
     /// A vertical centre line.
     pub fn axis(&mut self, x: f64, from: f64, to: f64) {
         self.shapes.push(Shape::CentreLine { x, from, to });
+    }
+
+    /// What only a page shows, where it is asked for, by the id of its word.
+    fn aside(&mut self, of: &'static str, draw: impl FnOnce(&mut Draw)) {
+        let mut own = Draw::default();
+        draw(&mut own);
+        let shapes = own.shapes.into_iter().map(Box::new);
+        self.shapes.extend(shapes.map(|shape| Shape::Aside { of, shape }));
+    }
+
+    /// The instantaneous centre of what hangs on two lines, each from a point to a joint on it; none where they are
+    /// parallel, or it is farther away than the mechanism's size (m) and a half.
+    pub fn centre(&mut self, lines: [[Point<f64>; 2]; 2], size: f64) {
+        let [[o, b], [p, c]] = lines;
+        let at = o + (b - o) * (cross(p - o, c - p) / cross(b - o, c - p));
+        if (at - b).norm() < 1.5 * size {
+            self.aside("centre", |draw| {
+                draw.line(b, at);
+                draw.line(c, at);
+                draw.joint(at, "P", false, false);
+            });
+        }
+    }
+
+    /// The acute angle between two directions at a joint, which tells how well a link is moved.
+    pub fn transmission(&mut self, at: Point<f64>, [a, b]: [Point<f64>; 2], radius: f64, symbol: &'static Symbol) {
+        let [from, other] = [a, b].map(|line| Calc::direction(line.x, line.y));
+        let half = std::f64::consts::PI;
+        let to = other - half * ((other - from) / half).round();
+        let (at, text) = (array(at), symbol.print);
+        self.aside("transmission", |draw| {
+            draw.shapes.push(Shape::Angle {
+                at,
+                radius,
+                from,
+                to,
+                text,
+            });
+        });
+    }
+
+    /// A bar at its dead points: from its foot, of a length (m), in these directions (rad).
+    pub fn dead_points(&mut self, foot: Point<f64>, length: f64, at: impl Iterator<Item = f64>) {
+        self.aside("dead_points", |draw| {
+            at.for_each(|at| draw.line(foot, foot + polar(length, at)));
+        });
     }
 
     /// A point that one may drag, and what sets it.

@@ -59,6 +59,8 @@ pub enum Shape {
         to: f64,
         text: &'static str,
     },
+    /// What only a page shows, where it is asked for: the id of its word, and the shape.
+    Aside { of: &'static str, shape: Box<Shape> },
     /// A point that one may drag: quantities of the scene that place it, with what each measures to it.
     Handle {
         at: [f64; 2],

@@ -78,6 +78,11 @@ pub enum Mark {
         to: f64,
         text: Script,
     },
+    /// What is shown where it is asked for, by the id of its word.
+    Aside {
+        of: &'static str,
+        mark: Box<Mark>,
+    },
     /// A point that one may drag.
     Handle {
         at: Point,
@@ -154,6 +159,10 @@ impl Mark {
                 from: *from,
                 to: *to,
                 text: text(name),
+            },
+            Shape::Aside { of, shape } => Mark::Aside {
+                of,
+                mark: Box::new(Mark::new(scene, shape, numbers)?),
             },
             Shape::Handle { at, sets: wanted } => Mark::Handle {
                 at: rounded(*at),

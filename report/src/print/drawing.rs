@@ -66,8 +66,8 @@ fn extent(shape: &Shape) -> Vec<Point> {
         | Shape::Angle { at, .. } => vec![*at],
         Shape::Axis { from, to } | Shape::Arrow { from, to } => vec![*from, *to],
         Shape::CentreLine { x, from, to } => vec![[*x, *from], [*x, *to]],
-        // On paper nothing is dragged, and forces stand in tables.
-        Shape::Handle { .. } | Shape::Force { .. } => Vec::new(),
+        // On paper nothing is dragged; forces, centres and dead points stand in tables.
+        Shape::Aside { .. } | Shape::Handle { .. } | Shape::Force { .. } => Vec::new(),
         Shape::Distance { from, to, offset, .. } => {
             let [x, y] = unit(*from, *to);
             [from, to].map(|p| [p[0] - y * offset, p[1] + x * offset]).to_vec()
@@ -137,7 +137,8 @@ fn draw(picture: &mut Picture, shape: &Shape, place: &impl Fn(Point) -> Point, m
             picture.line("thin", &arc);
             picture.arrow(arc[30], arc[32]);
         }
-        Shape::Label { .. } | Shape::Number { .. } | Shape::Handle { .. } | Shape::Force { .. } => {}
+        Shape::Label { .. } | Shape::Number { .. } => {}
+        Shape::Aside { .. } | Shape::Handle { .. } | Shape::Force { .. } => {}
     }
 }
 

@@ -1,6 +1,7 @@
 // The mechanism at every position, from the shapes of the book's drawing: metres, y upwards.
 
-import { label, s } from "./dom.js";
+import { byId, h, label, s } from "./dom.js";
+import { current, word } from "./words.js";
 
 const LARGEST = [640, 400];
 const MARGIN = [40, 34];
@@ -22,6 +23,7 @@ function extent(mark) {
       return [mark.from, mark.to];
     case "handle":
     case "force":
+    case "aside":
       return [];
     case "distance": {
       const [x, y] = along(mark.from, mark.to);
@@ -185,8 +187,28 @@ function rope([head, load], frame) {
 
 // A drawing that moves: each position is built once, when it is first seen. Over it lie forces, and handles to drag by.
 export class Drawing {
-  constructor(host, handles, forces) {
-    Object.assign(this, { host, handles, forces });
+  constructor(host, handles, forces, seen) {
+    Object.assign(this, { host, handles, forces, asides: byId("asides"), wanted: new Set() });
+    this.seen = seen;
+  }
+
+  // What is shown where it is asked for: a box for each kind that the drawing has.
+  choices() {
+    const marks = [...this.drawing.still, ...this.drawing.positions.flat()];
+    const kinds = new Set(marks.map((mark) => mark.of).filter(Boolean));
+    const box = (of) => {
+      const change = (event) => {
+        if (event.target.checked) this.wanted.add(of);
+        else this.wanted.delete(of);
+        this.built.clear();
+        this.seen();
+      };
+      const input = h("input", { type: "checkbox", id: `with-${of}`, checked: this.wanted.has(of), onchange: change });
+      return h("label", { class: "field" }, input, " ", word(`page.${of}`));
+    };
+    if ([...kinds].join() === this.kinds && current() === this.language) return;
+    [this.kinds, this.language] = [[...kinds].join(), current()];
+    this.asides.replaceChildren(...[...kinds].map(box));
   }
 
   // Positions of the working range, with what varies over it; while something is dragged the frame stays.
@@ -205,16 +227,23 @@ export class Drawing {
 
   set(drawing, hangs, frame) {
     Object.assign(this, { drawing, hangs, frame, built: new Map() });
-    this.moves ??= s("g");
-    this.svg ??= canvas(frame);
+    if (!this.svg) {
+      // Once: what is put in again loses the focus.
+      this.moves = s("g");
+      this.svg = canvas(frame);
+      this.svg.append(this.moves, this.forces.layer, this.handles.layer);
+      this.host.prepend(this.svg);
+    }
     this.svg.setAttribute("viewBox", `0 0 ${frame.size.join(" ")}`);
-    this.svg.replaceChildren(this.moves, this.forces.layer, this.handles.layer);
-    if (!this.svg.isConnected) this.host.prepend(this.svg);
+    this.choices();
   }
 
   build(row) {
     const load = hung(this.drawing, row, this.hangs);
-    const marks = marksAt(this.drawing, row).filter((mark) => !(load && mark.kind === "load"));
+    const asked = (mark) => (mark.kind === "aside" ? (this.wanted.has(mark.of) ? [mark.mark] : []) : [mark]);
+    const marks = marksAt(this.drawing, row)
+      .filter((mark) => !(load && mark.kind === "load"))
+      .flatMap(asked);
     const all = group(marks, this.frame);
     if (load) all.append(rope(load, this.frame));
     return all;

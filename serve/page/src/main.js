@@ -49,7 +49,7 @@ const editor = new Editor(byId("editor"), () => {
   answer();
 });
 const handles = new Handles(editor);
-const drawing = new Drawing(byId("drawing"), handles, new Forces());
+const drawing = new Drawing(byId("drawing"), handles, new Forces(), () => at(player.row));
 const runs = new Runs(view);
 const scenes = new Scenes(editor, say, () => answer());
 const gallery = new Gallery((id) => scenes.show(id).catch(failed));

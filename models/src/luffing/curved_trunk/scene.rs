@@ -309,6 +309,8 @@ impl Described for CurvedTrunk {
             draw.force(o1, [&s::F_O1X, &s::F_O1Y]);
             draw.force(p.b, [&s::F_BX, &s::F_BY]);
             draw.pull(p.t, o3, &s::N_T);
+            draw.centre([[o1, p.b], [o3, p.t]], size);
+            draw.transmission(p.t, [p.b - p.t, o3 - p.t], 0.15 * size, &s::MU);
             draw.distance(Point::new(-trunk.x_8, 0.0), Point::new(p.a.x, 0.0), -0.1 * size, &s::R);
             if this.given.load.is_some() {
                 draw.load(p.a, &s::Q);

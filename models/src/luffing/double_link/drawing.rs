@@ -8,6 +8,7 @@ use crate::kernel::calc::Calc;
 use crate::kernel::group::One;
 use crate::luffing::double_link::driving;
 use crate::luffing::double_link::geometry::Geometry;
+use crate::luffing::double_link::parameters::Driven;
 use crate::luffing::double_link::position::Position;
 use crate::luffing::double_link::scene::Luffing;
 use crate::luffing::double_link::symbols as s;
@@ -53,6 +54,16 @@ pub fn drawing(g: &Geometry<f64>, luffing: &Luffing, told: f64) -> Drawing {
         draw.force(o3, [&s::F_O3X, &s::F_O3Y]);
         draw.force(p.b, [&s::F_BX, &s::F_BY]);
         draw.force(p.c, [&s::F_CX, &s::F_CY]);
+        draw.centre([[o1, p.b], [o3, p.c]], g.lengths.x_1);
+        let (joint, link, foot, length) = match g.driven {
+            Driven::Boom => (p.c, p.x_3, o1, g.lengths.x_1),
+            Driven::Rocker => (p.b, p.x_1, o3, g.lengths.x_3),
+        };
+        draw.transmission(joint, [p.x_2, link], 0.15 * g.lengths.x_1, &s::MU);
+        if !g.linkage.turns_fully() {
+            let arcs = g.linkage.arcs();
+            draw.dead_points(foot, length, arcs.iter().flat_map(|arc| [arc.from, arc.to]));
+        }
         if luffing.q.is_some() {
             draw.load(p.a, &s::Q);
         }

@@ -340,6 +340,7 @@ impl Described for Ellipsograph {
             draw.force(o1, [&s::F_O1X, &s::F_O1Y]);
             draw.force(p.c, [&s::F_CX, &s::F_CY]);
             draw.pull(b, b + Point::new(1.0, 0.0), &s::F_BX);
+            draw.centre([[b + Point::new(1.0, 0.0), b], [o1, p.c]], size);
             draw.distance(
                 Point::new(-bars.x_8, p.b_y),
                 Point::new(p.a.x, p.b_y),
