@@ -242,6 +242,10 @@ def test_the_page_knows_the_words_of_every_language(served):
     sources = "".join(path.read_text(encoding="utf-8") for path in [ROOT / "serve/page/index.html", *(ROOT / "serve/page/src").glob("*.js")])
     used = set(re.findall(r"""["`]((?:page|head|level|caption|chapter)\.\w+)["`]""", sources))
     known = {f"{group}.{id}" for group, words in start["languages"][0]["words"].items() for id in words}
+    # What a drawing has for the page alone is called by the word of its id.
+    asides = re.findall(r'self\.aside\("(\w+)"', (ROOT / "models/src/component/draw.rs").read_text(encoding="utf-8"))
+    assert asides
+    used |= {f"page.{of}" for of in asides}
     assert used <= known, used - known
     # Beside what the page says there are words of its language's name, and those that other parts of the program use.
     unused = {id for id in known - used if id.startswith("page.")} - {"page.own_name", "page.part_of_range"}
