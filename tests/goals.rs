@@ -478,6 +478,16 @@ fn program() -> PathBuf {
     folder.join(format!("lemnis{}", std::env::consts::EXE_SUFFIX))
 }
 
+/// How long a command takes, which must succeed.
+fn timed(command: &mut Command) -> Duration {
+    let start = Instant::now();
+    let done = command
+        .output()
+        .expect("build the program first: cargo build --release");
+    assert!(done.status.success());
+    start.elapsed()
+}
+
 /// The program itself, each command in a process of its own.
 fn programs() {
     let library = Library::of_this_platform().expect("built");
@@ -486,18 +496,12 @@ fn programs() {
     let folder = tempfile::tempdir().expect("a folder");
     let run = |arguments: &[&str]| -> Duration {
         let times = (0..5).map(|_| {
-            let start = Instant::now();
-            let done = Command::new(&program)
-                .args(arguments)
-                .arg("--output")
-                .arg(folder.path())
-                .output();
-            assert!(
-                done.expect("build the program first: cargo build --release")
-                    .status
-                    .success()
-            );
-            start.elapsed()
+            timed(
+                Command::new(&program)
+                    .args(arguments)
+                    .arg("--output")
+                    .arg(folder.path()),
+            )
         });
         times.min().expect("five")
     };

@@ -421,6 +421,12 @@ def test_runs_are_played_in_time(chromium):
         page.wait_for_function("() => Number(document.getElementById('position').value) > 2")
         page.click("#play")
         assert page.locator(".handle").count() == 0
+        # Another language names them anew, and what is seen stays.
+        page.select_option("#language", "zh")
+        expect(page.locator("#run option:checked")).to_have_text(words("zh")["manoeuvre"]["slew_and_stop"])
+        assert page.locator("#plan").is_visible()
+        page.select_option("#language", "en")
+        expect(page.locator("#run option:checked")).to_have_text(names["slew_and_stop"])
         page.select_option("#run", index=0)
         expect(page.locator("#place")).to_contain_text("θ")
         assert page.locator("#plan").is_hidden() and page.locator(".handle").count() > 0

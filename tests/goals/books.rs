@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use lemnis_models::book::LEVELS;
 use lemnis_models::scene::DEFAULT;
 
-use crate::{program, row};
+use crate::{program, row, timed};
 
 /// Rounds of which the best counts.
 const ROUNDS: usize = 9;
@@ -49,17 +49,11 @@ fn python() -> PathBuf {
 fn cold(program: &Path, level: &str) {
     let folder = tempfile::tempdir().expect("a folder");
     let make = |format: &str| -> Duration {
-        let start = Instant::now();
-        let done = Command::new(program)
-            .args(["book", "--level", level, "--format", format, "--output"])
-            .arg(folder.path())
-            .output();
-        assert!(
-            done.expect("build the program first: cargo build --release")
-                .status
-                .success()
-        );
-        start.elapsed()
+        timed(
+            Command::new(program)
+                .args(["book", "--level", level, "--format", format, "--output"])
+                .arg(folder.path()),
+        )
     };
     make("typ");
     let source = folder.path().join("LemniscateCrane.typ");

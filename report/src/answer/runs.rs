@@ -22,8 +22,8 @@ pub struct Run {
     /// Between its frames, in s.
     pub step: f64,
     /// When each frame is, and where the coordinate is then.
-    pub time: Place,
-    pub coordinate: Place,
+    pub time: Framed,
+    pub coordinate: Framed,
     pub drawing: Drawn,
     /// From the head to the load, in m: forward, upward, and to the left; empty where none swings.
     pub hangs: Vec<[f64; 3]>,
@@ -33,7 +33,7 @@ pub struct Run {
 
 /// A quantity of every frame, as a person reads it.
 #[derive(Serialize)]
-pub struct Place {
+pub struct Framed {
     #[serde(flatten)]
     axis: Axis,
     texts: Vec<String>,
@@ -64,7 +64,7 @@ fn told(scene: &Scene, sheet: &Sheet, language: &'static Language) -> Vec<Run> {
     if let Some(cycle) = &sheet.cycle {
         all.push((teller.word("chapter", "cycle"), &TIME, &cycle.seen));
     }
-    let place = |symbol: &'static Symbol, values: &[f64]| Place {
+    let place = |symbol: &'static Symbol, values: &[f64]| Framed {
         axis: teller.axis(symbol, None),
         texts: numbers.column(symbol, values.iter().copied()),
     };

@@ -50,12 +50,12 @@ const editor = new Editor(byId("editor"), () => {
 });
 const handles = new Handles(editor);
 const drawing = new Drawing(byId("drawing"), handles, new Forces(), () => at(player.row));
-const runs = new Runs(view);
+const runs = new Runs(view, (error) => failed(error));
 const scenes = new Scenes(editor, say, () => answer());
 const gallery = new Gallery((id) => scenes.show(id).catch(failed));
 
 const failed = (error) => say(error.message);
-new Work(() => editor.text, beside, failed);
+new Work(design, beside, failed);
 
 const answer = newest(async () => {
   edit += 1;
@@ -189,16 +189,20 @@ function at(row) {
   if (tabs.current === "table") table.at(row);
 }
 
-function keep() {
-  if (!shown) return;
-  kept = [...kept, { label: `${shown.title} (${kept.length + 1})`, text: editor.text, shown }].slice(-KEPT);
+function design() {
+  return { text: editor.text, shown };
+}
+
+function keep(one) {
+  if (!one.shown) return;
+  kept = [...kept, { label: `${one.shown.title} (${kept.length + 1})`, ...one }].slice(-KEPT);
   say(word("page.kept"));
   refresh();
 }
 
 // A scene that was found, with the one that it came of beside it.
-function beside(text) {
-  keep();
+function beside(text, origin) {
+  keep(origin);
   scenes.add(text).then(() => say(word("page.found"))).catch(failed);
 }
 
@@ -240,7 +244,7 @@ async function start() {
   select.addEventListener("change", () => talk(languages, select.value).then(answer).catch(failed));
   await talk(languages, language);
   byId("open-gallery").addEventListener("click", () => gallery.open().catch(failed));
-  byId("keep").addEventListener("click", keep);
+  byId("keep").addEventListener("click", () => keep(design()));
   byId("forces").addEventListener("change", () => at(player.row));
   byId("level").addEventListener("change", refresh);
   byId("choice").addEventListener("toggle", () => byId("choice").open && shown && choice());

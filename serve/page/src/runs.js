@@ -6,8 +6,8 @@ import { above } from "./drawing.js";
 import { current, word } from "./words.js";
 
 export class Runs {
-  // `changed` is called when another one, or none, is to be seen.
-  constructor(changed) {
+  // `changed` is called when another one, or none, is to be seen, `failed` with what went wrong.
+  constructor(changed, failed) {
     this.changed = changed;
     this.select = byId("run");
     this.plan = byId("plan");
@@ -15,28 +15,39 @@ export class Runs {
     this.run = null;
     this.select.addEventListener("change", () => this.want());
     this.ask = newest(async (text) => {
-      this.list = await told("runs", { text, language: current() });
-      this.listed = text;
-      this.fill();
-      this.take();
+      const { asked } = this;
+      try {
+        this.list = await told("runs", { text, language: current() });
+        this.listed = asked;
+        this.fill();
+        this.take();
+      } catch (error) {
+        failed(error);
+      }
     });
+  }
+
+  // What the list is of: a text, in a language.
+  get asked() {
+    return `${current()} ${this.text}`;
   }
 
   // Of a text that gives runs, or not.
   of(text, any) {
     this.text = text;
     byId("with-runs").hidden = !any;
-    if (!any) {
-      this.list = [];
-      this.select.value = "";
+    if (!any) this.select.value = "";
+    if (this.select.value === "") {
       this.run = null;
+      // Of another text they may have other names.
+      if (this.listed !== this.asked) this.list = [];
     }
-    if (this.list.length || this.select.options.length === 0) this.fill();
+    this.fill();
     if (this.select.value !== "") this.want();
   }
 
   want() {
-    if (this.select.value === "" || this.listed === this.text) this.take();
+    if (this.select.value === "" || this.listed === this.asked) this.take();
     else this.ask(this.text);
   }
 

@@ -8,9 +8,10 @@ import { current, word } from "./words.js";
 const LOOK = 500;
 
 export class Work {
-  // `found` takes a scene that was written, `failed` what went wrong.
-  constructor(text, found, failed) {
-    Object.assign(this, { text, found, failed });
+  // `design` tells what it begins with; `found` takes a scene that was written, with the design that it came of, `failed` what
+  // went wrong.
+  constructor(design, found, failed) {
+    Object.assign(this, { design, found, failed });
     for (const button of document.querySelectorAll("[data-begin]")) {
       button.addEventListener("click", () => this.begin(button.dataset.begin).catch((error) => this.ended({ printed: error.message, failed: true })));
     }
@@ -26,8 +27,9 @@ export class Work {
   async begin(what) {
     byId("said").replaceChildren();
     this.state(true);
+    this.origin = this.design();
     byId("progress").value = 0;
-    const { task } = await told("begin", { what, text: this.text(), language: current() });
+    const { task } = await told("begin", { what, text: this.origin.text, language: current() });
     this.task = task;
     for (;;) {
       const { percent, ended, picture } = await told("look", { task });
@@ -45,7 +47,7 @@ export class Work {
     this.state(false);
     const shown = [h("pre", { class: failed ? "broken" : null }, printed)];
     if (picture) shown.push(h("img", { src: pageOfBook(picture.hash), width: picture.width, height: picture.height, alt: word("page.trade") }));
-    if (scene) this.found(scene);
+    if (scene) this.found(scene, this.origin);
     byId("said").replaceChildren(...shown);
   }
 }
