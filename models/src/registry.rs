@@ -7,6 +7,7 @@ use crate::balance;
 use crate::balance::task::Search;
 use crate::component::dependencies::{dependencies as traced, recorded};
 use crate::component::description::{Described, Vocabulary};
+use crate::component::governing::Peaks;
 use crate::component::judged::{Judged, Sought, judged as found};
 use crate::component::mechanism::{Entry, Mechanism};
 use crate::component::model::Model;
@@ -119,7 +120,7 @@ pub fn mechanisms(given: impl Fn(&'static str) -> bool) -> Vec<&'static str> {
 struct Teller {
     id: &'static str,
     vocabulary: &'static Vocabulary,
-    sheet: fn(&dyn Mechanism, &Origins, &[Place]) -> Option<Sheet>,
+    sheet: fn(&dyn Mechanism, &Origins, &[Place], bool) -> Option<Sheet>,
     judged: fn(&dyn Mechanism, &mut Standing, &Sought<'_>) -> Option<Judged>,
     assumptions: fn(&dyn Mechanism) -> Option<Vec<&'static str>>,
     drawing: fn(&dyn Mechanism, f64) -> Option<Drawing>,
@@ -130,8 +131,11 @@ const fn teller<T: Described>() -> Teller {
     Teller {
         id: T::ID,
         vocabulary: T::VOCABULARY,
-        sheet: |mechanism, origins, asked| Some(telling::sheet::<T>(mechanism.of()?, origins, asked)),
-        judged: |mechanism, model, wanted| Some(found::<T>(mechanism.of()?, model, wanted)),
+        sheet: |mechanism, origins, asked, runs| Some(telling::sheet::<T>(mechanism.of()?, origins, asked, runs)),
+        judged: |mechanism, model, wanted| {
+            let mut peaks = Peaks::new(model);
+            Some(found::<T>(mechanism.of()?, model, &mut peaks, wanted))
+        },
         assumptions: |mechanism| Some(T::assumptions(mechanism.of()?)),
         drawing: |mechanism, at| Some(T::drawing(mechanism.of()?, at)),
         dependencies: |model| {
@@ -170,8 +174,8 @@ fn told<R>(mut of: impl FnMut(&Teller) -> Option<R>) -> R {
 /// # Panics
 /// For a mechanism without a line here.
 #[must_use]
-pub fn sheet(mechanism: &dyn Mechanism, origins: &Origins, asked: &[Place]) -> Sheet {
-    told(|teller| (teller.sheet)(mechanism, origins, asked))
+pub fn sheet(mechanism: &dyn Mechanism, origins: &Origins, asked: &[Place], runs: bool) -> Sheet {
+    told(|teller| (teller.sheet)(mechanism, origins, asked, runs))
 }
 
 /// Results of the whole range that are wanted, and those of which the scene asks something, as its book has them; `model` is

@@ -297,7 +297,17 @@ impl Scene {
     /// All that its book says.
     #[must_use]
     pub fn sheet(&self) -> Sheet {
-        let mut sheet = registry::sheet(&*self.mechanism, &self.given, &self.book.positions);
+        self.told(true)
+    }
+
+    /// The same without runs in time.
+    #[must_use]
+    pub fn sheet_at_rest(&self) -> Sheet {
+        self.told(false)
+    }
+
+    fn told(&self, runs: bool) -> Sheet {
+        let mut sheet = registry::sheet(&*self.mechanism, &self.given, &self.book.positions, runs);
         let loads = sheet.inputs.iter().rposition(|input| input.chapter == LOAD);
         let by_it = |variable: &Variable| variable.symbol == &gravity::G;
         let moves = sheet.motion.as_ref().is_some_and(weighs)

@@ -186,9 +186,9 @@ fn a_moment_alone() {
         let [lambda, ..] = rolling.solved(1.0);
         near(lambda, 1.0, 1e-14);
         // 2 / J_s, of J_s at λ = 1, as the couple is all: P_max z D / M.
-        let arms = rolling.mean(
+        let [arms] = rolling.means(
             |cosine: f64| 1.0 - lambda * (1.0 - cosine),
-            |cosine, force| (1.0 + cosine) * force,
+            |cosine, force| [(1.0 + cosine) * force],
         );
         near(2.0 / arms, alone.force, 1e-12);
         // The model says the same of its own ring, whatever its rows.

@@ -29,56 +29,79 @@ pub fn governing(
     outline: &'static Outline,
     wanted: &dyn Fn(&'static Symbol) -> bool,
 ) -> Vec<Summary> {
-    let coordinate = model.variables()[0].symbol;
-    let extremes = outline.extremes.iter().filter(|extreme| wanted(extreme.symbol));
-    let mut search = Peaks::new(model, extremes.clone().map(|extreme| extreme.of));
-    let summary = |extreme: &'static Greatest| {
-        Some(Summary::at(extreme.symbol, search.most(extreme)?, coordinate).of(extreme.of))
-    };
-    extremes.filter_map(summary).collect()
+    Peaks::new(model).governing(model, outline, wanted)
 }
 
 /// An extreme over the working range, of a numbered result over all of them; `None` where the scene does not have it.
 #[must_use]
 pub fn most(model: &Standing, extreme: &Greatest) -> Option<Extreme> {
-    Peaks::new(model, [extreme.of].into_iter()).most(extreme)
+    let mut peaks = Peaks::new(model);
+    peaks.look(model, [extreme.of].into_iter());
+    peaks.most(model, extreme)
 }
 
-/// Peaks of several results over the working range. All are looked at together: what they follow from is found once
-/// for each place.
-pub struct Peaks<'a> {
-    model: &'a Standing,
+/// Peaks of several results of a model over the working range, each found once.
+pub struct Peaks {
     probe: Probe,
     looked: Vec<(Slot, Option<Box<Looked>>)>,
+    found: Vec<(Slot, Most, Option<Extreme>)>,
 }
 
-impl<'a> Peaks<'a> {
+impl Peaks {
     #[must_use]
-    pub fn new(model: &'a Standing, symbols: impl Iterator<Item = &'static Symbol>) -> Peaks<'a> {
+    pub fn new(model: &Standing) -> Peaks {
+        Peaks {
+            probe: Probe::new(model, &mut |_, _| 0.0),
+            looked: Vec::new(),
+            found: Vec::new(),
+        }
+    }
+
+    /// Looks at results, at all of them together: what they follow from is found once for each place.
+    pub fn look(&mut self, model: &Standing, symbols: impl Iterator<Item = &'static Symbol>) {
         let stages = model.part().stages();
         let slots = symbols.flat_map(|symbol| slots(model, symbol));
         let smooth = slots.filter(|slot| !stages[usize::from(slot.stage)].searched);
-        let mut probe = Probe::new(model, &mut |_, _| 0.0);
-        let nothing = || Some(Box::new([Dual64::from_re(0.0); _]));
-        let mut looked: Vec<(Slot, Option<Box<Looked>>)> = smooth.map(|slot| (slot, nothing())).collect();
+        let known = self.looked.len();
+        for slot in smooth {
+            if self.looked.iter().all(|(known, _)| *known != slot) {
+                self.looked.push((slot, Some(Box::new([Dual64::from_re(0.0); _]))));
+            }
+        }
         for (i, at) in grid(model.motion()).into_iter().enumerate() {
-            for (slot, values) in &mut looked {
-                match probe.at(slot, Dual64::new(at, 1.0)) {
+            for (slot, values) in &mut self.looked[known..] {
+                match self.probe.at(slot, Dual64::new(at, 1.0)) {
                     Some(value) => values.iter_mut().for_each(|values| values[i] = value),
                     None => *values = None,
                 }
             }
         }
-        Peaks { model, probe, looked }
     }
 
-    /// An extreme, of a numbered result over all of them; `None` where the scene does not have it.
-    pub fn most(&mut self, extreme: &Greatest) -> Option<Extreme> {
-        let model = self.model;
+    /// As [`governing`].
+    pub fn governing(
+        &mut self,
+        model: &Standing,
+        outline: &'static Outline,
+        wanted: &dyn Fn(&'static Symbol) -> bool,
+    ) -> Vec<Summary> {
+        let coordinate = model.variables()[0].symbol;
+        let extremes = outline.extremes.iter().filter(|extreme| wanted(extreme.symbol));
+        self.look(model, extremes.clone().map(|extreme| extreme.of));
+        let summary = |extreme: &'static Greatest| {
+            let found = self.most(model, extreme)?;
+            Some(Summary::at(extreme.symbol, found, coordinate).of(extreme.of))
+        };
+        extremes.filter_map(summary).collect()
+    }
+
+    /// An extreme, of a numbered result over all of them; `None` where the scene does not have it, and of what has not been
+    /// looked at.
+    pub fn most(&mut self, model: &Standing, extreme: &Greatest) -> Option<Extreme> {
         let pole = extreme.pole.and_then(|pole| slot(model, pole));
         let each = slots(model, extreme.of).map(|slot| {
             let infinite = pole.and_then(|pole| infinite(&mut self.probe, &pole, &slot, model.motion()));
-            infinite.or_else(|| self.of(&slot, extreme.most))
+            infinite.or_else(|| self.of(model, &slot, extreme.most))
         });
         let all: Vec<Extreme> = each.collect::<Option<_>>()?;
         let more = |a: Extreme, b: Extreme| if extreme.most.is_before(a.value, b.value) { b } else { a };
@@ -86,9 +109,19 @@ impl<'a> Peaks<'a> {
     }
 
     /// The extreme of one of the results; `None` where it does not exist all over the range.
-    pub fn of(&mut self, slot: &Slot, most: Most) -> Option<Extreme> {
-        if self.model.part().stages()[usize::from(slot.stage)].searched {
-            return searched(self.model, slot, most);
+    pub fn of(&mut self, model: &Standing, slot: &Slot, most: Most) -> Option<Extreme> {
+        let known = self.found.iter().find(|(of, which, _)| of == slot && *which == most);
+        if let Some((.., found)) = known {
+            return *found;
+        }
+        let found = self.refined(model, slot, most);
+        self.found.push((*slot, most, found));
+        found
+    }
+
+    fn refined(&mut self, model: &Standing, slot: &Slot, most: Most) -> Option<Extreme> {
+        if model.part().stages()[usize::from(slot.stage)].searched {
+            return searched(model, slot, most);
         }
         let (_, looked) = self.looked.iter().find(|(known, _)| known == slot)?;
         let turned = |value: Dual64| match most {
@@ -98,7 +131,7 @@ impl<'a> Peaks<'a> {
         };
         let probe = &mut self.probe;
         let looked = looked.as_ref()?.map(turned);
-        let found = peak(self.model.motion(), &looked, &mut |at| probe.at(slot, at).map(turned))?;
+        let found = peak(model.motion(), &looked, &mut |at| probe.at(slot, at).map(turned))?;
         match most {
             Most::Greatest => Some(found),
             Most::Least => Some(found.turned()),
@@ -110,10 +143,10 @@ impl<'a> Peaks<'a> {
     }
 
     /// Places at which a variable is drawn over the working range: those of a curve, and where it is greatest and least.
-    pub fn drawn(&mut self, index: usize) -> Vec<f64> {
-        let mut places: Vec<f64> = fine(self.model.motion()).collect();
-        if let VariablePlace::Result(slot) = self.model.places()[index] {
-            let found = [Most::Greatest, Most::Least].map(|most| self.of(&slot, most));
+    pub fn drawn(&mut self, model: &Standing, index: usize) -> Vec<f64> {
+        let mut places: Vec<f64> = fine(model.motion()).collect();
+        if let VariablePlace::Result(slot) = model.places()[index] {
+            let found = [Most::Greatest, Most::Least].map(|most| self.of(model, &slot, most));
             let finite = found.into_iter().flatten().filter(|found| found.value.is_finite());
             places.extend(finite.map(|found| found.at));
             places.sort_by(f64::total_cmp);

@@ -1,7 +1,7 @@
 //! Results of the whole range, and what the scene asks of them.
 
 use crate::component::description::{Described, Description};
-use crate::component::governing::governing;
+use crate::component::governing::Peaks;
 use crate::component::outline::{Bound, Greatest, Most};
 use crate::component::running::Running;
 use crate::component::sheet::{Check, Summary};
@@ -32,13 +32,18 @@ pub type Sought<'a> = dyn Fn(&'static Symbol) -> bool + 'a;
 
 /// Those results that are wanted, and all of which the scene asks something.
 #[must_use]
-pub fn judged<T: Described>(told: &Description<T>, model: &mut Standing, wanted: &Sought<'_>) -> Judged {
+pub fn judged<T: Described>(
+    told: &Description<T>,
+    model: &mut Standing,
+    peaks: &mut Peaks,
+    wanted: &Sought<'_>,
+) -> Judged {
     let outline = T::OUTLINE;
     let asked = |symbol: &'static Symbol| {
         let mut own = outline.limits.iter().filter(|limit| limit.symbol == symbol);
         wanted(symbol) || own.any(|limit| bound(told, limit.bound, symbol).is_some())
     };
-    let mut governing = governing(model, outline, &asked);
+    let mut governing = peaks.governing(model, outline, &asked);
     governing.extend(T::searched(told, model));
     let symbols = outline.summary.iter().filter(|symbol| asked(symbol));
     let mut summary = symbols.filter_map(|symbol| whole(model, symbol)).collect::<Vec<_>>();

@@ -23,9 +23,17 @@ impl Probe {
         }
     }
 
+    /// Moves it; what is known of the place where it stands stays known.
+    fn place(&mut self, place: Dual64) {
+        let here = self.face.take(self.coordinate);
+        if [here.re.to_bits(), here.eps.to_bits()] != [place.re.to_bits(), place.eps.to_bits()] {
+            self.face.put(self.coordinate, place);
+        }
+    }
+
     pub(super) fn at(&mut self, slot: &Slot, place: Dual64) -> Option<Dual64> {
         let mut value = Dual64::from_re(0.0);
-        self.face.put(self.coordinate, place);
+        self.place(place);
         self.face.result(slot, &mut value).ok().map(|()| value)
     }
 }

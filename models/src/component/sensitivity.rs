@@ -10,13 +10,26 @@ use crate::component::outline::Outline;
 use crate::component::probe::{Probe, slot};
 use crate::component::running::Running;
 use crate::component::sheet::{Sensitivity, Slope, Summary};
-use crate::component::stages::{Source, Use};
+use crate::component::spread::{Spot, Spread, integrated};
+use crate::component::stages::{Slot, Source, Use};
 use crate::component::standing::{Standing, VariablePlace};
 use crate::kernel::symbol::Symbol;
 use crate::kernel::variable::Quantity;
 
-/// Reads a result and its derivative where it is held.
-type Reading = Box<dyn Fn(&mut Probe) -> Option<Dual64>>;
+/// Where a result is held.
+enum Held {
+    At(Slot, Dual64),
+    Whole(Spread, Spot),
+}
+
+impl Held {
+    fn integral(&self) -> Option<(&Spread, &Spot)> {
+        match self {
+            Held::Whole(spread, spot) if spread.is_integral() => Some((spread, spot)),
+            _ => None,
+        }
+    }
+}
 
 /// How results change with each given quantity that is wanted: derivatives in SI, exact. Those that the scene has of the symbols asked
 /// for, as results of the range or among the governing ones.
@@ -29,35 +42,31 @@ pub fn sensitivity(
     by: &dyn Fn(&Symbol) -> bool,
 ) -> Sensitivity {
     let mut results = Vec::new();
-    let mut found: Vec<Reading> = Vec::new();
+    let mut found: Vec<Held> = Vec::new();
     for &symbol in asked {
         let extreme = outline.extremes.iter().find(|extreme| extreme.symbol == symbol);
         let held = extreme.and_then(|extreme| slot(model, extreme.of));
         let summary = governing.iter().find(|summary| summary.symbol == symbol);
         let index = model.variables().iter().position(|variable| variable.symbol == symbol);
-        let of: Reading;
-        let value;
-        match (index.map(|index| (index, model.places()[index])), held.zip(summary)) {
+        let place = index.map(|index| (index, model.places()[index]));
+        let (value, of) = match (place, held.zip(summary)) {
             (Some((index, VariablePlace::Whole(whole))), _) => {
                 let (spread, spot) = (model.wholes()[whole], model.spot(whole).ok());
-                value = model.get(index).ok();
-                of = Box::new(move |probe| spread.value(&mut *probe.face, &spot?).ok());
+                (model.get(index).ok(), spot.map(|spot| Held::Whole(spread, spot)))
             }
             // A result of the whole range is the same everywhere.
             (Some((index, VariablePlace::Result(slot))), _) => {
                 let from = Dual64::from_re(model.motion().from);
-                value = model.get(index).ok();
-                of = Box::new(move |probe| probe.at(&slot, from));
+                (model.get(index).ok(), Some(Held::At(slot, from)))
             }
             // An extreme is held where it was found.
             (_, Some((slot, summary))) => {
                 let at = Dual64::from_re(summary.at.map_or(model.motion().from, |(_, at)| at));
-                value = Some(summary.value);
-                of = Box::new(move |probe| probe.at(&slot, at));
+                (Some(summary.value), Some(Held::At(slot, at)))
             }
             _ => continue,
-        }
-        if let Some(value) = value.filter(|value| value.is_finite() && *value != 0.0) {
+        };
+        if let Some((value, of)) = value.zip(of).filter(|(value, _)| value.is_finite() && *value != 0.0) {
             results.push((symbol, value));
             found.push(of);
         }
@@ -71,7 +80,14 @@ pub fn sensitivity(
     given.sort_by_key(|(source, _)| used(*source) == Use::Load);
     let row = |(source, (symbol, number)): (Source, Quantity)| {
         let mut probe = Probe::new(model, &mut |of, _| f64::from(of == source));
-        let by = found.iter().map(|of| Some(of(&mut probe)?.eps));
+        let integrals = found.iter().filter_map(Held::integral).collect::<Vec<_>>();
+        let mut integrals = integrated(&integrals, &mut *probe.face).ok()?.into_iter();
+        let mut value = |of: &Held| match of {
+            Held::At(slot, at) => probe.at(slot, *at),
+            Held::Whole(..) if of.integral().is_some() => integrals.next(),
+            Held::Whole(spread, spot) => spread.value(&mut *probe.face, spot).ok(),
+        };
+        let by = found.iter().map(|of| Some(value(of)?.eps));
         Some(Slope {
             symbol,
             number,

@@ -75,6 +75,8 @@ pub struct Sheet {
     pub motion: Option<InMotion>,
     /// The run through what the scene tells over time.
     pub cycle: Option<Cycle>,
+    /// Whether there are runs in time that were not asked for.
+    pub awaits_runs: bool,
     /// See [`Scene::assumptions`](crate::scene::Scene::assumptions).
     pub assumptions: Vec<&'static str>,
 }

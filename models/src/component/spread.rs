@@ -81,6 +81,55 @@ impl Spread {
         self.of == *slot || self.per == Some(*slot)
     }
 
+    /// Whether it is an integral over the range, or follows from some.
+    #[must_use]
+    pub fn is_integral(&self) -> bool {
+        matches!(self.how, How::Integral | How::Mean(_) | How::RootMean(_))
+    }
+
+    /// Whether both are integrals of results of the same stage.
+    #[must_use]
+    pub fn is_beside(&self, other: &Spread) -> bool {
+        self.is_integral() && other.is_integral() && self.of.stage == other.of.stage
+    }
+
+    /// What is summed up at the place where the component stands: with its weight, and the weight.
+    fn integrands<C: Calc>(&self, face: &mut (impl Face<C> + ?Sized)) -> Found<[C; 2]> {
+        let mut row = |slot: &Slot| {
+            let mut value = C::constant(0.0);
+            face.result(slot, &mut value).map(|()| value)
+        };
+        let Some(per) = &self.per else {
+            return Ok([row(&self.of)?, C::constant(0.0)]);
+        };
+        let (per, of) = (row(per)?, row(&self.of)?);
+        let root = matches!(self.how, How::RootMean(_));
+        Ok([if root { of.square() } else { of } * per, per])
+    }
+
+    /// What follows from the sums.
+    fn of_sums<C: Calc>(&self, [whole, per]: [C; 2]) -> C {
+        match self.how {
+            How::RootMean(_) => (whole / per).sqrt(),
+            How::Mean(_) => whole / per,
+            _ => whole,
+        }
+    }
+
+    /// Where integrals are taken, and what they come to; all together.
+    ///
+    /// # Errors
+    /// A configuration that does not exist.
+    pub fn find_integrals(all: &[&Spread], part: &dyn Part, motion: &Motion) -> Found<Vec<Spot>> {
+        let whole = Spot {
+            at: [motion.from, motion.to, 0.0, 0.0],
+            value: 0.0,
+        };
+        let each: Vec<(&Spread, &Spot)> = all.iter().map(|spread| (*spread, &whole)).collect();
+        let values = integrated(&each, &mut *part.duplicate())?;
+        Ok(values.into_iter().map(|value| Spot { value, ..whole }).collect())
+    }
+
     /// # Errors
     /// A configuration that does not exist.
     pub fn find(&self, part: &dyn Part, motion: &Motion) -> Found<Spot> {
@@ -135,6 +184,9 @@ impl Spread {
     /// # Errors
     /// A configuration that does not exist.
     pub fn value<C: Calc>(&self, face: &mut (impl Face<C> + ?Sized), spot: &Spot) -> Found<C> {
+        if self.is_integral() {
+            return Ok(integrated(&[(self, spot)], face)?.remove(0));
+        }
         let before = face.take(self.coordinate);
         let kept = self.with.map(|source| (source, face.take(source)));
         if let (Some(source), How::Vanishes(Some((_, value)))) = (self.with, self.how) {
@@ -150,16 +202,6 @@ impl Spread {
             Ok(match (self.how, &self.per) {
                 (How::Swing, _) => row(&self.of, a)? - row(&self.of, b)?,
                 (How::Ratio(_), Some(per)) => (row(&self.of, a)? - row(&self.of, b)?) / (row(per, c)? - row(per, d)?),
-                (How::Integral, _) => integral([a, b], |at| row(&self.of, at))?,
-                (How::Mean(_), Some(per)) => {
-                    let all = integral([a, b], |at| row(per, at))?;
-                    integral([a, b], |at| Ok(row(&self.of, at)? * row(per, at)?))? / all
-                }
-                (How::RootMean(_), Some(per)) => {
-                    let all = integral([a, b], |at| row(per, at))?;
-                    let square = integral([a, b], |at| Ok(row(&self.of, at)?.square() * row(per, at)?))?;
-                    (square / all).sqrt()
-                }
                 // A step of Newton's method carries the derivatives.
                 (How::Vanishes(_), _) if a.is_finite() => C::constant(a) - row(&self.of, a)? / C::constant(b),
                 (How::Vanishes(_), _) => C::constant(a),
@@ -174,20 +216,46 @@ impl Spread {
     }
 }
 
-/// Of `f` between two places, by Gauss's rule in pieces.
-fn integral<C: Calc>([from, to]: [f64; 2], mut f: impl FnMut(f64) -> Found<C>) -> Found<C> {
+/// What integrals over the range come to over any scalar; all are found together, and what they follow from once for each
+/// place.
+///
+/// # Errors
+/// A configuration that does not exist.
+pub fn integrated<C: Calc>(all: &[(&Spread, &Spot)], face: &mut (impl Face<C> + ?Sized)) -> Found<Vec<C>> {
+    let Some((Spread { coordinate, .. }, Spot { at: [from, to, ..], .. })) = all.first() else {
+        return Ok(Vec::new());
+    };
+    let before = face.take(*coordinate);
+    let mut sums = vec![[C::constant(0.0); 2]; all.len()];
+    let found = nodes(*from, *to).try_for_each(|(at, weight)| {
+        face.put(*coordinate, C::constant(at));
+        for (sums, (spread, _)) in sums.iter_mut().zip(all) {
+            for (sum, value) in sums.iter_mut().zip(spread.integrands(face)?) {
+                *sum += value * C::constant(weight);
+            }
+        }
+        Ok(())
+    });
+    face.put(*coordinate, before);
+    found.map(|()| {
+        all.iter()
+            .zip(sums)
+            .map(|((spread, _), sums)| spread.of_sums(sums))
+            .collect()
+    })
+}
+
+/// Places between two of them, and their weights, of Gauss's rule in pieces.
+fn nodes(from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
     const POINTS: NonZeroUsize = NonZeroUsize::new(8).expect("not zero");
     const PIECES: u32 = 24;
     let rule = GaussLegendre::new(POINTS);
     let half = 0.5 * (to - from) / f64::from(PIECES);
-    let mut sum = C::constant(0.0);
-    for piece in 0..PIECES {
+    (0..PIECES).flat_map(move |piece| {
         let middle = from + half * f64::from(2 * piece + 1);
-        for (node, weight) in rule.iter() {
-            sum += f(middle + half * node)? * C::constant(weight * half);
-        }
-    }
-    Ok(sum)
+        let of = |&(node, weight): &(f64, f64)| (middle + half * node, weight * half);
+        rule.iter().map(of).collect::<Vec<_>>()
+    })
 }
 
 /// Where `f` falls to zero in half a turn from `from` on, and its slope there; the start itself, which no derivative

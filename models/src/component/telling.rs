@@ -133,19 +133,24 @@ fn row(part: &dyn Part, symbol: &'static Symbol, face: &mut dyn Face<Rec>) -> Fo
     }
 }
 
-/// All that a book says of a mechanism, with the positions that the scene asks for.
+/// All that a book says of a mechanism, with the positions that the scene asks for; without its runs in time, which take
+/// most of the time of all, where these are not asked for.
 ///
 /// # Panics
 /// Where a run does.
 #[must_use]
-pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Place]) -> Sheet {
+pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Place], runs: bool) -> Sheet {
     let mut model = told.standing();
     let (mut sheet, moved, cycle) = std::thread::scope(|scope| {
-        let runs = scope.spawn(|| T::in_motion(told));
-        let cycle = cycle(told);
-        let sheet = at_rest(told, &mut model, origins, asked);
-        (sheet, runs.join().unwrap_or_else(|panic| resume_unwind(panic)), cycle)
+        let moved = runs.then(|| scope.spawn(|| T::in_motion(told)));
+        let identities = scope.spawn(|| T::identities(told, &mut told.standing()));
+        let cycle = runs.then(|| cycle(told)).flatten();
+        let mut sheet = at_rest(told, &mut model, origins, asked);
+        sheet.identities = identities.join().unwrap_or_else(|panic| resume_unwind(panic));
+        let moved = moved.and_then(|moved| moved.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        (sheet, moved, cycle)
     });
+    sheet.awaits_runs = !runs && (told.own.chapters().contains(&"motion") || !told.courses.is_empty());
     match moved {
         Some(moved) => moved.tell(&mut sheet),
         None => sheet.uncalculated = in_motion_only(told),
@@ -169,13 +174,14 @@ pub fn sheet<T: Described>(told: &Description<T>, origins: &Origins, asked: &[Pl
 /// All but what moves.
 fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &Origins, asked: &[Place]) -> Sheet {
     let outline = T::OUTLINE;
+    let mut peaks = Peaks::new(model);
     let Judged {
         governing,
         summary,
         requirements,
         unjudged,
-    } = judged(told, model, &|_| true);
-    let forces = forces(model, outline);
+    } = judged(told, model, &mut peaks, &|_| true);
+    let forces = forces(model, &mut peaks, outline);
     let positions = positions(outline, model.motion(), asked, &governing);
     let of = body(model, outline, &governing);
     let mut sheet = Sheet {
@@ -188,9 +194,8 @@ fn at_rest<T: Described>(told: &Description<T>, model: &mut Standing, origins: &
             .map(|(id, at)| worked::<T>(model, id, at, of))
             .collect(),
         range: table(model, outline.table),
-        curves: lines(told, model, outline.curves),
+        curves: lines(told, model, &mut peaks, outline.curves),
         drawing: T::drawing(told, T::drawn_at(told)),
-        identities: T::identities(told, model),
         requirements,
         unjudged,
         published: published(told.published(), model),
@@ -217,17 +222,15 @@ fn uses(outline: &Outline) -> Vec<(&'static str, Vec<&'static Symbol>)> {
 }
 
 /// Least and greatest values over the working range of what other parts are designed for.
-fn forces(model: &Standing, outline: &'static Outline) -> Vec<[Summary; 2]> {
+fn forces(model: &Standing, peaks: &mut Peaks, outline: &'static Outline) -> Vec<[Summary; 2]> {
     let coordinate = model.variables()[0].symbol;
-    let mut search = Peaks::new(model, outline.forces.iter().copied());
+    peaks.look(model, outline.forces.iter().copied());
     let of = |&symbol: &&'static Symbol| {
         let known = outline.extremes.iter().find(|extreme| extreme.of == symbol);
         let pole = known.and_then(|extreme| extreme.pole);
         let mut end = |end: Most| {
-            let found = search.most(&Greatest {
-                pole,
-                ..Greatest::new(symbol, end, symbol)
-            })?;
+            let own = Greatest::new(symbol, end, symbol);
+            let found = peaks.most(model, &Greatest { pole, ..own })?;
             let value = match end {
                 // It is so to both sides.
                 Most::Least if found.value == f64::INFINITY => -found.value,
@@ -395,24 +398,27 @@ pub fn table(model: &mut Standing, columns: &[&'static Symbol]) -> Table {
 }
 
 /// Curves over the working range; none of a result that the scene does not have.
-pub fn lines<T: Described>(told: &Description<T>, model: &mut Standing, lines: &[Line]) -> Vec<Curve> {
+pub fn lines<T: Described>(
+    told: &Description<T>,
+    model: &mut Standing,
+    peaks: &mut Peaks,
+    lines: &[Line],
+) -> Vec<Curve> {
     let coordinate = model.variables()[0].symbol;
     let known = lines.iter().map(|&(id, x, y)| (id, x.unwrap_or(coordinate), y));
     let known = known.filter(|&(_, x, y)| y != coordinate && exists(model, x) && exists(model, y));
     let known: Vec<_> = known.collect();
-    let mut search = Peaks::new(model, known.iter().map(|(.., y)| *y));
-    let mut with_places = |(id, x, y)| {
-        let each = indices(model, y).into_iter().map(|index| (index, search.drawn(index)));
-        (id, x, y, each.collect::<Vec<_>>())
-    };
-    let known: Vec<_> = known.into_iter().map(&mut with_places).collect();
+    peaks.look(model, known.iter().map(|(.., y)| *y));
+    let mut asked = Vec::new();
+    for (_, x, y) in &known {
+        let x = indices(model, x)[0];
+        asked.extend((indices(model, y).into_iter()).map(|index| ([x, index], peaks.drawn(model, index))));
+    }
+    let mut found = together(model, &asked).into_iter();
     let mut list = Vec::new();
-    for (id, x, y, each) in known {
-        let xs = indices(model, x);
+    for (id, x, y) in known {
         let (mut pieces, mut numbers) = (Vec::new(), Vec::new());
-        for (index, places) in each {
-            let points = values(model, &[xs[0], index], places.into_iter());
-            let points: Vec<_> = points.into_iter().map(|point| [point[0], point[1]]).collect();
+        for (index, points) in indices(model, y).into_iter().zip(&mut found) {
             // Where it is infinite it is broken.
             let finite = points.split(|point: &[f64; 2]| !point.iter().all(|x| x.is_finite()));
             for points in finite.filter(|points| !points.is_empty()) {
@@ -433,6 +439,27 @@ pub fn lines<T: Described>(told: &Description<T>, model: &mut Standing, lines: &
         }
     }
     list
+}
+
+/// Pairs of variables, each at places of its own: what they follow from is found once for each place.
+fn together(model: &mut Standing, asked: &[([usize; 2], Vec<f64>)]) -> Vec<Vec<[f64; 2]>> {
+    let mut places: Vec<(f64, usize)> = (0..)
+        .zip(asked)
+        .flat_map(|(which, (_, places))| places.iter().map(move |&at| (at, which)))
+        .collect();
+    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut found: Vec<Vec<[f64; 2]>> = asked
+        .iter()
+        .map(|(_, places)| Vec::with_capacity(places.len()))
+        .collect();
+    for those in places.chunk_by(|a, b| a.0.to_bits() == b.0.to_bits()) {
+        model.set(0, those[0].0).expect("a place is finite");
+        for &(_, which) in those {
+            let value = |index| model.get(index).expect("the range was checked");
+            found[which].push(asked[which].0.map(value));
+        }
+    }
+    found
 }
 
 /// How far the values of requirements are known: quantities that a publication has printed are known to half of their

@@ -131,9 +131,11 @@ impl BalancedBoom<'_> {
         let greatest = moments.iter().map(|row| row[0].abs()).fold(0.0, f64::max);
         let exact = self.found.dm_max.value <= 1e-9 * greatest;
         list.retain(|(_, _, y)| exists(model, y) && !(exact && *y == &b::DM));
+        let mut peaks = Peaks::new(model);
+        peaks.look(model, list.iter().map(|(_, _, y)| *y));
         let curve = |(id, x, y): (&'static str, &'static Symbol, &'static Symbol)| {
             let index = model.variables().iter().position(|variable| variable.symbol == y);
-            let places = Peaks::new(model, [y].into_iter()).drawn(index.expect("it exists"));
+            let places = peaks.drawn(model, index.expect("it exists"));
             let points = sample(model, &[x, y], places.into_iter());
             Curve {
                 id,

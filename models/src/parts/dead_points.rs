@@ -37,19 +37,26 @@ pub(super) const TAU_TAIL: f64 = 2.449_293_598_294_706_4e-16;
 pub(super) fn dead_angle_tail(angle: f64, crank: f64, frame: Point<f64>, diagonal: TwoFloat) -> f64 {
     let square = |x: f64| TwoFloat::new_mul(x, x);
     let constant = square(crank) + square(frame.x) + square(frame.y) - diagonal * diagonal;
-    let mut exact = TwoFloat::from(angle);
+    let (sin, cos) = sin_cos(TwoFloat::from(angle));
+    let mut tail = TwoFloat::from(0.0);
     // Quadratic convergence from 1e-16 (1e-8 where the linkage nearly passes), where twice is enough.
     for _ in 0..3 {
-        let (sin, cos) = sin_cos(exact);
+        let (sin, cos) = turned([sin, cos], tail);
         let residual = constant - 2.0 * crank * (frame.x * cos + frame.y * sin);
         let slope = 2.0 * crank * (frame.x * sin - frame.y * cos);
         let change = residual / slope;
-        exact -= change;
+        tail -= change;
         if f64::from(change).abs() < 1e-20 {
             break;
         }
     }
-    f64::from(exact - angle)
+    f64::from(tail)
+}
+
+/// Sine and cosine of an angle that is larger by up to 1e-8, by their series.
+fn turned([sin, cos]: [TwoFloat; 2], by: TwoFloat) -> (TwoFloat, TwoFloat) {
+    let (along, across) = (1.0 - by * by / 2.0, by - by * by * by / 6.0);
+    (sin * along + cos * across, cos * along - sin * across)
 }
 
 /// Sine and cosine in double-double arithmetic by their series: error below

@@ -6,7 +6,7 @@ use crate::component::moved::Moved;
 use crate::component::moving::MovingComponent;
 use crate::component::outline::Explained::Stage;
 use crate::component::outline::{Greatest, Limit, Most, Outline, chapters};
-use crate::component::sheet::{Drawing, Input, Sheet};
+use crate::component::sheet::{Check, Drawing, Input, Sheet};
 use crate::component::standing::Standing;
 use crate::kernel::diagnostic::Diagnostic;
 use crate::kernel::gravity;
@@ -225,6 +225,10 @@ impl Described for SteeringScene {
         motion(this, this.moving.as_ref()?)
     }
 
+    fn identities(this: &Steering, _model: &mut Standing) -> Vec<Check> {
+        identities(this, &this.built())
+    }
+
     /// Its modes and their changes, and how its parts are chosen.
     fn more(this: &Steering, model: &mut Standing, sheet: &mut Sheet) {
         let built = this.built();
@@ -244,7 +248,6 @@ impl Described for SteeringScene {
         let (asked, unjudged) = requirements(this, &parts, model, &sheet.governing);
         sheet.requirements.extend(asked);
         sheet.unjudged.extend(unjudged);
-        sheet.identities = identities(this, &built);
         sheet.sizing = parts.sections;
         let given = |symbol| {
             sheet

@@ -135,6 +135,9 @@ impl Running for Standing {
                 self.now.part.result(&slot, &mut value).map_err(|fault| *fault)?;
             }
             VariablePlace::Whole(place) => {
+                if self.wholes[place].is_integral() && self.now.spots[place].is_none() {
+                    self.find_integral(place)?;
+                }
                 let spot = self.spot(place)?;
                 self.now.spots[place] = Some(spot);
                 return Ok(spot.value);

@@ -131,9 +131,10 @@ pub fn chapter<T: Described<Component: Resists>>(
     let coordinate = model.variables()[0].symbol;
     const ALL: [&[&Symbol]; 3] = [COLUMNS, SHAFT_COLUMNS, STRENGTH_COLUMNS];
     let columns = ALL.into_iter().flatten();
-    let mut search = Peaks::new(model, columns.copied());
+    let mut peaks = Peaks::new(model);
+    peaks.look(model, columns.copied());
     let mut greatest = |symbol: &&'static Symbol| -> Vec<Summary> {
-        let each = slots(model, symbol).filter_map(|slot| search.of(&slot, Most::Amount));
+        let each = slots(model, symbol).filter_map(|slot| peaks.of(model, &slot, Most::Amount));
         each.map(|found| Summary::at(symbol, found, coordinate)).collect()
     };
     let all: Vec<Vec<Summary>> = ALL.into_iter().flatten().map(&mut greatest).collect();
@@ -189,7 +190,7 @@ pub fn chapter<T: Described<Component: Resists>>(
         worked,
         greatest: all.into_iter().filter(|all| !all.is_empty()).collect(),
         ranges,
-        curves: lines(told, model, &CURVES),
+        curves: lines(told, model, &mut peaks, &CURVES),
     })
 }
 

@@ -54,11 +54,9 @@ impl<C: Calc> RollingForces<C> {
         let [place, met, slope] = found.map(|(value, symbol)| C::constant(value).def(symbol));
         let lambda = (place + (kappa - met) / slope).def(&s::LAMBDA);
         let approach = |cosine: C| one - lambda * (one - cosine);
-        let arms = rolling
-            .mean(approach, |cosine, force| (one + cosine) * force)
-            .def(&s::J_S);
-        let amounts = rolling.mean(approach, |_, force| if rolling.held_down { force.abs() } else { force });
-        let amounts = amounts.def(&s::J_N);
+        let amount = |force: C| if rolling.held_down { force.abs() } else { force };
+        let [arms, amounts] = rolling.means(approach, |cosine, force| [(one + cosine) * force, amount(force)]);
+        let (arms, amounts) = (arms.def(&s::J_S), amounts.def(&s::J_N));
         let count = C::known(&s::Z, rolling.cosines.len() as f64);
         let greatest = (whole / (count * arms)).def(&s::P_MAX);
         let far = (one - lambda.scaled(1.0 - rolling.far())).def(&s::Q_FAR);
@@ -155,10 +153,8 @@ impl<C: Calc> MomentAlone<C> {
         let two = C::constant(2.0);
         // That of the first element, which sums over all of them name.
         let _ = C::constant(both.cosines[0]).def(&s::C_J);
-        let turns = both
-            .mean(|cosine: C| cosine, |cosine, force| cosine * force)
-            .def(&s::J_1);
-        let amounts = both.mean(|cosine: C| cosine, |_, force| force.abs()).def(&s::J_2);
+        let [turns, amounts] = both.means(|cosine: C| cosine, |cosine, force| [cosine * force, force.abs()]);
+        let (turns, amounts) = (turns.def(&s::J_1), amounts.def(&s::J_2));
         MomentAlone {
             means: [turns, amounts],
             force: (two / turns).def(&s::C_P),

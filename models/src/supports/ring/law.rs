@@ -68,19 +68,24 @@ impl RollingElements {
         }
     }
 
-    /// (1/z) Σ of something of c_j and of the force (1 − λ (1 − c_j))ⁿ, or another approach, over the elements that bear.
-    pub fn mean<C: Calc>(&self, approach: impl Fn(C) -> C, of: impl Fn(C, C) -> C) -> C {
+    /// (1/z) Σ of some things of c_j and of the force (1 − λ (1 − c_j))ⁿ, or another approach, over the elements that bear.
+    pub fn means<C: Calc, const N: usize>(&self, approach: impl Fn(C) -> C, of: impl Fn(C, C) -> [C; N]) -> [C; N] {
         let each = |cosine: C| of(cosine, self.force(approach(cosine)));
         let first = each(C::constant(self.cosines[0]));
-        let sum = self.pairs().skip(1).fold(first, |sum, (cosine, times)| {
+        let sums = self.pairs().skip(1).fold(first, |mut sums, (cosine, times)| {
             let cosine = C::constant(cosine);
-            if self.held_down || approach(cosine).value() > 0.0 {
-                sum + each(cosine).scaled(times)
-            } else {
-                sum
+            let near = approach(cosine);
+            if self.held_down || near.value() > 0.0 {
+                let those = of(cosine, self.force(near));
+                for (sum, value) in sums.iter_mut().zip(those) {
+                    *sum += value.scaled(times);
+                }
             }
+            sums
         });
-        sum.among(Among::Sum, each(C::known(&s::C_J, self.cosines[0]))) / C::known(&s::Z, self.cosines.len() as f64)
+        let one = each(C::known(&s::C_J, self.cosines[0]));
+        let count = C::known(&s::Z, self.cosines.len() as f64);
+        std::array::from_fn(|i| sums[i].among(Among::Sum, one[i]) / count)
     }
 
     /// Cosines of both halves, which are alike, each with how many elements have it.

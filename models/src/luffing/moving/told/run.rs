@@ -53,6 +53,8 @@ const WARNED: [&str; 6] = [
 struct Budget {
     halvings: u32,
     rates: f64,
+    /// Where a halved sample is begun again from, in turn.
+    starts: Vec<State>,
 }
 
 /// Moves the model on and returns the works on the way, with powers and energy (J) at its end.
@@ -67,13 +69,20 @@ fn advance<T: Shown>(
     if f64::from(model.count().rates) > budget.rates {
         return None;
     }
-    let (start, time) = (model.state(), to - from);
+    let time = to - from;
     let middle = f64::midpoint(from, to);
     if halvings == 0 {
         model.advance(from, to).ok()?;
         let after = powers::<T::Component>(model).ok()?;
         return Some((sum(&[(&before.0, 0.5 * time), (&after.0, 0.5 * time)]), after));
     }
+    let start = match budget.starts.pop() {
+        Some(mut start) => {
+            model.state_into(&mut start);
+            start
+        }
+        None => model.state(),
+    };
     model.advance(from, middle).ok()?;
     let half = powers::<T::Component>(model).ok()?;
     model.advance(middle, to).ok()?;
@@ -82,11 +91,14 @@ fn advance<T: Shown>(
     let (work, gain) = (sum(&weights), after.1 - before.1);
     let left = (net(&work) - gain).abs();
     let found = left <= LEFT * (turned_over + turnover(&work)) + rounding(before.1, after.1);
+    if !found && budget.halvings > 0 {
+        model.set_state(&start);
+    }
+    budget.starts.push(start);
     if found || budget.halvings == 0 {
         return Some((work, after));
     }
     budget.halvings -= 1;
-    model.set_state(&start);
     let (first, half) = advance::<T>(model, [from, middle], before, turned_over, halvings - 1, budget)?;
     let (second, after) = advance::<T>(model, [middle, to], &half, turned_over, halvings - 1, budget)?;
     Some((sum(&[(&first, 1.0), (&second, 1.0)]), after))
@@ -139,6 +151,7 @@ impl Run {
         let mut budget = Budget {
             halvings: samples,
             rates: RATES[0] * f64::from(samples) + RATES[1] * wanted,
+            starts: Vec::new(),
         };
         let (at, least) = present::<T::Component>(model);
         let mut run = Run {
