@@ -94,6 +94,13 @@ impl Making {
         }
     }
 
+    /// What the typesetter needs, while the book is written.
+    pub(crate) fn prepare(&self) {
+        if self.typst.is_none() {
+            Embedded::prepare();
+        }
+    }
+
     /// These options for another process.
     fn arguments(&self) -> Vec<OsString> {
         let options: [(&str, Option<OsString>); 4] = [
@@ -169,6 +176,9 @@ fn book(edition: &Edition<'_>, scene: &Scene, sheet: &Sheet, format: Format) -> 
 
 impl Books {
     pub fn run(&self) -> Result<(), Failure> {
+        if self.scenes.len() <= 1 && self.format != Format::Typ {
+            self.making.prepare();
+        }
         if self.watch {
             return self.watch();
         }

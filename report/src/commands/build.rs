@@ -19,6 +19,7 @@ pub struct Build {
 
 impl Build {
     pub fn run(&self) -> Result<(), Failure> {
+        self.making.prepare();
         let Pack { make, platforms } = &self.pack;
         let scene = to_build(make.scene.as_deref())?.announced()?;
         let results = Results::new(&scene).map_err(Failure::of_scene)?;

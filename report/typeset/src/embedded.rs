@@ -1,8 +1,11 @@
 //! Typst inside this program: the world that it sees, layout and export.
 
 use std::collections::{BTreeMap, HashMap};
+use std::num::NonZeroUsize;
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::thread::ScopedJoinHandle;
 
 use typst::diag::{FileError, FileResult, SourceDiagnostic, SourceResult, Warned};
 use typst::foundations::{Bytes, Content, Datetime, Duration};
@@ -25,6 +28,16 @@ use crate::typesetter::{Error, Files, Format, Typeset, Typesetter};
 /// the system, gives a warning; its code stands in its place: `U+9F98`.
 #[derive(Clone, Copy, Debug)]
 pub struct Embedded;
+
+impl Embedded {
+    /// Reads fonts and library on a thread of their own: they are there when a document is.
+    pub fn prepare() {
+        std::thread::spawn(|| {
+            LazyLock::force(&LIBRARY);
+            Fonts::embedded();
+        });
+    }
+}
 
 impl Typesetter for Embedded {
     fn typeset(&self, main: &str, files: &Files, format: Format, standard: Option<&str>) -> Result<Typeset, Error> {
@@ -64,7 +77,7 @@ fn make(main: &str, files: &Files, format: Format, standard: Option<&str>) -> Re
     let (world, document, warnings) = pages(main, files)?;
     let pages = document.pages().iter();
     let files = match format {
-        Format::Svg => pages.map(svg).collect(),
+        Format::Svg => drawn(document.pages()),
         Format::Png => pages.map(png).collect::<Result<_, _>>()?,
         Format::Pdf | Format::Html => vec![pdf(&world, &document, standard)?],
     };
@@ -125,6 +138,23 @@ fn pdf(world: &Memory, document: &PagedDocument, standard: Option<&str>) -> Resu
         ..PdfOptions::default()
     };
     world.check(typst_pdf::pdf(document, &options))
+}
+
+/// Each page on one of as many threads as there are cores: none needs another.
+fn drawn(pages: &[Page]) -> Vec<Vec<u8>> {
+    let threads = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let part = pages.len().div_ceil(threads).max(1);
+    std::thread::scope(|scope| {
+        let draw = |pages: &[Page]| pages.iter().map(svg).collect::<Vec<_>>();
+        let parts: Vec<_> = pages
+            .chunks(part)
+            .map(|pages| scope.spawn(move || draw(pages)))
+            .collect();
+        let ended = parts.into_iter().map(ScopedJoinHandle::join);
+        ended
+            .flat_map(|part| part.unwrap_or_else(|panic| resume_unwind(panic)))
+            .collect()
+    })
 }
 
 fn svg(page: &Page) -> Vec<u8> {
